@@ -1,0 +1,24 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# cohesion_add_test(NAME name LABELS label... COMMAND command...
+#                   [RANKS n] [TIMEOUT seconds] [ENVIRONMENT name=value...] [RUN_SERIAL])
+#
+# A ctest test; with RANKS under mpiexec. Labels: unit, regression, verification, mpi.
+function(cohesion_add_test)
+  cmake_parse_arguments(T "RUN_SERIAL" "NAME;RANKS;TIMEOUT" "LABELS;COMMAND;ENVIRONMENT" ${ARGN})
+  if(T_RANKS)
+    set(T_COMMAND ${MPIEXEC_EXECUTABLE} --oversubscribe ${MPIEXEC_NUMPROC_FLAG} ${T_RANKS}
+      ${T_COMMAND})
+  endif()
+  if(NOT T_TIMEOUT)
+    set(T_TIMEOUT 120)
+  endif()
+  add_test(NAME ${T_NAME} COMMAND ${T_COMMAND})
+  set_tests_properties(${T_NAME} PROPERTIES
+    LABELS "${T_LABELS}"
+    TIMEOUT ${T_TIMEOUT}
+    ENVIRONMENT
+      "OMPI_ALLOW_RUN_AS_ROOT=1;OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1;OMP_NUM_THREADS=1;${T_ENVIRONMENT}")
+  if(T_RUN_SERIAL)
+    set_tests_properties(${T_NAME} PROPERTIES RUN_SERIAL TRUE)
+  endif()
+endfunction()

@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# OpenFOAM, ESI line. In this order:
+#   -DOpenFOAM_ROOT=path     a built source tree
+#   a sourced environment    WM_PROJECT_DIR with src/ in it
+#   the system's package     with the headers that scripts/setup fetches
+#
+# Sets OpenFOAM_FOUND, OpenFOAM_VERSION (as 1912), OpenFOAM_BIN_DIR, OpenFOAM_ENVIRONMENT (list of
+# NAME=VALUE to run its programs) and the targets OpenFOAM::OpenFOAM, OpenFOAM::finiteVolume and
+# OpenFOAM::lagrangian.
+
+set(OpenFOAM_ROOT "" CACHE PATH "Built OpenFOAM source tree to use instead of the system's")
+
+set(OpenFOAM_TREE "${OpenFOAM_ROOT}")
+if(NOT OpenFOAM_TREE AND EXISTS "$ENV{WM_PROJECT_DIR}/src/OpenFOAM/lnInclude")
+  set(OpenFOAM_TREE "$ENV{WM_PROJECT_DIR}")
+endif()
+
+# Folders of headers, one per library
+set(OpenFOAM_MODULES OpenFOAM OSspecific finiteVolume meshTools lagrangian)
+if(OpenFOAM_TREE)
+  set(OpenFOAM_OpenFOAM_INCLUDE ${OpenFOAM_TREE}/src/OpenFOAM/lnInclude)
+  set(OpenFOAM_OSspecific_INCLUDE ${OpenFOAM_TREE}/src/OSspecific/POSIX/lnInclude)
+  set(OpenFOAM_finiteVolume_INCLUDE ${OpenFOAM_TREE}/src/finiteVolume/lnInclude)
+  set(OpenFOAM_meshTools_INCLUDE ${OpenFOAM_TREE}/src/meshTools/lnInclude)
+  set(OpenFOAM_lagrangian_INCLUDE ${OpenFOAM_TREE}/src/lagrangian/basic/lnInclude)
+  file(GLOB OpenFOAM_PLATFORM ${OpenFOAM_TREE}/platforms/*)
+  list(GET OpenFOAM_PLATFORM 0 OpenFOAM_PLATFORM)
+  set(OpenFOAM_LIB_HINTS ${OpenFOAM_PLATFORM}/lib)
+  set(OpenFOAM_PSTREAM_HINTS $ENV{FOAM_LIBBIN}/$ENV{FOAM_MPI} ${OpenFOAM_PLATFORM}/lib/sys-openmpi)
+  set(OpenFOAM_BIN_HINTS ${OpenFOAM_PLATFORM}/bin)
+  set(OpenFOAM_ENVIRONMENT WM_PROJECT_DIR=${OpenFOAM_TREE})
+  if(EXISTS ${OpenFOAM_TREE}/META-INFO/api-info)
+    file(STRINGS ${OpenFOAM_TREE}/META-INFO/api-info OpenFOAM_VERSION REGEX "api=")
+    string(REPLACE "api=" "" OpenFOAM_VERSION "${OpenFOAM_VERSION}")
+  endif()
+else()
+  foreach(module IN LISTS OpenFOAM_MODULES)
+    set(OpenFOAM_${module}_INCLUDE ${COHESION_CACHE}/openfoam-stock/lnInclude/${module})
+  endforeach()
+  set(OpenFOAM_LIB_HINTS /usr/lib /usr/lib/${CMAKE_LIBRARY_ARCHITECTURE})
+  set(OpenFOAM_PSTREAM_HINTS /usr/lib/openmpi-system ${OpenFOAM_LIB_HINTS})
+  set(OpenFOAM_BIN_HINTS /usr/bin)
+  set(OpenFOAM_ENVIRONMENT WM_PROJECT_DIR=/usr/share/openfoam)
+  if(EXISTS ${COHESION_CACHE}/openfoam-stock/api)
+    file(STRINGS ${COHESION_CACHE}/openfoam-stock/api OpenFOAM_VERSION)
+  endif()
+endif()
+
+foreach(library OpenFOAM finiteVolume meshTools lagrangian)
+  find_library(OpenFOAM_${library}_LIBRARY ${library} PATHS ${OpenFOAM_LIB_HINTS} NO_DEFAULT_PATH)
+  mark_as_advanced(OpenFOAM_${library}_LIBRARY)
+endforeach()
+find_library(OpenFOAM_Pstream_LIBRARY Pstream PATHS ${OpenFOAM_PSTREAM_HINTS} NO_DEFAULT_PATH)
+find_path(OpenFOAM_BIN_DIR blockMesh PATHS ${OpenFOAM_BIN_HINTS} NO_DEFAULT_PATH)
+find_path(OpenFOAM_HEADERS fvMesh.H PATHS ${OpenFOAM_finiteVolume_INCLUDE} NO_DEFAULT_PATH)
+mark_as_advanced(OpenFOAM_Pstream_LIBRARY OpenFOAM_BIN_DIR OpenFOAM_HEADERS)
+
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(OpenFOAM
+  REQUIRED_VARS OpenFOAM_finiteVolume_LIBRARY OpenFOAM_Pstream_LIBRARY OpenFOAM_HEADERS
+    OpenFOAM_BIN_DIR OpenFOAM_VERSION
+  VERSION_VAR OpenFOAM_VERSION
+  REASON_FAILURE_MESSAGE
+    "run scripts/setup, source an OpenFOAM environment, or give -DOpenFOAM_ROOT=path")
+
+if(OpenFOAM_FOUND AND NOT TARGET OpenFOAM::OpenFOAM)
+  add_library(OpenFOAM::OpenFOAM INTERFACE IMPORTED)
+  target_include_directories(OpenFOAM::OpenFOAM SYSTEM INTERFACE
+    ${OpenFOAM_OpenFOAM_INCLUDE} ${OpenFOAM_OSspecific_INCLUDE})
+  target_compile_definitions(OpenFOAM::OpenFOAM INTERFACE
+    OPENFOAM=${OpenFOAM_VERSION} WM_DP WM_LABEL_SIZE=32 NoRepository)
+  target_compile_options(OpenFOAM::OpenFOAM INTERFACE -ftemplate-depth-100 -pthread)
+  # Classes that only a case names are found by the libraries' static initialisers.
+  target_link_options(OpenFOAM::OpenFOAM INTERFACE -Wl,--no-as-needed)
+  target_link_libraries(OpenFOAM::OpenFOAM INTERFACE
+    ${OpenFOAM_OpenFOAM_LIBRARY} ${OpenFOAM_Pstream_LIBRARY} ${CMAKE_DL_LIBS} m)
+
+  add_library(OpenFOAM::finiteVolume INTERFACE IMPORTED)
+  target_include_directories(OpenFOAM::finiteVolume SYSTEM INTERFACE
+    ${OpenFOAM_finiteVolume_INCLUDE} ${OpenFOAM_meshTools_INCLUDE})
+  target_link_libraries(OpenFOAM::finiteVolume INTERFACE
+    ${OpenFOAM_finiteVolume_LIBRARY} ${OpenFOAM_meshTools_LIBRARY} OpenFOAM::OpenFOAM)
+
+  add_library(OpenFOAM::lagrangian INTERFACE IMPORTED)
+  target_include_directories(OpenFOAM::lagrangian SYSTEM INTERFACE ${OpenFOAM_lagrangian_INCLUDE})
+  target_link_libraries(OpenFOAM::lagrangian INTERFACE
+    ${OpenFOAM_lagrangian_LIBRARY} OpenFOAM::finiteVolume)
+endif()

@@ -1,0 +1,143 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Reads one finished case of the fluidised bed: fluidisation curve, characteristic velocities,
+plateau and void fraction. Lengths in m, velocities in m/s, pressures in Pa."""
+
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+WIDTH, HEIGHT, DEPTH = 0.08, 0.2, 1e-3
+CELLS = (27, 30)
+JET_SHARE = 13 / 27  # share of the plate that blows
+NODE = HEIGHT / CELLS[1] / 2  # height of the lowest pressure node
+GAS_DENSITY, GAS_VISCOSITY, GRAVITY = 1.205, 1.75e-5, 9.81
+DIAMETER, PARTICLE_DENSITY = 1e-3, 2650.0
+LINE_RANGE = (0.3, 0.9)  # of the weight: points on the packed-bed line
+
+
+@dataclass
+class Step:
+    """Averages over the second half of one step of the gas velocity."""
+
+    velocity: float
+    start: float
+    end: float
+    ratio: float  # pressure drop x area / weight above the lowest pressure node [1]
+    ratio_error: float  # standard deviation of its mean over five blocks [1]
+    rising: bool
+
+
+@dataclass
+class Velocities:
+    """The three characteristic velocities with standard errors, and the overshoot [1]."""
+
+    falling: tuple
+    rising: tuple
+    at_maximum: float
+    overshoot: float
+
+
+def read_columns(file):
+    return np.loadtxt(file, comments="#", ndmin=2)
+
+
+def read_traces(case):
+    """time, superficial velocity, pressure drop, weight above the node [N], height, one array each."""
+    case = Path(case)
+    pressure = read_columns(case / "postProcessing/lowestPressure/0/volFieldValue.dat")
+    jets = read_vectors(case / "postProcessing/jetVelocity/0/surfaceFieldValue.dat")
+    bed = read_columns(case / "bed.dat")
+    step = float(re.search(r"^\s*dt\s+(\S+);", (case / "constant/couplingProperties").read_text(),
+                           re.M).group(1))
+    time = pressure[:, 0]
+    # p is that of the gas with its own weight; the pressure drop is what the particles cause.
+    drop = GAS_DENSITY * (pressure[:, 1] - GRAVITY * (HEIGHT - NODE))
+    weight = np.interp(time, bed[:, 0] * step, bed[:, 1])
+    height = np.interp(time, bed[:, 0] * step, bed[:, 2])
+    return time, jets[:, 2] * JET_SHARE, drop, weight, height
+
+
+def read_vectors(file):
+    lines = [line for line in Path(file).read_text().splitlines() if not line.startswith("#")]
+    return np.array([[float(x) for x in re.sub(r"[()]", " ", line).split()] for line in lines])
+
+
+def read_schedule(case):
+    """(start, end, velocity) of the steps in constant/schedule."""
+    text = (Path(case) / "constant/schedule").read_text()
+    rows = re.findall(r"\(\s*([\d.e+-]+)\s+\(\s*\S+\s+([\d.e+-]+)\s+\S+\)\s*\)", text)
+    points = [(float(t), float(v)) for t, v in rows]
+    return [(t0, t1, v0) for (t0, v0), (t1, v1) in zip(points, points[1:]) if v0 == v1]
+
+
+def curve(case):
+    """The fluidisation curve: a list of Step."""
+    time, _, drop, weight, _ = read_traces(case)
+    ratio = drop * WIDTH * DEPTH / weight
+    schedule = read_schedule(case)
+    lowest = min(range(len(schedule)), key=lambda i: schedule[i][2])
+    steps = []
+    for i, (start, end, velocity) in enumerate(schedule):
+        inside = (time > (start + end) / 2) & (time <= end)
+        blocks = [block.mean() for block in np.array_split(ratio[inside], 5)]
+        steps.append(Step(velocity, start, end, float(np.mean(blocks)),
+                          float(np.std(blocks, ddof=1) / np.sqrt(5)), i > lowest))
+    return steps
+
+
+def line_meets_weight(steps):
+    """Where the straight line through the packed-bed points reaches the weight: (U, error)."""
+    packed = [s for s in steps if LINE_RANGE[0] < s.ratio < LINE_RANGE[1]]
+    if len(packed) < 3:
+        return float("nan"), float("nan")
+    u = np.array([s.velocity for s in packed])
+    y = np.array([s.ratio for s in packed])
+    (slope, offset), residual, *_ = np.polyfit(u, y, 1, full=True)
+    velocity = (1 - offset) / slope
+    # Error of the prediction of a fitted line, carried over to the velocity.
+    spread = np.sqrt((residual[0] if residual.size else 0.0) / max(len(u) - 2, 1))
+    error = spread / slope * np.sqrt(1 / len(u) + (velocity - u.mean()) ** 2
+                                     / ((u - u.mean()) ** 2).sum())
+    return float(velocity), float(error)
+
+
+def velocities(steps):
+    falling = [s for s in steps if not s.rising]
+    rising = [s for s in steps if s.rising]
+    highest = max(rising, key=lambda s: s.ratio)
+    return Velocities(line_meets_weight(falling), line_meets_weight(rising), highest.velocity,
+                      highest.ratio - 1)
+
+
+def plateau(steps, above):
+    """Mean ratio and its standard error over the steps faster than `above`, both branches."""
+    ratios = [s.ratio for s in steps if s.velocity > above]
+    return float(np.mean(ratios)), float(np.std(ratios, ddof=1) / np.sqrt(len(ratios)))
+
+
+def packed_void_fraction(case):
+    """Mean and standard deviation over the cells inside the resting bed: those between the lowest
+    row and the last full row below the surface, at the last written time without gas flow."""
+    rest = [s for s in read_schedule(case) if s[2] == 0]
+    folders = {float(d.name): d for d in Path(case).iterdir() if re.fullmatch(r"[\d.]+", d.name)}
+    written = [t for t in folders if rest and rest[0][0] < t <= rest[0][1] + 1e-3]
+    if not written:
+        return float("nan"), float("nan")
+    time, _, _, _, height = read_traces(case)
+    text = (folders[max(written)] / "voidFraction").read_text()
+    cells = re.search(r"internalField\s+nonuniform List<scalar>\s+\d+\s*\((.*?)\)", text, re.S)
+    field = np.array(cells.group(1).split(), dtype=float).reshape(CELLS[::-1])
+    rows = int(np.interp(max(written), time, height) / (HEIGHT / CELLS[1]))
+    inside = field[1:rows - 1, 1:-1]
+    return float(inside.mean()), float(inside.std(ddof=1))
+
+
+def ergun_minimum_fluidisation(void_fraction):
+    """Ergun's superficial velocity at which the pressure drop carries the bed."""
+    solid = 1 - void_fraction
+    viscous = 150 * solid**2 / void_fraction**3 * GAS_VISCOSITY / DIAMETER**2
+    inertial = 1.75 * solid / void_fraction**3 * GAS_DENSITY / DIAMETER
+    weight = solid * (PARTICLE_DENSITY - GAS_DENSITY) * GRAVITY
+    return (-viscous + np.sqrt(viscous**2 + 4 * inertial * weight)) / (2 * inertial)

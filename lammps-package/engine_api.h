@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#ifndef COHESION_ENGINE_API_H
+#define COHESION_ENGINE_API_H
+
+// What the supported LAMMPS versions spell differently; nothing else in the package asks for a
+// version. HISTBITS came with the interface that LAMMPS has had since 2022.
+
+#include "lmptype.h"
+#include "neigh_request.h"
+#include "neighbor.h"
+#include "pair.h"
+
+namespace LAMMPS_NS {
+namespace engine_api {
+
+/// Ask for a half list by cut-off, not by the particles' size: forces act beyond contact.
+inline void request_neighbor_list(Neighbor* neighbor, Pair* pair, int instance) {
+#ifdef HISTBITS
+  (void)instance;
+  neighbor->add_request(pair);
+#else
+  neighbor->request(pair, instance);
+#endif
+}
+
+}  // namespace engine_api
+}  // namespace LAMMPS_NS
+
+#endif

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#ifdef FIX_CLASS
+// clang-format off
+FixStyle(wall/hamaker,FixWallHamaker);
+// clang-format on
+#else
+
+#ifndef LMP_FIX_WALL_HAMAKER_H
+#define LMP_FIX_WALL_HAMAKER_H
+
+#include <vector>
+
+#include "fix.h"
+#include "hamaker/small_gap.h"
+
+namespace LAMMPS_NS {
+
+/// fix wall/hamaker A H_cut H_out xplane lo hi ...: Hamaker attraction of spheres to plane walls,
+/// by the law of the pairs. Doc: docs/lammps-package/fix_wall_hamaker.md
+class FixWallHamaker : public Fix {
+ public:
+  FixWallHamaker(class LAMMPS*, int, char**);
+
+  int setmask() override;
+  void init() override;
+  void setup(int) override;
+  void min_setup(int) override;
+  void post_force(int) override;
+  void min_post_force(int) override;
+  double compute_scalar() override;
+  double compute_vector(int) override;
+
+ private:
+  struct Plane {
+    int dimension;
+    int side;  // +1: particles are above the plane, -1: below
+    double position;
+  };
+
+  void read_planes(int, char**);
+  void sum();
+
+  cohesion::hamaker::SmallGap law;
+  std::vector<Plane> planes;
+  double mine[4];  // energy, force on the walls
+  double total[4];
+  bool summed;
+};
+
+}  // namespace LAMMPS_NS
+
+#endif
+#endif

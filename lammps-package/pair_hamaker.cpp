@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#include "pair_hamaker.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <string>
+
+#include "atom.h"
+#include "comm.h"
+#include "engine_api.h"
+#include "error.h"
+#include "fix.h"
+#include "force.h"
+#include "law_from_script.h"
+#include "memory.h"
+#include "modify.h"
+#include "neigh_list.h"
+#include "sphere.h"
+
+using namespace LAMMPS_NS;
+using cohesion::hamaker::SmallGap;
+
+PairHamaker::PairHamaker(LAMMPS* lmp)
+    : Pair(lmp), atom_types(0), surface_cutoff(0.0), outer_cutoff(0.0) {
+  single_enable = 1;
+  restartinfo = 1;
+}
+
+PairHamaker::~PairHamaker() {
+  if (!allocated) return;
+  memory->destroy(setflag);
+  memory->destroy(cutsq);
+}
+
+void PairHamaker::allocate() {
+  allocated = 1;
+  atom_types = atom->ntypes;
+  memory->create(setflag, atom_types + 1, atom_types + 1, "pair:setflag");
+  memory->create(cutsq, atom_types + 1, atom_types + 1, "pair:cutsq");
+  for (int i = 1; i <= atom_types; i++) std::fill_n(setflag[i], atom_types + 1, 0);
+  given.assign((atom_types + 1) * (atom_types + 1), Parameters{});
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PairHamaker::compute(int eflag, int vflag) {
+  ev_init(eflag, vflag);
+  if (neighbor->ago == 0) check_radii();
+  if (evflag) {
+    force->newton_pair ? compute_pairs<true, true>() : compute_pairs<true, false>();
+  } else {
+    force->newton_pair ? compute_pairs<false, true>() : compute_pairs<false, false>();
+  }
+  if (vflag_fdotr) virial_fdotr_compute();
+}
+
+template <bool TALLY, bool NEWTON>
+void PairHamaker::compute_pairs() {
+  double** const x = atom->x;
+  double** const f = atom->f;
+  const double* const radius = atom->radius;
+  const int* const type = atom->type;
+  const int nlocal = atom->nlocal;
+
+  for (int ii = 0; ii < list->inum; ii++) {
+    const int i = list->ilist[ii];
+    const int* const neighbors = list->firstneigh[i];
+    for (int jj = 0; jj < list->numneigh[i]; jj++) {
+      const int j = neighbors[jj] & NEIGHMASK;
+      const double dx = x[i][0] - x[j][0];
+      const double dy = x[i][1] - x[j][1];
+      const double dz = x[i][2] - x[j][2];
+      const double rsq = dx * dx + dy * dy + dz * dz;
+      const SmallGap& hamaker = law(type[i], type[j]);
+      const double contact = radius[i] + radius[j];
+      const double reach = contact + hamaker.outer_cutoff();
+      if (rsq >= reach * reach) continue;
+
+      const double r = std::sqrt(rsq);
+      const double reduced = cohesion::reduced_radius(radius[i], radius[j]);
+      const double attraction = hamaker.force(r - contact, reduced);
+      const double fpair = -attraction / r;
+      f[i][0] += dx * fpair;
+      f[i][1] += dy * fpair;
+      f[i][2] += dz * fpair;
+      if (NEWTON || j < nlocal) {
+        f[j][0] -= dx * fpair;
+        f[j][1] -= dy * fpair;
+        f[j][2] -= dz * fpair;
+      }
+      if (TALLY) {
+        const double energy = eflag_either ? hamaker.energy(r - contact, reduced) : 0.0;
+        ev_tally(i, j, nlocal, NEWTON, energy, 0.0, fpair, dx, dy, dz);
+      }
+    }
+  }
+}
+
+double PairHamaker::single(int i, int j, int itype, int jtype, double rsq, double, double,
+                           double& fforce) {
+  const double r = std::sqrt(rsq);
+  const double gap = r - atom->radius[i] - atom->radius[j];
+  const double reduced = cohesion::reduced_radius(atom->radius[i], atom->radius[j]);
+  fforce = -law(itype, jtype).force(gap, reduced) / r;
+  return law(itype, jtype).energy(gap, reduced);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PairHamaker::settings(int narg, char** arg) {
+  if (narg != 2)
+    error->all(FLERR,
+               "pair_style hamaker takes two values, 'hamaker H_cut H_out': surface and "
+               "outer cut-off, both distances");
+  surface_cutoff = utils::numeric(FLERR, arg[0], false, lmp);
+  outer_cutoff = utils::numeric(FLERR, arg[1], false, lmp);
+  hamaker_from_script(lmp, "pair_style hamaker", {0.0, surface_cutoff, outer_cutoff});
+}
+
+void PairHamaker::coeff(int narg, char** arg) {
+  if (narg != 3 && narg != 5)
+    error->all(FLERR, "pair_coeff of hamaker takes 'i j A' or 'i j A H_cut H_out'");
+  if (!allocated) allocate();
+
+  int ilo, ihi, jlo, jhi;
+  utils::bounds(FLERR, arg[0], 1, atom->ntypes, ilo, ihi, error);
+  utils::bounds(FLERR, arg[1], 1, atom->ntypes, jlo, jhi, error);
+  Parameters p{utils::numeric(FLERR, arg[2], false, lmp), surface_cutoff, outer_cutoff};
+  if (narg == 5) {
+    p.surface_cutoff = utils::numeric(FLERR, arg[3], false, lmp);
+    p.outer_cutoff = utils::numeric(FLERR, arg[4], false, lmp);
+  }
+  hamaker_from_script(lmp, std::string("pair_coeff ") + arg[0] + " " + arg[1] + " of hamaker", p);
+
+  int count = 0;
+  for (int i = ilo; i <= ihi; i++)
+    for (int j = std::max(jlo, i); j <= jhi; j++) {
+      parameters(i, j) = p;
+      setflag[i][j] = 1;
+      count++;
+    }
+  if (count == 0) error->all(FLERR, "pair_coeff of hamaker names no pair with i <= j");
+}
+
+void PairHamaker::init_style() {
+  if (!atom->radius_flag)
+    error->all(FLERR,
+               "pair_style hamaker acts between spheres and needs an atom style with radii, "
+               "for instance 'atom_style sphere'");
+  find_largest_radii();
+  const SmallGap none({0.0, 1.0, 2.0});
+  laws.assign(given.size(), none);
+  engine_api::request_neighbor_list(neighbor, this, instance_me);
+}
+
+PairHamaker::Parameters PairHamaker::mixed(int i, int j) {
+  const Parameters& a = parameters(i, i);
+  const Parameters& b = parameters(j, j);
+  return {std::sqrt(a.hamaker_constant * b.hamaker_constant),
+          std::max(a.surface_cutoff, b.surface_cutoff), std::max(a.outer_cutoff, b.outer_cutoff)};
+}
+
+double PairHamaker::init_one(int i, int j) {
+  if (!setflag[i][j]) {
+    if (!setflag[i][i] || !setflag[j][j])
+      error->all(FLERR, "pair_style hamaker: no pair_coeff for types " + std::to_string(i) +
+                            " and " + std::to_string(j) + " nor for both of them to mix");
+    parameters(i, j) = mixed(i, j);
+  }
+  parameters(j, i) = parameters(i, j);
+  const SmallGap hamaker = hamaker_from_script(
+      lmp, "pair_style hamaker, types " + std::to_string(i) + " and " + std::to_string(j),
+      parameters(i, j));
+  laws[i * (atom_types + 1) + j] = laws[j * (atom_types + 1) + i] = hamaker;
+  return largest_radius[i] + largest_radius[j] + hamaker.outer_cutoff();
+}
+
+/* ----------------------------------------------------------------------
+   The neighbour range is fixed at init, so it must know the radii of particles
+   that a fix will insert later.
+------------------------------------------------------------------------- */
+
+void PairHamaker::find_largest_radii() {
+  std::vector<double> mine(atom->ntypes + 1, 0.0);
+  for (int i = 0; i < atom->nlocal; i++)
+    mine[atom->type[i]] = std::max(mine[atom->type[i]], atom->radius[i]);
+  for (int ifix = 0; ifix < modify->nfix; ifix++) {
+    Fix* fix = modify->fix[ifix];
+    if (strcmp(fix->style, "pour") != 0 && strcmp(fix->style, "deposit") != 0) continue;
+    for (int type = 1; type <= atom->ntypes; type++) {
+      int itype = type;
+      if (const auto* radius = static_cast<double*>(fix->extract("radius", itype)))
+        mine[type] = std::max(mine[type], *radius);
+    }
+  }
+  largest_radius.assign(mine.size(), 0.0);
+  MPI_Allreduce(mine.data(), largest_radius.data(), static_cast<int>(mine.size()), MPI_DOUBLE,
+                MPI_MAX, world);
+}
+
+void PairHamaker::check_radii() {
+  for (int i = 0; i < atom->nlocal; i++)
+    if (atom->radius[i] > largest_radius[atom->type[i]])
+      error->one(FLERR,
+                 "pair_style hamaker: the outer cut-off is beyond the neighbour range: "
+                 "particle " +
+                     std::to_string(atom->tag[i]) + " has radius " +
+                     std::to_string(atom->radius[i]) + ", its type had at most " +
+                     std::to_string(largest_radius[atom->type[i]]) +
+                     " when the run was set up; end the run before particles grow, and "
+                     "start a new one");
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PairHamaker::write_restart(FILE* fp) {
+  write_restart_settings(fp);
+  for (int i = 1; i <= atom->ntypes; i++)
+    for (int j = i; j <= atom->ntypes; j++) {
+      fwrite(&setflag[i][j], sizeof(int), 1, fp);
+      if (setflag[i][j]) fwrite(&parameters(i, j), sizeof(Parameters), 1, fp);
+    }
+}
+
+void PairHamaker::read_restart(FILE* fp) {
+  read_restart_settings(fp);
+  allocate();
+  for (int i = 1; i <= atom->ntypes; i++)
+    for (int j = i; j <= atom->ntypes; j++) {
+      if (comm->me == 0) utils::sfread(FLERR, &setflag[i][j], sizeof(int), 1, fp, nullptr, error);
+      MPI_Bcast(&setflag[i][j], 1, MPI_INT, 0, world);
+      if (!setflag[i][j]) continue;
+      if (comm->me == 0)
+        utils::sfread(FLERR, &parameters(i, j), sizeof(Parameters), 1, fp, nullptr, error);
+      MPI_Bcast(&parameters(i, j), sizeof(Parameters), MPI_BYTE, 0, world);
+    }
+}
+
+void PairHamaker::write_restart_settings(FILE* fp) {
+  fwrite(&surface_cutoff, sizeof(double), 1, fp);
+  fwrite(&outer_cutoff, sizeof(double), 1, fp);
+}
+
+void PairHamaker::read_restart_settings(FILE* fp) {
+  if (comm->me == 0) {
+    utils::sfread(FLERR, &surface_cutoff, sizeof(double), 1, fp, nullptr, error);
+    utils::sfread(FLERR, &outer_cutoff, sizeof(double), 1, fp, nullptr, error);
+  }
+  MPI_Bcast(&surface_cutoff, 1, MPI_DOUBLE, 0, world);
+  MPI_Bcast(&outer_cutoff, 1, MPI_DOUBLE, 0, world);
+}
+
+void PairHamaker::write_data(FILE* fp) {
+  for (int i = 1; i <= atom->ntypes; i++) {
+    const Parameters& p = parameters(i, i);
+    fprintf(fp, "%d %.17g %.17g %.17g\n", i, p.hamaker_constant, p.surface_cutoff, p.outer_cutoff);
+  }
+}
+
+void PairHamaker::write_data_all(FILE* fp) {
+  for (int i = 1; i <= atom->ntypes; i++)
+    for (int j = i; j <= atom->ntypes; j++) {
+      const Parameters& p = parameters(i, j);
+      fprintf(fp, "%d %d %.17g %.17g %.17g\n", i, j, p.hamaker_constant, p.surface_cutoff,
+              p.outer_cutoff);
+    }
+}

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#ifdef PAIR_CLASS
+// clang-format off
+PairStyle(hamaker,PairHamaker);
+// clang-format on
+#else
+
+#ifndef LMP_PAIR_HAMAKER_H
+#define LMP_PAIR_HAMAKER_H
+
+#include <vector>
+
+#include "hamaker/small_gap.h"
+#include "pair.h"
+
+namespace LAMMPS_NS {
+
+/// pair_style hamaker H_cut H_out: Hamaker attraction between spheres, laid over any contact style
+/// with hybrid/overlay. The law is src/hamaker/small_gap.h; doc:
+/// docs/lammps-package/pair_hamaker.md
+class PairHamaker : public Pair {
+ public:
+  explicit PairHamaker(class LAMMPS*);
+  ~PairHamaker() override;
+
+  void compute(int, int) override;
+  void settings(int, char**) override;
+  void coeff(int, char**) override;
+  void init_style() override;
+  double init_one(int, int) override;
+  double single(int, int, int, int, double, double, double, double&) override;
+
+  void write_restart(FILE*) override;
+  void read_restart(FILE*) override;
+  void write_restart_settings(FILE*) override;
+  void read_restart_settings(FILE*) override;
+  void write_data(FILE*) override;
+  void write_data_all(FILE*) override;
+
+ private:
+  using Parameters = cohesion::hamaker::SmallGapParameters;
+
+  template <bool TALLY, bool NEWTON>
+  void compute_pairs();
+
+  void allocate();
+  const cohesion::hamaker::SmallGap& law(int i, int j) const {
+    return laws[i * (atom_types + 1) + j];
+  }
+  Parameters& parameters(int i, int j) { return given[i * (atom_types + 1) + j]; }
+  Parameters mixed(int, int);
+  void find_largest_radii();
+  void check_radii();
+
+  int atom_types;
+  double surface_cutoff;                          // default of pair_coeff
+  double outer_cutoff;                            // default of pair_coeff
+  std::vector<Parameters> given;                  // by type pair
+  std::vector<cohesion::hamaker::SmallGap> laws;  // by type pair, built at init
+  std::vector<double> largest_radius;             // by type, at init
+};
+
+}  // namespace LAMMPS_NS
+
+#endif
+#endif

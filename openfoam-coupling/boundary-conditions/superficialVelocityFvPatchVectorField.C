@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "superficialVelocityFvPatchVectorField.H"
+
+#include "addToRunTimeSelectionTable.H"
+#include "fvPatchFieldMapper.H"
+#include "volFields.H"
+
+Foam::superficialVelocityFvPatchVectorField::superficialVelocityFvPatchVectorField
+(
+    const fvPatch& patch,
+    const DimensionedField<vector, volMesh>& field
+)
+:
+    fixedValueFvPatchVectorField(patch, field),
+    share_(1),
+    voidFractionName_("voidFraction")
+{}
+
+
+Foam::superficialVelocityFvPatchVectorField::superficialVelocityFvPatchVectorField
+(
+    const fvPatch& patch,
+    const DimensionedField<vector, volMesh>& field,
+    const dictionary& dict
+)
+:
+    fixedValueFvPatchVectorField(patch, field, dict, false),
+    superficialVelocity_(Function1<vector>::New("superficialVelocity", dict)),
+    share_(dict.getOrDefault<scalar>("share", 1)),
+    voidFractionName_(dict.getOrDefault<word>("voidFraction", "voidFraction"))
+{
+    if (!(share_ > 0 && share_ <= 1))
+    {
+        FatalIOErrorInFunction(dict)
+            << "share = " << share_ << ": must lie above 0 and be at most 1"
+            << exit(FatalIOError);
+    }
+    // The void fraction is not known yet; the first step sets the value.
+    fvPatchVectorField::operator=(patchInternalField());
+}
+
+
+Foam::superficialVelocityFvPatchVectorField::superficialVelocityFvPatchVectorField
+(
+    const superficialVelocityFvPatchVectorField& other,
+    const fvPatch& patch,
+    const DimensionedField<vector, volMesh>& field,
+    const fvPatchFieldMapper& mapper
+)
+:
+    fixedValueFvPatchVectorField(other, patch, field, mapper),
+    superficialVelocity_(other.superficialVelocity_.clone()),
+    share_(other.share_),
+    voidFractionName_(other.voidFractionName_)
+{}
+
+
+Foam::superficialVelocityFvPatchVectorField::superficialVelocityFvPatchVectorField
+(
+    const superficialVelocityFvPatchVectorField& other,
+    const DimensionedField<vector, volMesh>& field
+)
+:
+    fixedValueFvPatchVectorField(other, field),
+    superficialVelocity_(other.superficialVelocity_.clone()),
+    share_(other.share_),
+    voidFractionName_(other.voidFractionName_)
+{}
+
+
+void Foam::superficialVelocityFvPatchVectorField::updateCoeffs()
+{
+    if (updated())
+    {
+        return;
+    }
+    const auto& voidFraction =
+        patch().lookupPatchField<volScalarField, scalar>(voidFractionName_);
+    const vector velocity = superficialVelocity_->value(db().time().timeOutputValue());
+    operator==((1/(share_*voidFraction))*velocity);
+    fixedValueFvPatchVectorField::updateCoeffs();
+}
+
+
+void Foam::superficialVelocityFvPatchVectorField::write(Ostream& os) const
+{
+    fvPatchVectorField::write(os);
+    superficialVelocity_->writeData(os);
+    os.writeEntryIfDifferent<scalar>("share", 1, share_);
+    os.writeEntryIfDifferent<word>("voidFraction", "voidFraction", voidFractionName_);
+    writeEntry("value", os);
+}
+
+
+namespace Foam
+{
+    makePatchTypeField(fvPatchVectorField, superficialVelocityFvPatchVectorField);
+}

@@ -1,0 +1,488 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gasParticleCoupling.H"
+
+#include "OSspecific.H"
+#include "clockTime.H"
+#include "UPstream.H"
+#include "zeroGradientFvPatchFields.H"
+
+#include "dem-engines/load_dem_engine.h"
+#include "named_table.h"
+#include "sphere.h"
+
+#include "writeParticleCloud.H"
+
+using namespace cohesion;
+
+namespace
+{
+
+//- Row of one of the core's tables, named by an entry of the dictionary
+template<class Table>
+const auto& select(const Foam::dictionary& dict, const char* entry, const Table& table)
+{
+    try
+    {
+        return find_by_name(table, entry, dict.get<Foam::word>(entry));
+    }
+    catch (const InvalidParameter& error)
+    {
+        FatalIOErrorInFunction(dict) << error.what() << Foam::exit(Foam::FatalIOError);
+        throw;
+    }
+}
+
+
+//- The engine's arrays as OpenFOAM's, in place. UList has no form for constant data; none of the
+//  views of constant data is written to.
+Foam::UList<Foam::vector> view(const double (*rows)[3], const Foam::label n)
+{
+    static_assert(sizeof(Foam::vector) == sizeof(rows[0]), "OpenFOAM must use double precision");
+    return {reinterpret_cast<Foam::vector*>(const_cast<double (*)[3]>(rows)), n};
+}
+
+template<class Type>
+Foam::UList<Type> view(const Type* values, const Foam::label n)
+{
+    return {const_cast<Type*>(values), n};
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * * Set-up  * * * * * * * * * * * * * * * * * //
+
+Foam::gasParticleCoupling::gasParticleCoupling
+(
+    const fvMesh& mesh,
+    const scalar rho,
+    const scalar mu
+)
+:
+    mesh_(mesh),
+    dict_
+    (
+        IOobject
+        (
+            "couplingProperties",
+            mesh.time().constant(),
+            mesh,
+            IOobject::MUST_READ,
+            IOobject::NO_WRITE
+        )
+    ),
+    rho_(rho),
+    mu_(mu),
+    drag_(select(dict_, "drag", drag::closures).per_solid_volume),
+    deposit_(select(dict_, "voidFraction", void_fraction::kernels).deposit),
+    minVoidFraction_(dict_.getOrDefault<scalar>("minVoidFraction", 0.2)),
+    depthRatio_(1),
+    subSteps_(0),
+    exchange_(mesh),
+    voidFraction_
+    (
+        IOobject
+        (
+            "voidFraction",
+            mesh.time().timeName(),
+            mesh,
+            IOobject::MUST_READ,
+            IOobject::AUTO_WRITE
+        ),
+        mesh
+    ),
+    dragRate_
+    (
+        IOobject("dragRate", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedScalar(dimless/dimTime, Zero)
+    ),
+    dragSource_
+    (
+        IOobject("dragSource", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedVector(dimAcceleration, Zero)
+    )
+{
+    setDepthRatio();
+    makeEngine();
+    checkUnitsAndBox();
+    setSubSteps();
+
+    fetchParticles();
+    setVoidFraction();
+    voidFraction_.oldTime();
+}
+
+
+void Foam::gasParticleCoupling::setDepthRatio()
+{
+    if (!dict_.found("depth"))
+    {
+        return;
+    }
+    const scalar depth = dict_.get<scalar>("depth");
+    if (mesh_.nGeometricD() != 2)
+    {
+        FatalIOErrorInFunction(dict_)
+            << "depth = " << depth << " goes with a 2-D mesh, and this one has "
+            << mesh_.nGeometricD() << " dimensions: remove the entry"
+            << exit(FatalIOError);
+    }
+    if (!(depth > 0 && depth < GREAT))
+    {
+        FatalIOErrorInFunction(dict_)
+            << "depth = " << depth << " m: must be a finite length greater than zero"
+            << exit(FatalIOError);
+    }
+    for (direction d = 0; d < 3; ++d)
+    {
+        if (mesh_.geometricD()[d] < 0)
+        {
+            depthRatio_ = depth/mesh_.bounds().span()[d];
+        }
+    }
+}
+
+
+void Foam::gasParticleCoupling::makeEngine()
+{
+    const word name(dict_.get<word>("demEngine"));
+    std::string library;
+    try
+    {
+        // The name first: a misspelt one is not a missing dictionary.
+        library = coupling::dem_engine_library(name);
+        const dictionary& coeffs = dict_.subDict(name + "Coeffs");
+
+        coupling::DemEngineSettings settings;
+        settings.script = coeffs.get<fileName>("script").expand();
+        settings.log = coeffs.getOrDefault<fileName>("log", "log." + name).expand();
+        for (const entry& variable : coeffs.subOrEmptyDict("variables"))
+        {
+            settings.variables[variable.keyword()] = variable.stream().toString();
+        }
+        if (!isFile(settings.script))
+        {
+            FatalIOErrorInFunction(coeffs)
+                << "script '" << settings.script << "' does not exist; name the input script of "
+                << name << ", relative to the case folder" << exit(FatalIOError);
+        }
+
+        if (!Pstream::parRun())
+        {
+            // The engine needs MPI, which a serial OpenFOAM leaves alone.
+            UPstream::initNull();
+        }
+        settings.communicator = MPI_COMM_WORLD;
+
+        library = coupling::dem_engine_library
+        (
+            name,
+            coeffs.getOrDefault<fileName>("library", fileName()).expand()
+        );
+        Info<< "Particle engine " << name << " runs " << settings.script.c_str() << ", log in "
+            << settings.log.c_str() << endl;
+        engine_.reset(coupling::load_dem_engine(library)(settings));
+    }
+    catch (const std::exception& error)
+    {
+        FatalIOErrorInFunction(dict_) << error.what() << exit(FatalIOError);
+    }
+}
+
+
+void Foam::gasParticleCoupling::checkUnitsAndBox() const
+{
+    if (engine_->units() != "si")
+    {
+        FatalIOErrorInFunction(dict_)
+            << "the particle script has units " << engine_->units().c_str()
+            << "; OpenFOAM works in SI: use 'units si' in the script" << exit(FatalIOError);
+    }
+
+    const auto box = engine_->box();
+    const boundBox& bounds = mesh_.bounds();
+    for (direction d = 0; d < 3; ++d)
+    {
+        const scalar tolerance = 1e-6*bounds.span()[d];
+        if
+        (
+            mesh_.geometricD()[d] > 0
+         && (
+                mag(box.low[d] - bounds.min()[d]) > tolerance
+             || mag(box.high[d] - bounds.max()[d]) > tolerance
+            )
+        )
+        {
+            FatalIOErrorInFunction(dict_)
+                << "in direction " << vector::componentNames[d] << " the box of the particle"
+                << " script reaches from " << box.low[d] << " to " << box.high[d]
+                << " m, the mesh from " << bounds.min()[d] << " to " << bounds.max()[d]
+                << " m: give the script's box the size of the mesh" << exit(FatalIOError);
+        }
+    }
+
+}
+
+
+void Foam::gasParticleCoupling::setSubSteps()
+{
+    const scalar steps = mesh_.time().deltaTValue()/engine_->time_step();
+    // Both steps are decimal numbers: their ratio is whole to round-off when it is meant to be.
+    if (steps < 0.5 || mag(steps - std::round(steps)) > 1e-9*steps)
+    {
+        FatalIOErrorInFunction(mesh_.time().controlDict())
+            << "deltaT = " << mesh_.time().deltaTValue() << " s of the gas is " << steps
+            << " steps of the particles, " << engine_->time_step()
+            << " s: make it a whole multiple, for instance "
+            << max(scalar(1), std::round(steps))*engine_->time_step() << exit(FatalIOError);
+    }
+    subSteps_ = label(std::round(steps));
+}
+
+
+// * * * * * * * * * * * * * * * One gas step  * * * * * * * * * * * * * * * //
+
+void Foam::gasParticleCoupling::fetchParticles()
+{
+    const auto particles = engine_->particles();
+    exchange_.locate(view(particles.position, particles.count));
+    velocity_ = exchange_.toGas(view(particles.velocity, particles.count));
+    radius_ = exchange_.toGas(view(particles.radius, particles.count));
+}
+
+
+void Foam::gasParticleCoupling::setVoidFraction()
+{
+    std::vector<double> solid(mesh_.nCells(), 0.0);
+    forAll(radius_, i)
+    {
+        deposit_(exchange_.cells()[i], sphere_volume(radius_[i]), solid);
+    }
+
+    scalarField& voidFraction = voidFraction_.primitiveFieldRef();
+    forAll(voidFraction, celli)
+    {
+        voidFraction[celli] =
+            void_fraction::void_fraction(solid[celli], mesh_.V()[celli], depthRatio_);
+    }
+    const label densest = voidFraction.size() ? findMin(voidFraction) : -1;
+    const bool tooDense = densest >= 0 && voidFraction[densest] < minVoidFraction_;
+    if (returnReduce(tooDense, orOp<bool>()))
+    {
+        reportTooDense(tooDense ? densest : -1);
+    }
+    voidFraction_.correctBoundaryConditions();
+}
+
+
+void Foam::gasParticleCoupling::reportTooDense(const label celli) const
+{
+    scalar lowest = celli >= 0 ? voidFraction_[celli] : GREAT;
+    const scalar mine = lowest;
+    reduce(lowest, minOp<scalar>());
+    point where = mine == lowest ? mesh_.C()[celli] : point::max;
+    reduce(where, minOp<point>());
+
+    FatalIOErrorInFunction(dict_)
+        << "the cell at " << where << " has a void fraction of " << lowest
+        << ", less than minVoidFraction = " << minVoidFraction_ << nl
+        << "    Cells of a few particle diameters cure it; nothing is clipped"
+        << exit(FatalIOError);
+    std::abort();
+}
+
+
+Foam::List<Foam::vector> Foam::gasParticleCoupling::pendingImpulse() const
+{
+    const drag::GasOnParticle* gas = engine_->gas();
+    List<vector> pending(engine_->particles().count);
+    forAll(pending, i)
+    {
+        const auto& impulse = gas[i].drag_impulse;
+        pending[i] = vector(impulse[0], impulse[1], impulse[2]);
+    }
+    return pending;
+}
+
+
+void Foam::gasParticleCoupling::setDrag(const volVectorField& U)
+{
+    const scalar dt = mesh_.time().deltaTValue();
+    const List<vector> pending(exchange_.toGas(pendingImpulse()));
+
+    coefficient_.setSize(radius_.size());
+    scalarField& rate = dragRate_.field();
+    vectorField& source = dragSource_.field();
+    rate = 0;
+    source = Zero;
+    forAll(radius_, i)
+    {
+        const label celli = exchange_.cells()[i];
+        coefficient_[i] =
+            sphere_volume(radius_[i])
+           *drag_
+            (
+                voidFraction_[celli],
+                mag(U[celli] - velocity_[i]),
+                2*radius_[i],
+                rho_,
+                mu_
+            );
+        const scalar perGasMass = 1/(volume(celli)*rho_);
+        rate[celli] += coefficient_[i]*perGasMass;
+        source[celli] += (coefficient_[i]*velocity_[i] - pending[i]/dt)*perGasMass;
+    }
+}
+
+
+void Foam::gasParticleCoupling::depositParticles(const volVectorField& U)
+{
+    const clockTime timer;
+    fetchParticles();
+    setVoidFraction();
+    setDrag(U);
+    seconds_.exchange += timer.elapsedTime();
+}
+
+
+void Foam::gasParticleCoupling::handOver
+(
+    const UList<scalar>& coefficient,
+    const UList<vector>& gasVelocity,
+    const UList<vector>& gradP,
+    const UList<vector>& charged
+)
+{
+    drag::GasOnParticle* gas = engine_->gas();
+    forAll(coefficient, i)
+    {
+        gas[i].drag_coefficient = coefficient[i];
+        for (direction d = 0; d < 3; ++d)
+        {
+            gas[i].velocity[d] = gasVelocity[i][d];
+            gas[i].pressure_gradient[d] = gradP[i][d];
+            gas[i].drag_impulse[d] = -charged[i][d];
+        }
+    }
+}
+
+
+void Foam::gasParticleCoupling::advanceParticles
+(
+    const volVectorField& U,
+    const volVectorField& gradP
+)
+{
+    clockTime timer;
+    const scalar dt = mesh_.time().deltaTValue();
+
+    const labelList& cells = exchange_.cells();
+    const vectorField gasVelocity(U.primitiveField(), cells);
+    const vectorField charged(coefficient_*(gasVelocity - velocity_)*dt);
+    const vector pendingBefore = sum(pendingImpulse());
+    handOver
+    (
+        exchange_.toEngine<scalar>(coefficient_),
+        exchange_.toEngine<vector>(gasVelocity),
+        exchange_.toEngine<vector>(vectorField(gradP.primitiveField(), cells)),
+        exchange_.toEngine<vector>(charged)
+    );
+    seconds_.exchange += timer.timeIncrement();
+
+    engine_->advance(subSteps_);
+    seconds_.particles += timer.timeIncrement();
+
+    reportBalance(U, gradP, pendingBefore);
+    seconds_.exchange += timer.timeIncrement();
+}
+
+
+void Foam::gasParticleCoupling::reportBalance
+(
+    const volVectorField& U,
+    const volVectorField& gradP,
+    const vector& pendingBefore
+) const
+{
+    const scalar dt = mesh_.time().deltaTValue();
+
+    // The gas, from the source terms of its own equation
+    vector gasDrag = Zero;
+    vector gasPressure = Zero;
+    scalar solidDeposited = 0;
+    forAll(U, celli)
+    {
+        const scalar solid = (1 - voidFraction_[celli])*volume(celli);
+        gasDrag +=
+            (dragSource_[celli] - dragRate_[celli]*U[celli])*rho_*volume(celli)*dt;
+        gasPressure += solid*gradP[celli]*dt;
+        solidDeposited += solid;
+    }
+
+    // The particles, from the engine's book of the forces it put on
+    const auto particles = engine_->particles();
+    const auto felt = engine_->gas_impulse();
+    vector drag(felt.drag[0], felt.drag[1], felt.drag[2]);
+    vector pressure(felt.pressure[0], felt.pressure[1], felt.pressure[2]);
+    vector pending = sum(pendingImpulse()) - pendingBefore;
+    scalar solidVolume = 0;
+    for (label i = 0; i < particles.count; ++i)
+    {
+        solidVolume += sphere_volume(particles.radius[i]);
+    }
+
+    reduce(gasDrag, sumOp<vector>());
+    reduce(gasPressure, sumOp<vector>());
+    reduce(drag, sumOp<vector>());
+    reduce(pressure, sumOp<vector>());
+    reduce(pending, sumOp<vector>());
+    reduce(solidDeposited, sumOp<scalar>());
+    reduce(solidVolume, sumOp<scalar>());
+
+    const scalar size = mag(drag) + mag(pressure) + VSMALL;
+    Info<< "Exchange: drag on particles " << drag/dt << " N, pressure " << pressure/dt
+        << " N, not yet charged to the gas " << pending/dt
+        << " N, imbalance " << mag(gasDrag + drag - pending + gasPressure + pressure)/size
+        << ", solid volume error " << mag(solidDeposited/solidVolume - 1) << endl;
+}
+
+
+// * * * * * * * * * * * * * * * *  Output  * * * * * * * * * * * * * * * * //
+
+void Foam::gasParticleCoupling::writeParticles()
+{
+    fetchParticles();
+    const auto particles = engine_->particles();
+    const label n = particles.count;
+    writeParticleCloud
+    (
+        mesh_,
+        exchange_.cells(),
+        exchange_.toGas(view(particles.position, n)),
+        velocity_,
+        radius_,
+        exchange_.toGas(view(particles.id, n))
+    );
+}
+
+
+void Foam::gasParticleCoupling::reportTimes(const scalar total) const
+{
+    scalar particles = seconds_.particles;
+    scalar exchange = seconds_.exchange;
+    reduce(particles, maxOp<scalar>());
+    reduce(exchange, maxOp<scalar>());
+
+    const auto row = [total](const char* name, const scalar seconds)
+    {
+        Info<< "    " << name << seconds << " s, " << 100*seconds/total << " %" << nl;
+    };
+    Info<< nl << "Where the time went (" << Pstream::nProcs() << " ranks)" << nl;
+    row("particles  ", particles);
+    row("gas        ", total - particles - exchange);
+    row("exchange   ", exchange);
+    row("all        ", total);
+    Info<< endl;
+}

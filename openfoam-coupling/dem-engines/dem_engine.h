@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <mpi.h>
+
+#include <array>
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "drag/gas_on_particle.h"
+
+/// What the coupling needs of a particle engine, in terms of neither the engine nor OpenFOAM.
+/// Each engine is a library of its own that is loaded at run time (load_dem_engine.h), since LAMMPS
+/// and LIGGGHTS define the same C++ symbols and never fit into one process.
+namespace cohesion::coupling {
+
+/// Raised by an engine for a script that cannot be coupled; the text is for the user.
+struct DemEngineError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+struct DemEngineSettings {
+  MPI_Comm communicator;                         ///< every rank of it takes part
+  std::string script;                            ///< input script that sets the particles up
+  std::string log;                               ///< log file that the engine writes
+  std::map<std::string, std::string> variables;  ///< handed to the script by name
+};
+
+/// An engine that has run its script and stands ready to advance. All arrays belong to the engine,
+/// are those of the particles on this rank, and stay valid until the next advance().
+class DemEngine {
+ public:
+  struct Particles {
+    int count;
+    const double (*position)[3];  ///< [length]
+    const double (*velocity)[3];  ///< [length/time], half a step behind the position
+    const double* radius;         ///< [length]
+    const int* id;
+  };
+
+  struct Impulse {
+    std::array<double, 3> drag;
+    std::array<double, 3> pressure;
+  };
+
+  struct Box {
+    std::array<double, 3> low;
+    std::array<double, 3> high;
+  };
+
+  virtual ~DemEngine() = default;
+
+  virtual Particles particles() = 0;
+  /// One per particle, to be filled in by the coupling and held by the engine until the next time.
+  virtual drag::GasOnParticle* gas() = 0;
+
+  /// Advances by `steps` of its own steps, gas forces included.
+  virtual void advance(int steps) = 0;
+
+  /// What the gas forces have given to the particles of this rank in the last advance(), summed
+  /// where the forces are put on: the engine's own book, to hold against the coupling's.
+  virtual Impulse gas_impulse() = 0;
+
+  virtual double time_step() = 0;
+  virtual std::string units() = 0;
+  virtual Box box() = 0;
+};
+
+/// Every engine library exports these two with C linkage; the number changes with this header.
+inline constexpr int dem_engine_interface = 1;
+using DemEngineInterface = int (*)();
+using MakeDemEngine = DemEngine* (*)(const DemEngineSettings&);
+inline constexpr const char* dem_engine_interface_symbol = "cohesion_dem_engine_interface";
+inline constexpr const char* make_dem_engine_symbol = "cohesion_make_dem_engine";
+
+}  // namespace cohesion::coupling

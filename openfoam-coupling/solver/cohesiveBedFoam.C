@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/*
+Application
+    cohesiveBedFoam
+
+Description
+    Transient solver for the volume-averaged incompressible flow of a gas through particles that a
+    particle engine (LAMMPS) moves. Laminar. PIMPLE for the gas, one exchange each way per gas step.
+
+    The model is "A": the gas feels -eps grad p, a particle -V_p grad p and its drag.
+
+Usage
+    cohesiveBedFoam [-overwrite] [-parallel]
+    with constant/couplingProperties as described in gasParticleCoupling.H
+*/
+
+#include "fvCFD.H"
+#include "pimpleControl.H"
+#include "progress.H"
+
+#include "coupling/gasParticleCoupling.H"
+
+int main(int argc, char* argv[])
+{
+    argList::addNote("Incompressible gas through the particles of a particle engine");
+    argList::addBoolOption("overwrite", "Run although the case already holds results");
+
+    #include "setRootCase.H"
+    #include "createTime.H"
+    #include "refuseExistingResults.H"
+    #include "createMesh.H"
+
+    pimpleControl pimple(mesh);
+
+    #include "createFields.H"
+
+    coupling.writeParticles();
+
+    Info<< "\nStarting time loop\n" << endl;
+
+    const progress progress(runTime);
+    while (runTime.loop())
+    {
+        Info<< "Time = " << runTime.timeName() << progress << nl;
+        #include "CourantNo.H"
+
+        coupling.depositParticles(U);
+        voidFractionf = fvc::interpolate(voidFraction);
+        voidFractionPhi = voidFractionf*phi;
+
+        while (pimple.loop())
+        {
+            #include "UEqn.H"
+
+            while (pimple.correct())
+            {
+                #include "pEqn.H"
+            }
+        }
+        #include "continuityError.H"
+
+        coupling.advanceParticles(U, rho*fvc::grad(p));
+
+        runTime.write();
+        if (runTime.writeTime())
+        {
+            coupling.writeParticles();
+        }
+        Info<< endl;
+    }
+
+    coupling.reportTimes(progress.elapsed());
+    Info<< "End\n" << endl;
+
+    return 0;
+}

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+
+namespace cohesion::drag {
+
+/// Mean drag on a particle over a time step, the coefficient and every other force held constant.
+///
+///   m dv/dt = b (u - v) + F      has      v(t) = v_inf + (v_0 - v_inf) exp(-b t/m),
+///   v_inf = u + F/b, and the drag that takes v_0 to v(dt) together with F is
+///   f = b phi (u - v_0) + (phi - 1) F,   phi = (1 - exp(-x))/x,   x = b dt/m.
+///
+/// Exact at any x, so drag limits no time step; the terminal velocity is exact too. One component.
+///
+/// coefficient b [force time/length] >= 0, mass [mass], dt [time], slip u - v_0 [length/time],
+/// other_force F [force]; result [force].
+class ParticleDrag {
+ public:
+  ParticleDrag(double coefficient, double mass, double dt) : coefficient_(coefficient) {
+    const double x = coefficient * dt / mass;
+    phi_ = x > 0.0 ? -std::expm1(-x) / x : 1.0;
+    // phi - 1 loses its digits for small x; its series does not.
+    phi_minus_one_ = x < 1e-4 ? -x * (0.5 - x * (1.0 / 6.0 - x / 24.0)) : phi_ - 1.0;
+  }
+
+  double force(double slip, double other_force) const {
+    return coefficient_ * phi_ * slip + phi_minus_one_ * other_force;
+  }
+
+ private:
+  double coefficient_;
+  double phi_;
+  double phi_minus_one_;
+};
+
+/// Force of the gas pressure on a particle of `volume`, -V_p grad p; one component, [force].
+inline double pressure_force(double volume, double pressure_gradient) {
+  return -volume * pressure_gradient;
+}
+
+}  // namespace cohesion::drag

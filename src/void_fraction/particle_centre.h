@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+namespace cohesion::void_fraction {
+
+/// The cell that holds a particle's centre gets all of its volume. Exact in the solid volume, noisy
+/// when cells are not much larger than particles.
+///
+/// Source: M. Weber, thesis, chapter 6.
+struct ParticleCentre {
+  static constexpr const char* name = "particleCentre";
+
+  /// solid [number of cells, length^3] += volume [length^3] of a particle centred in `cell`.
+  static void deposit(int cell, double volume, std::vector<double>& solid) {
+    solid[static_cast<std::size_t>(cell)] += volume;
+  }
+};
+
+/// Void fraction of a cell. In a 2-D simulation the mesh may be of any thickness; the particles
+/// live in a slab of `depth` (one diameter in the thesis), so the cell's volume counts
+/// depth/thickness. solid_volume and cell_volume [length^3], depth_over_thickness [1], 1 in 3-D.
+inline double void_fraction(double solid_volume, double cell_volume, double depth_over_thickness) {
+  return 1.0 - solid_volume / (cell_volume * depth_over_thickness);
+}
+
+}  // namespace cohesion::void_fraction
