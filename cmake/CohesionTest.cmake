@@ -5,17 +5,24 @@
 # A ctest test; with RANKS under mpiexec. Labels: unit, regression, verification, mpi.
 function(cohesion_add_test)
   cmake_parse_arguments(T "RUN_SERIAL" "NAME;RANKS;TIMEOUT" "LABELS;COMMAND;ENVIRONMENT" ${ARGN})
+  set(processors 1)
   if(T_RANKS)
+    set(processors ${T_RANKS})
     set(T_COMMAND ${MPIEXEC_EXECUTABLE} --oversubscribe ${MPIEXEC_NUMPROC_FLAG} ${T_RANKS}
       ${T_COMMAND})
   endif()
   if(NOT T_TIMEOUT)
     set(T_TIMEOUT 120)
   endif()
+  if(NOT T_NAME OR NOT T_LABELS OR NOT T_COMMAND OR T_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "cohesion_add_test(NAME ${T_NAME}): needs NAME, LABELS and COMMAND; "
+      "unknown arguments: '${T_UNPARSED_ARGUMENTS}'")
+  endif()
   add_test(NAME ${T_NAME} COMMAND ${T_COMMAND})
   set_tests_properties(${T_NAME} PROPERTIES
     LABELS "${T_LABELS}"
     TIMEOUT ${T_TIMEOUT}
+    PROCESSORS ${processors}
     ENVIRONMENT
       "OMPI_ALLOW_RUN_AS_ROOT=1;OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1;OMP_NUM_THREADS=1;${T_ENVIRONMENT}")
   if(T_RUN_SERIAL)

@@ -6,21 +6,37 @@
 # Without LAMMPS_ROOT two engines are looked for:
 #   stock    the system's package, with the complete headers that scripts/setup fetches
 #   current  a recent release with `plugin load`, built by scripts/setup
-# With LAMMPS_ROOT (a source tree with its build folder in LAMMPS_ROOT/build, or an install prefix)
-# that one alone, called "given".
+# With LAMMPS_ROOT that one alone, called "given". LAMMPS_ROOT is its source tree (an installed LAMMPS
+# lacks headers that styles need), built in LAMMPS_BUILD: a build folder or an install prefix,
+# LAMMPS_ROOT/build unless given. LAMMPS_ROOT may also be a prefix into which all headers were put.
 #
 # Sets LAMMPS_ENGINES and, for each NAME in it, the target LAMMPS::NAME and LAMMPS_<NAME>_VERSION,
 # LAMMPS_<NAME>_EXECUTABLE and LAMMPS_<NAME>_HAS_PLUGIN (whether it knows `plugin load`).
 
 set(LAMMPS_ROOT "" CACHE PATH "LAMMPS to use instead of the system's")
+set(LAMMPS_BUILD "" CACHE PATH "Build folder or install prefix of LAMMPS_ROOT (LAMMPS_ROOT/build)")
 set(LAMMPS_ENGINES "")
 
-function(cohesion_add_lammps name headers library_hints)
+# cohesion_add_lammps(name folders-of-headers folders-of-library-and-program)
+function(cohesion_add_lammps name headers hints)
   find_path(LAMMPS_${name}_INCLUDE_DIR lammpsplugin.h PATHS ${headers} NO_DEFAULT_PATH)
-  find_library(LAMMPS_${name}_LIBRARY lammps PATHS ${library_hints} NO_DEFAULT_PATH)
-  find_program(LAMMPS_${name}_EXECUTABLE NAMES lmp PATHS ${library_hints} ${ARGN} NO_DEFAULT_PATH)
+  find_library(LAMMPS_${name}_LIBRARY NAMES lammps lammps_mpi PATHS ${hints} NO_DEFAULT_PATH)
+  find_program(LAMMPS_${name}_EXECUTABLE NAMES lmp lmp_mpi PATHS ${hints} NO_DEFAULT_PATH)
   mark_as_advanced(LAMMPS_${name}_INCLUDE_DIR LAMMPS_${name}_LIBRARY LAMMPS_${name}_EXECUTABLE)
   if(NOT LAMMPS_${name}_INCLUDE_DIR OR NOT LAMMPS_${name}_LIBRARY OR NOT LAMMPS_${name}_EXECUTABLE)
+    set(missing "")
+    list(JOIN headers " " header_places)
+    list(JOIN hints " " places)
+    if(NOT LAMMPS_${name}_INCLUDE_DIR)
+      string(APPEND missing ", no lammpsplugin.h in ${header_places}")
+    endif()
+    if(NOT LAMMPS_${name}_LIBRARY)
+      string(APPEND missing ", no shared library liblammps in ${places}")
+    endif()
+    if(NOT LAMMPS_${name}_EXECUTABLE)
+      string(APPEND missing ", no program lmp in ${places}")
+    endif()
+    set(LAMMPS_NOT_FOUND_MESSAGE "${LAMMPS_NOT_FOUND_MESSAGE}${missing}" PARENT_SCOPE)
     return()
   endif()
 
@@ -44,20 +60,26 @@ function(cohesion_add_lammps name headers library_hints)
   set(LAMMPS_ENGINES ${LAMMPS_ENGINES} ${name} PARENT_SCOPE)
 endfunction()
 
+set(LAMMPS_NOT_FOUND_MESSAGE "run scripts/setup, or give -DLAMMPS_ROOT=source-tree and \
+-DLAMMPS_BUILD=folder (shared library, lmp)")
 if(LAMMPS_ROOT)
-  cohesion_add_lammps(given "${LAMMPS_ROOT}/src;${LAMMPS_ROOT}/include/lammps"
-    "${LAMMPS_ROOT}/build;${LAMMPS_ROOT}/lib;${LAMMPS_ROOT}/lib64" ${LAMMPS_ROOT}/bin)
+  set(hints ${LAMMPS_BUILD} ${LAMMPS_BUILD}/lib ${LAMMPS_BUILD}/lib64 ${LAMMPS_BUILD}/bin)
+  if(NOT LAMMPS_BUILD)
+    set(hints ${LAMMPS_ROOT}/build ${LAMMPS_ROOT}/src
+      ${LAMMPS_ROOT}/lib ${LAMMPS_ROOT}/lib64 ${LAMMPS_ROOT}/bin)
+  endif()
+  cohesion_add_lammps(given "${LAMMPS_ROOT}/src;${LAMMPS_ROOT}/include/lammps" "${hints}")
 else()
   cohesion_add_lammps(stock ${COHESION_CACHE}/lammps-stock/src
-    "/usr/lib/${CMAKE_LIBRARY_ARCHITECTURE};/usr/lib" /usr/bin)
-  cohesion_add_lammps(current ${COHESION_CACHE}/lammps-current/src
-    ${COHESION_CACHE}/lammps-current/build)
+    "/usr/lib/${CMAKE_LIBRARY_ARCHITECTURE};/usr/lib;/usr/bin")
+  if(EXISTS ${COHESION_CACHE}/lammps-current/done)
+    cohesion_add_lammps(current ${COHESION_CACHE}/lammps-current/src
+      ${COHESION_CACHE}/lammps-current/build)
+  endif()
 endif()
 
 if(LAMMPS_ENGINES)
   set(LAMMPS_FOUND TRUE)
 else()
   set(LAMMPS_FOUND FALSE)
-  set(LAMMPS_NOT_FOUND_MESSAGE
-    "no LAMMPS with complete headers; run scripts/setup, or give -DLAMMPS_ROOT=path")
 endif()

@@ -9,9 +9,11 @@ find_library(LIGGGHTS_LIBRARY liggghts)
 find_program(LIGGGHTS_EXECUTABLE liggghts)
 mark_as_advanced(LIGGGHTS_INCLUDE_DIR LIGGGHTS_LIBRARY LIGGGHTS_EXECUTABLE)
 
-if(LIGGGHTS_INCLUDE_DIR AND EXISTS ${LIGGGHTS_INCLUDE_DIR}/version_liggghts.h)
-  file(STRINGS ${LIGGGHTS_INCLUDE_DIR}/version_liggghts.h LIGGGHTS_VERSION REGEX "LIGGGHTS_VERSION")
-  string(REGEX REPLACE ".*LIGGGHTS_VERSION.*Version LIGGGHTS-[A-Z]* ([0-9.]+).*" "\\1"
+# The headers do not say the version of LIGGGHTS, only that of the LAMMPS it came from.
+if(LIGGGHTS_LIBRARY)
+  file(STRINGS ${LIGGGHTS_LIBRARY} LIGGGHTS_VERSION LIMIT_COUNT 1
+    REGEX "LIGGGHTS-[A-Z]+ [0-9.]+, compiled")
+  string(REGEX REPLACE ".*LIGGGHTS-[A-Z]+ ([0-9.]+), compiled.*" "\\1"
     LIGGGHTS_VERSION "${LIGGGHTS_VERSION}")
 endif()
 

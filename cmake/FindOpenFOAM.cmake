@@ -10,9 +10,13 @@
 
 set(OpenFOAM_ROOT "" CACHE PATH "Built OpenFOAM source tree to use instead of the system's")
 
+set(OpenFOAM_LABEL_SIZE 32)
 set(OpenFOAM_TREE "${OpenFOAM_ROOT}")
 if(NOT OpenFOAM_TREE AND EXISTS "$ENV{WM_PROJECT_DIR}/src/OpenFOAM/lnInclude")
   set(OpenFOAM_TREE "$ENV{WM_PROJECT_DIR}")
+  if(DEFINED ENV{WM_LABEL_SIZE})
+    set(OpenFOAM_LABEL_SIZE $ENV{WM_LABEL_SIZE})
+  endif()
 endif()
 
 # Folders of headers, one per library
@@ -23,11 +27,16 @@ if(OpenFOAM_TREE)
   set(OpenFOAM_finiteVolume_INCLUDE ${OpenFOAM_TREE}/src/finiteVolume/lnInclude)
   set(OpenFOAM_meshTools_INCLUDE ${OpenFOAM_TREE}/src/meshTools/lnInclude)
   set(OpenFOAM_lagrangian_INCLUDE ${OpenFOAM_TREE}/src/lagrangian/basic/lnInclude)
-  file(GLOB OpenFOAM_PLATFORM ${OpenFOAM_TREE}/platforms/*)
-  list(GET OpenFOAM_PLATFORM 0 OpenFOAM_PLATFORM)
-  set(OpenFOAM_LIB_HINTS ${OpenFOAM_PLATFORM}/lib)
-  set(OpenFOAM_PSTREAM_HINTS $ENV{FOAM_LIBBIN}/$ENV{FOAM_MPI} ${OpenFOAM_PLATFORM}/lib/sys-openmpi)
-  set(OpenFOAM_BIN_HINTS ${OpenFOAM_PLATFORM}/bin)
+  file(GLOB OpenFOAM_PLATFORMS ${OpenFOAM_TREE}/platforms/*/lib)
+  set(OpenFOAM_LIB_HINTS ${OpenFOAM_PLATFORMS})
+  list(TRANSFORM OpenFOAM_PLATFORMS REPLACE "/lib$" "/bin" OUTPUT_VARIABLE OpenFOAM_BIN_HINTS)
+  if(NOT OpenFOAM_ROOT)
+    # The environment knows which of several builds, and folders that are elsewhere.
+    list(PREPEND OpenFOAM_LIB_HINTS $ENV{FOAM_LIBBIN})
+    list(PREPEND OpenFOAM_BIN_HINTS $ENV{FOAM_APPBIN})
+  endif()
+  file(GLOB OpenFOAM_PSTREAM_HINTS ${OpenFOAM_TREE}/platforms/*/lib/*mpi*)
+  list(PREPEND OpenFOAM_PSTREAM_HINTS $ENV{FOAM_LIBBIN}/$ENV{FOAM_MPI})
   set(OpenFOAM_ENVIRONMENT WM_PROJECT_DIR=${OpenFOAM_TREE})
   if(EXISTS ${OpenFOAM_TREE}/META-INFO/api-info)
     file(STRINGS ${OpenFOAM_TREE}/META-INFO/api-info OpenFOAM_VERSION REGEX "api=")
@@ -55,20 +64,30 @@ find_path(OpenFOAM_BIN_DIR blockMesh PATHS ${OpenFOAM_BIN_HINTS} NO_DEFAULT_PATH
 find_path(OpenFOAM_HEADERS fvMesh.H PATHS ${OpenFOAM_finiteVolume_INCLUDE} NO_DEFAULT_PATH)
 mark_as_advanced(OpenFOAM_Pstream_LIBRARY OpenFOAM_BIN_DIR OpenFOAM_HEADERS)
 
+set(OpenFOAM_NOT_FOUND_MESSAGE
+  "run scripts/setup, source an OpenFOAM environment, or give -DOpenFOAM_ROOT=built-source-tree")
+foreach(needed OpenFOAM_OpenFOAM_LIBRARY OpenFOAM_finiteVolume_LIBRARY OpenFOAM_meshTools_LIBRARY
+    OpenFOAM_lagrangian_LIBRARY OpenFOAM_Pstream_LIBRARY OpenFOAM_HEADERS OpenFOAM_BIN_DIR
+    OpenFOAM_VERSION)
+  if(NOT ${needed})
+    string(APPEND OpenFOAM_NOT_FOUND_MESSAGE ", no ${needed}")
+  endif()
+endforeach()
+
 include(FindPackageHandleStandardArgs)
 find_package_handle_standard_args(OpenFOAM
-  REQUIRED_VARS OpenFOAM_finiteVolume_LIBRARY OpenFOAM_Pstream_LIBRARY OpenFOAM_HEADERS
-    OpenFOAM_BIN_DIR OpenFOAM_VERSION
+  REQUIRED_VARS OpenFOAM_OpenFOAM_LIBRARY OpenFOAM_finiteVolume_LIBRARY OpenFOAM_meshTools_LIBRARY
+    OpenFOAM_lagrangian_LIBRARY OpenFOAM_Pstream_LIBRARY OpenFOAM_HEADERS OpenFOAM_BIN_DIR
+    OpenFOAM_VERSION
   VERSION_VAR OpenFOAM_VERSION
-  REASON_FAILURE_MESSAGE
-    "run scripts/setup, source an OpenFOAM environment, or give -DOpenFOAM_ROOT=path")
+  REASON_FAILURE_MESSAGE "${OpenFOAM_NOT_FOUND_MESSAGE}")
 
 if(OpenFOAM_FOUND AND NOT TARGET OpenFOAM::OpenFOAM)
   add_library(OpenFOAM::OpenFOAM INTERFACE IMPORTED)
   target_include_directories(OpenFOAM::OpenFOAM SYSTEM INTERFACE
     ${OpenFOAM_OpenFOAM_INCLUDE} ${OpenFOAM_OSspecific_INCLUDE})
   target_compile_definitions(OpenFOAM::OpenFOAM INTERFACE
-    OPENFOAM=${OpenFOAM_VERSION} WM_DP WM_LABEL_SIZE=32 NoRepository)
+    OPENFOAM=${OpenFOAM_VERSION} WM_DP WM_LABEL_SIZE=${OpenFOAM_LABEL_SIZE} NoRepository OMPI_SKIP_MPICXX=1)
   target_compile_options(OpenFOAM::OpenFOAM INTERFACE -ftemplate-depth-100 -pthread)
   # Classes that only a case names are found by the libraries' static initialisers.
   target_link_options(OpenFOAM::OpenFOAM INTERFACE -Wl,--no-as-needed)

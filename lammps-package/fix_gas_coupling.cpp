@@ -18,8 +18,8 @@ using namespace LAMMPS_NS;
 using namespace FixConst;
 using cohesion::drag::GasOnParticle;
 
-FixGasCoupling::FixGasCoupling(LAMMPS* lmp, int narg, char** arg)
-    : Fix(lmp, narg, arg), rows(nullptr) {
+FixGasCoupling::FixGasCoupling(LAMMPS* lammps, int narg, char** arg)
+    : Fix(lammps, narg, arg), rows(nullptr) {
   if (narg != 3) error->all(FLERR, "fix gas/coupling takes no values: 'fix ID group gas/coupling'");
   peratom_flag = 1;
   size_peratom_cols = GasOnParticle::size;

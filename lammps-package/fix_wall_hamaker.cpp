@@ -2,6 +2,7 @@
 #include "fix_wall_hamaker.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <string>
 
@@ -24,8 +25,8 @@ static cohesion::hamaker::SmallGap read_law(LAMMPS* lmp, int narg, char** arg) {
        utils::numeric(FLERR, arg[5], false, lmp)});
 }
 
-FixWallHamaker::FixWallHamaker(LAMMPS* lmp, int narg, char** arg)
-    : Fix(lmp, narg, arg), law(read_law(lmp, narg, arg)), summed(false) {
+FixWallHamaker::FixWallHamaker(LAMMPS* lammps, int narg, char** arg)
+    : Fix(lammps, narg, arg), law(read_law(lammps, narg, arg)), summed(false) {
   read_planes(narg, arg);
   std::fill_n(mine, 4, 0.0);
   scalar_flag = vector_flag = 1;
@@ -33,6 +34,7 @@ FixWallHamaker::FixWallHamaker(LAMMPS* lmp, int narg, char** arg)
   extscalar = extvector = 1;
   global_freq = 1;
   energy_global_flag = 1;
+  virial_global_flag = virial_peratom_flag = 1;
 }
 
 void FixWallHamaker::read_planes(int narg, char** arg) {
@@ -47,11 +49,24 @@ void FixWallHamaker::read_planes(int narg, char** arg) {
     if (domain->periodicity[dimension])
       error->all(FLERR, "fix wall/hamaker: no " + word +
                             " in a periodic direction; use 'boundary f' there");
-    for (int k = 1; k <= 2; k++)
-      if (strcmp(arg[iarg + k], "NULL") != 0)
-        planes.push_back(
-            {dimension, k == 1 ? 1 : -1, utils::numeric(FLERR, arg[iarg + k], false, lmp)});
+    add_plane(dimension, 1, word, arg[iarg + 1]);
+    add_plane(dimension, -1, word, arg[iarg + 2]);
+    if (strcmp(arg[iarg + 1], "NULL") == 0 && strcmp(arg[iarg + 2], "NULL") == 0)
+      error->all(FLERR, "fix wall/hamaker: " + word + " NULL NULL is no wall; give a position");
+    const auto count = planes.size();
+    if (strcmp(arg[iarg + 1], "NULL") != 0 && strcmp(arg[iarg + 2], "NULL") != 0 &&
+        !(planes[count - 2].position < planes[count - 1].position))
+      error->all(FLERR, "fix wall/hamaker: " + word + " " + arg[iarg + 1] + " " + arg[iarg + 2] +
+                            ": the first position must be below the second");
   }
+}
+
+void FixWallHamaker::add_plane(int dimension, int side, const std::string& word, char* text) {
+  if (strcmp(text, "NULL") == 0) return;
+  const double position = utils::numeric(FLERR, text, false, lmp);
+  if (!std::isfinite(position))
+    error->all(FLERR, "fix wall/hamaker: " + word + " position " + text + " must be finite");
+  planes.push_back({dimension, side, position});
 }
 
 int FixWallHamaker::setmask() { return POST_FORCE | MIN_POST_FORCE; }
@@ -67,7 +82,8 @@ void FixWallHamaker::setup(int vflag) { post_force(vflag); }
 void FixWallHamaker::min_setup(int vflag) { post_force(vflag); }
 void FixWallHamaker::min_post_force(int vflag) { post_force(vflag); }
 
-void FixWallHamaker::post_force(int) {
+void FixWallHamaker::post_force(int vflag) {
+  v_init(vflag);
   std::fill_n(mine, 4, 0.0);
   summed = false;
   for (const Plane& plane : planes) {
@@ -82,6 +98,7 @@ void FixWallHamaker::post_force(int) {
       atom->f[i][d] -= pull;
       mine[0] += law.energy(gap, atom->radius[i]);
       mine[1 + d] += pull;
+      if (evflag) v_tally(d, i, -pull * atom->x[i][d]);
     }
   }
 }

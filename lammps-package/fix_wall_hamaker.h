@@ -8,6 +8,7 @@ FixStyle(wall/hamaker,FixWallHamaker);
 #ifndef LMP_FIX_WALL_HAMAKER_H
 #define LMP_FIX_WALL_HAMAKER_H
 
+#include <string>
 #include <vector>
 
 #include "fix.h"
@@ -38,6 +39,7 @@ class FixWallHamaker : public Fix {
   };
 
   void read_planes(int, char**);
+  void add_plane(int dimension, int side, const std::string& word, char* text);
   void sum();
 
   cohesion::hamaker::SmallGap law;

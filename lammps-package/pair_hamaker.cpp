@@ -21,16 +21,22 @@
 using namespace LAMMPS_NS;
 using cohesion::hamaker::SmallGap;
 
-PairHamaker::PairHamaker(LAMMPS* lmp)
-    : Pair(lmp), atom_types(0), surface_cutoff(0.0), outer_cutoff(0.0) {
+PairHamaker::PairHamaker(LAMMPS* lammps)
+    : Pair(lammps),
+      atom_types(0),
+      surface_cutoff(0.0),
+      outer_cutoff(0.0),
+      hamaker_constant(nullptr) {
   single_enable = 1;
   restartinfo = 1;
+  writedata = 1;
 }
 
 PairHamaker::~PairHamaker() {
   if (!allocated) return;
   memory->destroy(setflag);
   memory->destroy(cutsq);
+  memory->destroy(hamaker_constant);
 }
 
 void PairHamaker::allocate() {
@@ -38,6 +44,7 @@ void PairHamaker::allocate() {
   atom_types = atom->ntypes;
   memory->create(setflag, atom_types + 1, atom_types + 1, "pair:setflag");
   memory->create(cutsq, atom_types + 1, atom_types + 1, "pair:cutsq");
+  memory->create(hamaker_constant, atom_types + 1, atom_types + 1, "pair:hamaker_constant");
   for (int i = 1; i <= atom_types; i++) std::fill_n(setflag[i], atom_types + 1, 0);
   given.assign((atom_types + 1) * (atom_types + 1), Parameters{});
 }
@@ -136,7 +143,7 @@ void PairHamaker::coeff(int narg, char** arg) {
   int count = 0;
   for (int i = ilo; i <= ihi; i++)
     for (int j = std::max(jlo, i); j <= jhi; j++) {
-      parameters(i, j) = p;
+      give(i, j, p);
       setflag[i][j] = 1;
       count++;
     }
@@ -157,7 +164,7 @@ void PairHamaker::init_style() {
 PairHamaker::Parameters PairHamaker::mixed(int i, int j) {
   const Parameters& a = parameters(i, i);
   const Parameters& b = parameters(j, j);
-  return {std::sqrt(a.hamaker_constant * b.hamaker_constant),
+  return {std::sqrt(hamaker_constant[i][i] * hamaker_constant[j][j]),
           std::max(a.surface_cutoff, b.surface_cutoff), std::max(a.outer_cutoff, b.outer_cutoff)};
 }
 
@@ -166,9 +173,10 @@ double PairHamaker::init_one(int i, int j) {
     if (!setflag[i][i] || !setflag[j][j])
       error->all(FLERR, "pair_style hamaker: no pair_coeff for types " + std::to_string(i) +
                             " and " + std::to_string(j) + " nor for both of them to mix");
-    parameters(i, j) = mixed(i, j);
+    give(i, j, mixed(i, j));
   }
-  parameters(j, i) = parameters(i, j);
+  // fix adapt may have changed it.
+  parameters(i, j).hamaker_constant = hamaker_constant[i][j];
   const SmallGap hamaker = hamaker_from_script(
       lmp, "pair_style hamaker, types " + std::to_string(i) + " and " + std::to_string(j),
       parameters(i, j));
@@ -203,16 +211,24 @@ void PairHamaker::check_radii() {
   for (int i = 0; i < atom->nlocal; i++)
     if (atom->radius[i] > largest_radius[atom->type[i]])
       error->one(FLERR,
-                 "pair_style hamaker: the outer cut-off is beyond the neighbour range: "
-                 "particle " +
-                     std::to_string(atom->tag[i]) + " has radius " +
-                     std::to_string(atom->radius[i]) + ", its type had at most " +
-                     std::to_string(largest_radius[atom->type[i]]) +
-                     " when the run was set up; end the run before particles grow, and "
-                     "start a new one");
+                 "pair_style hamaker: the outer cut-off is beyond the neighbour range: particle {} "
+                 "of type {} has radius {}, its type had at most {} when the run was set up; end "
+                 "the run before particles grow, and start a new one",
+                 atom->tag[i], atom->type[i], atom->radius[i], largest_radius[atom->type[i]]);
 }
 
 /* ---------------------------------------------------------------------- */
+
+void PairHamaker::give(int i, int j, const Parameters& p) {
+  parameters(i, j) = parameters(j, i) = p;
+  hamaker_constant[i][j] = hamaker_constant[j][i] = p.hamaker_constant;
+}
+
+/// "A": double** by type pair, for fix adapt.
+void* PairHamaker::extract(const char* name, int& dimension) {
+  dimension = 2;
+  return strcmp(name, "A") == 0 ? hamaker_constant : nullptr;
+}
 
 void PairHamaker::write_restart(FILE* fp) {
   write_restart_settings(fp);
@@ -234,6 +250,7 @@ void PairHamaker::read_restart(FILE* fp) {
       if (comm->me == 0)
         utils::sfread(FLERR, &parameters(i, j), sizeof(Parameters), 1, fp, nullptr, error);
       MPI_Bcast(&parameters(i, j), sizeof(Parameters), MPI_BYTE, 0, world);
+      give(i, j, parameters(i, j));
     }
 }
 

@@ -30,6 +30,8 @@ class PairHamaker : public Pair {
   double init_one(int, int) override;
   double single(int, int, int, int, double, double, double, double&) override;
 
+  void* extract(const char*, int&) override;
+
   void write_restart(FILE*) override;
   void read_restart(FILE*) override;
   void write_restart_settings(FILE*) override;
@@ -49,12 +51,14 @@ class PairHamaker : public Pair {
   }
   Parameters& parameters(int i, int j) { return given[i * (atom_types + 1) + j]; }
   Parameters mixed(int, int);
+  void give(int, int, const Parameters&);
   void find_largest_radii();
   void check_radii();
 
   int atom_types;
   double surface_cutoff;                          // default of pair_coeff
   double outer_cutoff;                            // default of pair_coeff
+  double** hamaker_constant;                      // by type pair; fix adapt writes it
   std::vector<Parameters> given;                  // by type pair
   std::vector<cohesion::hamaker::SmallGap> laws;  // by type pair, built at init
   std::vector<double> largest_radius;             // by type, at init

@@ -1,23 +1,27 @@
 // SPDX-License-Identifier: GPL-2.0-only
-// Entry of the plugin: checks the engine's version, then registers every style of the package.
+// What `plugin load` opens: compares the engine's version with the one the styles were built for,
+// then loads the styles from the file beside this one.
+//
+// An engine of another version lacks C++ symbols that the styles need, so that a file with the
+// styles could not even be opened there and nobody would learn why. This one therefore needs
+// nothing of the engine but its C functions.
+
+#include <dlfcn.h>
 
 #include <array>
-#include <cstring>
+#include <cstdio>
+#include <cstdlib>
 #include <sstream>
 #include <string>
 
-#include "error.h"
-#include "fix_gas_coupling.h"
-#include "fix_wall_hamaker.h"
-#include "lammps.h"
 #include "lammpsplugin.h"
 #include "library.h"
-#include "pair_hamaker.h"
 #include "version.h"
 
-using namespace LAMMPS_NS;
-
 namespace {
+
+constexpr const char* styles_file = "cohesion-styles.so";
+constexpr const char* styles_function = "cohesion_register_styles";
 
 constexpr std::array<const char*, 12> months{"Jan", "Feb", "Mar", "Apr", "May", "Jun",
                                              "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"};
@@ -44,52 +48,58 @@ int version_number(const std::string& name) {
   return (year * 100 + m) * 100 + day;
 }
 
-/// The layout of the engine's classes changes between versions. Only the engine's own C function is
-/// safe to ask which one this is.
+/// The engine's Error::all, in the spelling that this engine has. The C functions have no
+/// counterpart that ends the run in every version.
+[[noreturn]] void stop(void* lmp, const std::string& message) {
+  // Memory and Error have been the first two members of class LAMMPS in all versions.
+  void* const error = static_cast<void**>(lmp)[1];
+  const std::string file = "cohesionplugin";
+  constexpr int no_pointer_into_the_input_line = -2;
+
+  using AllSince2024 = void (*)(void*, const std::string&, int, int, const std::string&);
+  using All = void (*)(void*, const std::string&, int, const std::string&);
+  if (void* all = dlsym(
+          RTLD_DEFAULT,
+          "_ZN9LAMMPS_NS5Error3allERKNSt7__cxx1112basic_stringIcSt11char_traitsIcESaIcEEEiiS8_"))
+    reinterpret_cast<AllSince2024>(all)(error, file, 0, no_pointer_into_the_input_line, message);
+  if (void* all = dlsym(
+          RTLD_DEFAULT,
+          "_ZN9LAMMPS_NS5Error3allERKNSt7__cxx1112basic_stringIcSt11char_traitsIcESaIcEEEiS8_"))
+    reinterpret_cast<All>(all)(error, file, 0, message);
+
+  std::fprintf(stderr, "ERROR: %s\n", message.c_str());
+  lammps_command(lmp, "quit 1");
+  std::abort();
+}
+
 void refuse_other_version(void* lmp) {
   const int engine = lammps_version(lmp);
   if (engine == version_number(LAMMPS_VERSION)) return;
-  static_cast<LAMMPS*>(lmp)->error->all(
-      FLERR, "the COHESION plugin was built for LAMMPS " LAMMPS_VERSION
-             " and cannot run in LAMMPS " +
-                 version_name(engine) + "; build it against the engine that loads it");
+  stop(lmp, "the COHESION plugin was built for LAMMPS " LAMMPS_VERSION
+            " and cannot run in LAMMPS " +
+                version_name(engine) + "; build it against the engine that loads it");
 }
 
-template <class Style>
-void* make_pair_style(void* lmp) {
-  return new Style(static_cast<LAMMPS*>(lmp));
-}
-
-template <class Style>
-void* make_fix_style(void* lmp, int narg, char** arg) {
-  return new Style(static_cast<LAMMPS*>(lmp), narg, arg);
+std::string file_beside_this_one(const char* name) {
+  Dl_info info;
+  if (!dladdr(reinterpret_cast<void*>(&file_beside_this_one), &info)) return name;
+  const std::string self = info.dli_fname;
+  return self.substr(0, self.rfind('/') + 1) + name;
 }
 
 }  // namespace
 
-extern "C" void lammpsplugin_init(void* lmp, void* handle, void* regfunc) {
+extern "C" void lammpsplugin_init(void* lmp, void* handle, void* register_style) {
   refuse_other_version(lmp);
 
-  const auto register_style = reinterpret_cast<lammpsplugin_regfunc>(regfunc);
-  lammpsplugin_t plugin{};
-  plugin.version = LAMMPS_VERSION;
-  plugin.author = "the COHESION package";
-  plugin.handle = handle;
-
-  plugin.style = "pair";
-  plugin.name = "hamaker";
-  plugin.info = "pair hamaker";
-  plugin.creator.v1 = &make_pair_style<PairHamaker>;
-  register_style(&plugin, lmp);
-
-  plugin.style = "fix";
-  plugin.name = "wall/hamaker";
-  plugin.info = "fix wall/hamaker";
-  plugin.creator.v2 = &make_fix_style<FixWallHamaker>;
-  register_style(&plugin, lmp);
-
-  plugin.name = "gas/coupling";
-  plugin.info = "fix gas/coupling";
-  plugin.creator.v2 = &make_fix_style<FixGasCoupling>;
-  register_style(&plugin, lmp);
+  const std::string file = file_beside_this_one(styles_file);
+  void* const styles = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (!styles)
+    stop(lmp, "the COHESION plugin cannot open the file with its styles: " +
+                  std::string(dlerror()) + "; it must stand beside the plugin");
+  void* const register_all = dlsym(styles, styles_function);
+  if (!register_all)
+    stop(lmp, "'" + file + "' is not of the COHESION package: it has no function " +
+                  styles_function + "; put the one that was built with the plugin there");
+  reinterpret_cast<lammpsplugin_initfunc>(register_all)(lmp, handle, register_style);
 }

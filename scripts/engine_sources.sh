@@ -4,16 +4,15 @@
 
 # Address of the Debian archive that this machine installs from
 archive() {
-  # shellcheck disable=SC1091
-  local release=$(. /etc/os-release && echo "$VERSION_CODENAME")
+  # shellcheck disable=SC2016 # apt's own variables
   apt-get indextargets --format '$(REPO_URI) $(CODENAME) $(COMPONENT)' 'Created-By: Packages' |
-    awk -v release="$release" '$2 == release && $3 == "main" {print $1; exit}'
+    awk -v release="$(codename)" '$2 == release && $3 == "main" {print $1; exit}'
 }
 
 # fetch_source PACKAGE SUITE FOLDER: the upstream tarball of a source package. apt gets lists and
 # state of its own, so that the machine's configuration stays as it is. Signatures are checked.
 fetch_source() {
-  local package=$1 suite=$2 folder=$3 uri apt
+  local package=$1 suite=$2 folder=$3 uri apt listed tarball checksum
   uri=$(archive)
   if [ -z "$uri" ]; then
     # Without lists apt does not know its archives.
@@ -27,21 +26,45 @@ fetch_source() {
     -o "Dir::State::lists=$folder/apt/lists" -o Dir::State::status=/dev/null
     -o "Dir::Cache=$folder/apt/cache" -o APT::Sandbox::User="$(id -un)")
   retry "${apt[@]}" update || return 1
-  # An archive may lack a small file of a source package; the verified upstream tarball is enough.
-  (cd "$folder" && { retry "${apt[@]}" --only-source source --download-only "$package" || true; })
+  # An archive may lack a small file of a source package and apt then fails: the upstream tarball
+  # is enough, if its size and checksum are those of the archive's signed index.
+  listed=$("${apt[@]}" --only-source source --print-uris "$package" |
+    awk '$2 ~ /\.orig\.tar\.[a-z0-9]+$/ {print $2, $4; exit}')
+  read -r tarball checksum <<<"$listed"
+  checksum=${checksum#SHA256:}
+  [ -n "$checksum" ] || { echo "no source package $package in $suite"; return 1; }
+  retry download_tarball || return 1
   rm -rf "$folder/apt"
-  upstream_tarball "$package" "$folder" >/dev/null
+}
+
+# The rest of fetch_source, with its variables: leaves the checked tarball in the folder.
+download_tarball() {
+  (cd "$folder" && "${apt[@]}" --only-source source --download-only "$package")
+  echo "$checksum  $folder/$tarball" | sha256sum --check
 }
 
 upstream_tarball() {
-  local found
-  found=$(find "$2" -maxdepth 1 -name "$1_*.orig.tar.*" ! -name '*.asc' | head -n 1)
-  [ -n "$found" ] && echo "$found"
+  find "$2" -maxdepth 1 -name "$1_*.orig.tar.*" ! -name '*.asc'
 }
 
-# Name and version of the installed engine: headers of another version must not be used.
+codename() {
+  # shellcheck disable=SC1091
+  (. /etc/os-release && echo "$VERSION_CODENAME")
+}
+
+# Upstream version of an installed engine
 installed() {
   dpkg-query -W -f='${source:Upstream-Version}' "$1"
+}
+
+# fetch_headers PACKAGE VERSION FOLDER: the tarball of just that version. Headers of another one
+# would compile and then crash.
+fetch_headers() {
+  logged "$cache/logs/$1-source" fetch_source "$1" "$(codename)" "$3" || return 1
+  [ -e "$3/$1_$2.orig.tar.xz" ] || [ -e "$3/$1_$2.orig.tar.bz2" ] || {
+    echo "$1 $2 is installed, but the archive has the source of $(upstream_tarball "$1" "$3")"
+    return 1
+  }
 }
 
 fetch_lammps_headers() {
@@ -49,8 +72,7 @@ fetch_lammps_headers() {
   version=$(installed liblammps0) || return 1
   [ "$(cat "$folder/done" 2>/dev/null)" = "$version" ] && return 0
   rm -rf "$folder" && mkdir -p "$folder"
-  logged "$cache/logs/lammps-source" \
-    fetch_source lammps "$(. /etc/os-release && echo "$VERSION_CODENAME")" "$folder" || return 1
+  fetch_headers lammps "$version" "$folder" || return 1
   tar -xf "$(upstream_tarball lammps "$folder")" -C "$folder" --strip-components=1 \
     --wildcards '*/src/*.h' || return 1
   rm -f "$folder"/lammps_*
@@ -70,8 +92,7 @@ fetch_openfoam_headers() {
   version=$(installed libopenfoam) || return 1
   [ "$(cat "$folder/done" 2>/dev/null)" = "$version" ] && return 0
   rm -rf "$folder" && mkdir -p "$folder/source"
-  logged "$cache/logs/openfoam-source" \
-    fetch_source openfoam "$(. /etc/os-release && echo "$VERSION_CODENAME")" "$folder" || return 1
+  fetch_headers openfoam "$version" "$folder" || return 1
   tar -xf "$(upstream_tarball openfoam "$folder")" -C "$folder/source" --strip-components=1 \
     --wildcards '*/src/OpenFOAM' '*/src/OSspecific/POSIX' '*/src/finiteVolume' \
     '*/src/meshTools' '*/src/lagrangian/basic' || return 1
@@ -98,15 +119,21 @@ build_current_lammps() {
     skip_current_lammps "its source could not be fetched"
     return 0
   }
-  tar -xf "$(upstream_tarball lammps "$folder")" -C "$folder" --strip-components=1 \
-    --exclude='*/doc' --exclude='*/examples' --exclude='*/potentials' --exclude='*/bench'
-  rm -f "$folder"/lammps_*
+  unpack_current_lammps "$folder" || {
+    skip_current_lammps "its source could not be unpacked"
+    return 0
+  }
   logged "$cache/logs/lammps-current-build" compile_current_lammps "$folder" || {
     skip_current_lammps "it could not be built, see $cache/logs/lammps-current-build"
     return 0
   }
   rm -f "$cache/lammps-current.missing"
   touch "$folder/done"
+}
+
+unpack_current_lammps() {
+  tar -xf "$(upstream_tarball lammps "$1")" -C "$1" --strip-components=1 --exclude='*/doc' \
+    --exclude='*/examples' --exclude='*/potentials' --exclude='*/bench' && rm -f "$1"/lammps_*
 }
 
 compile_current_lammps() {

@@ -14,12 +14,14 @@ JET_SHARE = 13 / 27  # share of the plate that blows
 NODE = HEIGHT / CELLS[1] / 2  # height of the lowest pressure node
 GAS_DENSITY, GAS_VISCOSITY, GRAVITY = 1.205, 1.75e-5, 9.81
 DIAMETER, PARTICLE_DENSITY = 1e-3, 2650.0
-LINE_RANGE = (0.3, 0.9)  # of the weight: points on the packed-bed line
+PACKED_RANGE = (0.1, 0.9)  # of the weight: points on the packed-bed curve
+PLATEAU = 1.1  # x the packed-bed velocities: the bed is fluidised
+SETTLING = 0.2  # share of each step left out
 
 
 @dataclass
 class Step:
-    """Averages over the second half of one step of the gas velocity."""
+    """Averages over one step of the gas velocity, its first fifth left out."""
 
     velocity: float
     start: float
@@ -80,41 +82,61 @@ def curve(case):
     lowest = min(range(len(schedule)), key=lambda i: schedule[i][2])
     steps = []
     for i, (start, end, velocity) in enumerate(schedule):
-        inside = (time > (start + end) / 2) & (time <= end)
+        inside = (time > start + SETTLING * (end - start)) & (time <= end)
         blocks = [block.mean() for block in np.array_split(ratio[inside], 5)]
         steps.append(Step(velocity, start, end, float(np.mean(blocks)),
                           float(np.std(blocks, ddof=1) / np.sqrt(5)), i > lowest))
     return steps
 
 
-def line_meets_weight(steps):
-    """Where the straight line through the packed-bed points reaches the weight: (U, error)."""
-    packed = [s for s in steps if LINE_RANGE[0] < s.ratio < LINE_RANGE[1]]
-    if len(packed) < 3:
+def packed_curve_meets_weight(steps):
+    """Where the packed-bed curve a U + b U^2 (Ergun's form, viscous and inertial) through the points
+    of one branch reaches the weight: (U, standard error). Points: from the slowest up to the first
+    that leaves PACKED_RANGE; beyond it the bed moves."""
+    packed = []
+    for step in sorted(steps, key=lambda s: s.velocity):
+        if step.ratio >= PACKED_RANGE[1]:
+            break
+        if step.ratio > PACKED_RANGE[0]:
+            packed.append(step)
+    if len(packed) < 4:
         return float("nan"), float("nan")
     u = np.array([s.velocity for s in packed])
     y = np.array([s.ratio for s in packed])
-    (slope, offset), residual, *_ = np.polyfit(u, y, 1, full=True)
-    velocity = (1 - offset) / slope
-    # Error of the prediction of a fitted line, carried over to the velocity.
-    spread = np.sqrt((residual[0] if residual.size else 0.0) / max(len(u) - 2, 1))
-    error = spread / slope * np.sqrt(1 / len(u) + (velocity - u.mean()) ** 2
-                                     / ((u - u.mean()) ** 2).sum())
-    return float(velocity), float(error)
+    terms = np.stack([u, u**2], axis=1)
+    (a, b), *_ = np.linalg.lstsq(terms, y, rcond=None)
+    spread = np.sqrt(((y - terms @ (a, b)) ** 2).sum() / (len(u) - 2))
+    covariance = spread**2 * np.linalg.inv(terms.T @ terms)
+    velocity = (-a + np.sqrt(a**2 + 4 * b)) / (2 * b)
+    # The error of the fitted curve at that velocity, divided by its slope there.
+    at = np.array([velocity, velocity**2])
+    return float(velocity), float(np.sqrt(at @ covariance @ at) / (a + 2 * b * velocity))
 
 
 def velocities(steps):
     falling = [s for s in steps if not s.rising]
     rising = [s for s in steps if s.rising]
     highest = max(rising, key=lambda s: s.ratio)
-    return Velocities(line_meets_weight(falling), line_meets_weight(rising), highest.velocity,
-                      highest.ratio - 1)
+    return Velocities(packed_curve_meets_weight(falling), packed_curve_meets_weight(rising),
+                      highest.velocity, highest.ratio - 1)
 
 
-def plateau(steps, above):
-    """Mean ratio and its standard error over the steps faster than `above`, both branches."""
-    ratios = [s.ratio for s in steps if s.velocity > above]
-    return float(np.mean(ratios)), float(np.std(ratios, ddof=1) / np.sqrt(len(ratios)))
+def plateau(case, found):
+    """Mean pressure drop x area / weight in the fluidised state and its standard error: all times
+    with a gas velocity at least PLATEAU above both packed-bed velocities, the first 0.1 s left out;
+    the error from means over blocks of 0.1 s, some periods of the bubbles."""
+    time, velocity, drop, weight, _ = read_traces(case)
+    fluidised = (time > 0.1) & (velocity > PLATEAU * max(found.falling[0], found.rising[0]))
+    ratio = (drop * WIDTH * DEPTH / weight)[fluidised]
+    blocks = [b.mean() for b in np.array_split(ratio, max(2, int(np.ptp(time) / len(time)
+                                                                   * len(ratio) / 0.1)))]
+    return float(np.mean(blocks)), float(np.std(blocks, ddof=1) / np.sqrt(len(blocks)))
+
+
+def solver_seconds(case):
+    """Wall clock time of the solver's time loop, from its log."""
+    log = (Path(case) / "log.cohesiveBedFoam").read_text()
+    return float(re.search(r"^\s*all\s+(\S+) s,", log, re.M).group(1))
 
 
 def packed_void_fraction(case):

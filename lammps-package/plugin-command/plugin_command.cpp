@@ -6,6 +6,7 @@
 // front of liblammps, comes first. It does the engine's own work, then adds the command.
 
 #include <dlfcn.h>
+#include <unistd.h>
 
 #include <list>
 #include <string>
@@ -62,7 +63,7 @@ std::string beside_this_library(const std::string& file) {
 
 class PluginCommand : public Command {
  public:
-  explicit PluginCommand(LAMMPS* lmp) : Command(lmp) {}
+  explicit PluginCommand(LAMMPS* lammps) : Command(lammps) {}
 
   void command(int narg, char** arg) override {
     if (narg < 2 || std::string(arg[0]) != "load")
@@ -74,7 +75,11 @@ class PluginCommand : public Command {
   void load(const std::string& file) {
     void* handle = dlopen(file.c_str(), RTLD_NOW | RTLD_GLOBAL);
     std::string reason = handle ? "" : dlerror();
-    if (!handle) handle = dlopen(beside_this_library(file).c_str(), RTLD_NOW | RTLD_GLOBAL);
+    const std::string beside = beside_this_library(file);
+    if (!handle && access(beside.c_str(), F_OK) == 0) {
+      handle = dlopen(beside.c_str(), RTLD_NOW | RTLD_GLOBAL);
+      if (!handle) reason = dlerror();
+    }
     if (!handle)
       error->all(FLERR, "plugin load: cannot open '" + file + "': " + reason +
                             "; give the file's path, or its folder in LD_LIBRARY_PATH");

@@ -165,7 +165,7 @@ void Foam::gasParticleCoupling::makeEngine()
         if (!isFile(settings.script))
         {
             FatalIOErrorInFunction(coeffs)
-                << "script '" << settings.script << "' does not exist; name the input script of "
+                << "script '" << settings.script.c_str() << "' does not exist; name the input script of "
                 << name << ", relative to the case folder" << exit(FatalIOError);
         }
 

@@ -82,6 +82,27 @@ TEST(LinearSpringDashpot, ZeroRestitutionIsCriticalDamping) {
   EXPECT_EQ(law.contact_time(), std::numeric_limits<double>::infinity());
 }
 
+TEST(LinearSpringDashpot, ZeroRestitutionNeverEndsTheContactForAnyStiffnessAndMass) {
+  // 2 sqrt(mu K) and sqrt(K/mu) round differently for each pair of values.
+  for (const double stiffness : {0.1, 3.0, 800.0, 1.7e7})
+    for (const double mass : {6.9e-7, 0.3, 1.1, 77.7}) {
+      const auto law = LinearSpringDashpot::from_restitution(stiffness, 0.0, mass);
+      EXPECT_EQ(law.contact_time(), std::numeric_limits<double>::infinity())
+          << stiffness << " " << mass;
+    }
+}
+
+TEST(LinearSpringDashpot, MaximumOverlapHoldsAtAndBeyondCriticalDamping) {
+  // x_max w0/v0 for K = mu = 1, evaluated with mpmath at 30 digits from
+  // x = exp(-alpha t) sinh(p t)/p at the root of its derivative, p = sqrt(alpha^2 - 1), for
+  // alpha = 1 (x = t exp(-t): exp(-1)), 1.25 (2^(-5/3)) and 3.
+  const double expected[][2] = {
+      {2.0, 0.367879441171442322}, {2.5, 0.314980262473718291}, {6.0, 0.154173649075832208}};
+  // exp and atanh are good to a few units in the last place.
+  for (const auto& [damping, overlap] : expected)
+    EXPECT_NEAR(LinearSpringDashpot(1.0, damping, 1.0).maximum_overlap(1.0) / overlap, 1.0, 2e-15);
+}
+
 TEST(LinearSpringDashpot, MaximumOverlapIsContinuousThroughCriticalDamping) {
   const double critical = 2.0 * std::sqrt(800.0 * 2.0);
   const double w0 = std::sqrt(800.0 / 2.0);
@@ -103,6 +124,11 @@ TEST(LinearSpringDashpot, RefusesWhatCannotBe) {
   for (const double bad : {0.0, -1.0, nan, inf}) {
     expect_refused([=] { LinearSpringDashpot(bad, 1.0, 1.0); }, "stiffness");
     expect_refused([=] { LinearSpringDashpot(1.0, 1.0, bad); }, "reduced mass");
+    expect_refused([=] { LinearSpringDashpot::from_restitution(bad, 0.9, 1.0); }, "stiffness");
+    expect_refused([=] { LinearSpringDashpot::from_restitution(1.0, 0.9, bad); }, "reduced mass");
+    expect_refused([=] { LinearSpringDashpot::from_contact_time(1.0, 0.9, bad); }, "reduced mass");
+    expect_refused([=] { LinearSpringDashpot::from_maximum_overlap(1.0, 1.0, 0.9, bad); },
+                   "reduced mass");
     expect_refused([=] { LinearSpringDashpot::from_contact_time(bad, 0.9, 1.0); }, "contact time");
     expect_refused([=] { LinearSpringDashpot::from_maximum_overlap(bad, 1.0, 0.9, 1.0); },
                    "overlap");

@@ -20,10 +20,29 @@ TEST(ParticleDrag, ReproducesTheExactVelocityAtAnyStep) {
 }
 
 TEST(ParticleDrag, SmallAndLargeBranchesOfPhiMeet) {
-  // x just below and above 1e-4, where the series takes over: its next term is x^3/24 = 4e-14.
+  // x just below and above 1e-4, where the series takes over: whose error is far below rounding.
   const double below = ParticleDrag(0.99999999e-4, 1.0, 1.0).force(0.0, 1.0);
   const double above = ParticleDrag(1.00000001e-4, 1.0, 1.0).force(0.0, 1.0);
   EXPECT_NEAR(above - below, -0.5 * 2e-12, 1e-13);
+}
+
+TEST(ParticleDrag, KeepsItsDigitsForShortSteps) {
+  for (const double x : {1e-12, 1e-8, 1e-5, 0.99999e-4, 1.00001e-4, 1e-3}) {
+    // phi - 1 by its alternating series in long double; the first omitted term is x^6/5040.
+    const long double y = x;
+    const long double expected = -y / 2 * (1 - y / 3 * (1 - y / 4 * (1 - y / 5 * (1 - y / 6))));
+    // Below the switch the law's series ends after its third term: the next is x^3/60 of the first.
+    // Above, phi - 1 is a difference of numbers near 1: a few 2e-16 over x/2.
+    const double tolerance = x < 1e-4 ? 2e-14 : 1e-15 / (x / 2);
+    EXPECT_NEAR(ParticleDrag(x, 1.0, 1.0).force(0.0, 1.0) / double(expected), 1.0, tolerance) << x;
+  }
+}
+
+TEST(ParticleDrag, NeverTurnsTheSlipRound) {
+  for (const double x : {0.1, 1.0, 10.0, 1e6}) {
+    const double left = 1.0 - ParticleDrag(x, 1.0, 1.0).force(1.0, 0.0);  // of a slip of 1
+    EXPECT_NEAR(left, std::exp(-x), 1e-15) << x;  // one subtraction of numbers up to 1
+  }
 }
 
 TEST(ParticleDrag, HoldsTheTerminalVelocity) {

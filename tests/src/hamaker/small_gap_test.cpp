@@ -12,6 +12,15 @@ namespace {
 const double A = 7.49e-19, H_cut = 4e-10, H_out = 1e-7, r = 0.5e-3;
 const SmallGap law({A, H_cut, H_out});
 
+/// Attraction of two full spheres at any gap: the derivative of Hamaker's energy
+/// -(A/6) [2/(s-4) + 2/s + ln((s-4)/s)], s = (R^2 - (r_i-r_j)^2)/(r_i r_j)
+/// (H. C. Hamaker 1937; van der Hoef et al. 2006, eq. 35), with s - 4 written in terms of the gap.
+long double full_sphere_force(long double ri, long double rj, long double gap) {
+  const long double s_minus_4 = gap * (2 * (ri + rj) + gap) / (ri * rj), s = s_minus_4 + 4;
+  const long double ds = 2 * (ri + rj + gap) / (ri * rj);
+  return -A / 6 * (-2 / (s_minus_4 * s_minus_4) - 2 / (s * s) + 1 / s_minus_4 - 1 / s) * ds;
+}
+
 /// Integral of the force from `gap` to the outer cut-off by Simpson's rule in ln(H), below the
 /// surface cut-off in H.
 double work(double gap, double reduced) {
@@ -38,6 +47,18 @@ double work(double gap, double reduced) {
 TEST(SmallGap, EqualSpheresAttractByAROver12HSquared) {
   for (const double gap : {4e-10, 1e-9, 3.7e-8})
     EXPECT_DOUBLE_EQ(law.force(gap, reduced_radius(r, r)), A * r / (12.0 * gap * gap));
+}
+
+TEST(SmallGap, TendsToTheForceBetweenFullSpheresOfAnyTwoRadii) {
+  for (const double other : {r, 0.2e-3, 3e-3})
+    for (const double gap : {H_cut, 1e-9, 1e-8}) {
+      const double reduced = reduced_radius(r, other);
+      // The next term of the expansion is of relative size 2 H/R* at most: the derivative holds
+      // 1/(s-4)^2 and 1/(s-4), with s - 4 = 2 H/R*.
+      EXPECT_NEAR(law.force(gap, reduced) / double(full_sphere_force(r, other, gap)), 1.0,
+                  2.0 * gap / reduced)
+          << other << " " << gap;
+    }
 }
 
 TEST(SmallGap, PlaneAttractsTwiceAsStronglyAsAnEqualSphere) {
@@ -116,6 +137,7 @@ TEST(SmallGap, RefusesWhatCannotBe) {
     expect_refused([=] { SmallGap({A, bad, H_out}); }, "surface cut-off H_cut");
     expect_refused([=] { SmallGap({A, H_cut, bad}); }, "outer cut-off");
   }
+  expect_refused([] { SmallGap({A, 2e-9, 1e-9}); }, "smaller than the outer cut-off");
   expect_refused([] { SmallGap({A, 1e-9, 1e-9}); }, "smaller than the outer cut-off");
 }
 

@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The picture of the fluidised bed: fluidisation curves and two snapshots."""
+
+import re
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+import numpy as np  # noqa: E402
+from matplotlib.collections import EllipseCollection  # noqa: E402
+
+import analyse  # noqa: E402
+
+COLOURS = {"non-cohesive": "#1f6f8b", "Hamaker": "#c8553d"}
+
+
+def draw(out, results):
+    """Writes result.png to `out`; results as from run.py's evaluate(), by case."""
+    figure = plt.figure(figsize=(11, 5.6), constrained_layout=True)
+    curve, *beds = figure.subplots(1, 3, gridspec_kw={"width_ratios": [2.4, 1, 1]})
+    draw_curves(curve, results)
+    for axes, name in zip(beds, results):
+        draw_snapshot(axes, out / name, name)
+    figure.savefig(out / "result.png", dpi=130)
+    plt.close(figure)
+
+
+def draw_curves(axes, results):
+    for name, result in results.items():
+        for rising, style in ((False, "o-"), (True, "^--")):
+            steps = [s for s in result["steps"] if s.rising == rising]
+            axes.errorbar([s.velocity for s in steps], [s.ratio for s in steps],
+                          [s.ratio_error for s in steps], fmt=style, color=COLOURS[name],
+                          markersize=4.5, linewidth=1.2, capsize=2,
+                          label=f"{name}, {'rising' if rising else 'falling'}")
+        axes.axvline(result["velocities"].rising[0], color=COLOURS[name], linewidth=0.8,
+                     linestyle=":")
+    axes.axhline(1.0, color="0.4", linewidth=0.8)
+    axes.set_xlabel("superficial gas velocity [m/s]")
+    axes.set_ylabel("pressure drop x area / weight above the lowest node [1]")
+    axes.set_xlim(left=0)
+    axes.set_ylim(bottom=0)
+    axes.legend(frameon=False, loc="lower right")
+    axes.set_title("fluidisation curve (dotted: U_mf,th)", fontsize=10)
+
+
+def last_snapshot(case):
+    """Folder of the last written time."""
+    times = {float(d.name): d for d in Path(case).iterdir() if re.fullmatch(r"[\d.]+", d.name)}
+    return max(times), times[max(times)]
+
+
+def read_cloud(folder):
+    """Positions and velocities of the particles in a written time: two arrays (n, 3)."""
+    def vectors(file):
+        text = (folder / "lagrangian/particles" / file).read_text()
+        rows = re.findall(r"\(([-+.\deE]+) ([-+.\deE]+) ([-+.\deE]+)\)", text)
+        return np.array(rows, dtype=float)
+
+    return vectors("positions"), vectors("U")
+
+
+def draw_snapshot(axes, case, name):
+    time, folder = last_snapshot(case)
+    positions, velocities = read_cloud(folder)
+    size = np.full(len(positions), analyse.DIAMETER * 1e3)
+    particles = EllipseCollection(size, size, np.zeros(len(size)), units="xy",
+                                  offsets=positions[:, :2] * 1e3, transOffset=axes.transData,
+                                  array=velocities[:, 1], cmap="coolwarm")
+    particles.set_clim(-0.5, 0.5)
+    axes.add_collection(particles)
+    axes.set_xlim(0, analyse.WIDTH * 1e3)
+    axes.set_ylim(0, 130)
+    axes.set_aspect("equal")
+    axes.set_xlabel("[mm]")
+    axes.set_title(f"{name}, {time:.2f} s", fontsize=10)
+    plt.colorbar(particles, ax=axes, location="bottom", shrink=0.8,
+                 label="vertical velocity [m/s]")

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// Names every style of the package to the engine; called by plugin.cpp when the version is right.
+
+#include "fix_gas_coupling.h"
+#include "fix_wall_hamaker.h"
+#include "lammps.h"
+#include "lammpsplugin.h"
+#include "pair_hamaker.h"
+#include "version.h"
+
+using namespace LAMMPS_NS;
+
+namespace {
+
+template <class Style>
+void* make_pair_style(void* lmp) {
+  return new Style(static_cast<LAMMPS*>(lmp));
+}
+
+template <class Style>
+void* make_fix_style(void* lmp, int narg, char** arg) {
+  return new Style(static_cast<LAMMPS*>(lmp), narg, arg);
+}
+
+}  // namespace
+
+extern "C" void cohesion_register_styles(void* lmp, void* handle, void* regfunc) {
+  const auto register_style = reinterpret_cast<lammpsplugin_regfunc>(regfunc);
+  lammpsplugin_t plugin{};
+  plugin.version = LAMMPS_VERSION;
+  plugin.author = "the COHESION package";
+  plugin.handle = handle;
+
+  plugin.style = "pair";
+  plugin.name = "hamaker";
+  plugin.info = "pair hamaker";
+  plugin.creator.v1 = &make_pair_style<PairHamaker>;
+  register_style(&plugin, lmp);
+
+  plugin.style = "fix";
+  plugin.name = "wall/hamaker";
+  plugin.info = "fix wall/hamaker";
+  plugin.creator.v2 = &make_fix_style<FixWallHamaker>;
+  register_style(&plugin, lmp);
+
+  plugin.name = "gas/coupling";
+  plugin.info = "fix gas/coupling";
+  plugin.creator.v2 = &make_fix_style<FixGasCoupling>;
+  register_style(&plugin, lmp);
+}

@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""fluidised_bed.py BUILD_FOLDER: the main job of examples/fluidised-bed against its expectations,
+expected.csv there. Takes over the results when this very build has run the job already."""
+
+import csv
+import subprocess
+import sys
+from pathlib import Path
+
+SOURCE = Path(__file__).resolve().parents[2]
+BED = SOURCE / "examples/fluidised-bed"
+sys.path[:0] = [str(BED), str(SOURCE / "examples/common"), str(SOURCE / "tests/openfoam-coupling")]
+
+import analyse  # noqa: E402
+import run  # noqa: E402
+from coupled_case import Expectations  # noqa: E402
+
+
+def main(build):
+    out = Path(build) / "fluidised-bed"
+    command = [sys.executable, str(BED / "run.py"), "--build", build, "--out", str(out)]
+    if subprocess.run(command).returncode != 0:
+        # Results of another build or of other settings: replace them.
+        subprocess.run([*command, "--overwrite"], check=True)
+
+    expect = Expectations()
+    results = {name: run.evaluate(out / name) for name in ("non-cohesive", "Hamaker")}
+    with open(BED / "expected.csv") as file:
+        rows = [r for r in csv.DictReader(line for line in file if not line.startswith("#"))]
+    for row in rows:
+        found = quantity(results[row["case"]], row["quantity"])
+        expect.true(f"{row['case']}, {row['quantity']}: {found:.4f} between {row['low']} and "
+                    f"{row['high']} ({row['origin']})",
+                    float(row["low"]) <= found <= float(row["high"]))
+
+    free = results["non-cohesive"]
+    low, high = free["ergun"]
+    rising = free["velocities"].rising[0]
+    expect.true(f"U_mf,th {rising:.3f} m/s inside Ergun's range {low:.3f} to {high:.3f} m/s at the "
+                "void fraction of the resting bed +- its standard deviation", low <= rising <= high)
+    for name in results:
+        steps = analyse.curve(out / name)
+        expect.equal(f"{name}: steps of the gas velocity", len(steps),
+                     len(analyse.read_schedule(out / name)))
+        expect.true(f"{name}: picture and table", (out / "result.png").stat().st_size > 10000
+                    and "U_mf,th" in (out / "result.txt").read_text())
+    expect.exit()
+
+
+def quantity(result, name):
+    velocities = result["velocities"]
+    return {
+        "plateau": result["plateau"][0],
+        "U_mf_df": velocities.falling[0],
+        "U_mf_th": velocities.rising[0],
+        "overshoot": velocities.overshoot,
+    }[name]
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Bad input to a coupled case: each stops the solver before anything is computed or overwritten, and
+says what is wrong, where, and what would be right."""
+
+import sys
+
+from coupled_case import CaseError, Expectations, column
+
+COUPLING = "constant/couplingProperties"
+SCRIPT = "particles.lmp"
+
+
+def edit(case, file, old, new):
+    path = case.folder / file
+    text = path.read_text()
+    assert old in text, f"{file} has no '{old}'"
+    path.write_text(text.replace(old, new))
+
+
+# name: (what makes the case bad, parts of the message)
+CASES = {
+    "misspelt engine": (
+        lambda c: c.set(COUPLING, "demEngine", "lamps"),
+        ["unknown particle engine 'lamps'", "valid names: lammps", "couplingProperties"]),
+    "missing engine": (
+        lambda c: edit(c, COUPLING, "demEngine       lammps;", ""),
+        ["demEngine", "couplingProperties"]),
+    "misspelt drag": (
+        lambda c: c.set(COUPLING, "drag", "syamlalObrien"),
+        ["unknown drag 'syamlalObrien'", "valid names: syamlalOBrien"]),
+    "misspelt void fraction": (
+        lambda c: c.set(COUPLING, "voidFraction", "center"),
+        ["unknown voidFraction 'center'", "valid names: particleCentre"]),
+    "adapter that cannot be loaded": (
+        lambda c: c.set(COUPLING, "lammpsCoeffs/library", '"nowhere.so"'),
+        ["cannot load the particle engine adapter 'nowhere.so'", "entry 'library'"]),
+    "library that is no adapter": (
+        lambda c: c.set(COUPLING, "lammpsCoeffs/library", '"libm.so.6"'),
+        ["'libm.so.6' is not a particle engine adapter"]),
+    "plugin that cannot be loaded": (
+        lambda c: c.set(COUPLING, "lammpsCoeffs/variables/plugin", "nowhere.so"),
+        ["The particle engine ended the run", "log.lammps"]),
+    "script that does not exist": (
+        lambda c: c.set(COUPLING, "lammpsCoeffs/script", '"missing.lmp"'),
+        ["script 'missing.lmp'", "does not exist"]),
+    "script with points instead of spheres": (
+        lambda c: (edit(c, SCRIPT, "atom_style   sphere", "atom_style   atomic"),
+                   edit(c, SCRIPT, "set          group all diameter 1e-4 density 2000",
+                        "mass 1 1e-9"),
+                   edit(c, SCRIPT, "gran/hooke/history 100 NULL 0 NULL 0 0", "zero 1e-3"),
+                   edit(c, SCRIPT, "nve/sphere", "nve"),
+                   edit(c, SCRIPT, "fix gas      all gas/coupling", "")),
+        ["has no spheres", "atom_style atomic"]),
+    "script without particles": (
+        lambda c: (edit(c, SCRIPT, "create_atoms 1 single 0.031 0.029 0.19", ""),
+                   edit(c, SCRIPT, "set          group all diameter 1e-4 density 2000", "")),
+        ["has no spheres", "0 particles"]),
+    "script without the gas": (
+        lambda c: edit(c, SCRIPT, "fix gas      all gas/coupling", ""),
+        ["no fix gas/coupling", "add 'fix gas all gas/coupling'"]),
+    "script in other units": (
+        lambda c: edit(c, SCRIPT, "units        si", "units        cgs"),
+        ["units cgs", "use 'units si'"]),
+    "box of another size": (
+        lambda c: edit(c, SCRIPT, "0 0.2", "0 0.3"),
+        ["in direction z", "from 0 to 0.3 m", "the mesh from 0 to 0.2 m"]),
+    "particle outside the mesh": (
+        lambda c: cut_mesh(c),
+        ["1 particles are outside the mesh", "(0.031 0.029 0.19)"]),
+    "gas step that is no multiple": (
+        lambda c: c.set("system/controlDict", "deltaT", 1.05e-4),
+        ["deltaT = 0.000105", "10.5 steps", "whole multiple"]),
+    "gas step below the particle step": (
+        lambda c: c.set("system/controlDict", "deltaT", 4e-6),
+        ["deltaT = 4e-06", "whole multiple", "1e-05"]),
+    "start at another time": (
+        lambda c: ((c.folder / "0").rename(c.folder / "0.005"),
+                   c.set("system/controlDict", "startFrom", "latestTime")),
+        ["start at time 0.005", "startTime 0"]),
+    "depth on a 3-D mesh": (
+        lambda c: c.set(COUPLING, "depth", 1e-3),
+        ["depth = 0.001", "2-D mesh", "3 dimensions"]),
+    "cell denser than allowed": (
+        lambda c: c.set(COUPLING, "minVoidFraction", 1.5),
+        ["void fraction of", "less than minVoidFraction = 1.5"]),
+    "inlet without area": (
+        lambda c: edit(c, "0/U", "superficialVelocity (0 0 0);",
+                       "superficialVelocity (0 0 0); share 0;"),
+        ["share = 0", "must lie above 0"]),
+}
+
+
+def times(case):
+    return sorted(d.name for d in case.folder.iterdir() if d.is_dir() and d.name[0].isdigit())
+
+
+def check(expect, case, name, spoil, parts):
+    case.mesh()
+    spoil(case)
+    before = times(case)
+    try:
+        case.solve()
+        expect.true(f"{name}: stops", False)
+        return
+    except CaseError:
+        pass
+    text = " ".join(case.log("cohesiveBedFoam").read_text().split())
+    for part in parts:
+        expect.true(f"{name}: says \"{part}\"", part in text)
+    expect.equal(f"{name}: time folders", times(case), before)
+
+
+def cut_mesh(case):
+    """Takes the cells around the particle away, so that the mesh has a hole in its bounding box."""
+    (case.folder / "system/topoSetDict").write_text(
+        (case.folder / "system/decomposeParDict").read_text().split("numberOfSubdomains")[0]
+        .replace("decomposeParDict", "topoSetDict")
+        + "actions ({ name kept; type cellSet; action new; source boxToCell; box (0 0 0) (1 1 1); }"
+          " { name kept; type cellSet; action subtract; source boxToCell;"
+          " box (0.02 0.02 0.18) (0.04 0.04 1); });\n")
+    case.run("topoSet")
+    case.run("subsetMesh", "kept", "-patch", "sides", "-overwrite")
+
+
+def refuses_existing_results(expect, case):
+    case.mesh()
+    case.solve()
+    result = case.folder / "0.01/U"
+    written = result.stat().st_mtime_ns
+    try:
+        case.solve()
+        expect.true("results of an earlier run: stops", False)
+    except CaseError as error:
+        text = " ".join(str(error).split())
+        expect.true("results of an earlier run: says where and what to do",
+                    "already holds results" in text and "0.01" in text and "-overwrite" in text)
+    expect.equal("results of an earlier run: kept", result.stat().st_mtime_ns, written)
+    case.solve("-overwrite")
+    expect.true("with -overwrite: replaced", result.stat().st_mtime_ns > written)
+
+
+def main(build, work):
+    expect = Expectations()
+    for number, (name, (spoil, parts)) in enumerate(CASES.items()):
+        check(expect, column(work, str(number), build), name, spoil, parts)
+    refuses_existing_results(expect, column(work, "results", build))
+    expect.exit()
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

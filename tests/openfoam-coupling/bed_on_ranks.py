@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The cohesive bed, 0.1 s on 1 and on 2 ranks, cells cut across the height and particles along it:
+same number of particles, same bed height, same pressure drop. Both start from one settled packing:
+pouring is chaotic, and its round-off would be compared instead."""
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+
+from coupled_case import BED, Expectations, FoamCase, environment
+
+sys.path.insert(0, str(BED))
+import analyse  # noqa: E402
+
+
+SETTINGS = {"plugin": "cohesionplugin.so", "A": 7.49e-19, "dt": 9e-6, "node": 3.333e-3}
+
+
+def settle(env, work):
+    """Pours and settles on one rank; returns the data file of the packing."""
+    work.mkdir(parents=True, exist_ok=True)
+    script = (BED / "bed.lmp").read_text() + "\nwrite_data settled.data\n"
+    (work / "pour.lmp").write_text(script)
+    command = ["lmp-cohesion", "-in", "pour.lmp", "-screen", "none"]
+    for name, value in dict(SETTINGS, settle=0.3).items():
+        command += ["-var", name, str(value)]
+    subprocess.run(command, cwd=work, env=env, check=True)
+    return work / "settled.data"
+
+
+def run(env, packing, work, ranks):
+    case = FoamCase(BED / "case", work / f"ranks-{ranks}", env, overwrite=True)
+    script = (BED / "bed.lmp").read_text()
+    poured = re.search(r"^region       box.*^displace_atoms.*?$", script, re.M | re.S)
+    (case.folder / "bed.lmp").write_text(
+        script.replace(poured.group(0), f"read_data {packing} nocoeff"))
+    case.set("constant/couplingProperties", "lammpsCoeffs/variables/A", SETTINGS["A"])
+    case.set("constant/couplingProperties", "lammpsCoeffs/variables/settle", 0)
+    # Below minimum fluidisation: the packing stays, so that round-off does not grow into chaos.
+    (case.folder / "constant/schedule").write_text(
+        "superficialVelocity table ((0 (0 0.5 0)) (1 (0 0.5 0)));\nendTime 0.0999;\n")
+    case.mesh()
+    case.solve(ranks=ranks)
+    traces = [trace[-1] for trace in analyse.read_traces(case.folder)]
+    log = (case.folder / "log.lammps").read_text()
+    atoms = re.findall(r"^\s*\d+\s+(\d+)\s+\S+\s*$", log, re.M)[-1]
+    return int(atoms), traces
+
+
+def main(build, work):
+    expect = Expectations()
+    env, work = environment(build), Path(work)
+    packing = settle(env, work)
+    (n1, t1), (n2, t2) = (run(env, packing, work, ranks) for ranks in (1, 2))
+    expect.equal("particles", n2, n1)
+    expect.equal("particles", n1, 4000)
+    # The pressure is solved to 1e-9 of the sum of its fluxes in each of 222 steps.
+    tolerance = 222 * 1e-9
+    for what, one, two in zip(("time", "gas velocity", "pressure drop", "weight", "height"), t1, t2):
+        expect.near(f"{what}, 2 ranks against 1", two, one, tolerance * abs(one))
+    expect.true("the gas presses", t1[2] > 100 and np.isfinite(t1).all())
+    expect.exit()
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the tests of the coupling share. Every driver is called as
+    driver.py BUILD_FOLDER WORK_FOLDER
+and exits non-zero when an expectation failed."""
+
+import re
+import sys
+from pathlib import Path
+
+SOURCE = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(SOURCE / "examples/common"))
+from foam_case import CaseError, FoamCase, environment  # noqa: E402,F401
+
+COLUMN = Path(__file__).resolve().parent / "column"
+BED = SOURCE / "examples/fluidised-bed"
+
+
+class Expectations:
+    """Prints each expectation; exit() ends the program with their verdict."""
+
+    def __init__(self):
+        self.failed = 0
+
+    def below(self, what, found, limit):
+        self._report(found < limit, f"{what}: {found:.4g}, must be below {limit:.4g}")
+
+    def near(self, what, found, expected, tolerance):
+        self._report(abs(found - expected) <= tolerance,
+                     f"{what}: {found:.10g}, expected {expected:.10g} +- {tolerance:.2g}")
+
+    def equal(self, what, found, expected):
+        self._report(found == expected, f"{what}: {found!r}, expected {expected!r}")
+
+    def true(self, what, condition):
+        self._report(condition, what)
+
+    def _report(self, right, text):
+        print(("ok      " if right else "FAILED  ") + text)
+        self.failed += not right
+
+    def exit(self):
+        sys.exit(1 if self.failed else 0)
+
+
+def column(work, name, build):
+    """The column case, fresh, under work/name."""
+    return FoamCase(COLUMN, Path(work) / name, environment(build), overwrite=True)
+
+
+def exchange_lines(log):
+    """Per gas step: dict of imbalance, solid volume error and the z force of drag and pressure."""
+    number = r"([-+.\deE]+)"
+    pattern = (rf"Exchange: drag on particles \({number} {number} {number}\) N, pressure "
+               rf"\({number} {number} {number}\) N, not yet charged to the gas \([^)]*\) N, "
+               rf"imbalance {number}, solid volume error {number}")
+    return [
+        {"drag": [float(x) for x in m[:3]], "pressure": [float(x) for x in m[3:6]],
+         "imbalance": float(m[6]), "volume": float(m[7])}
+        for m in re.findall(pattern, log)
+    ]
