@@ -63,6 +63,14 @@ find_library(OpenFOAM_Pstream_LIBRARY Pstream PATHS ${OpenFOAM_PSTREAM_HINTS} NO
 find_path(OpenFOAM_BIN_DIR blockMesh PATHS ${OpenFOAM_BIN_HINTS} NO_DEFAULT_PATH)
 find_path(OpenFOAM_HEADERS fvMesh.H PATHS ${OpenFOAM_finiteVolume_INCLUDE} NO_DEFAULT_PATH)
 mark_as_advanced(OpenFOAM_Pstream_LIBRARY OpenFOAM_BIN_DIR OpenFOAM_HEADERS)
+if(OpenFOAM_TREE AND OpenFOAM_OpenFOAM_LIBRARY AND OpenFOAM_Pstream_LIBRARY)
+  # Its libraries find each other by the environment alone.
+  cmake_path(GET OpenFOAM_OpenFOAM_LIBRARY PARENT_PATH folder)
+  cmake_path(GET OpenFOAM_Pstream_LIBRARY PARENT_PATH mpi_folder)
+  set(folders ${folder} ${mpi_folder} $ENV{LD_LIBRARY_PATH})
+  list(JOIN folders ":" folders)
+  list(APPEND OpenFOAM_ENVIRONMENT LD_LIBRARY_PATH=${folders})
+endif()
 
 set(OpenFOAM_NOT_FOUND_MESSAGE
   "run scripts/setup, source an OpenFOAM environment, or give -DOpenFOAM_ROOT=built-source-tree")

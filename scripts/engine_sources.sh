@@ -2,11 +2,14 @@
 # Fetches engine sources through the machine's own Debian archive, into the cache.
 # shellcheck shell=bash disable=SC2154
 
-# Address of the Debian archive that this machine installs from
+# Address of the Debian archive that this machine installs from: others may use Debian's code names,
+# and a disc has no sources.
 archive() {
   # shellcheck disable=SC2016 # apt's own variables
-  apt-get indextargets --format '$(REPO_URI) $(CODENAME) $(COMPONENT)' 'Created-By: Packages' |
-    awk -v release="$(codename)" '$2 == release && $3 == "main" {print $1; exit}'
+  apt-get indextargets --format '$(REPO_URI) $(LABEL) $(CODENAME) $(COMPONENT)' \
+    'Created-By: Packages' 'Origin: Debian' |
+    awk -v wanted="Debian $(codename) main" '$1 !~ /^cdrom:/ && $2 " " $3 " " $4 == wanted \
+      {print $1; exit}'
 }
 
 # fetch_source PACKAGE SUITE FOLDER: the upstream tarball of a source package. apt gets lists and
@@ -25,7 +28,7 @@ fetch_source() {
   apt=(apt-get -o "Dir::Etc::sourcelist=$folder/apt/sources.list" -o Dir::Etc::sourceparts=/dev/null
     -o "Dir::State::lists=$folder/apt/lists" -o Dir::State::status=/dev/null
     -o "Dir::Cache=$folder/apt/cache" -o APT::Sandbox::User="$(id -un)")
-  retry "${apt[@]}" update || return 1
+  retry "${apt[@]}" -o APT::Update::Error-Mode=any update || return 1
   # An archive may lack a small file of a source package and apt then fails: the upstream tarball
   # is enough, if its size and checksum are those of the archive's signed index.
   listed=$("${apt[@]}" --only-source source --print-uris "$package" |

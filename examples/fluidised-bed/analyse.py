@@ -15,6 +15,7 @@ NODE = HEIGHT / CELLS[1] / 2  # height of the lowest pressure node
 GAS_DENSITY, GAS_VISCOSITY, GRAVITY = 1.205, 1.75e-5, 9.81
 DIAMETER, PARTICLE_DENSITY = 1e-3, 2650.0
 PACKED_RANGE = (0.1, 0.9)  # of the weight: points on the packed-bed curve
+START_UP = 0.3  # s until the bed that was at rest bubbles
 PLATEAU = 1.1  # x the packed-bed velocities: the bed is fluidised
 SETTLING = 0.2  # share of each step left out
 
@@ -59,6 +60,11 @@ def read_traces(case):
     weight = np.interp(time, bed[:, 0] * step, bed[:, 1])
     height = np.interp(time, bed[:, 0] * step, bed[:, 2])
     return time, jets[:, 2] * JET_SHARE, drop, weight, height
+
+
+def written_times(case):
+    """Time folders of a case, by time."""
+    return {float(d.name): d for d in Path(case).iterdir() if re.fullmatch(r"[\d.]+", d.name)}
 
 
 def read_vectors(file):
@@ -123,13 +129,13 @@ def velocities(steps):
 
 def plateau(case, found):
     """Mean pressure drop x area / weight in the fluidised state and its standard error: all times
-    with a gas velocity at least PLATEAU above both packed-bed velocities, the first 0.1 s left out;
-    the error from means over blocks of 0.1 s, some periods of the bubbles."""
+    with a gas velocity at least PLATEAU x both packed-bed velocities, the start-up left out; the error
+    from means over blocks of 0.2 s, about a period of the bubbles."""
     time, velocity, drop, weight, _ = read_traces(case)
-    fluidised = (time > 0.1) & (velocity > PLATEAU * max(found.falling[0], found.rising[0]))
+    fluidised = (time > START_UP) & (velocity > PLATEAU * max(found.falling[0], found.rising[0]))
     ratio = (drop * WIDTH * DEPTH / weight)[fluidised]
-    blocks = [b.mean() for b in np.array_split(ratio, max(2, int(np.ptp(time) / len(time)
-                                                                   * len(ratio) / 0.1)))]
+    duration = len(ratio) * (time[1] - time[0])
+    blocks = [b.mean() for b in np.array_split(ratio, max(2, round(duration / 0.2)))]
     return float(np.mean(blocks)), float(np.std(blocks, ddof=1) / np.sqrt(len(blocks)))
 
 
@@ -143,7 +149,7 @@ def packed_void_fraction(case):
     """Mean and standard deviation over the cells inside the resting bed: those between the lowest
     row and the last full row below the surface, at the last written time without gas flow."""
     rest = [s for s in read_schedule(case) if s[2] == 0]
-    folders = {float(d.name): d for d in Path(case).iterdir() if re.fullmatch(r"[\d.]+", d.name)}
+    folders = written_times(case)
     written = [t for t in folders if rest and rest[0][0] < t <= rest[0][1] + 1e-3]
     if not written:
         return float("nan"), float("nan")

@@ -2,7 +2,6 @@
 """The picture of the fluidised bed: fluidisation curves and two snapshots."""
 
 import re
-from pathlib import Path
 
 import matplotlib
 
@@ -46,12 +45,6 @@ def draw_curves(axes, results):
     axes.set_title("fluidisation curve (dotted: U_mf,th)", fontsize=10)
 
 
-def last_snapshot(case):
-    """Folder of the last written time."""
-    times = {float(d.name): d for d in Path(case).iterdir() if re.fullmatch(r"[\d.]+", d.name)}
-    return max(times), times[max(times)]
-
-
 def read_cloud(folder):
     """Positions and velocities of the particles in a written time: two arrays (n, 3)."""
     def vectors(file):
@@ -63,7 +56,7 @@ def read_cloud(folder):
 
 
 def draw_snapshot(axes, case, name):
-    time, folder = last_snapshot(case)
+    time, folder = max(analyse.written_times(case).items())
     positions, velocities = read_cloud(folder)
     size = np.full(len(positions), analyse.DIAMETER * 1e3)
     particles = EllipseCollection(size, size, np.zeros(len(size)), units="xy",

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// One gas step of the coupling, and its output.
 #include "gasParticleCoupling.H"
 
-#include "OSspecific.H"
 #include "clockTime.H"
-#include "UPstream.H"
-#include "zeroGradientFvPatchFields.H"
 
-#include "dem-engines/load_dem_engine.h"
-#include "named_table.h"
 #include "sphere.h"
 
 #include "writeParticleCloud.H"
@@ -16,22 +12,6 @@ using namespace cohesion;
 
 namespace
 {
-
-//- Row of one of the core's tables, named by an entry of the dictionary
-template<class Table>
-const auto& select(const Foam::dictionary& dict, const char* entry, const Table& table)
-{
-    try
-    {
-        return find_by_name(table, entry, dict.get<Foam::word>(entry));
-    }
-    catch (const InvalidParameter& error)
-    {
-        FatalIOErrorInFunction(dict) << error.what() << Foam::exit(Foam::FatalIOError);
-        throw;
-    }
-}
-
 
 //- The engine's arrays as OpenFOAM's, in place. UList has no form for constant data; none of the
 //  views of constant data is written to.
@@ -49,200 +29,6 @@ Foam::UList<Type> view(const Type* values, const Foam::label n)
 
 } // End anonymous namespace
 
-
-// * * * * * * * * * * * * * * * * Set-up  * * * * * * * * * * * * * * * * * //
-
-Foam::gasParticleCoupling::gasParticleCoupling
-(
-    const fvMesh& mesh,
-    const scalar rho,
-    const scalar mu
-)
-:
-    mesh_(mesh),
-    dict_
-    (
-        IOobject
-        (
-            "couplingProperties",
-            mesh.time().constant(),
-            mesh,
-            IOobject::MUST_READ,
-            IOobject::NO_WRITE
-        )
-    ),
-    rho_(rho),
-    mu_(mu),
-    drag_(select(dict_, "drag", drag::closures).per_solid_volume),
-    deposit_(select(dict_, "voidFraction", void_fraction::kernels).deposit),
-    minVoidFraction_(dict_.getOrDefault<scalar>("minVoidFraction", 0.2)),
-    depthRatio_(1),
-    subSteps_(0),
-    exchange_(mesh),
-    voidFraction_
-    (
-        IOobject
-        (
-            "voidFraction",
-            mesh.time().timeName(),
-            mesh,
-            IOobject::MUST_READ,
-            IOobject::AUTO_WRITE
-        ),
-        mesh
-    ),
-    dragRate_
-    (
-        IOobject("dragRate", mesh.time().timeName(), mesh),
-        mesh,
-        dimensionedScalar(dimless/dimTime, Zero)
-    ),
-    dragSource_
-    (
-        IOobject("dragSource", mesh.time().timeName(), mesh),
-        mesh,
-        dimensionedVector(dimAcceleration, Zero)
-    )
-{
-    setDepthRatio();
-    makeEngine();
-    checkUnitsAndBox();
-    setSubSteps();
-
-    fetchParticles();
-    setVoidFraction();
-    voidFraction_.oldTime();
-}
-
-
-void Foam::gasParticleCoupling::setDepthRatio()
-{
-    if (!dict_.found("depth"))
-    {
-        return;
-    }
-    const scalar depth = dict_.get<scalar>("depth");
-    if (mesh_.nGeometricD() != 2)
-    {
-        FatalIOErrorInFunction(dict_)
-            << "depth = " << depth << " goes with a 2-D mesh, and this one has "
-            << mesh_.nGeometricD() << " dimensions: remove the entry"
-            << exit(FatalIOError);
-    }
-    if (!(depth > 0 && depth < GREAT))
-    {
-        FatalIOErrorInFunction(dict_)
-            << "depth = " << depth << " m: must be a finite length greater than zero"
-            << exit(FatalIOError);
-    }
-    for (direction d = 0; d < 3; ++d)
-    {
-        if (mesh_.geometricD()[d] < 0)
-        {
-            depthRatio_ = depth/mesh_.bounds().span()[d];
-        }
-    }
-}
-
-
-void Foam::gasParticleCoupling::makeEngine()
-{
-    const word name(dict_.get<word>("demEngine"));
-    std::string library;
-    try
-    {
-        // The name first: a misspelt one is not a missing dictionary.
-        library = coupling::dem_engine_library(name);
-        const dictionary& coeffs = dict_.subDict(name + "Coeffs");
-
-        coupling::DemEngineSettings settings;
-        settings.script = coeffs.get<fileName>("script").expand();
-        settings.log = coeffs.getOrDefault<fileName>("log", "log." + name).expand();
-        for (const entry& variable : coeffs.subOrEmptyDict("variables"))
-        {
-            settings.variables[variable.keyword()] = variable.stream().toString();
-        }
-        if (!isFile(settings.script))
-        {
-            FatalIOErrorInFunction(coeffs)
-                << "script '" << settings.script.c_str() << "' does not exist; name the input script of "
-                << name << ", relative to the case folder" << exit(FatalIOError);
-        }
-
-        if (!Pstream::parRun())
-        {
-            // The engine needs MPI, which a serial OpenFOAM leaves alone.
-            UPstream::initNull();
-        }
-        settings.communicator = MPI_COMM_WORLD;
-
-        library = coupling::dem_engine_library
-        (
-            name,
-            coeffs.getOrDefault<fileName>("library", fileName()).expand()
-        );
-        Info<< "Particle engine " << name << " runs " << settings.script.c_str() << ", log in "
-            << settings.log.c_str() << endl;
-        engine_.reset(coupling::load_dem_engine(library)(settings));
-    }
-    catch (const std::exception& error)
-    {
-        FatalIOErrorInFunction(dict_) << error.what() << exit(FatalIOError);
-    }
-}
-
-
-void Foam::gasParticleCoupling::checkUnitsAndBox() const
-{
-    if (engine_->units() != "si")
-    {
-        FatalIOErrorInFunction(dict_)
-            << "the particle script has units " << engine_->units().c_str()
-            << "; OpenFOAM works in SI: use 'units si' in the script" << exit(FatalIOError);
-    }
-
-    const auto box = engine_->box();
-    const boundBox& bounds = mesh_.bounds();
-    for (direction d = 0; d < 3; ++d)
-    {
-        const scalar tolerance = 1e-6*bounds.span()[d];
-        if
-        (
-            mesh_.geometricD()[d] > 0
-         && (
-                mag(box.low[d] - bounds.min()[d]) > tolerance
-             || mag(box.high[d] - bounds.max()[d]) > tolerance
-            )
-        )
-        {
-            FatalIOErrorInFunction(dict_)
-                << "in direction " << vector::componentNames[d] << " the box of the particle"
-                << " script reaches from " << box.low[d] << " to " << box.high[d]
-                << " m, the mesh from " << bounds.min()[d] << " to " << bounds.max()[d]
-                << " m: give the script's box the size of the mesh" << exit(FatalIOError);
-        }
-    }
-
-}
-
-
-void Foam::gasParticleCoupling::setSubSteps()
-{
-    const scalar steps = mesh_.time().deltaTValue()/engine_->time_step();
-    // Both steps are decimal numbers: their ratio is whole to round-off when it is meant to be.
-    if (steps < 0.5 || mag(steps - std::round(steps)) > 1e-9*steps)
-    {
-        FatalIOErrorInFunction(mesh_.time().controlDict())
-            << "deltaT = " << mesh_.time().deltaTValue() << " s of the gas is " << steps
-            << " steps of the particles, " << engine_->time_step()
-            << " s: make it a whole multiple, for instance "
-            << max(scalar(1), std::round(steps))*engine_->time_step() << exit(FatalIOError);
-    }
-    subSteps_ = label(std::round(steps));
-}
-
-
-// * * * * * * * * * * * * * * * One gas step  * * * * * * * * * * * * * * * //
 
 void Foam::gasParticleCoupling::fetchParticles()
 {

@@ -15,6 +15,7 @@ Usage
 */
 
 #include "fvCFD.H"
+#include "fixedFluxPressureFvPatchScalarField.H"
 #include "pimpleControl.H"
 #include "progress.H"
 
@@ -59,7 +60,7 @@ int main(int argc, char* argv[])
         }
         #include "continuityError.H"
 
-        coupling.advanceParticles(U, rho*fvc::grad(p));
+        coupling.advanceParticles(U, rho*gradP);
 
         runTime.write();
         if (runTime.writeTime())

@@ -1,0 +1,2 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The engine's headers include this list to name its models; we combine none (rolling off).

@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What cannot be right ends the run before its first step, with a message that helps."""
+
+import tempfile
+import unittest
+
+from engine import HERE, Run, script_without
+
+PAIR = dict(radius1=0.5e-3, radius2=0.5e-3, type1=1, type2=2, gap=1e-9, A=1e-18, cut=4e-10,
+            out=1e-7, model="hertz", tangential="history")
+WALL = dict(radius=0.5e-3, gap=1e-9, A=1e-18, cut=4e-10, out=1e-7, model="hertz",
+            tangential="history", skin=1e-4, wall="primitive type 2 zplane 0")
+TRIANGLE = """solid floor
+facet normal 0 0 1
+outer loop
+vertex -0.01 -0.01 0
+vertex 0.03 -0.01 0
+vertex -0.01 0.03 0
+endloop
+endfacet
+endsolid floor
+"""
+
+
+class BadInput(unittest.TestCase):
+    def refused(self, script, *messages, **variables):
+        run = Run(script, **variables)
+        self.assertNotEqual(run.returncode, 0, "accepted:\n" + run.printed)
+        self.assertNotIn("Loop time", run.printed)
+        for message in messages:
+            self.assertIn(message, run.printed)
+
+    def test_hamaker_constant(self):
+        for bad, shown in (("-1e-18", "-1e-18"), ("1e999", "inf")):
+            with self.subTest(bad=bad):
+                script = (HERE / "in.two_spheres").read_text().replace(
+                    "$A ${A12} ${A12} ${A22}", f"1e-18 {bad} {bad} 1e-18")
+                self.refused(script, "cohesion model hamaker, atom types 1 and 2",
+                             "Hamaker constant A = " + shown,
+                             "must be a finite number not below zero",
+                             "fix property/global hamakerConstant = " + shown, **PAIR)
+
+    def test_numbers_that_the_engine_itself_refuses(self):
+        self.refused("in.two_spheres", "Expected floating point parameter", **{**PAIR, "cut": "nan"})
+
+    def test_surface_cutoff(self):
+        for bad, remedy in ((0.0, "must be a finite number greater than zero"),
+                            (-4e-10, "must be a finite number greater than zero"),
+                            (1e-7, "must be smaller than the outer cut-off"),
+                            (2e-7, "must be smaller than the outer cut-off")):
+            with self.subTest(bad=bad):
+                self.refused("in.two_spheres", "surface cut-off H_cut = ", remedy,
+                             f"hamakerSurfaceCutoff = {bad:g}", "hamakerOuterCutoff = 1e-07",
+                             **{**PAIR, "cut": bad})
+
+    def test_outer_cutoff(self):
+        for bad, shown in (("0", "0"), ("-1e-7", "-1e-07"), ("1e999", "inf")):
+            with self.subTest(bad=bad):
+                self.refused("in.two_spheres", "must be a finite number greater than zero",
+                             "hamakerOuterCutoff = " + shown, **{**PAIR, "out": bad})
+
+    def test_missing_property(self):
+        for name in ("hamakerConstant", "hamakerSurfaceCutoff", "hamakerOuterCutoff"):
+            with self.subTest(name=name):
+                self.refused(script_without("in.two_spheres", name), name, "cohesion_model hamaker",
+                             **PAIR)
+
+    def test_combination_that_does_not_exist(self):
+        self.refused("in.two_spheres", "Unknown cohesion model", **{**PAIR, "model": "luding"})
+        script = (HERE / "in.two_spheres").read_text().replace(
+            "cohesion hamaker", "cohesion hamaker rolling_friction cdt")
+        self.refused(script, "Unknown cohesion model", **PAIR)
+
+    def test_primitive_wall_sees_half_the_skin(self):
+        self.refused("in.sphere_and_wall", "cohesion model hamaker, fix wall/gran floor",
+                     "hamakerOuterCutoff = 1e-07", "half the neighbor skin of 1.9e-07",
+                     "use 'neighbor 2e-07 bin' or more", **{**WALL, "skin": 1.9e-7})
+        self.assertEqual(Run("in.sphere_and_wall", **{**WALL, "skin": 2.1e-7}).returncode, 0)
+
+    def test_mesh_wall(self):
+        with tempfile.NamedTemporaryFile("w", suffix=".stl") as mesh:
+            mesh.write(TRIANGLE)
+            mesh.flush()
+            script = (HERE / "in.sphere_and_wall").read_text().replace(
+                "fix           floor",
+                f"fix plate all mesh/surface file {mesh.name} type 2\nfix floor")
+            self.refused(script, "cohesion model hamaker, fix wall/gran floor",
+                         "mesh walls are not supported, use 'primitive'",
+                         **{**WALL, "wall": "mesh n_meshes 1 meshes plate"})
+
+
+if __name__ == "__main__":
+    unittest.main()
