@@ -18,13 +18,14 @@ function(cohesion_add_test)
     message(FATAL_ERROR "cohesion_add_test(NAME ${T_NAME}): needs NAME, LABELS and COMMAND; "
       "unknown arguments: '${T_UNPARSED_ARGUMENTS}'")
   endif()
+  set(environment OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMP_NUM_THREADS=1
+    ${T_ENVIRONMENT})
   add_test(NAME ${T_NAME} COMMAND ${T_COMMAND})
   set_tests_properties(${T_NAME} PROPERTIES
     LABELS "${T_LABELS}"
     TIMEOUT ${T_TIMEOUT}
     PROCESSORS ${processors}
-    ENVIRONMENT
-      "OMPI_ALLOW_RUN_AS_ROOT=1;OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1;OMP_NUM_THREADS=1;${T_ENVIRONMENT}")
+    ENVIRONMENT "${environment}")
   if(T_RUN_SERIAL)
     set_tests_properties(${T_NAME} PROPERTIES RUN_SERIAL TRUE)
   endif()

@@ -6,7 +6,7 @@
 # Without LAMMPS_ROOT two engines are looked for:
 #   stock    the system's package, with the complete headers that scripts/setup fetches
 #   current  a recent release with `plugin load`, built by scripts/setup
-# With LAMMPS_ROOT that one alone, called "given". LAMMPS_ROOT is its source tree (an installed LAMMPS
+# With LAMMPS_ROOT that one alone, called "given". LAMMPS_ROOT is its source tree (an installed one
 # lacks headers that styles need), built in LAMMPS_BUILD: a build folder or an install prefix,
 # LAMMPS_ROOT/build unless given. LAMMPS_ROOT may also be a prefix into which all headers were put.
 #

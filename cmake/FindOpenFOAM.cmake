@@ -95,7 +95,8 @@ if(OpenFOAM_FOUND AND NOT TARGET OpenFOAM::OpenFOAM)
   target_include_directories(OpenFOAM::OpenFOAM SYSTEM INTERFACE
     ${OpenFOAM_OpenFOAM_INCLUDE} ${OpenFOAM_OSspecific_INCLUDE})
   target_compile_definitions(OpenFOAM::OpenFOAM INTERFACE
-    OPENFOAM=${OpenFOAM_VERSION} WM_DP WM_LABEL_SIZE=${OpenFOAM_LABEL_SIZE} NoRepository OMPI_SKIP_MPICXX=1)
+    OPENFOAM=${OpenFOAM_VERSION} WM_DP WM_LABEL_SIZE=${OpenFOAM_LABEL_SIZE} NoRepository
+    OMPI_SKIP_MPICXX=1)
   target_compile_options(OpenFOAM::OpenFOAM INTERFACE -ftemplate-depth-100 -pthread)
   # Classes that only a case names are found by the libraries' static initialisers.
   target_link_options(OpenFOAM::OpenFOAM INTERFACE -Wl,--no-as-needed)

@@ -46,8 +46,23 @@ def read_columns(file):
     return np.loadtxt(file, comments="#", ndmin=2)
 
 
+@dataclass
+class Traces:
+    """One array per quantity, over the time steps."""
+
+    time: np.ndarray
+    velocity: np.ndarray  # superficial
+    drop: np.ndarray  # what the particles cause of the pressure at the lowest node
+    weight: np.ndarray  # of the particles above the lowest node [N]
+    height: np.ndarray  # twice the mean height of the particles
+    carried: np.ndarray  # vertical force of plate and side walls on the particles [N]
+
+    @property
+    def ratio(self):
+        return self.drop * WIDTH * DEPTH / self.weight
+
+
 def read_traces(case):
-    """time, superficial velocity, pressure drop, weight above the node [N], height, one array each."""
     case = Path(case)
     pressure = read_columns(case / "postProcessing/lowestPressure/0/volFieldValue.dat")
     jets = read_vectors(case / "postProcessing/jetVelocity/0/surfaceFieldValue.dat")
@@ -57,9 +72,9 @@ def read_traces(case):
     time = pressure[:, 0]
     # p is that of the gas with its own weight; the pressure drop is what the particles cause.
     drop = GAS_DENSITY * (pressure[:, 1] - GRAVITY * (HEIGHT - NODE))
-    weight = np.interp(time, bed[:, 0] * step, bed[:, 1])
-    height = np.interp(time, bed[:, 0] * step, bed[:, 2])
-    return time, jets[:, 2] * JET_SHARE, drop, weight, height
+    weight, height, _, carried = (np.interp(time, bed[:, 0] * step, column)
+                                  for column in bed[:, 1:].T)
+    return Traces(time, jets[:, 2] * JET_SHARE, drop, weight, height, carried)
 
 
 def written_times(case):
@@ -82,14 +97,13 @@ def read_schedule(case):
 
 def curve(case):
     """The fluidisation curve: a list of Step."""
-    time, _, drop, weight, _ = read_traces(case)
-    ratio = drop * WIDTH * DEPTH / weight
+    traces = read_traces(case)
     schedule = read_schedule(case)
     lowest = min(range(len(schedule)), key=lambda i: schedule[i][2])
     steps = []
     for i, (start, end, velocity) in enumerate(schedule):
-        inside = (time > start + SETTLING * (end - start)) & (time <= end)
-        blocks = [block.mean() for block in np.array_split(ratio[inside], 5)]
+        inside = ((traces.time > start + SETTLING * (end - start)) & (traces.time <= end))
+        blocks = [block.mean() for block in np.array_split(traces.ratio[inside], 5)]
         steps.append(Step(velocity, start, end, float(np.mean(blocks)),
                           float(np.std(blocks, ddof=1) / np.sqrt(5)), i > lowest))
     return steps
@@ -128,15 +142,21 @@ def velocities(steps):
 
 
 def plateau(case, found):
-    """Mean pressure drop x area / weight in the fluidised state and its standard error: all times
-    with a gas velocity at least PLATEAU x both packed-bed velocities, the start-up left out; the error
-    from means over blocks of 0.2 s, about a period of the bubbles."""
-    time, velocity, drop, weight, _ = read_traces(case)
-    fluidised = (time > START_UP) & (velocity > PLATEAU * max(found.falling[0], found.rising[0]))
-    ratio = (drop * WIDTH * DEPTH / weight)[fluidised]
-    duration = len(ratio) * (time[1] - time[0])
-    blocks = [b.mean() for b in np.array_split(ratio, max(2, round(duration / 0.2)))]
-    return float(np.mean(blocks)), float(np.std(blocks, ddof=1) / np.sqrt(len(blocks)))
+    """Fluidised state: mean of pressure drop x area / weight, and of the same with the force of plate
+    and side walls added, each with its standard error. All times with a gas velocity at least PLATEAU
+    x both packed-bed velocities, the start-up left out; the errors from means over blocks of 0.2 s,
+    about a period of the bubbles."""
+    traces = read_traces(case)
+    fluidised = ((traces.time > START_UP)
+                 & (traces.velocity > PLATEAU * max(found.falling[0], found.rising[0])))
+    duration = np.count_nonzero(fluidised) * (traces.time[1] - traces.time[0])
+
+    def mean_and_error(values):
+        blocks = [b.mean() for b in np.array_split(values[fluidised], max(2, round(duration / 0.2)))]
+        return float(np.mean(blocks)), float(np.std(blocks, ddof=1) / np.sqrt(len(blocks)))
+
+    return (mean_and_error(traces.ratio),
+            mean_and_error(traces.ratio + traces.carried / traces.weight))
 
 
 def solver_seconds(case):
@@ -153,11 +173,11 @@ def packed_void_fraction(case):
     written = [t for t in folders if rest and rest[0][0] < t <= rest[0][1] + 1e-3]
     if not written:
         return float("nan"), float("nan")
-    time, _, _, _, height = read_traces(case)
+    traces = read_traces(case)
     text = (folders[max(written)] / "voidFraction").read_text()
     cells = re.search(r"internalField\s+nonuniform List<scalar>\s+\d+\s*\((.*?)\)", text, re.S)
     field = np.array(cells.group(1).split(), dtype=float).reshape(CELLS[::-1])
-    rows = int(np.interp(max(written), time, height) / (HEIGHT / CELLS[1]))
+    rows = int(np.interp(max(written), traces.time, traces.height) / (HEIGHT / CELLS[1]))
     inside = field[1:rows - 1, 1:-1]
     return float(inside.mean()), float(inside.std(ddof=1))
 

@@ -50,10 +50,11 @@ def make_case(name, hamaker, schedule, out, env):
     return case
 
 
-def fingerprint(build):
+def fingerprint(build, env):
     """Of all that the results depend on, programs included: tells an earlier run of the same."""
-    files = [HERE / "bed.lmp", *(HERE / "case").rglob("*"), *(build / "openfoam").glob("*oam"),
-             *(build / "openfoam").glob("*.so"), *(build / "lammps").glob("*/cohesionplugin.so")]
+    folders = [Path(f) for f in env["LD_LIBRARY_PATH"].split(":") if f.startswith(str(build))]
+    files = [HERE / "bed.lmp", *(HERE / "case").rglob("*"), build / "openfoam/cohesiveBedFoam",
+             *(f for folder in folders for f in folder.glob("*.so"))]
     digest = hashlib.sha256()
     for file in sorted(f for f in files if f.is_file()):
         digest.update(file.name.encode() + file.read_bytes())
@@ -116,6 +117,8 @@ def table(results):
                  *(f"{r['velocities'].overshoot:+.3f}" for r in results.values())))
     rows.append(("pressure drop / weight, fluidised",
                  *(with_error(r["plateau"]) for r in results.values())))
+    rows.append(("same with plate and walls added",
+                 *(with_error(r["balance"]) for r in results.values())))
     rows.append(("void fraction of the resting bed",
                  *(with_error(r["void_fraction"]) for r in results.values())))
     rows.append(("Ergun's U_mf for it [m/s]",
@@ -129,11 +132,13 @@ def table(results):
 def evaluate(case):
     steps = analyse.curve(case)
     velocities = analyse.velocities(steps)
+    plateau, balance = analyse.plateau(case, velocities)
     mean, deviation = analyse.packed_void_fraction(case)
     return {
         "steps": steps,
         "velocities": velocities,
-        "plateau": analyse.plateau(case, velocities),
+        "plateau": plateau,
+        "balance": balance,
         "void_fraction": (mean, deviation),
         "ergun": [analyse.ergun_minimum_fluidisation(mean + s * deviation) for s in (-1, 1)],
         "seconds": analyse.solver_seconds(case),
@@ -142,15 +147,16 @@ def evaluate(case):
 
 def main():
     args = arguments()
+    args.build = args.build.resolve()
     out = args.out or args.build / "fluidised-bed"
+    env = environment(args.build)
     settings = {"schedule": args.schedule, "hamaker": args.hamaker,
-                "fingerprint": fingerprint(args.build)}
+                "fingerprint": fingerprint(args.build, env)}
     record = out / "settings.json"
     kinds = {"non-cohesive": 0.0, "Hamaker": args.hamaker}
     if earlier_run(out, settings, args.overwrite):
         print(f"    the runs are done: taking them from {out}")
     else:
-        env = environment(args.build)
         cases = {name: make_case(name, a, args.schedule, out, env) for name, a in kinds.items()}
         record.write_text(json.dumps({"settings": settings, "finished": False}))
         watch(cases, {name: case.start() for name, case in cases.items()})

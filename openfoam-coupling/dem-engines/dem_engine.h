@@ -35,7 +35,7 @@ class DemEngine {
   struct Particles {
     int count;
     const double (*position)[3];  ///< [length]
-    const double (*velocity)[3];  ///< [length/time], half a step behind the position
+    const double (*velocity)[3];  ///< [length/time]
     const double* radius;         ///< [length]
     const int* id;
   };

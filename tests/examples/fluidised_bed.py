@@ -38,6 +38,11 @@ def main(build):
     rising = free["velocities"].rising[0]
     expect.true(f"U_mf,th {rising:.3f} m/s inside Ergun's range {low:.3f} to {high:.3f} m/s at the "
                 "void fraction of the resting bed +- its standard deviation", low <= rising <= high)
+    cohesive = results["Hamaker"]["velocities"].rising
+    margin = 3 * (free["velocities"].rising[1] ** 2 + cohesive[1] ** 2) ** 0.5
+    expect.true(f"cohesion raises U_mf,th: {cohesive[0]:.3f} m/s above {rising:.3f} m/s by more than "
+                f"three standard errors of the fits ({margin:.3f} m/s)",
+                cohesive[0] - rising > margin)
     for name in results:
         steps = analyse.curve(out / name)
         expect.equal(f"{name}: steps of the gas velocity", len(steps),
@@ -51,6 +56,7 @@ def quantity(result, name):
     velocities = result["velocities"]
     return {
         "plateau": result["plateau"][0],
+        "balance": result["balance"][0],
         "U_mf_df": velocities.falling[0],
         "U_mf_th": velocities.rising[0],
         "overshoot": velocities.overshoot,

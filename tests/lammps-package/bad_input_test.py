@@ -1,0 +1,155 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Every wrong input ends in an error that says what, where and what would be right."""
+import unittest
+
+import lammps_engine as engine
+
+HEAD = """
+plugin load ${plugin}
+units si
+atom_style %(atoms)s
+boundary f f p
+newton off
+region box block 0 0.01 0 0.01 0 0.01 units box
+create_box 2 box
+create_atoms 1 single 0.002 0.005 0.005 units box
+create_atoms 2 single 0.008 0.005 0.005 units box
+%(sizes)s
+neighbor 1e-4 bin
+timestep 1e-7
+"""
+SPHERES = HEAD % {"atoms": "sphere", "sizes": "set group all diameter 1e-3 density 2650"}
+POINTS = HEAD % {"atoms": "atomic", "sizes": "mass * 1e-6\ncomm_modify cutoff 1e-3"}
+TAIL = "\nfix move all nve\nrun 1\n"
+PAIR = "pair_style hamaker 4e-10 1e-7\npair_coeff * * 1e-19\n"
+
+
+class BadInput(unittest.TestCase):
+    def setUp(self):
+        keeper = engine.temporary_folder()
+        self.addCleanup(keeper.cleanup)
+        self.folder = keeper.name
+
+    def stops(self, script, *words, steps=False):
+        code, output = engine.run_text(script, self.folder)
+        self.assertNotEqual(code, 0, "accepted:\n" + output)
+        # LAMMPS ends orderly with 1 (or through MPI_Abort); a signal would be a crash.
+        self.assertEqual(code, 1, output)
+        lines = [line for line in output.splitlines() if "ERROR" in line]
+        self.assertTrue(lines, output)
+        for word in words:
+            self.assertIn(word, " ".join(lines))
+        if not steps:
+            self.assertNotIn("Loop time", output)
+
+    def goes(self, script):
+        code, output = engine.run_text(script, self.folder)
+        self.assertEqual(code, 0, output)
+        return output
+
+    def test_the_right_input_is_accepted(self):
+        self.goes(SPHERES + PAIR + "fix wall all wall/hamaker 1e-19 4e-10 1e-7 xplane 0 NULL\n"
+                  "fix gas all gas/coupling\n" + TAIL)
+
+    # The Hamaker constant
+    def test_pair_constant(self):
+        for value, shown in (("-1e-19", "A = -1e-19"), ("1e400", "1e400"), ("nan", "nan"),
+                             ("inf", "inf"), ("abc", "abc")):
+            with self.subTest(value):
+                self.stops(SPHERES + "pair_style hamaker 4e-10 1e-7\npair_coeff 1 2 " + value +
+                           TAIL, *([shown] if value != "1e400" else []))
+
+    def test_pair_constant_message_names_place_and_remedy(self):
+        self.stops(SPHERES + "pair_style hamaker 4e-10 1e-7\npair_coeff 1 2 -1e-19" + TAIL,
+                   "pair_coeff 1 2", "hamaker", "A = -1e-19", "not below zero")
+
+    def test_wall_constant(self):
+        for value in ("-1e-19", "1e400", "nan", "inf"):
+            with self.subTest(value):
+                self.stops(SPHERES + PAIR + f"fix wall all wall/hamaker {value} 4e-10 1e-7 "
+                           "xplane 0 NULL" + TAIL)
+        self.stops(SPHERES + PAIR + "fix wall all wall/hamaker -1e-19 4e-10 1e-7 xplane 0 NULL" +
+                   TAIL, "fix wall wall/hamaker", "A = -1e-19", "not below zero")
+
+    # The cut-offs
+    def test_pair_cutoffs(self):
+        for cut, out, words in (
+                ("0", "1e-7", ["H_cut = 0", "greater than zero"]),
+                ("-4e-10", "1e-7", ["H_cut = -4e-10", "greater than zero"]),
+                ("nan", "1e-7", ["nan"]), ("1e400", "1e-7", []), ("4e-10", "inf", ["inf"]),
+                ("4e-10", "1e400", []),
+                ("1e-7", "1e-7", ["H_cut = 1e-07", "smaller than the outer cut-off"]),
+                ("2e-7", "1e-7", ["H_cut = 2e-07", "smaller than the outer cut-off"])):
+            with self.subTest(cut=cut, out=out, where="pair_style"):
+                self.stops(SPHERES + f"pair_style hamaker {cut} {out}\npair_coeff * * 1e-19" +
+                           TAIL, *words)
+            with self.subTest(cut=cut, out=out, where="pair_coeff"):
+                self.stops(SPHERES + "pair_style hamaker 4e-10 1e-7\npair_coeff * * 1e-19 "
+                           f"{cut} {out}" + TAIL, *words)
+            with self.subTest(cut=cut, out=out, where="wall"):
+                self.stops(SPHERES + PAIR + f"fix wall all wall/hamaker 1e-19 {cut} {out} "
+                           "xplane 0 NULL" + TAIL, *words)
+
+    def test_outer_cutoff_beyond_the_neighbour_range(self):
+        # Particles of twice the size that the neighbour range was made for.
+        growing = SPHERES.replace("atom_style sphere", "atom_style sphere 1")
+        self.stops(growing + PAIR + "variable d equal 1e-3*(1+step/10)\n"
+                   "fix grow all adapt 1 atom diameter v_d\n"
+                   "neigh_modify delay 0 every 1 check no\nfix move all nve\nrun 10\n",
+                   "pair_style hamaker", "beyond the neighbour range", "type 1", "had at most",
+                   "start a new one", steps=True)
+
+    def test_pour_of_larger_particles_is_within_the_neighbour_range(self):
+        output = self.goes(
+            SPHERES.replace("boundary f f p", "boundary p p f").replace("0 0.01 units", "0 0.04 units")
+            .replace("comm_modify", "#") + PAIR +
+            "region up block 0.001 0.009 0.001 0.009 0.02 0.038 units box\n"
+            "group all_of_them type 1 2\nfix fall all gravity 9.81 vector 0 0 -1\n"
+            "fix pour all pour 5 1 4711 region up diam one 2e-3 dens 2650 2650\n"
+            "fix floor all wall/reflect zlo EDGE\n"
+            "neigh_modify delay 0 every 1 check no\nfix move all nve/sphere\nrun 3\n"
+            "variable n equal atoms\nprint \"particles ${n}\"\n")
+        self.assertIn("particles 7", output)
+
+    # What else is missing or wrong
+    def test_pair_arguments(self):
+        self.stops(SPHERES + "pair_style hamaker 4e-10\n", "H_cut H_out")
+        self.stops(SPHERES + "pair_style hamaker 4e-10 1e-7\npair_coeff * *\n", "i j A")
+        self.stops(SPHERES + "pair_style hamaker 4e-10 1e-7\npair_coeff * * 1e-19 4e-10\n",
+                   "i j A H_cut H_out")
+
+    def test_no_coefficients_to_mix(self):
+        self.stops(SPHERES + "pair_style hamaker 4e-10 1e-7\npair_coeff 1 1 1e-19\n" + TAIL)
+
+    def test_atoms_without_radii(self):
+        self.stops(POINTS + PAIR + TAIL, "pair_style hamaker", "atom_style sphere")
+        self.stops(POINTS + "pair_style none\nfix wall all wall/hamaker 1e-19 4e-10 1e-7 xplane 0 "
+                   "NULL" + TAIL, "fix wall/hamaker", "atom_style sphere")
+        self.stops(POINTS + "pair_style none\nfix gas all gas/coupling" + TAIL, "fix gas/coupling",
+                   "atom_style sphere")
+
+    def test_wall_planes(self):
+        wall = SPHERES + PAIR + "fix wall all wall/hamaker 1e-19 4e-10 1e-7"
+        self.stops(wall, "A H_cut H_out", "xplane lo hi")
+        self.stops(wall + " cylinder 0 1", "'cylinder'", "xplane, yplane, zplane")
+        self.stops(wall + " xplane 0 NULL yplane 0", "yplane takes two positions")
+        self.stops(wall + " zplane 0 NULL", "no zplane in a periodic direction", "boundary f")
+        self.stops(wall + " xplane nan NULL", "nan")
+        self.stops(wall + " xplane 1e400 NULL", "1e400")
+        self.stops(wall + " xplane NULL NULL", "xplane NULL NULL is no wall")
+        self.stops(wall + " xplane 0.01 0", "xplane", "below")
+
+    def test_gas_coupling_takes_no_values(self):
+        self.stops(SPHERES + PAIR + "fix gas all gas/coupling 1\n", "fix ID group gas/coupling")
+
+    def test_force_that_the_gas_coupling_cannot_see_is_named(self):
+        output = self.goes(SPHERES + PAIR + "fix gas all gas/coupling\n"
+                           "fix late all gravity 9.81 vector 0 -1 0" + TAIL)
+        self.assertRegex(output, r"WARNING.*gas/coupling stands before fix late gravity")
+        output = self.goes(SPHERES + PAIR + "fix late all gravity 9.81 vector 0 -1 0\n"
+                           "fix gas all gas/coupling" + TAIL)
+        self.assertNotIn("stands before", output)
+
+
+if __name__ == "__main__":
+    unittest.main()

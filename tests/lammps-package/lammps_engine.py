@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs LAMMPS on the scripts beside this file and reads what it wrote.
+
+The environment names the engine under test:
+  COHESION_LMP            program that knows `plugin load`
+  COHESION_PLUGIN         plugin built for it
+  COHESION_OTHER_PLUGIN   plugin built for another version, empty when there is none
+  COHESION_MPIEXEC        MPI launcher with the option that sets the number of ranks
+"""
+import os
+import subprocess
+import tempfile
+from pathlib import Path
+
+import numpy
+
+SCRIPTS = Path(__file__).resolve().parent
+LMP = os.environ["COHESION_LMP"]
+PLUGIN = os.environ["COHESION_PLUGIN"]
+OTHER_PLUGIN = os.environ.get("COHESION_OTHER_PLUGIN", "")
+MPIEXEC = os.environ.get("COHESION_MPIEXEC", "").split()
+
+
+def start(script, folder, ranks=1, lmp=LMP, environment=None, **variables):
+    """Runs `script` (a file beside this one) in `folder`; gives exit code and output."""
+    variables.setdefault("plugin", PLUGIN)
+    command = [*MPIEXEC, str(ranks)] if ranks > 1 else []
+    command += [lmp, "-in", str(SCRIPTS / script), "-log", "none"]
+    for name, value in variables.items():
+        text = f"{value:.17g}" if isinstance(value, float) else str(value)
+        command += ["-var", name, text]
+    done = subprocess.run(command, cwd=folder, text=True, stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, timeout=100,
+                          env={**os.environ, **(environment or {})})
+    return done.returncode, done.stdout
+
+
+def run(script, folder, **options):
+    code, output = start(script, folder, **options)
+    if code != 0:
+        raise RuntimeError(f"{script} ended with code {code}:\n{output[-3000:]}")
+    return output
+
+
+def run_text(text, folder, **options):
+    """Like start(), for a script given as text."""
+    file = Path(folder) / "in.script"
+    file.write_text(text)
+    return start(file, folder, **options)
+
+
+def dump(folder, name):
+    """Last snapshot of a dump file with columns of numbers, sorted by the first column."""
+    text = (Path(folder) / name).read_text().split("ITEM: TIMESTEP")[-1]
+    rows = text[text.index("\n", text.rindex("ITEM:")):].strip().splitlines()
+    table = numpy.array([[float(word) for word in row.split()] for row in rows])
+    return table[table[:, 0].argsort()] if table.size else table
+
+
+def thermo(output):
+    """Last line of thermo output, by column name."""
+    lines = output.splitlines()
+    header = max(i for i, line in enumerate(lines) if line.split()[:1] == ["Step"])
+    values = [float(word) for word in lines[header + 1].split()]
+    for line in lines[header + 2:]:
+        words = line.split()
+        if len(words) != len(values):
+            break
+        try:
+            values = [float(word) for word in words]
+        except ValueError:
+            break
+    return dict(zip(lines[header].split(), values))
+
+
+def write_spheres(folder, atoms, box, types, name="data.spheres"):
+    """LAMMPS data file; atoms: dicts with type, diameter, density, x, and perhaps v."""
+    lines = ["spheres", "", f"{len(atoms)} atoms", f"{types} atom types", ""]
+    for (low, high), axis in zip(box, "xyz"):
+        lines.append(f"{low:.17g} {high:.17g} {axis}lo {axis}hi")
+    lines += ["", "Atoms # sphere", ""]
+    for number, atom in enumerate(atoms, 1):
+        x = " ".join(f"{value:.17g}" for value in atom["x"])
+        lines.append(f"{number} {atom['type']} {atom['diameter']:.17g} {atom['density']:.17g} {x}")
+    lines += ["", "Velocities", ""]
+    for number, atom in enumerate(atoms, 1):
+        v = " ".join(f"{value:.17g}" for value in atom.get("v", (0.0, 0.0, 0.0)))
+        lines.append(f"{number} {v} 0 0 0")
+    (Path(folder) / name).write_text("\n".join(lines) + "\n")
+
+
+def temporary_folder():
+    return tempfile.TemporaryDirectory(prefix="cohesion-")
