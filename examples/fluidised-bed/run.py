@@ -41,7 +41,6 @@ def arguments():
 
 def make_case(name, hamaker, schedule, out, env):
     case = FoamCase(HERE / "case", out / name, env, overwrite=True)
-    shutil.copy(HERE / "bed.lmp", case.folder)
     if schedule == "thesis":
         shutil.copy(case.folder / "constant/schedule.thesis", case.folder / "constant/schedule")
     case.set("constant/couplingProperties", "lammpsCoeffs/variables/A", hamaker)
@@ -53,7 +52,7 @@ def make_case(name, hamaker, schedule, out, env):
 def fingerprint(build, env):
     """Of all that the results depend on, programs included: tells an earlier run of the same."""
     folders = [Path(f) for f in env["LD_LIBRARY_PATH"].split(":") if f.startswith(str(build))]
-    files = [HERE / "bed.lmp", *(HERE / "case").rglob("*"), build / "openfoam/cohesiveBedFoam",
+    files = [*(HERE / "case").rglob("*"), build / "openfoam/cohesiveBedFoam",
              *(f for folder in folders for f in folder.glob("*.so"))]
     digest = hashlib.sha256()
     for file in sorted(f for f in files if f.is_file()):

@@ -20,7 +20,7 @@ SETTINGS = {"plugin": "cohesionplugin.so", "A": 7.49e-19, "dt": 1.125e-5, "node"
 def settle(env, work):
     """Pours and settles on one rank; returns the data file of the packing."""
     work.mkdir(parents=True, exist_ok=True)
-    script = (BED / "bed.lmp").read_text() + "\nwrite_data settled.data\n"
+    script = (BED / "case/bed.lmp").read_text() + "\nwrite_data settled.data\n"
     (work / "pour.lmp").write_text(script)
     command = ["lmp-cohesion", "-in", "pour.lmp", "-screen", "none"]
     for name, value in dict(SETTINGS, settle=0.3).items():
@@ -31,7 +31,7 @@ def settle(env, work):
 
 def run(env, packing, work, ranks):
     case = FoamCase(BED / "case", work / f"ranks-{ranks}", env, overwrite=True)
-    script = (BED / "bed.lmp").read_text()
+    script = (BED / "case/bed.lmp").read_text()
     poured = re.search(r"^region       box.*^displace_atoms.*?$", script, re.M | re.S)
     (case.folder / "bed.lmp").write_text(
         script.replace(poured.group(0), f"read_data {packing} nocoeff"))
