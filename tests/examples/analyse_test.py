@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The reading of a fluidisation curve, on curves whose answer is known, and the two schedules."""
+
+import shutil
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+BED = Path(__file__).resolve().parents[2] / "examples/fluidised-bed"
+sys.path.insert(0, str(BED))
+import analyse  # noqa: E402
+
+
+def steps(minimum, highest, rising):
+    """Packed bed 0.4 u + 0.6 u^2 with u = U/minimum, one step at `highest`, the weight beyond."""
+    found = []
+    for k in range(1, 25):
+        velocity = 0.05 * k
+        u = velocity / minimum
+        ratio = 0.4 * u + 0.6 * u**2 if u < 1 else 1.0
+        if rising and abs(velocity - highest[0]) < 1e-9:
+            ratio = highest[1]
+        found.append(analyse.Step(velocity, 0.0, 0.1, ratio, 0.0, rising))
+    return found
+
+
+class FluidisationCurve(unittest.TestCase):
+    def test_finds_the_velocities_and_the_overshoot(self):
+        curve = steps(0.72, None, False) + steps(0.81, (0.85, 1.12), True)
+        found = analyse.velocities(curve)
+        # The points lie on the fitted form: only round-off is left.
+        self.assertAlmostEqual(found.falling[0], 0.72, places=10)
+        self.assertAlmostEqual(found.rising[0], 0.81, places=10)
+        self.assertAlmostEqual(found.at_maximum, 0.85, places=12)
+        self.assertAlmostEqual(found.overshoot, 0.12, places=12)
+
+    def test_leaves_out_what_comes_after_the_bed_has_moved(self):
+        # A bubbling bed whose pressure falls below the packed range again must not enter the fit.
+        curve = steps(0.72, None, False)
+        curve[-1].ratio = 0.5
+        self.assertAlmostEqual(analyse.velocities(curve + steps(0.8, (0.85, 1.0), True)).falling[0],
+                               0.72, places=10)
+
+    def test_too_few_points_give_no_velocity(self):
+        velocity, _ = analyse.packed_curve_meets_weight(steps(0.72, None, False)[10:])
+        self.assertNotEqual(velocity, velocity)  # nan
+
+    def test_ergun_at_the_void_fractions_of_the_thesis(self):
+        # The void fractions are printed with two digits: half of the last one, 0.005, is 0.018 m/s.
+        for void_fraction, velocity in ((0.43, 0.685), (0.46, 0.809)):
+            self.assertAlmostEqual(analyse.ergun_minimum_fluidisation(void_fraction), velocity,
+                                   delta=0.018)
+
+
+class Schedules(unittest.TestCase):
+    def read(self, name):
+        with tempfile.TemporaryDirectory() as folder:
+            (Path(folder) / "constant").mkdir()
+            shutil.copy(BED / "case/constant" / name, Path(folder) / "constant/schedule")
+            return analyse.read_schedule(folder)
+
+    def test_both_go_down_to_rest_and_up_the_same_way(self):
+        for name in ("schedule", "schedule.thesis"):
+            velocities = [v for _, _, v in self.read(name)]
+            self.assertEqual(velocities, velocities[::-1], name)
+            self.assertEqual(min(velocities), 0.0)
+            self.assertEqual(max(velocities), 1.2)
+
+    def test_the_thesis_has_37_steps_of_one_size_and_three_to_rest(self):
+        down = [v for _, _, v in self.read("schedule.thesis")][:41]
+        self.assertAlmostEqual(down[37], 0.5676, places=6)
+        for k in range(37):  # six digits are printed
+            self.assertAlmostEqual(down[k] - down[k + 1], (1.2 - 0.5676) / 37, delta=2e-5)
+        self.assertEqual(down[40], 0.0)
+
+
+if __name__ == "__main__":
+    unittest.main()
