@@ -55,7 +55,6 @@ def main(build):
 def quantity(result, name):
     velocities = result["velocities"]
     return {
-        "plateau": result["plateau"][0],
         "balance": result["balance"][0],
         "U_mf_df": velocities.falling[0],
         "U_mf_th": velocities.rising[0],
