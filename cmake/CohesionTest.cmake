@@ -2,23 +2,28 @@
 # cohesion_add_test(NAME name LABELS label... COMMAND command...
 #                   [RANKS n] [TIMEOUT seconds] [ENVIRONMENT name=value...] [RUN_SERIAL])
 #
-# A ctest test; with RANKS under mpiexec. Labels: unit, regression, verification, mpi.
+# A ctest test; with RANKS under mpiexec. Labels: unit, regression, verification, mpi; what is
+# labelled mpi runs on 2 ranks and so takes 2 cores. The timeout (600 s) is a guard against hangs, far
+# above what a test takes: ranks that share a busy machine wait for each other.
 function(cohesion_add_test)
   cmake_parse_arguments(T "RUN_SERIAL" "NAME;RANKS;TIMEOUT" "LABELS;COMMAND;ENVIRONMENT" ${ARGN})
   set(processors 1)
+  if("mpi" IN_LIST T_LABELS)
+    set(processors 2)
+  endif()
   if(T_RANKS)
-    set(processors ${T_RANKS})
     set(T_COMMAND ${MPIEXEC_EXECUTABLE} --oversubscribe ${MPIEXEC_NUMPROC_FLAG} ${T_RANKS}
       ${T_COMMAND})
   endif()
   if(NOT T_TIMEOUT)
-    set(T_TIMEOUT 120)
+    set(T_TIMEOUT 600)
   endif()
   if(NOT T_NAME OR NOT T_LABELS OR NOT T_COMMAND OR T_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "cohesion_add_test(NAME ${T_NAME}): needs NAME, LABELS and COMMAND; "
       "unknown arguments: '${T_UNPARSED_ARGUMENTS}'")
   endif()
-  set(environment OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMP_NUM_THREADS=1
+  set(environment OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+    OMPI_MCA_mpi_yield_when_idle=1 OMP_NUM_THREADS=1
     ${T_ENVIRONMENT})
   add_test(NAME ${T_NAME} COMMAND ${T_COMMAND})
   set_tests_properties(${T_NAME} PROPERTIES

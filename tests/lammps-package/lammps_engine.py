@@ -30,7 +30,7 @@ def start(script, folder, ranks=1, lmp=LMP, environment=None, **variables):
         text = f"{value:.17g}" if isinstance(value, float) else str(value)
         command += ["-var", name, text]
     done = subprocess.run(command, cwd=folder, text=True, stdout=subprocess.PIPE,
-                          stderr=subprocess.STDOUT, timeout=100,
+                          stderr=subprocess.STDOUT, timeout=500,
                           env={**os.environ, **(environment or {})})
     return done.returncode, done.stdout
 

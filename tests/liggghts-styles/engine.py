@@ -37,7 +37,7 @@ class Run:
             folder = pathlib.Path(name)
             (folder / "in.script").write_text(text)
             # One error in five the engine ends with bytes from memory that it has freed.
-            done = subprocess.run(command, cwd=folder, env=environment, timeout=100, text=True,
+            done = subprocess.run(command, cwd=folder, env=environment, timeout=500, text=True,
                                   errors="replace", stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
             self.files = {file.name: file.read_text(errors="replace")
                           for file in folder.iterdir() if file.is_file()}
