@@ -10,24 +10,22 @@
 #include "domain.h"
 #include "error.h"
 #include "law_from_script.h"
+#include "sphere.h"
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
 
-static cohesion::hamaker::SmallGap read_law(LAMMPS* lmp, int narg, char** arg) {
-  if (narg < 9)
-    lmp->error->all(FLERR,
-                    "fix wall/hamaker takes 'A H_cut H_out' and at least one plane, 'xplane "
-                    "lo hi', 'yplane lo hi' or 'zplane lo hi', NULL for no wall on a side");
-  return hamaker_from_script(
-      lmp, std::string("fix ") + arg[0] + " wall/hamaker",
-      {utils::numeric(FLERR, arg[3], false, lmp), utils::numeric(FLERR, arg[4], false, lmp),
-       utils::numeric(FLERR, arg[5], false, lmp)});
-}
+namespace hamaker = cohesion::hamaker;
+
+static const char* const usage =
+    "fix wall/hamaker takes 'A H_cut H_out' and at least one plane, 'xplane lo hi', 'yplane lo hi' "
+    "or 'zplane lo hi', NULL for no wall on a side; and if wanted 'form' with a name and "
+    "'asperity' "
+    "with a radius";
 
 FixWallHamaker::FixWallHamaker(LAMMPS* lammps, int narg, char** arg)
-    : Fix(lammps, narg, arg), law(read_law(lammps, narg, arg)), summed(false) {
-  read_planes(narg, arg);
+    : Fix(lammps, narg, arg), law(hamaker::forms.front().law(hamaker::none, false)), summed(false) {
+  read(narg, arg);
   std::fill_n(mine, 4, 0.0);
   scalar_flag = vector_flag = 1;
   size_vector = 3;
@@ -37,32 +35,53 @@ FixWallHamaker::FixWallHamaker(LAMMPS* lammps, int narg, char** arg)
   virial_global_flag = virial_peratom_flag = 1;
 }
 
-void FixWallHamaker::read_planes(int narg, char** arg) {
-  for (int iarg = 6; iarg < narg; iarg += 3) {
-    const std::string word = arg[iarg];
-    const int dimension = word == "xplane" ? 0 : word == "yplane" ? 1 : word == "zplane" ? 2 : -1;
-    if (dimension < 0)
+void FixWallHamaker::read(int narg, char** arg) {
+  if (narg < 6) error->all(FLERR, usage);
+  const std::string where = std::string("fix ") + arg[0] + " wall/hamaker";
+  hamaker::Parameters p{utils::numeric(FLERR, arg[3], false, lmp),
+                        utils::numeric(FLERR, arg[4], false, lmp),
+                        utils::numeric(FLERR, arg[5], false, lmp), 0.0};
+  const hamaker::Form* form = hamaker::forms.data();
+  for (int iarg = 6; iarg < narg;) {
+    const std::string word = arg[iarg++];
+    const int values = narg - iarg;
+    if (word == "form") {
+      if (values < 1) error->all(FLERR, "fix wall/hamaker: form takes a name");
+      form = hamaker_form_from_script(lmp, where, arg[iarg++]);
+    } else if (word == "asperity") {
+      if (values < 1) error->all(FLERR, "fix wall/hamaker: asperity takes a radius");
+      p.asperity_radius = utils::numeric(FLERR, arg[iarg++], false, lmp);
+    } else if (word == "xplane" || word == "yplane" || word == "zplane") {
+      if (values < 2)
+        error->all(FLERR, "fix wall/hamaker: " + word + " takes two positions, NULL for no wall");
+      read_planes(word, arg + iarg);
+      iarg += 2;
+    } else {
       error->all(FLERR, "fix wall/hamaker: unknown keyword '" + word +
-                            "'; valid ones: xplane, yplane, zplane");
-    if (iarg + 2 >= narg)
-      error->all(FLERR, "fix wall/hamaker: " + word + " takes two positions, NULL for no wall");
-    if (domain->periodicity[dimension])
-      error->all(FLERR, "fix wall/hamaker: no " + word +
-                            " in a periodic direction; use 'boundary f' there");
-    add_plane(dimension, 1, word, arg[iarg + 1]);
-    add_plane(dimension, -1, word, arg[iarg + 2]);
-    if (strcmp(arg[iarg + 1], "NULL") == 0 && strcmp(arg[iarg + 2], "NULL") == 0)
-      error->all(FLERR, "fix wall/hamaker: " + word + " NULL NULL is no wall; give a position");
-    const auto count = planes.size();
-    if (strcmp(arg[iarg + 1], "NULL") != 0 && strcmp(arg[iarg + 2], "NULL") != 0 &&
-        !(planes[count - 2].position < planes[count - 1].position))
-      error->all(FLERR, "fix wall/hamaker: " + word + " " + arg[iarg + 1] + " " + arg[iarg + 2] +
-                            ": the first position must be below the second");
+                            "'; valid ones: xplane, yplane, zplane, form, asperity");
+    }
   }
+  if (planes.empty()) error->all(FLERR, usage);
+  law = from_script(lmp, where, [&] { return form->law(p, p.asperity_radius > 0.0); });
+}
+
+void FixWallHamaker::read_planes(const std::string& word, char** positions) {
+  const int dimension = word[0] - 'x';
+  if (domain->periodicity[dimension])
+    error->all(FLERR,
+               "fix wall/hamaker: no " + word + " in a periodic direction; use 'boundary f' there");
+  const bool lower = strcmp(positions[0], "NULL") != 0, upper = strcmp(positions[1], "NULL") != 0;
+  if (!lower && !upper)
+    error->all(FLERR, "fix wall/hamaker: " + word + " NULL NULL is no wall; give a position");
+  if (lower) add_plane(dimension, 1, word, positions[0]);
+  if (upper) add_plane(dimension, -1, word, positions[1]);
+  const auto count = planes.size();
+  if (lower && upper && !(planes[count - 2].position < planes[count - 1].position))
+    error->all(FLERR, "fix wall/hamaker: " + word + " " + positions[0] + " " + positions[1] +
+                          ": the first position must be below the second");
 }
 
 void FixWallHamaker::add_plane(int dimension, int side, const std::string& word, char* text) {
-  if (strcmp(text, "NULL") == 0) return;
   const double position = utils::numeric(FLERR, text, false, lmp);
   if (!std::isfinite(position))
     error->all(FLERR, "fix wall/hamaker: " + word + " position " + text + " must be finite");
@@ -86,17 +105,22 @@ void FixWallHamaker::post_force(int vflag) {
   v_init(vflag);
   std::fill_n(mine, 4, 0.0);
   summed = false;
+  std::visit([this](const auto& chosen) { attract(chosen); }, law);
+}
+
+template <class Law>
+void FixWallHamaker::attract(const Law& chosen) {
   for (const Plane& plane : planes) {
     const int d = plane.dimension;
     for (int i = 0; i < atom->nlocal; i++) {
       if (!(atom->mask[i] & groupbit)) continue;
       const double distance = plane.side * (atom->x[i][d] - plane.position);
       const double gap = distance - atom->radius[i];
-      if (gap >= law.outer_cutoff() || distance < 0.0) continue;
-      // For a plane the reduced radius is the radius of the sphere.
-      const double pull = plane.side * law.force(gap, atom->radius[i]);
+      if (gap >= chosen.outer_cutoff() || distance < 0.0) continue;
+      const cohesion::PairGeometry geometry = cohesion::sphere_and_plane(atom->radius[i]);
+      const double pull = plane.side * chosen.force(gap, geometry);
       atom->f[i][d] -= pull;
-      mine[0] += law.energy(gap, atom->radius[i]);
+      mine[0] += chosen.energy(gap, geometry);
       mine[1 + d] += pull;
       if (evflag) v_tally(d, i, -pull * atom->x[i][d]);
     }

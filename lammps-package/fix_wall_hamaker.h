@@ -12,12 +12,12 @@ FixStyle(wall/hamaker,FixWallHamaker);
 #include <vector>
 
 #include "fix.h"
-#include "hamaker/small_gap.h"
+#include "hamaker/forms.h"
 
 namespace LAMMPS_NS {
 
-/// fix wall/hamaker A H_cut H_out xplane lo hi ...: Hamaker attraction of spheres to plane walls,
-/// by the law of the pairs. Doc: docs/lammps-package/fix_wall_hamaker.md
+/// fix wall/hamaker A H_cut H_out [form name] [asperity r_a] xplane lo hi ...: Hamaker attraction
+/// of spheres to plane walls, by the law of the pairs. Doc: docs/lammps-package/fix_wall_hamaker.md
 class FixWallHamaker : public Fix {
  public:
   FixWallHamaker(class LAMMPS*, int, char**);
@@ -38,11 +38,14 @@ class FixWallHamaker : public Fix {
     double position;
   };
 
-  void read_planes(int, char**);
+  void read(int, char**);
+  void read_planes(const std::string& word, char** positions);
   void add_plane(int dimension, int side, const std::string& word, char* text);
+  template <class Law>
+  void attract(const Law&);
   void sum();
 
-  cohesion::hamaker::SmallGap law;
+  cohesion::hamaker::AnyLaw law;
   std::vector<Plane> planes;
   double mine[4];  // energy, force on the walls
   double total[4];

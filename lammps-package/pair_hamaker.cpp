@@ -19,13 +19,14 @@
 #include "sphere.h"
 
 using namespace LAMMPS_NS;
-using cohesion::hamaker::SmallGap;
+namespace hamaker = cohesion::hamaker;
 
 PairHamaker::PairHamaker(LAMMPS* lammps)
     : Pair(lammps),
       atom_types(0),
       surface_cutoff(0.0),
       outer_cutoff(0.0),
+      form(hamaker::forms.data()),
       hamaker_constant(nullptr) {
   single_enable = 1;
   restartinfo = 1;
@@ -54,16 +55,22 @@ void PairHamaker::allocate() {
 void PairHamaker::compute(int eflag, int vflag) {
   ev_init(eflag, vflag);
   if (neighbor->ago == 0) check_radii();
-  if (evflag) {
-    force->newton_pair ? compute_pairs<true, true>() : compute_pairs<true, false>();
-  } else {
-    force->newton_pair ? compute_pairs<false, true>() : compute_pairs<false, false>();
-  }
+  std::visit(
+      [this](const auto& chosen) {
+        if (evflag) {
+          force->newton_pair ? compute_pairs<true, true>(chosen)
+                             : compute_pairs<true, false>(chosen);
+        } else {
+          force->newton_pair ? compute_pairs<false, true>(chosen)
+                             : compute_pairs<false, false>(chosen);
+        }
+      },
+      laws);
   if (vflag_fdotr) virial_fdotr_compute();
 }
 
-template <bool TALLY, bool NEWTON>
-void PairHamaker::compute_pairs() {
+template <bool TALLY, bool NEWTON, class Law>
+void PairHamaker::compute_pairs(const std::vector<Law>& law_of) {
   double** const x = atom->x;
   double** const f = atom->f;
   const double* const radius = atom->radius;
@@ -79,14 +86,14 @@ void PairHamaker::compute_pairs() {
       const double dy = x[i][1] - x[j][1];
       const double dz = x[i][2] - x[j][2];
       const double rsq = dx * dx + dy * dy + dz * dz;
-      const SmallGap& hamaker = law(type[i], type[j]);
+      const Law& law = law_of[of_types(type[i], type[j])];
       const double contact = radius[i] + radius[j];
-      const double reach = contact + hamaker.outer_cutoff();
+      const double reach = contact + law.outer_cutoff();
       if (rsq >= reach * reach) continue;
 
       const double r = std::sqrt(rsq);
-      const double reduced = cohesion::reduced_radius(radius[i], radius[j]);
-      const double attraction = hamaker.force(r - contact, reduced);
+      const cohesion::PairGeometry geometry = cohesion::two_spheres(radius[i], radius[j]);
+      const double attraction = law.force(r - contact, geometry);
       const double fpair = -attraction / r;
       f[i][0] += dx * fpair;
       f[i][1] += dy * fpair;
@@ -97,7 +104,7 @@ void PairHamaker::compute_pairs() {
         f[j][2] -= dz * fpair;
       }
       if (TALLY) {
-        const double energy = eflag_either ? hamaker.energy(r - contact, reduced) : 0.0;
+        const double energy = eflag_either ? law.energy(r - contact, geometry) : 0.0;
         ev_tally(i, j, nlocal, NEWTON, energy, 0.0, fpair, dx, dy, dz);
       }
     }
@@ -108,37 +115,58 @@ double PairHamaker::single(int i, int j, int itype, int jtype, double rsq, doubl
                            double& fforce) {
   const double r = std::sqrt(rsq);
   const double gap = r - atom->radius[i] - atom->radius[j];
-  const double reduced = cohesion::reduced_radius(atom->radius[i], atom->radius[j]);
-  fforce = -law(itype, jtype).force(gap, reduced) / r;
-  return law(itype, jtype).energy(gap, reduced);
+  const cohesion::PairGeometry geometry = cohesion::two_spheres(atom->radius[i], atom->radius[j]);
+  return std::visit(
+      [&](const auto& law_of) {
+        const auto& law = law_of[of_types(itype, jtype)];
+        fforce = -law.force(gap, geometry) / r;
+        return law.energy(gap, geometry);
+      },
+      laws);
 }
 
 /* ---------------------------------------------------------------------- */
 
 void PairHamaker::settings(int narg, char** arg) {
-  if (narg != 2)
+  if (narg != 2 && narg != 4)
     error->all(FLERR,
                "pair_style hamaker takes two values, 'hamaker H_cut H_out': surface and "
-               "outer cut-off, both distances");
+               "outer cut-off, both distances; and if wanted 'form' with a name");
   surface_cutoff = utils::numeric(FLERR, arg[0], false, lmp);
   outer_cutoff = utils::numeric(FLERR, arg[1], false, lmp);
-  hamaker_from_script(lmp, "pair_style hamaker", {0.0, surface_cutoff, outer_cutoff});
+  check_parameters("pair_style hamaker", {0.0, surface_cutoff, outer_cutoff});
+  form = hamaker::forms.data();
+  if (narg == 2) return;
+  if (strcmp(arg[2], "form") != 0)
+    error->all(FLERR,
+               std::string("pair_style hamaker: unknown keyword '") + arg[2] + "'; valid: form");
+  form = hamaker_form_from_script(lmp, "pair_style hamaker", arg[3]);
+}
+
+void PairHamaker::check_parameters(const std::string& where, const Parameters& p) {
+  from_script(lmp, where, [&] { require_valid(p); });
 }
 
 void PairHamaker::coeff(int narg, char** arg) {
-  if (narg != 3 && narg != 5)
-    error->all(FLERR, "pair_coeff of hamaker takes 'i j A' or 'i j A H_cut H_out'");
+  // 3 or 5 without the keyword, 2 more with it
+  const bool asperity = narg >= 5 && strcmp(arg[narg - 2], "asperity") == 0;
+  const int values = asperity ? narg - 2 : narg;
+  if (values != 3 && values != 5)
+    error->all(FLERR,
+               "pair_coeff of hamaker takes 'i j A' or 'i j A H_cut H_out', and after it if wanted "
+               "'asperity' with a radius");
   if (!allocated) allocate();
 
   int ilo, ihi, jlo, jhi;
   utils::bounds(FLERR, arg[0], 1, atom->ntypes, ilo, ihi, error);
   utils::bounds(FLERR, arg[1], 1, atom->ntypes, jlo, jhi, error);
-  Parameters p{utils::numeric(FLERR, arg[2], false, lmp), surface_cutoff, outer_cutoff};
-  if (narg == 5) {
+  Parameters p{utils::numeric(FLERR, arg[2], false, lmp), surface_cutoff, outer_cutoff, 0.0};
+  if (asperity) p.asperity_radius = utils::numeric(FLERR, arg[narg - 1], false, lmp);
+  if (values == 5) {
     p.surface_cutoff = utils::numeric(FLERR, arg[3], false, lmp);
     p.outer_cutoff = utils::numeric(FLERR, arg[4], false, lmp);
   }
-  hamaker_from_script(lmp, std::string("pair_coeff ") + arg[0] + " " + arg[1] + " of hamaker", p);
+  check_parameters(std::string("pair_coeff ") + arg[0] + " " + arg[1] + " of hamaker", p);
 
   int count = 0;
   for (int i = ilo; i <= ihi; i++)
@@ -156,8 +184,10 @@ void PairHamaker::init_style() {
                "pair_style hamaker acts between spheres and needs an atom style with radii, "
                "for instance 'atom_style sphere'");
   find_largest_radii();
-  const SmallGap none({0.0, 1.0, 2.0});
-  laws.assign(given.size(), none);
+  const bool rough = std::any_of(given.begin(), given.end(),
+                                 [](const Parameters& p) { return p.asperity_radius > 0.0; });
+  std::visit([this](const auto& law) { laws = std::vector(given.size(), law); },
+             form->law(hamaker::none, rough));
   engine_api::request_neighbor_list(neighbor, this, instance_me);
 }
 
@@ -165,7 +195,8 @@ PairHamaker::Parameters PairHamaker::mixed(int i, int j) {
   const Parameters& a = parameters(i, i);
   const Parameters& b = parameters(j, j);
   return {std::sqrt(hamaker_constant[i][i] * hamaker_constant[j][j]),
-          std::max(a.surface_cutoff, b.surface_cutoff), std::max(a.outer_cutoff, b.outer_cutoff)};
+          std::max(a.surface_cutoff, b.surface_cutoff), std::max(a.outer_cutoff, b.outer_cutoff),
+          std::max(a.asperity_radius, b.asperity_radius)};
 }
 
 double PairHamaker::init_one(int i, int j) {
@@ -177,11 +208,16 @@ double PairHamaker::init_one(int i, int j) {
   }
   // fix adapt may have changed it.
   parameters(i, j).hamaker_constant = hamaker_constant[i][j];
-  const SmallGap hamaker = hamaker_from_script(
-      lmp, "pair_style hamaker, types " + std::to_string(i) + " and " + std::to_string(j),
-      parameters(i, j));
-  laws[i * (atom_types + 1) + j] = laws[j * (atom_types + 1) + i] = hamaker;
-  return largest_radius[i] + largest_radius[j] + hamaker.outer_cutoff();
+  const Parameters& p = parameters(i, j);
+  check_parameters("pair_style hamaker, types " + std::to_string(i) + " and " + std::to_string(j),
+                   p);
+  std::visit(
+      [&](auto& law_of) {
+        using Law = typename std::decay_t<decltype(law_of)>::value_type;
+        law_of[of_types(i, j)] = law_of[of_types(j, i)] = Law(p);
+      },
+      laws);
+  return largest_radius[i] + largest_radius[j] + p.outer_cutoff;
 }
 
 /* ----------------------------------------------------------------------
@@ -257,29 +293,44 @@ void PairHamaker::read_restart(FILE* fp) {
 void PairHamaker::write_restart_settings(FILE* fp) {
   fwrite(&surface_cutoff, sizeof(double), 1, fp);
   fwrite(&outer_cutoff, sizeof(double), 1, fp);
+  const int row = static_cast<int>(form - hamaker::forms.data());
+  fwrite(&row, sizeof(int), 1, fp);
 }
 
 void PairHamaker::read_restart_settings(FILE* fp) {
+  int row = 0;
   if (comm->me == 0) {
     utils::sfread(FLERR, &surface_cutoff, sizeof(double), 1, fp, nullptr, error);
     utils::sfread(FLERR, &outer_cutoff, sizeof(double), 1, fp, nullptr, error);
+    utils::sfread(FLERR, &row, sizeof(int), 1, fp, nullptr, error);
   }
   MPI_Bcast(&surface_cutoff, 1, MPI_DOUBLE, 0, world);
   MPI_Bcast(&outer_cutoff, 1, MPI_DOUBLE, 0, world);
+  MPI_Bcast(&row, 1, MPI_INT, 0, world);
+  if (row < 0 || row >= static_cast<int>(hamaker::forms.size()))
+    error->all(FLERR,
+               "pair_style hamaker: the restart file names a form that this version of the "
+               "package does not have");
+  form = &hamaker::forms[row];
 }
 
 void PairHamaker::write_data(FILE* fp) {
   for (int i = 1; i <= atom->ntypes; i++) {
-    const Parameters& p = parameters(i, i);
-    fprintf(fp, "%d %.17g %.17g %.17g\n", i, p.hamaker_constant, p.surface_cutoff, p.outer_cutoff);
+    fprintf(fp, "%d", i);
+    write_coefficients(fp, parameters(i, i));
   }
 }
 
 void PairHamaker::write_data_all(FILE* fp) {
   for (int i = 1; i <= atom->ntypes; i++)
     for (int j = i; j <= atom->ntypes; j++) {
-      const Parameters& p = parameters(i, j);
-      fprintf(fp, "%d %d %.17g %.17g %.17g\n", i, j, p.hamaker_constant, p.surface_cutoff,
-              p.outer_cutoff);
+      fprintf(fp, "%d %d", i, j);
+      write_coefficients(fp, parameters(i, j));
     }
+}
+
+void PairHamaker::write_coefficients(FILE* fp, const Parameters& p) {
+  fprintf(fp, " %.17g %.17g %.17g", p.hamaker_constant, p.surface_cutoff, p.outer_cutoff);
+  if (p.asperity_radius > 0.0) fprintf(fp, " asperity %.17g", p.asperity_radius);
+  fprintf(fp, "\n");
 }

@@ -8,15 +8,16 @@ PairStyle(hamaker,PairHamaker);
 #ifndef LMP_PAIR_HAMAKER_H
 #define LMP_PAIR_HAMAKER_H
 
+#include <string>
 #include <vector>
 
-#include "hamaker/small_gap.h"
+#include "hamaker/forms.h"
 #include "pair.h"
 
 namespace LAMMPS_NS {
 
-/// pair_style hamaker H_cut H_out: Hamaker attraction between spheres, laid over any contact style
-/// with hybrid/overlay. The law is src/hamaker/small_gap.h; doc:
+/// pair_style hamaker H_cut H_out [form name]: Hamaker attraction between spheres, laid over any
+/// contact style with hybrid/overlay. The law is src/hamaker/law.h; doc:
 /// docs/lammps-package/pair_hamaker.md
 class PairHamaker : public Pair {
  public:
@@ -40,28 +41,29 @@ class PairHamaker : public Pair {
   void write_data_all(FILE*) override;
 
  private:
-  using Parameters = cohesion::hamaker::SmallGapParameters;
+  using Parameters = cohesion::hamaker::Parameters;
 
-  template <bool TALLY, bool NEWTON>
-  void compute_pairs();
+  template <bool TALLY, bool NEWTON, class Law>
+  void compute_pairs(const std::vector<Law>&);
 
   void allocate();
-  const cohesion::hamaker::SmallGap& law(int i, int j) const {
-    return laws[i * (atom_types + 1) + j];
-  }
-  Parameters& parameters(int i, int j) { return given[i * (atom_types + 1) + j]; }
+  int of_types(int i, int j) const { return i * (atom_types + 1) + j; }
+  Parameters& parameters(int i, int j) { return given[of_types(i, j)]; }
   Parameters mixed(int, int);
   void give(int, int, const Parameters&);
   void find_largest_radii();
   void check_radii();
+  void check_parameters(const std::string& where, const Parameters&);
+  static void write_coefficients(FILE*, const Parameters&);
 
   int atom_types;
-  double surface_cutoff;                          // default of pair_coeff
-  double outer_cutoff;                            // default of pair_coeff
-  double** hamaker_constant;                      // by type pair; fix adapt writes it
-  std::vector<Parameters> given;                  // by type pair
-  std::vector<cohesion::hamaker::SmallGap> laws;  // by type pair, built at init
-  std::vector<double> largest_radius;             // by type, at init
+  double surface_cutoff;  // default of pair_coeff
+  double outer_cutoff;    // default of pair_coeff
+  const cohesion::hamaker::Form* form;
+  double** hamaker_constant;           // by type pair; fix adapt writes it
+  std::vector<Parameters> given;       // by type pair
+  cohesion::hamaker::AnyLaws laws;     // by type pair, built at init
+  std::vector<double> largest_radius;  // by type, at init
 };
 
 }  // namespace LAMMPS_NS

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Cohesion model `hamaker` of pair_style gran and fix wall/gran. The law is hamaker/small_gap.h;
-// here its parameters come from fix property/global and its force goes to the particles.
+// Cohesion model `hamaker` of pair_style gran and fix wall/gran. The law is hamaker/law.h with
+// the form of small gaps; here its parameters come from fix property/global and its force goes to
+// the particles.
 
 #ifdef COHESION_MODEL
 COHESION_MODEL(COHESION_HAMAKER, hamaker, 20)
@@ -64,10 +65,10 @@ class CohesionModel<COHESION_HAMAKER> : public CohesionModelBase {
   /// which radsum is then the radius of i.
   void attract(const SurfacesCloseData& data, double r, const double* normal, ForceData& on_i,
                ForceData& on_j) const {
-    const double reduced_radius =
-        data.is_wall ? data.radi : cohesion::reduced_radius(data.radi, data.radj);
-    const double attraction =
-        laws_->of(data.itype, data.jtype).force(r - data.radsum, reduced_radius);
+    const cohesion::PairGeometry geometry = data.is_wall
+                                                ? cohesion::sphere_and_plane(data.radi)
+                                                : cohesion::two_spheres(data.radi, data.radj);
+    const double attraction = laws_->of(data.itype, data.jtype).force(r - data.radsum, geometry);
     for (int d = 0; d < 3; d++) {
       on_i.delta_F[d] -= attraction * normal[d];
       on_j.delta_F[d] += attraction * normal[d];  // of a wall the engine ignores it

@@ -49,7 +49,7 @@ HamakerOfTypes::HamakerOfTypes(LAMMPS* lmp, PropertyRegistry& registry)
   for (int i = 1; i <= types_; i++)
     for (int j = 1; j <= types_; j++) try {
         laws_.emplace_back(
-            cohesion::hamaker::SmallGapParameters{constant[i][j], surface_cutoff, outer_cutoff});
+            cohesion::hamaker::Parameters{constant[i][j], surface_cutoff, outer_cutoff});
       } catch (const cohesion::InvalidParameter& bad) {
         std::ostringstream message;
         message << "cohesion model hamaker, atom types " << i << " and " << j << ": " << bad.what()

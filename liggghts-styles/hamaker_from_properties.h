@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "hamaker/law.h"
 #include "hamaker/small_gap.h"
 
 class PropertyRegistry;
@@ -20,16 +21,16 @@ namespace Cohesion {
 /// A parameter that cannot be right stops the engine with the types and the values given.
 class HamakerOfTypes {
  public:
+  using Law = cohesion::hamaker::Law<cohesion::hamaker::SmallGap>;
+
   HamakerOfTypes(LAMMPS_NS::LAMMPS* lmp, PropertyRegistry& registry);
 
-  const cohesion::hamaker::SmallGap& of(int itype, int jtype) const {
-    return laws_[(itype - 1) * types_ + jtype - 1];
-  }
+  const Law& of(int itype, int jtype) const { return laws_[(itype - 1) * types_ + jtype - 1]; }
   double outer_cutoff() const { return laws_.front().outer_cutoff(); }
 
  private:
   int types_;
-  std::vector<cohesion::hamaker::SmallGap> laws_;
+  std::vector<Law> laws_;
 };
 
 /// Makes the engine look for partners up to a gap of `range`: the force at a gap beyond what the

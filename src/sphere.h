@@ -17,6 +17,19 @@ inline constexpr double reduced_radius(double radius_i, double radius_j) {
   return radius_i * radius_j / (radius_i + radius_j);
 }
 
+/// Two spheres, or a sphere and a plane, as a law between their surfaces sees them: what stays
+/// finite and exact when one radius becomes infinite.
+struct PairGeometry {
+  double reduced_radius;            ///< R* = r_i r_j/(r_i + r_j), [length]
+  double inverse_contact_distance;  ///< 1/(r_i + r_j), [1/length]; 0 beside a plane
+};
+
+inline constexpr PairGeometry two_spheres(double radius_i, double radius_j) {
+  return {reduced_radius(radius_i, radius_j), 1.0 / (radius_i + radius_j)};
+}
+
+inline constexpr PairGeometry sphere_and_plane(double radius) { return {radius, 0.0}; }
+
 /// Reduced mass mu = m_i m_j / (m_i + m_j) of two particles, [mass]. A wall has infinite mass: mu
 /// of particle and wall is the mass of the particle.
 inline constexpr double reduced_mass(double mass_i, double mass_j) {

@@ -14,6 +14,13 @@ TEST(Sphere, ReducedRadiusTendsToTheSphereBesideAPlane) {
   EXPECT_NEAR(reduced_radius(2.0, 2e12), 2.0, 4e-12);
 }
 
+TEST(Sphere, PlaneIsTheGeometryOfALargeSphere) {
+  const PairGeometry large = two_spheres(2.0, 2e12), plane = sphere_and_plane(2.0);
+  EXPECT_NEAR(large.reduced_radius, plane.reduced_radius, 4e-12);
+  EXPECT_NEAR(large.inverse_contact_distance, plane.inverse_contact_distance, 1e-12);
+  EXPECT_DOUBLE_EQ(two_spheres(3.0, 1.0).inverse_contact_distance, 0.25);
+}
+
 TEST(Sphere, ReducedMassIsSymmetricAndBelowBoth) {
   EXPECT_DOUBLE_EQ(reduced_mass(1.0, 4.0), 0.8);
   EXPECT_DOUBLE_EQ(reduced_mass(4.0, 1.0), 0.8);

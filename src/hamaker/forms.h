@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "hamaker/asperity.h"
+#include "hamaker/exact.h"
+#include "hamaker/law.h"
+#include "hamaker/small_gap.h"
+
+/// The table of forms of the attraction: the one place that knows them all.
+/// To add one: its header beside this file, its two laws in AnyLawOf, and its row in `forms`.
+namespace cohesion::hamaker {
+
+/// Holder<law> for the law that was chosen: one std::visit leads to a loop that knows it.
+template <template <class...> class Holder>
+using AnyLawOf = std::variant<Holder<Law<SmallGap>>, Holder<Law<Exact>>,
+                              Holder<Law<Rough<SmallGap>>>, Holder<Law<Rough<Exact>>>>;
+
+template <class Held>
+using Itself = Held;
+
+using AnyLaw = AnyLawOf<Itself>;        ///< one law
+using AnyLaws = AnyLawOf<std::vector>;  ///< laws of many pairs of types, all of one kind
+
+struct Form {
+  std::string_view name;
+  /// The law of this form; throws InvalidParameter. rough: one that knows asperities.
+  AnyLaw (*law)(const Parameters&, bool rough);
+};
+
+template <class Smooth>
+AnyLaw law_of(const Parameters& p, bool rough) {
+  if (rough) return Law<Rough<Smooth>>(p);
+  return Law<Smooth>(p);
+}
+
+inline constexpr std::array forms{
+    Form{"small_gap", &law_of<SmallGap>},
+    Form{"exact", &law_of<Exact>},
+};
+
+}  // namespace cohesion::hamaker

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "validation.h"
+
+namespace cohesion::hamaker {
+
+/// What a user gives for a pair of materials, in any consistent set of units.
+struct Parameters {
+  double hamaker_constant;       ///< A, [energy]; 0 switches the law off
+  double surface_cutoff;         ///< H_cut, [length]: the force is constant below this gap
+  double outer_cutoff;           ///< H_out, [length]: force and energy are zero from this gap on
+  double asperity_radius = 0.0;  ///< r_a, [length]: see asperity.h; 0 for smooth surfaces
+};
+
+/// Of a law that is off.
+inline constexpr Parameters none{0.0, 1.0, 2.0};
+
+/// Throws InvalidParameter unless A >= 0, 0 < H_cut < H_out and r_a >= 0, all finite.
+inline void require_valid(const Parameters& p) {
+  require_non_negative("Hamaker constant A", p.hamaker_constant);
+  require_positive("surface cut-off H_cut", p.surface_cutoff);
+  require_positive("outer cut-off", p.outer_cutoff);
+  require(p.surface_cutoff < p.outer_cutoff, "surface cut-off H_cut", p.surface_cutoff,
+          "must be smaller than the outer cut-off");
+  require_non_negative("asperity radius", p.asperity_radius);
+}
+
+/// Throws InvalidParameter when surfaces are given as rough: a form without asperities would pass
+/// over it in silence.
+inline void require_smooth(const Parameters& p) {
+  require(p.asperity_radius == 0.0, "asperity radius", p.asperity_radius,
+          "must be zero for the law of smooth surfaces");
+}
+
+}  // namespace cohesion::hamaker
