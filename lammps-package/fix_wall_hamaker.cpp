@@ -20,8 +20,7 @@ namespace hamaker = cohesion::hamaker;
 static const char* const usage =
     "fix wall/hamaker takes 'A H_cut H_out' and at least one plane, 'xplane lo hi', 'yplane lo hi' "
     "or 'zplane lo hi', NULL for no wall on a side; and if wanted 'form' with a name and "
-    "'asperity' "
-    "with a radius";
+    "'asperity' with a radius";
 
 FixWallHamaker::FixWallHamaker(LAMMPS* lammps, int narg, char** arg)
     : Fix(lammps, narg, arg), law(hamaker::forms.front().law(hamaker::none, false)), summed(false) {
@@ -62,7 +61,7 @@ void FixWallHamaker::read(int narg, char** arg) {
     }
   }
   if (planes.empty()) error->all(FLERR, usage);
-  law = from_script(lmp, where, [&] { return form->law(p, p.asperity_radius > 0.0); });
+  law = from_script(lmp, where, [&] { return form->law(p, p.asperity_radius != 0.0); });
 }
 
 void FixWallHamaker::read_planes(const std::string& word, char** positions) {

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Forces of plane walls against the law; a wall is a sphere of infinite radius."""
+import math
 import unittest
 
 import numpy
@@ -7,13 +8,16 @@ import numpy
 import hamaker_reference as law
 import lammps_engine as engine
 
-LAW = (7.49e-19, 4e-10, 1e-7)
-GAPS = [-1e-6, 0.0, 3e-10, 5e-10, 1e-9, 1e-8, 9e-8, 2e-7]
 RADII = [0.5e-3, 0.2e-3]
 SIZE = 0.02
 
 
 class WallHamaker(unittest.TestCase):
+    FORM = "small_gap"
+    LAW = (7.49e-19, 4e-10, 1e-7)
+    WORDS = "7.49e-19 4e-10 1e-7"
+    GAPS = [-1e-6, 0.0, 3e-10, 5e-10, 1e-9, 1e-8, 9e-8, 2e-7]
+
     def setUp(self):
         keeper = engine.temporary_folder()
         self.addCleanup(keeper.cleanup)
@@ -24,7 +28,7 @@ class WallHamaker(unittest.TestCase):
         atoms = []
         beside = 1 if axis == 0 else 0
         for side in (0, 1):
-            for k, gap in enumerate(GAPS):
+            for k, gap in enumerate(self.GAPS):
                 for n, radius in enumerate(RADII):
                     x = numpy.full(3, 0.5 * SIZE)
                     if dimension == 2:
@@ -41,7 +45,7 @@ class WallHamaker(unittest.TestCase):
         engine.write_spheres(self.folder, atoms, box, 2)
         planes = planes or f"{'xyz'[axis]}plane 0 {SIZE}"
         values = engine.thermo(engine.run("in.wall", self.folder, dimension=dimension,
-                                          boundary=boundary, planes=planes))
+                                          boundary=boundary, law=self.WORDS, planes=planes))
         forces = engine.dump(self.folder, "forces.txt")[:, 4:7]
         energy = numpy.zeros(3)
         virial = 0.0
@@ -50,17 +54,17 @@ class WallHamaker(unittest.TestCase):
             position, radius = atom["x"][axis], atom["diameter"] / 2
             upper = position > SIZE / 2
             gap = (SIZE - position if upper else position) - radius
-            expected = law.force(gap, radius, *LAW) * (1 if upper else -1)
+            expected = law.force(self.FORM, gap, radius, math.inf, *self.LAW) * (1 if upper else -1)
             self.assertLessEqual(abs(force[axis] - expected),
-                                 law.position_tolerance(SIZE, gap, LAW[1]) * abs(expected),
+                                 law.position_tolerance(SIZE, gap, self.LAW[1]) * abs(expected),
                                  f"gap {gap} radius {radius}")
             self.assertEqual(numpy.count_nonzero(numpy.delete(force, axis)), 0)
-            energy += law.energy(gap, radius, *LAW)
+            energy += law.energy(self.FORM, gap, radius, math.inf, *self.LAW)
             virial += force[axis] * position
             on_wall -= force[axis]
         self.assertEqual(numpy.count_nonzero(forces[-1]), 0, "a sphere outside the fix's group")
         # The gap's rounding, 2^-53 SIZE per operation, at the smallest gap that it matters for.
-        tolerance = law.position_tolerance(SIZE, LAW[1], LAW[1])
+        tolerance = law.position_tolerance(SIZE, self.LAW[1], self.LAW[1])
         self.assertLessEqual(abs(values["f_walls"] - energy[0]), tolerance * abs(energy[0]))
         self.assertLessEqual(abs(values["PotEng"] - energy[0]), tolerance * abs(energy[0]))
         size = numpy.abs(forces).sum()
@@ -87,11 +91,29 @@ class WallHamaker(unittest.TestCase):
     def test_one_wall_of_two(self):
         atoms = self.spheres(2, 3)
         engine.write_spheres(self.folder, atoms, 3 * [(0.0, SIZE)], 2)
-        engine.run("in.wall", self.folder, dimension=3, boundary="f f f", planes="zplane 0 NULL")
+        engine.run("in.wall", self.folder, dimension=3, boundary="f f f", law=self.WORDS,
+                   planes="zplane 0 NULL")
         forces = engine.dump(self.folder, "forces.txt")[:, 6]
-        half = len(GAPS) * len(RADII)
+        half = len(self.GAPS) * len(RADII)
         self.assertGreater(numpy.count_nonzero(forces[:half]), 0)
         self.assertEqual(numpy.count_nonzero(forces[half:]), 0)
+
+
+class ExactForm(WallHamaker):
+    FORM = "exact"
+    LAW = (7.49e-19, 4e-10, 4e-4)
+    WORDS = "7.49e-19 4e-10 4e-4 form exact"
+    GAPS = [-1e-6, 3e-10, 5e-10, 1e-8, 1e-6, 2e-5, 3e-4, 5e-4]
+
+
+class SmallGapWithAsperities(WallHamaker):
+    LAW = (7.49e-19, 4e-10, 1e-7, 2e-8)
+    WORDS = "7.49e-19 4e-10 1e-7 asperity 2e-8"
+
+
+class ExactFormWithAsperities(ExactForm):
+    LAW = (7.49e-19, 4e-10, 4e-4, 2e-8)
+    WORDS = "7.49e-19 4e-10 4e-4 asperity 2e-8 form exact"
 
 
 if __name__ == "__main__":

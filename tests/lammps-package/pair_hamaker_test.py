@@ -7,10 +7,6 @@ import numpy
 import hamaker_reference as law
 import lammps_engine as engine
 
-PARAMETERS = {(1, 1): (1e-19, 4e-10, 1e-7), (2, 2): (7.49e-19, 8e-10, 2e-7)}
-MIXED = ((1e-19 * 7.49e-19) ** 0.5, 8e-10, 2e-7)  # geometric mean, larger cut-offs
-GIVEN = (5e-19, 6e-10, 3e-8)
-GAPS = [-1e-6, -1e-10, 0.0, 1e-10, 3.9e-10, 5e-10, 7e-10, 1e-9, 1e-8, 2.9e-8, 9e-8, 1.5e-7, 2.5e-7]
 RADIUS = {1: 0.5e-3, 2: 0.3e-3}
 DIRECTION = numpy.array([2.0, 3.0, 6.0]) / 7.0
 SPACING = 4e-3
@@ -33,12 +29,23 @@ def box(gaps):
     return [(0.0, 3 * SPACING), (0.0, len(gaps) * SPACING), (0.0, SPACING)]
 
 
+def radii(one, other):
+    return one["diameter"] / 2, other["diameter"] / 2
+
+
 def gap_of(one, other):
-    return (numpy.linalg.norm(numpy.array(other["x"]) - one["x"]) -
-            (one["diameter"] / 2 + other["diameter"] / 2))
+    return numpy.linalg.norm(numpy.array(other["x"]) - one["x"]) - sum(radii(one, other))
 
 
 class PairHamaker(unittest.TestCase):
+    FORM = "small_gap"
+    PARAMETERS = {(1, 1): (1e-19, 4e-10, 1e-7), (2, 2): (7.49e-19, 8e-10, 2e-7)}
+    MIXED = ((1e-19 * 7.49e-19) ** 0.5, 8e-10, 2e-7)  # geometric mean, larger of the others
+    GIVEN = (5e-19, 6e-10, 3e-8)
+    GAPS = [-1e-6, -1e-10, 0.0, 1e-10, 3.9e-10, 5e-10, 7e-10, 1e-9, 1e-8, 2.9e-8, 9e-8, 1.5e-7,
+            2.5e-7]
+    COEFF11 = "1e-19"  # the cut-offs are those of pair_style
+
     def setUp(self):
         keeper = engine.temporary_folder()
         self.addCleanup(keeper.cleanup)
@@ -47,18 +54,18 @@ class PairHamaker(unittest.TestCase):
     def given(self, gaps, mixing="yes", script="in.pairs", skin=1e-4):
         self.atoms = couples(gaps)
         engine.write_spheres(self.folder, self.atoms, box(gaps), 2)
-        return engine.run(script, self.folder, A11=PARAMETERS[1, 1][0], A22=PARAMETERS[2, 2][0],
-                          mixing=mixing, skin=skin)
+        return engine.run(script, self.folder, form=self.FORM, coeff11=self.COEFF11,
+                          coeff22=law.words(*self.PARAMETERS[2, 2]),
+                          coeff12=law.words(*self.GIVEN), mixing=mixing, skin=skin)
 
     def check_forces(self, forces, parameters):
         for i in range(0, len(self.atoms), 2):
             one, other = self.atoms[i], self.atoms[i + 1]
             p = parameters[one["type"], other["type"]]
             gap = gap_of(one, other)
-            reduced = 1 / (2 / one["diameter"] + 2 / other["diameter"])
-            expected = law.force(gap, reduced, *p)
+            expected = law.force(self.FORM, gap, *radii(one, other), *p)
             # Coordinates are at most as large as the box, the gap is their difference.
-            tolerance = law.position_tolerance(len(GAPS) * SPACING, gap, p[1])
+            tolerance = law.position_tolerance(len(self.GAPS) * SPACING, gap, p[1])
             for atom, sign in ((forces[i], 1), (forces[i + 1], -1)):
                 along = sign * atom[4:7] @ DIRECTION
                 across = numpy.linalg.norm(atom[4:7] - sign * along * DIRECTION)
@@ -70,30 +77,30 @@ class PairHamaker(unittest.TestCase):
         self.assertGreater(numpy.abs(forces[:, 4:7]).max(), 0.0)
 
     def test_forces_with_mixed_coefficients(self):
-        self.given(GAPS)
-        self.check_forces(engine.dump(self.folder, "forces.txt"), {**PARAMETERS, (1, 2): MIXED})
+        self.given(self.GAPS)
+        self.check_forces(engine.dump(self.folder, "forces.txt"), {**self.PARAMETERS, (1, 2): self.MIXED})
 
     def test_forces_with_given_coefficients_of_unlike_types(self):
-        self.given(GAPS, mixing="no")
-        self.check_forces(engine.dump(self.folder, "forces.txt"), {**PARAMETERS, (1, 2): GIVEN})
+        self.given(self.GAPS, mixing="no")
+        self.check_forces(engine.dump(self.folder, "forces.txt"), {**self.PARAMETERS, (1, 2): self.GIVEN})
 
     def test_neighbour_range_reaches_the_outer_cutoff_by_itself(self):
-        self.given(GAPS, skin=0.0)
-        self.check_forces(engine.dump(self.folder, "forces.txt"), {**PARAMETERS, (1, 2): MIXED})
+        self.given(self.GAPS, skin=0.0)
+        self.check_forces(engine.dump(self.folder, "forces.txt"), {**self.PARAMETERS, (1, 2): self.MIXED})
 
     def test_restart_and_data_files_keep_all_coefficients(self):
-        self.given(GAPS, mixing="no")
+        self.given(self.GAPS, mixing="no")
         before = engine.dump(self.folder, "forces.txt")
         for source in ("restart", "data"):
-            engine.run("in.pairs_again", self.folder, **{"from": source})
+            engine.run("in.pairs_again", self.folder, form=self.FORM, **{"from": source})
             again = engine.dump(self.folder, "again.txt")
             # The data file writes coordinates with 17 digits: nothing is lost, so nothing differs.
             numpy.testing.assert_array_equal(again[:, 4:7], before[:, 4:7], err_msg=source)
 
     def test_energies_and_single(self):
-        output = self.given(GAPS)
+        output = self.given(self.GAPS)
         energies = engine.dump(self.folder, "forces.txt")[:, 7]
-        parameters = {**PARAMETERS, (1, 2): MIXED}
+        parameters = {**self.PARAMETERS, (1, 2): self.MIXED}
         local = {tuple(sorted((int(row[0]), int(row[1])))): row[2:]
                  for row in engine.dump(self.folder, "local.txt")}
         total = 0.0
@@ -101,20 +108,21 @@ class PairHamaker(unittest.TestCase):
             one, other = self.atoms[i], self.atoms[i + 1]
             p = parameters[one["type"], other["type"]]
             gap = gap_of(one, other)
-            reduced = 1 / (2 / one["diameter"] + 2 / other["diameter"])
-            expected = law.energy(gap, reduced, *p)
+            expected = law.energy(self.FORM, gap, *radii(one, other), *p)
             total += expected
             # The energy is a difference of 1/gap and 1/out: allow the rounding of the larger.
-            tolerance = (law.position_tolerance(len(GAPS) * SPACING, max(gap, p[1]), p[1]) *
-                         p[0] * reduced / 6 / max(gap, p[1]))
+            # That of the small gap is the largest of all forms.
+            size = -p[0] / 6 * law.small_gap(max(gap, p[1]), *radii(one, other))[1]
+            tolerance = size * law.position_tolerance(len(self.GAPS) * SPACING, max(gap, p[1]),
+                                                      p[1])
             self.assertLessEqual(abs(energies[i] + energies[i + 1] - expected), tolerance)
             if gap >= p[2]:
                 continue  # beyond the outer cut-off the energy is zero, as checked above
             distance, energy, force = local[i + 1, i + 2]
             self.assertLessEqual(abs(energy - expected), tolerance)
-            wanted = -law.force(gap, reduced, *p)
+            wanted = -law.force(self.FORM, gap, *radii(one, other), *p)
             self.assertLessEqual(abs(force - wanted), -wanted * law.position_tolerance(
-                len(GAPS) * SPACING, gap, p[1]))
+                len(self.GAPS) * SPACING, gap, p[1]))
             self.assertAlmostEqual(distance, numpy.linalg.norm(other["x"] - one["x"]), delta=1e-17)
         # The thermo output prints all digits; rounding as above, the largest term is the total's.
         self.assertLessEqual(abs(engine.thermo(output)["PotEng"] - total), 1e-6 * abs(total))
@@ -135,10 +143,10 @@ class PairHamaker(unittest.TestCase):
             self.assertLess(abs(slope - force), 2e-5 * force)
 
     def test_pressure_is_the_virial_of_the_forces(self):
-        output = self.given(GAPS)
+        output = self.given(self.GAPS)
         values = engine.thermo(output)
         forces = engine.dump(self.folder, "forces.txt")
-        volume = numpy.prod([high - low for low, high in box(GAPS)])
+        volume = numpy.prod([high - low for low, high in box(self.GAPS)])
         terms = []
         for i in range(0, len(self.atoms), 2):
             apart = numpy.array(self.atoms[i + 1]["x"]) - self.atoms[i]["x"]
@@ -148,12 +156,32 @@ class PairHamaker(unittest.TestCase):
             # Sums of 39 terms of one sign.
             self.assertLessEqual(abs(values[name] - expected), 1e-13 * abs(expected), name)
             self.assertLess(expected, 0.0)
-
     def test_fix_adapt_changes_the_constant(self):
         self.given([1e-9], script="in.adapt")
         changed = {(1, 1): (3e-19, 4e-10, 1e-7), (2, 2): (2e-19, 4e-10, 1e-7),
                    (1, 2): (6e-38**0.5, 4e-10, 1e-7)}
         self.check_forces(engine.dump(self.folder, "forces.txt"), changed)
+
+
+class ExactForm(PairHamaker):
+    FORM = "exact"
+    PARAMETERS = {(1, 1): (1e-19, 4e-10, 1e-7), (2, 2): (7.49e-19, 8e-10, 6e-4)}
+    MIXED = ((1e-19 * 7.49e-19) ** 0.5, 8e-10, 6e-4)
+    GIVEN = (5e-19, 6e-10, 3e-4)
+    GAPS = [-1e-6, 0.0, 3e-10, 5e-10, 7e-10, 1e-8, 9e-8, 1.5e-7, 1e-6, 1e-5, 1e-4, 4e-4, 7e-4]
+
+
+class SmallGapWithAsperities(PairHamaker):
+    PARAMETERS = {(1, 1): (1e-19, 4e-10, 1e-7, 2e-8), (2, 2): (7.49e-19, 8e-10, 2e-7)}
+    MIXED = ((1e-19 * 7.49e-19) ** 0.5, 8e-10, 2e-7, 2e-8)
+    GIVEN = (5e-19, 6e-10, 3e-8, 1e-9)
+    COEFF11 = "1e-19 asperity 2e-8"
+
+
+class ExactFormWithAsperities(ExactForm):
+    PARAMETERS = {(1, 1): (1e-19, 4e-10, 1e-7, 2e-8), (2, 2): (7.49e-19, 8e-10, 6e-4, 1e-8)}
+    MIXED = ((1e-19 * 7.49e-19) ** 0.5, 8e-10, 6e-4, 2e-8)
+    COEFF11 = "1e-19 asperity 2e-8"
 
 
 if __name__ == "__main__":
