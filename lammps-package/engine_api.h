@@ -5,6 +5,7 @@
 // What the supported LAMMPS versions spell differently; nothing else in the package asks for a
 // version. HISTBITS came with the interface that LAMMPS has had since 2022.
 
+#include "comm.h"
 #include "lmptype.h"
 #include "neigh_request.h"
 #include "neighbor.h"
@@ -20,6 +21,26 @@ inline void request_neighbor_list(Neighbor* neighbor, Pair* pair, int instance) 
   neighbor->add_request(pair);
 #else
   neighbor->request(pair, instance);
+#endif
+}
+
+/// The same for a style that keeps a history of each pair (FixNeighHistory).
+inline void request_history_list(Neighbor* neighbor, Pair* pair, int instance) {
+#ifdef HISTBITS
+  (void)instance;
+  neighbor->add_request(pair, NeighConst::REQ_HISTORY);
+#else
+  const int request = neighbor->request(pair, instance);  // moves the array of requests
+  neighbor->requests[request]->history = 1;
+#endif
+}
+
+/// Bring values of a fix from particles to their ghosts.
+inline void forward_comm(Comm* comm, Fix* fix) {
+#ifdef HISTBITS
+  comm->forward_comm(fix);
+#else
+  comm->forward_comm_fix(fix);
 #endif
 }
 

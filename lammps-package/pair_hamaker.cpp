@@ -10,11 +10,10 @@
 #include "comm.h"
 #include "engine_api.h"
 #include "error.h"
-#include "fix.h"
 #include "force.h"
+#include "largest_radii.h"
 #include "law_from_script.h"
 #include "memory.h"
-#include "modify.h"
 #include "neigh_list.h"
 #include "sphere.h"
 
@@ -183,7 +182,7 @@ void PairHamaker::init_style() {
     error->all(FLERR,
                "pair_style hamaker acts between spheres and needs an atom style with radii, "
                "for instance 'atom_style sphere'");
-  find_largest_radii();
+  largest_radius = largest_radii(lmp);
   const bool rough = std::any_of(given.begin(), given.end(),
                                  [](const Parameters& p) { return p.asperity_radius > 0.0; });
   std::visit([this](const auto& law) { laws = std::vector(given.size(), law); },
@@ -218,29 +217,6 @@ double PairHamaker::init_one(int i, int j) {
       },
       laws);
   return largest_radius[i] + largest_radius[j] + p.outer_cutoff;
-}
-
-/* ----------------------------------------------------------------------
-   The neighbour range is fixed at init, so it must know the radii of particles
-   that a fix will insert later.
-------------------------------------------------------------------------- */
-
-void PairHamaker::find_largest_radii() {
-  std::vector<double> mine(atom->ntypes + 1, 0.0);
-  for (int i = 0; i < atom->nlocal; i++)
-    mine[atom->type[i]] = std::max(mine[atom->type[i]], atom->radius[i]);
-  for (int ifix = 0; ifix < modify->nfix; ifix++) {
-    Fix* fix = modify->fix[ifix];
-    if (strcmp(fix->style, "pour") != 0 && strcmp(fix->style, "deposit") != 0) continue;
-    for (int type = 1; type <= atom->ntypes; type++) {
-      int itype = type;
-      if (const auto* radius = static_cast<double*>(fix->extract("radius", itype)))
-        mine[type] = std::max(mine[type], *radius);
-    }
-  }
-  largest_radius.assign(mine.size(), 0.0);
-  MPI_Allreduce(mine.data(), largest_radius.data(), static_cast<int>(mine.size()), MPI_DOUBLE,
-                MPI_MAX, world);
 }
 
 void PairHamaker::check_radii() {

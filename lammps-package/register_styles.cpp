@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-only
 // Names every style of the package to the engine; called by plugin.cpp when the version is right.
 
+#include "fix_event_step.h"
 #include "fix_gas_coupling.h"
 #include "fix_wall_hamaker.h"
 #include "lammps.h"
 #include "lammpsplugin.h"
+#include "pair_gran_hamaker.h"
 #include "pair_hamaker.h"
 #include "version.h"
 
@@ -37,7 +39,17 @@ extern "C" void cohesion_register_styles(void* lmp, void* handle, void* regfunc)
   plugin.creator.v1 = &make_pair_style<PairHamaker>;
   register_style(&plugin, lmp);
 
+  plugin.name = "gran/hamaker";
+  plugin.info = "pair gran/hamaker";
+  plugin.creator.v1 = &make_pair_style<PairGranHamaker>;
+  register_style(&plugin, lmp);
+
   plugin.style = "fix";
+  plugin.name = "EVENT_STEP";
+  plugin.info = "fix EVENT_STEP";
+  plugin.creator.v2 = &make_fix_style<FixEventStep>;
+  register_style(&plugin, lmp);
+
   plugin.name = "wall/hamaker";
   plugin.info = "fix wall/hamaker";
   plugin.creator.v2 = &make_fix_style<FixWallHamaker>;

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#include "cohesive_contact_from_script.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "law_from_script.h"
+
+using namespace LAMMPS_NS;
+using cohesion::contact::ContactParameters;
+
+namespace {
+
+struct Keyword {
+  const char* name;
+  int values;
+  void (*set)(CohesiveContactParameters&, const double*);
+};
+
+constexpr std::array keywords{
+    Keyword{"stiffness", 1, [](auto& p, const double* v) { p.contact.stiffness = v[0]; }},
+    Keyword{"restitution", 1, [](auto& p, const double* v) { p.contact.restitution = v[0]; }},
+    Keyword{"damping", 1, [](auto& p, const double* v) { p.contact.damping = v[0]; }},
+    Keyword{"tangential", 1, [](auto& p, const double* v) { p.contact.tangential_ratio = v[0]; }},
+    Keyword{"tangential_damping", 1,
+            [](auto& p, const double* v) { p.contact.tangential_damping_ratio = v[0]; }},
+    Keyword{"friction", 1, [](auto& p, const double* v) { p.contact.friction = v[0]; }},
+    Keyword{"hamaker", 1, [](auto& p, const double* v) { p.hamaker.hamaker_constant = v[0]; }},
+    Keyword{"cutoff", 2,
+            [](auto& p, const double* v) {
+              p.hamaker.surface_cutoff = v[0];
+              p.hamaker.outer_cutoff = v[1];
+            }},
+    Keyword{"asperity", 1, [](auto& p, const double* v) { p.hamaker.asperity_radius = v[0]; }},
+};
+
+}  // namespace
+
+CohesiveContactParameters LAMMPS_NS::cohesive_contact_from_script(LAMMPS* lmp,
+                                                                  const std::string& where,
+                                                                  int first, int narg, char** arg) {
+  CohesiveContactParameters p;
+  bool has_cutoff = false;
+  std::string both;
+  for (int i = first; i < narg;) {
+    const Keyword& keyword = *from_script(
+        lmp, where, [&] { return &cohesion::find_by_name(keywords, "keyword", arg[i]); });
+    if (i + keyword.values >= narg)
+      lmp->error->all(FLERR, where + ": keyword '" + keyword.name + "' takes " +
+                                 std::to_string(keyword.values) + " value(s)");
+    double values[2] = {0.0, 0.0};
+    for (int k = 0; k < keyword.values; k++)
+      values[k] = utils::numeric(FLERR, arg[i + 1 + k], false, lmp);
+    keyword.set(p, values);
+    const std::string name = keyword.name;
+    has_cutoff = has_cutoff || name == "cutoff";
+    if (name == "restitution" || name == "damping") both += name;
+    if (name == "damping" && values[0] < 0.0)
+      lmp->error->all(FLERR, where + ": damping eta must not be negative");
+    i += 1 + keyword.values;
+  }
+  if (both.size() > std::string("restitution").size())
+    lmp->error->all(FLERR, where + ": give restitution or damping, not both");
+  if (p.hamaker.hamaker_constant != 0.0 && !has_cutoff)
+    lmp->error->all(FLERR, where + ": keyword 'hamaker' needs 'cutoff H_cut H_out', both distances");
+  from_script(lmp, where, [&] {
+    require_valid(p.contact);
+    require_valid(p.hamaker);
+    return true;
+  });
+  return p;
+}
+
+CohesiveContactParameters LAMMPS_NS::mixed(const CohesiveContactParameters& a,
+                                           const CohesiveContactParameters& b) {
+  const auto mean = [](double x, double y) { return std::sqrt(x * y); };
+  const ContactParameters& p = a.contact;
+  const ContactParameters& q = b.contact;
+  CohesiveContactParameters m;
+  m.contact.stiffness = mean(p.stiffness, q.stiffness);
+  m.contact.restitution = mean(p.restitution, q.restitution);
+  m.contact.damping = p.damping >= 0.0 && q.damping >= 0.0 ? mean(p.damping, q.damping) : -1.0;
+  m.contact.tangential_ratio = mean(p.tangential_ratio, q.tangential_ratio);
+  m.contact.tangential_damping_ratio =
+      mean(p.tangential_damping_ratio, q.tangential_damping_ratio);
+  m.contact.friction = mean(p.friction, q.friction);
+  m.hamaker = {mean(a.hamaker.hamaker_constant, b.hamaker.hamaker_constant),
+               std::max(a.hamaker.surface_cutoff, b.hamaker.surface_cutoff),
+               std::max(a.hamaker.outer_cutoff, b.hamaker.outer_cutoff),
+               std::max(a.hamaker.asperity_radius, b.hamaker.asperity_radius)};
+  return m;
+}
+
+cohesion::event_stepping::Adhesion LAMMPS_NS::adhesion_of(const cohesion::hamaker::AnyLaw& law,
+                                                          const cohesion::PairGeometry& geometry) {
+  return std::visit(
+      [&](const auto& l) { return cohesion::event_stepping::adhesion_of(l, geometry); }, law);
+}
+
+cohesion::hamaker::AnyLaw LAMMPS_NS::hamaker_law(const cohesion::hamaker::Form& form,
+                                                 const cohesion::hamaker::Parameters& p) {
+  return form.law(p, p.asperity_radius > 0.0);
+}

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#include "fix_event_step.h"
+
+#include <algorithm>
+#include <cstring>
+#include <string>
+
+#include "atom.h"
+#include "comm.h"
+#include "engine_api.h"
+#include "error.h"
+#include "force.h"
+#include "memory.h"
+#include "modify.h"
+#include "update.h"
+
+using namespace LAMMPS_NS;
+using cohesion::event_stepping::Body;
+using cohesion::event_stepping::StepWindow;
+
+static constexpr char ID[] = "COHESION_EVENT_STEP";
+
+FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
+    : Fix(lammps, narg, arg),
+      alone(nullptr),
+      shift(nullptr),
+      book(),
+      resuming(false),
+      starting(false),
+      last_step(-1),
+      last(nullptr),
+      contact_force(nullptr),
+      mobile_bits(0),
+      frozen_bit(0) {
+  nevery = 1;
+  comm_forward = 6;
+  restart_peratom = 1;
+  restart_global = 1;
+  create_attribute = 1;
+  FixEventStep::grow_arrays(atom->nmax);
+  atom->add_callback(Atom::GROW);
+  atom->add_callback(Atom::RESTART);
+}
+
+FixEventStep::~FixEventStep() {
+  atom->delete_callback(id, Atom::GROW);
+  atom->delete_callback(id, Atom::RESTART);
+  memory->destroy(alone);
+  memory->destroy(shift);
+  memory->destroy(last);
+  memory->destroy(contact_force);
+}
+
+FixEventStep* FixEventStep::of(LAMMPS* lmp) {
+  Modify* modify = lmp->modify;
+  int index = modify->find_fix(ID);
+  if (index < 0) {
+    modify->add_fix(std::string(ID) + " all EVENT_STEP");
+    index = modify->find_fix(ID);
+  }
+  return static_cast<FixEventStep*>(modify->fix[index]);
+}
+
+int FixEventStep::setmask() {
+  return FixConst::INITIAL_INTEGRATE | FixConst::PRE_FORCE | FixConst::END_OF_STEP |
+         FixConst::POST_RUN;
+}
+
+void FixEventStep::init() {
+  if (utils::strmatch(update->integrate_style, "^respa"))
+    error->all(FLERR, "scheme event follows contacts over the whole step; use 'run_style verlet'");
+  if (force->newton_pair)
+    error->all(FLERR,
+               "scheme event works out every contact on both sides; put 'newton off' before the "
+               "box is made");
+  if (comm->ghost_velocity == 0)
+    error->all(FLERR,
+               "scheme event needs the velocities of ghost particles; add 'comm_modify vel yes'");
+
+  mobile_bits = frozen_bit = 0;
+  bool before_me = true;
+  for (int i = 0; i < modify->nfix; i++) {
+    const Fix* fix = modify->fix[i];
+    if (fix == this) before_me = false;
+    if (fix->rigid_flag)
+      error->all(FLERR, std::string("scheme event cannot follow contacts of rigid bodies (fix ") +
+                            fix->id + "); use scheme sampled");
+    if (strcmp(fix->style, "freeze") == 0) frozen_bit |= fix->groupbit;
+    if (!fix->time_integrate || utils::strmatch(fix->style, "^move")) continue;
+    if (before_me)
+      error->all(FLERR, std::string("fix ") + fix->id +
+                            " integrates the motion: put it behind the pair_style and wall "
+                            "commands of scheme event");
+    mobile_bits |= fix->groupbit;
+  }
+}
+
+Body FixEventStep::body(int i) const {
+  const int mask = atom->mask[i];
+  const bool mobile = (mask & mobile_bits) && !(mask & frozen_bit);
+  return {atom->radius[i], mobile ? 1.0 / atom->rmass[i] : 0.0};
+}
+
+StepWindow FixEventStep::window() const {
+  const double half = 0.5 * update->dt;
+  return {starting ? 0.0 : half, half};
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixEventStep::setup_pre_force(int) {
+  resuming = last_step == update->ntimestep;
+  starting = !resuming;
+  clear();
+}
+
+void FixEventStep::setup(int) {
+  if (starting) move();
+  starting = false;
+}
+
+void FixEventStep::initial_integrate(int) {
+  if (!resuming) return;
+  for (int i = 0; i < atom->nlocal; i++) {
+    std::copy_n(last[i], 3, atom->f[i]);
+    std::copy_n(last[i] + 3, 3, atom->torque[i]);
+  }
+  resuming = false;
+}
+
+void FixEventStep::pre_force(int) { clear(); }
+
+void FixEventStep::clear() {
+  const int all = atom->nlocal + atom->nghost;
+  if (all > 0) std::fill_n(alone[0], 6 * all, 0.0);
+  if (atom->nlocal > 0) std::fill_n(shift[0], 3 * atom->nlocal, 0.0);
+  if (!book.kept) return;
+  if (all > 0) std::fill_n(contact_force[0], 3 * all, 0.0);
+  book.spring = book.tangential_spring = book.adhesion = 0.0;
+}
+
+void FixEventStep::end_of_step() {
+  move();
+  if (!book.kept) return;
+  double work = 0.0;
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (body(i).inverse_mass == 0.0) continue;
+    for (int k = 0; k < 3; k++) work += (atom->f[i][k] - contact_force[i][k]) * atom->v[i][k];
+  }
+  book.external_work += update->dt * work;
+}
+
+void FixEventStep::move() {
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int k = 0; k < 3; k++) atom->x[i][k] += shift[i][k];
+}
+
+void FixEventStep::post_run() {
+  for (int i = 0; i < atom->nlocal; i++) {
+    std::copy_n(atom->f[i], 3, last[i]);
+    std::copy_n(atom->torque[i], 3, last[i] + 3);
+  }
+  last_step = update->ntimestep;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixEventStep::share() { engine_api::forward_comm(comm, this); }
+
+int FixEventStep::pack_forward_comm(int n, int* list, double* buf, int, int*) {
+  for (int i = 0; i < n; i++) std::copy_n(alone[list[i]], 6, buf + 6 * i);
+  return 6 * n;
+}
+
+void FixEventStep::unpack_forward_comm(int n, int first, double* buf) {
+  std::copy_n(buf, 6 * n, alone[first]);
+}
+
+void FixEventStep::grow_arrays(int nmax) {
+  memory->grow(alone, nmax, 6, "event_step:alone");
+  memory->grow(shift, nmax, 3, "event_step:shift");
+  memory->grow(last, nmax, 6, "event_step:last");
+  memory->grow(contact_force, nmax, 3, "event_step:contact_force");
+}
+
+void FixEventStep::copy_arrays(int i, int j, int) {
+  std::copy_n(last[i], 6, last[j]);
+  std::copy_n(shift[i], 3, shift[j]);
+}
+
+void FixEventStep::set_arrays(int i) {
+  std::fill_n(last[i], 6, 0.0);
+  std::fill_n(shift[i], 3, 0.0);
+}
+
+int FixEventStep::pack_exchange(int i, double* buf) {
+  std::copy_n(last[i], 6, buf);
+  return 6;
+}
+
+int FixEventStep::unpack_exchange(int i, double* buf) {
+  std::copy_n(buf, 6, last[i]);
+  return 6;
+}
+
+void FixEventStep::write_restart(FILE* fp) {
+  if (comm->me != 0) return;
+  const double step = static_cast<double>(update->ntimestep);
+  const int size = sizeof(double);
+  fwrite(&size, sizeof(int), 1, fp);
+  fwrite(&step, sizeof(double), 1, fp);
+}
+
+void FixEventStep::restart(char* buf) {
+  double step;
+  memcpy(&step, buf, sizeof(double));
+  last_step = static_cast<bigint>(step);
+}
+
+int FixEventStep::pack_restart(int i, double* buf) {
+  buf[0] = 7;
+  std::copy_n(atom->f[i], 3, buf + 1);
+  std::copy_n(atom->torque[i], 3, buf + 4);
+  return 7;
+}
+
+void FixEventStep::unpack_restart(int i, int nth) {
+  double* const values = atom->extra[i];
+  int m = 0;
+  for (int n = 0; n < nth; n++) m += static_cast<int>(values[m]);
+  std::copy_n(values + m + 1, 6, last[i]);
+}
+
+int FixEventStep::maxsize_restart() { return 7; }
+int FixEventStep::size_restart(int) { return 7; }
+
+double FixEventStep::memory_usage() { return 18.0 * sizeof(double) * atom->nmax; }

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#ifdef FIX_CLASS
+// clang-format off
+FixStyle(EVENT_STEP,FixEventStep);
+// clang-format on
+#else
+
+#ifndef LMP_FIX_EVENT_STEP_H
+#define LMP_FIX_EVENT_STEP_H
+
+#include "event_stepping/cohesive_contact.h"
+#include "fix.h"
+
+namespace LAMMPS_NS {
+
+/// What all styles of the event scheme share, made by the first of them. Contacts of one particle
+/// act on each other within a step: each is first followed alone, and its change of position and
+/// velocity added to `alone`; then it is followed again with half of what the others did.
+///
+/// Order within a step: fixes for walls (pre_force) and the pair style add to `alone`; share()
+/// brings it to the ghosts; the pair style and then the walls (post_force) follow each contact the
+/// second time and add force, torque and `shift`, the change of position that goes with the force.
+///
+/// A run that continues another, in the same input or from a restart, starts from the forces the
+/// last step ended with: the grid holds positions at n and velocities at n-1/2, and the forces of
+/// step n cannot be worked out again from the velocities at n.
+class FixEventStep : public Fix {
+ public:
+  FixEventStep(class LAMMPS*, int, char**);
+  ~FixEventStep() override;
+
+  /// The one of this run.
+  static FixEventStep* of(class LAMMPS*);
+
+  int setmask() override;
+  void init() override;
+  void setup_pre_force(int) override;
+  void setup(int) override;
+  void initial_integrate(int) override;
+  void pre_force(int) override;
+  void end_of_step() override;
+  void post_run() override;
+
+  int pack_forward_comm(int, int*, double*, int, int*) override;
+  void unpack_forward_comm(int, int, double*) override;
+  void grow_arrays(int) override;
+  void copy_arrays(int, int, int) override;
+  void set_arrays(int) override;
+  int pack_exchange(int, double*) override;
+  int unpack_exchange(int, double*) override;
+  void write_restart(FILE*) override;
+  void restart(char*) override;
+  int pack_restart(int, double*) override;
+  void unpack_restart(int, int) override;
+  int maxsize_restart() override;
+  int size_restart(int) override;
+  double memory_usage() override;
+
+  /// The forces of the last step are taken over: nothing may be followed.
+  bool resumes() const { return resuming; }
+  /// The stretch of time that this step's forces stand for.
+  cohesion::event_stepping::StepWindow window() const;
+  cohesion::event_stepping::Body body(int i) const;
+
+  void share();
+
+  double** alone;  ///< per atom and ghost: change of position and of velocity, contacts alone
+  double** shift;  ///< per atom: change of position of this step
+
+  /// The energy of contacts; kept only when a compute asks for it.
+  struct Book {
+    bool kept = false;
+    double spring, tangential_spring, adhesion;                  ///< at the end of the step
+    double normal_damping, tangential_damping, friction;         ///< lost so far
+    double external_work;                                        ///< of all other forces, so far
+    bigint unresolved;                                           ///< pairs whose step was cut short
+  } book;
+  void keep_book() { book.kept = true; }
+  /// A force of a contact on particle i, for the book.
+  void note_force(int i, double fx, double fy, double fz) {
+    contact_force[i][0] += fx;
+    contact_force[i][1] += fy;
+    contact_force[i][2] += fz;
+  }
+
+ private:
+  void clear();
+  void move();
+
+  bool resuming;
+  bool starting;
+  bigint last_step;      // at which `last` was stored
+  double** last;         // per atom: force and torque at the end of the last run
+  double** contact_force;
+  int mobile_bits;
+  int frozen_bit;
+};
+
+}  // namespace LAMMPS_NS
+
+#endif
+#endif

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#ifndef COHESION_LARGEST_RADII_H
+#define COHESION_LARGEST_RADII_H
+
+#include <mpi.h>
+
+#include <algorithm>
+#include <cstring>
+#include <vector>
+
+#include "atom.h"
+#include "fix.h"
+#include "lammps.h"
+#include "modify.h"
+
+namespace LAMMPS_NS {
+
+/// The largest radius of each type [length], index 0 unused, over all ranks. The neighbour range is
+/// fixed at init, so particles that fix pour or fix deposit will insert later count too.
+inline std::vector<double> largest_radii(LAMMPS* lmp) {
+  const Atom* atom = lmp->atom;
+  std::vector<double> mine(atom->ntypes + 1, 0.0);
+  for (int i = 0; i < atom->nlocal; i++)
+    mine[atom->type[i]] = std::max(mine[atom->type[i]], atom->radius[i]);
+  for (int ifix = 0; ifix < lmp->modify->nfix; ifix++) {
+    Fix* fix = lmp->modify->fix[ifix];
+    if (strcmp(fix->style, "pour") != 0 && strcmp(fix->style, "deposit") != 0) continue;
+    for (int type = 1; type <= atom->ntypes; type++) {
+      int itype = type;
+      if (const auto* radius = static_cast<double*>(fix->extract("radius", itype)))
+        mine[type] = std::max(mine[type], *radius);
+    }
+  }
+  std::vector<double> all(mine.size());
+  MPI_Allreduce(mine.data(), all.data(), static_cast<int>(mine.size()), MPI_DOUBLE, MPI_MAX,
+                lmp->world);
+  return all;
+}
+
+}  // namespace LAMMPS_NS
+
+#endif

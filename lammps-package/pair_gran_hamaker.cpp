@@ -1,0 +1,346 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#include "pair_gran_hamaker.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <string>
+
+#include "atom.h"
+#include "comm.h"
+#include "engine_api.h"
+#include "error.h"
+#include "fix_event_step.h"
+#include "fix_neigh_history.h"
+#include "force.h"
+#include "law_from_script.h"
+#include "largest_radii.h"
+#include "memory.h"
+#include "modify.h"
+#include "neigh_list.h"
+#include "update.h"
+
+using namespace LAMMPS_NS;
+using namespace cohesion::event_stepping;
+using cohesion::Vector3;
+
+static constexpr int HISTORY = 4;
+static constexpr char HISTORY_ID[] = "NEIGH_HISTORY_GRAN_HAMAKER";
+
+static Vector3 vector(const double* a) { return {a[0], a[1], a[2]}; }
+
+static void add(double* to, double factor, const Vector3& a) {
+  to[0] += factor * a.x;
+  to[1] += factor * a.y;
+  to[2] += factor * a.z;
+}
+
+PairGranHamaker::PairGranHamaker(LAMMPS* lammps)
+    : Pair(lammps),
+      atom_types(0),
+      form(&cohesion::hamaker::forms[0]),
+      reach(0.0),
+      friction(false),
+      step(FixEventStep::of(lammps)),
+      history(nullptr) {
+  single_enable = 0;
+  restartinfo = 1;
+  no_virial_fdotr_compute = 1;
+  finitecutflag = 1;
+  beyond_contact = 1;
+}
+
+PairGranHamaker::~PairGranHamaker() {
+  if (history) modify->delete_fix(HISTORY_ID);
+  if (!allocated) return;
+  memory->destroy(setflag);
+  memory->destroy(cutsq);
+}
+
+void PairGranHamaker::allocate() {
+  allocated = 1;
+  atom_types = atom->ntypes;
+  memory->create(setflag, atom_types + 1, atom_types + 1, "pair:setflag");
+  memory->create(cutsq, atom_types + 1, atom_types + 1, "pair:cutsq");
+  for (int i = 1; i <= atom_types; i++) std::fill_n(setflag[i], atom_types + 1, 0);
+  given.assign((atom_types + 1) * (atom_types + 1), {});
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PairGranHamaker::compute(int eflag, int vflag) {
+  ev_init(eflag, vflag);
+  if (update->whichflag == 2)
+    error->all(FLERR, "pair_style gran/hamaker follows motion in time; it cannot be minimized");
+  if (step->resumes()) {
+    if (evflag) tally_standing();
+    return;
+  }
+  if (neighbor->ago == 0) check_range();
+  follow_alone();
+  step->share();
+  if (evflag)
+    friction ? follow_together<true, true>() : follow_together<true, false>();
+  else
+    friction ? follow_together<false, true>() : follow_together<false, false>();
+}
+
+RelativeState PairGranHamaker::on_grid(int i, int j) const {
+  return {vector(atom->x[j]) - vector(atom->x[i]), vector(atom->v[j]) - vector(atom->v[i])};
+}
+
+/// Pairs of equal particles share the contact that was worked out last for their types.
+const PairGranHamaker::Contact& PairGranHamaker::contact(int i, int j) {
+  const int types = of_types(atom->type[i], atom->type[j]);
+  const Body a = step->body(i), b = step->body(j);
+  auto& last = recent[types];
+  if (last.empty() || !last[0].joins(a, b)) {
+    last.clear();
+    last.emplace_back(given[types].contact,
+                      adhesion_of(laws[types], cohesion::two_spheres(a.radius, b.radius)), a, b,
+                      step->window());
+  }
+  return last[0];
+}
+
+/// Every contact by itself: what it would do to its two particles.
+void PairGranHamaker::follow_alone() {
+  active.clear();
+  for (auto& last : recent) last.clear();
+  const double* const radius = atom->radius;
+  double** const x = atom->x;
+  const bool first = step->window().before == 0.0;
+
+  for (int ii = 0; ii < list->inum; ii++) {
+    const int i = list->ilist[ii];
+    const int* const neighbors = list->firstneigh[i];
+    for (int jj = 0; jj < list->numneigh[i]; jj++) {
+      const int j = neighbors[jj] & NEIGHMASK;
+      int& kept = history->firstflag[i][jj];
+      double* const values = &history->firstvalue[i][HISTORY * jj];
+      const double dx = x[j][0] - x[i][0];
+      const double dy = x[j][1] - x[i][1];
+      const double dz = x[j][2] - x[i][2];
+      const double near = radius[i] + radius[j] + reach;
+      if (!kept && dx * dx + dy * dy + dz * dz > near * near) continue;
+      if (!step->body(i).inverse_mass && !step->body(j).inverse_mass) continue;
+
+      const Contact& c = contact(i, j);
+      const RelativeState grid = on_grid(i, j);
+      if (!kept && !c.within_reach(grid)) continue;
+      // A pair that a run starts with is where it is; it did not fall into the range.
+      if (first && !kept)
+        values[0] = norm(grid.separation) < radius[i] + radius[j] + c.adhesion().range;
+      active.push_back({i, j, &kept, values, c.advance(grid, values[0] != 0.0)});
+      const PairStep& alone = active.back().alone;
+      add(step->alone[i], -c.share_i(), alone.change.separation);
+      add(step->alone[i] + 3, -c.share_i(), alone.change.velocity);
+      add(step->alone[j], c.share_j(), alone.change.separation);
+      add(step->alone[j] + 3, c.share_j(), alone.change.velocity);
+    }
+  }
+}
+
+/// Every contact again, with half of what the other contacts of its particles do, and friction.
+template <bool TALLY, bool FRICTION>
+void PairGranHamaker::follow_together() {
+  const int nlocal = atom->nlocal;
+  // The engine's half kick makes of a force f the momentum f dt/2; the other half went before.
+  const double per_time = 0.5 / step->window().after;
+  const double kick = step->window().before == 0.0 ? 2.0 * per_time : per_time;
+
+  for (Active& pair : active) {
+    const int i = pair.i, j = pair.j;
+    const Contact& c = contact(i, j);
+    const Vector3 others_x = vector(step->alone[j]) - vector(step->alone[i]) -
+                             pair.alone.change.separation;
+    const Vector3 others_v = vector(step->alone[j] + 3) - vector(step->alone[i] + 3) -
+                             pair.alone.change.velocity;
+    RelativeState grid = on_grid(i, j);
+    PairStep now = pair.alone;
+    if (dot(others_x, others_x) > 0.0 || dot(others_v, others_v) > 0.0) {
+      grid.separation += 0.5 * others_x;
+      grid.velocity += 0.5 * others_v;
+      now = c.advance(grid, pair.history[0] != 0.0);
+    }
+
+    Vector3 impulse = c.reduced_mass() * now.change.velocity;
+    FrictionStep sliding;
+    const Vector3 before{pair.history[1], pair.history[2], pair.history[3]};
+    if (FRICTION && now.normal.contact_time > 0.0) {
+      sliding = c.friction(grid, now, vector(atom->omega[i]), vector(atom->omega[j]), before);
+      impulse += sliding.spring.impulse;
+      add(atom->torque[i], kick, sliding.torque_i);
+      if (j < nlocal) add(atom->torque[j], kick, sliding.torque_j);
+    }
+    const Vector3 spring = sliding.spring.displacement;
+    pair.history[0] = now.inside;
+    pair.history[1] = spring.x;
+    pair.history[2] = spring.y;
+    pair.history[3] = spring.z;
+    *pair.kept = now.inside;
+
+    add(atom->f[i], -kick, impulse);
+    add(step->shift[i], -c.share_i(), now.change.separation);
+    if (j < nlocal) {
+      add(atom->f[j], kick, impulse);
+      add(step->shift[j], c.share_j(), now.change.separation);
+    }
+    if (now.normal.unresolved) step->book.unresolved++;
+    if (step->book.kept) {
+      const double share = j < nlocal ? 1.0 : 0.5;
+      step->note_force(i, -kick * impulse.x, -kick * impulse.y, -kick * impulse.z);
+      if (j < nlocal) step->note_force(j, kick * impulse.x, kick * impulse.y, kick * impulse.z);
+      step->book.spring += share * c.spring_energy(now);
+      step->book.adhesion += share * c.adhesion_energy(now);
+      step->book.tangential_spring += share * c.friction_energy(spring);
+      step->book.normal_damping += share * now.normal.dissipated;
+      step->book.tangential_damping += share * sliding.spring.damped;
+      step->book.friction += share * sliding.spring.friction;
+    }
+    if (TALLY) {
+      const RelativeState d = on_grid(i, j);
+      ev_tally_xyz(i, j, nlocal, 0, c.spring_energy(now) + c.adhesion_energy(now), 0.0,
+                   -kick * impulse.x, -kick * impulse.y, -kick * impulse.z, -d.separation.x,
+                   -d.separation.y, -d.separation.z);
+    }
+  }
+}
+
+/// Energies of the pairs where they stand, for a run that takes over the forces of the last one.
+void PairGranHamaker::tally_standing() {
+  for (auto& last : recent) last.clear();
+  for (int ii = 0; ii < list->inum; ii++) {
+    const int i = list->ilist[ii];
+    for (int jj = 0; jj < list->numneigh[i]; jj++) {
+      if (!history->firstflag[i][jj]) continue;
+      const int j = list->firstneigh[i][jj] & NEIGHMASK;
+      const Contact& c = contact(i, j);
+      const Vector3 d = on_grid(i, j).separation;
+      PairStep standing;
+      standing.overlap_at_end = atom->radius[i] + atom->radius[j] - norm(d);
+      standing.inside = history->firstvalue[i][HISTORY * jj] != 0.0;
+      ev_tally_xyz(i, j, atom->nlocal, 0, c.spring_energy(standing) + c.adhesion_energy(standing),
+                   0.0, 0.0, 0.0, 0.0, -d.x, -d.y, -d.z);
+    }
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PairGranHamaker::settings(int narg, char** arg) {
+  if (narg == 0) return;
+  if (narg != 2 || strcmp(arg[0], "form") != 0)
+    error->all(FLERR, "pair_style gran/hamaker takes 'form name' or nothing");
+  form = hamaker_form_from_script(lmp, "pair_style gran/hamaker", arg[1]);
+}
+
+void PairGranHamaker::coeff(int narg, char** arg) {
+  if (narg < 4)
+    error->all(FLERR,
+               "pair_coeff of gran/hamaker takes 'i j stiffness K ...', see its page for the other "
+               "keywords");
+  if (!allocated) allocate();
+  int ilo, ihi, jlo, jhi;
+  utils::bounds(FLERR, arg[0], 1, atom->ntypes, ilo, ihi, error);
+  utils::bounds(FLERR, arg[1], 1, atom->ntypes, jlo, jhi, error);
+  const std::string where = std::string("pair_coeff ") + arg[0] + " " + arg[1] + " of gran/hamaker";
+  const CohesiveContactParameters p = cohesive_contact_from_script(lmp, where, 2, narg, arg);
+  int count = 0;
+  for (int i = ilo; i <= ihi; i++)
+    for (int j = std::max(jlo, i); j <= jhi; j++) {
+      given[of_types(i, j)] = given[of_types(j, i)] = p;
+      setflag[i][j] = 1;
+      count++;
+    }
+  if (count == 0) error->all(FLERR, where + " names no pair with i <= j");
+}
+
+void PairGranHamaker::init_style() {
+  if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag || !atom->torque_flag)
+    error->all(FLERR,
+               "pair_style gran/hamaker acts between spheres; use 'atom_style sphere'");
+  largest_radius = largest_radii(lmp);
+  laws.assign(given.size(), form->law(cohesion::hamaker::none, false));
+  recent.assign(given.size(), {});
+  friction = false;
+  // A tenth of the skin: half a step's flight is far less where the engine's own check of the list
+  // holds at all.
+  reach = 0.1 * neighbor->skin;
+  engine_api::request_history_list(neighbor, this, instance_me);
+  if (!history) {
+    modify->add_fix(std::string(HISTORY_ID) + " all NEIGH_HISTORY " + std::to_string(HISTORY));
+    history = static_cast<FixNeighHistory*>(modify->fix[modify->find_fix(HISTORY_ID)]);
+    history->pair = this;
+  }
+}
+
+double PairGranHamaker::init_one(int i, int j) {
+  CohesiveContactParameters& p = given[of_types(i, j)];
+  if (!setflag[i][j]) {
+    if (!setflag[i][i] || !setflag[j][j])
+      error->all(FLERR, "pair_style gran/hamaker: no pair_coeff for types " + std::to_string(i) +
+                            " and " + std::to_string(j) + " nor for both of them to mix");
+    p = given[of_types(j, i)] = mixed(given[of_types(i, i)], given[of_types(j, j)]);
+  }
+  laws[of_types(i, j)] = laws[of_types(j, i)] = hamaker_law(*form, p.hamaker);
+  friction = friction || p.contact.friction > 0.0;
+  reach = std::max(reach, 0.1 * neighbor->skin + p.hamaker.surface_cutoff *
+                                                     (p.hamaker.hamaker_constant > 0.0));
+  return largest_radius[i] + largest_radius[j] + reach;
+}
+
+void PairGranHamaker::check_range() {
+  double fastest = 0.0;
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (atom->radius[i] > largest_radius[atom->type[i]])
+      error->one(FLERR, "pair_style gran/hamaker: particle " + std::to_string(atom->tag[i]) +
+                            " has grown beyond the neighbour range; start a new run");
+    fastest = std::max(fastest, norm(vector(atom->v[i])));
+  }
+  // Two particles may approach with twice this speed, over half a step.
+  if (fastest * update->dt > 0.1 * neighbor->skin)
+    error->one(FLERR, "pair_style gran/hamaker: a particle moves " +
+                          std::to_string(fastest * update->dt / neighbor->skin) +
+                          " of the neighbour skin in one step and could miss a contact; it may move "
+                          "0.1: use a smaller time step or a larger skin");
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PairGranHamaker::write_restart(FILE* fp) {
+  write_restart_settings(fp);
+  for (int i = 1; i <= atom->ntypes; i++)
+    for (int j = i; j <= atom->ntypes; j++) {
+      fwrite(&setflag[i][j], sizeof(int), 1, fp);
+      fwrite(&given[of_types(i, j)], sizeof(CohesiveContactParameters), 1, fp);
+    }
+}
+
+void PairGranHamaker::read_restart(FILE* fp) {
+  read_restart_settings(fp);
+  allocate();
+  for (int i = 1; i <= atom->ntypes; i++)
+    for (int j = i; j <= atom->ntypes; j++) {
+      CohesiveContactParameters& p = given[of_types(i, j)];
+      if (comm->me == 0) {
+        utils::sfread(FLERR, &setflag[i][j], sizeof(int), 1, fp, nullptr, error);
+        utils::sfread(FLERR, &p, sizeof(CohesiveContactParameters), 1, fp, nullptr, error);
+      }
+      MPI_Bcast(&setflag[i][j], 1, MPI_INT, 0, world);
+      MPI_Bcast(&p, sizeof(CohesiveContactParameters), MPI_BYTE, 0, world);
+      given[of_types(j, i)] = p;
+    }
+}
+
+void PairGranHamaker::write_restart_settings(FILE* fp) {
+  const int number = static_cast<int>(form - cohesion::hamaker::forms.data());
+  fwrite(&number, sizeof(int), 1, fp);
+}
+
+void PairGranHamaker::read_restart_settings(FILE* fp) {
+  int number = 0;
+  if (comm->me == 0) utils::sfread(FLERR, &number, sizeof(int), 1, fp, nullptr, error);
+  MPI_Bcast(&number, 1, MPI_INT, 0, world);
+  form = &cohesion::hamaker::forms[number];
+}

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+
+#include "contact/linear_spring_dashpot.h"
+#include "contact/tangential_spring.h"
+#include "validation.h"
+
+namespace cohesion::contact {
+
+/// A linear contact as users give it for a pair of materials; masses come in per pair of particles.
+struct ContactParameters {
+  double stiffness = 0.0;           ///< K, [force/length]
+  double restitution = 1.0;         ///< e of the contact without cohesion, [1]
+  double damping = -1.0;            ///< eta, [mass/time], in place of e when not negative
+  double tangential_ratio = 2.0 / 7.0;  ///< K_t/K, [1]; 2/7: equal contact times of solid spheres
+  double tangential_damping_ratio = 0.5;  ///< eta_t/eta, [1]
+  double friction = 0.0;            ///< mu_f, [1]; 0: no tangential force at all
+};
+
+/// Throws InvalidParameter unless K > 0, 0 <= e <= 1 and the rest is not negative, all finite.
+inline void require_valid(const ContactParameters& p) {
+  require_positive("stiffness K", p.stiffness);
+  require(p.restitution >= 0.0 && p.restitution <= 1.0, "restitution e", p.restitution,
+          "must lie between 0 and 1");
+  require(std::isfinite(p.damping), "damping eta", p.damping, "must be a finite number");
+  require_non_negative("ratio of tangential to normal stiffness", p.tangential_ratio);
+  require_non_negative("ratio of tangential to normal damping", p.tangential_damping_ratio);
+  require_non_negative("friction coefficient", p.friction);
+}
+
+/// The normal contact of a pair of reduced mass mu.
+inline LinearSpringDashpot normal_contact(const ContactParameters& p, double reduced_mass) {
+  if (p.damping >= 0.0) return {p.stiffness, p.damping, reduced_mass};
+  return LinearSpringDashpot::from_restitution(p.stiffness, p.restitution, reduced_mass);
+}
+
+/// The tangential contact that belongs to it.
+inline TangentialParameters tangential_contact(const ContactParameters& p,
+                                               const LinearSpringDashpot& normal) {
+  return {p.tangential_ratio * p.stiffness, p.tangential_damping_ratio * normal.damping(),
+          p.friction};
+}
+
+}  // namespace cohesion::contact

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "contact/contact_parameters.h"
+#include "event_stepping/pair_step.h"
+#include "event_stepping/plane_pair.h"
+#include "event_stepping/sphere_pair.h"
+#include "sphere.h"
+
+namespace cohesion::event_stepping {
+
+/// What a contact must know of a particle; a wall has inverse mass 0 and radius 0.
+struct Body {
+  double radius;        ///< [length]
+  double inverse_mass;  ///< [1/mass]; 0: moves as it is told
+
+  bool operator==(const Body& other) const {
+    return radius == other.radius && inverse_mass == other.inverse_mass;
+  }
+};
+
+/// 1/I of a solid sphere, [1/(mass length^2)]; 0 for a wall.
+inline double inverse_inertia(const Body& body) {
+  return body.inverse_mass > 0.0 ? 2.5 * body.inverse_mass / (body.radius * body.radius) : 0.0;
+}
+
+/// What friction does in a step.
+struct FrictionStep {
+  contact::TangentialStep spring;
+  Vector3 torque_i;  ///< angular impulse on i, [momentum length]
+  Vector3 torque_j;
+};
+
+/// One pair in the event scheme: normal motion followed exactly (Geometry: SpherePair or
+/// PlanePair), tangential spring over the time in contact. Everything that does not change from
+/// step to step is worked out once; pairs of equal bodies can share it.
+template <class Geometry>
+class CohesiveContact {
+ public:
+  CohesiveContact(const contact::ContactParameters& parameters, const Adhesion& adhesion,
+                  const Body& i, const Body& j, const StepWindow& window)
+      : i_(i),
+        j_(j),
+        window_(window),
+        reduced_mass_(1.0 / (i.inverse_mass + j.inverse_mass)),
+        normal_contact_(contact::normal_contact(parameters, reduced_mass_)),
+        oscillator_(normal_contact_.stiffness() / reduced_mass_,
+                    0.5 * normal_contact_.damping() / reduced_mass_),
+        whole_step_(oscillator_.propagator(window.length())),
+        adhesion_(adhesion),
+        tangential_(contact::tangential_contact(parameters, normal_contact_)) {}
+
+  bool joins(const Body& i, const Body& j) const { return i == i_ && j == j_; }
+
+  const contact::LinearSpringDashpot& normal_contact() const { return normal_contact_; }
+  const Adhesion& adhesion() const { return adhesion_; }
+  double reduced_mass() const { return reduced_mass_; }
+
+  /// The part of a relative change that falls to particle i (with a minus sign) and j.
+  double share_i() const { return reduced_mass_ * i_.inverse_mass; }
+  double share_j() const { return reduced_mass_ * j_.inverse_mass; }
+
+  bool within_reach(const RelativeState& grid) const {
+    return geometry(motion()).within_reach(grid, window_);
+  }
+
+  /// Normal motion over the step. `inside`: whether the last step ended within the adhesion's
+  /// range.
+  PairStep advance(const RelativeState& grid, bool inside) const {
+    const NormalMotion m = motion();
+    return geometry(m).advance(grid, window_, inside);
+  }
+
+  /// Friction in the step that `normal` describes. The lever arms share the distance of the
+  /// centres in proportion to the radii, so that angular momentum is kept exactly.
+  FrictionStep friction(const RelativeState& grid, const PairStep& normal, const Vector3& spin_i,
+                        const Vector3& spin_j, const Vector3& displacement) const {
+    const Vector3 separation = grid.separation + normal.change.separation;
+    const double distance = norm(separation);
+    const Vector3 n = (1.0 / distance) * separation;
+    const double arm_i = distance * i_.radius / (i_.radius + j_.radius);
+    const double arm_j = distance - arm_i;
+    const Vector3 u = grid.velocity + 0.5 * normal.change.velocity -
+                      cross(arm_i * spin_i + arm_j * spin_j, n);
+    const double answer = i_.inverse_mass + j_.inverse_mass + arm_i * arm_i * inverse_inertia(i_) +
+                          arm_j * arm_j * inverse_inertia(j_);
+    FrictionStep step;
+    step.spring =
+        tangential_.advance(contact::TangentialSpring::turned(displacement, n), u - dot(u, n) * n,
+                            normal.normal.contact_time, 1.0 / answer,
+                            normal.normal.repulsion_impulse);
+    if (normal.overlap_at_end <= 0.0) {  // parted: what the spring still held is lost
+      step.spring.friction += friction_energy(step.spring.displacement);
+      step.spring.displacement = {};
+    }
+    const Vector3 turn = cross(n, step.spring.impulse);
+    step.torque_i = -arm_i * turn;
+    step.torque_j = -arm_j * turn;
+    return step;
+  }
+
+  double friction_energy(const Vector3& displacement) const {
+    return tangential_.stored_energy(displacement);
+  }
+
+  double spring_energy(const PairStep& step) const {
+    return motion().spring_energy(step.overlap_at_end);
+  }
+  double adhesion_energy(const PairStep& step) const {
+    return step.inside ? motion().adhesion_energy(step.overlap_at_end) : 0.0;
+  }
+
+ private:
+  NormalMotion motion() const { return {oscillator_, whole_step_, adhesion_, reduced_mass_}; }
+  Geometry geometry(const NormalMotion& m) const { return {m, i_.radius + j_.radius}; }
+
+  Body i_;
+  Body j_;
+  StepWindow window_;
+  double reduced_mass_;
+  contact::LinearSpringDashpot normal_contact_;
+  DampedOscillator oscillator_;
+  DampedOscillator::Propagator whole_step_;
+  Adhesion adhesion_;
+  contact::TangentialSpring tangential_;
+};
+
+}  // namespace cohesion::event_stepping

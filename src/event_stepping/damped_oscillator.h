@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cohesion::event_stepping {
+
+/// Overlap x [length] and its rate v [length/time].
+struct Overlap {
+  double x;
+  double v;
+};
+
+/// Closed-form motion of an overlap under a linear spring-dashpot and a constant drive:
+///
+///   x'' = c - 2 alpha x' - w0^2 x
+///
+/// c [length/time^2] is the constant force over the reduced mass (adhesion, less the centrifugal
+/// term of a turning pair). Under, at and beyond critical damping.
+///
+/// Source: M. Weber, thesis, appendix C, with the constant force added.
+class DampedOscillator {
+ public:
+  /// w0^2 = K/mu > 0 [1/time^2], alpha = eta/(2 mu) >= 0 [1/time].
+  DampedOscillator(double w0_squared, double alpha) : w0_squared_(w0_squared), alpha_(alpha) {
+    const double w0 = std::sqrt(w0_squared);
+    const double q_squared = (w0 - alpha) * (w0 + alpha);
+    // Critical damping as rounding leaves it is critical damping.
+    const double nearly_zero = 16.0 * std::numeric_limits<double>::epsilon() * w0_squared;
+    oscillates_ = q_squared > nearly_zero;
+    creeps_ = q_squared < -nearly_zero;
+    q_ = std::sqrt(std::abs(q_squared));
+  }
+
+  double w0_squared() const { return w0_squared_; }
+  double alpha() const { return alpha_; }
+
+  /// What a time t does to the offset from equilibrium and its rate, once for all pairs that share
+  /// w0, alpha and t.
+  struct Propagator {
+    double time;
+    double xx, xv, vx, vv;
+  };
+
+  Propagator propagator(double t) const {
+    double c, s;  // exp(-alpha t) times cos(q t) and sin(q t)/q, or their hyperbolic kin
+    if (oscillates_) {
+      const double decay = std::exp(-alpha_ * t);
+      c = decay * std::cos(q_ * t);
+      s = decay * std::sin(q_ * t) / q_;
+    } else if (creeps_) {
+      const double slow = std::exp(-w0_squared_ / (alpha_ + q_) * t);
+      const double fast = std::exp(-(alpha_ + q_) * t);
+      c = 0.5 * (slow + fast);
+      s = 0.5 * (slow - fast) / q_;
+    } else {
+      c = std::exp(-alpha_ * t);
+      s = c * t;
+    }
+    return {t, c + alpha_ * s, s, -w0_squared_ * s, c - alpha_ * s};
+  }
+
+  Overlap after(const Propagator& p, Overlap start, double drive) const {
+    const double equilibrium = drive / w0_squared_;
+    const double offset = start.x - equilibrium;
+    return {equilibrium + p.xx * offset + p.xv * start.v, p.vx * offset + p.vv * start.v};
+  }
+
+  Overlap after(double t, Overlap start, double drive) const {
+    return after(propagator(t), start, drive);
+  }
+
+  /// Integral of x over a time t that leads from start to end, [length time].
+  double integral(double t, Overlap start, Overlap end, double drive) const {
+    return (drive * t - (end.v - start.v) - 2.0 * alpha_ * (end.x - start.x)) / w0_squared_;
+  }
+
+  /// The first time in (0, t_end] at which an overlap that starts at x >= 0 (v > 0 if x = 0) is
+  /// back at zero; infinity if it stays positive. `end` is the state at t_end, and t_end at most
+  /// half a period, so that the overlap turns at most once.
+  double first_zero(Overlap start, double drive, double t_end, Overlap end) const {
+    if (start.v >= 0.0) {
+      if (end.x >= 0.0) return never();
+      return root(start, drive, start.v > 0.0 ? turning_time(start, drive) : 0.0, t_end);
+    }
+    if (end.v <= 0.0) return end.x < 0.0 ? root(start, drive, 0.0, t_end) : never();
+    const double turn = std::min(turning_time(start, drive), t_end);
+    return after(turn, start, drive).x < 0.0 ? root(start, drive, 0.0, turn) : never();
+  }
+
+ private:
+  static double never() { return std::numeric_limits<double>::infinity(); }
+
+  /// When the rate is first zero; infinity if never.
+  double turning_time(Overlap start, double drive) const {
+    const double pull = w0_squared_ * start.x - drive + alpha_ * start.v;
+    if (oscillates_) {
+      const double sign = start.v < 0.0 ? -1.0 : 1.0;
+      return std::atan2(sign * q_ * start.v, sign * pull) / q_;
+    }
+    const double ratio = start.v / pull;
+    if (!(ratio > 0.0)) return never();
+    if (!creeps_) return ratio;
+    return q_ * ratio < 1.0 ? std::atanh(q_ * ratio) / q_ : never();
+  }
+
+  /// The falling zero between `high` (x >= 0) and `low` (x < 0): Newton, kept in its bracket.
+  double root(Overlap start, double drive, double high, double low) const {
+    if (!(high < low)) high = 0.0;
+    double t = 0.5 * (high + low);
+    for (int i = 0; i < 100; i++) {
+      const Overlap at = after(t, start, drive);
+      (at.x >= 0.0 ? high : low) = t;
+      double next = t - at.x / at.v;
+      if (!(next > high && next < low)) next = 0.5 * (high + low);
+      if (std::abs(next - t) <= 2.0 * std::numeric_limits<double>::epsilon() * low) break;
+      t = next;
+    }
+    return t;
+  }
+
+  double w0_squared_;
+  double alpha_;
+  double q_;
+  bool oscillates_;
+  bool creeps_;
+};
+
+}  // namespace cohesion::event_stepping

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "event_stepping/adhesion.h"
+#include "event_stepping/damped_oscillator.h"
+
+namespace cohesion::event_stepping {
+
+/// What happened to a pair's normal motion during a step.
+struct NormalRecord {
+  double contact_time = 0.0;      ///< time in contact, [time]
+  double repulsion_impulse = 0.0; ///< impulse of spring and dashpot, [momentum]; > 0 repels
+  double dissipated = 0.0;        ///< energy lost in the dashpot, [energy]
+  bool unresolved = false;        ///< the step ended before its last phase was followed
+};
+
+/// Exact motion of the surfaces of one pair along their common normal: free flight outside the
+/// range of the adhesion (the caller's business: it depends on the geometry), constant force in the
+/// gap, spring-dashpot with constant force in contact. The tail is an edge of height `tail_energy`:
+/// crossed inwards with a gain in speed, outwards with a loss, or, when the energy does not
+/// suffice, reflected (capture). x is the overlap, negative in the gap.
+class NormalMotion {
+ public:
+  NormalMotion(const DampedOscillator& contact, const DampedOscillator::Propagator& whole_step,
+               const Adhesion& adhesion, double reduced_mass)
+      : contact_(contact),
+        whole_step_(whole_step),
+        adhesion_(adhesion),
+        reduced_mass_(reduced_mass),
+        pull_(adhesion.force / reduced_mass),
+        edge_(2.0 * adhesion.tail_energy / reduced_mass) {}
+
+  double range() const { return adhesion_.range; }
+  double reduced_mass() const { return reduced_mass_; }
+
+  /// Crossing the tail's edge inwards; the direction of v is kept.
+  Overlap enter(Overlap s) const {
+    return {s.x, std::copysign(std::sqrt(s.v * s.v + edge_), s.v)};
+  }
+
+  /// Follows a pair inside the range from `s` for at most `time`, and returns the time it took
+  /// until it left the range (`inside` is then false), or `time`. `outward` [length/time^2] is the
+  /// centrifugal acceleration. Adds the integral of x over time to `x_integral` and what happened
+  /// to `record`.
+  double advance(Overlap& s, double time, double outward, bool& inside, double& x_integral,
+                 NormalRecord& record) const {
+    const double drive = pull_ - outward;
+    const double edge = std::min(-adhesion_.range, s.x);
+    double left = time;
+    inside = true;
+    // A pair that came out of the last step beyond the range and still counts as inside leaves
+    // now.
+    if (s.x <= -adhesion_.range && s.v < 0.0 && !leave(s)) inside = false;
+    for (int phases = 0; inside && left > 0.0; phases++) {
+      if (phases == max_phases) {
+        record.unresolved = true;
+        break;
+      }
+      const bool touching = s.x > 0.0 || (s.x == 0.0 && (s.v > 0.0 || (s.v == 0.0 && drive > 0.0)));
+      if (touching) {
+        left -= in_contact(s, left, drive, x_integral, record);
+        if (s.x == 0.0 && s.v < 0.0 && adhesion_.range == 0.0 && !leave(s)) inside = false;
+      } else {
+        bool at_edge = false;
+        left -= in_gap(s, left, drive, edge, at_edge, x_integral);
+        if (at_edge && !leave(s)) inside = false;
+      }
+    }
+    return time - std::max(left, 0.0);
+  }
+
+  /// Energy stored in the spring at overlap x, [energy].
+  double spring_energy(double x) const {
+    return x > 0.0 ? 0.5 * reduced_mass_ * contact_.w0_squared() * x * x : 0.0;
+  }
+
+  /// Energy of the adhesion of a pair inside the range at overlap x, zero far away, [energy].
+  double adhesion_energy(double x) const {
+    return -adhesion_.tail_energy - adhesion_.force * (adhesion_.range + x);
+  }
+
+ private:
+  /// A pair that turns round this often in one step rattles in a well far too thin for the step.
+  static constexpr int max_phases = 1000;
+
+  /// At the edge, moving out. False: gone, slowed down by the tail. True: captured.
+  bool leave(Overlap& s) const {
+    const double rest = s.v * s.v - edge_;
+    s.v = rest > 0.0 ? -std::sqrt(rest) : -s.v;
+    return !(rest > 0.0);
+  }
+
+  double in_contact(Overlap& s, double time, double drive, double& x_integral,
+                    NormalRecord& record) const {
+    const auto propagator =
+        time == whole_step_.time ? whole_step_ : contact_.propagator(time);
+    Overlap end = contact_.after(propagator, s, drive);
+    const double zero = contact_.first_zero(s, drive, time, end);
+    if (zero <= time) {
+      time = zero;
+      end = {0.0, std::min(contact_.after(zero, s, drive).v, 0.0)};
+    }
+    record.contact_time += time;
+    record.repulsion_impulse += reduced_mass_ * (drive * time - (end.v - s.v));
+    record.dissipated +=
+        reduced_mass_ * (0.5 * (s.v * s.v - end.v * end.v) +
+                         (s.x - end.x) * (0.5 * contact_.w0_squared() * (s.x + end.x) - drive));
+    x_integral += contact_.integral(time, s, end, drive);
+    s = end;
+    return time;
+  }
+
+  double in_gap(Overlap& s, double time, double drive, double edge, bool& at_edge,
+                double& x_integral) const {
+    const double touch = first_root(-s.x, -s.v, -drive);
+    const double out = first_root(s.x - edge, s.v, drive);
+    const double start = s.x;
+    const double t = std::min(std::min(touch, out), time);
+    x_integral += t * (start + t * (0.5 * s.v + t * drive / 6.0));
+    s = {start + t * (s.v + 0.5 * drive * t), s.v + drive * t};
+    if (t < time) {
+      at_edge = out < touch;
+      // Rounding must not carry the pair over the edge it stands on.
+      s = at_edge ? Overlap{edge, std::min(s.v, 0.0)} : Overlap{0.0, std::max(s.v, 0.0)};
+    }
+    return t;
+  }
+
+  /// The first t > 0 at which distance + v t + a t^2/2 = 0; infinity if there is none.
+  static double first_root(double distance, double v, double a) {
+    const double discriminant = v * v - 2.0 * a * distance;
+    if (discriminant < 0.0) return std::numeric_limits<double>::infinity();
+    const double q = -(v + std::copysign(std::sqrt(discriminant), v));
+    double first = std::numeric_limits<double>::infinity();
+    for (const double t : {2.0 * distance / q, q / a})
+      if (t > 0.0 && t < first) first = t;
+    return first;
+  }
+
+  const DampedOscillator& contact_;
+  const DampedOscillator::Propagator& whole_step_;
+  Adhesion adhesion_;
+  double reduced_mass_;
+  double pull_;
+  double edge_;
+};
+
+}  // namespace cohesion::event_stepping

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "event_stepping/normal_motion.h"
+#include "vector3.h"
+
+namespace cohesion::event_stepping {
+
+/// Position and velocity of particle j relative to particle i (of the particle's centre relative to
+/// the foot of the normal, at a wall).
+struct RelativeState {
+  Vector3 separation;
+  Vector3 velocity;
+};
+
+/// The stretch of time one grid step stands for, as seen from the grid point: positions x_n meet
+/// the velocities of n-1/2, so that the true state at n-1/2 is one half step of straight flight
+/// away. The first step of a run starts at the grid point itself: before = 0.
+struct StepWindow {
+  double before;  ///< [time]
+  double after;   ///< [time]
+  double length() const { return before + after; }
+};
+
+/// What one step does to a pair: added to the relative state at the grid point, it makes the grid
+/// follow the true motion.
+struct PairStep {
+  RelativeState change{};
+  NormalRecord normal{};
+  double overlap_at_end = 0.0;  ///< negative: gap
+  bool inside = false;          ///< inside the range of the adhesion at the end of the step
+};
+
+}  // namespace cohesion::event_stepping

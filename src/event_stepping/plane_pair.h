@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "event_stepping/pair_step.h"
+
+namespace cohesion::event_stepping {
+
+/// A sphere and a plane: the limit of SpherePair for an infinite second radius. The separation
+/// points from the sphere's centre to the foot of the normal; only its length changes, so nothing
+/// turns.
+class PlanePair {
+ public:
+  PlanePair(const NormalMotion& motion, double radius) : motion_(motion), radius_(radius) {}
+
+  bool within_reach(const RelativeState& grid, const StepWindow& window) const {
+    const double slack = std::max(window.before, window.after) * norm(grid.velocity);
+    return norm(grid.separation) <= radius_ + motion_.range() + slack;
+  }
+
+  PairStep advance(const RelativeState& grid, const StepWindow& window, bool inside) const {
+    PairStep step;
+    const double distance = norm(grid.separation);
+    const Vector3 normal = (1.0 / distance) * grid.separation;
+    const double rate = -dot(normal, grid.velocity);
+    Overlap s{radius_ - distance - window.before * rate, rate};
+    if (!inside && s.x > -motion_.range() && (s.v > 0.0 || s.x > 0.0)) {
+      s = motion_.enter(s);
+      inside = true;
+    }
+    double left = window.length();
+    while (left > 0.0) {
+      if (!inside) {
+        const double meet = s.v > 0.0 ? (-motion_.range() - s.x) / s.v : left;
+        if (meet >= left || meet < 0.0) {
+          s.x += left * s.v;
+          break;
+        }
+        left -= meet;
+        s = motion_.enter({-motion_.range(), s.v});
+        inside = true;
+        continue;
+      }
+      double integral = 0.0;
+      left -= motion_.advance(s, left, 0.0, inside, integral, step.normal);
+      if (step.normal.unresolved) break;
+    }
+    step.inside = inside;
+    step.overlap_at_end = s.x;
+    const double overlap_on_grid = s.x - window.after * s.v;
+    step.change.velocity = (rate - s.v) * normal;
+    step.change.separation = (radius_ - overlap_on_grid - distance) * normal;
+    return step;
+  }
+
+ private:
+  const NormalMotion& motion_;
+  double radius_;
+};
+
+}  // namespace cohesion::event_stepping
