@@ -15,7 +15,6 @@
 #include "update.h"
 
 using namespace LAMMPS_NS;
-using cohesion::event_stepping::Body;
 using cohesion::event_stepping::StepWindow;
 
 static constexpr char ID[] = "COHESION_EVENT_STEP";
@@ -30,6 +29,7 @@ FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
       last_step(-1),
       last(nullptr),
       contact_force(nullptr),
+      inverse_mass(nullptr),
       mobile_bits(0),
       frozen_bit(0) {
   nevery = 1;
@@ -49,6 +49,7 @@ FixEventStep::~FixEventStep() {
   memory->destroy(shift);
   memory->destroy(last);
   memory->destroy(contact_force);
+  memory->destroy(inverse_mass);
 }
 
 FixEventStep* FixEventStep::of(LAMMPS* lmp) {
@@ -95,16 +96,20 @@ void FixEventStep::init() {
   }
 }
 
-Body FixEventStep::body(int i) const {
-  const int mask = atom->mask[i];
-  const bool mobile = (mask & mobile_bits) && !(mask & frozen_bit);
-  return {atom->radius[i], mobile ? 1.0 / atom->rmass[i] : 0.0};
+void FixEventStep::weigh() {
+  const int all = atom->nlocal + atom->nghost;
+  for (int i = 0; i < all; i++) {
+    const bool mobile = (atom->mask[i] & mobile_bits) && !(atom->mask[i] & frozen_bit);
+    inverse_mass[i] = mobile ? 1.0 / atom->rmass[i] : 0.0;
+  }
 }
 
 StepWindow FixEventStep::window() const {
   const double half = 0.5 * update->dt;
   return {starting ? 0.0 : half, half};
 }
+
+double FixEventStep::half_kick() const { return 0.5 * update->dt; }
 
 /* ---------------------------------------------------------------------- */
 
@@ -133,6 +138,7 @@ void FixEventStep::pre_force(int) { clear(); }
 void FixEventStep::clear() {
   const int all = atom->nlocal + atom->nghost;
   if (all > 0) std::fill_n(alone[0], 6 * all, 0.0);
+  weigh();
   if (atom->nlocal > 0) std::fill_n(shift[0], 3 * atom->nlocal, 0.0);
   if (!book.kept) return;
   if (all > 0) std::fill_n(contact_force[0], 3 * all, 0.0);
@@ -144,7 +150,7 @@ void FixEventStep::end_of_step() {
   if (!book.kept) return;
   double work = 0.0;
   for (int i = 0; i < atom->nlocal; i++) {
-    if (body(i).inverse_mass == 0.0) continue;
+    if (inverse_mass[i] == 0.0) continue;
     for (int k = 0; k < 3; k++) work += (atom->f[i][k] - contact_force[i][k]) * atom->v[i][k];
   }
   book.external_work += update->dt * work;
@@ -181,6 +187,7 @@ void FixEventStep::grow_arrays(int nmax) {
   memory->grow(shift, nmax, 3, "event_step:shift");
   memory->grow(last, nmax, 6, "event_step:last");
   memory->grow(contact_force, nmax, 3, "event_step:contact_force");
+  memory->grow(inverse_mass, nmax, "event_step:inverse_mass");
 }
 
 void FixEventStep::copy_arrays(int i, int j, int) {
@@ -234,4 +241,4 @@ void FixEventStep::unpack_restart(int i, int nth) {
 int FixEventStep::maxsize_restart() { return 7; }
 int FixEventStep::size_restart(int) { return 7; }
 
-double FixEventStep::memory_usage() { return 18.0 * sizeof(double) * atom->nmax; }
+double FixEventStep::memory_usage() { return 19.0 * sizeof(double) * atom->nmax; }

@@ -9,6 +9,7 @@ FixStyle(EVENT_STEP,FixEventStep);
 #define LMP_FIX_EVENT_STEP_H
 
 #include "event_stepping/cohesive_contact.h"
+#include "atom.h"
 #include "fix.h"
 
 namespace LAMMPS_NS {
@@ -60,7 +61,10 @@ class FixEventStep : public Fix {
   bool resumes() const { return resuming; }
   /// The stretch of time that this step's forces stand for.
   cohesion::event_stepping::StepWindow window() const;
-  cohesion::event_stepping::Body body(int i) const;
+  /// Particle or ghost i; a particle that nothing integrates has inverse mass 0.
+  cohesion::event_stepping::Body body(int i) const { return {atom->radius[i], inverse_mass[i]}; }
+  /// What force times this adds to the momentum until the motion of the step ends, [time].
+  double half_kick() const;
 
   void share();
 
@@ -85,6 +89,7 @@ class FixEventStep : public Fix {
 
  private:
   void clear();
+  void weigh();
   void move();
 
   bool resuming;
@@ -92,6 +97,7 @@ class FixEventStep : public Fix {
   bigint last_step;      // at which `last` was stored
   double** last;         // per atom: force and torque at the end of the last run
   double** contact_force;
+  double* inverse_mass;  // per atom and ghost
   int mobile_bits;
   int frozen_bit;
 };

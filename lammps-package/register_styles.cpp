@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-only
 // Names every style of the package to the engine; called by plugin.cpp when the version is right.
 
+#include "compute_gran_energy.h"
 #include "fix_event_step.h"
 #include "fix_gas_coupling.h"
 #include "fix_wall_hamaker.h"
@@ -21,6 +22,11 @@ void* make_pair_style(void* lmp) {
 
 template <class Style>
 void* make_fix_style(void* lmp, int narg, char** arg) {
+  return new Style(static_cast<LAMMPS*>(lmp), narg, arg);
+}
+
+template <class Style>
+void* make_compute_style(void* lmp, int narg, char** arg) {
   return new Style(static_cast<LAMMPS*>(lmp), narg, arg);
 }
 
@@ -58,5 +64,11 @@ extern "C" void cohesion_register_styles(void* lmp, void* handle, void* regfunc)
   plugin.name = "gas/coupling";
   plugin.info = "fix gas/coupling";
   plugin.creator.v2 = &make_fix_style<FixGasCoupling>;
+  register_style(&plugin, lmp);
+
+  plugin.style = "compute";
+  plugin.name = "gran/energy";
+  plugin.info = "compute gran/energy";
+  plugin.creator.v2 = &make_compute_style<ComputeGranEnergy>;
   register_style(&plugin, lmp);
 }

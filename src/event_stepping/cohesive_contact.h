@@ -44,10 +44,10 @@ class CohesiveContact {
         window_(window),
         reduced_mass_(1.0 / (i.inverse_mass + j.inverse_mass)),
         normal_contact_(contact::normal_contact(parameters, reduced_mass_)),
-        oscillator_(normal_contact_.stiffness() / reduced_mass_,
-                    0.5 * normal_contact_.damping() / reduced_mass_),
-        whole_step_(oscillator_.propagator(window.length())),
         adhesion_(adhesion),
+        motion_({normal_contact_.stiffness() / reduced_mass_,
+                 0.5 * normal_contact_.damping() / reduced_mass_},
+                adhesion, reduced_mass_, window.length()),
         tangential_(contact::tangential_contact(parameters, normal_contact_)) {}
 
   bool joins(const Body& i, const Body& j) const { return i == i_ && j == j_; }
@@ -61,14 +61,13 @@ class CohesiveContact {
   double share_j() const { return reduced_mass_ * j_.inverse_mass; }
 
   bool within_reach(const RelativeState& grid) const {
-    return geometry(motion()).within_reach(grid, window_);
+    return geometry().within_reach(grid, window_);
   }
 
   /// Normal motion over the step. `inside`: whether the last step ended within the adhesion's
   /// range.
   PairStep advance(const RelativeState& grid, bool inside) const {
-    const NormalMotion m = motion();
-    return geometry(m).advance(grid, window_, inside);
+    return geometry().advance(grid, window_, inside);
   }
 
   /// Friction in the step that `normal` describes. The lever arms share the distance of the
@@ -104,24 +103,22 @@ class CohesiveContact {
   }
 
   double spring_energy(const PairStep& step) const {
-    return motion().spring_energy(step.overlap_at_end);
+    return motion_.spring_energy(step.overlap_at_end);
   }
   double adhesion_energy(const PairStep& step) const {
-    return step.inside ? motion().adhesion_energy(step.overlap_at_end) : 0.0;
+    return step.inside ? motion_.adhesion_energy(step.overlap_at_end) : 0.0;
   }
 
  private:
-  NormalMotion motion() const { return {oscillator_, whole_step_, adhesion_, reduced_mass_}; }
-  Geometry geometry(const NormalMotion& m) const { return {m, i_.radius + j_.radius}; }
+  Geometry geometry() const { return {motion_, i_.radius + j_.radius}; }
 
   Body i_;
   Body j_;
   StepWindow window_;
   double reduced_mass_;
   contact::LinearSpringDashpot normal_contact_;
-  DampedOscillator oscillator_;
-  DampedOscillator::Propagator whole_step_;
   Adhesion adhesion_;
+  NormalMotion motion_;
   contact::TangentialSpring tangential_;
 };
 

@@ -24,7 +24,7 @@ struct Overlap {
 class DampedOscillator {
  public:
   /// w0^2 = K/mu > 0 [1/time^2], alpha = eta/(2 mu) >= 0 [1/time].
-  DampedOscillator(double w0_squared, double alpha) : w0_squared_(w0_squared), alpha_(alpha) {
+  DampedOscillator(double w0_squared, double alpha) : w0_squared_(w0_squared), inverse_w0_squared_(1.0 / w0_squared), alpha_(alpha) {
     const double w0 = std::sqrt(w0_squared);
     const double q_squared = (w0 - alpha) * (w0 + alpha);
     // Critical damping as rounding leaves it is critical damping.
@@ -63,7 +63,7 @@ class DampedOscillator {
   }
 
   Overlap after(const Propagator& p, Overlap start, double drive) const {
-    const double equilibrium = drive / w0_squared_;
+    const double equilibrium = drive * inverse_w0_squared_;
     const double offset = start.x - equilibrium;
     return {equilibrium + p.xx * offset + p.xv * start.v, p.vx * offset + p.vv * start.v};
   }
@@ -74,7 +74,8 @@ class DampedOscillator {
 
   /// Integral of x over a time t that leads from start to end, [length time].
   double integral(double t, Overlap start, Overlap end, double drive) const {
-    return (drive * t - (end.v - start.v) - 2.0 * alpha_ * (end.x - start.x)) / w0_squared_;
+    return (drive * t - (end.v - start.v) - 2.0 * alpha_ * (end.x - start.x)) *
+           inverse_w0_squared_;
   }
 
   /// The first time in (0, t_end] at which an overlap that starts at x >= 0 (v > 0 if x = 0) is
@@ -122,6 +123,7 @@ class DampedOscillator {
   }
 
   double w0_squared_;
+  double inverse_w0_squared_;
   double alpha_;
   double q_;
   bool oscillates_;

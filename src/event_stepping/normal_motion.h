@@ -25,10 +25,11 @@ struct NormalRecord {
 /// suffice, reflected (capture). x is the overlap, negative in the gap.
 class NormalMotion {
  public:
-  NormalMotion(const DampedOscillator& contact, const DampedOscillator::Propagator& whole_step,
-               const Adhesion& adhesion, double reduced_mass)
+  /// `step` [time]: the length of the steps that will be asked for most.
+  NormalMotion(const DampedOscillator& contact, const Adhesion& adhesion, double reduced_mass,
+               double step)
       : contact_(contact),
-        whole_step_(whole_step),
+        whole_step_(contact.propagator(step)),
         adhesion_(adhesion),
         reduced_mass_(reduced_mass),
         pull_(adhesion.force / reduced_mass),
@@ -141,8 +142,8 @@ class NormalMotion {
     return first;
   }
 
-  const DampedOscillator& contact_;
-  const DampedOscillator::Propagator& whole_step_;
+  DampedOscillator contact_;
+  DampedOscillator::Propagator whole_step_;
   Adhesion adhesion_;
   double reduced_mass_;
   double pull_;

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#ifdef COMPUTE_CLASS
+// clang-format off
+ComputeStyle(gran/energy,ComputeGranEnergy);
+// clang-format on
+#else
+
+#ifndef LMP_COMPUTE_GRAN_ENERGY_H
+#define LMP_COMPUTE_GRAN_ENERGY_H
+
+#include "compute.h"
+
+namespace LAMMPS_NS {
+
+/// compute ID all gran/energy: the energy book of the event scheme at the end of the step's motion,
+/// half a step after the grid point. Doc: docs/lammps-package/compute_gran_energy.md
+class ComputeGranEnergy : public Compute {
+ public:
+  ComputeGranEnergy(class LAMMPS*, int, char**);
+  ~ComputeGranEnergy() override;
+
+  void init() override;
+  void compute_vector() override;
+  double compute_scalar() override;
+
+ private:
+  class FixEventStep* step;
+  bool opened;     // whether the first balance has been taken
+  double balance;  // total at that time
+};
+
+}  // namespace LAMMPS_NS
+
+#endif
+#endif
