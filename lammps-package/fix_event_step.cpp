@@ -2,6 +2,7 @@
 #include "fix_event_step.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <string>
 
@@ -30,6 +31,7 @@ FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
       last(nullptr),
       contact_force(nullptr),
       inverse_mass(nullptr),
+      longest_flight(0.0),
       mobile_bits(0),
       frozen_bit(0) {
   nevery = 1;
@@ -96,8 +98,15 @@ void FixEventStep::init() {
   }
 }
 
-void FixEventStep::weigh() {
+/// Masses and speeds of all particles and ghosts.
+void FixEventStep::look_round() {
   const int all = atom->nlocal + atom->nghost;
+  double fastest = 0.0;
+  for (int i = 0; i < all; i++) {
+    const double* const v = atom->v[i];
+    fastest = std::max(fastest, v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+  }
+  longest_flight = 0.5 * update->dt * std::sqrt(fastest);
   for (int i = 0; i < all; i++) {
     const bool mobile = (atom->mask[i] & mobile_bits) && !(atom->mask[i] & frozen_bit);
     inverse_mass[i] = mobile ? 1.0 / atom->rmass[i] : 0.0;
@@ -138,7 +147,7 @@ void FixEventStep::pre_force(int) { clear(); }
 void FixEventStep::clear() {
   const int all = atom->nlocal + atom->nghost;
   if (all > 0) std::fill_n(alone[0], 6 * all, 0.0);
-  weigh();
+  look_round();
   if (atom->nlocal > 0) std::fill_n(shift[0], 3 * atom->nlocal, 0.0);
   if (!book.kept) return;
   if (all > 0) std::fill_n(contact_force[0], 3 * all, 0.0);

@@ -66,6 +66,9 @@ class FixEventStep : public Fix {
   /// What force times this adds to the momentum until the motion of the step ends, [time].
   double half_kick() const;
 
+  /// How far a particle or ghost of this rank may fly until the end of the step, [length].
+  double flight() const { return longest_flight; }
+
   void share();
 
   double** alone;  ///< per atom and ghost: change of position and of velocity, contacts alone
@@ -89,7 +92,7 @@ class FixEventStep : public Fix {
 
  private:
   void clear();
-  void weigh();
+  void look_round();
   void move();
 
   bool resuming;
@@ -98,6 +101,7 @@ class FixEventStep : public Fix {
   double** last;         // per atom: force and torque at the end of the last run
   double** contact_force;
   double* inverse_mass;  // per atom and ghost
+  double longest_flight;
   int mobile_bits;
   int frozen_bit;
 };

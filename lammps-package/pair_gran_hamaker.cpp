@@ -39,7 +39,8 @@ PairGranHamaker::PairGranHamaker(LAMMPS* lammps)
     : Pair(lammps),
       atom_types(0),
       form(&cohesion::hamaker::forms[0]),
-      reach(0.0),
+      largest_range(0.0),
+      list_reach(0.0),
       friction(false),
       step(FixEventStep::of(lammps)),
       history(nullptr) {
@@ -76,7 +77,7 @@ void PairGranHamaker::compute(int eflag, int vflag) {
     if (evflag) tally_standing();
     return;
   }
-  if (neighbor->ago == 0) check_range();
+  if (neighbor->ago == 0) check_radii();
   follow_alone();
   step->share();
   if (evflag)
@@ -85,12 +86,12 @@ void PairGranHamaker::compute(int eflag, int vflag) {
     friction ? follow_together<false, true>() : follow_together<false, false>();
 }
 
-RelativeState PairGranHamaker::on_grid(int i, int j) const {
+inline RelativeState PairGranHamaker::on_grid(int i, int j) const {
   return {vector(atom->x[j]) - vector(atom->x[i]), vector(atom->v[j]) - vector(atom->v[i])};
 }
 
 /// Pairs of equal particles share the contact that was worked out last for their types.
-const PairGranHamaker::Contact& PairGranHamaker::contact(int i, int j) {
+inline const PairGranHamaker::Contact& PairGranHamaker::contact(int i, int j) {
   const int types = of_types(atom->type[i], atom->type[j]);
   const Body a = step->body(i), b = step->body(j);
   auto& last = recent[types];
@@ -107,27 +108,43 @@ const PairGranHamaker::Contact& PairGranHamaker::contact(int i, int j) {
 void PairGranHamaker::follow_alone() {
   active.clear();
   for (auto& last : recent) last.clear();
+  const double* const* const x = atom->x;
   const double* const radius = atom->radius;
-  double** const x = atom->x;
   const bool first = step->window().before == 0.0;
+  const bool new_list = neighbor->ago == 0;
+  const double reach = largest_range + 2.0 * step->flight();
+  if (reach > list_reach)
+    error->one(FLERR,
+               "pair_style gran/hamaker: particles fly up to {} in half a step and could miss a "
+               "contact, the neighbour list allows for {}: use a smaller time step or a skin above "
+               "{}",
+               step->flight(), 0.5 * (list_reach - largest_range), 20.0 * step->flight());
 
   for (int ii = 0; ii < list->inum; ii++) {
     const int i = list->ilist[ii];
     const int* const neighbors = list->firstneigh[i];
-    for (int jj = 0; jj < list->numneigh[i]; jj++) {
+    const int count = list->numneigh[i];
+    const double xi = x[i][0], yi = x[i][1], zi = x[i][2];
+    const double near_i = radius[i] + reach;
+    for (int jj = 0; jj < count; jj++) {
       const int j = neighbors[jj] & NEIGHMASK;
-      int& kept = history->firstflag[i][jj];
-      double* const values = &history->firstvalue[i][HISTORY * jj];
-      const double dx = x[j][0] - x[i][0];
-      const double dy = x[j][1] - x[i][1];
-      const double dz = x[j][2] - x[i][2];
-      const double near = radius[i] + radius[j] + reach;
-      if (!kept && dx * dx + dy * dy + dz * dz > near * near) continue;
+      const double dx = x[j][0] - xi;
+      const double dy = x[j][1] - yi;
+      const double dz = x[j][2] - zi;
+      const double near = near_i + radius[j];
+      if (dx * dx + dy * dy + dz * dz > near * near) {
+        // Only a particle that was put elsewhere can have left a partner that far behind.
+        if (new_list) history->firstflag[i][jj] = 0;
+        continue;
+      }
       if (!step->body(i).inverse_mass && !step->body(j).inverse_mass) continue;
 
+      int& kept = history->firstflag[i][jj];
       const Contact& c = contact(i, j);
       const RelativeState grid = on_grid(i, j);
       if (!kept && !c.within_reach(grid)) continue;
+      double* const values = &history->firstvalue[i][HISTORY * jj];
+      if (!kept) std::fill_n(values, HISTORY, 0.0);
       // A pair that a run starts with is where it is; it did not fall into the range.
       if (first && !kept)
         values[0] = norm(grid.separation) < radius[i] + radius[j] + c.adhesion().range;
@@ -264,9 +281,10 @@ void PairGranHamaker::init_style() {
   laws.assign(given.size(), form->law(cohesion::hamaker::none, false));
   recent.assign(given.size(), {});
   friction = false;
-  // A tenth of the skin: half a step's flight is far less where the engine's own check of the list
-  // holds at all.
-  reach = 0.1 * neighbor->skin;
+  // A tenth of the skin for the flight of both within half a step: it is far less where the
+  // engine's own check of the list holds at all.
+  largest_range = 0.0;
+  list_reach = 0.1 * neighbor->skin;
   engine_api::request_history_list(neighbor, this, instance_me);
   if (!history) {
     modify->add_fix(std::string(HISTORY_ID) + " all NEIGH_HISTORY " + std::to_string(HISTORY));
@@ -285,25 +303,20 @@ double PairGranHamaker::init_one(int i, int j) {
   }
   laws[of_types(i, j)] = laws[of_types(j, i)] = hamaker_law(*form, p.hamaker);
   friction = friction || p.contact.friction > 0.0;
-  reach = std::max(reach, 0.1 * neighbor->skin + p.hamaker.surface_cutoff *
-                                                     (p.hamaker.hamaker_constant > 0.0));
-  return largest_radius[i] + largest_radius[j] + reach;
+  const double range = p.hamaker.hamaker_constant > 0.0 ? p.hamaker.surface_cutoff : 0.0;
+  largest_range = std::max(largest_range, range);
+  list_reach = largest_range + 0.1 * neighbor->skin;
+  return largest_radius[i] + largest_radius[j] + range + 0.1 * neighbor->skin;
 }
 
-void PairGranHamaker::check_range() {
-  double fastest = 0.0;
-  for (int i = 0; i < atom->nlocal; i++) {
+void PairGranHamaker::check_radii() {
+  for (int i = 0; i < atom->nlocal; i++)
     if (atom->radius[i] > largest_radius[atom->type[i]])
-      error->one(FLERR, "pair_style gran/hamaker: particle " + std::to_string(atom->tag[i]) +
-                            " has grown beyond the neighbour range; start a new run");
-    fastest = std::max(fastest, norm(vector(atom->v[i])));
-  }
-  // Two particles may approach with twice this speed, over half a step.
-  if (fastest * update->dt > 0.1 * neighbor->skin)
-    error->one(FLERR, "pair_style gran/hamaker: a particle moves " +
-                          std::to_string(fastest * update->dt / neighbor->skin) +
-                          " of the neighbour skin in one step and could miss a contact; it may move "
-                          "0.1: use a smaller time step or a larger skin");
+      error->one(FLERR,
+                 "pair_style gran/hamaker: particle {} of type {} has radius {}, its type had at "
+                 "most {} when the run was set up; end the run before particles grow, and start a "
+                 "new one",
+                 atom->tag[i], atom->type[i], atom->radius[i], largest_radius[atom->type[i]]);
 }
 
 /* ---------------------------------------------------------------------- */

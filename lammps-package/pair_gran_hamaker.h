@@ -53,7 +53,7 @@ class PairGranHamaker : public Pair {
   template <bool TALLY, bool FRICTION>
   void follow_together();
   void tally_standing();
-  void check_range();
+  void check_radii();
 
   int atom_types;
   const cohesion::hamaker::Form* form;
@@ -62,7 +62,8 @@ class PairGranHamaker : public Pair {
   std::vector<std::vector<Contact>> recent;         // by type pair: the contact worked out last
   std::vector<double> largest_radius;               // by type, at init
   std::vector<Active> active;
-  double reach;      // how far a pair may fly within half a step and still be in the list
+  double largest_range;  // of adhesion
+  double list_reach;     // gap up to which every pair is in the list
   bool friction;     // whether any contact has friction
   class FixEventStep* step;
   class FixNeighHistory* history;

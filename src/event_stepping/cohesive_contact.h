@@ -45,9 +45,10 @@ class CohesiveContact {
         reduced_mass_(1.0 / (i.inverse_mass + j.inverse_mass)),
         normal_contact_(contact::normal_contact(parameters, reduced_mass_)),
         adhesion_(adhesion),
-        motion_({normal_contact_.stiffness() / reduced_mass_,
-                 0.5 * normal_contact_.damping() / reduced_mass_},
-                adhesion, reduced_mass_, window.length()),
+        geometry_(NormalMotion({normal_contact_.stiffness() / reduced_mass_,
+                                0.5 * normal_contact_.damping() / reduced_mass_},
+                               adhesion, reduced_mass_, window.length()),
+                  i.radius + j.radius),
         tangential_(contact::tangential_contact(parameters, normal_contact_)) {}
 
   bool joins(const Body& i, const Body& j) const { return i == i_ && j == j_; }
@@ -61,13 +62,13 @@ class CohesiveContact {
   double share_j() const { return reduced_mass_ * j_.inverse_mass; }
 
   bool within_reach(const RelativeState& grid) const {
-    return geometry().within_reach(grid, window_);
+    return geometry_.within_reach(grid, window_);
   }
 
   /// Normal motion over the step. `inside`: whether the last step ended within the adhesion's
   /// range.
   PairStep advance(const RelativeState& grid, bool inside) const {
-    return geometry().advance(grid, window_, inside);
+    return geometry_.advance(grid, window_, inside);
   }
 
   /// Friction in the step that `normal` describes. The lever arms share the distance of the
@@ -103,14 +104,13 @@ class CohesiveContact {
   }
 
   double spring_energy(const PairStep& step) const {
-    return motion_.spring_energy(step.overlap_at_end);
+    return geometry_.motion().spring_energy(step.overlap_at_end);
   }
   double adhesion_energy(const PairStep& step) const {
-    return step.inside ? motion_.adhesion_energy(step.overlap_at_end) : 0.0;
+    return step.inside ? geometry_.motion().adhesion_energy(step.overlap_at_end) : 0.0;
   }
 
  private:
-  Geometry geometry() const { return {motion_, i_.radius + j_.radius}; }
 
   Body i_;
   Body j_;
@@ -118,7 +118,7 @@ class CohesiveContact {
   double reduced_mass_;
   contact::LinearSpringDashpot normal_contact_;
   Adhesion adhesion_;
-  NormalMotion motion_;
+  Geometry geometry_;
   contact::TangentialSpring tangential_;
 };
 

@@ -15,6 +15,8 @@ class PlanePair {
  public:
   PlanePair(const NormalMotion& motion, double radius) : motion_(motion), radius_(radius) {}
 
+  const NormalMotion& motion() const { return motion_; }
+
   bool within_reach(const RelativeState& grid, const StepWindow& window) const {
     const double slack = std::max(window.before, window.after) * norm(grid.velocity);
     return norm(grid.separation) <= radius_ + motion_.range() + slack;
@@ -56,7 +58,7 @@ class PlanePair {
   }
 
  private:
-  const NormalMotion& motion_;
+  NormalMotion motion_;
   double radius_;
 };
 

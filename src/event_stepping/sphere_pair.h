@@ -18,7 +18,11 @@ namespace cohesion::event_stepping {
 class SpherePair {
  public:
   SpherePair(const NormalMotion& motion, double contact_distance)
-      : motion_(motion), contact_distance_(contact_distance) {}
+      : motion_(motion),
+        contact_distance_(contact_distance),
+        inverse_distance_(1.0 / contact_distance) {}
+
+  const NormalMotion& motion() const { return motion_; }
 
   /// Whether anything can happen to the pair within the window.
   bool within_reach(const RelativeState& grid, const StepWindow& window) const {
@@ -31,17 +35,18 @@ class SpherePair {
     PairStep step;
     RelativeState now{grid.separation - window.before * grid.velocity, grid.velocity};
     double left = window.length();
+    double overlap = 0.0;
     if (!inside) inside = starts_inside(now);
     while (left > 0.0) {
       if (!inside) {
         left -= fly(now, left, inside);
         continue;
       }
-      left -= turn(now, left, inside, step.normal);
+      left -= turn(now, left, inside, overlap, step.normal);
       if (step.normal.unresolved) break;
     }
     step.inside = inside;
-    step.overlap_at_end = contact_distance_ - norm(now.separation);
+    step.overlap_at_end = inside ? overlap : contact_distance_ - norm(now.separation);
     step.change.velocity = now.velocity - grid.velocity;
     step.change.separation = now.separation - window.after * now.velocity - grid.separation;
     return step;
@@ -89,37 +94,42 @@ class SpherePair {
 
   /// Motion inside the range: along the normal in closed form, around it with constant angular
   /// momentum.
-  double turn(RelativeState& now, double time, bool& inside, NormalRecord& record) const {
+  double turn(RelativeState& now, double time, bool& inside, double& overlap,
+              NormalRecord& record) const {
     const double distance = norm(now.separation);
     const Vector3 normal = (1.0 / distance) * now.separation;
     const double radial = dot(normal, now.velocity);
     const Vector3 sideways = now.velocity - radial * normal;
-    const double momentum = distance * norm(sideways);  // per reduced mass
-    const double r = contact_distance_;
+    const double sideways_squared = dot(sideways, sideways);
+    const double leverage = distance * inverse_distance_;
+    const double centrifugal = leverage * leverage * sideways_squared * inverse_distance_;
 
-    Overlap surface{r - distance, -radial};
+    Overlap surface{contact_distance_ - distance, -radial};
     double integral = 0.0;
-    const double taken =
-        motion_.advance(surface, time, momentum * momentum / (r * r * r), inside, integral, record);
-    const double distance_after = r - surface.x;
+    const double taken = motion_.advance(surface, time, centrifugal, inside, integral, record);
+    overlap = surface.x;
+    const double distance_after = contact_distance_ - surface.x;
 
-    // Rotation by the angle L times the integral of 1/(R - x)^2, through its half-angle tangent.
-    const double angle = momentum / (r * r) * (taken + 2.0 * integral / r);
-    const double half = 0.5 * angle * (1.0 + angle * angle / 12.0);
-    const double scale = 1.0 / (1.0 + half * half);
-    const double cosine = (1.0 - half * half) * scale;
-    const double sine = 2.0 * half * scale;
-    Vector3 tangent;
-    if (momentum > 0.0) tangent = (distance / momentum) * sideways;
-    const Vector3 normal_after = cosine * normal + sine * tangent;
-    const Vector3 tangent_after = cosine * tangent - sine * normal;
+    // Rotation by the angle L times the integral of 1/(R - x)^2, through its half-angle tangent;
+    // `half` is that tangent along `sideways`.
+    const double angle_per_speed =
+        leverage * inverse_distance_ * (taken + 2.0 * integral * inverse_distance_);
+    const double angle_squared = angle_per_speed * angle_per_speed * sideways_squared;
+    const double half = 0.5 * angle_per_speed * (1.0 + angle_squared * (1.0 / 12.0));
+    const double half_squared = half * half * sideways_squared;
+    const double scale = 1.0 / (1.0 + half_squared);
+    const double cosine = (1.0 - half_squared) * scale;
+    const double sine = 2.0 * half * scale;  // per sideways speed
+    const Vector3 normal_after = cosine * normal + sine * sideways;
+    const Vector3 sideways_after = cosine * sideways - (sine * sideways_squared) * normal;
     now.separation = distance_after * normal_after;
-    now.velocity = -surface.v * normal_after + (momentum / distance_after) * tangent_after;
+    now.velocity = (distance / distance_after) * sideways_after - surface.v * normal_after;
     return taken;
   }
 
-  const NormalMotion& motion_;
+  NormalMotion motion_;
   double contact_distance_;
+  double inverse_distance_;
 };
 
 }  // namespace cohesion::event_stepping
