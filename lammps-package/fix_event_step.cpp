@@ -19,6 +19,7 @@ using namespace LAMMPS_NS;
 using cohesion::event_stepping::StepWindow;
 
 static constexpr char ID[] = "COHESION_EVENT_STEP";
+static constexpr char PLACE[] = "COHESION_EVENT_STEP_PLACE";
 
 FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
     : Fix(lammps, narg, arg),
@@ -27,6 +28,7 @@ FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
       book(),
       resuming(false),
       starting(false),
+      running(false),
       last_step(-1),
       last(nullptr),
       contact_force(nullptr),
@@ -54,14 +56,20 @@ FixEventStep::~FixEventStep() {
   memory->destroy(inverse_mass);
 }
 
+void FixEventStep::reserve(LAMMPS* lmp) {
+  Modify* modify = lmp->modify;
+  if (modify->find_fix(ID) < 0 && modify->find_fix(PLACE) < 0)
+    modify->add_fix(std::string(PLACE) + " all DUMMY");
+}
+
 FixEventStep* FixEventStep::of(LAMMPS* lmp) {
   Modify* modify = lmp->modify;
-  int index = modify->find_fix(ID);
-  if (index < 0) {
-    modify->add_fix(std::string(ID) + " all EVENT_STEP");
-    index = modify->find_fix(ID);
+  if (modify->find_fix(ID) < 0) {
+    modify->replace_fix(PLACE, std::string(ID) + " all EVENT_STEP", 1);
+    // The engine's own round of init may have passed this place in the list.
+    modify->fix[modify->find_fix(ID)]->init();
   }
-  return static_cast<FixEventStep*>(modify->fix[index]);
+  return static_cast<FixEventStep*>(modify->fix[modify->find_fix(ID)]);
 }
 
 int FixEventStep::setmask() {
@@ -131,6 +139,7 @@ void FixEventStep::setup_pre_force(int) {
 void FixEventStep::setup(int) {
   if (starting) move();
   starting = false;
+  running = true;
 }
 
 void FixEventStep::initial_integrate(int) {
@@ -176,6 +185,7 @@ void FixEventStep::post_run() {
     std::copy_n(atom->torque[i], 3, last[i] + 3);
   }
   last_step = update->ntimestep;
+  running = false;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -235,8 +245,9 @@ void FixEventStep::restart(char* buf) {
 
 int FixEventStep::pack_restart(int i, double* buf) {
   buf[0] = 7;
-  std::copy_n(atom->f[i], 3, buf + 1);
-  std::copy_n(atom->torque[i], 3, buf + 4);
+  // Between runs the engine's own forces may have stayed behind when particles changed rank.
+  std::copy_n(running ? atom->f[i] : last[i], 3, buf + 1);
+  std::copy_n(running ? atom->torque[i] : last[i] + 3, 3, buf + 4);
   return 7;
 }
 

@@ -30,7 +30,10 @@ class FixEventStep : public Fix {
   FixEventStep(class LAMMPS*, int, char**);
   ~FixEventStep() override;
 
-  /// The one of this run.
+  /// Keeps the place in the list of fixes; for the constructors of styles. The fix itself may come
+  /// only when a restart file has been read to its end.
+  static void reserve(class LAMMPS*);
+  /// The one of this run; for the init of styles that have reserved it.
   static FixEventStep* of(class LAMMPS*);
 
   int setmask() override;
@@ -97,6 +100,7 @@ class FixEventStep : public Fix {
 
   bool resuming;
   bool starting;
+  bool running;
   bigint last_step;      // at which `last` was stored
   double** last;         // per atom: force and torque at the end of the last run
   double** contact_force;

@@ -42,13 +42,14 @@ PairGranHamaker::PairGranHamaker(LAMMPS* lammps)
       largest_range(0.0),
       list_reach(0.0),
       friction(false),
-      step(FixEventStep::of(lammps)),
+      step(nullptr),
       history(nullptr) {
   single_enable = 0;
   restartinfo = 1;
   no_virial_fdotr_compute = 1;
   finitecutflag = 1;
   beyond_contact = 1;
+  FixEventStep::reserve(lmp);
 }
 
 PairGranHamaker::~PairGranHamaker() {
@@ -277,6 +278,7 @@ void PairGranHamaker::init_style() {
   if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag || !atom->torque_flag)
     error->all(FLERR,
                "pair_style gran/hamaker acts between spheres; use 'atom_style sphere'");
+  step = FixEventStep::of(lmp);
   largest_radius = largest_radii(lmp);
   laws.assign(given.size(), form->law(cohesion::hamaker::none, false));
   recent.assign(given.size(), {});
