@@ -98,12 +98,13 @@ class AdhesiveContact {
   double effective_restitution(double far_speed) const {
     require_positive("approach speed", far_speed);
     if (zeta_ == 0.0) return 1.0;
-    const Motion m(entry_speed(far_speed), b_, zeta_);
+    const double u = entry_speed(far_speed);
+    const Motion m(u, b_, zeta_);
     const auto time = m.return_time();
     if (!time) return 0.0;
-    // (w^2 - 2 W/mu)/v^2, for slow pairs from the loss: their w hardly differs from sqrt(2 W/mu).
+    // (w^2 - 2 W/mu)/v^2, from w or from the loss: by which carries the smaller rounding.
     const double w = m.return_speed(*time);
-    const double left = far_speed > well_speed_
+    const double left = w * (u + b_) < far_speed * far_speed
                             ? (w - well_speed_) / far_speed * ((w + well_speed_) / far_speed)
                             : 1.0 - m.lost(*time) / far_speed / far_speed;
     return left > 0.0 ? std::sqrt(left) : 0.0;
@@ -195,7 +196,8 @@ class AdhesiveContact {
     double overlap(double time) const {
       const double half = std::sin(0.5 * q_ * time), fall = std::expm1(-zeta_ * time);
       const double c = std::cos(q_ * time), s = std::sin(q_ * time);
-      return b_ * (2.0 * half * half - fall * c) + (u_ - zeta_ * b_) / q_ * (1.0 + fall) * s;
+      return b_ * (2.0 * half * half - fall * c) +
+             (u_ - zeta_ * b_) / q_ * std::exp(-zeta_ * time) * s;
     }
 
     /// x'

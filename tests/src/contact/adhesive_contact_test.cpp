@@ -165,6 +165,23 @@ TEST(AdhesiveContact, EscapesJustAboveAndIsCapturedJustBelowTheEscapeVelocity) {
     }
 }
 
+TEST(AdhesiveContact, EscapesJustAboveTheEscapeVelocityOfExtremeParameters) {
+  // A billionth above and below, over the restitutions, forces and wells of a random search that
+  // found roundings: 1 - exp of strong damping, and the small difference of two speeds at weak.
+  struct Case {
+    double e, force, well;
+  };
+  for (const auto& [e, force, well] :
+       {Case{1e-27, 1.0, 0.5}, Case{1e-15, 1.0, 0.5}, Case{1e-15, 1e-12, 0.5},
+        Case{1e-15, 1e3, 0.5}, Case{1.0 - 1e-14, 1e7, 0.5}, Case{1.0 - 1e-14, 1e-7, 0.5}}) {
+    const AdhesiveContact contact(LinearSpringDashpot::from_restitution(1.0, e, 1.0),
+                                  {force, 0.0, well});
+    const double v = contact.escape_velocity();
+    EXPECT_EQ(contact.effective_restitution(v * (1.0 - 1e-9)), 0.0) << e << " " << force;
+    EXPECT_GT(contact.effective_restitution(v * (1.0 + 1e-9)), 0.0) << e << " " << force;
+  }
+}
+
 TEST(AdhesiveContact, FastPairsHaveTheRestitutionOfTheSpring) {
   // e_eff = e - O(b/v).
   EXPECT_NEAR(unit(0.3, 1.0, 0.5).effective_restitution(1e9),
