@@ -4,8 +4,8 @@
 
 #include <string>
 
+#include "contact/adhesion.h"
 #include "contact/contact_parameters.h"
-#include "event_stepping/adhesion.h"
 #include "hamaker/forms.h"
 #include "lammps.h"
 #include "sphere.h"
@@ -29,8 +29,8 @@ CohesiveContactParameters cohesive_contact_from_script(LAMMPS*, const std::strin
 CohesiveContactParameters mixed(const CohesiveContactParameters&, const CohesiveContactParameters&);
 
 /// The Hamaker law of a pair of materials as the event scheme takes it.
-cohesion::event_stepping::Adhesion adhesion_of(const cohesion::hamaker::AnyLaw&,
-                                               const cohesion::PairGeometry&);
+cohesion::contact::Adhesion adhesion_of(const cohesion::hamaker::AnyLaw&,
+                                        const cohesion::PairGeometry&);
 
 /// Throws InvalidParameter.
 cohesion::hamaker::AnyLaw hamaker_law(const cohesion::hamaker::Form&,

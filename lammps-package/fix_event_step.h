@@ -8,8 +8,8 @@ FixStyle(EVENT_STEP,FixEventStep);
 #ifndef LMP_FIX_EVENT_STEP_H
 #define LMP_FIX_EVENT_STEP_H
 
-#include "event_stepping/cohesive_contact.h"
 #include "atom.h"
+#include "event_stepping/cohesive_contact.h"
 #include "fix.h"
 
 namespace LAMMPS_NS {
@@ -80,10 +80,10 @@ class FixEventStep : public Fix {
   /// The energy of contacts; kept only when a compute asks for it.
   struct Book {
     bool kept = false;
-    double spring, tangential_spring, adhesion;                  ///< at the end of the step
-    double normal_damping, tangential_damping, friction;         ///< lost so far
-    double external_work;                                        ///< of all other forces, so far
-    bigint unresolved;                                           ///< pairs whose step was cut short
+    double spring, tangential_spring, adhesion;           ///< at the end of the step
+    double normal_damping, tangential_damping, friction;  ///< lost so far
+    double external_work;                                 ///< of all other forces, so far
+    bigint unresolved;                                    ///< pairs whose step was cut short
   } book;
   void keep_book() { book.kept = true; }
   /// A force of a contact on particle i, for the book.
@@ -101,8 +101,8 @@ class FixEventStep : public Fix {
   bool resuming;
   bool starting;
   bool running;
-  bigint last_step;      // at which `last` was stored
-  double** last;         // per atom: force and torque at the end of the last run
+  bigint last_step;  // at which `last` was stored
+  double** last;     // per atom: force and torque at the end of the last run
   double** contact_force;
   double* inverse_mass;  // per atom and ghost
   double longest_flight;

@@ -13,8 +13,8 @@
 #include "fix_event_step.h"
 #include "fix_neigh_history.h"
 #include "force.h"
-#include "law_from_script.h"
 #include "largest_radii.h"
+#include "law_from_script.h"
 #include "memory.h"
 #include "modify.h"
 #include "neigh_list.h"
@@ -147,8 +147,7 @@ void PairGranHamaker::follow_alone() {
       double* const values = &history->firstvalue[i][HISTORY * jj];
       if (!kept) std::fill_n(values, HISTORY, 0.0);
       // A pair that a run starts with is where it is; it did not fall into the range.
-      if (first && !kept)
-        values[0] = norm(grid.separation) < radius[i] + radius[j] + c.adhesion().range;
+      if (first && !kept) values[0] = norm(grid.separation) < radius[i] + radius[j] + c.range();
       active.push_back({i, j, &kept, values, c.advance(grid, values[0] != 0.0)});
       const PairStep& alone = active.back().alone;
       add(step->alone[i], -c.share_i(), alone.change.separation);
@@ -170,10 +169,10 @@ void PairGranHamaker::follow_together() {
   for (Active& pair : active) {
     const int i = pair.i, j = pair.j;
     const Contact& c = contact(i, j);
-    const Vector3 others_x = vector(step->alone[j]) - vector(step->alone[i]) -
-                             pair.alone.change.separation;
-    const Vector3 others_v = vector(step->alone[j] + 3) - vector(step->alone[i] + 3) -
-                             pair.alone.change.velocity;
+    const Vector3 others_x =
+        vector(step->alone[j]) - vector(step->alone[i]) - pair.alone.change.separation;
+    const Vector3 others_v =
+        vector(step->alone[j] + 3) - vector(step->alone[i] + 3) - pair.alone.change.velocity;
     RelativeState grid = on_grid(i, j);
     PairStep now = pair.alone;
     if (dot(others_x, others_x) > 0.0 || dot(others_v, others_v) > 0.0) {
@@ -276,8 +275,7 @@ void PairGranHamaker::coeff(int narg, char** arg) {
 
 void PairGranHamaker::init_style() {
   if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag || !atom->torque_flag)
-    error->all(FLERR,
-               "pair_style gran/hamaker acts between spheres; use 'atom_style sphere'");
+    error->all(FLERR, "pair_style gran/hamaker acts between spheres; use 'atom_style sphere'");
   step = FixEventStep::of(lmp);
   largest_radius = largest_radii(lmp);
   laws.assign(given.size(), form->law(cohesion::hamaker::none, false));

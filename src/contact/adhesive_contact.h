@@ -7,20 +7,11 @@
 #include <optional>
 
 #include "constants.h"
+#include "contact/adhesion.h"
 #include "contact/linear_spring_dashpot.h"
 #include "validation.h"
 
 namespace cohesion::contact {
-
-/// Attraction of two surfaces as their head-on contact sees it.
-struct Adhesion {
-  double force;        ///< F_ad, [force]: constant from the gap H_cut inwards, in contact too
-  double cutoff;       ///< H_cut, [length]
-  double tail_energy;  ///< E_tail, [energy]: work of the attraction from far away to H_cut
-
-  /// W = E_tail + F_ad H_cut, [energy]: what the pair gains on its way to first touch.
-  double well_energy() const { return tail_energy + force * cutoff; }
-};
 
 /// Two particles, or a particle and a wall, that meet head-on under a linear spring-dashpot and an
 /// adhesion force. x is the overlap, u the speed at first touch, v the approach speed far away:

@@ -15,10 +15,10 @@ struct TangentialParameters {
 
 /// What the tangential spring does in one stretch of contact.
 struct TangentialStep {
-  Vector3 impulse;         ///< on particle j, its reverse on i, [momentum]
-  Vector3 displacement;    ///< of the spring at the end, [length]
-  double damped = 0.0;     ///< energy lost in the dashpot, [energy]
-  double friction = 0.0;   ///< energy lost in sliding, [energy]
+  Vector3 impulse;        ///< on particle j, its reverse on i, [momentum]
+  Vector3 displacement;   ///< of the spring at the end, [length]
+  double damped = 0.0;    ///< energy lost in the dashpot, [energy]
+  double friction = 0.0;  ///< energy lost in sliding, [energy]
 };
 
 /// Tangential spring, dashpot and Coulomb slider over a stretch of contact of any length.

@@ -5,17 +5,18 @@
 #include <cmath>
 #include <limits>
 
-#include "event_stepping/adhesion.h"
+#include "contact/adhesion.h"
+#include "contact/linear_spring_dashpot.h"
 #include "event_stepping/damped_oscillator.h"
 
 namespace cohesion::event_stepping {
 
 /// What happened to a pair's normal motion during a step.
 struct NormalRecord {
-  double contact_time = 0.0;      ///< time in contact, [time]
-  double repulsion_impulse = 0.0; ///< impulse of spring and dashpot, [momentum]; > 0 repels
-  double dissipated = 0.0;        ///< energy lost in the dashpot, [energy]
-  bool unresolved = false;        ///< the step ended before its last phase was followed
+  double contact_time = 0.0;       ///< time in contact, [time]
+  double repulsion_impulse = 0.0;  ///< impulse of spring and dashpot, [momentum]; > 0 repels
+  double dissipated = 0.0;         ///< energy lost in the dashpot, [energy]
+  bool unresolved = false;         ///< the step ended before its last phase was followed
 };
 
 /// Exact motion of the surfaces of one pair along their common normal: free flight outside the
@@ -26,22 +27,21 @@ struct NormalRecord {
 class NormalMotion {
  public:
   /// `step` [time]: the length of the steps that will be asked for most.
-  NormalMotion(const DampedOscillator& contact, const Adhesion& adhesion, double reduced_mass,
+  NormalMotion(const contact::LinearSpringDashpot& spring, const contact::Adhesion& adhesion,
                double step)
-      : contact_(contact),
-        whole_step_(contact.propagator(step)),
+      : contact_(spring.stiffness() / spring.reduced_mass(),
+                 0.5 * spring.damping() / spring.reduced_mass()),
+        whole_step_(contact_.propagator(step)),
         adhesion_(adhesion),
-        reduced_mass_(reduced_mass),
-        pull_(adhesion.force / reduced_mass),
-        edge_(2.0 * adhesion.tail_energy / reduced_mass) {}
+        reduced_mass_(spring.reduced_mass()),
+        pull_(adhesion.force / reduced_mass_),
+        edge_(2.0 * adhesion.tail_energy / reduced_mass_) {}
 
-  double range() const { return adhesion_.range; }
+  double range() const { return adhesion_.cutoff; }
   double reduced_mass() const { return reduced_mass_; }
 
   /// Crossing the tail's edge inwards; the direction of v is kept.
-  Overlap enter(Overlap s) const {
-    return {s.x, std::copysign(std::sqrt(s.v * s.v + edge_), s.v)};
-  }
+  Overlap enter(Overlap s) const { return {s.x, std::copysign(std::sqrt(s.v * s.v + edge_), s.v)}; }
 
   /// Follows a pair inside the range from `s` for at most `time`, and returns the time it took
   /// until it left the range (`inside` is then false), or `time`. `outward` [length/time^2] is the
@@ -50,12 +50,12 @@ class NormalMotion {
   double advance(Overlap& s, double time, double outward, bool& inside, double& x_integral,
                  NormalRecord& record) const {
     const double drive = pull_ - outward;
-    const double edge = std::min(-adhesion_.range, s.x);
+    const double edge = std::min(-adhesion_.cutoff, s.x);
     double left = time;
     inside = true;
     // A pair that came out of the last step beyond the range and still counts as inside leaves
     // now.
-    if (s.x <= -adhesion_.range && s.v < 0.0 && !leave(s)) inside = false;
+    if (s.x <= -adhesion_.cutoff && s.v < 0.0 && !leave(s)) inside = false;
     for (int phases = 0; inside && left > 0.0; phases++) {
       if (phases == max_phases) {
         record.unresolved = true;
@@ -64,7 +64,7 @@ class NormalMotion {
       const bool touching = s.x > 0.0 || (s.x == 0.0 && (s.v > 0.0 || (s.v == 0.0 && drive > 0.0)));
       if (touching) {
         left -= in_contact(s, left, drive, x_integral, record);
-        if (s.x == 0.0 && s.v < 0.0 && adhesion_.range == 0.0 && !leave(s)) inside = false;
+        if (s.x == 0.0 && s.v < 0.0 && adhesion_.cutoff == 0.0 && !leave(s)) inside = false;
       } else {
         bool at_edge = false;
         left -= in_gap(s, left, drive, edge, at_edge, x_integral);
@@ -81,7 +81,7 @@ class NormalMotion {
 
   /// Energy of the adhesion of a pair inside the range at overlap x, zero far away, [energy].
   double adhesion_energy(double x) const {
-    return -adhesion_.tail_energy - adhesion_.force * (adhesion_.range + x);
+    return -adhesion_.tail_energy - adhesion_.force * (adhesion_.cutoff + x);
   }
 
  private:
@@ -97,8 +97,7 @@ class NormalMotion {
 
   double in_contact(Overlap& s, double time, double drive, double& x_integral,
                     NormalRecord& record) const {
-    const auto propagator =
-        time == whole_step_.time ? whole_step_ : contact_.propagator(time);
+    const auto propagator = time == whole_step_.time ? whole_step_ : contact_.propagator(time);
     Overlap end = contact_.after(propagator, s, drive);
     const double zero = contact_.first_zero(s, drive, time, end);
     if (zero <= time) {
@@ -144,7 +143,7 @@ class NormalMotion {
 
   DampedOscillator contact_;
   DampedOscillator::Propagator whole_step_;
-  Adhesion adhesion_;
+  contact::Adhesion adhesion_;
   double reduced_mass_;
   double pull_;
   double edge_;
