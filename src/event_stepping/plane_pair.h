@@ -15,6 +15,9 @@ class PlanePair {
  public:
   PlanePair(const NormalMotion& motion, double radius) : motion_(motion), radius_(radius) {}
 
+  /// Of a tangential force on the sphere.
+  static double lever_arm(double, double radius, double) { return radius; }
+
   bool within_reach(const RelativeState& grid, const StepWindow& window) const {
     const double slack = std::max(window.before, window.after) * norm(grid.velocity);
     return norm(grid.separation) <= radius_ + motion_.range() + slack;

@@ -20,6 +20,11 @@ class SpherePair {
   SpherePair(const NormalMotion& motion, double contact_distance)
       : motion_(motion), contact_distance_(contact_distance) {}
 
+  /// Of a tangential force on sphere i.
+  static double lever_arm(double distance, double radius_i, double radius_j) {
+    return distance * radius_i / (radius_i + radius_j);
+  }
+
   /// Whether anything can happen to the pair within the window.
   bool within_reach(const RelativeState& grid, const StepWindow& window) const {
     const double slack = std::max(window.before, window.after) * norm(grid.velocity);
