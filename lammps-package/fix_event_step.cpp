@@ -77,10 +77,12 @@ void FixEventStep::init() {
     error->all(FLERR,
                "scheme event needs the velocities of ghost particles; add 'comm_modify vel yes'");
 
+  walls.clear();
   mobile_bits = frozen_bit = 0;
   bool before_me = true;
   for (int i = 0; i < modify->nfix; i++) {
-    const Fix* fix = modify->fix[i];
+    Fix* const fix = modify->fix[i];
+    if (auto* wall = dynamic_cast<EventContacts*>(fix)) walls.push_back(wall);
     if (fix == this) before_me = false;
     if (fix->rigid_flag)
       error->all(FLERR, std::string("scheme event cannot follow contacts of rigid bodies (fix ") +
@@ -101,6 +103,10 @@ Body FixEventStep::body(int i) const {
   return {atom->radius[i], mobile ? 1.0 / atom->rmass[i] : 0.0};
 }
 
+/// The engine's half kick makes of a force f the momentum f dt/2; the other half went before, but
+/// for the first step, which has no half before it.
+double FixEventStep::force_per_impulse() const { return (starting ? 2.0 : 1.0) / update->dt; }
+
 StepWindow FixEventStep::window() const {
   const double half = 0.5 * update->dt;
   return {starting ? 0.0 : half, half};
@@ -112,10 +118,14 @@ void FixEventStep::setup_pre_force(int) {
   resuming = last_step == update->ntimestep;
   starting = !resuming;
   clear();
+  if (resuming) return;
+  for (EventContacts* wall : walls) wall->follow_alone();
 }
 
 void FixEventStep::setup(int) {
-  if (starting) move();
+  if (resuming) return;
+  for (EventContacts* wall : walls) wall->follow_together();
+  move();
   starting = false;
 }
 
@@ -128,7 +138,10 @@ void FixEventStep::initial_integrate(int) {
   resuming = false;
 }
 
-void FixEventStep::pre_force(int) { clear(); }
+void FixEventStep::pre_force(int) {
+  clear();
+  for (EventContacts* wall : walls) wall->follow_alone();
+}
 
 void FixEventStep::clear() {
   const int all = atom->nlocal + atom->nghost;
