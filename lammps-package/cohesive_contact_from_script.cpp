@@ -37,6 +37,19 @@ constexpr std::array keywords{
 
 }  // namespace
 
+int LAMMPS_NS::values_of_contact_keyword(const std::string& name) {
+  for (const Keyword& keyword : keywords)
+    if (name == keyword.name) return keyword.values;
+  return -1;
+}
+
+std::string LAMMPS_NS::contact_keywords() {
+  std::string all;
+  for (const Keyword& keyword : keywords)
+    all += (all.empty() ? "" : ", ") + std::string(keyword.name);
+  return all;
+}
+
 CohesiveContactParameters LAMMPS_NS::cohesive_contact_from_script(LAMMPS* lmp,
                                                                   const std::string& where,
                                                                   int first, int narg, char** arg) {

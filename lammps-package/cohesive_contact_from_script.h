@@ -24,6 +24,12 @@ struct CohesiveContactParameters {
 CohesiveContactParameters cohesive_contact_from_script(LAMMPS*, const std::string& where, int first,
                                                        int narg, char** arg);
 
+/// How many values a keyword of cohesive_contact_from_script takes; -1 when there is none called
+/// so.
+int values_of_contact_keyword(const std::string& name);
+/// Their names, with commas.
+std::string contact_keywords();
+
 /// The contact of unlike materials: geometric means of stiffness, restitution, friction, ratios and
 /// Hamaker constant; the larger cut-offs and asperity.
 CohesiveContactParameters mixed(const CohesiveContactParameters&, const CohesiveContactParameters&);

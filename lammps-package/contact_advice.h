@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "advice/contact_advice.h"
+#include "contact/contact_parameters.h"
 #include "lammps.h"
 
 namespace LAMMPS_NS {

@@ -64,11 +64,8 @@ void FixEventStep::reserve(LAMMPS* lmp) {
 
 FixEventStep* FixEventStep::of(LAMMPS* lmp) {
   Modify* modify = lmp->modify;
-  if (modify->find_fix(ID) < 0) {
-    modify->replace_fix(PLACE, std::string(ID) + " all EVENT_STEP", 1);
-    // The engine's own round of init may have passed this place in the list.
-    modify->fix[modify->find_fix(ID)]->init();
-  }
+  reserve(lmp);
+  if (modify->find_fix(ID) < 0) modify->replace_fix(PLACE, std::string(ID) + " all EVENT_STEP", 1);
   return static_cast<FixEventStep*>(modify->fix[modify->find_fix(ID)]);
 }
 
@@ -88,10 +85,12 @@ void FixEventStep::init() {
     error->all(FLERR,
                "scheme event needs the velocities of ghost particles; add 'comm_modify vel yes'");
 
+  walls.clear();
   mobile_bits = frozen_bit = 0;
   bool before_me = true;
   for (int i = 0; i < modify->nfix; i++) {
-    const Fix* fix = modify->fix[i];
+    Fix* const fix = modify->fix[i];
+    if (auto* wall = dynamic_cast<EventContacts*>(fix)) walls.push_back(wall);
     if (fix == this) before_me = false;
     if (fix->rigid_flag)
       error->all(FLERR, std::string("scheme event cannot follow contacts of rigid bodies (fix ") +
@@ -121,6 +120,10 @@ void FixEventStep::look_round() {
   }
 }
 
+/// The engine's half kick makes of a force f the momentum f dt/2; the other half went before, but
+/// for the first step, which has no half before it.
+double FixEventStep::force_per_impulse() const { return (starting ? 2.0 : 1.0) / update->dt; }
+
 StepWindow FixEventStep::window() const {
   const double half = 0.5 * update->dt;
   return {starting ? 0.0 : half, half};
@@ -134,12 +137,16 @@ void FixEventStep::setup_pre_force(int) {
   resuming = last_step == update->ntimestep;
   starting = !resuming;
   clear();
+  if (resuming) return;
+  for (EventContacts* wall : walls) wall->follow_alone();
 }
 
 void FixEventStep::setup(int) {
-  if (starting) move();
-  starting = false;
   running = true;
+  if (resuming) return;
+  for (EventContacts* wall : walls) wall->follow_together();
+  move();
+  starting = false;
 }
 
 void FixEventStep::initial_integrate(int) {
@@ -151,7 +158,10 @@ void FixEventStep::initial_integrate(int) {
   resuming = false;
 }
 
-void FixEventStep::pre_force(int) { clear(); }
+void FixEventStep::pre_force(int) {
+  clear();
+  for (EventContacts* wall : walls) wall->follow_alone();
+}
 
 void FixEventStep::clear() {
   const int all = atom->nlocal + atom->nghost;

@@ -68,14 +68,16 @@ class CohesiveContact {
     return pair_.advance(grid, window_, inside);
   }
 
-  /// Friction in the step that `normal` describes. The lever arms share the distance of the
-  /// centres in proportion to the radii, so that angular momentum is kept exactly.
+  /// Friction in the step that `normal` describes. The lever arms of two spheres share the distance
+  /// of their centres in proportion to the radii, so that angular momentum is kept exactly; beside
+  /// a wall, the limit of a large sphere, the arm is the radius.
   FrictionStep friction(const RelativeState& grid, const PairStep& normal, const Vector3& spin_i,
                         const Vector3& spin_j, const Vector3& displacement) const {
     const Vector3 separation = grid.separation + normal.change.separation;
     const double distance = norm(separation);
     const Vector3 n = (1.0 / distance) * separation;
-    const double arm_i = distance * i_.radius / (i_.radius + j_.radius);
+    const double arm_i =
+        j_.radius > 0.0 ? distance * i_.radius / (i_.radius + j_.radius) : i_.radius;
     const double arm_j = distance - arm_i;
     const Vector3 u =
         grid.velocity + 0.5 * normal.change.velocity - cross(arm_i * spin_i + arm_j * spin_j, n);
