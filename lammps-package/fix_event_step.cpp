@@ -29,7 +29,7 @@ FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
       resuming(false),
       starting(false),
       running(false),
-      last_step(-1),
+      last_dt(0.0),
       last(nullptr),
       contact_force(nullptr),
       inverse_mass(nullptr),
@@ -134,7 +134,7 @@ double FixEventStep::half_kick() const { return 0.5 * update->dt; }
 /* ---------------------------------------------------------------------- */
 
 void FixEventStep::setup_pre_force(int) {
-  resuming = last_step == update->ntimestep;
+  resuming = last_dt > 0.0;
   starting = !resuming;
   clear();
   if (resuming) return;
@@ -151,10 +151,13 @@ void FixEventStep::setup(int) {
 
 void FixEventStep::initial_integrate(int) {
   if (!resuming) return;
-  for (int i = 0; i < atom->nlocal; i++) {
-    std::copy_n(last[i], 3, atom->f[i]);
-    std::copy_n(last[i] + 3, 3, atom->torque[i]);
-  }
+  // The same momentum, should the step be another now.
+  const double ratio = last_dt / update->dt;
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int k = 0; k < 3; k++) {
+      atom->f[i][k] = ratio * last[i][k];
+      atom->torque[i][k] = ratio * last[i][3 + k];
+    }
   resuming = false;
 }
 
@@ -194,7 +197,7 @@ void FixEventStep::post_run() {
     std::copy_n(atom->f[i], 3, last[i]);
     std::copy_n(atom->torque[i], 3, last[i] + 3);
   }
-  last_step = update->ntimestep;
+  last_dt = update->dt;
   running = false;
 }
 
@@ -241,17 +244,12 @@ int FixEventStep::unpack_exchange(int i, double* buf) {
 
 void FixEventStep::write_restart(FILE* fp) {
   if (comm->me != 0) return;
-  const double step = static_cast<double>(update->ntimestep);
   const int size = sizeof(double);
   fwrite(&size, sizeof(int), 1, fp);
-  fwrite(&step, sizeof(double), 1, fp);
+  fwrite(running ? &update->dt : &last_dt, sizeof(double), 1, fp);
 }
 
-void FixEventStep::restart(char* buf) {
-  double step;
-  memcpy(&step, buf, sizeof(double));
-  last_step = static_cast<bigint>(step);
-}
+void FixEventStep::restart(char* buf) { memcpy(&last_dt, buf, sizeof(double)); }
 
 int FixEventStep::pack_restart(int i, double* buf) {
   buf[0] = 7;

@@ -124,8 +124,8 @@ class FixEventStep : public Fix {
   bool resuming;
   bool starting;
   bool running;
-  bigint last_step;  // at which `last` was stored
-  double** last;     // per atom: force and torque at the end of the last run
+  double last_dt;  // of the step that `last` is from; 0: there was none
+  double** last;   // per atom: force and torque at the end of the last run
   double** contact_force;
   double* inverse_mass;  // per atom and ghost
   double longest_flight;

@@ -191,8 +191,9 @@ std::size_t FixWallGranHamaker::contact(int i) {
   const Body particle = step->body(i), wall{0.0, 0.0};
   if (contacts.empty() || !contacts.back().joins(particle, wall))
     contacts.emplace_back(given.contact,
-                          adhesion_of(law, cohesion::sphere_and_plane(particle.radius)), particle,
-                          wall, step->window());
+                          attraction_of<cohesion::contact::Adhesion>(
+                              law, cohesion::sphere_and_plane(particle.radius)),
+                          particle, wall, step->window());
   return contacts.size() - 1;
 }
 

@@ -38,6 +38,7 @@ template <class Pair>
 class CohesiveContact {
  public:
   using Attraction = typename Pair::Attraction;
+  static constexpr bool acts_within_step = Pair::acts_within_step;
 
   CohesiveContact(const contact::ContactParameters& parameters, const Attraction& attraction,
                   const Body& i, const Body& j, const StepWindow& window)
