@@ -321,17 +321,21 @@ int FixWallGranHamaker::unpack_exchange(int i, double* buf) {
 void FixWallGranHamaker::write_restart(FILE* fp) {
   sum();
   if (comm->me != 0) return;
-  const double origin = static_cast<double>(time_origin);
-  const int size = static_cast<int>((1 + total.size()) * sizeof(double));
+  const double head[] = {static_cast<double>(time_origin), static_cast<double>(history_size())};
+  const int size = static_cast<int>((2 + total.size()) * sizeof(double));
   fwrite(&size, sizeof(int), 1, fp);
-  fwrite(&origin, sizeof(double), 1, fp);
+  fwrite(head, sizeof(double), 2, fp);
   fwrite(total.data(), sizeof(double), total.size(), fp);
 }
 
 void FixWallGranHamaker::restart(char* buf) {
   const auto* values = reinterpret_cast<double*>(buf);
   time_origin = static_cast<bigint>(values[0]);
-  if (comm->me == 0) std::copy_n(values + 1, mine.size(), mine.begin());
+  if (values[1] != history_size())
+    error->all(FLERR, where +
+                          ": other walls than in the restart file, or friction in one of them "
+                          "only; give the fix another ID");
+  if (comm->me == 0) std::copy_n(values + 2, mine.size(), mine.begin());
 }
 
 int FixWallGranHamaker::pack_restart(int i, double* buf) {

@@ -442,6 +442,13 @@ class RestartAndRanks(EventWall):
         self.assertNotEqual(force, 0.0)
         self.assertEqual(engine.thermo(self.output)["f_walls[3]"], force)
 
+    def test_restart_with_other_walls_is_refused(self):
+        dt = self.spheres()
+        self.run_wall(self.WALLS, dt, 13, save=13)
+        for walls in (self.WALLS + " yplane 0 NULL", self.WALLS.replace("friction 0.3", "")):
+            with self.assertRaisesRegex(RuntimeError, "other walls than in the restart file"):
+                self.run_wall(walls, dt, 30, start="restart")
+
     def test_two_ranks(self):
         dt = self.spheres()
         # Fast enough to change the process while in contact; the list is built at every step.
