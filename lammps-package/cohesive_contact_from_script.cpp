@@ -159,3 +159,8 @@ cohesion::hamaker::AnyLaw LAMMPS_NS::hamaker_law(const cohesion::hamaker::Form& 
                                                  const cohesion::hamaker::Parameters& p) {
   return form.law(p, p.asperity_radius > 0.0);
 }
+
+double LAMMPS_NS::cohesive_range(Scheme scheme, const CohesiveContactParameters& p) {
+  if (p.hamaker.hamaker_constant == 0.0) return 0.0;
+  return scheme == Scheme::event ? p.hamaker.surface_cutoff : p.hamaker.outer_cutoff;
+}

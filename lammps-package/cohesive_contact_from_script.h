@@ -43,6 +43,9 @@ int values_of_contact_keyword(const std::string& name);
 /// Their names, with commas.
 std::string contact_keywords();
 
+/// Gap up to which the scheme has to see a pair, [length].
+double cohesive_range(Scheme, const CohesiveContactParameters&);
+
 /// The parameters of a run: with the adhesion scaled to the stiffness when that is wished, which is
 /// then printed.
 CohesiveContactParameters scaled(LAMMPS*, const std::string& where, const cohesion::hamaker::Form&,

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "atom.h"
 #include "comm.h"
+#include "contact_advice.h"
 #include "domain.h"
 #include "error.h"
 #include "event_contact.h"
@@ -25,6 +27,8 @@ static double& component(Vector3& a, int axis) { return axis == 0 ? a.x : axis =
 FixWallGranHamaker::FixWallGranHamaker(LAMMPS* lammps, int narg, char** arg)
     : Fix(lammps, narg, arg),
       where(std::string("fix ") + arg[0] + " wall/gran/hamaker"),
+      scheme(Scheme::event),
+      form(cohesion::hamaker::forms.data()),
       law(cohesion::hamaker::forms.front().law(cohesion::hamaker::none, false)),
       time_origin(update->ntimestep),
       per_wall(1),
@@ -64,7 +68,6 @@ void FixWallGranHamaker::post_constructor() { step = FixEventStep::of(lmp); }
 void FixWallGranHamaker::read(int narg, char** arg) {
   std::vector<char*> contact_words;
   char** motion_words = nullptr;
-  const cohesion::hamaker::Form* form = cohesion::hamaker::forms.data();
   for (int iarg = 3; iarg < narg;) {
     const std::string word = arg[iarg];
     const int left = narg - iarg - 1;
@@ -76,6 +79,10 @@ void FixWallGranHamaker::read(int narg, char** arg) {
     } else if (word == "form") {
       if (left < 1) error->all(FLERR, where + ": form takes a name");
       form = hamaker_form_from_script(lmp, where, arg[iarg + 1]);
+      iarg += 2;
+    } else if (word == "scheme") {
+      if (left < 1) error->all(FLERR, where + ": scheme takes a name");
+      scheme = scheme_from_script(lmp, where, arg[iarg + 1]);
       iarg += 2;
     } else if (const int wall = read_wall(word, left, arg + iarg + 1)) {
       iarg += wall;
@@ -89,9 +96,9 @@ void FixWallGranHamaker::read(int narg, char** arg) {
       motion_words = arg + iarg;
       iarg += 1 + moves;
     } else {
-      error->all(FLERR, where + ": unknown keyword '" + word +
-                            "'; valid ones: " + contact_keywords() +
-                            ", form, xplane, yplane, zplane, zcylinder, wiggle, shear, translate");
+      error->all(FLERR,
+                 where + ": unknown keyword '" + word + "'; valid ones: " + contact_keywords() +
+                     ", scheme, form, xplane, yplane, zplane, zcylinder, wiggle, shear, translate");
     }
   }
   if (walls.empty())
@@ -101,10 +108,12 @@ void FixWallGranHamaker::read(int narg, char** arg) {
   if (motion_words) read_motion(motion_words);
   given = cohesive_contact_from_script(lmp, where, 0, static_cast<int>(contact_words.size()),
                                        contact_words.data());
+  given = scaled(lmp, where, *form, given);
   law = from_script(lmp, where, [&] {
     require_valid(motion);
     return hamaker_law(*form, given.hamaker);
   });
+  if (scheme == Scheme::sampled) contacts.emplace<static_cast<int>(Scheme::sampled)>();
 }
 
 void FixWallGranHamaker::read_motion(char** words) {
@@ -186,15 +195,30 @@ void FixWallGranHamaker::init() {
 
 void FixWallGranHamaker::post_force(int) { follow_together(); }
 
+void FixWallGranHamaker::give_advice() {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  const std::vector<LightestParticle> lightest = lightest_particles(lmp);
+  std::vector<AdvisedContact> advised;
+  for (int type = 1; type <= atom->ntypes; type++)
+    advised.push_back({fmt::format("{} - wall", type),
+                       lightest[type],
+                       {infinite, infinite},
+                       given.contact,
+                       attraction_of<cohesion::contact::Adhesion>(
+                           law, cohesion::sphere_and_plane(lightest[type].radius))});
+  advise(lmp, where, limits_of(scheme), advised);
+}
+
 /// Equal particles that come one after the other share a contact.
-std::size_t FixWallGranHamaker::contact(int i) {
+template <class Contact>
+std::size_t FixWallGranHamaker::contact(std::vector<Contact>& shared, int i) {
   const Body particle = step->body(i), wall{0.0, 0.0};
-  if (contacts.empty() || !contacts.back().joins(particle, wall))
-    contacts.emplace_back(given.contact,
-                          attraction_of<cohesion::contact::Adhesion>(
-                              law, cohesion::sphere_and_plane(particle.radius)),
-                          particle, wall, step->window());
-  return contacts.size() - 1;
+  if (shared.empty() || !shared.back().joins(particle, wall))
+    shared.emplace_back(given.contact,
+                        attraction_of<typename Contact::Attraction>(
+                            law, cohesion::sphere_and_plane(particle.radius)),
+                        particle, wall, step->window());
+  return shared.size() - 1;
 }
 
 void FixWallGranHamaker::check_flight(int i, const WallPoint& point, bool inside) {
@@ -210,12 +234,18 @@ void FixWallGranHamaker::check_flight(int i, const WallPoint& point, bool inside
 
 /// Every contact by itself: what it would do to its particle.
 void FixWallGranHamaker::follow_alone() {
+  if (update->setupflag) give_advice();
+  std::visit([this](auto& shared) { follow_alone(shared); }, contacts);
+}
+
+template <class Contact>
+void FixWallGranHamaker::follow_alone(std::vector<Contact>& shared) {
   active.clear();
-  contacts.clear();
+  shared.clear();
   const bool first = step->window().before == 0.0;
   const double time = static_cast<double>(update->ntimestep - time_origin) * update->dt;
   const WallState now = motion.over(time, step->window());
-  const double range = given.hamaker.hamaker_constant > 0.0 ? given.hamaker.surface_cutoff : 0.0;
+  const double range = cohesive_range(scheme, given);
 
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
@@ -232,13 +262,14 @@ void FixWallGranHamaker::follow_alone() {
       if (point.distance <= 0.0 || point.distance > 2.0 * atom->radius[i] + range) continue;
       if (step->body(i).inverse_mass == 0.0) continue;
 
-      const std::size_t c = contact(i);
+      const std::size_t c = contact(shared, i);
       const RelativeState grid{point.separation, point.velocity - vector(atom->v[i])};
-      if (inside == 0.0 && !contacts[c].within_reach(grid)) continue;
-      active.push_back({i, w, c, point, contacts[c].advance(grid, inside != 0.0)});
+      if (inside == 0.0 && !shared[c].within_reach(grid)) continue;
+      active.push_back({i, w, c, point, shared[c].advance(grid, inside != 0.0)});
+      if (!Contact::acts_within_step) continue;
       const PairStep& alone = active.back().alone;
-      add(step->alone[i], -contacts[c].share_i(), alone.change.separation);
-      add(step->alone[i] + 3, -contacts[c].share_i(), alone.change.velocity);
+      add(step->alone[i], -shared[c].share_i(), alone.change.separation);
+      add(step->alone[i] + 3, -shared[c].share_i(), alone.change.velocity);
     }
   }
 }
@@ -247,19 +278,25 @@ void FixWallGranHamaker::follow_together() {
   if (step->resumes()) return;
   std::fill(mine.begin(), mine.end(), 0.0);
   summed = false;
-  per_wall > 1 ? follow_together<true>() : follow_together<false>();
+  std::visit(
+      [this](const auto& shared) {
+        per_wall > 1 ? follow_together<true>(shared) : follow_together<false>(shared);
+      },
+      contacts);
 }
 
 /// Every contact again, with half of what the other contacts of its particle do, and friction.
-template <bool FRICTION>
-void FixWallGranHamaker::follow_together() {
+template <bool FRICTION, class Contact>
+void FixWallGranHamaker::follow_together(const std::vector<Contact>& shared) {
   const ContactScatter scatter(atom, step);
   for (const Active& near : active) {
     const int i = near.i;
-    const Contact& c = contacts[near.contact];
+    const Contact& c = shared[near.contact];
     const RelativeState grid{near.point.separation, near.point.velocity - vector(atom->v[i])};
-    const RelativeState others{-vector(step->alone[i]) - near.alone.change.separation,
-                               -vector(step->alone[i] + 3) - near.alone.change.velocity};
+    RelativeState others{};
+    if (Contact::acts_within_step)
+      others = {-vector(step->alone[i]) - near.alone.change.separation,
+                -vector(step->alone[i] + 3) - near.alone.change.velocity};
     const FollowedContact now = follow_with_others<FRICTION>(
         c, grid, near.alone, others, vector(atom->omega[i]), Vector3{}, history_of(i, near.wall));
     scatter.on_i<FRICTION>(i, c.share_i(), now);

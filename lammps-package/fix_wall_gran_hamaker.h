@@ -9,10 +9,12 @@ FixStyle(wall/gran/hamaker,FixWallGranHamaker);
 #define LMP_FIX_WALL_GRAN_HAMAKER_H
 
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "cohesive_contact_from_script.h"
 #include "event_stepping/cohesive_contact.h"
+#include "event_stepping/sampled_pair.h"
 #include "event_stepping/wall.h"
 #include "fix.h"
 #include "fix_event_step.h"
@@ -51,7 +53,12 @@ class FixWallGranHamaker : public Fix, public EventContacts {
   double memory_usage() override;
 
  private:
-  using Contact = cohesion::event_stepping::CohesiveContact<cohesion::event_stepping::PlanePair>;
+  template <class Pair>
+  using ContactsOf = std::vector<cohesion::event_stepping::CohesiveContact<Pair> >;
+  /// Those of the particles near a wall, equal neighbours shared. One alternative per scheme, in
+  /// the order of Scheme.
+  using AnyContacts = std::variant<ContactsOf<cohesion::event_stepping::PlanePair>,
+                                   ContactsOf<cohesion::event_stepping::SampledPair> >;
   using Wall = cohesion::event_stepping::Wall;
 
   /// A particle that may touch a wall in this step.
@@ -68,24 +75,30 @@ class FixWallGranHamaker : public Fix, public EventContacts {
   void read_motion(char** words);
   void add_plane(int dimension, double side, const std::string& word, const char* text);
   double number(const char* text) { return utils::numeric(FLERR, text, false, lmp); }
-  std::size_t contact(int i);
+  template <class Contact>
+  std::size_t contact(std::vector<Contact>&, int i);
   int history_size() const { return per_wall * static_cast<int>(walls.size()); }
   double* history_of(int i, int wall) { return history[i] + wall * per_wall; }
   void check_flight(int i, const cohesion::event_stepping::WallPoint&, bool inside);
-  template <bool FRICTION>
-  void follow_together();
+  template <class Contact>
+  void follow_alone(std::vector<Contact>&);
+  template <bool FRICTION, class Contact>
+  void follow_together(const std::vector<Contact>&);
+  void give_advice();
   void sum();
 
   std::string where;  // in front of messages
-  CohesiveContactParameters given;
+  Scheme scheme;
+  const cohesion::hamaker::Form* form;
+  CohesiveContactParameters given;  // with adhesion scaled, if wished
   cohesion::hamaker::AnyLaw law;
   std::vector<Wall> walls;
   cohesion::event_stepping::WallMotion motion;
   bigint time_origin;
 
   int per_wall;  // values of history: in-range flag (-1: not known yet), tangential displacement
-  double** history;               // per atom
-  std::vector<Contact> contacts;  // those of the particles near a wall, equal neighbours shared
+  double** history;  // per atom
+  AnyContacts contacts;
   std::vector<Active> active;
   FixEventStep* step;
 

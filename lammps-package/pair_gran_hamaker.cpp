@@ -287,15 +287,9 @@ double PairGranHamaker::init_one(int i, int j) {
       *form, p);
   laws[of_types(i, j)] = laws[of_types(j, i)] = hamaker_law(*form, now.hamaker);
   friction = friction || now.contact.friction > 0.0;
-  largest_range = std::max(largest_range, range(now));
+  largest_range = std::max(largest_range, cohesive_range(scheme, now));
   list_reach = largest_range + 0.1 * neighbor->skin;
-  return largest_radius[i] + largest_radius[j] + range(now) + 0.1 * neighbor->skin;
-}
-
-/// Gap up to which the scheme has to see a pair.
-double PairGranHamaker::range(const CohesiveContactParameters& p) const {
-  if (p.hamaker.hamaker_constant == 0.0) return 0.0;
-  return scheme == Scheme::event ? p.hamaker.surface_cutoff : p.hamaker.outer_cutoff;
+  return largest_radius[i] + largest_radius[j] + cohesive_range(scheme, now) + 0.1 * neighbor->skin;
 }
 
 void PairGranHamaker::give_advice() {

@@ -65,7 +65,6 @@ class PairGranHamaker : public Pair {
   void follow_together(Recent<Contact>&);
   template <class Contact>
   void tally_standing(Recent<Contact>&);
-  double range(const CohesiveContactParameters&) const;
   void give_advice();
   void check_radii();
 
