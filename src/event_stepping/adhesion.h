@@ -11,8 +11,8 @@ struct Adhesion {
   double tail_energy = 0.0;  ///< energy between the tail's end and H_cut, [energy]
 };
 
-/// The adhesion of a pair under `law` (hamaker/law.h): constant force up to the surface cut-off, all
-/// of the tail's energy at it.
+/// The adhesion of a pair under `law` (hamaker/law.h): constant force up to the surface cut-off,
+/// all of the tail's energy at it.
 template <class Law, class Geometry>
 Adhesion adhesion_of(const Law& law, const Geometry& geometry) {
   const double force = law.adhesion_force(geometry);

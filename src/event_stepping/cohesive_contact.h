@@ -80,15 +80,14 @@ class CohesiveContact {
     const Vector3 n = (1.0 / distance) * separation;
     const double arm_i = distance * i_.radius / (i_.radius + j_.radius);
     const double arm_j = distance - arm_i;
-    const Vector3 u = grid.velocity + 0.5 * normal.change.velocity -
-                      cross(arm_i * spin_i + arm_j * spin_j, n);
+    const Vector3 u =
+        grid.velocity + 0.5 * normal.change.velocity - cross(arm_i * spin_i + arm_j * spin_j, n);
     const double answer = i_.inverse_mass + j_.inverse_mass + arm_i * arm_i * inverse_inertia(i_) +
                           arm_j * arm_j * inverse_inertia(j_);
     FrictionStep step;
-    step.spring =
-        tangential_.advance(contact::TangentialSpring::turned(displacement, n), u - dot(u, n) * n,
-                            normal.normal.contact_time, 1.0 / answer,
-                            normal.normal.repulsion_impulse);
+    step.spring = tangential_.advance(contact::TangentialSpring::turned(displacement, n),
+                                      u - dot(u, n) * n, normal.normal.contact_time, 1.0 / answer,
+                                      normal.normal.repulsion_impulse);
     if (normal.overlap_at_end <= 0.0) {  // parted: what the spring still held is lost
       step.spring.friction += friction_energy(step.spring.displacement);
       step.spring.displacement = {};
@@ -111,7 +110,6 @@ class CohesiveContact {
   }
 
  private:
-
   Body i_;
   Body j_;
   StepWindow window_;

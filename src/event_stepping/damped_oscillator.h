@@ -24,7 +24,8 @@ struct Overlap {
 class DampedOscillator {
  public:
   /// w0^2 = K/mu > 0 [1/time^2], alpha = eta/(2 mu) >= 0 [1/time].
-  DampedOscillator(double w0_squared, double alpha) : w0_squared_(w0_squared), inverse_w0_squared_(1.0 / w0_squared), alpha_(alpha) {
+  DampedOscillator(double w0_squared, double alpha)
+      : w0_squared_(w0_squared), inverse_w0_squared_(1.0 / w0_squared), alpha_(alpha) {
     const double w0 = std::sqrt(w0_squared);
     const double q_squared = (w0 - alpha) * (w0 + alpha);
     // Critical damping as rounding leaves it is critical damping.
@@ -74,8 +75,7 @@ class DampedOscillator {
 
   /// Integral of x over a time t that leads from start to end, [length time].
   double integral(double t, Overlap start, Overlap end, double drive) const {
-    return (drive * t - (end.v - start.v) - 2.0 * alpha_ * (end.x - start.x)) *
-           inverse_w0_squared_;
+    return (drive * t - (end.v - start.v) - 2.0 * alpha_ * (end.x - start.x)) * inverse_w0_squared_;
   }
 
   /// The first time in (0, t_end] at which an overlap that starts at x >= 0 (v > 0 if x = 0) is

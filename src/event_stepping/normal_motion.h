@@ -12,10 +12,10 @@ namespace cohesion::event_stepping {
 
 /// What happened to a pair's normal motion during a step.
 struct NormalRecord {
-  double contact_time = 0.0;      ///< time in contact, [time]
-  double repulsion_impulse = 0.0; ///< impulse of spring and dashpot, [momentum]; > 0 repels
-  double dissipated = 0.0;        ///< energy lost in the dashpot, [energy]
-  bool unresolved = false;        ///< the step ended before its last phase was followed
+  double contact_time = 0.0;       ///< time in contact, [time]
+  double repulsion_impulse = 0.0;  ///< impulse of spring and dashpot, [momentum]; > 0 repels
+  double dissipated = 0.0;         ///< energy lost in the dashpot, [energy]
+  bool unresolved = false;         ///< the step ended before its last phase was followed
 };
 
 /// Exact motion of the surfaces of one pair along their common normal: free flight outside the
@@ -39,9 +39,7 @@ class NormalMotion {
   double reduced_mass() const { return reduced_mass_; }
 
   /// Crossing the tail's edge inwards; the direction of v is kept.
-  Overlap enter(Overlap s) const {
-    return {s.x, std::copysign(std::sqrt(s.v * s.v + edge_), s.v)};
-  }
+  Overlap enter(Overlap s) const { return {s.x, std::copysign(std::sqrt(s.v * s.v + edge_), s.v)}; }
 
   /// Follows a pair inside the range from `s` for at most `time`, and returns the time it took
   /// until it left the range (`inside` is then false), or `time`. `outward` [length/time^2] is the
@@ -97,8 +95,7 @@ class NormalMotion {
 
   double in_contact(Overlap& s, double time, double drive, double& x_integral,
                     NormalRecord& record) const {
-    const auto propagator =
-        time == whole_step_.time ? whole_step_ : contact_.propagator(time);
+    const auto propagator = time == whole_step_.time ? whole_step_ : contact_.propagator(time);
     Overlap end = contact_.after(propagator, s, drive);
     const double zero = contact_.first_zero(s, drive, time, end);
     if (zero <= time) {
