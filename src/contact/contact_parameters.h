@@ -11,12 +11,12 @@ namespace cohesion::contact {
 
 /// A linear contact as users give it for a pair of materials; masses come in per pair of particles.
 struct ContactParameters {
-  double stiffness = 0.0;           ///< K, [force/length]
-  double restitution = 1.0;         ///< e of the contact without cohesion, [1]
-  double damping = -1.0;            ///< eta, [mass/time], in place of e when not negative
-  double tangential_ratio = 2.0 / 7.0;  ///< K_t/K, [1]; 2/7: equal contact times of solid spheres
+  double stiffness = 0.0;                 ///< K, [force/length]
+  double restitution = 1.0;               ///< e of the contact without cohesion, [1]
+  double damping = -1.0;                  ///< eta, [mass/time], in place of e when not negative
+  double tangential_ratio = 2.0 / 7.0;    ///< K_t/K, [1]; 2/7: equal contact times of solid spheres
   double tangential_damping_ratio = 0.5;  ///< eta_t/eta, [1]
-  double friction = 0.0;            ///< mu_f, [1]; 0: no tangential force at all
+  double friction = 0.0;                  ///< mu_f, [1]; 0: no tangential force at all
 };
 
 /// Throws InvalidParameter unless K > 0, 0 <= e <= 1 and the rest is not negative, all finite.

@@ -184,6 +184,32 @@ TEST(NormalMotion, APairPressedToTheEdgeByItsTurningStaysThere) {
   }
 }
 
+TEST(NormalMotion, ARattleTooFastForTheStepIsReportedAndKeepsItsEnergy) {
+  // Between contact and edge, turning so fast that it is pressed outwards: A = 1e-16 J, a period of
+  // 4e-8 s against half the contact time, 4.6e-5 s.
+  const double range = 1e-10, force = 1e-16 * thesis::radius / (12.0 * range * range);
+  const Adhesion a{force, range, force * range};
+  const double pull = force / thesis::reduced_mass, dt = 0.5 * thesis::contact_time;
+  const NormalMotion motion = thesis_motion(thesis::elastic(), a, dt);
+  Overlap s{-range, std::sqrt(1.99 * pull * range)};
+  const double outward = 1.99 * pull;
+  // Energy with that of the constant centrifugal acceleration.
+  const auto total = [&] { return energy(motion, s) + thesis::reduced_mass * outward * s.x; };
+  const double start = total();
+  NormalRecord record;
+  double integral = 0.0;
+  bool inside = true;
+  EXPECT_LT(motion.advance(s, dt, outward, inside, integral, record), dt);
+  EXPECT_TRUE(inside);
+  EXPECT_TRUE(record.unresolved);
+  // Each of the 1000/3 contacts rounds the overlap to a few epsilon of the equilibrium,
+  // drive/w0^2 = -5e-4 m, five million times the overlap; times the force.
+  const double drive = outward - pull;
+  EXPECT_NEAR(
+      total(), start,
+      350 * 4 * eps * drive * drive / (800.0 / thesis::reduced_mass) * thesis::reduced_mass);
+}
+
 TEST(NormalMotion, BeyondTheRangeThereIsNoForceButTheTailIsStillOwed) {
   // A pair that counts as inside and was pushed out by its other partners.
   const Adhesion a = thesis::adhesion(5e-19);
