@@ -37,6 +37,19 @@ constexpr std::array keywords{
 
 }  // namespace
 
+int LAMMPS_NS::values_of_contact_keyword(const std::string& name) {
+  for (const Keyword& keyword : keywords)
+    if (name == keyword.name) return keyword.values;
+  return -1;
+}
+
+std::string LAMMPS_NS::contact_keywords() {
+  std::string all;
+  for (const Keyword& keyword : keywords)
+    all += (all.empty() ? "" : ", ") + std::string(keyword.name);
+  return all;
+}
+
 CohesiveContactParameters LAMMPS_NS::cohesive_contact_from_script(LAMMPS* lmp,
                                                                   const std::string& where,
                                                                   int first, int narg, char** arg) {
@@ -63,7 +76,8 @@ CohesiveContactParameters LAMMPS_NS::cohesive_contact_from_script(LAMMPS* lmp,
   if (both.size() > std::string("restitution").size())
     lmp->error->all(FLERR, where + ": give restitution or damping, not both");
   if (p.hamaker.hamaker_constant != 0.0 && !has_cutoff)
-    lmp->error->all(FLERR, where + ": keyword 'hamaker' needs 'cutoff H_cut H_out', both distances");
+    lmp->error->all(FLERR,
+                    where + ": keyword 'hamaker' needs 'cutoff H_cut H_out', both distances");
   from_script(lmp, where, [&] {
     require_valid(p.contact);
     require_valid(p.hamaker);
@@ -82,8 +96,7 @@ CohesiveContactParameters LAMMPS_NS::mixed(const CohesiveContactParameters& a,
   m.contact.restitution = mean(p.restitution, q.restitution);
   m.contact.damping = p.damping >= 0.0 && q.damping >= 0.0 ? mean(p.damping, q.damping) : -1.0;
   m.contact.tangential_ratio = mean(p.tangential_ratio, q.tangential_ratio);
-  m.contact.tangential_damping_ratio =
-      mean(p.tangential_damping_ratio, q.tangential_damping_ratio);
+  m.contact.tangential_damping_ratio = mean(p.tangential_damping_ratio, q.tangential_damping_ratio);
   m.contact.friction = mean(p.friction, q.friction);
   m.hamaker = {mean(a.hamaker.hamaker_constant, b.hamaker.hamaker_constant),
                std::max(a.hamaker.surface_cutoff, b.hamaker.surface_cutoff),
@@ -92,10 +105,10 @@ CohesiveContactParameters LAMMPS_NS::mixed(const CohesiveContactParameters& a,
   return m;
 }
 
-cohesion::event_stepping::Adhesion LAMMPS_NS::adhesion_of(const cohesion::hamaker::AnyLaw& law,
-                                                          const cohesion::PairGeometry& geometry) {
-  return std::visit(
-      [&](const auto& l) { return cohesion::event_stepping::adhesion_of(l, geometry); }, law);
+cohesion::contact::Adhesion LAMMPS_NS::adhesion_of(const cohesion::hamaker::AnyLaw& law,
+                                                   const cohesion::PairGeometry& geometry) {
+  return std::visit([&](const auto& l) { return cohesion::contact::adhesion_of(l, geometry); },
+                    law);
 }
 
 cohesion::hamaker::AnyLaw LAMMPS_NS::hamaker_law(const cohesion::hamaker::Form& form,

@@ -4,8 +4,8 @@
 
 #include <string>
 
+#include "contact/adhesion.h"
 #include "contact/contact_parameters.h"
-#include "event_stepping/adhesion.h"
 #include "hamaker/forms.h"
 #include "lammps.h"
 #include "sphere.h"
@@ -24,13 +24,19 @@ struct CohesiveContactParameters {
 CohesiveContactParameters cohesive_contact_from_script(LAMMPS*, const std::string& where, int first,
                                                        int narg, char** arg);
 
+/// How many values a keyword of cohesive_contact_from_script takes; -1 when there is none called
+/// so.
+int values_of_contact_keyword(const std::string& name);
+/// Their names, with commas.
+std::string contact_keywords();
+
 /// The contact of unlike materials: geometric means of stiffness, restitution, friction, ratios and
 /// Hamaker constant; the larger cut-offs and asperity.
 CohesiveContactParameters mixed(const CohesiveContactParameters&, const CohesiveContactParameters&);
 
 /// The Hamaker law of a pair of materials as the event scheme takes it.
-cohesion::event_stepping::Adhesion adhesion_of(const cohesion::hamaker::AnyLaw&,
-                                               const cohesion::PairGeometry&);
+cohesion::contact::Adhesion adhesion_of(const cohesion::hamaker::AnyLaw&,
+                                        const cohesion::PairGeometry&);
 
 /// Throws InvalidParameter.
 cohesion::hamaker::AnyLaw hamaker_law(const cohesion::hamaker::Form&,

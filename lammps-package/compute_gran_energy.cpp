@@ -76,8 +76,7 @@ void ComputeGranEnergy::compute_vector() {
   mine[EXTERNAL_WORK] = book.external_work;
   MPI_Allreduce(mine, vector, ENTRIES, MPI_DOUBLE, MPI_SUM, world);
 
-  const double total =
-      std::accumulate(vector, vector + EXTERNAL_WORK, 0.0) - vector[EXTERNAL_WORK];
+  const double total = std::accumulate(vector, vector + EXTERNAL_WORK, 0.0) - vector[EXTERNAL_WORK];
   if (!opened) balance = total;
   opened = true;
   vector[RESIDUAL] = total - balance;

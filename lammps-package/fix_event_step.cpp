@@ -19,6 +19,7 @@ using namespace LAMMPS_NS;
 using cohesion::event_stepping::StepWindow;
 
 static constexpr char ID[] = "COHESION_EVENT_STEP";
+static constexpr char PLACE[] = "COHESION_EVENT_STEP_PLACE";
 
 FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
     : Fix(lammps, narg, arg),
@@ -27,6 +28,7 @@ FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
       book(),
       resuming(false),
       starting(false),
+      running(false),
       last_step(-1),
       last(nullptr),
       contact_force(nullptr),
@@ -54,14 +56,17 @@ FixEventStep::~FixEventStep() {
   memory->destroy(inverse_mass);
 }
 
+void FixEventStep::reserve(LAMMPS* lmp) {
+  Modify* modify = lmp->modify;
+  if (modify->find_fix(ID) < 0 && modify->find_fix(PLACE) < 0)
+    modify->add_fix(std::string(PLACE) + " all DUMMY");
+}
+
 FixEventStep* FixEventStep::of(LAMMPS* lmp) {
   Modify* modify = lmp->modify;
-  int index = modify->find_fix(ID);
-  if (index < 0) {
-    modify->add_fix(std::string(ID) + " all EVENT_STEP");
-    index = modify->find_fix(ID);
-  }
-  return static_cast<FixEventStep*>(modify->fix[index]);
+  reserve(lmp);
+  if (modify->find_fix(ID) < 0) modify->replace_fix(PLACE, std::string(ID) + " all EVENT_STEP", 1);
+  return static_cast<FixEventStep*>(modify->fix[modify->find_fix(ID)]);
 }
 
 int FixEventStep::setmask() {
@@ -80,10 +85,12 @@ void FixEventStep::init() {
     error->all(FLERR,
                "scheme event needs the velocities of ghost particles; add 'comm_modify vel yes'");
 
+  walls.clear();
   mobile_bits = frozen_bit = 0;
   bool before_me = true;
   for (int i = 0; i < modify->nfix; i++) {
-    const Fix* fix = modify->fix[i];
+    Fix* const fix = modify->fix[i];
+    if (auto* wall = dynamic_cast<EventContacts*>(fix)) walls.push_back(wall);
     if (fix == this) before_me = false;
     if (fix->rigid_flag)
       error->all(FLERR, std::string("scheme event cannot follow contacts of rigid bodies (fix ") +
@@ -113,6 +120,10 @@ void FixEventStep::look_round() {
   }
 }
 
+/// The engine's half kick makes of a force f the momentum f dt/2; the other half went before, but
+/// for the first step, which has no half before it.
+double FixEventStep::force_per_impulse() const { return (starting ? 2.0 : 1.0) / update->dt; }
+
 StepWindow FixEventStep::window() const {
   const double half = 0.5 * update->dt;
   return {starting ? 0.0 : half, half};
@@ -126,10 +137,15 @@ void FixEventStep::setup_pre_force(int) {
   resuming = last_step == update->ntimestep;
   starting = !resuming;
   clear();
+  if (resuming) return;
+  for (EventContacts* wall : walls) wall->follow_alone();
 }
 
 void FixEventStep::setup(int) {
-  if (starting) move();
+  running = true;
+  if (resuming) return;
+  for (EventContacts* wall : walls) wall->follow_together();
+  move();
   starting = false;
 }
 
@@ -142,7 +158,10 @@ void FixEventStep::initial_integrate(int) {
   resuming = false;
 }
 
-void FixEventStep::pre_force(int) { clear(); }
+void FixEventStep::pre_force(int) {
+  clear();
+  for (EventContacts* wall : walls) wall->follow_alone();
+}
 
 void FixEventStep::clear() {
   const int all = atom->nlocal + atom->nghost;
@@ -176,6 +195,7 @@ void FixEventStep::post_run() {
     std::copy_n(atom->torque[i], 3, last[i] + 3);
   }
   last_step = update->ntimestep;
+  running = false;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -235,8 +255,9 @@ void FixEventStep::restart(char* buf) {
 
 int FixEventStep::pack_restart(int i, double* buf) {
   buf[0] = 7;
-  std::copy_n(atom->f[i], 3, buf + 1);
-  std::copy_n(atom->torque[i], 3, buf + 4);
+  // Between runs the engine's own forces may have stayed behind when particles changed rank.
+  std::copy_n(running ? atom->f[i] : last[i], 3, buf + 1);
+  std::copy_n(running ? atom->torque[i] : last[i] + 3, 3, buf + 4);
   return 7;
 }
 

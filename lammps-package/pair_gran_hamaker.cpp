@@ -10,11 +10,12 @@
 #include "comm.h"
 #include "engine_api.h"
 #include "error.h"
+#include "event_contact.h"
 #include "fix_event_step.h"
 #include "fix_neigh_history.h"
 #include "force.h"
-#include "law_from_script.h"
 #include "largest_radii.h"
+#include "law_from_script.h"
 #include "memory.h"
 #include "modify.h"
 #include "neigh_list.h"
@@ -27,14 +28,6 @@ using cohesion::Vector3;
 static constexpr int HISTORY = 4;
 static constexpr char HISTORY_ID[] = "NEIGH_HISTORY_GRAN_HAMAKER";
 
-static Vector3 vector(const double* a) { return {a[0], a[1], a[2]}; }
-
-static void add(double* to, double factor, const Vector3& a) {
-  to[0] += factor * a.x;
-  to[1] += factor * a.y;
-  to[2] += factor * a.z;
-}
-
 PairGranHamaker::PairGranHamaker(LAMMPS* lammps)
     : Pair(lammps),
       atom_types(0),
@@ -42,13 +35,14 @@ PairGranHamaker::PairGranHamaker(LAMMPS* lammps)
       largest_range(0.0),
       list_reach(0.0),
       friction(false),
-      step(FixEventStep::of(lammps)),
+      step(nullptr),
       history(nullptr) {
   single_enable = 0;
   restartinfo = 1;
   no_virial_fdotr_compute = 1;
   finitecutflag = 1;
   beyond_contact = 1;
+  FixEventStep::reserve(lmp);
 }
 
 PairGranHamaker::~PairGranHamaker() {
@@ -146,8 +140,7 @@ void PairGranHamaker::follow_alone() {
       double* const values = &history->firstvalue[i][HISTORY * jj];
       if (!kept) std::fill_n(values, HISTORY, 0.0);
       // A pair that a run starts with is where it is; it did not fall into the range.
-      if (first && !kept)
-        values[0] = norm(grid.separation) < radius[i] + radius[j] + c.adhesion().range;
+      if (first && !kept) values[0] = norm(grid.separation) < radius[i] + radius[j] + c.range();
       active.push_back({i, j, &kept, values, c.advance(grid, values[0] != 0.0)});
       const PairStep& alone = active.back().alone;
       add(step->alone[i], -c.share_i(), alone.change.separation);
@@ -162,64 +155,27 @@ void PairGranHamaker::follow_alone() {
 template <bool TALLY, bool FRICTION>
 void PairGranHamaker::follow_together() {
   const int nlocal = atom->nlocal;
-  // The engine's half kick makes of a force f the momentum f dt/2; the other half went before.
-  const double per_time = 0.5 / step->window().after;
-  const double kick = step->window().before == 0.0 ? 2.0 * per_time : per_time;
+  const ContactScatter scatter(atom, step);
 
   for (Active& pair : active) {
     const int i = pair.i, j = pair.j;
     const Contact& c = contact(i, j);
-    const Vector3 others_x = vector(step->alone[j]) - vector(step->alone[i]) -
-                             pair.alone.change.separation;
-    const Vector3 others_v = vector(step->alone[j] + 3) - vector(step->alone[i] + 3) -
-                             pair.alone.change.velocity;
-    RelativeState grid = on_grid(i, j);
-    PairStep now = pair.alone;
-    if (dot(others_x, others_x) > 0.0 || dot(others_v, others_v) > 0.0) {
-      grid.separation += 0.5 * others_x;
-      grid.velocity += 0.5 * others_v;
-      now = c.advance(grid, pair.history[0] != 0.0);
-    }
+    const RelativeState others{
+        vector(step->alone[j]) - vector(step->alone[i]) - pair.alone.change.separation,
+        vector(step->alone[j] + 3) - vector(step->alone[i] + 3) - pair.alone.change.velocity};
+    const FollowedContact now =
+        follow_with_others<FRICTION>(c, on_grid(i, j), pair.alone, others, vector(atom->omega[i]),
+                                     vector(atom->omega[j]), pair.history);
+    *pair.kept = now.normal.inside;
 
-    Vector3 impulse = c.reduced_mass() * now.change.velocity;
-    FrictionStep sliding;
-    const Vector3 before{pair.history[1], pair.history[2], pair.history[3]};
-    if (FRICTION && now.normal.contact_time > 0.0) {
-      sliding = c.friction(grid, now, vector(atom->omega[i]), vector(atom->omega[j]), before);
-      impulse += sliding.spring.impulse;
-      add(atom->torque[i], kick, sliding.torque_i);
-      if (j < nlocal) add(atom->torque[j], kick, sliding.torque_j);
-    }
-    const Vector3 spring = sliding.spring.displacement;
-    pair.history[0] = now.inside;
-    pair.history[1] = spring.x;
-    pair.history[2] = spring.y;
-    pair.history[3] = spring.z;
-    *pair.kept = now.inside;
-
-    add(atom->f[i], -kick, impulse);
-    add(step->shift[i], -c.share_i(), now.change.separation);
-    if (j < nlocal) {
-      add(atom->f[j], kick, impulse);
-      add(step->shift[j], c.share_j(), now.change.separation);
-    }
-    if (now.normal.unresolved) step->book.unresolved++;
-    if (step->book.kept) {
-      const double share = j < nlocal ? 1.0 : 0.5;
-      step->note_force(i, -kick * impulse.x, -kick * impulse.y, -kick * impulse.z);
-      if (j < nlocal) step->note_force(j, kick * impulse.x, kick * impulse.y, kick * impulse.z);
-      step->book.spring += share * c.spring_energy(now);
-      step->book.adhesion += share * c.adhesion_energy(now);
-      step->book.tangential_spring += share * c.friction_energy(spring);
-      step->book.normal_damping += share * now.normal.dissipated;
-      step->book.tangential_damping += share * sliding.spring.damped;
-      step->book.friction += share * sliding.spring.friction;
-    }
+    scatter.on_i<FRICTION>(i, c.share_i(), now);
+    if (j < nlocal) scatter.on_j<FRICTION>(j, c.share_j(), now);
+    scatter.book(c, j < nlocal ? 1.0 : 0.5, now);
     if (TALLY) {
       const RelativeState d = on_grid(i, j);
-      ev_tally_xyz(i, j, nlocal, 0, c.spring_energy(now) + c.adhesion_energy(now), 0.0,
-                   -kick * impulse.x, -kick * impulse.y, -kick * impulse.z, -d.separation.x,
-                   -d.separation.y, -d.separation.z);
+      const Vector3 on_i = -scatter.kick() * now.impulse;
+      ev_tally_xyz(i, j, nlocal, 0, c.spring_energy(now.normal) + c.adhesion_energy(now.normal),
+                   0.0, on_i.x, on_i.y, on_i.z, -d.separation.x, -d.separation.y, -d.separation.z);
     }
   }
 }
@@ -275,8 +231,8 @@ void PairGranHamaker::coeff(int narg, char** arg) {
 
 void PairGranHamaker::init_style() {
   if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag || !atom->torque_flag)
-    error->all(FLERR,
-               "pair_style gran/hamaker acts between spheres; use 'atom_style sphere'");
+    error->all(FLERR, "pair_style gran/hamaker acts between spheres; use 'atom_style sphere'");
+  step = FixEventStep::of(lmp);
   largest_radius = largest_radii(lmp);
   laws.assign(given.size(), form->law(cohesion::hamaker::none, false));
   recent.assign(given.size(), {});

@@ -57,14 +57,14 @@ class PairGranHamaker : public Pair {
 
   int atom_types;
   const cohesion::hamaker::Form* form;
-  std::vector<CohesiveContactParameters> given;     // by type pair
-  std::vector<cohesion::hamaker::AnyLaw> laws;      // by type pair, built at init
-  std::vector<std::vector<Contact>> recent;         // by type pair: the contact worked out last
-  std::vector<double> largest_radius;               // by type, at init
+  std::vector<CohesiveContactParameters> given;  // by type pair
+  std::vector<cohesion::hamaker::AnyLaw> laws;   // by type pair, built at init
+  std::vector<std::vector<Contact> > recent;     // by type pair: the contact worked out last
+  std::vector<double> largest_radius;            // by type, at init
   std::vector<Active> active;
   double largest_range;  // of adhesion
   double list_reach;     // gap up to which every pair is in the list
-  bool friction;     // whether any contact has friction
+  bool friction;         // whether any contact has friction
   class FixEventStep* step;
   class FixNeighHistory* history;
 };

@@ -66,29 +66,44 @@ void Foam::particleExchange::reportOutside
 }
 
 
-void Foam::particleExchange::locate(const UList<point>& positions)
+Foam::List<Foam::DynamicList<Foam::label>> Foam::particleExchange::candidates
+(
+    const UList<point>& positions
+) const
 {
-    nEngine_ = positions.size();
-    const label nRanks = Pstream::nProcs();
-
-    // Ask every rank whose box holds the particle ...
-    List<DynamicList<label>> candidates(nRanks);
-    List<DynamicList<point>> questions(nRanks);
+    List<DynamicList<label>> found(rankBounds_.size());
     forAll(positions, i)
     {
         forAll(rankBounds_, rank)
         {
             if (rankBounds_[rank].contains(positions[i]))
             {
-                candidates[rank].append(i);
-                questions[rank].append(positions[i]);
+                found[rank].append(i);
             }
         }
     }
-    List<DynamicList<point>> asked(nRanks);
+    return found;
+}
+
+
+Foam::List<Foam::DynamicList<Foam::label>> Foam::particleExchange::askForCells
+(
+    const UList<point>& positions,
+    const List<DynamicList<label>>& mayHold
+) const
+{
+    List<DynamicList<point>> questions(mayHold.size());
+    forAll(mayHold, rank)
+    {
+        for (const label i : mayHold[rank])
+        {
+            questions[rank].append(positions[i]);
+        }
+    }
+    List<DynamicList<point>> asked(mayHold.size());
     Pstream::exchange<DynamicList<point>, point>(questions, asked);
 
-    List<DynamicList<label>> answers(nRanks);
+    List<DynamicList<label>> answers(mayHold.size());
     forAll(asked, rank)
     {
         for (const point& position : asked[rank])
@@ -96,34 +111,52 @@ void Foam::particleExchange::locate(const UList<point>& positions)
             answers[rank].append(search_.findCell(position, -1, true));
         }
     }
-    List<DynamicList<label>> answered(nRanks);
-    Pstream::exchange<DynamicList<label>, label>(answers, answered);
+    List<DynamicList<label>> cells(mayHold.size());
+    Pstream::exchange<DynamicList<label>, label>(answers, cells);
+    return cells;
+}
 
-    // ... and give it to the first that has a cell for it.
-    labelList owners(nEngine_, -1);
-    labelList cellsOfOwner(nEngine_, -1);
-    labelListList sent(nRanks);
-    forAll(candidates, rank)
+
+Foam::particleExchange::Places Foam::particleExchange::firstClaims
+(
+    const label nParticles,
+    const List<DynamicList<label>>& mayHold,
+    const List<DynamicList<label>>& cells
+)
+{
+    Places places{labelList(nParticles, -1), labelList(nParticles, -1), labelListList(cells.size())};
+    forAll(mayHold, rank)
     {
-        DynamicList<label> accepted(candidates[rank].size());
-        forAll(candidates[rank], k)
+        DynamicList<label> accepted(mayHold[rank].size());
+        forAll(mayHold[rank], k)
         {
-            const label i = candidates[rank][k];
-            if (owners[i] < 0 && answered[rank][k] >= 0)
+            const label i = mayHold[rank][k];
+            if (places.owners[i] < 0 && cells[rank][k] >= 0)
             {
-                owners[i] = rank;
-                cellsOfOwner[i] = answered[rank][k];
+                places.owners[i] = rank;
+                places.cells[i] = cells[rank][k];
                 accepted.append(i);
             }
         }
-        sent[rank].transfer(accepted);
+        places.sent[rank].transfer(accepted);
     }
+    return places;
+}
 
-    if (returnReduce(owners.found(-1), orOp<bool>()))
+
+void Foam::particleExchange::locate(const UList<point>& positions)
+{
+    nEngine_ = positions.size();
+
+    // Every rank whose box holds a particle is asked; the first that has a cell for it gets it.
+    const List<DynamicList<label>> mayHold(candidates(positions));
+    Places places(firstClaims(nEngine_, mayHold, askForCells(positions, mayHold)));
+
+    if (returnReduce(places.owners.found(-1), orOp<bool>()))
     {
-        reportOutside(positions, owners);
+        reportOutside(positions, places.owners);
     }
 
-    map_.reset(new mapDistributeBase(makeMap(std::move(sent))));
-    cells_ = toGas(cellsOfOwner);
+    map_.reset(new mapDistributeBase(makeMap(std::move(places.sent))));
+    cells_ = toGas(places.cells);
 }

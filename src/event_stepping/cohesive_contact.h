@@ -31,54 +31,53 @@ struct FrictionStep {
   Vector3 torque_j;
 };
 
-/// One pair in the event scheme: normal motion followed exactly (Geometry: SpherePair or
-/// PlanePair), tangential spring over the time in contact. Everything that does not change from
-/// step to step is worked out once; pairs of equal bodies can share it.
-template <class Geometry>
+/// One pair in contact: normal motion by Pair, tangential spring over the time in contact. Pair is
+/// SpherePair or PlanePair, which follow the motion exactly, or SampledPair. Everything that does
+/// not change from step to step is worked out once; pairs of equal bodies can share it.
+template <class Pair>
 class CohesiveContact {
  public:
-  CohesiveContact(const contact::ContactParameters& parameters, const Adhesion& adhesion,
+  using Attraction = typename Pair::Attraction;
+
+  CohesiveContact(const contact::ContactParameters& parameters, const Attraction& attraction,
                   const Body& i, const Body& j, const StepWindow& window)
       : i_(i),
         j_(j),
         window_(window),
         reduced_mass_(1.0 / (i.inverse_mass + j.inverse_mass)),
         normal_contact_(contact::normal_contact(parameters, reduced_mass_)),
-        adhesion_(adhesion),
-        geometry_(NormalMotion({normal_contact_.stiffness() / reduced_mass_,
-                                0.5 * normal_contact_.damping() / reduced_mass_},
-                               adhesion, reduced_mass_, window.length()),
-                  i.radius + j.radius),
+        pair_(normal_contact_, attraction, i.radius + j.radius, window.length()),
         tangential_(contact::tangential_contact(parameters, normal_contact_)) {}
 
   bool joins(const Body& i, const Body& j) const { return i == i_ && j == j_; }
 
   const contact::LinearSpringDashpot& normal_contact() const { return normal_contact_; }
-  const Adhesion& adhesion() const { return adhesion_; }
+  /// Gap up to which the pair attracts in this scheme, [length].
+  double range() const { return pair_.range(); }
   double reduced_mass() const { return reduced_mass_; }
 
   /// The part of a relative change that falls to particle i (with a minus sign) and j.
   double share_i() const { return reduced_mass_ * i_.inverse_mass; }
   double share_j() const { return reduced_mass_ * j_.inverse_mass; }
 
-  bool within_reach(const RelativeState& grid) const {
-    return geometry_.within_reach(grid, window_);
-  }
+  bool within_reach(const RelativeState& grid) const { return pair_.within_reach(grid, window_); }
 
   /// Normal motion over the step. `inside`: whether the last step ended within the adhesion's
   /// range.
   PairStep advance(const RelativeState& grid, bool inside) const {
-    return geometry_.advance(grid, window_, inside);
+    return pair_.advance(grid, window_, inside);
   }
 
-  /// Friction in the step that `normal` describes. The lever arms share the distance of the
-  /// centres in proportion to the radii, so that angular momentum is kept exactly.
+  /// Friction in the step that `normal` describes. The lever arms of two spheres share the distance
+  /// of their centres in proportion to the radii, so that angular momentum is kept exactly; beside
+  /// a wall, the limit of a large sphere, the arm is the radius.
   FrictionStep friction(const RelativeState& grid, const PairStep& normal, const Vector3& spin_i,
                         const Vector3& spin_j, const Vector3& displacement) const {
     const Vector3 separation = grid.separation + normal.change.separation;
     const double distance = norm(separation);
     const Vector3 n = (1.0 / distance) * separation;
-    const double arm_i = distance * i_.radius / (i_.radius + j_.radius);
+    const double arm_i =
+        j_.radius > 0.0 ? distance * i_.radius / (i_.radius + j_.radius) : i_.radius;
     const double arm_j = distance - arm_i;
     const Vector3 u =
         grid.velocity + 0.5 * normal.change.velocity - cross(arm_i * spin_i + arm_j * spin_j, n);
@@ -103,10 +102,10 @@ class CohesiveContact {
   }
 
   double spring_energy(const PairStep& step) const {
-    return geometry_.motion().spring_energy(step.overlap_at_end);
+    return pair_.spring_energy(step.overlap_at_end);
   }
   double adhesion_energy(const PairStep& step) const {
-    return step.inside ? geometry_.motion().adhesion_energy(step.overlap_at_end) : 0.0;
+    return step.inside ? pair_.adhesion_energy(step.overlap_at_end) : 0.0;
   }
 
  private:
@@ -115,8 +114,7 @@ class CohesiveContact {
   StepWindow window_;
   double reduced_mass_;
   contact::LinearSpringDashpot normal_contact_;
-  Adhesion adhesion_;
-  Geometry geometry_;
+  Pair pair_;
   contact::TangentialSpring tangential_;
 };
 

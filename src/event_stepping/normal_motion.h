@@ -5,7 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "event_stepping/adhesion.h"
+#include "contact/adhesion.h"
+#include "contact/linear_spring_dashpot.h"
 #include "event_stepping/damped_oscillator.h"
 
 namespace cohesion::event_stepping {
@@ -26,16 +27,17 @@ struct NormalRecord {
 class NormalMotion {
  public:
   /// `step` [time]: the length of the steps that will be asked for most.
-  NormalMotion(const DampedOscillator& contact, const Adhesion& adhesion, double reduced_mass,
+  NormalMotion(const contact::LinearSpringDashpot& spring, const contact::Adhesion& adhesion,
                double step)
-      : contact_(contact),
-        whole_step_(contact.propagator(step)),
+      : contact_(spring.stiffness() / spring.reduced_mass(),
+                 0.5 * spring.damping() / spring.reduced_mass()),
+        whole_step_(contact_.propagator(step)),
         adhesion_(adhesion),
-        reduced_mass_(reduced_mass),
-        pull_(adhesion.force / reduced_mass),
-        edge_(2.0 * adhesion.tail_energy / reduced_mass) {}
+        reduced_mass_(spring.reduced_mass()),
+        pull_(adhesion.force / reduced_mass_),
+        edge_(2.0 * adhesion.tail_energy / reduced_mass_) {}
 
-  double range() const { return adhesion_.range; }
+  double range() const { return adhesion_.cutoff; }
   double reduced_mass() const { return reduced_mass_; }
 
   /// From outside to inside at s.x: the speed gains the tail's energy and, below the edge, the work
@@ -55,7 +57,7 @@ class NormalMotion {
     double left = time;
     inside = true;
     // A pair that was pushed out beyond the range between two steps leaves now, if it can pay.
-    if (s.x <= -adhesion_.range && s.v < 0.0 && !leave(s)) inside = false;
+    if (s.x <= -adhesion_.cutoff && s.v < 0.0 && !leave(s)) inside = false;
     for (int phases = 0; inside && left > 0.0; phases++) {
       if (phases == max_phases) {
         record.unresolved = true;
@@ -64,12 +66,12 @@ class NormalMotion {
       const bool touching = s.x > 0.0 || (s.x == 0.0 && (s.v > 0.0 || (s.v == 0.0 && drive > 0.0)));
       if (touching) {
         left -= in_contact(s, left, drive, x_integral, record);
-        if (s.x == 0.0 && s.v < 0.0 && adhesion_.range == 0.0 && !leave(s)) inside = false;
+        if (s.x == 0.0 && s.v < 0.0 && adhesion_.cutoff == 0.0 && !leave(s)) inside = false;
         continue;
       }
-      const bool beyond = s.x < -adhesion_.range;
+      const bool beyond = s.x < -adhesion_.cutoff;
       const Gap gap =
-          beyond ? Gap{s.x, -adhesion_.range, -outward} : Gap{-adhesion_.range, 0.0, drive};
+          beyond ? Gap{s.x, -adhesion_.cutoff, -outward} : Gap{-adhesion_.cutoff, 0.0, drive};
       left -= whole_bounces(s, left, gap, x_integral);
       bool at_edge = false;
       left -= in_gap(s, left, gap, at_edge, x_integral);
@@ -99,7 +101,7 @@ class NormalMotion {
   };
 
   /// How far overlap x is within the range, [length].
-  double within_range(double x) const { return std::max(adhesion_.range + x, 0.0); }
+  double within_range(double x) const { return std::max(adhesion_.cutoff + x, 0.0); }
 
   /// At the edge, moving out. False: gone, slowed down by the tail. True: captured.
   bool leave(Overlap& s) const {
@@ -168,7 +170,7 @@ class NormalMotion {
 
   DampedOscillator contact_;
   DampedOscillator::Propagator whole_step_;
-  Adhesion adhesion_;
+  contact::Adhesion adhesion_;
   double reduced_mass_;
   double pull_;
   double edge_;

@@ -13,9 +13,16 @@ namespace cohesion::event_stepping {
 /// turns.
 class PlanePair {
  public:
-  PlanePair(const NormalMotion& motion, double radius) : motion_(motion), radius_(radius) {}
+  using Attraction = contact::Adhesion;
 
-  const NormalMotion& motion() const { return motion_; }
+  /// `step` [time]: the usual length of a step.
+  PlanePair(const contact::LinearSpringDashpot& spring, const contact::Adhesion& adhesion,
+            double radius, double step)
+      : motion_(spring, adhesion, step), radius_(radius) {}
+
+  double range() const { return motion_.range(); }
+  double spring_energy(double overlap) const { return motion_.spring_energy(overlap); }
+  double adhesion_energy(double overlap) const { return motion_.adhesion_energy(overlap); }
 
   bool within_reach(const RelativeState& grid, const StepWindow& window) const {
     const double slack = std::max(window.before, window.after) * norm(grid.velocity);

@@ -17,12 +17,18 @@ namespace cohesion::event_stepping {
 /// L^2/R^3 taken at R = contact distance while inside (relative error: overlap/R).
 class SpherePair {
  public:
-  SpherePair(const NormalMotion& motion, double contact_distance)
-      : motion_(motion),
+  using Attraction = contact::Adhesion;
+
+  /// `step` [time]: the usual length of a step.
+  SpherePair(const contact::LinearSpringDashpot& spring, const contact::Adhesion& adhesion,
+             double contact_distance, double step)
+      : motion_(spring, adhesion, step),
         contact_distance_(contact_distance),
         inverse_distance_(1.0 / contact_distance) {}
 
-  const NormalMotion& motion() const { return motion_; }
+  double range() const { return motion_.range(); }
+  double spring_energy(double overlap) const { return motion_.spring_energy(overlap); }
+  double adhesion_energy(double overlap) const { return motion_.adhesion_energy(overlap); }
 
   /// Whether anything can happen to the pair within the window.
   bool within_reach(const RelativeState& grid, const StepWindow& window) const {

@@ -227,7 +227,8 @@ TEST(CohesiveContact, SurvivesExtremeParametersWithItsEnergyBalanced) {
     const double range = decades(random, 1e-10, 1e-7);
     const double hamaker = random() % 4 == 0 ? 0.0 : decades(random, 1e-21, 1e-16);
     const double force = hamaker * r_i * r_j / (r_i + r_j) / (6.0 * range * range);
-    const Adhesion a = force > 0.0 ? Adhesion{force, range, force * range} : Adhesion{};
+    const contact::Adhesion a =
+        force > 0.0 ? contact::Adhesion{force, range, force * range} : contact::Adhesion{};
     const double R = r_i + r_j;
     const double mu = reduced_mass(m_i, m_j);
     const auto law = contact::normal_contact(p, mu);
@@ -237,7 +238,7 @@ TEST(CohesiveContact, SurvivesExtremeParametersWithItsEnergyBalanced) {
     const double speed = decades(random, 1e-9, 100.0);
     const double angle = random() % 4 == 0 ? 0.0 : uniform(random, 0.0, 0.5 * pi);
     const bool overlapped = random() % 3 == 0;
-    const double x = overlapped ? uniform(random, 0.0, 0.1) * r_i : -a.range;
+    const double x = overlapped ? uniform(random, 0.0, 0.1) * r_i : -a.cutoff;
     const Vector3 v{-speed * std::cos(angle), speed * std::sin(angle), 0.0};
     PairRun<SpherePair> run(
         p, a, {r_i, 1.0 / m_i}, {r_j, 1.0 / m_j}, dt,
@@ -281,10 +282,10 @@ TEST(CohesiveContact, SurvivesExtremeParametersWithItsEnergyBalanced) {
       continue;
     }
     // The centrifugal energy at the edge, where straight flight takes over.
-    tolerance += 4.0 * mu * speed * speed * a.range * a.range / (R * R);
+    tolerance += 4.0 * mu * speed * speed * a.cutoff * a.cutoff / (R * R);
     const double error = std::abs(balance() - start);
     EXPECT_LE(error, tolerance) << n << " K " << p.stiffness << " e " << p.restitution << " r "
-                                << r_i << " " << r_j << " range " << a.range << " A " << hamaker
+                                << r_i << " " << r_j << " range " << a.cutoff << " A " << hamaker
                                 << " dt w0 " << dt * w0 << " speed " << speed << " angle " << angle
                                 << " overlapped " << overlapped << " largest " << largest
                                 << " unresolved " << run.unresolved();

@@ -12,10 +12,9 @@ namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-NormalMotion thesis_motion(const contact::ContactParameters& p, const Adhesion& a, double step) {
-  return {
-      DampedOscillator(p.stiffness / thesis::reduced_mass, 0.5 * p.damping / thesis::reduced_mass),
-      a, thesis::reduced_mass, step};
+NormalMotion thesis_motion(const contact::ContactParameters& p, const contact::Adhesion& a,
+                           double step) {
+  return {contact::normal_contact(p, thesis::reduced_mass), a, step};
 }
 
 double energy(const NormalMotion& motion, Overlap s) {
@@ -52,34 +51,34 @@ TEST(NormalMotion, RestitutionIsExactForAnyStepAndPhase) {
 }
 
 TEST(NormalMotion, TheEdgeGivesAndTakesTheTailsEnergy) {
-  const Adhesion a = thesis::adhesion(5e-19);
+  const contact::Adhesion a = thesis::adhesion(5e-19);
   const NormalMotion motion = thesis_motion(thesis::elastic(), a, 1e-5);
   const double mu = thesis::reduced_mass;
-  const Overlap in = motion.enter({-a.range, 0.01});
+  const Overlap in = motion.enter({-a.cutoff, 0.01});
   EXPECT_NEAR(0.5 * mu * (in.v * in.v - 1e-4), a.tail_energy, 8 * eps * 0.5e-4 * mu);
   // Back out through the gap from halfway, with enough speed.
-  Overlap s{-0.5 * a.range, -0.02};
+  Overlap s{-0.5 * a.cutoff, -0.02};
   NormalRecord record;
   double integral = 0.0;
   bool inside = true;
   const double taken = motion.advance(s, 1e-5, 0.0, inside, integral, record);
   EXPECT_FALSE(inside);
-  EXPECT_EQ(s.x, -a.range);
+  EXPECT_EQ(s.x, -a.cutoff);
   const double lost = 0.5 * mu * (4e-4 - s.v * s.v);
-  EXPECT_NEAR(lost, 0.5 * a.force * a.range + a.tail_energy, 8 * eps * 2e-4 * mu);
+  EXPECT_NEAR(lost, 0.5 * a.force * a.cutoff + a.tail_energy, 8 * eps * 2e-4 * mu);
   // Uniform deceleration over the half gap: time = 2 (way)/(sum of speeds at both ends).
   const double at_edge = std::sqrt(s.v * s.v + 2.0 * a.tail_energy / mu);
-  EXPECT_NEAR(taken, a.range / (0.02 + at_edge), 1e-12 * taken);
+  EXPECT_NEAR(taken, a.cutoff / (0.02 + at_edge), 1e-12 * taken);
 }
 
 TEST(NormalMotion, APairTooSlowForTheTailIsReflectedAtTheEdge) {
-  const Adhesion a = thesis::adhesion(5e-19);
+  const contact::Adhesion a = thesis::adhesion(5e-19);
   const NormalMotion motion = thesis_motion(thesis::elastic(), a, 1e-5);
   const double edge_speed = std::sqrt(2.0 * a.tail_energy / thesis::reduced_mass);
   for (const double part : {0.5, 0.999999, 1.000001, 2.0}) {
     // At the edge with this part of the speed that the tail costs.
     const double v = part * edge_speed;
-    Overlap s{-a.range, -v};
+    Overlap s{-a.cutoff, -v};
     NormalRecord record;
     double integral = 0.0;
     bool inside = true;
@@ -94,11 +93,11 @@ TEST(NormalMotion, APairTooSlowForTheTailIsReflectedAtTheEdge) {
 TEST(NormalMotion, ACapturedElasticPairKeepsItsEnergy) {
   for (const double hamaker : {1e-19, 5e-19, 2e-18})
     for (const double dt : {0.5, 0.21, 0.037}) {
-      const Adhesion a = thesis::adhesion(hamaker);
+      const contact::Adhesion a = thesis::adhesion(hamaker);
       const double step = dt * thesis::contact_time;
       const NormalMotion motion = thesis_motion(thesis::elastic(), a, step);
       // With 0.9 of the tail's energy at the edge: bounces between edge and contact.
-      Overlap s{-a.range, std::sqrt(1.8 * a.tail_energy / thesis::reduced_mass)};
+      Overlap s{-a.cutoff, std::sqrt(1.8 * a.tail_energy / thesis::reduced_mass)};
       const double start = energy(motion, s);
       const double deepest = 0.5 * a.force * a.force / 800.0 + a.tail_energy;
       NormalRecord record;
@@ -121,10 +120,10 @@ TEST(NormalMotion, ACapturedElasticPairKeepsItsEnergy) {
 TEST(NormalMotion, ImpulseAndIntegralAreThoseOfTheMotion) {
   // One coarse step through entry, contact and gap against many fine ones; the impulse follows from
   // the change in speed under the constant drive.
-  const Adhesion a = thesis::adhesion(5e-19);
+  const contact::Adhesion a = thesis::adhesion(5e-19);
   const NormalMotion motion = thesis_motion(thesis::contact(), a, 1.2 * thesis::contact_time);
   const double centrifugal = 10.0, drive = a.force / thesis::reduced_mass - centrifugal;
-  Overlap s{-a.range, 0.1};
+  Overlap s{-a.cutoff, 0.1};
   NormalRecord record;
   double integral = 0.0;
   bool inside = true;
@@ -135,7 +134,7 @@ TEST(NormalMotion, ImpulseAndIntegralAreThoseOfTheMotion) {
   EXPECT_NEAR(record.repulsion_impulse, thesis::reduced_mass * (drive * taken - (at_edge - 0.1)),
               1e-13 * thesis::reduced_mass);
 
-  Overlap fine{-a.range, 0.1};
+  Overlap fine{-a.cutoff, 0.1};
   double fine_integral = 0.0, sum = 0.0, time = 0.0;
   inside = true;
   const int n = 20000;
@@ -155,12 +154,12 @@ TEST(NormalMotion, ImpulseAndIntegralAreThoseOfTheMotion) {
 TEST(NormalMotion, APairPressedToTheEdgeByItsTurningStaysThere) {
   // The centrifugal term beats the adhesion; the pair cannot pay for the tail and bounces at the
   // edge, however slowly: no limit on the number of bounces, no way out.
-  const Adhesion a = thesis::adhesion(1e-19);
+  const contact::Adhesion a = thesis::adhesion(1e-19);
   const double dt = 0.25 * thesis::contact_time;
   const NormalMotion motion = thesis_motion(thesis::elastic(), a, dt);
   const double outward = 2.0 * a.force / thesis::reduced_mass;
   for (const double v : {0.0, 1e-12, 1e-9, 1e-7, 1e-5}) {
-    Overlap s{-a.range, v};
+    Overlap s{-a.cutoff, v};
     NormalRecord record;
     double integral = 0.0;
     for (int n = 0; n < 100; n++) {
@@ -171,12 +170,12 @@ TEST(NormalMotion, APairPressedToTheEdgeByItsTurningStaysThere) {
       ASSERT_EQ(taken, dt) << v;
       // Apex of a bounce: v^2/(2 |drive|), |drive| = pull.
       const double apex = 0.5 * v * v * thesis::reduced_mass / a.force;
-      ASSERT_GE(s.x, -a.range) << v;
-      ASSERT_LE(s.x, -a.range + apex * (1.0 + 1e-9) + 1e-9 * a.range) << v;
+      ASSERT_GE(s.x, -a.cutoff) << v;
+      ASSERT_LE(s.x, -a.cutoff + apex * (1.0 + 1e-9) + 1e-9 * a.cutoff) << v;
       // The mean height of a parabola is 2/3 of its apex; the incomplete bounce lasts 2 v/|drive|.
       const double period = 2.0 * v * thesis::reduced_mass / a.force;
-      ASSERT_NEAR(integral - before, dt * (-a.range + 2.0 / 3.0 * apex),
-                  period * apex + 1e-12 * dt * a.range)
+      ASSERT_NEAR(integral - before, dt * (-a.cutoff + 2.0 / 3.0 * apex),
+                  period * apex + 1e-12 * dt * a.cutoff)
           << v;
     }
     EXPECT_FALSE(record.unresolved) << v;
@@ -188,7 +187,7 @@ TEST(NormalMotion, ARattleTooFastForTheStepIsReportedAndKeepsItsEnergy) {
   // Between contact and edge, turning so fast that it is pressed outwards: A = 1e-16 J, a period of
   // 4e-8 s against half the contact time, 4.6e-5 s.
   const double range = 1e-10, force = 1e-16 * thesis::radius / (12.0 * range * range);
-  const Adhesion a{force, range, force * range};
+  const contact::Adhesion a{force, range, force * range};
   const double pull = force / thesis::reduced_mass, dt = 0.5 * thesis::contact_time;
   const NormalMotion motion = thesis_motion(thesis::elastic(), a, dt);
   Overlap s{-range, std::sqrt(1.99 * pull * range)};
@@ -212,17 +211,17 @@ TEST(NormalMotion, ARattleTooFastForTheStepIsReportedAndKeepsItsEnergy) {
 
 TEST(NormalMotion, BeyondTheRangeThereIsNoForceButTheTailIsStillOwed) {
   // A pair that counts as inside and was pushed out by its other partners.
-  const Adhesion a = thesis::adhesion(5e-19);
+  const contact::Adhesion a = thesis::adhesion(5e-19);
   const NormalMotion motion = thesis_motion(thesis::elastic(), a, 1e-5);
   const double edge_speed = std::sqrt(2.0 * a.tail_energy / thesis::reduced_mass);
-  const double x = -10.0 * a.range;
+  const double x = -10.0 * a.cutoff;
   for (const double v : {-2.0 * edge_speed, -0.5 * edge_speed, 0.5 * edge_speed}) {
     Overlap s{x, v};
     const double start = energy(motion, s);
     NormalRecord record;
     double integral = 0.0;
     bool inside = true;
-    const double back = 9.0 * a.range / std::abs(v);  // flight to the edge
+    const double back = 9.0 * a.cutoff / std::abs(v);  // flight to the edge
     motion.advance(s, back, 0.0, inside, integral, record);
     if (v < -edge_speed) {
       EXPECT_FALSE(inside);
@@ -230,7 +229,7 @@ TEST(NormalMotion, BeyondTheRangeThereIsNoForceButTheTailIsStillOwed) {
       EXPECT_NEAR(s.v * s.v, v * v - edge_speed * edge_speed, 8 * eps * v * v);
     } else {
       EXPECT_TRUE(inside);
-      EXPECT_NEAR(s.x, -a.range, 1e-12 * a.range);
+      EXPECT_NEAR(s.x, -a.cutoff, 1e-12 * a.cutoff);
       EXPECT_NEAR(s.v, std::abs(v), 1e-9 * std::abs(v));
       EXPECT_NEAR(energy(motion, s), start, 1e-9 * a.tail_energy);
     }
@@ -238,9 +237,9 @@ TEST(NormalMotion, BeyondTheRangeThereIsNoForceButTheTailIsStillOwed) {
 }
 
 TEST(NormalMotion, EnteringBelowTheEdgeGainsTheAdhesionsWorkUpToThere) {
-  const Adhesion a = thesis::adhesion(5e-19);
+  const contact::Adhesion a = thesis::adhesion(5e-19);
   const NormalMotion motion = thesis_motion(thesis::elastic(), a, 1e-5);
-  for (const double x : {-2.0 * a.range, -a.range, -0.3 * a.range, 0.0, 2e-9}) {
+  for (const double x : {-2.0 * a.cutoff, -a.cutoff, -0.3 * a.cutoff, 0.0, 2e-9}) {
     const double spring = motion.spring_energy(x);
     const Overlap in = motion.enter({x, 1e-3});
     // Kinetic energy outside equals kinetic plus adhesion energy inside.

@@ -19,7 +19,7 @@ constexpr double range = 4e-10;
 constexpr double contact_time = 9.25280015463e-5;  ///< test of LinearSpringDashpot
 
 /// F_ad = A r/(12 H_cut^2), tail energy F_ad H_cut: the small-gap form without outer cut-off.
-inline Adhesion adhesion(double hamaker_constant) {
+inline contact::Adhesion adhesion(double hamaker_constant) {
   const double force = hamaker_constant * radius / (12.0 * range * range);
   return {force, range, force * range};
 }
@@ -42,8 +42,8 @@ template <class Geometry>
 class PairRun {
  public:
   /// `state` is the true one, half a step before the first grid point.
-  PairRun(const contact::ContactParameters& parameters, const Adhesion& adhesion, const Body& i,
-          const Body& j, double dt, const RelativeState& state)
+  PairRun(const contact::ContactParameters& parameters, const contact::Adhesion& adhesion,
+          const Body& i, const Body& j, double dt, const RelativeState& state)
       : contact_(parameters, adhesion, i, j, {0.5 * dt, 0.5 * dt}), dt_(dt), true_(state) {}
 
   void step() {

@@ -14,7 +14,7 @@ constexpr double inverse_mass = 1.0 / (2650.0 * 4.0 / 3.0 * 3.14159265358979 * 1
 
 TEST(PlanePair, IsTheLimitOfALargeSecondSphere) {
   const double r = thesis::radius, large = 1e6 * r;
-  Adhesion a = thesis::adhesion(5e-19);
+  contact::Adhesion a = thesis::adhesion(5e-19);
   for (const double v : {1e-3, 4e-3, 0.1})
     for (const double along : {0.0, 0.05}) {
       const double dt = 0.25 * thesis::contact_time;

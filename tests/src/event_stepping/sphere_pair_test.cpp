@@ -19,10 +19,10 @@ using Spheres = PairRun<SpherePair>;
 
 /// Two thesis particles that meet at the edge of the range with `speed` at `angle` to the normal,
 /// `wait` after the start.
-Spheres meeting(const contact::ContactParameters& p, const Adhesion& a, double dt, double speed,
-                double angle, double wait) {
+Spheres meeting(const contact::ContactParameters& p, const contact::Adhesion& a, double dt,
+                double speed, double angle, double wait) {
   const Vector3 velocity{-speed * std::cos(angle), speed * std::sin(angle), 0.0};
-  const Vector3 at_edge{contact_distance + a.range, 0.0, 0.0};
+  const Vector3 at_edge{contact_distance + a.cutoff, 0.0, 0.0};
   return {p, a, particle, particle, dt, {at_edge - wait * velocity, velocity}};
 }
 
@@ -63,7 +63,7 @@ TEST(SpherePair, RestitutionIsExactForAnyStepAndPhase) {
 }
 
 TEST(SpherePair, ObliqueImpactsDoNotDependOnTheStep) {
-  const Adhesion a = thesis::adhesion(5e-19);
+  const contact::Adhesion a = thesis::adhesion(5e-19);
   for (const double angle : {0.0, 20.0, 40.0, 60.0, 80.0})
     for (const double speed : {0.02, 0.1, 1.0}) {
       const auto leave = [&](double part, double wait) {
@@ -108,7 +108,7 @@ TEST(SpherePair, ObliqueImpactsErrByTheOverlapOverTheDistance) {
                                 {5, 80, 0.84954294118099771, 0.255932739103817, 0.0118}};
   for (const auto& [speed, angle, normal_speed, turned, overlap] : expected) {
     const double dt = thesis::contact_time / 50.0;
-    const Adhesion a = thesis::adhesion(5e-19);
+    const contact::Adhesion a = thesis::adhesion(5e-19);
     Spheres run = meeting(thesis::contact(), a, dt, speed, angle * degree, 0.37 * dt);
     ASSERT_TRUE(run.run_to_escape(500));
     // The velocity is constant from the edge on: its direction is that of the turned normal plus
@@ -132,7 +132,7 @@ TEST(SpherePair, ElasticObliqueImpactsKeepEnergyAndAngularMomentum) {
   for (const double hamaker : {0.0, 5e-19})
     for (const double angle : {0.0, 30.0, 60.0, 85.0})
       for (const double part : {2.0, 10.0, 100.0}) {
-        const Adhesion a = hamaker > 0.0 ? thesis::adhesion(hamaker) : Adhesion{};
+        const contact::Adhesion a = hamaker > 0.0 ? thesis::adhesion(hamaker) : contact::Adhesion{};
         const double dt = thesis::contact_time / part, v = 0.5;
         Spheres run = meeting(thesis::elastic(), a, dt, v, angle * degree, 0.37 * dt);
         const Vector3 before = run.angular_momentum();
@@ -150,7 +150,7 @@ TEST(SpherePair, ElasticObliqueImpactsKeepEnergyAndAngularMomentum) {
 TEST(SpherePair, ACapturedElasticPairKeepsEnergyAndAngularMomentum) {
   for (const double around : {0.0, 0.02})
     for (const double part : {2.0, 4.7, 30.0}) {
-      const Adhesion a = thesis::adhesion(5e-19);
+      const contact::Adhesion a = thesis::adhesion(5e-19);
       const double dt = thesis::contact_time / part;
       const double in = 0.9 * std::sqrt(2.0 * a.tail_energy / thesis::reduced_mass);
       Spheres run(thesis::elastic(), a, particle, particle, dt,
@@ -179,7 +179,7 @@ TEST(SpherePair, ACapturedElasticPairKeepsEnergyAndAngularMomentum) {
 }
 
 TEST(SpherePair, IsReversible) {
-  const Adhesion a = thesis::adhesion(5e-19);
+  const contact::Adhesion a = thesis::adhesion(5e-19);
   for (const double speed : {0.001, 0.01, 0.5})
     for (const double angle : {0.0, 25.0, 70.0})
       for (const double part : {2.0, 4.0, 17.0}) {
@@ -207,7 +207,7 @@ TEST(SpherePair, JitterBetweenStepsDoesNotLeakEnergyFromTheBooks) {
   std::mt19937 random(5);
   for (const double jitter : {1e-9, 1e-8})
     for (const double part : {2.0, 10.0}) {
-      const Adhesion a = thesis::adhesion(5e-19);
+      const contact::Adhesion a = thesis::adhesion(5e-19);
       const double dt = thesis::contact_time / part;
       Spheres run = meeting(thesis::elastic(), a, dt, 1e-4, 0.0, 0.37 * dt);
       std::uniform_real_distribution<double> shift(-jitter, jitter);
@@ -236,7 +236,7 @@ TEST(SpherePair, JitterBetweenStepsDoesNotLeakEnergyFromTheBooks) {
 }
 
 TEST(SpherePair, ReachCoversAllThatCanHappenWithinTheWindow) {
-  const Adhesion a = thesis::adhesion(5e-19);
+  const contact::Adhesion a = thesis::adhesion(5e-19);
   std::mt19937 random(6);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   int met = 0;

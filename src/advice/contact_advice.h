@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "advice/contact_numbers.h"
+#include "constants.h"
+
+/// What to say about a type pair before the first step.
+namespace cohesion::advice {
+
+/// What a stepping scheme asks of the step.
+struct SchemeLimits {
+  std::string_view scheme;
+  double steps_for_warning;  ///< steps per contact below which results suffer
+  double steps_for_error;    ///< steps per contact below which they mean nothing
+  bool samples_force;        ///< one force per step: leapfrog's limit holds, and gaps are skipped
+};
+
+/// Force sampled once per step: 15 to 50 steps per contact are usual; the error is leapfrog's own.
+inline constexpr SchemeLimits sampled_scheme{"sampled", 15.0, 0.0, true};
+/// Closed-form pair motion, exact for one pair at any step; for many bodies to be measured.
+inline constexpr SchemeLimits event_scheme{"event", 4.0, 2.0, false};
+
+/// Overlap over diameter above which spheres are no longer almost rigid.
+inline constexpr double overlap_for_warning = 0.01;
+/// Nothing blows up before a centre reaches the plane of a wall, which then pushes it out at the
+/// wrong side. Between equal spheres the same happens at twice this overlap.
+inline constexpr double overlap_for_error = 0.5;
+/// Steps in the surface cut-off below which a sampled force gets the work of the adhesion wrong.
+inline constexpr double cutoff_steps_for_warning = 1.0;
+
+enum class Severity { ok, warning, error };
+
+/// What a verdict is about.
+enum class Subject {
+  contact_steps,    ///< steps per contact against the scheme's limits
+  stability,        ///< leapfrog's limit (sampled force only)
+  cutoff_steps,     ///< steps in the surface cut-off (sampled force only)
+  static_overlap,   ///< F_ad/K
+  impact_overlap,   ///< of an impact at the given speed
+  spring_adhesion,  ///< F_ad^2/(2 K) against the well energy
+};
+
+struct Verdict {
+  Subject subject;
+  Severity severity;
+  std::string sentence;  ///< the number, and what to change unless ok; in the user's units
+};
+
+namespace detail {
+
+template <class... Part>
+std::string text(const Part&... part) {
+  std::ostringstream out;
+  out.precision(3);
+  (out << ... << part);
+  return out.str();
+}
+
+inline Verdict contact_steps(const ContactNumbers& n, const SchemeLimits& limits) {
+  const double steps = n.steps_per_contact();
+  const std::string sentence = text("a contact takes ", steps, " time steps");
+  if (steps >= limits.steps_for_warning) return {Subject::contact_steps, Severity::ok, sentence};
+  return {Subject::contact_steps,
+          steps < limits.steps_for_error ? Severity::error : Severity::warning,
+          sentence + text(", the ", limits.scheme, " scheme needs ", limits.steps_for_warning,
+                          ": reduce the time step to ",
+                          pi / n.frequency() / limits.steps_for_warning, " or soften the spring")};
+}
+
+inline Verdict stability(const ContactNumbers& n) {
+  const double dt = n.parameters().dt, limit = n.stable_step();
+  if (dt < limit)
+    return {Subject::stability, Severity::ok,
+            text("the time step is ", dt / limit, " of the largest stable one, ", limit)};
+  return {Subject::stability, Severity::error,
+          text("the time step ", dt, " makes contacts unstable: reduce it below ", limit)};
+}
+
+inline Verdict cutoff_steps(const ContactNumbers& n) {
+  const double steps = n.steps_in_cutoff();
+  const std::string sentence =
+      text("a pair at ", n.entry_speed(), " crosses the surface cut-off in ", steps, " time steps");
+  if (steps >= cutoff_steps_for_warning) return {Subject::cutoff_steps, Severity::ok, sentence};
+  return {Subject::cutoff_steps, Severity::warning,
+          sentence + text(", so that which pairs stick is left to chance: reduce the time step to ",
+                          n.parameters().adhesion.cutoff / n.entry_speed(),
+                          " or use the event scheme")};
+}
+
+/// The overlap falls as stiffness^(-1/power).
+inline Verdict overlap(Subject subject, const char* name, double over_diameter, double stiffness,
+                       double power) {
+  std::string sentence = text(name, " is ", 100.0 * over_diameter, " % of the diameter");
+  if (over_diameter <= overlap_for_warning) return {subject, Severity::ok, sentence};
+  const bool fatal = over_diameter >= overlap_for_error;
+  if (fatal) sentence += ", so far that particles pass through walls";
+  return {subject, fatal ? Severity::error : Severity::warning,
+          sentence + text(": for ", 100.0 * overlap_for_warning, " % raise the stiffness to about ",
+                          stiffness * std::pow(over_diameter / overlap_for_warning, power))};
+}
+
+inline Verdict spring_adhesion(const ContactNumbers& n) {
+  const double spring = n.spring_adhesion_energy(), well = n.well_energy();
+  const std::string sentence =
+      text("in the spring adhesion does the work ", spring, ", on the way to contact ", well,
+           "; pairs that approach below ", n.escape_velocity(), " stick");
+  if (spring <= well) return {Subject::spring_adhesion, Severity::ok, sentence};
+  return {Subject::spring_adhesion, Severity::warning,
+          sentence +
+              ", and would stick less with a stiffer spring: if the material is stiffer "
+              "than the spring, scale the adhesion (stiffness scaling) or raise the "
+              "stiffness"};
+}
+
+}  // namespace detail
+
+/// One verdict for each subject that the scheme and the pair have, in the order of Subject.
+inline std::vector<Verdict> advise(const ContactNumbers& n, const SchemeLimits& limits) {
+  const PairParameters& p = n.parameters();
+  const bool attracts = p.adhesion.force > 0.0;
+  std::vector<Verdict> verdicts{detail::contact_steps(n, limits)};
+  if (limits.samples_force) verdicts.push_back(detail::stability(n));
+  if (limits.samples_force && attracts && p.adhesion.cutoff > 0.0)
+    verdicts.push_back(detail::cutoff_steps(n));
+  if (attracts)
+    verdicts.push_back(detail::overlap(Subject::static_overlap, "the overlap of a resting pair",
+                                       n.static_overlap_over_diameter(), p.stiffness, 1.0));
+  // Of a fast impact, whose overlap goes as 1/w0; adhesion makes it fall faster.
+  verdicts.push_back(detail::overlap(Subject::impact_overlap, "the largest overlap of an impact",
+                                     n.impact_overlap_over_diameter(), p.stiffness, 2.0));
+  if (attracts) verdicts.push_back(detail::spring_adhesion(n));
+  return verdicts;
+}
+
+/// The worst of `verdicts`.
+inline Severity worst(const std::vector<Verdict>& verdicts) {
+  Severity severity = Severity::ok;
+  for (const Verdict& v : verdicts) severity = std::max(severity, v.severity);
+  return severity;
+}
+
+}  // namespace cohesion::advice

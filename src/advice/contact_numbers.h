@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "constants.h"
+#include "contact/adhesive_contact.h"
+#include "validation.h"
+
+namespace cohesion::advice {
+
+/// One type pair of a simulation, any consistent set of units. A wall is a partner of infinite
+/// radius and mass.
+struct PairParameters {
+  double radius_i, radius_j;   ///< [length]
+  double mass_i, mass_j;       ///< [mass]
+  double stiffness;            ///< K, [force/length]
+  double damping;              ///< eta, [mass/time]
+  contact::Adhesion adhesion;  ///< F_ad, H_cut, E_tail
+  double speed;                ///< v, [length/time]: typical approach speed, far from each other
+  double dt;                   ///< [time]
+  double gravity;              ///< g, [length/time^2]
+};
+
+/// The numbers of one type pair that decide whether a simulation can be right.
+///
+///   steps per contact     pi/(w0 dt): t_c/dt of the undamped spring, never above t_c/dt
+///   steps in the cut-off  H_cut/(u dt), u = sqrt(v^2 + 2 W/mu) the speed at first touch
+///   Bond number           F_ad/(m g), m the smaller mass
+///   overlaps              over d, the smaller diameter
+///
+/// Stability of leapfrog with the dashpot taken at the half step before, as the engines do: the
+/// roots of r^2 - (2 - h^2 - 2 zeta h) r + (1 - 2 zeta h), h = w0 dt, stay in the unit circle for
+///
+///   w0 dt < 2 (sqrt(1 + zeta^2) - zeta)
+///
+/// which is the well-known w0 dt < 2 without dashpot.
+class ContactNumbers {
+ public:
+  /// Throws InvalidParameter where AdhesiveContact does, and unless radii and masses are positive
+  /// (infinite for one partner, the wall), dt > 0, v >= 0 and g >= 0.
+  explicit ContactNumbers(const PairParameters& p)
+      : p_(p),
+        contact_({p.stiffness, p.damping, pair_mass(p)}, p.adhesion),
+        w0_(std::sqrt(p.stiffness / pair_mass(p))),
+        zeta_(0.5 * p.damping / (w0_ * pair_mass(p))) {
+    require_partner("radius", p.radius_i);
+    require_partner("radius", p.radius_j);
+    diameter_ = 2.0 * std::min(p.radius_i, p.radius_j);
+    require_positive("smaller diameter", diameter_);
+    require_positive("time step", p.dt);
+    require_non_negative("approach speed", p.speed);
+    require_non_negative("gravity", p.gravity);
+    entry_speed_ = contact_.entry_speed(p.speed);
+  }
+
+  const PairParameters& parameters() const { return p_; }
+  const contact::AdhesiveContact& contact() const { return contact_; }
+
+  /// w0 = sqrt(K/mu), [1/time].
+  double frequency() const { return w0_; }
+  /// t_c, [time]; infinite at and beyond critical damping.
+  double contact_time() const { return contact_.spring().contact_time(); }
+  double steps_per_contact() const { return pi / w0_ / p_.dt; }
+  /// Largest stable step of leapfrog, [time].
+  double stable_step() const { return 2.0 / (std::hypot(1.0, zeta_) + zeta_) / w0_; }
+
+  /// u, [length/time].
+  double entry_speed() const { return entry_speed_; }
+  /// Infinite when the pair does not move.
+  double steps_in_cutoff() const {
+    if (entry_speed_ == 0.0) return std::numeric_limits<double>::infinity();
+    return p_.adhesion.cutoff / entry_speed_ / p_.dt;
+  }
+
+  double static_overlap_over_diameter() const { return contact_.static_overlap() / diameter_; }
+  double impact_overlap_over_diameter() const {
+    return contact_.maximum_overlap(entry_speed_) / diameter_;
+  }
+
+  /// Infinite without gravity, zero without adhesion.
+  double bond_number() const {
+    if (p_.adhesion.force == 0.0) return 0.0;
+    return p_.adhesion.force / (std::min(p_.mass_i, p_.mass_j) * p_.gravity);
+  }
+  /// [length/time]
+  double escape_velocity() const { return contact_.escape_velocity(); }
+  /// W, [energy].
+  double well_energy() const { return p_.adhesion.well_energy(); }
+  /// F_ad^2/(2 K), [energy]: what the spring's softness adds to the adhesion.
+  double spring_adhesion_energy() const { return contact_.spring_adhesion_energy(); }
+
+ private:
+  static void require_partner(const char* name, double value) {
+    require(value > 0.0, name, value, "must be greater than zero, infinite for a wall");
+  }
+
+  static double pair_mass(const PairParameters& p) {
+    require_partner("mass", p.mass_i);
+    require_partner("mass", p.mass_j);
+    // 1/infinity = 0: a wall leaves the mass of the particle; two walls leave nothing to move.
+    const double mass = 1.0 / (1.0 / p.mass_i + 1.0 / p.mass_j);
+    require_positive("reduced mass", mass);
+    return mass;
+  }
+
+  PairParameters p_;
+  contact::AdhesiveContact contact_;
+  double w0_;
+  double zeta_;
+  double diameter_;
+  double entry_speed_;
+};
+
+}  // namespace cohesion::advice

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+
+#include "contact/adhesive_contact.h"
+#include "contact/linear_spring_dashpot.h"
+#include "validation.h"
+
+namespace cohesion::advice {
+
+/// Of a small-gap attraction A R*/(6 H^2), constant below H_cut, zero beyond H_out.
+struct HamakerConstants {
+  double hamaker_constant;  ///< A, [energy]
+  double surface_cutoff;    ///< H_cut, [length]
+  double outer_cutoff;      ///< H_out, [length]
+};
+
+/// Adhesion for a spring softer than the material, such that a pair sticks as the material does.
+///
+/// A soft spring dissipates more of a cohesive pair's energy: v_esc ~ F_ad/sqrt(mu K). With the
+/// same mass and restitution, the whole curve of effective restitution over approach speed depends
+/// on F_ad/sqrt(mu K) and W/mu alone (contact/adhesive_contact.h). The rule keeps both, with
+/// f = sqrt(K_soft/K_real):
+///
+///   F_ad -> f F_ad      H_cut -> H_cut/f      E_tail -> E_tail      eta -> f eta
+///
+/// It is exact: v_esc and e_eff(v) stay to round-off. Overlaps and contact times grow by 1/f.
+/// Scaling F_ad alone keeps v_esc only where W << F_ad^2/(2 K).
+///
+/// For the Hamaker attraction, F_ad ~ A/H_cut^2 and W ~ A (2/H_cut - 1/H_out) at any R*: with
+/// k = H_cut/H_out and h = H_cut,soft/H_cut, H_out staying,
+///
+///   f (2 h - k h^2) = 2 - k  ->  h = (2 - k)/f/(1 + sqrt(1 - k (2 - k)/f))      A -> A f h^2
+///
+/// which needs f > k (2 - k); for H_out -> infinity both A and H_cut grow by 1/f.
+///
+/// What is not kept: the force that holds a resting pair falls to f F_ad, and so does its ratio to
+/// the weight; and the attraction of a pair that does not touch reaches further.
+///
+/// Source: derived here, by similarity. The purpose is that of Y. Gu, A. Ozel and S. Sundaresan
+/// (2016), whose text was not at hand: the rule has not been compared with theirs.
+class StiffnessScaling {
+ public:
+  /// K of the material and of the simulation [force/length].
+  /// Throws InvalidParameter unless both are positive and finite.
+  StiffnessScaling(double real_stiffness, double soft_stiffness) {
+    require_positive("stiffness K of the material", real_stiffness);
+    require_positive("stiffness K of the simulation", soft_stiffness);
+    soft_stiffness_ = soft_stiffness;
+    factor_ = std::sqrt(soft_stiffness / real_stiffness);
+  }
+
+  /// f = sqrt(K_soft/K_real), [1].
+  double factor() const { return factor_; }
+
+  /// The spring of the simulation at the same mass and restitution.
+  contact::LinearSpringDashpot spring(const contact::LinearSpringDashpot& real) const {
+    return {soft_stiffness_, factor_ * real.damping(), real.reduced_mass()};
+  }
+
+  contact::Adhesion adhesion(const contact::Adhesion& real) const {
+    return {factor_ * real.force, real.cutoff / factor_, real.tail_energy};
+  }
+
+  /// Throws InvalidParameter unless A >= 0, 0 < H_cut < H_out, and H_out leaves room for the wider
+  /// cut-off.
+  HamakerConstants hamaker(const HamakerConstants& real) const {
+    require_non_negative("Hamaker constant A", real.hamaker_constant);
+    require_positive("surface cut-off H_cut", real.surface_cutoff);
+    require_positive("outer cut-off", real.outer_cutoff);
+    require(real.surface_cutoff < real.outer_cutoff, "surface cut-off H_cut", real.surface_cutoff,
+            "must be smaller than the outer cut-off");
+    const double k = real.surface_cutoff / real.outer_cutoff;
+    require(factor_ > k * (2.0 - k), "outer cut-off", real.outer_cutoff,
+            "too small for the softened contact: H_cut grows by about sqrt(K_real/K_soft) and has "
+            "to stay below it; must exceed 2 H_cut sqrt(K_real/K_soft)");
+    const double h = (2.0 - k) / factor_ / (1.0 + std::sqrt(1.0 - k * (2.0 - k) / factor_));
+    return {real.hamaker_constant * factor_ * h * h, h * real.surface_cutoff, real.outer_cutoff};
+  }
+
+ private:
+  double soft_stiffness_;
+  double factor_;
+};
+
+}  // namespace cohesion::advice

@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Gas blown through three layers of spheres that are held where they are, free rows of cells below
+and above: in every row eps U is the superficial velocity, and the pressure drop is what the drag law,
+written out again here, gives at each row's void fraction and slip."""
+
+import re
+import sys
+
+import numpy as np
+
+from coupled_case import Expectations, column
+
+RHO, MU, G = 1.205, 1.75e-5, 9.81
+SUPERFICIAL = 0.5
+DT, HEIGHT, ROW, CELL = 1e-4, 0.2, 0.02, 0.02**3  # gas step; mesh, row and cell (column/system)
+# Spheres per cell and diameter in the ten rows, from the lattices of column/packed.lmp.
+FREE, DENSE, LOOSE, DILUTE = (0, 1e-3), (4 * 5**3, 2.6e-3), (8**3, 2e-3), (4**3, 3e-3)
+ROWS = [FREE, FREE, DENSE, DENSE, LOOSE, LOOSE, DILUTE, FREE, FREE, FREE]
+
+
+def solid(row):
+    number, diameter = row
+    return number * np.pi / 6 * diameter**3 / CELL
+
+
+def drag(row):
+    """Syamlal and O'Brien's drag per volume of gas and spheres at rest, beta U [N/m3]."""
+    eps, diameter = 1 - solid(row), row[1]
+    slip = SUPERFICIAL / eps
+    reynolds = diameter * slip * RHO / MU
+    a = eps**4.14
+    b = 0.8 * eps**1.28 if eps <= 0.85 else eps**2.65
+    x = 0.06 * reynolds
+    terminal = 0.5 * (a - x + np.sqrt(x**2 + 2 * x * (2 * b - a) + a**2))
+    coefficient = (0.63 + 4.8 * np.sqrt(terminal / reynolds)) ** 2
+    return 3 * (1 - eps) * eps * RHO * coefficient * slip**2 / (4 * terminal**2 * diameter)
+
+
+def rows(case, time, field):
+    """Mean of the field's cells in each row, the lowest first."""
+    text = (case.folder / time / field).read_text()
+    values = re.search(r"internalField\s+nonuniform List<\w+>\s*\d+\s*\((.*?)\)\s*;", text, re.S)
+    numbers = np.array(values.group(1).replace("(", " ").replace(")", " ").split(), float)
+    return numbers.reshape(len(ROWS), 9, -1).mean(axis=1).squeeze()
+
+
+def drop(case, time):
+    """Pressure in the middle of the lowest row less that of the highest [Pa]."""
+    p = rows(case, time, "p")
+    return RHO * (p[0] - p[-1])
+
+
+def blow(build, work):
+    case = column(work, "packed_bed", build)
+    case.set("constant/couplingProperties", "lammpsCoeffs/script", '"$FOAM_CASE/packed.lmp"')
+    case.set("0.orig/U", "boundaryField/bottom/superficialVelocity", f"(0 0 {SUPERFICIAL})")
+    # Central, for convection to have no part in the pressure drop: see main().
+    case.set("system/fvSchemes", "divSchemes/div(voidFractionPhi,U)", "Gauss linear")
+    case.set("system/controlDict", "deltaT", DT)
+    case.set("system/controlDict", "endTime", 40 * DT)
+    case.set("system/controlDict", "writeInterval", 20 * DT)
+    case.mesh()
+    errors = re.findall(r"Continuity error, mean of the sizes: (\S+)", case.solve())
+    return case, float(errors[-1])
+
+
+def main(build, work):
+    case, continuity = blow(build, work)
+    early, late = "0.002", "0.004"
+    eps = np.array([1 - solid(row) for row in ROWS])
+    # eps grad p = -drag - eps rho g - transport of momentum
+    steps = np.array([drag(row) for row in ROWS]) / eps * ROW
+    # From the middle of the lowest row to that of the highest there are nine rows of weight.
+    expected = steps.sum() + RHO * G * 9 * ROW
+
+    expect = Expectations()
+    # Numbers are written with 12 digits.
+    for k, found in enumerate(rows(case, late, "voidFraction")):
+        expect.near(f"void fraction of row {k}", found, eps[k], 1e-12)
+
+    # The fluxes through two levels differ by no more than the sum of the errors of all cells. The
+    # solver of p brings that sum to 1e-10 of the sum of the sizes of its terms, here over the area of
+    # the column: with faces that let pass at most dt/rho of the pressure gradient, and with a
+    # pressure that falls from cell to cell, 12 dt/rho times the drop over one row.
+    limit = 1e-10 * 12 * DT / RHO * expected / ROW
+    expect.below("error of the flux by the solver's log [m/s]", continuity * HEIGHT / DT, limit)
+    velocity = rows(case, late, "U")[:, 2]
+    for k in range(len(ROWS)):
+        expect.near(f"eps U of row {k}, eps {eps[k]:.3f} [m/s]", eps[k] * velocity[k], SUPERFICIAL,
+                    limit)
+
+    # An error of the flux meets drag, at most quadratic in U, and the inertia rho/(eps dt) of a row.
+    solver = limit * (2 * steps.sum() / SUPERFICIAL + RHO / DT * np.sum(1 / eps) * ROW)
+    expect.near("steady: pressure drop [Pa] at half time", drop(case, early), drop(case, late),
+                2 * solver)
+    # A flux F of momentum through a face adds F (1/eps_below - 1/eps_above) to the drop. That of
+    # convection, rho eps U (U_below + U_above)/2 with the central scheme, adds differences of
+    # rho U^2/2, whose sum is zero between free rows. The viscous one is at most mu (1 + 1/3) dU/dz;
+    # the two end rows count half, which leaves 1/2 of it on either side.
+    speed = SUPERFICIAL / eps
+    viscous = (4 / 3 * MU * np.abs(np.diff(speed)).max() / ROW
+               * (np.abs(np.diff(1 / eps)).sum() + 1))
+    expect.near("pressure drop [Pa]", drop(case, late), expected, viscous + solver)
+    expect.exit()
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

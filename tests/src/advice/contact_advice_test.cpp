@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "advice/contact_advice.h"
+
+#include "advice/thesis_pair.h"
+#include "refuses.h"
+
+namespace cohesion::advice {
+namespace {
+
+const Verdict* find(const std::vector<Verdict>& verdicts, Subject subject) {
+  for (const Verdict& v : verdicts)
+    if (v.subject == subject) return &v;
+  return nullptr;
+}
+
+/// The verdict on `subject`, which must be there; a sentence with `part`.
+void expect_verdict(const PairParameters& p, const SchemeLimits& limits, Subject subject,
+                    Severity severity, const std::string& part) {
+  const auto verdicts = advise(ContactNumbers(p), limits);
+  const Verdict* found = find(verdicts, subject);
+  ASSERT_NE(found, nullptr);
+  EXPECT_EQ(found->severity, severity) << found->sentence;
+  EXPECT_NE(found->sentence.find(part), std::string::npos) << found->sentence;
+}
+
+/// The thesis' pair at `steps` time steps per contact.
+PairParameters at_steps(double steps) {
+  PairParameters p = thesis_pair();
+  p.dt = pi / ContactNumbers(p).frequency() / steps;
+  return p;
+}
+
+PairParameters without_adhesion() {
+  PairParameters p = thesis_pair();
+  p.adhesion = {0.0, 0.0, 0.0};
+  return p;
+}
+
+}  // namespace
+
+TEST(ContactAdvice, StepsPerContactAreJudgedByTheScheme) {
+  const auto subject = Subject::contact_steps;
+  expect_verdict(at_steps(15.1), sampled_scheme, subject, Severity::ok, "15.1 time steps");
+  // pi/(15 w0) = 6.17e-6 s.
+  expect_verdict(at_steps(14.9), sampled_scheme, subject, Severity::warning,
+                 "reduce the time step to 6.17e-06");
+  expect_verdict(at_steps(4.1), event_scheme, subject, Severity::ok, "4.1 time steps");
+  expect_verdict(at_steps(3.9), event_scheme, subject, Severity::warning, "event scheme needs 4");
+  expect_verdict(at_steps(1.9), event_scheme, subject, Severity::error, "event scheme needs 4");
+}
+
+TEST(ContactAdvice, UnstableLeapfrogIsAnErrorWhereTheForceIsSampled) {
+  // pi/2 steps without dashpot; the thesis' zeta = 0.0168 asks for 1.7 % more.
+  expect_verdict(at_steps(1.62), sampled_scheme, Subject::stability, Severity::ok, "stable");
+  expect_verdict(at_steps(1.58), sampled_scheme, Subject::stability, Severity::error, "unstable");
+  PairParameters elastic = at_steps(1.58);
+  elastic.damping = 0.0;
+  expect_verdict(elastic, sampled_scheme, Subject::stability, Severity::ok, "stable");
+  EXPECT_EQ(find(advise(ContactNumbers(elastic), event_scheme), Subject::stability), nullptr);
+}
+
+TEST(ContactAdvice, SkippedCutoffIsAWarningWhereTheForceIsSampled) {
+  PairParameters p = thesis_pair();
+  // H_cut/u = 4e-9 s at 0.1 m/s.
+  expect_verdict(p, sampled_scheme, Subject::cutoff_steps, Severity::warning, "to 4e-09");
+  EXPECT_EQ(find(advise(ContactNumbers(p), event_scheme), Subject::cutoff_steps), nullptr);
+  p.dt = 3.9e-9;
+  expect_verdict(p, sampled_scheme, Subject::cutoff_steps, Severity::ok, "1.03 time steps");
+}
+
+TEST(ContactAdvice, LargeOverlapIsAWarningAndAnErrorOnceItPassesWalls) {
+  PairParameters p = without_adhesion();
+  p.damping = 0.0;
+  const double w0 = ContactNumbers(p).frequency();
+  const auto speed_for = [=](double over_diameter) { return over_diameter * 1e-3 * w0; };
+  p.speed = speed_for(0.0099);
+  expect_verdict(p, event_scheme, Subject::impact_overlap, Severity::ok, "0.99 % of the diameter");
+  p.speed = speed_for(0.1);
+  // Ten times 1 %: a hundred times the stiffness.
+  expect_verdict(p, event_scheme, Subject::impact_overlap, Severity::warning, "to about 8e+04");
+  p.speed = speed_for(0.501);
+  expect_verdict(p, event_scheme, Subject::impact_overlap, Severity::error, "through walls");
+}
+
+TEST(ContactAdvice, LargeStaticOverlapNamesTheStiffness) {
+  PairParameters p = thesis_pair();
+  expect_verdict(p, event_scheme, Subject::static_overlap, Severity::ok, "0.0163 %");
+  p.adhesion.force = 800.0 * 2e-5;  // K times 2 % of d
+  expect_verdict(p, event_scheme, Subject::static_overlap, Severity::warning, "to about 1.6e+03");
+}
+
+TEST(ContactAdvice, SpringThatOutdoesTheWellAsksForScaling) {
+  PairParameters p = thesis_pair();
+  expect_verdict(p, event_scheme, Subject::spring_adhesion, Severity::warning, "stiffness scaling");
+  expect_verdict(p, event_scheme, Subject::spring_adhesion, Severity::warning, "below 0.00267");
+  // F_ad^2/(2K) = W at K = 800 N/m * 1.0596e-11/1.0396e-13 = 8.15e4 N/m.
+  p.stiffness = 8.2e4;
+  expect_verdict(p, event_scheme, Subject::spring_adhesion, Severity::ok, "stick");
+}
+
+TEST(ContactAdvice, CohesionlessPairIsNotToldAboutAdhesion) {
+  PairParameters p = without_adhesion();
+  p.dt = 1e-6;
+  const auto verdicts = advise(ContactNumbers(p), sampled_scheme);
+  EXPECT_EQ(verdicts.size(), 3u);
+  EXPECT_EQ(worst(verdicts), Severity::ok);
+}
+
+TEST(ContactAdvice, WorstIsTheWorst) {
+  EXPECT_EQ(worst({}), Severity::ok);
+  EXPECT_EQ(worst(advise(ContactNumbers(thesis_pair()), sampled_scheme)), Severity::warning);
+  EXPECT_EQ(worst(advise(ContactNumbers(at_steps(1.0)), sampled_scheme)), Severity::error);
+}
+
+}  // namespace cohesion::advice

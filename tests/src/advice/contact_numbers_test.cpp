@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "advice/contact_numbers.h"
+
+#include "advice/thesis_pair.h"
+#include "refuses.h"
+
+namespace cohesion::advice {
+namespace {
+
+/// Is x'' = -w0^2 x - 2 zeta w0 x', stepped by leapfrog with the velocity of the half step before,
+/// still bounded after many steps?
+bool stays_bounded(double step, double zeta) {
+  double x = 1.0, v = 0.0;
+  for (int i = 0; i < 200000; ++i) {
+    v += step * (-x - 2.0 * zeta * v);
+    x += step * v;
+    if (std::abs(x) > 1e6) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+TEST(ContactNumbers, OfTheThesisPair) {
+  const ContactNumbers n(thesis_pair());
+  // t_c is printed as 9.25e-5 s, dt as 2.25e-5 s; at e = 0.9487 the damping changes t_c by 1.4e-4.
+  EXPECT_NEAR(n.contact_time(), 9.25e-5, 0.5e-7);
+  EXPECT_NEAR(n.steps_per_contact(), 9.25e-5 / 2.25e-5, 0.01);
+  // F_ad = A R*/(6 H_cut^2) = 5e-19 * 2.5e-4/(6 * 1.6e-19) = 1.30208e-4 N, m g = 1.36117e-5 N.
+  EXPECT_NEAR(n.bond_number(), 9.5659, 1e-4);
+  EXPECT_NEAR(n.static_overlap_over_diameter(), 1.30208e-4 / 800.0 / 1e-3, 1e-9);
+  EXPECT_NEAR(n.spring_adhesion_energy(), 1.0596e-11, 1e-15);  // F_ad^2/1600
+  EXPECT_NEAR(n.well_energy(), 1.0396e-13, 1e-17);
+  // Integrated, see adhesive_contact_test.cpp: v = 0.1 m/s.
+  EXPECT_NEAR(n.escape_velocity(), 2.6749667e-3, 1e-10);
+  EXPECT_NEAR(n.impact_overlap_over_diameter(), 3.03096145e-3, 1e-11);
+  EXPECT_NEAR(n.steps_in_cutoff(), 4e-10 / 0.1 / 2.25e-5, 1e-8);
+}
+
+TEST(ContactNumbers, SlowPairCrossesTheCutoffAtTheSpeedItGains) {
+  PairParameters p = thesis_pair();
+  p.speed = 0.0;
+  EXPECT_NEAR(ContactNumbers(p).entry_speed(), 5.474411e-4, 1e-10);  // sqrt(2 W/mu)
+  p.adhesion = {0.0, 4e-10, 0.0};
+  EXPECT_TRUE(std::isinf(ContactNumbers(p).steps_in_cutoff()));
+}
+
+TEST(ContactNumbers, StableStepIsWhereLeapfrogBlowsUp) {
+  PairParameters p = thesis_pair();
+  const double mu = 0.5 * p.mass_i, w0 = std::sqrt(p.stiffness / mu);
+  for (const double zeta : {0.0, 0.017, 0.5, 1.0, 3.0}) {
+    p.damping = 2.0 * zeta * std::sqrt(p.stiffness * mu);
+    const double limit = ContactNumbers(p).stable_step() * w0;
+    // The leading root is beyond -1 by about the relative excess, 1e-3: 1e6 after 14,000 steps.
+    EXPECT_TRUE(stays_bounded(limit * 0.999, zeta)) << zeta;
+    EXPECT_FALSE(stays_bounded(limit * 1.001, zeta)) << zeta;
+  }
+}
+
+TEST(ContactNumbers, WallIsAPartnerOfInfiniteMass) {
+  PairParameters p = thesis_pair();
+  p.radius_j = p.mass_j = std::numeric_limits<double>::infinity();
+  const ContactNumbers n(p);
+  EXPECT_EQ(n.contact().spring().reduced_mass(), p.mass_i);
+  EXPECT_EQ(n.static_overlap_over_diameter(),
+            ContactNumbers(thesis_pair()).static_overlap_over_diameter());
+  EXPECT_EQ(n.bond_number(), ContactNumbers(thesis_pair()).bond_number());
+}
+
+TEST(ContactNumbers, BondNumberWithoutGravityOrAdhesion) {
+  PairParameters p = thesis_pair();
+  p.gravity = 0.0;
+  EXPECT_TRUE(std::isinf(ContactNumbers(p).bond_number()));
+  p.adhesion.force = 0.0;
+  EXPECT_EQ(ContactNumbers(p).bond_number(), 0.0);
+}
+
+TEST(ContactNumbers, RefusesWhatCannotBe) {
+  const double inf = std::numeric_limits<double>::infinity();
+  const auto with = [](double PairParameters::*member, double value) {
+    PairParameters p = thesis_pair();
+    p.*member = value;
+    return p;
+  };
+  for (const double bad : {0.0, -1.0, std::nan("")}) {
+    for (const auto member : {&PairParameters::radius_i, &PairParameters::radius_j})
+      expect_refused([=] { ContactNumbers n(with(member, bad)); }, "radius");
+    for (const auto member : {&PairParameters::mass_i, &PairParameters::mass_j})
+      expect_refused([=] { ContactNumbers n(with(member, bad)); }, "mass");
+    expect_refused([=] { ContactNumbers n(with(&PairParameters::stiffness, bad)); }, "stiffness");
+    expect_refused([=] { ContactNumbers n(with(&PairParameters::dt, bad)); }, "time step");
+  }
+  for (const double bad : {-1.0, std::nan(""), inf}) {
+    expect_refused([=] { ContactNumbers n(with(&PairParameters::damping, bad)); }, "damping");
+    expect_refused([=] { ContactNumbers n(with(&PairParameters::speed, bad)); }, "approach speed");
+    expect_refused([=] { ContactNumbers n(with(&PairParameters::gravity, bad)); }, "gravity");
+  }
+  PairParameters walls = thesis_pair();
+  walls.mass_i = walls.mass_j = inf;
+  expect_refused([=] { ContactNumbers n(walls); }, "reduced mass");
+  walls = thesis_pair();
+  walls.radius_i = walls.radius_j = inf;
+  expect_refused([=] { ContactNumbers n(walls); }, "diameter");
+}
+
+}  // namespace cohesion::advice
