@@ -74,7 +74,7 @@ TEST(StiffnessScaling, OverlapGrowsAsTheContactTime) {
   EXPECT_NEAR(soft.spring().contact_time() / real.spring().contact_time(), 10.0, 1e-12);
 }
 
-TEST(StiffnessScaling, hamaker::ParametersGiveTheScaledForceAndTheSameWell) {
+TEST(StiffnessScaling, HamakerParametersGiveTheScaledForceAndTheSameWell) {
   const hamaker::Parameters real{5e-19, 4e-10, 1e-7};
   for (double ratio = 1.0; ratio <= 1.1e4; ratio *= 10.0) {
     const StiffnessScaling scaling(real_stiffness, real_stiffness / ratio);
