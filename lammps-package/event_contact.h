@@ -27,7 +27,7 @@ struct FollowedContact {
 };
 
 /// The second pass: with half of what the other contacts of its particles do (`others`, j relative
-/// to i). `history` is the in-range flag and, with friction, the tangential displacement.
+/// to i). `history` is the in-range flag and, with friction, the memory of the tangential spring.
 template <bool FRICTION, class Contact>
 FollowedContact follow_with_others(const Contact& c, cohesion::event_stepping::RelativeState grid,
                                    const cohesion::event_stepping::PairStep& alone,
@@ -35,6 +35,7 @@ FollowedContact follow_with_others(const Contact& c, cohesion::event_stepping::R
                                    const cohesion::Vector3& spin_i, const cohesion::Vector3& spin_j,
                                    double* history) {
   FollowedContact now{alone, {}, {}};
+  const cohesion::Vector3 velocity = grid.velocity;
   if (dot(others.separation, others.separation) > 0.0 ||
       dot(others.velocity, others.velocity) > 0.0) {
     grid.separation += 0.5 * others.separation;
@@ -44,13 +45,13 @@ FollowedContact follow_with_others(const Contact& c, cohesion::event_stepping::R
   now.impulse = c.reduced_mass() * now.normal.change.velocity;
   if (FRICTION) {
     if (now.normal.normal.contact_time > 0.0) {
-      now.sliding = c.friction(grid, now.normal, spin_i, spin_j, vector(history + 1));
+      now.sliding = c.friction(grid, velocity, now.normal, spin_i, spin_j, vector(history + 1));
       now.impulse += now.sliding.spring.impulse;
     }
-    const cohesion::Vector3& spring = now.sliding.spring.displacement;
-    history[1] = spring.x;
-    history[2] = spring.y;
-    history[3] = spring.z;
+    const cohesion::Vector3& memory = now.sliding.memory;
+    history[1] = memory.x;
+    history[2] = memory.y;
+    history[3] = memory.z;
   }
   history[0] = now.normal.inside;
   return now;

@@ -105,15 +105,15 @@ void FixEventStep::init() {
   }
 }
 
-/// Masses and speeds of all particles and ghosts.
+/// The fastest particle or ghost; what each weighs, when the list of neighbours is new.
 void FixEventStep::look_round() {
   const int all = atom->nlocal + atom->nghost;
+  const double* const v = all > 0 ? atom->v[0] : nullptr;
   double fastest = 0.0;
-  for (int i = 0; i < all; i++) {
-    const double* const v = atom->v[i];
-    fastest = std::max(fastest, v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-  }
+  for (int i = 0; i < 3 * all; i += 3)
+    fastest = std::max(fastest, v[i] * v[i] + v[i + 1] * v[i + 1] + v[i + 2] * v[i + 2]);
   longest_flight = 0.5 * update->dt * std::sqrt(fastest);
+  if (neighbor->ago != 0) return;
   for (int i = 0; i < all; i++) {
     const bool mobile = (atom->mask[i] & mobile_bits) && !(atom->mask[i] & frozen_bit);
     inverse_mass[i] = mobile ? 1.0 / atom->rmass[i] : 0.0;
@@ -142,7 +142,6 @@ void FixEventStep::setup_pre_force(int) {
 }
 
 void FixEventStep::setup(int) {
-  running = true;
   if (resuming) return;
   for (EventContacts* wall : walls) wall->follow_together();
   move();
@@ -150,6 +149,7 @@ void FixEventStep::setup(int) {
 }
 
 void FixEventStep::initial_integrate(int) {
+  running = true;  // a run without set-up begins here
   if (!resuming) return;
   // The same momentum, should the step be another now.
   const double ratio = last_dt / update->dt;

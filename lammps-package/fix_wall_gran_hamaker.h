@@ -96,7 +96,7 @@ class FixWallGranHamaker : public Fix, public EventContacts {
   cohesion::event_stepping::WallMotion motion;
   bigint time_origin;
 
-  int per_wall;  // values of history: in-range flag (-1: not known yet), tangential displacement
+  int per_wall;      // values of history: in-range flag (-1: not known yet), memory of the spring
   double** history;  // per atom
   AnyContacts contacts;
   std::vector<Active> active;

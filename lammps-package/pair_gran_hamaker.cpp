@@ -111,7 +111,7 @@ inline const Contact& PairGranHamaker::contact(Recent<Contact>& recent_contacts,
 template <class Contact>
 void PairGranHamaker::follow_alone(Recent<Contact>& contacts) {
   active.clear();
-  const double* const* const x = atom->x;
+  const double* const x = atom->nlocal > 0 ? atom->x[0] : nullptr;
   const double* const radius = atom->radius;
   const bool first = step->window().before == 0.0;
   const bool new_list = neighbor->ago == 0;
@@ -127,14 +127,14 @@ void PairGranHamaker::follow_alone(Recent<Contact>& contacts) {
     const int i = list->ilist[ii];
     const int* const neighbors = list->firstneigh[i];
     const int count = list->numneigh[i];
-    const double xi = x[i][0], yi = x[i][1], zi = x[i][2];
+    const double xi = x[3 * i], yi = x[3 * i + 1], zi = x[3 * i + 2];
     // With room for what other contacts do to a pair within a step.
     const double near_i = 1.0001 * radius[i] + reach;
     for (int jj = 0; jj < count; jj++) {
       const int j = neighbors[jj] & NEIGHMASK;
-      const double dx = x[j][0] - xi;
-      const double dy = x[j][1] - yi;
-      const double dz = x[j][2] - zi;
+      const double dx = x[3 * j] - xi;
+      const double dy = x[3 * j + 1] - yi;
+      const double dz = x[3 * j + 2] - zi;
       const double near = near_i + radius[j];
       if (dx * dx + dy * dy + dz * dz > near * near) {
         // Only a particle that was put elsewhere can have left a partner that far behind.

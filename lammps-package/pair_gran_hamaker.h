@@ -50,7 +50,7 @@ class PairGranHamaker : public Pair {
   struct Active {
     int i, j;
     int* kept;        // 1 while the pair has a history
-    double* history;  // in-range flag, tangential displacement
+    double* history;  // in-range flag, memory of the tangential spring
     cohesion::event_stepping::PairStep alone;
   };
 

@@ -17,7 +17,7 @@ constexpr double pi = 3.14159265358979323846;
 struct Spheres {
   Body body[2];
   Vector3 x[2], v[2], spin[2];
-  Vector3 spring{};
+  Vector3 memory{};
   bool inside = false;
   double lost = 0.0, normal_impulse = 0.0, least_loss = 0.0;
   Vector3 tangential_impulse{};
@@ -28,7 +28,7 @@ struct Spheres {
     const PairStep normal = contact.advance(grid, inside);
     FrictionStep friction;
     if (normal.normal.contact_time > 0.0) {
-      friction = contact.friction(grid, normal, spin[0], spin[1], spring);
+      friction = contact.friction(grid, grid.velocity, normal, spin[0], spin[1], memory);
     }
     const Vector3 impulse =
         contact.reduced_mass() * normal.change.velocity + friction.spring.impulse;
@@ -38,14 +38,14 @@ struct Spheres {
     v[1] += body[1].inverse_mass * impulse;
     spin[0] += inverse_inertia(body[0]) * friction.torque_i;
     spin[1] += inverse_inertia(body[1]) * friction.torque_j;
-    spring = friction.spring.displacement;
+    memory = friction.memory;
     inside = normal.inside;
     normal_impulse += normal.normal.repulsion_impulse;
     tangential_impulse += friction.spring.impulse;
     lost += normal.normal.dissipated + friction.spring.damped + friction.spring.friction;
     least_loss = std::min({least_loss, friction.spring.friction, friction.spring.damped});
     stored = contact.spring_energy(normal) + contact.adhesion_energy(normal) +
-             contact.friction_energy(spring);
+             contact.friction_energy(friction.spring.displacement);
   }
   void fly(double dt) {
     for (int k = 0; k < 2; k++) x[k] += dt * v[k];
