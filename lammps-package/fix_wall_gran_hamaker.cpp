@@ -257,7 +257,9 @@ void FixWallGranHamaker::follow_alone(std::vector<Contact>& shared) {
       // range.
       if (inside < 0.0 || (first && inside == 0.0))
         inside = point.distance > 0.0 && point.distance < atom->radius[i] + range;
-      check_flight(i, point, inside != 0.0);
+      // No particle is faster than the step's fastest; only beside a moving wall ask each.
+      if (inside != 0.0 || !motion.still() || 2.0 * step->flight() > atom->radius[i])
+        check_flight(i, point, inside != 0.0);
       // What moves less than a radius in a step cannot matter beyond two.
       if (point.distance <= 0.0 || point.distance > 2.0 * atom->radius[i] + range) continue;
       if (step->body(i).inverse_mass == 0.0) continue;
