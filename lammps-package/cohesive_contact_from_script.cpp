@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "advice/stiffness_scaling.h"
+#include "comm.h"
 #include "law_from_script.h"
 
 using namespace LAMMPS_NS;
@@ -32,10 +34,24 @@ constexpr std::array keywords{
               p.hamaker.surface_cutoff = v[0];
               p.hamaker.outer_cutoff = v[1];
             }},
+    Keyword{"material_stiffness", 1, [](auto& p, const double* v) { p.material_stiffness = v[0]; }},
     Keyword{"asperity", 1, [](auto& p, const double* v) { p.hamaker.asperity_radius = v[0]; }},
 };
 
 }  // namespace
+
+int LAMMPS_NS::values_of_contact_keyword(const std::string& name) {
+  for (const Keyword& keyword : keywords)
+    if (name == keyword.name) return keyword.values;
+  return -1;
+}
+
+std::string LAMMPS_NS::contact_keywords() {
+  std::string all;
+  for (const Keyword& keyword : keywords)
+    all += (all.empty() ? "" : ", ") + std::string(keyword.name);
+  return all;
+}
 
 CohesiveContactParameters LAMMPS_NS::cohesive_contact_from_script(LAMMPS* lmp,
                                                                   const std::string& where,
@@ -68,6 +84,7 @@ CohesiveContactParameters LAMMPS_NS::cohesive_contact_from_script(LAMMPS* lmp,
   from_script(lmp, where, [&] {
     require_valid(p.contact);
     require_valid(p.hamaker);
+    cohesion::require_non_negative("material_stiffness", p.material_stiffness);
     return true;
   });
   return p;
@@ -89,16 +106,61 @@ CohesiveContactParameters LAMMPS_NS::mixed(const CohesiveContactParameters& a,
                std::max(a.hamaker.surface_cutoff, b.hamaker.surface_cutoff),
                std::max(a.hamaker.outer_cutoff, b.hamaker.outer_cutoff),
                std::max(a.hamaker.asperity_radius, b.hamaker.asperity_radius)};
+  m.material_stiffness = mean(a.material_stiffness, b.material_stiffness);
   return m;
 }
 
-cohesion::contact::Adhesion LAMMPS_NS::adhesion_of(const cohesion::hamaker::AnyLaw& law,
-                                                   const cohesion::PairGeometry& geometry) {
-  return std::visit([&](const auto& l) { return cohesion::contact::adhesion_of(l, geometry); },
-                    law);
+CohesiveContactParameters LAMMPS_NS::scaled(LAMMPS* lmp, const std::string& where,
+                                            const cohesion::hamaker::Form& form,
+                                            CohesiveContactParameters p) {
+  if (p.material_stiffness == 0.0 || p.hamaker.hamaker_constant == 0.0) return p;
+  if (form.name != "small_gap")
+    lmp->error->all(FLERR, where + ": material_stiffness scales the form small_gap only");
+  const cohesion::hamaker::Parameters real = p.hamaker;
+  p.hamaker = from_script(lmp, where, [&] {
+    return cohesion::advice::StiffnessScaling(p.material_stiffness, p.contact.stiffness)
+        .hamaker(real);
+  });
+  if (lmp->comm->me == 0)
+    utils::logmesg(lmp, fmt::format("{}: adhesion scaled from stiffness {:.6g} to {:.6g}, so that "
+                                    "as many stick: A {:.6g} -> {:.6g}, H_cut {:.6g} -> {:.6g}\n",
+                                    where, p.material_stiffness, p.contact.stiffness,
+                                    real.hamaker_constant, p.hamaker.hamaker_constant,
+                                    real.surface_cutoff, p.hamaker.surface_cutoff));
+  return p;
+}
+
+namespace {
+
+struct SchemeName {
+  const char* name;
+  Scheme scheme;
+  const cohesion::advice::SchemeLimits* limits;
+};
+
+constexpr std::array schemes{
+    SchemeName{"event", Scheme::event, &cohesion::advice::event_scheme},
+    SchemeName{"sampled", Scheme::sampled, &cohesion::advice::sampled_scheme},
+};
+
+}  // namespace
+
+Scheme LAMMPS_NS::scheme_from_script(LAMMPS* lmp, const std::string& where,
+                                     const std::string& name) {
+  return from_script(lmp, where,
+                     [&] { return cohesion::find_by_name(schemes, "scheme", name).scheme; });
+}
+
+const cohesion::advice::SchemeLimits& LAMMPS_NS::limits_of(Scheme scheme) {
+  return *schemes[static_cast<int>(scheme)].limits;
 }
 
 cohesion::hamaker::AnyLaw LAMMPS_NS::hamaker_law(const cohesion::hamaker::Form& form,
                                                  const cohesion::hamaker::Parameters& p) {
   return form.law(p, p.asperity_radius > 0.0);
+}
+
+double LAMMPS_NS::cohesive_range(Scheme scheme, const CohesiveContactParameters& p) {
+  if (p.hamaker.hamaker_constant == 0.0) return 0.0;
+  return scheme == Scheme::event ? p.hamaker.surface_cutoff : p.hamaker.outer_cutoff;
 }

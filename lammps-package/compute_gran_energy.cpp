@@ -32,7 +32,7 @@ enum Entry {
 }  // namespace
 
 ComputeGranEnergy::ComputeGranEnergy(LAMMPS* lammps, int narg, char** arg)
-    : Compute(lammps, narg, arg), step(nullptr), opened(false), balance(0.0) {
+    : Compute(lammps, narg, arg), step(FixEventStep::of(lammps)), opened(false), balance(0.0) {
   if (narg != 3) error->all(FLERR, "compute gran/energy takes no further arguments");
   if (igroup != 0)
     error->all(FLERR, "compute gran/energy balances all particles; its group must be 'all'");
@@ -40,7 +40,7 @@ ComputeGranEnergy::ComputeGranEnergy(LAMMPS* lammps, int narg, char** arg)
   extscalar = extvector = 1;
   size_vector = ENTRIES;
   vector = new double[ENTRIES];
-  FixEventStep::reserve(lmp);
+  step->keep_book();
 }
 
 ComputeGranEnergy::~ComputeGranEnergy() { delete[] vector; }
@@ -48,8 +48,6 @@ ComputeGranEnergy::~ComputeGranEnergy() { delete[] vector; }
 void ComputeGranEnergy::init() {
   if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag)
     error->all(FLERR, "compute gran/energy balances spheres; use 'atom_style sphere'");
-  step = FixEventStep::of(lmp);
-  step->keep_book();
 }
 
 void ComputeGranEnergy::compute_vector() {

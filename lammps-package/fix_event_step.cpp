@@ -29,7 +29,7 @@ FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
       resuming(false),
       starting(false),
       running(false),
-      last_step(-1),
+      last_dt(0.0),
       last(nullptr),
       contact_force(nullptr),
       inverse_mass(nullptr),
@@ -64,11 +64,8 @@ void FixEventStep::reserve(LAMMPS* lmp) {
 
 FixEventStep* FixEventStep::of(LAMMPS* lmp) {
   Modify* modify = lmp->modify;
-  if (modify->find_fix(ID) < 0) {
-    modify->replace_fix(PLACE, std::string(ID) + " all EVENT_STEP", 1);
-    // The engine's own round of init may have passed this place in the list.
-    modify->fix[modify->find_fix(ID)]->init();
-  }
+  reserve(lmp);
+  if (modify->find_fix(ID) < 0) modify->replace_fix(PLACE, std::string(ID) + " all EVENT_STEP", 1);
   return static_cast<FixEventStep*>(modify->fix[modify->find_fix(ID)]);
 }
 
@@ -88,10 +85,12 @@ void FixEventStep::init() {
     error->all(FLERR,
                "scheme event needs the velocities of ghost particles; add 'comm_modify vel yes'");
 
+  walls.clear();
   mobile_bits = frozen_bit = 0;
   bool before_me = true;
   for (int i = 0; i < modify->nfix; i++) {
-    const Fix* fix = modify->fix[i];
+    Fix* const fix = modify->fix[i];
+    if (auto* wall = dynamic_cast<EventContacts*>(fix)) walls.push_back(wall);
     if (fix == this) before_me = false;
     if (fix->rigid_flag)
       error->all(FLERR, std::string("scheme event cannot follow contacts of rigid bodies (fix ") +
@@ -106,20 +105,24 @@ void FixEventStep::init() {
   }
 }
 
-/// Masses and speeds of all particles and ghosts.
+/// The fastest particle or ghost; what each weighs, when the list of neighbours is new.
 void FixEventStep::look_round() {
   const int all = atom->nlocal + atom->nghost;
+  const double* const v = all > 0 ? atom->v[0] : nullptr;
   double fastest = 0.0;
-  for (int i = 0; i < all; i++) {
-    const double* const v = atom->v[i];
-    fastest = std::max(fastest, v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-  }
+  for (int i = 0; i < 3 * all; i += 3)
+    fastest = std::max(fastest, v[i] * v[i] + v[i + 1] * v[i + 1] + v[i + 2] * v[i + 2]);
   longest_flight = 0.5 * update->dt * std::sqrt(fastest);
+  if (neighbor->ago != 0) return;
   for (int i = 0; i < all; i++) {
     const bool mobile = (atom->mask[i] & mobile_bits) && !(atom->mask[i] & frozen_bit);
     inverse_mass[i] = mobile ? 1.0 / atom->rmass[i] : 0.0;
   }
 }
+
+/// The engine's half kick makes of a force f the momentum f dt/2; the other half went before, but
+/// for the first step, which has no half before it.
+double FixEventStep::force_per_impulse() const { return (starting ? 2.0 : 1.0) / update->dt; }
 
 StepWindow FixEventStep::window() const {
   const double half = 0.5 * update->dt;
@@ -131,27 +134,37 @@ double FixEventStep::half_kick() const { return 0.5 * update->dt; }
 /* ---------------------------------------------------------------------- */
 
 void FixEventStep::setup_pre_force(int) {
-  resuming = last_step == update->ntimestep;
+  resuming = last_dt > 0.0;
   starting = !resuming;
   clear();
+  if (resuming) return;
+  for (EventContacts* wall : walls) wall->follow_alone();
 }
 
 void FixEventStep::setup(int) {
-  if (starting) move();
+  if (resuming) return;
+  for (EventContacts* wall : walls) wall->follow_together();
+  move();
   starting = false;
-  running = true;
 }
 
 void FixEventStep::initial_integrate(int) {
+  running = true;  // a run without set-up begins here
   if (!resuming) return;
-  for (int i = 0; i < atom->nlocal; i++) {
-    std::copy_n(last[i], 3, atom->f[i]);
-    std::copy_n(last[i] + 3, 3, atom->torque[i]);
-  }
+  // The same momentum, should the step be another now.
+  const double ratio = last_dt / update->dt;
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int k = 0; k < 3; k++) {
+      atom->f[i][k] = ratio * last[i][k];
+      atom->torque[i][k] = ratio * last[i][3 + k];
+    }
   resuming = false;
 }
 
-void FixEventStep::pre_force(int) { clear(); }
+void FixEventStep::pre_force(int) {
+  clear();
+  for (EventContacts* wall : walls) wall->follow_alone();
+}
 
 void FixEventStep::clear() {
   const int all = atom->nlocal + atom->nghost;
@@ -184,7 +197,7 @@ void FixEventStep::post_run() {
     std::copy_n(atom->f[i], 3, last[i]);
     std::copy_n(atom->torque[i], 3, last[i] + 3);
   }
-  last_step = update->ntimestep;
+  last_dt = update->dt;
   running = false;
 }
 
@@ -231,17 +244,12 @@ int FixEventStep::unpack_exchange(int i, double* buf) {
 
 void FixEventStep::write_restart(FILE* fp) {
   if (comm->me != 0) return;
-  const double step = static_cast<double>(update->ntimestep);
   const int size = sizeof(double);
   fwrite(&size, sizeof(int), 1, fp);
-  fwrite(&step, sizeof(double), 1, fp);
+  fwrite(running ? &update->dt : &last_dt, sizeof(double), 1, fp);
 }
 
-void FixEventStep::restart(char* buf) {
-  double step;
-  memcpy(&step, buf, sizeof(double));
-  last_step = static_cast<bigint>(step);
-}
+void FixEventStep::restart(char* buf) { memcpy(&last_dt, buf, sizeof(double)); }
 
 int FixEventStep::pack_restart(int i, double* buf) {
   buf[0] = 7;

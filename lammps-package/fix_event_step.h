@@ -8,19 +8,36 @@ FixStyle(EVENT_STEP,FixEventStep);
 #ifndef LMP_FIX_EVENT_STEP_H
 #define LMP_FIX_EVENT_STEP_H
 
+#include <vector>
+
 #include "atom.h"
 #include "event_stepping/cohesive_contact.h"
 #include "fix.h"
 
 namespace LAMMPS_NS {
 
+/// A fix that follows contacts in the event scheme: walls. Its style calls neither pass itself in
+/// the setup of a run; FixEventStep does, in the order of the scheme.
+class EventContacts {
+ public:
+  virtual void follow_alone() = 0;
+  virtual void follow_together() = 0;
+
+ protected:
+  ~EventContacts() = default;
+};
+
 /// What all styles of the event scheme share, made by the first of them. Contacts of one particle
 /// act on each other within a step: each is first followed alone, and its change of position and
 /// velocity added to `alone`; then it is followed again with half of what the others did.
 ///
-/// Order within a step: fixes for walls (pre_force) and the pair style add to `alone`; share()
-/// brings it to the ghosts; the pair style and then the walls (post_force) follow each contact the
-/// second time and add force, torque and `shift`, the change of position that goes with the force.
+/// Order within a step: this fix lets the walls (pre_force), then the pair style adds to `alone`;
+/// share() brings it to the ghosts; the pair style and then the walls (post_force) follow each
+/// contact the second time and add force, torque and `shift`, the change of position that goes with
+/// the force.
+///
+/// A fix cannot make another one in its constructor: those that need this one call of() in
+/// post_constructor(); the order above does not depend on the order of the fixes.
 ///
 /// A run that continues another, in the same input or from a restart, starts from the forces the
 /// last step ended with: the grid holds positions at n and velocities at n-1/2, and the forces of
@@ -30,10 +47,12 @@ class FixEventStep : public Fix {
   FixEventStep(class LAMMPS*, int, char**);
   ~FixEventStep() override;
 
-  /// Keeps the place in the list of fixes; for the constructors of styles. The fix itself may come
-  /// only when a restart file has been read to its end.
+  /// Keeps the place in the list of fixes, before those that integrate: for the constructor of a
+  /// pair style, which may run while a restart file is read. The fix itself finds what the file
+  /// holds for it only afterwards.
   static void reserve(class LAMMPS*);
-  /// The one of this run; for the init of styles that have reserved it.
+  /// The one of this run; made when there is none. Not before a restart file has been read to its
+  /// end, and not after the engine has begun to init its fixes.
   static FixEventStep* of(class LAMMPS*);
 
   int setmask() override;
@@ -62,6 +81,8 @@ class FixEventStep : public Fix {
 
   /// The forces of the last step are taken over: nothing may be followed.
   bool resumes() const { return resuming; }
+  /// The force that gives a particle the impulse 1 in this step, [1/time].
+  double force_per_impulse() const;
   /// The stretch of time that this step's forces stand for.
   cohesion::event_stepping::StepWindow window() const;
   /// Particle or ghost i; a particle that nothing integrates has inverse mass 0.
@@ -82,7 +103,7 @@ class FixEventStep : public Fix {
     bool kept = false;
     double spring, tangential_spring, adhesion;           ///< at the end of the step
     double normal_damping, tangential_damping, friction;  ///< lost so far
-    double external_work;                                 ///< of all other forces, so far
+    double external_work;                                 ///< of other forces, moving walls; so far
     bigint unresolved;                                    ///< pairs whose step was cut short
   } book;
   void keep_book() { book.kept = true; }
@@ -98,11 +119,13 @@ class FixEventStep : public Fix {
   void look_round();
   void move();
 
+  std::vector<EventContacts*> walls;  // those of this run
+
   bool resuming;
   bool starting;
   bool running;
-  bigint last_step;  // at which `last` was stored
-  double** last;     // per atom: force and torque at the end of the last run
+  double last_dt;  // of the step that `last` is from; 0: there was none
+  double** last;   // per atom: force and torque at the end of the last run
   double** contact_force;
   double* inverse_mass;  // per atom and ghost
   double longest_flight;

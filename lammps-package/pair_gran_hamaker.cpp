@@ -8,8 +8,10 @@
 
 #include "atom.h"
 #include "comm.h"
+#include "contact_advice.h"
 #include "engine_api.h"
 #include "error.h"
+#include "event_contact.h"
 #include "fix_event_step.h"
 #include "fix_neigh_history.h"
 #include "force.h"
@@ -27,18 +29,11 @@ using cohesion::Vector3;
 static constexpr int HISTORY = 4;
 static constexpr char HISTORY_ID[] = "NEIGH_HISTORY_GRAN_HAMAKER";
 
-static Vector3 vector(const double* a) { return {a[0], a[1], a[2]}; }
-
-static void add(double* to, double factor, const Vector3& a) {
-  to[0] += factor * a.x;
-  to[1] += factor * a.y;
-  to[2] += factor * a.z;
-}
-
 PairGranHamaker::PairGranHamaker(LAMMPS* lammps)
     : Pair(lammps),
       atom_types(0),
       form(&cohesion::hamaker::forms[0]),
+      scheme(Scheme::event),
       largest_range(0.0),
       list_reach(0.0),
       friction(false),
@@ -74,42 +69,49 @@ void PairGranHamaker::compute(int eflag, int vflag) {
   ev_init(eflag, vflag);
   if (update->whichflag == 2)
     error->all(FLERR, "pair_style gran/hamaker follows motion in time; it cannot be minimized");
-  if (step->resumes()) {
-    if (evflag) tally_standing();
-    return;
-  }
-  if (neighbor->ago == 0) check_radii();
-  follow_alone();
-  step->share();
-  if (evflag)
-    friction ? follow_together<true, true>() : follow_together<true, false>();
-  else
-    friction ? follow_together<false, true>() : follow_together<false, false>();
+  std::visit(
+      [this](auto& contacts) {
+        for (auto& last : contacts) last.clear();
+        if (step->resumes()) {
+          if (evflag) tally_standing(contacts);
+          return;
+        }
+        if (update->setupflag) give_advice();
+        if (neighbor->ago == 0) check_radii();
+        follow_alone(contacts);
+        if (evflag)
+          friction ? follow_together<true, true>(contacts) : follow_together<true, false>(contacts);
+        else
+          friction ? follow_together<false, true>(contacts)
+                   : follow_together<false, false>(contacts);
+      },
+      recent);
 }
 
 inline RelativeState PairGranHamaker::on_grid(int i, int j) const {
   return {vector(atom->x[j]) - vector(atom->x[i]), vector(atom->v[j]) - vector(atom->v[i])};
 }
 
-/// Pairs of equal particles share the contact that was worked out last for their types.
-inline const PairGranHamaker::Contact& PairGranHamaker::contact(int i, int j) {
+template <class Contact>
+inline const Contact& PairGranHamaker::contact(Recent<Contact>& recent_contacts, int i, int j) {
   const int types = of_types(atom->type[i], atom->type[j]);
   const Body a = step->body(i), b = step->body(j);
-  auto& last = recent[types];
+  auto& last = recent_contacts[types];
   if (last.empty() || !last[0].joins(a, b)) {
     last.clear();
-    last.emplace_back(given[types].contact,
-                      adhesion_of(laws[types], cohesion::two_spheres(a.radius, b.radius)), a, b,
-                      step->window());
+    last.emplace_back(used[types].contact,
+                      attraction_of<typename Contact::Attraction>(
+                          laws[types], cohesion::two_spheres(a.radius, b.radius)),
+                      a, b, step->window());
   }
   return last[0];
 }
 
 /// Every contact by itself: what it would do to its two particles.
-void PairGranHamaker::follow_alone() {
+template <class Contact>
+void PairGranHamaker::follow_alone(Recent<Contact>& contacts) {
   active.clear();
-  for (auto& last : recent) last.clear();
-  const double* const* const x = atom->x;
+  const double* const x = atom->nlocal > 0 ? atom->x[0] : nullptr;
   const double* const radius = atom->radius;
   const bool first = step->window().before == 0.0;
   const bool new_list = neighbor->ago == 0;
@@ -125,13 +127,14 @@ void PairGranHamaker::follow_alone() {
     const int i = list->ilist[ii];
     const int* const neighbors = list->firstneigh[i];
     const int count = list->numneigh[i];
-    const double xi = x[i][0], yi = x[i][1], zi = x[i][2];
-    const double near_i = radius[i] + reach;
+    const double xi = x[3 * i], yi = x[3 * i + 1], zi = x[3 * i + 2];
+    // With room for what other contacts do to a pair within a step.
+    const double near_i = 1.0001 * radius[i] + reach;
     for (int jj = 0; jj < count; jj++) {
       const int j = neighbors[jj] & NEIGHMASK;
-      const double dx = x[j][0] - xi;
-      const double dy = x[j][1] - yi;
-      const double dz = x[j][2] - zi;
+      const double dx = x[3 * j] - xi;
+      const double dy = x[3 * j + 1] - yi;
+      const double dz = x[3 * j + 2] - zi;
       const double near = near_i + radius[j];
       if (dx * dx + dy * dy + dz * dz > near * near) {
         // Only a particle that was put elsewhere can have left a partner that far behind.
@@ -141,7 +144,7 @@ void PairGranHamaker::follow_alone() {
       if (!step->body(i).inverse_mass && !step->body(j).inverse_mass) continue;
 
       int& kept = history->firstflag[i][jj];
-      const Contact& c = contact(i, j);
+      const Contact& c = contact(contacts, i, j);
       const RelativeState grid = on_grid(i, j);
       if (!kept && !c.within_reach(grid)) continue;
       double* const values = &history->firstvalue[i][HISTORY * jj];
@@ -149,6 +152,7 @@ void PairGranHamaker::follow_alone() {
       // A pair that a run starts with is where it is; it did not fall into the range.
       if (first && !kept) values[0] = norm(grid.separation) < radius[i] + radius[j] + c.range();
       active.push_back({i, j, &kept, values, c.advance(grid, values[0] != 0.0)});
+      if (!Contact::acts_within_step) continue;
       const PairStep& alone = active.back().alone;
       add(step->alone[i], -c.share_i(), alone.change.separation);
       add(step->alone[i] + 3, -c.share_i(), alone.change.velocity);
@@ -156,83 +160,49 @@ void PairGranHamaker::follow_alone() {
       add(step->alone[j] + 3, c.share_j(), alone.change.velocity);
     }
   }
+  if (Contact::acts_within_step) step->share();
 }
 
 /// Every contact again, with half of what the other contacts of its particles do, and friction.
-template <bool TALLY, bool FRICTION>
-void PairGranHamaker::follow_together() {
+template <bool TALLY, bool FRICTION, class Contact>
+void PairGranHamaker::follow_together(Recent<Contact>& contacts) {
   const int nlocal = atom->nlocal;
-  // The engine's half kick makes of a force f the momentum f dt/2; the other half went before.
-  const double per_time = 0.5 / step->window().after;
-  const double kick = step->window().before == 0.0 ? 2.0 * per_time : per_time;
+  const ContactScatter scatter(atom, step);
 
   for (Active& pair : active) {
     const int i = pair.i, j = pair.j;
-    const Contact& c = contact(i, j);
-    const Vector3 others_x =
-        vector(step->alone[j]) - vector(step->alone[i]) - pair.alone.change.separation;
-    const Vector3 others_v =
-        vector(step->alone[j] + 3) - vector(step->alone[i] + 3) - pair.alone.change.velocity;
-    RelativeState grid = on_grid(i, j);
-    PairStep now = pair.alone;
-    if (dot(others_x, others_x) > 0.0 || dot(others_v, others_v) > 0.0) {
-      grid.separation += 0.5 * others_x;
-      grid.velocity += 0.5 * others_v;
-      now = c.advance(grid, pair.history[0] != 0.0);
-    }
+    const Contact& c = contact(contacts, i, j);
+    RelativeState others{};
+    if (Contact::acts_within_step)
+      others = {
+          vector(step->alone[j]) - vector(step->alone[i]) - pair.alone.change.separation,
+          vector(step->alone[j] + 3) - vector(step->alone[i] + 3) - pair.alone.change.velocity};
+    const FollowedContact now =
+        follow_with_others<FRICTION>(c, on_grid(i, j), pair.alone, others, vector(atom->omega[i]),
+                                     vector(atom->omega[j]), pair.history);
+    *pair.kept = now.normal.inside;
 
-    Vector3 impulse = c.reduced_mass() * now.change.velocity;
-    FrictionStep sliding;
-    const Vector3 before{pair.history[1], pair.history[2], pair.history[3]};
-    if (FRICTION && now.normal.contact_time > 0.0) {
-      sliding = c.friction(grid, now, vector(atom->omega[i]), vector(atom->omega[j]), before);
-      impulse += sliding.spring.impulse;
-      add(atom->torque[i], kick, sliding.torque_i);
-      if (j < nlocal) add(atom->torque[j], kick, sliding.torque_j);
-    }
-    const Vector3 spring = sliding.spring.displacement;
-    pair.history[0] = now.inside;
-    pair.history[1] = spring.x;
-    pair.history[2] = spring.y;
-    pair.history[3] = spring.z;
-    *pair.kept = now.inside;
-
-    add(atom->f[i], -kick, impulse);
-    add(step->shift[i], -c.share_i(), now.change.separation);
-    if (j < nlocal) {
-      add(atom->f[j], kick, impulse);
-      add(step->shift[j], c.share_j(), now.change.separation);
-    }
-    if (now.normal.unresolved) step->book.unresolved++;
-    if (step->book.kept) {
-      const double share = j < nlocal ? 1.0 : 0.5;
-      step->note_force(i, -kick * impulse.x, -kick * impulse.y, -kick * impulse.z);
-      if (j < nlocal) step->note_force(j, kick * impulse.x, kick * impulse.y, kick * impulse.z);
-      step->book.spring += share * c.spring_energy(now);
-      step->book.adhesion += share * c.adhesion_energy(now);
-      step->book.tangential_spring += share * c.friction_energy(spring);
-      step->book.normal_damping += share * now.normal.dissipated;
-      step->book.tangential_damping += share * sliding.spring.damped;
-      step->book.friction += share * sliding.spring.friction;
-    }
+    scatter.on_i<FRICTION>(i, c.share_i(), now);
+    if (j < nlocal) scatter.on_j<FRICTION>(j, c.share_j(), now);
+    scatter.book(c, j < nlocal ? 1.0 : 0.5, now);
     if (TALLY) {
       const RelativeState d = on_grid(i, j);
-      ev_tally_xyz(i, j, nlocal, 0, c.spring_energy(now) + c.adhesion_energy(now), 0.0,
-                   -kick * impulse.x, -kick * impulse.y, -kick * impulse.z, -d.separation.x,
-                   -d.separation.y, -d.separation.z);
+      const Vector3 on_i = -scatter.kick() * now.impulse;
+      ev_tally_xyz(i, j, nlocal, 0, c.spring_energy(now.normal) + c.adhesion_energy(now.normal),
+                   0.0, on_i.x, on_i.y, on_i.z, -d.separation.x, -d.separation.y, -d.separation.z);
     }
   }
 }
 
 /// Energies of the pairs where they stand, for a run that takes over the forces of the last one.
-void PairGranHamaker::tally_standing() {
-  for (auto& last : recent) last.clear();
+template <class Contact>
+void PairGranHamaker::tally_standing(Recent<Contact>& contacts) {
   for (int ii = 0; ii < list->inum; ii++) {
     const int i = list->ilist[ii];
     for (int jj = 0; jj < list->numneigh[i]; jj++) {
       if (!history->firstflag[i][jj]) continue;
       const int j = list->firstneigh[i][jj] & NEIGHMASK;
-      const Contact& c = contact(i, j);
+      const Contact& c = contact(contacts, i, j);
       const Vector3 d = on_grid(i, j).separation;
       PairStep standing;
       standing.overlap_at_end = atom->radius[i] + atom->radius[j] - norm(d);
@@ -246,10 +216,17 @@ void PairGranHamaker::tally_standing() {
 /* ---------------------------------------------------------------------- */
 
 void PairGranHamaker::settings(int narg, char** arg) {
-  if (narg == 0) return;
-  if (narg != 2 || strcmp(arg[0], "form") != 0)
-    error->all(FLERR, "pair_style gran/hamaker takes 'form name' or nothing");
-  form = hamaker_form_from_script(lmp, "pair_style gran/hamaker", arg[1]);
+  const std::string where = "pair_style gran/hamaker";
+  for (int i = 0; i < narg; i += 2) {
+    const std::string word = arg[i];
+    if (word != "scheme" && word != "form")
+      error->all(FLERR, where + ": unknown keyword '" + word + "'; valid ones: scheme, form");
+    if (i + 1 == narg) error->all(FLERR, where + ": " + word + " takes a name");
+    if (word == "scheme")
+      scheme = scheme_from_script(lmp, where, arg[i + 1]);
+    else
+      form = hamaker_form_from_script(lmp, where, arg[i + 1]);
+  }
 }
 
 void PairGranHamaker::coeff(int narg, char** arg) {
@@ -279,7 +256,11 @@ void PairGranHamaker::init_style() {
   step = FixEventStep::of(lmp);
   largest_radius = largest_radii(lmp);
   laws.assign(given.size(), form->law(cohesion::hamaker::none, false));
-  recent.assign(given.size(), {});
+  used = given;
+  if (scheme == Scheme::event)
+    recent.emplace<static_cast<int>(Scheme::event)>(given.size());
+  else
+    recent.emplace<static_cast<int>(Scheme::sampled)>(given.size());
   friction = false;
   // A tenth of the skin for the flight of both within half a step: it is far less where the
   // engine's own check of the list holds at all.
@@ -301,12 +282,27 @@ double PairGranHamaker::init_one(int i, int j) {
                             " and " + std::to_string(j) + " nor for both of them to mix");
     p = given[of_types(j, i)] = mixed(given[of_types(i, i)], given[of_types(j, j)]);
   }
-  laws[of_types(i, j)] = laws[of_types(j, i)] = hamaker_law(*form, p.hamaker);
-  friction = friction || p.contact.friction > 0.0;
-  const double range = p.hamaker.hamaker_constant > 0.0 ? p.hamaker.surface_cutoff : 0.0;
-  largest_range = std::max(largest_range, range);
+  const CohesiveContactParameters& now = used[of_types(i, j)] = used[of_types(j, i)] = scaled(
+      lmp, "pair_style gran/hamaker, types " + std::to_string(i) + " and " + std::to_string(j),
+      *form, p);
+  laws[of_types(i, j)] = laws[of_types(j, i)] = hamaker_law(*form, now.hamaker);
+  friction = friction || now.contact.friction > 0.0;
+  largest_range = std::max(largest_range, cohesive_range(scheme, now));
   list_reach = largest_range + 0.1 * neighbor->skin;
-  return largest_radius[i] + largest_radius[j] + range + 0.1 * neighbor->skin;
+  return largest_radius[i] + largest_radius[j] + cohesive_range(scheme, now) + 0.1 * neighbor->skin;
+}
+
+void PairGranHamaker::give_advice() {
+  const std::vector<LightestParticle> lightest = lightest_particles(lmp);
+  std::vector<AdvisedContact> contacts;
+  for (int i = 1; i <= atom_types; i++)
+    for (int j = i; j <= atom_types; j++) {
+      const LightestParticle &a = lightest[i], &b = lightest[j];
+      contacts.push_back({fmt::format("{} - {}", i, j), a, b, used[of_types(i, j)].contact,
+                          attraction_of<cohesion::contact::Adhesion>(
+                              laws[of_types(i, j)], cohesion::two_spheres(a.radius, b.radius))});
+    }
+  advise(lmp, "pair_style gran/hamaker", limits_of(scheme), contacts);
 }
 
 void PairGranHamaker::check_radii() {
@@ -347,13 +343,15 @@ void PairGranHamaker::read_restart(FILE* fp) {
 }
 
 void PairGranHamaker::write_restart_settings(FILE* fp) {
-  const int number = static_cast<int>(form - cohesion::hamaker::forms.data());
-  fwrite(&number, sizeof(int), 1, fp);
+  const int numbers[2] = {static_cast<int>(form - cohesion::hamaker::forms.data()),
+                          static_cast<int>(scheme)};
+  fwrite(numbers, sizeof(int), 2, fp);
 }
 
 void PairGranHamaker::read_restart_settings(FILE* fp) {
-  int number = 0;
-  if (comm->me == 0) utils::sfread(FLERR, &number, sizeof(int), 1, fp, nullptr, error);
-  MPI_Bcast(&number, 1, MPI_INT, 0, world);
-  form = &cohesion::hamaker::forms[number];
+  int numbers[2] = {0, 0};
+  if (comm->me == 0) utils::sfread(FLERR, numbers, sizeof(int), 2, fp, nullptr, error);
+  MPI_Bcast(numbers, 2, MPI_INT, 0, world);
+  form = &cohesion::hamaker::forms[numbers[0]];
+  scheme = static_cast<Scheme>(numbers[1]);
 }

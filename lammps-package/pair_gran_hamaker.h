@@ -8,17 +8,19 @@ PairStyle(gran/hamaker,PairGranHamaker);
 #ifndef LMP_PAIR_GRAN_HAMAKER_H
 #define LMP_PAIR_GRAN_HAMAKER_H
 
+#include <variant>
 #include <vector>
 
 #include "cohesive_contact_from_script.h"
 #include "event_stepping/cohesive_contact.h"
+#include "event_stepping/sampled_pair.h"
 #include "pair.h"
 
 namespace LAMMPS_NS {
 
-/// pair_style gran/hamaker: linear spring-dashpot contact with friction and Hamaker adhesion in the
-/// event scheme. The laws are in src/event_stepping, src/contact and src/hamaker; doc:
-/// docs/lammps-package/pair_gran_hamaker.md
+/// pair_style gran/hamaker: linear spring-dashpot contact with friction and Hamaker adhesion, in
+/// the event scheme or sampled. The laws are in src/event_stepping, src/contact and src/hamaker;
+/// doc: docs/lammps-package/pair_gran_hamaker.md
 class PairGranHamaker : public Pair {
  public:
   explicit PairGranHamaker(class LAMMPS*);
@@ -35,34 +37,47 @@ class PairGranHamaker : public Pair {
   void read_restart_settings(FILE*) override;
 
  private:
-  using Contact = cohesion::event_stepping::CohesiveContact<cohesion::event_stepping::SpherePair>;
+  template <class Pair>
+  using ContactOf = cohesion::event_stepping::CohesiveContact<Pair>;
+  /// By type pair: the contact worked out last, which pairs of equal particles share.
+  template <class Contact>
+  using Recent = std::vector<std::vector<Contact> >;
+  /// One alternative per scheme, in the order of Scheme.
+  using AnyRecent = std::variant<Recent<ContactOf<cohesion::event_stepping::SpherePair> >,
+                                 Recent<ContactOf<cohesion::event_stepping::SampledPair> > >;
 
   /// A pair that may touch in this step.
   struct Active {
     int i, j;
     int* kept;        // 1 while the pair has a history
-    double* history;  // in-range flag, tangential displacement
+    double* history;  // in-range flag, memory of the tangential spring
     cohesion::event_stepping::PairStep alone;
   };
 
   void allocate();
   int of_types(int i, int j) const { return i * (atom_types + 1) + j; }
-  const Contact& contact(int i, int j);
+  template <class Contact>
+  const Contact& contact(Recent<Contact>&, int i, int j);
   cohesion::event_stepping::RelativeState on_grid(int i, int j) const;
-  void follow_alone();
-  template <bool TALLY, bool FRICTION>
-  void follow_together();
-  void tally_standing();
+  template <class Contact>
+  void follow_alone(Recent<Contact>&);
+  template <bool TALLY, bool FRICTION, class Contact>
+  void follow_together(Recent<Contact>&);
+  template <class Contact>
+  void tally_standing(Recent<Contact>&);
+  void give_advice();
   void check_radii();
 
   int atom_types;
   const cohesion::hamaker::Form* form;
+  Scheme scheme;
   std::vector<CohesiveContactParameters> given;  // by type pair
+  std::vector<CohesiveContactParameters> used;   // the same with adhesion scaled, if wished
   std::vector<cohesion::hamaker::AnyLaw> laws;   // by type pair, built at init
-  std::vector<std::vector<Contact> > recent;     // by type pair: the contact worked out last
-  std::vector<double> largest_radius;            // by type, at init
+  AnyRecent recent;
+  std::vector<double> largest_radius;  // by type, at init
   std::vector<Active> active;
-  double largest_range;  // of adhesion
+  double largest_range;  // up to which the scheme has to see a pair
   double list_reach;     // gap up to which every pair is in the list
   bool friction;         // whether any contact has friction
   class FixEventStep* step;

@@ -4,6 +4,7 @@
 #include "compute_gran_energy.h"
 #include "fix_event_step.h"
 #include "fix_gas_coupling.h"
+#include "fix_wall_gran_hamaker.h"
 #include "fix_wall_hamaker.h"
 #include "lammps.h"
 #include "lammpsplugin.h"
@@ -59,6 +60,11 @@ extern "C" void cohesion_register_styles(void* lmp, void* handle, void* regfunc)
   plugin.name = "wall/hamaker";
   plugin.info = "fix wall/hamaker";
   plugin.creator.v2 = &make_fix_style<FixWallHamaker>;
+  register_style(&plugin, lmp);
+
+  plugin.name = "wall/gran/hamaker";
+  plugin.info = "fix wall/gran/hamaker";
+  plugin.creator.v2 = &make_fix_style<FixWallGranHamaker>;
   register_style(&plugin, lmp);
 
   plugin.name = "gas/coupling";

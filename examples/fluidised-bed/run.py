@@ -81,6 +81,8 @@ def watch(cases, processes):
     on_terminal = sys.stdout.isatty()
     while any(process.poll() is None for process in processes.values()):
         time.sleep(POLL)
+        if any(process.poll() for process in processes.values()):
+            break  # One has failed: the others' results would not be used.
         parts, left = [], 0.0
         for name, case in cases.items():
             progress = case.progress()
@@ -96,8 +98,12 @@ def watch(cases, processes):
             print(line, flush=True)
     if on_terminal:
         print()
-    for name, process in processes.items():
-        cases[name].finish(process)
+    failed = [name for name, process in processes.items() if process.poll()]
+    if failed:
+        for process in processes.values():
+            process.terminate()
+    for name in failed or processes:
+        cases[name].finish(processes[name])
 
 
 def table(results):

@@ -5,16 +5,10 @@
 
 #include "contact/adhesive_contact.h"
 #include "contact/linear_spring_dashpot.h"
+#include "hamaker/parameters.h"
 #include "validation.h"
 
 namespace cohesion::advice {
-
-/// Of a small-gap attraction A R*/(6 H^2), constant below H_cut, zero beyond H_out.
-struct HamakerConstants {
-  double hamaker_constant;  ///< A, [energy]
-  double surface_cutoff;    ///< H_cut, [length]
-  double outer_cutoff;      ///< H_out, [length]
-};
 
 /// Adhesion for a spring softer than the material, such that a pair sticks as the material does.
 ///
@@ -63,14 +57,11 @@ class StiffnessScaling {
     return {factor_ * real.force, real.cutoff / factor_, real.tail_energy};
   }
 
-  /// Throws InvalidParameter unless A >= 0, 0 < H_cut < H_out, and H_out leaves room for the wider
-  /// cut-off.
-  HamakerConstants hamaker(const HamakerConstants& real) const {
-    require_non_negative("Hamaker constant A", real.hamaker_constant);
-    require_positive("surface cut-off H_cut", real.surface_cutoff);
-    require_positive("outer cut-off", real.outer_cutoff);
-    require(real.surface_cutoff < real.outer_cutoff, "surface cut-off H_cut", real.surface_cutoff,
-            "must be smaller than the outer cut-off");
+  /// For the small-gap form. Throws InvalidParameter as require_valid does, for rough surfaces, and
+  /// unless H_out leaves room for the wider cut-off.
+  hamaker::Parameters hamaker(const hamaker::Parameters& real) const {
+    require_valid(real);
+    require_smooth(real);
     const double k = real.surface_cutoff / real.outer_cutoff;
     require(factor_ > k * (2.0 - k), "outer cut-off", real.outer_cutoff,
             "too small for the softened contact: H_cut grows by about sqrt(K_real/K_soft) and has "

@@ -28,8 +28,9 @@ struct TangentialStep {
 /// by the implicit midpoint rule: the energy of spring and motion is kept exactly but for what
 /// dashpot and slider take, and no stiffness or damping makes it unstable. P is the impulse of the
 /// normal spring and dashpot in the same stretch; m_t the mass that answers a tangential impulse,
-/// 1/m_t = 1/m_i + 1/m_j + l_i^2/I_i + l_j^2/I_j with lever arms l. While it slides, the spring
-/// keeps the displacement that carries the Coulomb force.
+/// 1/m_t = 1/m_i + 1/m_j + l_i^2/I_i + l_j^2/I_j with lever arms l. The slider is in series with
+/// spring and dashpot: while it slides, they stretch at the rate at which they carry the Coulomb
+/// force, and the spring alone holds no more than that. So the slider never gives energy.
 ///
 /// Source: P. A. Cundall and O. D. L. Strack, Geotechnique 29 (1979) 47; van der Hoef et al.,
 /// Adv. Chem. Eng. 31 (2006) 65, eq. 27-29.
@@ -51,14 +52,16 @@ class TangentialSpring {
     const bool slides = size > limit;
     if (slides) step.impulse = (limit / size) * step.impulse;
     const Vector3 middle = velocity + (0.5 / tangential_mass) * step.impulse;
-    step.damped = p_.damping * dot(middle, middle) * time;
-    if (!slides) {
-      step.displacement = displacement + time * middle;
-      return step;
+    Vector3 stretching = middle;
+    if (slides) {
+      const Vector3 force = (-1.0 / time) * step.impulse;
+      stretching = (1.0 / answer) * (force - p_.stiffness * displacement);
     }
-    if (p_.stiffness > 0.0)
-      step.displacement =
-          (-1.0 / p_.stiffness) * ((1.0 / time) * step.impulse + p_.damping * middle);
+    step.displacement = displacement + time * stretching;
+    step.damped = p_.damping * dot(stretching, stretching) * time;
+    if (!slides) return step;
+    const double carried = p_.stiffness * norm(step.displacement) * time;
+    if (carried > limit) step.displacement = (limit / carried) * step.displacement;
     step.friction = stored_energy(displacement) - stored_energy(step.displacement) -
                     dot(step.impulse, middle) - step.damped;
     return step;

@@ -27,6 +27,7 @@ inline double inverse_inertia(const Body& body) {
 /// What friction does in a step.
 struct FrictionStep {
   contact::TangentialStep spring;
+  Vector3 memory;    ///< for the next step: the spring's displacement on the grid, [length]
   Vector3 torque_i;  ///< angular impulse on i, [momentum length]
   Vector3 torque_j;
 };
@@ -38,6 +39,7 @@ template <class Pair>
 class CohesiveContact {
  public:
   using Attraction = typename Pair::Attraction;
+  static constexpr bool acts_within_step = Pair::acts_within_step;
 
   CohesiveContact(const contact::ContactParameters& parameters, const Attraction& attraction,
                   const Body& i, const Body& j, const StepWindow& window)
@@ -68,26 +70,44 @@ class CohesiveContact {
     return pair_.advance(grid, window_, inside);
   }
 
-  /// Friction in the step that `normal` describes. The lever arms share the distance of the
-  /// centres in proportion to the radii, so that angular momentum is kept exactly.
-  FrictionStep friction(const RelativeState& grid, const PairStep& normal, const Vector3& spin_i,
-                        const Vector3& spin_j, const Vector3& displacement) const {
+  /// Friction in the step that `normal` describes. `grid` is what the pair was followed from;
+  /// `velocity` the relative velocity without what other contacts do in this step, that is, how the
+  /// grid has moved since the last step. `memory` is what the last step left (FrictionStep.memory).
+  ///
+  /// The spring's displacement is known on the grid, where it has grown with the grid's motion, and
+  /// is carried half a step back to where the step begins, like positions. Were it added up from
+  /// the steps as the pair sees them, each alone against its own tangential force, a spring under a
+  /// constant load that others balance would creep.
+  ///
+  /// The lever arms of two spheres share the distance of their centres in proportion to the radii,
+  /// so that angular momentum is kept exactly; beside a wall, the limit of a large sphere, the arm
+  /// is the radius.
+  FrictionStep friction(const RelativeState& grid, const Vector3& velocity, const PairStep& normal,
+                        const Vector3& spin_i, const Vector3& spin_j, const Vector3& memory) const {
     const Vector3 separation = grid.separation + normal.change.separation;
     const double distance = norm(separation);
     const Vector3 n = (1.0 / distance) * separation;
-    const double arm_i = distance * i_.radius / (i_.radius + j_.radius);
+    const double arm_i =
+        j_.radius > 0.0 ? distance * i_.radius / (i_.radius + j_.radius) : i_.radius;
     const double arm_j = distance - arm_i;
-    const Vector3 u =
-        grid.velocity + 0.5 * normal.change.velocity - cross(arm_i * spin_i + arm_j * spin_j, n);
+    const Vector3 u = in_plane(
+        grid.velocity + 0.5 * normal.change.velocity - cross(arm_i * spin_i + arm_j * spin_j, n),
+        n);
     const double answer = i_.inverse_mass + j_.inverse_mass + arm_i * arm_i * inverse_inertia(i_) +
                           arm_j * arm_j * inverse_inertia(j_);
+    Vector3 displacement = contact::TangentialSpring::turned(memory, n);
+    if (dot(memory, memory) > 0.0) {
+      const Vector3 by_others = in_plane(grid.velocity - velocity, n);
+      displacement += window_.before * (u - 2.0 * by_others);
+    }
     FrictionStep step;
-    step.spring = tangential_.advance(contact::TangentialSpring::turned(displacement, n),
-                                      u - dot(u, n) * n, normal.normal.contact_time, 1.0 / answer,
+    step.spring = tangential_.advance(displacement, u, normal.normal.contact_time, 1.0 / answer,
                                       normal.normal.repulsion_impulse);
     if (normal.overlap_at_end <= 0.0) {  // parted: what the spring still held is lost
       step.spring.friction += friction_energy(step.spring.displacement);
       step.spring.displacement = {};
+    } else {
+      step.memory = step.spring.displacement - window_.after * (u + answer * step.spring.impulse);
     }
     const Vector3 turn = cross(n, step.spring.impulse);
     step.torque_i = -arm_i * turn;
@@ -107,6 +127,8 @@ class CohesiveContact {
   }
 
  private:
+  static Vector3 in_plane(const Vector3& a, const Vector3& n) { return a - dot(a, n) * n; }
+
   Body i_;
   Body j_;
   StepWindow window_;

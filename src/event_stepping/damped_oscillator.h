@@ -46,20 +46,18 @@ class DampedOscillator {
   };
 
   Propagator propagator(double t) const {
-    double c, s;  // exp(-alpha t) times cos(q t) and sin(q t)/q, or their hyperbolic kin
-    if (oscillates_) {
-      const double decay = std::exp(-alpha_ * t);
-      c = decay * std::cos(q_ * t);
-      s = decay * std::sin(q_ * t) / q_;
-    } else if (creeps_) {
-      const double slow = std::exp(-w0_squared_ / (alpha_ + q_) * t);
-      const double fast = std::exp(-(alpha_ + q_) * t);
-      c = 0.5 * (slow + fast);
-      s = 0.5 * (slow - fast) / q_;
-    } else {
-      c = std::exp(-alpha_ * t);
-      s = c * t;
+    if (creeps_) {
+      // The slow mode exp(-slow t) and the fast one exp(-(alpha + q) t), put together without
+      // differences of nearly equal numbers, near critical damping and far beyond.
+      const double slow = w0_squared_ / (alpha_ + q_);
+      const double slow_mode = std::exp(-slow * t);
+      const double fast_mode = std::exp(-(alpha_ + q_) * t);
+      const double s = slow_mode * -std::expm1(-2.0 * q_ * t) / (2.0 * q_);
+      return {t, slow_mode + slow * s, s, -w0_squared_ * s, fast_mode - slow * s};
     }
+    const double decay = std::exp(-alpha_ * t);
+    const double c = oscillates_ ? decay * std::cos(q_ * t) : decay;
+    const double s = oscillates_ ? decay * std::sin(q_ * t) / q_ : decay * t;
     return {t, c + alpha_ * s, s, -w0_squared_ * s, c - alpha_ * s};
   }
 

@@ -40,8 +40,12 @@ class NormalMotion {
   double range() const { return adhesion_.cutoff; }
   double reduced_mass() const { return reduced_mass_; }
 
-  /// Crossing the tail's edge inwards; the direction of v is kept.
-  Overlap enter(Overlap s) const { return {s.x, std::copysign(std::sqrt(s.v * s.v + edge_), s.v)}; }
+  /// From outside to inside at s.x: the speed gains the tail's energy and, below the edge, the work
+  /// of the adhesion up to there. The direction of v is kept.
+  Overlap enter(Overlap s) const {
+    const double gain = edge_ + 2.0 * pull_ * within_range(s.x);
+    return {s.x, std::copysign(std::sqrt(s.v * s.v + gain), s.v)};
+  }
 
   /// Follows a pair inside the range from `s` for at most `time`, and returns the time it took
   /// until it left the range (`inside` is then false), or `time`. `outward` [length/time^2] is the
@@ -50,11 +54,9 @@ class NormalMotion {
   double advance(Overlap& s, double time, double outward, bool& inside, double& x_integral,
                  NormalRecord& record) const {
     const double drive = pull_ - outward;
-    const double edge = std::min(-adhesion_.cutoff, s.x);
     double left = time;
     inside = true;
-    // A pair that came out of the last step beyond the range and still counts as inside leaves
-    // now.
+    // A pair that was pushed out beyond the range between two steps leaves now, if it can pay.
     if (s.x <= -adhesion_.cutoff && s.v < 0.0 && !leave(s)) inside = false;
     for (int phases = 0; inside && left > 0.0; phases++) {
       if (phases == max_phases) {
@@ -65,11 +67,15 @@ class NormalMotion {
       if (touching) {
         left -= in_contact(s, left, drive, x_integral, record);
         if (s.x == 0.0 && s.v < 0.0 && adhesion_.cutoff == 0.0 && !leave(s)) inside = false;
-      } else {
-        bool at_edge = false;
-        left -= in_gap(s, left, drive, edge, at_edge, x_integral);
-        if (at_edge && !leave(s)) inside = false;
+        continue;
       }
+      const bool beyond = s.x < -adhesion_.cutoff;
+      const Gap gap =
+          beyond ? Gap{s.x, -adhesion_.cutoff, -outward} : Gap{-adhesion_.cutoff, 0.0, drive};
+      left -= whole_bounces(s, left, gap, x_integral);
+      bool at_edge = false;
+      left -= in_gap(s, left, gap, at_edge, x_integral);
+      if (at_edge && !leave(s)) inside = false;
     }
     return time - std::max(left, 0.0);
   }
@@ -79,14 +85,23 @@ class NormalMotion {
     return x > 0.0 ? 0.5 * reduced_mass_ * contact_.w0_squared() * x * x : 0.0;
   }
 
-  /// Energy of the adhesion of a pair inside the range at overlap x, zero far away, [energy].
+  /// Energy of the adhesion of a pair that counts as inside at overlap x, zero far away, [energy].
+  /// Beyond the range it still owes the tail.
   double adhesion_energy(double x) const {
-    return -adhesion_.tail_energy - adhesion_.force * (adhesion_.cutoff + x);
+    return -adhesion_.tail_energy - adhesion_.force * within_range(x);
   }
 
  private:
   /// A pair that turns round this often in one step rattles in a well far too thin for the step.
   static constexpr int max_phases = 1000;
+
+  /// A stretch of gap between the overlaps `low` < `high` <= 0 with a constant acceleration.
+  struct Gap {
+    double low, high, drive;
+  };
+
+  /// How far overlap x is within the range, [length].
+  double within_range(double x) const { return std::max(adhesion_.cutoff + x, 0.0); }
 
   /// At the edge, moving out. False: gone, slowed down by the tail. True: captured.
   bool leave(Overlap& s) const {
@@ -114,10 +129,22 @@ class NormalMotion {
     return time;
   }
 
-  double in_gap(Overlap& s, double time, double drive, double edge, bool& at_edge,
-                double& x_integral) const {
-    const double touch = first_root(-s.x, -s.v, -drive);
-    const double out = first_root(s.x - edge, s.v, drive);
+  /// A pair that its turning presses against the edge, too slow for tail and contact: the bounces
+  /// that fit into `time` leave it as it is. At rest: all of the time. Returns the time they take.
+  double whole_bounces(const Overlap& s, double time, const Gap& gap, double& x_integral) const {
+    if (s.x != gap.low || s.v < 0.0 || gap.drive >= 0.0 || edge_ == 0.0) return 0.0;
+    if (s.v * s.v >= -2.0 * gap.drive * (gap.high - gap.low)) return 0.0;
+    const double period = -2.0 * s.v / gap.drive;
+    const double taken = s.v > 0.0 ? std::floor(time / period) * period : time;
+    x_integral += taken * (gap.low + s.v * period * (1.0 / 6.0));
+    return taken;
+  }
+
+  double in_gap(Overlap& s, double time, const Gap& gap, bool& at_edge, double& x_integral) const {
+    if (!(time > 0.0)) return 0.0;
+    const double drive = gap.drive;
+    const double touch = first_root(gap.high - s.x, -s.v, -drive);
+    const double out = first_root(s.x - gap.low, s.v, drive);
     const double start = s.x;
     const double t = std::min(std::min(touch, out), time);
     x_integral += t * (start + t * (0.5 * s.v + t * drive / 6.0));
@@ -125,7 +152,7 @@ class NormalMotion {
     if (t < time) {
       at_edge = out < touch;
       // Rounding must not carry the pair over the edge it stands on.
-      s = at_edge ? Overlap{edge, std::min(s.v, 0.0)} : Overlap{0.0, std::max(s.v, 0.0)};
+      s = at_edge ? Overlap{gap.low, std::min(s.v, 0.0)} : Overlap{gap.high, std::max(s.v, 0.0)};
     }
     return t;
   }

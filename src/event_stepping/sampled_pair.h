@@ -25,17 +25,24 @@ class SampledPair {
     PairGeometry geometry;
   };
 
+  /// Contacts act on each other only through the grid.
+  static constexpr bool acts_within_step = false;
+
   SampledPair(const contact::LinearSpringDashpot& spring, const Attraction& attraction,
               double contact_distance, double /*step*/)
-      : spring_(spring), attraction_(attraction), contact_distance_(contact_distance) {}
-
-  /// Gap up to which the pair attracts, [length].
-  double range() const {
-    return std::visit([](const auto& law) { return law.outer_cutoff(); }, attraction_.law);
+      : spring_(spring), attraction_(attraction), contact_distance_(contact_distance) {
+    range_ = std::visit(
+        [&](const auto& law) {
+          return law.adhesion_force(attraction.geometry) > 0.0 ? law.outer_cutoff() : 0.0;
+        },
+        attraction_.law);
   }
 
+  /// Gap up to which the pair attracts, [length].
+  double range() const { return range_; }
+
   bool within_reach(const RelativeState& grid, const StepWindow&) const {
-    return norm(grid.separation) <= contact_distance_ + range();
+    return norm(grid.separation) <= contact_distance_ + range_;
   }
 
   PairStep advance(const RelativeState& grid, const StepWindow& window, bool) const {
@@ -57,7 +64,7 @@ class SampledPair {
                    attraction_.law);
     step.change.velocity = (time * (repulsion - attraction) / spring_.reduced_mass()) * normal;
     step.overlap_at_end = overlap;
-    step.inside = -overlap < range();
+    step.inside = -overlap < range_;
     return step;
   }
 
@@ -73,6 +80,7 @@ class SampledPair {
   contact::LinearSpringDashpot spring_;
   Attraction attraction_;
   double contact_distance_;
+  double range_;
 };
 
 }  // namespace cohesion::event_stepping

@@ -18,6 +18,8 @@ namespace cohesion::event_stepping {
 class SpherePair {
  public:
   using Attraction = contact::Adhesion;
+  /// What a contact does in a step changes the step of its particles' other contacts.
+  static constexpr bool acts_within_step = true;
 
   /// `step` [time]: the usual length of a step.
   SpherePair(const contact::LinearSpringDashpot& spring, const contact::Adhesion& adhesion,
@@ -43,7 +45,11 @@ class SpherePair {
     double left = window.length();
     double overlap = 0.0;
     if (!inside) inside = starts_inside(now);
-    while (left > 0.0) {
+    for (int stretches = 0; left > 0.0; stretches++) {
+      if (stretches == max_stretches) {
+        step.normal.unresolved = true;
+        break;
+      }
       if (!inside) {
         left -= fly(now, left, inside);
         continue;
@@ -59,10 +65,13 @@ class SpherePair {
   }
 
  private:
+  /// A pair flies in, turns and flies out again; more often only by rounding at a grazed edge.
+  static constexpr int max_stretches = 100;
+
   double outer_distance() const { return contact_distance_ + motion_.range(); }
 
-  /// A pair that counts as outside but is inside by now pays at the edge if it approaches, or if it
-  /// already overlaps.
+  /// A pair that counts as outside but was pushed inside between two steps enters where it is, if
+  /// it approaches or already overlaps.
   bool starts_inside(RelativeState& now) const {
     const double distance = norm(now.separation);
     if (distance >= outer_distance()) return false;
@@ -74,7 +83,7 @@ class SpherePair {
   void cross_inwards(RelativeState& now, double distance) const {
     const Vector3 normal = (1.0 / distance) * now.separation;
     const double approach = -dot(normal, now.velocity);
-    const Overlap entered = motion_.enter({0.0, approach});
+    const Overlap entered = motion_.enter({contact_distance_ - distance, approach});
     now.velocity -= (entered.v - approach) * normal;
   }
 

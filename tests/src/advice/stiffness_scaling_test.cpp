@@ -21,7 +21,7 @@ contact::AdhesiveContact softened(const contact::AdhesiveContact& real, double r
 }
 
 /// F_ad and tail of A R*/(6 H^2) at R*/6 = 1.
-contact::Adhesion adhesion_of(const HamakerConstants& c) {
+contact::Adhesion adhesion_of(const hamaker::Parameters& c) {
   return {c.hamaker_constant / (c.surface_cutoff * c.surface_cutoff), c.surface_cutoff,
           c.hamaker_constant * (1.0 / c.surface_cutoff - 1.0 / c.outer_cutoff)};
 }
@@ -74,11 +74,11 @@ TEST(StiffnessScaling, OverlapGrowsAsTheContactTime) {
   EXPECT_NEAR(soft.spring().contact_time() / real.spring().contact_time(), 10.0, 1e-12);
 }
 
-TEST(StiffnessScaling, HamakerConstantsGiveTheScaledForceAndTheSameWell) {
-  const HamakerConstants real{5e-19, 4e-10, 1e-7};
+TEST(StiffnessScaling, HamakerParametersGiveTheScaledForceAndTheSameWell) {
+  const hamaker::Parameters real{5e-19, 4e-10, 1e-7};
   for (double ratio = 1.0; ratio <= 1.1e4; ratio *= 10.0) {
     const StiffnessScaling scaling(real_stiffness, real_stiffness / ratio);
-    const HamakerConstants soft = scaling.hamaker(real);
+    const hamaker::Parameters soft = scaling.hamaker(real);
     // Near f = k (2 - k) the root amplifies roundings; f = 0.01 leaves 1 - 0.8.
     EXPECT_NEAR(adhesion_of(soft).force / (scaling.factor() * adhesion_of(real).force), 1.0, 1e-13);
     EXPECT_NEAR(adhesion_of(soft).well_energy() / adhesion_of(real).well_energy(), 1.0, 1e-13);
@@ -88,7 +88,7 @@ TEST(StiffnessScaling, HamakerConstantsGiveTheScaledForceAndTheSameWell) {
 }
 
 TEST(StiffnessScaling, HamakerConstantAndCutoffGrowAlikeWithoutOuterCutoff) {
-  const HamakerConstants soft = StiffnessScaling(1e4, 1e2).hamaker({5e-19, 4e-10, 1e6});
+  const hamaker::Parameters soft = StiffnessScaling(1e4, 1e2).hamaker({5e-19, 4e-10, 1e6});
   EXPECT_NEAR(soft.hamaker_constant / 5e-18, 1.0, 1e-14);
   EXPECT_NEAR(soft.surface_cutoff / 4e-9, 1.0, 1e-14);
 }

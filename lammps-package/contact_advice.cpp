@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#include "contact_advice.h"
+
+#include <mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "atom.h"
+#include "comm.h"
+#include "contact/contact_parameters.h"
+#include "error.h"
+#include "fix.h"
+#include "modify.h"
+#include "update.h"
+
+using namespace LAMMPS_NS;
+namespace advice = cohesion::advice;
+
+static double largest_of_all(LAMMPS* lmp, double mine) {
+  double all = 0.0;
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, lmp->world);
+  return all;
+}
+
+static double fastest_particle(LAMMPS* lmp) {
+  double squared = 0.0;
+  for (int i = 0; i < lmp->atom->nlocal; i++) {
+    const double* const v = lmp->atom->v[i];
+    squared = std::max(squared, v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+  }
+  return std::sqrt(largest_of_all(lmp, squared));
+}
+
+/// The acceleration of fix gravity, which does not tell it: let it act on forces that are zero.
+static double gravity(LAMMPS* lmp) {
+  double g = 0.0;
+  for (int k = 0; k < lmp->modify->nfix; k++) {
+    Fix* const fix = lmp->modify->fix[k];
+    if (strcmp(fix->style, "gravity") != 0) continue;
+    fix->post_force(0);
+    for (int i = 0; i < lmp->atom->nlocal; i++) {
+      double* const f = lmp->atom->f[i];
+      g = std::max(g, std::hypot(f[0], f[1], f[2]) / lmp->atom->rmass[i]);
+      f[0] = f[1] = f[2] = 0.0;
+    }
+  }
+  return largest_of_all(lmp, g);
+}
+
+std::vector<LightestParticle> LAMMPS_NS::lightest_particles(LAMMPS* lmp) {
+  const Atom* atom = lmp->atom;
+  const double none = std::numeric_limits<double>::infinity();
+  std::vector<LightestParticle> mine(atom->ntypes + 1, {none, none});
+  for (int i = 0; i < atom->nlocal; i++) {
+    LightestParticle& lightest = mine[atom->type[i]];
+    lightest.radius = std::min(lightest.radius, atom->radius[i]);
+    lightest.mass = std::min(lightest.mass, atom->rmass[i]);
+  }
+  std::vector<LightestParticle> all(mine.size());
+  MPI_Allreduce(mine.data(), all.data(), 2 * static_cast<int>(mine.size()), MPI_DOUBLE, MPI_MIN,
+                lmp->world);
+  return all;
+}
+
+void LAMMPS_NS::advise(LAMMPS* lmp, const std::string& style, const advice::SchemeLimits& limits,
+                       const std::vector<AdvisedContact>& contacts) {
+  const double g = gravity(lmp), fastest = fastest_particle(lmp);
+  const bool prints = lmp->comm->me == 0;
+  if (prints)
+    utils::logmesg(lmp, style + ", scheme " + std::string(limits.scheme) +
+                            ": what to expect (lightest particles; / d: over the diameter)\n"
+                            "  contact       speed  steps/t_c  H_cut/(v dt)  F_ad/K/d  impact/d"
+                            "      Bond     v_esc   tail/spring\n");
+  std::string stop;
+  for (const AdvisedContact& c : contacts) {
+    const double mass = 1.0 / (1.0 / c.i.mass + 1.0 / c.j.mass);
+    if (!std::isfinite(mass)) continue;  // no particles yet
+    const double diameter = 2.0 * std::min(c.i.radius, c.j.radius);
+    const double speed = std::max(fastest, std::sqrt(2.0 * g * diameter));
+    const auto spring = cohesion::contact::normal_contact(c.contact, mass);
+    const advice::ContactNumbers n({c.i.radius, c.j.radius, c.i.mass, c.j.mass, spring.stiffness(),
+                                    spring.damping(), c.adhesion, speed, lmp->update->dt, g});
+    if (prints)
+      utils::logmesg(
+          lmp, fmt::format("  {:<10}{:>9.3g}{:>11.4g}{:>14.3g}{:>10.2g}{:>10.2g}{:>10.3g}{:>10.3g}"
+                           "{:>14.3g}\n",
+                           c.name, speed, n.steps_per_contact(), n.steps_in_cutoff(),
+                           n.static_overlap_over_diameter(), n.impact_overlap_over_diameter(),
+                           n.bond_number(), n.escape_velocity(),
+                           n.well_energy() / n.spring_adhesion_energy()));
+    for (const advice::Verdict& verdict : advice::advise(n, limits)) {
+      const std::string message = style + ", " + c.name + ": " + verdict.sentence;
+      if (verdict.severity == advice::Severity::warning && prints)
+        lmp->error->warning(FLERR, message);
+      if (verdict.severity == advice::Severity::error && stop.empty()) stop = message;
+    }
+  }
+  if (!stop.empty()) lmp->error->all(FLERR, stop);
+}

@@ -1,0 +1,397 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#include "fix_wall_gran_hamaker.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "atom.h"
+#include "comm.h"
+#include "contact_advice.h"
+#include "domain.h"
+#include "error.h"
+#include "event_contact.h"
+#include "law_from_script.h"
+#include "memory.h"
+#include "update.h"
+
+using namespace LAMMPS_NS;
+using namespace cohesion::event_stepping;
+using cohesion::Vector3;
+
+static constexpr char AXES[] = "xyz";
+
+static double& component(Vector3& a, int axis) { return axis == 0 ? a.x : axis == 1 ? a.y : a.z; }
+
+FixWallGranHamaker::FixWallGranHamaker(LAMMPS* lammps, int narg, char** arg)
+    : Fix(lammps, narg, arg),
+      where(std::string("fix ") + arg[0] + " wall/gran/hamaker"),
+      scheme(Scheme::event),
+      form(cohesion::hamaker::forms.data()),
+      law(cohesion::hamaker::forms.front().law(cohesion::hamaker::none, false)),
+      time_origin(update->ntimestep),
+      per_wall(1),
+      history(nullptr),
+      step(nullptr),
+      summed(false) {
+  read(narg, arg);
+  if (given.contact.friction > 0.0) per_wall += 3;
+  mine.assign(3 * walls.size(), 0.0);
+  total = mine;
+
+  vector_flag = array_flag = 1;
+  size_vector = 3;
+  size_array_rows = static_cast<int>(walls.size());
+  size_array_cols = 3;
+  extvector = extarray = 1;
+  global_freq = 1;
+  restart_peratom = restart_global = 1;
+  create_attribute = 1;
+  time_depend = !motion.still();
+  FixWallGranHamaker::grow_arrays(atom->nmax);
+  for (int i = 0; i < atom->nlocal; i++) FixWallGranHamaker::set_arrays(i);
+  atom->add_callback(Atom::GROW);
+  atom->add_callback(Atom::RESTART);
+}
+
+FixWallGranHamaker::~FixWallGranHamaker() {
+  atom->delete_callback(id, Atom::GROW);
+  atom->delete_callback(id, Atom::RESTART);
+  memory->destroy(history);
+}
+
+void FixWallGranHamaker::post_constructor() { step = FixEventStep::of(lmp); }
+
+/* ---------------------------------------------------------------------- */
+
+void FixWallGranHamaker::read(int narg, char** arg) {
+  std::vector<char*> contact_words;
+  char** motion_words = nullptr;
+  for (int iarg = 3; iarg < narg;) {
+    const std::string word = arg[iarg];
+    const int left = narg - iarg - 1;
+    const int values = values_of_contact_keyword(word);
+    if (values >= 0) {
+      const int stop = std::min(iarg + 1 + values, narg);
+      contact_words.insert(contact_words.end(), arg + iarg, arg + stop);
+      iarg = stop;
+    } else if (word == "form") {
+      if (left < 1) error->all(FLERR, where + ": form takes a name");
+      form = hamaker_form_from_script(lmp, where, arg[iarg + 1]);
+      iarg += 2;
+    } else if (word == "scheme") {
+      if (left < 1) error->all(FLERR, where + ": scheme takes a name");
+      scheme = scheme_from_script(lmp, where, arg[iarg + 1]);
+      iarg += 2;
+    } else if (const int wall = read_wall(word, left, arg + iarg + 1)) {
+      iarg += wall;
+    } else if (word == "wiggle" || word == "shear" || word == "translate") {
+      const int moves = word == "wiggle" ? 3 : 2;
+      if (left < moves)
+        error->all(FLERR, where + ": " + word +
+                              (moves == 3 ? " takes a dimension, an amplitude and a period"
+                                          : " takes a dimension and a speed"));
+      if (motion_words) error->all(FLERR, where + ": one of wiggle, shear and translate only");
+      motion_words = arg + iarg;
+      iarg += 1 + moves;
+    } else {
+      error->all(FLERR,
+                 where + ": unknown keyword '" + word + "'; valid ones: " + contact_keywords() +
+                     ", scheme, form, xplane, yplane, zplane, zcylinder, wiggle, shear, translate");
+    }
+  }
+  if (walls.empty())
+    error->all(FLERR, where +
+                          ": no wall; give 'xplane lo hi', 'yplane lo hi', 'zplane lo hi' or "
+                          "'zcylinder radius'");
+  if (motion_words) read_motion(motion_words);
+  given = cohesive_contact_from_script(lmp, where, 0, static_cast<int>(contact_words.size()),
+                                       contact_words.data());
+  given = scaled(lmp, where, *form, given);
+  law = from_script(lmp, where, [&] {
+    require_valid(motion);
+    return hamaker_law(*form, given.hamaker);
+  });
+  if (scheme == Scheme::sampled) contacts.emplace<static_cast<int>(Scheme::sampled)>();
+}
+
+void FixWallGranHamaker::read_motion(char** words) {
+  const std::string word = words[0], dim = words[1];
+  const auto axis = std::string(AXES).find(dim);
+  if (dim.size() != 1 || axis == std::string::npos)
+    error->all(FLERR, where + ": " + word + " takes a dimension x, y or z, not '" + dim + "'");
+  const auto is_cylinder = [](const Wall& wall) { return wall.shape == Wall::z_cylinder; };
+  const auto cylinders = std::count_if(walls.begin(), walls.end(), is_cylinder);
+  if (word == "wiggle") {
+    component(motion.amplitude, axis) = number(words[2]);
+    motion.period = number(words[3]);
+  } else if (word == "shear" && cylinders > 0 && axis < 2) {
+    motion.rim_speed = number(words[2]);
+    if (cylinders < static_cast<int>(walls.size()))
+      error->all(FLERR,
+                 where + ": shear " + dim + " turns a zcylinder; give planes a fix of their own");
+    return;
+  } else {
+    component(motion.velocity, axis) = number(words[2]);
+  }
+  for (const Wall& wall : walls) {
+    if (is_cylinder(wall) && axis < 2)
+      error->all(FLERR, where + ": " + word + " " + dim + ": a zcylinder moves along z only");
+    if (word == "shear" && wall.shape == static_cast<Wall::Shape>(axis))
+      error->all(FLERR, where + ": shear " + dim + " is across a " + dim +
+                            "plane, not along it; use translate");
+  }
+}
+
+/// The number of words it took; 0 when `word` is no wall.
+int FixWallGranHamaker::read_wall(const std::string& word, int narg, char** arg) {
+  if (word == "zcylinder") {
+    if (narg < 1) error->all(FLERR, where + ": zcylinder takes a radius");
+    const double radius = number(arg[0]);
+    if (!(std::isfinite(radius) && radius > 0.0))
+      error->all(FLERR, where + ": zcylinder radius " + arg[0] +
+                            " must be a finite number greater than zero");
+    if (domain->periodicity[0] || domain->periodicity[1])
+      error->all(FLERR, where +
+                            ": no zcylinder in a periodic direction; use 'boundary f f' in x "
+                            "and y");
+    walls.push_back({Wall::z_cylinder, 1.0, radius});
+    return 2;
+  }
+  if (word != "xplane" && word != "yplane" && word != "zplane") return 0;
+  if (narg < 2) error->all(FLERR, where + ": " + word + " takes two positions, NULL for no wall");
+  const int dimension = word[0] - 'x';
+  if (domain->periodicity[dimension])
+    error->all(FLERR, where + ": no " + word + " in a periodic direction; use 'boundary f' there");
+  const bool lower = strcmp(arg[0], "NULL") != 0, upper = strcmp(arg[1], "NULL") != 0;
+  if (!lower && !upper)
+    error->all(FLERR, where + ": " + word + " NULL NULL is no wall; give a position");
+  if (lower) add_plane(dimension, 1.0, word, arg[0]);
+  if (upper) add_plane(dimension, -1.0, word, arg[1]);
+  const auto count = walls.size();
+  if (lower && upper && !(walls[count - 2].position < walls[count - 1].position))
+    error->all(FLERR, where + ": " + word + " " + arg[0] + " " + arg[1] +
+                          ": the first position must be below the second");
+  return 3;
+}
+
+void FixWallGranHamaker::add_plane(int dimension, double side, const std::string& word,
+                                   const char* text) {
+  const double position = number(text);
+  if (!std::isfinite(position))
+    error->all(FLERR, where + ": " + word + " position " + text + " must be finite");
+  walls.push_back({static_cast<Wall::Shape>(dimension), side, position});
+}
+
+int FixWallGranHamaker::setmask() { return FixConst::POST_FORCE; }
+
+void FixWallGranHamaker::init() {
+  if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag || !atom->torque_flag)
+    error->all(FLERR, where + " acts on spheres; use 'atom_style sphere'");
+  if (update->whichflag == 2)
+    error->all(FLERR, where + " follows motion in time; it cannot be minimized");
+}
+
+void FixWallGranHamaker::post_force(int) { follow_together(); }
+
+void FixWallGranHamaker::give_advice() {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  const std::vector<LightestParticle> lightest = lightest_particles(lmp);
+  std::vector<AdvisedContact> advised;
+  for (int type = 1; type <= atom->ntypes; type++)
+    advised.push_back({fmt::format("{} - wall", type),
+                       lightest[type],
+                       {infinite, infinite},
+                       given.contact,
+                       attraction_of<cohesion::contact::Adhesion>(
+                           law, cohesion::sphere_and_plane(lightest[type].radius))});
+  advise(lmp, where, limits_of(scheme), advised);
+}
+
+/// Equal particles that come one after the other share a contact.
+template <class Contact>
+std::size_t FixWallGranHamaker::contact(std::vector<Contact>& shared, int i) {
+  const Body particle = step->body(i), wall{0.0, 0.0};
+  if (shared.empty() || !shared.back().joins(particle, wall))
+    shared.emplace_back(given.contact,
+                        attraction_of<typename Contact::Attraction>(
+                            law, cohesion::sphere_and_plane(particle.radius)),
+                        particle, wall, step->window());
+  return shared.size() - 1;
+}
+
+void FixWallGranHamaker::check_flight(int i, const WallPoint& point, bool inside) {
+  if (point.distance <= 0.0 && inside)
+    error->one(FLERR, where + ": the centre of particle " + std::to_string(atom->tag[i]) +
+                          " went through the wall; use a larger stiffness");
+  const double flight = update->dt * norm(vector(atom->v[i]) - point.velocity);
+  if (flight > atom->radius[i])
+    error->one(FLERR, where + ": particle " + std::to_string(atom->tag[i]) + " moves " +
+                          std::to_string(flight / atom->radius[i]) +
+                          " radii in one step and could miss the wall; use a smaller time step");
+}
+
+/// Every contact by itself: what it would do to its particle.
+void FixWallGranHamaker::follow_alone() {
+  if (update->setupflag) give_advice();
+  std::visit([this](auto& shared) { follow_alone(shared); }, contacts);
+}
+
+template <class Contact>
+void FixWallGranHamaker::follow_alone(std::vector<Contact>& shared) {
+  active.clear();
+  shared.clear();
+  const bool first = step->window().before == 0.0;
+  const double time = static_cast<double>(update->ntimestep - time_origin) * update->dt;
+  const WallState now = motion.over(time, step->window());
+  const double range = cohesive_range(scheme, given);
+
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    const Vector3 centre = vector(atom->x[i]);
+    for (int w = 0; w < static_cast<int>(walls.size()); w++) {
+      double& inside = *history_of(i, w);
+      const WallPoint point = walls[w].nearest(centre, now, motion.rim_speed);
+      // A particle that the wall meets for the first time is where it is; it did not fall into the
+      // range.
+      if (inside < 0.0 || (first && inside == 0.0))
+        inside = point.distance > 0.0 && point.distance < atom->radius[i] + range;
+      // No particle is faster than the step's fastest; only beside a moving wall ask each.
+      if (inside != 0.0 || !motion.still() || 2.0 * step->flight() > atom->radius[i])
+        check_flight(i, point, inside != 0.0);
+      // What moves less than a radius in a step cannot matter beyond two.
+      if (point.distance <= 0.0 || point.distance > 2.0 * atom->radius[i] + range) continue;
+      if (step->body(i).inverse_mass == 0.0) continue;
+
+      const std::size_t c = contact(shared, i);
+      const RelativeState grid{point.separation, point.velocity - vector(atom->v[i])};
+      if (inside == 0.0 && !shared[c].within_reach(grid)) continue;
+      active.push_back({i, w, c, point, shared[c].advance(grid, inside != 0.0)});
+      if (!Contact::acts_within_step) continue;
+      const PairStep& alone = active.back().alone;
+      add(step->alone[i], -shared[c].share_i(), alone.change.separation);
+      add(step->alone[i] + 3, -shared[c].share_i(), alone.change.velocity);
+    }
+  }
+}
+
+void FixWallGranHamaker::follow_together() {
+  if (step->resumes()) return;
+  std::fill(mine.begin(), mine.end(), 0.0);
+  summed = false;
+  std::visit(
+      [this](const auto& shared) {
+        per_wall > 1 ? follow_together<true>(shared) : follow_together<false>(shared);
+      },
+      contacts);
+}
+
+/// Every contact again, with half of what the other contacts of its particle do, and friction.
+template <bool FRICTION, class Contact>
+void FixWallGranHamaker::follow_together(const std::vector<Contact>& shared) {
+  const ContactScatter scatter(atom, step);
+  for (const Active& near : active) {
+    const int i = near.i;
+    const Contact& c = shared[near.contact];
+    const RelativeState grid{near.point.separation, near.point.velocity - vector(atom->v[i])};
+    RelativeState others{};
+    if (Contact::acts_within_step)
+      others = {-vector(step->alone[i]) - near.alone.change.separation,
+                -vector(step->alone[i] + 3) - near.alone.change.velocity};
+    const FollowedContact now = follow_with_others<FRICTION>(
+        c, grid, near.alone, others, vector(atom->omega[i]), Vector3{}, history_of(i, near.wall));
+    scatter.on_i<FRICTION>(i, c.share_i(), now);
+    scatter.book(c, 1.0, now);
+    step->book.external_work -= dot(near.point.velocity, now.impulse);
+    add(&mine[3 * near.wall], scatter.kick(), now.impulse);
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixWallGranHamaker::sum() {
+  if (!summed)
+    MPI_Allreduce(mine.data(), total.data(), static_cast<int>(mine.size()), MPI_DOUBLE, MPI_SUM,
+                  world);
+  summed = true;
+}
+
+/// Force on one wall.
+double FixWallGranHamaker::compute_array(int wall, int axis) {
+  sum();
+  return total[3 * wall + axis];
+}
+
+/// Force on all of them.
+double FixWallGranHamaker::compute_vector(int axis) {
+  double all = 0.0;
+  for (int w = 0; w < static_cast<int>(walls.size()); w++) all += compute_array(w, axis);
+  return all;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixWallGranHamaker::grow_arrays(int nmax) {
+  memory->grow(history, nmax, history_size(), "wall/gran/hamaker:history");
+}
+
+void FixWallGranHamaker::copy_arrays(int i, int j, int) {
+  std::copy_n(history[i], history_size(), history[j]);
+}
+
+void FixWallGranHamaker::set_arrays(int i) {
+  std::fill_n(history[i], history_size(), 0.0);
+  for (int w = 0; w < static_cast<int>(walls.size()); w++) *history_of(i, w) = -1.0;
+}
+
+int FixWallGranHamaker::pack_exchange(int i, double* buf) {
+  std::copy_n(history[i], history_size(), buf);
+  return history_size();
+}
+
+int FixWallGranHamaker::unpack_exchange(int i, double* buf) {
+  std::copy_n(buf, history_size(), history[i]);
+  return history_size();
+}
+
+/// Time origin of the motion, and the force on the walls, which a run that continues another does
+/// not work out again.
+void FixWallGranHamaker::write_restart(FILE* fp) {
+  sum();
+  if (comm->me != 0) return;
+  const double head[] = {static_cast<double>(time_origin), static_cast<double>(history_size())};
+  const int size = static_cast<int>((2 + total.size()) * sizeof(double));
+  fwrite(&size, sizeof(int), 1, fp);
+  fwrite(head, sizeof(double), 2, fp);
+  fwrite(total.data(), sizeof(double), total.size(), fp);
+}
+
+void FixWallGranHamaker::restart(char* buf) {
+  const auto* values = reinterpret_cast<double*>(buf);
+  time_origin = static_cast<bigint>(values[0]);
+  if (values[1] != history_size())
+    error->all(FLERR, where +
+                          ": other walls than in the restart file, or friction in one of them "
+                          "only; give the fix another ID");
+  if (comm->me == 0) std::copy_n(values + 2, mine.size(), mine.begin());
+}
+
+int FixWallGranHamaker::pack_restart(int i, double* buf) {
+  buf[0] = size_restart(i);
+  return 1 + pack_exchange(i, buf + 1);
+}
+
+void FixWallGranHamaker::unpack_restart(int i, int nth) {
+  double* const values = atom->extra[i];
+  int m = 0;
+  for (int n = 0; n < nth; n++) m += static_cast<int>(values[m]);
+  unpack_exchange(i, values + m + 1);
+}
+
+int FixWallGranHamaker::maxsize_restart() { return size_restart(0); }
+int FixWallGranHamaker::size_restart(int) { return 1 + history_size(); }
+
+double FixWallGranHamaker::memory_usage() {
+  return static_cast<double>(sizeof(double)) * (history_size()) * atom->nmax;
+}

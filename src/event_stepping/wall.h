@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+
+#include "constants.h"
+#include "event_stepping/pair_step.h"
+#include "validation.h"
+
+namespace cohesion::event_stepping {
+
+/// Where a wall is in the step that `window` describes, and how fast it moves.
+struct WallState {
+  Vector3 displacement;  ///< at the grid point, from where the wall was at time 0, [length]
+  Vector3 velocity;      ///< [length/time]
+};
+
+/// The motion of a wall:
+///
+///   X(t) = velocity t + amplitude (1 - cos(2 pi t/period))
+///
+/// and, for a cylinder, a turning about its axis, positive clockwise as seen from above.
+struct WallMotion {
+  Vector3 velocity;        ///< [length/time]
+  Vector3 amplitude;       ///< [length]
+  double period = 1.0;     ///< [time]
+  double rim_speed = 0.0;  ///< of the turning, [length/time]
+
+  bool still() const { return dot(velocity, velocity) + dot(amplitude, amplitude) == 0.0; }
+
+  /// The chord of X(t) over the window: the step's end is where the next one begins, so that the
+  /// wall never jumps; exact for constant velocity.
+  WallState over(double time, const StepWindow& window) const {
+    const double frequency = 2.0 * pi / period;
+    const double half = 0.5 * window.length();
+    const double middle = time + window.after - half;
+    const Vector3 swing =
+        (std::sin(frequency * middle) * std::sin(frequency * half) / half) * amplitude;
+    const double end = std::sin(0.5 * frequency * (time + window.after));
+    return {time * velocity + 2.0 * end * end * amplitude - window.after * swing, velocity + swing};
+  }
+};
+
+inline void require_valid(const WallMotion& m) {
+  for (const double v : {m.velocity.x, m.velocity.y, m.velocity.z, m.rim_speed})
+    require(std::isfinite(v), "speed of the wall", v, "must be a finite number");
+  for (const double a : {m.amplitude.x, m.amplitude.y, m.amplitude.z})
+    require(std::isfinite(a), "amplitude of the wall", a, "must be a finite number");
+  require_positive("period of the wall", m.period);
+}
+
+/// A wall as the centre of one particle sees it: the tangent plane at the nearest point.
+struct WallPoint {
+  double distance;     ///< [length]; not positive: the centre is behind the wall
+  Vector3 separation;  ///< from the centre to the nearest point, [length]
+  Vector3 velocity;    ///< of the wall there, [length/time]
+};
+
+/// A plane normal to a coordinate axis, or the inside of a cylinder about the z axis.
+struct Wall {
+  enum Shape { x_plane, y_plane, z_plane, z_cylinder };
+
+  Shape shape = x_plane;
+  double side = 1.0;      ///< of a plane: 1 with the particles above, -1 with them below
+  double position = 0.0;  ///< of a plane; radius of a cylinder, [length]
+
+  WallPoint nearest(const Vector3& centre, const WallState& now, double rim_speed) const {
+    if (shape == z_cylinder) {
+      const double r = std::hypot(centre.x, centre.y);
+      const double distance = position - r;
+      if (r == 0.0) return {distance, {distance, 0.0, 0.0}, now.velocity};
+      const Vector3 outwards{centre.x / r, centre.y / r, 0.0};
+      return {distance, distance * outwards,
+              now.velocity + rim_speed * Vector3{outwards.y, -outwards.x, 0.0}};
+    }
+    const Vector3 normal{side * (shape == x_plane), side * (shape == y_plane),
+                         side * (shape == z_plane)};
+    const double distance = dot(normal, centre - now.displacement) - side * position;
+    return {distance, -distance * normal, now.velocity};
+  }
+};
+
+}  // namespace cohesion::event_stepping

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "event_stepping/normal_motion.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "event_stepping/pair_run.h"
+
+namespace cohesion::event_stepping {
+namespace {
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+
+NormalMotion thesis_motion(const contact::ContactParameters& p, const contact::Adhesion& a,
+                           double step) {
+  return {contact::normal_contact(p, thesis::reduced_mass), a, step};
+}
+
+double energy(const NormalMotion& motion, Overlap s) {
+  return 0.5 * motion.reduced_mass() * s.v * s.v + motion.spring_energy(s.x) +
+         motion.adhesion_energy(s.x);
+}
+
+}  // namespace
+
+TEST(NormalMotion, RestitutionIsExactForAnyStepAndPhase) {
+  const contact::LinearSpringDashpot law(800.0, 0.79e-3, thesis::reduced_mass);
+  for (const double steps_per_contact : {2.0, 3.3, 10.0, 50.0, 1000.0})
+    for (int phase = 0; phase < 8; phase++) {
+      const double dt = thesis::contact_time / steps_per_contact;
+      const NormalMotion motion = thesis_motion(thesis::contact(), {}, dt);
+      Overlap s{0.0, 0.3};
+      NormalRecord record;
+      double integral = 0.0, time = 0.0, first = dt * (phase + 0.5) / 8.0;
+      bool inside = true;
+      while (inside && time < 2.0 * thesis::contact_time) {
+        time += motion.advance(s, first > 0.0 ? first : dt, 0.0, inside, integral, record);
+        first = 0.0;
+      }
+      ASSERT_FALSE(inside);
+      // Up to 1000 steps, each a rotation in the (x, v) plane rounded to 1 epsilon: 2e-13.
+      EXPECT_NEAR(s.v, -0.3 * law.restitution(), 0.3 * 1e-12);
+      EXPECT_NEAR(time / law.contact_time(), 1.0, 1e-12);
+      EXPECT_NEAR(record.contact_time, time, 1e-12 * time);
+      // The contact's impulse is mu (1 + e) v, its loss mu (1 - e^2) v^2/2.
+      const double e = law.restitution(), mu = thesis::reduced_mass;
+      EXPECT_NEAR(record.repulsion_impulse, mu * (1.0 + e) * 0.3, mu * 1e-12);
+      EXPECT_NEAR(record.dissipated, 0.5 * mu * (1.0 - e * e) * 0.09, mu * 1e-12);
+    }
+}
+
+TEST(NormalMotion, TheEdgeGivesAndTakesTheTailsEnergy) {
+  const contact::Adhesion a = thesis::adhesion(5e-19);
+  const NormalMotion motion = thesis_motion(thesis::elastic(), a, 1e-5);
+  const double mu = thesis::reduced_mass;
+  const Overlap in = motion.enter({-a.cutoff, 0.01});
+  EXPECT_NEAR(0.5 * mu * (in.v * in.v - 1e-4), a.tail_energy, 8 * eps * 0.5e-4 * mu);
+  // Back out through the gap from halfway, with enough speed.
+  Overlap s{-0.5 * a.cutoff, -0.02};
+  NormalRecord record;
+  double integral = 0.0;
+  bool inside = true;
+  const double taken = motion.advance(s, 1e-5, 0.0, inside, integral, record);
+  EXPECT_FALSE(inside);
+  EXPECT_EQ(s.x, -a.cutoff);
+  const double lost = 0.5 * mu * (4e-4 - s.v * s.v);
+  EXPECT_NEAR(lost, 0.5 * a.force * a.cutoff + a.tail_energy, 8 * eps * 2e-4 * mu);
+  // Uniform deceleration over the half gap: time = 2 (way)/(sum of speeds at both ends).
+  const double at_edge = std::sqrt(s.v * s.v + 2.0 * a.tail_energy / mu);
+  EXPECT_NEAR(taken, a.cutoff / (0.02 + at_edge), 1e-12 * taken);
+}
+
+TEST(NormalMotion, APairTooSlowForTheTailIsReflectedAtTheEdge) {
+  const contact::Adhesion a = thesis::adhesion(5e-19);
+  const NormalMotion motion = thesis_motion(thesis::elastic(), a, 1e-5);
+  const double edge_speed = std::sqrt(2.0 * a.tail_energy / thesis::reduced_mass);
+  for (const double part : {0.5, 0.999999, 1.000001, 2.0}) {
+    // At the edge with this part of the speed that the tail costs.
+    const double v = part * edge_speed;
+    Overlap s{-a.cutoff, -v};
+    NormalRecord record;
+    double integral = 0.0;
+    bool inside = true;
+    motion.advance(s, 1e-9, 0.0, inside, integral, record);
+    EXPECT_EQ(inside, part < 1.0) << part;
+    if (part < 1.0) {
+      EXPECT_NEAR(s.v, v + a.force / thesis::reduced_mass * 1e-9, 8 * eps * v);
+    }
+  }
+}
+
+TEST(NormalMotion, ACapturedElasticPairKeepsItsEnergy) {
+  for (const double hamaker : {1e-19, 5e-19, 2e-18})
+    for (const double dt : {0.5, 0.21, 0.037}) {
+      const contact::Adhesion a = thesis::adhesion(hamaker);
+      const double step = dt * thesis::contact_time;
+      const NormalMotion motion = thesis_motion(thesis::elastic(), a, step);
+      // With 0.9 of the tail's energy at the edge: bounces between edge and contact.
+      Overlap s{-a.cutoff, std::sqrt(1.8 * a.tail_energy / thesis::reduced_mass)};
+      const double start = energy(motion, s);
+      const double deepest = 0.5 * a.force * a.force / 800.0 + a.tail_energy;
+      NormalRecord record;
+      double integral = 0.0, worst = 0.0, largest_speed = 0.0;
+      for (int n = 0; n < 20000; n++) {
+        bool inside = true;
+        motion.advance(s, step, 0.0, inside, integral, record);
+        ASSERT_TRUE(inside);
+        worst = std::max(worst, std::abs(energy(motion, s) - start));
+        largest_speed = std::max(largest_speed, s.v);
+      }
+      // A few phases per step, rounded to a few epsilon of the largest energy each, at worst all
+      // one way: 20000 steps, 1e-10.
+      EXPECT_LT(worst, 1e-10 * deepest) << hamaker << " " << dt;
+      EXPECT_FALSE(record.unresolved);
+      EXPECT_LT(std::abs(record.dissipated), 1e-10 * deepest);
+    }
+}
+
+TEST(NormalMotion, ImpulseAndIntegralAreThoseOfTheMotion) {
+  // One coarse step through entry, contact and gap against many fine ones; the impulse follows from
+  // the change in speed under the constant drive.
+  const contact::Adhesion a = thesis::adhesion(5e-19);
+  const NormalMotion motion = thesis_motion(thesis::contact(), a, 1.2 * thesis::contact_time);
+  const double centrifugal = 10.0, drive = a.force / thesis::reduced_mass - centrifugal;
+  Overlap s{-a.cutoff, 0.1};
+  NormalRecord record;
+  double integral = 0.0;
+  bool inside = true;
+  const double taken =
+      motion.advance(s, 1.2 * thesis::contact_time, centrifugal, inside, integral, record);
+  ASSERT_FALSE(inside);
+  const double at_edge = -std::sqrt(s.v * s.v + 2.0 * a.tail_energy / thesis::reduced_mass);
+  EXPECT_NEAR(record.repulsion_impulse, thesis::reduced_mass * (drive * taken - (at_edge - 0.1)),
+              1e-13 * thesis::reduced_mass);
+
+  Overlap fine{-a.cutoff, 0.1};
+  double fine_integral = 0.0, sum = 0.0, time = 0.0;
+  inside = true;
+  const int n = 20000;
+  while (inside) {
+    const double before = fine.x;
+    const double t = motion.advance(fine, taken / n, centrifugal, inside, fine_integral, record);
+    sum += 0.5 * t * (before + fine.x);
+    time += t;
+  }
+  // Composition only rounds, n times; the trapezoids err by (w0 dt)^2/12.
+  EXPECT_NEAR(time, taken, 1e-11 * taken);
+  EXPECT_NEAR(fine.v, s.v, 1e-11);
+  EXPECT_NEAR(fine_integral, integral, 1e-10 * integral);
+  EXPECT_NEAR(sum, integral, 1e-8 * integral);
+}
+
+TEST(NormalMotion, APairPressedToTheEdgeByItsTurningStaysThere) {
+  // The centrifugal term beats the adhesion; the pair cannot pay for the tail and bounces at the
+  // edge, however slowly: no limit on the number of bounces, no way out.
+  const contact::Adhesion a = thesis::adhesion(1e-19);
+  const double dt = 0.25 * thesis::contact_time;
+  const NormalMotion motion = thesis_motion(thesis::elastic(), a, dt);
+  const double outward = 2.0 * a.force / thesis::reduced_mass;
+  for (const double v : {0.0, 1e-12, 1e-9, 1e-7, 1e-5}) {
+    Overlap s{-a.cutoff, v};
+    NormalRecord record;
+    double integral = 0.0;
+    for (int n = 0; n < 100; n++) {
+      bool inside = true;
+      const double before = integral;
+      const double taken = motion.advance(s, dt, outward, inside, integral, record);
+      ASSERT_TRUE(inside) << v;
+      ASSERT_EQ(taken, dt) << v;
+      // Apex of a bounce: v^2/(2 |drive|), |drive| = pull.
+      const double apex = 0.5 * v * v * thesis::reduced_mass / a.force;
+      ASSERT_GE(s.x, -a.cutoff) << v;
+      ASSERT_LE(s.x, -a.cutoff + apex * (1.0 + 1e-9) + 1e-9 * a.cutoff) << v;
+      // The mean height of a parabola is 2/3 of its apex; the incomplete bounce lasts 2 v/|drive|.
+      const double period = 2.0 * v * thesis::reduced_mass / a.force;
+      ASSERT_NEAR(integral - before, dt * (-a.cutoff + 2.0 / 3.0 * apex),
+                  period * apex + 1e-12 * dt * a.cutoff)
+          << v;
+    }
+    EXPECT_FALSE(record.unresolved) << v;
+    EXPECT_NEAR(std::abs(s.v), v, v) << v;
+  }
+}
+
+TEST(NormalMotion, ARattleTooFastForTheStepIsReportedAndKeepsItsEnergy) {
+  // Between contact and edge, turning so fast that it is pressed outwards: A = 1e-16 J, a period of
+  // 4e-8 s against half the contact time, 4.6e-5 s.
+  const double range = 1e-10, force = 1e-16 * thesis::radius / (12.0 * range * range);
+  const contact::Adhesion a{force, range, force * range};
+  const double pull = force / thesis::reduced_mass, dt = 0.5 * thesis::contact_time;
+  const NormalMotion motion = thesis_motion(thesis::elastic(), a, dt);
+  Overlap s{-range, std::sqrt(1.99 * pull * range)};
+  const double outward = 1.99 * pull;
+  // Energy with that of the constant centrifugal acceleration.
+  const auto total = [&] { return energy(motion, s) + thesis::reduced_mass * outward * s.x; };
+  const double start = total();
+  NormalRecord record;
+  double integral = 0.0;
+  bool inside = true;
+  EXPECT_LT(motion.advance(s, dt, outward, inside, integral, record), dt);
+  EXPECT_TRUE(inside);
+  EXPECT_TRUE(record.unresolved);
+  // Each of the 1000/3 contacts rounds the overlap to a few epsilon of the equilibrium,
+  // drive/w0^2 = -5e-4 m, five million times the overlap; times the force.
+  const double drive = outward - pull;
+  EXPECT_NEAR(
+      total(), start,
+      350 * 4 * eps * drive * drive / (800.0 / thesis::reduced_mass) * thesis::reduced_mass);
+}
+
+TEST(NormalMotion, BeyondTheRangeThereIsNoForceButTheTailIsStillOwed) {
+  // A pair that counts as inside and was pushed out by its other partners.
+  const contact::Adhesion a = thesis::adhesion(5e-19);
+  const NormalMotion motion = thesis_motion(thesis::elastic(), a, 1e-5);
+  const double edge_speed = std::sqrt(2.0 * a.tail_energy / thesis::reduced_mass);
+  const double x = -10.0 * a.cutoff;
+  for (const double v : {-2.0 * edge_speed, -0.5 * edge_speed, 0.5 * edge_speed}) {
+    Overlap s{x, v};
+    const double start = energy(motion, s);
+    NormalRecord record;
+    double integral = 0.0;
+    bool inside = true;
+    const double back = 9.0 * a.cutoff / std::abs(v);  // flight to the edge
+    motion.advance(s, back, 0.0, inside, integral, record);
+    if (v < -edge_speed) {
+      EXPECT_FALSE(inside);
+      EXPECT_EQ(s.x, x);
+      EXPECT_NEAR(s.v * s.v, v * v - edge_speed * edge_speed, 8 * eps * v * v);
+    } else {
+      EXPECT_TRUE(inside);
+      EXPECT_NEAR(s.x, -a.cutoff, 1e-12 * a.cutoff);
+      EXPECT_NEAR(s.v, std::abs(v), 1e-9 * std::abs(v));
+      EXPECT_NEAR(energy(motion, s), start, 1e-9 * a.tail_energy);
+    }
+  }
+}
+
+TEST(NormalMotion, EnteringBelowTheEdgeGainsTheAdhesionsWorkUpToThere) {
+  const contact::Adhesion a = thesis::adhesion(5e-19);
+  const NormalMotion motion = thesis_motion(thesis::elastic(), a, 1e-5);
+  for (const double x : {-2.0 * a.cutoff, -a.cutoff, -0.3 * a.cutoff, 0.0, 2e-9}) {
+    const double spring = motion.spring_energy(x);
+    const Overlap in = motion.enter({x, 1e-3});
+    // Kinetic energy outside equals kinetic plus adhesion energy inside.
+    EXPECT_NEAR(energy(motion, in) - spring, 0.5 * thesis::reduced_mass * 1e-6,
+                16 * eps * (std::abs(motion.adhesion_energy(x)) + thesis::reduced_mass * 1e-6));
+  }
+}
+
+}  // namespace cohesion::event_stepping

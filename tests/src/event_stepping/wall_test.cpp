@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "event_stepping/wall.h"
+
+#include <gtest/gtest.h>
+
+#include "constants.h"
+
+namespace {
+
+using cohesion::Vector3;
+using cohesion::event_stepping::StepWindow;
+using cohesion::event_stepping::Wall;
+using cohesion::event_stepping::WallMotion;
+using cohesion::event_stepping::WallPoint;
+using cohesion::event_stepping::WallState;
+
+constexpr double step = 1e-3;
+constexpr StepWindow whole{0.5 * step, 0.5 * step};
+
+WallMotion swing() { return {{}, {0.0, 0.0, 0.01}, 0.05, 0.0}; }
+
+double place(double t) { return 0.01 * (1.0 - std::cos(2.0 * cohesion::pi * t / 0.05)); }
+
+TEST(WallMotion, ConstantVelocityIsExact) {
+  WallMotion motion;
+  motion.velocity = {0.1, -0.2, 0.3};
+  for (const StepWindow& window : {whole, StepWindow{0.0, 0.5 * step}}) {
+    const WallState now = motion.over(7 * step, window);
+    EXPECT_EQ(now.velocity.z, 0.3);
+    EXPECT_EQ(now.displacement.y, -0.2 * (7 * step));
+  }
+}
+
+// Some ten operations on places of 0.02 m at most, rounded by 2e-18 m each.
+TEST(WallMotion, ChordJoinsThePlacesAtBothEndsOfTheStep) {
+  for (int n = 0; n < 60; n++) {
+    const double t = n * step;
+    const WallState now = swing().over(t, whole);
+    EXPECT_NEAR(now.displacement.z - 0.5 * step * now.velocity.z, place(t - 0.5 * step), 2e-17);
+    EXPECT_NEAR(now.displacement.z + 0.5 * step * now.velocity.z, place(t + 0.5 * step), 2e-17);
+  }
+}
+
+TEST(WallMotion, FirstStepStartsAtTheGridPoint) {
+  const WallState now = swing().over(0.0, {0.0, 0.5 * step});
+  EXPECT_NEAR(now.displacement.z, 0.0, 2e-17);
+  EXPECT_NEAR(now.displacement.z + 0.5 * step * now.velocity.z, place(0.5 * step), 2e-17);
+}
+
+TEST(WallMotion, RefusesAPeriodThatIsNotPositive) {
+  WallMotion motion = swing();
+  for (const double period : {0.0, -1.0}) {
+    motion.period = period;
+    EXPECT_THROW(require_valid(motion), cohesion::InvalidParameter);
+  }
+}
+
+TEST(Wall, NearestPointOfAPlane) {
+  const WallState moved{{0.0, 0.0, 0.5}, {1.0, 2.0, 3.0}};
+  const WallPoint above = Wall{Wall::z_plane, 1.0, 1.0}.nearest({5.0, 6.0, 1.75}, moved, 0.0);
+  EXPECT_EQ(above.distance, 0.25);
+  EXPECT_EQ(above.separation.z, -0.25);
+  EXPECT_EQ(above.velocity.y, 2.0);
+  const WallPoint below = Wall{Wall::x_plane, -1.0, 7.0}.nearest({5.0, 6.0, 1.75}, moved, 0.0);
+  EXPECT_EQ(below.distance, 2.0);
+  EXPECT_EQ(below.separation.x, 2.0);
+  EXPECT_LT((Wall{Wall::x_plane, -1.0, 4.0}.nearest({5.0, 6.0, 1.75}, moved, 0.0).distance), 0.0);
+}
+
+TEST(Wall, NearestPointOfACylinder) {
+  const Wall cylinder{Wall::z_cylinder, 1.0, 10.0};
+  const WallPoint point = cylinder.nearest({3.0, 4.0, -2.0}, {}, 2.0);
+  EXPECT_DOUBLE_EQ(point.distance, 5.0);
+  EXPECT_DOUBLE_EQ(point.separation.x, 3.0);
+  EXPECT_DOUBLE_EQ(point.separation.y, 4.0);
+  EXPECT_EQ(point.separation.z, 0.0);
+  // Clockwise from above.
+  EXPECT_DOUBLE_EQ(point.velocity.x, 1.6);
+  EXPECT_DOUBLE_EQ(point.velocity.y, -1.2);
+  EXPECT_LT(cylinder.nearest({30.0, 4.0, -2.0}, {}, 0.0).distance, 0.0);
+  EXPECT_EQ(cylinder.nearest({0.0, 0.0, 0.0}, {}, 2.0).distance, 10.0);
+}
+
+}  // namespace
