@@ -15,6 +15,7 @@ namespace cohesion::event_stepping {
 struct NormalRecord {
   double contact_time = 0.0;       ///< time in contact, [time]
   double repulsion_impulse = 0.0;  ///< impulse of spring and dashpot, [momentum]; > 0 repels
+  double repulsion_at_end = 0.0;   ///< force of both where contact ended last, [force]
   double dissipated = 0.0;         ///< energy lost in the dashpot, [energy]
   bool unresolved = false;         ///< the step ended before its last phase was followed
 };
@@ -121,6 +122,8 @@ class NormalMotion {
     }
     record.contact_time += time;
     record.repulsion_impulse += reduced_mass_ * (drive * time - (end.v - s.v));
+    record.repulsion_at_end =
+        reduced_mass_ * (contact_.w0_squared() * end.x + 2.0 * contact_.alpha() * end.v);
     record.dissipated +=
         reduced_mass_ * (0.5 * (s.v * s.v - end.v * end.v) +
                          (s.x - end.x) * (0.5 * contact_.w0_squared() * (s.x + end.x) - drive));
