@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include "vector3.h"
 
@@ -30,7 +31,14 @@ struct TangentialStep {
 /// normal spring and dashpot in the same stretch; m_t the mass that answers a tangential impulse,
 /// 1/m_t = 1/m_i + 1/m_j + l_i^2/I_i + l_j^2/I_j with lever arms l. The slider is in series with
 /// spring and dashpot: while it slides, they stretch at the rate at which they carry the Coulomb
-/// force, and the spring alone holds no more than that. So the slider never gives energy.
+/// force, which goes linearly through the stretch to mu_f N at its end:
+///
+///   eta_t s' + K_t s = mu_f N(t)
+///
+/// but no further than the surfaces move. Where that would make the slider give energy (a stretch
+/// too long for the change of N), they stretch by the midpoint rule, and the spring alone holds no
+/// more than the mean Coulomb force: then it never does. Second order in T, also where sliding
+/// ends.
 ///
 /// Source: P. A. Cundall and O. D. L. Strack, Geotechnique 29 (1979) 47; van der Hoef et al.,
 /// Adv. Chem. Eng. 31 (2006) 65, eq. 27-29.
@@ -39,9 +47,10 @@ class TangentialSpring {
   explicit TangentialSpring(const TangentialParameters& p) : p_(p) {}
 
   /// displacement [length] and velocity [length/time] of j's surface against i's, both in the plane
-  /// of contact, at the start; time T; m_t; P [momentum].
+  /// of contact, at the start; time T; m_t; P [momentum]; N at the end [force].
   TangentialStep advance(const Vector3& displacement, const Vector3& velocity, double time,
-                         double tangential_mass, double normal_impulse) const {
+                         double tangential_mass, double normal_impulse,
+                         double normal_force_at_end) const {
     TangentialStep step;
     const double answer = 0.5 * time * p_.stiffness + p_.damping;  // force per v_mid
     const double softened = 1.0 / (1.0 + 0.5 * time * answer / tangential_mass);
@@ -50,20 +59,22 @@ class TangentialSpring {
     const double limit = p_.friction * std::max(normal_impulse, 0.0);
     const double size = norm(step.impulse);
     const bool slides = size > limit;
-    if (slides) step.impulse = (limit / size) * step.impulse;
+    const Vector3 direction = slides ? (-1.0 / size) * step.impulse : Vector3{};
+    if (slides) step.impulse = -limit * direction;
     const Vector3 middle = velocity + (0.5 / tangential_mass) * step.impulse;
-    Vector3 stretching = middle;
-    if (slides) {
-      const Vector3 force = (-1.0 / time) * step.impulse;
-      stretching = (1.0 / answer) * (force - p_.stiffness * displacement);
+    const Vector3 way = time * middle;
+    if (!slides) {
+      step.displacement = displacement + way;
+      step.damped = p_.damping * dot(middle, middle) * time;
+      return step;
     }
-    step.displacement = displacement + time * stretching;
-    step.damped = p_.damping * dot(stretching, stretching) * time;
-    if (!slides) return step;
-    const double carried = p_.stiffness * norm(step.displacement) * time;
-    if (carried > limit) step.displacement = (limit / carried) * step.displacement;
-    step.friction = stored_energy(displacement) - stored_energy(step.displacement) -
-                    dot(step.impulse, middle) - step.damped;
+    const double work = -dot(step.impulse, middle);
+    const double end = p_.friction * std::max(normal_force_at_end, 0.0);
+    settle(step, displacement, carried(displacement, direction, way, time, limit / time, end), work,
+           time);
+    if (step.friction < 0.0)
+      settle(step, displacement,
+             carried_by_midpoint(displacement, direction, answer, time, limit / time), work, time);
     return step;
   }
 
@@ -81,6 +92,37 @@ class TangentialSpring {
   }
 
  private:
+  /// The step's energies, from the work of the Coulomb force on the surfaces.
+  void settle(TangentialStep& step, const Vector3& before, const Vector3& after, double work,
+              double time) const {
+    const Vector3 stretch = after - before;
+    step.displacement = after;
+    step.damped = p_.damping * dot(stretch, stretch) / time;
+    step.friction = stored_energy(before) - stored_energy(after) + work - step.damped;
+  }
+
+  /// Displacement after a stretch of sliding under the Coulomb force of given mean and end.
+  Vector3 carried(const Vector3& before, const Vector3& direction, const Vector3& way, double time,
+                  double mean, double end) const {
+    if (p_.stiffness == 0.0) return before + way;
+    const double lag = p_.damping / p_.stiffness;
+    const double rate = 2.0 * (end - mean) / time;
+    const double start = 2.0 * mean - end;
+    const double memory = lag > 0.0 ? std::exp(-time / lag) : 0.0;
+    const double compliance = 1.0 / p_.stiffness;
+    const Vector3 after =
+        memory * before +
+        (compliance * (end - lag * rate - memory * (start - lag * rate))) * direction;
+    return dot(after - before, direction) > dot(way, direction) ? before + way : after;
+  }
+
+  Vector3 carried_by_midpoint(const Vector3& before, const Vector3& direction, double answer,
+                              double time, double mean) const {
+    const Vector3 after = before + (time / answer) * (mean * direction - p_.stiffness * before);
+    const double held = p_.stiffness * norm(after);
+    return held > mean ? (mean / held) * after : after;
+  }
+
   TangentialParameters p_;
 };
 

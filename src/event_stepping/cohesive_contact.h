@@ -101,8 +101,9 @@ class CohesiveContact {
       displacement += window_.before * (u - 2.0 * by_others);
     }
     FrictionStep step;
-    step.spring = tangential_.advance(displacement, u, normal.normal.contact_time, 1.0 / answer,
-                                      normal.normal.repulsion_impulse);
+    step.spring =
+        tangential_.advance(displacement, u, normal.normal.contact_time, 1.0 / answer,
+                            normal.normal.repulsion_impulse, normal.normal.repulsion_at_end);
     if (normal.overlap_at_end <= 0.0) {  // parted: what the spring still held is lost
       step.spring.friction += friction_energy(step.spring.displacement);
       step.spring.displacement = {};

@@ -15,6 +15,7 @@ namespace cohesion::event_stepping {
 struct NormalRecord {
   double contact_time = 0.0;       ///< time in contact, [time]
   double repulsion_impulse = 0.0;  ///< impulse of spring and dashpot, [momentum]; > 0 repels
+  double repulsion_at_end = 0.0;   ///< force of both where contact ended last, [force]
   double dissipated = 0.0;         ///< energy lost in the dashpot, [energy]
   bool unresolved = false;         ///< the step ended before its last phase was followed
 };
@@ -121,6 +122,8 @@ class NormalMotion {
     }
     record.contact_time += time;
     record.repulsion_impulse += reduced_mass_ * (drive * time - (end.v - s.v));
+    record.repulsion_at_end =
+        reduced_mass_ * (contact_.w0_squared() * end.x + 2.0 * contact_.alpha() * end.v);
     record.dissipated +=
         reduced_mass_ * (0.5 * (s.v * s.v - end.v * end.v) +
                          (s.x - end.x) * (0.5 * contact_.w0_squared() * (s.x + end.x) - drive));
@@ -163,9 +166,17 @@ class NormalMotion {
     if (discriminant < 0.0) return std::numeric_limits<double>::infinity();
     const double q = -(v + std::copysign(std::sqrt(discriminant), v));
     double first = std::numeric_limits<double>::infinity();
-    for (const double t : {2.0 * distance / q, q / a})
-      if (t > 0.0 && t < first) first = t;
+    for (const double t : {positive_ratio(2.0 * distance, q), positive_ratio(q, a)})
+      if (t < first) first = t;
     return first;
+  }
+
+  /// a/b, infinity unless it is a positive number: solvers trap divisions by zero.
+  static double positive_ratio(double a, double b) {
+    const bool one_sign = (a > 0.0 && b > 0.0) || (a < 0.0 && b < 0.0);
+    if (!one_sign || std::abs(a) * 1e-300 >= std::abs(b))
+      return std::numeric_limits<double>::infinity();
+    return a / b;
   }
 
   DampedOscillator contact_;

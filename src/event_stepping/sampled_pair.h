@@ -57,6 +57,7 @@ class SampledPair {
       repulsion = spring_.stiffness() * overlap + spring_.damping() * rate;
       step.normal.contact_time = time;
       step.normal.repulsion_impulse = time * repulsion;
+      step.normal.repulsion_at_end = repulsion;
       step.normal.dissipated = time * spring_.damping() * rate * rate;
     }
     const double attraction =

@@ -7,6 +7,8 @@
 #include <limits>
 #include <random>
 
+#include "constants.h"
+
 namespace cohesion::contact {
 namespace {
 
@@ -28,7 +30,8 @@ TEST(TangentialSpring, BalancesTheEnergyOfEveryStep) {
     const Vector3 s{uniform(random), uniform(random), 0.0},
         v{uniform(random), uniform(random), 0.0};
     const double normal = std::exp(3.0 * uniform(random));
-    const TangentialStep step = spring.advance(s, v, time, mass, normal);
+    const double at_end = (1.0 + uniform(random)) * normal / time;
+    const TangentialStep step = spring.advance(s, v, time, mass, normal, at_end);
     const Vector3 after = v + (1.0 / mass) * step.impulse;
     const double before = kinetic(mass, v) + spring.stored_energy(s);
     const double rest = kinetic(mass, after) + spring.stored_energy(step.displacement) +
@@ -55,7 +58,7 @@ TEST(TangentialSpring, SticksAtTheMidpointRulesFrequencyWithoutLoss) {
   for (const double time : {0.01, 1.0, 40.0}) {
     Vector3 s{0.0, 0.0, 0.0}, v{1.0, 0.0, 0.0};
     for (int n = 1; n <= 100; n++) {
-      const TangentialStep step = spring.advance(s, v, time, mass, much);
+      const TangentialStep step = spring.advance(s, v, time, mass, much, much);
       v += (1.0 / mass) * step.impulse;
       s = step.displacement;
       const double angle = n * 2.0 * std::atan(0.5 * w * time);
@@ -75,7 +78,8 @@ TEST(TangentialSpring, SlidingCarriesTheCoulombForceAndItsWorkIsLost) {
   const Vector3 v{0.0, u, 0.0};
   double lost = 0.0;
   for (int n = 0; n < 100; n++) {
-    const TangentialStep step = spring.advance(s, v, time, heavy, normal_force * time);
+    const TangentialStep step =
+        spring.advance(s, v, time, heavy, normal_force * time, normal_force);
     s = step.displacement;
     lost += step.friction + step.damped;
   }
@@ -89,26 +93,46 @@ TEST(TangentialSpring, SlidingCarriesTheCoulombForceAndItsWorkIsLost) {
 TEST(TangentialSpring, SlidingOpposesTheMotionAtTheCoulombForce) {
   const Vector3 v{0.6, -0.8, 0.0};
   const double coulomb = 0.4 * 0.05 / 0.1;
-  // A weak spring stretches at the rate at which it and the dashpot carry the Coulomb force in the
-  // middle of the step; a stiff one would go beyond and stops at that force.
+  // Spring and dashpot under the Coulomb force: s = (mu_f N/K_t) (1 - exp(-K_t T/eta_t)).
   for (const double stiffness : {1.0, 50.0}) {
     const TangentialSpring spring({stiffness, 0.2, 0.4});
-    const TangentialStep step = spring.advance({}, v, 0.1, 1.0, 0.05);
+    const TangentialStep step = spring.advance({}, v, 0.1, 1.0, 0.05, 0.5);
     EXPECT_NEAR(step.impulse.x, -0.4 * 0.05 * 0.6, 4 * eps);
     EXPECT_NEAR(step.impulse.y, 0.4 * 0.05 * 0.8, 4 * eps);
     const double s = norm(step.displacement);
-    const double carried = stiffness == 1.0 ? 0.5 * s + 0.2 * s / 0.1 : stiffness * s;
-    EXPECT_NEAR(carried, coulomb, 16 * eps);
+    EXPECT_NEAR(stiffness * s, -coulomb * std::expm1(-stiffness * 0.1 / 0.2), 16 * eps);
     EXPECT_NEAR(dot(step.displacement, v), s, 16 * eps);  // along v, of length 1
   }
 }
 
+TEST(TangentialSpring, IsOfSecondOrderWhereSlidingEnds) {
+  // Under N = sin t the surfaces slide, stick while N is large, and slide again. All scales are 1.
+  const auto end_velocity = [](double damping, double friction, int steps) {
+    const TangentialSpring spring({1.0, damping, friction});
+    const double time = 0.95 * pi / steps;
+    Vector3 s{}, v{1.0, 0.0, 0.0};
+    for (int n = 0; n < steps; n++) {
+      const double normal = std::cos(n * time) - std::cos((n + 1) * time);
+      const TangentialStep step = spring.advance(s, v, time, 1.0, normal, std::sin((n + 1) * time));
+      v += step.impulse;
+      s = step.displacement;
+    }
+    return v.x;
+  };
+  for (const double damping : {0.0, 0.01, 0.3})
+    for (const double friction : {0.5, 0.7, 1.0}) {
+      const double exact = end_velocity(damping, friction, 100000);
+      for (const int steps : {10, 30, 100, 300})
+        EXPECT_NEAR(end_velocity(damping, friction, steps), exact, std::pow(pi / steps, 2));
+    }
+}
+
 TEST(TangentialSpring, WithoutSpringTheDashpotSlides) {
   const TangentialSpring spring({0.0, 0.5, 0.3});
-  const TangentialStep sticking = spring.advance({}, {1.0, 0.0, 0.0}, 0.1, 2.0, much);
+  const TangentialStep sticking = spring.advance({}, {1.0, 0.0, 0.0}, 0.1, 2.0, much, much);
   // m_t (v' - v) = -eta T (v + v')/2
   EXPECT_NEAR(sticking.impulse.x, -0.05 / (1.0 + 0.025 / 2.0), 4 * eps);
-  const TangentialStep sliding = spring.advance({}, {1.0, 0.0, 0.0}, 0.1, 2.0, 0.1);
+  const TangentialStep sliding = spring.advance({}, {1.0, 0.0, 0.0}, 0.1, 2.0, 0.1, 1.0);
   EXPECT_NEAR(sliding.impulse.x, -0.03, 4 * eps);
   EXPECT_EQ(spring.stored_energy(sliding.displacement), 0.0);
   // All of the work of the impulse is lost, to the dashpot and the slider.
@@ -116,16 +140,16 @@ TEST(TangentialSpring, WithoutSpringTheDashpotSlides) {
 }
 
 TEST(TangentialSpring, NothingHappensWithoutContactOrFriction) {
-  const TangentialStep apart =
-      TangentialSpring({2.0, 0.5, 0.3}).advance({0.1, 0.0, 0.0}, {1.0, 0.0, 0.0}, 0.0, 1.0, 0.0);
+  const TangentialStep apart = TangentialSpring({2.0, 0.5, 0.3})
+                                   .advance({0.1, 0.0, 0.0}, {1.0, 0.0, 0.0}, 0.0, 1.0, 0.0, 0.0);
   EXPECT_EQ(norm(apart.impulse), 0.0);
   EXPECT_EQ(apart.displacement.x, 0.1);
   const TangentialStep smooth =
-      TangentialSpring({2.0, 0.5, 0.0}).advance({}, {1.0, 0.0, 0.0}, 0.1, 1.0, 5.0);
+      TangentialSpring({2.0, 0.5, 0.0}).advance({}, {1.0, 0.0, 0.0}, 0.1, 1.0, 5.0, 50.0);
   EXPECT_EQ(norm(smooth.impulse), 0.0);
   // Neither does a contact that is pulled apart by its dashpot push sideways.
   const TangentialStep pulled =
-      TangentialSpring({2.0, 0.5, 0.3}).advance({}, {1.0, 0.0, 0.0}, 0.1, 1.0, -5.0);
+      TangentialSpring({2.0, 0.5, 0.3}).advance({}, {1.0, 0.0, 0.0}, 0.1, 1.0, -5.0, -50.0);
   EXPECT_EQ(norm(pulled.impulse), 0.0);
 }
 
@@ -135,7 +159,7 @@ TEST(TangentialSpring, StaysStableAtAnyDampingAndStiffness) {
       const TangentialSpring spring({stiffness, damping, 1.0});
       Vector3 s{}, v{1.0, 0.0, 0.0};
       for (int n = 0; n < 1000; n++) {
-        const TangentialStep step = spring.advance(s, v, 0.1, 1.0, much);
+        const TangentialStep step = spring.advance(s, v, 0.1, 1.0, much, much);
         v += step.impulse;
         s = step.displacement;
         // No more energy than it began with, but for the rounding of each step.
