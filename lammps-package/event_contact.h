@@ -26,26 +26,65 @@ struct FollowedContact {
   cohesion::Vector3 impulse;  // on j
 };
 
-/// The second pass: with half of what the other contacts of its particles do (`others`, j relative
-/// to i). `history` is the in-range flag and, with friction, the memory of the tangential spring.
+/// The first pass: a contact by itself.
+struct LoneContact {
+  cohesion::event_stepping::PairStep normal;
+  cohesion::event_stepping::PairMotion change;  // friction included
+};
+
+/// `history` is the in-range flag and, with friction, the memory of the tangential spring.
+template <class Contact>
+LoneContact follow_by_itself(const Contact& c, const cohesion::event_stepping::PairMotion& grid,
+                             bool friction, const double* history) {
+  LoneContact alone{c.advance(grid.relative, history[0] != 0.0), {}};
+  alone.change.relative = alone.normal.change;
+  if (friction && alone.normal.normal.contact_time > 0.0) {
+    const auto sliding = c.friction(grid, {}, alone.normal, vector(history + 1));
+    alone.change.relative.velocity += (1.0 / c.reduced_mass()) * sliding.spring.impulse;
+    alone.change.spin_i = c.spin_share_i() * sliding.torque_i;
+    alone.change.spin_j = c.spin_share_j() * sliding.torque_j;
+  }
+  return alone;
+}
+
+/// Adds what a contact does alone to its particle i (side -1) or j (side 1).
+inline void add_alone(double* to, double side, double share, const LoneContact& alone) {
+  add(to, side * share, alone.change.relative.separation);
+  add(to + 3, side * share, alone.change.relative.velocity);
+  add(to + 6, 1.0, side < 0.0 ? alone.change.spin_i : alone.change.spin_j);
+}
+
+/// What all contacts but this one do to its particles; nullptr: a wall.
+inline cohesion::event_stepping::PairMotion others_of(const double* all_i, const double* all_j,
+                                                      const LoneContact& alone) {
+  const auto of_j = [&](int k) { return all_j ? vector(all_j + k) : cohesion::Vector3{}; };
+  const cohesion::event_stepping::PairMotion& own = alone.change;
+  return {{of_j(0) - vector(all_i) - own.relative.separation,
+           of_j(3) - vector(all_i + 3) - own.relative.velocity},
+          vector(all_i + 6) - own.spin_i,
+          of_j(6) - own.spin_j};
+}
+
+/// The second pass: with half of what the other contacts of its particles do, `others`.
 template <bool FRICTION, class Contact>
-FollowedContact follow_with_others(const Contact& c, cohesion::event_stepping::RelativeState grid,
-                                   const cohesion::event_stepping::PairStep& alone,
-                                   const cohesion::event_stepping::RelativeState& others,
-                                   const cohesion::Vector3& spin_i, const cohesion::Vector3& spin_j,
+FollowedContact follow_with_others(const Contact& c,
+                                   const cohesion::event_stepping::PairMotion& grid,
+                                   const LoneContact& alone,
+                                   const cohesion::event_stepping::PairMotion& others,
                                    double* history) {
-  FollowedContact now{alone, {}, {}};
-  const cohesion::Vector3 velocity = grid.velocity;
-  if (dot(others.separation, others.separation) > 0.0 ||
-      dot(others.velocity, others.velocity) > 0.0) {
-    grid.separation += 0.5 * others.separation;
-    grid.velocity += 0.5 * others.velocity;
-    now.normal = c.advance(grid, history[0] != 0.0);
+  FollowedContact now{alone.normal, {}, {}};
+  const cohesion::event_stepping::RelativeState& pushed = others.relative;
+  if (dot(pushed.separation, pushed.separation) > 0.0 ||
+      dot(pushed.velocity, pushed.velocity) > 0.0) {
+    const cohesion::event_stepping::RelativeState middle{
+        grid.relative.separation + 0.5 * pushed.separation,
+        grid.relative.velocity + 0.5 * pushed.velocity};
+    now.normal = c.advance(middle, history[0] != 0.0);
   }
   now.impulse = c.reduced_mass() * now.normal.change.velocity;
   if (FRICTION) {
     if (now.normal.normal.contact_time > 0.0) {
-      now.sliding = c.friction(grid, velocity, now.normal, spin_i, spin_j, vector(history + 1));
+      now.sliding = c.friction(grid, others, now.normal, vector(history + 1));
       now.impulse += now.sliding.spring.impulse;
     }
     const cohesion::Vector3& memory = now.sliding.memory;

@@ -18,6 +18,7 @@
 using namespace LAMMPS_NS;
 using cohesion::event_stepping::StepWindow;
 
+static constexpr int ALONE = 9;
 static constexpr char ID[] = "COHESION_EVENT_STEP";
 static constexpr char PLACE[] = "COHESION_EVENT_STEP_PLACE";
 
@@ -37,7 +38,7 @@ FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
       mobile_bits(0),
       frozen_bit(0) {
   nevery = 1;
-  comm_forward = 6;
+  comm_forward = ALONE;
   restart_peratom = 1;
   restart_global = 1;
   create_attribute = 1;
@@ -168,7 +169,7 @@ void FixEventStep::pre_force(int) {
 
 void FixEventStep::clear() {
   const int all = atom->nlocal + atom->nghost;
-  if (all > 0) std::fill_n(alone[0], 6 * all, 0.0);
+  if (all > 0) std::fill_n(alone[0], ALONE * all, 0.0);
   look_round();
   if (atom->nlocal > 0) std::fill_n(shift[0], 3 * atom->nlocal, 0.0);
   if (!book.kept) return;
@@ -206,16 +207,16 @@ void FixEventStep::post_run() {
 void FixEventStep::share() { engine_api::forward_comm(comm, this); }
 
 int FixEventStep::pack_forward_comm(int n, int* list, double* buf, int, int*) {
-  for (int i = 0; i < n; i++) std::copy_n(alone[list[i]], 6, buf + 6 * i);
-  return 6 * n;
+  for (int i = 0; i < n; i++) std::copy_n(alone[list[i]], ALONE, buf + ALONE * i);
+  return ALONE * n;
 }
 
 void FixEventStep::unpack_forward_comm(int n, int first, double* buf) {
-  std::copy_n(buf, 6 * n, alone[first]);
+  std::copy_n(buf, ALONE * n, alone[first]);
 }
 
 void FixEventStep::grow_arrays(int nmax) {
-  memory->grow(alone, nmax, 6, "event_step:alone");
+  memory->grow(alone, nmax, ALONE, "event_step:alone");
   memory->grow(shift, nmax, 3, "event_step:shift");
   memory->grow(last, nmax, 6, "event_step:last");
   memory->grow(contact_force, nmax, 3, "event_step:contact_force");

@@ -28,8 +28,8 @@ class EventContacts {
 };
 
 /// What all styles of the event scheme share, made by the first of them. Contacts of one particle
-/// act on each other within a step: each is first followed alone, and its change of position and
-/// velocity added to `alone`; then it is followed again with half of what the others did.
+/// act on each other within a step: each is first followed alone, and its change of position,
+/// velocity and spin added to `alone`; then it is followed again with half of what the others did.
 ///
 /// Order within a step: this fix lets the walls (pre_force), then the pair style adds to `alone`;
 /// share() brings it to the ghosts; the pair style and then the walls (post_force) follow each
@@ -95,7 +95,7 @@ class FixEventStep : public Fix {
 
   void share();
 
-  double** alone;  ///< per atom and ghost: change of position and of velocity, contacts alone
+  double** alone;  ///< per atom and ghost: change of position, velocity and spin, contacts alone
   double** shift;  ///< per atom: change of position of this step
 
   /// The energy of contacts; kept only when a compute asks for it.

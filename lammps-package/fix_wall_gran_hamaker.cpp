@@ -11,7 +11,6 @@
 #include "contact_advice.h"
 #include "domain.h"
 #include "error.h"
-#include "event_contact.h"
 #include "law_from_script.h"
 #include "memory.h"
 #include "update.h"
@@ -267,11 +266,11 @@ void FixWallGranHamaker::follow_alone(std::vector<Contact>& shared) {
       const std::size_t c = contact(shared, i);
       const RelativeState grid{point.separation, point.velocity - vector(atom->v[i])};
       if (inside == 0.0 && !shared[c].within_reach(grid)) continue;
-      active.push_back({i, w, c, point, shared[c].advance(grid, inside != 0.0)});
+      active.push_back({i, w, c, point,
+                        follow_by_itself(shared[c], {grid, vector(atom->omega[i]), {}},
+                                         per_wall > 1 && Contact::acts_within_step, &inside)});
       if (!Contact::acts_within_step) continue;
-      const PairStep& alone = active.back().alone;
-      add(step->alone[i], -shared[c].share_i(), alone.change.separation);
-      add(step->alone[i] + 3, -shared[c].share_i(), alone.change.velocity);
+      add_alone(step->alone[i], -1.0, shared[c].share_i(), active.back().alone);
     }
   }
 }
@@ -295,12 +294,10 @@ void FixWallGranHamaker::follow_together(const std::vector<Contact>& shared) {
     const int i = near.i;
     const Contact& c = shared[near.contact];
     const RelativeState grid{near.point.separation, near.point.velocity - vector(atom->v[i])};
-    RelativeState others{};
-    if (Contact::acts_within_step)
-      others = {-vector(step->alone[i]) - near.alone.change.separation,
-                -vector(step->alone[i] + 3) - near.alone.change.velocity};
+    PairMotion others;
+    if (Contact::acts_within_step) others = others_of(step->alone[i], nullptr, near.alone);
     const FollowedContact now = follow_with_others<FRICTION>(
-        c, grid, near.alone, others, vector(atom->omega[i]), Vector3{}, history_of(i, near.wall));
+        c, {grid, vector(atom->omega[i]), {}}, near.alone, others, history_of(i, near.wall));
     scatter.on_i<FRICTION>(i, c.share_i(), now);
     scatter.book(c, 1.0, now);
     step->book.external_work -= dot(near.point.velocity, now.impulse);

@@ -13,6 +13,7 @@ FixStyle(wall/gran/hamaker,FixWallGranHamaker);
 #include <vector>
 
 #include "cohesive_contact_from_script.h"
+#include "event_contact.h"
 #include "event_stepping/cohesive_contact.h"
 #include "event_stepping/sampled_pair.h"
 #include "event_stepping/wall.h"
@@ -67,7 +68,7 @@ class FixWallGranHamaker : public Fix, public EventContacts {
     int wall;
     std::size_t contact;
     cohesion::event_stepping::WallPoint point;
-    cohesion::event_stepping::PairStep alone;
+    LoneContact alone;
   };
 
   void read(int, char**);

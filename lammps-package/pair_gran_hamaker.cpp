@@ -11,7 +11,6 @@
 #include "contact_advice.h"
 #include "engine_api.h"
 #include "error.h"
-#include "event_contact.h"
 #include "fix_event_step.h"
 #include "fix_neigh_history.h"
 #include "force.h"
@@ -92,6 +91,10 @@ inline RelativeState PairGranHamaker::on_grid(int i, int j) const {
   return {vector(atom->x[j]) - vector(atom->x[i]), vector(atom->v[j]) - vector(atom->v[i])};
 }
 
+inline PairMotion PairGranHamaker::with_spins(const RelativeState& grid, int i, int j) const {
+  return {grid, vector(atom->omega[i]), vector(atom->omega[j])};
+}
+
 template <class Contact>
 inline const Contact& PairGranHamaker::contact(Recent<Contact>& recent_contacts, int i, int j) {
   const int types = of_types(atom->type[i], atom->type[j]);
@@ -151,13 +154,12 @@ void PairGranHamaker::follow_alone(Recent<Contact>& contacts) {
       if (!kept) std::fill_n(values, HISTORY, 0.0);
       // A pair that a run starts with is where it is; it did not fall into the range.
       if (first && !kept) values[0] = norm(grid.separation) < radius[i] + radius[j] + c.range();
-      active.push_back({i, j, &kept, values, c.advance(grid, values[0] != 0.0)});
+      active.push_back({i, j, &kept, values,
+                        follow_by_itself(c, with_spins(grid, i, j),
+                                         friction && Contact::acts_within_step, values)});
       if (!Contact::acts_within_step) continue;
-      const PairStep& alone = active.back().alone;
-      add(step->alone[i], -c.share_i(), alone.change.separation);
-      add(step->alone[i] + 3, -c.share_i(), alone.change.velocity);
-      add(step->alone[j], c.share_j(), alone.change.separation);
-      add(step->alone[j] + 3, c.share_j(), alone.change.velocity);
+      add_alone(step->alone[i], -1.0, c.share_i(), active.back().alone);
+      add_alone(step->alone[j], 1.0, c.share_j(), active.back().alone);
     }
   }
   if (Contact::acts_within_step) step->share();
@@ -172,14 +174,10 @@ void PairGranHamaker::follow_together(Recent<Contact>& contacts) {
   for (Active& pair : active) {
     const int i = pair.i, j = pair.j;
     const Contact& c = contact(contacts, i, j);
-    RelativeState others{};
-    if (Contact::acts_within_step)
-      others = {
-          vector(step->alone[j]) - vector(step->alone[i]) - pair.alone.change.separation,
-          vector(step->alone[j] + 3) - vector(step->alone[i] + 3) - pair.alone.change.velocity};
-    const FollowedContact now =
-        follow_with_others<FRICTION>(c, on_grid(i, j), pair.alone, others, vector(atom->omega[i]),
-                                     vector(atom->omega[j]), pair.history);
+    PairMotion others;
+    if (Contact::acts_within_step) others = others_of(step->alone[i], step->alone[j], pair.alone);
+    const FollowedContact now = follow_with_others<FRICTION>(c, with_spins(on_grid(i, j), i, j),
+                                                             pair.alone, others, pair.history);
     *pair.kept = now.normal.inside;
 
     scatter.on_i<FRICTION>(i, c.share_i(), now);

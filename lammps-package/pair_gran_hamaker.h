@@ -12,6 +12,7 @@ PairStyle(gran/hamaker,PairGranHamaker);
 #include <vector>
 
 #include "cohesive_contact_from_script.h"
+#include "event_contact.h"
 #include "event_stepping/cohesive_contact.h"
 #include "event_stepping/sampled_pair.h"
 #include "pair.h"
@@ -51,7 +52,7 @@ class PairGranHamaker : public Pair {
     int i, j;
     int* kept;        // 1 while the pair has a history
     double* history;  // in-range flag, memory of the tangential spring
-    cohesion::event_stepping::PairStep alone;
+    LoneContact alone;
   };
 
   void allocate();
@@ -59,6 +60,8 @@ class PairGranHamaker : public Pair {
   template <class Contact>
   const Contact& contact(Recent<Contact>&, int i, int j);
   cohesion::event_stepping::RelativeState on_grid(int i, int j) const;
+  cohesion::event_stepping::PairMotion with_spins(const cohesion::event_stepping::RelativeState&,
+                                                  int i, int j) const;
   template <class Contact>
   void follow_alone(Recent<Contact>&);
   template <bool TALLY, bool FRICTION, class Contact>

@@ -24,6 +24,13 @@ inline double inverse_inertia(const Body& body) {
   return body.inverse_mass > 0.0 ? 2.5 * body.inverse_mass / (body.radius * body.radius) : 0.0;
 }
 
+/// Relative motion and spins of a pair, or changes of them.
+struct PairMotion {
+  RelativeState relative{};
+  Vector3 spin_i{};  ///< [1/time]
+  Vector3 spin_j{};
+};
+
 /// What friction does in a step.
 struct FrictionStep {
   contact::TangentialStep spring;
@@ -61,6 +68,9 @@ class CohesiveContact {
   /// The part of a relative change that falls to particle i (with a minus sign) and j.
   double share_i() const { return reduced_mass_ * i_.inverse_mass; }
   double share_j() const { return reduced_mass_ * j_.inverse_mass; }
+  /// What an angular impulse changes of the spins, [1/(mass length^2)].
+  double spin_share_i() const { return inverse_inertia(i_); }
+  double spin_share_j() const { return inverse_inertia(j_); }
 
   bool within_reach(const RelativeState& grid) const { return pair_.within_reach(grid, window_); }
 
@@ -70,9 +80,9 @@ class CohesiveContact {
     return pair_.advance(grid, window_, inside);
   }
 
-  /// Friction in the step that `normal` describes. `grid` is what the pair was followed from;
-  /// `velocity` the relative velocity without what other contacts do in this step, that is, how the
-  /// grid has moved since the last step. `memory` is what the last step left (FrictionStep.memory).
+  /// Friction in the step that `normal` describes, followed from `grid` with half of what the other
+  /// contacts of its particles do, `others`. `memory` is what the last step left
+  /// (FrictionStep.memory).
   ///
   /// The spring's displacement is known on the grid, where it has grown with the grid's motion, and
   /// is carried half a step back to where the step begins, like positions. Were it added up from
@@ -82,24 +92,25 @@ class CohesiveContact {
   /// The lever arms of two spheres share the distance of their centres in proportion to the radii,
   /// so that angular momentum is kept exactly; beside a wall, the limit of a large sphere, the arm
   /// is the radius.
-  FrictionStep friction(const RelativeState& grid, const Vector3& velocity, const PairStep& normal,
-                        const Vector3& spin_i, const Vector3& spin_j, const Vector3& memory) const {
-    const Vector3 separation = grid.separation + normal.change.separation;
+  FrictionStep friction(const PairMotion& grid, const PairMotion& others, const PairStep& normal,
+                        const Vector3& memory) const {
+    const Vector3 separation =
+        grid.relative.separation + 0.5 * others.relative.separation + normal.change.separation;
     const double distance = norm(separation);
     const Vector3 n = (1.0 / distance) * separation;
     const double arm_i =
         j_.radius > 0.0 ? distance * i_.radius / (i_.radius + j_.radius) : i_.radius;
     const double arm_j = distance - arm_i;
-    const Vector3 u = in_plane(
-        grid.velocity + 0.5 * normal.change.velocity - cross(arm_i * spin_i + arm_j * spin_j, n),
-        n);
+    const auto surface_velocity = [&](const PairMotion& of) {
+      return in_plane(of.relative.velocity - cross(arm_i * of.spin_i + arm_j * of.spin_j, n), n);
+    };
+    const Vector3 by_others = surface_velocity(others);
+    const Vector3 u =
+        surface_velocity(grid) + 0.5 * by_others + 0.5 * in_plane(normal.change.velocity, n);
     const double answer = i_.inverse_mass + j_.inverse_mass + arm_i * arm_i * inverse_inertia(i_) +
                           arm_j * arm_j * inverse_inertia(j_);
     Vector3 displacement = contact::TangentialSpring::turned(memory, n);
-    if (dot(memory, memory) > 0.0) {
-      const Vector3 by_others = in_plane(grid.velocity - velocity, n);
-      displacement += window_.before * (u - 2.0 * by_others);
-    }
+    if (dot(memory, memory) > 0.0) displacement += window_.before * (u - by_others);
     FrictionStep step;
     step.spring =
         tangential_.advance(displacement, u, normal.normal.contact_time, 1.0 / answer,

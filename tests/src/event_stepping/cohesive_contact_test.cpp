@@ -28,7 +28,7 @@ struct Spheres {
     const PairStep normal = contact.advance(grid, inside);
     FrictionStep friction;
     if (normal.normal.contact_time > 0.0) {
-      friction = contact.friction(grid, grid.velocity, normal, spin[0], spin[1], memory);
+      friction = contact.friction({grid, spin[0], spin[1]}, {}, normal, memory);
     }
     const Vector3 impulse =
         contact.reduced_mass() * normal.change.velocity + friction.spring.impulse;
