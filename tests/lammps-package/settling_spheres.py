@@ -14,8 +14,8 @@ def hamaker_constant(ratio):
 
 
 def write(folder, side, layers, seed):
-    """side^2 spheres per layer, jittered; gives the kinetic energy that they will have gained on
-    the floor, about: what the loose lattice's height over a packing holds, [J]."""
+    """A layer of side^2 fixed spheres (type 2) and above it `layers` of jittered ones with random
+    velocities (type 1)."""
     random = numpy.random.default_rng(seed)
     step = 1.1 * gas.DIAMETER
     grid = (0.5 + numpy.arange(side)) * step
