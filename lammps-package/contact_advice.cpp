@@ -86,11 +86,13 @@ void LAMMPS_NS::advise(LAMMPS* lmp, const std::string& style, const advice::Sche
     if (prints)
       utils::logmesg(
           lmp, fmt::format("  {:<10}{:>9.3g}{:>11.4g}{:>14.3g}{:>10.2g}{:>10.2g}{:>10.3g}{:>10.3g}"
-                           "{:>14.3g}\n",
+                           "{:>14}\n",
                            c.name, speed, n.steps_per_contact(), n.steps_in_cutoff(),
                            n.static_overlap_over_diameter(), n.impact_overlap_over_diameter(),
                            n.bond_number(), n.escape_velocity(),
-                           n.well_energy() / n.spring_adhesion_energy()));
+                           c.adhesion.force > 0.0
+                               ? fmt::format("{:.3g}", n.well_energy() / n.spring_adhesion_energy())
+                               : "none"));
     for (const advice::Verdict& verdict : advice::advise(n, limits)) {
       const std::string message = style + ", " + c.name + ": " + verdict.sentence;
       if (verdict.severity == advice::Severity::warning && prints)

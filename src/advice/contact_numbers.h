@@ -83,6 +83,7 @@ class ContactNumbers {
   /// Infinite without gravity, zero without adhesion.
   double bond_number() const {
     if (p_.adhesion.force == 0.0) return 0.0;
+    if (p_.gravity == 0.0) return std::numeric_limits<double>::infinity();
     return p_.adhesion.force / (std::min(p_.mass_i, p_.mass_j) * p_.gravity);
   }
   /// [length/time]
@@ -94,16 +95,17 @@ class ContactNumbers {
 
  private:
   static void require_partner(const char* name, double value) {
-    require(value > 0.0, name, value, "must be greater than zero, infinite for a wall");
+    require(!std::isnan(value) && value > 0.0, name, value,
+            "must be greater than zero, infinite for a wall");
   }
 
   static double pair_mass(const PairParameters& p) {
     require_partner("mass", p.mass_i);
     require_partner("mass", p.mass_j);
     // 1/infinity = 0: a wall leaves the mass of the particle; two walls leave nothing to move.
-    const double mass = 1.0 / (1.0 / p.mass_i + 1.0 / p.mass_j);
-    require_positive("reduced mass", mass);
-    return mass;
+    const double inverse = 1.0 / p.mass_i + 1.0 / p.mass_j;
+    require(inverse > 0.0, "reduced mass", p.mass_i, "must be finite: one partner must move");
+    return 1.0 / inverse;
   }
 
   PairParameters p_;

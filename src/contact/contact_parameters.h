@@ -22,8 +22,8 @@ struct ContactParameters {
 /// Throws InvalidParameter unless K > 0, 0 <= e <= 1 and the rest is not negative, all finite.
 inline void require_valid(const ContactParameters& p) {
   require_positive("stiffness K", p.stiffness);
-  require(p.restitution >= 0.0 && p.restitution <= 1.0, "restitution e", p.restitution,
-          "must lie between 0 and 1");
+  require(std::isfinite(p.restitution) && p.restitution >= 0.0 && p.restitution <= 1.0,
+          "restitution e", p.restitution, "must lie between 0 and 1");
   require(std::isfinite(p.damping), "damping eta", p.damping, "must be a finite number");
   require_non_negative("ratio of tangential to normal stiffness", p.tangential_ratio);
   require_non_negative("ratio of tangential to normal damping", p.tangential_damping_ratio);

@@ -48,8 +48,8 @@ class LinearSpringDashpot {
                                               double reduced_mass) {
     require_positive("stiffness K", stiffness);
     require_positive("reduced mass", reduced_mass);
-    require(restitution >= 0.0 && restitution <= 1.0, "restitution e", restitution,
-            "must lie between 0 and 1");
+    require(std::isfinite(restitution) && restitution >= 0.0 && restitution <= 1.0, "restitution e",
+            restitution, "must lie between 0 and 1");
     const double critical = 2.0 * std::sqrt(reduced_mass * stiffness);
     if (restitution == 0.0) return {stiffness, critical, reduced_mass};
     const double ln_e = std::log(restitution);

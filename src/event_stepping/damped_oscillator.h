@@ -99,8 +99,9 @@ class DampedOscillator {
       const double sign = start.v < 0.0 ? -1.0 : 1.0;
       return std::atan2(sign * q_ * start.v, sign * pull) / q_;
     }
+    const bool one_sign = (start.v > 0.0 && pull > 0.0) || (start.v < 0.0 && pull < 0.0);
+    if (!one_sign || std::abs(start.v) * 1e-300 >= std::abs(pull)) return never();
     const double ratio = start.v / pull;
-    if (!(ratio > 0.0)) return never();
     if (!creeps_) return ratio;
     return q_ * ratio < 1.0 ? std::atanh(q_ * ratio) / q_ : never();
   }
@@ -112,8 +113,11 @@ class DampedOscillator {
     for (int i = 0; i < 100; i++) {
       const Overlap at = after(t, start, drive);
       (at.x >= 0.0 ? high : low) = t;
-      double next = t - at.x / at.v;
-      if (!(next > high && next < low)) next = 0.5 * (high + low);
+      double next = 0.5 * (high + low);
+      if (std::abs(at.x) < std::abs(at.v) * (low - high)) {
+        const double newton = t - at.x / at.v;
+        if (newton > high && newton < low) next = newton;
+      }
       if (std::abs(next - t) <= 2.0 * std::numeric_limits<double>::epsilon() * low) break;
       t = next;
     }

@@ -166,9 +166,17 @@ class NormalMotion {
     if (discriminant < 0.0) return std::numeric_limits<double>::infinity();
     const double q = -(v + std::copysign(std::sqrt(discriminant), v));
     double first = std::numeric_limits<double>::infinity();
-    for (const double t : {2.0 * distance / q, q / a})
-      if (t > 0.0 && t < first) first = t;
+    for (const double t : {positive_ratio(2.0 * distance, q), positive_ratio(q, a)})
+      if (t < first) first = t;
     return first;
+  }
+
+  /// a/b, infinity unless it is a positive number: solvers trap divisions by zero.
+  static double positive_ratio(double a, double b) {
+    const bool one_sign = (a > 0.0 && b > 0.0) || (a < 0.0 && b < 0.0);
+    if (!one_sign || std::abs(a) * 1e-300 >= std::abs(b))
+      return std::numeric_limits<double>::infinity();
+    return a / b;
   }
 
   DampedOscillator contact_;
