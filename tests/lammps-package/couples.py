@@ -112,13 +112,14 @@ def couple(number, gap, velocity, normal=(0.0, 1.0, 0.0), columns=25, pitch=(2.5
 def run(atoms, coefficients, dt, steps, every=0, style="gran/hamaker", skin=1e-4, types=1,
         size=(0.064, 0.25, 0.004)):
     """Runs couples; gives snapshots (snapshot, couple, atom, column), without the id, and LAMMPS's
-    output. `every`: steps between snapshots; 0 for the first and the last only."""
+    output. `every`: steps between snapshots; 0 for the
+    first and the last only, and no energy book."""
     with engine.temporary_folder() as folder:
         engine.write_spheres(folder, atoms, [(0.0, length) for length in size], types)
         (Path(folder) / "coefficients.txt").write_text(
             "".join(f"pair_coeff {line}\n" for line in coefficients))
         output = engine.run("in.couples", folder, style=style, skin=skin, dt=dt, steps=steps,
-                            every=every or steps)
+                            every=every or steps, book="yes" if every else "no")
         path = [table[:, 1:].reshape(-1, 2, table.shape[1] - 1)
                 for table in engine.dumps(folder, "path.txt")]
     return numpy.array(path), output
