@@ -22,11 +22,14 @@ struct PairParameters {
   double speed;                ///< v, [length/time]: typical approach speed, far from each other
   double dt;                   ///< [time]
   double gravity;              ///< g, [length/time^2]
+  double tangential_stiffness = 0.0;  ///< K_t, [force/length]; 0 without friction
 };
 
 /// The numbers of one type pair that decide whether a simulation can be right.
 ///
-///   steps per contact     pi/(w0 dt): t_c/dt of the undamped spring, never above t_c/dt
+///   steps per contact     pi/(w dt), w the larger of w0 and w_t: t_c/dt of the undamped spring,
+///                         never above t_c/dt; w_t^2 = 7 K_t/(2 mu) is the tangential spring's, of
+///                         solid spheres whose points of contact slide and roll
 ///   steps in the cut-off  H_cut/(u dt), u = sqrt(v^2 + 2 W/mu) the speed at first touch
 ///   Bond number           F_ad/(m g), m the smaller mass
 ///   overlaps              over d, the smaller diameter
@@ -59,11 +62,13 @@ class ContactNumbers {
   const PairParameters& parameters() const { return p_; }
   const contact::AdhesiveContact& contact() const { return contact_; }
 
-  /// w0 = sqrt(K/mu), [1/time].
-  double frequency() const { return w0_; }
+  /// w: the larger of w0 = sqrt(K/mu) and w_t, [1/time].
+  double frequency() const {
+    return w0_ * std::sqrt(std::max(1.0, 3.5 * p_.tangential_stiffness / p_.stiffness));
+  }
   /// t_c, [time]; infinite at and beyond critical damping.
   double contact_time() const { return contact_.spring().contact_time(); }
-  double steps_per_contact() const { return pi / w0_ / p_.dt; }
+  double steps_per_contact() const { return pi / frequency() / p_.dt; }
   /// Largest stable step of leapfrog, [time].
   double stable_step() const { return 2.0 / (std::hypot(1.0, zeta_) + zeta_) / w0_; }
 

@@ -75,6 +75,15 @@ TEST(ContactNumbers, BondNumberWithoutGravityOrAdhesion) {
   EXPECT_EQ(ContactNumbers(p).bond_number(), 0.0);
 }
 
+TEST(ContactNumbers, AStiffTangentialSpringShortensTheContact) {
+  PairParameters p = thesis_pair();
+  const double steps = ContactNumbers(p).steps_per_contact();
+  p.tangential_stiffness = 2.0 / 7.0 * p.stiffness;  // equal contact times
+  EXPECT_NEAR(ContactNumbers(p).steps_per_contact(), steps, 1e-14 * steps);
+  p.tangential_stiffness = p.stiffness;
+  EXPECT_NEAR(ContactNumbers(p).steps_per_contact(), steps / std::sqrt(3.5), 1e-14 * steps);
+}
+
 TEST(ContactNumbers, RefusesWhatCannotBe) {
   const double inf = std::numeric_limits<double>::infinity();
   const auto with = [](double PairParameters::*member, double value) {
