@@ -1,0 +1,226 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Many particles in the event scheme: energy of elastic gases, a sticking pair struck by a third
+sphere, ranks and restarts, spheres that come to rest."""
+import math
+import unittest
+
+import numpy
+
+import cohesive_gas as gas
+import lammps_engine as engine
+import settling_spheres as settling
+
+D, T_C = gas.DIAMETER, gas.CONTACT_TIME
+
+
+class ElasticGas(unittest.TestCase):
+    """1000 spheres, 20 collisions each by Enskog's rate. Drift: total energy minus that of the start,
+    over the kinetic energy of the start; A in J, speed of each component in m/s.
+
+    A contact by itself keeps its energy; what is left is the error of second order of particles with
+    several contacts. A scheme of second order for an oscillator of frequency w0 keeps an energy that
+    differs from the true one by (w0 dt)^2/24 of it or some such part; w0 dt = pi/20: 1.0e-3, which is
+    also what is asked of the scheme."""
+
+    def drifts(self, fraction, constant, speed, division, seeds):
+        """Rows: seeds; columns: 50 samples."""
+        rows = []
+        duration = 20 / gas.collision_rate(fraction, speed)
+        for seed in range(seeds):
+            with engine.temporary_folder() as folder:
+                gas.write(folder, 10, fraction, speed, seed)
+                table, _ = gas.follow(folder, division, duration, A=constant)
+            self.assertEqual(len(table), 51)
+            self.assertLess(abs(table[:, 2] - (table[:, 1] - table[0, 1])).max(),
+                            1e-9 * table[0, 3], "residual is not the change of the total")
+            rows.append((table[1:, 1] - table[0, 1]) / table[0, 3])
+        return numpy.array(rows)
+
+    def energy_is_kept(self, fraction, constant, speed, seeds):
+        coarse = self.drifts(fraction, constant, speed, 5, seeds)
+        fine = self.drifts(fraction, constant, speed, 20, seeds)
+        self.assertLess(numpy.abs(fine).max(), 1e-3)
+        # At least second order: a factor 4^2, within twice the standard error of the seeds.
+        gain = 0.5 * numpy.log((coarse**2).mean(axis=1) / (fine**2).mean(axis=1))
+        noise = gain.std(ddof=1) / math.sqrt(seeds)
+        self.assertGreater(gain.mean() + 2 * noise, math.log(16))
+
+    def no_heating(self, fraction, constant, speed, division, seeds):
+        """From the second fifth of the run on, where the lattice has melted: energy that is lost or
+        gained by chance only has increments of mean zero, within three standard errors. Heating that
+        would matter shows: 1e-4 per collision and particle would be 1.2e-3 here."""
+        fifths = self.drifts(fraction, constant, speed, division, seeds).reshape(seeds, 5, 10)
+        change = fifths[:, 4].mean(axis=1) - fifths[:, 1].mean(axis=1)
+        noise = change.std(ddof=1) / math.sqrt(seeds)
+        self.assertLess(noise, 2e-4)
+        self.assertLess(change.mean(), 3 * noise)
+
+    def test_sparse(self):
+        self.energy_is_kept(0.1, 0.0, 0.2, seeds=2)
+
+    def test_sparse_adhesive(self):
+        self.energy_is_kept(0.1, 2e-18, 0.2, seeds=2)
+
+    def test_dense(self):
+        self.energy_is_kept(0.5, 0.0, 0.1, seeds=3)
+
+    def test_dense_adhesive(self):
+        # F_ad/sqrt(mu K) = 0.022 m/s: adhesion rules.
+        self.energy_is_kept(0.5, 2e-18, 0.02, seeds=3)
+
+    def test_no_heating_at_a_quarter_of_the_contact_time(self):
+        self.no_heating(0.5, 0.0, 0.1, division=4, seeds=6)
+
+    def test_no_heating_with_adhesion_at_a_tenth(self):
+        # At t_c/4 there is: 6e-5 of the kinetic energy per collision, see the documentation.
+        self.no_heating(0.5, 2e-18, 0.02, division=10, seeds=3)
+
+
+class StruckPair(unittest.TestCase):
+    """Two spheres that stick, at rest, and a third that strikes them: 100 such triples, against the
+    run at a hundredth of the step. Also where adhesion decides: F_ad/sqrt(mu K) = b = 0.022 m/s.
+
+    Tolerance: the cluster rings with w = sqrt(3/2) w0 at most (three spheres in line) and decays with
+    alpha = (3/2) zeta w0. A scheme of second order gets w wrong by (w dt)^2/24 of itself, the
+    leapfrog's error; the speed, of amplitude V = sqrt(v^2 + b^2), is then wrong by that times the
+    phase, at most
+
+      delta V, delta = (w dt)^2/24 w/(alpha exp(1))       0.11 at t_c/10, 0.028 at t_c/20
+
+    Spheres that part at a speed s have paid for it with energy: delta V^2/s where s < V. Spheres
+    that part or stick with less than delta V^2 mu/2 to spare may do either."""
+    A, RESTITUTION, DURATION = 2e-18, 0.9487, 30 * T_C
+    ADHESION = A * D / (24 * settling.CUT**2)
+    SPEEDS = numpy.repeat([0.003, 0.01, 0.03, 0.1], 25)
+
+    @classmethod
+    def setUpClass(cls):
+        keeper = engine.temporary_folder()
+        cls.addClassCleanup(keeper.cleanup)
+        cls.folder = keeper.name
+        random = numpy.random.default_rng(1)
+        half = 0.5 * (D - cls.ADHESION / gas.STIFFNESS)
+        spheres = []
+        for n, speed in enumerate(cls.SPEEDS):
+            angle = math.radians((10, 50, 90, 130, 170)[n % 5])
+            offset = (-0.9, -0.45, 0.02, 0.45, 0.9)[n // 5 % 5] * D
+            centre = 4e-3 * numpy.array([n % 10 + 0.5, n // 10 + 0.5, 0.5])
+            pair = [centre - [half, 0, 0], centre + [half, 0, 0]]
+            around = random.uniform(0, 2 * math.pi)
+            way = numpy.array([math.cos(angle), math.sin(angle) * math.cos(around),
+                               math.sin(angle) * math.sin(around)])
+            aside = numpy.cross(way, [0.3, 0.5, 0.8])
+            start = pair[0] + offset * aside / numpy.linalg.norm(aside)
+            meets = []
+            for sphere in pair:
+                to = start - sphere
+                root = (to @ way)**2 - to @ to + D * D
+                if root > 0:
+                    meets.append(-(to @ way) - math.sqrt(root))
+            # One to two contact times before the first touch.
+            start = start + (min(meets) - speed * random.uniform(1, 2) * T_C) * way
+            for place, velocity in ((pair[0], 0 * way), (pair[1], 0 * way), (start, speed * way)):
+                spheres.append({"type": 1, "diameter": D, "density": gas.DENSITY, "x": place,
+                                "v": velocity})
+        engine.write_spheres(cls.folder, spheres, [(0, 0.04), (0, 0.04), (0, 4e-3)], 1)
+
+    def outcome(self, division, friction):
+        """Velocities, and which of the three pairs stick."""
+        gas.follow(self.folder, division, self.DURATION, 2, A=self.A, e=self.RESTITUTION,
+                   mu=friction)
+        end = engine.dump(self.folder, "end.txt").reshape(100, 3, -1)
+        places, velocities = end[:, :, 1:4], end[:, :, 4:7]
+        gaps, speeds = [], []
+        for i, j in ((0, 1), (0, 2), (1, 2)):
+            gaps.append(numpy.linalg.norm(places[:, i] - places[:, j], axis=1) - D)
+            speeds.append(numpy.linalg.norm(velocities[:, i] - velocities[:, j], axis=1))
+        stuck = numpy.array(gaps) < settling.CUT
+        parting = numpy.where(stuck, numpy.inf, numpy.array(speeds)).min(axis=0)
+        return velocities, stuck, parting
+
+    def compare(self, friction):
+        exact, stuck, parting = self.outcome(1000, friction)
+        # All outcomes that matter are there: caught, parted, the pair broken, the partner changed.
+        self.assertGreaterEqual(len(numpy.unique(stuck, axis=1).T), 5)
+        zeta = -math.log(self.RESTITUTION) / math.hypot(math.pi, math.log(self.RESTITUTION))
+        scale = numpy.hypot(self.SPEEDS,
+                            self.ADHESION / math.sqrt(gas.MASS / 2 * gas.STIFFNESS))
+        for division in (10, 20):
+            delta = (1.5 * (math.pi / division)**2 / 24 / (math.sqrt(1.5) * zeta * math.e))
+            velocities, sticks, parts = self.outcome(division, friction)
+            same = (sticks == stuck).all(axis=0)
+            slowest = numpy.minimum(parting, parts)
+            self.assertTrue((same | (slowest**2 < delta * scale**2)).all(), division)
+            self.assertGreaterEqual(same.sum(), 98)
+            error = numpy.linalg.norm(velocities - exact, axis=2).max(axis=1)
+            allowed = delta * scale * numpy.maximum(1.0, scale / slowest)
+            self.assertLess((error[same] / allowed[same]).max(), 1.0, division)
+
+    def test_without_friction(self):
+        self.compare(friction=0.0)
+
+    def test_with_friction(self):
+        self.compare(friction=0.3)
+
+
+class RanksAndRestart(unittest.TestCase):
+    """216 spheres at solid fraction 0.5 with damping, friction and adhesion, 400 steps of t_c/10: two
+    to seven collisions each, while a third of the energy is left.
+
+    Restarts and divided runs order no sum differently on one rank: the same numbers, all digits. Ranks
+    order sums differently and hold other images: 2^-53 of the box, 1e-18 m, some ten times a step,
+    which adds up to 1e-17 m over 400 steps by chance. A collision makes a difference 1 + 2 l/d times
+    larger in place, twice that in direction; the mean path l is d/20: 2.4^7 = 460: 5e-15 m. Speeds:
+    times w0 = 3.4e4 1/s."""
+    TOLERANCE = 5e-15  # [m]
+
+    @classmethod
+    def setUpClass(cls):
+        keeper = engine.temporary_folder()
+        cls.addClassCleanup(keeper.cleanup)
+        cls.folder = keeper.name
+        gas.write(cls.folder, 6, 0.5, 0.05, seed=3)
+        cls.whole, cls.table = cls.end()
+
+    @classmethod
+    def end(cls, **options):
+        table, _ = gas.follow(cls.folder, 10, 40 * T_C, 1, e=0.9, mu=0.3, A=2e-18, **options)
+        return engine.dump(cls.folder, "end.txt"), table
+
+    def near(self, end):
+        difference = numpy.abs(end - self.whole).max(axis=0)
+        w0 = math.pi / T_C
+        self.assertEqual(difference[0], 0.0)
+        self.assertLessEqual(difference[1:4].max(), self.TOLERANCE)
+        self.assertLessEqual(difference[4:7].max(), self.TOLERANCE * w0)
+        self.assertLessEqual(difference[7:].max() * D / 2, self.TOLERANCE * w0)
+
+    def test_contacts_are_there(self):
+        self.assertLess(self.table[-1, 3], 0.5 * self.table[0, 3])
+        self.assertGreater(self.table[-1, 3], 0.01 * self.table[0, 3])
+
+    def test_ranks(self):
+        for ranks in (2, 4):
+            with self.subTest(ranks=ranks):
+                self.near(self.end(ranks=ranks)[0])
+
+    def test_two_runs(self):
+        numpy.testing.assert_array_equal(self.end(mode="halves")[0], self.whole)
+
+    def test_restart(self):
+        numpy.testing.assert_array_equal(self.end(mode="restart_file")[0], self.whole)
+        numpy.testing.assert_array_equal(self.end(mode="restart")[0], self.whole)
+        self.near(self.end(mode="restart", ranks=2)[0])
+
+
+class Settling(unittest.TestCase):
+    """125 spheres with damping and friction that fall on a layer of fixed ones, at t_c/10."""
+    DURATION = 0.4  # [s]
+
+    def kinetic(self, ratio, **options):
+        with engine.temporary_folder() as folder:
+            settling.write(folder, 5, 5, seed=1)
+            table, _ = settling.follow(folder, duration=self.DURATION,
+                                       A=settling.hamaker_constant(ratio), **options)
+        self.assertEqual(len(table), 51)
+        return table[:, 1] / table[0, 1]
