@@ -298,6 +298,7 @@ void PairGranHamaker::give_advice() {
   for (int i = 1; i <= atom_types; i++)
     for (int j = i; j <= atom_types; j++) {
       const LightestParticle &a = lightest[i], &b = lightest[j];
+      if (!std::isfinite(a.mass) || !std::isfinite(b.mass)) continue;  // no particles yet
       contacts.push_back({fmt::format("{} - {}", i, j), a, b, used[of_types(i, j)].contact,
                           attraction_of<cohesion::contact::Adhesion>(
                               laws[of_types(i, j)], cohesion::two_spheres(a.radius, b.radius))});
