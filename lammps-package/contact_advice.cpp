@@ -13,6 +13,7 @@
 #include "contact/contact_parameters.h"
 #include "error.h"
 #include "fix.h"
+#include "fix_event_step.h"
 #include "modify.h"
 #include "update.h"
 
@@ -50,14 +51,14 @@ static double gravity(LAMMPS* lmp) {
   return largest_of_all(lmp, g);
 }
 
-std::vector<LightestParticle> LAMMPS_NS::lightest_particles(LAMMPS* lmp) {
+std::vector<LightestParticle> LAMMPS_NS::lightest_particles(LAMMPS* lmp, const FixEventStep& step) {
   const Atom* atom = lmp->atom;
   const double none = std::numeric_limits<double>::infinity();
   std::vector<LightestParticle> mine(atom->ntypes + 1, {none, none});
   for (int i = 0; i < atom->nlocal; i++) {
     LightestParticle& lightest = mine[atom->type[i]];
     lightest.radius = std::min(lightest.radius, atom->radius[i]);
-    lightest.mass = std::min(lightest.mass, atom->rmass[i]);
+    if (step.body(i).inverse_mass > 0.0) lightest.mass = std::min(lightest.mass, atom->rmass[i]);
   }
   std::vector<LightestParticle> all(mine.size());
   MPI_Allreduce(mine.data(), all.data(), 2 * static_cast<int>(mine.size()), MPI_DOUBLE, MPI_MIN,
@@ -76,8 +77,9 @@ void LAMMPS_NS::advise(LAMMPS* lmp, const std::string& style, const advice::Sche
                             "      Bond     v_esc   tail/spring\n");
   std::string stop;
   for (const AdvisedContact& c : contacts) {
-    const double mass = 1.0 / (1.0 / c.i.mass + 1.0 / c.j.mass);
-    if (!std::isfinite(mass)) continue;  // no particles yet
+    const double inverse_mass = 1.0 / c.i.mass + 1.0 / c.j.mass;
+    if (inverse_mass == 0.0) continue;  // neither moves
+    const double mass = 1.0 / inverse_mass;
     const double diameter = 2.0 * std::min(c.i.radius, c.j.radius);
     const double speed = std::max(fastest, std::sqrt(2.0 * g * diameter));
     const auto spring = cohesion::contact::normal_contact(c.contact, mass);

@@ -11,14 +11,14 @@
 
 namespace LAMMPS_NS {
 
-/// The lightest particle of a type: its contacts are the shortest.
+/// The smallest particle of a type, and the lightest that moves: its contacts are the shortest.
 struct LightestParticle {
   double radius;  ///< [length]; infinite for a wall and for a type without particles
-  double mass;    ///< [mass]; alike
+  double mass;    ///< [mass]; infinite for a wall and for a type that does not move
 };
 
 /// By type, index 0 unused, over all ranks.
-std::vector<LightestParticle> lightest_particles(LAMMPS*);
+std::vector<LightestParticle> lightest_particles(LAMMPS*, const class FixEventStep&);
 
 /// One contact that a run may see.
 struct AdvisedContact {

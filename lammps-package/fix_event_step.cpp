@@ -95,7 +95,7 @@ void FixEventStep::init() {
     if (fix == this) before_me = false;
     if (fix->rigid_flag)
       error->all(FLERR, std::string("scheme event cannot follow contacts of rigid bodies (fix ") +
-                            fix->id + "); use scheme sampled");
+                            fix->id + ")");
     if (strcmp(fix->style, "freeze") == 0) frozen_bit |= fix->groupbit;
     if (!fix->time_integrate || utils::strmatch(fix->style, "^move")) continue;
     if (before_me)

@@ -196,15 +196,17 @@ void FixWallGranHamaker::post_force(int) { follow_together(); }
 
 void FixWallGranHamaker::give_advice() {
   constexpr double infinite = std::numeric_limits<double>::infinity();
-  const std::vector<LightestParticle> lightest = lightest_particles(lmp);
+  const std::vector<LightestParticle> lightest = lightest_particles(lmp, *step);
   std::vector<AdvisedContact> advised;
-  for (int type = 1; type <= atom->ntypes; type++)
+  for (int type = 1; type <= atom->ntypes; type++) {
+    if (!std::isfinite(lightest[type].radius)) continue;  // no particles yet
     advised.push_back({fmt::format("{} - wall", type),
                        lightest[type],
                        {infinite, infinite},
                        given.contact,
                        attraction_of<cohesion::contact::Adhesion>(
                            law, cohesion::sphere_and_plane(lightest[type].radius))});
+  }
   advise(lmp, where, limits_of(scheme), advised);
 }
 

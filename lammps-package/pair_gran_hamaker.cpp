@@ -291,11 +291,12 @@ double PairGranHamaker::init_one(int i, int j) {
 }
 
 void PairGranHamaker::give_advice() {
-  const std::vector<LightestParticle> lightest = lightest_particles(lmp);
+  const std::vector<LightestParticle> lightest = lightest_particles(lmp, *step);
   std::vector<AdvisedContact> contacts;
   for (int i = 1; i <= atom_types; i++)
     for (int j = i; j <= atom_types; j++) {
       const LightestParticle &a = lightest[i], &b = lightest[j];
+      if (!std::isfinite(a.radius) || !std::isfinite(b.radius)) continue;  // no particles yet
       contacts.push_back({fmt::format("{} - {}", i, j), a, b, used[of_types(i, j)].contact,
                           attraction_of<cohesion::contact::Adhesion>(
                               laws[of_types(i, j)], cohesion::two_spheres(a.radius, b.radius))});

@@ -97,7 +97,7 @@ class Input(unittest.TestCase):
     def test_steps_too_large_are_refused_by_each_scheme(self):
         pair = "pair_style gran/hamaker scheme %s\npair_coeff * * " + CONTACT
         contact_time = math.pi / math.sqrt(800 / (MASS / 2))
-        self.stops(script(pair % "event", dt=f"{contact_time / 1.9:.6g}"), "a contact takes 1.9")
+        self.stops(script(pair % "event", dt=f"{contact_time / 0.9:.6g}"), "a contact takes 0.9")
         output = self.goes(script(pair % "event", dt=f"{contact_time / 3:.6g}"))
         self.assertRegex(output, "WARNING.*a contact takes 3")
         self.stops(script(pair % "sampled", dt=f"{contact_time / 1.5:.6g}"), "unstable")

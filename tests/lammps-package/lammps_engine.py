@@ -49,32 +49,46 @@ def run_text(text, folder, **options):
     return start(file, folder, **options)
 
 
+def dumps(folder, name):
+    """All snapshots of a dump file with columns of numbers, each sorted by the first column."""
+    tables = []
+    for text in (Path(folder) / name).read_text().split("ITEM: TIMESTEP")[1:]:
+        rows = text[text.index("\n", text.rindex("ITEM:")):].strip().splitlines()
+        table = numpy.array([[float(word) for word in row.split()] for row in rows])
+        tables.append(table[table[:, 0].argsort()] if table.size else table)
+    return tables
+
+
 def dump(folder, name):
-    """Last snapshot of a dump file with columns of numbers, sorted by the first column."""
-    text = (Path(folder) / name).read_text().split("ITEM: TIMESTEP")[-1]
-    rows = text[text.index("\n", text.rindex("ITEM:")):].strip().splitlines()
-    table = numpy.array([[float(word) for word in row.split()] for row in rows])
-    return table[table[:, 0].argsort()] if table.size else table
+    """Last snapshot of a dump file."""
+    return dumps(folder, name)[-1]
+
+
+def thermo_lines(output):
+    """Names of the columns of the last run's thermo output, and its lines of numbers."""
+    lines = output.splitlines()
+    header = max(i for i, line in enumerate(lines) if line.split()[:1] == ["Step"])
+    names, values = lines[header].split(), []
+    for line in lines[header + 1:]:
+        words = line.split()
+        if len(words) != len(names):
+            break
+        try:
+            values.append([float(word) for word in words])
+        except ValueError:
+            break
+    return names, values
 
 
 def thermo(output):
     """Last line of thermo output, by column name."""
-    lines = output.splitlines()
-    header = max(i for i, line in enumerate(lines) if line.split()[:1] == ["Step"])
-    values = [float(word) for word in lines[header + 1].split()]
-    for line in lines[header + 2:]:
-        words = line.split()
-        if len(words) != len(values):
-            break
-        try:
-            values = [float(word) for word in words]
-        except ValueError:
-            break
-    return dict(zip(lines[header].split(), values))
+    names, values = thermo_lines(output)
+    return dict(zip(names, values[-1]))
 
 
 def write_spheres(folder, atoms, box, types, name="data.spheres"):
-    """LAMMPS data file; atoms: dicts with type, diameter, density, x, and perhaps v."""
+    """LAMMPS data file; atoms: dicts with type, diameter, density, x, and perhaps v and
+    omega."""
     lines = ["spheres", "", f"{len(atoms)} atoms", f"{types} atom types", ""]
     for (low, high), axis in zip(box, "xyz"):
         lines.append(f"{low:.17g} {high:.17g} {axis}lo {axis}hi")
@@ -85,7 +99,8 @@ def write_spheres(folder, atoms, box, types, name="data.spheres"):
     lines += ["", "Velocities", ""]
     for number, atom in enumerate(atoms, 1):
         v = " ".join(f"{value:.17g}" for value in atom.get("v", (0.0, 0.0, 0.0)))
-        lines.append(f"{number} {v} 0 0 0")
+        spin = " ".join(f"{value:.17g}" for value in atom.get("omega", (0.0, 0.0, 0.0)))
+        lines.append(f"{number} {v} {spin}")
     (Path(folder) / name).write_text("\n".join(lines) + "\n")
 
 

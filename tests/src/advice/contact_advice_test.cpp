@@ -45,8 +45,9 @@ TEST(ContactAdvice, StepsPerContactAreJudgedByTheScheme) {
   expect_verdict(at_steps(14.9), sampled_scheme, subject, Severity::warning,
                  "reduce the time step to 6.17e-06");
   expect_verdict(at_steps(4.1), event_scheme, subject, Severity::ok, "4.1 time steps");
-  expect_verdict(at_steps(3.9), event_scheme, subject, Severity::warning, "event scheme needs 4");
-  expect_verdict(at_steps(1.9), event_scheme, subject, Severity::error, "event scheme needs 4");
+  expect_verdict(at_steps(3.9), event_scheme, subject, Severity::warning,
+                 "event scheme should have 4");
+  expect_verdict(at_steps(0.9), event_scheme, subject, Severity::error, "fewer than 1");
 }
 
 TEST(ContactAdvice, UnstableLeapfrogIsAnErrorWhereTheForceIsSampled) {
