@@ -3,38 +3,28 @@
 """Energy of a gas of 1000 elastic spheres over 100 collisions per particle: its drift against the
 time step, the scheme and the run time.
 
-  energy-drift.py LMP_WITH_PLUGIN_COMMAND PLUGIN [COLLISIONS]
+  energy-drift.py LMP_WITH_PLUGIN_COMMAND PLUGIN [COLLISIONS | heating]
 
 Scheme event is gran/hamaker; scheme sampled is LAMMPS' gran/hooke/history, with pair_style hamaker
 over it where there is adhesion, at the step that costs the same time as the event scheme's. Drift is
 the total energy minus that of the start, over the kinetic energy of the start: `end` is its mean
 over the last tenth of the run, `rms` that of all samples, `largest` the largest. The fitted order is
 the slope of rms against the step, from t_c/5 to t_c/40. A sampled run that blew up is marked 'lost'.
+
+With `heating`: what the dense gases gain per collision, from the third to the last fifth of 20
+collisions, mean and standard error of 16 runs, over the kinetic energy of the start.
 """
 import os
 import sys
-import time
 
 import numpy
+
+from progress import Progress
 
 DIVISIONS = (4, 5, 10, 20, 40)
 # Solid fraction, A [J], speed [m/s] (each component). The spheres' F_ad/sqrt(mu K) is 0.022 m/s.
 CASES = ((0.1, 0.0, 0.1), (0.5, 0.0, 0.1), (0.1, 2e-18, 0.02), (0.5, 2e-18, 0.02))
 SAMPLES = 200
-
-
-class Progress:
-    """What is done and how long the rest will take, by the number of steps."""
-
-    def __init__(self, work):
-        self.work, self.done, self.start = work, 0.0, time.time()
-
-    def add(self, work):
-        self.done += work
-        used = time.time() - self.start
-        left = used * max(self.work - self.done, 0.0) / self.done
-        print(f"\r{100 * min(self.done / self.work, 1.0):3.0f} % done, about {left:.0f} s left   ",
-              end="", file=sys.stderr, flush=True)
 
 
 def drift(table):
@@ -50,11 +40,34 @@ def row(scheme, division, values, seconds):
             f"{numpy.abs(values).max():9.2e}  {seconds:8.2f}")
 
 
+def heating(gas, engine, seeds=16, divisions=(2, 3, 4, 5, 10, 20)):
+    progress = Progress(2 * seeds * sum(divisions))
+    print("\rsolid fraction 0.5: gain per collision")
+    for phi, constant, speed in CASES[1::2]:
+        duration = 20 / gas.collision_rate(phi, speed)
+        for division in divisions:
+            gains = []
+            for seed in range(seeds):
+                with engine.temporary_folder() as folder:
+                    gas.write(folder, 10, phi, speed, seed)
+                    table, _ = gas.follow(folder, division, duration, 50, A=constant,
+                                          skin=4e-4 if division < 4 else 2e-4)
+                fifths = drift(table)[1:].reshape(5, 10).mean(axis=1)
+                gains.append((fifths[4] - fifths[2]) / 8)
+                progress.add(division)
+            print(f"\r  A = {constant:g} J, {speed:g} m/s, t_c/{division:<3d}"
+                  f"{numpy.mean(gains):10.1e} +- {numpy.std(gains, ddof=1) / seeds**0.5:.1e}",
+                  flush=True)
+
+
 def main():
     os.environ.update(COHESION_LMP=sys.argv[1], COHESION_PLUGIN=sys.argv[2], OMP_NUM_THREADS="1")
-    collisions = float(sys.argv[3]) if len(sys.argv) > 3 else 100.0
     import cohesive_gas as gas
     import lammps_engine as engine
+    if sys.argv[3:] == ["heating"]:
+        heating(gas, engine)
+        return
+    collisions = float(sys.argv[3]) if len(sys.argv) > 3 else 100.0
 
     durations = [collisions / gas.collision_rate(phi, speed) for phi, _, speed in CASES]
     progress = Progress(2 * sum(durations) / gas.CONTACT_TIME * sum(DIVISIONS))
