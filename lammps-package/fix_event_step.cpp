@@ -33,6 +33,7 @@ FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
       last_dt(0.0),
       last(nullptr),
       contact_force(nullptr),
+      contacts(nullptr),
       inverse_mass(nullptr),
       longest_flight(0.0),
       mobile_bits(0),
@@ -54,6 +55,7 @@ FixEventStep::~FixEventStep() {
   memory->destroy(shift);
   memory->destroy(last);
   memory->destroy(contact_force);
+  memory->destroy(contacts);
   memory->destroy(inverse_mass);
 }
 
@@ -169,7 +171,7 @@ void FixEventStep::pre_force(int) {
 
 void FixEventStep::clear() {
   const int all = atom->nlocal + atom->nghost;
-  if (all > 0) std::fill_n(alone[0], ALONE * all, 0.0);
+  std::fill_n(contacts, all, 0);
   look_round();
   if (atom->nlocal > 0) std::fill_n(shift[0], 3 * atom->nlocal, 0.0);
   if (!book.kept) return;
@@ -217,6 +219,7 @@ void FixEventStep::unpack_forward_comm(int n, int first, double* buf) {
 
 void FixEventStep::grow_arrays(int nmax) {
   memory->grow(alone, nmax, ALONE, "event_step:alone");
+  memory->grow(contacts, nmax, "event_step:contacts");
   memory->grow(shift, nmax, 3, "event_step:shift");
   memory->grow(last, nmax, 6, "event_step:last");
   memory->grow(contact_force, nmax, 3, "event_step:contact_force");

@@ -77,12 +77,8 @@ void PairGranHamaker::compute(int eflag, int vflag) {
         }
         if (update->setupflag) give_advice();
         if (neighbor->ago == 0) check_radii();
-        follow_alone(contacts);
-        if (evflag)
-          friction ? follow_together<true, true>(contacts) : follow_together<true, false>(contacts);
-        else
-          friction ? follow_together<false, true>(contacts)
-                   : follow_together<false, false>(contacts);
+        find_active(contacts);
+        friction ? follow<true>(contacts) : follow<false>(contacts);
       },
       recent);
 }
@@ -93,6 +89,12 @@ inline RelativeState PairGranHamaker::on_grid(int i, int j) const {
 
 inline PairMotion PairGranHamaker::with_spins(const RelativeState& grid, int i, int j) const {
   return {grid, vector(atom->omega[i]), vector(atom->omega[j])};
+}
+
+template <bool FRICTION, class Contact>
+void PairGranHamaker::follow(Recent<Contact>& contacts) {
+  if constexpr (Contact::acts_within_step) follow_alone<FRICTION>(contacts);
+  evflag ? follow_together<true, FRICTION>(contacts) : follow_together<false, FRICTION>(contacts);
 }
 
 template <class Contact>
@@ -110,14 +112,36 @@ inline const Contact& PairGranHamaker::contact(Recent<Contact>& recent_contacts,
   return last[0];
 }
 
-/// Every contact by itself: what it would do to its two particles.
-template <class Contact>
-void PairGranHamaker::follow_alone(Recent<Contact>& contacts) {
-  active.clear();
-  const double* const x = atom->nlocal > 0 ? atom->x[0] : nullptr;
+/// The places in i's list of neighbours that hold one nearer than `reach`.
+const int* PairGranHamaker::near_neighbors(int i, double reach, int& count) {
+  const double* const x = atom->x[0];
   const double* const radius = atom->radius;
+  const int* const neighbors = list->firstneigh[i];
+  const int all = list->numneigh[i];
+  const double xi = x[3 * i], yi = x[3 * i + 1], zi = x[3 * i + 2];
+  // With room for what other contacts do to a pair within a step.
+  const double near_i = 1.0001 * radius[i] + reach;
+  if (static_cast<int>(near.size()) < all) near.resize(all);
+  int* const places = near.data();
+  int found = 0;
+  for (int jj = 0; jj < all; jj++) {
+    const int j = neighbors[jj] & NEIGHMASK;
+    const double dx = x[3 * j] - xi;
+    const double dy = x[3 * j + 1] - yi;
+    const double dz = x[3 * j + 2] - zi;
+    const double enough = near_i + radius[j];
+    places[found] = jj;  // no branch: whether a pair is near cannot be predicted
+    found += dx * dx + dy * dy + dz * dz <= enough * enough;
+  }
+  count = found;
+  return places;
+}
+
+/// The pairs that may touch in this step.
+template <class Contact>
+void PairGranHamaker::find_active(Recent<Contact>& contacts) {
+  active.clear();
   const bool first = step->window().before == 0.0;
-  const bool new_list = neighbor->ago == 0;
   const double reach = largest_range + 2.0 * step->flight();
   if (reach > list_reach)
     error->one(FLERR,
@@ -128,24 +152,13 @@ void PairGranHamaker::follow_alone(Recent<Contact>& contacts) {
 
   for (int ii = 0; ii < list->inum; ii++) {
     const int i = list->ilist[ii];
-    const int* const neighbors = list->firstneigh[i];
-    const int count = list->numneigh[i];
-    const double xi = x[3 * i], yi = x[3 * i + 1], zi = x[3 * i + 2];
-    // With room for what other contacts do to a pair within a step.
-    const double near_i = 1.0001 * radius[i] + reach;
-    for (int jj = 0; jj < count; jj++) {
-      const int j = neighbors[jj] & NEIGHMASK;
-      const double dx = x[3 * j] - xi;
-      const double dy = x[3 * j + 1] - yi;
-      const double dz = x[3 * j + 2] - zi;
-      const double near = near_i + radius[j];
-      if (dx * dx + dy * dy + dz * dz > near * near) {
-        // Only a particle that was put elsewhere can have left a partner that far behind.
-        if (new_list) history->firstflag[i][jj] = 0;
-        continue;
-      }
+    int count;
+    const int* const places = near_neighbors(i, reach, count);
+    if (neighbor->ago == 0) forget_others(i, places, count);
+    for (int n = 0; n < count; n++) {
+      const int jj = places[n];
+      const int j = list->firstneigh[i][jj] & NEIGHMASK;
       if (!step->body(i).inverse_mass && !step->body(j).inverse_mass) continue;
-
       int& kept = history->firstflag[i][jj];
       const Contact& c = contact(contacts, i, j);
       const RelativeState grid = on_grid(i, j);
@@ -153,16 +166,41 @@ void PairGranHamaker::follow_alone(Recent<Contact>& contacts) {
       double* const values = &history->firstvalue[i][HISTORY * jj];
       if (!kept) std::fill_n(values, HISTORY, 0.0);
       // A pair that a run starts with is where it is; it did not fall into the range.
-      if (first && !kept) values[0] = norm(grid.separation) < radius[i] + radius[j] + c.range();
-      active.push_back({i, j, &kept, values,
-                        follow_by_itself(c, with_spins(grid, i, j),
-                                         friction && Contact::acts_within_step, values)});
-      if (!Contact::acts_within_step) continue;
-      add_alone(step->alone[i], -1.0, c.share_i(), active.back().alone);
-      add_alone(step->alone[j], 1.0, c.share_j(), active.back().alone);
+      if (first && !kept)
+        values[0] = norm(grid.separation) < atom->radius[i] + atom->radius[j] + c.range();
+      active.push_back({i, j, false, &kept, values, {}});
+      step->announce(i);
+      step->announce(j);
     }
   }
-  if (Contact::acts_within_step) step->share();
+}
+
+/// Only a particle that was put elsewhere can have left a partner that is not near any more.
+void PairGranHamaker::forget_others(int i, const int* places, int count) {
+  int next = 0;
+  for (int jj = 0; jj < list->numneigh[i]; jj++) {
+    if (next < count && places[next] == jj)
+      next++;
+    else
+      history->firstflag[i][jj] = 0;
+  }
+}
+
+/// Every contact by itself: what it would do to its two particles, where that matters to others.
+template <bool FRICTION, class Contact>
+void PairGranHamaker::follow_alone(Recent<Contact>& contacts) {
+  for (Active& pair : active) {
+    const int i = pair.i, j = pair.j;
+    pair.alone = step->has_one_contact(i) && step->has_one_contact(j);
+    if (pair.alone) continue;
+    const Contact& c = contact(contacts, i, j);
+    pair.change =
+        c.template estimate<FRICTION>(with_spins(on_grid(i, j), i, j), pair.history[0] != 0.0,
+                                      spring_memory<FRICTION>(pair.history));
+    add_alone<FRICTION>(step->alone[i], -1.0, c.share_i(), pair.change);
+    add_alone<FRICTION>(step->alone[j], 1.0, c.share_j(), pair.change);
+  }
+  step->share();
 }
 
 /// Every contact again, with half of what the other contacts of its particles do, and friction.
@@ -175,9 +213,10 @@ void PairGranHamaker::follow_together(Recent<Contact>& contacts) {
     const int i = pair.i, j = pair.j;
     const Contact& c = contact(contacts, i, j);
     PairMotion others;
-    if (Contact::acts_within_step) others = others_of(step->alone[i], step->alone[j], pair.alone);
-    const FollowedContact now = follow_with_others<FRICTION>(c, with_spins(on_grid(i, j), i, j),
-                                                             pair.alone, others, pair.history);
+    if (Contact::acts_within_step && !pair.alone)
+      others = others_of<FRICTION>(step->alone[i], step->alone[j], pair.change);
+    const FollowedContact now =
+        follow_with_others<FRICTION>(c, with_spins(on_grid(i, j), i, j), others, pair.history);
     *pair.kept = now.normal.inside;
 
     scatter.on_i<FRICTION>(i, c.share_i(), now);

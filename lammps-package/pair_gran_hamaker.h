@@ -50,9 +50,10 @@ class PairGranHamaker : public Pair {
   /// A pair that may touch in this step.
   struct Active {
     int i, j;
-    int* kept;        // 1 while the pair has a history
-    double* history;  // in-range flag, memory of the tangential spring
-    LoneContact alone;
+    bool alone;                                   // neither particle has another contact
+    int* kept;                                    // 1 while the pair has a history
+    double* history;                              // in-range flag, memory of the tangential spring
+    cohesion::event_stepping::PairMotion change;  // that it would cause without the others
   };
 
   void allocate();
@@ -62,7 +63,13 @@ class PairGranHamaker : public Pair {
   cohesion::event_stepping::RelativeState on_grid(int i, int j) const;
   cohesion::event_stepping::PairMotion with_spins(const cohesion::event_stepping::RelativeState&,
                                                   int i, int j) const;
+  template <bool FRICTION, class Contact>
+  void follow(Recent<Contact>&);
+  void forget_others(int i, const int* places, int count);
+  const int* near_neighbors(int i, double reach, int& count);
   template <class Contact>
+  void find_active(Recent<Contact>&);
+  template <bool FRICTION, class Contact>
   void follow_alone(Recent<Contact>&);
   template <bool TALLY, bool FRICTION, class Contact>
   void follow_together(Recent<Contact>&);
@@ -80,9 +87,10 @@ class PairGranHamaker : public Pair {
   AnyRecent recent;
   std::vector<double> largest_radius;  // by type, at init
   std::vector<Active> active;
-  double largest_range;  // up to which the scheme has to see a pair
-  double list_reach;     // gap up to which every pair is in the list
-  bool friction;         // whether any contact has friction
+  std::vector<int> near;  // of one particle: places in its list of neighbours
+  double largest_range;   // up to which the scheme has to see a pair
+  double list_reach;      // gap up to which every pair is in the list
+  bool friction;          // whether any contact has friction
   class FixEventStep* step;
   class FixNeighHistory* history;
 };

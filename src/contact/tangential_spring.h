@@ -52,9 +52,8 @@ class TangentialSpring {
                          double tangential_mass, double normal_impulse,
                          double normal_force_at_end) const {
     TangentialStep step;
-    const double answer = 0.5 * time * p_.stiffness + p_.damping;  // force per v_mid
-    const double softened = 1.0 / (1.0 + 0.5 * time * answer / tangential_mass);
-    step.impulse = (-time * softened) * (p_.stiffness * displacement + answer * velocity);
+    const double answer = answer_in(time);
+    step.impulse = sticking(displacement, velocity, time, answer, tangential_mass);
 
     const double limit = p_.friction * std::max(normal_impulse, 0.0);
     const double size = norm(step.impulse);
@@ -78,6 +77,15 @@ class TangentialSpring {
     return step;
   }
 
+  /// The impulse of advance(), [momentum].
+  Vector3 impulse(const Vector3& displacement, const Vector3& velocity, double time,
+                  double tangential_mass, double normal_impulse) const {
+    const Vector3 stick = sticking(displacement, velocity, time, answer_in(time), tangential_mass);
+    const double limit = p_.friction * std::max(normal_impulse, 0.0);
+    const double size_squared = dot(stick, stick);
+    return size_squared > limit * limit ? (limit / std::sqrt(size_squared)) * stick : stick;
+  }
+
   /// [energy]
   double stored_energy(const Vector3& displacement) const {
     return 0.5 * p_.stiffness * dot(displacement, displacement);
@@ -92,6 +100,16 @@ class TangentialSpring {
   }
 
  private:
+  /// Force per v_mid.
+  double answer_in(double time) const { return 0.5 * time * p_.stiffness + p_.damping; }
+
+  /// The impulse as long as the slider holds.
+  Vector3 sticking(const Vector3& displacement, const Vector3& velocity, double time, double answer,
+                   double tangential_mass) const {
+    const double softened = 1.0 / (1.0 + 0.5 * time * answer / tangential_mass);
+    return (-time * softened) * (p_.stiffness * displacement + answer * velocity);
+  }
+
   /// The step's energies, from the work of the Coulomb force on the surfaces.
   void settle(TangentialStep& step, const Vector3& before, const Vector3& after, double work,
               double time) const {

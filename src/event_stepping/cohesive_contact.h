@@ -53,7 +53,13 @@ class CohesiveContact {
       : i_(i),
         j_(j),
         window_(window),
-        reduced_mass_(1.0 / (i.inverse_mass + j.inverse_mass)),
+        inverse_mass_(i.inverse_mass + j.inverse_mass),
+        reduced_mass_(1.0 / inverse_mass_),
+        share_i_(reduced_mass_ * i.inverse_mass),
+        share_j_(reduced_mass_ * j.inverse_mass),
+        spin_share_i_(inverse_inertia(i)),
+        spin_share_j_(inverse_inertia(j)),
+        tangential_mass_(1.0 / inverse_tangential_mass(i.radius, j.radius)),
         normal_contact_(contact::normal_contact(parameters, reduced_mass_)),
         pair_(normal_contact_, attraction, i.radius + j.radius, window.length()),
         tangential_(contact::tangential_contact(parameters, normal_contact_)) {}
@@ -66,11 +72,11 @@ class CohesiveContact {
   double reduced_mass() const { return reduced_mass_; }
 
   /// The part of a relative change that falls to particle i (with a minus sign) and j.
-  double share_i() const { return reduced_mass_ * i_.inverse_mass; }
-  double share_j() const { return reduced_mass_ * j_.inverse_mass; }
+  double share_i() const { return share_i_; }
+  double share_j() const { return share_j_; }
   /// What an angular impulse changes of the spins, [1/(mass length^2)].
-  double spin_share_i() const { return inverse_inertia(i_); }
-  double spin_share_j() const { return inverse_inertia(j_); }
+  double spin_share_i() const { return spin_share_i_; }
+  double spin_share_j() const { return spin_share_j_; }
 
   bool within_reach(const RelativeState& grid) const { return pair_.within_reach(grid, window_); }
 
@@ -78,6 +84,27 @@ class CohesiveContact {
   /// range.
   PairStep advance(const RelativeState& grid, bool inside) const {
     return pair_.advance(grid, window_, inside);
+  }
+
+  /// What the contact does by itself, to first order in the step: for the other contacts of its
+  /// particles.
+  template <bool FRICTION>
+  PairMotion estimate(const PairMotion& grid, bool inside, const Vector3& memory) const {
+    const PairStep normal = pair_.estimate(grid.relative, window_, inside);
+    PairMotion change{normal.change, {}, {}};
+    if (!FRICTION || normal.normal.contact_time == 0.0) return change;
+    const Vector3 n = (1.0 / norm(grid.relative.separation)) * grid.relative.separation;
+    const Vector3 u = in_plane(
+        grid.relative.velocity - cross(i_.radius * grid.spin_i + j_.radius * grid.spin_j, n), n);
+    Vector3 displacement = memory;
+    if (dot(memory, memory) > 0.0) displacement += window_.before * u;
+    const Vector3 impulse = tangential_.impulse(displacement, u, normal.normal.contact_time,
+                                                tangential_mass_, normal.normal.repulsion_impulse);
+    const Vector3 turn = cross(n, impulse);
+    change.relative.velocity += inverse_mass_ * impulse;
+    change.spin_i = (-i_.radius * spin_share_i()) * turn;
+    change.spin_j = (-j_.radius * spin_share_j()) * turn;
+    return change;
   }
 
   /// Friction in the step that `normal` describes, followed from `grid` with half of what the other
@@ -107,8 +134,7 @@ class CohesiveContact {
     const Vector3 by_others = surface_velocity(others);
     const Vector3 u =
         surface_velocity(grid) + 0.5 * by_others + 0.5 * in_plane(normal.change.velocity, n);
-    const double answer = i_.inverse_mass + j_.inverse_mass + arm_i * arm_i * inverse_inertia(i_) +
-                          arm_j * arm_j * inverse_inertia(j_);
+    const double answer = inverse_tangential_mass(arm_i, arm_j);
     Vector3 displacement = contact::TangentialSpring::turned(memory, n);
     if (dot(memory, memory) > 0.0) displacement += window_.before * (u - by_others);
     FrictionStep step;
@@ -141,10 +167,21 @@ class CohesiveContact {
  private:
   static Vector3 in_plane(const Vector3& a, const Vector3& n) { return a - dot(a, n) * n; }
 
+  /// What an impulse at the ends of both arms changes of the surfaces' velocity, [1/mass].
+  double inverse_tangential_mass(double arm_i, double arm_j) const {
+    return inverse_mass_ + arm_i * arm_i * spin_share_i_ + arm_j * arm_j * spin_share_j_;
+  }
+
   Body i_;
   Body j_;
   StepWindow window_;
+  double inverse_mass_;
   double reduced_mass_;
+  double share_i_;
+  double share_j_;
+  double spin_share_i_;
+  double spin_share_j_;
+  double tangential_mass_;  // where both just touch
   contact::LinearSpringDashpot normal_contact_;
   Pair pair_;
   contact::TangentialSpring tangential_;
