@@ -70,7 +70,6 @@ void PairGranHamaker::compute(int eflag, int vflag) {
     error->all(FLERR, "pair_style gran/hamaker follows motion in time; it cannot be minimized");
   std::visit(
       [this](auto& contacts) {
-        for (auto& last : contacts) last.clear();
         if (step->resumes()) {
           if (evflag) tally_standing(contacts);
           return;
@@ -80,7 +79,7 @@ void PairGranHamaker::compute(int eflag, int vflag) {
         find_active(contacts);
         friction ? follow<true>(contacts) : follow<false>(contacts);
       },
-      recent);
+      any_contacts);
 }
 
 inline RelativeState PairGranHamaker::on_grid(int i, int j) const {
@@ -92,55 +91,90 @@ inline PairMotion PairGranHamaker::with_spins(const RelativeState& grid, int i, 
 }
 
 template <bool FRICTION, class Contact>
-void PairGranHamaker::follow(Recent<Contact>& contacts) {
+void PairGranHamaker::follow(Contacts<Contact>& contacts) {
   if constexpr (Contact::acts_within_step) follow_alone<FRICTION>(contacts);
   evflag ? follow_together<true, FRICTION>(contacts) : follow_together<false, FRICTION>(contacts);
 }
 
+/// Pairs of equal particles that come one after the other share a contact.
 template <class Contact>
-inline const Contact& PairGranHamaker::contact(Recent<Contact>& recent_contacts, int i, int j) {
+inline int PairGranHamaker::contact(Contacts<Contact>& contacts, int i, int j) {
   const int types = of_types(atom->type[i], atom->type[j]);
   const Body a = step->body(i), b = step->body(j);
-  auto& last = recent_contacts[types];
-  if (last.empty() || !last[0].joins(a, b)) {
-    last.clear();
-    last.emplace_back(used[types].contact,
-                      attraction_of<typename Contact::Attraction>(
-                          laws[types], cohesion::two_spheres(a.radius, b.radius)),
-                      a, b, step->window());
+  int& last = contacts.last[types];
+  const int count = static_cast<int>(contacts.all.size());
+  if (last >= count || !contacts.all[last].joins(a, b)) {
+    last = count;
+    contacts.all.emplace_back(used[types].contact,
+                              attraction_of<typename Contact::Attraction>(
+                                  laws[types], cohesion::two_spheres(a.radius, b.radius)),
+                              a, b, step->window());
   }
-  return last[0];
+  return last;
 }
 
-/// The places in i's list of neighbours that hold one nearer than `reach`.
-const int* PairGranHamaker::near_neighbors(int i, double reach, int& count) {
+/// How far the particle or ghost has moved that moved furthest since `close` was made, [length].
+double PairGranHamaker::furthest_way() const {
+  const double* const now = atom->x[0];
+  const double* const then = positions.data();
+  double furthest = 0.0;
+  for (std::size_t k = 0; k < positions.size(); k += 3) {
+    const double dx = now[k] - then[k], dy = now[k + 1] - then[k + 1],
+                 dz = now[k + 2] - then[k + 2];
+    furthest = std::max(furthest, dx * dx + dy * dy + dz * dz);
+  }
+  return std::sqrt(furthest);
+}
+
+/// Most pairs of the engine's list are a skin apart. Those whose gap is below `list_reach` are
+/// enough until particles have moved so far that others could come as near as `reach`.
+void PairGranHamaker::find_close(double reach) {
+  if (neighbor->ago != 0 && reach + 2.0 * furthest_way() <= list_reach) return;
+  close.clear();
+  const int all = atom->nlocal + atom->nghost;
+  if (all == 0) return;
+  positions.assign(atom->x[0], atom->x[0] + 3 * all);
   const double* const x = atom->x[0];
   const double* const radius = atom->radius;
-  const int* const neighbors = list->firstneigh[i];
-  const int all = list->numneigh[i];
-  const double xi = x[3 * i], yi = x[3 * i + 1], zi = x[3 * i + 2];
-  // With room for what other contacts do to a pair within a step.
-  const double near_i = 1.0001 * radius[i] + reach;
-  if (static_cast<int>(near.size()) < all) near.resize(all);
-  int* const places = near.data();
-  int found = 0;
-  for (int jj = 0; jj < all; jj++) {
-    const int j = neighbors[jj] & NEIGHMASK;
-    const double dx = x[3 * j] - xi;
-    const double dy = x[3 * j + 1] - yi;
-    const double dz = x[3 * j + 2] - zi;
-    const double enough = near_i + radius[j];
-    places[found] = jj;  // no branch: whether a pair is near cannot be predicted
-    found += dx * dx + dy * dy + dz * dz <= enough * enough;
+  for (int ii = 0; ii < list->inum; ii++) {
+    const int i = list->ilist[ii];
+    const int* const neighbors = list->firstneigh[i];
+    const int count = list->numneigh[i];
+    const double xi = x[3 * i], yi = x[3 * i + 1], zi = x[3 * i + 2];
+    // With room for what other contacts do to a pair within a step.
+    const double near_i = 1.0001 * radius[i] + list_reach;
+    const std::size_t before = close.size();
+    close.resize(before + count);
+    Close* last = close.data() + before;
+    for (int jj = 0; jj < count; jj++) {
+      const int j = neighbors[jj] & NEIGHMASK;
+      const double dx = x[3 * j] - xi;
+      const double dy = x[3 * j + 1] - yi;
+      const double dz = x[3 * j + 2] - zi;
+      const double near = near_i + radius[j];
+      *last = {i, j, jj};  // no branch: which pairs are near cannot be predicted
+      last += dx * dx + dy * dy + dz * dz <= near * near;
+    }
+    close.resize(last - close.data());
+    if (neighbor->ago == 0) forget_others(i, close.data() + before, last);
   }
-  count = found;
-  return places;
+}
+
+/// Only a particle that was put elsewhere can have left a partner that is not near any more.
+void PairGranHamaker::forget_others(int i, const Close* near, const Close* end) {
+  for (int jj = 0; jj < list->numneigh[i]; jj++) {
+    if (near != end && near->place == jj)
+      near++;
+    else
+      history->firstflag[i][jj] = 0;
+  }
 }
 
 /// The pairs that may touch in this step.
 template <class Contact>
-void PairGranHamaker::find_active(Recent<Contact>& contacts) {
+void PairGranHamaker::find_active(Contacts<Contact>& contacts) {
   active.clear();
+  contacts.all.clear();
   const bool first = step->window().before == 0.0;
   const double reach = largest_range + 2.0 * step->flight();
   if (reach > list_reach)
@@ -149,51 +183,38 @@ void PairGranHamaker::find_active(Recent<Contact>& contacts) {
                "contact, the neighbour list allows for {}: use a smaller time step or a skin above "
                "{}",
                step->flight(), 0.5 * (list_reach - largest_range), 20.0 * step->flight());
+  find_close(reach);
 
-  for (int ii = 0; ii < list->inum; ii++) {
-    const int i = list->ilist[ii];
-    int count;
-    const int* const places = near_neighbors(i, reach, count);
-    if (neighbor->ago == 0) forget_others(i, places, count);
-    for (int n = 0; n < count; n++) {
-      const int jj = places[n];
-      const int j = list->firstneigh[i][jj] & NEIGHMASK;
-      if (!step->body(i).inverse_mass && !step->body(j).inverse_mass) continue;
-      int& kept = history->firstflag[i][jj];
-      const Contact& c = contact(contacts, i, j);
-      const RelativeState grid = on_grid(i, j);
-      if (!kept && !c.within_reach(grid)) continue;
-      double* const values = &history->firstvalue[i][HISTORY * jj];
-      if (!kept) std::fill_n(values, HISTORY, 0.0);
-      // A pair that a run starts with is where it is; it did not fall into the range.
-      if (first && !kept)
-        values[0] = norm(grid.separation) < atom->radius[i] + atom->radius[j] + c.range();
-      active.push_back({i, j, false, &kept, values, {}});
-      step->announce(i);
-      step->announce(j);
-    }
-  }
-}
-
-/// Only a particle that was put elsewhere can have left a partner that is not near any more.
-void PairGranHamaker::forget_others(int i, const int* places, int count) {
-  int next = 0;
-  for (int jj = 0; jj < list->numneigh[i]; jj++) {
-    if (next < count && places[next] == jj)
-      next++;
-    else
-      history->firstflag[i][jj] = 0;
+  for (const Close& pair : close) {
+    const int i = pair.i, j = pair.j;
+    const double near = atom->radius[i] + atom->radius[j] + reach;
+    const Vector3 d = vector(atom->x[j]) - vector(atom->x[i]);
+    if (dot(d, d) > 1.0002 * near * near) continue;
+    if (!step->body(i).inverse_mass && !step->body(j).inverse_mass) continue;
+    int& kept = history->firstflag[i][pair.place];
+    const int c = contact(contacts, i, j);
+    const RelativeState grid = on_grid(i, j);
+    if (!kept && !contacts.all[c].within_reach(grid)) continue;
+    double* const values = &history->firstvalue[i][HISTORY * pair.place];
+    if (!kept) std::fill_n(values, HISTORY, 0.0);
+    // A pair that a run starts with is where it is; it did not fall into the range.
+    if (first && !kept)
+      values[0] =
+          norm(grid.separation) < atom->radius[i] + atom->radius[j] + contacts.all[c].range();
+    active.push_back({i, j, c, false, &kept, values, {}});
+    step->announce(i);
+    step->announce(j);
   }
 }
 
 /// Every contact by itself: what it would do to its two particles, where that matters to others.
 template <bool FRICTION, class Contact>
-void PairGranHamaker::follow_alone(Recent<Contact>& contacts) {
+void PairGranHamaker::follow_alone(Contacts<Contact>& contacts) {
   for (Active& pair : active) {
     const int i = pair.i, j = pair.j;
     pair.alone = step->has_one_contact(i) && step->has_one_contact(j);
     if (pair.alone) continue;
-    const Contact& c = contact(contacts, i, j);
+    const Contact& c = contacts.all[pair.contact];
     pair.change =
         c.template estimate<FRICTION>(with_spins(on_grid(i, j), i, j), pair.history[0] != 0.0,
                                       spring_memory<FRICTION>(pair.history));
@@ -205,13 +226,13 @@ void PairGranHamaker::follow_alone(Recent<Contact>& contacts) {
 
 /// Every contact again, with half of what the other contacts of its particles do, and friction.
 template <bool TALLY, bool FRICTION, class Contact>
-void PairGranHamaker::follow_together(Recent<Contact>& contacts) {
+void PairGranHamaker::follow_together(Contacts<Contact>& contacts) {
   const int nlocal = atom->nlocal;
   const ContactScatter scatter(atom, step);
 
   for (Active& pair : active) {
     const int i = pair.i, j = pair.j;
-    const Contact& c = contact(contacts, i, j);
+    const Contact& c = contacts.all[pair.contact];
     PairMotion others;
     if (Contact::acts_within_step && !pair.alone)
       others = others_of<FRICTION>(step->alone[i], step->alone[j], pair.change);
@@ -233,13 +254,14 @@ void PairGranHamaker::follow_together(Recent<Contact>& contacts) {
 
 /// Energies of the pairs where they stand, for a run that takes over the forces of the last one.
 template <class Contact>
-void PairGranHamaker::tally_standing(Recent<Contact>& contacts) {
+void PairGranHamaker::tally_standing(Contacts<Contact>& contacts) {
+  contacts.all.clear();
   for (int ii = 0; ii < list->inum; ii++) {
     const int i = list->ilist[ii];
     for (int jj = 0; jj < list->numneigh[i]; jj++) {
       if (!history->firstflag[i][jj]) continue;
       const int j = list->firstneigh[i][jj] & NEIGHMASK;
-      const Contact& c = contact(contacts, i, j);
+      const Contact& c = contacts.all[contact(contacts, i, j)];
       const Vector3 d = on_grid(i, j).separation;
       PairStep standing;
       standing.overlap_at_end = atom->radius[i] + atom->radius[j] - norm(d);
@@ -295,9 +317,9 @@ void PairGranHamaker::init_style() {
   laws.assign(given.size(), form->law(cohesion::hamaker::none, false));
   used = given;
   if (scheme == Scheme::event)
-    recent.emplace<static_cast<int>(Scheme::event)>(given.size());
+    any_contacts.emplace<static_cast<int>(Scheme::event)>().last.assign(given.size(), 0);
   else
-    recent.emplace<static_cast<int>(Scheme::sampled)>(given.size());
+    any_contacts.emplace<static_cast<int>(Scheme::sampled)>().last.assign(given.size(), 0);
   friction = false;
   // A tenth of the skin for the flight of both within half a step: it is far less where the
   // engine's own check of the list holds at all.

@@ -131,9 +131,10 @@ class CohesiveContact {
     const auto surface_velocity = [&](const PairMotion& of) {
       return in_plane(of.relative.velocity - cross(arm_i * of.spin_i + arm_j * of.spin_j, n), n);
     };
+    PairMotion mine = grid;
+    mine.relative.velocity += 0.5 * normal.change.velocity;
     const Vector3 by_others = surface_velocity(others);
-    const Vector3 u =
-        surface_velocity(grid) + 0.5 * by_others + 0.5 * in_plane(normal.change.velocity, n);
+    const Vector3 u = surface_velocity(mine) + 0.5 * by_others;
     const double answer = inverse_tangential_mass(arm_i, arm_j);
     Vector3 displacement = contact::TangentialSpring::turned(memory, n);
     if (dot(memory, memory) > 0.0) displacement += window_.before * (u - by_others);
