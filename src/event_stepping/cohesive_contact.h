@@ -57,9 +57,10 @@ class CohesiveContact {
         reduced_mass_(1.0 / inverse_mass_),
         share_i_(reduced_mass_ * i.inverse_mass),
         share_j_(reduced_mass_ * j.inverse_mass),
+        lever_i_(j.radius > 0.0 ? i.radius / (i.radius + j.radius) : 0.0),
         spin_share_i_(inverse_inertia(i)),
         spin_share_j_(inverse_inertia(j)),
-        tangential_mass_(1.0 / inverse_tangential_mass(i.radius, j.radius)),
+        inverse_tangential_mass_(inverse_tangential_mass(i.radius, j.radius)),
         normal_contact_(contact::normal_contact(parameters, reduced_mass_)),
         pair_(normal_contact_, attraction, i.radius + j.radius, window.length()),
         tangential_(contact::tangential_contact(parameters, normal_contact_)) {}
@@ -98,8 +99,9 @@ class CohesiveContact {
         grid.relative.velocity - cross(i_.radius * grid.spin_i + j_.radius * grid.spin_j, n), n);
     Vector3 displacement = memory;
     if (dot(memory, memory) > 0.0) displacement += window_.before * u;
-    const Vector3 impulse = tangential_.impulse(displacement, u, normal.normal.contact_time,
-                                                tangential_mass_, normal.normal.repulsion_impulse);
+    const Vector3 impulse =
+        tangential_.impulse(displacement, u, normal.normal.contact_time, inverse_tangential_mass_,
+                            normal.normal.repulsion_impulse);
     const Vector3 turn = cross(n, impulse);
     change.relative.velocity += inverse_mass_ * impulse;
     change.spin_i = (-i_.radius * spin_share_i()) * turn;
@@ -125,8 +127,7 @@ class CohesiveContact {
         grid.relative.separation + 0.5 * others.relative.separation + normal.change.separation;
     const double distance = norm(separation);
     const Vector3 n = (1.0 / distance) * separation;
-    const double arm_i =
-        j_.radius > 0.0 ? distance * i_.radius / (i_.radius + j_.radius) : i_.radius;
+    const double arm_i = j_.radius > 0.0 ? distance * lever_i_ : i_.radius;
     const double arm_j = distance - arm_i;
     const auto surface_velocity = [&](const PairMotion& of) {
       return in_plane(of.relative.velocity - cross(arm_i * of.spin_i + arm_j * of.spin_j, n), n);
@@ -138,20 +139,16 @@ class CohesiveContact {
     const double answer = inverse_tangential_mass(arm_i, arm_j);
     Vector3 displacement = contact::TangentialSpring::turned(memory, n);
     if (dot(memory, memory) > 0.0) displacement += window_.before * (u - by_others);
-    FrictionStep step;
-    step.spring =
-        tangential_.advance(displacement, u, normal.normal.contact_time, 1.0 / answer,
+    contact::TangentialStep spring =
+        tangential_.advance(displacement, u, normal.normal.contact_time, answer,
                             normal.normal.repulsion_impulse, normal.normal.repulsion_at_end);
+    Vector3 left = spring.displacement - window_.after * (u + answer * spring.impulse);
     if (normal.overlap_at_end <= 0.0) {  // parted: what the spring still held is lost
-      step.spring.friction += friction_energy(step.spring.displacement);
-      step.spring.displacement = {};
-    } else {
-      step.memory = step.spring.displacement - window_.after * (u + answer * step.spring.impulse);
+      spring.friction += friction_energy(spring.displacement);
+      spring.displacement = left = {};
     }
-    const Vector3 turn = cross(n, step.spring.impulse);
-    step.torque_i = -arm_i * turn;
-    step.torque_j = -arm_j * turn;
-    return step;
+    const Vector3 turn = cross(n, spring.impulse);
+    return {spring, left, -arm_i * turn, -arm_j * turn};
   }
 
   double friction_energy(const Vector3& displacement) const {
@@ -180,9 +177,10 @@ class CohesiveContact {
   double reduced_mass_;
   double share_i_;
   double share_j_;
+  double lever_i_;  // of two spheres: i's part of the distance
   double spin_share_i_;
   double spin_share_j_;
-  double tangential_mass_;  // where both just touch
+  double inverse_tangential_mass_;  // where both just touch
   contact::LinearSpringDashpot normal_contact_;
   Pair pair_;
   contact::TangentialSpring tangential_;
