@@ -94,9 +94,11 @@ class FixEventStep : public Fix {
   /// How far a particle or ghost of this rank may fly until the end of the step, [length].
   double flight() const { return longest_flight; }
 
-  /// Announces a contact of particle or ghost i in this step, before it adds to `alone`.
+  /// Announces a contact of particle or ghost i in this step, before it adds to `alone` or `shift`.
   void announce(int i) {
-    if (contacts[i]++ == 0) std::fill_n(alone[i], 9, 0.0);
+    if (contacts[i]++ != 0) return;
+    std::fill_n(alone[i], 9, 0.0);
+    std::fill_n(shift[i], 3, 0.0);
   }
   /// Whether i is a particle of this rank with one contact only.
   bool has_one_contact(int i) const { return i < atom->nlocal && contacts[i] == 1; }
@@ -106,7 +108,7 @@ class FixEventStep : public Fix {
   /// Per atom and ghost that has a contact: change of position, velocity and spin, each contact
   /// alone.
   double** alone;
-  double** shift;  ///< per atom: change of position of this step
+  double** shift;  ///< per atom that has a contact: change of position of this step
 
   /// The energy of contacts; kept only when a compute asks for it.
   struct Book {

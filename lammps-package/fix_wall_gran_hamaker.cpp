@@ -273,11 +273,11 @@ void FixWallGranHamaker::follow_alone(std::vector<Contact>& shared) {
       const RelativeState grid{point.separation, point.velocity - vector(atom->v[i])};
       if (inside == 0.0 && !shared[c].within_reach(grid)) continue;
       active.push_back({i, w, c, point, {}});
+      step->announce(i);
       if constexpr (Contact::acts_within_step) {
         PairMotion& alone = active.back().alone;
         alone = shared[c].template estimate<FRICTION>(
             {grid, vector(atom->omega[i]), {}}, inside != 0.0, spring_memory<FRICTION>(&inside));
-        step->announce(i);
         add_alone<FRICTION>(step->alone[i], -1.0, shared[c].share_i(), alone);
       }
     }

@@ -102,9 +102,8 @@ inline int PairGranHamaker::contact(Contacts<Contact>& contacts, int i, int j) {
   const int types = of_types(atom->type[i], atom->type[j]);
   const Body a = step->body(i), b = step->body(j);
   int& last = contacts.last[types];
-  const int count = static_cast<int>(contacts.all.size());
-  if (last >= count || !contacts.all[last].joins(a, b)) {
-    last = count;
+  if (last == Contacts<Contact>::NONE || !contacts.all[last].joins(a, b)) {
+    last = static_cast<int>(contacts.all.size());
     contacts.all.emplace_back(used[types].contact,
                               attraction_of<typename Contact::Attraction>(
                                   laws[types], cohesion::two_spheres(a.radius, b.radius)),
@@ -129,7 +128,8 @@ double PairGranHamaker::furthest_way() const {
 /// Most pairs of the engine's list are a skin apart. Those whose gap is below `list_reach` are
 /// enough until particles have moved so far that others could come as near as `reach`.
 void PairGranHamaker::find_close(double reach) {
-  if (neighbor->ago != 0 && reach + 2.0 * furthest_way() <= list_reach) return;
+  if (neighbor->ago != 0 && !positions.empty() && reach + 2.0 * furthest_way() <= list_reach)
+    return;
   close.clear();
   const int all = atom->nlocal + atom->nghost;
   if (all == 0) return;
@@ -174,7 +174,7 @@ void PairGranHamaker::forget_others(int i, const Close* near, const Close* end) 
 template <class Contact>
 void PairGranHamaker::find_active(Contacts<Contact>& contacts) {
   active.clear();
-  contacts.all.clear();
+  contacts.clear();
   const bool first = step->window().before == 0.0;
   const double reach = largest_range + 2.0 * step->flight();
   if (reach > list_reach)
@@ -209,7 +209,7 @@ void PairGranHamaker::find_active(Contacts<Contact>& contacts) {
 
 /// Every contact by itself: what it would do to its two particles, where that matters to others.
 template <bool FRICTION, class Contact>
-void PairGranHamaker::follow_alone(Contacts<Contact>& contacts) {
+[[gnu::flatten]] void PairGranHamaker::follow_alone(Contacts<Contact>& contacts) {
   for (Active& pair : active) {
     const int i = pair.i, j = pair.j;
     pair.alone = step->has_one_contact(i) && step->has_one_contact(j);
@@ -226,7 +226,7 @@ void PairGranHamaker::follow_alone(Contacts<Contact>& contacts) {
 
 /// Every contact again, with half of what the other contacts of its particles do, and friction.
 template <bool TALLY, bool FRICTION, class Contact>
-void PairGranHamaker::follow_together(Contacts<Contact>& contacts) {
+[[gnu::flatten]] void PairGranHamaker::follow_together(Contacts<Contact>& contacts) {
   const int nlocal = atom->nlocal;
   const ContactScatter scatter(atom, step);
 
@@ -255,7 +255,7 @@ void PairGranHamaker::follow_together(Contacts<Contact>& contacts) {
 /// Energies of the pairs where they stand, for a run that takes over the forces of the last one.
 template <class Contact>
 void PairGranHamaker::tally_standing(Contacts<Contact>& contacts) {
-  contacts.all.clear();
+  contacts.clear();
   for (int ii = 0; ii < list->inum; ii++) {
     const int i = list->ilist[ii];
     for (int jj = 0; jj < list->numneigh[i]; jj++) {
@@ -317,10 +317,11 @@ void PairGranHamaker::init_style() {
   laws.assign(given.size(), form->law(cohesion::hamaker::none, false));
   used = given;
   if (scheme == Scheme::event)
-    any_contacts.emplace<static_cast<int>(Scheme::event)>().last.assign(given.size(), 0);
+    any_contacts.emplace<static_cast<int>(Scheme::event)>().last.resize(given.size());
   else
-    any_contacts.emplace<static_cast<int>(Scheme::sampled)>().last.assign(given.size(), 0);
+    any_contacts.emplace<static_cast<int>(Scheme::sampled)>().last.resize(given.size());
   friction = false;
+  positions.clear();
   // A tenth of the skin for the flight of both within half a step: it is far less where the
   // engine's own check of the list holds at all.
   largest_range = 0.0;

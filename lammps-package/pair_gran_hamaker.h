@@ -8,6 +8,7 @@ PairStyle(gran/hamaker,PairGranHamaker);
 #ifndef LMP_PAIR_GRAN_HAMAKER_H
 #define LMP_PAIR_GRAN_HAMAKER_H
 
+#include <algorithm>
 #include <variant>
 #include <vector>
 
@@ -45,6 +46,12 @@ class PairGranHamaker : public Pair {
   struct Contacts {
     std::vector<Contact> all;
     std::vector<int> last;
+
+    static constexpr int NONE = -1;
+    void clear() {
+      all.clear();
+      std::fill(last.begin(), last.end(), NONE);
+    }
   };
   /// One alternative per scheme, in the order of Scheme.
   using AnyContacts = std::variant<Contacts<ContactOf<cohesion::event_stepping::SpherePair> >,
@@ -97,7 +104,7 @@ class PairGranHamaker : public Pair {
   std::vector<double> largest_radius;  // by type, at init
   std::vector<Active> active;
   std::vector<Close> close;
-  std::vector<double> positions;  // per atom and ghost, when `close` was made
+  std::vector<double> positions;  // per atom and ghost, when `close` was made; empty: not made
   double largest_range;           // up to which the scheme has to see a pair
   double list_reach;              // gap up to which every pair is in the list
   bool friction;                  // whether any contact has friction
