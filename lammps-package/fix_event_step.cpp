@@ -211,15 +211,16 @@ void FixEventStep::share() { engine_api::forward_comm(comm, this); }
 
 int FixEventStep::pack_forward_comm(int n, int* list, double* buf, int, int*) {
   for (int i = 0; i < n; i++, buf += ALONE) {
+    // A ghost that is passed on has what its owner sent.
     const int from = list[i];
-    for (int k = 0; k < ALONE; k++) buf[k] = contacts[from] == 0 ? 0.0 : alone[from][k];
+    const bool none = from < atom->nlocal && contacts[from] == 0;
+    for (int k = 0; k < ALONE; k++) buf[k] = none ? 0.0 : alone[from][k];
   }
   return ALONE * n;
 }
 
 void FixEventStep::unpack_forward_comm(int n, int first, double* buf) {
-  for (int i = first; i < first + n; i++, buf += ALONE)
-    if (contacts[i] != 0) std::copy_n(buf, ALONE, alone[i]);
+  std::copy_n(buf, ALONE * n, alone[first]);
 }
 
 void FixEventStep::grow_arrays(int nmax) {

@@ -112,28 +112,30 @@ inline int PairGranHamaker::contact(Contacts<Contact>& contacts, int i, int j) {
   return last;
 }
 
-/// How far the particle or ghost has moved that moved furthest since `close` was made, [length].
-double PairGranHamaker::furthest_way() const {
+/// By how much the gap of a pair may have shrunk since `close` was made, [length].
+double PairGranHamaker::come_closer() const {
   const double* const now = atom->x[0];
   const double* const then = positions.data();
-  double furthest = 0.0;
+  const double* const radius = atom->radius;
+  double furthest = 0.0, growth = 0.0;
   for (std::size_t k = 0; k < positions.size(); k += 3) {
     const double dx = now[k] - then[k], dy = now[k + 1] - then[k + 1],
                  dz = now[k + 2] - then[k + 2];
     furthest = std::max(furthest, dx * dx + dy * dy + dz * dz);
   }
-  return std::sqrt(furthest);
+  for (std::size_t i = 0; i < radii.size(); i++) growth = std::max(growth, radius[i] - radii[i]);
+  return 2.0 * (std::sqrt(furthest) + growth);
 }
 
 /// Most pairs of the engine's list are a skin apart. Those whose gap is below `list_reach` are
-/// enough until particles have moved so far that others could come as near as `reach`.
+/// enough until particles have moved or grown so far that others could come as near as `reach`.
 void PairGranHamaker::find_close(double reach) {
-  if (neighbor->ago != 0 && !positions.empty() && reach + 2.0 * furthest_way() <= list_reach)
-    return;
+  if (neighbor->ago != 0 && !positions.empty() && reach + come_closer() <= list_reach) return;
   close.clear();
   const int all = atom->nlocal + atom->nghost;
   if (all == 0) return;
   positions.assign(atom->x[0], atom->x[0] + 3 * all);
+  radii.assign(atom->radius, atom->radius + all);
   const double* const x = atom->x[0];
   const double* const radius = atom->radius;
   for (int ii = 0; ii < list->inum; ii++) {

@@ -80,7 +80,7 @@ class PairGranHamaker : public Pair {
                                                   int i, int j) const;
   template <bool FRICTION, class Contact>
   void follow(Contacts<Contact>&);
-  double furthest_way() const;
+  double come_closer() const;
   void find_close(double reach);
   void forget_others(int i, const Close* near, const Close* end);
   template <class Contact>
@@ -104,7 +104,8 @@ class PairGranHamaker : public Pair {
   std::vector<double> largest_radius;  // by type, at init
   std::vector<Active> active;
   std::vector<Close> close;
-  std::vector<double> positions;  // per atom and ghost, when `close` was made; empty: not made
+  std::vector<double> radii;      // per atom and ghost, when `close` was made
+  std::vector<double> positions;  // the same; empty: not made
   double largest_range;           // up to which the scheme has to see a pair
   double list_reach;              // gap up to which every pair is in the list
   bool friction;                  // whether any contact has friction

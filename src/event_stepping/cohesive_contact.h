@@ -94,9 +94,11 @@ class CohesiveContact {
     const PairStep normal = pair_.estimate(grid.relative, window_, inside);
     PairMotion change{normal.change, {}, {}};
     if (!FRICTION || normal.normal.contact_time == 0.0) return change;
-    const Vector3 n = (1.0 / norm(grid.relative.separation)) * grid.relative.separation;
-    const Vector3 u = in_plane(
-        grid.relative.velocity - cross(i_.radius * grid.spin_i + j_.radius * grid.spin_j, n), n);
+    const double distance = norm(grid.relative.separation);
+    const Vector3 n = (1.0 / distance) * grid.relative.separation;
+    const double arm_i = lever_arm_i(distance), arm_j = distance - arm_i;
+    const Vector3 u =
+        in_plane(grid.relative.velocity - cross(arm_i * grid.spin_i + arm_j * grid.spin_j, n), n);
     Vector3 displacement = memory;
     if (dot(memory, memory) > 0.0) displacement += window_.before * u;
     const Vector3 impulse =
@@ -104,8 +106,8 @@ class CohesiveContact {
                             normal.normal.repulsion_impulse);
     const Vector3 turn = cross(n, impulse);
     change.relative.velocity += inverse_mass_ * impulse;
-    change.spin_i = (-i_.radius * spin_share_i()) * turn;
-    change.spin_j = (-j_.radius * spin_share_j()) * turn;
+    change.spin_i = (-arm_i * spin_share_i_) * turn;
+    change.spin_j = (-arm_j * spin_share_j_) * turn;
     return change;
   }
 
@@ -127,7 +129,7 @@ class CohesiveContact {
         grid.relative.separation + 0.5 * others.relative.separation + normal.change.separation;
     const double distance = norm(separation);
     const Vector3 n = (1.0 / distance) * separation;
-    const double arm_i = j_.radius > 0.0 ? distance * lever_i_ : i_.radius;
+    const double arm_i = lever_arm_i(distance);
     const double arm_j = distance - arm_i;
     const auto surface_velocity = [&](const PairMotion& of) {
       return in_plane(of.relative.velocity - cross(arm_i * of.spin_i + arm_j * of.spin_j, n), n);
@@ -164,6 +166,10 @@ class CohesiveContact {
 
  private:
   static Vector3 in_plane(const Vector3& a, const Vector3& n) { return a - dot(a, n) * n; }
+
+  double lever_arm_i(double distance) const {
+    return j_.radius > 0.0 ? lever_i_ * distance : i_.radius;
+  }
 
   /// What an impulse at the ends of both arms changes of the surfaces' velocity, [1/mass].
   double inverse_tangential_mass(double arm_i, double arm_j) const {
