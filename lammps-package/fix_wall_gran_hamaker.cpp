@@ -276,8 +276,8 @@ void FixWallGranHamaker::follow_alone(std::vector<Contact>& shared) {
       step->announce(i);
       if constexpr (Contact::acts_within_step) {
         PairMotion& alone = active.back().alone;
-        alone = shared[c].template estimate<FRICTION>(
-            {grid, vector(atom->omega[i]), {}}, inside != 0.0, spring_memory<FRICTION>(&inside));
+        alone = shared[c].template alone<FRICTION>({grid, vector(atom->omega[i]), {}},
+                                                   inside != 0.0, spring_memory<FRICTION>(&inside));
         add_alone<FRICTION>(step->alone[i], -1.0, shared[c].share_i(), alone);
       }
     }

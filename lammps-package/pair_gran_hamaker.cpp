@@ -218,8 +218,8 @@ template <bool FRICTION, class Contact>
     if (pair.alone) continue;
     const Contact& c = contacts.all[pair.contact];
     pair.change =
-        c.template estimate<FRICTION>(with_spins(on_grid(i, j), i, j), pair.history[0] != 0.0,
-                                      spring_memory<FRICTION>(pair.history));
+        c.template alone<FRICTION>(with_spins(on_grid(i, j), i, j), pair.history[0] != 0.0,
+                                   spring_memory<FRICTION>(pair.history));
     add_alone<FRICTION>(step->alone[i], -1.0, c.share_i(), pair.change);
     add_alone<FRICTION>(step->alone[j], 1.0, c.share_j(), pair.change);
   }

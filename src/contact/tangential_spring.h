@@ -59,15 +59,6 @@ class TangentialSpring {
     return {held, displacement + time * middle, p_.damping * dot(middle, middle) * time, 0.0};
   }
 
-  /// The impulse of advance(), [momentum].
-  Vector3 impulse(const Vector3& displacement, const Vector3& velocity, double time,
-                  double inverse_mass, double normal_impulse) const {
-    const Vector3 held = sticking(displacement, velocity, time, inverse_mass);
-    const double limit = p_.friction * std::max(normal_impulse, 0.0);
-    const double size = norm(held);
-    return size > limit ? (limit / size) * held : held;
-  }
-
   /// [energy]
   double stored_energy(const Vector3& displacement) const {
     return 0.5 * p_.stiffness * dot(displacement, displacement);

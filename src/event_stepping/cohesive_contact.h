@@ -60,7 +60,6 @@ class CohesiveContact {
         lever_i_(j.radius > 0.0 ? i.radius / (i.radius + j.radius) : 0.0),
         spin_share_i_(inverse_inertia(i)),
         spin_share_j_(inverse_inertia(j)),
-        inverse_tangential_mass_(inverse_tangential_mass(i.radius, j.radius)),
         normal_contact_(contact::normal_contact(parameters, reduced_mass_)),
         pair_(normal_contact_, attraction, i.radius + j.radius, window.length()),
         tangential_(contact::tangential_contact(parameters, normal_contact_)) {}
@@ -87,27 +86,16 @@ class CohesiveContact {
     return pair_.advance(grid, window_, inside);
   }
 
-  /// What the contact does by itself, to first order in the step: for the other contacts of its
-  /// particles.
+  /// What the contact does to its particles by itself, over the step.
   template <bool FRICTION>
-  PairMotion estimate(const PairMotion& grid, bool inside, const Vector3& memory) const {
-    const PairStep normal = pair_.estimate(grid.relative, window_, inside);
+  PairMotion alone(const PairMotion& grid, bool inside, const Vector3& memory) const {
+    const PairStep normal = advance(grid.relative, inside);
     PairMotion change{normal.change, {}, {}};
     if (!FRICTION || normal.normal.contact_time == 0.0) return change;
-    const double distance = norm(grid.relative.separation);
-    const Vector3 n = (1.0 / distance) * grid.relative.separation;
-    const double arm_i = lever_arm_i(distance), arm_j = distance - arm_i;
-    const Vector3 u =
-        in_plane(grid.relative.velocity - cross(arm_i * grid.spin_i + arm_j * grid.spin_j, n), n);
-    Vector3 displacement = memory;
-    if (dot(memory, memory) > 0.0) displacement += window_.before * u;
-    const Vector3 impulse =
-        tangential_.impulse(displacement, u, normal.normal.contact_time, inverse_tangential_mass_,
-                            normal.normal.repulsion_impulse);
-    const Vector3 turn = cross(n, impulse);
-    change.relative.velocity += inverse_mass_ * impulse;
-    change.spin_i = (-arm_i * spin_share_i_) * turn;
-    change.spin_j = (-arm_j * spin_share_j_) * turn;
+    const FrictionStep sliding = friction(grid, {}, normal, memory);
+    change.relative.velocity += inverse_mass_ * sliding.spring.impulse;
+    change.spin_i = spin_share_i_ * sliding.torque_i;
+    change.spin_j = spin_share_j_ * sliding.torque_j;
     return change;
   }
 
@@ -186,7 +174,6 @@ class CohesiveContact {
   double lever_i_;  // of two spheres: i's part of the distance
   double spin_share_i_;
   double spin_share_j_;
-  double inverse_tangential_mass_;  // where both just touch
   contact::LinearSpringDashpot normal_contact_;
   Pair pair_;
   contact::TangentialSpring tangential_;

@@ -31,11 +31,6 @@ class PlanePair {
     return norm(grid.separation) <= radius_ + motion_.range() + slack;
   }
 
-  /// Nothing turns: what SpherePair leaves out is not there.
-  PairStep estimate(const RelativeState& grid, const StepWindow& window, bool inside) const {
-    return advance(grid, window, inside);
-  }
-
   PairStep advance(const RelativeState& grid, const StepWindow& window, bool inside) const {
     PairStep step;
     const double distance = norm(grid.separation);

@@ -39,23 +39,6 @@ class SpherePair {
     return dot(grid.separation, grid.separation) <= reach * reach;
   }
 
-  /// advance(), but a contact that lasts goes along its normal only: right to first order in the
-  /// step, at a third of the cost.
-  PairStep estimate(const RelativeState& grid, const StepWindow& window, bool inside) const {
-    const double distance = norm(grid.separation);
-    const Vector3 normal = (1.0 / distance) * grid.separation;
-    const double rate = -dot(normal, grid.velocity);
-    const double overlap = contact_distance_ - distance;
-    Overlap s{overlap - window.before * rate, rate};
-    PairStep step;
-    double integral = 0.0;
-    if (!inside || !motion_.advance_lasting(s, window.length(), 0.0, integral, step.normal))
-      return advance(grid, window, inside);
-    step.change.velocity = (rate - s.v) * normal;
-    step.change.separation = (overlap - s.x + window.after * s.v) * normal;
-    return step;
-  }
-
   PairStep advance(const RelativeState& grid, const StepWindow& window, bool inside) const {
     PairStep step;
     RelativeState now{grid.separation - window.before * grid.velocity, grid.velocity};
