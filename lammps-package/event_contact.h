@@ -26,61 +26,48 @@ struct FollowedContact {
   cohesion::Vector3 impulse;  // on j
 };
 
-/// The first pass: a contact by itself.
-struct LoneContact {
-  cohesion::event_stepping::PairStep normal;
-  cohesion::event_stepping::PairMotion change;  // friction included
-};
-
-/// `history` is the in-range flag and, with friction, the memory of the tangential spring.
-template <class Contact>
-LoneContact follow_by_itself(const Contact& c, const cohesion::event_stepping::PairMotion& grid,
-                             bool friction, const double* history) {
-  LoneContact alone{c.advance(grid.relative, history[0] != 0.0), {}};
-  alone.change.relative = alone.normal.change;
-  if (friction && alone.normal.normal.contact_time > 0.0) {
-    const auto sliding = c.friction(grid, {}, alone.normal, vector(history + 1));
-    alone.change.relative.velocity += (1.0 / c.reduced_mass()) * sliding.spring.impulse;
-    alone.change.spin_i = c.spin_share_i() * sliding.torque_i;
-    alone.change.spin_j = c.spin_share_j() * sliding.torque_j;
-  }
-  return alone;
+/// `history` of a contact is the in-range flag and, with friction, the memory of the tangential
+/// spring.
+template <bool FRICTION>
+cohesion::Vector3 spring_memory(const double* history) {
+  return FRICTION ? vector(history + 1) : cohesion::Vector3{};
 }
 
-/// Adds what a contact does alone to its particle i (side -1) or j (side 1).
-inline void add_alone(double* to, double side, double share, const LoneContact& alone) {
-  add(to, side * share, alone.change.relative.separation);
-  add(to + 3, side * share, alone.change.relative.velocity);
-  add(to + 6, 1.0, side < 0.0 ? alone.change.spin_i : alone.change.spin_j);
+/// The first pass: adds what a contact does alone, `change`, to its particle i (side -1) or j
+/// (side 1).
+template <bool FRICTION>
+void add_alone(double* to, double side, double share,
+               const cohesion::event_stepping::PairMotion& change) {
+  add(to, side * share, change.relative.separation);
+  add(to + 3, side * share, change.relative.velocity);
+  if (FRICTION) add(to + 6, 1.0, side < 0.0 ? change.spin_i : change.spin_j);
 }
 
 /// What all contacts but this one do to its particles; nullptr: a wall.
-inline cohesion::event_stepping::PairMotion others_of(const double* all_i, const double* all_j,
-                                                      const LoneContact& alone) {
+template <bool FRICTION>
+cohesion::event_stepping::PairMotion others_of(const double* all_i, const double* all_j,
+                                               const cohesion::event_stepping::PairMotion& own) {
   const auto of_j = [&](int k) { return all_j ? vector(all_j + k) : cohesion::Vector3{}; };
-  const cohesion::event_stepping::PairMotion& own = alone.change;
-  return {{of_j(0) - vector(all_i) - own.relative.separation,
-           of_j(3) - vector(all_i + 3) - own.relative.velocity},
-          vector(all_i + 6) - own.spin_i,
-          of_j(6) - own.spin_j};
+  cohesion::event_stepping::PairMotion others;
+  others.relative = {of_j(0) - vector(all_i) - own.relative.separation,
+                     of_j(3) - vector(all_i + 3) - own.relative.velocity};
+  if (FRICTION) {
+    others.spin_i = vector(all_i + 6) - own.spin_i;
+    others.spin_j = of_j(6) - own.spin_j;
+  }
+  return others;
 }
 
 /// The second pass: with half of what the other contacts of its particles do, `others`.
 template <bool FRICTION, class Contact>
 FollowedContact follow_with_others(const Contact& c,
                                    const cohesion::event_stepping::PairMotion& grid,
-                                   const LoneContact& alone,
                                    const cohesion::event_stepping::PairMotion& others,
                                    double* history) {
-  FollowedContact now{alone.normal, {}, {}};
-  const cohesion::event_stepping::RelativeState& pushed = others.relative;
-  if (dot(pushed.separation, pushed.separation) > 0.0 ||
-      dot(pushed.velocity, pushed.velocity) > 0.0) {
-    const cohesion::event_stepping::RelativeState middle{
-        grid.relative.separation + 0.5 * pushed.separation,
-        grid.relative.velocity + 0.5 * pushed.velocity};
-    now.normal = c.advance(middle, history[0] != 0.0);
-  }
+  const cohesion::event_stepping::RelativeState middle{
+      grid.relative.separation + 0.5 * others.relative.separation,
+      grid.relative.velocity + 0.5 * others.relative.velocity};
+  FollowedContact now{c.advance(middle, history[0] != 0.0), {}, {}};
   now.impulse = c.reduced_mass() * now.normal.change.velocity;
   if (FRICTION) {
     if (now.normal.normal.contact_time > 0.0) {

@@ -33,6 +33,7 @@ FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
       last_dt(0.0),
       last(nullptr),
       contact_force(nullptr),
+      contacts(nullptr),
       inverse_mass(nullptr),
       longest_flight(0.0),
       mobile_bits(0),
@@ -54,6 +55,7 @@ FixEventStep::~FixEventStep() {
   memory->destroy(shift);
   memory->destroy(last);
   memory->destroy(contact_force);
+  memory->destroy(contacts);
   memory->destroy(inverse_mass);
 }
 
@@ -169,9 +171,8 @@ void FixEventStep::pre_force(int) {
 
 void FixEventStep::clear() {
   const int all = atom->nlocal + atom->nghost;
-  if (all > 0) std::fill_n(alone[0], ALONE * all, 0.0);
+  std::fill_n(contacts, all, 0);
   look_round();
-  if (atom->nlocal > 0) std::fill_n(shift[0], 3 * atom->nlocal, 0.0);
   if (!book.kept) return;
   if (all > 0) std::fill_n(contact_force[0], 3 * all, 0.0);
   book.spring = book.tangential_spring = book.adhesion = 0.0;
@@ -189,8 +190,10 @@ void FixEventStep::end_of_step() {
 }
 
 void FixEventStep::move() {
-  for (int i = 0; i < atom->nlocal; i++)
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (contacts[i] == 0) continue;
     for (int k = 0; k < 3; k++) atom->x[i][k] += shift[i][k];
+  }
 }
 
 void FixEventStep::post_run() {
@@ -207,7 +210,12 @@ void FixEventStep::post_run() {
 void FixEventStep::share() { engine_api::forward_comm(comm, this); }
 
 int FixEventStep::pack_forward_comm(int n, int* list, double* buf, int, int*) {
-  for (int i = 0; i < n; i++) std::copy_n(alone[list[i]], ALONE, buf + ALONE * i);
+  for (int i = 0; i < n; i++, buf += ALONE) {
+    // A ghost that is passed on has what its owner sent.
+    const int from = list[i];
+    const bool none = from < atom->nlocal && contacts[from] == 0;
+    for (int k = 0; k < ALONE; k++) buf[k] = none ? 0.0 : alone[from][k];
+  }
   return ALONE * n;
 }
 
@@ -217,21 +225,16 @@ void FixEventStep::unpack_forward_comm(int n, int first, double* buf) {
 
 void FixEventStep::grow_arrays(int nmax) {
   memory->grow(alone, nmax, ALONE, "event_step:alone");
+  memory->grow(contacts, nmax, "event_step:contacts");
   memory->grow(shift, nmax, 3, "event_step:shift");
   memory->grow(last, nmax, 6, "event_step:last");
   memory->grow(contact_force, nmax, 3, "event_step:contact_force");
   memory->grow(inverse_mass, nmax, "event_step:inverse_mass");
 }
 
-void FixEventStep::copy_arrays(int i, int j, int) {
-  std::copy_n(last[i], 6, last[j]);
-  std::copy_n(shift[i], 3, shift[j]);
-}
+void FixEventStep::copy_arrays(int i, int j, int) { std::copy_n(last[i], 6, last[j]); }
 
-void FixEventStep::set_arrays(int i) {
-  std::fill_n(last[i], 6, 0.0);
-  std::fill_n(shift[i], 3, 0.0);
-}
+void FixEventStep::set_arrays(int i) { std::fill_n(last[i], 6, 0.0); }
 
 int FixEventStep::pack_exchange(int i, double* buf) {
   std::copy_n(last[i], 6, buf);
@@ -270,4 +273,4 @@ void FixEventStep::unpack_restart(int i, int nth) {
 int FixEventStep::maxsize_restart() { return 7; }
 int FixEventStep::size_restart(int) { return 7; }
 
-double FixEventStep::memory_usage() { return 19.0 * sizeof(double) * atom->nmax; }
+double FixEventStep::memory_usage() { return (22.0 * sizeof(double) + sizeof(int)) * atom->nmax; }

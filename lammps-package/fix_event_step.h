@@ -8,6 +8,7 @@ FixStyle(EVENT_STEP,FixEventStep);
 #ifndef LMP_FIX_EVENT_STEP_H
 #define LMP_FIX_EVENT_STEP_H
 
+#include <algorithm>
 #include <vector>
 
 #include "atom.h"
@@ -93,10 +94,21 @@ class FixEventStep : public Fix {
   /// How far a particle or ghost of this rank may fly until the end of the step, [length].
   double flight() const { return longest_flight; }
 
+  /// Announces a contact of particle or ghost i in this step, before it adds to `alone` or `shift`.
+  void announce(int i) {
+    if (contacts[i]++ != 0) return;
+    std::fill_n(alone[i], 9, 0.0);
+    std::fill_n(shift[i], 3, 0.0);
+  }
+  /// Whether i is a particle of this rank with one contact only.
+  bool has_one_contact(int i) const { return i < atom->nlocal && contacts[i] == 1; }
+
   void share();
 
-  double** alone;  ///< per atom and ghost: change of position, velocity and spin, contacts alone
-  double** shift;  ///< per atom: change of position of this step
+  /// Per atom and ghost that has a contact: change of position, velocity and spin, each contact
+  /// alone.
+  double** alone;
+  double** shift;  ///< per atom that has a contact: change of position of this step
 
   /// The energy of contacts; kept only when a compute asks for it.
   struct Book {
@@ -127,6 +139,7 @@ class FixEventStep : public Fix {
   double last_dt;  // of the step that `last` is from; 0: there was none
   double** last;   // per atom: force and torque at the end of the last run
   double** contact_force;
+  int* contacts;         // per atom and ghost, this step
   double* inverse_mass;  // per atom and ghost
   double longest_flight;
   int mobile_bits;

@@ -236,10 +236,14 @@ void FixWallGranHamaker::check_flight(int i, const WallPoint& point, bool inside
 /// Every contact by itself: what it would do to its particle.
 void FixWallGranHamaker::follow_alone() {
   if (update->setupflag) give_advice();
-  std::visit([this](auto& shared) { follow_alone(shared); }, contacts);
+  std::visit(
+      [this](auto& shared) {
+        per_wall > 1 ? follow_alone<true>(shared) : follow_alone<false>(shared);
+      },
+      contacts);
 }
 
-template <class Contact>
+template <bool FRICTION, class Contact>
 void FixWallGranHamaker::follow_alone(std::vector<Contact>& shared) {
   active.clear();
   shared.clear();
@@ -268,11 +272,14 @@ void FixWallGranHamaker::follow_alone(std::vector<Contact>& shared) {
       const std::size_t c = contact(shared, i);
       const RelativeState grid{point.separation, point.velocity - vector(atom->v[i])};
       if (inside == 0.0 && !shared[c].within_reach(grid)) continue;
-      active.push_back({i, w, c, point,
-                        follow_by_itself(shared[c], {grid, vector(atom->omega[i]), {}},
-                                         per_wall > 1 && Contact::acts_within_step, &inside)});
-      if (!Contact::acts_within_step) continue;
-      add_alone(step->alone[i], -1.0, shared[c].share_i(), active.back().alone);
+      active.push_back({i, w, c, point, {}});
+      step->announce(i);
+      if constexpr (Contact::acts_within_step) {
+        PairMotion& alone = active.back().alone;
+        alone = shared[c].template alone<FRICTION>({grid, vector(atom->omega[i]), {}},
+                                                   inside != 0.0, spring_memory<FRICTION>(&inside));
+        add_alone<FRICTION>(step->alone[i], -1.0, shared[c].share_i(), alone);
+      }
     }
   }
 }
@@ -297,9 +304,10 @@ void FixWallGranHamaker::follow_together(const std::vector<Contact>& shared) {
     const Contact& c = shared[near.contact];
     const RelativeState grid{near.point.separation, near.point.velocity - vector(atom->v[i])};
     PairMotion others;
-    if (Contact::acts_within_step) others = others_of(step->alone[i], nullptr, near.alone);
-    const FollowedContact now = follow_with_others<FRICTION>(
-        c, {grid, vector(atom->omega[i]), {}}, near.alone, others, history_of(i, near.wall));
+    if (Contact::acts_within_step)
+      others = others_of<FRICTION>(step->alone[i], nullptr, near.alone);
+    const FollowedContact now = follow_with_others<FRICTION>(c, {grid, vector(atom->omega[i]), {}},
+                                                             others, history_of(i, near.wall));
     scatter.on_i<FRICTION>(i, c.share_i(), now);
     scatter.book(c, 1.0, now);
     step->book.external_work -= dot(near.point.velocity, now.impulse);

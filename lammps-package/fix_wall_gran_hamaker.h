@@ -68,7 +68,7 @@ class FixWallGranHamaker : public Fix, public EventContacts {
     int wall;
     std::size_t contact;
     cohesion::event_stepping::WallPoint point;
-    LoneContact alone;
+    cohesion::event_stepping::PairMotion alone;  // what it does without the others
   };
 
   void read(int, char**);
@@ -81,7 +81,7 @@ class FixWallGranHamaker : public Fix, public EventContacts {
   int history_size() const { return per_wall * static_cast<int>(walls.size()); }
   double* history_of(int i, int wall) { return history[i] + wall * per_wall; }
   void check_flight(int i, const cohesion::event_stepping::WallPoint&, bool inside);
-  template <class Contact>
+  template <bool FRICTION, class Contact>
   void follow_alone(std::vector<Contact>&);
   template <bool FRICTION, class Contact>
   void follow_together(const std::vector<Contact>&);

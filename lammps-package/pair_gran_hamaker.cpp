@@ -70,21 +70,16 @@ void PairGranHamaker::compute(int eflag, int vflag) {
     error->all(FLERR, "pair_style gran/hamaker follows motion in time; it cannot be minimized");
   std::visit(
       [this](auto& contacts) {
-        for (auto& last : contacts) last.clear();
         if (step->resumes()) {
           if (evflag) tally_standing(contacts);
           return;
         }
         if (update->setupflag) give_advice();
         if (neighbor->ago == 0) check_radii();
-        follow_alone(contacts);
-        if (evflag)
-          friction ? follow_together<true, true>(contacts) : follow_together<true, false>(contacts);
-        else
-          friction ? follow_together<false, true>(contacts)
-                   : follow_together<false, false>(contacts);
+        find_active(contacts);
+        friction ? follow<true>(contacts) : follow<false>(contacts);
       },
-      recent);
+      any_contacts);
 }
 
 inline RelativeState PairGranHamaker::on_grid(int i, int j) const {
@@ -95,29 +90,94 @@ inline PairMotion PairGranHamaker::with_spins(const RelativeState& grid, int i, 
   return {grid, vector(atom->omega[i]), vector(atom->omega[j])};
 }
 
-template <class Contact>
-inline const Contact& PairGranHamaker::contact(Recent<Contact>& recent_contacts, int i, int j) {
-  const int types = of_types(atom->type[i], atom->type[j]);
-  const Body a = step->body(i), b = step->body(j);
-  auto& last = recent_contacts[types];
-  if (last.empty() || !last[0].joins(a, b)) {
-    last.clear();
-    last.emplace_back(used[types].contact,
-                      attraction_of<typename Contact::Attraction>(
-                          laws[types], cohesion::two_spheres(a.radius, b.radius)),
-                      a, b, step->window());
-  }
-  return last[0];
+template <bool FRICTION, class Contact>
+void PairGranHamaker::follow(Contacts<Contact>& contacts) {
+  if constexpr (Contact::acts_within_step) follow_alone<FRICTION>(contacts);
+  evflag ? follow_together<true, FRICTION>(contacts) : follow_together<false, FRICTION>(contacts);
 }
 
-/// Every contact by itself: what it would do to its two particles.
+/// Pairs of equal particles that come one after the other share a contact.
 template <class Contact>
-void PairGranHamaker::follow_alone(Recent<Contact>& contacts) {
-  active.clear();
-  const double* const x = atom->nlocal > 0 ? atom->x[0] : nullptr;
+inline int PairGranHamaker::contact(Contacts<Contact>& contacts, int i, int j) {
+  const int types = of_types(atom->type[i], atom->type[j]);
+  const Body a = step->body(i), b = step->body(j);
+  int& last = contacts.last[types];
+  if (last == Contacts<Contact>::NONE || !contacts.all[last].joins(a, b)) {
+    last = static_cast<int>(contacts.all.size());
+    contacts.all.emplace_back(used[types].contact,
+                              attraction_of<typename Contact::Attraction>(
+                                  laws[types], cohesion::two_spheres(a.radius, b.radius)),
+                              a, b, step->window());
+  }
+  return last;
+}
+
+/// By how much the gap of a pair may have shrunk since `close` was made, [length].
+double PairGranHamaker::come_closer() const {
+  const double* const now = atom->x[0];
+  const double* const then = positions.data();
   const double* const radius = atom->radius;
+  double furthest = 0.0, growth = 0.0;
+  for (std::size_t k = 0; k < positions.size(); k += 3) {
+    const double dx = now[k] - then[k], dy = now[k + 1] - then[k + 1],
+                 dz = now[k + 2] - then[k + 2];
+    furthest = std::max(furthest, dx * dx + dy * dy + dz * dz);
+  }
+  for (std::size_t i = 0; i < radii.size(); i++) growth = std::max(growth, radius[i] - radii[i]);
+  return 2.0 * (std::sqrt(furthest) + growth);
+}
+
+/// Most pairs of the engine's list are a skin apart. Those whose gap is below `list_reach` are
+/// enough until particles have moved or grown so far that others could come as near as `reach`.
+void PairGranHamaker::find_close(double reach) {
+  if (neighbor->ago != 0 && !positions.empty() && reach + come_closer() <= list_reach) return;
+  close.clear();
+  const int all = atom->nlocal + atom->nghost;
+  if (all == 0) return;
+  positions.assign(atom->x[0], atom->x[0] + 3 * all);
+  radii.assign(atom->radius, atom->radius + all);
+  const double* const x = atom->x[0];
+  const double* const radius = atom->radius;
+  for (int ii = 0; ii < list->inum; ii++) {
+    const int i = list->ilist[ii];
+    const int* const neighbors = list->firstneigh[i];
+    const int count = list->numneigh[i];
+    const double xi = x[3 * i], yi = x[3 * i + 1], zi = x[3 * i + 2];
+    // With room for what other contacts do to a pair within a step.
+    const double near_i = 1.0001 * radius[i] + list_reach;
+    const std::size_t before = close.size();
+    close.resize(before + count);
+    Close* last = close.data() + before;
+    for (int jj = 0; jj < count; jj++) {
+      const int j = neighbors[jj] & NEIGHMASK;
+      const double dx = x[3 * j] - xi;
+      const double dy = x[3 * j + 1] - yi;
+      const double dz = x[3 * j + 2] - zi;
+      const double near = near_i + radius[j];
+      *last = {i, j, jj};  // no branch: which pairs are near cannot be predicted
+      last += dx * dx + dy * dy + dz * dz <= near * near;
+    }
+    close.resize(last - close.data());
+    if (neighbor->ago == 0) forget_others(i, close.data() + before, last);
+  }
+}
+
+/// Only a particle that was put elsewhere can have left a partner that is not near any more.
+void PairGranHamaker::forget_others(int i, const Close* near, const Close* end) {
+  for (int jj = 0; jj < list->numneigh[i]; jj++) {
+    if (near != end && near->place == jj)
+      near++;
+    else
+      history->firstflag[i][jj] = 0;
+  }
+}
+
+/// The pairs that may touch in this step.
+template <class Contact>
+void PairGranHamaker::find_active(Contacts<Contact>& contacts) {
+  active.clear();
+  contacts.clear();
   const bool first = step->window().before == 0.0;
-  const bool new_list = neighbor->ago == 0;
   const double reach = largest_range + 2.0 * step->flight();
   if (reach > list_reach)
     error->one(FLERR,
@@ -125,59 +185,61 @@ void PairGranHamaker::follow_alone(Recent<Contact>& contacts) {
                "contact, the neighbour list allows for {}: use a smaller time step or a skin above "
                "{}",
                step->flight(), 0.5 * (list_reach - largest_range), 20.0 * step->flight());
+  find_close(reach);
 
-  for (int ii = 0; ii < list->inum; ii++) {
-    const int i = list->ilist[ii];
-    const int* const neighbors = list->firstneigh[i];
-    const int count = list->numneigh[i];
-    const double xi = x[3 * i], yi = x[3 * i + 1], zi = x[3 * i + 2];
-    // With room for what other contacts do to a pair within a step.
-    const double near_i = 1.0001 * radius[i] + reach;
-    for (int jj = 0; jj < count; jj++) {
-      const int j = neighbors[jj] & NEIGHMASK;
-      const double dx = x[3 * j] - xi;
-      const double dy = x[3 * j + 1] - yi;
-      const double dz = x[3 * j + 2] - zi;
-      const double near = near_i + radius[j];
-      if (dx * dx + dy * dy + dz * dz > near * near) {
-        // Only a particle that was put elsewhere can have left a partner that far behind.
-        if (new_list) history->firstflag[i][jj] = 0;
-        continue;
-      }
-      if (!step->body(i).inverse_mass && !step->body(j).inverse_mass) continue;
-
-      int& kept = history->firstflag[i][jj];
-      const Contact& c = contact(contacts, i, j);
-      const RelativeState grid = on_grid(i, j);
-      if (!kept && !c.within_reach(grid)) continue;
-      double* const values = &history->firstvalue[i][HISTORY * jj];
-      if (!kept) std::fill_n(values, HISTORY, 0.0);
-      // A pair that a run starts with is where it is; it did not fall into the range.
-      if (first && !kept) values[0] = norm(grid.separation) < radius[i] + radius[j] + c.range();
-      active.push_back({i, j, &kept, values,
-                        follow_by_itself(c, with_spins(grid, i, j),
-                                         friction && Contact::acts_within_step, values)});
-      if (!Contact::acts_within_step) continue;
-      add_alone(step->alone[i], -1.0, c.share_i(), active.back().alone);
-      add_alone(step->alone[j], 1.0, c.share_j(), active.back().alone);
-    }
+  for (const Close& pair : close) {
+    const int i = pair.i, j = pair.j;
+    const double near = atom->radius[i] + atom->radius[j] + reach;
+    const Vector3 d = vector(atom->x[j]) - vector(atom->x[i]);
+    if (dot(d, d) > 1.0002 * near * near) continue;
+    if (!step->body(i).inverse_mass && !step->body(j).inverse_mass) continue;
+    int& kept = history->firstflag[i][pair.place];
+    const int c = contact(contacts, i, j);
+    const RelativeState grid = on_grid(i, j);
+    if (!kept && !contacts.all[c].within_reach(grid)) continue;
+    double* const values = &history->firstvalue[i][HISTORY * pair.place];
+    if (!kept) std::fill_n(values, HISTORY, 0.0);
+    // A pair that a run starts with is where it is; it did not fall into the range.
+    if (first && !kept)
+      values[0] =
+          norm(grid.separation) < atom->radius[i] + atom->radius[j] + contacts.all[c].range();
+    active.push_back({i, j, c, false, &kept, values, {}});
+    step->announce(i);
+    step->announce(j);
   }
-  if (Contact::acts_within_step) step->share();
+}
+
+/// Every contact by itself: what it would do to its two particles, where that matters to others.
+template <bool FRICTION, class Contact>
+[[gnu::flatten]] void PairGranHamaker::follow_alone(Contacts<Contact>& contacts) {
+  for (Active& pair : active) {
+    const int i = pair.i, j = pair.j;
+    pair.alone = step->has_one_contact(i) && step->has_one_contact(j);
+    if (pair.alone) continue;
+    const Contact& c = contacts.all[pair.contact];
+    pair.change =
+        c.template alone<FRICTION>(with_spins(on_grid(i, j), i, j), pair.history[0] != 0.0,
+                                   spring_memory<FRICTION>(pair.history));
+    add_alone<FRICTION>(step->alone[i], -1.0, c.share_i(), pair.change);
+    add_alone<FRICTION>(step->alone[j], 1.0, c.share_j(), pair.change);
+  }
+  step->share();
 }
 
 /// Every contact again, with half of what the other contacts of its particles do, and friction.
 template <bool TALLY, bool FRICTION, class Contact>
-void PairGranHamaker::follow_together(Recent<Contact>& contacts) {
+[[gnu::flatten]] void PairGranHamaker::follow_together(Contacts<Contact>& contacts) {
   const int nlocal = atom->nlocal;
   const ContactScatter scatter(atom, step);
 
   for (Active& pair : active) {
     const int i = pair.i, j = pair.j;
-    const Contact& c = contact(contacts, i, j);
+    const Contact& c = contacts.all[pair.contact];
     PairMotion others;
-    if (Contact::acts_within_step) others = others_of(step->alone[i], step->alone[j], pair.alone);
-    const FollowedContact now = follow_with_others<FRICTION>(c, with_spins(on_grid(i, j), i, j),
-                                                             pair.alone, others, pair.history);
+    if (Contact::acts_within_step && !pair.alone)
+      others = others_of<FRICTION>(step->alone[i], step->alone[j], pair.change);
+    const FollowedContact now =
+        follow_with_others<FRICTION>(c, with_spins(on_grid(i, j), i, j), others, pair.history);
     *pair.kept = now.normal.inside;
 
     scatter.on_i<FRICTION>(i, c.share_i(), now);
@@ -194,13 +256,14 @@ void PairGranHamaker::follow_together(Recent<Contact>& contacts) {
 
 /// Energies of the pairs where they stand, for a run that takes over the forces of the last one.
 template <class Contact>
-void PairGranHamaker::tally_standing(Recent<Contact>& contacts) {
+void PairGranHamaker::tally_standing(Contacts<Contact>& contacts) {
+  contacts.clear();
   for (int ii = 0; ii < list->inum; ii++) {
     const int i = list->ilist[ii];
     for (int jj = 0; jj < list->numneigh[i]; jj++) {
       if (!history->firstflag[i][jj]) continue;
       const int j = list->firstneigh[i][jj] & NEIGHMASK;
-      const Contact& c = contact(contacts, i, j);
+      const Contact& c = contacts.all[contact(contacts, i, j)];
       const Vector3 d = on_grid(i, j).separation;
       PairStep standing;
       standing.overlap_at_end = atom->radius[i] + atom->radius[j] - norm(d);
@@ -256,10 +319,11 @@ void PairGranHamaker::init_style() {
   laws.assign(given.size(), form->law(cohesion::hamaker::none, false));
   used = given;
   if (scheme == Scheme::event)
-    recent.emplace<static_cast<int>(Scheme::event)>(given.size());
+    any_contacts.emplace<static_cast<int>(Scheme::event)>().last.resize(given.size());
   else
-    recent.emplace<static_cast<int>(Scheme::sampled)>(given.size());
+    any_contacts.emplace<static_cast<int>(Scheme::sampled)>().last.resize(given.size());
   friction = false;
+  positions.clear();
   // A tenth of the skin for the flight of both within half a step: it is far less where the
   // engine's own check of the list holds at all.
   largest_range = 0.0;

@@ -8,6 +8,7 @@ PairStyle(gran/hamaker,PairGranHamaker);
 #ifndef LMP_PAIR_GRAN_HAMAKER_H
 #define LMP_PAIR_GRAN_HAMAKER_H
 
+#include <algorithm>
 #include <variant>
 #include <vector>
 
@@ -40,34 +41,56 @@ class PairGranHamaker : public Pair {
  private:
   template <class Pair>
   using ContactOf = cohesion::event_stepping::CohesiveContact<Pair>;
-  /// By type pair: the contact worked out last, which pairs of equal particles share.
+  /// The contacts of a step, and by type pair which of them was used last.
   template <class Contact>
-  using Recent = std::vector<std::vector<Contact> >;
-  /// One alternative per scheme, in the order of Scheme.
-  using AnyRecent = std::variant<Recent<ContactOf<cohesion::event_stepping::SpherePair> >,
-                                 Recent<ContactOf<cohesion::event_stepping::SampledPair> > >;
+  struct Contacts {
+    std::vector<Contact> all;
+    std::vector<int> last;
 
+    static constexpr int NONE = -1;
+    void clear() {
+      all.clear();
+      std::fill(last.begin(), last.end(), NONE);
+    }
+  };
+  /// One alternative per scheme, in the order of Scheme.
+  using AnyContacts = std::variant<Contacts<ContactOf<cohesion::event_stepping::SpherePair> >,
+                                   Contacts<ContactOf<cohesion::event_stepping::SampledPair> > >;
+
+  /// A pair near enough to become active soon: `place` is that of j in i's list of neighbours.
+  struct Close {
+    int i, j, place;
+  };
   /// A pair that may touch in this step.
   struct Active {
     int i, j;
-    int* kept;        // 1 while the pair has a history
-    double* history;  // in-range flag, memory of the tangential spring
-    LoneContact alone;
+    int contact;                                  // of those of this step
+    bool alone;                                   // neither particle has another contact
+    int* kept;                                    // 1 while the pair has a history
+    double* history;                              // in-range flag, memory of the tangential spring
+    cohesion::event_stepping::PairMotion change;  // that it would cause without the others
   };
 
   void allocate();
   int of_types(int i, int j) const { return i * (atom_types + 1) + j; }
   template <class Contact>
-  const Contact& contact(Recent<Contact>&, int i, int j);
+  int contact(Contacts<Contact>&, int i, int j);
   cohesion::event_stepping::RelativeState on_grid(int i, int j) const;
   cohesion::event_stepping::PairMotion with_spins(const cohesion::event_stepping::RelativeState&,
                                                   int i, int j) const;
+  template <bool FRICTION, class Contact>
+  void follow(Contacts<Contact>&);
+  double come_closer() const;
+  void find_close(double reach);
+  void forget_others(int i, const Close* near, const Close* end);
   template <class Contact>
-  void follow_alone(Recent<Contact>&);
+  void find_active(Contacts<Contact>&);
+  template <bool FRICTION, class Contact>
+  void follow_alone(Contacts<Contact>&);
   template <bool TALLY, bool FRICTION, class Contact>
-  void follow_together(Recent<Contact>&);
+  void follow_together(Contacts<Contact>&);
   template <class Contact>
-  void tally_standing(Recent<Contact>&);
+  void tally_standing(Contacts<Contact>&);
   void give_advice();
   void check_radii();
 
@@ -77,12 +100,15 @@ class PairGranHamaker : public Pair {
   std::vector<CohesiveContactParameters> given;  // by type pair
   std::vector<CohesiveContactParameters> used;   // the same with adhesion scaled, if wished
   std::vector<cohesion::hamaker::AnyLaw> laws;   // by type pair, built at init
-  AnyRecent recent;
+  AnyContacts any_contacts;
   std::vector<double> largest_radius;  // by type, at init
   std::vector<Active> active;
-  double largest_range;  // up to which the scheme has to see a pair
-  double list_reach;     // gap up to which every pair is in the list
-  bool friction;         // whether any contact has friction
+  std::vector<Close> close;
+  std::vector<double> radii;      // per atom and ghost, when `close` was made
+  std::vector<double> positions;  // the same; empty: not made
+  double largest_range;           // up to which the scheme has to see a pair
+  double list_reach;              // gap up to which every pair is in the list
+  bool friction;                  // whether any contact has friction
   class FixEventStep* step;
   class FixNeighHistory* history;
 };

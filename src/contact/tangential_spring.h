@@ -47,35 +47,16 @@ class TangentialSpring {
   explicit TangentialSpring(const TangentialParameters& p) : p_(p) {}
 
   /// displacement [length] and velocity [length/time] of j's surface against i's, both in the plane
-  /// of contact, at the start; time T; m_t; P [momentum]; N at the end [force].
+  /// of contact, at the start; time T; 1/m_t; P [momentum]; N at the end [force].
   TangentialStep advance(const Vector3& displacement, const Vector3& velocity, double time,
-                         double tangential_mass, double normal_impulse,
+                         double inverse_mass, double normal_impulse,
                          double normal_force_at_end) const {
-    TangentialStep step;
-    const double answer = 0.5 * time * p_.stiffness + p_.damping;  // force per v_mid
-    const double softened = 1.0 / (1.0 + 0.5 * time * answer / tangential_mass);
-    step.impulse = (-time * softened) * (p_.stiffness * displacement + answer * velocity);
-
+    const Vector3 held = sticking(displacement, velocity, time, inverse_mass);
     const double limit = p_.friction * std::max(normal_impulse, 0.0);
-    const double size = norm(step.impulse);
-    const bool slides = size > limit;
-    const Vector3 direction = slides ? (-1.0 / size) * step.impulse : Vector3{};
-    if (slides) step.impulse = -limit * direction;
-    const Vector3 middle = velocity + (0.5 / tangential_mass) * step.impulse;
-    const Vector3 way = time * middle;
-    if (!slides) {
-      step.displacement = displacement + way;
-      step.damped = p_.damping * dot(middle, middle) * time;
-      return step;
-    }
-    const double work = -dot(step.impulse, middle);
-    const double end = p_.friction * std::max(normal_force_at_end, 0.0);
-    settle(step, displacement, carried(displacement, direction, way, time, limit / time, end), work,
-           time);
-    if (step.friction < 0.0)
-      settle(step, displacement,
-             carried_by_midpoint(displacement, direction, answer, time, limit / time), work, time);
-    return step;
+    if (norm(held) > limit)
+      return slide(displacement, velocity, time, inverse_mass, held, limit, normal_force_at_end);
+    const Vector3 middle = velocity + (0.5 * inverse_mass) * held;
+    return {held, displacement + time * middle, p_.damping * dot(middle, middle) * time, 0.0};
   }
 
   /// [energy]
@@ -92,6 +73,36 @@ class TangentialSpring {
   }
 
  private:
+  /// Force per v_mid.
+  double answer_in(double time) const { return 0.5 * time * p_.stiffness + p_.damping; }
+
+  /// The impulse as long as the slider holds.
+  Vector3 sticking(const Vector3& displacement, const Vector3& velocity, double time,
+                   double inverse_mass) const {
+    const double answer = answer_in(time);
+    const double softened = time / (1.0 + 0.5 * time * answer * inverse_mass);
+    return (-softened * p_.stiffness) * displacement - (softened * answer) * velocity;
+  }
+
+  /// A stretch whose impulse would have to be `held`, above `limit`.
+  TangentialStep slide(const Vector3& displacement, const Vector3& velocity, double time,
+                       double inverse_mass, const Vector3& held, double limit,
+                       double normal_force_at_end) const {
+    TangentialStep step;
+    const Vector3 direction = (-1.0 / norm(held)) * held;
+    step.impulse = -limit * direction;
+    const Vector3 middle = velocity + (0.5 * inverse_mass) * step.impulse;
+    const double work = -dot(step.impulse, middle);
+    const double end = p_.friction * std::max(normal_force_at_end, 0.0);
+    settle(step, displacement,
+           carried(displacement, direction, time * middle, time, limit / time, end), work, time);
+    if (step.friction < 0.0)
+      settle(step, displacement,
+             carried_by_midpoint(displacement, direction, answer_in(time), time, limit / time),
+             work, time);
+    return step;
+  }
+
   /// The step's energies, from the work of the Coulomb force on the surfaces.
   void settle(TangentialStep& step, const Vector3& before, const Vector3& after, double work,
               double time) const {

@@ -53,7 +53,13 @@ class CohesiveContact {
       : i_(i),
         j_(j),
         window_(window),
-        reduced_mass_(1.0 / (i.inverse_mass + j.inverse_mass)),
+        inverse_mass_(i.inverse_mass + j.inverse_mass),
+        reduced_mass_(1.0 / inverse_mass_),
+        share_i_(reduced_mass_ * i.inverse_mass),
+        share_j_(reduced_mass_ * j.inverse_mass),
+        lever_i_(j.radius > 0.0 ? i.radius / (i.radius + j.radius) : 0.0),
+        spin_share_i_(inverse_inertia(i)),
+        spin_share_j_(inverse_inertia(j)),
         normal_contact_(contact::normal_contact(parameters, reduced_mass_)),
         pair_(normal_contact_, attraction, i.radius + j.radius, window.length()),
         tangential_(contact::tangential_contact(parameters, normal_contact_)) {}
@@ -66,11 +72,11 @@ class CohesiveContact {
   double reduced_mass() const { return reduced_mass_; }
 
   /// The part of a relative change that falls to particle i (with a minus sign) and j.
-  double share_i() const { return reduced_mass_ * i_.inverse_mass; }
-  double share_j() const { return reduced_mass_ * j_.inverse_mass; }
+  double share_i() const { return share_i_; }
+  double share_j() const { return share_j_; }
   /// What an angular impulse changes of the spins, [1/(mass length^2)].
-  double spin_share_i() const { return inverse_inertia(i_); }
-  double spin_share_j() const { return inverse_inertia(j_); }
+  double spin_share_i() const { return spin_share_i_; }
+  double spin_share_j() const { return spin_share_j_; }
 
   bool within_reach(const RelativeState& grid) const { return pair_.within_reach(grid, window_); }
 
@@ -78,6 +84,19 @@ class CohesiveContact {
   /// range.
   PairStep advance(const RelativeState& grid, bool inside) const {
     return pair_.advance(grid, window_, inside);
+  }
+
+  /// What the contact does to its particles by itself, over the step.
+  template <bool FRICTION>
+  PairMotion alone(const PairMotion& grid, bool inside, const Vector3& memory) const {
+    const PairStep normal = advance(grid.relative, inside);
+    PairMotion change{normal.change, {}, {}};
+    if (!FRICTION || normal.normal.contact_time == 0.0) return change;
+    const FrictionStep sliding = friction(grid, {}, normal, memory);
+    change.relative.velocity += inverse_mass_ * sliding.spring.impulse;
+    change.spin_i = spin_share_i_ * sliding.torque_i;
+    change.spin_j = spin_share_j_ * sliding.torque_j;
+    return change;
   }
 
   /// Friction in the step that `normal` describes, followed from `grid` with half of what the other
@@ -98,33 +117,28 @@ class CohesiveContact {
         grid.relative.separation + 0.5 * others.relative.separation + normal.change.separation;
     const double distance = norm(separation);
     const Vector3 n = (1.0 / distance) * separation;
-    const double arm_i =
-        j_.radius > 0.0 ? distance * i_.radius / (i_.radius + j_.radius) : i_.radius;
+    const double arm_i = lever_arm_i(distance);
     const double arm_j = distance - arm_i;
     const auto surface_velocity = [&](const PairMotion& of) {
       return in_plane(of.relative.velocity - cross(arm_i * of.spin_i + arm_j * of.spin_j, n), n);
     };
+    PairMotion mine = grid;
+    mine.relative.velocity += 0.5 * normal.change.velocity;
     const Vector3 by_others = surface_velocity(others);
-    const Vector3 u =
-        surface_velocity(grid) + 0.5 * by_others + 0.5 * in_plane(normal.change.velocity, n);
-    const double answer = i_.inverse_mass + j_.inverse_mass + arm_i * arm_i * inverse_inertia(i_) +
-                          arm_j * arm_j * inverse_inertia(j_);
+    const Vector3 u = surface_velocity(mine) + 0.5 * by_others;
+    const double answer = inverse_tangential_mass(arm_i, arm_j);
     Vector3 displacement = contact::TangentialSpring::turned(memory, n);
     if (dot(memory, memory) > 0.0) displacement += window_.before * (u - by_others);
-    FrictionStep step;
-    step.spring =
-        tangential_.advance(displacement, u, normal.normal.contact_time, 1.0 / answer,
+    contact::TangentialStep spring =
+        tangential_.advance(displacement, u, normal.normal.contact_time, answer,
                             normal.normal.repulsion_impulse, normal.normal.repulsion_at_end);
+    Vector3 left = spring.displacement - window_.after * (u + answer * spring.impulse);
     if (normal.overlap_at_end <= 0.0) {  // parted: what the spring still held is lost
-      step.spring.friction += friction_energy(step.spring.displacement);
-      step.spring.displacement = {};
-    } else {
-      step.memory = step.spring.displacement - window_.after * (u + answer * step.spring.impulse);
+      spring.friction += friction_energy(spring.displacement);
+      spring.displacement = left = {};
     }
-    const Vector3 turn = cross(n, step.spring.impulse);
-    step.torque_i = -arm_i * turn;
-    step.torque_j = -arm_j * turn;
-    return step;
+    const Vector3 turn = cross(n, spring.impulse);
+    return {spring, left, -arm_i * turn, -arm_j * turn};
   }
 
   double friction_energy(const Vector3& displacement) const {
@@ -141,10 +155,25 @@ class CohesiveContact {
  private:
   static Vector3 in_plane(const Vector3& a, const Vector3& n) { return a - dot(a, n) * n; }
 
+  double lever_arm_i(double distance) const {
+    return j_.radius > 0.0 ? lever_i_ * distance : i_.radius;
+  }
+
+  /// What an impulse at the ends of both arms changes of the surfaces' velocity, [1/mass].
+  double inverse_tangential_mass(double arm_i, double arm_j) const {
+    return inverse_mass_ + arm_i * arm_i * spin_share_i_ + arm_j * arm_j * spin_share_j_;
+  }
+
   Body i_;
   Body j_;
   StepWindow window_;
+  double inverse_mass_;
   double reduced_mass_;
+  double share_i_;
+  double share_j_;
+  double lever_i_;  // of two spheres: i's part of the distance
+  double spin_share_i_;
+  double spin_share_j_;
   contact::LinearSpringDashpot normal_contact_;
   Pair pair_;
   contact::TangentialSpring tangential_;

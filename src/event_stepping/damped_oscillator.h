@@ -76,15 +76,20 @@ class DampedOscillator {
     return (drive * t - (end.v - start.v) - 2.0 * alpha_ * (end.x - start.x)) * inverse_w0_squared_;
   }
 
+  /// An overlap that goes from start.x >= 0 (v > 0 if x = 0) to `end`, turning at most once, and
+  /// certainly stays positive in between: it turns at a maximum, if at all.
+  static bool stays_positive(Overlap start, Overlap end) {
+    return end.x >= 0.0 && (start.v >= 0.0 || end.v <= 0.0);
+  }
+
   /// The first time in (0, t_end] at which an overlap that starts at x >= 0 (v > 0 if x = 0) is
   /// back at zero; infinity if it stays positive. `end` is the state at t_end, and t_end at most
   /// half a period, so that the overlap turns at most once.
   double first_zero(Overlap start, double drive, double t_end, Overlap end) const {
-    if (start.v >= 0.0) {
-      if (end.x >= 0.0) return never();
+    if (stays_positive(start, end)) return never();
+    if (start.v >= 0.0)
       return root(start, drive, start.v > 0.0 ? turning_time(start, drive) : 0.0, t_end);
-    }
-    if (end.v <= 0.0) return end.x < 0.0 ? root(start, drive, 0.0, t_end) : never();
+    if (end.v <= 0.0) return root(start, drive, 0.0, t_end);
     const double turn = std::min(turning_time(start, drive), t_end);
     return after(turn, start, drive).x < 0.0 ? root(start, drive, 0.0, turn) : never();
   }

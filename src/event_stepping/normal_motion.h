@@ -48,6 +48,18 @@ class NormalMotion {
     return {s.x, std::copysign(std::sqrt(s.v * s.v + gain), s.v)};
   }
 
+  /// A contact that certainly lasts for all of `time`, followed like by advance(); false, and
+  /// nothing done, where that is not certain.
+  bool advance_lasting(Overlap& s, double time, double outward, double& x_integral,
+                       NormalRecord& record) const {
+    if (!(s.x > 0.0) || time != whole_step_.time) return false;
+    const double drive = pull_ - outward;
+    const Overlap end = contact_.after(whole_step_, s, drive);
+    if (!DampedOscillator::stays_positive(s, end)) return false;
+    stay(s, end, time, drive, x_integral, record);
+    return true;
+  }
+
   /// Follows a pair inside the range from `s` for at most `time`, and returns the time it took
   /// until it left the range (`inside` is then false), or `time`. `outward` [length/time^2] is the
   /// centrifugal acceleration. Adds the integral of x over time to `x_integral` and what happened
@@ -120,6 +132,13 @@ class NormalMotion {
       time = zero;
       end = {0.0, std::min(contact_.after(zero, s, drive).v, 0.0)};
     }
+    stay(s, end, time, drive, x_integral, record);
+    return time;
+  }
+
+  /// Books a stretch of contact, from s to `end`.
+  void stay(Overlap& s, Overlap end, double time, double drive, double& x_integral,
+            NormalRecord& record) const {
     record.contact_time += time;
     record.repulsion_impulse += reduced_mass_ * (drive * time - (end.v - s.v));
     record.repulsion_at_end =
@@ -129,7 +148,6 @@ class NormalMotion {
                          (s.x - end.x) * (0.5 * contact_.w0_squared() * (s.x + end.x) - drive));
     x_integral += contact_.integral(time, s, end, drive);
     s = end;
-    return time;
   }
 
   /// A pair that its turning presses against the edge, too slow for tail and contact: the bounces

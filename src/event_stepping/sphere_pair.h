@@ -121,7 +121,9 @@ class SpherePair {
 
     Overlap surface{contact_distance_ - distance, -radial};
     double integral = 0.0;
-    const double taken = motion_.advance(surface, time, centrifugal, inside, integral, record);
+    double taken = time;
+    if (!motion_.advance_lasting(surface, time, centrifugal, integral, record))
+      taken = motion_.advance(surface, time, centrifugal, inside, integral, record);
     overlap = surface.x;
     const double distance_after = contact_distance_ - surface.x;
 

@@ -31,7 +31,7 @@ TEST(TangentialSpring, BalancesTheEnergyOfEveryStep) {
         v{uniform(random), uniform(random), 0.0};
     const double normal = std::exp(3.0 * uniform(random));
     const double at_end = (1.0 + uniform(random)) * normal / time;
-    const TangentialStep step = spring.advance(s, v, time, mass, normal, at_end);
+    const TangentialStep step = spring.advance(s, v, time, 1.0 / mass, normal, at_end);
     const Vector3 after = v + (1.0 / mass) * step.impulse;
     const double before = kinetic(mass, v) + spring.stored_energy(s);
     const double rest = kinetic(mass, after) + spring.stored_energy(step.displacement) +
@@ -58,7 +58,7 @@ TEST(TangentialSpring, SticksAtTheMidpointRulesFrequencyWithoutLoss) {
   for (const double time : {0.01, 1.0, 40.0}) {
     Vector3 s{0.0, 0.0, 0.0}, v{1.0, 0.0, 0.0};
     for (int n = 1; n <= 100; n++) {
-      const TangentialStep step = spring.advance(s, v, time, mass, much, much);
+      const TangentialStep step = spring.advance(s, v, time, 1.0 / mass, much, much);
       v += (1.0 / mass) * step.impulse;
       s = step.displacement;
       const double angle = n * 2.0 * std::atan(0.5 * w * time);
@@ -79,7 +79,7 @@ TEST(TangentialSpring, SlidingCarriesTheCoulombForceAndItsWorkIsLost) {
   double lost = 0.0;
   for (int n = 0; n < 100; n++) {
     const TangentialStep step =
-        spring.advance(s, v, time, heavy, normal_force * time, normal_force);
+        spring.advance(s, v, time, 1.0 / heavy, normal_force * time, normal_force);
     s = step.displacement;
     lost += step.friction + step.damped;
   }
@@ -129,10 +129,10 @@ TEST(TangentialSpring, IsOfSecondOrderWhereSlidingEnds) {
 
 TEST(TangentialSpring, WithoutSpringTheDashpotSlides) {
   const TangentialSpring spring({0.0, 0.5, 0.3});
-  const TangentialStep sticking = spring.advance({}, {1.0, 0.0, 0.0}, 0.1, 2.0, much, much);
+  const TangentialStep sticking = spring.advance({}, {1.0, 0.0, 0.0}, 0.1, 1.0 / 2.0, much, much);
   // m_t (v' - v) = -eta T (v + v')/2
   EXPECT_NEAR(sticking.impulse.x, -0.05 / (1.0 + 0.025 / 2.0), 4 * eps);
-  const TangentialStep sliding = spring.advance({}, {1.0, 0.0, 0.0}, 0.1, 2.0, 0.1, 1.0);
+  const TangentialStep sliding = spring.advance({}, {1.0, 0.0, 0.0}, 0.1, 1.0 / 2.0, 0.1, 1.0);
   EXPECT_NEAR(sliding.impulse.x, -0.03, 4 * eps);
   EXPECT_EQ(spring.stored_energy(sliding.displacement), 0.0);
   // All of the work of the impulse is lost, to the dashpot and the slider.

@@ -135,6 +135,31 @@ TEST(CohesiveContact, FrictionKeepsMomentumAndAngularMomentum) {
   }
 }
 
+TEST(CohesiveContact, AloneItDoesWhatStepAndFrictionDo) {
+  contact::ContactParameters p = thesis::contact();
+  p.friction = 0.3;
+  const Body i{0.5e-3, 1.0 / thesis::mass}, j{0.8e-3, 1.0 / (4.1 * thesis::mass)};
+  const double dt = thesis::contact_time / 20;
+  const CohesiveContact<SpherePair> contact(p, thesis::adhesion(5e-19), i, j, {0.5 * dt, 0.5 * dt});
+  const PairMotion grid{
+      {{1.3e-3 - 2e-6, 0.0, 0.0}, {-0.02, 0.01, 0.005}}, {3.0, -4.0, 5.0}, {1.0, 7.0, -2.0}};
+  const Vector3 memory{0.0, 2e-7, -1e-7};
+  const PairStep normal = contact.advance(grid.relative, true);
+  const FrictionStep sliding = contact.friction(grid, {}, normal, memory);
+  const PairMotion change = contact.alone<true>(grid, true, memory);
+  const Vector3 velocity =
+      normal.change.velocity + (1.0 / contact.reduced_mass()) * sliding.spring.impulse;
+  // One rounding of 1/mass and one of the sum.
+  EXPECT_LE(norm(change.relative.velocity - velocity), 4 * eps * norm(velocity));
+  EXPECT_EQ(norm(change.relative.separation - normal.change.separation), 0.0);
+  EXPECT_EQ(norm(change.spin_i - inverse_inertia(i) * sliding.torque_i), 0.0);
+  EXPECT_EQ(norm(change.spin_j - inverse_inertia(j) * sliding.torque_j), 0.0);
+  EXPECT_GT(norm(change.spin_i), 0.0);
+  const PairMotion frictionless = contact.alone<false>(grid, true, memory);
+  EXPECT_EQ(norm(frictionless.relative.velocity - normal.change.velocity), 0.0);
+  EXPECT_EQ(norm(frictionless.spin_i), 0.0);
+}
+
 TEST(CohesiveContact, FrictionBalancesTheEnergy) {
   // Kinetic energy plus all losses. Not exact: normal motion and friction of a step are added
   // rather than composed, of first order in the step: the pair turns by u_t t_c/R = 0.013 in

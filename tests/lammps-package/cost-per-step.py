@@ -1,0 +1,65 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Time of a step of scheme event over that of LAMMPS' gran/hooke/history, on the same spheres.
+
+  cost-per-step.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--turns N] [--steps N] [--scene NAME]
+
+Two scenes of 4000 equal spheres, t_c/20, restitution 0.9: a gas at solid fraction 0.55, and a packing
+with six lasting contacts each. Both styles start from the same positions and velocities and run in
+turns; each turn gives one ratio of LAMMPS' own loop times (processor seconds), so that a machine that
+gets slower on the way does not decide. Printed: nanoseconds per particle and step, contacts per
+particle at the end, median ratio, and the quarter and three quarter points of the ratios.
+"""
+import argparse
+import os
+import re
+import sys
+
+import numpy
+
+SCENES = ("gas", "packing")
+CASES = ((0.0, 0.0), (0.3, 0.0), (0.0, 2e-18), (0.3, 2e-18))  # friction, A [J]
+
+
+def main():
+    words = argparse.ArgumentParser(description=__doc__,
+                                    formatter_class=argparse.RawDescriptionHelpFormatter)
+    words.add_argument("lmp")
+    words.add_argument("plugin")
+    words.add_argument("--turns", type=int, default=11)
+    words.add_argument("--steps", type=int, default=1000)
+    words.add_argument("--scene", choices=SCENES, action="append")
+    words = words.parse_args()
+    os.environ.update(COHESION_LMP=words.lmp, COHESION_PLUGIN=words.plugin, OMP_NUM_THREADS="1")
+    sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+    import lammps_engine as engine
+
+    def nanoseconds(folder, scene, style, mu, constant):
+        output = engine.run("in.cost_per_step", folder, scene=scene, make="no", style=style, mu=mu,
+                            A=constant, steps=words.steps)
+        found = re.search(r"Loop time of (\S+) .* with (\d+) atoms", output)
+        used = float(re.search(r"([\d.]+)% CPU", output)[1]) / 100.0
+        time = 1e9 * used * float(found[1]) / (words.steps * int(found[2]))
+        return time, engine.thermo(output)["c_contacts"]
+
+    print("scene    friction     A [J]   stock [ns]  contacts   event [ns]  contacts   ratio")
+    for scene in words.scene or SCENES:
+        with engine.temporary_folder() as folder:
+            engine.run("in.cost_per_step", folder, scene=scene, make="yes", style="stock", mu=0.3,
+                       A=0.0, steps=500)
+            for mu, constant in CASES:
+                turns = []
+                for turn in range(words.turns):
+                    order = ("stock", "event") if turn % 2 == 0 else ("event", "stock")
+                    done = {style: nanoseconds(folder, scene, style, mu, constant)
+                            for style in order}
+                    turns.append([*done["stock"], *done["event"]])
+                stock, of_stock, event, of_event = numpy.array(turns).T
+                low, middle, high = numpy.percentile(event / stock, (25, 50, 75))
+                print(f"{scene:8s}{mu:9g}{constant:10g}{numpy.median(stock):13.1f}"
+                      f"{of_stock.mean():10.2f}{numpy.median(event):13.1f}{of_event.mean():10.2f}"
+                      f"   {middle:.2f} ({low:.2f} to {high:.2f})", flush=True)
+
+
+if __name__ == "__main__":
+    main()
