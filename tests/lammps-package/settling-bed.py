@@ -13,7 +13,7 @@ import sys
 
 from progress import Progress
 
-RUNS = (("event", 4), ("event", 5), ("event", 10), ("event", 20), ("sampled", 50))
+RUNS = (("event", 4), ("event", 10), ("sampled", 50))
 
 
 def main():
