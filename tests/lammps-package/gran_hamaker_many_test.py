@@ -262,17 +262,19 @@ class Settling(unittest.TestCase):
     """125 spheres with damping and friction that fall on a layer of fixed ones, at t_c/10. At rest:
     kinetic energy, rotation included, below 1e-9 of the start's. With adhesion the bed rings slowly
     and for long, with sampled forces too: there, below 1e-3 of what weight and adhesion store in a
-    contact, (m g + F_ad)^2/(2 K) per sphere, so that speeds are 3 % of what opens one."""
+    contact, (m g + F_ad)^2/(2 K) per sphere, so that speeds are 3 % of what opens one. Half a run
+    later than without adhesion: what is left of the ringing falls by a factor of ten in 0.1 s, and
+    which bed it is in, round-off decides."""
 
-    def comes_to_rest(self, ratio):
+    def comes_to_rest(self, ratio, duration=0.4):
         with engine.temporary_folder() as folder:
             settling.write(folder, 5, 5, seed=2)
-            table, _ = settling.follow(folder, 10, 0.4, A=settling.hamaker_constant(ratio))
+            table, _ = settling.follow(folder, 10, duration, A=settling.hamaker_constant(ratio))
         self.assertEqual(len(table), 51)
         load = (1 + ratio) * gas.MASS * settling.GRAVITY
         rest = 1e-3 * 125 * load**2 / (2 * gas.STIFFNESS) if ratio else 1e-9 * table[0, 1]
         self.assertGreater(table[:10, 1].max(), 1.5 * table[0, 1])  # they fell
-        # The last fifth: 1000 contact times.
+        # The last fifth: 1000 contact times and more.
         self.assertLess(table[-10:, 1].max(), rest)
 
     def test_without_adhesion(self):
@@ -282,7 +284,7 @@ class Settling(unittest.TestCase):
         self.comes_to_rest(1)
 
     def test_adhesion_of_twenty_weights(self):
-        self.comes_to_rest(20)
+        self.comes_to_rest(20, duration=0.8)
 
 
 if __name__ == "__main__":
