@@ -107,19 +107,12 @@ void Foam::gasParticleCoupling::setDrag(const volVectorField& U)
     {
         const label celli = exchange_.cells()[i];
         coefficient_[i] =
-            sphere_volume(radius_[i])
-           *drag_
-            (
-                voidFraction_[celli],
-                mag(U[celli] - velocity_[i]),
-                2*radius_[i],
-                rho_,
-                mu_
-            );
+            drag_.coefficient(voidFraction_[celli], mag(U[celli] - velocity_[i]), radius_[i]);
         const scalar perGasMass = 1/(volume(celli)*rho_);
         rate[celli] += coefficient_[i]*perGasMass;
         source[celli] += (coefficient_[i]*velocity_[i] - pending[i]/dt)*perGasMass;
     }
+    drag_.endStep(radius_.size());
 }
 
 
@@ -254,8 +247,10 @@ void Foam::gasParticleCoupling::writeParticles()
 }
 
 
-void Foam::gasParticleCoupling::reportTimes(const scalar total) const
+void Foam::gasParticleCoupling::report(const scalar total) const
 {
+    drag_.report();
+
     scalar particles = seconds_.particles;
     scalar exchange = seconds_.exchange;
     reduce(particles, maxOp<scalar>());
