@@ -20,8 +20,9 @@ namespace cohesion::drag {
 ///     = (Re (...) + 8.4 Re^0.657) Re^q/(Re^q + 10^(3 phi)),   q = (1 + 4 phi)/2.
 ///
 /// Limits without inertia: Stokes' drag of a single sphere; Carman and Kozeny's
-/// 180 phi^2 mu U/(eps^3 d^2) in a dense bed, plus eps^3 (1 + 1.5 sqrt(phi)) of F_total.
-/// Continuous.
+/// 180 phi^2 mu U/(eps^3 d^2) in a dense bed, plus 1 % at phi = 0.6. With inertia the
+/// single sphere is missed: the force is 16 % above Schiller and Naumann's at Re = 100, 68 % at
+/// 1000. Continuous.
 ///
 /// Validity: simulated for phi from 0.1 to 0.6, Re up to 1000.
 ///

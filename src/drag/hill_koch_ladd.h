@@ -20,9 +20,9 @@ namespace cohesion::drag {
 ///
 /// Limits without inertia: Stokes' drag of a single sphere; the expansion for dilute arrays of
 /// Kim and Russel, 1 + 3 sqrt(phi/2) + 135/64 phi ln phi + 16.456 phi; Carman and Kozeny's
-/// 180 phi^2 mu U/(eps^3 d^2) in a packed bed. F_0 falls by 3.8 % where its branches meet. F_3 is
-/// meant for Re above some 40: near a single sphere the force is 30 % above Schiller and Naumann's
-/// at Re = 100.
+/// 180 phi^2 mu U/(eps^3 d^2) in a packed bed. F_0 falls by 3.8 % where its branches meet. With
+/// inertia the single sphere is missed: at Re = 100 the force is 21 % above Schiller and Naumann's,
+/// at Re = 200 50 %.
 ///
 /// Printing errors that are about. Van der Hoef et al., Adv. Chem. Eng. 31 (2006) 65, eq. 47, have
 /// 135/64 phi without its logarithm; the original has it. Other codes have 16.14 for 17.14, which

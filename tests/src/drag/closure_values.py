@@ -13,7 +13,7 @@ from closure_formulas import CLOSURES
 
 mpmath.mp.dps = 80
 DIAMETER, DENSITY, VISCOSITY = 1e-3, 1.205, 1.75e-5
-VOID_FRACTIONS = (0.38, 0.55, 0.7, 0.85, 1.0)
+VOID_FRACTIONS = (0.38, 0.55, 0.7, 0.9, 1.0)
 SLIPS = (0.0, 2e-3, 0.4, 20.0)
 
 print("""// SPDX-License-Identifier: BSD-3-Clause
