@@ -33,6 +33,7 @@ Foam::gasParticleCoupling::gasParticleCoupling
     ),
     rho_(rho),
     drag_(dict_, rho, mu),
+    gasAt_(dict_),
     deposit_(selectRow(dict_, "voidFraction", void_fraction::kernels).deposit),
     minVoidFraction_(dict_.getOrDefault<scalar>("minVoidFraction", 0.2)),
     depthRatio_(1),

@@ -45,6 +45,9 @@ CASES = {
     "negative drag": (
         lambda c: c.set(COUPLING, "dragFactor", -1),
         ["dragFactor = -1: must be a finite number greater than zero"]),
+    "misspelt slip": (
+        lambda c: c.set(COUPLING, "slip", "cellMean"),
+        ["unknown slip 'cellMean'", "valid names: cell, interpolated"]),
     "misspelt void fraction": (
         lambda c: c.set(COUPLING, "voidFraction", "center"),
         ["unknown voidFraction 'center'", "valid names: particleCentre"]),
