@@ -110,6 +110,15 @@ CASES = {
 }
 
 
+def every_closure_is_documented(expect):
+    """Not bad input, but what a user does after the list of valid names: look them up."""
+    table = (SOURCE / "docs/openfoam-coupling/drag_closures.md").read_text()
+    entries = (SOURCE / "docs/openfoam-coupling/cohesiveBedFoam.md").read_text()
+    for name in CLOSURES:
+        expect.true(f"{name}: a row in drag_closures.md", f"\n| `{name}` |" in table)
+        expect.true(f"{name}: named in cohesiveBedFoam.md", f"`{name}`" in entries)
+
+
 def times(case):
     return sorted(d.name for d in case.folder.iterdir() if d.is_dir() and d.name[0].isdigit())
 
@@ -163,6 +172,7 @@ def main(build, work):
     expect = Expectations()
     for number, (name, (spoil, parts)) in enumerate(CASES.items()):
         check(expect, column(work, str(number), build), name, spoil, parts)
+    every_closure_is_documented(expect)
     refuses_existing_results(expect, column(work, "results", build))
     expect.exit()
 
