@@ -97,6 +97,12 @@ void Foam::gasParticleCoupling::setDrag(const volVectorField& U)
 {
     const scalar dt = mesh_.time().deltaTValue();
     const List<vector> pending(exchange_.toGas(pendingImpulse()));
+    if (gasAt_.interpolated())
+    {
+        const auto particles = engine_->particles();
+        const auto position = exchange_.toGas(view(particles.position, particles.count));
+        gasAt_.interpolate(voidFraction_, U, exchange_.cells(), position);
+    }
 
     coefficient_.setSize(radius_.size());
     scalarField& rate = dragRate_.field();
@@ -106,20 +112,19 @@ void Foam::gasParticleCoupling::setDrag(const volVectorField& U)
     forAll(radius_, i)
     {
         const label celli = exchange_.cells()[i];
-        coefficient_[i] =
-            sphere_volume(radius_[i])
-           *drag_
-            (
-                voidFraction_[celli],
-                mag(U[celli] - velocity_[i]),
-                2*radius_[i],
-                rho_,
-                mu_
-            );
+        // The slip is U of the cell less this.
+        const vector velocity = velocity_[i] - gasAt_.offset(i);
+        coefficient_[i] = drag_.coefficient
+        (
+            gasAt_.voidFraction(i, voidFraction_[celli]),
+            mag(U[celli] - velocity),
+            radius_[i]
+        );
         const scalar perGasMass = 1/(volume(celli)*rho_);
         rate[celli] += coefficient_[i]*perGasMass;
-        source[celli] += (coefficient_[i]*velocity_[i] - pending[i]/dt)*perGasMass;
+        source[celli] += (coefficient_[i]*velocity - pending[i]/dt)*perGasMass;
     }
+    drag_.endStep(radius_.size());
 }
 
 
@@ -165,7 +170,11 @@ void Foam::gasParticleCoupling::advanceParticles
     const scalar dt = mesh_.time().deltaTValue();
 
     const labelList& cells = exchange_.cells();
-    const vectorField gasVelocity(U.primitiveField(), cells);
+    vectorField gasVelocity(cells.size());
+    forAll(cells, i)
+    {
+        gasVelocity[i] = U[cells[i]] + gasAt_.offset(i);
+    }
     const vectorField charged(coefficient_*(gasVelocity - velocity_)*dt);
     const vector pendingBefore = sum(pendingImpulse());
     handOver
@@ -254,8 +263,10 @@ void Foam::gasParticleCoupling::writeParticles()
 }
 
 
-void Foam::gasParticleCoupling::reportTimes(const scalar total) const
+void Foam::gasParticleCoupling::report(const scalar total) const
 {
+    drag_.report();
+
     scalar particles = seconds_.particles;
     scalar exchange = seconds_.exchange;
     reduce(particles, maxOp<scalar>());

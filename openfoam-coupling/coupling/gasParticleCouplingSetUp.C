@@ -6,29 +6,10 @@
 #include "UPstream.H"
 
 #include "dem-engines/load_dem_engine.h"
-#include "named_table.h"
+
+#include "selectRow.H"
 
 using namespace cohesion;
-
-namespace
-{
-
-//- Row of one of the core's tables, named by an entry of the dictionary
-template<class Table>
-const auto& select(const Foam::dictionary& dict, const char* entry, const Table& table)
-{
-    try
-    {
-        return find_by_name(table, entry, dict.get<Foam::word>(entry));
-    }
-    catch (const InvalidParameter& error)
-    {
-        FatalIOErrorInFunction(dict) << error.what() << Foam::exit(Foam::FatalIOError);
-        throw;
-    }
-}
-
-} // End anonymous namespace
 
 
 Foam::gasParticleCoupling::gasParticleCoupling
@@ -51,9 +32,9 @@ Foam::gasParticleCoupling::gasParticleCoupling
         )
     ),
     rho_(rho),
-    mu_(mu),
-    drag_(select(dict_, "drag", drag::closures).per_solid_volume),
-    deposit_(select(dict_, "voidFraction", void_fraction::kernels).deposit),
+    drag_(dict_, rho, mu),
+    gasAt_(dict_),
+    deposit_(selectRow(dict_, "voidFraction", void_fraction::kernels).deposit),
     minVoidFraction_(dict_.getOrDefault<scalar>("minVoidFraction", 0.2)),
     depthRatio_(1),
     subSteps_(0),
@@ -83,7 +64,7 @@ Foam::gasParticleCoupling::gasParticleCoupling
         dimensionedVector(dimAcceleration, Zero)
     )
 {
-    check();
+    check(mu);
     setDepthRatio();
     makeEngine();
     checkUnitsAndBox();
@@ -95,12 +76,12 @@ Foam::gasParticleCoupling::gasParticleCoupling
 }
 
 
-void Foam::gasParticleCoupling::check() const
+void Foam::gasParticleCoupling::check(const scalar mu) const
 {
     try
     {
         require_positive("density of the gas", rho_);
-        require_positive("viscosity of the gas", mu_);
+        require_positive("viscosity of the gas", mu);
         require_positive("minVoidFraction", minVoidFraction_);
     }
     catch (const InvalidParameter& error)

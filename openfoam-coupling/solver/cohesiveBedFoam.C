@@ -70,7 +70,7 @@ int main(int argc, char* argv[])
         Info<< endl;
     }
 
-    coupling.reportTimes(progress.elapsed());
+    coupling.report(progress.elapsed());
     Info<< "End\n" << endl;
 
     return 0;

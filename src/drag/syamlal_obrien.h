@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "drag/validity.h"
+
 namespace cohesion::drag {
 
 /// Drag closure of Syamlal and O'Brien, from the terminal velocity of a settling suspension.
@@ -19,9 +21,17 @@ namespace cohesion::drag {
 /// For eps_g -> 1 it is the drag of a single sphere with C_D = (0.63 + 4.8/sqrt(Re))^2
 /// (J. M. Dalla Valle), whose Stokes limit is 23.04/Re, 4 % below Stokes' 24/Re.
 ///
+/// beta is that of F_drag (stokes_scaled.h), while Re is that of the slip in the voids here.
+///
+/// Validity: packed beds up to single spheres; superficial Re as far as the single sphere's
+/// formula.
+///
 /// Source: M. Weber, thesis, chapter 6; M. Syamlal, T. J. O'Brien, AIChE Symp. Ser. 85 (1989) 22.
 struct SyamlalOBrien {
   static constexpr const char* name = "syamlalOBrien";
+  static constexpr Validity validity{0.36, 1.0, 1e4};
+  static constexpr const char* no_exponent =
+      "its void fraction enters through the terminal velocity of a suspension";
 
   /// beta / (eps_s), [mass/(volume time)]: the drag per volume of solid and unit slip, which unlike
   /// beta does not vanish with the last particle.

@@ -4,7 +4,10 @@ says what is wrong, where, and what would be right."""
 
 import sys
 
-from coupled_case import CaseError, Expectations, column
+from coupled_case import SOURCE, CaseError, Expectations, column
+
+sys.path.insert(0, str(SOURCE / "tests/src/drag"))
+from closure_formulas import CLOSURES  # noqa: E402
 
 COUPLING = "constant/couplingProperties"
 SCRIPT = "particles.lmp"
@@ -27,7 +30,24 @@ CASES = {
         ["demEngine", "couplingProperties"]),
     "misspelt drag": (
         lambda c: c.set(COUPLING, "drag", "syamlalObrien"),
-        ["unknown drag 'syamlalObrien'", "valid names: syamlalOBrien"]),
+        ["unknown drag 'syamlalObrien'", "valid names: " + ", ".join(CLOSURES)]),
+    "exponent of a closure that has one of its own": (
+        lambda c: (c.set(COUPLING, "drag", "diFelice"), c.set(COUPLING, "dragExponent", 9.6)),
+        ["dragExponent = 9.6: drag 'diFelice' has no exponent to choose",
+         "its exponent is a function of the Reynolds number",
+         "take one of ergunWenYu, ergunRoweHenwood", "couplingProperties"]),
+    "negative exponent": (
+        lambda c: (c.set(COUPLING, "drag", "ergunWenYu"), c.set(COUPLING, "dragExponent", -4.65)),
+        ["dragExponent = -4.65: must be a finite number greater than zero"]),
+    "drag switched off": (
+        lambda c: c.set(COUPLING, "dragFactor", 0),
+        ["dragFactor = 0: must be a finite number greater than zero"]),
+    "negative drag": (
+        lambda c: c.set(COUPLING, "dragFactor", -1),
+        ["dragFactor = -1: must be a finite number greater than zero"]),
+    "misspelt slip": (
+        lambda c: c.set(COUPLING, "slip", "cellMean"),
+        ["unknown slip 'cellMean'", "valid names: cell, interpolated"]),
     "misspelt void fraction": (
         lambda c: c.set(COUPLING, "voidFraction", "center"),
         ["unknown voidFraction 'center'", "valid names: particleCentre"]),
@@ -90,6 +110,15 @@ CASES = {
 }
 
 
+def every_closure_is_documented(expect):
+    """Not bad input, but what a user does after the list of valid names: look them up."""
+    table = (SOURCE / "docs/openfoam-coupling/drag_closures.md").read_text()
+    entries = (SOURCE / "docs/openfoam-coupling/cohesiveBedFoam.md").read_text()
+    for name in CLOSURES:
+        expect.true(f"{name}: a row in drag_closures.md", f"\n| `{name}` |" in table)
+        expect.true(f"{name}: named in cohesiveBedFoam.md", f"`{name}`" in entries)
+
+
 def times(case):
     return sorted(d.name for d in case.folder.iterdir() if d.is_dir() and d.name[0].isdigit())
 
@@ -143,6 +172,7 @@ def main(build, work):
     expect = Expectations()
     for number, (name, (spoil, parts)) in enumerate(CASES.items()):
         check(expect, column(work, str(number), build), name, spoil, parts)
+    every_closure_is_documented(expect)
     refuses_existing_results(expect, column(work, "results", build))
     expect.exit()
 

@@ -58,3 +58,9 @@ def exchange_lines(log):
          "imbalance": float(m[6]), "volume": float(m[7])}
         for m in re.findall(pattern, log)
     ]
+
+
+def drag_report(log):
+    """Of the table at the end: evaluations of the drag law, and how many were where it was not fitted."""
+    found = re.search(r"evaluations +(\S+)\s+outside +(\d\S*),", log)
+    return float(found[1]), float(found[2])

@@ -1,18 +1,23 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Gas blown through three layers of spheres that are held where they are, free rows of cells below
-and above: in every row eps U is the superficial velocity, and the pressure drop is what the drag law,
-written out again here, gives at each row's void fraction and slip."""
+and above, with every drag closure: in every row eps U is the superficial velocity, and the pressure
+drop is what the closure, written out again in tests/src/drag/closure_formulas.py, gives at each row's
+void fraction and slip."""
 
 import re
 import sys
 
 import numpy as np
 
-from coupled_case import Expectations, column
+from coupled_case import SOURCE, Expectations, column, drag_report
+
+sys.path.insert(0, str(SOURCE / "tests/src/drag"))
+from closure_formulas import CLOSURES, DOUBLE  # noqa: E402
 
 RHO, MU, G = 1.205, 1.75e-5, 9.81
 SUPERFICIAL = 0.5
-DT, HEIGHT, ROW, CELL = 1e-4, 0.2, 0.02, 0.02**3  # gas step; mesh, row and cell (column/system)
+DT, STEPS = 1e-4, 40
+HEIGHT, ROW, CELL = 0.2, 0.02, 0.02**3  # of the mesh, a row and a cell (column/system)
 # Spheres per cell and diameter in the ten rows, from the lattices of column/packed.lmp.
 FREE, DENSE, LOOSE, DILUTE = (0, 1e-3), (4 * 5**3, 2.6e-3), (8**3, 2e-3), (4**3, 3e-3)
 ROWS = [FREE, FREE, DENSE, DENSE, LOOSE, LOOSE, DILUTE, FREE, FREE, FREE]
@@ -23,17 +28,13 @@ def solid(row):
     return number * np.pi / 6 * diameter**3 / CELL
 
 
-def drag(row):
-    """Syamlal and O'Brien's drag per volume of gas and spheres at rest, beta U [N/m3]."""
+def drag(row, closure):
+    """Drag per volume of gas and spheres at rest, beta U [N/m3]."""
+    if solid(row) == 0:
+        return 0.0
     eps, diameter = 1 - solid(row), row[1]
     slip = SUPERFICIAL / eps
-    reynolds = diameter * slip * RHO / MU
-    a = eps**4.14
-    b = 0.8 * eps**1.28 if eps <= 0.85 else eps**2.65
-    x = 0.06 * reynolds
-    terminal = 0.5 * (a - x + np.sqrt(x**2 + 2 * x * (2 * b - a) + a**2))
-    coefficient = (0.63 + 4.8 * np.sqrt(terminal / reynolds)) ** 2
-    return 3 * (1 - eps) * eps * RHO * coefficient * slip**2 / (4 * terminal**2 * diameter)
+    return (1 - eps) * slip * closure(DOUBLE, eps, slip, diameter, RHO, MU)
 
 
 def rows(case, time, field):
@@ -50,30 +51,36 @@ def drop(case, time):
     return RHO * (p[0] - p[-1])
 
 
-def blow(build, work):
-    case = column(work, "packed_bed", build)
+def blow(build, work, name, settings, superficial=SUPERFICIAL, ranks=1):
+    """Runs the bed with `settings` of couplingProperties; the case, its last error of continuity, and
+    the solver's log."""
+    case = column(work, name, build)
+    for entry, value in settings.items():
+        case.set("constant/couplingProperties", entry, value)
     case.set("constant/couplingProperties", "lammpsCoeffs/script", '"$FOAM_CASE/packed.lmp"')
-    case.set("0.orig/U", "boundaryField/bottom/superficialVelocity", f"(0 0 {SUPERFICIAL})")
-    # Central, for convection to have no part in the pressure drop: see main().
+    case.set("0.orig/U", "boundaryField/bottom/superficialVelocity", f"(0 0 {superficial})")
+    # Central, for convection to have no part in the pressure drop: see check().
     case.set("system/fvSchemes", "divSchemes/div(voidFractionPhi,U)", "Gauss linear")
     case.set("system/controlDict", "deltaT", DT)
-    case.set("system/controlDict", "endTime", 40 * DT)
-    case.set("system/controlDict", "writeInterval", 20 * DT)
+    case.set("system/controlDict", "endTime", STEPS * DT)
+    case.set("system/controlDict", "writeInterval", STEPS * DT / 2)
     case.mesh()
-    errors = re.findall(r"Continuity error, mean of the sizes: (\S+)", case.solve())
-    return case, float(errors[-1])
+    log = case.solve(ranks=ranks)
+    errors = re.findall(r"Continuity error, mean of the sizes: (\S+)", log)
+    return case, float(errors[-1]), log
 
 
-def main(build, work):
-    case, continuity = blow(build, work)
+def check(expect, build, work, name, settings, closure):
+    """The bed with `settings` of the drag in couplingProperties, against `closure`."""
+    print(f"-- {name}")
+    case, continuity, log = blow(build, work, name, settings)
     early, late = "0.002", "0.004"
     eps = np.array([1 - solid(row) for row in ROWS])
     # eps grad p = -drag - eps rho g - transport of momentum
-    steps = np.array([drag(row) for row in ROWS]) / eps * ROW
+    steps = np.array([drag(row, closure) for row in ROWS]) / eps * ROW
     # From the middle of the lowest row to that of the highest there are nine rows of weight.
     expected = steps.sum() + RHO * G * 9 * ROW
 
-    expect = Expectations()
     # Numbers are written with 12 digits.
     for k, found in enumerate(rows(case, late, "voidFraction")):
         expect.near(f"void fraction of row {k}", found, eps[k], 1e-12)
@@ -101,6 +108,24 @@ def main(build, work):
     viscous = (4 / 3 * MU * np.abs(np.diff(speed)).max() / ROW
                * (np.abs(np.diff(1 / eps)).sum() + 1))
     expect.near("pressure drop [Pa]", drop(case, late), expected, viscous + solver)
+
+    # All void fractions and Reynolds numbers here are where the closures hold. One evaluation for
+    # each sphere and step.
+    spheres = 9 * sum(row[0] for row in ROWS)
+    expect.equal("evaluations and how many were outside", drag_report(log), (STEPS * spheres, 0))
+    expect.true("no warning", "particles are outside" not in log)
+
+
+def main(build, work):
+    expect = Expectations()
+    for name, closure in CLOSURES.items():
+        check(expect, build, work, name, {"drag": name}, closure)
+
+    def halved(*where):
+        return 0.5 * CLOSURES["ergunWenYu"](*where, n="9.6")
+
+    check(expect, build, work, "factor_and_exponent",
+          {"drag": "ergunWenYu", "dragFactor": 0.5, "dragExponent": 9.6}, halved)
     expect.exit()
 
 

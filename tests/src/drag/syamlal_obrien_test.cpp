@@ -87,36 +87,9 @@ TEST(SyamlalOBrien, DragForceRisesWithSlipAndWithSolidContent) {
     }
 }
 
-// What follows to 17 digits was computed from the formulas with mpmath, 50 digits, inputs as the
-// decimal numbers they are. V_t is half of A - 0.06 Re plus a root of nearly that size: at the
-// largest Re, 0.06 Re = 21 against V_t >= 0.2, which makes 100 of each rounding of 1.1e-16, three
-// of them, and the square of V_t twice that.
-const double rounding = 1e-13;
-
-TEST(SyamlalOBrien, HasTheValuesOfAHighPrecisionEvaluation) {
-  struct {
-    double void_fraction, slip, value;
-  } const rows[] = {
-      {0.38, 0.001, 4090.3722018511059}, {0.38, 0.8, 4998.100834043055},
-      {0.38, 5.0, 18530.11113627005},    {0.6, 0.001, 1678.3092167848661},
-      {0.6, 0.8, 3110.0359386254653},    {0.6, 5.0, 10197.965206198856},
-      {0.85, 0.001, 552.22046223532599}, {0.85, 0.8, 2036.5781562233602},
-      {0.85, 5.0, 6470.5330544275735},   {0.86, 0.001, 531.2853842318873},
-      {0.86, 0.8, 1958.5040736447538},   {0.86, 5.0, 6193.2331069114765},
-      {0.95, 0.001, 382.8183491366015},  {0.95, 0.8, 1405.2950595231435},
-      {0.95, 5.0, 4302.9252188334061},   {1.0, 0.001, 323.5885220516421},
-      {1.0, 0.8, 1178.5150829069494},    {1.0, 5.0, 3568.7828322673735},
-  };
-  for (const auto& row : rows)
-    EXPECT_NEAR(
-        SyamlalOBrien::per_solid_volume(row.void_fraction, row.slip, d, rho, mu) / row.value, 1.0,
-        rounding)
-        << row.void_fraction << " " << row.slip;
-}
-
 TEST(SyamlalOBrien, CarriesTheSpheresOfTheBedAtItsMinimumFluidisation) {
   // Drag and pressure gradient carry a sphere of 2650 kg/m3: beta/(1 - eps) slip/eps = weight per
-  // volume, solved for the superficial velocity. (Ergun: 0.697 m/s at 0.43.)
+  // volume, solved for the superficial velocity with 50 digits. (Ergun: 0.697 m/s at 0.43.)
   const double weight = 2650.0 * 9.81;
   struct {
     double void_fraction, velocity;
@@ -124,7 +97,9 @@ TEST(SyamlalOBrien, CarriesTheSpheresOfTheBedAtItsMinimumFluidisation) {
   for (const auto& [eps, velocity] : rows) {
     const double slip = velocity / eps;
     const double carried = SyamlalOBrien::per_solid_volume(eps, slip, d, rho, mu) * slip / eps;
-    EXPECT_NEAR(carried / weight, 1.0, rounding) << eps;
+    // V_t is half of A - 0.06 Re plus a root of nearly that size: 0.06 Re = 3 against V_t >= 0.2,
+    // which makes 15 of each rounding of 1.1e-16, some five of them, and its square twice that.
+    EXPECT_NEAR(carried / weight, 1.0, 2e-14) << eps;
   }
 }
 

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "particleDrag.H"
+
+#include "Pstream.H"
+#include "PstreamReduceOps.H"
+#include "messageStream.H"
+
+#include "selectRow.H"
+
+#include <sstream>
+
+using namespace cohesion;
+
+namespace
+{
+
+drag::DragLaw readLaw(const Foam::dictionary& dict)
+{
+    const drag::Closure& closure = Foam::selectRow(dict, "drag", drag::closures);
+    std::optional<double> exponent;
+    if (dict.found("dragExponent"))
+    {
+        exponent = dict.get<Foam::scalar>("dragExponent");
+    }
+    try
+    {
+        return drag::DragLaw
+        (
+            closure,
+            dict.getOrDefault<Foam::scalar>("dragFactor", 1),
+            exponent
+        );
+    }
+    catch (const InvalidParameter& error)
+    {
+        FatalIOErrorInFunction(dict) << error.what() << Foam::exit(Foam::FatalIOError);
+        throw;
+    }
+}
+
+} // End anonymous namespace
+
+
+Foam::particleDrag::particleDrag
+(
+    const dictionary& dict,
+    const scalar rho,
+    const scalar mu
+)
+:
+    law_(readLaw(dict)),
+    rho_(rho),
+    mu_(mu)
+{}
+
+
+void Foam::particleDrag::countOutside(const scalar voidFraction, const scalar reynolds)
+{
+    ++outside_;
+    ++step_.count;
+    step_.lowestVoidFraction = min(step_.lowestVoidFraction, voidFraction);
+    step_.highestVoidFraction = max(step_.highestVoidFraction, voidFraction);
+    step_.highestReynolds = max(step_.highestReynolds, reynolds);
+}
+
+
+std::string Foam::particleDrag::validity() const
+{
+    const drag::Validity& validity = law_.closure().validity;
+    std::ostringstream text;
+    text<< "void fraction " << validity.lowest_void_fraction << " to "
+        << validity.highest_void_fraction << " and Reynolds number up to "
+        << validity.highest_reynolds;
+    return text.str();
+}
+
+
+void Foam::particleDrag::endStep(const label n)
+{
+    evaluations_ += n;
+    if (warned_)
+    {
+        return;
+    }
+
+    label count = step_.count;
+    reduce(count, sumOp<label>());
+    if (count)
+    {
+        reduce(step_.lowestVoidFraction, minOp<scalar>());
+        reduce(step_.highestVoidFraction, maxOp<scalar>());
+        reduce(step_.highestReynolds, maxOp<scalar>());
+        label all = n;
+        reduce(all, sumOp<label>());
+        WarningInFunction
+            << "drag " << law_.closure().name.data() << " was fitted for " << validity().c_str()
+            << "; " << count << " of " << all << " particles are outside, at void fractions from "
+            << step_.lowestVoidFraction << " to " << step_.highestVoidFraction
+            << " and Reynolds numbers up to " << step_.highestReynolds
+            << ". The formula is used as it is. This is said once; the end of the log has the count"
+            << endl;
+        warned_ = true;
+    }
+}
+
+
+void Foam::particleDrag::report() const
+{
+    scalar evaluations = evaluations_;
+    scalar outside = outside_;
+    reduce(evaluations, sumOp<scalar>());
+    reduce(outside, sumOp<scalar>());
+    Info<< "Drag " << law_.closure().name.data() << ", fitted for " << validity().c_str()
+        << nl << "    evaluations  " << evaluations << nl
+        << "    outside      " << outside << ", " << 100*outside/max(evaluations, scalar(1))
+        << " %" << endl;
+}

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdlib>
+#include <optional>
+#include <string>
+
+#include "drag/drag_closure.h"
+#include "validation.h"
+
+namespace cohesion::drag {
+
+/// A closure as the user wants it: times a factor, and with another exponent of the void fraction
+/// where the closure has one.
+class DragLaw {
+ public:
+  /// factor [1] > 0; exponent n [1] > 0 of closures of the type eps^-n. Throws InvalidParameter
+  /// when either is out of bounds, and when the closure has no exponent to choose.
+  explicit DragLaw(const Closure& closure, double factor = 1.0,
+                   std::optional<double> exponent = std::nullopt)
+      : closure_(closure), factor_(factor), exponent_(exponent) {
+    require_positive("dragFactor", factor);
+    if (!exponent) return;
+    if (!closure.with_exponent) refuse_exponent(closure, *exponent);
+    require_positive("dragExponent", *exponent);
+  }
+
+  const Closure& closure() const { return closure_; }
+
+  /// beta/(1 - eps), [mass/(volume time)]; arguments as in SyamlalOBrien::per_solid_volume.
+  double per_solid_volume(double void_fraction, double slip, double diameter, double density,
+                          double viscosity) const {
+    return factor_ * (exponent_ ? closure_.with_exponent(*exponent_, void_fraction, slip, diameter,
+                                                         density, viscosity)
+                                : closure_.per_solid_volume(void_fraction, slip, diameter, density,
+                                                            viscosity));
+  }
+
+ private:
+  [[noreturn]] static void refuse_exponent(const Closure& closure, double exponent) {
+    std::string with;
+    for (const Closure& row : closures)
+      if (row.with_exponent) with += (with.empty() ? "" : ", ") + std::string(row.name);
+    require(false, "dragExponent", exponent,
+            "drag '" + std::string(closure.name) + "' has no exponent to choose, as " +
+                std::string(closure.no_exponent) + "; remove the entry, or take one of " + with);
+    std::abort();
+  }
+
+  Closure closure_;
+  double factor_;
+  std::optional<double> exponent_;
+};
+
+}  // namespace cohesion::drag

@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Gas blown past spheres that are held on the vertical axes of the columns of cells, in layers of
+different void fraction: the drag they feel, with the gas and void fraction of their cell and with those
+interpolated to each of them, against the closure written out again. On the axis of a cell, with a field
+that varies along it only, OpenFOAM's interpolation is linear between cell centres."""
+
+import sys
+
+import numpy as np
+
+from coupled_case import SOURCE, Expectations, column, exchange_lines
+
+sys.path.insert(0, str(SOURCE / "tests/src/drag"))
+from closure_formulas import CLOSURES, DOUBLE  # noqa: E402
+
+RHO, SUPERFICIAL = 1.205, 0.5
+MU = RHO * 1.452282e-5  # column/constant/transportProperties
+ROW, ROWS, AXES = 0.02, 10, 9
+CENTRES = (np.arange(ROWS) + 0.5) * ROW
+# column/axes.lmp: on each axis
+Z = 0.04 + 2.5e-3 * (np.arange(40) + 0.5)
+DIAMETER = np.select([Z < 0.08, Z < 0.12], [8e-3, 6e-3], 9e-3)
+VOLUME = np.pi / 6 * DIAMETER**3
+CELL = (Z / ROW).astype(int)
+
+
+def drag(at):
+    """Drag on all spheres [N], with the fields of the cells brought to the spheres by `at`."""
+    eps = 1 - np.bincount(CELL, VOLUME, ROWS) / ROW**3
+    law = CLOSURES["diFelice"]
+    return AXES * sum(
+        volume * law(DOUBLE, e, u, d, RHO, MU) * u
+        for volume, e, u, d in zip(VOLUME, at(eps), at(SUPERFICIAL / eps), DIAMETER))
+
+
+EXPECTED = {
+    "cell": drag(lambda field: field[CELL]),
+    "interpolated": drag(lambda field: np.interp(Z, CENTRES, field)),
+}
+
+
+def blow(build, work, slip, ranks):
+    case = column(work, f"{slip}-{ranks}", build)
+    case.set("constant/couplingProperties", "lammpsCoeffs/script", '"$FOAM_CASE/axes.lmp"')
+    case.set("constant/couplingProperties", "drag", "diFelice")
+    case.set("constant/couplingProperties", "slip", slip)
+    case.set("0.orig/U", "boundaryField/bottom/superficialVelocity", f"(0 0 {SUPERFICIAL})")
+    case.set("system/fvSolution", 'solvers/"p.*"/tolerance', 1e-13)
+    case.set("system/controlDict", "endTime", 20e-4)
+    case.set("system/controlDict", "deltaT", 1e-4)
+    case.mesh()
+    return case.solve(ranks=ranks)
+
+
+def main(build, work):
+    expect = Expectations()
+    difference = EXPECTED["interpolated"] / EXPECTED["cell"] - 1
+    expect.true(f"the two differ ({difference:.3%})", abs(difference) > 1e-3)
+    for slip, expected in EXPECTED.items():
+        for ranks in (1, 2):
+            lines = exchange_lines(blow(build, work, slip, ranks))
+            drag_force = lines[-1]["drag"]
+            # By symmetry nothing acts across the axes: what does, is what the solver of p has left in
+            # U, the same in every direction. Ten times that, and the digits of the log.
+            error = max(abs(drag_force[0]), abs(drag_force[1]))
+            expect.below(f"{slip}, {ranks} ranks: force across the axes [N]", error, 1e-6 * expected)
+            expect.near(f"{slip}, {ranks} ranks: drag [N]", drag_force[2], expected,
+                        10 * error + 1e-11 * expected)
+            # As in conservation.py
+            expect.below("largest imbalance of the forces", max(x["imbalance"] for x in lines), 1e-12)
+    expect.exit()
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
