@@ -213,6 +213,46 @@ TEST(EventOrder, CollapseRuleMakesTheRestOfAStepElastic) {
   EXPECT_GT(hits, 10);
 }
 
+// Along the inside of a cylinder collisions with e < 1 come faster and faster without end.
+TEST(EventOrder, CollapseRuleKeepsASphereOffAConcaveWall) {
+  EventOrder order;
+  order.laws = {Law{0.7, 0.0, 0.0}};
+  order.walls = {{{Wall::z_cylinder, 1.0, 3.0}, {}, 0.0}};
+  Body body;
+  body.tag = 1;
+  body.radius = 0.4;
+  body.inverse_mass = 0.5;
+  body.flight.velocity = {1.1, 0.0, 0.25};
+  body.flight.end = {0.0, 1.2, 0.0};
+  order.bodies = {body};
+  order.links = {{0, -1, 0, 0, {0.4, 0.4}}};
+  order.connect();
+  const double dt = 0.37;
+  double least = 1.0, lost = 0.0;
+  std::size_t elastic_hits = 0;
+  for (int n = 0; n < 200; n++) {
+    Flight& f = order.bodies[0].flight;
+    f = {f.end + dt * f.velocity, f.velocity, 0.0, {}, 0, 0};
+    order.begin_step(dt);
+    order.predict(0);
+    order.sort();
+    order.run(dt);
+    for (std::size_t m = 1; m < order.events.size(); m++)
+      if (order.events[m - 1].elastic)
+        least = std::min(least, order.events[m].key.time - order.events[m - 1].key.time);
+    for (const Event& event : order.events) {
+      elastic_hits += event.elastic;
+      lost -= event.impact.energy_change;
+    }
+    EXPECT_LE(std::hypot(f.end.x, f.end.y), 2.6 + 1e-13);
+  }
+  EXPECT_GT(elastic_hits, 1000u);
+  EXPECT_GT(least, (1.0 - 1e-6) * dt / order.rules.collapse);
+  const Vector3& v = order.bodies[0].flight.velocity;
+  EXPECT_NEAR(dot(v, v) + lost, 1.1 * 1.1 + 0.25 * 0.25, 1e-15 * (100 + elastic_hits));
+  EXPECT_EQ(v.z, 0.25);
+}
+
 TEST(EventOrder, LimitStopsAndNamesTheLink) {
   BoxOfSpheres box(2, Law{});
   box.order.rules.limit = 5;
