@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 
 #include "hard_sphere/collision.h"
 #include "square_well/impulses.h"
@@ -17,8 +18,8 @@ struct Law {
 };
 
 inline void require_valid(const Law& law) {
-  require(law.restitution >= 0.0 && law.restitution <= 1.0, "restitution e", law.restitution,
-          "must be between 0 and 1");
+  require(std::isfinite(law.restitution) && law.restitution >= 0.0 && law.restitution <= 1.0,
+          "restitution e", law.restitution, "must be between 0 and 1");
   require_non_negative("friction mu", law.friction);
   require_non_negative("depth D of the well", law.depth);
 }
