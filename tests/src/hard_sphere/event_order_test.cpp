@@ -253,6 +253,25 @@ TEST(EventOrder, CollapseRuleMakesTheRestOfAStepElastic) {
   EXPECT_GT(hits, 10);
 }
 
+TEST(EventOrder, CollisionsWithinTheContactTimeAreElastic) {
+  BoxOfSpheres box(2, Law{0.5, 0.3, 0.0});
+  box.order.rules.collapse = 0;
+  box.order.rules.contact_time = 0.7;
+  box.step(50.0);
+  std::vector<double> last(8, -never);
+  int elastic_hits = 0;
+  for (const Event& event : box.order.events) {
+    const Link& link = box.order.links[event.link];
+    const double before = link.of_wall() ? last[link.i] : std::max(last[link.i], last[link.j]);
+    EXPECT_EQ(event.elastic, event.key.time - before < 0.7);
+    elastic_hits += event.elastic;
+    last[link.i] = event.key.time;
+    if (!link.of_wall()) last[link.j] = event.key.time;
+  }
+  EXPECT_GT(elastic_hits, 10);
+  EXPECT_LT(elastic_hits, static_cast<int>(box.order.events.size()) - 10);
+}
+
 // Along the inside of a cylinder collisions with e < 1 come faster and faster without end.
 TEST(EventOrder, CollapseRuleKeepsASphereOffAConcaveWall) {
   EventOrder order;
