@@ -1,0 +1,404 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#include "fix_hard_events.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "engine_api.h"
+#include "error.h"
+#include "force.h"
+#include "memory.h"
+#include "modify.h"
+#include "output.h"
+#include "pair_hard_square_well.h"
+#include "update.h"
+
+using namespace LAMMPS_NS;
+using namespace cohesion::hard_sphere;
+using cohesion::Vector3;
+
+static constexpr char ID[] = "COHESION_HARD_EVENTS";
+static constexpr int ORIGIN = 5;
+// Share of a distance by which a ghost's own position may be off, with room: boxes of up to 1e6
+// diameters.
+static constexpr double NEARLY = 1e-9;
+// Overlap that is told of: of a distance, above what a data file's decimals leave.
+static constexpr double OVERLAP = 1e-6;
+static constexpr int FIXED_BOUNDARY = 1;  // Domain::boundary
+// Events of a stretch per particle. How often a stretch is repeated goes with the length of the
+// chains of events that cross from one process to another and back: two to three times here.
+static constexpr double EVENTS_OF_A_STRETCH = 0.25;
+
+static Vector3 vector(const double* a) { return {a[0], a[1], a[2]}; }
+static void put(const Vector3& a, double* to) {
+  to[0] = a.x;
+  to[1] = a.y;
+  to[2] = a.z;
+}
+
+FixHardEvents::FixHardEvents(LAMMPS* lammps, int narg, char** arg)
+    : Fix(lammps, narg, arg),
+      pair_(nullptr),
+      border_(world),
+      origin_(nullptr),
+      outside_(nullptr),
+      farthest_(0.0),
+      warned_(false) {
+  comm_forward = ORIGIN;
+  create_attribute = 1;
+  restart_pbc = 1;
+  force_reneighbor = 1;
+  next_reneighbor = -1;
+  FixHardEvents::grow_arrays(atom->nmax);
+  for (int i = 0; i < atom->nlocal; i++) FixHardEvents::set_arrays(i);
+  atom->add_callback(Atom::GROW);
+}
+
+FixHardEvents::~FixHardEvents() {
+  atom->delete_callback(id, Atom::GROW);
+  memory->destroy(origin_);
+  memory->destroy(outside_);
+}
+
+FixHardEvents* FixHardEvents::of(LAMMPS* lmp) {
+  Modify* modify = lmp->modify;
+  if (modify->find_fix(ID) < 0) modify->add_fix(std::string(ID) + " all HARD_EVENTS");
+  return static_cast<FixHardEvents*>(modify->fix[modify->find_fix(ID)]);
+}
+
+int FixHardEvents::setmask() { return FixConst::PRE_EXCHANGE | FixConst::PRE_FORCE; }
+
+void FixHardEvents::init() {
+  pair_ = dynamic_cast<PairHardSquareWell*>(force->pair_match("hard/square_well", 1));
+  if (!pair_)
+    error->all(FLERR,
+               "fix wall/hard/square_well and compute hard/events go with 'pair_style "
+               "hard/square_well'; give it first");
+  if (utils::strmatch(update->integrate_style, "^respa"))
+    error->all(FLERR,
+               "pair_style hard/square_well acts over the whole step; use 'run_style verlet'");
+  if (force->newton_pair)
+    error->all(FLERR,
+               "pair_style hard/square_well follows every pair on both sides; put 'newton off' "
+               "before the box is made");
+  if (comm->ghost_velocity == 0)
+    error->all(FLERR,
+               "pair_style hard/square_well needs the velocities of ghost particles; add "
+               "'comm_modify vel yes'");
+  mobile_.look_up(modify);
+  walls_.clear();
+  wall_.clear();
+  for (int i = 0; i < modify->nfix; i++) {
+    Fix* const fix = modify->fix[i];
+    if (fix->rigid_flag)
+      error->all(FLERR,
+                 std::string("pair_style hard/square_well cannot follow rigid bodies (fix ") +
+                     fix->id + ")");
+    auto* walls = dynamic_cast<HardWalls*>(fix);
+    if (!walls) continue;
+    walls_.push_back(walls);
+    for (int w = 0; w < static_cast<int>(walls->hard_walls().size()); w++)
+      wall_.push_back({walls, w});
+  }
+  if (!record_) record_ = std::make_unique<HardEventRecord>(lmp, pair_->record_file());
+  order_.rules = pair_->rules();
+  order_.rules.reports = comm->nprocs > 1;
+  order_.laws = pair_->laws();
+  for (const HardWalls* walls : walls_)
+    for (int type = 0; type <= atom->ntypes; type++)
+      order_.laws.push_back(type == 0 ? Law{} : walls->law_of_type(type));
+}
+
+/// A particle whose straight flight leads through a wall into the outside of the box would be lost
+/// before its event turns it round: until then it waits at the boundary. One that was outside
+/// before the step is lost as in any run.
+void FixHardEvents::pre_exchange() {
+  for (int axis = 0; axis < 3; axis++)
+    for (int i = 0; domain->periodicity[axis] && i < atom->nlocal; i++)
+      if (std::abs(update->dt * atom->v[i][axis]) >= domain->prd[axis])
+        error->one(FLERR,
+                   "pair_style hard/square_well: in step {} particle {} flies {} along {}, and the "
+                   "box is {} long: use a smaller time step",
+                   update->ntimestep, atom->tag[i], update->dt * atom->v[i][axis], "xyz"[axis],
+                   domain -> prd[axis]);
+  if (domain->triclinic) return;
+  for (int axis = 0; axis < 3; axis++) {
+    const double low = domain->boxlo[axis], high = domain->boxhi[axis];
+    for (int side = 0; side < 2; side++) {
+      if (domain->boundary[axis][side] != FIXED_BOUNDARY) continue;
+      const double last = side == 0 ? low : std::nextafter(high, low);
+      for (int i = 0; i < atom->nlocal; i++) {
+        double& x = atom->x[i][axis];
+        const double before = x - update->dt * atom->v[i][axis];
+        if ((side == 0 ? x >= low : x < high) || before < low || before >= high) continue;
+        outside_[i][axis] = x - last;
+        x = last;
+      }
+    }
+  }
+}
+
+/// Nothing has moved: the run starts here.
+void FixHardEvents::setup_pre_force(int) {
+  order_.begin_step(0.0);
+  connect();
+  tell_of_overlaps();
+  next_reneighbor = update->ntimestep + 1;
+}
+
+/// Cores that overlap part as soon as they move apart, but their energy is nobody's.
+void FixHardEvents::tell_of_overlaps() const {
+  double mine[2] = {0.0, 0.0}, all[2];  // number, deepest as a share of the distance
+  for (int n = 0; n < static_cast<int>(order_.links.size()); n++) {
+    const Link& link = order_.links[n];
+    const double overlap = 1.0 - order_.distance_at_start(n) / link.at.core;
+    if (overlap < OVERLAP || link.i >= atom->nlocal) continue;
+    mine[0] += 1.0;
+    mine[1] = std::max(mine[1], overlap);
+  }
+  MPI_Allreduce(&mine[0], &all[0], 1, MPI_DOUBLE, MPI_SUM, world);
+  MPI_Allreduce(&mine[1], &all[1], 1, MPI_DOUBLE, MPI_MAX, world);
+  if (all[0] > 0.0 && comm->me == 0)
+    error->warning(
+        FLERR,
+        "pair_style hard/square_well: {} pairs of hard cores (or core and wall) overlap, "
+        "up to {} of the distance; they collide at once where they approach. Start from "
+        "particles that do not overlap",
+        static_cast<bigint>(all[0]), all[1]);
+}
+
+/// A run that goes on from a restart file begins with particles in the box and makes its list anew
+/// in its first step. A run that writes one does the same, so that both put particles back into the
+/// box at the same times and round alike.
+void FixHardEvents::match_restart() {
+  if (update->ntimestep != output->next_restart) return;
+  for (int i = 0; i < atom->nlocal; i++) domain->remap(atom->x[i], atom->image[i]);
+  next_reneighbor = update->ntimestep + 1;
+}
+
+void FixHardEvents::pre_force(int) {
+  order_.begin_step(update->dt);
+  farthest_ = 0.0;
+  if (neighbor->ago == 0)
+    connect();
+  else
+    load();
+  const bool alone = comm->nprocs == 1;
+  long counts[2] = {0, 0}, all[2] = {0, 0};
+  for (int n = 0; n < static_cast<int>(order_.links.size()); n++)
+    counts[0] += shared(order_.links[n]) ? order_.may_meet(n, NEARLY) : order_.predict(n);
+  counts[1] = !warned_ && totals_.elastic > 0.0;
+  if (alone)
+    std::copy_n(counts, 2, all);
+  else
+    MPI_Allreduce(counts, all, 2, MPI_LONG, MPI_SUM, world);
+  if (all[1] > 0 && !warned_) {
+    warned_ = true;
+    if (comm->me == 0)
+      error->warning(FLERR,
+                     "pair_style hard/square_well: the rule against inelastic collapse (keywords "
+                     "collapse and contact_time) has made collisions elastic and frictionless; "
+                     "compute hard/events counts them");
+  }
+  if (all[0] > 0) {
+    if (!alone) load_borders();
+    order_.sort();
+    follow(all[0]);
+    store();
+    record_->write(order_);
+    comm->forward_comm();
+  }
+  check_reach();
+  match_restart();
+}
+
+/* ---------------------------------------------------------------------- */
+
+/// The flights of this step. Those of other processes' particles are as the ghosts tell them, which
+/// is right but for round-off.
+void FixHardEvents::load() {
+  place_images();
+  for (int i = 0; i < atom->nlocal; i++)
+    order_.bodies[i].flight = {
+        vector(atom->x[i]), vector(atom->v[i]), 0.0, vector(atom->omega[i]), 0, 0};
+  for (const Foreign& known : foreign_) {
+    const int g = known.ghost;
+    const Image& image = order_.images[known.image];
+    order_.bodies[known.body].flight = {vector(atom->x[g]) - image.displacement,
+                                        vector(atom->v[g]) - image.velocity,
+                                        0.0,
+                                        vector(atom->omega[g]),
+                                        0,
+                                        0};
+  }
+  for (std::size_t n = 0; n < wall_.size(); n++)
+    order_.walls[n] = wall_[n].first->over_step(wall_[n].second);
+}
+
+/// The flights of other processes' particles, as they are there.
+void FixHardEvents::load_borders() {
+  std::vector<std::vector<Flight> > out(border_.peers().size());
+  std::vector<std::vector<Flight> > in;
+  for (int p = 0; p < static_cast<int>(out.size()); p++)
+    for (const int i : border_.told(p)) out[p].push_back(order_.bodies[i].flight);
+  border_.swap(out, in);
+  for (int p = 0; p < static_cast<int>(in.size()); p++)
+    for (int slot = 0; slot < static_cast<int>(in[p].size()); slot++)
+      order_.bodies[border_.local(p, slot)].flight = in[p][slot];
+}
+
+/// Carries out the events of the step.
+void FixHardEvents::follow(long candidates) {
+  const double dt = update->dt;
+  if (comm->nprocs == 1) {
+    order_.run(dt);
+    if (order_.overrun() >= 0) stop_at_limit();
+    return;
+  }
+  for (int n = 0; n < static_cast<int>(order_.links.size()); n++)
+    if (shared(order_.links[n])) order_.predict(n);
+  order_.sort();
+  const double of_a_stretch = EVENTS_OF_A_STRETCH * static_cast<double>(atom->natoms);
+  const int stretches = 1 + static_cast<int>(static_cast<double>(candidates) / of_a_stretch);
+  for (int n = 1; n <= stretches; n++) follow_stretch(n == stretches ? dt : n * dt / stretches);
+}
+
+/// Until all agree on what each has told the others.
+void FixHardEvents::follow_stretch(double until) {
+  order_.begin_stretch();
+  order_.run(until);
+  double from = 0.0;
+  for (int round = 0;; round++) {
+    const std::vector<News> told = exchange_news(from);
+    const double differs = order_.first_difference(from, told);
+    MPI_Allreduce(&differs, &from, 1, MPI_DOUBLE, MPI_MIN, world);
+    if (from == never) break;
+    if (round > order_.rules.limit)
+      error->all(FLERR,
+                 "pair_style hard/square_well: in step {} the processes do not agree on the events "
+                 "after {} exchanges: particles are pressed together. Use a smaller time step or "
+                 "keyword contact_time",
+                 update->ntimestep, round);
+    if (differs < never) order_.run_again(differs, told, until);
+  }
+  if (order_.overrun() >= 0) stop_at_limit();
+}
+
+/// What happened to this process's particles without those that a peer owns, to all who follow
+/// them.
+std::vector<News> FixHardEvents::exchange_news(double from) {
+  std::vector<std::vector<News> > out(border_.peers().size()), in;
+  for (const News& news : order_.news) {
+    if (news.body >= atom->nlocal || news.key.time < from) continue;
+    const int owner =
+        news.partner >= atom->nlocal ? foreign_[news.partner - atom->nlocal].owner : -1;
+    for (const BorderExchange::Follower& follower : border_.followers(news.body)) {
+      if (border_.peers()[follower.peer] == owner) continue;
+      out[follower.peer].push_back(news);
+      out[follower.peer].back().body = follower.slot;
+    }
+  }
+  border_.swap(out, in);
+  std::vector<News> all;
+  for (int p = 0; p < static_cast<int>(in.size()); p++)
+    for (News news : in[p]) {
+      news.body = border_.local(p, news.body);
+      all.push_back(news);
+    }
+  std::stable_sort(all.begin(), all.end(),
+                   [](const News& a, const News& b) { return a.key < b.key; });
+  return all;
+}
+
+void FixHardEvents::stop_at_limit() const {
+  const Link& link = order_.links[order_.overrun()];
+  const Body& a = order_.bodies[link.i];
+  const auto tag_j = link.of_wall() ? static_cast<std::int64_t>(link.j) : order_.bodies[link.j].tag;
+  error->one(FLERR,
+             "pair_style hard/square_well: more than {} events of one particle in step {}, at "
+             "particles {} and {} (negative: a wall); they had {} and {}. Particles are pressed "
+             "together: use a smaller time step, keyword contact_time, or a larger limit",
+             order_.rules.limit, update->ntimestep, a.tag, tag_j, a.flight.events,
+             link.of_wall() ? 0 : order_.bodies[link.j].flight.events);
+}
+
+/// What the events changed goes to the engine's arrays, to histories and sums.
+void FixHardEvents::store() {
+  for (const Event& event : order_.events) {
+    const Link& link = order_.links[event.link];
+    for (const int body : {link.i, link.j}) {
+      if (body < 0 || body >= atom->nlocal) continue;
+      const Flight& now = order_.bodies[body].flight;
+      put(now.end, atom->x[body]);
+      put(now.velocity, atom->v[body]);
+      put(now.spin, atom->omega[body]);
+      totals_.busiest = std::max(totals_.busiest, static_cast<double>(now.events));
+      const Vector3 place = body == link.i ? event.place : event.place + event.separation;
+      if (body == link.i || link.image == 0)
+        stray(body, place);
+      else
+        stray(body, place - order_.images[link.image].displacement);
+    }
+    keep(event.link);
+    if (link.i < atom->nlocal) totals_.add(event, link.of_wall());
+  }
+}
+
+void FixHardEvents::stray(int i, const Vector3& place) {
+  const Vector3 way = place - hold_[i];
+  farthest_ = std::max(farthest_, dot(way, way));
+}
+
+/// Whether the list of neighbours still holds all pairs that may have met.
+void FixHardEvents::check_reach() {
+  for (int i = 0; i < atom->nlocal; i++) stray(i, vector(atom->x[i]));
+  const double reach = pair_->list_reach() + neighbor->skin, flown = std::sqrt(farthest_);
+  if (2.0 * flown <= reach) return;
+  error->one(FLERR,
+             "pair_style hard/square_well: in step {} particles are up to {} away from where they "
+             "were when the neighbour list was made, and could miss a partner; the list allows for "
+             "{}. Use a smaller time step or 'neighbor' with a skin above {}, with 'neigh_modify "
+             "delay 0 every 1 check yes'",
+             update->ntimestep, flown, 0.5 * reach, neighbor->skin * 2.0 * flown / reach);
+}
+
+/* ---------------------------------------------------------------------- */
+
+int FixHardEvents::pack_forward_comm(int n, int* list, double* buf, int, int*) {
+  for (int i = 0; i < n; i++) std::copy_n(origin_[list[i]], ORIGIN, buf + ORIGIN * i);
+  return ORIGIN * n;
+}
+
+void FixHardEvents::unpack_forward_comm(int n, int first, double* buf) {
+  std::copy_n(buf, ORIGIN * n, origin_[first]);
+}
+
+void FixHardEvents::grow_arrays(int nmax) {
+  memory->grow(origin_, nmax, ORIGIN, "hard_events:origin");
+  memory->grow(outside_, nmax, 3, "hard_events:outside");
+}
+
+void FixHardEvents::copy_arrays(int i, int j, int) { std::copy_n(outside_[i], 3, outside_[j]); }
+
+void FixHardEvents::set_arrays(int i) { std::fill_n(outside_[i], 3, 0.0); }
+
+int FixHardEvents::pack_exchange(int i, double* buf) {
+  std::copy_n(outside_[i], 3, buf);
+  return 3;
+}
+
+int FixHardEvents::unpack_exchange(int i, double* buf) {
+  std::copy_n(buf, 3, outside_[i]);
+  return 3;
+}
+
+double FixHardEvents::memory_usage() {
+  return static_cast<double>((ORIGIN + 3) * sizeof(double)) * atom->nmax +
+         static_cast<double>(sizeof(Body) * order_.bodies.size() +
+                             (sizeof(Link) + sizeof(Slots) + 2 * sizeof(int)) *
+                                 order_.links.size());
+}

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// The part of FixHardEvents that a new list of neighbours calls: who may meet whom.
+#include <algorithm>
+#include <cmath>
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "engine_api.h"
+#include "fix_hard_events.h"
+#include "fix_neigh_history.h"
+#include "neigh_list.h"
+#include "pair_hard_square_well.h"
+
+using namespace LAMMPS_NS;
+using namespace cohesion::hard_sphere;
+using cohesion::Vector3;
+
+// A pair nearer to the edge of its well than this share of it is at the edge, to round-off.
+static constexpr double AT_EDGE = 1e-10;
+
+static Vector3 vector(const double* a) { return {a[0], a[1], a[2]}; }
+
+/// With a new list of neighbours: bodies, links, and who needs news of whom.
+void FixHardEvents::connect() {
+  for (int i = 0; i < atom->nlocal; i++) {
+    origin_[i][0] = comm->me;
+    origin_[i][1] = i;
+    std::copy_n(atom->x[i], 3, origin_[i] + 2);
+  }
+  engine_api::forward_comm(comm, this);
+  hold_.resize(atom->nlocal);
+  for (int i = 0; i < atom->nlocal; i++) {
+    hold_[i] = vector(atom->x[i]);
+    for (int axis = 0; axis < 3; axis++) atom->x[i][axis] += outside_[i][axis];
+    FixHardEvents::set_arrays(i);
+    stray(i, vector(atom->x[i]) - order_.dt() * vector(atom->v[i]));
+  }
+
+  order_.links.clear();
+  order_.images.assign(1, Image{});
+  shifts_.assign(1, Shift{0, 0, 0});
+  slots_.clear();
+  foreign_.clear();
+  foreign_body_.clear();
+  order_.bodies.resize(atom->nlocal);
+  for (int i = 0; i < atom->nlocal; i++) describe(i, i);
+  add_pairs();
+  add_walls();
+  order_.connect();
+  add_twins();
+
+  std::vector<BorderExchange::Request> requests;
+  for (const Foreign& f : foreign_)
+    requests.push_back({f.owner, static_cast<int>(origin_[f.ghost][1]), f.body});
+  if (comm->nprocs > 1) border_.plan(requests, atom->nlocal);
+  load();
+  if (comm->nprocs > 1) load_borders();
+  know_where_new_pairs_are();
+}
+
+void FixHardEvents::describe(int body, int i) {
+  Body& b = order_.bodies[body];
+  b.inverse_mass = mobile_.inverse_mass(atom->mask[i], atom->rmass[i]);
+  b.radius = atom->radius[i];
+  b.inverse_inertia =
+      b.inverse_mass / (mobile_.inertia_factor(atom->mask[i]) * b.radius * b.radius);
+  b.tag = atom->tag[i];
+}
+
+/// The body of a particle or ghost; made when it is another process's and not known yet.
+int FixHardEvents::body_of(int i) {
+  if (i < atom->nlocal) return i;
+  const double* const origin = origin_[i];
+  if (origin[0] == comm->me) return static_cast<int>(origin[1]);
+  const auto key =
+      (static_cast<std::uint64_t>(origin[0]) << 32) | static_cast<std::uint64_t>(origin[1]);
+  const int next = static_cast<int>(order_.bodies.size());
+  const auto found = foreign_body_.emplace(key, next);
+  if (found.second) {
+    foreign_.push_back({next, i, image_of(shift_of(i)), static_cast<int>(origin[0])});
+    order_.bodies.emplace_back();
+    describe(next, i);
+  }
+  return found.first->second;
+}
+
+/// By how many boxes a ghost is away from its owner.
+FixHardEvents::Shift FixHardEvents::shift_of(int ghost) const {
+  const double* const x = atom->x[ghost];
+  const double* const from = origin_[ghost] + 2;
+  const double* const h = domain->h;
+  const double z = std::round((x[2] - from[2]) / h[2]);
+  const double y = std::round((x[1] - from[1] - z * h[3]) / h[1]);
+  const double along = std::round((x[0] - from[0] - y * h[5] - z * h[4]) / h[0]);
+  return {static_cast<int>(along), static_cast<int>(y), static_cast<int>(z)};
+}
+
+int FixHardEvents::image_of(const Shift& shift) {
+  const auto found = std::find(shifts_.begin(), shifts_.end(), shift);
+  const int n = static_cast<int>(found - shifts_.begin());
+  if (found == shifts_.end()) shifts_.push_back(shift);
+  return n;
+}
+
+void FixHardEvents::place_images() {
+  const double* const h = domain->h;
+  const double* const rate = domain->h_rate;
+  const bool sheared = domain->deform_vremap != 0;
+  order_.images.resize(shifts_.size());
+  for (std::size_t n = 0; n < shifts_.size(); n++) {
+    const auto [x, y, z] = shifts_[n];
+    const auto in_box = [x = x, y = y, z = z](const double* a) {
+      return Vector3{x * a[0] + y * a[5] + z * a[4], y * a[1] + z * a[3], z * a[2]};
+    };
+    order_.images[n] = {in_box(h), sheared ? in_box(rate) : Vector3{}};
+  }
+}
+
+/// A pair through the boundary between two particles of this process is in the list twice; the
+/// entry of the lower tag makes the link.
+void FixHardEvents::add_pairs() {
+  NeighList* const list = pair_->list;
+  FixNeighHistory* const history = pair_->history();
+  twins_.clear();
+  for (int ii = 0; ii < list->inum; ii++) {
+    const int i = list->ilist[ii];
+    for (int jj = 0; jj < list->numneigh[i]; jj++) {
+      const int j = list->firstneigh[i][jj] & NEIGHMASK;
+      if (j >= atom->nlocal && origin_[j][0] == comm->me && origin_[j][1] == i) continue;
+      const int other = body_of(j);
+      const Body &a = order_.bodies[i], &b = order_.bodies[other];
+      if (a.inverse_mass + b.inverse_mass == 0.0) continue;
+      Shift shift = j < atom->nlocal ? Shift{0, 0, 0} : shift_of(j);
+      const bool first = a.tag < b.tag;
+      if (!first) shift = {-shift.x, -shift.y, -shift.z};
+      const int image = image_of(shift);
+      int* const kept = &history->firstflag[i][jj];
+      double* const value = &history->firstvalue[i][jj];
+      if (j >= atom->nlocal && other < atom->nlocal && !first) {
+        twins_.push_back({other, i, image, kept, value});
+        continue;
+      }
+      Link link{first ? i : other, first ? other : i, image, 0, {0.0, 0.0}};
+      link.law = pair_->of_types(atom->type[i], atom->type[j]);
+      link.at = pair_->surfaces(i, j);
+      link.inside = *kept && link.at.well();
+      order_.links.push_back(link);
+      slots_.push_back({{kept, nullptr}, {value, nullptr}});
+    }
+  }
+}
+
+void FixHardEvents::add_twins() {
+  for (const Twin& twin : twins_) {
+    const int link = order_.find(twin.i, twin.j, twin.image);
+    if (link < 0) continue;
+    slots_[link].kept[1] = twin.kept;
+    slots_[link].value[1] = twin.value;
+  }
+}
+
+/// The walls at rest that a particle can reach while this list holds, and all that move.
+void FixHardEvents::add_walls() {
+  const double range = 0.5 * (pair_->list_reach() + neighbor->skin);
+  const int laws_of_walls =
+      static_cast<int>(order_.laws.size()) - static_cast<int>(walls_.size()) * (atom->ntypes + 1);
+  order_.walls.clear();
+  for (int n = 0; n < static_cast<int>(wall_.size()); n++) {
+    const auto [walls, w] = wall_[n];
+    order_.walls.push_back(walls->over_step(w));
+    const MovingWall& wall = order_.walls.back();
+    const auto fix = std::find(walls_.begin(), walls_.end(), walls) - walls_.begin();
+    for (int i = 0; i < atom->nlocal; i++) {
+      if (!walls->acts_on(i) || order_.bodies[i].inverse_mass == 0.0) continue;
+      Link link{i, -1 - n, 0, 0, walls->surfaces_of(i)};
+      const Vector3 end = vector(atom->x[i]);
+      const Vector3 start = end - order_.dt() * vector(atom->v[i]);
+      const double distance = wall.wall.nearest(end, wall.end, 0.0).distance;
+      // A wall is not felt from behind.
+      if (wall.wall.nearest(start, wall.at(order_.dt()), 0.0).distance <= 0.0) continue;
+      if (walls->still() && distance > std::max(link.at.core, link.at.edge) + range) {
+        walls->inside(i, w) = 0.0;
+        continue;
+      }
+      link.law = laws_of_walls + static_cast<int>(fix) * (atom->ntypes + 1) + atom->type[i];
+      link.inside = walls->inside(i, w) > 0.0 && link.at.well();
+      order_.links.push_back(link);
+      slots_.push_back({{nullptr, nullptr}, {&walls->inside(i, w), nullptr}});
+    }
+  }
+}
+
+/// A pair that was not followed before is where it is: it did not fall into its well, nor did one
+/// that was put elsewhere climb out of it.
+void FixHardEvents::know_where_new_pairs_are() {
+  for (int n = 0; n < static_cast<int>(order_.links.size()); n++) {
+    Link& link = order_.links[n];
+    if (link.at.well()) {
+      const double over = order_.distance_at_start(n) / link.at.edge - 1.0;
+      if (over < -AT_EDGE) link.inside = true;
+      if (over > AT_EDGE) link.inside = false;
+    }
+    keep(n);
+  }
+}
+
+/// The state of a link goes to the history of pairs and walls.
+void FixHardEvents::keep(int n) {
+  const Slots& slots = slots_[n];
+  const int inside = order_.links[n].inside;
+  for (int side = 0; side < 2; side++) {
+    if (slots.kept[side]) *slots.kept[side] = inside;
+    if (slots.value[side]) *slots.value[side] = inside;
+  }
+}

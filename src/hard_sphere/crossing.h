@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "hard_sphere/impact.h"
+#include "vector3.h"
+
+/// When partners that fly straight meet the next surface.
+///
+/// The state decides which surface that can be, not the distance alone: a flag says whether the
+/// pair is in its well, the sign of b = r.w whether it closes in. So round-off at a surface that
+/// was just crossed can neither cross it a second time nor miss it: a pair past its surface and
+/// still moving the wrong way meets it now. Idea: Bannerman et al., Comput. Part. Mech. 1 (2014)
+/// 191.
+namespace cohesion::hard_sphere {
+
+inline constexpr double never = std::numeric_limits<double>::infinity();
+
+/// Distances of centres (of a centre to a wall) at which something happens, [length].
+struct Surfaces {
+  double core;  ///< hard core
+  double edge;  ///< of the well; not above core: there is none
+  bool well() const { return edge > core; }
+};
+
+struct Crossing {
+  double wait = never;  ///< from now, [time]
+  Surface surface = Surface::core;
+};
+
+/// Time until |r + w t| has fallen to S: b = r.w, ww = w.w, c = r.r - S^2.
+inline double time_to_fall(double b, double ww, double c) {
+  if (b >= 0.0) return never;
+  if (c <= 0.0) return 0.0;
+  const double discriminant = b * b - ww * c;
+  return discriminant < 0.0 ? never : c / (std::sqrt(discriminant) - b);
+}
+
+/// Time until |r + w t| has risen to S from inside.
+inline double time_to_rise(double b, double ww, double c) {
+  if (ww == 0.0) return never;
+  if (b >= 0.0 && c >= 0.0) return b > 0.0 ? 0.0 : never;
+  const double root = std::sqrt(std::max(b * b - ww * c, 0.0));
+  return b > 0.0 ? -c / (b + root) : (root - b) / ww;
+}
+
+/// Whether the normal speed of a pair, b = r.w, is round-off of its velocities, vv = max(v_i.v_i,
+/// v_j.v_j). An impulse that small changes no digit of them: the pair would have its event again at
+/// once, for ever. Such a pair counts as neither approaching nor parting; it moves by less than
+/// 1e-15 of its flight.
+inline bool stands(double b, double rr, double vv) { return b * b <= 1e-30 * rr * vv; }
+
+/// The next surface of two spheres, r = x_j - x_i now, w = v_j - v_i, vv as above.
+inline Crossing next_crossing(const Vector3& r, const Vector3& w, double vv, const Surfaces& at,
+                              bool inside) {
+  const double b = dot(r, w), ww = dot(w, w), rr = dot(r, r);
+  if (!inside && b >= 0.0) return {};
+  const bool entering = !inside && at.well();
+  const double inner = entering ? at.edge : at.core;
+  const double fall = time_to_fall(b, ww, rr - inner * inner);
+  if (entering) return {fall, Surface::edge_inward};
+  if (fall < never && !stands(b, rr, vv)) return {fall, Surface::core};
+  if (!inside) return {};
+  const double c = rr - at.edge * at.edge;
+  if (c >= 0.0 && stands(b, rr, vv)) return {};
+  return {time_to_rise(b, ww, c), Surface::edge_outward};
+}
+
+}  // namespace cohesion::hard_sphere

@@ -1,0 +1,367 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "hard_sphere/bodies.h"
+#include "hard_sphere/concave_wall.h"
+
+namespace cohesion::hard_sphere {
+
+/// Rules of one run.
+struct OrderRules {
+  int collapse = 100;  ///< collisions of a particle in a step before the rest are elastic; 0: off
+  double contact_time = 0.0;  ///< collisions sooner after a particle's last one are elastic, [time]
+  int limit = 100000;         ///< events of a particle in a step before the step is given up
+  bool reports = false;       ///< keep `news`, for a body that is also followed elsewhere
+};
+
+/// The events of one step of straight flight, carried out in order of time.
+///
+/// A heap holds the next event of every link that has one in the step. After an event only the
+/// links of its particles are predicted again; predictions they replace stay in the heap and are
+/// known by their version.
+///
+/// A prediction depends on nothing but the link and the flights of its two bodies: it starts from
+/// the later of their last events. So it is the same, bit by bit, wherever and whenever it is made.
+///
+/// Part of the bodies may be followed elsewhere (by another process) at the same time. What happens
+/// to them there comes as `foreign` news. Whoever follows a part runs a stretch of the step with
+/// the news it has, tells its own, and where those that it gets differ from what it assumed, it
+/// takes back what came from there on and runs on with them. What lies before the first difference
+/// of all parts is final: every event there has been worked out from what truly went before it. So
+/// the order is that of one process, and every exchange brings it at least one event farther.
+class EventOrder {
+ private:
+  struct Predicted {
+    double time;
+    int link;
+    unsigned version;
+    int depth;
+  };
+
+  /// A flight before an event changed it.
+  struct Undo {
+    double time;
+    int body;
+    Flight before;
+  };
+
+  /// The order of the heap.
+  struct Later {
+    const EventOrder& order;
+    bool operator()(const Predicted& a, const Predicted& b) const {
+      return a.time != b.time ? a.time > b.time : order.key(b) < order.key(a);
+    }
+  };
+
+ public:
+  std::vector<Body> bodies;
+  std::vector<Link> links;
+  std::vector<Image> images{Image{}};
+  std::vector<Law> laws;
+  std::vector<MovingWall> walls;
+  OrderRules rules;
+
+  std::vector<Event> events;  ///< of this step, in order
+  std::vector<News> news;     ///< of this stretch, with rules.reports
+  std::vector<News> foreign;  ///< of this stretch, in order
+
+  /// After bodies and links have been set: which links each body has.
+  void connect() {
+    first_.assign(bodies.size() + 1, 0);
+    for (const Link& b : links) {
+      first_[b.i + 1]++;
+      if (!b.of_wall()) first_[b.j + 1]++;
+    }
+    for (std::size_t i = 1; i < first_.size(); i++) first_[i] += first_[i - 1];
+    of_body_.resize(first_.back());
+    std::vector<int> next(first_.begin(), first_.end() - 1);
+    for (int n = 0; n < static_cast<int>(links.size()); n++) {
+      of_body_[next[links[n].i]++] = n;
+      if (!links[n].of_wall()) of_body_[next[links[n].j]++] = n;
+    }
+  }
+
+  /// The link of two bodies; -1: none. After connect().
+  int find(int i, int j, int image) const {
+    for (int n = first_[i]; n < first_[i + 1]; n++) {
+      const Link& b = links[of_body_[n]];
+      if (b.i == i && b.j == j && b.image == image) return of_body_[n];
+    }
+    return -1;
+  }
+
+  /// Before the bodies' flights of a step of length `dt` are set.
+  void begin_step(double dt) {
+    dt_ = dt;
+    heap_.clear();
+    events.clear();
+    overrun_ = -1;
+    begin_stretch();
+  }
+
+  /// The first event of link n, when it has one in this step, goes into the order.
+  bool predict(int n) {
+    Link& link = links[n];
+    link.version++;
+    const double time = time_of_next(link);
+    if (!(time <= dt_)) return false;
+    heap_.push_back({time, n, link.version, depth(link, time)});
+    return true;
+  }
+
+  double dt() const { return dt_; }
+
+  /// Distance of the partners of link n when the step began, [length].
+  double distance_at_start(int n) const {
+    const Link& link = links[n];
+    if (link.of_wall()) {
+      const MovingWall& wall = walls[link.wall()];
+      return wall.wall.nearest(bodies[link.i].flight.at(dt_), wall.at(dt_), 0.0).distance;
+    }
+    return norm(relative(link, dt_).first);
+  }
+
+  /// Whether the partners of link n, a pair without events so far, come nearer to a surface than
+  /// its share `nearly` of the distance: for flights that are known to round-off only.
+  bool may_meet(int n, double nearly) const {
+    const Link& link = links[n];
+    const auto [r, w] = relative(link, 0.0);
+    const double ww = dot(w, w), b = dot(r, w);
+    const double back = ww * dt_ > b && b > 0.0 ? b / ww : b > 0.0 ? dt_ : 0.0;
+    const double least = norm(r - back * w);
+    if (!link.inside)
+      return least < (1.0 + nearly) * (link.at.well() ? link.at.edge : link.at.core);
+    return least < (1.0 + nearly) * link.at.core ||
+           std::max(norm(r), norm(r - dt_ * w)) > (1.0 - nearly) * link.at.edge;
+  }
+
+  /// After predictions in any order.
+  void sort() { std::make_heap(heap_.begin(), heap_.end(), Later{*this}); }
+
+  void begin_stretch() {
+    undo_.clear();
+    news.clear();
+    foreign.clear();
+    told_ = 0;
+    start_ = events.size();
+  }
+
+  /// All events up to `until`.
+  void run(double until) {
+    while (overrun_ < 0) {
+      while (!heap_.empty() && heap_.front().version != links[heap_.front().link].version) pop();
+      const bool own = !heap_.empty() && heap_.front().time <= until;
+      if (told_ < foreign.size() && !(own && key(heap_.front()) < foreign[told_].key)) {
+        accept(foreign[told_++]);
+      } else if (own) {
+        const Predicted next = heap_.front();
+        pop();
+        carry_out(next.link, key(next));
+      } else {
+        return;
+      }
+    }
+  }
+
+  /// The stretch again from a time on, with the news from there on.
+  void run_again(double from, const std::vector<News>& told, double until) {
+    take_back(from);
+    foreign.resize(told_);
+    for (const News& n : told)
+      if (n.key.time >= from) foreign.push_back(n);
+    run(until);
+  }
+
+  /// The time of the first news from `from` on in which `told` is not what this run took for true.
+  double first_difference(double from, const std::vector<News>& told) const {
+    auto known = foreign.begin() + first_news(foreign, from);
+    for (const News& n : told) {
+      if (n.key.time < from) continue;
+      if (known == foreign.end()) return n.key.time;
+      if (!(n == *known)) return std::min(n.key.time, known->key.time);
+      ++known;
+    }
+    return known == foreign.end() ? never : known->key.time;
+  }
+
+  /// A link with more events than the limit; -1: none. run() stops there.
+  int overrun() const { return overrun_; }
+
+ private:
+  EventKey key(const Predicted& p) const {
+    const Link& link = links[p.link];
+    return {p.time, p.depth, bodies[link.i].tag, link.of_wall() ? link.j : bodies[link.j].tag};
+  }
+
+  int depth(const Link& link, double time) const {
+    const int of_i = bodies[link.i].flight.depth_at(time);
+    return 1 + (link.of_wall() ? of_i : std::max(of_i, bodies[link.j].flight.depth_at(time)));
+  }
+
+  void pop() {
+    std::pop_heap(heap_.begin(), heap_.end(), Later{*this});
+    heap_.pop_back();
+  }
+
+  double time_of_next(Link& link) const {
+    const Flight& a = bodies[link.i].flight;
+    Crossing crossing;
+    double now = a.since;
+    if (link.of_wall()) {
+      crossing = next_crossing(walls[link.wall()], a.at(dt_ - now), a.velocity, dt_ - now, link.at,
+                               link.inside);
+    } else {
+      const Flight& b = bodies[link.j].flight;
+      now = std::max(now, b.since);
+      const auto [r, w] = relative(link, dt_ - now);
+      const double vv = std::max(dot(a.velocity, a.velocity), dot(b.velocity, b.velocity));
+      crossing = next_crossing(r, w, vv, link.at, link.inside);
+    }
+    link.next = crossing.surface;
+    return now + crossing.wait;
+  }
+
+  void predict_all(int body, int but = -1) {
+    for (int n = first_[body]; n < first_[body + 1]; n++)
+      if (of_body_[n] != but && predict(of_body_[n]))
+        std::push_heap(heap_.begin(), heap_.end(), Later{*this});
+  }
+
+  static std::ptrdiff_t first_news(const std::vector<News>& all, double from) {
+    return std::find_if(all.begin(), all.end(),
+                        [from](const News& n) { return n.key.time >= from; }) -
+           all.begin();
+  }
+
+  /// What happened from a time on in this stretch has not happened.
+  void take_back(double from) {
+    overrun_ = -1;
+    for (; events.size() > start_ && events.back().key.time >= from; events.pop_back())
+      links[events.back().link].inside = events.back().was_inside;
+    while (!news.empty() && news.back().key.time >= from) news.pop_back();
+    told_ = std::min(told_, static_cast<std::size_t>(first_news(foreign, from)));
+    std::vector<int> touched;
+    for (; !undo_.empty() && undo_.back().time >= from; undo_.pop_back()) {
+      bodies[undo_.back().body].flight = undo_.back().before;
+      touched.push_back(undo_.back().body);
+    }
+    std::sort(touched.begin(), touched.end());
+    touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+    for (const int body : touched) predict_all(body);
+  }
+
+  void remember(int body, double time) {
+    if (rules.reports) undo_.push_back({time, body, bodies[body].flight});
+  }
+
+  void accept(const News& told) {
+    remember(told.body, told.key.time);
+    bodies[told.body].flight = told.flight;
+    predict_all(told.body);
+  }
+
+  /// Position and velocity of j as seen from i. Prediction and event take the same numbers: they
+  /// must not differ about which way a pair goes.
+  std::pair<Vector3, Vector3> relative(const Link& link, double left) const {
+    const Flight &a = bodies[link.i].flight, &b = bodies[link.j].flight;
+    const Image& image = images[link.image];
+    const Vector3 w = b.velocity + image.velocity - a.velocity;
+    return {b.end - a.end + image.displacement - left * w, w};
+  }
+
+  /// Where j is as seen from i, and what it is.
+  std::pair<Vector3, Partner> other_side(const Link& link, double left) const {
+    if (link.of_wall()) {
+      const MovingWall& wall = walls[link.wall()];
+      const auto point =
+          wall.wall.nearest(bodies[link.i].flight.at(left), wall.at(left), wall.rim_speed);
+      return {point.separation, {point.velocity, {}, 0.0, 0.0, 0.0}};
+    }
+    Partner partner = bodies[link.j].partner();
+    partner.velocity += images[link.image].velocity;
+    return {relative(link, left).first, partner};
+  }
+
+  void carry_out(int n, const EventKey& when) {
+    Link& link = links[n];
+    const double left = dt_ - when.time;
+    const auto [separation, partner] = other_side(link, left);
+    const double distance = norm(separation);
+    const Vector3 k{separation.x / distance, separation.y / distance, separation.z / distance};
+    Law law = laws[link.law];
+    const bool hit = link.next == Surface::core;
+    const bool elastic = hit && (collapses(link.i, when.time) || collapses(link.j, when.time));
+    if (elastic) law.restitution = 1.0, law.friction = 0.0;
+    Impact now = impact(link.next, k, law, bodies[link.i].partner(), partner);
+    if (elastic && link.of_wall()) keep_off(link, k, now);
+
+    events.push_back(
+        {when, n, elastic, link.inside, distance, separation, bodies[link.i].flight.at(left), now});
+    link.inside = now.inside;
+    act(link.i, link.j, -1.0, now, when, hit);
+    if (!link.of_wall()) act(link.j, link.i, 1.0, now, when, hit);
+    predict_all(link.i);
+    if (!link.of_wall()) predict_all(link.j, n);
+    if (busiest(link) > rules.limit) overrun_ = n;
+  }
+
+  /// An elastic collision of the rule against collapse leaves a cylinder for a share of the step.
+  void keep_off(const Link& link, const Vector3& k, Impact& now) const {
+    const Wall& wall = walls[link.wall()].wall;
+    if (wall.shape != Wall::z_cylinder) return;
+    const Body& body = bodies[link.i];
+    const Vector3& before = body.flight.velocity;
+    const Vector3 after = leaving_concave_wall(before - body.inverse_mass * now.on_j, k,
+                                               wall.position - link.at.core, off_wall());
+    now.on_j = (1.0 / body.inverse_mass) * (before - after);
+    now.normal = dot(k, now.on_j);
+  }
+
+  /// How long an elastic collision keeps a particle off a concave wall.
+  double off_wall() const {
+    return std::max(rules.contact_time, rules.collapse > 0 ? dt_ / rules.collapse : 0.0);
+  }
+
+  /// Whether the rules against collapse act on a collision of this body.
+  bool collapses(int body, double time) const {
+    if (body < 0) return false;
+    const Flight& flight = bodies[body].flight;
+    return (rules.collapse > 0 && flight.collisions >= rules.collapse) ||
+           time - flight.hit < rules.contact_time;
+  }
+
+  int busiest(const Link& link) const {
+    const int of_i = bodies[link.i].flight.events;
+    return link.of_wall() ? of_i : std::max(of_i, bodies[link.j].flight.events);
+  }
+
+  void act(int body, int partner, double side, const Impact& now, const EventKey& when, bool hit) {
+    remember(body, when.time);
+    Body& b = bodies[body];
+    const Vector3 change = (side * b.inverse_mass) * now.on_j;
+    b.flight.velocity += change;
+    b.flight.end += (dt_ - when.time) * change;
+    b.flight.spin -= (b.radius * b.inverse_inertia) * now.twist;
+    b.flight.since = when.time;
+    b.flight.depth = when.depth;
+    b.flight.collisions += hit;
+    if (hit) b.flight.hit = when.time;
+    b.flight.events++;
+    if (rules.reports) news.push_back({when, body, partner, b.flight});
+  }
+
+  double dt_ = 0.0;
+  std::vector<int> first_,
+      of_body_;  // links of body i: of_body_[first_[i]] ... [first_[i + 1] - 1]
+  std::vector<Predicted> heap_;
+  std::vector<Undo> undo_;  // of this stretch, with rules.reports
+  std::size_t told_ = 0;    // news that have been taken in
+  std::size_t start_ = 0;   // of the stretch, in `events`
+  int overrun_ = -1;
+};
+
+}  // namespace cohesion::hard_sphere
