@@ -27,6 +27,7 @@ using cohesion::Vector3;
 
 static constexpr int HISTORY = 4;
 static constexpr char HISTORY_ID[] = "NEIGH_HISTORY_GRAN_HAMAKER";
+static constexpr char HISTORY_PLACE[] = "NEIGH_HISTORY_GRAN_HAMAKER_PLACE";
 
 PairGranHamaker::PairGranHamaker(LAMMPS* lammps)
     : Pair(lammps),
@@ -44,10 +45,12 @@ PairGranHamaker::PairGranHamaker(LAMMPS* lammps)
   finitecutflag = 1;
   beyond_contact = 1;
   FixEventStep::reserve(lmp);
+  // Its place is before fixes that move particles to other ranks (fix deform).
+  modify->add_fix(std::string(HISTORY_PLACE) + " all DUMMY");
 }
 
 PairGranHamaker::~PairGranHamaker() {
-  if (history) modify->delete_fix(HISTORY_ID);
+  modify->delete_fix(history ? HISTORY_ID : HISTORY_PLACE);
   if (!allocated) return;
   memory->destroy(setflag);
   memory->destroy(cutsq);
@@ -266,7 +269,9 @@ void PairGranHamaker::init_style() {
   list_reach = 0.1 * neighbor->skin;
   engine_api::request_history_list(neighbor, this, instance_me);
   if (!history) {
-    modify->add_fix(std::string(HISTORY_ID) + " all NEIGH_HISTORY " + std::to_string(HISTORY));
+    modify->replace_fix(HISTORY_PLACE,
+                        std::string(HISTORY_ID) + " all NEIGH_HISTORY " + std::to_string(HISTORY),
+                        1);
     history = static_cast<FixNeighHistory*>(modify->fix[modify->find_fix(HISTORY_ID)]);
     history->pair = this;
   }

@@ -2,6 +2,7 @@
 // Names every style of the package to the engine; called by plugin.cpp when the version is right.
 
 #include "compute_gran_energy.h"
+#include "fix_deform_shear.h"
 #include "fix_event_step.h"
 #include "fix_gas_coupling.h"
 #include "fix_wall_gran_hamaker.h"
@@ -70,6 +71,11 @@ extern "C" void cohesion_register_styles(void* lmp, void* handle, void* regfunc)
   plugin.name = "gas/coupling";
   plugin.info = "fix gas/coupling";
   plugin.creator.v2 = &make_fix_style<FixGasCoupling>;
+  register_style(&plugin, lmp);
+
+  plugin.name = "deform/shear";
+  plugin.info = "fix deform/shear";
+  plugin.creator.v2 = &make_fix_style<FixDeformShear>;
   register_style(&plugin, lmp);
 
   plugin.style = "compute";

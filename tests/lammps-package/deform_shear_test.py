@@ -1,0 +1,250 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""fix deform/shear: images where they belong, lists that miss no pair, runs that can be split."""
+import unittest
+from pathlib import Path
+
+import numpy
+
+import lammps_engine as engine
+
+BOX = numpy.array([10.0, 8.0, 6.0])
+RATE = 0.5
+
+HEAD = """
+plugin load ${plugin}
+units lj
+dimension %(dimension)d
+atom_style sphere
+newton off
+boundary p p p
+comm_modify vel yes
+neighbor %(skin)s bin
+neigh_modify delay 0 every 1 check yes
+read_data data.spheres
+"""
+DUMP = """
+dump out all custom %d out.txt id x y z vx vy vz
+dump_modify out format float %%.17g
+thermo_modify format float %%.17g
+"""
+
+
+def spheres(number, dimension, seed=1, speed=1.0, diameter=1.0):
+    random = numpy.random.default_rng(seed)
+    box = BOX.copy()
+    if dimension == 2:
+        box[2] = 1.0
+    atoms = []
+    for _ in range(number):
+        x, v = random.uniform(0, 1, 3) * box, random.normal(0, speed, 3)
+        if dimension == 2:
+            x[2] = v[2] = 0.0
+        atoms.append({"type": 1, "diameter": diameter, "density": 1.0, "x": x, "v": v})
+    return atoms
+
+
+class Shear(unittest.TestCase):
+    def setUp(self):
+        keeper = engine.temporary_folder()
+        self.addCleanup(keeper.cleanup)
+        self.folder = keeper.name
+
+    def write(self, atoms, dimension=3, tilt=0.0, box=None):
+        box = BOX if box is None else box
+        sides = [(0.0, side) for side in box]
+        if dimension == 2:
+            sides[2] = (-0.5, 0.5)
+        engine.write_spheres(self.folder, atoms, sides, 1, tilt=(tilt, 0.0, 0.0))
+
+    def run_script(self, text, **options):
+        code, output = engine.run_text(text, self.folder, **options)
+        self.assertEqual(code, 0, output[-3000:])
+        return output
+
+    def snapshots(self):
+        return engine.dumps(self.folder, "out.txt")
+
+
+class FreeParticles(Shear):
+    def check(self, dimension, ranks, tilt, rate=RATE):
+        """Positions and velocities against straight lines, up to a vector of the sheared lattice."""
+        atoms = spheres(200, dimension)
+        self.write(atoms, dimension, tilt)
+        steps, every, dt = 2000, 100, 0.01
+        output = self.run_script(
+            HEAD % {"dimension": dimension, "skin": "0.3"} + "pair_style zero 1.0\npair_coeff * *\n"
+            f"fix shear all deform/shear rate {rate} profile no\nfix move all nve/sphere\n" +
+            ("fix flat all enforce2d\n" if dimension == 2 else "") + DUMP % every +
+            f"timestep {dt}\nthermo {steps}\nthermo_style custom step atoms f_shear xy\n"
+            f"run {steps}\n", ranks=ranks)
+        x0 = numpy.array([atom["x"] for atom in atoms])
+        v0 = numpy.array([atom["v"] for atom in atoms])
+        crossings = 0
+        for n, table in enumerate(self.snapshots()):
+            t = n * every * dt
+            free = x0 + t * v0
+            count = numpy.rint((free - table[:, 1:4])[:, 1] / BOX[1])
+            expected = free - count[:, None] * numpy.array([tilt + rate * t * BOX[1], BOX[1], 0.0])
+            away = expected - table[:, 1:4]
+            period = BOX if dimension == 3 else numpy.array([BOX[0], BOX[1], 1.0])
+            away -= period * numpy.rint(away / period)
+            # 2000 additions of 0.01 v to numbers below 50: 2000 * 4e-15 at the very most.
+            self.assertLess(numpy.abs(away).max(), 1e-11)
+            velocity = v0 - count[:, None] * numpy.array([rate * BOX[1], 0.0, 0.0])
+            self.assertLess(numpy.abs(velocity - table[:, 4:7]).max(), 1e-11)
+            crossings = numpy.abs(count).max()
+        self.assertGreater(crossings, 2)
+        end = engine.thermo(output)
+        self.assertEqual(end["Atoms"], 200)
+        self.assertLess(abs(end["f_shear"] - rate * steps * dt), 1e-13)
+        exact = tilt + rate * steps * dt * BOX[1]
+        self.assertLess(abs((end["Xy"] - exact + 5) % 10 - 5), 1e-11)
+
+    def test_3d(self):
+        self.check(3, 1, 0.0)
+
+    def test_2d_started_tilted(self):
+        self.check(2, 1, 3.0)
+
+    def test_3d_two_ranks_backwards(self):
+        self.check(3, 2, -2.0, -RATE)
+
+    def test_2d_two_ranks(self):
+        self.check(2, 2, 0.0)
+
+
+class Collisions(Shear):
+    def pair(self, shift, style, dimension):
+        """Two spheres that meet at the middle of the box moved up by `shift`: their relative motion."""
+        middle = BOX / 2 + (numpy.array([0, 0, 0]) if dimension == 3 else [0, 0, -3.0])
+        up = numpy.array([0.0, shift, 0.0])
+        flow = numpy.array([RATE * shift, 0.0, 0.0])
+        z = 0.1 if dimension == 3 else 0.0
+        ends = []
+        for sign in (-1, 1):
+            ends.append({"type": 1, "diameter": 1.0, "density": 1.0,
+                         "x": middle + up + sign * numpy.array([0.3, 0.8, z]),
+                         "v": flow - sign * numpy.array([0.2, 1.0, 0.05 * (z != 0)]),
+                         "omega": numpy.array([0.0, 0.0, 0.7])})
+        for end in ends:
+            n = numpy.floor(end["x"][1] / BOX[1])
+            end["x"] = end["x"] - n * numpy.array([0.0, BOX[1], 0.0])
+            end["v"] = end["v"] - n * numpy.array([RATE * BOX[1], 0.0, 0.0])
+        self.write(ends, dimension)
+        self.run_script(
+            HEAD % {"dimension": dimension, "skin": "0.3"} + style +
+            f"fix shear all deform/shear rate {RATE} profile no\nfix move all nve/sphere\n" +
+            ("fix flat all enforce2d\n" if dimension == 2 else "") + DUMP % 10 +
+            "timestep 0.002\nrun 1000\n")
+        motion = []
+        for n, table in enumerate(self.snapshots()):
+            d = table[1, 1:7] - table[0, 1:7]
+            tilt = RATE * n * 0.02 * BOX[1]
+            count = numpy.rint(d[1] / BOX[1])
+            d[:3] -= count * numpy.array([tilt, BOX[1], 0.0])
+            d[3] -= count * RATE * BOX[1]
+            d[0] -= BOX[0] * numpy.rint(d[0] / BOX[0])
+            motion.append(d)
+        return numpy.array(motion)
+
+    def test_across_the_boundary_is_as_in_the_middle(self):
+        # Contact of 800/0.5 (t_c = 0.057) in both laws; over the contact, a rounding of a coordinate
+        # near 10 (2e-15) grows by no more than exp(w0 t_c) = e^pi, with friction and spins some ten
+        # times that; a thousand additions make a thousand: 1e-15 * 1e3 * 1e3.
+        for name, style in (
+                ("sampled", "pair_style gran/hooke/history 800 NULL 5 NULL 0.3 0\npair_coeff * *\n"),
+                ("event", "pair_style gran/hamaker\npair_coeff * * stiffness 800 restitution 0.9 "
+                          "friction 0.3 hamaker 1e-6 cutoff 1e-4 1e-2\n")):
+            for dimension in (2, 3):
+                with self.subTest(law=name, dimension=dimension):
+                    middle = self.pair(0.0, style, dimension)
+                    across = self.pair(0.5 * BOX[1], style, dimension)
+                    self.assertGreater(middle[-1, 4] * -middle[0, 4], 0.0, "they did not collide")
+                    self.assertLess(numpy.abs(across - middle).max(), 1e-9)
+
+
+class SplitRuns(Shear):
+    GAS = (HEAD % {"dimension": 3, "skin": "0.3"} +
+           "pair_style gran/hamaker\npair_coeff * * stiffness 2000 restitution 0.9 friction 0.3\n")
+
+    def gas(self):
+        random = numpy.random.default_rng(5)
+        grid = [numpy.arange(n) + 0.5 for n in (8, 6, 5)]
+        places = numpy.array(numpy.meshgrid(*grid)).reshape(3, -1).T * BOX / [8, 6, 5]
+        self.write([{"type": 1, "diameter": 0.9, "density": 1.0, "x": x,
+                     "v": random.normal(0, 0.5, 3)} for x in places])
+
+    SHEAR = f"fix shear all deform/shear rate {RATE}\nfix move all nve/sphere\ntimestep 0.002\n"
+
+    def assert_same(self, one, other, strain):
+        """Up to a vector of the sheared lattice, with the velocity that goes with it."""
+        away = other - one
+        count = numpy.rint(away[:, 2] / BOX[1])
+        away[:, 1] -= count * strain * BOX[1]
+        away[:, 2] -= count * BOX[1]
+        away[:, 4] -= count * RATE * BOX[1]
+        for k in (0, 2):
+            away[:, 1 + k] -= BOX[k] * numpy.rint(away[:, 1 + k] / BOX[k])
+        self.assertLess(numpy.abs(away).max(), 1e-10)
+
+    def test_split_and_restarted_runs_go_on_as_if_whole(self):
+        # Every particle has a collision or two in the 600 steps after the split, of which each
+        # multiplies a difference by 2 (path)/d = 10 or so: 1e-15 to 1e-12.
+        self.gas()
+        self.run_script(self.GAS + self.SHEAR + DUMP % 500 + "restart 400 half.*\nrun 1000\n")
+        whole = self.snapshots()[-1]
+        self.assertGreater(numpy.abs(whole[:, 4]).max(), 1.0)
+        for name, script in (
+                ("split", self.GAS + self.SHEAR + DUMP % 500 + "run 400\nrun 600\n"),
+                ("continued", self.GAS + self.SHEAR + DUMP % 500 + "run 400\nrun 600 pre no\n"),
+                ("in pieces", self.GAS + self.SHEAR + DUMP % 500 + "run 1000 every 100 NULL\n")):
+            with self.subTest(name):
+                self.run_script(script)
+                self.assert_same(self.snapshots()[-1], whole, RATE * 2.0)
+        restart = ("plugin load ${plugin}\nnewton off\nread_restart half.400\n"
+                   "comm_modify vel yes\nneighbor 0.3 bin\nneigh_modify delay 0 every 1 check yes\n")
+        for ranks in (1, 2):
+            with self.subTest(restart_on=ranks):
+                self.run_script(restart + self.SHEAR + DUMP % 500 + "run 600\n", ranks=ranks)
+                self.assert_same(self.snapshots()[-1], whole, RATE * 2.0)
+
+
+class Lists(Shear):
+    def test_no_pair_is_missed(self):
+        """Energy of a potential that ends with a jump, every step, against all pairs."""
+        cut, dt, steps = 1.0, 0.01, 300
+        for ranks, rate in ((1, 2.0), (2, -2.0), (1, 0.2)):
+            with self.subTest(ranks=ranks, rate=rate):
+                atoms = spheres(300, 3, speed=0.3)
+                self.write(atoms)
+                output = self.run_script(
+                    HEAD % {"dimension": 3, "skin": "0.5"} +
+                    f"pair_style yukawa 1.0 {cut}\npair_coeff * * 1e-12\n"
+                    f"fix shear all deform/shear rate {rate}\nfix move all nve/sphere\n" + DUMP % 1 +
+                    f"timestep {dt}\nthermo 1\nthermo_style custom step pe xy\n"
+                    f"thermo_modify norm no format float %.17g\nrun {steps}\n", ranks=ranks)
+                energies = [row[1] for row in engine.thermo_lines(output)[1]]
+                for n, (table, energy) in enumerate(zip(self.snapshots(), energies)):
+                    exact = 1e-12 * yukawa(table[:, 1:4], rate * n * dt * BOX[1], cut)
+                    # Sums of 400 terms in another order.
+                    self.assertLess(abs(energy / exact - 1), 1e-12, f"step {n}")
+                builds = int(output.split("Neighbor list builds =")[1].split()[0])
+                self.assertGreater(builds, 3)
+                self.assertLess(builds, 100)
+
+
+def yukawa(x, tilt, cut):
+    """Sum over all pairs, images included."""
+    d = x[None, :, :] - x[:, None, :]
+    count = numpy.rint(d[..., 1] / BOX[1])
+    d[..., 0] -= count * tilt
+    d[..., 1] -= count * BOX[1]
+    d[..., 0] -= BOX[0] * numpy.rint(d[..., 0] / BOX[0])
+    d[..., 2] -= BOX[2] * numpy.rint(d[..., 2] / BOX[2])
+    r = numpy.sqrt((d**2).sum(axis=2))[numpy.triu_indices(len(x), 1)]
+    r = r[r < cut]
+    return (numpy.exp(-r) / r).sum()
+
+
+if __name__ == "__main__":
+    unittest.main()
