@@ -2,6 +2,7 @@
 // Names every style of the package to the engine; called by plugin.cpp when the version is right.
 
 #include "compute_gran_energy.h"
+#include "compute_shear_profile.h"
 #include "fix_deform_shear.h"
 #include "fix_event_step.h"
 #include "fix_gas_coupling.h"
@@ -82,5 +83,10 @@ extern "C" void cohesion_register_styles(void* lmp, void* handle, void* regfunc)
   plugin.name = "gran/energy";
   plugin.info = "compute gran/energy";
   plugin.creator.v2 = &make_compute_style<ComputeGranEnergy>;
+  register_style(&plugin, lmp);
+
+  plugin.name = "shear/profile";
+  plugin.info = "compute shear/profile";
+  plugin.creator.v2 = &make_compute_style<ComputeShearProfile>;
   register_style(&plugin, lmp);
 }

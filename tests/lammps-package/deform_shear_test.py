@@ -61,6 +61,9 @@ class Shear(unittest.TestCase):
         self.assertEqual(code, 0, output[-3000:])
         return output
 
+    def path(self, name):
+        return Path(self.folder) / name
+
     def snapshots(self):
         return engine.dumps(self.folder, "out.txt")
 
@@ -207,6 +210,77 @@ class SplitRuns(Shear):
             with self.subTest(restart_on=ranks):
                 self.run_script(restart + self.SHEAR + DUMP % 500 + "run 600\n", ranks=ranks)
                 self.assert_same(self.snapshots()[-1], whole, RATE * 2.0)
+
+
+class Profile(Shear):
+    def test_profile_temperature_and_stress_are_those_of_the_particles(self):
+        atoms = spheres(300, 3, speed=0.2)
+        for number, atom in enumerate(atoms):
+            atom["diameter"] = 0.5 + 0.5 * (number % 2)
+        self.write(atoms)
+        names = " ".join(f"c_flow[{k}]" for k in range(1, 11))
+        output = self.run_script(
+            HEAD % {"dimension": 3, "skin": "0.3"} + "pair_style zero 1.0\npair_coeff * *\n"
+            f"fix shear all deform/shear rate {RATE}\nfix move all nve/sphere\n"
+            "compute flow all shear/profile layers 5\nfix keep all ave/time 50 1 50 c_flow[*] "
+            "mode vector file layers.txt format ' %.17g'\n" + DUMP % 50 +
+            f"thermo 50\nthermo_style custom step c_flow {names}\n"
+            "thermo_modify format float %.17g\ntimestep 0.01\nrun 200\n", ranks=2)
+        mass = numpy.pi / 6 * numpy.array([atom["diameter"]**3 for atom in atoms])
+        rows = engine.thermo_lines(output)[1]
+        self.assertEqual(len(rows), 5)
+        for row, table in zip(rows, self.snapshots()):
+            x, v = table[:, 1:4].copy(), table[:, 4:7].copy()
+            count = numpy.floor(x[:, 1] / BOX[1])
+            y = x[:, 1] - count * BOX[1] - BOX[1] / 2
+            v[:, 0] -= count * RATE * BOX[1]
+            slope, intercept = numpy.polyfit(y, v[:, 0], 1, w=numpy.sqrt(mass))
+            away = v - (mass[:, None] * v).sum(axis=0) / mass.sum()
+            away[:, 0] = v[:, 0] - intercept - slope * y
+            flux = numpy.einsum("i,ij,ik->jk", mass, away, away)
+            temperature = numpy.trace(flux) / 3 / mass.sum()
+            stress = flux / BOX.prod()
+            layer = numpy.floor((y / BOX[1] + 0.5) * 5)
+            squares = [mass[layer == k].sum() * numpy.average(
+                v[layer == k, 0] - intercept - slope * y[layer == k], weights=mass[layer == k])**2
+                for k in range(5)]
+            expected = [temperature, slope, intercept, temperature,
+                        numpy.sqrt(sum(squares) / mass.sum()), *numpy.diag(stress), stress[0, 1],
+                        stress[0, 2], stress[1, 2]]
+            # A few hundred roundings of terms of order one.
+            numpy.testing.assert_allclose(row[1:], expected, rtol=0, atol=1e-12)
+        # The start: profile laid on, no net momentum.
+        self.assertLess(abs(rows[0][2] - RATE), 0.2 / numpy.sqrt(300) * 3 / 2.3)
+        start = self.snapshots()[0]
+        self.assertLess(numpy.abs((mass[:, None] * start[:, 4:7]).sum(axis=0)).max(), 1e-11)
+        last = (self.path("layers.txt").read_text().splitlines())[-5:]
+        table = numpy.array([[float(word) for word in line.split()] for line in last])
+        self.assertLess(numpy.abs(table[:, 1] - numpy.arange(0.8, 8, 1.6)).max(), 0.5)
+        self.assertAlmostEqual(table[:, 3].sum(), 1.0, 12)
+        for k in range(5):
+            self.assertAlmostEqual(table[k, 2], numpy.average(v[layer == k, 0],
+                                                              weights=mass[layer == k]), 12)
+
+    def test_fresh_and_later_runs(self):
+        """Profile at the start only, not again in a later run nor after a restart."""
+        self.write(spheres(50, 3, speed=0.2))
+        head = HEAD % {"dimension": 3, "skin": "0.3"}
+        tail = ("pair_style zero 1.0\npair_coeff * *\n"
+                f"fix shear all deform/shear rate {RATE}\nfix move all nve/sphere\n"
+                "compute flow all shear/profile\nthermo_style custom step c_flow[1] f_shear\n")
+        output = self.run_script(head + tail + "run 0\nrun 0\nrun 10\nwrite_restart r\n")
+        slope = engine.thermo(output)["c_flow[1]"]
+        self.assertLess(abs(slope - RATE), 0.1)
+        again = self.run_script("plugin load ${plugin}\nread_restart r\n" + tail + "run 0\n")
+        self.assertEqual(engine.thermo(again), engine.thermo(output))
+        self.assertNotIn("added the profile", again)
+        # Another ID is another shear.
+        again = self.run_script("plugin load ${plugin}\nread_restart r\n" +
+                                tail.replace("fix shear", "fix other").replace("f_shear", "f_other") +
+                                "run 0\n")
+        self.assertIn("added the profile", again)
+        self.assertAlmostEqual(engine.thermo(again)["c_flow[1]"], slope + RATE, 4)
+        self.assertEqual(engine.thermo(again)["f_other"], 0.0)
 
 
 class Lists(Shear):
