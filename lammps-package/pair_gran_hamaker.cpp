@@ -214,6 +214,16 @@ void PairGranHamaker::tally_standing(Recent<Contact>& contacts) {
   }
 }
 
+/// Bound are the pairs within the range of contact and adhesion.
+void PairGranHamaker::append_bound(std::vector<std::array<int, 2>>& pairs) const {
+  for (int ii = 0; ii < list->inum; ii++) {
+    const int i = list->ilist[ii];
+    for (int jj = 0; jj < list->numneigh[i]; jj++)
+      if (history->firstflag[i][jj] && history->firstvalue[i][HISTORY * jj] != 0.0)
+        pairs.push_back({i, list->firstneigh[i][jj] & NEIGHMASK});
+  }
+}
+
 /* ---------------------------------------------------------------------- */
 
 void PairGranHamaker::settings(int narg, char** arg) {

@@ -3,6 +3,7 @@
 
 #include "compute_gran_energy.h"
 #include "compute_shear_profile.h"
+#include "fix_agglomerates.h"
 #include "fix_deform_shear.h"
 #include "fix_event_step.h"
 #include "fix_gas_coupling.h"
@@ -77,6 +78,11 @@ extern "C" void cohesion_register_styles(void* lmp, void* handle, void* regfunc)
   plugin.name = "deform/shear";
   plugin.info = "fix deform/shear";
   plugin.creator.v2 = &make_fix_style<FixDeformShear>;
+  register_style(&plugin, lmp);
+
+  plugin.name = "agglomerates";
+  plugin.info = "fix agglomerates";
+  plugin.creator.v2 = &make_fix_style<FixAgglomerates>;
   register_style(&plugin, lmp);
 
   plugin.style = "compute";
