@@ -222,11 +222,11 @@ void FixDeformShear::setup_pre_exchange() {
   const ImageShift shift = shift_of(state.start_tilt, state.ly, state.lx);
   if (!state.begun) {
     strain = {0.0, now, rate_now(), update->dt};
+    state.next_rate = strain.rate;
     if (profile) lay_profile();
     state.begun = 1;
   } else if (rate_variable < 0) {
-    // A run that goes on with another rate or step does so from here.
-    strain.continue_with(now, given_rate, update->dt);
+    state.next_rate = given_rate;  // another one than that of a restart
   }
   lengths = shift.lengths_before(strain.at(now), domain->xy);
   h_rate[5] = shift.velocity(strain.rate);
@@ -275,9 +275,14 @@ void FixDeformShear::post_run() {
 void FixDeformShear::post_integrate() {
   auto& strain = state.strain;
   const bigint now = update->ntimestep;
-  strain.continue_with(now - 1, rate_now(), update->dt);
+  strain.continue_with(now - 1, state.next_rate, update->dt);
   const double gamma = strain.at(now);
   tilt(gamma);
+  const double next_rate = rate_now();
+  // A particle outside the box must be put back before its image becomes faster: nothing may depend
+  // on when lists are made.
+  if (next_rate != state.next_rate) next_reneighbor = now;
+  state.next_rate = next_rate;
   if (in_hand && next_reneighbor != now) {
     int mine = list_may_miss_a_pair(gamma), any;
     MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
@@ -332,7 +337,8 @@ bool FixDeformShear::list_may_miss_a_pair(double gamma) const {
   if (listed_step != neighbor->lastcall || listed_at.size() != 3 * static_cast<std::size_t>(n))
     return true;
   const double strain = gamma - listed_strain;
-  const double reach = neighbor->cutneighmax;
+  // Lists with a longer range of their own need ghosts from as far, by comm_modify cutoff.
+  const double reach = std::max(neighbor->cutneighmax, comm->cutghostuser);
   const double margin = cohesion::shear::list_margin(reach, reach - neighbor->skin, strain);
   if (margin <= 0.0) return true;
   const double middle = 0.5 * (domain->boxlo[1] + domain->boxhi[1]);

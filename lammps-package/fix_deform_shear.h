@@ -61,6 +61,7 @@ class FixDeformShear : public FixDeform {
 
   struct State {
     cohesion::shear::BoxStrain strain;
+    double next_rate;  // from the end of the step on
     double start_tilt, ly, lx;
     int begun;
   } state;

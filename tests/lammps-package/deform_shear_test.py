@@ -116,6 +116,57 @@ class FreeParticles(Shear):
         self.check(2, 2, 0.0)
 
 
+class RateOfAVariable(Shear):
+    VARIABLE = ("variable rate equal 0.5*(step<400)-2.0*(step>=400&&step<700)"
+                "+(step>=900)*cos(0.01*step)\n")
+
+    @staticmethod
+    def rate(step):
+        if step < 400:
+            return 0.5
+        return -2.0 if step < 700 else numpy.cos(0.01 * step) if step >= 900 else 0.0
+
+    def test_free_particles_take_the_rate_of_the_step_they_cross_in(self):
+        atoms = spheres(200, 3)
+        self.write(atoms)
+        dt, end = 0.01, 1200
+        script = (HEAD % {"dimension": 3, "skin": "0.3"} + "pair_style zero 1.0\npair_coeff * *\n" +
+                  self.VARIABLE + "fix shear all deform/shear rate v_rate profile no\n"
+                  "fix move all nve/sphere\n" + DUMP % 100 + f"timestep {dt}\n")
+        x = numpy.array([atom["x"] for atom in atoms])
+        v = numpy.array([atom["v"] for atom in atoms])
+        shift, expected, faster = 0.0, {0: (x.copy(), v.copy(), 0.0)}, 0.0
+        for n in range(1, end + 1):
+            faster = self.rate(n - 1) * BOX[1]  # holds from the end of a step to that of the next
+            shift += faster * dt
+            x += dt * v
+            count = numpy.floor(x[:, 1] / BOX[1])
+            x -= count[:, None] * numpy.array([shift, BOX[1], 0.0])
+            v[:, 0] -= count * faster
+            expected[n] = x.copy(), v.copy(), shift
+        for ranks, runs in ((1, f"run {end}\n"), (2, "run 410\nrun 290\nrun 500\n")):
+            with self.subTest(ranks=ranks):
+                self.run_script(script + runs, ranks=ranks)
+                for n, table in zip(range(0, end + 1, 100), self.at_hundreds()):
+                    at, velocity, shift = expected[n]
+                    away = table[:, 1:4] - at
+                    count = numpy.rint(away[:, 1] / BOX[1])
+                    away -= count[:, None] * numpy.array([shift, BOX[1], 0.0])
+                    away -= BOX * numpy.rint(away / BOX)
+                    # 1200 additions to numbers below 10, and of the shift to one below 50.
+                    self.assertLess(numpy.abs(away).max(), 1e-11, f"step {n}")
+                    outside = count * self.rate(n - 1 if n else 0) * BOX[1]
+                    faster = table[:, 4:7] - velocity
+                    faster[:, 0] -= outside
+                    self.assertLess(numpy.abs(faster).max(), 1e-11, f"step {n}")
+
+    def at_hundreds(self):
+        text = self.path("out.txt").read_text().split("ITEM: TIMESTEP")[1:]
+        kept = {int(part.split()[0]): k for k, part in enumerate(text)}
+        tables = self.snapshots()
+        return [tables[kept[n]] for n in range(0, 1201, 100)]
+
+
 class Collisions(Shear):
     def pair(self, shift, style, dimension):
         """Two spheres that meet at the middle of the box moved up by `shift`: their relative motion."""
@@ -281,6 +332,41 @@ class Profile(Shear):
         self.assertIn("added the profile", again)
         self.assertAlmostEqual(engine.thermo(again)["c_flow[1]"], slope + RATE, 4)
         self.assertEqual(engine.thermo(again)["f_other"], 0.0)
+
+
+class LongRuns(Shear):
+    def test_no_particle_is_lost_and_no_momentum_gained(self):
+        """A dense gas with friction and adhesion over a strain of 40, flips and all."""
+        random = numpy.random.default_rng(6)
+        grid = [numpy.arange(n) + 0.5 for n in (8, 6, 5)]
+        places = numpy.array(numpy.meshgrid(*grid)).reshape(3, -1).T * BOX / [8, 6, 5]
+        self.write([{"type": 1, "diameter": 1.0, "density": 1.0, "x": x,
+                     "v": random.normal(0, 0.5, 3)} for x in places])
+        steps, dt = 20000, 0.002
+        for ranks in (1, 2):
+            with self.subTest(ranks=ranks):
+                output = self.run_script(
+                    HEAD % {"dimension": 3, "skin": "0.3"} +
+                    "pair_style gran/hamaker\npair_coeff * * stiffness 5000 restitution 0.8 friction "
+                    "0.3 hamaker 1e-5 cutoff 1e-3 1e-2\nfix shear all deform/shear rate 1.0\n"
+                    "fix move all nve/sphere\ncompute flow all shear/profile layers 4\n"
+                    "variable py equal vcm(all,y)\n"
+                    f"timestep {dt}\nthermo 200\nthermo_style custom step atoms f_shear v_py c_flow[1] "
+                    "c_flow[2] c_flow[3] c_flow[4]\nthermo_modify format float %.15g\n"
+                    f"run {steps}\n", ranks=ranks)
+                names, rows = engine.thermo_lines(output)
+                table = dict(zip(names, numpy.array(rows).T))
+                self.assertTrue((table["Atoms"] == 240).all())
+                self.assertAlmostEqual(table["f_shear"][-1], steps * dt, 12)
+                # Momentum is conserved but for the rounding of 2e4 steps with forces of 10.
+                self.assertLess(numpy.abs(table["v_py"]).max(), 1e-11)
+                # In the mean, the line is the one that the box asks for. The slope of one snapshot
+                # varies by sqrt(12 T/N)/L_y, over a strain of 2 or so like over one snapshot.
+                half = slice(len(rows) // 2, None)
+                temperature = table["c_flow[3]"][half].mean()
+                spread = numpy.sqrt(12 * temperature / 240) / BOX[1]
+                self.assertLess(abs(table["c_flow[1]"][half].mean() - 1.0),
+                                4 * spread / numpy.sqrt(10))
 
 
 class Lists(Shear):
