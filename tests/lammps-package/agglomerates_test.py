@@ -2,6 +2,7 @@
 """fix agglomerates: connected sets across faces and ranks against a search over all pairs; how long
 particles belong to one, against straight flights."""
 import unittest
+from concurrent.futures import ThreadPoolExecutor
 
 import numpy
 
@@ -77,26 +78,35 @@ class Agglomerates(unittest.TestCase):
         self.addCleanup(keeper.cleanup)
         self.folder = keeper.name
 
-    def write(self, x, v=None, tilt=0.0):
+    def write(self, x, v=None, tilt=0.0, folder=None):
         v = numpy.zeros_like(x) if v is None else v
-        engine.write_spheres(self.folder, [
+        engine.write_spheres(folder or self.folder, [
             {"type": 1, "diameter": 1.0, "density": 1.0, "x": a, "v": b} for a, b in zip(x, v)],
             [(0.0, side) for side in BOX], 1, tilt=(tilt, 0.0, 0.0))
 
-    def run_script(self, text, **options):
-        code, output = engine.run_text(text, self.folder, **options)
+    def run_script(self, text, folder=None, **options):
+        code, output = engine.run_text(text, folder or self.folder, **options)
         self.assertEqual(code, 0, output[-3000:])
         return output
 
+    def check_all(self, cases):
+        """The cases side by side: a start is mostly waiting."""
+        with ThreadPoolExecutor(4) as pool:
+            return list(pool.map(lambda case: self.check_sets(*case), cases))
+
     def check_sets(self, x, tilt, ranks):
+        with engine.temporary_folder() as folder:
+            return self.check_sets_in(folder, x, tilt, ranks)
+
+    def check_sets_in(self, folder, x, tilt, ranks):
         lattice = numpy.array([[BOX[0], 0, 0], [tilt, BOX[1], 0], [0, 0, BOX[2]]])
         x = x - numpy.floor(x @ numpy.linalg.inv(lattice)) @ lattice
-        self.write(x, tilt=tilt)
+        self.write(x, tilt=tilt, folder=folder)
         output = self.run_script(
             HEAD + "fix set all agglomerates 1 sizes 5\nfix move all nve/sphere\ntimestep 0.001\n"
             "dump out all custom 1 out.txt id f_set[1] f_set[2]\n"
             f"thermo_style custom step {FIELDS} f_set[1][1] f_set[2][1] f_set[3][1] f_set[4][1] "
-            "f_set[5][1]\nthermo_modify format float %.15g\nrun 0\n", ranks=ranks)
+            "f_set[5][1]\nthermo_modify format float %.15g\nrun 0\n", folder, ranks=ranks)
         found = Search(x, tilt)
         values = engine.thermo_lines(output)[1][0][1:]
         # Sums of 300 squares of places in the box, below 1e5, over radii of 1 and more.
@@ -104,7 +114,7 @@ class Agglomerates(unittest.TestCase):
         sizes = found.sizes[found.sizes > 0]
         self.assertEqual(values[9:], [*[(sizes == s).sum() for s in range(1, 5)],
                                       (sizes >= 5).sum()])
-        table = engine.dump(self.folder, "out.txt")
+        table = engine.dump(folder, "out.txt")
         single = found.sizes[found.set_of] == 1
         numpy.testing.assert_array_equal(table[:, 1], numpy.where(single, 0, found.set_of + 1))
         numpy.testing.assert_array_equal(table[:, 2], found.sizes[found.set_of])
@@ -122,23 +132,20 @@ class Agglomerates(unittest.TestCase):
         pair = numpy.array([[8.0, 4.9, 0.5], [8.0, 4.9, 5.4]])
         single = numpy.array([[4.0, 5.0, 0.5]])
         x = numpy.concatenate([chain, ring, along, pair, single])
-        for ranks in (1, 2, 4):
-            for tilt in (0.0, 2.0, -4.5):
-                with self.subTest(ranks=ranks, tilt=tilt):
-                    found = self.check_sets(x, tilt, ranks)
-                    self.assertEqual(sorted(found.sizes[found.sizes > 0]), [1, 2, 5, 6, 10])
-                    self.assertEqual(len(found.wraps), 1)
+        for found in self.check_all([(x, 0.0, 1), (x, 2.0, 2), (x, -4.5, 4), (x, 4.5, 1)]):
+            self.assertEqual(sorted(found.sizes[found.sizes > 0]), [1, 2, 5, 6, 10])
+            self.assertEqual(len(found.wraps), 1)
         # Straight up through the sheared face, back to itself only where the images stand above.
         up = numpy.array([[5.0, 1.0 * k, 3.0] for k in range(8)])
-        self.assertEqual(len(self.check_sets(up, 0.0, 2).wraps), 1)
-        self.assertEqual(len(self.check_sets(up, 3.0, 2).wraps), 0)
+        straight, shifted = self.check_all([(up, 0.0, 2), (up, 3.0, 2)])
+        self.assertEqual((len(straight.wraps), len(shifted.wraps)), (1, 0))
 
     def test_random(self):
         random = numpy.random.default_rng(3)
-        for number, ranks in ((60, 2), (110, 1), (110, 4)):
-            with self.subTest(number=number, ranks=ranks):
-                found = self.check_sets(random.uniform(0, 1, (number, 3)) * BOX, 3.3, ranks)
-                self.assertGreater(len(set(found.sizes)), 4)
+        cases = [(random.uniform(0, 1, (number, 3)) * BOX, 3.3, ranks)
+                 for number, ranks in ((60, 2), (110, 1), (110, 4))]
+        for found in self.check_all(cases):
+            self.assertGreater(len(set(found.sizes)), 4)
 
     FLIGHT = HEAD + "fix set all agglomerates 1\nfix move all nve/sphere\ntimestep 0.001\n"
 
@@ -232,14 +239,21 @@ class Agglomerates(unittest.TestCase):
                                  "thermo_style custom step f_set\nrun 0\n")
         self.assertEqual(engine.thermo(output)["f_set"], 1)
         zero = HEAD.replace(LAW, "pair_style zero 1.0\npair_coeff * *\n")
-        for script, words in (
-                (zero + "fix set all agglomerates 1\n" + tail + "run 0\n", ["no pair_style", "gran/hamaker"]),
-                (HEAD + "fix set all agglomerates 0\n", ["N is 0", "1 or more"]),
-                (HEAD + "fix set all agglomerates 1 sizes 1\n", ["sizes 1", "2 or more"]),
-                (HEAD + "fix set all agglomerates 1 gap 1\n", ["sizes M"]),
-                (zero.replace("newton off", "newton on") + "fix set all agglomerates 1\n" + tail +
-                 "run 0\n", ["newton off"])):
-            code, output = engine.run_text(script, self.folder)
+        cases = (
+            (zero + "fix set all agglomerates 1\n" + tail + "run 0\n", ["no pair_style", "gran/hamaker"]),
+            (HEAD + "fix set all agglomerates 0\n", ["N is 0", "1 or more"]),
+            (HEAD + "fix set all agglomerates 1 sizes 1\n", ["sizes 1", "2 or more"]),
+            (HEAD + "fix set all agglomerates 1 gap 1\n", ["sizes M"]),
+            (zero.replace("newton off", "newton on") + "fix set all agglomerates 1\n" + tail +
+             "run 0\n", ["newton off"]))
+
+        def refused(case):
+            with engine.temporary_folder() as folder:
+                self.write(numpy.array([[5.0, 4.0, 3.0], [6.1, 4.0, 3.0]]), folder=folder)
+                return engine.run_text(case[0], folder)
+        with ThreadPoolExecutor(4) as pool:
+            outputs = list(pool.map(refused, cases))
+        for (_, words), (code, output) in zip(cases, outputs):
             self.assertEqual(code, 1, output)
             for word in words:
                 self.assertIn(word, " ".join(l for l in output.splitlines() if "ERROR" in l))
