@@ -14,6 +14,7 @@
 #include "force.h"
 #include "memory.h"
 #include "pair_hybrid.h"
+#include "piece_exchange.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -31,9 +32,6 @@ struct Hybrid : PairHybrid {
 };
 
 }  // namespace
-
-static constexpr int PIECE = sizeof(Piece) / sizeof(double);
-static_assert(PIECE == 7, "pieces are sent as plain numbers");
 
 FixAgglomerates::FixAgglomerates(LAMMPS* lammps, int narg, char** arg)
     : Fix(lammps, narg, arg),
@@ -135,7 +133,7 @@ void FixAgglomerates::find(double elapsed) {
   }
   const std::vector<Piece> mine = own_pieces();
   std::vector<double> sizes;
-  const std::vector<Piece> whole = whole_ones(mine, sizes);
+  const std::vector<Piece> whole = whole_pieces(world, mine, sizes);
   note_sizes(mine, sizes);
   sum_up(whole, elapsed);
 }
@@ -210,48 +208,6 @@ std::vector<Piece> FixAgglomerates::own_pieces() {
     pieces.push_back(one);
   }
   return put_together(std::move(pieces));
-}
-
-/// The agglomerates whose labels belong to this rank, from the pieces of all; `sizes`: of the
-/// agglomerates that this rank's own pieces are part of.
-std::vector<Piece> FixAgglomerates::whole_ones(const std::vector<Piece>& mine,
-                                               std::vector<double>& sizes) {
-  const int ranks = comm->nprocs;
-  const auto home = [ranks](const Piece& p) {
-    return static_cast<int>(static_cast<tagint>(p.label) % ranks);
-  };
-  std::vector<int> send(ranks, 0), receive(ranks), send_at(ranks, 0), receive_at(ranks, 0);
-  for (const Piece& p : mine) send[home(p)]++;
-  MPI_Alltoall(send.data(), 1, MPI_INT, receive.data(), 1, MPI_INT, world);
-  for (int r = 1; r < ranks; r++) {
-    send_at[r] = send_at[r - 1] + send[r - 1];
-    receive_at[r] = receive_at[r - 1] + receive[r - 1];
-  }
-  std::vector<Piece> outgoing(mine.size()), incoming(receive_at.back() + receive.back());
-  std::vector<int> next = send_at, where;
-  for (const Piece& p : mine) {
-    where.push_back(next[home(p)]++);
-    outgoing[where.back()] = p;
-  }
-  MPI_Datatype piece;
-  MPI_Type_contiguous(PIECE, MPI_DOUBLE, &piece);
-  MPI_Type_commit(&piece);
-  MPI_Alltoallv(outgoing.data(), send.data(), send_at.data(), piece, incoming.data(),
-                receive.data(), receive_at.data(), piece, world);
-  MPI_Type_free(&piece);
-
-  const std::vector<Piece> whole = put_together(incoming);
-  std::vector<double> answers, returned(mine.size());
-  for (const Piece& p : incoming)
-    answers.push_back(
-        std::lower_bound(whole.begin(), whole.end(), p.label, [](const Piece& a, double b) {
-          return a.label < b;
-        })->count);
-  MPI_Alltoallv(answers.data(), receive.data(), receive_at.data(), MPI_DOUBLE, returned.data(),
-                send.data(), send_at.data(), MPI_DOUBLE, world);
-  sizes.clear();
-  for (const int k : where) sizes.push_back(returned[k]);
-  return whole;
 }
 
 void FixAgglomerates::note_sizes(const std::vector<Piece>& mine, const std::vector<double>& sizes) {

@@ -60,8 +60,6 @@ class FixAgglomerates : public Fix {
   void connect();
   bool take_over_labels();
   std::vector<cohesion::agglomerates::Piece> own_pieces();
-  std::vector<cohesion::agglomerates::Piece> whole_ones(
-      const std::vector<cohesion::agglomerates::Piece>&, std::vector<double>& sizes);
   void note_sizes(const std::vector<cohesion::agglomerates::Piece>&, const std::vector<double>&);
   void sum_up(const std::vector<cohesion::agglomerates::Piece>&, double elapsed);
   void note_durations();

@@ -17,6 +17,7 @@
 #include "modify.h"
 #include "neighbor.h"
 #include "shear/list_margin.h"
+#include "shear_companions.h"
 #include "update.h"
 #include "variable.h"
 
@@ -40,20 +41,6 @@ struct EngineArguments {
                                  "put 'change_box all triclinic' before");
     for (int i = 0; i < count; i++) pointers[i] = &words[i][0];
   }
-};
-
-struct Refused {
-  const char* style;
-  const char* reason;
-};
-
-constexpr Refused refused[] = {
-    {"^momentum",
-     "takes away momentum that the profile has by right; this fix removes it at the "
-     "start, and shear conserves it"},
-    {"^freeze", "holds particles whose images move"},
-    {"^move", "leads particles on paths that the images do not follow"},
-    {"^viscous", "drags towards rest, while every image of a particle has another velocity"},
 };
 
 ImageShift shift_of(double start_tilt, double height, double length) {
@@ -162,37 +149,7 @@ void FixDeformShear::refuse_what_it_cannot_go_with() const {
     error->all(FLERR, where +
                           ": the box has been changed since the fix was made; give the fix "
                           "again");
-  bool before_me = true;
-  for (int i = 0; i < modify->nfix; i++) {
-    const Fix* const fix = modify->fix[i];
-    if (fix == this) {
-      before_me = false;
-      continue;
-    }
-    const std::string other = std::string("fix ") + fix->id + " " + fix->style;
-    if (utils::strmatch(fix->style, "^deform") ||
-        (fix->box_change & (BOX_CHANGE_SIZE | BOX_CHANGE_SHAPE)))
-      error->all(FLERR, where + ": " + other + " changes the box too; only one can");
-    if (fix->rigid_flag)
-      error->all(FLERR, where + ": " + other +
-                            " does not change the velocity of a body that "
-                            "leaves through a sheared face");
-    if (utils::strmatch(fix->style, "^nvt") && !strstr(fix->style, "sllod"))
-      error->all(FLERR, where + ": " + other + " takes the mean flow for heat; use nvt/sllod");
-    if (utils::strmatch(fix->style, "^NEIGH_HISTORY") && !before_me)
-      error->all(FLERR, where +
-                            " stands before the pair_style, whose memory of contacts must be "
-                            "stored before particles change rank; give pair_style first");
-    for (const Refused& r : refused)
-      if (utils::strmatch(fix->style, r.style))
-        error->all(FLERR, where + ": " + other + " " + r.reason);
-    if ((utils::strmatch(fix->style, "^temp/") || utils::strmatch(fix->style, "^langevin")) &&
-        comm->me == 0)
-      error->warning(FLERR, where + ": " + other +
-                                " takes the mean flow for heat, unless "
-                                "'fix_modify temp' gives it a compute "
-                                "temp/deform");
-  }
+  refuse_companions(lmp, this, where);
 }
 
 void FixDeformShear::find_rate() {
