@@ -95,9 +95,11 @@ void ComputeShearProfile::compute_array() {
   const double rate = domain->h_rate[5] / domain->yprd;
   const double middle = 0.5 * (domain->boxlo[1] + domain->boxhi[1]);
   for (int i = 0; i < layer_number; i++) {
-    const double y = layers.mean_position(i);
+    const bool empty = layers.mass(i) == 0.0;
+    const double y =
+        empty ? domain->yprd * ((i + 0.5) / layer_number - 0.5) : layers.mean_position(i);
     array[i][0] = middle + y;
-    array[i][1] = layers.mass(i) > 0.0 ? rate * y + layers.mean_velocity(i) : 0.0;
+    array[i][1] = empty ? 0.0 : rate * y + layers.mean_velocity(i);
     array[i][2] = profile.mass > 0.0 ? layers.mass(i) / profile.mass : 0.0;
   }
 }
