@@ -131,10 +131,9 @@ void FixAgglomerates::find(double elapsed) {
     const int mine = take_over_labels();
     MPI_Allreduce(&mine, &changed, 1, MPI_INT, MPI_MAX, world);
   }
-  const std::vector<Piece> mine = own_pieces();
   std::vector<double> sizes;
-  const std::vector<Piece> whole = whole_pieces(world, mine, sizes);
-  note_sizes(mine, sizes);
+  const std::vector<Piece> whole = whole_pieces(world, own_pieces(), sizes);
+  note_sizes(sizes);
   sum_up(whole, elapsed);
 }
 
@@ -144,15 +143,11 @@ void FixAgglomerates::connect() {
   pairs.clear();
   for (const BoundPairs* source : sources) source->append_bound(pairs);
   sets.reset(all);
+  for (const auto& [i, j] : pairs)
+    if ((atom->mask[i] & groupbit) && (atom->mask[j] & groupbit)) sets.join(i, j);
   bound.clear();
-  for (const auto& [i, j] : pairs) {
-    if (!(atom->mask[i] & groupbit) || !(atom->mask[j] & groupbit)) continue;
-    sets.join(i, j);
-    bound.push_back(i);
-    bound.push_back(j);
-  }
-  std::sort(bound.begin(), bound.end());
-  bound.erase(std::unique(bound.begin(), bound.end()), bound.end());
+  for (int i = 0; i < all; i++)
+    if (sets.size(i) > 1) bound.push_back(i);
 
   set_label.assign(all, static_cast<double>(MAXTAGINT));
   set_shift.assign(all, {});
@@ -198,29 +193,32 @@ bool FixAgglomerates::take_over_labels() {
   return changed;
 }
 
+/// One per set of this rank; several may have the same label.
 std::vector<Piece> FixAgglomerates::own_pieces() {
   std::vector<Piece> pieces;
+  set_piece.assign(atom->nlocal + atom->nghost, -1);
   for (const int i : bound) {
     if (i >= atom->nlocal) break;
-    Piece one{label[i]};
-    one.add(Vector3{place[i][0], place[i][1], place[i][2]});
-    one.wraps = set_wraps[sets.root(i)];
-    pieces.push_back(one);
+    const int r = sets.root(i);
+    if (set_piece[r] < 0) {
+      set_piece[r] = static_cast<int>(pieces.size());
+      pieces.push_back({set_label[r]});
+      pieces.back().wraps = set_wraps[r];
+    }
+    pieces[set_piece[r]].add(Vector3{place[i][0], place[i][1], place[i][2]});
   }
-  return put_together(std::move(pieces));
+  return pieces;
 }
 
-void FixAgglomerates::note_sizes(const std::vector<Piece>& mine, const std::vector<double>& sizes) {
+void FixAgglomerates::note_sizes(const std::vector<double>& sizes) {
   for (int i = 0; i < atom->nlocal; i++) {
     id_and_size[i][0] = 0.0;
     id_and_size[i][1] = atom->mask[i] & groupbit ? 1.0 : 0.0;
   }
   for (const int i : bound) {
     if (i >= atom->nlocal) break;
-    const auto piece = std::lower_bound(mine.begin(), mine.end(), label[i],
-                                        [](const Piece& a, double b) { return a.label < b; });
     id_and_size[i][0] = label[i];
-    id_and_size[i][1] = sizes[piece - mine.begin()];
+    id_and_size[i][1] = sizes[set_piece[sets.root(i)]];
   }
 }
 

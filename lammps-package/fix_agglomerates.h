@@ -60,7 +60,7 @@ class FixAgglomerates : public Fix {
   void connect();
   bool take_over_labels();
   std::vector<cohesion::agglomerates::Piece> own_pieces();
-  void note_sizes(const std::vector<cohesion::agglomerates::Piece>&, const std::vector<double>&);
+  void note_sizes(const std::vector<double>&);
   void sum_up(const std::vector<cohesion::agglomerates::Piece>&, double elapsed);
   void note_durations();
 
@@ -69,6 +69,7 @@ class FixAgglomerates : public Fix {
   cohesion::agglomerates::DisjointSets sets;
   std::vector<int> bound;  // particles and ghosts with a partner
   std::vector<double> set_label, set_wraps;
+  std::vector<int> set_piece;                // of the sets with own particles, by their root
   std::vector<cohesion::Vector3> set_shift;  // from a place in the box to the unfolded one
 
   double* label;                              // per atom and ghost
