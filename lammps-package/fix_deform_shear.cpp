@@ -274,10 +274,6 @@ void FixDeformShear::tilt(double gamma) {
 /// other places in the box and other ranks.
 void FixDeformShear::pre_exchange() {
   if (flip == 0) return;
-  domain->x2lamda(atom->nlocal);
-  domain->pbc();
-  domain->lamda2x(atom->nlocal);
-
   domain->xy = set[5].tilt_flip;
   domain->set_global_box();
   domain->set_local_box();
