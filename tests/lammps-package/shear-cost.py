@@ -8,8 +8,9 @@
 same lattice: the largest difference of positions and velocities after 600 steps, to show that they are
 the same motion. fix deform gets a tilt that is a step ahead, for the box that it shows the particles
 is that of the step before. Then both take turns from the same state in developed flow: nanoseconds per
-particle and step, lists made, and the ratio of the times of each turn. `rebuild engine` is
-fix deform/shear with the engine's own rule for new lists.
+particle and step, lists made, and the ratio of the times of each turn. Times are those the processor
+spent in LAMMPS' loop, on one rank. `rebuild engine` is fix deform/shear with the engine's own rule for
+new lists.
 """
 import argparse
 import os
@@ -45,7 +46,8 @@ def main():
             options = {"ahead": 0, "keep": "none", "dump": "no", **options}
             output = engine.run("in.shear_cost", folder, load="yes", side=words.side, start=start,
                                 steps=steps, shear=shear, skin=words.skin, **options)
-            seconds = float(re.search(r"Loop time of (\S+)", output)[1])
+            seconds = (float(re.search(r"Loop time of (\S+)", output)[1]) *
+                       float(re.search(r"(\S+)% CPU use", output)[1]) / 100)
             return (1e9 * seconds / steps / (4 * words.side**3),
                     int(re.search(r"Neighbor list builds = (\d+)", output)[1]))
 
