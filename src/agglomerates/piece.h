@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "../vector3.h"
+#include "vector3.h"
 
 namespace cohesion::agglomerates {
 

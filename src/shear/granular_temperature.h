@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "mean_profile.h"
+#include "shear/mean_profile.h"
 
 namespace cohesion::shear {
 

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "mean_profile.h"
+#include "shear/mean_profile.h"
 
 namespace cohesion::shear {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <limits>
 
-#include "../vector3.h"
+#include "vector3.h"
 
 namespace cohesion::shear {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "mean_profile.h"
+#include "shear/mean_profile.h"
 
 namespace cohesion::shear {
 
