@@ -8,6 +8,7 @@
 
 #include "atom.h"
 #include "comm.h"
+#include "domain.h"
 #include "engine_api.h"
 #include "error.h"
 #include "force.h"
@@ -106,11 +107,19 @@ void FixEventStep::init() {
 /// The fastest particle or ghost; what each weighs, when the list of neighbours is new.
 void FixEventStep::look_round() {
   const int all = atom->nlocal + atom->nghost;
+  const double* const x = all > 0 ? atom->x[0] : nullptr;
   const double* const v = all > 0 ? atom->v[0] : nullptr;
+  // In a sheared box, beyond the mean flow: that one only moves neighbours by what it differs
+  // between them.
+  const double rate = domain->deform_vremap ? domain->h_rate[5] / domain->yprd : 0.0;
+  const double middle = 0.5 * (domain->boxlo[1] + domain->boxhi[1]);
   double fastest = 0.0;
-  for (int i = 0; i < 3 * all; i += 3)
-    fastest = std::max(fastest, v[i] * v[i] + v[i + 1] * v[i + 1] + v[i + 2] * v[i + 2]);
-  longest_flight = 0.5 * update->dt * std::sqrt(fastest);
+  for (int i = 0; i < 3 * all; i += 3) {
+    const double u = rate == 0.0 ? v[i] : v[i] - rate * (x[i + 1] - middle);
+    fastest = std::max(fastest, u * u + v[i + 1] * v[i + 1] + v[i + 2] * v[i + 2]);
+  }
+  longest_flight =
+      0.5 * update->dt * (std::sqrt(fastest) + 0.5 * std::abs(rate) * neighbor->cutneighmax);
   if (neighbor->ago != 0) return;
   for (int i = 0; i < all; i++)
     inverse_mass[i] = mobile.inverse_mass(atom->mask[i], atom->rmass[i]);

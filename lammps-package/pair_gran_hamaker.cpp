@@ -27,6 +27,7 @@ using cohesion::Vector3;
 
 static constexpr int HISTORY = 4;
 static constexpr char HISTORY_ID[] = "NEIGH_HISTORY_GRAN_HAMAKER";
+static constexpr char HISTORY_PLACE[] = "NEIGH_HISTORY_GRAN_HAMAKER_PLACE";
 
 PairGranHamaker::PairGranHamaker(LAMMPS* lammps)
     : Pair(lammps),
@@ -44,10 +45,12 @@ PairGranHamaker::PairGranHamaker(LAMMPS* lammps)
   finitecutflag = 1;
   beyond_contact = 1;
   FixEventStep::reserve(lmp);
+  // Its place is before fixes that move particles to other ranks (fix deform).
+  modify->add_fix(std::string(HISTORY_PLACE) + " all DUMMY");
 }
 
 PairGranHamaker::~PairGranHamaker() {
-  if (history) modify->delete_fix(HISTORY_ID);
+  modify->delete_fix(history ? HISTORY_ID : HISTORY_PLACE);
   if (!allocated) return;
   memory->destroy(setflag);
   memory->destroy(cutsq);
@@ -274,6 +277,16 @@ void PairGranHamaker::tally_standing(Contacts<Contact>& contacts) {
   }
 }
 
+/// Bound are the pairs within the range of contact and adhesion.
+void PairGranHamaker::append_bound(std::vector<std::array<int, 2>>& pairs) const {
+  for (int ii = 0; ii < list->inum; ii++) {
+    const int i = list->ilist[ii];
+    for (int jj = 0; jj < list->numneigh[i]; jj++)
+      if (history->firstflag[i][jj] && history->firstvalue[i][HISTORY * jj] != 0.0)
+        pairs.push_back({i, list->firstneigh[i][jj] & NEIGHMASK});
+  }
+}
+
 /* ---------------------------------------------------------------------- */
 
 void PairGranHamaker::settings(int narg, char** arg) {
@@ -330,7 +343,9 @@ void PairGranHamaker::init_style() {
   list_reach = 0.1 * neighbor->skin;
   engine_api::request_history_list(neighbor, this, instance_me);
   if (!history) {
-    modify->add_fix(std::string(HISTORY_ID) + " all NEIGH_HISTORY " + std::to_string(HISTORY));
+    modify->replace_fix(HISTORY_PLACE,
+                        std::string(HISTORY_ID) + " all NEIGH_HISTORY " + std::to_string(HISTORY),
+                        1);
     history = static_cast<FixNeighHistory*>(modify->fix[modify->find_fix(HISTORY_ID)]);
     history->pair = this;
   }

@@ -12,6 +12,7 @@ PairStyle(gran/hamaker,PairGranHamaker);
 #include <variant>
 #include <vector>
 
+#include "bound_pairs.h"
 #include "cohesive_contact_from_script.h"
 #include "event_contact.h"
 #include "event_stepping/cohesive_contact.h"
@@ -23,7 +24,7 @@ namespace LAMMPS_NS {
 /// pair_style gran/hamaker: linear spring-dashpot contact with friction and Hamaker adhesion, in
 /// the event scheme or sampled. The laws are in src/event_stepping, src/contact and src/hamaker;
 /// doc: docs/lammps-package/pair_gran_hamaker.md
-class PairGranHamaker : public Pair {
+class PairGranHamaker : public Pair, public BoundPairs {
  public:
   explicit PairGranHamaker(class LAMMPS*);
   ~PairGranHamaker() override;
@@ -37,6 +38,7 @@ class PairGranHamaker : public Pair {
   void read_restart(FILE*) override;
   void write_restart_settings(FILE*) override;
   void read_restart_settings(FILE*) override;
+  void append_bound(std::vector<std::array<int, 2> >&) const override;
 
  private:
   template <class Pair>

@@ -3,6 +3,9 @@
 
 #include "compute_gran_energy.h"
 #include "compute_hard_events.h"
+#include "compute_shear_profile.h"
+#include "fix_agglomerates.h"
+#include "fix_deform_shear.h"
 #include "fix_event_step.h"
 #include "fix_gas_coupling.h"
 #include "fix_hard_events.h"
@@ -21,19 +24,48 @@ using namespace LAMMPS_NS;
 namespace {
 
 template <class Style>
-void* make_pair_style(void* lmp) {
+void* make_pair(void* lmp) {
   return new Style(static_cast<LAMMPS*>(lmp));
 }
 
+/// A fix or a compute.
 template <class Style>
-void* make_fix_style(void* lmp, int narg, char** arg) {
+void* make(void* lmp, int narg, char** arg) {
   return new Style(static_cast<LAMMPS*>(lmp), narg, arg);
 }
 
-template <class Style>
-void* make_compute_style(void* lmp, int narg, char** arg) {
-  return new Style(static_cast<LAMMPS*>(lmp), narg, arg);
-}
+struct PairRow {
+  const char* name;
+  lammpsplugin_factory1* factory;
+};
+
+constexpr PairRow pairs[] = {
+    {"hamaker", &make_pair<PairHamaker>},
+    {"gran/hamaker", &make_pair<PairGranHamaker>},
+    {"hard/square_well", &make_pair<PairHardSquareWell>},
+};
+
+struct Row {
+  const char* name;
+  lammpsplugin_factory2* factory;
+};
+
+constexpr Row fixes[] = {
+    {"EVENT_STEP", &make<FixEventStep>},
+    {"HARD_EVENTS", &make<FixHardEvents>},
+    {"agglomerates", &make<FixAgglomerates>},
+    {"deform/shear", &make<FixDeformShear>},
+    {"gas/coupling", &make<FixGasCoupling>},
+    {"wall/gran/hamaker", &make<FixWallGranHamaker>},
+    {"wall/hamaker", &make<FixWallHamaker>},
+    {"wall/hard/square_well", &make<FixWallHardSquareWell>},
+};
+
+constexpr Row computes[] = {
+    {"gran/energy", &make<ComputeGranEnergy>},
+    {"hard/events", &make<ComputeHardEvents>},
+    {"shear/profile", &make<ComputeShearProfile>},
+};
 
 }  // namespace
 
@@ -45,60 +77,19 @@ extern "C" void cohesion_register_styles(void* lmp, void* handle, void* regfunc)
   plugin.handle = handle;
 
   plugin.style = "pair";
-  plugin.name = "hamaker";
-  plugin.info = "pair hamaker";
-  plugin.creator.v1 = &make_pair_style<PairHamaker>;
-  register_style(&plugin, lmp);
-
-  plugin.name = "gran/hamaker";
-  plugin.info = "pair gran/hamaker";
-  plugin.creator.v1 = &make_pair_style<PairGranHamaker>;
-  register_style(&plugin, lmp);
-
-  plugin.name = "hard/square_well";
-  plugin.info = "pair hard/square_well";
-  plugin.creator.v1 = &make_pair_style<PairHardSquareWell>;
-  register_style(&plugin, lmp);
-
-  plugin.style = "fix";
-  plugin.name = "HARD_EVENTS";
-  plugin.info = "fix HARD_EVENTS";
-  plugin.creator.v2 = &make_fix_style<FixHardEvents>;
-  register_style(&plugin, lmp);
-
-  plugin.name = "EVENT_STEP";
-  plugin.info = "fix EVENT_STEP";
-  plugin.creator.v2 = &make_fix_style<FixEventStep>;
-  register_style(&plugin, lmp);
-
-  plugin.name = "wall/hamaker";
-  plugin.info = "fix wall/hamaker";
-  plugin.creator.v2 = &make_fix_style<FixWallHamaker>;
-  register_style(&plugin, lmp);
-
-  plugin.name = "wall/gran/hamaker";
-  plugin.info = "fix wall/gran/hamaker";
-  plugin.creator.v2 = &make_fix_style<FixWallGranHamaker>;
-  register_style(&plugin, lmp);
-
-  plugin.name = "wall/hard/square_well";
-  plugin.info = "fix wall/hard/square_well";
-  plugin.creator.v2 = &make_fix_style<FixWallHardSquareWell>;
-  register_style(&plugin, lmp);
-
-  plugin.name = "gas/coupling";
-  plugin.info = "fix gas/coupling";
-  plugin.creator.v2 = &make_fix_style<FixGasCoupling>;
-  register_style(&plugin, lmp);
-
-  plugin.style = "compute";
-  plugin.name = "gran/energy";
-  plugin.info = "compute gran/energy";
-  plugin.creator.v2 = &make_compute_style<ComputeGranEnergy>;
-  register_style(&plugin, lmp);
-
-  plugin.name = "hard/events";
-  plugin.info = "compute hard/events";
-  plugin.creator.v2 = &make_compute_style<ComputeHardEvents>;
-  register_style(&plugin, lmp);
+  for (const PairRow& row : pairs) {
+    plugin.name = plugin.info = row.name;
+    plugin.creator.v1 = row.factory;
+    register_style(&plugin, lmp);
+  }
+  const auto register_all = [&](const char* kind, const auto& rows) {
+    plugin.style = kind;
+    for (const Row& row : rows) {
+      plugin.name = plugin.info = row.name;
+      plugin.creator.v2 = row.factory;
+      register_style(&plugin, lmp);
+    }
+  };
+  register_all("fix", fixes);
+  register_all("compute", computes);
 }

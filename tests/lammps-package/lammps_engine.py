@@ -86,12 +86,14 @@ def thermo(output):
     return dict(zip(names, values[-1]))
 
 
-def write_spheres(folder, atoms, box, types, name="data.spheres"):
+def write_spheres(folder, atoms, box, types, name="data.spheres", tilt=None):
     """LAMMPS data file; atoms: dicts with type, diameter, density, x, and perhaps v and
-    omega."""
+    omega. tilt: xy, xz, yz of a triclinic box."""
     lines = ["spheres", "", f"{len(atoms)} atoms", f"{types} atom types", ""]
     for (low, high), axis in zip(box, "xyz"):
         lines.append(f"{low:.17g} {high:.17g} {axis}lo {axis}hi")
+    if tilt is not None:
+        lines.append("{:.17g} {:.17g} {:.17g} xy xz yz".format(*tilt))
     lines += ["", "Atoms # sphere", ""]
     for number, atom in enumerate(atoms, 1):
         x = " ".join(f"{value:.17g}" for value in atom["x"])

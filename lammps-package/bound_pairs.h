@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#ifndef COHESION_BOUND_PAIRS_H
+#define COHESION_BOUND_PAIRS_H
+
+#include <array>
+#include <vector>
+
+namespace LAMMPS_NS {
+
+/// What a pair style implements, besides Pair, whose pairs are bound or not.
+class BoundPairs {
+ public:
+  /// Appends the pairs that are bound after the forces of the step: the index of an owned particle
+  /// and that of its partner, which is owned or a ghost. A pair of two ranks is given by both.
+  virtual void append_bound(std::vector<std::array<int, 2>>& pairs) const = 0;
+
+ protected:
+  ~BoundPairs() = default;
+};
+
+}  // namespace LAMMPS_NS
+
+#endif

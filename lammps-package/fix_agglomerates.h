@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#ifdef FIX_CLASS
+// clang-format off
+FixStyle(agglomerates,FixAgglomerates);
+// clang-format on
+#else
+
+#ifndef LMP_FIX_AGGLOMERATES_H
+#define LMP_FIX_AGGLOMERATES_H
+
+#include <array>
+#include <vector>
+
+#include "agglomerates/disjoint_sets.h"
+#include "agglomerates/membership.h"
+#include "agglomerates/piece.h"
+#include "agglomerates/size_statistics.h"
+#include "bound_pairs.h"
+#include "fix.h"
+
+namespace LAMMPS_NS {
+
+/// fix ID group agglomerates N ...: connected sets of bound particles, their sizes and how long
+/// particles belong to one. Doc: docs/lammps-package/fix_agglomerates.md
+///
+/// Every rank joins the pairs it has; then the smallest label and the place of the first particle
+/// go from owners to ghosts and through the bonds until nothing changes. Sums of an agglomerate are
+/// put together on the rank that its label belongs to, and the size goes back; no rank sees them
+/// all.
+class FixAgglomerates : public Fix {
+ public:
+  FixAgglomerates(class LAMMPS*, int, char**);
+  ~FixAgglomerates() override;
+
+  int setmask() override;
+  void init() override;
+  void setup(int) override;
+  void end_of_step() override;
+  double compute_scalar() override { return compute_vector(0); }
+  double compute_vector(int) override;
+  double compute_array(int, int) override;
+
+  int pack_forward_comm(int, int*, double*, int, int*) override;
+  void unpack_forward_comm(int, int, double*) override;
+  void grow_arrays(int) override;
+  void copy_arrays(int, int, int) override;
+  void set_arrays(int) override;
+  int pack_exchange(int, double*) override;
+  int unpack_exchange(int, double*) override;
+  void write_restart(FILE*) override;
+  void restart(char*) override;
+  int pack_restart(int, double*) override;
+  void unpack_restart(int, int) override;
+  int maxsize_restart() override { return 2; }
+  int size_restart(int) override { return 2; }
+  double memory_usage() override;
+
+ private:
+  void find(double elapsed);
+  void connect();
+  bool take_over_labels();
+  std::vector<cohesion::agglomerates::Piece> own_pieces();
+  void note_sizes(const std::vector<double>&);
+  void sum_up(const std::vector<cohesion::agglomerates::Piece>&, double elapsed);
+  void note_durations();
+
+  std::vector<const BoundPairs*> sources;
+  std::vector<std::array<int, 2> > pairs;
+  cohesion::agglomerates::DisjointSets sets;
+  std::vector<int> bound;  // particles and ghosts with a partner
+  std::vector<double> set_label, set_wraps;
+  std::vector<int> set_piece;                // of the sets with own particles, by their root
+  std::vector<cohesion::Vector3> set_shift;  // from a place in the box to the unfolded one
+
+  double* label;                              // per atom and ghost
+  double** place;                             // per atom and ghost: unfolded
+  double** id_and_size;                       // per atom
+  cohesion::agglomerates::Membership* since;  // per atom
+
+  cohesion::agglomerates::SizeDistribution distribution;
+  struct Totals {
+    double time = 0.0;  // since the fix was defined
+    cohesion::agglomerates::TimeWeightedSize size;
+    double durations = 0.0, finished = 0.0;
+  } totals;
+  bigint last_step;  // -1: has not looked yet
+  double number, particles, largest, group_size, gyration, unfolded, wrapping;
+};
+
+}  // namespace LAMMPS_NS
+
+#endif
+#endif

@@ -1,0 +1,347 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#include "fix_deform_shear.h"
+
+#include <algorithm>
+#include <array>
+#include <climits>
+#include <cmath>
+#include <cstring>
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "group.h"
+#include "input.h"
+#include "irregular.h"
+#include "modify.h"
+#include "neighbor.h"
+#include "shear/list_margin.h"
+#include "shear_companions.h"
+#include "update.h"
+#include "variable.h"
+
+using namespace LAMMPS_NS;
+using cohesion::shear::ImageShift;
+
+namespace {
+
+/// What the engine's fix is told: flow along x, gradient along y, velocities change across faces.
+/// It never moves the box; it keeps what Domain and others look for, and flips.
+struct EngineArguments {
+  static constexpr int count = 9;
+  std::array<std::string, count> words;
+  std::array<char*, count> pointers;
+
+  EngineArguments(LAMMPS* lmp, char** arg)
+      : words{arg[0], arg[1], arg[2], "1", "xy", "erate", "0.0", "remap", "v"} {
+    if (!lmp->domain->triclinic)
+      lmp->error->all(FLERR, std::string("fix ") + arg[0] +
+                                 " deform/shear tilts the box: make it with 'region ... prism' or "
+                                 "put 'change_box all triclinic' before");
+    for (int i = 0; i < count; i++) pointers[i] = &words[i][0];
+  }
+};
+
+ImageShift shift_of(double start_tilt, double height, double length) {
+  return {start_tilt, height, length};
+}
+
+}  // namespace
+
+FixDeformShear::FixDeformShear(LAMMPS* lammps, int narg, char** arg)
+    : FixDeform(lammps, EngineArguments::count, EngineArguments(lammps, arg).pointers.data()),
+      given_rate(0.0),
+      rate_variable(-1),
+      profile(true),
+      own_rebuild(true),
+      state(),
+      lengths(0.0),
+      listed_strain(0.0),
+      listed_step(-1),
+      engine_delay(0),
+      engine_every(0),
+      in_hand(false) {
+  read_keywords(narg, arg);
+  if (igroup != 0)
+    error->all(FLERR, "fix deform/shear shears the whole box; its group must be all");
+  if (!domain->xperiodic || !domain->yperiodic)
+    error->all(FLERR,
+               "fix deform/shear: flow is along x and its gradient along y; both must be periodic "
+               "(boundary p p ...)");
+  if (domain->yz != 0.0)
+    error->all(FLERR,
+               "fix deform/shear: tilt yz is {}; the images along z must not be shifted "
+               "along the gradient: make it 0",
+               domain->yz);
+  if (std::abs(domain->xy) > 0.5 * domain->xprd)
+    error->all(FLERR,
+               "fix deform/shear: tilt xy is {}; it must be within half the length of the "
+               "box, {}",
+               domain->xy, 0.5 * domain->xprd);
+  scalar_flag = vector_flag = 1;
+  size_vector = 3;
+  global_freq = 1;
+  extscalar = extvector = 0;
+  time_depend = 1;
+  state.start_tilt = domain->xy;
+  state.lx = domain->xprd;
+  state.ly = domain->yprd;
+  // As 'comm_modify vel yes' does: contacts across the faces need the velocity of the image.
+  comm->ghost_velocity = 1;
+}
+
+void FixDeformShear::read_keywords(int narg, char** arg) {
+  const std::string where = std::string("fix ") + id + " deform/shear";
+  bool given = false;
+  for (int i = 3; i < narg; i += 2) {
+    const std::string word = arg[i];
+    if (word != "rate" && word != "profile" && word != "rebuild")
+      error->all(FLERR,
+                 where + ": unknown keyword '" + word + "'; valid ones: rate, profile, rebuild");
+    if (i + 1 == narg) error->all(FLERR, where + ": " + word + " takes a value");
+    const std::string value = arg[i + 1];
+    if (word == "rate") {
+      given = true;
+      if (value.substr(0, 2) == "v_")
+        rate_name = value.substr(2);
+      else
+        given_rate = utils::numeric(FLERR, arg[i + 1], false, lmp);
+      if (!std::isfinite(given_rate))
+        error->all(FLERR, where + ": rate " + value + " must be a finite number or v_name");
+    } else if (word == "profile") {
+      if (value != "yes" && value != "no")
+        error->all(FLERR, where + ": profile '" + value + "'; valid ones: yes, no");
+      profile = value == "yes";
+    } else {
+      if (value != "nonaffine" && value != "engine")
+        error->all(FLERR, where + ": rebuild '" + value + "'; valid ones: nonaffine, engine");
+      own_rebuild = value == "nonaffine";
+    }
+  }
+  if (!given)
+    error->all(FLERR, where +
+                          ": give 'rate R', strain per time, or 'rate v_name' of an equal-style "
+                          "variable");
+}
+
+int FixDeformShear::setmask() {
+  return FixConst::POST_INTEGRATE | FixConst::PRE_EXCHANGE | FixConst::POST_NEIGHBOR |
+         FixConst::POST_RUN;
+}
+
+void FixDeformShear::init() {
+  refuse_what_it_cannot_go_with();
+  find_rate();
+  FixDeform::init();
+  h_rate[5] = shift_of(state.start_tilt, state.ly, state.lx).velocity(state.strain.rate);
+}
+
+void FixDeformShear::refuse_what_it_cannot_go_with() const {
+  const std::string where = std::string("fix ") + id + " deform/shear";
+  if (utils::strmatch(update->integrate_style, "^respa"))
+    error->all(FLERR, where + " moves the box once per step; use 'run_style verlet'");
+  if (comm->ghost_velocity == 0)
+    error->all(FLERR, where +
+                          " needs the velocities of ghost particles; take 'comm_modify vel no' "
+                          "away");
+  if (domain->xprd != state.lx || domain->yprd != state.ly || domain->yz != 0.0)
+    error->all(FLERR, where +
+                          ": the box has been changed since the fix was made; give the fix "
+                          "again");
+  refuse_companions(lmp, this, where);
+}
+
+void FixDeformShear::find_rate() {
+  if (rate_name.empty()) return;
+  rate_variable = input->variable->find(const_cast<char*>(rate_name.c_str()));
+  if (rate_variable < 0 || !input->variable->equalstyle(rate_variable))
+    error->all(FLERR, std::string("fix ") + id +
+                          " deform/shear: there is no equal-style variable '" + rate_name + "'");
+}
+
+double FixDeformShear::rate_now() {
+  if (rate_variable < 0) return given_rate;
+  modify->clearstep_compute();
+  const double rate = input->variable->compute_equal(rate_variable);
+  modify->addstep_compute(update->ntimestep + 1);
+  if (!std::isfinite(rate))
+    error->all(FLERR, "fix {} deform/shear: variable {} is {} at step {}, no rate of shear", id,
+               rate_name, rate, update->ntimestep);
+  return rate;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixDeformShear::setup_pre_exchange() {
+  auto& strain = state.strain;
+  const bigint now = update->ntimestep;
+  const ImageShift shift = shift_of(state.start_tilt, state.ly, state.lx);
+  if (!state.begun) {
+    strain = {0.0, now, rate_now(), update->dt};
+    state.next_rate = strain.rate;
+    if (profile) lay_profile();
+    state.begun = 1;
+  } else if (rate_variable < 0) {
+    state.next_rate = given_rate;  // another one than that of a restart
+  }
+  lengths = shift.lengths_before(strain.at(now), domain->xy);
+  h_rate[5] = shift.velocity(strain.rate);
+}
+
+/// The linear profile, zero in the middle of the box, on top of what the particles have; without
+/// net momentum.
+void FixDeformShear::lay_profile() {
+  const double middle = 0.5 * (domain->boxlo[1] + domain->boxhi[1]);
+  double mine[4] = {}, all[4];
+  for (int i = 0; i < atom->nlocal; i++) {
+    double* const v = atom->v[i];
+    v[0] += state.strain.rate * (atom->x[i][1] - middle);
+    const double m = atom->rmass ? atom->rmass[i] : atom->mass[atom->type[i]];
+    for (int k = 0; k < 3; k++) mine[k] += m * v[k];
+    mine[3] += m;
+  }
+  MPI_Allreduce(mine, all, 4, MPI_DOUBLE, MPI_SUM, world);
+  if (all[3] == 0.0) return;
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int k = 0; k < 3; k++) atom->v[i][k] -= all[k] / all[3];
+  if (comm->me == 0)
+    utils::logmesg(lmp,
+                   fmt::format("fix {} deform/shear: added the profile vx = {:g} (y - {:g}) to "
+                               "the velocities and took the net momentum away\n",
+                               id, state.strain.rate, middle));
+}
+
+/// The list that a run begins with exists; from here on this fix decides when the next is made.
+void FixDeformShear::setup(int) {
+  if (!own_rebuild || in_hand || !neighbor->dist_check) return;
+  engine_delay = neighbor->delay;
+  engine_every = neighbor->every;
+  neighbor->delay = INT_MAX;
+  neighbor->every = 1;
+  in_hand = true;
+}
+
+void FixDeformShear::post_run() {
+  if (!in_hand) return;
+  neighbor->delay = engine_delay;
+  neighbor->every = engine_every;
+  in_hand = false;
+}
+
+void FixDeformShear::post_integrate() {
+  auto& strain = state.strain;
+  const bigint now = update->ntimestep;
+  strain.continue_with(now - 1, state.next_rate, update->dt);
+  const double gamma = strain.at(now);
+  tilt(gamma);
+  const double next_rate = rate_now();
+  // A particle outside the box must be put back before its image becomes faster: nothing may depend
+  // on when lists are made.
+  if (next_rate != state.next_rate) next_reneighbor = now;
+  state.next_rate = next_rate;
+  if (in_hand && next_reneighbor != now) {
+    int mine = list_may_miss_a_pair(gamma), any;
+    MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
+    if (any) next_reneighbor = now;
+  }
+}
+
+void FixDeformShear::tilt(double gamma) {
+  const ImageShift shift = shift_of(state.start_tilt, state.ly, state.lx);
+  h_rate[5] = shift.velocity(state.strain.rate);
+  const double half = 0.5 * state.lx;
+  if (std::abs(h_rate[5]) * update->dt >= half)
+    error->all(FLERR,
+               "fix {} deform/shear: the image above moves by {} in a step, half a box is {}; "
+               "use a smaller time step",
+               id, h_rate[5] * update->dt, half);
+
+  const double xy = shift.tilt(gamma, lengths);
+  flipxy = xy > half ? -1 : xy < -half ? 1 : 0;
+  domain->xy = xy;
+  domain->set_global_box();
+  domain->set_local_box();
+  if (flipxy == 0) return;
+  lengths -= flipxy;
+  set[5].tilt_flip = shift.tilt(gamma, lengths);
+  flipxz = flipyz = 0;
+  flip = 1;
+  next_reneighbor = update->ntimestep;
+}
+
+/// A flip chooses another lattice vector for the image above: nothing moves, but particles have
+/// other places in the box and other ranks.
+void FixDeformShear::pre_exchange() {
+  if (flip == 0) return;
+  domain->xy = set[5].tilt_flip;
+  domain->set_global_box();
+  domain->set_local_box();
+  domain->image_flip(flipxy, flipxz, flipyz);
+  domain->x2lamda(atom->nlocal);
+  domain->pbc();
+  irregular->migrate_atoms();
+  domain->lamda2x(atom->nlocal);
+  flip = 0;
+}
+
+bool FixDeformShear::list_may_miss_a_pair(double gamma) const {
+  const int n = atom->nlocal;
+  if (listed_step != neighbor->lastcall || listed_at.size() != 3 * static_cast<std::size_t>(n))
+    return true;
+  const double strain = gamma - listed_strain;
+  // Lists with a longer range of their own need ghosts from as far, by comm_modify cutoff.
+  const double reach = std::max(neighbor->cutneighmax, comm->cutghostuser);
+  const double margin = cohesion::shear::list_margin(reach, reach - neighbor->skin, strain);
+  if (margin <= 0.0) return true;
+  const double middle = 0.5 * (domain->boxlo[1] + domain->boxhi[1]);
+  const double* const x = n > 0 ? atom->x[0] : nullptr;
+  const double* const x0 = listed_at.data();
+  double farthest = 0.0;
+  for (int i = 0; i < 3 * n; i += 3) {
+    const double ux = x[i] - x0[i] - strain * (x0[i + 1] - middle);
+    const double uy = x[i + 1] - x0[i + 1];
+    const double uz = x[i + 2] - x0[i + 2];
+    farthest = std::max(farthest, ux * ux + uy * uy + uz * uz);
+  }
+  return farthest > margin * margin;
+}
+
+void FixDeformShear::post_neighbor() {
+  listed_step = neighbor->lastcall;
+  listed_strain = state.strain.at(update->ntimestep);
+  if (!own_rebuild) return;
+  const double* const x = atom->nlocal > 0 ? atom->x[0] : nullptr;
+  listed_at.assign(x, x + 3 * static_cast<std::size_t>(atom->nlocal));
+}
+
+/* ---------------------------------------------------------------------- */
+
+double FixDeformShear::compute_scalar() { return state.strain.at(update->ntimestep); }
+
+double FixDeformShear::compute_vector(int n) {
+  if (n == 0) return state.strain.rate;
+  return n == 1 ? h_rate[5] : lengths;
+}
+
+void FixDeformShear::write_restart(FILE* fp) {
+  if (comm->me != 0) return;
+  const int size = sizeof(State);
+  fwrite(&size, sizeof(int), 1, fp);
+  fwrite(&state, sizeof(State), 1, fp);
+}
+
+void FixDeformShear::restart(char* buf) {
+  State kept;
+  memcpy(&kept, buf, sizeof(State));
+  if (kept.lx != state.lx || kept.ly != state.ly)
+    error->all(FLERR,
+               "fix {} deform/shear: the box of the restart was {} by {}, it is now {} by {}; "
+               "give the fix another ID to begin anew",
+               id, kept.lx, kept.ly, state.lx, state.ly);
+  state = kept;
+}
+
+double FixDeformShear::memory_usage() {
+  return FixDeform::memory_usage() + static_cast<double>(sizeof(double) * listed_at.capacity());
+}

@@ -1,0 +1,263 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""fix agglomerates: connected sets across faces and ranks against a search over all pairs; how long
+particles belong to one, against straight flights."""
+import unittest
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy
+
+import lammps_engine as engine
+
+BOX = numpy.array([10.0, 8.0, 6.0])
+RANGE = 0.2  # gap up to which two spheres are bound
+# The attraction is none to speak of at the gaps of the flights: 1e-12/(24 0.1^2) = 4e-12.
+LAW = (f"pair_style gran/hamaker scheme sampled\npair_coeff * * stiffness 800 restitution 1 hamaker "
+       f"1e-12 cutoff 1e-3 {RANGE}\n")
+HEAD = """
+plugin load ${plugin}
+units lj
+atom_style sphere
+newton off
+boundary p p p
+box tilt large
+comm_modify vel yes
+neighbor 0.3 bin
+neigh_modify delay 0 every 1 check yes
+read_data data.spheres
+""" + LAW
+FIELDS = "f_set " + " ".join(f"f_set[{k}]" for k in range(1, 9))
+
+
+def places_in_chain(start, steps):
+    return numpy.array([start + 1.1 * numpy.array(s) for s in steps])
+
+
+class Search:
+    """Sets of spheres of diameter 1 in the tilted box, found by walking from partner to partner."""
+
+    def __init__(self, x, tilt):
+        self.edges = numpy.array([[BOX[0], 0, 0], [tilt, BOX[1], 0], [0, 0, BOX[2]]])
+        self.x = x
+        n = len(x)
+        self.set_of, self.unfolded, self.wraps = -numpy.ones(n, int), x.copy(), set()
+        for first in range(n):
+            if self.set_of[first] < 0:
+                self.walk(first)
+        self.sizes = numpy.bincount(self.set_of, minlength=n)
+
+    def walk(self, first):
+        self.set_of[first], waiting = first, [first]
+        while waiting:
+            i = waiting.pop()
+            for k in range(-1, 2):
+                for l in range(-1, 2):
+                    for m in range(-1, 2):
+                        d = self.x + numpy.array([k, l, m]) @ self.edges - self.x[i]
+                        r = numpy.sqrt((d**2).sum(axis=1))
+                        for j in numpy.nonzero((r < 1.0 + RANGE) & (r > 0))[0]:
+                            place = self.unfolded[i] + d[j]
+                            if self.set_of[j] < 0:
+                                self.set_of[j], self.unfolded[j] = first, place
+                                waiting.append(j)
+                            elif numpy.abs(place - self.unfolded[j]).max() > 1.0:
+                                self.wraps.add(first)
+
+    def vector(self):
+        sets = [s for s in range(len(self.x)) if self.sizes[s] > 1]
+        gyration = [numpy.sqrt(self.unfolded[self.set_of == s].var(axis=0).sum()) for s in sets
+                    if s not in self.wraps]
+        number = len(sets)
+        mean = sum(self.sizes[s] for s in sets) / number
+        return [number, number, mean, 0.0, max(self.sizes) / len(self.x), 0.0, 0.0,
+                numpy.mean(gyration) if gyration else 0.0, len(self.wraps)]
+
+
+class Agglomerates(unittest.TestCase):
+    def setUp(self):
+        keeper = engine.temporary_folder()
+        self.addCleanup(keeper.cleanup)
+        self.folder = keeper.name
+
+    def write(self, x, v=None, tilt=0.0, folder=None):
+        v = numpy.zeros_like(x) if v is None else v
+        engine.write_spheres(folder or self.folder, [
+            {"type": 1, "diameter": 1.0, "density": 1.0, "x": a, "v": b} for a, b in zip(x, v)],
+            [(0.0, side) for side in BOX], 1, tilt=(tilt, 0.0, 0.0))
+
+    def run_script(self, text, folder=None, **options):
+        code, output = engine.run_text(text, folder or self.folder, **options)
+        self.assertEqual(code, 0, output[-3000:])
+        return output
+
+    def check_all(self, cases):
+        """The cases side by side: a start is mostly waiting."""
+        with ThreadPoolExecutor(4) as pool:
+            return list(pool.map(lambda case: self.check_sets(*case), cases))
+
+    def check_sets(self, x, tilt, ranks):
+        with engine.temporary_folder() as folder:
+            return self.check_sets_in(folder, x, tilt, ranks)
+
+    def check_sets_in(self, folder, x, tilt, ranks):
+        lattice = numpy.array([[BOX[0], 0, 0], [tilt, BOX[1], 0], [0, 0, BOX[2]]])
+        x = x - numpy.floor(x @ numpy.linalg.inv(lattice)) @ lattice
+        self.write(x, tilt=tilt, folder=folder)
+        output = self.run_script(
+            HEAD + "fix set all agglomerates 1 sizes 5\nfix move all nve/sphere\ntimestep 0.001\n"
+            "dump out all custom 1 out.txt id f_set[1] f_set[2]\n"
+            f"thermo_style custom step {FIELDS} f_set[1][1] f_set[2][1] f_set[3][1] f_set[4][1] "
+            "f_set[5][1]\nthermo_modify format float %.15g\nrun 0\n", folder, ranks=ranks)
+        found = Search(x, tilt)
+        values = engine.thermo_lines(output)[1][0][1:]
+        # Sums of 300 squares of places in the box, below 1e5, over radii of 1 and more.
+        numpy.testing.assert_allclose(values[:9], found.vector(), rtol=0, atol=1e-9)
+        sizes = found.sizes[found.sizes > 0]
+        self.assertEqual(values[9:], [*[(sizes == s).sum() for s in range(1, 5)],
+                                      (sizes >= 5).sum()])
+        table = engine.dump(folder, "out.txt")
+        single = found.sizes[found.set_of] == 1
+        numpy.testing.assert_array_equal(table[:, 1], numpy.where(single, 0, found.set_of + 1))
+        numpy.testing.assert_array_equal(table[:, 2], found.sizes[found.set_of])
+        return found
+
+    def test_constructed(self):
+        """A chain through all three faces, a ring around a corner, one bound to its own image along
+        the flow and one along the gradient, a pair, a single one."""
+        chain = places_in_chain([9.2, 7.3, 5.4], [(0, 0, 0), (1, 0, 0), (1, 1, 0), (1, 1, 1),
+                                                  (2, 1, 1)])
+        angle = numpy.arange(6) * numpy.pi / 3
+        ring = numpy.array([5.0, 0.0, 3.0]) + 1.1 * numpy.array([numpy.cos(angle),
+                                                                numpy.sin(angle), 0 * angle]).T
+        along = numpy.array([[1.0 * k, 3.0, 3.0] for k in range(10)])
+        pair = numpy.array([[8.0, 4.9, 0.5], [8.0, 4.9, 5.4]])
+        single = numpy.array([[4.0, 5.0, 0.5]])
+        x = numpy.concatenate([chain, ring, along, pair, single])
+        for found in self.check_all([(x, 0.0, 1), (x, 2.0, 2), (x, -4.5, 4), (x, 4.5, 1)]):
+            self.assertEqual(sorted(found.sizes[found.sizes > 0]), [1, 2, 5, 6, 10])
+            self.assertEqual(len(found.wraps), 1)
+        # Straight up through the sheared face, back to itself only where the images stand above.
+        up = numpy.array([[5.0, 1.0 * k, 3.0] for k in range(8)])
+        straight, shifted = self.check_all([(up, 0.0, 2), (up, 3.0, 2)])
+        self.assertEqual((len(straight.wraps), len(shifted.wraps)), (1, 0))
+
+    def test_random(self):
+        random = numpy.random.default_rng(3)
+        cases = [(random.uniform(0, 1, (number, 3)) * BOX, 3.3, ranks)
+                 for number, ranks in ((60, 2), (110, 1), (110, 4))]
+        for found in self.check_all(cases):
+            self.assertGreater(len(set(found.sizes)), 4)
+
+    FLIGHT = HEAD + "fix set all agglomerates 1\nfix move all nve/sphere\ntimestep 0.001\n"
+
+    def passing(self):
+        """A particle at rest; one passes above it, and before that one has left its range another
+        passes below. Gives places, velocities and when the ranges are entered and left."""
+        across = 1.1  # of the paths from the middle; never in contact
+        half = numpy.sqrt((1.0 + RANGE)**2 - across**2)
+        x = numpy.array([[5.0, 4.0, 3.0], [3.5 - half, 4.0 + across, 3.0],
+                         [2.95 - half, 4.0 - across, 3.0]])
+        v = numpy.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 0.0, 0.0]])
+        first, second = (1.5, 1.5 + 2 * half), (2.05, 2.05 + 2 * half)
+        self.assertLess(second[0], first[1])
+        return x, v, first, second
+
+    def test_durations_and_mean_size_over_time(self):
+        x, v, first, second = self.passing()
+        self.write(x, v)
+        last = (first[0], second[1])
+        dt, end = 0.001, 3.5
+        durations = [b - a for a, b in (first, second, last)]
+        for ranks, each in ((1, 1), (2, 1), (1, 10)):
+            with self.subTest(ranks=ranks, each=each):
+                output = self.run_script(
+                    self.FLIGHT.replace("agglomerates 1", f"agglomerates {each}") +
+                    f"thermo 100\nthermo_style custom step {FIELDS} f_set[3][2] f_set[1][2]\n"
+                    "thermo_modify format float %.15g\nrun 3500\n", ranks=ranks)
+                names, rows = engine.thermo_lines(output)
+                row = dict(zip(names, rows[-1]))
+                self.assertEqual(row["f_set[6]"], 3)
+                # Entry and exit are each seen at the next look: off by less than the time between.
+                unit = each * dt
+                self.assertLess(abs(row["f_set[5]"] - numpy.mean(durations)), unit)
+                self.assertAlmostEqual(row["f_set[5]"] * 3 / unit,
+                                       round(row["f_set[5]"] * 3 / unit), 6)
+                three = first[1] - second[0]
+                mean = 2.0 + three / (last[1] - last[0])
+                self.assertLess(abs(row["f_set[3]"] - mean), 3 * unit / (last[1] - last[0]))
+                self.assertLess(abs(row["f_set[3][2]"] - three / end), 2 * unit / end)
+                self.assertEqual(row["f_set[1]"], 0)
+                sizes = [r[names.index("f_set[2]")] for r in rows]
+                self.assertEqual(sizes[18], 2)
+                self.assertEqual(sizes[21], 3)
+                self.assertEqual(sizes[26], 2)
+                fractions = [r[names.index("f_set[4]")] for r in rows]
+                self.assertAlmostEqual(fractions[0], 1 / 3)
+                self.assertAlmostEqual(fractions[21], 1.0)
+
+    def test_duration_of_a_collision(self):
+        """In and out again in the event scheme: half a swing of the spring and twice the range."""
+        self.write(numpy.array([[4.0, 4.0, 3.0], [5.5, 4.0, 3.0]]),
+                   numpy.array([[1.0, 0.0, 0.0], [0.0, 0.0, 0.0]]))
+        end = engine.thermo(self.run_script(
+            self.FLIGHT.replace(LAW, "pair_style gran/hamaker\npair_coeff * * stiffness 800 "
+                                "restitution 1 hamaker 1e-9 cutoff 1e-3 1e-2\n") +
+            f"thermo_style custom step {FIELDS}\nthermo_modify format float %.15g\nrun 700\n"))
+        # Adhesion 1e-9/(24 1e-6) = 4e-5 against a force of 14: it changes the time by 1e-5 of it.
+        duration = numpy.pi / numpy.sqrt(800 / (numpy.pi / 12)) + 2 * 1e-3
+        self.assertEqual(end["f_set[6]"], 2)
+        self.assertLess(abs(end["f_set[5]"] - duration), 0.001)
+
+    def test_runs_that_are_split_or_restarted(self):
+        x, v, _, _ = self.passing()
+        self.write(x, v)
+        tail = f"thermo_style custom step {FIELDS} f_set[3][2]\nthermo_modify format float %.15g\n"
+        whole = engine.thermo(self.run_script(
+            self.FLIGHT + tail + "restart 2100 half.*\nrun 3500\n"))
+        split = engine.thermo(self.run_script(self.FLIGHT + tail + "run 1700\nrun 1800\n"))
+        self.assertEqual(split, whole)
+        for ranks in (1, 2):
+            again = engine.thermo(self.run_script(
+                "plugin load ${plugin}\nnewton off\nread_restart half.2100\ncomm_modify vel yes\n"
+                "neighbor 0.3 bin\nneigh_modify delay 0 every 1 check yes\n" + LAW +
+                "fix set all agglomerates 1\nfix move all nve/sphere\ntimestep 0.001\n" + tail +
+                "run 1400\n", ranks=ranks))
+            self.assertEqual(again, whole)
+
+    def test_one_that_was_there_at_the_start_is_not_counted(self):
+        x = numpy.array([[5.0, 4.0, 3.0], [6.1, 4.0, 3.0]])
+        self.write(x, numpy.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]]))
+        end = engine.thermo(self.run_script(
+            self.FLIGHT + f"thermo_style custom step {FIELDS}\nrun 200\n"))
+        self.assertEqual((end["f_set[1]"], end["f_set[6]"]), (0, 0))
+
+    def test_hybrid_and_refusals(self):
+        self.write(numpy.array([[5.0, 4.0, 3.0], [6.1, 4.0, 3.0]]))
+        tail = "fix move all nve/sphere\ntimestep 0.001\n"
+        hybrid = HEAD.replace("pair_style gran/hamaker", "pair_style hybrid/overlay zero 1.0 "
+                              "gran/hamaker").replace("* * stiffness", "* * gran/hamaker stiffness")
+        output = self.run_script(hybrid + "pair_coeff * * zero\nfix set all agglomerates 1\n" + tail +
+                                 "thermo_style custom step f_set\nrun 0\n")
+        self.assertEqual(engine.thermo(output)["f_set"], 1)
+        zero = HEAD.replace(LAW, "pair_style zero 1.0\npair_coeff * *\n")
+        cases = (
+            (zero + "fix set all agglomerates 1\n" + tail + "run 0\n", ["no pair_style", "gran/hamaker"]),
+            (HEAD + "fix set all agglomerates 0\n", ["N is 0", "1 or more"]),
+            (HEAD + "fix set all agglomerates 1 sizes 1\n", ["sizes 1", "2 or more"]),
+            (HEAD + "fix set all agglomerates 1 gap 1\n", ["sizes M"]),
+            (zero.replace("newton off", "newton on") + "fix set all agglomerates 1\n" + tail +
+             "run 0\n", ["newton off"]))
+
+        def refused(case):
+            with engine.temporary_folder() as folder:
+                self.write(numpy.array([[5.0, 4.0, 3.0], [6.1, 4.0, 3.0]]), folder=folder)
+                return engine.run_text(case[0], folder)
+        with ThreadPoolExecutor(4) as pool:
+            outputs = list(pool.map(refused, cases))
+        for (_, words), (code, output) in zip(cases, outputs):
+            self.assertEqual(code, 1, output)
+            for word in words:
+                self.assertIn(word, " ".join(l for l in output.splitlines() if "ERROR" in l))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,437 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""fix deform/shear: images where they belong, lists that miss no pair, runs that can be split."""
+import unittest
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import numpy
+
+import lammps_engine as engine
+
+BOX = numpy.array([10.0, 8.0, 6.0])
+RATE = 0.5
+
+HEAD = """
+plugin load ${plugin}
+units lj
+dimension %(dimension)d
+atom_style sphere
+newton off
+boundary p p p
+comm_modify vel yes
+neighbor %(skin)s bin
+neigh_modify delay 0 every 1 check yes
+read_data data.spheres
+"""
+DUMP = """
+dump out all custom %d out.txt id x y z vx vy vz xu yu zu
+dump_modify out format float %%.17g
+thermo_modify format float %%.17g
+"""
+
+
+def spheres(number, dimension, seed=1, speed=1.0, diameter=1.0):
+    random = numpy.random.default_rng(seed)
+    box = BOX.copy()
+    if dimension == 2:
+        box[2] = 1.0
+    atoms = []
+    for _ in range(number):
+        x, v = random.uniform(0, 1, 3) * box, random.normal(0, speed, 3)
+        if dimension == 2:
+            x[2] = v[2] = 0.0
+        atoms.append({"type": 1, "diameter": diameter, "density": 1.0, "x": x, "v": v})
+    return atoms
+
+
+def sides_of(box, dimension):
+    return [(0.0, box[0]), (0.0, box[1]), (0.0, box[2]) if dimension == 3 else (-0.5, 0.5)]
+
+
+class Shear(unittest.TestCase):
+    def setUp(self):
+        keeper = engine.temporary_folder()
+        self.addCleanup(keeper.cleanup)
+        self.folder = keeper.name
+
+    def write(self, atoms, dimension=3, tilt=0.0):
+        engine.write_spheres(self.folder, atoms, sides_of(BOX, dimension), 1,
+                             tilt=(tilt, 0.0, 0.0))
+
+    def run_script(self, text, **options):
+        code, output = engine.run_text(text, self.folder, **options)
+        self.assertEqual(code, 0, output[-3000:])
+        return output
+
+    def path(self, name):
+        return Path(self.folder) / name
+
+    def snapshots(self):
+        return engine.dumps(self.folder, "out.txt")
+
+
+class FreeParticles(Shear):
+    def check(self, dimension, ranks, tilt, rate=RATE):
+        """Positions and velocities against straight lines, up to a vector of the sheared lattice."""
+        atoms = spheres(200, dimension)
+        self.write(atoms, dimension, tilt)
+        steps, every, dt = 2000, 100, 0.01
+        output = self.run_script(
+            HEAD % {"dimension": dimension, "skin": "0.3"} + "pair_style zero 1.0\npair_coeff * *\n"
+            f"fix shear all deform/shear rate {rate} profile no\nfix move all nve/sphere\n" +
+            ("fix flat all enforce2d\n" if dimension == 2 else "") + DUMP % every +
+            f"timestep {dt}\nthermo {steps}\nthermo_style custom step atoms f_shear xy\n"
+            f"run {steps}\n", ranks=ranks)
+        x0 = numpy.array([atom["x"] for atom in atoms])
+        v0 = numpy.array([atom["v"] for atom in atoms])
+        crossings = 0
+        for n, table in enumerate(self.snapshots()):
+            t = n * every * dt
+            free = x0 + t * v0
+            count = numpy.rint((free - table[:, 1:4])[:, 1] / BOX[1])
+            expected = free - count[:, None] * numpy.array([tilt + rate * t * BOX[1], BOX[1], 0.0])
+            away = expected - table[:, 1:4]
+            period = BOX if dimension == 3 else numpy.array([BOX[0], BOX[1], 1.0])
+            away -= period * numpy.rint(away / period)
+            # 2000 additions of 0.01 v to numbers below 50: 2000 * 4e-15 at the very most.
+            self.assertLess(numpy.abs(away).max(), 1e-11)
+            velocity = v0 - count[:, None] * numpy.array([rate * BOX[1], 0.0, 0.0])
+            self.assertLess(numpy.abs(velocity - table[:, 4:7]).max(), 1e-11)
+            crossings = numpy.abs(count).max()
+            # Image flags are those of the box as it is now, flips included.
+            self.assertLess(numpy.abs(free - table[:, 7:10]).max(), 1e-11)
+        self.assertGreater(crossings, 2)
+        end = engine.thermo(output)
+        self.assertEqual(end["Atoms"], 200)
+        self.assertLess(abs(end["f_shear"] - rate * steps * dt), 1e-13)
+        exact = tilt + rate * steps * dt * BOX[1]
+        self.assertLess(abs((end["Xy"] - exact + 5) % 10 - 5), 1e-11)
+
+    def test_3d(self):
+        self.check(3, 1, 0.0)
+
+    def test_2d_started_tilted(self):
+        self.check(2, 1, 3.0)
+
+    def test_3d_two_ranks_backwards(self):
+        self.check(3, 2, -2.0, -RATE)
+
+    def test_2d_two_ranks(self):
+        self.check(2, 2, 0.0)
+
+
+class RateOfAVariable(Shear):
+    VARIABLE = ("variable rate equal 0.5*(step<400)-2.0*(step>=400&&step<700)"
+                "+(step>=900)*cos(0.01*step)\n")
+
+    @staticmethod
+    def rate(step):
+        if step < 400:
+            return 0.5
+        return -2.0 if step < 700 else numpy.cos(0.01 * step) if step >= 900 else 0.0
+
+    def test_free_particles_take_the_rate_of_the_step_they_cross_in(self):
+        self.write(spheres(200, 3, speed=0.3))
+        dt, end = 0.01, 1200
+        # A wide skin: particles are far outside the box when the rate changes.
+        script = (HEAD % {"dimension": 3, "skin": "1.0"} + "pair_style zero 1.0\npair_coeff * *\n" +
+                  self.VARIABLE + "fix shear all deform/shear rate v_rate\n"
+                  "fix move all nve/sphere\n" + DUMP % 100 + f"timestep {dt}\n")
+        self.run_script(script + "run 0\n")
+        x, v = (self.snapshots()[0][:, k:k + 3].copy() for k in (1, 4))
+        shift, expected, faster = 0.0, {0: (x.copy(), v.copy(), 0.0)}, 0.0
+        for n in range(1, end + 1):
+            faster = self.rate(n - 1) * BOX[1]  # holds from the end of a step to that of the next
+            shift += faster * dt
+            x += dt * v
+            count = numpy.floor(x[:, 1] / BOX[1])
+            x -= count[:, None] * numpy.array([shift, BOX[1], 0.0])
+            v[:, 0] -= count * faster
+            expected[n] = x.copy(), v.copy(), shift
+        for ranks, runs in ((1, f"run {end}\n"), (2, "run 410\nrun 290\nrun 500\n")):
+            with self.subTest(ranks=ranks):
+                self.run_script(script + runs, ranks=ranks)
+                for n, table in zip(range(0, end + 1, 100), self.at_hundreds()):
+                    at, velocity, shift = expected[n]
+                    away = table[:, 1:4] - at
+                    count = numpy.rint(away[:, 1] / BOX[1])
+                    away -= count[:, None] * numpy.array([shift, BOX[1], 0.0])
+                    away -= BOX * numpy.rint(away / BOX)
+                    # 1200 additions to numbers below 10, and of the shift to one below 50.
+                    self.assertLess(numpy.abs(away).max(), 1e-11, f"step {n}")
+                    outside = count * self.rate(n - 1 if n else 0) * BOX[1]
+                    faster = table[:, 4:7] - velocity
+                    faster[:, 0] -= outside
+                    self.assertLess(numpy.abs(faster).max(), 1e-11, f"step {n}")
+
+    def at_hundreds(self):
+        text = self.path("out.txt").read_text().split("ITEM: TIMESTEP")[1:]
+        kept = {int(part.split()[0]): k for k, part in enumerate(text)}
+        tables = self.snapshots()
+        return [tables[kept[n]] for n in range(0, 1201, 100)]
+
+
+class Collisions(Shear):
+    def pair(self, shift, style, dimension):
+        """Two spheres that meet at the middle of the box moved up by `shift`: their relative motion."""
+        middle = BOX / 2 + (numpy.array([0, 0, 0]) if dimension == 3 else [0, 0, -3.0])
+        up = numpy.array([0.0, shift, 0.0])
+        flow = numpy.array([RATE * shift, 0.0, 0.0])
+        z = 0.1 if dimension == 3 else 0.0
+        ends = []
+        for sign in (-1, 1):
+            ends.append({"type": 1, "diameter": 1.0, "density": 1.0,
+                         "x": middle + up + sign * numpy.array([0.3, 0.8, z]),
+                         "v": flow - sign * numpy.array([0.2, 1.0, 0.05 * (z != 0)]),
+                         "omega": numpy.array([0.0, 0.0, 0.7])})
+        for end in ends:
+            n = numpy.floor(end["x"][1] / BOX[1])
+            end["x"] = end["x"] - n * numpy.array([0.0, BOX[1], 0.0])
+            end["v"] = end["v"] - n * numpy.array([RATE * BOX[1], 0.0, 0.0])
+        with engine.temporary_folder() as folder:
+            engine.write_spheres(folder, ends, sides_of(BOX, dimension), 1, tilt=(0.0, 0.0, 0.0))
+            code, output = engine.run_text(
+                HEAD % {"dimension": dimension, "skin": "0.3"} + style +
+                f"fix shear all deform/shear rate {RATE} profile no\nfix move all nve/sphere\n" +
+                ("fix flat all enforce2d\n" if dimension == 2 else "") + DUMP % 10 +
+                "timestep 0.002\nrun 1000\n", folder)
+            self.assertEqual(code, 0, output)
+            tables = engine.dumps(folder, "out.txt")
+        motion = []
+        for n, table in enumerate(tables):
+            d = table[1, 1:7] - table[0, 1:7]
+            tilt = RATE * n * 0.02 * BOX[1]
+            count = numpy.rint(d[1] / BOX[1])
+            d[:3] -= count * numpy.array([tilt, BOX[1], 0.0])
+            d[3] -= count * RATE * BOX[1]
+            d[0] -= BOX[0] * numpy.rint(d[0] / BOX[0])
+            motion.append(d)
+        return numpy.array(motion)
+
+    def test_across_the_boundary_is_as_in_the_middle(self):
+        # Contact of 800/0.5 (t_c = 0.057) in both laws; over the contact, a rounding of a coordinate
+        # near 10 (2e-15) grows by no more than exp(w0 t_c) = e^pi, with friction and spins some ten
+        # times that; a thousand additions make a thousand: 1e-15 * 1e3 * 1e3.
+        laws = {"sampled": "pair_style gran/hooke/history 800 NULL 5 NULL 0.3 0\npair_coeff * *\n",
+                "event": "pair_style gran/hamaker\npair_coeff * * stiffness 800 restitution 0.9 "
+                         "friction 0.3 hamaker 1e-6 cutoff 1e-4 1e-2\n"}
+        cases = [(law, dimension) for law in laws for dimension in (2, 3)]
+        with ThreadPoolExecutor(4) as pool:  # a start is mostly waiting
+            motions = list(pool.map(
+                lambda case: [self.pair(up, laws[case[0]], case[1]) for up in (0.0, BOX[1] / 2)],
+                cases))
+        for case, (middle, across) in zip(cases, motions):
+            with self.subTest(case):
+                self.assertGreater(middle[-1, 4] * -middle[0, 4], 0.0, "they did not collide")
+                self.assertLess(numpy.abs(across - middle).max(), 1e-9)
+
+
+class SplitRuns(Shear):
+    GAS = (HEAD % {"dimension": 3, "skin": "0.3"} +
+           "pair_style gran/hamaker\npair_coeff * * stiffness 2000 restitution 0.9 friction 0.3\n")
+
+    def gas(self):
+        random = numpy.random.default_rng(5)
+        grid = [numpy.arange(n) + 0.5 for n in (8, 6, 5)]
+        places = numpy.array(numpy.meshgrid(*grid)).reshape(3, -1).T * BOX / [8, 6, 5]
+        self.write([{"type": 1, "diameter": 0.9, "density": 1.0, "x": x,
+                     "v": random.normal(0, 0.5, 3)} for x in places])
+
+    SHEAR = f"fix shear all deform/shear rate {RATE}\nfix move all nve/sphere\ntimestep 0.002\n"
+
+    def assert_same(self, one, other, strain):
+        """Up to a vector of the sheared lattice, with the velocity that goes with it."""
+        away = other[:, :7] - one[:, :7]
+        count = numpy.rint(away[:, 2] / BOX[1])
+        away[:, 1] -= count * strain * BOX[1]
+        away[:, 2] -= count * BOX[1]
+        away[:, 4] -= count * RATE * BOX[1]
+        for k in (0, 2):
+            away[:, 1 + k] -= BOX[k] * numpy.rint(away[:, 1 + k] / BOX[k])
+        self.assertLess(numpy.abs(away).max(), 1e-10)
+
+    def test_split_and_restarted_runs_go_on_as_if_whole(self):
+        # Every particle has a collision or two in the 600 steps after the split, of which each
+        # multiplies a difference by 2 (path)/d = 10 or so: 1e-15 to 1e-12.
+        self.gas()
+        self.run_script(self.GAS + self.SHEAR + DUMP % 500 + "restart 400 half.*\nrun 1000\n")
+        whole = self.snapshots()[-1]
+        self.assertGreater(numpy.abs(whole[:, 4]).max(), 1.0)
+        for name, script in (
+                ("split", self.GAS + self.SHEAR + DUMP % 500 + "run 400\nrun 600\n"),
+                ("continued", self.GAS + self.SHEAR + DUMP % 500 + "run 400\nrun 600 pre no\n"),
+                ("in pieces", self.GAS + self.SHEAR + DUMP % 500 + "run 1000 every 100 NULL\n")):
+            with self.subTest(name):
+                self.run_script(script)
+                self.assert_same(self.snapshots()[-1], whole, RATE * 2.0)
+        restart = ("plugin load ${plugin}\nnewton off\nread_restart half.400\n"
+                   "comm_modify vel yes\nneighbor 0.3 bin\nneigh_modify delay 0 every 1 check yes\n")
+        for ranks in (1, 2):
+            with self.subTest(restart_on=ranks):
+                self.run_script(restart + self.SHEAR + DUMP % 500 + "run 600\n", ranks=ranks)
+                self.assert_same(self.snapshots()[-1], whole, RATE * 2.0)
+
+
+class Profile(Shear):
+    def test_profile_temperature_and_stress_are_those_of_the_particles(self):
+        atoms = spheres(300, 3, speed=0.2)
+        for number, atom in enumerate(atoms):
+            atom["diameter"] = 0.5 + 0.5 * (number % 2)
+        self.write(atoms)
+        names = " ".join(f"c_flow[{k}]" for k in range(1, 11))
+        output = self.run_script(
+            HEAD % {"dimension": 3, "skin": "0.3"} + "pair_style zero 1.0\npair_coeff * *\n"
+            f"fix shear all deform/shear rate {RATE}\nfix move all nve/sphere\n"
+            "compute flow all shear/profile layers 5\nfix keep all ave/time 50 1 50 c_flow[*] "
+            "mode vector file layers.txt format ' %.17g'\n" + DUMP % 50 +
+            f"thermo 50\nthermo_style custom step c_flow {names}\n"
+            "thermo_modify format float %.17g\ntimestep 0.01\nrun 200\n", ranks=2)
+        mass = numpy.pi / 6 * numpy.array([atom["diameter"]**3 for atom in atoms])
+        rows = engine.thermo_lines(output)[1]
+        self.assertEqual(len(rows), 5)
+        for row, table in zip(rows, self.snapshots()):
+            x, v = table[:, 1:4].copy(), table[:, 4:7].copy()
+            count = numpy.floor(x[:, 1] / BOX[1])
+            y = x[:, 1] - count * BOX[1] - BOX[1] / 2
+            v[:, 0] -= count * RATE * BOX[1]
+            slope, intercept = numpy.polyfit(y, v[:, 0], 1, w=numpy.sqrt(mass))
+            away = v - (mass[:, None] * v).sum(axis=0) / mass.sum()
+            away[:, 0] = v[:, 0] - intercept - slope * y
+            flux = numpy.einsum("i,ij,ik->jk", mass, away, away)
+            temperature = numpy.trace(flux) / 3 / mass.sum()
+            stress = flux / BOX.prod()
+            layer = numpy.floor((y / BOX[1] + 0.5) * 5)
+            squares = [mass[layer == k].sum() * numpy.average(
+                v[layer == k, 0] - intercept - slope * y[layer == k], weights=mass[layer == k])**2
+                for k in range(5)]
+            expected = [temperature, slope, intercept, temperature,
+                        numpy.sqrt(sum(squares) / mass.sum()), *numpy.diag(stress), stress[0, 1],
+                        stress[0, 2], stress[1, 2]]
+            # A few hundred roundings of terms of order one.
+            numpy.testing.assert_allclose(row[1:], expected, rtol=0, atol=1e-12)
+        # The start: profile laid on, up to three standard errors of the slope of speeds of 0.2 over
+        # heights that spread by 8/sqrt(12); no net momentum.
+        self.assertLess(abs(rows[0][2] - RATE), 3 * 0.2 / numpy.sqrt(300) / 2.3)
+        start = self.snapshots()[0]
+        self.assertLess(numpy.abs((mass[:, None] * start[:, 4:7]).sum(axis=0)).max(), 1e-11)
+        last = (self.path("layers.txt").read_text().splitlines())[-5:]
+        table = numpy.array([[float(word) for word in line.split()] for line in last])
+        self.assertLess(numpy.abs(table[:, 1] - numpy.arange(0.8, 8, 1.6)).max(), 0.5)
+        self.assertAlmostEqual(table[:, 3].sum(), 1.0, 12)
+        for k in range(5):
+            self.assertAlmostEqual(table[k, 2], numpy.average(v[layer == k, 0],
+                                                              weights=mass[layer == k]), 12)
+
+    def test_fresh_and_later_runs(self):
+        """Profile at the start only, not again in a later run nor after a restart."""
+        self.write(spheres(50, 3, speed=0.2))
+        head = HEAD % {"dimension": 3, "skin": "0.3"}
+        tail = ("pair_style zero 1.0\npair_coeff * *\n"
+                f"fix shear all deform/shear rate {RATE}\nfix move all nve/sphere\n"
+                "compute flow all shear/profile\nthermo_style custom step c_flow[1] f_shear\n")
+        output = self.run_script(head + tail + "run 0\nrun 0\nrun 10\nwrite_restart r\n")
+        slope = engine.thermo(output)["c_flow[1]"]
+        self.assertLess(abs(slope - RATE), 0.1)
+        again = self.run_script("plugin load ${plugin}\nread_restart r\n" + tail + "run 0\n")
+        self.assertEqual(engine.thermo(again), engine.thermo(output))
+        self.assertNotIn("added the profile", again)
+        # Another ID is another shear.
+        again = self.run_script("plugin load ${plugin}\nread_restart r\n" +
+                                tail.replace("fix shear", "fix other").replace("f_shear", "f_other") +
+                                "run 0\n")
+        self.assertIn("added the profile", again)
+        self.assertAlmostEqual(engine.thermo(again)["c_flow[1]"], slope + RATE, 4)
+        self.assertEqual(engine.thermo(again)["f_other"], 0.0)
+
+
+class TallBox(Shear):
+    def test_the_speed_of_the_mean_flow_is_no_flight_past_a_contact(self):
+        """gran/hamaker stops when particles fly too far for its list; that is what they fly past each
+        other. Here the mean flow takes the topmost 0.04 in half a step, the list allows for 0.015."""
+        self.write([{"type": 1, "diameter": 1.0, "density": 1.0, "x": numpy.array([5.0, y, 3.0])}
+                    for y in (0.5, 3.9, 7.5)])
+        script = (HEAD % {"dimension": 3, "skin": "0.3"} +
+                  "pair_style gran/hamaker\npair_coeff * * stiffness 800 restitution 0.9\n"
+                  "fix shear all deform/shear rate 2.0 profile %s\nfix move all nve/sphere\n"
+                  "timestep 0.01\nrun 20\n")
+        self.run_script(script % "yes")
+        code, output = engine.run_text(script % "no", self.folder)
+        self.assertEqual(code, 1)  # at rest in space they do fly past each other
+        self.assertIn("fly up to", output)
+
+
+class LongRuns(Shear):
+    def test_no_particle_is_lost_and_no_momentum_gained(self):
+        """A dense gas with friction and adhesion over a strain of 16, flips and all."""
+        random = numpy.random.default_rng(6)
+        grid = [numpy.arange(n) + 0.5 for n in (8, 6, 5)]
+        places = numpy.array(numpy.meshgrid(*grid)).reshape(3, -1).T * BOX / [8, 6, 5]
+        self.write([{"type": 1, "diameter": 1.0, "density": 1.0, "x": x,
+                     "v": random.normal(0, 0.5, 3)} for x in places])
+        steps, dt = 8000, 0.002
+        for ranks in (1, 2):
+            with self.subTest(ranks=ranks):
+                output = self.run_script(
+                    HEAD % {"dimension": 3, "skin": "0.3"} +
+                    "pair_style gran/hamaker\npair_coeff * * stiffness 5000 restitution 0.8 friction "
+                    "0.3 hamaker 1e-5 cutoff 1e-3 1e-2\nfix shear all deform/shear rate 1.0\n"
+                    "fix move all nve/sphere\ncompute flow all shear/profile layers 4\n"
+                    "variable py equal vcm(all,y)\n"
+                    f"timestep {dt}\nthermo 100\nthermo_style custom step atoms f_shear v_py c_flow[1] "
+                    "c_flow[2] c_flow[3] c_flow[4]\nthermo_modify format float %.15g\n"
+                    f"run {steps}\n", ranks=ranks)
+                names, rows = engine.thermo_lines(output)
+                table = dict(zip(names, numpy.array(rows).T))
+                self.assertTrue((table["Atoms"] == 240).all())
+                self.assertAlmostEqual(table["f_shear"][-1], steps * dt, 12)
+                # Momentum is conserved but for the rounding of 8e3 steps with forces of 10.
+                self.assertLess(numpy.abs(table["v_py"]).max(), 1e-11)
+                # In the mean, the line is the one that the box asks for. The slope of one snapshot
+                # varies by sqrt(12 T/N)/L_y, over a strain of 2 or so like over one snapshot.
+                half = slice(len(rows) // 2, None)
+                temperature = table["c_flow[3]"][half].mean()
+                spread = numpy.sqrt(12 * temperature / 240) / BOX[1]
+                self.assertLess(abs(table["c_flow[1]"][half].mean() - 1.0),
+                                4 * spread / numpy.sqrt(4))
+
+
+class Lists(Shear):
+    def test_no_pair_is_missed(self):
+        """Energy of a potential that ends with a jump, every step, against all pairs."""
+        cut, dt, steps = 1.0, 0.01, 200
+        # Lists grow old by the particles' own motion, and by the shear alone.
+        for ranks, rate, speed in ((1, 2.0, 0.3), (2, -2.0, 0.01), (1, 2.0, 0.01)):
+            with self.subTest(ranks=ranks, rate=rate, speed=speed):
+                atoms = spheres(200, 3, speed=speed)
+                self.write(atoms)
+                output = self.run_script(
+                    HEAD % {"dimension": 3, "skin": "0.5"} +
+                    f"pair_style yukawa 1.0 {cut}\npair_coeff * * 1e-12\n"
+                    f"fix shear all deform/shear rate {rate}\nfix move all nve/sphere\n" + DUMP % 1 +
+                    f"timestep {dt}\nthermo 1\nthermo_style custom step pe xy\n"
+                    f"thermo_modify norm no format float %.17g\nrun {steps}\n", ranks=ranks)
+                energies = [row[1] for row in engine.thermo_lines(output)[1]]
+                for n, (table, energy) in enumerate(zip(self.snapshots(), energies)):
+                    exact = 1e-12 * yukawa(table[:, 1:4], rate * n * dt * BOX[1], cut)
+                    # Sums of 200 terms in another order.
+                    self.assertLess(abs(energy / exact - 1), 1e-12, f"step {n}")
+                builds = int(output.split("Neighbor list builds =")[1].split()[0])
+                self.assertGreater(builds, 3)
+                self.assertLess(builds, 100)
+
+
+def yukawa(x, tilt, cut):
+    """Sum over all pairs, images included."""
+    d = x[None, :, :] - x[:, None, :]
+    count = numpy.rint(d[..., 1] / BOX[1])
+    d[..., 0] -= count * tilt
+    d[..., 1] -= count * BOX[1]
+    d[..., 0] -= BOX[0] * numpy.rint(d[..., 0] / BOX[0])
+    d[..., 2] -= BOX[2] * numpy.rint(d[..., 2] / BOX[2])
+    r = numpy.sqrt((d**2).sum(axis=2))[numpy.triu_indices(len(x), 1)]
+    r = r[r < cut]
+    return (numpy.exp(-r) / r).sum()
+
+
+if __name__ == "__main__":
+    unittest.main()
