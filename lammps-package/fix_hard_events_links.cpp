@@ -8,7 +8,6 @@
 #include "domain.h"
 #include "engine_api.h"
 #include "fix_hard_events.h"
-#include "fix_neigh_history.h"
 #include "neigh_list.h"
 #include "pair_hard_square_well.h"
 
@@ -121,7 +120,7 @@ void FixHardEvents::place_images() {
 /// entry of the lower tag makes the link.
 void FixHardEvents::add_pairs() {
   NeighList* const list = pair_->list;
-  FixNeighHistory* const history = pair_->history();
+  const PairHistory& history = pair_->history();
   twins_.clear();
   for (int ii = 0; ii < list->inum; ii++) {
     const int i = list->ilist[ii];

@@ -10,7 +10,6 @@
 #include "engine_api.h"
 #include "error.h"
 #include "fix_hard_events.h"
-#include "fix_neigh_history.h"
 #include "force.h"
 #include "largest_radii.h"
 #include "memory.h"
@@ -21,13 +20,15 @@
 using namespace LAMMPS_NS;
 using namespace cohesion::hard_sphere;
 
-static constexpr char HISTORY_ID[] = "NEIGH_HISTORY_HARD_SQUARE_WELL";
 // Of the skin. Where the engine's own check keeps the list, particles may be half a skin away from
 // where they were; the events of the step then turn some away farther.
 static constexpr double REACH = 0.25;
 
 PairHardSquareWell::PairHardSquareWell(LAMMPS* lammps)
-    : Pair(lammps), atom_types_(0), events_(nullptr), history_(nullptr) {
+    : Pair(lammps),
+      atom_types_(0),
+      events_(nullptr),
+      history_(modify, "NEIGH_HISTORY_HARD_SQUARE_WELL") {
   single_enable = 0;
   restartinfo = 1;
   no_virial_fdotr_compute = 1;
@@ -36,7 +37,6 @@ PairHardSquareWell::PairHardSquareWell(LAMMPS* lammps)
 }
 
 PairHardSquareWell::~PairHardSquareWell() {
-  if (history_) modify->delete_fix(HISTORY_ID);
   if (!allocated) return;
   memory->destroy(setflag);
   memory->destroy(cutsq);
@@ -74,6 +74,15 @@ void PairHardSquareWell::compute(int eflag, int vflag) {
       const Law& law = given_[of_types(atom->type[i], atom->type[j])].law;
       ev_tally(i, j, atom->nlocal, 0, -law.depth, 0.0, 0.0, 0.0, 0.0, 0.0);
     }
+  }
+}
+
+/// Bound are the pairs in the well.
+void PairHardSquareWell::append_bound(std::vector<std::array<int, 2>>& pairs) const {
+  for (int ii = 0; ii < list->inum; ii++) {
+    const int i = list->ilist[ii];
+    for (int jj = 0; jj < list->numneigh[i]; jj++)
+      if (history_->firstflag[i][jj]) pairs.push_back({i, list->firstneigh[i][jj] & NEIGHMASK});
   }
 }
 
@@ -173,11 +182,7 @@ void PairHardSquareWell::init_style() {
   events_ = FixHardEvents::of(lmp);
   largest_radius_ = largest_radii(lmp);
   engine_api::request_history_list(neighbor, this, instance_me);
-  if (!history_) {
-    modify->add_fix(std::string(HISTORY_ID) + " all NEIGH_HISTORY 1");
-    history_ = static_cast<FixNeighHistory*>(modify->fix[modify->find_fix(HISTORY_ID)]);
-    history_->pair = this;
-  }
+  history_.init(this, 1);
 }
 
 double PairHardSquareWell::init_one(int i, int j) {

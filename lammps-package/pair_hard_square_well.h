@@ -8,19 +8,22 @@ PairStyle(hard/square_well,PairHardSquareWell);
 #ifndef LMP_PAIR_HARD_SQUARE_WELL_H
 #define LMP_PAIR_HARD_SQUARE_WELL_H
 
+#include <array>
 #include <string>
 #include <vector>
 
+#include "bound_pairs.h"
 #include "hard_contact_from_script.h"
 #include "hard_sphere/event_order.h"
 #include "pair.h"
+#include "pair_history.h"
 
 namespace LAMMPS_NS {
 
 /// pair_style hard/square_well: hard spheres with square wells whose impulses act at their times
 /// within the step. The laws and the order of events are in src/hard_sphere and src/square_well;
 /// FixHardEvents carries them out. Doc: docs/lammps-package/pair_hard_square_well.md
-class PairHardSquareWell : public Pair {
+class PairHardSquareWell : public Pair, public BoundPairs {
  public:
   explicit PairHardSquareWell(class LAMMPS*);
   ~PairHardSquareWell() override;
@@ -34,12 +37,12 @@ class PairHardSquareWell : public Pair {
   void read_restart(FILE*) override;
   void write_restart_settings(FILE*) override;
   void read_restart_settings(FILE*) override;
+  void append_bound(std::vector<std::array<int, 2> >&) const override;
 
   const cohesion::hard_sphere::OrderRules& rules() const { return rules_; }
   const std::string& record_file() const { return record_file_; }
-  class FixNeighHistory* history() const {
-    return history_;
-  }
+  /// Of each pair 1 number: whether it is in its well.
+  const PairHistory& history() const { return history_; }
   int of_types(int i, int j) const { return i * (atom_types_ + 1) + j; }
   /// By of_types().
   std::vector<cohesion::hard_sphere::Law> laws() const;
@@ -59,7 +62,7 @@ class PairHardSquareWell : public Pair {
   std::vector<HardContact> given_;  // by type pair
   std::vector<double> largest_radius_;
   class FixHardEvents* events_;
-  class FixNeighHistory* history_;
+  PairHistory history_;
 };
 
 }  // namespace LAMMPS_NS
