@@ -35,9 +35,9 @@ def counts(table):
     return {kind: table[f"c_events[{n}]"] for n, kind in enumerate(KINDS, 1)}
 
 
-def script(folder, pair, style="", dimension=3, more=(), group="all"):
+def script(folder, pair, style="", dimension=3, more=(), group="all", before=()):
     disc = " disc" if dimension == 2 else ""
-    lines = [f"pair_style hard/square_well {style}", *(f"pair_coeff {line}" for line in pair),
+    lines = [*before, f"pair_style hard/square_well {style}", *(f"pair_coeff {line}" for line in pair),
              f"fix move {group} nve/sphere{disc}", *more]
     if dimension == 2:
         lines.append("fix flat all enforce2d")
@@ -45,9 +45,9 @@ def script(folder, pair, style="", dimension=3, more=(), group="all"):
 
 
 def start(folder, pair, dt, steps, style="", dimension=3, boundary="p p p", skin=0.5, every=None,
-          more=(), group="all", restart=False, keep=0, **options):
+          more=(), group="all", before=(), restart=False, keep=0, **options):
     """Exit code and output of a run of what is in data.spheres."""
-    script(folder, pair, style, dimension, more, group)
+    script(folder, pair, style, dimension, more, group, before)
     return engine.start("in.hard_square_well", folder, dt=float(dt), steps=steps,
                         every=every or steps, dimension=dimension, boundary=boundary,
                         skin=float(skin), start="restart" if restart else "data", keep=keep,
