@@ -13,6 +13,7 @@ FixStyle(EVENT_STEP,FixEventStep);
 #include "atom.h"
 #include "event_stepping/cohesive_contact.h"
 #include "fix.h"
+#include "mobile_particles.h"
 
 namespace LAMMPS_NS {
 
@@ -129,8 +130,7 @@ class FixEventStep : public Fix {
   double** contact_force;
   double* inverse_mass;  // per atom and ghost
   double longest_flight;
-  int mobile_bits;
-  int frozen_bit;
+  MobileParticles mobile;
 };
 
 }  // namespace LAMMPS_NS

@@ -4,12 +4,14 @@
 #include "compute_gran_energy.h"
 #include "fix_event_step.h"
 #include "fix_gas_coupling.h"
+#include "fix_hard_events.h"
 #include "fix_wall_gran_hamaker.h"
 #include "fix_wall_hamaker.h"
 #include "lammps.h"
 #include "lammpsplugin.h"
 #include "pair_gran_hamaker.h"
 #include "pair_hamaker.h"
+#include "pair_hard_square_well.h"
 #include "version.h"
 
 using namespace LAMMPS_NS;
@@ -51,7 +53,17 @@ extern "C" void cohesion_register_styles(void* lmp, void* handle, void* regfunc)
   plugin.creator.v1 = &make_pair_style<PairGranHamaker>;
   register_style(&plugin, lmp);
 
+  plugin.name = "hard/square_well";
+  plugin.info = "pair hard/square_well";
+  plugin.creator.v1 = &make_pair_style<PairHardSquareWell>;
+  register_style(&plugin, lmp);
+
   plugin.style = "fix";
+  plugin.name = "HARD_EVENTS";
+  plugin.info = "fix HARD_EVENTS";
+  plugin.creator.v2 = &make_fix_style<FixHardEvents>;
+  register_style(&plugin, lmp);
+
   plugin.name = "EVENT_STEP";
   plugin.info = "fix EVENT_STEP";
   plugin.creator.v2 = &make_fix_style<FixEventStep>;
