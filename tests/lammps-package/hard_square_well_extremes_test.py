@@ -236,7 +236,8 @@ class Captured(unittest.TestCase):
         """100 events or so, until the reference itself, moved by 1e-15, is off by 1e-9."""
         x, v, atoms = self.three()
         exact = Reference(x, v, 0.5, 1.0, 3 * [20.0], depth=1.0, ratio=1.2)
-        twin = Reference(x + 1e-15 * v, v, 0.5, 1.0, 3 * [20.0], depth=1.0, ratio=1.2)
+        away = 1e-15 * numpy.arange(9).reshape(3, 3)
+        twin = Reference(x + away, v, 0.5, 1.0, 3 * [20.0], depth=1.0, ratio=1.2)
         time = 0.0
         while abs(twin.place(time) - exact.place(time)).max() < 1e-10:
             time += 0.5
@@ -281,7 +282,7 @@ class Corner(unittest.TestCase):
         numpy.testing.assert_allclose(path[-1, 0, 4:7], exact.v[0], rtol=0, atol=1e-13)
 
     def test_straight_in(self):
-        for v in (1.0, 0.3):
+        for v in (1.0, 0.4):
             self.into((1.5, 1.5, 1.5), (-v, -v, -v), "restitution 0.8", (0.8, 0.0, 0.2, 1.2))
             self.into((8.5, 1.5, 0.0), (v, -v, 0.0), "restitution 0.8", (0.8, 0.0, 0.2, 1.2), 2)
 
