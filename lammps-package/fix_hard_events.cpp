@@ -29,6 +29,7 @@ static constexpr double AT_EDGE = 1e-10;
 // Share of a distance by which a ghost's own position may be off, with room: boxes of up to 1e6
 // diameters.
 static constexpr double NEARLY = 1e-9;
+static constexpr int FIXED_BOUNDARY = 1;  // Domain::boundary
 // Of all processes. Short stretches are agreed on at once, long ones have to be repeated.
 static constexpr long EVENTS_OF_A_STRETCH = 64;
 
@@ -44,16 +45,20 @@ FixHardEvents::FixHardEvents(LAMMPS* lammps, int narg, char** arg)
       pair_(nullptr),
       border_(world),
       origin_(nullptr),
+      outside_(nullptr),
       farthest_(0.0),
       warned_(false) {
   comm_forward = ORIGIN;
+  create_attribute = 1;
   FixHardEvents::grow_arrays(atom->nmax);
+  for (int i = 0; i < atom->nlocal; i++) FixHardEvents::set_arrays(i);
   atom->add_callback(Atom::GROW);
 }
 
 FixHardEvents::~FixHardEvents() {
   atom->delete_callback(id, Atom::GROW);
   memory->destroy(origin_);
+  memory->destroy(outside_);
 }
 
 FixHardEvents* FixHardEvents::of(LAMMPS* lmp) {
@@ -62,7 +67,7 @@ FixHardEvents* FixHardEvents::of(LAMMPS* lmp) {
   return static_cast<FixHardEvents*>(modify->fix[modify->find_fix(ID)]);
 }
 
-int FixHardEvents::setmask() { return FixConst::PRE_FORCE; }
+int FixHardEvents::setmask() { return FixConst::PRE_EXCHANGE | FixConst::PRE_FORCE; }
 
 void FixHardEvents::init() {
   pair_ = dynamic_cast<PairHardSquareWell*>(force->pair_match("hard/square_well", 1));
@@ -96,12 +101,34 @@ void FixHardEvents::init() {
     for (int w = 0; w < static_cast<int>(walls->hard_walls().size()); w++)
       wall_.push_back({walls, w});
   }
+  if (!record_) record_ = std::make_unique<HardEventRecord>(lmp, pair_->record_file());
   order_.rules = pair_->rules();
   order_.rules.reports = comm->nprocs > 1;
   order_.laws = pair_->laws();
   for (const HardWalls* walls : walls_)
     for (int type = 0; type <= atom->ntypes; type++)
       order_.laws.push_back(type == 0 ? Law{} : walls->law_of_type(type));
+}
+
+/// A particle whose straight flight leads through a wall into the outside of the box would be lost
+/// before its event turns it round: until then it waits at the boundary. One that was outside
+/// before the step is lost as in any run.
+void FixHardEvents::pre_exchange() {
+  if (domain->triclinic) return;
+  for (int axis = 0; axis < 3; axis++) {
+    const double low = domain->boxlo[axis], high = domain->boxhi[axis];
+    for (int side = 0; side < 2; side++) {
+      if (domain->boundary[axis][side] != FIXED_BOUNDARY) continue;
+      const double last = side == 0 ? low : std::nextafter(high, low);
+      for (int i = 0; i < atom->nlocal; i++) {
+        double& x = atom->x[i][axis];
+        const double before = x - update->dt * atom->v[i][axis];
+        if ((side == 0 ? x >= low : x < high) || before < low || before >= high) continue;
+        outside_[i][axis] = x - last;
+        x = last;
+      }
+    }
+  }
 }
 
 /// Nothing has moved: the run starts here.
@@ -140,6 +167,7 @@ void FixHardEvents::pre_force(int) {
     order_.sort();
     follow(all[0]);
     store();
+    record_->write(order_);
     comm->forward_comm();
   }
   check_reach();
@@ -158,7 +186,9 @@ void FixHardEvents::connect() {
   hold_.resize(atom->nlocal);
   for (int i = 0; i < atom->nlocal; i++) {
     hold_[i] = vector(atom->x[i]);
-    stray(i, hold_[i] - order_.dt() * vector(atom->v[i]));
+    for (int axis = 0; axis < 3; axis++) atom->x[i][axis] += outside_[i][axis];
+    FixHardEvents::set_arrays(i);
+    stray(i, vector(atom->x[i]) - order_.dt() * vector(atom->v[i]));
   }
 
   order_.links.clear();
@@ -298,7 +328,11 @@ void FixHardEvents::add_walls() {
     for (int i = 0; i < atom->nlocal; i++) {
       if (!walls->acts_on(i) || order_.bodies[i].inverse_mass == 0.0) continue;
       Link link{i, -1 - n, 0, 0, walls->surfaces_of(i)};
-      const double distance = wall.wall.nearest(vector(atom->x[i]), wall.end, 0.0).distance;
+      const Vector3 end = vector(atom->x[i]);
+      const Vector3 start = end - order_.dt() * vector(atom->v[i]);
+      const double distance = wall.wall.nearest(end, wall.end, 0.0).distance;
+      // A wall is not felt from behind.
+      if (wall.wall.nearest(start, wall.at(order_.dt()), 0.0).distance <= 0.0) continue;
       if (walls->still() && distance > std::max(link.at.core, link.at.edge) + range) {
         walls->inside(i, w) = 0.0;
         continue;
@@ -493,10 +527,25 @@ void FixHardEvents::unpack_forward_comm(int n, int first, double* buf) {
 
 void FixHardEvents::grow_arrays(int nmax) {
   memory->grow(origin_, nmax, ORIGIN, "hard_events:origin");
+  memory->grow(outside_, nmax, 3, "hard_events:outside");
+}
+
+void FixHardEvents::copy_arrays(int i, int j, int) { std::copy_n(outside_[i], 3, outside_[j]); }
+
+void FixHardEvents::set_arrays(int i) { std::fill_n(outside_[i], 3, 0.0); }
+
+int FixHardEvents::pack_exchange(int i, double* buf) {
+  std::copy_n(outside_[i], 3, buf);
+  return 3;
+}
+
+int FixHardEvents::unpack_exchange(int i, double* buf) {
+  std::copy_n(buf, 3, outside_[i]);
+  return 3;
 }
 
 double FixHardEvents::memory_usage() {
-  return static_cast<double>(ORIGIN * sizeof(double)) * atom->nmax +
+  return static_cast<double>((ORIGIN + 3) * sizeof(double)) * atom->nmax +
          static_cast<double>(sizeof(Body) * order_.bodies.size() +
                              (sizeof(Link) + sizeof(Slots) + 2 * sizeof(int)) *
                                  order_.links.size());

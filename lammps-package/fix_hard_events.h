@@ -8,12 +8,14 @@ FixStyle(HARD_EVENTS,FixHardEvents);
 #ifndef LMP_FIX_HARD_EVENTS_H
 #define LMP_FIX_HARD_EVENTS_H
 
+#include <memory>
 #include <unordered_map>
 #include <vector>
 
 #include "atom.h"
 #include "border_exchange.h"
 #include "fix.h"
+#include "hard_event_record.h"
 #include "hard_event_totals.h"
 #include "hard_sphere/event_order.h"
 #include "mobile_particles.h"
@@ -56,11 +58,16 @@ class FixHardEvents : public Fix {
 
   int setmask() override;
   void init() override;
+  void pre_exchange() override;
   void setup_pre_force(int) override;
   void pre_force(int) override;
   int pack_forward_comm(int, int*, double*, int, int*) override;
   void unpack_forward_comm(int, int, double*) override;
   void grow_arrays(int) override;
+  void copy_arrays(int, int, int) override;
+  void set_arrays(int) override;
+  int pack_exchange(int, double*) override;
+  int unpack_exchange(int, double*) override;
   double memory_usage() override;
 
   const cohesion::hard_sphere::EventOrder& order() const { return order_; }
@@ -121,10 +128,12 @@ class FixHardEvents : public Fix {
   std::unordered_map<std::uint64_t, int> foreign_body_;
   BorderExchange border_;
   double** origin_;                      // per atom and ghost: process, index there, position there
+  double** outside_;                     // per atom: how far the straight flight led out of the box
   std::vector<cohesion::Vector3> hold_;  // positions when the list was made
   double farthest_;                      // from there, square
   bool warned_;
   HardEventTotals totals_;
+  std::unique_ptr<HardEventRecord> record_;
 };
 
 }  // namespace LAMMPS_NS

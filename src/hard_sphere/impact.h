@@ -52,21 +52,21 @@ inline Impact impact(Surface surface, const Vector3& k, const Law& law, const Pa
     now.energy_change = -hit.dissipated;
     return now;
   }
-  const double mu = 1.0 / (i.inverse_mass + j.inverse_mass);
+  const double b = i.inverse_mass + j.inverse_mass;
   const double u = dot(k, i.velocity - j.velocity);
   if (surface == Surface::edge_inward) {
     now.kind = Kind::approach;
     now.inside = true;
-    now.normal = square_well::approach_impulse(u, law.depth, mu);
+    now.normal = square_well::approach_impulse(u, law.depth, b);
     now.energy_change = law.depth;
-  } else if (square_well::escapes(u, law.depth, mu)) {
+  } else if (square_well::escapes(u, law.depth, b)) {
     now.kind = Kind::escape;
-    now.normal = square_well::escape_impulse(u, law.depth, mu);
+    now.normal = square_well::escape_impulse(u, law.depth, b);
     now.energy_change = -law.depth;
   } else {
     now.kind = Kind::capture;
     now.inside = true;
-    now.normal = square_well::capture_impulse(u, mu);
+    now.normal = square_well::capture_impulse(u, b);
   }
   now.on_j = now.normal * k;
   return now;
