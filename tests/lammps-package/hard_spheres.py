@@ -25,9 +25,17 @@ def atom(x, v, radius=0.5, mass=1.0, kind=1, spin=(0.0, 0.0, 0.0)):
 
 
 def columns(output):
-    """Thermo output as columns; the last run's."""
-    names, values = engine.thermo_lines(output)
-    return dict(zip(names, numpy.array(values).T))
+    """Thermo output as columns; of the last run, without the warnings in between."""
+    lines = output.splitlines()
+    header = max(i for i, line in enumerate(lines) if line.split()[:1] == ["Step"])
+    names, rows = lines[header].split(), []
+    for line in lines[header + 1:]:
+        if line.startswith("Loop time"):
+            break
+        words = line.split()
+        if len(words) == len(names) and words[0].isdigit():
+            rows.append([float(word) for word in words])
+    return dict(zip(names, numpy.array(rows).T))
 
 
 def counts(table):

@@ -63,11 +63,12 @@ class OneStep(unittest.TestCase):
     def test_third_particle_comes_first(self):
         """A pair that would meet at 1.0 is parted by a third that strikes one of them at 0.5."""
         atoms = [hard.atom((5.0, 10, 10), (1.0, 0, 0)), hard.atom((8.0, 10, 10), (-1.0, 0, 0)),
-                 hard.atom((8.0, 12.0, 10), (-1.0, -2.0, 0))]
+                 hard.atom((8.3, 12.0, 10), (-1.0, -2.0, 0))]
         exact = Reference([atom["x"] for atom in atoms], [atom["v"] for atom in atoms], 0.5, 1.0,
                           3 * [20.0])
         like_reference(self, atoms, ["* * restitution 1"], exact, 2.0, 1, 1e-13, skin=12.0)
-        self.assertEqual([(event.particle, event.partner) for event in exact.events], [(1, 2)])
+        self.assertEqual((exact.events[0].particle, exact.events[0].partner), (1, 2))
+        self.assertNotIn((0, 1), [(event.particle, event.partner) for event in exact.events])
 
     def test_many_events_on_few(self):
         """Eight discs with wells in a small box, 20 events each in one step. Their paths part by
@@ -352,7 +353,7 @@ class Input(unittest.TestCase):
         # A depth of 0 is no well: nothing at the edge.
         _, events, _, _ = follow(self.ATOMS, ["* * restitution 1 well 0 1.5"], 0.1, 20)
         self.assertEqual([event.kind for event in events], ["collision"])
-        self.assertEqual(hard.times(events, 0.1)[0], 1.0)
+        self.assertAlmostEqual(hard.times(events, 0.1)[0], 1.0, delta=2e-14)
 
     def test_well_within_the_core(self):
         self.refuse("* * restitution 1 well 1 0.9", "0.9")

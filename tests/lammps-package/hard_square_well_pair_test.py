@@ -474,7 +474,7 @@ class Walls(unittest.TestCase):
     def test_wall_that_moves_towards(self):
         # Both planes move at 0.2: a lower that pushes, an upper that recedes.
         atoms = self.atoms(numpy.full(2, 1.0))
-        path, events, _ = self.fly("restitution 0.8 well off xplane 0 10 translate 0.2", atoms)
+        path, events, _ = self.fly("restitution 0.8 well off xplane 0 10 translate x 0.2", atoms)
         for n, (v, wall) in enumerate(((-1.0, 0.2), (1.0, 0.2))):
             self.assertAlmostEqual(hard.times(events[n], 0.05)[0], 0.5 / (1.2 if n == 0 else 0.8),
                                    delta=1e-12)
