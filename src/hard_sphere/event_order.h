@@ -243,7 +243,7 @@ class EventOrder {
     const double left = dt_ - time;
     const auto [separation, partner] = other_side(link, left);
     const double distance = norm(separation);
-    const Vector3 k = (1.0 / distance) * separation;
+    const Vector3 k{separation.x / distance, separation.y / distance, separation.z / distance};
     Law law = laws[link.law];
     const bool hit = link.next == Surface::core;
     const bool elastic = hit && rules.collapse > 0 && exhausted(link);

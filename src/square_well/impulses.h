@@ -5,12 +5,12 @@
 
 /// Impulses at the edge of a square well of depth D.
 ///
-/// u = k.(v_i - v_j) is the normal speed of approach [speed], negative while the pair parts; k points
-/// from i to j. An impulse J acts as v_i -= J k/m_i, v_j += J k/m_j: positive repels. b = 1/m_i +
-/// 1/m_j is the inverse of the reduced mass mu [1/mass], D the depth [energy]. The kinetic energy
-/// changes by exactly D at an approach, -D at an escape and 0 at a capture. Each formula is written
-/// without a difference of nearly equal numbers, and with b where the source has mu: mu would carry
-/// the same rounding error into every event.
+/// u = k.(v_i - v_j) is the normal speed of approach [speed], negative while the pair parts; k
+/// points from i to j. An impulse J acts as v_i -= J k/m_i, v_j += J k/m_j: positive repels. b =
+/// 1/m_i + 1/m_j is the inverse of the reduced mass mu [1/mass], D the depth [energy]. The kinetic
+/// energy changes by exactly D at an approach, -D at an escape and 0 at a capture. Each formula is
+/// written without a difference of nearly equal numbers, and with b where the source has mu: mu
+/// would carry the same rounding error into every event.
 ///
 /// Source: M. Weber, thesis, ch. 3 (square-well model).
 namespace cohesion::square_well {
