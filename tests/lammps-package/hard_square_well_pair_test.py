@@ -6,6 +6,7 @@ import unittest
 from collections import defaultdict
 
 import numpy
+from scipy.optimize import brentq
 
 import hard_spheres as hard
 import lammps_engine as engine
@@ -480,6 +481,25 @@ class Walls(unittest.TestCase):
                                    delta=1e-12)
             self.assertAlmostEqual(path[-1, n, 4], wall - 0.8 * (v - wall), delta=1e-13)
 
+    def test_wall_that_swings(self):
+        """x = A (1 - cos wt), as LAMMPS' walls swing: the elastic particle leaves with twice the wall's
+        speed at the hit. Where a step takes the wall along a chord, its place is wrong by
+        A w^2 dt^2/8 and its speed by A w^2 dt/2."""
+        amplitude, period, dt = 0.1, 3.0, 0.01
+        w = 2 * math.pi / period
+        atoms = self.atoms(numpy.linspace(0.5, 2.0, 20))[::2]
+        path, events, _ = self.fly(
+            f"restitution 1 well off xplane 0 20 wiggle x {amplitude} {period}", atoms, 150, dt)
+        for n, atom in enumerate(atoms):
+            speed = -atom["v"][0]
+            hit = brentq(lambda t, speed=speed: 0.5 - speed * t - amplitude * (1 - math.cos(w * t)),
+                         0, 0.5 / speed)
+            bend = amplitude * w * w
+            self.assertAlmostEqual(hard.times(events[n][:1], dt)[0], hit, delta=bend * dt * dt / 8
+                                   / (speed + amplitude * w * math.sin(w * hit)) * 1.1)
+            self.assertAlmostEqual(path[-1, n, 4], speed + 2 * amplitude * w * math.sin(w * hit),
+                                   delta=bend * dt * 1.1)
+
     def test_wall_that_slides(self):
         # At 1 along y, with friction that stops nothing at 0.05: tangential impulse 0.05 (1+e) m v.
         atoms = self.atoms(numpy.full(2, 1.0))
@@ -488,6 +508,69 @@ class Walls(unittest.TestCase):
         for n in range(2):
             numpy.testing.assert_allclose(path[-1, n, 5:7], [0.3, -0.1] + 0.05 * 1.8 * direction,
                                           rtol=0, atol=1e-13)
+
+
+class Cylinder(unittest.TestCase):
+    """One particle in a cylinder along z: angular momentum and, elastic, energy are kept, so chords, ways
+    through the well and angles between them repeat. Places of up to 10, 200 steps of half a unit in the
+    last place, 2e-13 of a chord's offset; 40 turns add up its part in the angle, 2 over the sine of
+    0.5: 4e-11."""
+    RADIUS, RATIO, DEPTH = 3.0, 1.4, 0.2
+
+    def turn(self, depth, restitution=1.0, steps=200):
+        """Offset 1.2 of the first chord, from its middle; speed 1.1 across, 0.25 along."""
+        atom = hard.atom((10.0, 11.2, 10.0), (1.1, 0.0, 0.25), 0.4, 1.3)
+        words = f"well {depth} {self.RATIO}" if depth else "well off"
+        with engine.temporary_folder() as folder:
+            engine.write_spheres(folder, [atom], 3 * [(0.0, 20.0)], 1)
+            path, table, _ = hard.run(
+                folder, ["* * restitution 1"], 0.37, steps, boundary="f f p", skin=1.0, every=10,
+                style="record events.txt",
+                more=["displace_atoms all move -10 -10 0", "change_box all x final -10 10 y final "
+                      "-10 10", f"fix pipe all wall/hard/square_well restitution {restitution} "
+                      f"{words} zcylinder {self.RADIUS}"])
+            return path, hard.recorded(folder), table
+
+    def test_elastic(self):
+        for depth in (0.0, self.DEPTH):
+            with self.subTest(depth=depth):
+                path, events, table = self.turn(depth)
+                core, edge = self.RADIUS - 0.4, self.RADIUS - self.RATIO * 0.4
+                speed, offset = 1.1, 1.2
+                if not depth:
+                    edge = core
+                faster = math.sqrt(speed**2 + 2 * depth / 1.3)
+                nearer = offset * speed / faster
+                chord = math.sqrt(edge**2 - offset**2)
+                well = (math.sqrt(core**2 - nearer**2) - math.sqrt(edge**2 - nearer**2)) / faster
+                period = 2 * (chord / speed + well)
+                starts = chord / speed + period * numpy.arange(math.ceil(74 / period))
+                pattern = ([("approach", 0.0), ("collision", well), ("escape", 2 * well)] if depth
+                           else [("collision", 0.0)])
+                expected = [("wall_" + kind, start + late) for start in starts
+                            for kind, late in pattern if start + late < 74]
+                self.assertGreater(len(expected), 15)
+                self.assertEqual([event.kind for event in events], [kind for kind, _ in expected])
+                numpy.testing.assert_allclose(hard.times(events, 0.37), [t for _, t in expected],
+                                              rtol=0, atol=4e-11)
+                total = table["KinEng"] + table["PotEng"]
+                self.assertLess(abs(total - total[0]).max(), 1e-13)
+                spin = path[:, 0, 1] * path[:, 0, 5] - path[:, 0, 2] * path[:, 0, 4]
+                numpy.testing.assert_allclose(spin, -1.2 * 1.1, rtol=0, atol=1e-12)
+                numpy.testing.assert_array_equal(path[:, 0, 6], 0.25)
+
+    def test_restitution(self):
+        """Each collision leaves e of the normal and all of the tangential speed."""
+        _, events, _ = self.turn(0.0, 0.7, 70)
+        core, turning = 2.6, 1.2 * 1.1 / 2.6
+        normal = math.sqrt(1.1**2 - turning**2)
+        time, times = math.sqrt(core**2 - 1.2**2) / 1.1, []
+        while time < 70 * 0.37:
+            times.append(time)
+            normal *= 0.7
+            time += 2 * core * normal / (normal**2 + turning**2)
+        self.assertGreater(len(times), 5)
+        numpy.testing.assert_allclose(hard.times(events, 0.37), times, rtol=0, atol=4e-11)
 
 
 class BetweenWalls(unittest.TestCase):
