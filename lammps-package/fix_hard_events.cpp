@@ -15,6 +15,7 @@
 #include "memory.h"
 #include "modify.h"
 #include "neigh_list.h"
+#include "output.h"
 #include "pair_hard_square_well.h"
 #include "update.h"
 
@@ -50,6 +51,9 @@ FixHardEvents::FixHardEvents(LAMMPS* lammps, int narg, char** arg)
       warned_(false) {
   comm_forward = ORIGIN;
   create_attribute = 1;
+  restart_pbc = 1;
+  force_reneighbor = 1;
+  next_reneighbor = -1;
   FixHardEvents::grow_arrays(atom->nmax);
   for (int i = 0; i < atom->nlocal; i++) FixHardEvents::set_arrays(i);
   atom->add_callback(Atom::GROW);
@@ -135,6 +139,16 @@ void FixHardEvents::pre_exchange() {
 void FixHardEvents::setup_pre_force(int) {
   order_.begin_step(0.0);
   connect();
+  next_reneighbor = update->ntimestep + 1;
+}
+
+/// A run that goes on from a restart file begins with particles in the box and makes its list anew
+/// in its first step. A run that writes one does the same, so that both put particles back into the
+/// box at the same times and round alike.
+void FixHardEvents::match_restart() {
+  if (update->ntimestep != output->next_restart) return;
+  for (int i = 0; i < atom->nlocal; i++) domain->remap(atom->x[i], atom->image[i]);
+  next_reneighbor = update->ntimestep + 1;
 }
 
 void FixHardEvents::pre_force(int) {
@@ -171,6 +185,7 @@ void FixHardEvents::pre_force(int) {
     comm->forward_comm();
   }
   check_reach();
+  match_restart();
 }
 
 /* ---------------------------------------------------------------------- */
