@@ -168,7 +168,8 @@ class RanksAndRestart(unittest.TestCase):
                     numpy.testing.assert_array_equal(path, whole)
             for number in (1, ranks[-1]):
                 with self.subTest(restarted_on=number):
-                    half = steps // 2
+                    # The next file would be due after the end.
+                    half = steps // 2 + 1
                     whole, events, table = go("kept.txt", keep=half)
                     path, found, again = go("again.txt", keep=half, restart=True, ranks=number)
                     later = [line for line in events if int(line.split()[0]) > half]
