@@ -89,6 +89,42 @@ class OneStep(unittest.TestCase):
         self.assertGreater(table["c_events[18]"][-1], 10)
 
 
+class Order(unittest.TestCase):
+    """What comes first is decided by chains of events that reach farther than any particle's neighbours,
+    on any number of ranks."""
+    # On the first's left, 0.833 s away, one that comes slowly; on its right a chain that strikes it at
+    # 0.75: it begins beyond the reach of the neighbour list, 1 + 1.25 skin.
+    PLACES = numpy.array([-1.1, 0.0, 1.1, 2.2, 3.3])
+    SPEEDS = numpy.array([0.12, 0.0, 0.0, 0.0, -0.4])
+
+    # All around where ranks meet, and across the periodic boundary.
+    MIDDLES = (-1.7, 0.3, 7.9, 8.6, 9.4, 10.0, 10.9, 19.2)
+
+    def chain(self, ranks):
+        for axis in range(3):
+            x, v = numpy.full((len(self.MIDDLES), 5, 3), 9.7), numpy.zeros((len(self.MIDDLES), 5, 3))
+            for n, middle in enumerate(self.MIDDLES):
+                x[n, :, axis] = (self.PLACES + middle) % 20
+                x[n, :, axis - 1] = 1.0 + 2.4 * n
+                v[n, :, axis] = self.SPEEDS
+            x, v = x.reshape(-1, 3), v.reshape(-1, 3)
+            exact = Reference(x, v, 0.5, 1.0, 3 * [20.0])
+            with self.subTest(axis=axis):
+                like_reference(self, [hard.atom(*row) for row in zip(x, v)], ["* * restitution 1"],
+                               exact, 1.0, 2, 1e-13, skin=0.8, ranks=ranks)
+                self.assertEqual([(event.particle, event.partner) for event in exact.events
+                                  if event.particle < 5][:4], [(3, 4), (2, 3), (1, 2), (0, 1)])
+
+    def test_chain(self):
+        self.chain(1)
+
+    def test_chain_on_two_ranks(self):
+        self.chain(2)
+
+    def test_chain_on_four_ranks(self):
+        self.chain(4)
+
+
 class ThinWell(unittest.TestCase):
     def test_passes_through_in_one_step(self):
         """Wells of 1e-3 to 1e-9 of the size, crossed in a step of a flight of 0.7. The time within is

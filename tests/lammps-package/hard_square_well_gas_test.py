@@ -182,6 +182,10 @@ class RanksAndRestart(unittest.TestCase):
     def test_fluid(self):
         self.same(fluid(), ["* * restitution 1 well 1 1.5"], 0.02, 200, (2, 4), 1e5, skin=1.0)
 
+    def test_steps_of_a_mean_free_time(self):
+        gas = Gas(500, 0.4, 2, (0.4, 0.6))
+        self.same(gas, [f"* * restitution 1 well {DEPTH} {RATIO}"], 0.28, 20, (2, 4), 1e4, skin=4.5)
+
     def test_discs_between_walls_with_friction(self):
         gas = Gas(400, 0.5, 2, (0.4, 0.6), seed=3)
         self.same(gas, [f"* * restitution 0.9 friction 0.3 well {DEPTH} {RATIO}"], 0.05, 200, (2, 4),
