@@ -158,7 +158,7 @@ class RanksAndRestart(unittest.TestCase):
                 lines = (Path(folder) / name).read_text().splitlines()
                 return path[-1], [line for line in lines if line[:1] != "#"], table
 
-            whole, events, _ = go("whole.txt")
+            whole, events, whole_table = go("whole.txt")
             self.assertGreater(len(events), least)
             for number in ranks:
                 with self.subTest(ranks=number):
@@ -178,6 +178,7 @@ class RanksAndRestart(unittest.TestCase):
                     numpy.testing.assert_array_equal(path, whole)
                     # A sum over pairs, in whatever order: 1e4 terms of up to 1, 1e-12 each.
                     self.assertAlmostEqual(table["PotEng"][-1], again["PotEng"][-1], delta=1e-8)
+        return whole_table
 
     def test_fluid(self):
         self.same(fluid(), ["* * restitution 1 well 1 1.5"], 0.02, 200, (2, 4), 1e5, skin=1.0)
@@ -192,6 +193,15 @@ class RanksAndRestart(unittest.TestCase):
                   1e4, spin=gas.spin(), skin=1.0, boundary="p f p",
                   more=["fix sides all wall/hard/square_well restitution 0.8 friction 0.3 "
                         f"yplane 0 {gas.length:.17g}"])
+
+    def test_bed_where_the_rule_against_collapse_acts(self):
+        gas = Gas(100, 0.5, 2, (0.4, 0.6), seed=3)
+        table = self.same(gas, [f"* * restitution 0.3 friction 0.3 well {DEPTH} {RATIO}"], 0.02, 150,
+                          (2, 4), 1e4, skin=1.0, boundary="p f p",
+                          more=["fix down all gravity 5.0 vector 0 -1 0",
+                                "fix sides all wall/hard/square_well restitution 0.3 friction 0.3 "
+                                f"yplane 0 {gas.length:.17g}"])
+        self.assertGreater(table["c_events[17]"][-1], 0)
 
 
 if __name__ == "__main__":
