@@ -359,6 +359,27 @@ class Collapse(unittest.TestCase):
         self.assertLess(energy.max(), energy[0] + 1e-12)
         self.assertLess(abs(path[-1, :, 4]).max(), 0.1)
 
+    def test_creeping_along_a_cylinder(self):
+        """Inside a cylinder a particle that loses normal speed at each hit has infinitely many within a
+        finite time, though nothing presses it on: 2 R u_n/u_t^2 between two, which sums up. It then
+        runs along the wall, with the speed it has, never farther out than the wall."""
+        inner, turning = 2.6, 1.2 * 1.1 / 2.6
+        atoms = [hard.atom((0.0, 1.2, 0.0), (1.1, 0.0, 0.25), 0.4)]
+        path, _, table, output = follow(
+            atoms, ["* * restitution 1"], 0.37, 400, box=3 * [(-10.0, 10.0)], style="", skin=2.0,
+            boundary="f f p", every=1,
+            more=["fix pipe all wall/hard/square_well restitution 0.7 well off zcylinder 3.0"])
+        across = path[:, 0, 4:6]
+        energy = (across**2).sum(axis=1)
+        self.assertLess(numpy.diff(energy).max(), 1e-14)
+        radius = numpy.linalg.norm(path[:, 0, 1:3], axis=1)
+        self.assertLess(radius.max(), inner + 1e-9)
+        self.assertGreater(radius[200:].min(), inner - 1e-3)
+        # Tangential: what it had, but for what the rule takes for a smallest normal speed.
+        self.assertAlmostEqual(math.sqrt(energy[-1]), turning, delta=0.02 * turning)
+        self.assertGreater(table["c_events[17]"][-1] + table["c_events[33]"][-1], 0)
+        self.assertIn("collapse", output)
+
     def test_other_number_of_collisions(self):
         found = {}
         for style in ("collapse 10", "collapse 1000"):
