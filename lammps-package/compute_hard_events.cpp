@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-only
 #include "compute_hard_events.h"
 
+#include <algorithm>
+
 #include "error.h"
 #include "fix_hard_events.h"
 #include "update.h"
@@ -20,12 +22,18 @@ ComputeHardEvents::ComputeHardEvents(LAMMPS* lammps, int narg, char** arg)
   if (igroup != 0)
     error->all(FLERR, "compute hard/events sums over all particles; its group must be 'all'");
   vector_flag = 1;
-  extvector = 1;
+  extvector = -1;
   size_vector = ENTRIES;
   vector = new double[ENTRIES];
+  extlist = new int[ENTRIES];
+  std::fill_n(extlist, ENTRIES, 1);
+  extlist[BUSIEST] = 0;
 }
 
-ComputeHardEvents::~ComputeHardEvents() { delete[] vector; }
+ComputeHardEvents::~ComputeHardEvents() {
+  delete[] vector;
+  delete[] extlist;
+}
 
 void ComputeHardEvents::init() {}
 

@@ -30,6 +30,8 @@ static constexpr double AT_EDGE = 1e-10;
 // Share of a distance by which a ghost's own position may be off, with room: boxes of up to 1e6
 // diameters.
 static constexpr double NEARLY = 1e-9;
+// Overlap that is told of: of a distance, above what a data file's decimals leave.
+static constexpr double OVERLAP = 1e-6;
 static constexpr int FIXED_BOUNDARY = 1;  // Domain::boundary
 // Of all processes. Short stretches are agreed on at once, long ones have to be repeated.
 static constexpr long EVENTS_OF_A_STRETCH = 64;
@@ -139,7 +141,29 @@ void FixHardEvents::pre_exchange() {
 void FixHardEvents::setup_pre_force(int) {
   order_.begin_step(0.0);
   connect();
+  tell_of_overlaps();
   next_reneighbor = update->ntimestep + 1;
+}
+
+/// Cores that overlap part as soon as they move apart, but their energy is nobody's.
+void FixHardEvents::tell_of_overlaps() const {
+  double mine[2] = {0.0, 0.0}, all[2];  // number, deepest as a share of the distance
+  for (int n = 0; n < static_cast<int>(order_.links.size()); n++) {
+    const Link& link = order_.links[n];
+    const double overlap = 1.0 - order_.distance_at_start(n) / link.at.core;
+    if (overlap < OVERLAP || link.i >= atom->nlocal) continue;
+    mine[0] += 1.0;
+    mine[1] = std::max(mine[1], overlap);
+  }
+  MPI_Allreduce(&mine[0], &all[0], 1, MPI_DOUBLE, MPI_SUM, world);
+  MPI_Allreduce(&mine[1], &all[1], 1, MPI_DOUBLE, MPI_MAX, world);
+  if (all[0] > 0.0 && comm->me == 0)
+    error->warning(
+        FLERR,
+        "pair_style hard/square_well: {} pairs of hard cores (or core and wall) overlap, "
+        "up to {} of the distance; they collide at once where they approach. Start from "
+        "particles that do not overlap",
+        static_cast<bigint>(all[0]), all[1]);
 }
 
 /// A run that goes on from a restart file begins with particles in the box and makes its list anew

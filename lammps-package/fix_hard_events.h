@@ -91,6 +91,7 @@ class FixHardEvents : public Fix {
     bool operator==(const Shift& b) const { return x == b.x && y == b.y && z == b.z; }
   };
 
+  void tell_of_overlaps() const;
   void match_restart();
   void connect();
   void describe(int body, int i);

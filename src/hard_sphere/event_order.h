@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hard_sphere/bodies.h"
+#include "hard_sphere/concave_wall.h"
 
 namespace cohesion::hard_sphere {
 
@@ -248,7 +249,8 @@ class EventOrder {
     const bool hit = link.next == Surface::core;
     const bool elastic = hit && rules.collapse > 0 && exhausted(link);
     if (elastic) law.restitution = 1.0, law.friction = 0.0;
-    const Impact now = impact(link.next, k, law, bodies[link.i].partner(), partner);
+    Impact now = impact(link.next, k, law, bodies[link.i].partner(), partner);
+    if (elastic && link.of_wall()) keep_off(link, k, now);
 
     const EventKey when = key(time, link);
     events.push_back(
@@ -259,6 +261,18 @@ class EventOrder {
     predict_all(link.i);
     if (!link.of_wall()) predict_all(link.j, n);
     if (busiest(link) > rules.limit) overrun_ = n;
+  }
+
+  /// An elastic collision of the rule against collapse leaves a cylinder for a share of the step.
+  void keep_off(const Link& link, const Vector3& k, Impact& now) const {
+    const Wall& wall = walls[link.wall()].wall;
+    if (wall.shape != Wall::z_cylinder) return;
+    const Body& body = bodies[link.i];
+    const Vector3& before = body.flight.velocity;
+    const Vector3 after = leaving_concave_wall(before - body.inverse_mass * now.on_j, k,
+                                               wall.position - link.at.core, dt_ / rules.collapse);
+    now.on_j = (1.0 / body.inverse_mass) * (before - after);
+    now.normal = dot(k, now.on_j);
   }
 
   bool exhausted(const Link& link) const {

@@ -39,6 +39,8 @@ inline Crossing next_crossing_of_cylinder(const Vector3& r, const Vector3& w, do
   if (!inside && at.well()) return {time_to_rise(b, ww, c(at.edge)), Surface::edge_inward};
   const double leave = inside ? time_to_fall(b, ww, c(at.edge)) : never;
   if (leave < never) return {leave, Surface::edge_outward};
+  // A wall curves towards a particle that runs along it.
+  if (b == 0.0 && ww > 0.0 && c(at.core) >= 0.0) return {0.0, Surface::core};
   return {time_to_rise(b, ww, c(at.core)), Surface::core};
 }
 
