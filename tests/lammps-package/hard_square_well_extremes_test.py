@@ -87,7 +87,7 @@ class OneStep(unittest.TestCase):
                                box=[(0.0, 6.0), (0.0, 6.0), (-0.5, 0.5)], dimension=2, skin=30.0)
         self.assertLess(abs(twin.place(4.0) - exact.place(4.0) - 2e-15).max(), 1e-10)
         self.assertGreater(len(exact.events), 40)
-        self.assertGreater(table["c_events[18]"][-1], 10)
+        self.assertGreater(table["c_events[18]"][-1], 6)
 
 
 class Order(unittest.TestCase):
