@@ -54,21 +54,19 @@ void BorderExchange::swap(const std::vector<std::vector<Item> >& out,
                           std::vector<std::vector<Item> >& in) {
   const int n = static_cast<int>(peers_.size());
   in.resize(n);
-  std::vector<int> sizes(2 * n);
-  std::vector<MPI_Request> requests(2 * n);
+  std::vector<MPI_Request> sent(n);
+  for (int p = 0; p < n; p++)
+    MPI_Isend(out[p].data(), static_cast<int>(out[p].size() * sizeof(Item)), MPI_BYTE, peers_[p], 0,
+              world_, &sent[p]);
   for (int p = 0; p < n; p++) {
-    sizes[n + p] = static_cast<int>(out[p].size());
-    MPI_Irecv(&sizes[p], 1, MPI_INT, peers_[p], 0, world_, &requests[p]);
-    MPI_Isend(&sizes[n + p], 1, MPI_INT, peers_[p], 0, world_, &requests[n + p]);
+    MPI_Status status;
+    int bytes = 0;
+    MPI_Probe(peers_[p], 0, world_, &status);
+    MPI_Get_count(&status, MPI_BYTE, &bytes);
+    in[p].resize(bytes / sizeof(Item));
+    MPI_Recv(in[p].data(), bytes, MPI_BYTE, peers_[p], 0, world_, MPI_STATUS_IGNORE);
   }
-  MPI_Waitall(2 * n, requests.data(), MPI_STATUSES_IGNORE);
-  const auto bytes = [](int items) { return items * static_cast<int>(sizeof(Item)); };
-  for (int p = 0; p < n; p++) {
-    in[p].resize(sizes[p]);
-    MPI_Irecv(in[p].data(), bytes(sizes[p]), MPI_BYTE, peers_[p], 1, world_, &requests[p]);
-    MPI_Isend(out[p].data(), bytes(sizes[n + p]), MPI_BYTE, peers_[p], 1, world_, &requests[n + p]);
-  }
-  MPI_Waitall(2 * n, requests.data(), MPI_STATUSES_IGNORE);
+  MPI_Waitall(n, sent.data(), MPI_STATUSES_IGNORE);
 }
 
 }  // namespace LAMMPS_NS

@@ -33,8 +33,9 @@ static constexpr double NEARLY = 1e-9;
 // Overlap that is told of: of a distance, above what a data file's decimals leave.
 static constexpr double OVERLAP = 1e-6;
 static constexpr int FIXED_BOUNDARY = 1;  // Domain::boundary
-// Of all processes. Short stretches are agreed on at once, long ones have to be repeated.
-static constexpr long EVENTS_OF_A_STRETCH = 64;
+// Events of a stretch per particle. How often a stretch is repeated goes with the length of the
+// chains of events that cross from one process to another and back: two to three times here.
+static constexpr double EVENTS_OF_A_STRETCH = 0.25;
 
 static Vector3 vector(const double* a) { return {a[0], a[1], a[2]}; }
 static void put(const Vector3& a, double* to) {
@@ -454,7 +455,8 @@ void FixHardEvents::follow(long candidates) {
   for (int n = 0; n < static_cast<int>(order_.links.size()); n++)
     if (shared(order_.links[n])) order_.predict(n);
   order_.sort();
-  const int stretches = std::clamp(static_cast<int>(candidates / EVENTS_OF_A_STRETCH), 1, 1000);
+  const double of_a_stretch = EVENTS_OF_A_STRETCH * static_cast<double>(atom->natoms);
+  const int stretches = 1 + static_cast<int>(static_cast<double>(candidates) / of_a_stretch);
   for (int n = 1; n <= stretches; n++) follow_stretch(n == stretches ? dt : n * dt / stretches);
 }
 

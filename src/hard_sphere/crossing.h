@@ -47,18 +47,26 @@ inline double time_to_rise(double b, double ww, double c) {
   return b > 0.0 ? -c / (b + root) : (root - b) / ww;
 }
 
-/// The next surface of two spheres, r = x_j - x_i now, w = v_j - v_i.
-inline Crossing next_crossing(const Vector3& r, const Vector3& w, const Surfaces& at, bool inside) {
+/// Whether the normal speed of a pair, b = r.w, is round-off of its velocities, vv = max(v_i.v_i,
+/// v_j.v_j). An impulse that small changes no digit of them: the pair would have its event again at
+/// once, for ever. Such a pair counts as neither approaching nor parting; it moves by less than
+/// 1e-15 of its flight.
+inline bool stands(double b, double rr, double vv) { return b * b <= 1e-30 * rr * vv; }
+
+/// The next surface of two spheres, r = x_j - x_i now, w = v_j - v_i, vv as above.
+inline Crossing next_crossing(const Vector3& r, const Vector3& w, double vv, const Surfaces& at,
+                              bool inside) {
   const double b = dot(r, w), ww = dot(w, w), rr = dot(r, r);
-  if (!inside) {
-    if (b >= 0.0) return {};
-    const double outer = at.well() ? at.edge : at.core;
-    return {time_to_fall(b, ww, rr - outer * outer),
-            at.well() ? Surface::edge_inward : Surface::core};
-  }
-  const double hit = time_to_fall(b, ww, rr - at.core * at.core);
-  if (hit < never) return {hit, Surface::core};
-  return {time_to_rise(b, ww, rr - at.edge * at.edge), Surface::edge_outward};
+  if (!inside && b >= 0.0) return {};
+  const bool entering = !inside && at.well();
+  const double inner = entering ? at.edge : at.core;
+  const double fall = time_to_fall(b, ww, rr - inner * inner);
+  if (entering) return {fall, Surface::edge_inward};
+  if (fall < never && !stands(b, rr, vv)) return {fall, Surface::core};
+  if (!inside) return {};
+  const double c = rr - at.edge * at.edge;
+  if (c >= 0.0 && stands(b, rr, vv)) return {};
+  return {time_to_rise(b, ww, c), Surface::edge_outward};
 }
 
 }  // namespace cohesion::hard_sphere

@@ -199,7 +199,8 @@ class EventOrder {
       now = std::max(now, b.since);
       const Vector3 w = b.velocity - a.velocity + image.velocity;
       const Vector3 end = b.end - a.end + image.displacement;
-      crossing = next_crossing(end - (dt_ - now) * w, w, link.at, link.inside);
+      const double vv = std::max(dot(a.velocity, a.velocity), dot(b.velocity, b.velocity));
+      crossing = next_crossing(end - (dt_ - now) * w, w, vv, link.at, link.inside);
     }
     link.next = crossing.surface;
     return now + crossing.wait;

@@ -16,6 +16,11 @@ constexpr Surfaces well{1.0, 1.5};
 constexpr Surfaces bare{1.0, 1.0};
 constexpr Vector3 still{};
 
+/// With speeds of the pair of order 1.
+Crossing next_crossing(const Vector3& r, const Vector3& w, const Surfaces& at, bool inside) {
+  return cohesion::hard_sphere::next_crossing(r, w, 1.0, at, inside);
+}
+
 // Distances of order 1 are rounded by a few 1e-16; times are distances over speeds of order 1.
 constexpr double round_off = 1e-15;
 
@@ -71,10 +76,21 @@ TEST(Crossing, RoundOffAtASurfaceNeitherRepeatsNorMissesIt) {
 
 TEST(Crossing, GrazingChordInsideEndsAtTheClosestApproach) {
   // Outside by round-off and tangential: the discriminant is negative, the pair leaves at once.
-  const Crossing out = next_crossing({1.5 + 2e-16, 0.0, 0.0}, {-1e-20, 1.0, 0.0}, well, true);
+  const Crossing out = next_crossing({1.5 + 2e-16, 0.0, 0.0}, {-1e-14, 1.0, 0.0}, well, true);
   EXPECT_EQ(out.surface, Surface::edge_outward);
-  EXPECT_GE(out.wait, 0.0);
-  EXPECT_LT(out.wait, 1e-15);
+  EXPECT_NEAR(out.wait, 1.5e-14, 1e-15);
+}
+
+// What an impulse cannot change any more is no event: the pair stands.
+TEST(Crossing, SpeedsThatAreRoundOffAreNone) {
+  const Vector3 touching{1.0 - 1e-16, 0.0, 0.0}, at_edge{1.5 + 2e-16, 0.0, 0.0};
+  EXPECT_EQ(next_crossing(touching, {-5e-16, 0.0, 0.0}, bare, false).wait, never);
+  EXPECT_EQ(next_crossing(touching, {-2e-15, 0.0, 0.0}, bare, false).wait, 0.0);
+  EXPECT_EQ(next_crossing(touching, {-5e-16, 0.0, 0.0}, well, true).surface, Surface::edge_outward);
+  EXPECT_EQ(next_crossing(at_edge, {5e-16, 0.0, 0.0}, well, true).wait, never);
+  EXPECT_EQ(next_crossing(at_edge, {2e-15, 0.0, 0.0}, well, true).wait, 0.0);
+  // Into the well there is always an impulse.
+  EXPECT_EQ(next_crossing({1.5, 0.0, 0.0}, {-5e-16, 0.0, 0.0}, well, false).wait, 0.0);
 }
 
 TEST(Crossing, OverlappingCoresMeetNowOrPart) {
