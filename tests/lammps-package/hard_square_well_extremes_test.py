@@ -60,6 +60,26 @@ class OneStep(unittest.TestCase):
         # The second to the fourth: two each.
         self.assertEqual(table["c_events[18]"][-1], 2)
 
+    def test_cradle_of_touching_particles(self):
+        """As they hang in a toy: distances are the sum of radii to round-off, more or less of it. All
+        four strikes at once, in the order of the row, and again when the row is struck back."""
+        for first in (4.0, 4.1, 4.3, 4.7):
+            for ranks in (1, 2):
+                with self.subTest(first=first, ranks=ranks):
+                    places = [2.0, *(first + n for n in range(4)), 15.0]
+                    speeds = [1.0, 0, 0, 0, 0, -1.0]
+                    atoms = [hard.atom((x, 10, 10), (v, 0, 0)) for x, v in zip(places, speeds)]
+                    path, events, _, _ = follow(atoms, ["* * restitution 1"], 2.0, 4, skin=8.0,
+                                                ranks=ranks)
+                    pairs = [(event.i, event.j) for event in events]
+                    self.assertEqual(sorted(pairs[:4]), [(1, 2), (2, 3), (3, 4), (4, 5)])
+                    numpy.testing.assert_allclose(hard.times(events[:4], 2.0), first - 3, atol=1e-14)
+                    # The last of the row and the one that comes meet half-way and exchange speeds,
+                    # then the row is struck from the right, and its first leaves.
+                    self.assertEqual(pairs[4], (5, 6))
+                    self.assertEqual(sorted(pairs[5:]), [(1, 2), (2, 3), (3, 4), (4, 5)])
+                    numpy.testing.assert_allclose(path[-1, :, 4], [-1, 0, 0, 0, 0, 1], atol=1e-15)
+
     def test_third_particle_comes_first(self):
         """A pair that would meet at 1.0 is parted by a third that strikes one of them at 0.5."""
         atoms = [hard.atom((5.0, 10, 10), (1.0, 0, 0)), hard.atom((8.0, 10, 10), (-1.0, 0, 0)),
