@@ -196,10 +196,9 @@ void FixHardEvents::pre_force(int) {
     warned_ = true;
     if (comm->me == 0)
       error->warning(FLERR,
-                     "pair_style hard/square_well: a particle had {} collisions in one step; its "
-                     "further ones in a step are elastic and frictionless (keyword collapse). "
-                     "compute hard/events counts them",
-                     order_.rules.collapse);
+                     "pair_style hard/square_well: the rule against inelastic collapse (keywords "
+                     "collapse and contact_time) has made collisions elastic and frictionless; "
+                     "compute hard/events counts them");
   }
   if (all[0] > 0) {
     if (!alone) load_borders();
@@ -510,7 +509,7 @@ void FixHardEvents::stop_at_limit() const {
   error->one(FLERR,
              "pair_style hard/square_well: more than {} events of one particle in step {}, at "
              "particles {} and {} (negative: a wall); they had {} and {}. Particles are pressed "
-             "together or clustering: use a smaller time step, collapse, or a larger limit",
+             "together: use a smaller time step, keyword contact_time, or a larger limit",
              order_.rules.limit, update->ntimestep, a.tag, tag_j, a.flight.events,
              link.of_wall() ? 0 : order_.bodies[link.j].flight.events);
 }

@@ -2,6 +2,7 @@
 #include "pair_hard_square_well.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #include "atom.h"
@@ -107,9 +108,9 @@ void PairHardSquareWell::settings(int narg, char** arg) {
   const std::string where = "pair_style hard/square_well";
   for (int i = 0; i < narg; i += 2) {
     const std::string word = arg[i];
-    if (word != "collapse" && word != "limit" && word != "record")
-      error->all(FLERR,
-                 where + ": unknown keyword '" + word + "'; valid ones: collapse, limit, record");
+    if (word != "collapse" && word != "contact_time" && word != "limit" && word != "record")
+      error->all(FLERR, where + ": unknown keyword '" + word +
+                            "'; valid ones: collapse, contact_time, limit, record");
     if (i + 1 == narg)
       error->all(FLERR, where + ": " + word +
                             (word == "record" ? " takes a file name" : " takes a number"));
@@ -118,6 +119,11 @@ void PairHardSquareWell::settings(int narg, char** arg) {
       record_file_ = value;
     } else if (word == "collapse" && value == "off") {
       rules_.collapse = 0;
+    } else if (word == "contact_time") {
+      rules_.contact_time = utils::numeric(FLERR, arg[i + 1], false, lmp);
+      if (!(std::isfinite(rules_.contact_time) && rules_.contact_time >= 0.0))
+        error->all(FLERR,
+                   where + ": contact_time " + value + " must be a finite number not below zero");
     } else {
       const int number = utils::inumeric(FLERR, arg[i + 1], false, lmp);
       if (number < 1)
@@ -219,12 +225,17 @@ void PairHardSquareWell::read_restart(FILE* fp) {
 void PairHardSquareWell::write_restart_settings(FILE* fp) {
   const int numbers[2] = {rules_.collapse, rules_.limit};
   fwrite(numbers, sizeof(int), 2, fp);
+  fwrite(&rules_.contact_time, sizeof(double), 1, fp);
 }
 
 void PairHardSquareWell::read_restart_settings(FILE* fp) {
   int numbers[2] = {0, 0};
-  if (comm->me == 0) utils::sfread(FLERR, numbers, sizeof(int), 2, fp, nullptr, error);
+  if (comm->me == 0) {
+    utils::sfread(FLERR, numbers, sizeof(int), 2, fp, nullptr, error);
+    utils::sfread(FLERR, &rules_.contact_time, sizeof(double), 1, fp, nullptr, error);
+  }
   MPI_Bcast(numbers, 2, MPI_INT, 0, world);
+  MPI_Bcast(&rules_.contact_time, 1, MPI_DOUBLE, 0, world);
   rules_.collapse = numbers[0];
   rules_.limit = numbers[1];
 }

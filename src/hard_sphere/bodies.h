@@ -15,8 +15,9 @@ struct Flight {
   Vector3 velocity;
   double since = 0.0;  ///< time of its last event in this step, [time]
   Vector3 spin;
-  int collisions = 0;  ///< in this step
-  int events = 0;      ///< in this step
+  int collisions = 0;   ///< in this step
+  int events = 0;       ///< in this step
+  double hit = -never;  ///< time of its last collision in this step, [time]
 
   Vector3 at(double left) const { return end - left * velocity; }
 };
@@ -26,7 +27,8 @@ inline bool same(const Vector3& a, const Vector3& b) {
 }
 inline bool same(const Flight& a, const Flight& b) {
   return same(a.end, b.end) && same(a.velocity, b.velocity) && same(a.spin, b.spin) &&
-         a.since == b.since && a.collisions == b.collisions && a.events == b.events;
+         a.since == b.since && a.collisions == b.collisions && a.events == b.events &&
+         a.hit == b.hit;
 }
 
 struct Body {

@@ -12,9 +12,10 @@ namespace cohesion::hard_sphere {
 
 /// Rules of one run.
 struct OrderRules {
-  int collapse = 100;    ///< collisions of a particle in a step before the rest are elastic; 0: off
-  int limit = 100000;    ///< events of a particle in a step before the step is given up
-  bool reports = false;  ///< keep `news`, for a body that is also followed elsewhere
+  int collapse = 100;  ///< collisions of a particle in a step before the rest are elastic; 0: off
+  double contact_time = 0.0;  ///< collisions sooner after a particle's last one are elastic, [time]
+  int limit = 100000;         ///< events of a particle in a step before the step is given up
+  bool reports = false;       ///< keep `news`, for a body that is also followed elsewhere
 };
 
 /// The events of one step of straight flight, carried out in order of time.
@@ -112,15 +113,14 @@ class EventOrder {
       const MovingWall& wall = walls[link.wall()];
       return wall.wall.nearest(bodies[link.i].flight.at(dt_), wall.at(dt_), 0.0).distance;
     }
-    return norm(other_side(link, dt_).first);
+    return norm(relative(link, dt_).first);
   }
 
   /// Whether the partners of link n, a pair without events so far, come nearer to a surface than
   /// its share `nearly` of the distance: for flights that are known to round-off only.
   bool may_meet(int n, double nearly) const {
     const Link& link = links[n];
-    const auto [r, partner] = other_side(link, 0.0);
-    const Vector3 w = partner.velocity - bodies[link.i].flight.velocity;
+    const auto [r, w] = relative(link, 0.0);
     const double ww = dot(w, w), b = dot(r, w);
     const double back = ww * dt_ > b && b > 0.0 ? b / ww : b > 0.0 ? dt_ : 0.0;
     const double least = norm(r - back * w);
@@ -195,12 +195,10 @@ class EventOrder {
                                link.inside);
     } else {
       const Flight& b = bodies[link.j].flight;
-      const Image& image = images[link.image];
       now = std::max(now, b.since);
-      const Vector3 w = b.velocity - a.velocity + image.velocity;
-      const Vector3 end = b.end - a.end + image.displacement;
+      const auto [r, w] = relative(link, dt_ - now);
       const double vv = std::max(dot(a.velocity, a.velocity), dot(b.velocity, b.velocity));
-      crossing = next_crossing(end - (dt_ - now) * w, w, vv, link.at, link.inside);
+      crossing = next_crossing(r, w, vv, link.at, link.inside);
     }
     link.next = crossing.surface;
     return now + crossing.wait;
@@ -225,19 +223,26 @@ class EventOrder {
     predict_all(told.body);
   }
 
+  /// Position and velocity of j as seen from i. Prediction and event take the same numbers: they
+  /// must not differ about which way a pair goes.
+  std::pair<Vector3, Vector3> relative(const Link& link, double left) const {
+    const Flight &a = bodies[link.i].flight, &b = bodies[link.j].flight;
+    const Image& image = images[link.image];
+    const Vector3 w = b.velocity + image.velocity - a.velocity;
+    return {b.end - a.end + image.displacement - left * w, w};
+  }
+
   /// Where j is as seen from i, and what it is.
   std::pair<Vector3, Partner> other_side(const Link& link, double left) const {
-    const Vector3 centre = bodies[link.i].flight.at(left);
     if (link.of_wall()) {
       const MovingWall& wall = walls[link.wall()];
-      const auto point = wall.wall.nearest(centre, wall.at(left), wall.rim_speed);
+      const auto point =
+          wall.wall.nearest(bodies[link.i].flight.at(left), wall.at(left), wall.rim_speed);
       return {point.separation, {point.velocity, {}, 0.0, 0.0, 0.0}};
     }
-    const Body& b = bodies[link.j];
-    const Image& image = images[link.image];
-    Partner partner = b.partner();
-    partner.velocity += image.velocity;
-    return {b.flight.at(left) + image.displacement - left * image.velocity - centre, partner};
+    Partner partner = bodies[link.j].partner();
+    partner.velocity += images[link.image].velocity;
+    return {relative(link, left).first, partner};
   }
 
   void carry_out(int n, double time) {
@@ -248,7 +253,7 @@ class EventOrder {
     const Vector3 k{separation.x / distance, separation.y / distance, separation.z / distance};
     Law law = laws[link.law];
     const bool hit = link.next == Surface::core;
-    const bool elastic = hit && rules.collapse > 0 && exhausted(link);
+    const bool elastic = hit && (collapses(link.i, time) || collapses(link.j, time));
     if (elastic) law.restitution = 1.0, law.friction = 0.0;
     Impact now = impact(link.next, k, law, bodies[link.i].partner(), partner);
     if (elastic && link.of_wall()) keep_off(link, k, now);
@@ -271,14 +276,22 @@ class EventOrder {
     const Body& body = bodies[link.i];
     const Vector3& before = body.flight.velocity;
     const Vector3 after = leaving_concave_wall(before - body.inverse_mass * now.on_j, k,
-                                               wall.position - link.at.core, dt_ / rules.collapse);
+                                               wall.position - link.at.core, off_wall());
     now.on_j = (1.0 / body.inverse_mass) * (before - after);
     now.normal = dot(k, now.on_j);
   }
 
-  bool exhausted(const Link& link) const {
-    return bodies[link.i].flight.collisions >= rules.collapse ||
-           (!link.of_wall() && bodies[link.j].flight.collisions >= rules.collapse);
+  /// How long an elastic collision keeps a particle off a concave wall.
+  double off_wall() const {
+    return std::max(rules.contact_time, rules.collapse > 0 ? dt_ / rules.collapse : 0.0);
+  }
+
+  /// Whether the rules against collapse act on a collision of this body.
+  bool collapses(int body, double time) const {
+    if (body < 0) return false;
+    const Flight& flight = bodies[body].flight;
+    return (rules.collapse > 0 && flight.collisions >= rules.collapse) ||
+           time - flight.hit < rules.contact_time;
   }
 
   int busiest(const Link& link) const {
@@ -295,6 +308,7 @@ class EventOrder {
     b.flight.spin -= (b.radius * b.inverse_inertia) * now.twist;
     b.flight.since = when.time;
     b.flight.collisions += hit;
+    if (hit) b.flight.hit = when.time;
     b.flight.events++;
     if (rules.reports) news.push_back({when, body, partner, b.flight});
   }

@@ -52,7 +52,7 @@ struct BoxOfSpheres {
   void fly(double dt) {
     for (auto& body : order.bodies) {
       auto& flight = body.flight;
-      flight = {flight.end + dt * flight.velocity, flight.velocity, 0.0, flight.spin, 0, 0};
+      flight = {flight.end + dt * flight.velocity, flight.velocity, 0.0, flight.spin};
     }
   }
 

@@ -102,7 +102,7 @@ class Parts {
     for (EventOrder& order : orders_) {
       for (auto& body : order.bodies) {
         Flight& f = body.flight;
-        f = {f.end + dt * f.velocity, f.velocity, 0.0, f.spin, 0, 0};
+        f = {f.end + dt * f.velocity, f.velocity, 0.0, f.spin};
       }
       order.begin_step(dt);
       for (int n = 0; n < static_cast<int>(order.links.size()); n++) order.predict(n);
@@ -232,7 +232,7 @@ TEST(EventOrder, CollapseRuleKeepsASphereOffAConcaveWall) {
   std::size_t elastic_hits = 0;
   for (int n = 0; n < 200; n++) {
     Flight& f = order.bodies[0].flight;
-    f = {f.end + dt * f.velocity, f.velocity, 0.0, {}, 0, 0};
+    f = {f.end + dt * f.velocity, f.velocity, 0.0, {}};
     order.begin_step(dt);
     order.predict(0);
     order.sort();
@@ -312,7 +312,7 @@ TEST(EventOrder, PairBetweenWallsReturns) {
   while (events < 8000) {
     for (Body& body : order.bodies) {
       Flight& f = body.flight;
-      f = {f.end + 0.37 * f.velocity, f.velocity, 0.0, {}, 0, 0};
+      f = {f.end + 0.37 * f.velocity, f.velocity, 0.0, {}};
     }
     order.begin_step(0.37);
     for (int n = 0; n < 3; n++) order.predict(n);
