@@ -121,6 +121,14 @@ void FixHardEvents::init() {
 /// before its event turns it round: until then it waits at the boundary. One that was outside
 /// before the step is lost as in any run.
 void FixHardEvents::pre_exchange() {
+  for (int axis = 0; axis < 3; axis++)
+    for (int i = 0; domain->periodicity[axis] && i < atom->nlocal; i++)
+      if (std::abs(update->dt * atom->v[i][axis]) >= domain->prd[axis])
+        error->one(FLERR,
+                   "pair_style hard/square_well: in step {} particle {} flies {} along {}, and the "
+                   "box is {} long: use a smaller time step",
+                   update->ntimestep, atom->tag[i], update->dt * atom->v[i][axis], "xyz"[axis],
+                   domain -> prd[axis]);
   if (domain->triclinic) return;
   for (int axis = 0; axis < 3; axis++) {
     const double low = domain->boxlo[axis], high = domain->boxhi[axis];
@@ -459,29 +467,33 @@ void FixHardEvents::follow(long candidates) {
   for (int n = 1; n <= stretches; n++) follow_stretch(n == stretches ? dt : n * dt / stretches);
 }
 
-/// Again and again with the news of the others, until no news change.
+/// Until all agree on what each has told the others.
 void FixHardEvents::follow_stretch(double until) {
   order_.begin_stretch();
-  std::vector<News> told;
-  for (int mine = 1, again = 1; again;) {
-    if (mine) {
-      order_.take_back();
-      order_.foreign = told;
-      order_.run(until);
-    }
-    told = exchange_news();
-    mine = told != order_.foreign;
-    MPI_Allreduce(&mine, &again, 1, MPI_INT, MPI_MAX, world);
+  order_.run(until);
+  double from = 0.0;
+  for (int round = 0;; round++) {
+    const std::vector<News> told = exchange_news(from);
+    const double differs = order_.first_difference(from, told);
+    MPI_Allreduce(&differs, &from, 1, MPI_DOUBLE, MPI_MIN, world);
+    if (from == never) break;
+    if (round > order_.rules.limit)
+      error->all(FLERR,
+                 "pair_style hard/square_well: in step {} the processes do not agree on the events "
+                 "after {} exchanges: particles are pressed together. Use a smaller time step or "
+                 "keyword contact_time",
+                 update->ntimestep, round);
+    if (differs < never) order_.run_again(differs, told, until);
   }
   if (order_.overrun() >= 0) stop_at_limit();
 }
 
 /// What happened to this process's particles without those that a peer owns, to all who follow
 /// them.
-std::vector<News> FixHardEvents::exchange_news() {
+std::vector<News> FixHardEvents::exchange_news(double from) {
   std::vector<std::vector<News> > out(border_.peers().size()), in;
   for (const News& news : order_.news) {
-    if (news.body >= atom->nlocal) continue;
+    if (news.body >= atom->nlocal || news.key.time < from) continue;
     const int owner =
         news.partner >= atom->nlocal ? foreign_[news.partner - atom->nlocal].owner : -1;
     for (const BorderExchange::Follower& follower : border_.followers(news.body)) {

@@ -111,7 +111,7 @@ class FixHardEvents : public Fix {
   void load_borders();
   void follow(long candidates);
   void follow_stretch(double until);
-  std::vector<cohesion::hard_sphere::News> exchange_news();
+  std::vector<cohesion::hard_sphere::News> exchange_news(double from);
   void stop_at_limit() const;
   void store();
   void stray(int i, const cohesion::Vector3& place);

@@ -15,11 +15,14 @@ struct Flight {
   Vector3 velocity;
   double since = 0.0;  ///< time of its last event in this step, [time]
   Vector3 spin;
+  int depth = -1;       ///< EventKey::depth of that; -1: none in this step
   int collisions = 0;   ///< in this step
   int events = 0;       ///< in this step
   double hit = -never;  ///< time of its last collision in this step, [time]
 
   Vector3 at(double left) const { return end - left * velocity; }
+  /// Of the chain of events at this time that ends here.
+  int depth_at(double time) const { return time == since ? depth : -1; }
 };
 
 inline bool same(const Vector3& a, const Vector3& b) {
@@ -27,8 +30,8 @@ inline bool same(const Vector3& a, const Vector3& b) {
 }
 inline bool same(const Flight& a, const Flight& b) {
   return same(a.end, b.end) && same(a.velocity, b.velocity) && same(a.spin, b.spin) &&
-         a.since == b.since && a.collisions == b.collisions && a.events == b.events &&
-         a.hit == b.hit;
+         a.since == b.since && a.depth == b.depth && a.collisions == b.collisions &&
+         a.events == b.events && a.hit == b.hit;
 }
 
 struct Body {
@@ -37,7 +40,6 @@ struct Body {
   double inverse_inertia = 0.0;  ///< [1/(mass length^2)]
   double radius = 0.0;           ///< [length]
   std::int64_t tag = 0;
-  unsigned saved = 0;  ///< stretch in which its flight was put aside last
 
   Partner partner() const {
     return {flight.velocity, flight.spin, inverse_mass, inverse_inertia, radius};
@@ -66,15 +68,17 @@ struct Link {
   int wall() const { return -1 - j; }
 };
 
-/// Place of an event in the order: by time, then by the lower, then the higher tag. A wall counts
-/// as tag -1, -2, ...
+/// Place of an event in the order: by time; of events at the same instant causes before what they
+/// cause; then by the lower, then the higher tag. A wall counts as tag -1, -2, ...
 struct EventKey {
   double time;
+  int depth;  ///< of the chain of events of that instant that led to it
   std::int64_t tag_i;
   std::int64_t tag_j;
 
   bool operator<(const EventKey& b) const {
     if (time != b.time) return time < b.time;
+    if (depth != b.depth) return depth < b.depth;
     return tag_i != b.tag_i ? tag_i < b.tag_i : tag_j < b.tag_j;
   }
 };

@@ -28,16 +28,25 @@ struct OrderRules {
 /// the later of their last events. So it is the same, bit by bit, wherever and whenever it is made.
 ///
 /// Part of the bodies may be followed elsewhere (by another process) at the same time. What happens
-/// to them there comes as `foreign` news, and the step is carried out in stretches:
-/// begin_stretch(), run(), and, as long as the news that this run was based on turn out to be
-/// others, take_back() and run() again. When all agree, every event has been worked out from what
-/// truly went before it: the order is that of one process.
+/// to them there comes as `foreign` news. Whoever follows a part runs a stretch of the step with
+/// the news it has, tells its own, and where those that it gets differ from what it assumed, it
+/// takes back what came from there on and runs on with them. What lies before the first difference
+/// of all parts is final: every event there has been worked out from what truly went before it. So
+/// the order is that of one process, and every exchange brings it at least one event farther.
 class EventOrder {
  private:
   struct Predicted {
     double time;
     int link;
     unsigned version;
+    int depth;
+  };
+
+  /// A flight before an event changed it.
+  struct Undo {
+    double time;
+    int body;
+    Flight before;
   };
 
   /// The order of the heap.
@@ -58,7 +67,7 @@ class EventOrder {
 
   std::vector<Event> events;  ///< of this step, in order
   std::vector<News> news;     ///< of this stretch, with rules.reports
-  std::vector<News> foreign;  ///< of this stretch, in order: input
+  std::vector<News> foreign;  ///< of this stretch, in order
 
   /// After bodies and links have been set: which links each body has.
   void connect() {
@@ -100,7 +109,7 @@ class EventOrder {
     link.version++;
     const double time = time_of_next(link);
     if (!(time <= dt_)) return false;
-    heap_.push_back({time, n, link.version});
+    heap_.push_back({time, n, link.version, depth(link, time)});
     return true;
   }
 
@@ -134,51 +143,63 @@ class EventOrder {
   void sort() { std::make_heap(heap_.begin(), heap_.end(), Later{*this}); }
 
   void begin_stretch() {
-    stretch_++;
-    put_aside_.clear();
+    undo_.clear();
     news.clear();
     foreign.clear();
+    told_ = 0;
     start_ = events.size();
-  }
-
-  /// The stretch is as it was when it began.
-  void take_back() {
-    overrun_ = -1;
-    for (std::size_t n = events.size(); n-- > start_;)
-      links[events[n].link].inside = events[n].was_inside;
-    events.resize(start_);
-    news.clear();
-    stretch_++;
-    for (auto& [body, flight] : put_aside_) bodies[body].flight = flight;
-    for (auto& [body, flight] : put_aside_) predict_all(body);
-    put_aside_.clear();
   }
 
   /// All events up to `until`.
   void run(double until) {
-    std::size_t told = 0;
     while (overrun_ < 0) {
       while (!heap_.empty() && heap_.front().version != links[heap_.front().link].version) pop();
       const bool own = !heap_.empty() && heap_.front().time <= until;
-      if (told < foreign.size() && !(own && key(heap_.front()) < foreign[told].key)) {
-        accept(foreign[told++]);
+      if (told_ < foreign.size() && !(own && key(heap_.front()) < foreign[told_].key)) {
+        accept(foreign[told_++]);
       } else if (own) {
         const Predicted next = heap_.front();
         pop();
-        carry_out(next.link, next.time);
+        carry_out(next.link, key(next));
       } else {
         return;
       }
     }
   }
 
+  /// The stretch again from a time on, with the news from there on.
+  void run_again(double from, const std::vector<News>& told, double until) {
+    take_back(from);
+    foreign.resize(told_);
+    for (const News& n : told)
+      if (n.key.time >= from) foreign.push_back(n);
+    run(until);
+  }
+
+  /// The time of the first news from `from` on in which `told` is not what this run took for true.
+  double first_difference(double from, const std::vector<News>& told) const {
+    auto known = foreign.begin() + first_news(foreign, from);
+    for (const News& n : told) {
+      if (n.key.time < from) continue;
+      if (known == foreign.end()) return n.key.time;
+      if (!(n == *known)) return std::min(n.key.time, known->key.time);
+      ++known;
+    }
+    return known == foreign.end() ? never : known->key.time;
+  }
+
   /// A link with more events than the limit; -1: none. run() stops there.
   int overrun() const { return overrun_; }
 
  private:
-  EventKey key(const Predicted& p) const { return key(p.time, links[p.link]); }
-  EventKey key(double time, const Link& b) const {
-    return {time, bodies[b.i].tag, b.of_wall() ? b.j : bodies[b.j].tag};
+  EventKey key(const Predicted& p) const {
+    const Link& link = links[p.link];
+    return {p.time, p.depth, bodies[link.i].tag, link.of_wall() ? link.j : bodies[link.j].tag};
+  }
+
+  int depth(const Link& link, double time) const {
+    const int of_i = bodies[link.i].flight.depth_at(time);
+    return 1 + (link.of_wall() ? of_i : std::max(of_i, bodies[link.j].flight.depth_at(time)));
   }
 
   void pop() {
@@ -210,15 +231,35 @@ class EventOrder {
         std::push_heap(heap_.begin(), heap_.end(), Later{*this});
   }
 
-  /// Flights before they change, once in a stretch.
-  void put_aside(int body) {
-    if (!rules.reports || bodies[body].saved == stretch_) return;
-    bodies[body].saved = stretch_;
-    put_aside_.push_back({body, bodies[body].flight});
+  static std::ptrdiff_t first_news(const std::vector<News>& all, double from) {
+    return std::find_if(all.begin(), all.end(),
+                        [from](const News& n) { return n.key.time >= from; }) -
+           all.begin();
+  }
+
+  /// What happened from a time on in this stretch has not happened.
+  void take_back(double from) {
+    overrun_ = -1;
+    for (; events.size() > start_ && events.back().key.time >= from; events.pop_back())
+      links[events.back().link].inside = events.back().was_inside;
+    while (!news.empty() && news.back().key.time >= from) news.pop_back();
+    told_ = std::min(told_, static_cast<std::size_t>(first_news(foreign, from)));
+    std::vector<int> touched;
+    for (; !undo_.empty() && undo_.back().time >= from; undo_.pop_back()) {
+      bodies[undo_.back().body].flight = undo_.back().before;
+      touched.push_back(undo_.back().body);
+    }
+    std::sort(touched.begin(), touched.end());
+    touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+    for (const int body : touched) predict_all(body);
+  }
+
+  void remember(int body, double time) {
+    if (rules.reports) undo_.push_back({time, body, bodies[body].flight});
   }
 
   void accept(const News& told) {
-    put_aside(told.body);
+    remember(told.body, told.key.time);
     bodies[told.body].flight = told.flight;
     predict_all(told.body);
   }
@@ -245,20 +286,19 @@ class EventOrder {
     return {relative(link, left).first, partner};
   }
 
-  void carry_out(int n, double time) {
+  void carry_out(int n, const EventKey& when) {
     Link& link = links[n];
-    const double left = dt_ - time;
+    const double left = dt_ - when.time;
     const auto [separation, partner] = other_side(link, left);
     const double distance = norm(separation);
     const Vector3 k{separation.x / distance, separation.y / distance, separation.z / distance};
     Law law = laws[link.law];
     const bool hit = link.next == Surface::core;
-    const bool elastic = hit && (collapses(link.i, time) || collapses(link.j, time));
+    const bool elastic = hit && (collapses(link.i, when.time) || collapses(link.j, when.time));
     if (elastic) law.restitution = 1.0, law.friction = 0.0;
     Impact now = impact(link.next, k, law, bodies[link.i].partner(), partner);
     if (elastic && link.of_wall()) keep_off(link, k, now);
 
-    const EventKey when = key(time, link);
     events.push_back(
         {when, n, elastic, link.inside, distance, separation, bodies[link.i].flight.at(left), now});
     link.inside = now.inside;
@@ -300,13 +340,14 @@ class EventOrder {
   }
 
   void act(int body, int partner, double side, const Impact& now, const EventKey& when, bool hit) {
-    put_aside(body);
+    remember(body, when.time);
     Body& b = bodies[body];
     const Vector3 change = (side * b.inverse_mass) * now.on_j;
     b.flight.velocity += change;
     b.flight.end += (dt_ - when.time) * change;
     b.flight.spin -= (b.radius * b.inverse_inertia) * now.twist;
     b.flight.since = when.time;
+    b.flight.depth = when.depth;
     b.flight.collisions += hit;
     if (hit) b.flight.hit = when.time;
     b.flight.events++;
@@ -317,9 +358,9 @@ class EventOrder {
   std::vector<int> first_,
       of_body_;  // links of body i: of_body_[first_[i]] ... [first_[i + 1] - 1]
   std::vector<Predicted> heap_;
-  std::vector<std::pair<int, Flight> > put_aside_;
-  std::size_t start_ = 0;  // of the stretch, in `events`
-  unsigned stretch_ = 0;
+  std::vector<Undo> undo_;  // of this stretch, with rules.reports
+  std::size_t told_ = 0;    // news that have been taken in
+  std::size_t start_ = 0;   // of the stretch, in `events`
   int overrun_ = -1;
 };
 
