@@ -196,8 +196,8 @@ class RanksAndRestart(unittest.TestCase):
 
     def test_bed_where_the_rule_against_collapse_acts(self):
         gas = Gas(100, 0.5, 2, (0.4, 0.6), seed=3)
-        table = self.same(gas, [f"* * restitution 0.3 friction 0.3 well {DEPTH} {RATIO}"], 0.02, 150,
-                          (2, 4), 1e4, skin=1.0, boundary="p f p",
+        table = self.same(gas, [f"* * restitution 0.3 friction 0.3 well {DEPTH} {RATIO}"], 0.02, 40,
+                          (2, 4), 5e3, skin=1.0, boundary="p f p",
                           more=["fix down all gravity 5.0 vector 0 -1 0",
                                 "fix sides all wall/hard/square_well restitution 0.3 friction 0.3 "
                                 f"yplane 0 {gas.length:.17g}"])
