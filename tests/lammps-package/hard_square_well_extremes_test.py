@@ -1,0 +1,473 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What breaks naive codes, under pair_style hard/square_well: many events in one step, thin wells,
+grazing passes, captured pairs and triples, corners, inelastic collapse, input that cannot work."""
+import math
+import re
+import unittest
+
+import numpy
+
+import hard_spheres as hard
+import lammps_engine as engine
+from event_driven_reference import Plane, Reference
+from hard_encounter import encounter
+
+BOX = 3 * [(0.0, 20.0)]
+
+
+def follow(atoms, pair, dt, steps, box=BOX, style="record events.txt", **options):
+    """Path, events, thermo columns, output."""
+    with engine.temporary_folder() as folder:
+        engine.write_spheres(folder, atoms, box, max(atom["type"] for atom in atoms))
+        path, table, output = hard.run(folder, pair, dt, steps, style=style, **options)
+        return path, hard.recorded(folder) if "record" in style else [], table, output
+
+
+def refused(case, atoms, pair, dt=0.01, steps=10, box=BOX, **options):
+    """The output, LAMMPS' sentence among it; ends with an error."""
+    with engine.temporary_folder() as folder:
+        engine.write_spheres(folder, atoms, box, 1)
+        code, output = hard.start(folder, pair, dt, steps, **options)
+    case.assertNotEqual(code, 0, output[-1000:])
+    case.assertIn("ERROR", output)
+    return output[output.index("ERROR"):]
+
+
+def like_reference(case, atoms, pair, exact, dt, steps, tolerance, **options):
+    """Events and ends; gives the table."""
+    exact.run(dt * steps)
+    path, events, table, _ = follow(atoms, pair, dt, steps, **options)
+    case.assertEqual([event.kind.replace("wall_", "") for event in events],
+                     [event.kind for event in exact.events])
+    numpy.testing.assert_allclose(hard.times(events, dt), [event.time for event in exact.events],
+                                  rtol=0, atol=tolerance)
+    apart = exact.apart(path[-1, :, 1:4] - exact.place(dt * steps))
+    numpy.testing.assert_allclose(apart, 0, rtol=0, atol=tolerance)
+    numpy.testing.assert_allclose(path[-1, :, 4:7], exact.v, rtol=0, atol=tolerance)
+    return table
+
+
+class OneStep(unittest.TestCase):
+    def test_cradle(self):
+        """The first of five in a row strikes; the last leaves: four events within a step of 5, each
+        particle's two within 0.1. Speeds and times are exact but for round-off."""
+        places = [2.0, 4.0, 5.1, 6.2, 7.3]
+        atoms = [hard.atom((x, 10, 10), (1.0 if x == 2 else 0.0, 0, 0)) for x in places]
+        path, events, table, _ = follow(atoms, ["* * restitution 1"], 5.0, 1, skin=12.0)
+        numpy.testing.assert_allclose(path[-1, :, 1], [3.0, 4.1, 5.2, 6.3, 7.3 + 5 - 1.3], rtol=0,
+                                      atol=1e-14)
+        numpy.testing.assert_array_equal(path[-1, :, 4], [0, 0, 0, 0, 1.0])
+        numpy.testing.assert_allclose(hard.times(events, 5.0), [1.0, 1.1, 1.2, 1.3], rtol=0, atol=1e-14)
+        # The second to the fourth: two each.
+        self.assertEqual(table["c_events[18]"][-1], 2)
+
+    def test_cradle_of_touching_particles(self):
+        """As they hang in a toy: distances are the sum of radii to round-off, more or less of it. All
+        four strikes at once, in the order of the row, and again when the row is struck back."""
+        for first in (4.0, 4.1, 4.3, 4.7):
+            for ranks in (1, 2):
+                with self.subTest(first=first, ranks=ranks):
+                    places = [2.0, *(first + n for n in range(4)), 15.0]
+                    speeds = [1.0, 0, 0, 0, 0, -1.0]
+                    atoms = [hard.atom((x, 10, 10), (v, 0, 0)) for x, v in zip(places, speeds)]
+                    path, events, _, _ = follow(atoms, ["* * restitution 1"], 2.0, 4, skin=8.0,
+                                                ranks=ranks)
+                    pairs = [(event.i, event.j) for event in events]
+                    self.assertEqual(sorted(pairs[:4]), [(1, 2), (2, 3), (3, 4), (4, 5)])
+                    numpy.testing.assert_allclose(hard.times(events[:4], 2.0), first - 3, rtol=0,
+                                                  atol=1e-14)
+                    # The last of the row and the one that comes meet half-way and exchange speeds,
+                    # then the row is struck from the right, and its first leaves.
+                    self.assertEqual(pairs[4], (5, 6))
+                    self.assertEqual(sorted(pairs[5:]), [(1, 2), (2, 3), (3, 4), (4, 5)])
+                    numpy.testing.assert_allclose(path[-1, :, 4], [-1, 0, 0, 0, 0, 1], rtol=0,
+                                                  atol=1e-15)
+
+    def test_third_particle_comes_first(self):
+        """A pair that would meet at 1.0 is parted by a third that strikes one of them at 0.5."""
+        atoms = [hard.atom((5.0, 10, 10), (1.0, 0, 0)), hard.atom((8.0, 10, 10), (-1.0, 0, 0)),
+                 hard.atom((8.3, 12.0, 10), (-1.0, -2.0, 0))]
+        exact = Reference([atom["x"] for atom in atoms], [atom["v"] for atom in atoms], 0.5, 1.0,
+                          3 * [20.0])
+        like_reference(self, atoms, ["* * restitution 1"], exact, 2.0, 1, 1e-13, skin=12.0)
+        self.assertEqual((exact.events[0].particle, exact.events[0].partner), (1, 2))
+        self.assertNotIn((0, 1), [(event.particle, event.partner) for event in exact.events])
+
+    def test_many_events_on_few(self):
+        """Eight discs with wells in a small box, ten events in a step, in which they fly up to nine
+        tenths of a box length. Paths part by factors of up to 10 a collision: the reference, moved
+        by round-off, stays within 1e-10."""
+        random = numpy.random.default_rng(3)
+        grid = numpy.array(numpy.meshgrid([1.0, 3.0, 5.0], [1.0, 3.0, 5.0])).reshape(2, -1).T[:8]
+        x = numpy.c_[grid, numpy.zeros(8)]
+        v = numpy.c_[random.normal(size=(8, 2)), numpy.zeros(8)]
+        atoms = [hard.atom(*row) for row in zip(x, v)]
+        exact = Reference(x, v, 0.5, 1.0, [6.0, 6.0, math.inf], 0.9, 0.0, 0.2, 1.2)
+        twin = Reference(x + 2e-15, v * (1 + 1e-15), 0.5, 1.0, [6.0, 6.0, math.inf], 0.9, 0.0, 0.2,
+                         1.2)
+        twin.run(3.2)
+        table = like_reference(self, atoms, ["* * restitution 0.9 well 0.2 1.2"], exact, 1.6, 2, 1e-9,
+                               box=[(0.0, 6.0), (0.0, 6.0), (-0.5, 0.5)], dimension=2, skin=30.0)
+        self.assertLess(abs(twin.place(3.2) - exact.place(3.2) - 2e-15).max(), 1e-10)
+        self.assertGreater(len(exact.events), 40)
+        self.assertGreater(table["c_events[18]"][-1], 6)
+
+
+class Order(unittest.TestCase):
+    """What comes first is decided by chains of events that reach farther than any particle's neighbours,
+    on any number of ranks."""
+    # On the first's left, 0.833 s away, one that comes slowly; on its right a chain that strikes it at
+    # 0.75: it begins beyond the reach of the neighbour list, 1 + 1.25 skin.
+    PLACES = numpy.array([-1.1, 0.0, 1.1, 2.2, 3.3])
+    SPEEDS = numpy.array([0.12, 0.0, 0.0, 0.0, -0.4])
+
+    # All around where ranks meet, and across the periodic boundary.
+    MIDDLES = (-1.7, 0.3, 7.9, 8.6, 9.4, 10.0, 10.9, 19.2)
+
+    def chain(self, ranks):
+        for axis in range(3):
+            x, v = numpy.full((len(self.MIDDLES), 5, 3), 9.7), numpy.zeros((len(self.MIDDLES), 5, 3))
+            for n, middle in enumerate(self.MIDDLES):
+                x[n, :, axis] = (self.PLACES + middle) % 20
+                x[n, :, axis - 1] = 1.0 + 2.4 * n
+                v[n, :, axis] = self.SPEEDS
+            x, v = x.reshape(-1, 3), v.reshape(-1, 3)
+            exact = Reference(x, v, 0.5, 1.0, 3 * [20.0])
+            with self.subTest(axis=axis):
+                like_reference(self, [hard.atom(*row) for row in zip(x, v)], ["* * restitution 1"],
+                               exact, 1.0, 2, 1e-13, skin=0.8, ranks=ranks)
+                self.assertEqual([(event.particle, event.partner) for event in exact.events
+                                  if event.particle < 5][:4], [(3, 4), (2, 3), (1, 2), (0, 1)])
+
+    def test_chain(self):
+        self.chain(1)
+
+    def test_chain_on_two_ranks(self):
+        self.chain(2)
+
+    def test_chain_on_four_ranks(self):
+        self.chain(4)
+
+
+class ThinWell(unittest.TestCase):
+    def test_passes_through_in_one_step(self):
+        """Wells of 1e-3 to 1e-9 of the size, crossed in a step of a flight of 0.7. The time within is
+        known to the round-off of places up to 20, 4e-15, over speeds of order one."""
+        for ratio in (1 + 1e-3, 1 + 1e-6, 1 + 1e-9):
+            atoms = [hard.atom((5.0, 10, 10), (0, 0, 0)), hard.atom((6.3, 10, 10), (-1.4, 0, 0))]
+            path, events, _, _ = follow(atoms, [f"* * restitution 0.9 well 0.05 {ratio:.17g}"], 0.5, 2,
+                                        skin=6.0)
+            meeting = encounter(1.4, 0.0, 1.0, ratio, 0.2, 0.9)
+            self.assertEqual([event.kind for event in events], meeting.kinds)
+            numpy.testing.assert_allclose(hard.times(events, 0.5), (1.3 - ratio) / 1.4
+                                          + numpy.array(meeting.times), rtol=0, atol=1e-14)
+            away = meeting.velocity[0]
+            self.assertAlmostEqual(path[-1, 0, 4], -0.7 - 0.5 * abs(away), delta=1e-14)
+            self.assertAlmostEqual(path[-1, 1, 4], -0.7 + 0.5 * abs(away), delta=1e-14)
+
+    def test_captured(self):
+        """An elastic pair within a well of 1e-4, relative speed 0.7 below 2: rattles 1750 times a step
+        of 0.5, and neither parts nor loses energy: round-off of 1e-16 an event, 3.5e4 of them."""
+        atoms = [hard.atom((5.0, 10, 10), (0.35, 0, 0)), hard.atom((6.00005, 10, 10), (-0.35, 0, 0))]
+        path, _, table, _ = follow(atoms, ["* * restitution 1 well 1 1.0001"], 0.5, 20, skin=3.0,
+                                   style="collapse off", every=1)
+        distance = path[:, 1, 1] - path[:, 0, 1]
+        self.assertTrue((distance > 1 - 1e-14).all() and (distance < 1.0001 + 1e-14).all())
+        self.assertLess(abs(table["KinEng"] - 0.35**2).max(), 1e-12)
+        self.assertEqual(hard.counts(table)["escape"][-1], 0)
+        # 0.7*10/2e-4 returns.
+        self.assertAlmostEqual(hard.counts(table)["capture"][-1], 35000, delta=1)
+
+
+class Grazing(unittest.TestCase):
+    """Passes that miss or touch a surface by 10^-n of its radius. The normal part of the speed there is
+    sqrt(2 10^-n) of it, and is known to 1e-14/sqrt(2 10^-n), from places of up to 20 and 60 steps."""
+
+    def passes(self, surface, core, edge, steps=60):
+        """(relative distance from the surface, kinds, velocity) of each."""
+        atoms, margins = [], [sign * 10.0**-n for n in range(3, 13) for sign in (-1, 1)]
+        for n, margin in enumerate(margins):
+            centre = numpy.array([2.0 + 4 * (n % 5), 2.0 + 4 * (n // 5), 2.0])
+            atoms += [hard.atom(centre, (0, 0, 0), core / 2),
+                      hard.atom(centre + [-1.9, surface * (1 + margin), 0], (1.0, 0, 0), core / 2)]
+        well = f"well 0.1 {edge / core}" if edge > core else ""
+        path, events, table, _ = follow(atoms, [f"* * restitution 1 {well}"], 0.06, steps)
+        total = table["KinEng"] + table["PotEng"]
+        self.assertLess(abs(total - total[0]).max(), 1e-13)
+        for n, margin in enumerate(margins):
+            yield (margin, [event.kind for event in events if event.i == 2 * n + 1],
+                   path[-1, 2 * n + 1, 4:7] - path[-1, 2 * n, 4:7])
+
+    def test_core(self):
+        for margin, kinds, velocity in self.passes(1.0, 1.0, 1.0):
+            self.assertEqual(kinds, ["collision"] if margin < 0 else [], margin)
+            expected = numpy.array([1.0, 0.0, 0.0])
+            if margin < 0:
+                normal = math.sqrt(1 - (1 + margin)**2)
+                expected += 2 * normal * numpy.array([-normal, 1 + margin, 0.0])
+            numpy.testing.assert_allclose(velocity, expected, rtol=0,
+                                          atol=3e-14 / math.sqrt(abs(margin)))
+
+    def test_edge(self):
+        """Just within, the pair is refracted by a finite angle and let go again; never captured."""
+        for margin, kinds, velocity in self.passes(1.2, 0.6, 1.2):
+            expected = [1.0, 0.0]
+            if margin < 0:
+                meeting = encounter(1.0, 1.2 * (1 + margin), 0.6, 1.2, 0.4, 1.0)
+                self.assertEqual(kinds, meeting.kinds, margin)
+                expected = meeting.velocity
+            else:
+                self.assertEqual(kinds, [], margin)
+            numpy.testing.assert_allclose(velocity[:2], expected, rtol=0,
+                                          atol=2e-13 / math.sqrt(abs(margin)))
+
+    def test_core_within_a_well(self):
+        # The offset that just touches the core after refraction: core sqrt(1 + well).
+        for margin, kinds, _ in self.passes(0.6 * math.sqrt(1.4), 0.6, 1.2):
+            self.assertEqual(kinds, ["approach", *(["collision"] if margin < 0 else []), "escape"])
+
+
+class Captured(unittest.TestCase):
+    STEPS = 1000000
+
+    def test_falls_freely(self):
+        """Under gravity along and across the line of centres, the motion of the pair within itself is
+        what it is without: energy to the round-off of velocities of up to 5, 9e-16 a step by chance,
+        times the relative speed: 2e-13 over all; with restitution it never grows."""
+        for restitution in (1.0, 0.7):
+            for way in ("1 0 0", "0 1 0"):
+                with self.subTest(restitution=restitution, way=way):
+                    fall = numpy.array([float(word) for word in way.split()])
+                    v = -0.5 * self.STEPS * 1e-5 * fall
+                    atoms = [hard.atom((10, 10, 10), v + [0.1, 0.05, 0]),
+                             hard.atom((11.03, 10, 10), v - [0.1, 0.05, 0])]
+                    path, _, table, _ = follow(
+                        atoms, [f"* * restitution {restitution} well 1 1.05"], 0.01, self.STEPS,
+                        style="", skin=1.0, every=self.STEPS // 100,
+                        more=[f"fix down all gravity 0.001 vector {way}"])
+                    inner = ((path[:, 1, 4:7] - path[:, 0, 4:7])**2).sum(axis=1) / 4
+                    self.assertLess(numpy.diff(inner).max(), 1e-12)
+                    if restitution == 1:
+                        self.assertLess(abs(inner - inner[0]).max(), 1e-12)
+                    else:
+                        self.assertLess(inner[-1], 0.9 * inner[0])
+                    counts = hard.counts(table)
+                    self.assertEqual(counts["approach"][-1] + counts["escape"][-1], 0)
+                    self.assertGreater(counts["capture"][-1], 100)
+                    apart = path[:, 1, 1:4] - path[:, 0, 1:4]
+                    apart -= 20 * numpy.rint(apart / 20)
+                    distance = numpy.linalg.norm(apart, axis=1)
+                    self.assertTrue((distance < 1.05 + 1e-12).all() and (distance > 1 - 1e-12).all())
+
+    def test_hangs_on_a_fixed_particle(self):
+        """Gravity pulls out of the well and across; the first particle does not move, as if of infinite
+        mass. Between events a step keeps v^2/2 + g x; an event at the fraction s of a step changes it by
+        (1/2 - s) g dt times the change of velocity: at most g dt v, either way by chance, so that of
+        n events is left g dt v sqrt(n/3); four times that, with the largest speed."""
+        gravity, dt, mass = 0.01, 0.01, 2.0
+        for way in ((1, 0, 0), (0, 1, 0)):
+            with self.subTest(way=way):
+                atoms = [hard.atom((10, 10, 10), (0, 0, 0)),
+                         hard.atom((11.02, 10, 10), (0.1, 0.05, 0), mass=mass)]
+                path, _, table, _ = follow(
+                    atoms, ["* * restitution 0.8 well 1 1.05"], dt, self.STEPS, style="", skin=1.0,
+                    every=self.STEPS // 1000,
+                    more=[f"fix down moving gravity {gravity} vector {way[0]} {way[1]} {way[2]}"],
+                    group="moving", before=["group moving id 2"])
+                numpy.testing.assert_array_equal(path[:, 0, 1:7],
+                                                 numpy.tile([10, 10, 10, 0, 0, 0.0], (len(path), 1)))
+                energy = mass * ((path[:, 1, 4:7]**2).sum(axis=1) / 2
+                                 - gravity * path[:, 1, 1:4] @ numpy.array(way))
+                counts = hard.counts(table)
+                events = sum(counts.values())
+                speed = numpy.linalg.norm(path[:, 1, 4:7], axis=1).max()
+                allowed = 4 * mass * gravity * dt * speed * numpy.sqrt(events / 3) + 1e-13
+                self.assertTrue((energy - energy[0] < allowed).all())
+                self.assertEqual(counts["escape"][-1], 0)
+                self.assertGreater(counts["collision"][-1], 10)
+                self.assertLess(energy[-1], energy[0] - 1e-3)
+                distance = numpy.linalg.norm(path[:, 1, 1:4] - path[:, 0, 1:4], axis=1)
+                self.assertTrue((distance < 1.05 + 1e-12).all() and (distance > 1 - 1e-12).all())
+
+    def three(self):
+        """Inside each other's wells, with less energy than it takes to part two of them, D."""
+        x = numpy.array([[9.5, 10, 10], [10.55, 10, 10], [10.0, 10.93, 10]])
+        v = numpy.array([[0.3, 0.2, 0.1], [-0.4, 0.1, -0.2], [0.1, -0.3, 0.1]])
+        return x, v, [hard.atom(*row) for row in zip(x, v)]
+
+    def test_three_against_the_reference(self):
+        """100 events or so, until the reference itself, moved by 1e-15, is off by 1e-9."""
+        x, v, atoms = self.three()
+        exact = Reference(x, v, 0.5, 1.0, 3 * [20.0], depth=1.0, ratio=1.2)
+        away = 1e-15 * numpy.arange(9).reshape(3, 3)
+        twin = Reference(x + away, v, 0.5, 1.0, 3 * [20.0], depth=1.0, ratio=1.2)
+        time = 0.0
+        while abs(twin.place(time) - exact.place(time)).max() < 1e-10:
+            time += 0.5
+            exact.run(time)
+            twin.run(time)
+        steps = int(2 * time) - 1
+        exact = Reference(x, v, 0.5, 1.0, 3 * [20.0], depth=1.0, ratio=1.2)
+        like_reference(self, atoms, ["* * restitution 1 well 1 1.2"], exact, 0.5, steps, 1e-9, skin=4.0)
+        self.assertGreater(len(exact.events), 20)
+
+    def test_three_stay(self):
+        _, v, atoms = self.three()
+        self.assertLess((v**2).sum() / 2, 1.0)
+        path, _, table, _ = follow(atoms, ["* * restitution 1 well 1 1.2"], 0.02, self.STEPS, style="",
+                                   skin=1.0, every=self.STEPS // 100)
+        total = table["KinEng"] + table["PotEng"]
+        self.assertLess(abs(total - total[0]).max(), 1e-11)
+        self.assertEqual(hard.counts(table)["escape"][-1], 0)
+        self.assertGreater(hard.counts(table)["capture"][-1], 500)
+
+
+class Corner(unittest.TestCase):
+    """Planes act along their own axes, so events that happen together may do so in any order. Places of
+    up to 10 and 60 steps: 5e-14."""
+
+    def into(self, x, v, words, plane, dimension=3):
+        axes = range(dimension)
+        planes = [Plane(axis, place, side, *plane) for axis in axes
+                  for place, side in ((0.0, 1), (10.0, -1))]
+        exact = Reference([x], [v], 0.5, 1.0, 3 * [math.inf], planes=planes)
+        exact.run(3.0)
+        more = [f"fix side{axis} all wall/hard/square_well {words} {'xyz'[axis]}plane 0 10"
+                for axis in axes]
+        path, events, _, _ = follow([hard.atom(x, v)], ["* * restitution 1 well 0.1 1.2"], 0.05, 60,
+                                    box=dimension * [(0.0, 10.0)] + (3 - dimension) * [(-0.5, 0.5)],
+                                    boundary=" ".join(dimension * "f" + (3 - dimension) * "p"),
+                                    dimension=dimension, more=more)
+        self.assertEqual(sorted(event.kind for event in events),
+                         sorted("wall_" + event.kind for event in exact.events))
+        self.assertGreaterEqual(len(exact.events), dimension)
+        numpy.testing.assert_allclose(path[-1, 0, 1:4], exact.place(3.0)[0], rtol=0, atol=1e-13)
+        numpy.testing.assert_allclose(path[-1, 0, 4:7], exact.v[0], rtol=0, atol=1e-13)
+
+    def test_straight_in(self):
+        for v in (1.0, 0.4):
+            self.into((1.5, 1.5, 1.5), (-v, -v, -v), "restitution 0.8", (0.8, 0.0, 0.2, 1.2))
+            self.into((8.5, 1.5, 0.0), (v, -v, 0.0), "restitution 0.8", (0.8, 0.0, 0.2, 1.2), 2)
+
+    def test_nearly_straight_in(self):
+        self.into((1.5, 1.5 + 1e-13, 8.5), (-1.0, -1.0 - 1e-14, 1.0), "restitution 0.9",
+                  (0.9, 0.0, 0.2, 1.2))
+
+    def test_captured_by_two_hard_walls(self):
+        self.into((0.55, 0.58, 5.0), (-0.2, 0.1, 0.0), "restitution 1 well 1 1.2",
+                  (1.0, 0.0, 1.0, 1.2))
+
+
+class Collapse(unittest.TestCase):
+    """A row pressed on a wall with e = 0.1 has infinitely many collisions within a finite time."""
+
+    def row(self, style, **options):
+        atoms = [hard.atom((0.51 + 1.01 * n, 10, 10), (-1.0, 0, 0)) for n in range(10)]
+        box = [(0.0, 20.0)] * 3
+        more = ["fix down all gravity 1.0 vector -1 0 0",
+                "fix floor all wall/hard/square_well restitution 0.1 xplane 0 20"]
+        return atoms, ["* * restitution 0.1"], {"box": box, "style": style, "more": more,
+                                                "boundary": "f p p", **options}
+
+    def test_rule_acts_is_counted_and_the_run_goes_on(self):
+        atoms, pair, options = self.row("")
+        path, _, table, output = follow(atoms, pair, 0.01, 2000, every=10, **options)
+        elastic = table["c_events[17]"] + table["c_events[35]"] if "c_events[35]" in table else (
+            table["c_events[17]"])
+        self.assertGreater(elastic[-1], 0)
+        self.assertEqual(len(re.findall("WARNING.*collapse", output)), 1, output[-2000:])
+        self.assertLessEqual(table["c_events[18]"].max(), 100000)
+        x = path[:, :, 1]
+        self.assertGreater(x[:, 0].min(), 0.5 - 1e-12)
+        self.assertGreater(numpy.diff(x, axis=1).min(), 1 - 1e-12)
+        # Settles: speeds of g dt are what the steps of gravity keep going.
+        energy = (path[:, :, 4]**2).sum(axis=1) / 2 + x.sum(axis=1)
+        self.assertLess(energy.max(), energy[0] + 1e-12)
+        self.assertLess(abs(path[-1, :, 4]).max(), 0.1)
+
+    def test_creeping_along_a_cylinder(self):
+        """Inside a cylinder a particle that loses normal speed at each hit has infinitely many within a
+        finite time, though nothing presses it on: 2 R u_n/u_t^2 between two, which sums up. It then
+        runs along the wall, with the speed it has, never farther out than the wall."""
+        inner, turning = 2.6, 1.2 * 1.1 / 2.6
+        atoms = [hard.atom((0.0, 1.2, 0.0), (1.1, 0.0, 0.25), 0.4)]
+        path, _, table, output = follow(
+            atoms, ["* * restitution 1"], 0.37, 400, box=3 * [(-10.0, 10.0)], style="", skin=2.0,
+            boundary="f f p", every=1,
+            more=["fix pipe all wall/hard/square_well restitution 0.7 well off zcylinder 3.0"])
+        across = path[:, 0, 4:6]
+        energy = (across**2).sum(axis=1)
+        self.assertLess(numpy.diff(energy).max(), 1e-14)
+        radius = numpy.linalg.norm(path[:, 0, 1:3], axis=1)
+        self.assertLess(radius.max(), inner + 1e-9)
+        self.assertGreater(radius[200:].min(), inner - 1e-3)
+        # Tangential: what it had, but for what the rule takes for a smallest normal speed.
+        self.assertAlmostEqual(math.sqrt(energy[-1]), turning, delta=0.02 * turning)
+        self.assertGreater(table["c_events[17]"][-1] + table["c_events[33]"][-1], 0)
+        self.assertIn("collapse", output)
+
+    def test_other_number_of_collisions(self):
+        found = {}
+        for style in ("collapse 10", "collapse 1000"):
+            atoms, pair, options = self.row(style)
+            _, _, table, _ = follow(atoms, pair, 0.01, 100, **options)
+            found[style] = table["c_events[18]"][-1]
+        self.assertLess(found["collapse 10"], found["collapse 1000"])
+        self.assertGreater(found["collapse 1000"], 1000)
+
+    def test_limit_stops_with_the_pair_named(self):
+        atoms, pair, options = self.row("collapse off limit 1000")
+        output = refused(self, atoms, pair, 0.01, 2000, **options)
+        self.assertIn("1000", output)
+        self.assertRegex(output, r"\b(10|[1-9])\b.*\b(10|[1-9])\b")
+        self.assertIn("step", output)
+
+
+class Input(unittest.TestCase):
+    ATOMS = [hard.atom((5, 10, 10), (1, 0, 0)), hard.atom((8, 10, 10), (-1, 0, 0))]
+
+    def refuse(self, words, pattern, **options):
+        self.assertRegex(refused(self, self.ATOMS, [words], **options), pattern)
+
+    def test_well_as_wide_as_the_core(self):
+        self.refuse("* * restitution 1 well 1 1", "(?i)ratio.*infinit")
+
+    def test_without_depth_it_may_be(self):
+        # A depth of 0 is no well: nothing at the edge.
+        _, events, _, _ = follow(self.ATOMS, ["* * restitution 1 well 0 1.5"], 0.1, 20)
+        self.assertEqual([event.kind for event in events], ["collision"])
+        self.assertAlmostEqual(hard.times(events, 0.1)[0], 1.0, delta=2e-14)
+
+    def test_well_within_the_core(self):
+        self.refuse("* * restitution 1 well 1 0.9", "0.9")
+
+    def test_numbers_that_make_no_sense(self):
+        for words in ("restitution -0.1", "restitution 1.1", "restitution nan", "restitution inf",
+                      "restitution 1 well -1 1.1", "restitution 1 well nan 1.1",
+                      "restitution 1 well 1 inf", "restitution 1 friction -0.2", "well 1 1.1",
+                      "restitution 1 sticky 2", "restitution"):
+            with self.subTest(words=words):
+                refused(self, self.ATOMS, ["* * " + words])
+
+    def test_flight_farther_than_the_list_reaches(self):
+        """Refused with the numbers, rather than missed: 30 in a step."""
+        atoms = [hard.atom((5, 10, 10), (30, 0, 0)), hard.atom((8, 10, 10), (-1, 0, 0))]
+        self.assertRegex(refused(self, atoms, ["* * restitution 1"], dt=1.0, skin=0.3), r"\b30\b")
+
+    def test_flight_farther_than_the_box(self):
+        atoms = [hard.atom((5, 10, 10), (30, 0, 0)), hard.atom((8, 10, 10), (-1, 0, 0))]
+        self.assertRegex(refused(self, atoms, ["* * restitution 1"], dt=1.0, skin=60.0),
+                         r"30\b.* 20\b")
+
+    def test_overlapping_start(self):
+        """A start within the core is an error, or is left to part: it does not gain energy."""
+        atoms = [hard.atom((5, 10, 10), (0.1, 0, 0)), hard.atom((5.9, 10, 10), (-0.1, 0, 0))]
+        with engine.temporary_folder() as folder:
+            engine.write_spheres(folder, atoms, BOX, 1)
+            code, output = hard.start(folder, ["* * restitution 1"], 0.01, 10)
+            if code == 0:
+                self.assertAlmostEqual(hard.columns(output)["KinEng"][-1], 0.01, delta=1e-15)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,634 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Two particles, and one and a wall, under pair_style hard/square_well: every impulse law against
+closed forms, many couples in one box."""
+import math
+import unittest
+from collections import defaultdict
+
+import numpy
+from scipy.optimize import brentq
+
+import hard_spheres as hard
+import lammps_engine as engine
+from event_driven_reference import Plane, Reference
+from hard_encounter import encounter
+
+CELL, SIDE = 12.0, 6
+
+
+class Couple:
+    """Two particles that meet in a cell of their own. `toward`: the second moves along `way` relative
+    to the first, `offset` beside it along `aside`, and reaches the edge after `entry` seconds."""
+
+    def __init__(self, number, speed, offset, core, edge, masses=(1.0, 1.0), entry=0.123,
+                 way=(1.0, 0.0, 0.0), aside=(0.0, 1.0, 0.0), kind=1, spins=((0, 0, 0), (0, 0, 0)),
+                 drift=(0.0, 0.0, 0.0), share=0.5):
+        self.speed, self.offset, self.core, self.edge = speed, offset, core, edge
+        self.entry, self.masses = entry, masses
+        self.mu = masses[0] * masses[1] / sum(masses)
+        self.axes = numpy.array([way, aside, numpy.cross(way, aside)])
+        self.radii = share * core, core - share * core
+        centre = CELL * (numpy.array([number % SIDE, number // SIDE % SIDE, number // SIDE**2]) + 0.5)
+        along = math.sqrt(edge**2 - offset**2) + speed * entry
+        r = -along * self.axes[0] + offset * self.axes[1]
+        u = speed * self.axes[0]
+        parts = numpy.array([-masses[1], masses[0]])[:, None] / sum(masses)
+        self.x, self.v = centre + parts * r, numpy.array(drift) + parts * u
+        self.spins = numpy.array(spins, float)
+        self.atoms = [hard.atom(x, v, radius, mass, kind, spin) for x, v, radius, mass, spin in
+                      zip(self.x, self.v, self.radii, masses, self.spins)]
+
+    def energy(self, v, spin, inertia=0.4):
+        return sum(0.5 * m * (a @ a) + 0.5 * inertia * m * r * r * (w @ w)
+                   for m, r, a, w in zip(self.masses, self.radii, v, spin))
+
+
+def turned(random):
+    """Two unit vectors at right angles."""
+    return numpy.linalg.qr(random.normal(size=(3, 3)))[0][:2]
+
+
+def follow(couples, pair, dt, steps, dimension=3, types=1, more=(), **options):
+    """Path (snapshots, couples, 2, columns), recorded events by couple, thermo columns."""
+    with engine.temporary_folder() as folder:
+        atoms = [atom for couple in couples for atom in couple.atoms]
+        depth = -(-len(couples) // SIDE**2)
+        flat = [(-0.5, 0.5)] if dimension == 2 else [(0.0, CELL * depth)]
+        engine.write_spheres(folder, atoms, 2 * [(0.0, CELL * SIDE)] + flat, types)
+        path, table, _ = hard.run(folder, pair, dt, steps, style="record events.txt",
+                                  dimension=dimension, more=more, **options)
+        events = defaultdict(list)
+        for event in hard.recorded(folder):
+            events[(event.i - 1) // 2].append(event)
+        return path.reshape(len(path), -1, 2, 13), events, table
+
+
+def relative(couple, snapshot):
+    """Place and velocity of the second to the first, in the couple's axes."""
+    return [couple.axes @ (snapshot[1, columns] - snapshot[0, columns])
+            for columns in (slice(1, 4), slice(4, 7))]
+
+
+class Laws(unittest.TestCase):
+    """200 couples of any masses, radii, directions; wells from 1.01 to 1.5 of the size.
+
+    Tolerance: LAMMPS moves coordinates of up to 72, half a unit in the last place is 7e-15, 48 times:
+    4e-13 at the worst in the offset and, over a time of order one, in the speed. What the closed
+    form changes by for that, and twice that for the numbers themselves."""
+    RATIOS, RESTITUTION, DEPTH = (1.01, 1.1, 1.5), 0.7, 0.4
+    DT, STEPS, ERROR = 0.05, 48, 4e-13
+
+    @classmethod
+    def setUpClass(cls):
+        random = numpy.random.default_rng(5)
+        cls.couples, cls.meetings = [], []
+        while len(cls.couples) < 200:
+            kind = len(cls.couples) % 3
+            core = random.uniform(0.8, 1.2)
+            edge = cls.RATIOS[kind] * core
+            way, aside = turned(random)
+            couple = Couple(len(cls.couples), random.uniform(1.2, 1.8), edge * random.uniform(0, 0.98),
+                            core, edge, random.uniform(0.5, 2.0, 2), random.uniform(0.02, 0.3), way,
+                            aside, kind + 1, drift=random.uniform(-0.2, 0.2, 3),
+                            share=random.uniform(0.35, 0.65))
+            # Not those that just touch or just part: these are cases of their own.
+            margins = [cls.meeting(couple, *part) for part in ((-0.03, 0), (0.03, 0), (0, 0.03),
+                                                               (0, -0.03))]
+            meeting = cls.meeting(couple)
+            if (len({tuple(meeting.kinds) for meeting in margins}) == 1
+                    and couple.entry + meeting.times[-1] < 0.95 * cls.DT * cls.STEPS):
+                cls.couples.append(couple)
+                cls.meetings.append(meeting)
+        pair = [f"{kind} {kind} restitution {cls.RESTITUTION} well {cls.DEPTH} {ratio}"
+                for kind, ratio in enumerate(cls.RATIOS, 1)]
+        cls.path, cls.events, cls.table = follow(cls.couples, pair, cls.DT, cls.STEPS, types=3,
+                                                 every=1)
+
+    @classmethod
+    def meeting(cls, couple, aside=0.0, faster=0.0):
+        return encounter(couple.speed * (1 + faster),
+                         min(abs(couple.offset + aside * couple.core), 0.9999 * couple.edge),
+                         couple.core, couple.edge, 2 * cls.DEPTH / couple.mu, cls.RESTITUTION)
+
+    def allowed(self, couple, quantity):
+        """Error of a quantity of the closed form."""
+        h = 1e-6
+        aside = quantity(self.meeting(couple, h)) - quantity(self.meeting(couple, -h))
+        faster = quantity(self.meeting(couple, 0, h)) - quantity(self.meeting(couple, 0, -h))
+        return self.ERROR * (2 + (numpy.abs(aside) + numpy.abs(faster)).max() / (2 * h))
+
+    def test_all_kinds_are_there(self):
+        kinds = [tuple(meeting.kinds) for meeting in self.meetings]
+        for path in (("approach", "escape"), ("approach", "collision", "escape"),
+                     ("approach", "collision", "capture")):
+            self.assertGreater(kinds.count(path), 5, path)
+
+    def test_kinds_and_times(self):
+        for number, (couple, meeting) in enumerate(zip(self.couples, self.meetings)):
+            seen = self.events[number]
+            self.assertEqual([event.kind for event in seen[:len(meeting.kinds)]], meeting.kinds)
+            if meeting.kinds[-1] == "escape":
+                self.assertEqual(len(seen), len(meeting.kinds))
+            error = hard.times(seen[:len(meeting.times)], self.DT) - couple.entry - meeting.times
+            allowed = self.allowed(couple, lambda meeting: numpy.array(meeting.times))
+            self.assertLess(abs(error).max(), allowed + self.ERROR / couple.speed * couple.edge
+                            / math.sqrt(couple.edge**2 - couple.offset**2))
+
+    def test_where_they_go(self):
+        duration = self.DT * self.STEPS
+        for number, (couple, meeting) in enumerate(zip(self.couples, self.meetings)):
+            if meeting.kinds[-1] != "escape":
+                continue
+            place, velocity = relative(couple, self.path[-1, number])
+
+            def end(meeting, couple=couple):
+                left = duration - couple.entry - meeting.times[-1]
+                return numpy.array([*(meeting.place + left * meeting.velocity), 0.0])
+
+            def speed(meeting):
+                return numpy.array([*meeting.velocity, 0.0])
+
+            self.assertLess(abs(velocity - speed(meeting)).max(), self.allowed(couple, speed))
+            self.assertLess(abs(place - end(meeting)).max(), self.allowed(couple, end))
+
+    def test_energy_of_each_event(self):
+        """The change of each step is the sum of its events', +D, -D, 0 and -(1-e^2)/2 mu (k.v)^2, to
+        the round-off of energies of up to 20: 10 operations of 2e-16 of it."""
+        gains = {"approach": self.DEPTH, "escape": -self.DEPTH, "capture": 0.0}
+        for number, (couple, meeting) in enumerate(zip(self.couples, self.meetings)):
+            energy = numpy.array([couple.energy(atoms[:, 4:7], atoms[:, 7:10])
+                                  for atoms in self.path[:, number]])
+            change = numpy.diff(energy)
+            known = self.events[number][:len(meeting.kinds)]
+            later = {event.step for event in self.events[number][len(meeting.kinds):]}
+            expected = numpy.zeros(self.STEPS)
+            strike = 0.0
+            for event in known:
+                if event.kind == "collision":
+                    strike = -0.5 * couple.mu * (1 - self.RESTITUTION**2) * meeting.core[0]**2
+                expected[event.step - 1] += gains.get(event.kind, strike)
+            # The energy of a collision is known as well as its place.
+            round_off = 10 * 2.2e-16 * energy.max()
+            place = self.allowed(couple, lambda meeting: numpy.array(
+                [0.0 if meeting.core is None else meeting.core[0]**2 * couple.mu]))
+            last = min(later, default=self.STEPS + 1)
+            for step in range(last - 1):
+                collides = any(event.step == step + 1 and event.kind == "collision"
+                               for event in known)
+                self.assertLess(abs(change[step] - expected[step]),
+                                round_off + (place if collides else 0.0))
+
+    def test_sums_by_kind(self):
+        """Thermo's energy by kind; 1000 terms of order one."""
+        last = {name: column[-1] for name, column in self.table.items()}
+        counts = {kind: last[f"c_events[{n}]"] for n, kind in enumerate(hard.KINDS, 1)}
+        for kind in hard.KINDS:
+            self.assertEqual(counts[kind], sum(event.kind == kind for events in self.events.values()
+                                               for event in events), kind)
+        energy = {kind: last[f"c_events[{n}]"] for n, kind in enumerate(hard.KINDS, 5)}
+        self.assertAlmostEqual(energy["approach"], self.DEPTH * counts["approach"], delta=1e-11)
+        self.assertAlmostEqual(energy["escape"], -self.DEPTH * counts["escape"], delta=1e-11)
+        self.assertAlmostEqual(energy["capture"], 0.0, delta=1e-11)
+        self.assertAlmostEqual(sum(energy.values()), last["KinEng"] - self.table["KinEng"][0],
+                               delta=1e-11)
+        inside = counts["approach"] - counts["escape"]
+        self.assertAlmostEqual(last["PotEng"], -self.DEPTH * inside, delta=1e-11)
+
+
+class EscapeVelocity(unittest.TestCase):
+    """v_esc = sqrt((2D/mu)(1/e^2-1)), head-on, along an axis, so that only the round-off of the
+    speeds counts: (e v_c)^2 against 2D/mu, of which (1-e^2) is left: some 1e-15/(1-e^2), and
+    half that of v_esc. Couples at v_esc (1 +- 10^-n)."""
+    NEAREST = 13
+
+    def parted(self, restitution, ratio, masses, dt):
+        depth = 0.3
+        mu = masses[0] * masses[1] / sum(masses)
+        exact = math.sqrt(2 * depth / mu * (1 / restitution**2 - 1))
+        margins = [sign * 10.0**-n for n in range(1, self.NEAREST + 1) for sign in (-1, 1)]
+        couples = []
+        for number, margin in enumerate(margins):
+            way = numpy.eye(3)[number % 3]
+            couples.append(Couple(number, exact * (1 + margin), 0.0, 1.0, ratio, masses,
+                                  entry=(0.3 + 0.618 * number % 1) * dt, way=way,
+                                  aside=numpy.eye(3)[number % 3 - 1], share=0.4))
+        steps = math.ceil(1.5 / exact * ratio / dt) if dt < 0.1 else 6
+        _, events, _ = follow(couples, [f"* * restitution {restitution} well {depth} {ratio}"], dt,
+                              steps, skin=2.0)
+        for number, margin in enumerate(margins):
+            kinds = [event.kind for event in events[number][:3]]
+            self.assertEqual(kinds, ["approach", "collision", "escape" if margin > 0 else "capture"],
+                             margin)
+
+    def test_thin_well(self):
+        self.parted(0.9, 1.001, (1.0, 1.0), 0.01)
+
+    def test_wide_well_unequal(self):
+        self.parted(0.6, 1.5, (1.0, 4.0), 0.02)
+
+    def test_well_thinner_than_the_flight_of_a_step(self):
+        self.parted(0.8, 1.0001, (2.0, 1.0), 0.5)
+
+
+class EffectiveRestitution(unittest.TestCase):
+    """W fig. 4.2, D* = 5, e = 0.8, for equal particles. Read as: kinetic energy of the relative motion
+    5 times the depth, 2D/mu = v^2/5; then the limit formula with the normal speed,
+    e_eff^2 = e^2 - (1 - e^2)/(5 (1 - (b/d)^2)), ends by capture at b = 0.942 d, within the offsets
+    of the figure."""
+    RESTITUTION, STAR = 0.8, 5.0
+    OFFSETS = [*numpy.arange(0, 0.95, 0.05), 0.95]
+
+    def effective(self, ratio):
+        """From LAMMPS, and in closed form; 0 where captured."""
+        well = 1 / self.STAR
+        couples = [Couple(n, 1.0, b, 1.0, ratio, entry=0.02 + 0.011 * n)
+                   for n, b in enumerate(self.OFFSETS)]
+        path, events, _ = follow(couples, [f"* * restitution {self.RESTITUTION} well {well / 4} "
+                                           f"{ratio}"], 0.02, 150)
+        measured, exact = [], []
+        for number, couple in enumerate(couples):
+            meeting = encounter(1.0, couple.offset, 1.0, ratio, well, self.RESTITUTION)
+            self.assertEqual(events[number][2].kind, meeting.kinds[2])
+            if meeting.kinds[2] == "capture":
+                measured.append(0.0)
+                exact.append(0.0)
+                continue
+            # Line of centres at the contact.
+            closest = couple.offset / math.sqrt(1 + well)
+            angle = (math.pi - math.asin(couple.offset / ratio) - math.asin(closest)
+                     + math.asin(closest / ratio))
+            k = numpy.array([math.cos(angle), math.sin(angle), 0.0])
+            _, velocity = relative(couple, path[-1, number])
+            measured.append(velocity @ k / -k[0])
+            exact.append(meeting.velocity @ k[:2] / -k[0])
+        # 3e-14 of a place, over the normal part of the velocity, 0.3 at least, a few times.
+        numpy.testing.assert_allclose(measured, exact, rtol=0, atol=1e-11)
+        return numpy.array(measured)
+
+    def limit(self):
+        b = numpy.array(self.OFFSETS)
+        return numpy.sqrt(numpy.maximum(self.RESTITUTION**2 - (1 - self.RESTITUTION**2)
+                                        / self.STAR / (1 - b * b), 0.0))
+
+    def test_limit_formula_at_a_thin_well(self):
+        # b v, the angular momentum, is kept: the square of the normal speed is larger at the edge than
+        # at the core by 2 (b/d)^2 (ratio-1) v^2, of a normal part of 1-(b/d)^2; the line of centres
+        # turns on the way by as much: together 4e-4 (b/d)^2/(1-(b/d)^2) at most in e_eff^2, which is
+        # over 2 e_eff. Round-off: as in effective().
+        b, limit = numpy.array(self.OFFSETS), self.limit()
+        free = limit > 0
+        error = abs(self.effective(1.0001) - limit)
+        allowed = 1e-11 + 4e-4 * b[free]**2 / (1 - b[free]**2) / (2 * limit[free])
+        self.assertTrue((error[free] < allowed).all(), error)
+        self.assertTrue((error[~free] == 0).all())
+        self.assertEqual(free.sum(), len(b) - 1)
+
+    def test_departs_at_a_wide_well(self):
+        # Head-on the formula holds for any width; farther out it does not.
+        error = abs(self.effective(1.1) - self.limit())
+        self.assertLess(error[0], 1e-13)
+        self.assertGreater(error[-5:].max(), 0.1)
+
+
+def struck(couple, masses, radii, x, v, spins, restitution, friction, inertia):
+    """Velocities and spins after a collision as H 2.3 writes it, and the energy lost; x at contact."""
+    k = (x[1] - x[0]) / numpy.linalg.norm(x[1] - x[0])
+    moments = [inertia * m * r * r for m, r in zip(masses, radii)]
+    b2 = 1 / masses[0] + 1 / masses[1]
+    b1 = b2 + sum(r * r / moment for r, moment in zip(radii, moments))
+    # Of the contact point, the first seen from the second; H's normal points from b to a.
+    slip = v[0] - v[1] + numpy.cross(radii[0] * spins[0] + radii[1] * spins[1], k)
+    c0 = slip @ k
+    along = slip - c0 * k
+    s0 = numpy.linalg.norm(along)
+    t = along / s0
+    normal = (1 + restitution) * c0 / b2
+    sticks = s0 < friction * b1 * normal
+    tangential = s0 / b1 if sticks else friction * normal
+    lost = c0**2 * (1 - restitution**2) / (2 * b2) + (
+        s0**2 / (2 * b1) if sticks else tangential * (s0 - 0.5 * b1 * tangential))
+    push = normal * k + tangential * t
+    after = numpy.array([v[0] - push / masses[0], v[1] + push / masses[1]])
+    turn = numpy.cross(k, tangential * t)
+    return after, numpy.array([w - r / moment * turn for w, r, moment in zip(spins, radii, moments)]
+                              ), lost, sticks
+
+
+class Friction(unittest.TestCase):
+    """Hard cores with friction, 100 couples that stick or slide. Places are good to 4e-13 (as in
+    Laws); a collision turns that into directions over the cosine, 0.3 at least, and speeds of up to 5,
+    with spins over radii of 0.35 and moments: 1e-10 is above all."""
+    RESTITUTION, FRICTION = 0.8, 0.25
+
+    def collide(self, dimension):
+        random = numpy.random.default_rng(dimension)
+        couples = []
+        for number in range(36 if dimension == 2 else 100):
+            if dimension == 2:
+                angle = random.uniform(0, 2 * math.pi)
+                way = numpy.array([math.cos(angle), math.sin(angle), 0])
+                aside = numpy.array([-way[1], way[0], 0])
+                spins = random.normal(size=(2, 3)) * [0, 0, 2]
+            else:
+                way, aside = turned(random)
+                spins = 2 * random.normal(size=(2, 3))
+            couples.append(Couple(number, random.uniform(0.5, 2), random.uniform(-0.9, 0.9), 1.0, 1.0,
+                                  random.uniform(0.5, 3, 2), random.uniform(0.02, 0.3), way, aside,
+                                  spins=spins, share=random.uniform(0.35, 0.65)))
+            if dimension == 2:
+                for atom, x in zip(couples[-1].atoms, couples[-1].x):
+                    x[2] = 0.0
+                    atom["x"] = x
+        path, events, table = follow(couples, [f"* * restitution {self.RESTITUTION} friction "
+                                               f"{self.FRICTION}"], 0.03, 40, dimension)
+        inertia = 0.5 if dimension == 2 else 0.4
+        lost, stuck = 0.0, 0
+        for number, couple in enumerate(couples):
+            self.assertEqual([event.kind for event in events[number]], ["collision"])
+            self.assertAlmostEqual(hard.times(events[number], 0.03)[0], couple.entry, delta=1e-11)
+            v, spin, loss, sticks = struck(couple, couple.masses, couple.radii,
+                                           couple.x + couple.entry * couple.v, couple.v,
+                                           couple.spins, self.RESTITUTION, self.FRICTION, inertia)
+            numpy.testing.assert_allclose(path[-1, number, :, 4:7], v, rtol=0, atol=1e-10)
+            numpy.testing.assert_allclose(path[-1, number, :, 7:10], spin, rtol=0, atol=1e-10)
+            self.assertAlmostEqual(couple.energy(path[-1, number, :, 4:7], path[-1, number, :, 7:10],
+                                                 inertia), couple.energy(couple.v, couple.spins,
+                                                                         inertia) - loss, delta=1e-10)
+            lost, stuck = lost + loss, stuck + sticks
+        self.assertGreater(stuck, 10)
+        self.assertGreater(len(couples) - stuck, 10)
+        self.assertAlmostEqual(table["c_events[5]"][-1], -lost, delta=1e-9)
+
+    def test_spheres(self):
+        self.collide(3)
+
+    def test_discs(self):
+        self.collide(2)
+
+
+class MixedTypes(unittest.TestCase):
+    """Edge between types that were given alone: ratio_i r_i + ratio_j r_j; depth: geometric mean."""
+
+    def test_edge_and_depth(self):
+        core, share = 1.0, 0.3
+        edge = 1.2 * share + 1.6 * (1 - share)
+        couple = Couple(0, 1.0, 0.4, core, edge, share=share)
+        couple.atoms[1]["type"] = 2
+        depth = math.sqrt(0.1 * 0.4)
+        meeting = encounter(1.0, 0.4, core, edge, 2 * depth / couple.mu, 1.0)
+        path, events, _ = follow([couple], ["1 1 restitution 1 well 0.1 1.2",
+                                            "2 2 restitution 1 well 0.4 1.6"], 0.05, 80, types=2)
+        self.assertEqual([event.kind for event in events[0]], meeting.kinds)
+        numpy.testing.assert_allclose(hard.times(events[0], 0.05) - couple.entry, meeting.times,
+                                      rtol=0, atol=1e-12)
+        numpy.testing.assert_allclose(relative(couple, path[-1, 0])[1][:2], meeting.velocity, rtol=0,
+                                      atol=1e-12)
+
+
+class Walls(unittest.TestCase):
+    """Particles that fly at planes, one and its closed form each. Places of up to 40, 40 steps: 1e-13
+    of 40 half units in the last place."""
+    DEPTH, RATIO, E, MU = 0.2, 1.2, 0.8, 0.3
+
+    def fly(self, wall, atoms, steps=60, dt=0.05, pair=None):
+        with engine.temporary_folder() as folder:
+            engine.write_spheres(folder, atoms, [(0.0, 10.0), (0.0, 100.0), (0.0, 100.0)], 1)
+            path, table, _ = hard.run(
+                folder, pair or [f"* * restitution 1 well {self.DEPTH} {self.RATIO}"], dt, steps,
+                style="record events.txt", boundary="f p p",
+                more=[f"fix sides all wall/hard/square_well {wall}"])
+            events = defaultdict(list)
+            for event in hard.recorded(folder):
+                self.assertTrue(event.kind.startswith("wall_"))
+                self.assertLess(event.j, 0)
+                events[event.i - 1].append(event)
+        return path, events, table
+
+    def atoms(self, speeds, radius=0.5):
+        """To the lower and the upper plane in turn, half a length before the core's contact."""
+        return [hard.atom((radius + 0.5 if n % 2 == 0 else 9.5 - radius, 2.0 + 4 * (n % 20),
+                           2.0 + 4 * (n // 20)),
+                          (-v if n % 2 == 0 else v, 0.3, -0.1), radius, 1.5 + 0.1 * n)
+                for n, v in enumerate(speeds)]
+
+    def through(self, depth, wall):
+        speeds = numpy.linspace(0.3, 2.0, 30)
+        atoms = self.atoms(speeds)
+        path, events, table = self.fly(wall, atoms)
+        seen = set()
+        for n, speed in enumerate(speeds):
+            mass = 1.5 + 0.1 * n
+            well = 2 * depth / mass
+            inner = math.sqrt(speed**2 + well)
+            gap = (self.RATIO - 1) * 0.5
+            times = [(0.5 - gap) / speed]
+            times += [times[0] + gap / inner, times[0] + gap / inner + gap / (self.E * inner)]
+            free = (self.E * inner)**2 > well
+            kinds = ["approach", "collision", "escape" if free else "capture"]
+            if not depth:
+                times, kinds = [0.5 / speed], ["collision"]
+                free = True
+            self.assertEqual([event.kind for event in events[n][:3]],
+                             ["wall_" + kind for kind in kinds])
+            numpy.testing.assert_allclose(hard.times(events[n][:3], 0.05), times, rtol=0, atol=1e-12)
+            if free:
+                away = math.sqrt((self.E * inner)**2 - well)
+                sign = 1 if n % 2 == 0 else -1
+                numpy.testing.assert_allclose(path[-1, n, 4:7], [sign * away, 0.3, -0.1], rtol=0,
+                                              atol=1e-13)
+            seen.add(kinds[-1])
+        return seen
+
+    def test_depth_is_twice_the_pairs(self):
+        self.assertEqual(self.through(2 * self.DEPTH, f"restitution {self.E} xplane 0 10"),
+                         {"escape", "capture"})
+
+    def test_own_well(self):
+        self.through(0.7, f"restitution {self.E} well 0.7 {self.RATIO} xplane 0 10")
+
+    def test_no_well(self):
+        self.through(0.0, f"restitution {self.E} well off xplane 0 10")
+
+    def test_friction(self):
+        """As with a partner of infinite mass; slow spins stick, fast ones slide."""
+        atoms = self.atoms(numpy.full(30, 1.0))
+        spins = numpy.random.default_rng(2).normal(size=(30, 3)) * numpy.linspace(0.1, 6, 30)[:, None]
+        for atom, spin in zip(atoms, spins):
+            atom["omega"] = spin
+        path, _, table = self.fly(f"restitution {self.E} friction {self.MU} well off xplane 0 10",
+                                  atoms)
+        stuck, lost = 0, 0.0
+        for n, atom in enumerate(atoms):
+            mass = 1.5 + 0.1 * n
+            k = numpy.array([-1.0 if n % 2 == 0 else 1.0, 0.0, 0.0])
+            v, spin, loss, sticks = struck(None, (mass, math.inf), (0.5, 0.5),
+                                           (numpy.zeros(3), k), (atom["v"], numpy.zeros(3)),
+                                           (spins[n], numpy.zeros(3)), self.E, self.MU, 0.4)
+            numpy.testing.assert_allclose(path[-1, n, 4:7], v[0], rtol=0, atol=1e-13)
+            numpy.testing.assert_allclose(path[-1, n, 7:10], spin[0], rtol=0, atol=1e-13)
+            stuck, lost = stuck + sticks, lost + loss
+        self.assertTrue(5 < stuck < 25)
+        # Walls' own group: 18 columns, then the same again.
+        self.assertEqual(table["c_events[19]"][-1], 30)
+        self.assertAlmostEqual(table["c_events[23]"][-1], -lost, delta=1e-12)
+        self.assertEqual(table["c_events[1]"][-1], 0)
+
+    def test_wall_that_moves_towards(self):
+        # Both planes move at 0.2: a lower that pushes, an upper that recedes.
+        atoms = self.atoms(numpy.full(2, 1.0))
+        path, events, _ = self.fly("restitution 0.8 well off xplane 0 10 translate x 0.2", atoms)
+        for n, (v, wall) in enumerate(((-1.0, 0.2), (1.0, 0.2))):
+            self.assertAlmostEqual(hard.times(events[n], 0.05)[0], 0.5 / (1.2 if n == 0 else 0.8),
+                                   delta=1e-12)
+            self.assertAlmostEqual(path[-1, n, 4], wall - 0.8 * (v - wall), delta=1e-13)
+
+    def test_wall_that_swings(self):
+        """x = A (1 - cos wt), as LAMMPS' walls swing: the elastic particle leaves with twice the wall's
+        speed at the hit. Where a step takes the wall along a chord, its place is wrong by
+        A w^2 dt^2/8 and its speed by A w^2 dt/2."""
+        amplitude, period, dt = 0.1, 3.0, 0.01
+        w = 2 * math.pi / period
+        atoms = self.atoms(numpy.linspace(0.5, 2.0, 20))[::2]
+        path, events, _ = self.fly(
+            f"restitution 1 well off xplane 0 20 wiggle x {amplitude} {period}", atoms, 150, dt)
+        for n, atom in enumerate(atoms):
+            speed = -atom["v"][0]
+            hit = brentq(lambda t, speed=speed: 0.5 - speed * t - amplitude * (1 - math.cos(w * t)),
+                         0, 0.5 / speed)
+            bend = amplitude * w * w
+            self.assertAlmostEqual(hard.times(events[n][:1], dt)[0], hit, delta=bend * dt * dt / 8
+                                   / (speed + amplitude * w * math.sin(w * hit)) * 1.1)
+            self.assertAlmostEqual(path[-1, n, 4], speed + 2 * amplitude * w * math.sin(w * hit),
+                                   delta=bend * dt * 1.1)
+
+    def test_wall_that_slides(self):
+        # At 1 along y, with friction that stops nothing at 0.05: tangential impulse 0.05 (1+e) m v.
+        atoms = self.atoms(numpy.full(2, 1.0))
+        path, _, _ = self.fly("restitution 0.8 friction 0.05 well off xplane 0 10 shear y 1.0", atoms)
+        direction = numpy.array([0.7, 0.1]) / math.hypot(0.7, 0.1)
+        for n in range(2):
+            numpy.testing.assert_allclose(path[-1, n, 5:7], [0.3, -0.1] + 0.05 * 1.8 * direction,
+                                          rtol=0, atol=1e-13)
+
+
+class Cylinder(unittest.TestCase):
+    """One particle in a cylinder along z: angular momentum and, elastic, energy are kept, so chords, ways
+    through the well and angles between them repeat. Places of up to 10, 200 steps of half a unit in the
+    last place, 2e-13 of a chord's offset; 40 turns add up its part in the angle, 2 over the sine of
+    0.5: 4e-11."""
+    RADIUS, RATIO, DEPTH = 3.0, 1.4, 0.2
+
+    def turn(self, depth, restitution=1.0, steps=200):
+        """Offset 1.2 of the first chord, from its middle; speed 1.1 across, 0.25 along."""
+        atom = hard.atom((10.0, 11.2, 10.0), (1.1, 0.0, 0.25), 0.4, 1.3)
+        words = f"well {depth} {self.RATIO}" if depth else "well off"
+        with engine.temporary_folder() as folder:
+            engine.write_spheres(folder, [atom], 3 * [(0.0, 20.0)], 1)
+            path, _, _ = hard.run(
+                folder, ["* * restitution 1"], 0.37, steps, boundary="f f p", skin=2.0, every=10,
+                style="record events.txt",
+                more=["displace_atoms all move -10 -10 0", "change_box all x final -10 10 y final "
+                      "-10 10", f"fix pipe all wall/hard/square_well restitution {restitution} "
+                      f"{words} zcylinder {self.RADIUS}"])
+            return path, hard.recorded(folder)
+
+    def test_elastic(self):
+        for depth in (0.0, self.DEPTH):
+            with self.subTest(depth=depth):
+                path, events = self.turn(depth)
+                core, edge = self.RADIUS - 0.4, self.RADIUS - self.RATIO * 0.4
+                speed, offset = 1.1, 1.2
+                if not depth:
+                    edge = core
+                faster = math.sqrt(speed**2 + 2 * depth / 1.3)
+                nearer = offset * speed / faster
+                chord = math.sqrt(edge**2 - offset**2)
+                well = (math.sqrt(core**2 - nearer**2) - math.sqrt(edge**2 - nearer**2)) / faster
+                period = 2 * (chord / speed + well)
+                starts = chord / speed + period * numpy.arange(math.ceil(74 / period))
+                pattern = ([("approach", 0.0), ("collision", well), ("escape", 2 * well)] if depth
+                           else [("collision", 0.0)])
+                expected = [("wall_" + kind, start + late) for start in starts
+                            for kind, late in pattern if start + late < 74]
+                self.assertGreater(len(expected), 15)
+                self.assertEqual([event.kind for event in events], [kind for kind, _ in expected])
+                numpy.testing.assert_allclose(hard.times(events, 0.37), [t for _, t in expected],
+                                              rtol=0, atol=4e-11)
+                across = numpy.linalg.norm(path[:, 0, 4:6], axis=1)
+                self.assertLess(numpy.minimum(abs(across - speed), abs(across - faster)).max(), 1e-13)
+                spin = path[:, 0, 1] * path[:, 0, 5] - path[:, 0, 2] * path[:, 0, 4]
+                numpy.testing.assert_allclose(spin, -1.2 * 1.1, rtol=0, atol=1e-12)
+                numpy.testing.assert_array_equal(path[:, 0, 6], 0.25)
+
+    def test_restitution(self):
+        """Each collision leaves e of the normal and all of the tangential speed."""
+        _, events = self.turn(0.0, 0.7, 70)
+        core, turning = 2.6, 1.2 * 1.1 / 2.6
+        normal = math.sqrt(1.1**2 - turning**2)
+        time, times = math.sqrt(core**2 - 1.2**2) / 1.1, []
+        while time < 70 * 0.37:
+            times.append(time)
+            normal *= 0.7
+            time += 2 * core * normal / (normal**2 + turning**2)
+        self.assertGreater(len(times), 5)
+        numpy.testing.assert_allclose(hard.times(events, 0.37), times, rtol=0, atol=4e-11)
+
+
+class BetweenWalls(unittest.TestCase):
+    """Two particles on a line between elastic walls, r_out/r = 1.5, D = 1, e = 1, start to start: speed
+    0.75 outside and 1.25 inside the well, 1.0 s from the edge to the wall and 0.2 s from the edge to
+    the core, so a return every 2.4 s and five events. All speeds are dyadic and the roots exact:
+    only the places gather round-off, 2e-16 for each of 7000 steps and 5000 events, 4e-14 by chance
+    and 2e-12 if all went one way; the step itself, 2.4/7, is wrong by up to 5e-17 of it: 0.75 times
+    1000 times 2.4e-16 = 2e-13."""
+    EVENTS = ["approach", "collision", "escape", "wall_collision", "wall_collision"]
+
+    def returns(self, dt, steps, times, depth_of_walls="off"):
+        start = [[1.0, 0.0, 0.0], [3.0, 0.0, 0.0]]
+        atoms = [hard.atom(start[0], (0.75, 0, 0)), hard.atom(start[1], (-0.75, 0, 0))]
+        with engine.temporary_folder() as folder:
+            engine.write_spheres(folder, atoms, [(0.0, 4.0), (-10.0, 10.0), (-10.0, 10.0)], 1)
+            path, table, _ = hard.run(
+                folder, ["* * restitution 1 well 1 1.5"], dt, steps, boundary="f p p", skin=20.0,
+                style="record events.txt", every=max(1, steps // 50),
+                more=["fix sides all wall/hard/square_well restitution 1 well "
+                      f"{depth_of_walls} xplane 0 4"])
+            events = hard.recorded(folder)
+        numpy.testing.assert_allclose(path[-1, :, 1:4], start, rtol=0, atol=1e-12)
+        numpy.testing.assert_allclose(path[-1, :, 4], [0.75, -0.75], rtol=0, atol=1e-14)
+        self.assertEqual([event.kind for event in events], times * self.EVENTS)
+        total = table["KinEng"] + table["PotEng"]
+        self.assertLess(abs(total - total[0]).max(), 1e-14)
+
+    def test_seven_steps_a_return(self):
+        self.returns(2.4 / 7, 7000, 1000)
+
+    def test_two_returns_a_step(self):
+        self.returns(4.8, 500, 1000)
+
+    def test_against_the_reference(self):
+        """Unequal masses, walls with wells of their own: 200 events of the reference. 1e-16 of
+        speeds, over 60 s: 1e-14 a few times."""
+        atoms = [hard.atom((1.0, 0, 0), (0.9, 0, 0), mass=1.0), hard.atom((3.0, 0, 0), (-0.4, 0, 0),
+                                                                         mass=2.0)]
+        with engine.temporary_folder() as folder:
+            engine.write_spheres(folder, atoms, [(0.0, 4.0), (-10.0, 10.0), (-10.0, 10.0)], 1)
+            path, _, _ = hard.run(folder, ["* * restitution 1 well 0.3 1.5"], 0.37, 200, skin=5.0,
+                                  boundary="f p p", style="record events.txt",
+                                  more=["fix sides all wall/hard/square_well restitution 1 "
+                                        "xplane 0 4"])
+            events = hard.recorded(folder)
+        planes = [Plane(0, 0.0, 1, 1.0, 0.0, 0.6, 1.5), Plane(0, 4.0, -1, 1.0, 0.0, 0.6, 1.5)]
+        exact = Reference([[1.0, 0, 0], [3.0, 0, 0]], [[0.9, 0, 0], [-0.4, 0, 0]], 0.5, [1.0, 2.0],
+                          3 * [math.inf], 1.0, 0.0, 0.3, 1.5, planes=planes)
+        exact.run(0.37 * 200)
+        self.assertGreater(len(exact.events), 200)
+        self.assertEqual([event.kind.replace("wall_", "") for event in events],
+                         [event.kind for event in exact.events])
+        numpy.testing.assert_allclose(hard.times(events, 0.37), [event.time for event in exact.events],
+                                      rtol=0, atol=1e-11)
+        numpy.testing.assert_allclose(path[-1, :, 1:4], exact.place(exact.now), rtol=0, atol=1e-11)
+
+
+if __name__ == "__main__":
+    unittest.main()
