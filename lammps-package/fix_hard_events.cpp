@@ -15,6 +15,7 @@
 #include "modify.h"
 #include "output.h"
 #include "pair_hard_square_well.h"
+#include "shear/list_margin.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -46,6 +47,7 @@ FixHardEvents::FixHardEvents(LAMMPS* lammps, int narg, char** arg)
       border_(world),
       origin_(nullptr),
       outside_(nullptr),
+      listed_tilt_(0.0),
       farthest_(0.0),
       warned_(false) {
   comm_forward = ORIGIN;
@@ -337,33 +339,48 @@ void FixHardEvents::store() {
       put(now.velocity, atom->v[body]);
       put(now.spin, atom->omega[body]);
       totals_.busiest = std::max(totals_.busiest, static_cast<double>(now.events));
+      const double left = update->dt - event.key.time;
       const Vector3 place = body == link.i ? event.place : event.place + event.separation;
       if (body == link.i || link.image == 0)
-        stray(body, place);
+        stray(body, place, left);
       else
-        stray(body, place - order_.images[link.image].displacement);
+        stray(body, place - order_.images[link.image].at(left), left);
     }
     keep(event.link);
     if (link.i < atom->nlocal) totals_.add(event, link.of_wall());
   }
 }
 
-void FixHardEvents::stray(int i, const Vector3& place) {
-  const Vector3 way = place - hold_[i];
+/// Strain of a sheared box since the list was made, `left` before the end of the step.
+double FixHardEvents::strain(double left) const {
+  if (!domain->deform_vremap) return 0.0;
+  return (domain->xy - listed_tilt_ - left * domain->h_rate[5]) / domain->yprd;
+}
+
+/// A particle is at `place`, `left` before the end of the step: how far it came beyond the shear.
+void FixHardEvents::stray(int i, const Vector3& place, double left) {
+  Vector3 way = place - hold_[i];
+  const double middle = 0.5 * (domain->boxlo[1] + domain->boxhi[1]);
+  way.x -= strain(left) * (hold_[i].y - middle);
   farthest_ = std::max(farthest_, dot(way, way));
 }
 
 /// Whether the list of neighbours still holds all pairs that may have met.
 void FixHardEvents::check_reach() {
-  for (int i = 0; i < atom->nlocal; i++) stray(i, vector(atom->x[i]));
-  const double reach = pair_->list_reach() + neighbor->skin, flown = std::sqrt(farthest_);
-  if (2.0 * flown <= reach) return;
+  for (int i = 0; i < atom->nlocal; i++) stray(i, vector(atom->x[i]), 0.0);
+  const double extra = pair_->list_reach() + neighbor->skin;
+  const double largest = std::max(std::abs(strain(0.0)), std::abs(strain(update->dt)));
+  const double margin =
+      cohesion::shear::list_margin(neighbor->cutneighmax, neighbor->cutneighmax - extra, largest);
+  const double flown = std::sqrt(farthest_);
+  if (flown <= margin) return;
   error->one(FLERR,
              "pair_style hard/square_well: in step {} particles are up to {} away from where they "
              "were when the neighbour list was made, and could miss a partner; the list allows for "
              "{}. Use a smaller time step or 'neighbor' with a skin above {}, with 'neigh_modify "
              "delay 0 every 1 check yes'",
-             update->ntimestep, flown, 0.5 * reach, neighbor->skin * 2.0 * flown / reach);
+             update->ntimestep, flown, margin,
+             neighbor->skin * (1.0 + 2.0 * (flown - margin) / extra));
 }
 
 /* ---------------------------------------------------------------------- */

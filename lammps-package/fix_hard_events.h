@@ -114,7 +114,8 @@ class FixHardEvents : public Fix {
   std::vector<cohesion::hard_sphere::News> exchange_news(double from);
   void stop_at_limit() const;
   void store();
-  void stray(int i, const cohesion::Vector3& place);
+  double strain(double left) const;
+  void stray(int i, const cohesion::Vector3& place, double left);
   void check_reach();
 
   class PairHardSquareWell* pair_;
@@ -132,7 +133,8 @@ class FixHardEvents : public Fix {
   double** origin_;                      // per atom and ghost: process, index there, position there
   double** outside_;                     // per atom: how far the straight flight led out of the box
   std::vector<cohesion::Vector3> hold_;  // positions when the list was made
-  double farthest_;                      // from there, square
+  double listed_tilt_;                   // of the box then, [length]
+  double farthest_;                      // from there beyond the shear of the box, square
   bool warned_;
   HardEventTotals totals_;
   std::unique_ptr<HardEventRecord> record_;

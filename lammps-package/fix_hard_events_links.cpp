@@ -28,12 +28,13 @@ void FixHardEvents::connect() {
     std::copy_n(atom->x[i], 3, origin_[i] + 2);
   }
   engine_api::forward_comm(comm, this);
+  listed_tilt_ = domain->xy;
   hold_.resize(atom->nlocal);
   for (int i = 0; i < atom->nlocal; i++) {
     hold_[i] = vector(atom->x[i]);
     for (int axis = 0; axis < 3; axis++) atom->x[i][axis] += outside_[i][axis];
     FixHardEvents::set_arrays(i);
-    stray(i, vector(atom->x[i]) - order_.dt() * vector(atom->v[i]));
+    stray(i, vector(atom->x[i]) - order_.dt() * vector(atom->v[i]), order_.dt());
   }
 
   order_.links.clear();

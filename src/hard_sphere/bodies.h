@@ -51,6 +51,8 @@ struct Body {
 struct Image {
   Vector3 displacement;  ///< [length]
   Vector3 velocity;      ///< [length/time]
+
+  Vector3 at(double left) const { return displacement - left * velocity; }
 };
 
 /// Two bodies, or a body and a wall, that may meet in this step.
