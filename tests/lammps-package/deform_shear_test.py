@@ -209,12 +209,14 @@ class Collisions(Shear):
         return numpy.array(motion)
 
     def test_across_the_boundary_is_as_in_the_middle(self):
-        # Contact of 800/0.5 (t_c = 0.057) in both laws; over the contact, a rounding of a coordinate
+        # Contact of 800/0.5 (t_c = 0.057) in both soft laws; over the contact, a rounding of a coordinate
         # near 10 (2e-15) grows by no more than exp(w0 t_c) = e^pi, with friction and spins some ten
         # times that; a thousand additions make a thousand: 1e-15 * 1e3 * 1e3.
         laws = {"sampled": "pair_style gran/hooke/history 800 NULL 5 NULL 0.3 0\npair_coeff * *\n",
                 "event": "pair_style gran/hamaker\npair_coeff * * stiffness 800 restitution 0.9 "
-                         "friction 0.3 hamaker 1e-6 cutoff 1e-4 1e-2\n"}
+                         "friction 0.3 hamaker 1e-6 cutoff 1e-4 1e-2\n",
+                "hard": "pair_style hard/square_well\npair_coeff * * restitution 0.9 "
+                        "friction 0.3 well 0.05 1.05\n"}
         cases = [(law, dimension) for law in laws for dimension in (2, 3)]
         with ThreadPoolExecutor(4) as pool:  # a start is mostly waiting
             motions = list(pool.map(
