@@ -35,9 +35,7 @@ FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
       contact_force(nullptr),
       contacts(nullptr),
       inverse_mass(nullptr),
-      longest_flight(0.0),
-      mobile_bits(0),
-      frozen_bit(0) {
+      longest_flight(0.0) {
   nevery = 1;
   comm_forward = ALONE;
   restart_peratom = 1;
@@ -89,7 +87,7 @@ void FixEventStep::init() {
                "scheme event needs the velocities of ghost particles; add 'comm_modify vel yes'");
 
   walls.clear();
-  mobile_bits = frozen_bit = 0;
+  mobile.look_up(modify);
   bool before_me = true;
   for (int i = 0; i < modify->nfix; i++) {
     Fix* const fix = modify->fix[i];
@@ -98,13 +96,10 @@ void FixEventStep::init() {
     if (fix->rigid_flag)
       error->all(FLERR, std::string("scheme event cannot follow contacts of rigid bodies (fix ") +
                             fix->id + ")");
-    if (strcmp(fix->style, "freeze") == 0) frozen_bit |= fix->groupbit;
-    if (!fix->time_integrate || utils::strmatch(fix->style, "^move")) continue;
-    if (before_me)
+    if (before_me && MobileParticles::integrates(fix))
       error->all(FLERR, std::string("fix ") + fix->id +
                             " integrates the motion: put it behind the pair_style and wall "
                             "commands of scheme event");
-    mobile_bits |= fix->groupbit;
   }
 }
 
@@ -117,10 +112,8 @@ void FixEventStep::look_round() {
     fastest = std::max(fastest, v[i] * v[i] + v[i + 1] * v[i + 1] + v[i + 2] * v[i + 2]);
   longest_flight = 0.5 * update->dt * std::sqrt(fastest);
   if (neighbor->ago != 0) return;
-  for (int i = 0; i < all; i++) {
-    const bool mobile = (atom->mask[i] & mobile_bits) && !(atom->mask[i] & frozen_bit);
-    inverse_mass[i] = mobile ? 1.0 / atom->rmass[i] : 0.0;
-  }
+  for (int i = 0; i < all; i++)
+    inverse_mass[i] = mobile.inverse_mass(atom->mask[i], atom->rmass[i]);
 }
 
 /// The engine's half kick makes of a force f the momentum f dt/2; the other half went before, but

@@ -14,6 +14,7 @@ FixStyle(EVENT_STEP,FixEventStep);
 #include "atom.h"
 #include "event_stepping/cohesive_contact.h"
 #include "fix.h"
+#include "mobile_particles.h"
 
 namespace LAMMPS_NS {
 
@@ -142,8 +143,7 @@ class FixEventStep : public Fix {
   int* contacts;         // per atom and ghost, this step
   double* inverse_mass;  // per atom and ghost
   double longest_flight;
-  int mobile_bits;
-  int frozen_bit;
+  MobileParticles mobile;
 };
 
 }  // namespace LAMMPS_NS

@@ -14,14 +14,11 @@
 #include "law_from_script.h"
 #include "memory.h"
 #include "update.h"
+#include "walls_from_script.h"
 
 using namespace LAMMPS_NS;
 using namespace cohesion::event_stepping;
 using cohesion::Vector3;
-
-static constexpr char AXES[] = "xyz";
-
-static double& component(Vector3& a, int axis) { return axis == 0 ? a.x : axis == 1 ? a.y : a.z; }
 
 FixWallGranHamaker::FixWallGranHamaker(LAMMPS* lammps, int narg, char** arg)
     : Fix(lammps, narg, arg),
@@ -66,7 +63,7 @@ void FixWallGranHamaker::post_constructor() { step = FixEventStep::of(lmp); }
 
 void FixWallGranHamaker::read(int narg, char** arg) {
   std::vector<char*> contact_words;
-  char** motion_words = nullptr;
+  WallsFromScript from_words(lmp, where);
   for (int iarg = 3; iarg < narg;) {
     const std::string word = arg[iarg];
     const int left = narg - iarg - 1;
@@ -83,104 +80,21 @@ void FixWallGranHamaker::read(int narg, char** arg) {
       if (left < 1) error->all(FLERR, where + ": scheme takes a name");
       scheme = scheme_from_script(lmp, where, arg[iarg + 1]);
       iarg += 2;
-    } else if (const int wall = read_wall(word, left, arg + iarg + 1)) {
-      iarg += wall;
-    } else if (word == "wiggle" || word == "shear" || word == "translate") {
-      const int moves = word == "wiggle" ? 3 : 2;
-      if (left < moves)
-        error->all(FLERR, where + ": " + word +
-                              (moves == 3 ? " takes a dimension, an amplitude and a period"
-                                          : " takes a dimension and a speed"));
-      if (motion_words) error->all(FLERR, where + ": one of wiggle, shear and translate only");
-      motion_words = arg + iarg;
-      iarg += 1 + moves;
+    } else if (const int taken = from_words.read(left + 1, arg + iarg)) {
+      iarg += taken;
     } else {
-      error->all(FLERR,
-                 where + ": unknown keyword '" + word + "'; valid ones: " + contact_keywords() +
-                     ", scheme, form, xplane, yplane, zplane, zcylinder, wiggle, shear, translate");
+      error->all(FLERR, where + ": unknown keyword '" + word + "'; valid ones: " +
+                            contact_keywords() + ", scheme, form, " + WallsFromScript::keywords);
     }
   }
-  if (walls.empty())
-    error->all(FLERR, where +
-                          ": no wall; give 'xplane lo hi', 'yplane lo hi', 'zplane lo hi' or "
-                          "'zcylinder radius'");
-  if (motion_words) read_motion(motion_words);
+  from_words.finish();
+  walls = from_words.walls;
+  motion = from_words.motion;
   given = cohesive_contact_from_script(lmp, where, 0, static_cast<int>(contact_words.size()),
                                        contact_words.data());
   given = scaled(lmp, where, *form, given);
-  law = from_script(lmp, where, [&] {
-    require_valid(motion);
-    return hamaker_law(*form, given.hamaker);
-  });
+  law = from_script(lmp, where, [&] { return hamaker_law(*form, given.hamaker); });
   if (scheme == Scheme::sampled) contacts.emplace<static_cast<int>(Scheme::sampled)>();
-}
-
-void FixWallGranHamaker::read_motion(char** words) {
-  const std::string word = words[0], dim = words[1];
-  const auto axis = std::string(AXES).find(dim);
-  if (dim.size() != 1 || axis == std::string::npos)
-    error->all(FLERR, where + ": " + word + " takes a dimension x, y or z, not '" + dim + "'");
-  const auto is_cylinder = [](const Wall& wall) { return wall.shape == Wall::z_cylinder; };
-  const auto cylinders = std::count_if(walls.begin(), walls.end(), is_cylinder);
-  if (word == "wiggle") {
-    component(motion.amplitude, axis) = number(words[2]);
-    motion.period = number(words[3]);
-  } else if (word == "shear" && cylinders > 0 && axis < 2) {
-    motion.rim_speed = number(words[2]);
-    if (cylinders < static_cast<int>(walls.size()))
-      error->all(FLERR,
-                 where + ": shear " + dim + " turns a zcylinder; give planes a fix of their own");
-    return;
-  } else {
-    component(motion.velocity, axis) = number(words[2]);
-  }
-  for (const Wall& wall : walls) {
-    if (is_cylinder(wall) && axis < 2)
-      error->all(FLERR, where + ": " + word + " " + dim + ": a zcylinder moves along z only");
-    if (word == "shear" && wall.shape == static_cast<Wall::Shape>(axis))
-      error->all(FLERR, where + ": shear " + dim + " is across a " + dim +
-                            "plane, not along it; use translate");
-  }
-}
-
-/// The number of words it took; 0 when `word` is no wall.
-int FixWallGranHamaker::read_wall(const std::string& word, int narg, char** arg) {
-  if (word == "zcylinder") {
-    if (narg < 1) error->all(FLERR, where + ": zcylinder takes a radius");
-    const double radius = number(arg[0]);
-    if (!(std::isfinite(radius) && radius > 0.0))
-      error->all(FLERR, where + ": zcylinder radius " + arg[0] +
-                            " must be a finite number greater than zero");
-    if (domain->periodicity[0] || domain->periodicity[1])
-      error->all(FLERR, where +
-                            ": no zcylinder in a periodic direction; use 'boundary f f' in x "
-                            "and y");
-    walls.push_back({Wall::z_cylinder, 1.0, radius});
-    return 2;
-  }
-  if (word != "xplane" && word != "yplane" && word != "zplane") return 0;
-  if (narg < 2) error->all(FLERR, where + ": " + word + " takes two positions, NULL for no wall");
-  const int dimension = word[0] - 'x';
-  if (domain->periodicity[dimension])
-    error->all(FLERR, where + ": no " + word + " in a periodic direction; use 'boundary f' there");
-  const bool lower = strcmp(arg[0], "NULL") != 0, upper = strcmp(arg[1], "NULL") != 0;
-  if (!lower && !upper)
-    error->all(FLERR, where + ": " + word + " NULL NULL is no wall; give a position");
-  if (lower) add_plane(dimension, 1.0, word, arg[0]);
-  if (upper) add_plane(dimension, -1.0, word, arg[1]);
-  const auto count = walls.size();
-  if (lower && upper && !(walls[count - 2].position < walls[count - 1].position))
-    error->all(FLERR, where + ": " + word + " " + arg[0] + " " + arg[1] +
-                          ": the first position must be below the second");
-  return 3;
-}
-
-void FixWallGranHamaker::add_plane(int dimension, double side, const std::string& word,
-                                   const char* text) {
-  const double position = number(text);
-  if (!std::isfinite(position))
-    error->all(FLERR, where + ": " + word + " position " + text + " must be finite");
-  walls.push_back({static_cast<Wall::Shape>(dimension), side, position});
 }
 
 int FixWallGranHamaker::setmask() { return FixConst::POST_FORCE; }

@@ -72,10 +72,6 @@ class FixWallGranHamaker : public Fix, public EventContacts {
   };
 
   void read(int, char**);
-  int read_wall(const std::string& word, int narg, char** arg);
-  void read_motion(char** words);
-  void add_plane(int dimension, double side, const std::string& word, const char* text);
-  double number(const char* text) { return utils::numeric(FLERR, text, false, lmp); }
   template <class Contact>
   std::size_t contact(std::vector<Contact>&, int i);
   int history_size() const { return per_wall * static_cast<int>(walls.size()); }

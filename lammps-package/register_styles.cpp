@@ -2,14 +2,18 @@
 // Names every style of the package to the engine; called by plugin.cpp when the version is right.
 
 #include "compute_gran_energy.h"
+#include "compute_hard_events.h"
 #include "fix_event_step.h"
 #include "fix_gas_coupling.h"
+#include "fix_hard_events.h"
 #include "fix_wall_gran_hamaker.h"
 #include "fix_wall_hamaker.h"
+#include "fix_wall_hard_square_well.h"
 #include "lammps.h"
 #include "lammpsplugin.h"
 #include "pair_gran_hamaker.h"
 #include "pair_hamaker.h"
+#include "pair_hard_square_well.h"
 #include "version.h"
 
 using namespace LAMMPS_NS;
@@ -51,7 +55,17 @@ extern "C" void cohesion_register_styles(void* lmp, void* handle, void* regfunc)
   plugin.creator.v1 = &make_pair_style<PairGranHamaker>;
   register_style(&plugin, lmp);
 
+  plugin.name = "hard/square_well";
+  plugin.info = "pair hard/square_well";
+  plugin.creator.v1 = &make_pair_style<PairHardSquareWell>;
+  register_style(&plugin, lmp);
+
   plugin.style = "fix";
+  plugin.name = "HARD_EVENTS";
+  plugin.info = "fix HARD_EVENTS";
+  plugin.creator.v2 = &make_fix_style<FixHardEvents>;
+  register_style(&plugin, lmp);
+
   plugin.name = "EVENT_STEP";
   plugin.info = "fix EVENT_STEP";
   plugin.creator.v2 = &make_fix_style<FixEventStep>;
@@ -67,6 +81,11 @@ extern "C" void cohesion_register_styles(void* lmp, void* handle, void* regfunc)
   plugin.creator.v2 = &make_fix_style<FixWallGranHamaker>;
   register_style(&plugin, lmp);
 
+  plugin.name = "wall/hard/square_well";
+  plugin.info = "fix wall/hard/square_well";
+  plugin.creator.v2 = &make_fix_style<FixWallHardSquareWell>;
+  register_style(&plugin, lmp);
+
   plugin.name = "gas/coupling";
   plugin.info = "fix gas/coupling";
   plugin.creator.v2 = &make_fix_style<FixGasCoupling>;
@@ -76,5 +95,10 @@ extern "C" void cohesion_register_styles(void* lmp, void* handle, void* regfunc)
   plugin.name = "gran/energy";
   plugin.info = "compute gran/energy";
   plugin.creator.v2 = &make_compute_style<ComputeGranEnergy>;
+  register_style(&plugin, lmp);
+
+  plugin.name = "hard/events";
+  plugin.info = "compute hard/events";
+  plugin.creator.v2 = &make_compute_style<ComputeHardEvents>;
   register_style(&plugin, lmp);
 }

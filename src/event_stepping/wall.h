@@ -64,6 +64,11 @@ struct Wall {
   double side = 1.0;      ///< of a plane: 1 with the particles above, -1 with them below
   double position = 0.0;  ///< of a plane; radius of a cylinder, [length]
 
+  /// Of a plane, towards the particles.
+  Vector3 normal() const {
+    return {side * (shape == x_plane), side * (shape == y_plane), side * (shape == z_plane)};
+  }
+
   WallPoint nearest(const Vector3& centre, const WallState& now, double rim_speed) const {
     if (shape == z_cylinder) {
       const double r = std::hypot(centre.x, centre.y);
@@ -73,10 +78,9 @@ struct Wall {
       return {distance, distance * outwards,
               now.velocity + rim_speed * Vector3{outwards.y, -outwards.x, 0.0}};
     }
-    const Vector3 normal{side * (shape == x_plane), side * (shape == y_plane),
-                         side * (shape == z_plane)};
-    const double distance = dot(normal, centre - now.displacement) - side * position;
-    return {distance, -distance * normal, now.velocity};
+    const Vector3 away = normal();
+    const double distance = dot(away, centre - now.displacement) - side * position;
+    return {distance, -distance * away, now.velocity};
   }
 };
 

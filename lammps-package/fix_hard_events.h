@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#ifdef FIX_CLASS
+// clang-format off
+FixStyle(HARD_EVENTS,FixHardEvents);
+// clang-format on
+#else
+
+#ifndef LMP_FIX_HARD_EVENTS_H
+#define LMP_FIX_HARD_EVENTS_H
+
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+#include "atom.h"
+#include "border_exchange.h"
+#include "fix.h"
+#include "hard_event_record.h"
+#include "hard_event_totals.h"
+#include "hard_sphere/event_order.h"
+#include "mobile_particles.h"
+
+namespace LAMMPS_NS {
+
+/// A fix whose walls take part in the order of events.
+class HardWalls {
+ public:
+  virtual const std::vector<cohesion::event_stepping::Wall>& hard_walls() const = 0;
+  /// Whether the walls act on particle i.
+  virtual bool acts_on(int i) const = 0;
+  /// Wall w over the step that ends now.
+  virtual cohesion::hard_sphere::MovingWall over_step(int w) const = 0;
+  virtual bool still() const = 0;
+  virtual cohesion::hard_sphere::Law law_of_type(int type) const = 0;
+  virtual cohesion::hard_sphere::Surfaces surfaces_of(int i) const = 0;
+  /// Whether particle i is in the well of wall w; negative: not known yet.
+  virtual double& inside(int i, int w) = 0;
+
+ protected:
+  ~HardWalls() = default;
+};
+
+/// What pair_style hard/square_well and its walls share, made by the first of them: carries out the
+/// events of a step.
+///
+/// In pre_force the engine has moved every particle straight to the end of the step. The links are
+/// the pairs of the neighbour list and the particles with the walls; their events are found and
+/// carried out in order (src/hard_sphere/event_order.h), and positions and velocities corrected.
+/// Positions are those of the owner of a particle with a periodic image, never a ghost's own, so
+/// that every process works out the same numbers.
+class FixHardEvents : public Fix {
+ public:
+  FixHardEvents(class LAMMPS*, int, char**);
+  ~FixHardEvents() override;
+
+  /// The one of this run; made when there is none.
+  static FixHardEvents* of(class LAMMPS*);
+
+  int setmask() override;
+  void init() override;
+  void pre_exchange() override;
+  void setup_pre_force(int) override;
+  void pre_force(int) override;
+  int pack_forward_comm(int, int*, double*, int, int*) override;
+  void unpack_forward_comm(int, int, double*) override;
+  void grow_arrays(int) override;
+  void copy_arrays(int, int, int) override;
+  void set_arrays(int) override;
+  int pack_exchange(int, double*) override;
+  int unpack_exchange(int, double*) override;
+  double memory_usage() override;
+
+  const cohesion::hard_sphere::EventOrder& order() const { return order_; }
+  const HardEventTotals& totals() const { return totals_; }
+
+ private:
+  struct Slots {  // of a link in the history of pairs; two for a pair through the boundary
+    int* kept[2];
+    double* value[2];
+  };
+  struct Twin {  // the second entry of such a pair
+    int i, j, image;
+    int* kept;
+    double* value;
+  };
+  struct Foreign {  // a particle that another process owns
+    int body, ghost, image, owner;
+  };
+  struct Shift {
+    int x, y, z;
+    bool operator==(const Shift& b) const { return x == b.x && y == b.y && z == b.z; }
+  };
+
+  void tell_of_overlaps() const;
+  void match_restart();
+  void connect();
+  void describe(int body, int i);
+  int body_of(int i);
+  int image_of(const Shift&);
+  Shift shift_of(int ghost) const;
+  void place_images();
+  void add_pairs();
+  void add_twins();
+  void add_walls();
+  void know_where_new_pairs_are();
+  void keep(int link);
+  bool shared(const cohesion::hard_sphere::Link& b) const {
+    return b.i >= atom->nlocal || b.j >= atom->nlocal;
+  }
+  void load();
+  void load_borders();
+  void follow(long candidates);
+  void follow_stretch(double until);
+  std::vector<cohesion::hard_sphere::News> exchange_news();
+  void stop_at_limit() const;
+  void store();
+  void stray(int i, const cohesion::Vector3& place);
+  void check_reach();
+
+  class PairHardSquareWell* pair_;
+  std::vector<HardWalls*> walls_;
+  std::vector<std::pair<HardWalls*, int> > wall_;  // by number
+  MobileParticles mobile_;
+
+  cohesion::hard_sphere::EventOrder order_;  // bodies: own particles, then those in foreign_
+  std::vector<Slots> slots_;                 // by link
+  std::vector<Twin> twins_;
+  std::vector<Shift> shifts_;  // by image
+  std::vector<Foreign> foreign_;
+  std::unordered_map<std::uint64_t, int> foreign_body_;
+  BorderExchange border_;
+  double** origin_;                      // per atom and ghost: process, index there, position there
+  double** outside_;                     // per atom: how far the straight flight led out of the box
+  std::vector<cohesion::Vector3> hold_;  // positions when the list was made
+  double farthest_;                      // from there, square
+  bool warned_;
+  HardEventTotals totals_;
+  std::unique_ptr<HardEventRecord> record_;
+};
+
+}  // namespace LAMMPS_NS
+
+#endif
+#endif

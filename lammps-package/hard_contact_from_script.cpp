@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#include "hard_contact_from_script.h"
+
+#include <cmath>
+
+#include "law_from_script.h"
+#include "utils.h"
+
+using namespace LAMMPS_NS;
+
+int LAMMPS_NS::read_hard_keyword(LAMMPS* lmp, const std::string& where, int at, int narg,
+                                 char** arg, HardContact& c, bool& has_restitution) {
+  const std::string word = arg[at];
+  const bool well = word == "well";
+  if (!well && word != "restitution" && word != "friction") return 0;
+  if (at + 1 + well >= narg)
+    lmp->error->all(FLERR, where + ": " + word +
+                               (well ? " takes a depth and a ratio r_out/r" : " takes a number"));
+  const auto number = [&](int n) { return utils::numeric(FLERR, arg[at + n], false, lmp); };
+  if (word == "restitution") {
+    c.law.restitution = number(1);
+    has_restitution = true;
+  } else if (word == "friction") {
+    c.law.friction = number(1);
+  } else {
+    c.law.depth = number(1);
+    c.ratio_i = c.ratio_j = number(2);
+    c.well_given = true;
+  }
+  return 2 + well;
+}
+
+void LAMMPS_NS::require_valid(LAMMPS* lmp, const std::string& where, const HardContact& c,
+                              bool has_restitution) {
+  if (!has_restitution) lmp->error->all(FLERR, where + ": give 'restitution e'");
+  from_script(lmp, where, [&] {
+    cohesion::hard_sphere::require_valid(c.law);
+    cohesion::require(std::isfinite(c.ratio_i) && c.ratio_i >= 1.0, "ratio r_out/r of the well",
+                      c.ratio_i,
+                      "must be a finite number not below 1: the well is outside the core");
+    cohesion::require(c.law.depth == 0.0 || c.ratio_i > 1.0, "ratio r_out/r of the well", c.ratio_i,
+                      "must be above 1 with a depth above zero: between core and edge in the same "
+                      "place a captured pair would have infinitely many events in no time");
+    return 0;
+  });
+}
+
+HardContact LAMMPS_NS::mixed(const HardContact& a, const HardContact& b) {
+  HardContact c;
+  c.law.restitution = std::sqrt(a.law.restitution * b.law.restitution);
+  c.law.friction = std::sqrt(a.law.friction * b.law.friction);
+  c.law.depth = std::sqrt(a.law.depth * b.law.depth);
+  c.ratio_i = a.ratio_i;
+  c.ratio_j = b.ratio_j;
+  return c;
+}

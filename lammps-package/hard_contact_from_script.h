@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#ifndef COHESION_HARD_CONTACT_FROM_SCRIPT_H
+#define COHESION_HARD_CONTACT_FROM_SCRIPT_H
+
+#include <string>
+
+#include "hard_sphere/impact.h"
+#include "lammps.h"
+
+namespace LAMMPS_NS {
+
+/// What a script says about the impacts of two materials. The well of a pair begins where the
+/// centres are ratio_i r_i + ratio_j r_j apart.
+struct HardContact {
+  cohesion::hard_sphere::Law law;
+  double ratio_i = 1.0;
+  double ratio_j = 1.0;
+  bool well_given = false;  ///< a well, or none, in so many words
+};
+
+/// Reads one keyword of `restitution e [friction mu] [well D ratio]` at arg[at]; gives the number
+/// of words it took, 0 when it is none of these.
+int read_hard_keyword(LAMMPS*, const std::string& where, int at, int narg, char** arg, HardContact&,
+                      bool& has_restitution);
+
+/// Stops LAMMPS when the contact cannot be right.
+void require_valid(LAMMPS*, const std::string& where, const HardContact&, bool has_restitution);
+
+/// Unlike materials: geometric means of restitution, friction and depth; each its own ratio.
+HardContact mixed(const HardContact&, const HardContact&);
+
+}  // namespace LAMMPS_NS
+
+#endif

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#ifndef COHESION_MOBILE_PARTICLES_H
+#define COHESION_MOBILE_PARTICLES_H
+
+#include <cstring>
+
+#include "fix.h"
+#include "fix_nve_sphere.h"
+#include "lammps.h"
+#include "modify.h"
+#include "utils.h"
+
+namespace LAMMPS_NS {
+
+/// Which particles an impulse can move: those that a fix integrates, unless fix freeze holds them
+/// or fix move leads them. The others are infinitely heavy to what meets them.
+class MobileParticles {
+ public:
+  static bool integrates(const Fix* fix) {
+    return fix->time_integrate && !utils::strmatch(fix->style, "^move");
+  }
+
+  void look_up(const Modify* modify) {
+    mobile_ = frozen_ = discs_ = 0;
+    for (int i = 0; i < modify->nfix; i++) {
+      Fix* const fix = modify->fix[i];
+      if (strcmp(fix->style, "freeze") == 0) frozen_ |= fix->groupbit;
+      if (integrates(fix)) mobile_ |= fix->groupbit;
+      if (const auto* turning = dynamic_cast<FixNVESphere*>(fix))
+        if (Turning::factor(*turning) == disc) discs_ |= fix->groupbit;
+    }
+  }
+
+  double inverse_mass(int mask, double mass) const {
+    return (mask & mobile_) && !(mask & frozen_) ? 1.0 / mass : 0.0;
+  }
+
+  /// Moment of inertia over mass and square of the radius: as fix nve/sphere turns the particle.
+  double inertia_factor(int mask) const { return (mask & discs_) ? disc : sphere; }
+
+ private:
+  static constexpr double sphere = 0.4, disc = 0.5;
+
+  /// The factor is protected there.
+  struct Turning : FixNVESphere {
+    static double factor(const FixNVESphere& fix) { return fix.*(&Turning::inertia); }
+  };
+
+  int mobile_ = 0;
+  int frozen_ = 0;
+  int discs_ = 0;
+};
+
+}  // namespace LAMMPS_NS
+
+#endif

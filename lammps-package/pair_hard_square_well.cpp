@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#include "pair_hard_square_well.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "atom.h"
+#include "comm.h"
+#include "engine_api.h"
+#include "error.h"
+#include "fix_hard_events.h"
+#include "fix_neigh_history.h"
+#include "force.h"
+#include "largest_radii.h"
+#include "memory.h"
+#include "modify.h"
+#include "neigh_list.h"
+#include "update.h"
+
+using namespace LAMMPS_NS;
+using namespace cohesion::hard_sphere;
+
+static constexpr char HISTORY_ID[] = "NEIGH_HISTORY_HARD_SQUARE_WELL";
+// Of the skin. Where the engine's own check keeps the list, particles may be half a skin away from
+// where they were; the events of the step then turn some away farther.
+static constexpr double REACH = 0.25;
+
+PairHardSquareWell::PairHardSquareWell(LAMMPS* lammps)
+    : Pair(lammps), atom_types_(0), events_(nullptr), history_(nullptr) {
+  single_enable = 0;
+  restartinfo = 1;
+  no_virial_fdotr_compute = 1;
+  finitecutflag = 1;
+  beyond_contact = 1;
+}
+
+PairHardSquareWell::~PairHardSquareWell() {
+  if (history_) modify->delete_fix(HISTORY_ID);
+  if (!allocated) return;
+  memory->destroy(setflag);
+  memory->destroy(cutsq);
+}
+
+void PairHardSquareWell::allocate() {
+  allocated = 1;
+  atom_types_ = atom->ntypes;
+  memory->create(setflag, atom_types_ + 1, atom_types_ + 1, "pair:setflag");
+  memory->create(cutsq, atom_types_ + 1, atom_types_ + 1, "pair:cutsq");
+  for (int i = 1; i <= atom_types_; i++) std::fill_n(setflag[i], atom_types_ + 1, 0);
+  given_.assign((atom_types_ + 1) * (atom_types_ + 1), {});
+}
+
+/// The events have been carried out; what is left is their virial, and the energy of the wells.
+void PairHardSquareWell::compute(int eflag, int vflag) {
+  ev_init(eflag, vflag);
+  if (vflag_either) {
+    const double per_time = -1.0 / update->dt;
+    for (const Event& event : events_->order().events) {
+      const Link& link = events_->order().links[event.link];
+      if (link.of_wall()) continue;
+      const auto on_i = per_time * event.impact.on_j;
+      const auto& r = event.separation;
+      ev_tally_xyz(link.i, link.j, atom->nlocal, 0, 0.0, 0.0, on_i.x, on_i.y, on_i.z, -r.x, -r.y,
+                   -r.z);
+    }
+  }
+  if (!eflag_either) return;
+  for (int ii = 0; ii < list->inum; ii++) {
+    const int i = list->ilist[ii];
+    for (int jj = 0; jj < list->numneigh[i]; jj++) {
+      if (!history_->firstflag[i][jj]) continue;
+      const int j = list->firstneigh[i][jj] & NEIGHMASK;
+      const Law& law = given_[of_types(atom->type[i], atom->type[j])].law;
+      ev_tally(i, j, atom->nlocal, 0, -law.depth, 0.0, 0.0, 0.0, 0.0, 0.0);
+    }
+  }
+}
+
+std::vector<Law> PairHardSquareWell::laws() const {
+  std::vector<Law> all;
+  for (const HardContact& c : given_) all.push_back(c.law);
+  return all;
+}
+
+Surfaces PairHardSquareWell::surfaces(int i, int j) const {
+  const HardContact& c = contact_of_types(atom->type[i], atom->type[j]);
+  const double core = atom->radius[i] + atom->radius[j];
+  if (c.law.depth == 0.0) return {core, core};
+  return {core, c.ratio_i * atom->radius[i] + c.ratio_j * atom->radius[j]};
+}
+
+double PairHardSquareWell::list_reach() const { return REACH * neighbor->skin; }
+
+void PairHardSquareWell::check_radii() const {
+  for (int i = 0; i < atom->nlocal; i++)
+    if (atom->radius[i] > largest_radius_[atom->type[i]])
+      error->one(FLERR,
+                 "pair_style hard/square_well: particle {} of type {} has radius {}, its type had "
+                 "at most {} when the run was set up; end the run before particles grow, and start "
+                 "a new one",
+                 atom->tag[i], atom->type[i], atom->radius[i], largest_radius_[atom->type[i]]);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PairHardSquareWell::settings(int narg, char** arg) {
+  const std::string where = "pair_style hard/square_well";
+  for (int i = 0; i < narg; i += 2) {
+    const std::string word = arg[i];
+    if (word != "collapse" && word != "limit" && word != "record")
+      error->all(FLERR,
+                 where + ": unknown keyword '" + word + "'; valid ones: collapse, limit, record");
+    if (i + 1 == narg)
+      error->all(FLERR, where + ": " + word +
+                            (word == "record" ? " takes a file name" : " takes a number"));
+    const std::string value = arg[i + 1];
+    if (word == "record") {
+      record_file_ = value;
+    } else if (word == "collapse" && value == "off") {
+      rules_.collapse = 0;
+    } else {
+      const int number = utils::inumeric(FLERR, arg[i + 1], false, lmp);
+      if (number < 1)
+        error->all(FLERR, where + ": " + word + " " + value + " must be at least 1" +
+                              (word == "collapse" ? ", or 'off'" : ""));
+      (word == "collapse" ? rules_.collapse : rules_.limit) = number;
+    }
+  }
+}
+
+void PairHardSquareWell::coeff(int narg, char** arg) {
+  if (narg < 4)
+    error->all(FLERR,
+               "pair_coeff of hard/square_well takes 'i j restitution e [friction mu] [well D "
+               "ratio]'");
+  if (!allocated) allocate();
+  int ilo, ihi, jlo, jhi;
+  utils::bounds(FLERR, arg[0], 1, atom->ntypes, ilo, ihi, error);
+  utils::bounds(FLERR, arg[1], 1, atom->ntypes, jlo, jhi, error);
+  const std::string where =
+      std::string("pair_coeff ") + arg[0] + " " + arg[1] + " of hard/square_well";
+  HardContact c;
+  bool has_restitution = false;
+  for (int at = 2; at < narg;) {
+    const int words = read_hard_keyword(lmp, where, at, narg, arg, c, has_restitution);
+    if (words == 0)
+      error->all(FLERR, where + ": unknown keyword '" + arg[at] +
+                            "'; valid ones: restitution, friction, well");
+    at += words;
+  }
+  require_valid(lmp, where, c, has_restitution);
+  int count = 0;
+  for (int i = ilo; i <= ihi; i++)
+    for (int j = std::max(jlo, i); j <= jhi; j++) {
+      given_[of_types(i, j)] = given_[of_types(j, i)] = c;
+      setflag[i][j] = 1;
+      count++;
+    }
+  if (count == 0) error->all(FLERR, where + " names no pair with i <= j");
+}
+
+void PairHardSquareWell::init_style() {
+  if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag || !atom->torque_flag)
+    error->all(FLERR, "pair_style hard/square_well acts between spheres; use 'atom_style sphere'");
+  if (update->whichflag == 2)
+    error->all(FLERR, "pair_style hard/square_well follows motion in time; it cannot be minimized");
+  events_ = FixHardEvents::of(lmp);
+  largest_radius_ = largest_radii(lmp);
+  engine_api::request_history_list(neighbor, this, instance_me);
+  if (!history_) {
+    modify->add_fix(std::string(HISTORY_ID) + " all NEIGH_HISTORY 1");
+    history_ = static_cast<FixNeighHistory*>(modify->fix[modify->find_fix(HISTORY_ID)]);
+    history_->pair = this;
+  }
+}
+
+double PairHardSquareWell::init_one(int i, int j) {
+  HardContact& c = given_[of_types(i, j)];
+  if (!setflag[i][j]) {
+    if (!setflag[i][i] || !setflag[j][j])
+      error->all(FLERR, "pair_style hard/square_well: no pair_coeff for types " +
+                            std::to_string(i) + " and " + std::to_string(j) +
+                            " nor for both of them to mix");
+    c = mixed(given_[of_types(i, i)], given_[of_types(j, j)]);
+    given_[of_types(j, i)] = mixed(given_[of_types(j, j)], given_[of_types(i, i)]);
+  }
+  return c.ratio_i * largest_radius_[i] + c.ratio_j * largest_radius_[j] + list_reach();
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PairHardSquareWell::write_restart(FILE* fp) {
+  write_restart_settings(fp);
+  for (int i = 1; i <= atom->ntypes; i++)
+    for (int j = i; j <= atom->ntypes; j++) {
+      fwrite(&setflag[i][j], sizeof(int), 1, fp);
+      fwrite(&given_[of_types(i, j)], sizeof(HardContact), 1, fp);
+    }
+}
+
+void PairHardSquareWell::read_restart(FILE* fp) {
+  read_restart_settings(fp);
+  allocate();
+  for (int i = 1; i <= atom->ntypes; i++)
+    for (int j = i; j <= atom->ntypes; j++) {
+      HardContact& c = given_[of_types(i, j)];
+      if (comm->me == 0) {
+        utils::sfread(FLERR, &setflag[i][j], sizeof(int), 1, fp, nullptr, error);
+        utils::sfread(FLERR, &c, sizeof(HardContact), 1, fp, nullptr, error);
+      }
+      MPI_Bcast(&setflag[i][j], 1, MPI_INT, 0, world);
+      MPI_Bcast(&c, sizeof(HardContact), MPI_BYTE, 0, world);
+      HardContact& other = given_[of_types(j, i)];
+      other = c;
+      std::swap(other.ratio_i, other.ratio_j);
+    }
+}
+
+void PairHardSquareWell::write_restart_settings(FILE* fp) {
+  const int numbers[2] = {rules_.collapse, rules_.limit};
+  fwrite(numbers, sizeof(int), 2, fp);
+}
+
+void PairHardSquareWell::read_restart_settings(FILE* fp) {
+  int numbers[2] = {0, 0};
+  if (comm->me == 0) utils::sfread(FLERR, numbers, sizeof(int), 2, fp, nullptr, error);
+  MPI_Bcast(numbers, 2, MPI_INT, 0, world);
+  rules_.collapse = numbers[0];
+  rules_.limit = numbers[1];
+}

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#ifdef PAIR_CLASS
+// clang-format off
+PairStyle(hard/square_well,PairHardSquareWell);
+// clang-format on
+#else
+
+#ifndef LMP_PAIR_HARD_SQUARE_WELL_H
+#define LMP_PAIR_HARD_SQUARE_WELL_H
+
+#include <string>
+#include <vector>
+
+#include "hard_contact_from_script.h"
+#include "hard_sphere/event_order.h"
+#include "pair.h"
+
+namespace LAMMPS_NS {
+
+/// pair_style hard/square_well: hard spheres with square wells whose impulses act at their times
+/// within the step. The laws and the order of events are in src/hard_sphere and src/square_well;
+/// FixHardEvents carries them out. Doc: docs/lammps-package/pair_hard_square_well.md
+class PairHardSquareWell : public Pair {
+ public:
+  explicit PairHardSquareWell(class LAMMPS*);
+  ~PairHardSquareWell() override;
+
+  void compute(int, int) override;
+  void settings(int, char**) override;
+  void coeff(int, char**) override;
+  void init_style() override;
+  double init_one(int, int) override;
+  void write_restart(FILE*) override;
+  void read_restart(FILE*) override;
+  void write_restart_settings(FILE*) override;
+  void read_restart_settings(FILE*) override;
+
+  const cohesion::hard_sphere::OrderRules& rules() const { return rules_; }
+  const std::string& record_file() const { return record_file_; }
+  class FixNeighHistory* history() const {
+    return history_;
+  }
+  int of_types(int i, int j) const { return i * (atom_types_ + 1) + j; }
+  /// By of_types().
+  std::vector<cohesion::hard_sphere::Law> laws() const;
+  const HardContact& contact_of_types(int i, int j) const { return given_[of_types(i, j)]; }
+  cohesion::hard_sphere::Surfaces surfaces(int i, int j) const;
+  /// How much farther than the range of contact a pair is in the list, besides the skin.
+  double list_reach() const;
+  /// Stops when a particle has outgrown the largest of its type at the start of the run.
+  void check_radii() const;
+
+ private:
+  void allocate();
+
+  int atom_types_;
+  cohesion::hard_sphere::OrderRules rules_;
+  std::string record_file_;
+  std::vector<HardContact> given_;  // by type pair
+  std::vector<double> largest_radius_;
+  class FixHardEvents* events_;
+  class FixNeighHistory* history_;
+};
+
+}  // namespace LAMMPS_NS
+
+#endif
+#endif

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+
+#include "hard_sphere/impact.h"
+#include "hard_sphere/wall_crossing.h"
+
+namespace cohesion::hard_sphere {
+
+/// The straight flight that a particle is on: x(t) = end - (dt - t) velocity, t from the start of
+/// the step. `end` is where the engine will find it at the end of the step.
+struct Flight {
+  Vector3 end;
+  Vector3 velocity;
+  double since = 0.0;  ///< time of its last event in this step, [time]
+  Vector3 spin;
+  int collisions = 0;  ///< in this step
+  int events = 0;      ///< in this step
+
+  Vector3 at(double left) const { return end - left * velocity; }
+};
+
+inline bool same(const Vector3& a, const Vector3& b) {
+  return a.x == b.x && a.y == b.y && a.z == b.z;
+}
+inline bool same(const Flight& a, const Flight& b) {
+  return same(a.end, b.end) && same(a.velocity, b.velocity) && same(a.spin, b.spin) &&
+         a.since == b.since && a.collisions == b.collisions && a.events == b.events;
+}
+
+struct Body {
+  Flight flight;
+  double inverse_mass = 0.0;     ///< [1/mass]; 0: nothing moves it
+  double inverse_inertia = 0.0;  ///< [1/(mass length^2)]
+  double radius = 0.0;           ///< [length]
+  std::int64_t tag = 0;
+  unsigned saved = 0;  ///< stretch in which its flight was put aside last
+
+  Partner partner() const {
+    return {flight.velocity, flight.spin, inverse_mass, inverse_inertia, radius};
+  }
+};
+
+/// Periodic image of a particle: what is added to its position at the end of the step and to its
+/// velocity.
+struct Image {
+  Vector3 displacement;  ///< [length]
+  Vector3 velocity;      ///< [length/time]
+};
+
+/// Two bodies, or a body and a wall, that may meet in this step.
+struct Link {
+  int i;      ///< body with the lower tag
+  int j;      ///< body, or -1 - number of the wall
+  int image;  ///< of j
+  int law;
+  Surfaces at;
+  bool inside = false;  ///< in the well
+  Surface next = Surface::core;
+  unsigned version = 0;  ///< of its prediction
+
+  bool of_wall() const { return j < 0; }
+  int wall() const { return -1 - j; }
+};
+
+/// Place of an event in the order: by time, then by the lower, then the higher tag. A wall counts
+/// as tag -1, -2, ...
+struct EventKey {
+  double time;
+  std::int64_t tag_i;
+  std::int64_t tag_j;
+
+  bool operator<(const EventKey& b) const {
+    if (time != b.time) return time < b.time;
+    return tag_i != b.tag_i ? tag_i < b.tag_i : tag_j < b.tag_j;
+  }
+};
+
+/// An event that was carried out.
+struct Event {
+  EventKey key;
+  int link;
+  bool elastic;        ///< a collision made elastic by the rule against inelastic collapse
+  bool was_inside;     ///< in the well before
+  double distance;     ///< of the centres, of a centre and a wall, [length]
+  Vector3 separation;  ///< from i to j, [length]
+  Vector3 place;       ///< of i, [length]
+  Impact impact;
+};
+
+/// The flight of a body after an event, for those that follow the body elsewhere.
+struct News {
+  EventKey key;
+  int body;
+  int partner;  ///< body or wall
+  Flight flight;
+
+  bool operator==(const News& b) const { return body == b.body && same(flight, b.flight); }
+};
+
+}  // namespace cohesion::hard_sphere

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "vector3.h"
+
+namespace cohesion::hard_sphere {
+
+/// One side of an impulsive contact. A wall, and a particle that nothing moves, has both inverses
+/// 0; a wall has radius 0 and the velocity of its surface.
+struct Partner {
+  Vector3 velocity;        ///< [length/time]
+  Vector3 spin;            ///< [1/time]
+  double inverse_mass;     ///< [1/mass]
+  double inverse_inertia;  ///< of turning about the centre, [1/(mass length^2)]
+  double radius;           ///< [length]
+};
+
+/// What a collision hands over.
+struct Collision {
+  double normal = 0.0;      ///< J, [momentum], positive repels
+  Vector3 tangential;       ///< on j, its reverse on i, [momentum]
+  double dissipated = 0.0;  ///< [energy]
+};
+
+/// Collision of hard spheres with restitution and Coulomb friction.
+///
+///   B2 = 1/m_i + 1/m_j            B1 = B2 + r_i^2/I_i + r_j^2/I_j
+///   J = (1 + e) C0/B2             C0 = k.(v_i - v_j), k from i to j
+///   sticking, S0 < mu_f B1 J:     tangential impulse S0/B1
+///   sliding:                      tangential impulse mu_f J
+///
+/// along the sliding velocity of i's surface against j's, of size S0. Dissipated:
+/// C0^2 (1 - e^2)/(2 B2) by the normal impulse, S0^2/(2 B1) by sticking, P S0 - P^2 B1/2 by sliding
+/// with the tangential impulse P.
+///
+/// B2 > 0 is the caller's to see to.
+///
+/// Source: Hoomans et al., Chem. Eng. Sci. 51 (1996) 99, section 2.3.
+inline Collision collide(const Vector3& k, const Partner& i, const Partner& j, double restitution,
+                         double friction) {
+  const double b2 = i.inverse_mass + j.inverse_mass;
+  const Vector3 relative = i.velocity - j.velocity;
+  const double c0 = dot(k, relative);
+  Collision done;
+  done.normal = (1.0 + restitution) * c0 / b2;
+  done.dissipated = 0.5 * c0 * c0 * (1.0 - restitution * restitution) / b2;
+  if (friction == 0.0 || done.normal <= 0.0) return done;
+
+  const Vector3 sliding = relative - c0 * k + cross(i.radius * i.spin + j.radius * j.spin, k);
+  const double s0 = norm(sliding);
+  if (s0 == 0.0) return done;
+  const double b1 =
+      b2 + i.radius * i.radius * i.inverse_inertia + j.radius * j.radius * j.inverse_inertia;
+  const double limit = friction * done.normal;
+  const double size = s0 < limit * b1 ? s0 / b1 : limit;
+  done.tangential = (size / s0) * sliding;
+  done.dissipated += size * (s0 - 0.5 * size * b1);
+  return done;
+}
+
+}  // namespace cohesion::hard_sphere

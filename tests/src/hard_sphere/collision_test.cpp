@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hard_sphere/collision.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <initializer_list>
+
+#include "hard_sphere/impact.h"
+#include "refuses.h"
+
+namespace {
+
+using namespace cohesion::hard_sphere;
+using cohesion::Vector3;
+
+Partner sphere(double mass, double radius, const Vector3& v, const Vector3& spin) {
+  return {v, spin, 1.0 / mass, 1.0 / (0.4 * mass * radius * radius), radius};
+}
+
+const Partner one = sphere(2.0, 0.5, {1.0, 0.4, -0.2}, {3.0, -1.0, 0.5});
+const Partner two = sphere(3.0, 0.7, {-0.6, 0.1, 0.3}, {-2.0, 0.7, 1.5});
+const Vector3 k{0.6, 0.0, 0.8};
+
+Partner after(const Partner& p, const Impact& hit, double side) {
+  Partner q = p;
+  q.velocity += (side * p.inverse_mass) * hit.on_j;
+  q.spin -= (p.radius * p.inverse_inertia) * hit.twist;
+  return q;
+}
+
+double energy(const Partner& p) {
+  double sum = 0.0;
+  if (p.inverse_mass > 0.0) sum += 0.5 * dot(p.velocity, p.velocity) / p.inverse_mass;
+  if (p.inverse_inertia > 0.0) sum += 0.5 * dot(p.spin, p.spin) / p.inverse_inertia;
+  return sum;
+}
+
+Vector3 slip(const Partner& i, const Partner& j) {
+  const Vector3 v = i.velocity - j.velocity;
+  return v - dot(v, k) * k + cross(i.radius * i.spin + j.radius * j.spin, k);
+}
+
+// Every quantity is a sum of at most 20 terms of order 1, rounded by 1.1e-16 each.
+constexpr double round_off = 5e-15;
+
+Impact hit(double e, double mu, const Partner& i, const Partner& j) {
+  return impact(Surface::core, k, {e, mu, 0.0}, i, j);
+}
+
+TEST(Collision, RestitutionWithoutFriction) {
+  const Impact h = hit(0.7, 0.0, one, two);
+  const Partner i = after(one, h, -1.0), j = after(two, h, 1.0);
+  EXPECT_NEAR(dot(k, i.velocity - j.velocity), -0.7 * dot(k, one.velocity - two.velocity),
+              round_off);
+  EXPECT_EQ(i.spin.x, one.spin.x);
+  EXPECT_NEAR(energy(i) + energy(j) - energy(one) - energy(two), h.energy_change, round_off);
+}
+
+TEST(Collision, StickingStopsTheSurfaces) {
+  const Impact h = hit(0.9, 10.0, one, two);
+  const Partner i = after(one, h, -1.0), j = after(two, h, 1.0);
+  EXPECT_NEAR(norm(slip(i, j)), 0.0, round_off);
+  EXPECT_NEAR(energy(i) + energy(j) - energy(one) - energy(two), h.energy_change, round_off);
+}
+
+TEST(Collision, SlidingHasTheCoulombImpulseAgainstTheSlip) {
+  const double mu = 0.05;
+  const Impact h = hit(0.9, mu, one, two);
+  const Vector3 tangential = h.on_j - h.normal * k;
+  EXPECT_NEAR(norm(tangential), mu * h.normal, round_off);
+  const Vector3 before = slip(one, two);
+  EXPECT_NEAR(dot(tangential, before), norm(tangential) * norm(before), round_off);
+  const Partner i = after(one, h, -1.0), j = after(two, h, 1.0);
+  EXPECT_NEAR(dot(slip(i, j), before) / norm(before) / norm(slip(i, j)), 1.0, round_off);
+  EXPECT_NEAR(energy(i) + energy(j) - energy(one) - energy(two), h.energy_change, round_off);
+}
+
+TEST(Collision, MomentumAndAngularMomentumAreKept) {
+  const Impact h = hit(0.6, 0.2, one, two);
+  const Partner i = after(one, h, -1.0), j = after(two, h, 1.0);
+  // About the centre of i, j being one contact distance along k.
+  const double distance = one.radius + two.radius;
+  const auto spin = [&](const Partner& a, const Partner& b) {
+    return (1.0 / a.inverse_inertia) * a.spin + (1.0 / b.inverse_inertia) * b.spin +
+           cross(distance * k, (1.0 / b.inverse_mass) * b.velocity);
+  };
+  EXPECT_NEAR(norm(spin(i, j) - spin(one, two)), 0.0, round_off);
+  EXPECT_NEAR(norm(2.0 * (i.velocity - one.velocity) + 3.0 * (j.velocity - two.velocity)), 0.0,
+              round_off);
+}
+
+TEST(Collision, WallIsAPartnerOfInfiniteMass) {
+  const Partner wall{{0.2, 0.0, 0.1}, {}, 0.0, 0.0, 0.0};
+  const Impact h = hit(0.8, 10.0, one, wall);
+  const Partner i = after(one, h, -1.0), w = after(wall, h, 1.0);
+  EXPECT_EQ(w.velocity.x, wall.velocity.x);
+  EXPECT_EQ(w.spin.x, 0.0);
+  EXPECT_NEAR(dot(k, i.velocity - wall.velocity), -0.8 * dot(k, one.velocity - wall.velocity),
+              round_off);
+  EXPECT_NEAR(norm(slip(i, wall)), 0.0, round_off);
+}
+
+TEST(Collision, LawRefusesWhatCannotBe) {
+  expect_refused([] { require_valid(Law{1.1, 0.0, 0.0}); }, "restitution e = 1.1");
+  expect_refused([] { require_valid(Law{std::nan(""), 0.0, 0.0}); }, "restitution");
+  expect_refused([] { require_valid(Law{1.0, -0.1, 0.0}); }, "friction");
+  expect_refused([] { require_valid(Law{1.0, 0.0, -1.0}); }, "depth");
+}
+
+}  // namespace
