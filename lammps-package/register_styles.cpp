@@ -7,11 +7,13 @@
 #include "fix_gas_coupling.h"
 #include "fix_hard_events.h"
 #include "fix_wall_gran_hamaker.h"
+#include "fix_wall_gran_square_well.h"
 #include "fix_wall_hamaker.h"
 #include "fix_wall_hard_square_well.h"
 #include "lammps.h"
 #include "lammpsplugin.h"
 #include "pair_gran_hamaker.h"
+#include "pair_gran_square_well.h"
 #include "pair_hamaker.h"
 #include "pair_hard_square_well.h"
 #include "version.h"
@@ -55,6 +57,11 @@ extern "C" void cohesion_register_styles(void* lmp, void* handle, void* regfunc)
   plugin.creator.v1 = &make_pair_style<PairGranHamaker>;
   register_style(&plugin, lmp);
 
+  plugin.name = "gran/square_well";
+  plugin.info = "pair gran/square_well";
+  plugin.creator.v1 = &make_pair_style<PairGranSquareWell>;
+  register_style(&plugin, lmp);
+
   plugin.name = "hard/square_well";
   plugin.info = "pair hard/square_well";
   plugin.creator.v1 = &make_pair_style<PairHardSquareWell>;
@@ -79,6 +86,11 @@ extern "C" void cohesion_register_styles(void* lmp, void* handle, void* regfunc)
   plugin.name = "wall/gran/hamaker";
   plugin.info = "fix wall/gran/hamaker";
   plugin.creator.v2 = &make_fix_style<FixWallGranHamaker>;
+  register_style(&plugin, lmp);
+
+  plugin.name = "wall/gran/square_well";
+  plugin.info = "fix wall/gran/square_well";
+  plugin.creator.v2 = &make_fix_style<FixWallGranSquareWell>;
   register_style(&plugin, lmp);
 
   plugin.name = "wall/hard/square_well";
