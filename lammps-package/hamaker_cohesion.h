@@ -23,8 +23,12 @@ class HamakerCohesion {
  public:
   static constexpr char STYLE[] = "gran/hamaker";
   static constexpr char HISTORY_ID[] = "NEIGH_HISTORY_GRAN_HAMAKER";
+  /// What pair_coeff takes behind `i j`, for messages.
+  static constexpr char COEFFICIENTS[] = "stiffness K ...', see its page for the other keywords";
   /// Keywords of the style besides `scheme`, one value each.
   static constexpr std::array SETTINGS{"form"};
+  /// Whether the style follows contacts, by a scheme and with advice, or lies over another's.
+  static constexpr bool HAS_CONTACT = true;
 
   /// What a script says about the contact of two materials.
   struct Parameters {

@@ -77,7 +77,7 @@ void PairGranCohesive<Cohesion>::compute(int eflag, int vflag) {
           if (evflag) tally_standing(contacts);
           return;
         }
-        if (update->setupflag) give_advice();
+        if (Cohesion::HAS_CONTACT && update->setupflag) give_advice();
         if (neighbor->ago == 0) check_radii();
         find_active(contacts);
         friction ? follow<true>(contacts) : follow<false>(contacts);
@@ -293,6 +293,8 @@ void PairGranCohesive<Cohesion>::tally_standing(Contacts<Contact>& contacts) {
 
 template <class Cohesion>
 void PairGranCohesive<Cohesion>::settings(int narg, char** arg) {
+  if (!Cohesion::HAS_CONTACT && narg > 0)
+    error->all(FLERR, where() + " takes no keywords, not '" + arg[0] + "'");
   for (int i = 0; i < narg; i += 2) {
     const std::string word = arg[i];
     if (word != "scheme" && !is_setting<Cohesion>(word))
@@ -307,17 +309,26 @@ void PairGranCohesive<Cohesion>::settings(int narg, char** arg) {
 }
 
 template <class Cohesion>
+typename Cohesion::Parameters PairGranCohesive<Cohesion>::read(const std::string& here, int first,
+                                                               int narg, char** arg) {
+  if constexpr (Cohesion::HAS_CONTACT)
+    return cohesive_contact_from_script<Cohesion>(lmp, here, first, narg, arg);
+  else
+    return Cohesion::from_script(lmp, here, first, narg, arg);
+}
+
+template <class Cohesion>
 void PairGranCohesive<Cohesion>::coeff(int narg, char** arg) {
   if (narg < 4)
-    error->all(FLERR, std::string("pair_coeff of ") + Cohesion::STYLE +
-                          " takes 'i j stiffness K ...', see its page for the other keywords");
+    error->all(FLERR, std::string("pair_coeff of ") + Cohesion::STYLE + " takes 'i j " +
+                          Cohesion::COEFFICIENTS);
   if (!allocated) allocate();
   int ilo, ihi, jlo, jhi;
   utils::bounds(FLERR, arg[0], 1, atom->ntypes, ilo, ihi, error);
   utils::bounds(FLERR, arg[1], 1, atom->ntypes, jlo, jhi, error);
   const std::string here =
       std::string("pair_coeff ") + arg[0] + " " + arg[1] + " of " + Cohesion::STYLE;
-  const Parameters p = cohesive_contact_from_script<Cohesion>(lmp, here, 2, narg, arg);
+  const Parameters p = read(here, 2, narg, arg);
   int count = 0;
   for (int i = ilo; i <= ihi; i++)
     for (int j = std::max(jlo, i); j <= jhi; j++) {
@@ -452,3 +463,4 @@ void PairGranCohesive<Cohesion>::read_restart_settings(FILE* fp) {
 
 template class LAMMPS_NS::PairGranCohesive<HamakerCohesion>;
 template class LAMMPS_NS::PairGranCohesive<SquareWellCohesion>;
+template class LAMMPS_NS::PairGranCohesive<SquareWellOverlay>;

@@ -87,6 +87,7 @@ class PairGranCohesive : public Pair {
   void follow_together(Contacts<Contact>&);
   template <class Contact>
   void tally_standing(Contacts<Contact>&);
+  Parameters read(const std::string& here, int first, int narg, char** arg);
   void give_advice();
   void check_radii();
 

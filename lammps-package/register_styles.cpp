@@ -16,6 +16,7 @@
 #include "pair_gran_square_well.h"
 #include "pair_hamaker.h"
 #include "pair_hard_square_well.h"
+#include "pair_square_well.h"
 #include "version.h"
 
 using namespace LAMMPS_NS;
@@ -60,6 +61,11 @@ extern "C" void cohesion_register_styles(void* lmp, void* handle, void* regfunc)
   plugin.name = "gran/square_well";
   plugin.info = "pair gran/square_well";
   plugin.creator.v1 = &make_pair_style<PairGranSquareWell>;
+  register_style(&plugin, lmp);
+
+  plugin.name = "square_well";
+  plugin.info = "pair square_well";
+  plugin.creator.v1 = &make_pair_style<PairSquareWell>;
   register_style(&plugin, lmp);
 
   plugin.name = "hard/square_well";

@@ -10,6 +10,7 @@
 #include "cohesive_contact_from_script.h"
 #include "event_stepping/plane_pair.h"
 #include "event_stepping/sampled_well.h"
+#include "event_stepping/well_edge.h"
 #include "event_stepping/well_pair.h"
 #include "square_well/parameters.h"
 
@@ -21,7 +22,9 @@ class SquareWellCohesion {
  public:
   static constexpr char STYLE[] = "gran/square_well";
   static constexpr char HISTORY_ID[] = "NEIGH_HISTORY_GRAN_SQUARE_WELL";
+  static constexpr char COEFFICIENTS[] = "stiffness K ...', see its page for the other keywords";
   static constexpr std::array<const char*, 0> SETTINGS{};
+  static constexpr bool HAS_CONTACT = true;
 
   /// What a script says about the contact of two materials.
   struct Parameters {
@@ -70,6 +73,29 @@ class SquareWellCohesion {
   template <class Attraction>
   static Attraction of_wall(const Law& law, double radius) {
     return cohesion::square_well::adhesion_of(law, radius, 0.0);
+  }
+};
+
+/// The well alone, laid over the contact of another style.
+class SquareWellOverlay : public SquareWellCohesion {
+ public:
+  static constexpr char STYLE[] = "square_well";
+  static constexpr char HISTORY_ID[] = "NEIGH_HISTORY_SQUARE_WELL";
+  static constexpr char COEFFICIENTS[] = "D ratio'";
+  static constexpr bool HAS_CONTACT = false;
+  using EventPair = cohesion::event_stepping::WellEdge;
+  using Sampled = EventPair;
+
+  /// Reads `D ratio` from arg[first] on.
+  static Parameters from_script(LAMMPS* lmp, const std::string& where, int first, int narg,
+                                char** arg) {
+    if (narg != first + 2) lmp->error->all(FLERR, where + " takes 'D ratio'");
+    Parameters p;
+    p.contact.stiffness = 1.0;  // of no contact: no spring is ever asked
+    p.well = cohesion::square_well::well(utils::numeric(FLERR, arg[first], false, lmp),
+                                         utils::numeric(FLERR, arg[first + 1], false, lmp));
+    require_valid(lmp, where, p, {});
+    return p;
   }
 };
 

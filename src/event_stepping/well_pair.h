@@ -31,13 +31,9 @@ class WellPair {
   /// `step` [time]: the usual length of a step.
   WellPair(const contact::LinearSpringDashpot& spring, const contact::Adhesion& well,
            double contact_distance, double step)
-      : contact_(spring, well.cutoff > 0.0 ? contact::Adhesion{} : well, contact_distance, step),
-        core_(contact_distance),
-        edge_(contact_distance + well.cutoff),
-        depth_(well.tail_energy),
-        inverse_mass_(1.0 / spring.reduced_mass()) {}
+      : WellPair(spring, well, contact_distance, contact_distance, step) {}
 
-  double range() const { return edge_ - core_; }
+  double range() const { return range_; }
   double spring_energy(double overlap) const { return contact_.spring_energy(overlap); }
   /// Of a pair in the well, wherever it stands.
   double adhesion_energy(double /*overlap*/) const { return -depth_; }
@@ -85,6 +81,17 @@ class WellPair {
     step.change.separation = m.at.separation - window.after * m.at.velocity - grid.separation;
     return step;
   }
+
+ protected:
+  /// `core` [length]: the distance at which contact begins; 0: contact is followed elsewhere.
+  WellPair(const contact::LinearSpringDashpot& spring, const contact::Adhesion& well,
+           double contact_distance, double core, double step)
+      : contact_(spring, well.cutoff > 0.0 ? contact::Adhesion{} : well, contact_distance, step),
+        core_(core),
+        edge_(contact_distance + well.cutoff),
+        range_(well.cutoff),
+        depth_(well.tail_energy),
+        inverse_mass_(1.0 / spring.reduced_mass()) {}
 
  private:
   /// More than any well has that is wide enough to be one; a pair along whose edge nearly nothing
@@ -157,6 +164,7 @@ class WellPair {
   SpherePair contact_;
   double core_;
   double edge_;
+  double range_;
   double depth_;
   double inverse_mass_;
 };
