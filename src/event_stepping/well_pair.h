@@ -109,8 +109,7 @@ class WellPair {
     RelativeState at;
     bool inside;
     bool touching;
-    double overlap;     ///< while touching
-    bool left = false;  ///< contact; a straight line does not come back to it
+    double overlap;  ///< while touching
   };
 
   Meeting next_meeting(const Motion& m) const {
@@ -119,8 +118,7 @@ class WellPair {
     const double rr = dot(m.at.separation, m.at.separation);
     const double beyond = rr - edge_ * edge_;
     if (!m.inside) return {hard_sphere::time_to_fall(b, ww, beyond), edge_from_outside};
-    const double fall =
-        m.left ? hard_sphere::never : hard_sphere::time_to_fall(b, ww, rr - core_ * core_);
+    const double fall = hard_sphere::time_to_fall(b, ww, rr - core_ * core_);
     if (fall < hard_sphere::never) return {fall, contact};
     // Along the edge: neither in nor out.
     if (beyond >= 0.0 && b * b <= rounding * rounding * rr * ww)
@@ -142,7 +140,6 @@ class WellPair {
       return u < 0.0 ? -in : in;
     });
     m.inside = true;
-    m.left = false;
   }
 
   void leave(Motion& m) const {
@@ -151,14 +148,11 @@ class WellPair {
       return m.inside ? square_well::capture_impulse(u, inverse_mass_)
                       : square_well::escape_impulse(u, depth_, inverse_mass_);
     });
-    m.left = false;
   }
 
   double turn(Motion& m, double time, NormalRecord& record) const {
     m.touching = true;
-    const double taken = contact_.turn(m.at, time, m.touching, m.overlap, record);
-    m.left = !m.touching;
-    return taken;
+    return contact_.turn(m.at, time, m.touching, m.overlap, record);
   }
 
   SpherePair contact_;

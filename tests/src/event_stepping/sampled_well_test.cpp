@@ -21,6 +21,9 @@ std::pair<double, bool> step(double distance, double velocity, bool inside) {
   const PairStep now = pair.advance({{distance, 0, 0}, {velocity, 3e-3, 0}}, inside);
   const double after = velocity + now.change.velocity.x;
   EXPECT_EQ(now.change.velocity.y, 0.0);
+  if (inside && velocity < 0.0) {
+    EXPECT_EQ(now.change.velocity.x, 0.0);
+  }
   EXPECT_EQ(norm(now.change.separation), 0.0);  // a force, nothing else
   return {0.5 * thesis::reduced_mass * (after * after - velocity * velocity) / depth, now.inside};
 }
@@ -41,7 +44,9 @@ TEST(SampledWell, GivesTheImpulseWhereThePairIsFoundBeyondTheEdge) {
   is(step(0.999 * edge, -v, true), 0.0, true);
   is(step(0.999 * edge, v, true), 0.0, true);
   is(step(1.001 * edge, v, true), -1.0, false);
-  is(step(1.001 * edge, slow, true), 0.0, true);   // captured
+  is(step(1.001 * edge, slow, true), 0.0, true);  // captured
+  is(step(0.999 * edge, v, false), 0.0, false);   // parting: it never was in
+  is(step(1.001 * edge, -v, true), 0.0, true);
   is(step(1.001 * edge, -slow, true), 0.0, true);  // on its way back
 }
 

@@ -91,6 +91,37 @@ TEST(WellPair, EnergyChangesByTheDepthAtApproachAndEscapeAndNotAtCapture) {
   EXPECT_EQ(turns, 1);
 }
 
+TEST(WellPair, IsWhereItsEventsPutItAtAnyTime) {
+  // Head-on and elastic: to the edge at v, through the well at v' = sqrt(v^2 + 2 D/mu), half a
+  // period pi/w0 in contact, and back.
+  const double depth = 5e-11, speed = 4e-3, start = 1.011 * core, width = 0.01 * core;
+  const double inside = std::hypot(speed, speed_of(depth));
+  const double contact_time = 3.14159265358979324 * std::sqrt(thesis::reduced_mass / 800.0);
+  const double enters = (start - core - width) / speed, touches = enters + width / inside;
+  const double parts = touches + contact_time, leaves = parts + width / inside;
+  const auto distance = [&](double t) {
+    if (t < enters) return start - speed * t;
+    if (t < touches) return core + width - inside * (t - enters);
+    if (t < parts) {
+      const double phase = 3.14159265358979324 * (t - touches) / contact_time;
+      return core - inside * contact_time / 3.14159265358979324 * std::sin(phase);
+    }
+    return t < leaves ? core + inside * (t - parts) : core + width + speed * (t - leaves);
+  };
+  for (const double part : {1.1, 4.0, 31.0}) {  // a contact is followed for a period at most
+    const double dt = thesis::contact_time / part;
+    Wells run(thesis::elastic(), well(depth, 1.01), particle, particle, dt,
+              {{start, 0, 0}, {-speed, 0, 0}});
+    const int steps = static_cast<int>(1.2 * leaves / dt) + 1;
+    for (int n = 1; n <= steps; n++) {
+      run.step();
+      // 1e-19 m in each step, and what it does to speeds in contact, w0 1e-19 m, later.
+      EXPECT_NEAR(run.distance(), distance(n * dt), 4e-19 * n + 4e-15 * 10 * n * dt + 1e-18);
+    }
+    EXPECT_FALSE(run.last().inside);
+  }
+}
+
 TEST(WellPair, PassesWithoutContactAreRefracted) {
   // The edge refracts the path like light entering a denser medium, n = sqrt(1 + 2 D/(mu v^2)): a
   // pass at impact parameter s that does not touch (s/n > core) is deflected by
@@ -175,6 +206,7 @@ TEST(WellPair, ACapturedElasticPairKeepsEnergyAndAngularMomentum) {
         const double centrifugal = 1.5 * x * x / core / core * run.kinetic() * 2.0;
         EXPECT_LT(worst, rounding + centrifugal) << ratio << " " << around << " " << part;
         EXPECT_LT(worst, 1e-4 * depth);
+        EXPECT_LT(std::abs(run.dissipated()), rounding);
         EXPECT_LT(norm(run.angular_momentum() - turning),
                   16.0 * eps * steps * norm(turning) + 1e-30);
         EXPECT_EQ(run.unresolved(), 0) << ratio << " " << around << " " << part;
