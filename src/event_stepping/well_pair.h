@@ -118,7 +118,8 @@ class WellPair {
     const double rr = dot(m.at.separation, m.at.separation);
     const double beyond = rr - edge_ * edge_;
     if (!m.inside) return {hard_sphere::time_to_fall(b, ww, beyond), edge_from_outside};
-    const double fall = hard_sphere::time_to_fall(b, ww, rr - core_ * core_);
+    const double fall =
+        core_ > 0.0 ? hard_sphere::time_to_fall(b, ww, rr - core_ * core_) : hard_sphere::never;
     if (fall < hard_sphere::never) return {fall, contact};
     // Along the edge: neither in nor out.
     if (beyond >= 0.0 && b * b <= rounding * rounding * rr * ww)
