@@ -313,6 +313,26 @@ class Walls(Scene):
             self.assertEqual([row.all() for row in parted], [False, False, True, True])
             self.assertEqual([row.any() for row in parted], [False, False, True, True])
 
+    def test_sampled_wall(self):
+        # The velocity that the dashpot sees is half a step old: up to w0 dt/2 = 0.9 % of what it
+        # takes, and that is what decides. Leapfrog's own error of (w0 dt)^2/8 of the energy is
+        # 1/(1 - e^2) = 14 times more of it: 0.05 %. Half of that in speed; graded by 5 %.
+        depth, ratio = 1e-10, 1.02
+        alpha = DAMPING / (2 * MASS)
+        q = math.sqrt(STIFFNESS / MASS - alpha**2)
+        escape = escape_velocity(depth, MASS, math.exp(-math.pi * alpha / q))
+        width, dt = (ratio - 1) * DIAMETER / 2, math.pi / q / 185
+        atoms = [self.sphere((2e-3 * (k + 1), 2e-3 * (position + 1), DIAMETER / 2 + width + 1e-7
+                              + factor * escape * dt * position / POSITIONS),
+                             (0.0, 0.0, -factor * escape))
+                 for k, factor in enumerate((0.95, 1.05)) for position in range(POSITIONS)]
+        contact = words(depth, ratio)
+        self.follow(atoms, ["* * " + words(0.0, 1.0)], dt, 40000, box=3 * [(0.0, 0.02)], every=2001,
+                    fixes=[f"fix w all wall/gran/square_well scheme sampled {contact} zplane 0 NULL"])
+        parted = have_parted(self.course()[:, :, 3] - DIAMETER / 2, width).reshape(2, POSITIONS)
+        self.assertFalse(parted[0].any())
+        self.assertTrue(parted[1].all())
+
     def test_elastic_sphere_captured_in_a_corner(self):
         # Three walls, D each: captured by all, motion along each axis is its own: |v| at the grid
         # points outside contact and turns is the same after 1e5 steps.
