@@ -2,25 +2,23 @@
 #ifndef COHESION_COHESIVE_CONTACT_FROM_SCRIPT_H
 #define COHESION_COHESIVE_CONTACT_FROM_SCRIPT_H
 
+#include <algorithm>
+#include <set>
 #include <string>
-#include <type_traits>
-#include <variant>
+#include <vector>
 
 #include "advice/contact_advice.h"
-#include "contact/adhesion.h"
 #include "contact/contact_parameters.h"
-#include "hamaker/forms.h"
+#include "error.h"
 #include "lammps.h"
-#include "sphere.h"
+#include "law_from_script.h"
+#include "utils.h"
+
+// What scripts say about cohesive contacts, whatever the cohesion. `Cohesion` is one of
+// hamaker_cohesion.h, square_well_cohesion.h; its Parameters have a member `contact`, the contact
+// without cohesion.
 
 namespace LAMMPS_NS {
-
-/// What a script says about the contact of two materials.
-struct CohesiveContactParameters {
-  cohesion::contact::ContactParameters contact;
-  cohesion::hamaker::Parameters hamaker = cohesion::hamaker::none;
-  double material_stiffness = 0.0;  ///< [force/length]: scale the adhesion from it; 0: do not
-};
 
 /// How contacts are followed in time; to add one: its pair in src/event_stepping, its row in
 /// `schemes`, its alternative in the styles' AnyContacts.
@@ -30,45 +28,101 @@ enum class Scheme { event, sampled };
 Scheme scheme_from_script(LAMMPS*, const std::string& where, const std::string& name);
 const cohesion::advice::SchemeLimits& limits_of(Scheme);
 
-/// Reads `stiffness K [restitution e | damping eta] [tangential ratio] [tangential_damping ratio]
-/// [friction mu] [hamaker A] [cutoff H_cut H_out] [asperity r]
-/// [material_stiffness K]` from arg[first] on; `where` stands
-/// in front of every message. Stops LAMMPS at a keyword or value that cannot be right.
-CohesiveContactParameters cohesive_contact_from_script(LAMMPS*, const std::string& where, int first,
-                                                       int narg, char** arg);
-
-/// How many values a keyword of cohesive_contact_from_script takes; -1 when there is none called
-/// so.
-int values_of_contact_keyword(const std::string& name);
-/// Their names, with commas.
-std::string contact_keywords();
-
-/// Gap up to which the scheme has to see a pair, [length].
-double cohesive_range(Scheme, const CohesiveContactParameters&);
-
-/// The parameters of a run: with the adhesion scaled to the stiffness when that is wished, which is
-/// then printed.
-CohesiveContactParameters scaled(LAMMPS*, const std::string& where, const cohesion::hamaker::Form&,
-                                 CohesiveContactParameters);
-
-/// The contact of unlike materials: geometric means of stiffness, restitution, friction, ratios and
-/// Hamaker constant; the larger cut-offs and asperity.
-CohesiveContactParameters mixed(const CohesiveContactParameters&, const CohesiveContactParameters&);
-
-/// The attraction as a pair of the event scheme, or as SampledPair, takes it.
-template <class Attraction>
-Attraction attraction_of(const cohesion::hamaker::AnyLaw& law,
-                         const cohesion::PairGeometry& geometry) {
-  if constexpr (std::is_same_v<Attraction, cohesion::contact::Adhesion>)
-    return std::visit([&](const auto& l) { return cohesion::contact::adhesion_of(l, geometry); },
-                      law);
-  else
-    return {law, geometry};
+/// Whether `word` is a keyword of the style that the cohesion reads.
+template <class Cohesion>
+bool is_setting(const std::string& word) {
+  return std::find(Cohesion::SETTINGS.begin(), Cohesion::SETTINGS.end(), word) !=
+         Cohesion::SETTINGS.end();
 }
 
-/// Throws InvalidParameter.
-cohesion::hamaker::AnyLaw hamaker_law(const cohesion::hamaker::Form&,
-                                      const cohesion::hamaker::Parameters&);
+/// The keywords of the style, with commas.
+template <class Cohesion>
+std::string setting_names() {
+  std::string all = "scheme";
+  for (const char* name : Cohesion::SETTINGS) all += std::string(", ") + name;
+  return all;
+}
+
+template <class Parameters>
+struct ContactKeyword {
+  const char* name;
+  int values;  ///< at most 2
+  void (*set)(Parameters&, const double*);
+};
+
+/// The keywords of a contact, `stiffness K [restitution e | damping eta] [tangential ratio]
+/// [tangential_damping ratio] [friction mu]`, and those of the cohesion.
+template <class Cohesion>
+const auto& contact_keywords() {
+  using P = typename Cohesion::Parameters;
+  using Keyword = ContactKeyword<P>;
+  static const std::vector<Keyword> all = [] {
+    std::vector<Keyword> rows{
+        {"stiffness", 1, [](P& p, const double* v) { p.contact.stiffness = v[0]; }},
+        {"restitution", 1, [](P& p, const double* v) { p.contact.restitution = v[0]; }},
+        {"damping", 1, [](P& p, const double* v) { p.contact.damping = v[0]; }},
+        {"tangential", 1, [](P& p, const double* v) { p.contact.tangential_ratio = v[0]; }},
+        {"tangential_damping", 1,
+         [](P& p, const double* v) { p.contact.tangential_damping_ratio = v[0]; }},
+        {"friction", 1, [](P& p, const double* v) { p.contact.friction = v[0]; }},
+    };
+    const auto own = Cohesion::keywords();
+    rows.insert(rows.end(), own.begin(), own.end());
+    return rows;
+  }();
+  return all;
+}
+
+/// How many values a keyword of the contact takes; -1 when there is none called so.
+template <class Cohesion>
+int values_of_contact_keyword(const std::string& name) {
+  for (const auto& keyword : contact_keywords<Cohesion>())
+    if (name == keyword.name) return keyword.values;
+  return -1;
+}
+
+/// Their names, with commas.
+template <class Cohesion>
+std::string contact_keyword_names() {
+  std::string all;
+  for (const auto& keyword : contact_keywords<Cohesion>())
+    all += (all.empty() ? "" : ", ") + std::string(keyword.name);
+  return all;
+}
+
+/// Stops LAMMPS at a contact that cannot be right; `given` are the keywords that were there.
+void require_valid(LAMMPS*, const std::string& where, const cohesion::contact::ContactParameters&,
+                   const std::set<std::string>& given);
+
+/// Reads the keywords from arg[first] on; `where` stands in front of every message. Stops LAMMPS at
+/// a keyword or value that cannot be right.
+template <class Cohesion>
+typename Cohesion::Parameters cohesive_contact_from_script(LAMMPS* lmp, const std::string& where,
+                                                           int first, int narg, char** arg) {
+  typename Cohesion::Parameters p;
+  std::set<std::string> given;
+  for (int i = first; i < narg;) {
+    const auto& keyword = *from_script(lmp, where, [&] {
+      return &cohesion::find_by_name(contact_keywords<Cohesion>(), "keyword", arg[i]);
+    });
+    if (i + keyword.values >= narg)
+      lmp->error->all(FLERR, where + ": keyword '" + keyword.name + "' takes " +
+                                 std::to_string(keyword.values) + " value(s)");
+    double values[2] = {0.0, 0.0};
+    for (int k = 0; k < keyword.values; k++)
+      values[k] = utils::numeric(FLERR, arg[i + 1 + k], false, lmp);
+    keyword.set(p, values);
+    given.insert(keyword.name);
+    i += 1 + keyword.values;
+  }
+  require_valid(lmp, where, p.contact, given);
+  Cohesion::require_valid(lmp, where, p, given);
+  return p;
+}
+
+/// Contact of unlike materials: geometric means.
+cohesion::contact::ContactParameters mixed(const cohesion::contact::ContactParameters&,
+                                           const cohesion::contact::ContactParameters&);
 
 }  // namespace LAMMPS_NS
 

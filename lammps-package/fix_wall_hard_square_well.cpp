@@ -99,12 +99,12 @@ const HardContact& FixWallHardSquareWell::pair_contact(int type) const {
 }
 
 double FixWallHardSquareWell::ratio(int type) const {
-  return given_.well_given ? given_.ratio_i : pair_contact(type).ratio_i;
+  return given_.well_given ? given_.well.ratio_i : pair_contact(type).well.ratio_i;
 }
 
 Law FixWallHardSquareWell::law_of_type(int type) const {
-  Law law = given_.law;
-  if (!given_.well_given) law.depth = PLANE_OVER_SPHERE * pair_contact(type).law.depth;
+  Law law = given_.law();
+  if (!given_.well_given) law.depth = PLANE_OVER_SPHERE * pair_contact(type).well.depth;
   return law;
 }
 

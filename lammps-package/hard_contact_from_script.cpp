@@ -18,13 +18,12 @@ int LAMMPS_NS::read_hard_keyword(LAMMPS* lmp, const std::string& where, int at, 
                                (well ? " takes a depth and a ratio r_out/r" : " takes a number"));
   const auto number = [&](int n) { return utils::numeric(FLERR, arg[at + n], false, lmp); };
   if (word == "restitution") {
-    c.law.restitution = number(1);
+    c.restitution = number(1);
     has_restitution = true;
   } else if (word == "friction") {
-    c.law.friction = number(1);
+    c.friction = number(1);
   } else {
-    c.law.depth = number(1);
-    c.ratio_i = c.ratio_j = number(2);
+    c.well = cohesion::square_well::well(number(1), number(2));
     c.well_given = true;
   }
   return 2 + well;
@@ -34,11 +33,10 @@ void LAMMPS_NS::require_valid(LAMMPS* lmp, const std::string& where, const HardC
                               bool has_restitution) {
   if (!has_restitution) lmp->error->all(FLERR, where + ": give 'restitution e'");
   from_script(lmp, where, [&] {
-    cohesion::hard_sphere::require_valid(c.law);
-    cohesion::require(std::isfinite(c.ratio_i) && c.ratio_i >= 1.0, "ratio r_out/r of the well",
-                      c.ratio_i,
-                      "must be a finite number not below 1: the well is outside the core");
-    cohesion::require(c.law.depth == 0.0 || c.ratio_i > 1.0, "ratio r_out/r of the well", c.ratio_i,
+    cohesion::hard_sphere::require_valid(c.law());
+    cohesion::square_well::require_valid(c.well);
+    cohesion::require(c.well.depth == 0.0 || c.well.ratio_i > 1.0, "ratio r_out/r of the well",
+                      c.well.ratio_i,
                       "must be above 1 with a depth above zero: between core and edge in the same "
                       "place a captured pair would have infinitely many events in no time");
     return 0;
@@ -47,10 +45,8 @@ void LAMMPS_NS::require_valid(LAMMPS* lmp, const std::string& where, const HardC
 
 HardContact LAMMPS_NS::mixed(const HardContact& a, const HardContact& b) {
   HardContact c;
-  c.law.restitution = std::sqrt(a.law.restitution * b.law.restitution);
-  c.law.friction = std::sqrt(a.law.friction * b.law.friction);
-  c.law.depth = std::sqrt(a.law.depth * b.law.depth);
-  c.ratio_i = a.ratio_i;
-  c.ratio_j = b.ratio_j;
+  c.restitution = std::sqrt(a.restitution * b.restitution);
+  c.friction = std::sqrt(a.friction * b.friction);
+  c.well = cohesion::square_well::mixed(a.well, b.well);
   return c;
 }

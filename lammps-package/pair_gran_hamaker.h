@@ -8,112 +8,13 @@ PairStyle(gran/hamaker,PairGranHamaker);
 #ifndef LMP_PAIR_GRAN_HAMAKER_H
 #define LMP_PAIR_GRAN_HAMAKER_H
 
-#include <algorithm>
-#include <variant>
-#include <vector>
-
-#include "bound_pairs.h"
-#include "cohesive_contact_from_script.h"
-#include "event_contact.h"
-#include "event_stepping/cohesive_contact.h"
-#include "event_stepping/sampled_pair.h"
-#include "pair.h"
+#include "hamaker_cohesion.h"
+#include "pair_gran_cohesive.h"
 
 namespace LAMMPS_NS {
 
-/// pair_style gran/hamaker: linear spring-dashpot contact with friction and Hamaker adhesion, in
-/// the event scheme or sampled. The laws are in src/event_stepping, src/contact and src/hamaker;
-/// doc: docs/lammps-package/pair_gran_hamaker.md
-class PairGranHamaker : public Pair, public BoundPairs {
- public:
-  explicit PairGranHamaker(class LAMMPS*);
-  ~PairGranHamaker() override;
-
-  void compute(int, int) override;
-  void settings(int, char**) override;
-  void coeff(int, char**) override;
-  void init_style() override;
-  double init_one(int, int) override;
-  void write_restart(FILE*) override;
-  void read_restart(FILE*) override;
-  void write_restart_settings(FILE*) override;
-  void read_restart_settings(FILE*) override;
-  void append_bound(std::vector<std::array<int, 2> >&) const override;
-
- private:
-  template <class Pair>
-  using ContactOf = cohesion::event_stepping::CohesiveContact<Pair>;
-  /// The contacts of a step, and by type pair which of them was used last.
-  template <class Contact>
-  struct Contacts {
-    std::vector<Contact> all;
-    std::vector<int> last;
-
-    static constexpr int NONE = -1;
-    void clear() {
-      all.clear();
-      std::fill(last.begin(), last.end(), NONE);
-    }
-  };
-  /// One alternative per scheme, in the order of Scheme.
-  using AnyContacts = std::variant<Contacts<ContactOf<cohesion::event_stepping::SpherePair> >,
-                                   Contacts<ContactOf<cohesion::event_stepping::SampledPair> > >;
-
-  /// A pair near enough to become active soon: `place` is that of j in i's list of neighbours.
-  struct Close {
-    int i, j, place;
-  };
-  /// A pair that may touch in this step.
-  struct Active {
-    int i, j;
-    int contact;                                  // of those of this step
-    bool alone;                                   // neither particle has another contact
-    int* kept;                                    // 1 while the pair has a history
-    double* history;                              // in-range flag, memory of the tangential spring
-    cohesion::event_stepping::PairMotion change;  // that it would cause without the others
-  };
-
-  void allocate();
-  int of_types(int i, int j) const { return i * (atom_types + 1) + j; }
-  template <class Contact>
-  int contact(Contacts<Contact>&, int i, int j);
-  cohesion::event_stepping::RelativeState on_grid(int i, int j) const;
-  cohesion::event_stepping::PairMotion with_spins(const cohesion::event_stepping::RelativeState&,
-                                                  int i, int j) const;
-  template <bool FRICTION, class Contact>
-  void follow(Contacts<Contact>&);
-  double come_closer() const;
-  void find_close(double reach);
-  void forget_others(int i, const Close* near, const Close* end);
-  template <class Contact>
-  void find_active(Contacts<Contact>&);
-  template <bool FRICTION, class Contact>
-  void follow_alone(Contacts<Contact>&);
-  template <bool TALLY, bool FRICTION, class Contact>
-  void follow_together(Contacts<Contact>&);
-  template <class Contact>
-  void tally_standing(Contacts<Contact>&);
-  void give_advice();
-  void check_radii();
-
-  int atom_types;
-  const cohesion::hamaker::Form* form;
-  Scheme scheme;
-  std::vector<CohesiveContactParameters> given;  // by type pair
-  std::vector<CohesiveContactParameters> used;   // the same with adhesion scaled, if wished
-  std::vector<cohesion::hamaker::AnyLaw> laws;   // by type pair, built at init
-  AnyContacts any_contacts;
-  std::vector<double> largest_radius;  // by type, at init
-  std::vector<Active> active;
-  std::vector<Close> close;
-  std::vector<double> radii;      // per atom and ghost, when `close` was made
-  std::vector<double> positions;  // the same; empty: not made
-  double largest_range;           // up to which the scheme has to see a pair
-  double list_reach;              // gap up to which every pair is in the list
-  bool friction;                  // whether any contact has friction
-  class FixEventStep* step;
-  class FixNeighHistory* history;
-};
+/// pair_style gran/hamaker; doc: docs/lammps-package/pair_gran_hamaker.md
+using PairGranHamaker = PairGranCohesive<HamakerCohesion>;
 
 }  // namespace LAMMPS_NS
 

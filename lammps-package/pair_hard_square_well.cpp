@@ -71,8 +71,8 @@ void PairHardSquareWell::compute(int eflag, int vflag) {
     for (int jj = 0; jj < list->numneigh[i]; jj++) {
       if (!history_->firstflag[i][jj]) continue;
       const int j = list->firstneigh[i][jj] & NEIGHMASK;
-      const Law& law = given_[of_types(atom->type[i], atom->type[j])].law;
-      ev_tally(i, j, atom->nlocal, 0, -law.depth, 0.0, 0.0, 0.0, 0.0, 0.0);
+      const double depth = given_[of_types(atom->type[i], atom->type[j])].well.depth;
+      ev_tally(i, j, atom->nlocal, 0, -depth, 0.0, 0.0, 0.0, 0.0, 0.0);
     }
   }
 }
@@ -88,15 +88,15 @@ void PairHardSquareWell::append_bound(std::vector<std::array<int, 2>>& pairs) co
 
 std::vector<Law> PairHardSquareWell::laws() const {
   std::vector<Law> all;
-  for (const HardContact& c : given_) all.push_back(c.law);
+  for (const HardContact& c : given_) all.push_back(c.law());
   return all;
 }
 
 Surfaces PairHardSquareWell::surfaces(int i, int j) const {
   const HardContact& c = contact_of_types(atom->type[i], atom->type[j]);
   const double core = atom->radius[i] + atom->radius[j];
-  if (c.law.depth == 0.0) return {core, core};
-  return {core, c.ratio_i * atom->radius[i] + c.ratio_j * atom->radius[j]};
+  if (c.well.depth == 0.0) return {core, core};
+  return {core, cohesion::square_well::edge(c.well, atom->radius[i], atom->radius[j])};
 }
 
 double PairHardSquareWell::list_reach() const { return REACH * neighbor->skin; }
@@ -195,7 +195,7 @@ double PairHardSquareWell::init_one(int i, int j) {
     c = mixed(given_[of_types(i, i)], given_[of_types(j, j)]);
     given_[of_types(j, i)] = mixed(given_[of_types(j, j)], given_[of_types(i, i)]);
   }
-  return c.ratio_i * largest_radius_[i] + c.ratio_j * largest_radius_[j] + list_reach();
+  return cohesion::square_well::edge(c.well, largest_radius_[i], largest_radius_[j]) + list_reach();
 }
 
 /* ---------------------------------------------------------------------- */
@@ -223,7 +223,7 @@ void PairHardSquareWell::read_restart(FILE* fp) {
       MPI_Bcast(&c, sizeof(HardContact), MPI_BYTE, 0, world);
       HardContact& other = given_[of_types(j, i)];
       other = c;
-      std::swap(other.ratio_i, other.ratio_j);
+      other.well = cohesion::square_well::reversed(c.well);
     }
 }
 

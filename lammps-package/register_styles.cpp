@@ -10,13 +10,16 @@
 #include "fix_gas_coupling.h"
 #include "fix_hard_events.h"
 #include "fix_wall_gran_hamaker.h"
+#include "fix_wall_gran_square_well.h"
 #include "fix_wall_hamaker.h"
 #include "fix_wall_hard_square_well.h"
 #include "lammps.h"
 #include "lammpsplugin.h"
 #include "pair_gran_hamaker.h"
+#include "pair_gran_square_well.h"
 #include "pair_hamaker.h"
 #include "pair_hard_square_well.h"
+#include "pair_square_well.h"
 #include "version.h"
 
 using namespace LAMMPS_NS;
@@ -41,7 +44,9 @@ struct PairRow {
 
 constexpr PairRow pairs[] = {
     {"hamaker", &make_pair<PairHamaker>},
+    {"square_well", &make_pair<PairSquareWell>},
     {"gran/hamaker", &make_pair<PairGranHamaker>},
+    {"gran/square_well", &make_pair<PairGranSquareWell>},
     {"hard/square_well", &make_pair<PairHardSquareWell>},
 };
 
@@ -57,6 +62,7 @@ constexpr Row fixes[] = {
     {"deform/shear", &make<FixDeformShear>},
     {"gas/coupling", &make<FixGasCoupling>},
     {"wall/gran/hamaker", &make<FixWallGranHamaker>},
+    {"wall/gran/square_well", &make<FixWallGranSquareWell>},
     {"wall/hamaker", &make<FixWallHamaker>},
     {"wall/hard/square_well", &make<FixWallHardSquareWell>},
 };

@@ -40,8 +40,9 @@ struct FrictionStep {
 };
 
 /// One pair in contact: normal motion by Pair, tangential spring over the time in contact. Pair is
-/// SpherePair or PlanePair, which follow the motion exactly, or SampledPair. Everything that does
-/// not change from step to step is worked out once; pairs of equal bodies can share it.
+/// SpherePair, PlanePair or WellPair, which follow the motion exactly, or SampledPair or
+/// SampledWell. Everything that does not change from step to step is worked out once; pairs of
+/// equal bodies can share it.
 template <class Pair>
 class CohesiveContact {
  public:

@@ -79,7 +79,11 @@ class NormalMotion {
       const bool touching = s.x > 0.0 || (s.x == 0.0 && (s.v > 0.0 || (s.v == 0.0 && drive > 0.0)));
       if (touching) {
         left -= in_contact(s, left, drive, x_integral, record);
-        if (s.x == 0.0 && s.v < 0.0 && adhesion_.cutoff == 0.0 && !leave(s)) inside = false;
+        if (s.x != 0.0 || s.v >= 0.0 || adhesion_.cutoff > 0.0) continue;
+        if (!leave(s))
+          inside = false;
+        else
+          left -= come_to_rest(s, left, drive, record);
         continue;
       }
       const bool beyond = s.x < -adhesion_.cutoff;
@@ -148,6 +152,16 @@ class NormalMotion {
                          (s.x - end.x) * (0.5 * contact_.w0_squared() * (s.x + end.x) - drive));
     x_integral += contact_.integral(time, s, end, drive);
     s = end;
+  }
+
+  /// An edge at touch, against which its turning presses a captured pair: bounces that are a
+  /// hundredth of a step and shorter never end, and count as the dashpot's. Returns the time at
+  /// rest.
+  double come_to_rest(Overlap& s, double time, double drive, NormalRecord& record) const {
+    if (-2.0 * s.v < 0.01 * whole_step_.time * drive || drive >= 0.0) return 0.0;
+    record.dissipated += 0.5 * reduced_mass_ * s.v * s.v;
+    s.v = 0.0;
+    return time;
   }
 
   /// A pair that its turning presses against the edge, too slow for tail and contact: the bounces

@@ -10,6 +10,19 @@
 
 namespace cohesion::event_stepping {
 
+/// Force of spring and dashpot at overlap x and its rate, taken for all of `time`, [force];
+/// positive repels. Adds what it does to `record`.
+inline double sampled_repulsion(const contact::LinearSpringDashpot& spring, double overlap,
+                                double rate, double time, NormalRecord& record) {
+  if (!(overlap > 0.0)) return 0.0;
+  const double repulsion = spring.stiffness() * overlap + spring.damping() * rate;
+  record.contact_time = time;
+  record.repulsion_impulse = time * repulsion;
+  record.repulsion_at_end = repulsion;
+  record.dissipated = time * spring.damping() * rate * rate;
+  return repulsion;
+}
+
 /// The scheme to compare with: the force where the pair stands on the grid, taken for the whole
 /// step. First order in the step, and blind to whatever lies between two grid points: a gap of
 /// H_cut is crossed in less than a step unless dt < H_cut/v.
@@ -52,14 +65,7 @@ class SampledPair {
     const double time = window.length();
     const double overlap = contact_distance_ - distance;
     const double rate = -dot(normal, grid.velocity);
-    double repulsion = 0.0;
-    if (overlap > 0.0) {
-      repulsion = spring_.stiffness() * overlap + spring_.damping() * rate;
-      step.normal.contact_time = time;
-      step.normal.repulsion_impulse = time * repulsion;
-      step.normal.repulsion_at_end = repulsion;
-      step.normal.dissipated = time * spring_.damping() * rate * rate;
-    }
+    const double repulsion = sampled_repulsion(spring_, overlap, rate, time, step.normal);
     const double attraction =
         std::visit([&](const auto& law) { return law.force(-overlap, attraction_.geometry); },
                    attraction_.law);

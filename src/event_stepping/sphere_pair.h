@@ -64,6 +64,44 @@ class SpherePair {
     return step;
   }
 
+  /// Motion inside the range for at most `time`: along the normal in closed form, around it with
+  /// constant angular momentum. Returns the time until the pair left the range (`inside` is then
+  /// false), or `time`; `overlap` is where the surfaces are then.
+  double turn(RelativeState& now, double time, bool& inside, double& overlap,
+              NormalRecord& record) const {
+    const double distance = norm(now.separation);
+    const Vector3 normal = (1.0 / distance) * now.separation;
+    const double radial = dot(normal, now.velocity);
+    const Vector3 sideways = now.velocity - radial * normal;
+    const double sideways_squared = dot(sideways, sideways);
+    const double leverage = distance * inverse_distance_;
+    const double centrifugal = leverage * leverage * sideways_squared * inverse_distance_;
+
+    Overlap surface{contact_distance_ - distance, -radial};
+    double integral = 0.0;
+    double taken = time;
+    if (!motion_.advance_lasting(surface, time, centrifugal, integral, record))
+      taken = motion_.advance(surface, time, centrifugal, inside, integral, record);
+    overlap = surface.x;
+    const double distance_after = contact_distance_ - surface.x;
+
+    // Rotation by the angle L times the integral of 1/(R - x)^2, through its half-angle tangent;
+    // `half` is that tangent along `sideways`.
+    const double angle_per_speed =
+        leverage * inverse_distance_ * (taken + 2.0 * integral * inverse_distance_);
+    const double angle_squared = angle_per_speed * angle_per_speed * sideways_squared;
+    const double half = 0.5 * angle_per_speed * (1.0 + angle_squared * (1.0 / 12.0));
+    const double half_squared = half * half * sideways_squared;
+    const double scale = 1.0 / (1.0 + half_squared);
+    const double cosine = (1.0 - half_squared) * scale;
+    const double sine = 2.0 * half * scale;  // per sideways speed
+    const Vector3 normal_after = cosine * normal + sine * sideways;
+    const Vector3 sideways_after = cosine * sideways - (sine * sideways_squared) * normal;
+    now.separation = distance_after * normal_after;
+    now.velocity = (distance / distance_after) * sideways_after - surface.v * normal_after;
+    return taken;
+  }
+
  private:
   /// A pair flies in, turns and flies out again; more often only by rounding at a grazed edge.
   static constexpr int max_stretches = 100;
@@ -105,43 +143,6 @@ class SpherePair {
     now.separation += t * now.velocity;
     if (inside) cross_inwards(now, norm(now.separation));
     return t;
-  }
-
-  /// Motion inside the range: along the normal in closed form, around it with constant angular
-  /// momentum.
-  double turn(RelativeState& now, double time, bool& inside, double& overlap,
-              NormalRecord& record) const {
-    const double distance = norm(now.separation);
-    const Vector3 normal = (1.0 / distance) * now.separation;
-    const double radial = dot(normal, now.velocity);
-    const Vector3 sideways = now.velocity - radial * normal;
-    const double sideways_squared = dot(sideways, sideways);
-    const double leverage = distance * inverse_distance_;
-    const double centrifugal = leverage * leverage * sideways_squared * inverse_distance_;
-
-    Overlap surface{contact_distance_ - distance, -radial};
-    double integral = 0.0;
-    double taken = time;
-    if (!motion_.advance_lasting(surface, time, centrifugal, integral, record))
-      taken = motion_.advance(surface, time, centrifugal, inside, integral, record);
-    overlap = surface.x;
-    const double distance_after = contact_distance_ - surface.x;
-
-    // Rotation by the angle L times the integral of 1/(R - x)^2, through its half-angle tangent;
-    // `half` is that tangent along `sideways`.
-    const double angle_per_speed =
-        leverage * inverse_distance_ * (taken + 2.0 * integral * inverse_distance_);
-    const double angle_squared = angle_per_speed * angle_per_speed * sideways_squared;
-    const double half = 0.5 * angle_per_speed * (1.0 + angle_squared * (1.0 / 12.0));
-    const double half_squared = half * half * sideways_squared;
-    const double scale = 1.0 / (1.0 + half_squared);
-    const double cosine = (1.0 - half_squared) * scale;
-    const double sine = 2.0 * half * scale;  // per sideways speed
-    const Vector3 normal_after = cosine * normal + sine * sideways;
-    const Vector3 sideways_after = cosine * sideways - (sine * sideways_squared) * normal;
-    now.separation = distance_after * normal_after;
-    now.velocity = (distance / distance_after) * sideways_after - surface.v * normal_after;
-    return taken;
   }
 
   NormalMotion motion_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-only
-#include "fix_wall_gran_hamaker.h"
+#include "fix_wall_gran_cohesive.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +11,9 @@
 #include "contact_advice.h"
 #include "domain.h"
 #include "error.h"
-#include "law_from_script.h"
+#include "hamaker_cohesion.h"
 #include "memory.h"
+#include "square_well_cohesion.h"
 #include "update.h"
 #include "walls_from_script.h"
 
@@ -20,12 +21,12 @@ using namespace LAMMPS_NS;
 using namespace cohesion::event_stepping;
 using cohesion::Vector3;
 
-FixWallGranHamaker::FixWallGranHamaker(LAMMPS* lammps, int narg, char** arg)
+template <class Cohesion>
+FixWallGranCohesive<Cohesion>::FixWallGranCohesive(LAMMPS* lammps, int narg, char** arg)
     : Fix(lammps, narg, arg),
-      where(std::string("fix ") + arg[0] + " wall/gran/hamaker"),
+      where(std::string("fix ") + arg[0] + " wall/" + Cohesion::STYLE),
       scheme(Scheme::event),
-      form(cohesion::hamaker::forms.data()),
-      law(cohesion::hamaker::forms.front().law(cohesion::hamaker::none, false)),
+      law(attraction.no_law()),
       time_origin(update->ntimestep),
       per_wall(1),
       history(nullptr),
@@ -45,98 +46,113 @@ FixWallGranHamaker::FixWallGranHamaker(LAMMPS* lammps, int narg, char** arg)
   restart_peratom = restart_global = 1;
   create_attribute = 1;
   time_depend = !motion.still();
-  FixWallGranHamaker::grow_arrays(atom->nmax);
-  for (int i = 0; i < atom->nlocal; i++) FixWallGranHamaker::set_arrays(i);
+  FixWallGranCohesive<Cohesion>::grow_arrays(atom->nmax);
+  for (int i = 0; i < atom->nlocal; i++) FixWallGranCohesive<Cohesion>::set_arrays(i);
   atom->add_callback(Atom::GROW);
   atom->add_callback(Atom::RESTART);
 }
 
-FixWallGranHamaker::~FixWallGranHamaker() {
+template <class Cohesion>
+FixWallGranCohesive<Cohesion>::~FixWallGranCohesive() {
   atom->delete_callback(id, Atom::GROW);
   atom->delete_callback(id, Atom::RESTART);
   memory->destroy(history);
 }
 
-void FixWallGranHamaker::post_constructor() { step = FixEventStep::of(lmp); }
+template <class Cohesion>
+void FixWallGranCohesive<Cohesion>::post_constructor() {
+  step = FixEventStep::of(lmp);
+}
 
 /* ---------------------------------------------------------------------- */
 
-void FixWallGranHamaker::read(int narg, char** arg) {
+template <class Cohesion>
+void FixWallGranCohesive<Cohesion>::read(int narg, char** arg) {
   std::vector<char*> contact_words;
   WallsFromScript from_words(lmp, where);
   for (int iarg = 3; iarg < narg;) {
     const std::string word = arg[iarg];
     const int left = narg - iarg - 1;
-    const int values = values_of_contact_keyword(word);
+    const int values = values_of_contact_keyword<Cohesion>(word);
     if (values >= 0) {
       const int stop = std::min(iarg + 1 + values, narg);
       contact_words.insert(contact_words.end(), arg + iarg, arg + stop);
       iarg = stop;
-    } else if (word == "form") {
-      if (left < 1) error->all(FLERR, where + ": form takes a name");
-      form = hamaker_form_from_script(lmp, where, arg[iarg + 1]);
-      iarg += 2;
-    } else if (word == "scheme") {
-      if (left < 1) error->all(FLERR, where + ": scheme takes a name");
-      scheme = scheme_from_script(lmp, where, arg[iarg + 1]);
+    } else if (word == "scheme" || is_setting<Cohesion>(word)) {
+      if (left < 1) error->all(FLERR, where + ": " + word + " takes a name");
+      if (word == "scheme")
+        scheme = scheme_from_script(lmp, where, arg[iarg + 1]);
+      else
+        attraction.set(lmp, where, word, arg[iarg + 1]);
       iarg += 2;
     } else if (const int taken = from_words.read(left + 1, arg + iarg)) {
       iarg += taken;
     } else {
-      error->all(FLERR, where + ": unknown keyword '" + word + "'; valid ones: " +
-                            contact_keywords() + ", scheme, form, " + WallsFromScript::keywords);
+      error->all(FLERR, where + ": unknown keyword '" + word +
+                            "'; valid ones: " + contact_keyword_names<Cohesion>() + ", " +
+                            setting_names<Cohesion>() + ", " + WallsFromScript::keywords);
     }
   }
   from_words.finish();
   walls = from_words.walls;
   motion = from_words.motion;
-  given = cohesive_contact_from_script(lmp, where, 0, static_cast<int>(contact_words.size()),
-                                       contact_words.data());
-  given = scaled(lmp, where, *form, given);
-  law = from_script(lmp, where, [&] { return hamaker_law(*form, given.hamaker); });
-  if (scheme == Scheme::sampled) contacts.emplace<static_cast<int>(Scheme::sampled)>();
+  given = cohesive_contact_from_script<Cohesion>(
+      lmp, where, 0, static_cast<int>(contact_words.size()), contact_words.data());
+  given = attraction.scaled(lmp, where, given);
+  law = attraction.law(lmp, where, given);
+  if (scheme == Scheme::sampled) contacts.template emplace<static_cast<int>(Scheme::sampled)>();
 }
 
-int FixWallGranHamaker::setmask() { return FixConst::POST_FORCE; }
+template <class Cohesion>
+int FixWallGranCohesive<Cohesion>::setmask() {
+  return FixConst::POST_FORCE;
+}
 
-void FixWallGranHamaker::init() {
+template <class Cohesion>
+void FixWallGranCohesive<Cohesion>::init() {
   if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag || !atom->torque_flag)
     error->all(FLERR, where + " acts on spheres; use 'atom_style sphere'");
   if (update->whichflag == 2)
     error->all(FLERR, where + " follows motion in time; it cannot be minimized");
 }
 
-void FixWallGranHamaker::post_force(int) { follow_together(); }
+template <class Cohesion>
+void FixWallGranCohesive<Cohesion>::post_force(int) {
+  follow_together();
+}
 
-void FixWallGranHamaker::give_advice() {
+template <class Cohesion>
+void FixWallGranCohesive<Cohesion>::give_advice() {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   const std::vector<LightestParticle> lightest = lightest_particles(lmp, *step);
   std::vector<AdvisedContact> advised;
   for (int type = 1; type <= atom->ntypes; type++) {
     if (!std::isfinite(lightest[type].radius)) continue;  // no particles yet
-    advised.push_back({fmt::format("{} - wall", type),
-                       lightest[type],
-                       {infinite, infinite},
-                       given.contact,
-                       attraction_of<cohesion::contact::Adhesion>(
-                           law, cohesion::sphere_and_plane(lightest[type].radius))});
+    advised.push_back(
+        {fmt::format("{} - wall", type),
+         lightest[type],
+         {infinite, infinite},
+         given.contact,
+         Cohesion::template of_wall<cohesion::contact::Adhesion>(law, lightest[type].radius)});
   }
   advise(lmp, where, limits_of(scheme), advised);
 }
 
 /// Equal particles that come one after the other share a contact.
+template <class Cohesion>
 template <class Contact>
-std::size_t FixWallGranHamaker::contact(std::vector<Contact>& shared, int i) {
+std::size_t FixWallGranCohesive<Cohesion>::contact(std::vector<Contact>& shared, int i) {
   const Body particle = step->body(i), wall{0.0, 0.0};
   if (shared.empty() || !shared.back().joins(particle, wall))
-    shared.emplace_back(given.contact,
-                        attraction_of<typename Contact::Attraction>(
-                            law, cohesion::sphere_and_plane(particle.radius)),
-                        particle, wall, step->window());
+    shared.emplace_back(
+        given.contact,
+        Cohesion::template of_wall<typename Contact::Attraction>(law, particle.radius), particle,
+        wall, step->window());
   return shared.size() - 1;
 }
 
-void FixWallGranHamaker::check_flight(int i, const WallPoint& point, bool inside) {
+template <class Cohesion>
+void FixWallGranCohesive<Cohesion>::check_flight(int i, const WallPoint& point, bool inside) {
   if (point.distance <= 0.0 && inside)
     error->one(FLERR, where + ": the centre of particle " + std::to_string(atom->tag[i]) +
                           " went through the wall; use a larger stiffness");
@@ -148,7 +164,8 @@ void FixWallGranHamaker::check_flight(int i, const WallPoint& point, bool inside
 }
 
 /// Every contact by itself: what it would do to its particle.
-void FixWallGranHamaker::follow_alone() {
+template <class Cohesion>
+void FixWallGranCohesive<Cohesion>::follow_alone() {
   if (update->setupflag) give_advice();
   std::visit(
       [this](auto& shared) {
@@ -157,18 +174,19 @@ void FixWallGranHamaker::follow_alone() {
       contacts);
 }
 
+template <class Cohesion>
 template <bool FRICTION, class Contact>
-void FixWallGranHamaker::follow_alone(std::vector<Contact>& shared) {
+void FixWallGranCohesive<Cohesion>::follow_alone(std::vector<Contact>& shared) {
   active.clear();
   shared.clear();
   const bool first = step->window().before == 0.0;
   const double time = static_cast<double>(update->ntimestep - time_origin) * update->dt;
   const WallState now = motion.over(time, step->window());
-  const double range = cohesive_range(scheme, given);
 
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
     const Vector3 centre = vector(atom->x[i]);
+    const double range = Cohesion::range(scheme, given, atom->radius[i], 0.0);
     for (int w = 0; w < static_cast<int>(walls.size()); w++) {
       double& inside = *history_of(i, w);
       const WallPoint point = walls[w].nearest(centre, now, motion.rim_speed);
@@ -198,7 +216,8 @@ void FixWallGranHamaker::follow_alone(std::vector<Contact>& shared) {
   }
 }
 
-void FixWallGranHamaker::follow_together() {
+template <class Cohesion>
+void FixWallGranCohesive<Cohesion>::follow_together() {
   if (step->resumes()) return;
   std::fill(mine.begin(), mine.end(), 0.0);
   summed = false;
@@ -210,8 +229,9 @@ void FixWallGranHamaker::follow_together() {
 }
 
 /// Every contact again, with half of what the other contacts of its particle do, and friction.
+template <class Cohesion>
 template <bool FRICTION, class Contact>
-void FixWallGranHamaker::follow_together(const std::vector<Contact>& shared) {
+void FixWallGranCohesive<Cohesion>::follow_together(const std::vector<Contact>& shared) {
   const ContactScatter scatter(atom, step);
   for (const Active& near : active) {
     const int i = near.i;
@@ -231,7 +251,8 @@ void FixWallGranHamaker::follow_together(const std::vector<Contact>& shared) {
 
 /* ---------------------------------------------------------------------- */
 
-void FixWallGranHamaker::sum() {
+template <class Cohesion>
+void FixWallGranCohesive<Cohesion>::sum() {
   if (!summed)
     MPI_Allreduce(mine.data(), total.data(), static_cast<int>(mine.size()), MPI_DOUBLE, MPI_SUM,
                   world);
@@ -239,13 +260,15 @@ void FixWallGranHamaker::sum() {
 }
 
 /// Force on one wall.
-double FixWallGranHamaker::compute_array(int wall, int axis) {
+template <class Cohesion>
+double FixWallGranCohesive<Cohesion>::compute_array(int wall, int axis) {
   sum();
   return total[3 * wall + axis];
 }
 
 /// Force on all of them.
-double FixWallGranHamaker::compute_vector(int axis) {
+template <class Cohesion>
+double FixWallGranCohesive<Cohesion>::compute_vector(int axis) {
   double all = 0.0;
   for (int w = 0; w < static_cast<int>(walls.size()); w++) all += compute_array(w, axis);
   return all;
@@ -253,32 +276,38 @@ double FixWallGranHamaker::compute_vector(int axis) {
 
 /* ---------------------------------------------------------------------- */
 
-void FixWallGranHamaker::grow_arrays(int nmax) {
-  memory->grow(history, nmax, history_size(), "wall/gran/hamaker:history");
+template <class Cohesion>
+void FixWallGranCohesive<Cohesion>::grow_arrays(int nmax) {
+  memory->grow(history, nmax, history_size(), "wall/gran:history");
 }
 
-void FixWallGranHamaker::copy_arrays(int i, int j, int) {
+template <class Cohesion>
+void FixWallGranCohesive<Cohesion>::copy_arrays(int i, int j, int) {
   std::copy_n(history[i], history_size(), history[j]);
 }
 
-void FixWallGranHamaker::set_arrays(int i) {
+template <class Cohesion>
+void FixWallGranCohesive<Cohesion>::set_arrays(int i) {
   std::fill_n(history[i], history_size(), 0.0);
   for (int w = 0; w < static_cast<int>(walls.size()); w++) *history_of(i, w) = -1.0;
 }
 
-int FixWallGranHamaker::pack_exchange(int i, double* buf) {
+template <class Cohesion>
+int FixWallGranCohesive<Cohesion>::pack_exchange(int i, double* buf) {
   std::copy_n(history[i], history_size(), buf);
   return history_size();
 }
 
-int FixWallGranHamaker::unpack_exchange(int i, double* buf) {
+template <class Cohesion>
+int FixWallGranCohesive<Cohesion>::unpack_exchange(int i, double* buf) {
   std::copy_n(buf, history_size(), history[i]);
   return history_size();
 }
 
 /// Time origin of the motion, and the force on the walls, which a run that continues another does
 /// not work out again.
-void FixWallGranHamaker::write_restart(FILE* fp) {
+template <class Cohesion>
+void FixWallGranCohesive<Cohesion>::write_restart(FILE* fp) {
   sum();
   if (comm->me != 0) return;
   const double head[] = {static_cast<double>(time_origin), static_cast<double>(history_size())};
@@ -288,7 +317,8 @@ void FixWallGranHamaker::write_restart(FILE* fp) {
   fwrite(total.data(), sizeof(double), total.size(), fp);
 }
 
-void FixWallGranHamaker::restart(char* buf) {
+template <class Cohesion>
+void FixWallGranCohesive<Cohesion>::restart(char* buf) {
   const auto* values = reinterpret_cast<double*>(buf);
   time_origin = static_cast<bigint>(values[0]);
   if (values[1] != history_size())
@@ -298,21 +328,33 @@ void FixWallGranHamaker::restart(char* buf) {
   if (comm->me == 0) std::copy_n(values + 2, mine.size(), mine.begin());
 }
 
-int FixWallGranHamaker::pack_restart(int i, double* buf) {
+template <class Cohesion>
+int FixWallGranCohesive<Cohesion>::pack_restart(int i, double* buf) {
   buf[0] = size_restart(i);
   return 1 + pack_exchange(i, buf + 1);
 }
 
-void FixWallGranHamaker::unpack_restart(int i, int nth) {
+template <class Cohesion>
+void FixWallGranCohesive<Cohesion>::unpack_restart(int i, int nth) {
   double* const values = atom->extra[i];
   int m = 0;
   for (int n = 0; n < nth; n++) m += static_cast<int>(values[m]);
   unpack_exchange(i, values + m + 1);
 }
 
-int FixWallGranHamaker::maxsize_restart() { return size_restart(0); }
-int FixWallGranHamaker::size_restart(int) { return 1 + history_size(); }
+template <class Cohesion>
+int FixWallGranCohesive<Cohesion>::maxsize_restart() {
+  return size_restart(0);
+}
+template <class Cohesion>
+int FixWallGranCohesive<Cohesion>::size_restart(int) {
+  return 1 + history_size();
+}
 
-double FixWallGranHamaker::memory_usage() {
+template <class Cohesion>
+double FixWallGranCohesive<Cohesion>::memory_usage() {
   return static_cast<double>(sizeof(double)) * (history_size()) * atom->nmax;
 }
+
+template class LAMMPS_NS::FixWallGranCohesive<HamakerCohesion>;
+template class LAMMPS_NS::FixWallGranCohesive<SquareWellCohesion>;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-only
-#include "pair_gran_hamaker.h"
+#include "pair_gran_cohesive.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,13 +12,13 @@
 #include "engine_api.h"
 #include "error.h"
 #include "fix_event_step.h"
-#include "fix_neigh_history.h"
 #include "force.h"
+#include "hamaker_cohesion.h"
 #include "largest_radii.h"
-#include "law_from_script.h"
 #include "memory.h"
 #include "modify.h"
 #include "neigh_list.h"
+#include "square_well_cohesion.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -26,37 +26,34 @@ using namespace cohesion::event_stepping;
 using cohesion::Vector3;
 
 static constexpr int HISTORY = 4;
-static constexpr char HISTORY_ID[] = "NEIGH_HISTORY_GRAN_HAMAKER";
-static constexpr char HISTORY_PLACE[] = "NEIGH_HISTORY_GRAN_HAMAKER_PLACE";
 
-PairGranHamaker::PairGranHamaker(LAMMPS* lammps)
+template <class Cohesion>
+PairGranCohesive<Cohesion>::PairGranCohesive(LAMMPS* lammps)
     : Pair(lammps),
       atom_types(0),
-      form(&cohesion::hamaker::forms[0]),
       scheme(Scheme::event),
       largest_range(0.0),
       list_reach(0.0),
       friction(false),
       step(nullptr),
-      history(nullptr) {
+      history(modify, Cohesion::HISTORY_ID) {
   single_enable = 0;
   restartinfo = 1;
   no_virial_fdotr_compute = 1;
   finitecutflag = 1;
   beyond_contact = 1;
   FixEventStep::reserve(lmp);
-  // Its place is before fixes that move particles to other ranks (fix deform).
-  modify->add_fix(std::string(HISTORY_PLACE) + " all DUMMY");
 }
 
-PairGranHamaker::~PairGranHamaker() {
-  modify->delete_fix(history ? HISTORY_ID : HISTORY_PLACE);
+template <class Cohesion>
+PairGranCohesive<Cohesion>::~PairGranCohesive() {
   if (!allocated) return;
   memory->destroy(setflag);
   memory->destroy(cutsq);
 }
 
-void PairGranHamaker::allocate() {
+template <class Cohesion>
+void PairGranCohesive<Cohesion>::allocate() {
   allocated = 1;
   atom_types = atom->ntypes;
   memory->create(setflag, atom_types + 1, atom_types + 1, "pair:setflag");
@@ -67,17 +64,18 @@ void PairGranHamaker::allocate() {
 
 /* ---------------------------------------------------------------------- */
 
-void PairGranHamaker::compute(int eflag, int vflag) {
+template <class Cohesion>
+void PairGranCohesive<Cohesion>::compute(int eflag, int vflag) {
   ev_init(eflag, vflag);
   if (update->whichflag == 2)
-    error->all(FLERR, "pair_style gran/hamaker follows motion in time; it cannot be minimized");
+    error->all(FLERR, where() + " follows motion in time; it cannot be minimized");
   std::visit(
       [this](auto& contacts) {
         if (step->resumes()) {
           if (evflag) tally_standing(contacts);
           return;
         }
-        if (update->setupflag) give_advice();
+        if (Cohesion::HAS_CONTACT && update->setupflag) give_advice();
         if (neighbor->ago == 0) check_radii();
         find_active(contacts);
         friction ? follow<true>(contacts) : follow<false>(contacts);
@@ -85,38 +83,44 @@ void PairGranHamaker::compute(int eflag, int vflag) {
       any_contacts);
 }
 
-inline RelativeState PairGranHamaker::on_grid(int i, int j) const {
+template <class Cohesion>
+inline RelativeState PairGranCohesive<Cohesion>::on_grid(int i, int j) const {
   return {vector(atom->x[j]) - vector(atom->x[i]), vector(atom->v[j]) - vector(atom->v[i])};
 }
 
-inline PairMotion PairGranHamaker::with_spins(const RelativeState& grid, int i, int j) const {
+template <class Cohesion>
+inline PairMotion PairGranCohesive<Cohesion>::with_spins(const RelativeState& grid, int i,
+                                                         int j) const {
   return {grid, vector(atom->omega[i]), vector(atom->omega[j])};
 }
 
+template <class Cohesion>
 template <bool FRICTION, class Contact>
-void PairGranHamaker::follow(Contacts<Contact>& contacts) {
+void PairGranCohesive<Cohesion>::follow(Contacts<Contact>& contacts) {
   if constexpr (Contact::acts_within_step) follow_alone<FRICTION>(contacts);
   evflag ? follow_together<true, FRICTION>(contacts) : follow_together<false, FRICTION>(contacts);
 }
 
 /// Pairs of equal particles that come one after the other share a contact.
+template <class Cohesion>
 template <class Contact>
-inline int PairGranHamaker::contact(Contacts<Contact>& contacts, int i, int j) {
+inline int PairGranCohesive<Cohesion>::contact(Contacts<Contact>& contacts, int i, int j) {
   const int types = of_types(atom->type[i], atom->type[j]);
   const Body a = step->body(i), b = step->body(j);
   int& last = contacts.last[types];
   if (last == Contacts<Contact>::NONE || !contacts.all[last].joins(a, b)) {
     last = static_cast<int>(contacts.all.size());
-    contacts.all.emplace_back(used[types].contact,
-                              attraction_of<typename Contact::Attraction>(
-                                  laws[types], cohesion::two_spheres(a.radius, b.radius)),
-                              a, b, step->window());
+    contacts.all.emplace_back(
+        used[types].contact,
+        Cohesion::template of_pair<typename Contact::Attraction>(laws[types], a.radius, b.radius),
+        a, b, step->window());
   }
   return last;
 }
 
 /// By how much the gap of a pair may have shrunk since `close` was made, [length].
-double PairGranHamaker::come_closer() const {
+template <class Cohesion>
+double PairGranCohesive<Cohesion>::come_closer() const {
   const double* const now = atom->x[0];
   const double* const then = positions.data();
   const double* const radius = atom->radius;
@@ -132,7 +136,8 @@ double PairGranHamaker::come_closer() const {
 
 /// Most pairs of the engine's list are a skin apart. Those whose gap is below `list_reach` are
 /// enough until particles have moved or grown so far that others could come as near as `reach`.
-void PairGranHamaker::find_close(double reach) {
+template <class Cohesion>
+void PairGranCohesive<Cohesion>::find_close(double reach) {
   if (neighbor->ago != 0 && !positions.empty() && reach + come_closer() <= list_reach) return;
   close.clear();
   const int all = atom->nlocal + atom->nghost;
@@ -166,7 +171,8 @@ void PairGranHamaker::find_close(double reach) {
 }
 
 /// Only a particle that was put elsewhere can have left a partner that is not near any more.
-void PairGranHamaker::forget_others(int i, const Close* near, const Close* end) {
+template <class Cohesion>
+void PairGranCohesive<Cohesion>::forget_others(int i, const Close* near, const Close* end) {
   for (int jj = 0; jj < list->numneigh[i]; jj++) {
     if (near != end && near->place == jj)
       near++;
@@ -176,18 +182,19 @@ void PairGranHamaker::forget_others(int i, const Close* near, const Close* end) 
 }
 
 /// The pairs that may touch in this step.
+template <class Cohesion>
 template <class Contact>
-void PairGranHamaker::find_active(Contacts<Contact>& contacts) {
+void PairGranCohesive<Cohesion>::find_active(Contacts<Contact>& contacts) {
   active.clear();
   contacts.clear();
   const bool first = step->window().before == 0.0;
   const double reach = largest_range + 2.0 * step->flight();
   if (reach > list_reach)
     error->one(FLERR,
-               "pair_style gran/hamaker: particles fly up to {} in half a step and could miss a "
+               "{}: particles fly up to {} in half a step and could miss a "
                "contact, the neighbour list allows for {}: use a smaller time step or a skin above "
                "{}",
-               step->flight(), 0.5 * (list_reach - largest_range), 20.0 * step->flight());
+               where(), step->flight(), 0.5 * (list_reach - largest_range), 20.0 * step->flight());
   find_close(reach);
 
   for (const Close& pair : close) {
@@ -213,8 +220,9 @@ void PairGranHamaker::find_active(Contacts<Contact>& contacts) {
 }
 
 /// Every contact by itself: what it would do to its two particles, where that matters to others.
+template <class Cohesion>
 template <bool FRICTION, class Contact>
-[[gnu::flatten]] void PairGranHamaker::follow_alone(Contacts<Contact>& contacts) {
+[[gnu::flatten]] void PairGranCohesive<Cohesion>::follow_alone(Contacts<Contact>& contacts) {
   for (Active& pair : active) {
     const int i = pair.i, j = pair.j;
     pair.alone = step->has_one_contact(i) && step->has_one_contact(j);
@@ -230,8 +238,9 @@ template <bool FRICTION, class Contact>
 }
 
 /// Every contact again, with half of what the other contacts of its particles do, and friction.
+template <class Cohesion>
 template <bool TALLY, bool FRICTION, class Contact>
-[[gnu::flatten]] void PairGranHamaker::follow_together(Contacts<Contact>& contacts) {
+[[gnu::flatten]] void PairGranCohesive<Cohesion>::follow_together(Contacts<Contact>& contacts) {
   const int nlocal = atom->nlocal;
   const ContactScatter scatter(atom, step);
 
@@ -258,8 +267,9 @@ template <bool TALLY, bool FRICTION, class Contact>
 }
 
 /// Energies of the pairs where they stand, for a run that takes over the forces of the last one.
+template <class Cohesion>
 template <class Contact>
-void PairGranHamaker::tally_standing(Contacts<Contact>& contacts) {
+void PairGranCohesive<Cohesion>::tally_standing(Contacts<Contact>& contacts) {
   contacts.clear();
   for (int ii = 0; ii < list->inum; ii++) {
     const int i = list->ilist[ii];
@@ -278,7 +288,8 @@ void PairGranHamaker::tally_standing(Contacts<Contact>& contacts) {
 }
 
 /// Bound are the pairs within the range of contact and adhesion.
-void PairGranHamaker::append_bound(std::vector<std::array<int, 2>>& pairs) const {
+template <class Cohesion>
+void PairGranCohesive<Cohesion>::append_bound(std::vector<std::array<int, 2>>& pairs) const {
   for (int ii = 0; ii < list->inum; ii++) {
     const int i = list->ilist[ii];
     for (int jj = 0; jj < list->numneigh[i]; jj++)
@@ -289,52 +300,67 @@ void PairGranHamaker::append_bound(std::vector<std::array<int, 2>>& pairs) const
 
 /* ---------------------------------------------------------------------- */
 
-void PairGranHamaker::settings(int narg, char** arg) {
-  const std::string where = "pair_style gran/hamaker";
+template <class Cohesion>
+void PairGranCohesive<Cohesion>::settings(int narg, char** arg) {
+  if (!Cohesion::HAS_CONTACT && narg > 0)
+    error->all(FLERR, where() + " takes no keywords, not '" + arg[0] + "'");
   for (int i = 0; i < narg; i += 2) {
     const std::string word = arg[i];
-    if (word != "scheme" && word != "form")
-      error->all(FLERR, where + ": unknown keyword '" + word + "'; valid ones: scheme, form");
-    if (i + 1 == narg) error->all(FLERR, where + ": " + word + " takes a name");
+    if (word != "scheme" && !is_setting<Cohesion>(word))
+      error->all(FLERR, where() + ": unknown keyword '" + word +
+                            "'; valid ones: " + setting_names<Cohesion>());
+    if (i + 1 == narg) error->all(FLERR, where() + ": " + word + " takes a name");
     if (word == "scheme")
-      scheme = scheme_from_script(lmp, where, arg[i + 1]);
+      scheme = scheme_from_script(lmp, where(), arg[i + 1]);
     else
-      form = hamaker_form_from_script(lmp, where, arg[i + 1]);
+      attraction.set(lmp, where(), word, arg[i + 1]);
   }
 }
 
-void PairGranHamaker::coeff(int narg, char** arg) {
+template <class Cohesion>
+typename Cohesion::Parameters PairGranCohesive<Cohesion>::read(const std::string& here, int first,
+                                                               int narg, char** arg) {
+  if constexpr (Cohesion::HAS_CONTACT)
+    return cohesive_contact_from_script<Cohesion>(lmp, here, first, narg, arg);
+  else
+    return Cohesion::from_script(lmp, here, first, narg, arg);
+}
+
+template <class Cohesion>
+void PairGranCohesive<Cohesion>::coeff(int narg, char** arg) {
   if (narg < 4)
-    error->all(FLERR,
-               "pair_coeff of gran/hamaker takes 'i j stiffness K ...', see its page for the other "
-               "keywords");
+    error->all(FLERR, std::string("pair_coeff of ") + Cohesion::STYLE + " takes 'i j " +
+                          Cohesion::COEFFICIENTS);
   if (!allocated) allocate();
   int ilo, ihi, jlo, jhi;
   utils::bounds(FLERR, arg[0], 1, atom->ntypes, ilo, ihi, error);
   utils::bounds(FLERR, arg[1], 1, atom->ntypes, jlo, jhi, error);
-  const std::string where = std::string("pair_coeff ") + arg[0] + " " + arg[1] + " of gran/hamaker";
-  const CohesiveContactParameters p = cohesive_contact_from_script(lmp, where, 2, narg, arg);
+  const std::string here =
+      std::string("pair_coeff ") + arg[0] + " " + arg[1] + " of " + Cohesion::STYLE;
+  const Parameters p = read(here, 2, narg, arg);
   int count = 0;
   for (int i = ilo; i <= ihi; i++)
     for (int j = std::max(jlo, i); j <= jhi; j++) {
-      given[of_types(i, j)] = given[of_types(j, i)] = p;
+      given[of_types(i, j)] = p;
+      given[of_types(j, i)] = Cohesion::reversed(p);
       setflag[i][j] = 1;
       count++;
     }
-  if (count == 0) error->all(FLERR, where + " names no pair with i <= j");
+  if (count == 0) error->all(FLERR, here + " names no pair with i <= j");
 }
 
-void PairGranHamaker::init_style() {
+template <class Cohesion>
+void PairGranCohesive<Cohesion>::init_style() {
   if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag || !atom->torque_flag)
-    error->all(FLERR, "pair_style gran/hamaker acts between spheres; use 'atom_style sphere'");
+    error->all(FLERR, where() + " acts between spheres; use 'atom_style sphere'");
   step = FixEventStep::of(lmp);
   largest_radius = largest_radii(lmp);
-  laws.assign(given.size(), form->law(cohesion::hamaker::none, false));
+  laws.assign(given.size(), attraction.no_law());
   used = given;
   if (scheme == Scheme::event)
-    any_contacts.emplace<static_cast<int>(Scheme::event)>().last.resize(given.size());
+    any_contacts.template emplace<static_cast<int>(Scheme::event)>().last.resize(given.size());
   else
-    any_contacts.emplace<static_cast<int>(Scheme::sampled)>().last.resize(given.size());
+    any_contacts.template emplace<static_cast<int>(Scheme::sampled)>().last.resize(given.size());
   friction = false;
   positions.clear();
   // A tenth of the skin for the flight of both within half a step: it is far less where the
@@ -342,34 +368,34 @@ void PairGranHamaker::init_style() {
   largest_range = 0.0;
   list_reach = 0.1 * neighbor->skin;
   engine_api::request_history_list(neighbor, this, instance_me);
-  if (!history) {
-    modify->replace_fix(HISTORY_PLACE,
-                        std::string(HISTORY_ID) + " all NEIGH_HISTORY " + std::to_string(HISTORY),
-                        1);
-    history = static_cast<FixNeighHistory*>(modify->fix[modify->find_fix(HISTORY_ID)]);
-    history->pair = this;
-  }
+  history.init(this, HISTORY);
 }
 
-double PairGranHamaker::init_one(int i, int j) {
-  CohesiveContactParameters& p = given[of_types(i, j)];
+template <class Cohesion>
+double PairGranCohesive<Cohesion>::init_one(int i, int j) {
+  Parameters& p = given[of_types(i, j)];
   if (!setflag[i][j]) {
     if (!setflag[i][i] || !setflag[j][j])
-      error->all(FLERR, "pair_style gran/hamaker: no pair_coeff for types " + std::to_string(i) +
-                            " and " + std::to_string(j) + " nor for both of them to mix");
-    p = given[of_types(j, i)] = mixed(given[of_types(i, i)], given[of_types(j, j)]);
+      error->all(FLERR, where() + ": no pair_coeff for types " + std::to_string(i) + " and " +
+                            std::to_string(j) + " nor for both of them to mix");
+    p = Cohesion::mixed(given[of_types(i, i)], given[of_types(j, j)]);
+    given[of_types(j, i)] = Cohesion::reversed(p);
   }
-  const CohesiveContactParameters& now = used[of_types(i, j)] = used[of_types(j, i)] = scaled(
-      lmp, "pair_style gran/hamaker, types " + std::to_string(i) + " and " + std::to_string(j),
-      *form, p);
-  laws[of_types(i, j)] = laws[of_types(j, i)] = hamaker_law(*form, now.hamaker);
+  const std::string here = where() + ", types " + std::to_string(i) + " and " + std::to_string(j);
+  const Parameters now = attraction.scaled(lmp, here, p);
+  const double range = Cohesion::range(scheme, now, largest_radius[i], largest_radius[j]);
+  used[of_types(j, i)] = Cohesion::reversed(now);
+  used[of_types(i, j)] = now;
+  laws[of_types(j, i)] = attraction.law(lmp, here, used[of_types(j, i)]);
+  laws[of_types(i, j)] = attraction.law(lmp, here, now);
   friction = friction || now.contact.friction > 0.0;
-  largest_range = std::max(largest_range, cohesive_range(scheme, now));
+  largest_range = std::max(largest_range, range);
   list_reach = largest_range + 0.1 * neighbor->skin;
-  return largest_radius[i] + largest_radius[j] + cohesive_range(scheme, now) + 0.1 * neighbor->skin;
+  return largest_radius[i] + largest_radius[j] + range + 0.1 * neighbor->skin;
 }
 
-void PairGranHamaker::give_advice() {
+template <class Cohesion>
+void PairGranCohesive<Cohesion>::give_advice() {
   const std::vector<LightestParticle> lightest = lightest_particles(lmp, *step);
   std::vector<AdvisedContact> contacts;
   for (int i = 1; i <= atom_types; i++)
@@ -377,59 +403,68 @@ void PairGranHamaker::give_advice() {
       const LightestParticle &a = lightest[i], &b = lightest[j];
       if (!std::isfinite(a.radius) || !std::isfinite(b.radius)) continue;  // no particles yet
       contacts.push_back({fmt::format("{} - {}", i, j), a, b, used[of_types(i, j)].contact,
-                          attraction_of<cohesion::contact::Adhesion>(
-                              laws[of_types(i, j)], cohesion::two_spheres(a.radius, b.radius))});
+                          Cohesion::template of_pair<cohesion::contact::Adhesion>(
+                              laws[of_types(i, j)], a.radius, b.radius)});
     }
-  advise(lmp, "pair_style gran/hamaker", limits_of(scheme), contacts);
+  advise(lmp, where(), limits_of(scheme), contacts);
 }
 
-void PairGranHamaker::check_radii() {
+template <class Cohesion>
+void PairGranCohesive<Cohesion>::check_radii() {
   for (int i = 0; i < atom->nlocal; i++)
     if (atom->radius[i] > largest_radius[atom->type[i]])
       error->one(FLERR,
-                 "pair_style gran/hamaker: particle {} of type {} has radius {}, its type had at "
+                 "{}: particle {} of type {} has radius {}, its type had at "
                  "most {} when the run was set up; end the run before particles grow, and start a "
                  "new one",
-                 atom->tag[i], atom->type[i], atom->radius[i], largest_radius[atom->type[i]]);
+                 where(), atom->tag[i], atom->type[i], atom->radius[i],
+                 largest_radius[atom->type[i]]);
 }
 
 /* ---------------------------------------------------------------------- */
 
-void PairGranHamaker::write_restart(FILE* fp) {
+template <class Cohesion>
+void PairGranCohesive<Cohesion>::write_restart(FILE* fp) {
   write_restart_settings(fp);
   for (int i = 1; i <= atom->ntypes; i++)
     for (int j = i; j <= atom->ntypes; j++) {
       fwrite(&setflag[i][j], sizeof(int), 1, fp);
-      fwrite(&given[of_types(i, j)], sizeof(CohesiveContactParameters), 1, fp);
+      fwrite(&given[of_types(i, j)], sizeof(Parameters), 1, fp);
     }
 }
 
-void PairGranHamaker::read_restart(FILE* fp) {
+template <class Cohesion>
+void PairGranCohesive<Cohesion>::read_restart(FILE* fp) {
   read_restart_settings(fp);
   allocate();
   for (int i = 1; i <= atom->ntypes; i++)
     for (int j = i; j <= atom->ntypes; j++) {
-      CohesiveContactParameters& p = given[of_types(i, j)];
+      Parameters& p = given[of_types(i, j)];
       if (comm->me == 0) {
         utils::sfread(FLERR, &setflag[i][j], sizeof(int), 1, fp, nullptr, error);
-        utils::sfread(FLERR, &p, sizeof(CohesiveContactParameters), 1, fp, nullptr, error);
+        utils::sfread(FLERR, &p, sizeof(Parameters), 1, fp, nullptr, error);
       }
       MPI_Bcast(&setflag[i][j], 1, MPI_INT, 0, world);
-      MPI_Bcast(&p, sizeof(CohesiveContactParameters), MPI_BYTE, 0, world);
-      given[of_types(j, i)] = p;
+      MPI_Bcast(&p, sizeof(Parameters), MPI_BYTE, 0, world);
+      given[of_types(j, i)] = Cohesion::reversed(p);
     }
 }
 
-void PairGranHamaker::write_restart_settings(FILE* fp) {
-  const int numbers[2] = {static_cast<int>(form - cohesion::hamaker::forms.data()),
-                          static_cast<int>(scheme)};
+template <class Cohesion>
+void PairGranCohesive<Cohesion>::write_restart_settings(FILE* fp) {
+  const int numbers[2] = {attraction.settings(), static_cast<int>(scheme)};
   fwrite(numbers, sizeof(int), 2, fp);
 }
 
-void PairGranHamaker::read_restart_settings(FILE* fp) {
+template <class Cohesion>
+void PairGranCohesive<Cohesion>::read_restart_settings(FILE* fp) {
   int numbers[2] = {0, 0};
   if (comm->me == 0) utils::sfread(FLERR, numbers, sizeof(int), 2, fp, nullptr, error);
   MPI_Bcast(numbers, 2, MPI_INT, 0, world);
-  form = &cohesion::hamaker::forms[numbers[0]];
+  attraction.restore_settings(numbers[0]);
   scheme = static_cast<Scheme>(numbers[1]);
 }
+
+template class LAMMPS_NS::PairGranCohesive<HamakerCohesion>;
+template class LAMMPS_NS::PairGranCohesive<SquareWellCohesion>;
+template class LAMMPS_NS::PairGranCohesive<SquareWellOverlay>;

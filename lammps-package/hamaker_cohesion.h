@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#ifndef COHESION_HAMAKER_COHESION_H
+#define COHESION_HAMAKER_COHESION_H
+
+#include <array>
+#include <set>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "cohesive_contact_from_script.h"
+#include "contact/adhesion.h"
+#include "event_stepping/plane_pair.h"
+#include "event_stepping/sampled_pair.h"
+#include "event_stepping/sphere_pair.h"
+#include "hamaker/forms.h"
+
+namespace LAMMPS_NS {
+
+/// Hamaker attraction as gran/hamaker and wall/gran/hamaker take it: what PairGranCohesive and
+/// FixWallGranCohesive must be told of a cohesion. The object holds the style's settings.
+class HamakerCohesion {
+ public:
+  static constexpr char STYLE[] = "gran/hamaker";
+  static constexpr char HISTORY_ID[] = "NEIGH_HISTORY_GRAN_HAMAKER";
+  /// What pair_coeff takes behind `i j`, for messages.
+  static constexpr char COEFFICIENTS[] = "stiffness K ...', see its page for the other keywords";
+  /// Keywords of the style besides `scheme`, one value each.
+  static constexpr std::array SETTINGS{"form"};
+  /// Whether the style follows contacts, by a scheme and with advice, or lies over another's.
+  static constexpr bool HAS_CONTACT = true;
+
+  /// What a script says about the contact of two materials.
+  struct Parameters {
+    cohesion::contact::ContactParameters contact;
+    cohesion::hamaker::Parameters hamaker = cohesion::hamaker::none;
+    double material_stiffness = 0.0;  ///< [force/length]: scale the adhesion from it; 0: do not
+  };
+  using Law = cohesion::hamaker::AnyLaw;
+  using EventPair = cohesion::event_stepping::SpherePair;
+  using EventWall = cohesion::event_stepping::PlanePair;
+  using Sampled = cohesion::event_stepping::SampledPair;
+
+  static std::vector<ContactKeyword<Parameters> > keywords();
+  static void require_valid(LAMMPS*, const std::string& where, const Parameters&,
+                            const std::set<std::string>& given);
+  /// Unlike materials: geometric means; the larger cut-offs and asperity.
+  static Parameters mixed(const Parameters&, const Parameters&);
+  /// The same contact seen from the other side.
+  static const Parameters& reversed(const Parameters& p) { return p; }
+  /// Gap up to which the scheme has to see a pair, [length].
+  static double range(Scheme, const Parameters&, double radius_i, double radius_j);
+
+  void set(LAMMPS*, const std::string& where, const std::string& word, const char* value);
+  /// The settings as a number, for restart files.
+  int settings() const { return static_cast<int>(form_ - cohesion::hamaker::forms.data()); }
+  void restore_settings(int number) { form_ = &cohesion::hamaker::forms[number]; }
+
+  /// The parameters of a run: with the adhesion scaled to the stiffness when that is wished, which
+  /// is then printed.
+  Parameters scaled(LAMMPS*, const std::string& where, Parameters) const;
+  Law law(LAMMPS*, const std::string& where, const Parameters&) const;
+  Law no_law() const { return form_->law(cohesion::hamaker::none, false); }
+
+  /// The attraction as a pair of src/event_stepping takes it.
+  template <class Attraction>
+  static Attraction of_pair(const Law& law, double radius_i, double radius_j) {
+    return attraction<Attraction>(law, cohesion::two_spheres(radius_i, radius_j));
+  }
+  template <class Attraction>
+  static Attraction of_wall(const Law& law, double radius) {
+    return attraction<Attraction>(law, cohesion::sphere_and_plane(radius));
+  }
+
+ private:
+  template <class Attraction>
+  static Attraction attraction(const Law& law, const cohesion::PairGeometry& geometry) {
+    if constexpr (std::is_same_v<Attraction, cohesion::contact::Adhesion>)
+      return std::visit([&](const auto& l) { return cohesion::contact::adhesion_of(l, geometry); },
+                        law);
+    else
+      return {law, geometry};
+  }
+
+  const cohesion::hamaker::Form* form_ = cohesion::hamaker::forms.data();
+};
+
+}  // namespace LAMMPS_NS
+
+#endif

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "event_stepping/pair_step.h"
+#include "event_stepping/sphere_pair.h"
+#include "hard_sphere/crossing.h"
+#include "square_well/impulses.h"
+
+namespace cohesion::event_stepping {
+
+/// Two spheres with a square well around a spring-dashpot contact.
+///
+/// The relative motion at n-1/2 is followed exactly to n+1/2. Outside contact the pair flies
+/// straight: to the edge of the well from outside; from inside to the contact or the edge,
+/// whichever comes first. At the edge it gets the impulse of approach, escape or capture at the
+/// time at which it is there. In contact it turns as SpherePair does. No approximation is made but
+/// SpherePair's, so that the well may be as wide as the particles.
+///
+/// Which surface is next is decided by the flag `inside` and the sense of the motion, not by the
+/// distance alone (hard_sphere/crossing.h): what other contacts do to a pair between two steps can
+/// put it beyond the edge or short of it. It has its event then as soon as it moves that way.
+class WellPair {
+ public:
+  /// No force; `cutoff` the gap at the edge, `tail_energy` the depth.
+  using Attraction = contact::Adhesion;
+  static constexpr bool acts_within_step = true;
+
+  /// `step` [time]: the usual length of a step.
+  WellPair(const contact::LinearSpringDashpot& spring, const contact::Adhesion& well,
+           double contact_distance, double step)
+      : WellPair(spring, well, contact_distance, contact_distance, step) {}
+
+  double range() const { return range_; }
+  double spring_energy(double overlap) const { return contact_.spring_energy(overlap); }
+  /// Of a pair in the well, wherever it stands.
+  double adhesion_energy(double /*overlap*/) const { return -depth_; }
+
+  bool within_reach(const RelativeState& grid, const StepWindow& window) const {
+    const double slack = std::max(window.before, window.after) * norm(grid.velocity);
+    const double reach = edge_ + slack;
+    return dot(grid.separation, grid.separation) <= reach * reach;
+  }
+
+  PairStep advance(const RelativeState& grid, const StepWindow& window, bool inside) const {
+    if (edge_ == core_) return contact_.advance(grid, window, inside);
+    PairStep step;
+    Motion m{{grid.separation - window.before * grid.velocity, grid.velocity}, inside, false, 0.0};
+    m.touching = dot(m.at.separation, m.at.separation) < core_ * core_;
+    // Both are in the contact: one that was pushed there from outside the well fell into it.
+    if (m.touching && !m.inside) approach(m);
+    double left = window.length();
+    bool straight = true;
+    for (int stretches = 0; left > 0.0; stretches++) {
+      if (stretches == max_stretches) {
+        step.normal.unresolved = true;
+        break;
+      }
+      const Meeting next = m.touching ? Meeting{0.0, contact} : next_meeting(m);
+      if (next.wait >= left) {
+        m.at.separation += left * m.at.velocity;
+        break;
+      }
+      straight = false;
+      m.at.separation += next.wait * m.at.velocity;
+      left -= next.wait;
+      if (next.with == contact)
+        left -= turn(m, left, step.normal);
+      else if (next.with == edge_from_outside)
+        approach(m);
+      else
+        leave(m);
+      if (step.normal.unresolved) break;
+    }
+    step.inside = m.inside;
+    step.overlap_at_end = m.touching ? m.overlap : core_ - norm(m.at.separation);
+    if (straight) return step;  // not to carry the rounding of no change into the motion
+    step.change.velocity = m.at.velocity - grid.velocity;
+    step.change.separation = m.at.separation - window.after * m.at.velocity - grid.separation;
+    return step;
+  }
+
+ protected:
+  /// `core` [length]: the distance at which contact begins; 0: contact is followed elsewhere.
+  WellPair(const contact::LinearSpringDashpot& spring, const contact::Adhesion& well,
+           double contact_distance, double core, double step)
+      : contact_(spring, well.cutoff > 0.0 ? contact::Adhesion{} : well, contact_distance, step),
+        core_(core),
+        edge_(contact_distance + well.cutoff),
+        range_(well.cutoff),
+        depth_(well.tail_energy),
+        inverse_mass_(1.0 / spring.reduced_mass()) {}
+
+ private:
+  /// More than any well has that is wide enough to be one; a pair along whose edge nearly nothing
+  /// moves could have any number of captures.
+  static constexpr int max_stretches = 1000;
+  /// Normal speed over speed that is rounding.
+  static constexpr double rounding = 1e-15;
+
+  enum Surface { contact, edge_from_outside, edge_from_inside };
+  struct Meeting {
+    double wait;  ///< [time]
+    Surface with;
+  };
+  struct Motion {
+    RelativeState at;
+    bool inside;
+    bool touching;
+    double overlap;  ///< while touching
+  };
+
+  Meeting next_meeting(const Motion& m) const {
+    const double b = dot(m.at.separation, m.at.velocity);
+    const double ww = dot(m.at.velocity, m.at.velocity);
+    const double rr = dot(m.at.separation, m.at.separation);
+    const double beyond = rr - edge_ * edge_;
+    if (!m.inside) return {hard_sphere::time_to_fall(b, ww, beyond), edge_from_outside};
+    const double fall =
+        core_ > 0.0 ? hard_sphere::time_to_fall(b, ww, rr - core_ * core_) : hard_sphere::never;
+    if (fall < hard_sphere::never) return {fall, contact};
+    // Along the edge: neither in nor out.
+    if (beyond >= 0.0 && b * b <= rounding * rounding * rr * ww)
+      return {hard_sphere::never, edge_from_inside};
+    return {hard_sphere::time_to_rise(b, ww, beyond), edge_from_inside};
+  }
+
+  /// Changes the velocity by the impulse J(u), u the speed of approach.
+  template <class Impulse>
+  void push(Motion& m, Impulse impulse) const {
+    const Vector3 normal = (1.0 / norm(m.at.separation)) * m.at.separation;
+    m.at.velocity += inverse_mass_ * impulse(-dot(normal, m.at.velocity)) * normal;
+  }
+
+  /// A pair that others pushed into the contact may already part; it does so faster then.
+  void approach(Motion& m) const {
+    push(m, [&](double u) {
+      const double in = square_well::approach_impulse(std::abs(u), depth_, inverse_mass_);
+      return u < 0.0 ? -in : in;
+    });
+    m.inside = true;
+  }
+
+  void leave(Motion& m) const {
+    push(m, [&](double u) {
+      m.inside = !square_well::escapes(u, depth_, inverse_mass_);
+      return m.inside ? square_well::capture_impulse(u, inverse_mass_)
+                      : square_well::escape_impulse(u, depth_, inverse_mass_);
+    });
+  }
+
+  double turn(Motion& m, double time, NormalRecord& record) const {
+    m.touching = true;
+    return contact_.turn(m.at, time, m.touching, m.overlap, record);
+  }
+
+  SpherePair contact_;
+  double core_;
+  double edge_;
+  double range_;
+  double depth_;
+  double inverse_mass_;
+};
+
+}  // namespace cohesion::event_stepping

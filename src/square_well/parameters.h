@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+
+#include "contact/adhesion.h"
+#include "validation.h"
+
+namespace cohesion::square_well {
+
+/// The well between two materials, as users give it. Its edge is where the centres are
+/// ratio_i r_i + ratio_j r_j apart; beside a wall, where the gap is (ratio_i - 1) r_i.
+struct Parameters {
+  double depth = 0.0;    ///< D, [energy]; 0: no well
+  double ratio_i = 1.0;  ///< r_out/r of the particles of the first material, [1]
+  double ratio_j = 1.0;  ///< of the second
+};
+
+/// `well D ratio`: one ratio for both.
+inline Parameters well(double depth, double ratio) { return {depth, ratio, ratio}; }
+
+/// Throws InvalidParameter unless D >= 0 and both ratios are at least 1, all finite.
+inline void require_valid(const Parameters& p) {
+  require_non_negative("depth D of the well", p.depth);
+  for (const double ratio : {p.ratio_i, p.ratio_j})
+    require(std::isfinite(ratio) && ratio >= 1.0, "ratio r_out/r of the well", ratio,
+            "must be a finite number not below 1: the well is outside the core");
+}
+
+/// Unlike materials: the geometric mean of the depths; each its own ratio.
+inline Parameters mixed(const Parameters& a, const Parameters& b) {
+  return {std::sqrt(a.depth * b.depth), a.ratio_i, b.ratio_j};
+}
+
+/// The same well seen from the other side.
+inline Parameters reversed(const Parameters& p) { return {p.depth, p.ratio_j, p.ratio_i}; }
+
+/// Distance of the centres at the edge, [length].
+inline double edge(const Parameters& p, double radius_i, double radius_j) {
+  return p.ratio_i * radius_i + p.ratio_j * radius_j;
+}
+
+/// Gap at the edge, [length]; radius_j = 0 beside a wall.
+inline double width(const Parameters& p, double radius_i, double radius_j) {
+  return (p.ratio_i - 1.0) * radius_i + (p.ratio_j - 1.0) * radius_j;
+}
+
+/// The well as an adhesion: no force, all of its energy at the edge.
+inline contact::Adhesion adhesion_of(const Parameters& p, double radius_i, double radius_j) {
+  if (p.depth == 0.0) return {};
+  return {0.0, width(p, radius_i, radius_j), p.depth};
+}
+
+}  // namespace cohesion::square_well

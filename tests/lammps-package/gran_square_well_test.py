@@ -1,0 +1,580 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""pair_style gran/square_well and fix wall/gran/square_well in LAMMPS, against closed forms. With the
+table of escape velocities of both schemes."""
+import math
+import sys
+import unittest
+from pathlib import Path
+
+import numpy
+
+import cohesive_gas as gas
+import couples
+import lammps_engine as engine
+from couples import DAMPING, DIAMETER, MASS, MU, STIFFNESS
+
+T_C = couples.CONTACT_TIME
+RESTITUTION = math.exp(-couples.ALPHA * T_C)
+POSITIONS = 8  # of the contact within the step
+DEPTHS = (1e-11, 5e-11, 1e-10)
+
+
+def report(text):
+    print(text, file=sys.stderr)
+
+
+def well_speed(depth, mass=MU):
+    return math.sqrt(2 * depth / mass)
+
+
+def escape_velocity(depth, mass=MU, restitution=RESTITUTION):
+    return well_speed(depth, mass) * math.sqrt(1 / restitution**2 - 1)
+
+
+def words(depth, ratio, damping=DAMPING, **more):
+    text = f"stiffness {STIFFNESS:.17g} damping {damping:.17g} well {depth:.17g} {ratio:.17g}"
+    return text + "".join(f" {name} {value:.17g}" for name, value in more.items())
+
+
+def relative(end):
+    return end[..., 1, :] - end[..., 0, :]
+
+
+def gaps(end):
+    return numpy.linalg.norm(relative(end)[..., :3], axis=-1) - DIAMETER
+
+
+def have_parted(gaps_then, width):
+    """Whether couples are out of the well, from their gaps in the second half of a run's snapshots. A
+    place on the grid can be half a step beyond the edge where a captured pair turns round within the
+    step, but not again and again."""
+    late = gaps_then[len(gaps_then) // 2:]
+    return (late > width + 1e-9).all(axis=0)
+
+
+class HeadOn(unittest.TestCase):
+    RATIO = 1.01
+    WIDTH = (RATIO - 1) * DIAMETER
+
+    def limits(self, scheme, division, factors):
+        """For each depth the slowest factor of the escape velocity at which a couple parted, and the
+        fastest at which one stayed, over all positions of the contact in the step."""
+        dt = T_C / division
+        atoms, depths, speeds = [], [], []
+        for k, depth in enumerate(DEPTHS):
+            for factor in factors:
+                for position in range(POSITIONS):
+                    speed = factor * escape_velocity(depth)
+                    atoms += couples.couple(len(atoms) // 2,
+                                            self.WIDTH + 1e-7 + speed * dt * position / POSITIONS,
+                                            (0.0, speed, 0.0), types=(k + 1, k + 1))
+        coefficients = [f"{k} {k} {words(depth, self.RATIO)}" for k, depth in enumerate(DEPTHS, 1)]
+        # In and out of the well takes below 40 t_c, on the way to it 0.3 ms.
+        path = couples.run(atoms, coefficients, dt, 200 * division, types=len(DEPTHS), skin=4e-4,
+                           every=20 * division, style="gran/square_well scheme " + scheme)[0]
+        parted = have_parted(gaps(path), self.WIDTH)
+        parted = parted.reshape(len(DEPTHS), len(factors), POSITIONS)
+        factors = numpy.array(factors)
+        return [(factors[p.any(axis=1)].min(), factors[~p.all(axis=1)].max()) for p in parted]
+
+    def test_escape_velocity_at_any_step(self):
+        # v_esc = sqrt(2 D/mu (1/e^2 - 1)). Rounding: the gap, 3e-17 m at the edge of a box of 0.1 m,
+        # once at each step in contact, w0 3e-17 m = 1e-12 m/s of 5e-3 m/s, and what the energy that
+        # decides loses in the difference, ten times.
+        grades = [10.0**-k for k in range(1, 7)]
+        factors = sorted([1 - g for g in grades] + [1 + g for g in grades])
+        for division in (4, 10, 50):
+            for depth, (low, high) in zip(DEPTHS, self.limits("event", division, factors)):
+                report(f"event, t_c/{division}, D {depth:g} J, {escape_velocity(depth):.5g} m/s: "
+                       f"slowest parted {low:.6f}, fastest captured {high:.6f}")
+                self.assertAlmostEqual(low, 1 + 1e-6, delta=1e-9)
+                self.assertAlmostEqual(high, 1 - 1e-6, delta=1e-9)
+
+    def test_sampled_scheme_converges_to_the_same(self):
+        # The impulses of a head-on passage are right at any place; what errs is the sampled contact,
+        # whose energy leapfrog gets wrong by what depends on the position of the contact in the step.
+        fine = [0.5 + 0.05 * k for k in range(9)] + [0.95 + 0.005 * k for k in range(21)]
+        factors = [0.1, 0.2, 0.3, 0.4] + fine + [1.05 + 0.05 * k for k in range(1, 30)]
+        errors = []
+        for division in (4, 10, 46, 185):
+            limits = self.limits("sampled", division, factors)
+            for depth, (low, high) in zip(DEPTHS, limits):
+                report(f"sampled, t_c/{division}, D {depth:g} J: slowest parted {low:.3f}, fastest "
+                       f"captured {high:.3f}")
+            errors.append(numpy.abs(numpy.array(limits) - 1).max())
+        # First order, and the grading.
+        self.assertLess(errors[3], errors[1] / 18.5 * 2 + 0.005)
+        self.assertGreater(errors[0], 0.1)  # is why there is another scheme
+
+    def test_a_well_at_touch(self):
+        # ratio 1: the same escape velocity; the well has no width.
+        for division in (4, 10):
+            atoms, factors = [], (1 - 1e-6, 1 + 1e-6)
+            for factor in factors:
+                for position in range(POSITIONS):
+                    speed = factor * escape_velocity(5e-11)
+                    atoms += couples.couple(len(atoms) // 2,
+                                            1e-7 + speed * T_C / division * position / POSITIONS,
+                                            (0.0, speed, 0.0))
+            path = couples.run(atoms, ["* * " + words(5e-11, 1.0)], T_C / division, 200 * division,
+                               style="gran/square_well", every=20 * division)[0]
+            parted = have_parted(gaps(path), 0.0).reshape(2, POSITIONS)
+            self.assertFalse(parted[0].any())
+            self.assertTrue(parted[1].all())
+
+    def test_equal_escape_velocity_as_hamaker(self):
+        # D = mu v_esc^2/(2 (1/e^2 - 1)), the pair of A = 7.49e-19 J by its own integration: what
+        # src/advice/equal_escape.h states.
+        escape = couples.Pair(7.49e-19).escape_velocity()
+        depth = MU * escape**2 / (2 * (1 / RESTITUTION**2 - 1))
+        atoms = []
+        for factor in (1 - 1e-5, 1 + 1e-5):
+            atoms += couples.couple(len(atoms) // 2, self.WIDTH + 1e-7, (0, factor * escape, 0))
+        for style, line in (("gran/square_well", words(depth, self.RATIO)),
+                            ("gran/hamaker", couples.Pair(7.49e-19).words())):
+            path = couples.run(atoms, ["* * " + line], T_C / 4, 1600, style=style, skin=4e-4,
+                               every=80)[0]
+            # The pair of gran/hamaker is free beyond H_cut, and then slow.
+            width = self.WIDTH if style == "gran/square_well" else couples.CUT
+            self.assertEqual(list(have_parted(gaps(path), width)), [False, True], style)
+        report(f"A 7.49e-19 J and D {depth:.4g} J share the escape velocity {escape:.4g} m/s")
+
+
+class Passes(unittest.TestCase):
+    def test_passes_without_contact_are_refracted(self):
+        # Unlike spheres, each type with its own ratio: the edge is where the wells' radii add up. A
+        # pass at impact parameter s turns by 2 (asin(s/edge) - asin(s/(n edge))), n^2 = 1 + 2 D/(mu
+        # v^2), D the geometric mean.
+        diameters, densities, ratios = (1e-3, 0.6e-3), (2650.0, 5300.0), (1.5, 1.2)
+        edge = 0.5 * (ratios[0] * diameters[0] + ratios[1] * diameters[1])
+        masses = [math.pi / 6 * density * d**3 for d, density in zip(diameters, densities)]
+        mass = masses[0] * masses[1] / sum(masses)
+        depth, speed = 4e-11, 0.05
+        n = math.sqrt(1 + 2 * depth / mass / speed**2)
+        closest = 0.5 * sum(diameters)
+        offsets = [n * closest + share * (edge - n * closest)
+                   for share in (0.01, 0.3, 0.7, 0.99, 1 - 1e-6)] + [edge * (1 + 1e-9)]
+        atoms = []
+        for offset in offsets:
+            along = math.sqrt(max(edge**2 - offset**2, 0.0)) + 1e-5
+            distance = math.hypot(offset, along)
+            atoms += couples.couple(len(atoms) // 2, distance - closest, (0.0, speed, 0.0),
+                                    normal=(offset / distance, along / distance, 0.0), pitch=(4e-3, 6e-3),
+                                    types=(1, 2), diameters=diameters, densities=densities)
+        coefficients = [f"{k} {k} {words(d, ratio)}" for k, d, ratio in
+                        ((1, 1e-11, ratios[0]), (2, 16e-11, ratios[1]))]
+        for dt in (T_C / 20, T_C / 4):
+            path, output = couples.run(atoms, coefficients, dt, int(2.2 * edge / speed / dt), types=2,
+                                       style="gran/square_well", skin=1e-3, size=(0.03, 0.01, 0.004),
+                                       every=1 if dt == T_C / 4 else 0)
+            out = relative(path[-1])[:, 3:5]
+            turned = numpy.arctan2(-out[:, 0], -out[:, 1])
+            for offset, angle, velocity in zip(offsets, turned, out):
+                expected = 0.0
+                slope = 1.0
+                if offset < edge:
+                    expected = 2 * (math.asin(offset / edge) - math.asin(offset / n / edge))
+                    slope = 2 / math.sqrt(1 - (offset / edge)**2)
+                # Positions in the box are rounded by 2e-18 m four times a step, at random.
+                bound = 5 * math.sqrt(4 * 2.2 * edge / speed / dt) * 2e-18 / edge * slope
+                self.assertLess(abs(angle - expected), bound)
+                self.assertAlmostEqual(numpy.linalg.norm(velocity) / speed, 1, delta=1e-13)
+        names, lines = engine.thermo_lines(output)
+        table = dict(zip(names, numpy.array(lines).T))
+        # Nothing but depths of pairs: all five are in the well at some time, and all have left.
+        steps_of = numpy.round(table["PotEng"] / -depth)
+        numpy.testing.assert_allclose(table["PotEng"], -depth * steps_of, rtol=0, atol=1e-25)
+        self.assertEqual((steps_of.max(), steps_of[-1]), (5, 0))
+        energy = 0.5 * mass * speed**2 * len(offsets)
+        report(f"passes: energy book {numpy.abs(table['c_book[10]']).max() / energy:.1e} of all")
+        # Two events of each couple, some ten roundings each.
+        self.assertLess(numpy.abs(table["c_book[10]"]).max(), 2 * 5 * 10 * 2.0**-53 * 2 * energy)
+
+    def test_energy_book_closes_in_contact(self):
+        # Head-on, so that nothing turns: see gran_hamaker_couple_test.py for the roundings.
+        depth, speed, dt = 5e-11, 0.02, T_C / 4
+        atoms = []
+        for k in range(20):
+            atoms += couples.couple(k, 1e-5 + 1e-7 + k * speed * dt / 20, (0.0, speed, 0.0))
+        path, output = couples.run(atoms, ["* * " + words(depth, 1.01)], dt, 100, every=1,
+                                   style="gran/square_well", skin=4e-4)
+        names, lines = engine.thermo_lines(output)
+        table = dict(zip(names, numpy.array(lines).T))
+        energy = table["c_book[1]"][0]
+        report(f"book, head-on: {numpy.abs(table['c_book[10]']).max() / energy:.1e} of all")
+        self.assertGreater(table["c_book[6]"][-1], 1e-2 * energy)
+        self.assertLess(numpy.abs(table["c_book[10]"]).max(),
+                        math.sqrt(20 * 100) * 3e-17 * 3e-2 + 100 * 2.0**-53 * energy)
+        out = relative(path[-1])[:, 4]
+        inside = RESTITUTION**2 * (speed**2 + well_speed(depth)**2)
+        # The gap is rounded by 3e-17 m, in contact that is w0 3e-17 m = 1e-12 m/s.
+        numpy.testing.assert_allclose(out, math.sqrt(inside - well_speed(depth)**2), rtol=1e-9)
+
+
+class Scene(unittest.TestCase):
+    def setUp(self):
+        keeper = engine.temporary_folder()
+        self.addCleanup(keeper.cleanup)
+        self.folder = keeper.name
+
+    def sphere(self, x, v=(0.0, 0.0, 0.0), kind=1, diameter=DIAMETER, **more):
+        return {"type": kind, "diameter": diameter, "density": 2650.0, "x": x, "v": v, **more}
+
+    def follow(self, atoms, pair, dt, steps, fixes=(), box=3 * [(0.0, 0.01)], ranks=1, **options):
+        if atoms:
+            engine.write_spheres(self.folder, atoms, box, 3)
+        (Path(self.folder) / "coefficients.txt").write_text(
+            "".join(f"pair_coeff {line}\n" for line in pair))
+        (Path(self.folder) / "fixes.txt").write_text("\n".join(fixes) + "\n")
+        settings = {"style": "gran/square_well", "boundary": "f f f", "skin": 4e-4, "mode": "whole",
+                    "file": "end.txt", "every": steps, **options}
+        output = engine.run("in.gran_square_well", self.folder, ranks=ranks, dt=dt, steps=steps,
+                            **settings)
+        names, lines = engine.thermo_lines(output)
+        self.output = output
+        return engine.dump(self.folder, settings["file"])
+
+    def course(self):
+        return numpy.array(engine.dumps(self.folder, "course.txt"))
+
+
+class Captured(Scene):
+    def test_pairs_captured_under_gravity_stay(self):
+        # 1e5 steps: a sphere that hangs in the well of one that is held, as wide as 0.001 d
+        # (m g w = 1.4e-11 J < D), elastic; the same on top of it; one at its side; a pair on a floor.
+        depth, ratio = 1e-10, 1.001
+        atoms = []
+        for k, (direction, gap) in enumerate((((0, 0, -1), 5e-7), ((0, 0, 1), 5e-7))):
+            x = numpy.array([2e-3 + 3e-3 * k, 2e-3, 5e-3])
+            atoms += [self.sphere(x, kind=2),
+                      self.sphere(x + (DIAMETER + gap) * numpy.array(direction))]
+        floor = numpy.array([2e-3, 6e-3, 0.5e-3])
+        atoms += [self.sphere(floor), self.sphere(floor + (1.0005 * DIAMETER, 0, 0))]
+        self.follow(atoms, ["* * " + words(depth, ratio, 0.0)], T_C / 4, 100000, every=1000,
+                    fixes=["fix floor all wall/gran/square_well stiffness 800 damping 0 zplane 0 NULL",
+                           "fix g moving gravity 9.81 vector 0 0 -1"])
+        course = self.course()
+        pairs = course[:, :, 1:4].reshape(len(course), 3, 2, 3)
+        distance = numpy.linalg.norm(pairs[:, :, 1] - pairs[:, :, 0], axis=2)
+        # Gravity acts on the grid: within a step it moves a particle by g dt^2/2 = 3e-9 m more than
+        # the pair knows of, and by the flight of half a step at the speed of the well.
+        slack = 9.81 * (T_C / 4)**2 + 0.5 * T_C / 4 * 2e-2
+        self.assertLess(distance.max(), ratio * DIAMETER + slack)
+        # Never more energy than at the start: falls of less than the well's width, and D.
+        energy = 0.5 * MASS * (course[:, :, 4:7]**2).sum(axis=2) + MASS * 9.81 * course[:, :, 3]
+        gain = (energy - energy[0]).max() / depth
+        report(f"captured under gravity, 1e5 steps: most energy gained {gain:.3f} D")
+        self.assertLess(gain, 0.1)
+
+    def test_three_mutually_captured(self):
+        # In a triangle; wide wells of D each, elastic, no gravity: the energy stays, and with it all
+        # three. What the frame errs by with several contacts is measured here.
+        depth, ratio, dt = 1e-10, 1.2, T_C / 10
+        side = 1.1 * DIAMETER
+        x = numpy.array([[0, 0, 0], [side, 0, 0], [0.5 * side, math.sqrt(0.75) * side, 0]]) + 5e-3
+        v = 0.3 * well_speed(depth) * numpy.array([[1, 0.2, 0.1], [-0.8, 0.5, 0.0],
+                                                   [-0.2, -0.7, -0.1]])
+        self.follow([self.sphere(a, b) for a, b in zip(x, v)], ["* * " + words(depth, ratio, 0.0)],
+                    dt, 100000, every=1000, boundary="p p p")
+        table, _ = gas.table(self.output)
+        drift = numpy.abs(table[:, 12]).max() / table[0, 3]
+        report(f"three captured, 1e5 steps at t_c/10: energy within {drift:.1e} of the kinetic")
+        course = self.course()
+        for a, b in ((0, 1), (1, 2), (0, 2)):
+            d = course[:, a, 1:4] - course[:, b, 1:4]
+            d -= 0.01 * numpy.round(d / 0.01)
+            self.assertLess(numpy.linalg.norm(d, axis=1).max(), ratio * DIAMETER + 1e-6)
+
+
+class Walls(Scene):
+    def test_escape_velocity_from_a_wall(self):
+        # A wall is a partner of infinite mass: mu = m.
+        depth = 1e-10
+        alpha = DAMPING / (2 * MASS)
+        q = math.sqrt(STIFFNESS / MASS - alpha**2)
+        e = math.exp(-math.pi * alpha / q)
+        factors = [1 - 1e-2, 1 - 1e-6, 1 + 1e-6, 1 + 1e-2]
+        for ratio in (1.0, 1.02):
+            width = (ratio - 1) * DIAMETER / 2
+            dt = math.pi / q / 4
+            atoms = []
+            for k, factor in enumerate(factors):
+                speed = factor * escape_velocity(depth, MASS, e)
+                for position in range(POSITIONS):
+                    height = DIAMETER / 2 + width + 1e-7 + speed * dt * position / POSITIONS
+                    atoms.append(self.sphere((2e-3 * (k + 1), 2e-3 * (position + 1), height),
+                                             (0.0, 0.0, -speed)))
+            box = [(0.0, 0.02)] * 3
+            self.follow(atoms, ["* * " + words(0.0, 1.0)], dt, 2000, box=box, every=101,
+                        fixes=["fix w all wall/gran/square_well " + words(depth, ratio) +
+                               " zplane 0 NULL"])
+            parted = have_parted(self.course()[:, :, 3] - DIAMETER / 2, width)
+            parted = parted.reshape(len(factors), POSITIONS)
+            self.assertEqual([row.all() for row in parted], [False, False, True, True])
+            self.assertEqual([row.any() for row in parted], [False, False, True, True])
+
+    def test_sampled_wall(self):
+        # The velocity that the dashpot sees is half a step old: up to w0 dt/2 = 0.9 % of what it
+        # takes, and that is what decides. Leapfrog's own error of (w0 dt)^2/8 of the energy is
+        # 1/(1 - e^2) = 14 times more of it: 0.05 %. Half of that in speed; graded by 5 %.
+        depth, ratio = 1e-10, 1.02
+        alpha = DAMPING / (2 * MASS)
+        q = math.sqrt(STIFFNESS / MASS - alpha**2)
+        escape = escape_velocity(depth, MASS, math.exp(-math.pi * alpha / q))
+        width, dt = (ratio - 1) * DIAMETER / 2, math.pi / q / 185
+        atoms = [self.sphere((2e-3 * (k + 1), 2e-3 * (position + 1), DIAMETER / 2 + width + 1e-7
+                              + factor * escape * dt * position / POSITIONS),
+                             (0.0, 0.0, -factor * escape))
+                 for k, factor in enumerate((0.95, 1.05)) for position in range(POSITIONS)]
+        contact = words(depth, ratio)
+        self.follow(atoms, ["* * " + words(0.0, 1.0)], dt, 40000, box=3 * [(0.0, 0.02)], every=2001,
+                    fixes=[f"fix w all wall/gran/square_well scheme sampled {contact} zplane 0 NULL"])
+        parted = have_parted(self.course()[:, :, 3] - DIAMETER / 2, width).reshape(2, POSITIONS)
+        self.assertFalse(parted[0].any())
+        self.assertTrue(parted[1].all())
+
+    def test_elastic_sphere_captured_in_a_corner(self):
+        # Three walls, D each: captured by all, motion along each axis is its own: |v| at the grid
+        # points outside contact and turns is the same after 1e5 steps.
+        depth, ratio, dt = 1e-10, 1.05, T_C / 4
+        v = 0.7 * well_speed(depth, MASS) * numpy.array([1.0, -0.83, 0.71])
+        atoms = [self.sphere(DIAMETER / 2 * numpy.array([1.02, 1.03, 1.01]), v)]
+        self.follow(atoms, ["* * " + words(0.0, 1.0)], dt, 100000, every=100,
+                    fixes=["fix w all wall/gran/square_well " + words(depth, ratio, 0.0) +
+                           " xplane 0 NULL yplane 0 NULL zplane 0 NULL"])
+        course = self.course()[:, 0]
+        inside = (course[:, 1:4] > 0.5 * DIAMETER + 1e-6).all(axis=1)
+        inside &= (course[:, 1:4] < 0.5 * ratio * DIAMETER - 1e-6).all(axis=1)
+        self.assertGreater(inside.sum(), 200)
+        self.assertLess(course[:, 1:4].max(), 0.5 * ratio * DIAMETER + 1e-6)
+        error = numpy.abs(numpy.abs(course[inside, 4:7]) / numpy.abs(v) - 1).max()
+        report(f"corner, 1e5 steps: speeds along the axes change by {error:.1e}")
+        # Where two walls act in one step, half of the way that one moves the sphere by, below dt times
+        # the change of speed 2 v, tilts the other's normal by that over R: 2 v dt/R of the speed, in
+        # one of ten of the 2000 turns, at random.
+        self.assertLess(error, 5 * math.sqrt(200) * 2 * v[0] * dt / (DIAMETER / 2))
+
+    def test_own_depth_or_none(self):
+        # Without `well` the wall only repels.
+        speed = 5e-3
+        end = self.follow([self.sphere((5e-3, 5e-3, 0.51e-3), (0, 0, -speed))],
+                          ["* * " + words(1e-10, 1.05)], T_C / 4, 400,
+                          fixes=["fix w all wall/gran/square_well stiffness 800 restitution 1 "
+                                 "zplane 0 NULL"])
+        self.assertAlmostEqual(end[0, 6] / speed, 1, delta=1e-9)
+
+
+class Many(Scene):
+    def write_gas(self, types=1):
+        random = numpy.random.default_rng(4711)
+        grid = 0.7e-3 + numpy.arange(8) * 1.3e-3
+        return [self.sphere(place + random.uniform(-5e-5, 5e-5, 3), random.uniform(-.05, .05, 3),
+                            kind=int(random.integers(0, 2)) * 2 + 1,
+                            diameter=1e-3 * random.uniform(0.8, 1.0),
+                            omega=random.uniform(-30, 30, 3))
+                for place in numpy.array(numpy.meshgrid(grid, grid, grid)).reshape(3, -1).T]
+
+    PAIR = ["1 1 " + words(2e-10, 1.1, friction=0.3), "2 2 " + words(1e-10, 1.05, friction=0.1),
+            "3 3 " + words(1e-10, 1.2, friction=0.1)]
+    FIXES = ["fix w all wall/gran/square_well " + words(4e-10, 1.1, friction=0.3) +
+             " zplane 0 0.0106", "fix g all gravity 9.81 vector 0 0 -1"]
+    BOX = 3 * [(0.0, 0.0106)]
+
+    def end(self, scheme, **options):
+        atoms = self.write_gas() if options.get("mode") != "restart" else None
+        return self.follow(atoms, self.PAIR, 1e-5, 1000, self.FIXES, self.BOX, boundary="p p f",
+                           style="gran/square_well scheme " + scheme, **options)
+
+    def test_ranks_and_restart(self):
+        for scheme in ("event", "sampled"):
+            whole = self.end(scheme)
+            table, _ = gas.table(self.output)
+            self.assertLess(table[-1, 1], -5e-10)  # wells, and impacts with friction
+            self.assertGreater(table[-1, 8:11].min(), 0.0)
+            # On two ranks and after a stop sums are in another order. 2^-53 of 1e-2 m, 1e-18 m, ten
+            # times a step; in 0.01 s, some three collisions, each multiplies a difference by
+            # 2 (path/d) = 10, and the edge, where the normal speed is small, by more: 1e4.
+            for name, options in (("two runs", {"mode": "halves"}), ("2 ranks", {"ranks": 2}),
+                                  ("writes a restart file", {"mode": "restart_file"}),
+                                  ("restart", {"mode": "restart"}),
+                                  ("restart on 2 ranks", {"mode": "restart", "ranks": 2})):
+                other = self.end(scheme, **options)
+                numpy.testing.assert_array_equal(other[:, 0], whole[:, 0])
+                difference = numpy.abs(other[:, 1:4] - whole[:, 1:4]).max()
+                report(f"{scheme}, {name}: differs by {difference:.1e} m after 1000 steps")
+                self.assertLess(difference, 1e-12)
+
+    def test_an_elastic_gas_keeps_its_energy(self):
+        # One contact is exact; what errs is several in one step, of second order in it, and at t_c/4
+        # no worse than in gran/hamaker, whose gas is good to 5e-4 (energy-drift.py).
+        drifts = []
+        phi, speed, depth, ratio = 0.3, 0.02, 2e-11, 1.1
+        duration = 20 / gas.collision_rate(phi, speed)
+        gas.write(self.folder, 8, phi, speed, seed=4711)
+        length = gas.edge(512, phi)
+        text = (Path(self.folder) / "data.spheres").read_text()
+        (Path(self.folder) / "data.spheres").write_text(text.replace("1 atom types", "3 atom types"))
+        for division in (4, 10, 20):
+            dt = gas.CONTACT_TIME / division
+            steps = int(duration / dt)
+            self.follow(None, ["* * " + words(depth, ratio, 0.0)], dt, steps, boundary="p p p",
+                        every=max(1, steps // 50))
+            table, _ = gas.table(self.output)
+            # step pe press book[1..10]: kinetic, rotational, spring, tangential, adhesion, ...
+            total = table[:, 3:8].sum(axis=1)
+            drift = numpy.abs(total - total[0]).max() / table[0, 3]
+            report(f"elastic gas, phi {phi}, D {depth:g} J, ratio {ratio}, t_c/{division}, 20 "
+                   f"collisions each: energy within {drift:.1e} of the kinetic energy")
+            self.assertLess(drift, 5e-4)
+            self.assertLess(table[-1, 7], -depth * 100)  # there are pairs in wells
+            drifts.append(drift)
+        self.assertLess(drifts[2], drifts[0] / 4)
+
+
+class Overlay(Many):
+    """pair_style square_well over contacts of LAMMPS."""
+    GAMMA = DAMPING / MU
+    test_an_elastic_gas_keeps_its_energy = None
+
+    def style(self, friction):
+        return (f"hybrid/overlay gran/hooke/history {STIFFNESS} {2 / 7 * STIFFNESS} {self.GAMMA:.17g} "
+                f"NULL {friction} {int(friction > 0)} square_well")
+
+    def end(self, scheme, **options):
+        # Without friction: LAMMPS' own style loses its history when hybrid is given again.
+        atoms = self.write_gas() if options.get("mode") != "restart" else None
+        return self.follow(atoms, ["* * gran/hooke/history", "1 1 square_well 2e-10 1.1",
+                                   "2 2 square_well 1e-10 1.05", "3 3 square_well 1e-10 1.2",
+                                   "1 3 square_well 1.4e-10 1.15", "1 2 square_well 1e-10 1.1",
+                                   "2 3 square_well 1e-10 1.1"],
+                           1e-5, 1000, ["fix w all wall/gran/square_well stiffness 800 restitution 0.9 "
+                                        "well 4e-10 1.1 zplane 0 0.0106",
+                                        "fix g all gravity 9.81 vector 0 0 -1"], self.BOX,
+                           boundary="p p f", style=self.style(0.0), **options)
+
+    def test_ranks_and_restart(self):
+        whole = self.end("")
+        table, _ = gas.table(self.output)
+        self.assertLess(table[-1, 1], -5e-10)
+        for name, options in (("two runs", {"mode": "halves"}), ("2 ranks", {"ranks": 2}),
+                              ("writes a restart file", {"mode": "restart_file"}),
+                              ("restart", {"mode": "restart"})):
+            other = self.end("", **options)
+            numpy.testing.assert_array_equal(other[:, 0], whole[:, 0])
+            difference = numpy.abs(other[:, 1:4] - whole[:, 1:4]).max()
+            report(f"overlay, {name}: differs by {difference:.1e} m after 1000 steps")
+            self.assertLess(difference, 1e-12)  # as for gran/square_well
+
+    def test_energy_of_an_impact(self):
+        # Elastic contact, in and out of the well with D gained and lost: the speed is back. What the
+        # contact style errs by itself, from couples without well that meet at the speed inside.
+        depth, speed, dt, width = 5e-11, 0.02, T_C / 50, 1e-5
+        inside = math.hypot(speed, well_speed(depth))
+        found = []
+        for v, lines, gap in ((speed, ["* * gran/hooke/history", f"* * square_well {depth} 1.01"],
+                               width + 1e-7),
+                              (inside, ["* * gran/hooke/history", "* * square_well 0 1.01"], 1e-7)):
+            atoms = couples.couple(0, gap, (0.0, v, 0.0))
+            style = f"hybrid/overlay gran/hooke/history {STIFFNESS} 228 0 NULL 0 0 square_well"
+            path, output = couples.run(atoms, lines, dt, 1000, every=1, style=style, skin=4e-4)
+            out = relative(path[-1])[0, 4]
+            found.append(out**2 + (2 * depth / MU if v == speed else 0.0))
+            if v == speed:
+                names, values = engine.thermo_lines(output)
+                pe = numpy.array(values).T[names.index("PotEng")]
+                self.assertAlmostEqual(pe.min() / -depth, 1, delta=1e-12)
+                self.assertEqual(pe[-1], 0.0)
+        # The contacts begin at different places in the step, so that they err differently: leapfrog
+        # is wrong by (w0 dt)^2/8 of the energy where the spring sets in and lets go.
+        self.assertLess(abs(found[0] / found[1] - 1), 2 * (math.pi / 50)**2 / 8)
+
+    def test_passes_without_contact_are_refracted(self):
+        depth, ratio, speed, dt = 4e-11, 1.2, 0.05, T_C / 4
+        edge, n = ratio * DIAMETER, math.sqrt(1 + 2 * 4e-11 / MU / 0.05**2)
+        offsets = [n * DIAMETER + share * (edge - n * DIAMETER) for share in (0.01, 0.5, 0.99)]
+        atoms = []
+        for offset in offsets:
+            along = math.sqrt(edge**2 - offset**2) + 1e-5
+            distance = math.hypot(offset, along)
+            atoms += couples.couple(len(atoms) // 2, distance - DIAMETER, (0.0, speed, 0.0),
+                                    normal=(offset / distance, along / distance, 0.0),
+                                    pitch=(4e-3, 6e-3))
+        lines = ["* * gran/hooke/history", f"* * square_well {depth} {ratio}"]
+        steps = int(2.2 * edge / speed / dt)
+        path, _ = couples.run(atoms, lines, dt, steps, style=self.style(0.0), skin=1e-3,
+                              size=(0.03, 0.01, 0.004))
+        out = relative(path[-1])[:, 3:5]
+        for offset, turned in zip(offsets, numpy.arctan2(-out[:, 0], -out[:, 1])):
+            slope = 2 / math.sqrt(1 - (offset / edge)**2)
+            expected = 2 * (math.asin(offset / edge) - math.asin(offset / n / edge))
+            self.assertLess(abs(turned - expected),
+                            5 * math.sqrt(4 * steps) * 2e-18 / edge * slope)
+
+    def test_input(self):
+        for text, expected in (
+                ("square_well scheme event\npair_coeff * * 1e-11 1.1", ("no keywords", "scheme")),
+                ("square_well\npair_coeff * * 1e-11", ("D ratio",)),
+                ("square_well\npair_coeff * * 1e-11 0.9", ("ratio r_out/r", "0.9")),
+                ("square_well\npair_coeff * * 1e-11 1.1 3", ("D ratio",))):
+            code, output = engine.run_text(HEAD + "pair_style " + text + MOVE, self.folder)
+            self.assertEqual(code, 1, output)
+            for word in expected:
+                self.assertIn(word, output)
+
+
+HEAD = """
+plugin load ${plugin}
+units si
+atom_style sphere
+boundary f f f
+newton off
+comm_modify vel yes
+region box block 0 0.01 0 0.01 0 0.01 units box
+create_box 2 box
+create_atoms 1 single 0.002 0.005 0.005 units box
+set group all diameter 1e-3 density 2650
+velocity all set 0.01 0 0
+neighbor 4e-4 bin
+timestep 5e-6
+"""
+MOVE = "\nfix move all nve/sphere\nrun 2\n"
+
+
+class Input(Scene):
+    def test_wrong_words_and_values(self):
+        style = "pair_style gran/square_well\npair_coeff * * "
+        wall = style + "stiffness 800\nfix w all wall/gran/square_well "
+        for text, expected in (
+                ("pair_style gran/square_well form exact", ("form", "valid ones: scheme")),
+                (style + "stiffness 800 hamaker 1e-19", ("hamaker", "well")),
+                (style + "stiffness 800 well 1e-11", ("well", "takes 2")),
+                (style + "stiffness 800 well -1e-11 1.1", ("depth D", "-1e-11")),
+                (style + "stiffness 800 well 1e-11 0.9", ("ratio r_out/r", "0.9", "below 1")),
+                (style + "stiffness 800 well nan 1.1", ("nan",)),
+                (style + "well 1e-11 1.1", ("stiffness",)),
+                (wall + "stiffness 800 well 1e-11 zplane 0 NULL", ("fix w", "well")),
+                (wall + "stiffness 800 well 1e-11 0.5 zplane 0 NULL", ("fix w", "0.5")),
+                (wall + "stiffness 800 form exact zplane 0 NULL", ("form", "well"))):
+            with self.subTest(text):
+                code, output = engine.run_text(HEAD + text + MOVE, self.folder)
+                self.assertEqual(code, 1, output)
+                errors = " ".join(line for line in output.splitlines() if "ERROR" in line)
+                for word in expected:
+                    self.assertIn(word, errors)
+
+    def test_advice_has_the_escape_velocity(self):
+        code, output = engine.run_text(
+            HEAD + "pair_style gran/square_well\npair_coeff * * " + words(5e-11, 1.01) +
+            "\nfix w all wall/gran/square_well " + words(1e-10, 1.01) + " zplane 0 NULL" + MOVE,
+            self.folder)
+        self.assertEqual(code, 0, output)
+        row = next(l for l in output.splitlines() if l.strip().startswith("1 - 1")).split()
+        self.assertAlmostEqual(float(row[-2]) / escape_velocity(5e-11), 1, delta=5e-3)  # printed
+        alpha = DAMPING / (2 * MASS)
+        e = math.exp(-math.pi * alpha / math.sqrt(STIFFNESS / MASS - alpha**2))
+        row = next(l for l in output.splitlines() if l.strip().startswith("1 - wall")).split()
+        self.assertAlmostEqual(float(row[-2]) / escape_velocity(1e-10, MASS, e), 1, delta=5e-3)
+
+
+if __name__ == "__main__":
+    unittest.main()

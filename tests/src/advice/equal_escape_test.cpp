@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "advice/equal_escape.h"
+
+#include <gtest/gtest.h>
+
+#include "advice/contact_numbers.h"
+#include "advice/thesis_pair.h"
+#include "event_stepping/pair_run.h"
+#include "event_stepping/well_pair.h"
+#include "refuses.h"
+
+namespace cohesion::advice {
+namespace {
+
+using event_stepping::PairRun;
+namespace thesis = event_stepping::thesis;
+
+const auto spring = contact::normal_contact(thesis::contact(), thesis::reduced_mass);
+
+/// Whether a head-on pair comes apart again.
+template <class Pair>
+bool parts(const contact::Adhesion& a, double speed) {
+  const double dt = 0.25 * thesis::contact_time;
+  const event_stepping::Body particle{thesis::radius, 1.0 / thesis::mass};
+  PairRun<Pair> run(thesis::contact(), a, particle, particle, dt,
+                    {{2.0 * thesis::radius + a.cutoff + 0.3 * speed * dt, 0, 0}, {-speed, 0, 0}});
+  return run.run_to_escape(2000);
+}
+
+}  // namespace
+
+TEST(EqualEscape, WellAndHamakerHoldPairsUpToTheSameSpeed) {
+  for (const double hamaker : {1e-19, 5e-19, 2e-18}) {
+    const contact::Adhesion a = thesis::adhesion(hamaker);
+    const contact::Adhesion well{0.0, 1e-5, equal_depth(spring, a)};
+    const double escape = contact::AdhesiveContact(spring, a).escape_velocity();
+    // sphere_pair_test.cpp, well_pair_test.cpp: both follow the pair to better than 1e-8.
+    for (const double off : {-1e-7, 1e-7}) {
+      EXPECT_EQ(parts<event_stepping::SpherePair>(a, escape * (1.0 + off)), off > 0.0);
+      EXPECT_EQ(parts<event_stepping::WellPair>(well, escape * (1.0 + off)), off > 0.0);
+    }
+  }
+}
+
+TEST(EqualEscape, OfTheThesisPair) {
+  // A = 5e-19 J: 2.6749904905705694e-3 m/s (sphere_pair_test.cpp); e = 0.94868239;
+  // mu v^2/2/(1/e^2 - 1) with mu = 6.93768e-7 kg: 2.4822e-12 J/0.111121.
+  EXPECT_NEAR(equal_depth(spring, thesis::adhesion(5e-19)) / 2.23374e-11, 1.0, 1e-4);
+}
+
+TEST(EqualEscape, OfAWellIsItsDepth) {
+  for (const double depth : {1e-13, 1e-11, 1e-10})
+    // e is rounded, 1/e^2 - 1 = 0.11 by 20 times that.
+    EXPECT_NEAR(equal_depth(spring, {0.0, 1e-5, depth}) / depth, 1.0, 1e-13);
+}
+
+TEST(EqualEscape, AdviceOnAWellHasItsEscapeVelocity) {
+  PairParameters p = thesis_pair();
+  p.adhesion = {0.0, 1e-5, 5e-11};
+  const ContactNumbers n(p);
+  const double mu = 0.5 * p.mass_i;
+  const double e = contact::LinearSpringDashpot(p.stiffness, p.damping, mu).restitution();
+  EXPECT_NEAR(n.escape_velocity() / std::sqrt(2.0 * 5e-11 / mu * (1.0 / (e * e) - 1.0)), 1.0,
+              1e-13);
+  EXPECT_EQ(n.bond_number(), 0.0);
+  EXPECT_EQ(n.static_overlap_over_diameter(), 0.0);
+  EXPECT_NEAR(n.steps_in_cutoff(), 1e-5 / std::hypot(p.speed, std::sqrt(1e-10 / mu)) / p.dt, 1e-9);
+}
+
+TEST(EqualEscape, RefusesWhatHasNoDepth) {
+  const contact::LinearSpringDashpot elastic(800.0, 0.0, 1e-6);
+  const auto dead = contact::LinearSpringDashpot::from_restitution(800.0, 0.0, 1e-6);
+  expect_refused([&] { depth_of_escape_velocity(elastic, 0.1); }, "restitution e");
+  expect_refused([&] { depth_of_escape_velocity(dead, 0.1); }, "restitution e");
+  expect_refused([&] { depth_of_escape_velocity(spring, -0.1); }, "escape velocity");
+}
+
+}  // namespace cohesion::advice

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "square_well/parameters.h"
+
+#include <limits>
+
+#include "refuses.h"
+
+namespace cohesion::square_well {
+
+TEST(WellParameters, EdgeIsTheSumOfBothOuterRadii) {
+  const Parameters p{0.3, 1.5, 1.25};
+  EXPECT_DOUBLE_EQ(edge(p, 2.0, 4.0), 8.0);
+  EXPECT_DOUBLE_EQ(width(p, 2.0, 4.0), 2.0);
+  EXPECT_DOUBLE_EQ(edge(reversed(p), 4.0, 2.0), 8.0);
+  EXPECT_DOUBLE_EQ(width(p, 2.0, 0.0), 1.0);  // beside a wall: (ratio - 1) r
+}
+
+TEST(WellParameters, UnlikeMaterialsTakeTheMeanDepthAndEachItsRatio) {
+  const Parameters m = mixed(well(0.2, 1.5), well(0.8, 1.1));
+  EXPECT_DOUBLE_EQ(m.depth, 0.4);
+  EXPECT_EQ(m.ratio_i, 1.5);
+  EXPECT_EQ(m.ratio_j, 1.1);
+  EXPECT_EQ(mixed(well(0.2, 1.5), {}).depth, 0.0);
+}
+
+TEST(WellParameters, AsAnAdhesionAllOfTheEnergyIsAtTheEdge) {
+  const contact::Adhesion a = adhesion_of(well(0.3, 1.5), 2.0, 4.0);
+  EXPECT_EQ(a.force, 0.0);
+  EXPECT_DOUBLE_EQ(a.cutoff, 3.0);
+  EXPECT_EQ(a.tail_energy, 0.3);
+  EXPECT_EQ(adhesion_of(well(0.0, 1.5), 2.0, 4.0).cutoff, 0.0);  // no well has no width
+}
+
+TEST(WellParameters, RefuseWhatIsNoWell) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  expect_refused([&] { require_valid(well(-1e-11, 1.01)); }, "depth D");
+  expect_refused([&] { require_valid(well(nan, 1.01)); }, "depth D");
+  expect_refused([&] { require_valid(well(1e-11, 0.99)); }, "ratio r_out/r");
+  expect_refused([&] { require_valid(well(1e-11, nan)); }, "ratio r_out/r");
+  require_valid(well(1e-11, 1.0));
+}
+
+}  // namespace cohesion::square_well
