@@ -263,7 +263,9 @@ class Captured(Scene):
         # Never more energy than at the start: falls of less than the well's width, and D.
         energy = 0.5 * MASS * (course[:, :, 4:7]**2).sum(axis=2) + MASS * 9.81 * course[:, :, 3]
         gain = (energy - energy[0]).max() / depth
-        report(f"captured under gravity, 1e5 steps: most energy gained {gain:.3f} D")
+        lost = (energy[0] - energy[-1]) / depth
+        report(f"captured under gravity, 1e5 steps: most energy gained {gain:.3f} D; lost below, on top, "
+               f"floor: {lost[1]:.3f}, {lost[3]:.3f}, {lost[4]:.3f} D")
         self.assertLess(gain, 0.1)
 
     def test_three_mutually_captured(self):
