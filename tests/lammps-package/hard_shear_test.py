@@ -29,7 +29,7 @@ class Theory(unittest.TestCase):
 
 
 class Discs(unittest.TestCase):
-    def sheared(self, side, fraction, restitution, dt, steps, skin=1.0):
+    def sheared(self, side, fraction, restitution, dt, steps, skin=2.0):
         expected = theory.steady(fraction, restitution)
         with engine.temporary_folder() as folder:
             output = engine.run("in.hard_shear", folder, side=side, phi=fraction, e=restitution,
@@ -82,25 +82,26 @@ class Discs(unittest.TestCase):
         nu = viscosity / theory.density(fraction)
         waves = (expected.temperature / (16 * math.pi * nu) *
                  math.log(math.sqrt(area) / (2 * math.pi * theory.free_path(fraction)))) / viscosity
-        self.assertLess(sampling, 0.04)
+        # Runs are long enough for about 0.03; ten blocks know it within a factor of 2.
+        self.assertLess(sampling, 0.06)
         self.assertGreater(ratio, 1 - 0.022 - sampling)
         self.assertLess(ratio, 1 + 0.022 + waves + sampling)
-        # The same left out: what waves add to T without collisions between neighbours counts as large
-        # as what they add to the viscosity.
+        # The mean square speed of approach goes with T whatever the shape of the distribution; partners
+        # that are not independent are left the same room.
         time = area * dt * len(T)
         pressure = sum(table[f"c_stress[1][{k}]"][-1] - table[f"c_stress[1][{k}]"][0]
                        for k in (1, 2)) / time / T.mean()
         known = numpy.trace(expected.impulsive) / expected.temperature
-        self.assertLess(abs(pressure / known - 1), 0.022 + waves)
+        self.assertLess(abs(pressure / known - 1), 0.022)
 
     def test_damping(self):
-        self.sheared(32, 0.2, 0.9, 0.02, 8000)
+        self.sheared(32, 0.2, 0.9, 0.03, 10000)
 
     def test_little_damping(self):
-        self.sheared(16, 0.2, 0.97, 0.01, 20000)
+        self.sheared(16, 0.2, 0.97, 0.02, 20000)
 
     def test_little_damping_dilute(self):
-        self.sheared(32, 0.05, 0.97, 0.006, 10000, skin=3.0)
+        self.sheared(32, 0.05, 0.97, 0.012, 9000, skin=5.0)
 
 
 if __name__ == "__main__":
