@@ -78,8 +78,8 @@ void FixHardEvents::init() {
   pair_ = dynamic_cast<PairHardSquareWell*>(force->pair_match("hard/square_well", 1));
   if (!pair_)
     error->all(FLERR,
-               "fix wall/hard/square_well and compute hard/events go with 'pair_style "
-               "hard/square_well'; give it first");
+               "fix wall/hard/square_well, compute hard/events and compute hard/stress go with "
+               "'pair_style hard/square_well'; give it first");
   if (utils::strmatch(update->integrate_style, "^respa"))
     error->all(FLERR,
                "pair_style hard/square_well acts over the whole step; use 'run_style verlet'");

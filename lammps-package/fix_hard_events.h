@@ -72,6 +72,8 @@ class FixHardEvents : public Fix {
 
   const cohesion::hard_sphere::EventOrder& order() const { return order_; }
   const HardEventTotals& totals() const { return totals_; }
+  /// From now on totals().flux is summed.
+  void sum_flux() { totals_.flux_wanted = true; }
 
  private:
   struct Slots {  // of a link in the history of pairs; two for a pair through the boundary

@@ -10,15 +10,18 @@
 
 namespace LAMMPS_NS {
 
-/// Events of this process, summed by kind: what compute hard/events reports.
+/// Events of this process, summed by kind: what computes hard/events and
+/// hard/stress report.
 struct HardEventTotals {
   static constexpr int kinds = static_cast<int>(cohesion::hard_sphere::kind_names.size());
   enum Quantity { count, energy_change, impulse, virial, quantities };
   using ByKind = std::array<std::array<double, kinds>, quantities>;
 
-  std::array<ByKind, 2> sums{};  ///< of pairs, of walls
-  double elastic = 0.0;          ///< collisions made elastic against inelastic collapse
-  double busiest = 0.0;          ///< most events of one particle in one step
+  std::array<ByKind, 2> sums{};                     ///< of pairs, of walls
+  std::array<std::array<double, 6>, kinds> flux{};  ///< of pairs: Event::momentum_flux()
+  bool flux_wanted = false;
+  double elastic = 0.0;  ///< collisions made elastic against inelastic collapse
+  double busiest = 0.0;  ///< most events of one particle in one step
 
   void add(const cohesion::hard_sphere::Event& event, bool wall) {
     const auto kind = static_cast<std::size_t>(event.impact.kind);
@@ -28,6 +31,9 @@ struct HardEventTotals {
     by[impulse][kind] += std::abs(event.impact.normal);
     by[virial][kind] += event.impact.normal * event.distance;
     elastic += event.elastic;
+    if (!flux_wanted || wall) return;
+    const auto of_event = event.momentum_flux();
+    for (std::size_t k = 0; k < of_event.size(); k++) flux[kind][k] += of_event[k];
   }
 };
 

@@ -3,6 +3,7 @@
 
 #include "compute_gran_energy.h"
 #include "compute_hard_events.h"
+#include "compute_hard_stress.h"
 #include "compute_shear_profile.h"
 #include "fix_agglomerates.h"
 #include "fix_deform_shear.h"
@@ -70,6 +71,7 @@ constexpr Row fixes[] = {
 constexpr Row computes[] = {
     {"gran/energy", &make<ComputeGranEnergy>},
     {"hard/events", &make<ComputeHardEvents>},
+    {"hard/stress", &make<ComputeHardStress>},
     {"shear/profile", &make<ComputeShearProfile>},
 };
 

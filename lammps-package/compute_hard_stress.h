@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#ifdef COMPUTE_CLASS
+// clang-format off
+ComputeStyle(hard/stress,ComputeHardStress);
+// clang-format on
+#else
+
+#ifndef LMP_COMPUTE_HARD_STRESS_H
+#define LMP_COMPUTE_HARD_STRESS_H
+
+#include "compute.h"
+
+namespace LAMMPS_NS {
+
+/// compute ID all hard/stress: momentum times distance that the events of pair_style
+/// hard/square_well have carried, by kind. Doc: docs/lammps-package/compute_hard_stress.md
+class ComputeHardStress : public Compute {
+ public:
+  ComputeHardStress(class LAMMPS*, int, char**);
+  ~ComputeHardStress() override;
+
+  void init() override {}
+  void compute_array() override;
+
+ private:
+  class FixHardEvents* events_;
+};
+
+}  // namespace LAMMPS_NS
+
+#endif
+#endif
