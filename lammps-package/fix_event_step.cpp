@@ -42,6 +42,7 @@ FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
   restart_peratom = 1;
   restart_global = 1;
   create_attribute = 1;
+  restart_pbc = 1;  // `shift` may move particles out of the box after the engine put them back
   FixEventStep::grow_arrays(atom->nmax);
   atom->add_callback(Atom::GROW);
   atom->add_callback(Atom::RESTART);

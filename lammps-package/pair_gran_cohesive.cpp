@@ -220,6 +220,8 @@ void PairGranCohesive<Cohesion>::find_active(Contacts<Contact>& contacts) {
 }
 
 /// Every contact by itself: what it would do to its two particles, where that matters to others.
+/// Flattened, as the next one: the laws are many small functions, and calls cost a packing a
+/// quarter.
 template <class Cohesion>
 template <bool FRICTION, class Contact>
 [[gnu::flatten]] void PairGranCohesive<Cohesion>::follow_alone(Contacts<Contact>& contacts) {
