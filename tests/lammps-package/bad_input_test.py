@@ -2,7 +2,7 @@
 """Every wrong input ends in an error that says what, where and what would be right."""
 import unittest
 
-import lammps_engine as engine
+from script_test_case import ScriptTestCase
 
 HEAD = """
 plugin load ${plugin}
@@ -24,29 +24,7 @@ TAIL = "\nfix move all nve\nrun 1\n"
 PAIR = "pair_style hamaker 4e-10 1e-7\npair_coeff * * 1e-19\n"
 
 
-class BadInput(unittest.TestCase):
-    def setUp(self):
-        keeper = engine.temporary_folder()
-        self.addCleanup(keeper.cleanup)
-        self.folder = keeper.name
-
-    def stops(self, script, *words, steps=False):
-        code, output = engine.run_text(script, self.folder)
-        self.assertNotEqual(code, 0, "accepted:\n" + output)
-        # LAMMPS ends orderly with 1 (or through MPI_Abort); a signal would be a crash.
-        self.assertEqual(code, 1, output)
-        lines = [line for line in output.splitlines() if "ERROR" in line]
-        self.assertTrue(lines, output)
-        for word in words:
-            self.assertIn(word, " ".join(lines))
-        if not steps:
-            self.assertNotIn("Loop time", output)
-
-    def goes(self, script):
-        code, output = engine.run_text(script, self.folder)
-        self.assertEqual(code, 0, output)
-        return output
-
+class BadInput(ScriptTestCase):
     def test_the_right_input_is_accepted(self):
         self.goes(SPHERES + PAIR + "fix wall all wall/hamaker 1e-19 4e-10 1e-7 xplane 0 NULL\n"
                   "fix gas all gas/coupling\n" + TAIL)
@@ -97,7 +75,7 @@ class BadInput(unittest.TestCase):
                    "fix grow all adapt 1 atom diameter v_d\n"
                    "neigh_modify delay 0 every 1 check no\nfix move all nve\nrun 10\n",
                    "pair_style hamaker", "beyond the neighbour range", "type 1", "had at most",
-                   "start a new one", steps=True)
+                   "start a new one", after_a_run=True)
 
     def test_pour_of_larger_particles_is_within_the_neighbour_range(self):
         output = self.goes(

@@ -10,28 +10,20 @@ turns; each turn gives one ratio of LAMMPS' own loop times (processor seconds), 
 gets slower on the way does not decide. Printed: nanoseconds per particle and step, contacts per
 particle at the end, median ratio, and the quarter and three quarter points of the ratios.
 """
-import argparse
-import os
 import re
-import sys
 
 import numpy
+
+import measuring_program
 
 SCENES = ("gas", "packing")
 CASES = ((0.0, 0.0), (0.3, 0.0), (0.0, 2e-18), (0.3, 2e-18))  # friction, A [J]
 
 
 def main():
-    words = argparse.ArgumentParser(description=__doc__,
-                                    formatter_class=argparse.RawDescriptionHelpFormatter)
-    words.add_argument("lmp")
-    words.add_argument("plugin")
-    words.add_argument("--turns", type=int, default=11)
-    words.add_argument("--steps", type=int, default=1000)
-    words.add_argument("--scene", choices=SCENES, action="append")
-    words = words.parse_args()
-    os.environ.update(COHESION_LMP=words.lmp, COHESION_PLUGIN=words.plugin, OMP_NUM_THREADS="1")
-    sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+    words = measuring_program.words(__doc__, ("--turns", {"type": int, "default": 11}),
+                                    ("--steps", {"type": int, "default": 1000}),
+                                    ("--scene", {"choices": SCENES, "action": "append"}))
     import lammps_engine as engine
 
     def nanoseconds(folder, scene, style, mu, constant):

@@ -3,7 +3,7 @@
 """Energy of a gas of 1000 elastic spheres over 100 collisions per particle: its drift against the
 time step, the scheme and the run time.
 
-  energy-drift.py LMP_WITH_PLUGIN_COMMAND PLUGIN [COLLISIONS | heating]
+  energy-drift.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--collisions N | --heating]
 
 Scheme event is gran/hamaker; scheme sampled is LAMMPS' gran/hooke/history, with pair_style hamaker
 over it where there is adhesion, at the step that costs the same time as the event scheme's. Drift is
@@ -11,14 +11,12 @@ the total energy minus that of the start, over the kinetic energy of the start: 
 over the last tenth of the run, `rms` that of all samples, `largest` the largest. The fitted order is
 the slope of rms against the step, from t_c/5 to t_c/40. A sampled run that blew up is marked 'lost'.
 
-With `heating`: what the dense gases gain per collision, from the third to the last fifth of 20
+With `--heating`: what the dense gases gain per collision, from the third to the last fifth of 20
 collisions, mean and standard error of 16 runs, over the kinetic energy of the start.
 """
-import os
-import sys
-
 import numpy
 
+import measuring_program
 from progress import Progress
 
 DIVISIONS = (4, 5, 10, 20, 40)
@@ -61,14 +59,15 @@ def heating(gas, engine, seeds=16, divisions=(2, 3, 4, 5, 10, 20)):
 
 
 def main():
-    os.environ.update(COHESION_LMP=sys.argv[1], COHESION_PLUGIN=sys.argv[2], OMP_NUM_THREADS="1")
+    words = measuring_program.words(
+        __doc__, ("--collisions", {"type": float, "default": 100.0, "help": "per particle"}),
+        ("--heating", {"action": "store_true", "help": "what dense gases gain per collision"}))
     import cohesive_gas as gas
     import lammps_engine as engine
-    if sys.argv[3:] == ["heating"]:
+    if words.heating:
         heating(gas, engine)
         return
-    collisions = float(sys.argv[3]) if len(sys.argv) > 3 else 100.0
-
+    collisions = words.collisions
     durations = [collisions / gas.collision_rate(phi, speed) for phi, _, speed in CASES]
     progress = Progress(2 * sum(durations) / gas.CONTACT_TIME * sum(DIVISIONS))
     for (phi, constant, speed), duration in zip(CASES, durations):

@@ -3,7 +3,7 @@
 """pair_style gran/hamaker at the ends of its parameters, through the engine: a pair that meets, and a
 third sphere that strikes two that touch.
 
-  extremes.py LMP_WITH_PLUGIN_COMMAND PLUGIN [TABLE.md [RANDOM_POINTS]]
+  extremes.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--table FILE] [--points N]
 
 Every point is run at its step and at a sixteenth of it, for six contact times (of the undamped
 spring). Compared: who sticks and all velocities at the end. Errors are relative to the larger of the
@@ -17,13 +17,13 @@ velocity on the grid is the mean of those half a step before and after; with fri
 spheres second order, (w dt)^2, at most 0.1.
 """
 import math
-import os
 import re
 import subprocess
 import sys
 
 import numpy
 
+import measuring_program
 from progress import Progress
 
 DENSITY, RADIUS = 2650.0, 5e-4
@@ -235,11 +235,12 @@ def name_of(values):
 
 
 def main():
-    os.environ.update(COHESION_LMP=sys.argv[1], COHESION_PLUGIN=sys.argv[2], OMP_NUM_THREADS="1")
+    words = measuring_program.words(
+        __doc__, ("--table", {"metavar": "FILE", "help": "where to write the page as well"}),
+        ("--points", {"type": int, "default": 200, "help": "random ones"}))
     import lammps_engine as engine
-    total = int(sys.argv[4]) if len(sys.argv) > 4 else 200
     random = numpy.random.default_rng(4711)
-    points = [(c, True) for c in CORNERS] + [(random_point(random), False) for _ in range(total)]
+    points = [(c, True) for c in CORNERS] + [(random_point(random), False) for _ in range(words.points)]
     progress, rows = Progress(len(points)), []
     for values, corner in points:
         rows.append((values, corner, judge(Point(random, **values), engine)))
@@ -247,8 +248,8 @@ def main():
     print(file=sys.stderr)
     text = report(rows)
     print(text)
-    if len(sys.argv) > 3:
-        with open(sys.argv[3], "w") as file:
+    if words.table:
+        with open(words.table, "w") as file:
             file.write(text)
 
 

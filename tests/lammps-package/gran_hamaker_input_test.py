@@ -5,7 +5,7 @@ import math
 import re
 import unittest
 
-import lammps_engine as engine
+from script_test_case import ScriptTestCase
 
 HEAD = """
 plugin load ${plugin}
@@ -33,24 +33,7 @@ def script(pair="pair_style gran/hamaker\npair_coeff * * " + CONTACT, tail=MOVE,
     return HEAD % {**USUAL, **changes} + pair + "\n" + tail
 
 
-class Input(unittest.TestCase):
-    def setUp(self):
-        keeper = engine.temporary_folder()
-        self.addCleanup(keeper.cleanup)
-        self.folder = keeper.name
-
-    def goes(self, text):
-        code, output = engine.run_text(text, self.folder)
-        self.assertEqual(code, 0, output)
-        return output
-
-    def stops(self, text, *words):
-        code, output = engine.run_text(text, self.folder)
-        self.assertEqual(code, 1, output)
-        errors = " ".join(line for line in output.splitlines() if "ERROR" in line)
-        for word in words:
-            self.assertIn(word, errors)
-
+class Input(ScriptTestCase):
     def advised(self, output, name):
         """The table's row of a contact, as numbers."""
         row = next(line for line in output.splitlines() if line.strip().startswith(name))
@@ -105,11 +88,11 @@ class Input(unittest.TestCase):
         self.assertRegex(output, "WARNING.*left to chance")
 
     def test_adhesion_is_scaled_with_the_stiffness_and_says_so(self):
-        soft, real = 800.0, 80000.0
+        real = 80000.0  # 100 times that of CONTACT
         output = self.goes(script(f"pair_style gran/hamaker\npair_coeff * * {CONTACT} "
                                   f"material_stiffness {real}"))
         printed = re.search(r"A 5e-19 -> (\S+), H_cut 4e-10 -> (\S+)", output)
-        # f = sqrt(K_soft/K_real) = 0.1: A and H_cut grow by 1/f but for the small share of H_out.
+        # f = sqrt(800/K_real) = 0.1: A and H_cut grow by 1/f but for the small share of H_out.
         self.assertAlmostEqual(float(printed[1]) / 5e-18, 1, delta=0.05)
         self.assertAlmostEqual(float(printed[2]) / 4e-9, 1, delta=0.05)
         stiff = self.goes(script("pair_style gran/hamaker\npair_coeff * * " +

@@ -9,6 +9,7 @@ import numpy
 import cohesive_gas as gas
 import lammps_engine as engine
 import settling_spheres as settling
+import turning_ball
 
 D, T_C = gas.DIAMETER, gas.CONTACT_TIME
 
@@ -177,34 +178,14 @@ class Momentum(unittest.TestCase):
     contact among others has been followed with what these did in the first pass, off by some
     (w0 dt)^2 of it, and that acts at an arm that is off by as much: (w0 dt)^4 of x v per collision, x
     the overlap v/w0 and v the speed, over d v that turns; at least of third order summed up."""
-    SPEED = 0.1
-
-    def kept(self, division):
-        random = numpy.random.default_rng(5)
-        places = numpy.array(numpy.meshgrid(*3 * [numpy.arange(4) - 1.5])).reshape(3, -1).T * 1.15
-        places = (places + random.uniform(-0.06, 0.06, places.shape)) * D
-        velocities = self.SPEED / (4 * D) * (0.5 * numpy.cross([0, 0, 1], places) - places)
-        with engine.temporary_folder() as folder:
-            engine.write_spheres(folder, [{"type": 1, "diameter": D, "density": gas.DENSITY, "x": x,
-                                           "v": v} for x, v in zip(places, velocities)],
-                                 3 * [(-40 * D, 40 * D)], 1)
-            gas.follow(folder, division, 5 * D / self.SPEED, 1, A=5e-19, mu=0.3, e=0.9)
-            end = engine.dump(folder, "end.txt")
-        x, v, spin = end[:, 1:4], end[:, 4:7], end[:, 7:10]
-        x = numpy.where(x > 40 * D, x - 80 * D, x)
-        self.assertGreater(numpy.abs(v - velocities).mean(), 0.1 * self.SPEED)  # they met
-        turning = numpy.cross(places, velocities)
-        change = (numpy.cross(x, v) + D**2 / 10 * spin - turning).sum(axis=0)
-        return (numpy.abs((v - velocities).sum(axis=0)).max() / numpy.abs(velocities).sum(),
-                numpy.linalg.norm(change) / numpy.linalg.norm(turning, axis=1).sum())
-
     def test_is_kept(self):
         angular = {}
         for division in (10, 40):
-            linear, angular[division] = self.kept(division)
+            linear, angular[division] = turning_ball.momentum_change(
+                4, division, A=5e-19, mu=0.3, e=0.9)
             self.assertLess(linear, 1e-14)
             phase = math.pi / division
-            self.assertLess(angular[division], phase**4 * self.SPEED * T_C / math.pi / D)
+            self.assertLess(angular[division], phase**4 * turning_ball.SPEED * T_C / math.pi / D)
         self.assertLess(angular[40], angular[10] / 4**3)
 
 

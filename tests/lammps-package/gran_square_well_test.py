@@ -60,7 +60,7 @@ class HeadOn(unittest.TestCase):
         """For each depth the slowest factor of the escape velocity at which a couple parted, and the
         fastest at which one stayed, over all positions of the contact in the step."""
         dt = T_C / division
-        atoms, depths, speeds = [], [], []
+        atoms = []
         for k, depth in enumerate(DEPTHS):
             for factor in factors:
                 for position in range(POSITIONS):
@@ -413,7 +413,6 @@ class Many(Scene):
         phi, speed, depth, ratio = 0.3, 0.02, 2e-11, 1.1
         duration = 20 / gas.collision_rate(phi, speed)
         gas.write(self.folder, 8, phi, speed, seed=4711)
-        length = gas.edge(512, phi)
         text = (Path(self.folder) / "data.spheres").read_text()
         (Path(self.folder) / "data.spheres").write_text(text.replace("1 atom types", "3 atom types"))
         for division in (4, 10, 20):

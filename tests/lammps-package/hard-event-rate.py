@@ -10,12 +10,11 @@ r_out/r = 1.001 and 1.1 and none; the same stretch of time, in mean free times, 
 last table: discs at rest, apart, every step of both styles, in turns; printed is their ratio. The times
 are those of LAMMPS' own loop.
 """
-import argparse
 import math
-import os
 import re
 import statistics
-import sys
+
+import measuring_program
 
 STEPS = (1.0, 0.3, 0.1, 0.03, 0.01)  # of a mean free time
 FRACTION, DEPTH = 0.5, 0.1
@@ -58,16 +57,10 @@ def idle(gas, style, steps):
 
 
 def main():
-    words = argparse.ArgumentParser(description=__doc__,
-                                    formatter_class=argparse.RawDescriptionHelpFormatter)
-    words.add_argument("lmp")
-    words.add_argument("plugin")
-    words.add_argument("--discs", type=int, default=2292)
-    words.add_argument("--flights", type=float, default=30.0, help="length in mean free times")
-    words.add_argument("--turns", type=int, default=5)
-    words = words.parse_args()
-    os.environ.update(COHESION_LMP=words.lmp, COHESION_PLUGIN=words.plugin, OMP_NUM_THREADS="1")
-    sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+    words = measuring_program.words(
+        __doc__, ("--discs", {"type": int, "default": 2292}),
+        ("--flights", {"type": float, "default": 30.0, "help": "length in mean free times"}),
+        ("--turns", {"type": int, "default": 5}))
     from hard_gas import Gas
 
     gas = Gas(words.discs, FRACTION, 2)

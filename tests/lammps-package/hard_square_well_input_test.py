@@ -3,7 +3,7 @@
 refused and why, and what is warned of."""
 import unittest
 
-import lammps_engine as engine
+from script_test_case import ScriptTestCase
 
 HEAD = """
 plugin load ${plugin}
@@ -32,24 +32,7 @@ def script(middle=PAIR, tail=MOVE, **changes):
     return HEAD % {**USUAL, **changes} + middle + "\n" + tail
 
 
-class Input(unittest.TestCase):
-    def setUp(self):
-        keeper = engine.temporary_folder()
-        self.addCleanup(keeper.cleanup)
-        self.folder = keeper.name
-
-    def goes(self, text):
-        code, output = engine.run_text(text, self.folder)
-        self.assertEqual(code, 0, output)
-        return output
-
-    def stops(self, text, *words):
-        code, output = engine.run_text(text, self.folder)
-        self.assertNotEqual(code, 0, output)
-        errors = " ".join(line for line in output.splitlines() if "ERROR" in line)
-        for word in words:
-            self.assertIn(word, errors)
-
+class Input(ScriptTestCase):
     def test_wrong_words_and_values_of_a_pair(self):
         style = "pair_style hard/square_well\npair_coeff * * "
         for words, expected in (

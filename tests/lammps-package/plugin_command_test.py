@@ -7,6 +7,7 @@ import unittest
 from pathlib import Path
 
 import lammps_engine as engine
+from script_test_case import ScriptTestCase
 
 BOX = """
 units si
@@ -18,26 +19,9 @@ USE = BOX + "pair_style hamaker 4e-10 1e-7\nprint 'style is there'\n"
 PRELOAD = os.environ.get("COHESION_PRELOAD", "")  # set for an engine without the command
 
 
-class Loading(unittest.TestCase):
-    def setUp(self):
-        keeper = engine.temporary_folder()
-        self.addCleanup(keeper.cleanup)
-        self.folder = keeper.name
-
-    def script(self, text, **options):
-        return engine.run_text(text, self.folder, **options)
-
-    def goes(self, text, **options):
-        code, output = self.script(text, **options)
-        self.assertEqual(code, 0, output)
-        self.assertIn("style is there", output)
-
-    def stops(self, text, *words, **options):
-        code, output = self.script(text, **options)
-        self.assertEqual(code, 1, output)
-        for word in words:
-            self.assertIn(word, output)
-        return output
+class Loading(ScriptTestCase):
+    def goes(self, script, **options):
+        self.assertIn("style is there", super().goes(script, **options))
 
 
 class Plugin(Loading):

@@ -2,24 +2,23 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """2028 spheres with damping and friction that settle under gravity, adhesion 0, 1 and 20 weights.
 
-  settling-bed.py LMP_WITH_PLUGIN_COMMAND PLUGIN [SIDE LAYERS [SECONDS]]
+  settling-bed.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--side N] [--layers N] [--seconds S]
 
 Printed per scheme and step: kinetic energy (rotation included) over that of the start, mean over each
-fifth of the run; the largest speed at the end; what the energy book does not account for, over the
+fifth of the run; what of it the liveliest sphere has at the end; the largest speed there; what the energy book does not account for, over the
 largest kinetic energy; seconds of processor time.
 """
-import os
-import sys
-
+import measuring_program
 from progress import Progress
 
 RUNS = (("event", 4), ("event", 10), ("sampled", 50))
 
 
 def main():
-    os.environ.update(COHESION_LMP=sys.argv[1], COHESION_PLUGIN=sys.argv[2], OMP_NUM_THREADS="1")
-    side, layers = (int(n) for n in sys.argv[3:5]) if len(sys.argv) > 4 else (13, 12)
-    duration = float(sys.argv[5]) if len(sys.argv) > 5 else 0.4
+    words = measuring_program.words(
+        __doc__, ("--side", {"type": int, "default": 13, "help": "spheres per edge of a layer"}),
+        ("--layers", {"type": int, "default": 12}),
+        ("--seconds", {"type": float, "default": 0.5, "help": "of the scene's time"}))
     import lammps_engine as engine
     import settling_spheres as settling
 
@@ -28,18 +27,19 @@ def main():
     progress = Progress(3 * sum(work.values()))
     for ratio in (0, 1, 20):
         print(f"\radhesion {ratio} times the weight{'':30s}\n"
-              "  scheme   step      kinetic energy in each fifth                     speed [m/s]"
+              "  scheme   step      kinetic energy in each fifth                   liveliest  speed [m/s]"
               "   residual  seconds")
         for scheme, division in RUNS:
             with engine.temporary_folder() as folder:
-                settling.write(folder, side, layers, seed=1)
-                table, seconds = settling.follow(folder, division, duration, scheme=scheme,
+                settling.write(folder, words.side, words.layers, seed=1)
+                table, seconds = settling.follow(folder, division, words.seconds, scheme=scheme,
                                                  A=settling.hamaker_constant(ratio))
+                liveliest = settling.liveliest_share(engine.dump(folder, "end.txt"))
             fifths = (table[1:, 1] / table[0, 1]).reshape(5, -1).mean(axis=1)
             residual = table[-1, 3] / table[:, 1].max()
             progress.add(work[scheme, division])
             print(f"\r  {scheme:8s} t_c/{division:<4d}" + "".join(f"{k:10.1e}" for k in fifths)
-                  + f"{table[-1, 2]:14.1e}"
+                  + f"{liveliest:12.3f}{table[-1, 2]:13.1e}"
                   + (f"{residual:11.1e}" if scheme == "event" else f"{'':11s}")
                   + f"{seconds:9.1f}", flush=True)
 

@@ -42,3 +42,9 @@ def follow(folder, steps_per_contact, duration, samples=50, ranks=1, **options):
               **options}
     return gas.table(engine.run("in.gran_hamaker_settling", folder, ranks=ranks, dt=dt,
                                 steps=every * samples, every=every, **values))
+
+
+def liveliest_share(end):
+    """Of the kinetic energy in a dump of the end, what the one sphere has that has most of it."""
+    energy = (end[:, 4:7]**2).sum(axis=1) + gas.DIAMETER**2 / 10 * (end[:, 7:10]**2).sum(axis=1)
+    return energy.max() / energy.sum()

@@ -12,13 +12,12 @@ particle and step, lists made, and the ratio of the times of each turn. Times ar
 spent in LAMMPS' loop, on one rank. `rebuild engine` is fix deform/shear with the engine's own rule for
 new lists.
 """
-import argparse
-import os
 import re
 import statistics
-import sys
 
 import numpy
+
+import measuring_program
 
 ENGINE = "deform 1 xy erate 2.0 remap v"
 OURS = "deform/shear rate 2.0 profile no"
@@ -27,17 +26,10 @@ RUNS = (("fix deform", ENGINE), ("deform/shear", OURS),
 
 
 def main():
-    words = argparse.ArgumentParser(description=__doc__,
-                                    formatter_class=argparse.RawDescriptionHelpFormatter)
-    words.add_argument("lmp")
-    words.add_argument("plugin")
-    words.add_argument("--side", type=int, default=20)
-    words.add_argument("--steps", type=int, default=600)
-    words.add_argument("--turns", type=int, default=5)
-    words.add_argument("--skin", type=float, default=0.1)
-    words = words.parse_args()
-    os.environ.update(COHESION_LMP=words.lmp, COHESION_PLUGIN=words.plugin, OMP_NUM_THREADS="1")
-    sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+    words = measuring_program.words(__doc__, ("--side", {"type": int, "default": 20}),
+                                    ("--steps", {"type": int, "default": 600}),
+                                    ("--turns", {"type": int, "default": 5}),
+                                    ("--skin", {"type": float, "default": 0.1}))
     import lammps_engine as engine
 
     height = words.side * (4 / 1.0504226)**(1 / 3)

@@ -10,11 +10,11 @@ Printed: the slowest couple that parted and the fastest that was captured, over 
 exact integration (both 1 when the step is fine), and the seconds that LAMMPS took per couple.
 Sampled: gran/hooke/history with pair_style hamaker laid over it; event: pair_style gran/hamaker.
 """
-import argparse
-import os
 import re
 
 import numpy
+
+import measuring_program
 
 SAMPLED = (1e-8, 3e-8, 1e-7, 3e-7, 1e-6, 5e-6, 1.125e-5, 2.25e-5)  # [s]; last: the bed's, the thesis's
 EVENT = (1e-6, 5e-6, 1.125e-5, 2.25e-5)
@@ -104,13 +104,7 @@ def plot(tables, file):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
-    parser.add_argument("lmp")
-    parser.add_argument("plugin")
-    parser.add_argument("--plot", metavar="FILE")
-    options = parser.parse_args()
-    os.environ.update(COHESION_LMP=options.lmp, COHESION_PLUGIN=options.plugin,
-                      OMP_NUM_THREADS="1")
+    options = measuring_program.words(__doc__, ("--plot", {"metavar": "FILE"}))
     import two_particles_head_on_test as couple
 
     exact = couple.escape_velocity()
