@@ -2,7 +2,6 @@
 #include "cohesive_contact_from_script.h"
 
 #include <array>
-#include <cmath>
 
 using namespace LAMMPS_NS;
 using cohesion::contact::ContactParameters;
@@ -17,18 +16,6 @@ void LAMMPS_NS::require_valid(LAMMPS* lmp, const std::string& where, const Conta
     require_valid(p);
     return true;
   });
-}
-
-ContactParameters LAMMPS_NS::mixed(const ContactParameters& p, const ContactParameters& q) {
-  const auto mean = [](double x, double y) { return std::sqrt(x * y); };
-  ContactParameters m;
-  m.stiffness = mean(p.stiffness, q.stiffness);
-  m.restitution = mean(p.restitution, q.restitution);
-  m.damping = p.damping >= 0.0 && q.damping >= 0.0 ? mean(p.damping, q.damping) : -1.0;
-  m.tangential_ratio = mean(p.tangential_ratio, q.tangential_ratio);
-  m.tangential_damping_ratio = mean(p.tangential_damping_ratio, q.tangential_damping_ratio);
-  m.friction = mean(p.friction, q.friction);
-  return m;
 }
 
 namespace {

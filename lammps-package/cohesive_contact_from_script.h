@@ -120,10 +120,6 @@ typename Cohesion::Parameters cohesive_contact_from_script(LAMMPS* lmp, const st
   return p;
 }
 
-/// Contact of unlike materials: geometric means.
-cohesion::contact::ContactParameters mixed(const cohesion::contact::ContactParameters&,
-                                           const cohesion::contact::ContactParameters&);
-
 }  // namespace LAMMPS_NS
 
 #endif

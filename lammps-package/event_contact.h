@@ -11,7 +11,7 @@
 
 namespace LAMMPS_NS {
 
-inline cohesion::Vector3 vector(const double* a) { return {a[0], a[1], a[2]}; }
+using cohesion::vector;
 
 inline void add(double* to, double factor, const cohesion::Vector3& a) {
   to[0] += factor * a.x;

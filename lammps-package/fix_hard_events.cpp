@@ -20,6 +20,7 @@
 
 using namespace LAMMPS_NS;
 using namespace cohesion::hard_sphere;
+using cohesion::vector;
 using cohesion::Vector3;
 
 static constexpr char ID[] = "COHESION_HARD_EVENTS";
@@ -34,7 +35,6 @@ static constexpr int FIXED_BOUNDARY = 1;  // Domain::boundary
 // chains of events that cross from one process to another and back: two to three times here.
 static constexpr double EVENTS_OF_A_STRETCH = 0.25;
 
-static Vector3 vector(const double* a) { return {a[0], a[1], a[2]}; }
 static void put(const Vector3& a, double* to) {
   to[0] = a.x;
   to[1] = a.y;

@@ -13,12 +13,11 @@
 
 using namespace LAMMPS_NS;
 using namespace cohesion::hard_sphere;
+using cohesion::vector;
 using cohesion::Vector3;
 
 // A pair nearer to the edge of its well than this share of it is at the edge, to round-off.
 static constexpr double AT_EDGE = 1e-10;
-
-static Vector3 vector(const double* a) { return {a[0], a[1], a[2]}; }
 
 /// With a new list of neighbours: bodies, links, and who needs news of whom.
 void FixHardEvents::connect() {

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-only
 #include "hamaker_cohesion.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "advice/stiffness_scaling.h"
 #include "comm.h"
+#include "mixing.h"
 
 using namespace LAMMPS_NS;
 using Parameters = HamakerCohesion::Parameters;
@@ -37,15 +35,9 @@ void HamakerCohesion::require_valid(LAMMPS* lmp, const std::string& where, const
 }
 
 Parameters HamakerCohesion::mixed(const Parameters& a, const Parameters& b) {
-  const auto mean = [](double x, double y) { return std::sqrt(x * y); };
-  Parameters m;
-  m.contact = LAMMPS_NS::mixed(a.contact, b.contact);
-  m.hamaker = {mean(a.hamaker.hamaker_constant, b.hamaker.hamaker_constant),
-               std::max(a.hamaker.surface_cutoff, b.hamaker.surface_cutoff),
-               std::max(a.hamaker.outer_cutoff, b.hamaker.outer_cutoff),
-               std::max(a.hamaker.asperity_radius, b.hamaker.asperity_radius)};
-  m.material_stiffness = mean(a.material_stiffness, b.material_stiffness);
-  return m;
+  return {cohesion::contact::mixed(a.contact, b.contact),
+          cohesion::hamaker::mixed(a.hamaker, b.hamaker),
+          cohesion::geometric_mean(a.material_stiffness, b.material_stiffness)};
 }
 
 double HamakerCohesion::range(Scheme scheme, const Parameters& p, double, double) {

@@ -44,7 +44,7 @@ class HamakerCohesion {
   static std::vector<ContactKeyword<Parameters> > keywords();
   static void require_valid(LAMMPS*, const std::string& where, const Parameters&,
                             const std::set<std::string>& given);
-  /// Unlike materials: geometric means; the larger cut-offs and asperity.
+  /// Unlike materials, as contact::mixed and hamaker::mixed.
   static Parameters mixed(const Parameters&, const Parameters&);
   /// The same contact seen from the other side.
   static const Parameters& reversed(const Parameters& p) { return p; }

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-only
 #include "hard_contact_from_script.h"
 
-#include <cmath>
-
 #include "law_from_script.h"
+#include "mixing.h"
 #include "utils.h"
 
 using namespace LAMMPS_NS;
@@ -45,8 +44,8 @@ void LAMMPS_NS::require_valid(LAMMPS* lmp, const std::string& where, const HardC
 
 HardContact LAMMPS_NS::mixed(const HardContact& a, const HardContact& b) {
   HardContact c;
-  c.restitution = std::sqrt(a.restitution * b.restitution);
-  c.friction = std::sqrt(a.friction * b.friction);
+  c.restitution = cohesion::geometric_mean(a.restitution, b.restitution);
+  c.friction = cohesion::geometric_mean(a.friction, b.friction);
   c.well = cohesion::square_well::mixed(a.well, b.well);
   return c;
 }

@@ -190,12 +190,11 @@ void PairHamaker::init_style() {
   engine_api::request_neighbor_list(neighbor, this, instance_me);
 }
 
-PairHamaker::Parameters PairHamaker::mixed(int i, int j) {
-  const Parameters& a = parameters(i, i);
-  const Parameters& b = parameters(j, j);
-  return {std::sqrt(hamaker_constant[i][i] * hamaker_constant[j][j]),
-          std::max(a.surface_cutoff, b.surface_cutoff), std::max(a.outer_cutoff, b.outer_cutoff),
-          std::max(a.asperity_radius, b.asperity_radius)};
+/// Of a material, with the constant that fix adapt may have changed.
+PairHamaker::Parameters PairHamaker::of_type(int i) {
+  Parameters p = parameters(i, i);
+  p.hamaker_constant = hamaker_constant[i][i];
+  return p;
 }
 
 double PairHamaker::init_one(int i, int j) {
@@ -203,7 +202,7 @@ double PairHamaker::init_one(int i, int j) {
     if (!setflag[i][i] || !setflag[j][j])
       error->all(FLERR, "pair_style hamaker: no pair_coeff for types " + std::to_string(i) +
                             " and " + std::to_string(j) + " nor for both of them to mix");
-    give(i, j, mixed(i, j));
+    give(i, j, hamaker::mixed(of_type(i), of_type(j)));
   }
   // fix adapt may have changed it.
   parameters(i, j).hamaker_constant = hamaker_constant[i][j];

@@ -49,7 +49,7 @@ class PairHamaker : public Pair {
   void allocate();
   int of_types(int i, int j) const { return i * (atom_types + 1) + j; }
   Parameters& parameters(int i, int j) { return given[of_types(i, j)]; }
-  Parameters mixed(int, int);
+  Parameters of_type(int);
   void give(int, int, const Parameters&);
   void check_radii();
   void check_parameters(const std::string& where, const Parameters&);

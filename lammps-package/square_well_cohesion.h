@@ -49,7 +49,8 @@ class SquareWellCohesion {
     });
   }
   static Parameters mixed(const Parameters& a, const Parameters& b) {
-    return {LAMMPS_NS::mixed(a.contact, b.contact), cohesion::square_well::mixed(a.well, b.well)};
+    return {cohesion::contact::mixed(a.contact, b.contact),
+            cohesion::square_well::mixed(a.well, b.well)};
   }
   static Parameters reversed(const Parameters& p) {
     return {p.contact, cohesion::square_well::reversed(p.well)};

@@ -25,6 +25,9 @@ struct Vector3 {
   }
 };
 
+/// Three numbers that stand one after the other.
+inline Vector3 vector(const double* a) { return {a[0], a[1], a[2]}; }
+
 inline Vector3 operator+(Vector3 a, const Vector3& b) { return a += b; }
 inline Vector3 operator-(Vector3 a, const Vector3& b) { return a -= b; }
 inline Vector3 operator-(const Vector3& a) { return {-a.x, -a.y, -a.z}; }

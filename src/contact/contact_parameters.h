@@ -5,6 +5,7 @@
 
 #include "contact/linear_spring_dashpot.h"
 #include "contact/tangential_spring.h"
+#include "mixing.h"
 #include "validation.h"
 
 namespace cohesion::contact {
@@ -28,6 +29,19 @@ inline void require_valid(const ContactParameters& p) {
   require_non_negative("ratio of tangential to normal stiffness", p.tangential_ratio);
   require_non_negative("ratio of tangential to normal damping", p.tangential_damping_ratio);
   require_non_negative("friction coefficient", p.friction);
+}
+
+/// Contact of unlike materials: geometric means; damping is given in place of e when both give it.
+inline ContactParameters mixed(const ContactParameters& a, const ContactParameters& b) {
+  ContactParameters m;
+  m.stiffness = geometric_mean(a.stiffness, b.stiffness);
+  m.restitution = geometric_mean(a.restitution, b.restitution);
+  if (a.damping >= 0.0 && b.damping >= 0.0) m.damping = geometric_mean(a.damping, b.damping);
+  m.tangential_ratio = geometric_mean(a.tangential_ratio, b.tangential_ratio);
+  m.tangential_damping_ratio =
+      geometric_mean(a.tangential_damping_ratio, b.tangential_damping_ratio);
+  m.friction = geometric_mean(a.friction, b.friction);
+  return m;
 }
 
 /// The normal contact of a pair of reduced mass mu.

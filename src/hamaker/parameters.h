@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+
+#include "mixing.h"
 #include "validation.h"
 
 namespace cohesion::hamaker {
@@ -31,6 +34,13 @@ inline void require_valid(const Parameters& p) {
 inline void require_smooth(const Parameters& p) {
   require(p.asperity_radius == 0.0, "asperity radius", p.asperity_radius,
           "must be zero for the law of smooth surfaces");
+}
+
+/// Unlike materials: the geometric mean of the constants, the larger cut-offs and asperity.
+inline Parameters mixed(const Parameters& a, const Parameters& b) {
+  return {geometric_mean(a.hamaker_constant, b.hamaker_constant),
+          std::max(a.surface_cutoff, b.surface_cutoff), std::max(a.outer_cutoff, b.outer_cutoff),
+          std::max(a.asperity_radius, b.asperity_radius)};
 }
 
 }  // namespace cohesion::hamaker

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "contact/adhesion.h"
+#include "mixing.h"
 #include "validation.h"
 
 namespace cohesion::square_well {
@@ -29,7 +30,7 @@ inline void require_valid(const Parameters& p) {
 
 /// Unlike materials: the geometric mean of the depths; each its own ratio.
 inline Parameters mixed(const Parameters& a, const Parameters& b) {
-  return {std::sqrt(a.depth * b.depth), a.ratio_i, b.ratio_j};
+  return {geometric_mean(a.depth, b.depth), a.ratio_i, b.ratio_j};
 }
 
 /// The same well seen from the other side.

@@ -23,6 +23,13 @@ class Loading(ScriptTestCase):
     def goes(self, script, **options):
         self.assertIn("style is there", super().goes(script, **options))
 
+    def stops(self, script, *words, **options):
+        """The loader's own messages stand beside the error."""
+        output = super().stops(script, **options)
+        for word in words:
+            self.assertIn(word, output)
+        return output
+
 
 class Plugin(Loading):
     def test_load(self):

@@ -28,6 +28,22 @@ TEST(ContactParameters, RestitutionGivesTheDampingOfThePairsMass) {
   }
 }
 
+TEST(ContactParameters, UnlikeMaterialsHaveGeometricMeans) {
+  ContactParameters a = valid(), b = valid();
+  b.stiffness = 4.0 * a.stiffness;
+  b.restitution = 0.4;
+  b.friction = 0.3;
+  ContactParameters m = mixed(a, b);
+  EXPECT_DOUBLE_EQ(m.stiffness, 1600.0);
+  EXPECT_DOUBLE_EQ(m.restitution, 0.6);
+  EXPECT_EQ(m.friction, 0.0);  // of a smooth and a rough one
+  EXPECT_DOUBLE_EQ(mixed(b, b).friction, 0.3);
+  a.damping = 2.0;
+  EXPECT_LT(mixed(a, b).damping, 0.0) << "only one of them gives a damping: restitution stands";
+  b.damping = 8.0;
+  EXPECT_DOUBLE_EQ(mixed(a, b).damping, 4.0);
+}
+
 TEST(ContactParameters, DampingTakesThePlaceOfRestitution) {
   ContactParameters p = valid();
   for (const double damping : {0.0, 0.79e-3}) {
