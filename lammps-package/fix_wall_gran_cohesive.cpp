@@ -33,7 +33,7 @@ FixWallGranCohesive<Cohesion>::FixWallGranCohesive(LAMMPS* lammps, int narg, cha
       step(nullptr),
       summed(false) {
   read(narg, arg);
-  if (given.contact.friction > 0.0) per_wall += 3;
+  if (parameters.contact.friction > 0.0) per_wall += 3;
   mine.assign(3 * walls.size(), 0.0);
   total = mine;
 
@@ -96,10 +96,10 @@ void FixWallGranCohesive<Cohesion>::read(int narg, char** arg) {
   from_words.finish();
   walls = from_words.walls;
   motion = from_words.motion;
-  given = cohesive_contact_from_script<Cohesion>(
+  parameters = cohesive_contact_from_script<Cohesion>(
       lmp, where, 0, static_cast<int>(contact_words.size()), contact_words.data());
-  given = attraction.scaled(lmp, where, given);
-  law = attraction.law(lmp, where, given);
+  parameters = attraction.scaled(lmp, where, parameters);
+  law = attraction.law(lmp, where, parameters);
   if (scheme == Scheme::sampled) contacts.template emplace<static_cast<int>(Scheme::sampled)>();
 }
 
@@ -132,7 +132,7 @@ void FixWallGranCohesive<Cohesion>::give_advice() {
         {fmt::format("{} - wall", type),
          lightest[type],
          {infinite, infinite},
-         given.contact,
+         parameters.contact,
          Cohesion::template of_wall<cohesion::contact::Adhesion>(law, lightest[type].radius)});
   }
   advise(lmp, where, limits_of(scheme), advised);
@@ -145,7 +145,7 @@ std::size_t FixWallGranCohesive<Cohesion>::contact(std::vector<Contact>& shared,
   const Body particle = step->body(i), wall{0.0, 0.0};
   if (shared.empty() || !shared.back().joins(particle, wall))
     shared.emplace_back(
-        given.contact,
+        parameters.contact,
         Cohesion::template of_wall<typename Contact::Attraction>(law, particle.radius), particle,
         wall, step->window());
   return shared.size() - 1;
@@ -186,7 +186,7 @@ void FixWallGranCohesive<Cohesion>::follow_alone(std::vector<Contact>& shared) {
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
     const Vector3 centre = vector(atom->x[i]);
-    const double range = Cohesion::range(scheme, given, atom->radius[i], 0.0);
+    const double range = Cohesion::range(scheme, parameters, atom->radius[i], 0.0);
     for (int w = 0; w < static_cast<int>(walls.size()); w++) {
       double& inside = *history_of(i, w);
       const WallPoint point = walls[w].nearest(centre, now, motion.rim_speed);

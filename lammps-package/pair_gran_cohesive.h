@@ -9,7 +9,8 @@
 #include <vector>
 
 #include "bound_pairs.h"
-#include "cohesive_contact_from_script.h"
+#include "close_pairs.h"
+#include "cohesive_coefficients.h"
 #include "event_contact.h"
 #include "event_stepping/cohesive_contact.h"
 #include "pair.h"
@@ -38,7 +39,6 @@ class PairGranCohesive : public Pair, public BoundPairs {
   void append_bound(std::vector<std::array<int, 2>>&) const override;
 
  private:
-  using Parameters = typename Cohesion::Parameters;
   template <class Pair>
   using ContactOf = cohesion::event_stepping::CohesiveContact<Pair>;
   /// The contacts of a step, and by type pair which of them was used last.
@@ -57,10 +57,6 @@ class PairGranCohesive : public Pair, public BoundPairs {
   using AnyContacts = std::variant<Contacts<ContactOf<typename Cohesion::EventPair>>,
                                    Contacts<ContactOf<typename Cohesion::Sampled>>>;
 
-  /// A pair near enough to become active soon: `place` is that of j in i's list of neighbours.
-  struct Close {
-    int i, j, place;
-  };
   /// A pair that may touch in this step.
   struct Active {
     int i, j;
@@ -72,7 +68,7 @@ class PairGranCohesive : public Pair, public BoundPairs {
   };
 
   void allocate();
-  int of_types(int i, int j) const { return i * (atom_types + 1) + j; }
+  double for_flight() const;
   template <class Contact>
   int contact(Contacts<Contact>&, int i, int j);
   cohesion::event_stepping::RelativeState on_grid(int i, int j) const;
@@ -80,9 +76,6 @@ class PairGranCohesive : public Pair, public BoundPairs {
                                                   int i, int j) const;
   template <bool FRICTION, class Contact>
   void follow(Contacts<Contact>&);
-  double come_closer() const;
-  void find_close(double reach);
-  void forget_others(int i, const Close* near, const Close* end);
   template <class Contact>
   void find_active(Contacts<Contact>&);
   template <bool FRICTION, class Contact>
@@ -91,27 +84,15 @@ class PairGranCohesive : public Pair, public BoundPairs {
   void follow_together(Contacts<Contact>&);
   template <class Contact>
   void tally_standing(Contacts<Contact>&);
-  Parameters read(const std::string& here, int first, int narg, char** arg);
   void give_advice();
-  void check_radii();
 
-  static std::string where() { return std::string("pair_style ") + Cohesion::STYLE; }
-
-  int atom_types;
-  Cohesion attraction;
-  Scheme scheme;
-  std::vector<Parameters> given;             // by type pair
-  std::vector<Parameters> used;              // the same with adhesion scaled, if wished
-  std::vector<typename Cohesion::Law> laws;  // by type pair, built at init
+  CohesiveCoefficients<Cohesion> coefficients;
   AnyContacts any_contacts;
   std::vector<double> largest_radius;  // by type, at init
   std::vector<Active> active;
-  std::vector<Close> close;
-  std::vector<double> radii;      // per atom and ghost, when `close` was made
-  std::vector<double> positions;  // the same; empty: not made
-  double largest_range;           // up to which the scheme has to see a pair
-  double list_reach;              // gap up to which every pair is in the list
-  bool friction;                  // whether any contact has friction
+  ClosePairs close;      // those that may become active
+  double largest_range;  // up to which the scheme has to see a pair
+  bool friction;         // whether any contact has friction
   class FixEventStep* step;
   PairHistory history;
 };
