@@ -55,7 +55,6 @@ void PairGranCohesive<Cohesion>::allocate() {
   const int types = atom->ntypes;
   memory->create(setflag, types + 1, types + 1, "pair:setflag");
   memory->create(cutsq, types + 1, types + 1, "pair:cutsq");
-  for (int i = 1; i <= types; i++) std::fill_n(setflag[i], types + 1, 0);
   coefficients.make_room(types, setflag);
 }
 

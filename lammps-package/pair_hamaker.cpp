@@ -22,11 +22,11 @@ namespace hamaker = cohesion::hamaker;
 
 PairHamaker::PairHamaker(LAMMPS* lammps)
     : Pair(lammps),
-      atom_types(0),
       surface_cutoff(0.0),
       outer_cutoff(0.0),
       form(hamaker::forms.data()),
-      hamaker_constant(nullptr) {
+      hamaker_constant(nullptr),
+      parameters(lammps) {
   single_enable = 1;
   restartinfo = 1;
   writedata = 1;
@@ -41,12 +41,11 @@ PairHamaker::~PairHamaker() {
 
 void PairHamaker::allocate() {
   allocated = 1;
-  atom_types = atom->ntypes;
-  memory->create(setflag, atom_types + 1, atom_types + 1, "pair:setflag");
-  memory->create(cutsq, atom_types + 1, atom_types + 1, "pair:cutsq");
-  memory->create(hamaker_constant, atom_types + 1, atom_types + 1, "pair:hamaker_constant");
-  for (int i = 1; i <= atom_types; i++) std::fill_n(setflag[i], atom_types + 1, 0);
-  given.assign((atom_types + 1) * (atom_types + 1), Parameters{});
+  const int types = atom->ntypes;
+  memory->create(setflag, types + 1, types + 1, "pair:setflag");
+  memory->create(cutsq, types + 1, types + 1, "pair:cutsq");
+  memory->create(hamaker_constant, types + 1, types + 1, "pair:hamaker_constant");
+  parameters.make_room(types, setflag);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -87,7 +86,7 @@ void PairHamaker::compute_pairs(const std::vector<Law>& law_of) {
       const double dy = x[i][1] - x[j][1];
       const double dz = x[i][2] - x[j][2];
       const double rsq = dx * dx + dy * dy + dz * dz;
-      const Law& law = law_of[of_types(type[i], type[j])];
+      const Law& law = law_of[parameters.number(type[i], type[j])];
       const double contact = radius[i] + radius[j];
       const double reach = contact + law.outer_cutoff();
       if (rsq >= reach * reach) continue;
@@ -119,7 +118,7 @@ double PairHamaker::single(int i, int j, int itype, int jtype, double rsq, doubl
   const cohesion::PairGeometry geometry = cohesion::two_spheres(atom->radius[i], atom->radius[j]);
   return std::visit(
       [&](const auto& law_of) {
-        const auto& law = law_of[of_types(itype, jtype)];
+        const auto& law = law_of[parameters.number(itype, jtype)];
         fforce = -law.force(gap, geometry) / r;
         return law.energy(gap, geometry);
       },
@@ -158,25 +157,15 @@ void PairHamaker::coeff(int narg, char** arg) {
                "'asperity' with a radius");
   if (!allocated) allocate();
 
-  int ilo, ihi, jlo, jhi;
-  utils::bounds(FLERR, arg[0], 1, atom->ntypes, ilo, ihi, error);
-  utils::bounds(FLERR, arg[1], 1, atom->ntypes, jlo, jhi, error);
   Parameters p{utils::numeric(FLERR, arg[2], false, lmp), surface_cutoff, outer_cutoff, 0.0};
   if (asperity) p.asperity_radius = utils::numeric(FLERR, arg[narg - 1], false, lmp);
   if (values == 5) {
     p.surface_cutoff = utils::numeric(FLERR, arg[3], false, lmp);
     p.outer_cutoff = utils::numeric(FLERR, arg[4], false, lmp);
   }
-  check_parameters(std::string("pair_coeff ") + arg[0] + " " + arg[1] + " of hamaker", p);
-
-  int count = 0;
-  for (int i = ilo; i <= ihi; i++)
-    for (int j = std::max(jlo, i); j <= jhi; j++) {
-      give(i, j, p);
-      setflag[i][j] = 1;
-      count++;
-    }
-  if (count == 0) error->all(FLERR, "pair_coeff of hamaker names no pair with i <= j");
+  const std::string here = std::string("pair_coeff ") + arg[0] + " " + arg[1] + " of hamaker";
+  check_parameters(here, p);
+  parameters.assign(here, arg, [&](int i, int j) { give(i, j, p); });
 }
 
 void PairHamaker::init_style() {
@@ -185,9 +174,9 @@ void PairHamaker::init_style() {
                "pair_style hamaker acts between spheres and needs an atom style with radii, "
                "for instance 'atom_style sphere'");
   largest_radius = largest_radii(lmp);
-  const bool rough = std::any_of(given.begin(), given.end(),
+  const bool rough = std::any_of(parameters.begin(), parameters.end(),
                                  [](const Parameters& p) { return p.asperity_radius > 0.0; });
-  std::visit([this](const auto& law) { laws = std::vector(given.size(), law); },
+  std::visit([this](const auto& law) { laws = std::vector(parameters.size(), law); },
              form->law(hamaker::none, rough));
   engine_api::request_neighbor_list(neighbor, this, instance_me);
 }
@@ -200,12 +189,8 @@ PairHamaker::Parameters PairHamaker::of_type(int i) {
 }
 
 double PairHamaker::init_one(int i, int j) {
-  if (!setflag[i][j]) {
-    if (!setflag[i][i] || !setflag[j][j])
-      error->all(FLERR, "pair_style hamaker: no pair_coeff for types " + std::to_string(i) +
-                            " and " + std::to_string(j) + " nor for both of them to mix");
+  if (parameters.to_mix("pair_style hamaker", i, j))
     give(i, j, hamaker::mixed(of_type(i), of_type(j)));
-  }
   // fix adapt may have changed it.
   parameters(i, j).hamaker_constant = hamaker_constant[i][j];
   const Parameters& p = parameters(i, j);
@@ -214,7 +199,7 @@ double PairHamaker::init_one(int i, int j) {
   std::visit(
       [&](auto& law_of) {
         using Law = typename std::decay_t<decltype(law_of)>::value_type;
-        law_of[of_types(i, j)] = law_of[of_types(j, i)] = Law(p);
+        law_of[parameters.number(i, j)] = law_of[parameters.number(j, i)] = Law(p);
       },
       laws);
   return largest_radius[i] + largest_radius[j] + p.outer_cutoff;
@@ -235,26 +220,13 @@ void* PairHamaker::extract(const char* name, int& dimension) {
 
 void PairHamaker::write_restart(FILE* fp) {
   write_restart_settings(fp);
-  for (int i = 1; i <= atom->ntypes; i++)
-    for (int j = i; j <= atom->ntypes; j++) {
-      fwrite(&setflag[i][j], sizeof(int), 1, fp);
-      if (setflag[i][j]) fwrite(&parameters(i, j), sizeof(Parameters), 1, fp);
-    }
+  parameters.write(fp);
 }
 
 void PairHamaker::read_restart(FILE* fp) {
   read_restart_settings(fp);
   allocate();
-  for (int i = 1; i <= atom->ntypes; i++)
-    for (int j = i; j <= atom->ntypes; j++) {
-      if (comm->me == 0) utils::sfread(FLERR, &setflag[i][j], sizeof(int), 1, fp, nullptr, error);
-      MPI_Bcast(&setflag[i][j], 1, MPI_INT, 0, world);
-      if (!setflag[i][j]) continue;
-      if (comm->me == 0)
-        utils::sfread(FLERR, &parameters(i, j), sizeof(Parameters), 1, fp, nullptr, error);
-      MPI_Bcast(&parameters(i, j), sizeof(Parameters), MPI_BYTE, 0, world);
-      give(i, j, parameters(i, j));
-    }
+  parameters.read(fp, [this](int i, int j, const Parameters& p) { give(i, j, p); });
 }
 
 void PairHamaker::write_restart_settings(FILE* fp) {

@@ -13,6 +13,7 @@ PairStyle(hamaker,PairHamaker);
 
 #include "hamaker/forms.h"
 #include "pair.h"
+#include "type_pair_table.h"
 
 namespace LAMMPS_NS {
 
@@ -47,19 +48,16 @@ class PairHamaker : public Pair {
   void compute_pairs(const std::vector<Law>&);
 
   void allocate();
-  int of_types(int i, int j) const { return i * (atom_types + 1) + j; }
-  Parameters& parameters(int i, int j) { return given[of_types(i, j)]; }
   Parameters of_type(int);
   void give(int, int, const Parameters&);
   void check_parameters(const std::string& where, const Parameters&);
   static void write_coefficients(FILE*, const Parameters&);
 
-  int atom_types;
   double surface_cutoff;  // default of pair_coeff
   double outer_cutoff;    // default of pair_coeff
   const cohesion::hamaker::Form* form;
-  double** hamaker_constant;           // by type pair; fix adapt writes it
-  std::vector<Parameters> given;       // by type pair
+  double** hamaker_constant;  // by type pair; fix adapt writes it
+  TypePairTable<Parameters> parameters;
   cohesion::hamaker::AnyLaws laws;     // by type pair, built at init
   std::vector<double> largest_radius;  // by type, at init
 };

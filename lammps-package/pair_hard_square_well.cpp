@@ -26,7 +26,7 @@ static constexpr double REACH = 0.25;
 
 PairHardSquareWell::PairHardSquareWell(LAMMPS* lammps)
     : Pair(lammps),
-      atom_types_(0),
+      given_(lammps),
       events_(nullptr),
       history_(modify, "NEIGH_HISTORY_HARD_SQUARE_WELL") {
   single_enable = 0;
@@ -44,11 +44,10 @@ PairHardSquareWell::~PairHardSquareWell() {
 
 void PairHardSquareWell::allocate() {
   allocated = 1;
-  atom_types_ = atom->ntypes;
-  memory->create(setflag, atom_types_ + 1, atom_types_ + 1, "pair:setflag");
-  memory->create(cutsq, atom_types_ + 1, atom_types_ + 1, "pair:cutsq");
-  for (int i = 1; i <= atom_types_; i++) std::fill_n(setflag[i], atom_types_ + 1, 0);
-  given_.assign((atom_types_ + 1) * (atom_types_ + 1), {});
+  const int types = atom->ntypes;
+  memory->create(setflag, types + 1, types + 1, "pair:setflag");
+  memory->create(cutsq, types + 1, types + 1, "pair:cutsq");
+  given_.make_room(types, setflag);
 }
 
 /// The events have been carried out; what is left is their virial, and the energy of the wells.
@@ -72,7 +71,7 @@ void PairHardSquareWell::compute(int eflag, int vflag) {
     for (int jj = 0; jj < list->numneigh[i]; jj++) {
       if (!history_->firstflag[i][jj]) continue;
       const int j = list->firstneigh[i][jj] & NEIGHMASK;
-      const double depth = given_[of_types(atom->type[i], atom->type[j])].well.depth;
+      const double depth = given_(atom->type[i], atom->type[j]).well.depth;
       ev_tally(i, j, atom->nlocal, 0, -depth, 0.0, 0.0, 0.0, 0.0, 0.0);
     }
   }
@@ -101,6 +100,11 @@ Surfaces PairHardSquareWell::surfaces(int i, int j) const {
 }
 
 double PairHardSquareWell::list_reach() const { return REACH * neighbor->skin; }
+
+void PairHardSquareWell::give(int i, int j, const HardContact& c) {
+  given_(i, j) = given_(j, i) = c;
+  given_(j, i).well = cohesion::square_well::reversed(c.well);
+}
 
 /* ---------------------------------------------------------------------- */
 
@@ -140,9 +144,6 @@ void PairHardSquareWell::coeff(int narg, char** arg) {
                "pair_coeff of hard/square_well takes 'i j restitution e [friction mu] [well D "
                "ratio]'");
   if (!allocated) allocate();
-  int ilo, ihi, jlo, jhi;
-  utils::bounds(FLERR, arg[0], 1, atom->ntypes, ilo, ihi, error);
-  utils::bounds(FLERR, arg[1], 1, atom->ntypes, jlo, jhi, error);
   const std::string where =
       std::string("pair_coeff ") + arg[0] + " " + arg[1] + " of hard/square_well";
   HardContact c;
@@ -155,14 +156,7 @@ void PairHardSquareWell::coeff(int narg, char** arg) {
     at += words;
   }
   require_valid(lmp, where, c, has_restitution);
-  int count = 0;
-  for (int i = ilo; i <= ihi; i++)
-    for (int j = std::max(jlo, i); j <= jhi; j++) {
-      given_[of_types(i, j)] = given_[of_types(j, i)] = c;
-      setflag[i][j] = 1;
-      count++;
-    }
-  if (count == 0) error->all(FLERR, where + " names no pair with i <= j");
+  given_.assign(where, arg, [&](int i, int j) { give(i, j, c); });
 }
 
 void PairHardSquareWell::init_style() {
@@ -177,45 +171,23 @@ void PairHardSquareWell::init_style() {
 }
 
 double PairHardSquareWell::init_one(int i, int j) {
-  HardContact& c = given_[of_types(i, j)];
-  if (!setflag[i][j]) {
-    if (!setflag[i][i] || !setflag[j][j])
-      error->all(FLERR, "pair_style hard/square_well: no pair_coeff for types " +
-                            std::to_string(i) + " and " + std::to_string(j) +
-                            " nor for both of them to mix");
-    c = mixed(given_[of_types(i, i)], given_[of_types(j, j)]);
-    given_[of_types(j, i)] = mixed(given_[of_types(j, j)], given_[of_types(i, i)]);
-  }
-  return cohesion::square_well::edge(c.well, largest_radius_[i], largest_radius_[j]) + list_reach();
+  if (given_.to_mix("pair_style hard/square_well", i, j))
+    give(i, j, mixed(given_(i, i), given_(j, j)));
+  return cohesion::square_well::edge(given_(i, j).well, largest_radius_[i], largest_radius_[j]) +
+         list_reach();
 }
 
 /* ---------------------------------------------------------------------- */
 
 void PairHardSquareWell::write_restart(FILE* fp) {
   write_restart_settings(fp);
-  for (int i = 1; i <= atom->ntypes; i++)
-    for (int j = i; j <= atom->ntypes; j++) {
-      fwrite(&setflag[i][j], sizeof(int), 1, fp);
-      fwrite(&given_[of_types(i, j)], sizeof(HardContact), 1, fp);
-    }
+  given_.write(fp);
 }
 
 void PairHardSquareWell::read_restart(FILE* fp) {
   read_restart_settings(fp);
   allocate();
-  for (int i = 1; i <= atom->ntypes; i++)
-    for (int j = i; j <= atom->ntypes; j++) {
-      HardContact& c = given_[of_types(i, j)];
-      if (comm->me == 0) {
-        utils::sfread(FLERR, &setflag[i][j], sizeof(int), 1, fp, nullptr, error);
-        utils::sfread(FLERR, &c, sizeof(HardContact), 1, fp, nullptr, error);
-      }
-      MPI_Bcast(&setflag[i][j], 1, MPI_INT, 0, world);
-      MPI_Bcast(&c, sizeof(HardContact), MPI_BYTE, 0, world);
-      HardContact& other = given_[of_types(j, i)];
-      other = c;
-      other.well = cohesion::square_well::reversed(c.well);
-    }
+  given_.read(fp, [this](int i, int j, const HardContact& c) { give(i, j, c); });
 }
 
 void PairHardSquareWell::write_restart_settings(FILE* fp) {

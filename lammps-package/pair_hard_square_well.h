@@ -17,6 +17,7 @@ PairStyle(hard/square_well,PairHardSquareWell);
 #include "hard_sphere/event_order.h"
 #include "pair.h"
 #include "pair_history.h"
+#include "type_pair_table.h"
 
 namespace LAMMPS_NS {
 
@@ -43,22 +44,21 @@ class PairHardSquareWell : public Pair, public BoundPairs {
   const std::string& record_file() const { return record_file_; }
   /// Of each pair 1 number: whether it is in its well.
   const PairHistory& history() const { return history_; }
-  int of_types(int i, int j) const { return i * (atom_types_ + 1) + j; }
+  int of_types(int i, int j) const { return given_.number(i, j); }
   /// By of_types().
   std::vector<cohesion::hard_sphere::Law> laws() const;
-  const HardContact& contact_of_types(int i, int j) const { return given_[of_types(i, j)]; }
+  const HardContact& contact_of_types(int i, int j) const { return given_(i, j); }
   cohesion::hard_sphere::Surfaces surfaces(int i, int j) const;
   /// How much farther than the range of contact a pair is in the list, besides the skin.
   double list_reach() const;
-  /// Stops when a particle has outgrown the largest of its type at the start of the run.
 
  private:
   void allocate();
+  void give(int i, int j, const HardContact&);
 
-  int atom_types_;
   cohesion::hard_sphere::OrderRules rules_;
   std::string record_file_;
-  std::vector<HardContact> given_;  // by type pair
+  TypePairTable<HardContact> given_;
   std::vector<double> largest_radius_;
   class FixHardEvents* events_;
   PairHistory history_;
