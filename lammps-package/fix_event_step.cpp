@@ -37,7 +37,8 @@ FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
       contact_force(nullptr),
       contacts(nullptr),
       inverse_mass(nullptr),
-      longest_flight(0.0) {
+      longest_flight(0.0),
+      flux_wanted(false) {
   nevery = 1;
   comm_forward = ALONE;
   restart_peratom = 1;
