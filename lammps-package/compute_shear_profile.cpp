@@ -6,6 +6,7 @@
 #include <string>
 
 #include "atom.h"
+#include "box_shear.h"
 #include "domain.h"
 #include "error.h"
 #include "force.h"
@@ -50,17 +51,17 @@ ComputeShearProfile::~ComputeShearProfile() {
 void ComputeShearProfile::measure() {
   if (measured_step == update->ntimestep) return;
   measured_step = update->ntimestep;
-  const double height = domain->yprd, rate = domain->h_rate[5] / height;
-  const double middle = 0.5 * (domain->boxlo[1] + domain->boxhi[1]);
+  const double height = domain->yprd;
+  const cohesion::shear::BoxShear flow = rate_of_shear(domain);
   ProfileSums mine, all;
   layers = Layers(layer_number, height);
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
     const double* const v = atom->v[i];
     const double m = atom->rmass ? atom->rmass[i] : atom->mass[atom->type[i]];
-    const double y = atom->x[i][1] - middle;
+    const double y = atom->x[i][1] - flow.middle;
     const double in_box = y - height * std::floor(y / height + 0.5);
-    const double u = v[0] - rate * y;
+    const double u = flow.beyond(v[0], atom->x[i][1]);
     mine.add(m, in_box, {u, v[1], v[2]});
     layers.add(m, in_box, u);
   }
@@ -80,7 +81,7 @@ double ComputeShearProfile::compute_scalar() {
 void ComputeShearProfile::compute_vector() {
   invoked_vector = update->ntimestep;
   measure();
-  vector[0] = domain->h_rate[5] / domain->yprd + profile.slope;
+  vector[0] = rate_of_shear(domain).amount + profile.slope;
   vector[1] = profile.intercept;
   vector[2] = granular_temperature(profile, domain->dimension);
   vector[3] = layers.slip(profile);
@@ -92,14 +93,13 @@ void ComputeShearProfile::compute_vector() {
 void ComputeShearProfile::compute_array() {
   invoked_array = update->ntimestep;
   measure();
-  const double rate = domain->h_rate[5] / domain->yprd;
-  const double middle = 0.5 * (domain->boxlo[1] + domain->boxhi[1]);
+  const cohesion::shear::BoxShear flow = rate_of_shear(domain);
   for (int i = 0; i < layer_number; i++) {
     const bool empty = layers.mass(i) == 0.0;
     const double y =
         empty ? domain->yprd * ((i + 0.5) / layer_number - 0.5) : layers.mean_position(i);
-    array[i][0] = middle + y;
-    array[i][1] = empty ? 0.0 : rate * y + layers.mean_velocity(i);
+    array[i][0] = flow.middle + y;
+    array[i][1] = empty ? 0.0 : flow.amount * y + layers.mean_velocity(i);
     array[i][2] = profile.mass > 0.0 ? layers.mass(i) / profile.mass : 0.0;
   }
 }

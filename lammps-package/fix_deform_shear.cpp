@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "atom.h"
+#include "box_shear.h"
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
@@ -57,7 +58,6 @@ FixDeformShear::FixDeformShear(LAMMPS* lammps, int narg, char** arg)
       own_rebuild(true),
       state(),
       lengths(0.0),
-      listed_strain(0.0),
       listed_step(-1),
       engine_delay(0),
       engine_every(0),
@@ -192,11 +192,11 @@ void FixDeformShear::setup_pre_exchange() {
 /// The linear profile, zero in the middle of the box, on top of what the particles have; without
 /// net momentum.
 void FixDeformShear::lay_profile() {
-  const double middle = 0.5 * (domain->boxlo[1] + domain->boxhi[1]);
+  const cohesion::shear::BoxShear flow{state.strain.rate, middle_height(domain)};
   double mine[4] = {}, all[4];
   for (int i = 0; i < atom->nlocal; i++) {
     double* const v = atom->v[i];
-    v[0] += state.strain.rate * (atom->x[i][1] - middle);
+    v[0] += flow.at(atom->x[i][1]);
     const double m = atom->rmass ? atom->rmass[i] : atom->mass[atom->type[i]];
     for (int k = 0; k < 3; k++) mine[k] += m * v[k];
     mine[3] += m;
@@ -209,7 +209,7 @@ void FixDeformShear::lay_profile() {
     utils::logmesg(lmp,
                    fmt::format("fix {} deform/shear: added the profile vx = {:g} (y - {:g}) to "
                                "the velocities and took the net momentum away\n",
-                               id, state.strain.rate, middle));
+                               id, flow.amount, flow.middle));
 }
 
 /// The list that a run begins with exists; from here on this fix decides when the next is made.
@@ -233,15 +233,14 @@ void FixDeformShear::post_integrate() {
   auto& strain = state.strain;
   const bigint now = update->ntimestep;
   strain.continue_with(now - 1, state.next_rate, update->dt);
-  const double gamma = strain.at(now);
-  tilt(gamma);
+  tilt(strain.at(now));
   const double next_rate = rate_now();
   // A particle outside the box must be put back before its image becomes faster: nothing may depend
   // on when lists are made.
   if (next_rate != state.next_rate) next_reneighbor = now;
   state.next_rate = next_rate;
   if (in_hand && next_reneighbor != now) {
-    int mine = list_may_miss_a_pair(gamma), any;
+    int mine = list_may_miss_a_pair(), any;
     MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
     if (any) next_reneighbor = now;
   }
@@ -285,34 +284,25 @@ void FixDeformShear::pre_exchange() {
   flip = 0;
 }
 
-bool FixDeformShear::list_may_miss_a_pair(double gamma) const {
-  const int n = atom->nlocal;
-  if (listed_step != neighbor->lastcall || listed_at.size() != 3 * static_cast<std::size_t>(n))
-    return true;
-  const double strain = gamma - listed_strain;
+bool FixDeformShear::list_may_miss_a_pair() const {
+  const auto n = static_cast<std::size_t>(atom->nlocal);
+  if (listed_step != neighbor->lastcall || listed.count() != n) return true;
+  const cohesion::shear::BoxShear shear = shear_since(listed, domain);
   // Lists with a longer range of their own need ghosts from as far, by comm_modify cutoff.
   const double reach = std::max(neighbor->cutneighmax, comm->cutghostuser);
-  const double margin = cohesion::shear::list_margin(reach, reach - neighbor->skin, strain);
+  const double margin = cohesion::shear::list_margin(reach, reach - neighbor->skin, shear.amount);
   if (margin <= 0.0) return true;
-  const double middle = 0.5 * (domain->boxlo[1] + domain->boxhi[1]);
-  const double* const x = n > 0 ? atom->x[0] : nullptr;
-  const double* const x0 = listed_at.data();
+  const double* x = n > 0 ? atom->x[0] : nullptr;
   double farthest = 0.0;
-  for (int i = 0; i < 3 * n; i += 3) {
-    const double ux = x[i] - x0[i] - strain * (x0[i + 1] - middle);
-    const double uy = x[i + 1] - x0[i + 1];
-    const double uz = x[i + 2] - x0[i + 2];
-    farthest = std::max(farthest, ux * ux + uy * uy + uz * uz);
-  }
+  for (std::size_t i = 0; i < n; i++, x += 3)
+    farthest = std::max(farthest, listed.strayed_squared(i, {x[0], x[1], x[2]}, shear));
   return farthest > margin * margin;
 }
 
 void FixDeformShear::post_neighbor() {
   listed_step = neighbor->lastcall;
-  listed_strain = state.strain.at(update->ntimestep);
   if (!own_rebuild) return;
-  const double* const x = atom->nlocal > 0 ? atom->x[0] : nullptr;
-  listed_at.assign(x, x + 3 * static_cast<std::size_t>(atom->nlocal));
+  listed.begin(atom->nlocal > 0 ? atom->x[0] : nullptr, atom->nlocal, domain->xy);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -343,5 +333,5 @@ void FixDeformShear::restart(char* buf) {
 }
 
 double FixDeformShear::memory_usage() {
-  return FixDeform::memory_usage() + static_cast<double>(sizeof(double) * listed_at.capacity());
+  return FixDeform::memory_usage() + static_cast<double>(3 * sizeof(double) * listed.count());
 }

@@ -9,10 +9,10 @@ FixStyle(deform/shear,FixDeformShear);
 #define LMP_FIX_DEFORM_SHEAR_H
 
 #include <string>
-#include <vector>
 
 #include "fix_deform.h"
 #include "shear/sheared_box.h"
+#include "shear/since_list.h"
 
 namespace LAMMPS_NS {
 
@@ -51,7 +51,7 @@ class FixDeformShear : public FixDeform {
   double rate_now();
   void lay_profile();
   void tilt(double);
-  bool list_may_miss_a_pair(double) const;
+  bool list_may_miss_a_pair() const;
 
   double given_rate;
   std::string rate_name;  // of a variable; empty: the rate is the number
@@ -67,8 +67,7 @@ class FixDeformShear : public FixDeform {
   } state;
   double lengths;  // whole box lengths that the tilt was counted back by
 
-  std::vector<double> listed_at;  // positions of the owned particles when the list was made
-  double listed_strain;
+  cohesion::shear::SinceList listed;  // the owned particles
   bigint listed_step;
   int engine_delay, engine_every;  // of neigh_modify, while this fix has it in hand
   bool in_hand;

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "atom.h"
+#include "box_shear.h"
 #include "comm.h"
 #include "domain.h"
 #include "engine_api.h"
@@ -36,7 +37,8 @@ FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
       contact_force(nullptr),
       contacts(nullptr),
       inverse_mass(nullptr),
-      longest_flight(0.0) {
+      longest_flight(0.0),
+      flux_wanted(false) {
   nevery = 1;
   comm_forward = ALONE;
   restart_peratom = 1;
@@ -112,15 +114,14 @@ void FixEventStep::look_round() {
   const double* const v = all > 0 ? atom->v[0] : nullptr;
   // In a sheared box, beyond the mean flow: that one only moves neighbours by what it differs
   // between them.
-  const double rate = domain->deform_vremap ? domain->h_rate[5] / domain->yprd : 0.0;
-  const double middle = 0.5 * (domain->boxlo[1] + domain->boxhi[1]);
+  const cohesion::shear::BoxShear flow = rate_of_shear(domain);
   double fastest = 0.0;
   for (int i = 0; i < 3 * all; i += 3) {
-    const double u = rate == 0.0 ? v[i] : v[i] - rate * (x[i + 1] - middle);
+    const double u = flow.beyond(v[i], x[i + 1]);
     fastest = std::max(fastest, u * u + v[i + 1] * v[i + 1] + v[i + 2] * v[i + 2]);
   }
   longest_flight =
-      0.5 * update->dt * (std::sqrt(fastest) + 0.5 * std::abs(rate) * neighbor->cutneighmax);
+      0.5 * update->dt * (std::sqrt(fastest) + 0.5 * std::abs(flow.amount) * neighbor->cutneighmax);
   if (neighbor->ago != 0) return;
   for (int i = 0; i < all; i++)
     inverse_mass[i] = mobile.inverse_mass(atom->mask[i], atom->rmass[i]);

@@ -13,6 +13,7 @@ FixStyle(EVENT_STEP,FixEventStep);
 
 #include "atom.h"
 #include "event_stepping/cohesive_contact.h"
+#include "event_stepping/flux_parts.h"
 #include "fix.h"
 #include "mobile_particles.h"
 
@@ -120,6 +121,12 @@ class FixEventStep : public Fix {
     bigint unresolved;                                    ///< pairs whose step was cut short
   } book;
   void keep_book() { book.kept = true; }
+
+  /// Of the contacts of pairs so far; summed only when a compute asks for it.
+  cohesion::event_stepping::FluxParts flux;
+  void sum_flux() { flux_wanted = true; }
+  bool sums_flux() const { return flux_wanted; }
+
   /// A force of a contact on particle i, for the book.
   void note_force(int i, double fx, double fy, double fz) {
     contact_force[i][0] += fx;
@@ -143,6 +150,7 @@ class FixEventStep : public Fix {
   int* contacts;         // per atom and ghost, this step
   double* inverse_mass;  // per atom and ghost
   double longest_flight;
+  bool flux_wanted;
   MobileParticles mobile;
 };
 

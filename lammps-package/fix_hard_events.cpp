@@ -6,6 +6,7 @@
 #include <string>
 
 #include "atom.h"
+#include "box_shear.h"
 #include "comm.h"
 #include "domain.h"
 #include "engine_api.h"
@@ -31,9 +32,6 @@ static constexpr double NEARLY = 1e-9;
 // Overlap that is told of: of a distance, above what a data file's decimals leave.
 static constexpr double OVERLAP = 1e-6;
 static constexpr int FIXED_BOUNDARY = 1;  // Domain::boundary
-// Events of a stretch per particle. How often a stretch is repeated goes with the length of the
-// chains of events that cross from one process to another and back: two to three times here.
-static constexpr double EVENTS_OF_A_STRETCH = 0.25;
 
 static void put(const Vector3& a, double* to) {
   to[0] = a.x;
@@ -44,10 +42,9 @@ static void put(const Vector3& a, double* to) {
 FixHardEvents::FixHardEvents(LAMMPS* lammps, int narg, char** arg)
     : Fix(lammps, narg, arg),
       pair_(nullptr),
-      border_(world),
+      agreement_(lammps, order_),
       origin_(nullptr),
       outside_(nullptr),
-      listed_tilt_(0.0),
       farthest_(0.0),
       warned_(false) {
   comm_forward = ORIGIN;
@@ -207,8 +204,6 @@ void FixHardEvents::pre_force(int) {
                      "compute hard/events counts them");
   }
   if (all[0] > 0) {
-    if (!alone) load_borders();
-    order_.sort();
     follow(all[0]);
     store();
     record_->write(order_);
@@ -241,79 +236,16 @@ void FixHardEvents::load() {
     order_.walls[n] = wall_[n].first->over_step(wall_[n].second);
 }
 
-/// The flights of other processes' particles, as they are there.
-void FixHardEvents::load_borders() {
-  std::vector<std::vector<Flight> > out(border_.peers().size());
-  std::vector<std::vector<Flight> > in;
-  for (int p = 0; p < static_cast<int>(out.size()); p++)
-    for (const int i : border_.told(p)) out[p].push_back(order_.bodies[i].flight);
-  border_.swap(out, in);
-  for (int p = 0; p < static_cast<int>(in.size()); p++)
-    for (int slot = 0; slot < static_cast<int>(in[p].size()); slot++)
-      order_.bodies[border_.local(p, slot)].flight = in[p][slot];
-}
-
 /// Carries out the events of the step.
 void FixHardEvents::follow(long candidates) {
-  const double dt = update->dt;
   if (comm->nprocs == 1) {
-    order_.run(dt);
-    if (order_.overrun() >= 0) stop_at_limit();
-    return;
-  }
-  for (int n = 0; n < static_cast<int>(order_.links.size()); n++)
-    if (shared(order_.links[n])) order_.predict(n);
-  order_.sort();
-  const double of_a_stretch = EVENTS_OF_A_STRETCH * static_cast<double>(atom->natoms);
-  const int stretches = 1 + static_cast<int>(static_cast<double>(candidates) / of_a_stretch);
-  for (int n = 1; n <= stretches; n++) follow_stretch(n == stretches ? dt : n * dt / stretches);
-}
-
-/// Until all agree on what each has told the others.
-void FixHardEvents::follow_stretch(double until) {
-  order_.begin_stretch();
-  order_.run(until);
-  double from = 0.0;
-  for (int round = 0;; round++) {
-    const std::vector<News> told = exchange_news(from);
-    const double differs = order_.first_difference(from, told);
-    MPI_Allreduce(&differs, &from, 1, MPI_DOUBLE, MPI_MIN, world);
-    if (from == never) break;
-    if (round > order_.rules.limit)
-      error->all(FLERR,
-                 "pair_style hard/square_well: in step {} the processes do not agree on the events "
-                 "after {} exchanges: particles are pressed together. Use a smaller time step or "
-                 "keyword contact_time",
-                 update->ntimestep, round);
-    if (differs < never) order_.run_again(differs, told, until);
+    order_.sort();
+    order_.run(update->dt);
+  } else {
+    agreement_.load_borders();
+    agreement_.follow(candidates);
   }
   if (order_.overrun() >= 0) stop_at_limit();
-}
-
-/// What happened to this process's particles without those that a peer owns, to all who follow
-/// them.
-std::vector<News> FixHardEvents::exchange_news(double from) {
-  std::vector<std::vector<News> > out(border_.peers().size()), in;
-  for (const News& news : order_.news) {
-    if (news.body >= atom->nlocal || news.key.time < from) continue;
-    const int owner =
-        news.partner >= atom->nlocal ? foreign_[news.partner - atom->nlocal].owner : -1;
-    for (const BorderExchange::Follower& follower : border_.followers(news.body)) {
-      if (border_.peers()[follower.peer] == owner) continue;
-      out[follower.peer].push_back(news);
-      out[follower.peer].back().body = follower.slot;
-    }
-  }
-  border_.swap(out, in);
-  std::vector<News> all;
-  for (int p = 0; p < static_cast<int>(in.size()); p++)
-    for (News news : in[p]) {
-      news.body = border_.local(p, news.body);
-      all.push_back(news);
-    }
-  std::stable_sort(all.begin(), all.end(),
-                   [](const News& a, const News& b) { return a.key < b.key; });
-  return all;
 }
 
 void FixHardEvents::stop_at_limit() const {
@@ -351,25 +283,18 @@ void FixHardEvents::store() {
   }
 }
 
-/// Strain of a sheared box since the list was made, `left` before the end of the step.
-double FixHardEvents::strain(double left) const {
-  if (!domain->deform_vremap) return 0.0;
-  return (domain->xy - listed_tilt_ - left * domain->h_rate[5]) / domain->yprd;
-}
-
 /// A particle is at `place`, `left` before the end of the step: how far it came beyond the shear.
 void FixHardEvents::stray(int i, const Vector3& place, double left) {
-  Vector3 way = place - hold_[i];
-  const double middle = 0.5 * (domain->boxlo[1] + domain->boxhi[1]);
-  way.x -= strain(left) * (hold_[i].y - middle);
-  farthest_ = std::max(farthest_, dot(way, way));
+  farthest_ =
+      std::max(farthest_, listed_.strayed_squared(i, place, shear_since(listed_, domain, left)));
 }
 
 /// Whether the list of neighbours still holds all pairs that may have met.
 void FixHardEvents::check_reach() {
   for (int i = 0; i < atom->nlocal; i++) stray(i, vector(atom->x[i]), 0.0);
   const double extra = pair_->list_reach() + neighbor->skin;
-  const double largest = std::max(std::abs(strain(0.0)), std::abs(strain(update->dt)));
+  const double largest = std::max(std::abs(shear_since(listed_, domain).amount),
+                                  std::abs(shear_since(listed_, domain, update->dt).amount));
   const double margin =
       cohesion::shear::list_margin(neighbor->cutneighmax, neighbor->cutneighmax - extra, largest);
   const double flown = std::sqrt(farthest_);

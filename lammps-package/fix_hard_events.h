@@ -13,12 +13,13 @@ FixStyle(HARD_EVENTS,FixHardEvents);
 #include <vector>
 
 #include "atom.h"
-#include "border_exchange.h"
 #include "fix.h"
+#include "hard_event_agreement.h"
 #include "hard_event_record.h"
 #include "hard_event_totals.h"
 #include "hard_sphere/event_order.h"
 #include "mobile_particles.h"
+#include "shear/since_list.h"
 
 namespace LAMMPS_NS {
 
@@ -110,13 +111,9 @@ class FixHardEvents : public Fix {
     return b.i >= atom->nlocal || b.j >= atom->nlocal;
   }
   void load();
-  void load_borders();
   void follow(long candidates);
-  void follow_stretch(double until);
-  std::vector<cohesion::hard_sphere::News> exchange_news(double from);
   void stop_at_limit() const;
   void store();
-  double strain(double left) const;
   void stray(int i, const cohesion::Vector3& place, double left);
   void check_reach();
 
@@ -131,12 +128,11 @@ class FixHardEvents : public Fix {
   std::vector<Shift> shifts_;  // by image
   std::vector<Foreign> foreign_;
   std::unordered_map<std::uint64_t, int> foreign_body_;
-  BorderExchange border_;
-  double** origin_;                      // per atom and ghost: process, index there, position there
-  double** outside_;                     // per atom: how far the straight flight led out of the box
-  std::vector<cohesion::Vector3> hold_;  // positions when the list was made
-  double listed_tilt_;                   // of the box then, [length]
-  double farthest_;                      // from there beyond the shear of the box, square
+  HardEventAgreement agreement_;
+  double** origin_;                    // per atom and ghost: process, index there, position there
+  double** outside_;                   // per atom: how far the straight flight led out of the box
+  cohesion::shear::SinceList listed_;  // own particles
+  double farthest_;                    // of them since then, beyond the shear of the box, square
   bool warned_;
   HardEventTotals totals_;
   std::unique_ptr<HardEventRecord> record_;

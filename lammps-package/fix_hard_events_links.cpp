@@ -27,10 +27,8 @@ void FixHardEvents::connect() {
     std::copy_n(atom->x[i], 3, origin_[i] + 2);
   }
   engine_api::forward_comm(comm, this);
-  listed_tilt_ = domain->xy;
-  hold_.resize(atom->nlocal);
+  listed_.begin(atom->nlocal > 0 ? atom->x[0] : nullptr, atom->nlocal, domain->xy);
   for (int i = 0; i < atom->nlocal; i++) {
-    hold_[i] = vector(atom->x[i]);
     for (int axis = 0; axis < 3; axis++) atom->x[i][axis] += outside_[i][axis];
     FixHardEvents::set_arrays(i);
     stray(i, vector(atom->x[i]) - order_.dt() * vector(atom->v[i]), order_.dt());
@@ -52,9 +50,9 @@ void FixHardEvents::connect() {
   std::vector<BorderExchange::Request> requests;
   for (const Foreign& f : foreign_)
     requests.push_back({f.owner, static_cast<int>(origin_[f.ghost][1]), f.body});
-  if (comm->nprocs > 1) border_.plan(requests, atom->nlocal);
+  if (comm->nprocs > 1) agreement_.plan(requests);
   load();
-  if (comm->nprocs > 1) load_borders();
+  if (comm->nprocs > 1) agreement_.load_borders();
   know_where_new_pairs_are();
 }
 

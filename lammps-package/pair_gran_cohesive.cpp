@@ -94,7 +94,8 @@ template <class Cohesion>
 template <bool FRICTION, class Contact>
 void PairGranCohesive<Cohesion>::follow(Contacts<Contact>& contacts) {
   if constexpr (Contact::acts_within_step) follow_alone<FRICTION>(contacts);
-  evflag ? follow_together<true, FRICTION>(contacts) : follow_together<false, FRICTION>(contacts);
+  evflag || step->sums_flux() ? follow_together<true, FRICTION>(contacts)
+                              : follow_together<false, FRICTION>(contacts);
 }
 
 /// Pairs of equal particles that come one after the other share a contact.
@@ -194,10 +195,13 @@ template <bool TALLY, bool FRICTION, class Contact>
     if (j < nlocal) scatter.on_j<FRICTION>(j, c.share_j(), now);
     scatter.book(c, j < nlocal ? 1.0 : 0.5, now);
     if (TALLY) {
-      const RelativeState d = on_grid(i, j);
+      const Vector3 d = on_grid(i, j).separation;
       const Vector3 on_i = -scatter.kick() * now.impulse;
-      ev_tally_xyz(i, j, nlocal, 0, c.spring_energy(now.normal) + c.adhesion_energy(now.normal),
-                   0.0, on_i.x, on_i.y, on_i.z, -d.separation.x, -d.separation.y, -d.separation.z);
+      if (step->sums_flux())
+        step->flux.add(j < nlocal ? 1.0 : 0.5, c, d, now.normal, now.sliding, now.impulse);
+      if (evflag)
+        ev_tally_xyz(i, j, nlocal, 0, c.spring_energy(now.normal) + c.adhesion_energy(now.normal),
+                     0.0, on_i.x, on_i.y, on_i.z, -d.x, -d.y, -d.z);
     }
   }
 }

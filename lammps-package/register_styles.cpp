@@ -2,6 +2,7 @@
 // Names every style of the package to the engine; called by plugin.cpp when the version is right.
 
 #include "compute_gran_energy.h"
+#include "compute_gran_stress.h"
 #include "compute_hard_events.h"
 #include "compute_hard_stress.h"
 #include "compute_shear_profile.h"
@@ -69,9 +70,8 @@ constexpr Row fixes[] = {
 };
 
 constexpr Row computes[] = {
-    {"gran/energy", &make<ComputeGranEnergy>},
-    {"hard/events", &make<ComputeHardEvents>},
-    {"hard/stress", &make<ComputeHardStress>},
+    {"gran/energy", &make<ComputeGranEnergy>},     {"gran/stress", &make<ComputeGranStress>},
+    {"hard/events", &make<ComputeHardEvents>},     {"hard/stress", &make<ComputeHardStress>},
     {"shear/profile", &make<ComputeShearProfile>},
 };
 

@@ -70,6 +70,8 @@ class CohesiveContact {
   const contact::LinearSpringDashpot& normal_contact() const { return normal_contact_; }
   /// Gap up to which the pair attracts in this scheme, [length].
   double range() const { return pair_.range(); }
+  /// Whether there is any adhesion; at a well as wide as the contact it has no range.
+  bool attracts() const { return pair_.range() > 0.0 || pair_.adhesion_energy(0.0) < 0.0; }
   double reduced_mass() const { return reduced_mass_; }
 
   /// The part of a relative change that falls to particle i (with a minus sign) and j.

@@ -6,6 +6,7 @@
 
 #include "hard_sphere/impact.h"
 #include "hard_sphere/wall_crossing.h"
+#include "momentum_flux.h"
 
 namespace cohesion::hard_sphere {
 
@@ -97,13 +98,7 @@ struct Event {
   Vector3 place;       ///< of i, [length]
   Impact impact;
 
-  /// R J: momentum that went from i to j times the way from i to j, xx, yy, zz, xy, xz, yz,
-  /// [momentum length], positive in compression; xy is R_x J_y, as in the engines' virial.
-  /// Summed over events and divided by volume and time it is the impulsive stress.
-  std::array<double, 6> momentum_flux() const {
-    const Vector3 &r = separation, &p = impact.on_j;
-    return {r.x * p.x, r.y * p.y, r.z * p.z, r.x * p.y, r.x * p.z, r.y * p.z};
-  }
+  MomentumFlux momentum_flux() const { return cohesion::momentum_flux(separation, impact.on_j); }
 };
 
 /// The flight of a body after an event, for those that follow the body elsewhere.

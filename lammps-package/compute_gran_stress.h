@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#ifdef COMPUTE_CLASS
+// clang-format off
+ComputeStyle(gran/stress,ComputeGranStress);
+// clang-format on
+#else
+
+#ifndef LMP_COMPUTE_GRAN_STRESS_H
+#define LMP_COMPUTE_GRAN_STRESS_H
+
+#include "compute.h"
+
+namespace LAMMPS_NS {
+
+/// compute ID all gran/stress: momentum times distance that contact and adhesion of the soft
+/// cohesive pair styles have carried. Doc: docs/lammps-package/compute_gran_stress.md
+class ComputeGranStress : public Compute {
+ public:
+  ComputeGranStress(class LAMMPS*, int, char**);
+  ~ComputeGranStress() override;
+
+  void init() override {}
+  void compute_array() override;
+
+ private:
+  class FixEventStep* step;
+};
+
+}  // namespace LAMMPS_NS
+
+#endif
+#endif

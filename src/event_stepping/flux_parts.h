@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+
+#include "event_stepping/cohesive_contact.h"
+#include "momentum_flux.h"
+
+namespace cohesion::event_stepping {
+
+/// Momentum flux of contacts (momentum_flux.h) by what carries it.
+struct FluxParts {
+  /// Spring, dashpot and friction; the force between surfaces apart, or that glues them.
+  enum Part { contact, adhesion, parts };
+  std::array<MomentumFlux, parts> of{};
+
+  /// One step of a pair that stands at `separation` on the grid: `share` of it. `on_j` is all of
+  /// the impulse on j [momentum], friction included.
+  ///
+  /// Adhesion is what is left when spring and dashpot, along the line of centres on the grid, and
+  /// friction are taken off. That line is the mean one of the step up to (angle turned in it)^2:
+  /// so much of the repulsion may be found in the wrong part; nothing, where nothing attracts.
+  template <class Contact>
+  void add(double share, const Contact& c, const Vector3& separation, const PairStep& step,
+           const FrictionStep& sliding, const Vector3& on_j) {
+    const double repulsion = step.normal.repulsion_impulse;
+    const Vector3 by_contact =
+        c.attracts() ? repulsion / norm(separation) * separation + sliding.spring.impulse : on_j;
+    add(contact, share, momentum_flux(separation, by_contact));
+    add(adhesion, share, momentum_flux(separation, on_j - by_contact));
+  }
+
+ private:
+  void add(Part part, double share, const MomentumFlux& flux) {
+    for (std::size_t k = 0; k < flux.size(); k++) of[part][k] += share * flux[k];
+  }
+};
+
+}  // namespace cohesion::event_stepping
