@@ -11,6 +11,7 @@
 #include "fix_event_step.h"
 #include "fix_gas_coupling.h"
 #include "fix_hard_events.h"
+#include "fix_stationary.h"
 #include "fix_wall_gran_hamaker.h"
 #include "fix_wall_gran_square_well.h"
 #include "fix_wall_hamaker.h"
@@ -63,6 +64,7 @@ constexpr Row fixes[] = {
     {"agglomerates", &make<FixAgglomerates>},
     {"deform/shear", &make<FixDeformShear>},
     {"gas/coupling", &make<FixGasCoupling>},
+    {"stationary", &make<FixStationary>},
     {"wall/gran/hamaker", &make<FixWallGranHamaker>},
     {"wall/gran/square_well", &make<FixWallGranSquareWell>},
     {"wall/hamaker", &make<FixWallHamaker>},

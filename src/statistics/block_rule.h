@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "statistics/watched_series.h"
+#include "validation.h"
+
+namespace cohesion::statistics {
+
+/// What a watched number is made of, and how far it may move.
+struct Watched {
+  std::size_t terms;  ///< ratios whose sum it is
+  double tolerance;   ///< of the relative change from block to block [1]
+};
+
+/// Tells when blocks of a run are alike: M. Weber, thesis, chapter 4. From a progress of `start` on
+/// (in any unit that grows with the run: collisions per particle, time, strain) the run is cut into
+/// blocks of equal progress. The rule is met when every watched number, averaged over the last
+/// block, differs from that of the block before by less than its tolerance.
+///
+/// Two blocks that end a run have been chosen for being alike, so their difference says nothing
+/// about the error. That comes from all blocks, each cut into batches.
+class BlockRule {
+ public:
+  static constexpr int batches_per_block = 16;
+
+  /// Throws InvalidParameter for a start below zero, a block or tolerance that is not above.
+  BlockRule(double start, double block, const std::vector<Watched>& watched)
+      : start_(start), batch_(block / batches_per_block) {
+    require_non_negative("start", start);
+    require_positive("block", block);
+    for (const Watched& w : watched) {
+      require_positive("tolerance", w.tolerance);
+      tolerances_.push_back(w.tolerance);
+      series_.emplace_back(w.terms);
+      open_.resize(open_.size() + w.terms);
+    }
+  }
+
+  /// The progress since the run began, and what the terms of all watched numbers, one after the
+  /// other, have gained since the sample before. True when a block has ended. Where samples are
+  /// farther apart than batches or blocks these are longer.
+  bool add(double progress, const std::vector<Ratio>& gains) {
+    if (progress < start_) return false;
+    const double now = std::floor((progress - start_) / batch_);
+    if (batches_passed_ < 0.0) {
+      batches_passed_ = now;
+      return false;
+    }
+    for (std::size_t k = 0; k < gains.size(); k++) open_[k] += gains[k];
+    if (now <= batches_passed_) return false;
+    const bool block_ended = whole_blocks(now) > whole_blocks(batches_passed_);
+    batches_passed_ = now;
+    close_batch();
+    if (block_ended) ends_.push_back(series_.front().batches());
+    return block_ended;
+  }
+
+  int blocks() const { return static_cast<int>(ends_.size()); }
+  std::size_t watched() const { return series_.size(); }
+
+  bool met() const {
+    for (std::size_t w = 0; w < watched(); w++)
+      if (!(change(w) < tolerances_[w])) return false;
+    return true;
+  }
+
+  /// Of a watched number between the last two blocks: difference over mean size [1]; 0 where both
+  /// are the same, 0 included; infinite while there are fewer than two blocks.
+  double change(std::size_t w) const {
+    if (blocks() < 2) return std::numeric_limits<double>::infinity();
+    const double now = in_block(w, blocks() - 1), before = in_block(w, blocks() - 2);
+    if (now == before) return 0.0;
+    return std::abs(now - before) / (0.5 * (std::abs(now) + std::abs(before)));
+  }
+
+  /// Of a watched number, in block b counted from 0.
+  double in_block(std::size_t w, int b) const {
+    return series_[w].over(b > 0 ? ends_[b - 1] : 0, ends_[b]);
+  }
+
+  /// Of a watched number, over all batches since the start.
+  Mean mean(std::size_t w) const { return series_[w].mean(); }
+
+  /// All that the rule remembers, as plain numbers.
+  std::vector<double> state() const {
+    std::vector<double> numbers{batches_passed_, static_cast<double>(ends_.size()),
+                                static_cast<double>(series_.front().batches())};
+    for (const std::size_t end : ends_) numbers.push_back(static_cast<double>(end));
+    append(numbers, open_);
+    for (const WatchedSeries& series : series_) append(numbers, series.sums());
+    return numbers;
+  }
+
+  /// Goes on from the state of a rule that watched as many terms. Throws InvalidParameter when it
+  /// was another.
+  void restore(const std::vector<double>& numbers) {
+    const std::size_t head = 3, n = numbers.size();
+    const std::size_t blocks = n < head ? 0 : static_cast<std::size_t>(numbers[1]);
+    const std::size_t batches = n < head ? 0 : static_cast<std::size_t>(numbers[2]);
+    require(n == head + blocks + 2 * open_.size() * (1 + batches), "numbers in the restart",
+            static_cast<double>(n), "watch the same values as the run that wrote it");
+    batches_passed_ = numbers[0];
+    const double* at = numbers.data() + head;
+    ends_.clear();
+    for (std::size_t b = 0; b < blocks; b++) ends_.push_back(static_cast<std::size_t>(*at++));
+    const auto next = [&at] {
+      const Ratio ratio{at[0], at[1]};
+      at += 2;
+      return ratio;
+    };
+    for (Ratio& ratio : open_) ratio = next();
+    for (WatchedSeries& series : series_) {
+      series = WatchedSeries(series.terms());
+      std::vector<Ratio> batch(series.terms());
+      for (std::size_t i = 0; i < batches; i++) {
+        for (Ratio& ratio : batch) ratio = next();
+        series.add(batch.data());
+      }
+    }
+  }
+
+ private:
+  static double whole_blocks(double batches) { return std::floor(batches / batches_per_block); }
+
+  void close_batch() {
+    const Ratio* batch = open_.data();
+    for (WatchedSeries& series : series_) {
+      series.add(batch);
+      batch += series.terms();
+    }
+    open_.assign(open_.size(), {});
+  }
+
+  static void append(std::vector<double>& numbers, const std::vector<Ratio>& ratios) {
+    for (const Ratio& ratio : ratios) {
+      numbers.push_back(ratio.above);
+      numbers.push_back(ratio.below);
+    }
+  }
+
+  double start_, batch_;
+  double batches_passed_ = -1.0;  // whole batches since the start; below 0: not there yet
+  std::vector<double> tolerances_;
+  std::vector<WatchedSeries> series_;
+  std::vector<Ratio> open_;        // of the batch that has not ended
+  std::vector<std::size_t> ends_;  // of blocks: batches up to there
+};
+
+}  // namespace cohesion::statistics

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "statistics/blocking.h"
+
+namespace cohesion::statistics {
+
+/// A mean as a ratio of two sums that grow: values over samples, or the growth of a total over
+/// time, or that of one total over another's. `above` has the unit of the mean times that of
+/// `below`.
+struct Ratio {
+  double above = 0.0, below = 0.0;
+
+  Ratio& operator+=(const Ratio& other) {
+    above += other.above;
+    below += other.below;
+    return *this;
+  }
+  /// 0 where nothing was counted.
+  double value() const { return below != 0.0 ? above / below : 0.0; }
+};
+
+struct Mean {
+  double value = 0.0, error = 0.0;  ///< with its standard error, same unit
+};
+
+/// One watched number, the sum of some ratios, over batches of a run. Over any stretch each ratio
+/// is the sum of its `above` over that of its `below`: long batches count for more, and batches in
+/// which nothing happened do no harm.
+class WatchedSeries {
+ public:
+  explicit WatchedSeries(std::size_t terms) : terms_(terms) {}
+
+  std::size_t terms() const { return terms_; }
+  std::size_t batches() const { return sums_.size() / terms_; }
+  /// All batches, terms within batches.
+  const std::vector<Ratio>& sums() const { return sums_; }
+
+  /// Adds a batch: one ratio per term, from `batch` on.
+  void add(const Ratio* batch) { sums_.insert(sums_.end(), batch, batch + terms_); }
+
+  /// Over batches first to last - 1.
+  double over(std::size_t first, std::size_t last) const {
+    double value = 0.0;
+    for (const Ratio& total : totals(first, last)) value += total.value();
+    return value;
+  }
+
+  /// Over all batches. The error is that of a ratio estimator (W. G. Cochran, Sampling Techniques,
+  /// 3rd ed., 1977, eq. 6.13): what batch i adds to it is the sum over terms of
+  /// (above_i - value below_i)/(mean of below), and these are blocked.
+  Mean mean() const {
+    const std::size_t n = batches();
+    const std::vector<Ratio> all = totals(0, n);
+    std::vector<double> residuals(n, 0.0);
+    for (std::size_t i = 0; i < n; i++)
+      for (std::size_t k = 0; k < terms_; k++) {
+        const Ratio& batch = sums_[i * terms_ + k];
+        if (all[k].below != 0.0)
+          residuals[i] +=
+              (batch.above - all[k].value() * batch.below) * static_cast<double>(n) / all[k].below;
+      }
+    return {over(0, n), Blocking(residuals).error()};
+  }
+
+ private:
+  std::vector<Ratio> totals(std::size_t first, std::size_t last) const {
+    std::vector<Ratio> all(terms_);
+    for (std::size_t i = first * terms_; i < last * terms_; i++) all[i % terms_] += sums_[i];
+    return all;
+  }
+
+  std::size_t terms_;
+  std::vector<Ratio> sums_;
+};
+
+}  // namespace cohesion::statistics
