@@ -28,6 +28,7 @@ ContactParameters LAMMPS_NS::mixed(const ContactParameters& p, const ContactPara
   m.tangential_ratio = mean(p.tangential_ratio, q.tangential_ratio);
   m.tangential_damping_ratio = mean(p.tangential_damping_ratio, q.tangential_damping_ratio);
   m.friction = mean(p.friction, q.friction);
+  m.rolling_friction = mean(p.rolling_friction, q.rolling_friction);
   return m;
 }
 
