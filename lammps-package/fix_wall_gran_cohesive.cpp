@@ -33,8 +33,8 @@ FixWallGranCohesive<Cohesion>::FixWallGranCohesive(LAMMPS* lammps, int narg, cha
       step(nullptr),
       summed(false) {
   read(narg, arg);
-  if (given.contact.friction > 0.0) per_wall = WITH_FRICTION;
-  if (given.contact.rolling_friction > 0.0) per_wall = WITH_ROLLING;
+  if (parameters.contact.friction > 0.0) per_wall = WITH_FRICTION;
+  if (parameters.contact.rolling_friction > 0.0) per_wall = WITH_ROLLING;
   mine.assign(3 * walls.size(), 0.0);
   total = mine;
 
@@ -97,10 +97,10 @@ void FixWallGranCohesive<Cohesion>::read(int narg, char** arg) {
   from_words.finish();
   walls = from_words.walls;
   motion = from_words.motion;
-  given = cohesive_contact_from_script<Cohesion>(
+  parameters = cohesive_contact_from_script<Cohesion>(
       lmp, where, 0, static_cast<int>(contact_words.size()), contact_words.data());
-  given = attraction.scaled(lmp, where, given);
-  law = attraction.law(lmp, where, given);
+  parameters = attraction.scaled(lmp, where, parameters);
+  law = attraction.law(lmp, where, parameters);
   if (scheme == Scheme::sampled) contacts.template emplace<static_cast<int>(Scheme::sampled)>();
 }
 
@@ -133,7 +133,7 @@ void FixWallGranCohesive<Cohesion>::give_advice() {
         {fmt::format("{} - wall", type),
          lightest[type],
          {infinite, infinite},
-         given.contact,
+         parameters.contact,
          Cohesion::template of_wall<cohesion::contact::Adhesion>(law, lightest[type].radius)});
   }
   advise(lmp, where, limits_of(scheme), advised);
@@ -146,7 +146,7 @@ std::size_t FixWallGranCohesive<Cohesion>::contact(std::vector<Contact>& shared,
   const Body particle = step->body(i), wall{0.0, 0.0};
   if (shared.empty() || !shared.back().joins(particle, wall))
     shared.emplace_back(
-        given.contact,
+        parameters.contact,
         Cohesion::template of_wall<typename Contact::Attraction>(law, particle.radius), particle,
         wall, step->window());
   return shared.size() - 1;
@@ -193,7 +193,7 @@ void FixWallGranCohesive<Cohesion>::follow_alone(std::vector<Contact>& shared) {
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
     const Vector3 centre = vector(atom->x[i]);
-    const double range = Cohesion::range(scheme, given, atom->radius[i], 0.0);
+    const double range = Cohesion::range(scheme, parameters, atom->radius[i], 0.0);
     for (int w = 0; w < static_cast<int>(walls.size()); w++) {
       double& inside = *history_of(i, w);
       const WallPoint point = walls[w].nearest(centre, now, motion.rim_speed);
@@ -215,13 +215,14 @@ void FixWallGranCohesive<Cohesion>::follow_alone(std::vector<Contact>& shared) {
       step->announce(i);
       if constexpr (Contact::acts_within_step) {
         PairMotion& alone = active.back().alone;
-        const PairMotion motion{grid, vector(atom->omega[i]), {}};
+        const PairMotion turning{grid, vector(atom->omega[i]), {}};
         const PairStep normal = shared[c].advance(grid, inside != 0.0);
         alone =
-            shared[c].template alone<FRICTION>(motion, normal, spring_memory<FRICTION>(&inside));
+            shared[c].template alone<FRICTION>(turning, normal, spring_memory<FRICTION>(&inside));
         add_alone<FRICTION>(step->alone[i], -1.0, shared[c].share_i(), alone);
         if (ROLLING)
-          rolled.push_back(roll_alone(shared[c], motion, normal, &inside, step->alone[i], nullptr));
+          rolled.push_back(
+              roll_alone(shared[c], turning, normal, &inside, step->alone[i], nullptr));
       }
     }
   }
@@ -253,18 +254,18 @@ void FixWallGranCohesive<Cohesion>::follow_together(const std::vector<Contact>& 
     const int i = near.i;
     const Contact& c = shared[near.contact];
     const RelativeState grid{near.point.separation, near.point.velocity - vector(atom->v[i])};
-    const PairMotion motion{grid, vector(atom->omega[i]), {}};
+    const PairMotion turning{grid, vector(atom->omega[i]), {}};
     double* const kept = history_of(i, near.wall);
     PairMotion others;
     if (Contact::acts_within_step)
       others = others_of<FRICTION>(step->alone[i], nullptr, near.alone);
-    const FollowedContact now = follow_with_others<FRICTION>(c, motion, others, kept);
+    const FollowedContact now = follow_with_others<FRICTION>(c, turning, others, kept);
     scatter.on_i<FRICTION>(i, c.share_i(), now);
     scatter.book(c, 1.0, now);
     if (ROLLING) {
       if (Contact::acts_within_step)
         others = others_of_rolling(others, near.alone, c, rolled[&near - active.data()]);
-      const RollingStep rolling = roll_with_others(c, motion, others, now, kept);
+      const RollingStep rolling = roll_with_others(c, turning, others, now, kept);
       scatter.roll_i(i, rolling);
       scatter.book(c, 1.0, rolling);
     }

@@ -80,7 +80,7 @@ class FixWallGranCohesive : public Fix, public EventContacts {
   std::string where;  // in front of messages
   Scheme scheme;
   Cohesion attraction;
-  typename Cohesion::Parameters given;  // with adhesion scaled, if wished
+  typename Cohesion::Parameters parameters;  // with adhesion scaled, if wished
   typename Cohesion::Law law;
   std::vector<Wall> walls;
   cohesion::event_stepping::WallMotion motion;

@@ -6,9 +6,11 @@
 
 #include <algorithm>
 #include <cstring>
+#include <string>
 #include <vector>
 
 #include "atom.h"
+#include "error.h"
 #include "fix.h"
 #include "lammps.h"
 #include "modify.h"
@@ -35,6 +37,18 @@ inline std::vector<double> largest_radii(LAMMPS* lmp) {
   MPI_Allreduce(mine.data(), all.data(), static_cast<int>(mine.size()), MPI_DOUBLE, MPI_MAX,
                 lmp->world);
   return all;
+}
+
+/// Stops LAMMPS at a particle that outgrew `largest` of its type since a run was set up; `where`
+/// stands in front of the message.
+inline void check_radii(LAMMPS* lmp, const std::string& where, const std::vector<double>& largest) {
+  const Atom* atom = lmp->atom;
+  for (int i = 0; i < atom->nlocal; i++)
+    if (atom->radius[i] > largest[atom->type[i]])
+      lmp->error->one(FLERR,
+                      "{}: particle {} of type {} has radius {}, its type had at most {} when the "
+                      "run was set up; end the run before particles grow, and start a new one",
+                      where, atom->tag[i], atom->type[i], atom->radius[i], largest[atom->type[i]]);
 }
 
 }  // namespace LAMMPS_NS

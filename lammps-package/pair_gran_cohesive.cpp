@@ -3,11 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <string>
 
 #include "atom.h"
-#include "comm.h"
 #include "contact_advice.h"
 #include "engine_api.h"
 #include "error.h"
@@ -25,16 +23,14 @@ using namespace LAMMPS_NS;
 using namespace cohesion::event_stepping;
 using cohesion::Vector3;
 
-static constexpr int HISTORY = 4;
-
 template <class Cohesion>
 PairGranCohesive<Cohesion>::PairGranCohesive(LAMMPS* lammps)
     : Pair(lammps),
-      atom_types(0),
-      scheme(Scheme::event),
+      coefficients(lammps),
+      close(lammps),
       largest_range(0.0),
-      list_reach(0.0),
       friction(false),
+      per_pair(0),
       step(nullptr),
       history(modify, Cohesion::HISTORY_ID) {
   single_enable = 0;
@@ -55,11 +51,11 @@ PairGranCohesive<Cohesion>::~PairGranCohesive() {
 template <class Cohesion>
 void PairGranCohesive<Cohesion>::allocate() {
   allocated = 1;
-  atom_types = atom->ntypes;
-  memory->create(setflag, atom_types + 1, atom_types + 1, "pair:setflag");
-  memory->create(cutsq, atom_types + 1, atom_types + 1, "pair:cutsq");
-  for (int i = 1; i <= atom_types; i++) std::fill_n(setflag[i], atom_types + 1, 0);
-  given.assign((atom_types + 1) * (atom_types + 1), {});
+  const int types = atom->ntypes;
+  memory->create(setflag, types + 1, types + 1, "pair:setflag");
+  memory->create(cutsq, types + 1, types + 1, "pair:cutsq");
+  for (int i = 1; i <= types; i++) std::fill_n(setflag[i], types + 1, 0);
+  coefficients.make_room(types, setflag);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -68,7 +64,7 @@ template <class Cohesion>
 void PairGranCohesive<Cohesion>::compute(int eflag, int vflag) {
   ev_init(eflag, vflag);
   if (update->whichflag == 2)
-    error->all(FLERR, where() + " follows motion in time; it cannot be minimized");
+    error->all(FLERR, coefficients.where() + " follows motion in time; it cannot be minimized");
   std::visit(
       [this](auto& contacts) {
         if (step->resumes()) {
@@ -76,9 +72,12 @@ void PairGranCohesive<Cohesion>::compute(int eflag, int vflag) {
           return;
         }
         if (Cohesion::HAS_CONTACT && update->setupflag) give_advice();
-        if (neighbor->ago == 0) check_radii();
+        if (neighbor->ago == 0) check_radii(lmp, coefficients.where(), largest_radius);
         find_active(contacts);
-        friction ? follow<true>(contacts) : follow<false>(contacts);
+        if (per_pair == WITH_ROLLING)
+          follow<true, true>(contacts);
+        else
+          friction ? follow<true, false>(contacts) : follow<false, false>(contacts);
       },
       any_contacts);
 }
@@ -95,90 +94,28 @@ inline PairMotion PairGranCohesive<Cohesion>::with_spins(const RelativeState& gr
 }
 
 template <class Cohesion>
-template <bool FRICTION, class Contact>
+template <bool FRICTION, bool ROLLING, class Contact>
 void PairGranCohesive<Cohesion>::follow(Contacts<Contact>& contacts) {
-  if constexpr (Contact::acts_within_step) follow_alone<FRICTION>(contacts);
-  evflag ? follow_together<true, FRICTION>(contacts) : follow_together<false, FRICTION>(contacts);
+  if constexpr (Contact::acts_within_step) follow_alone<FRICTION, ROLLING>(contacts);
+  evflag ? follow_together<true, FRICTION, ROLLING>(contacts)
+         : follow_together<false, FRICTION, ROLLING>(contacts);
 }
 
 /// Pairs of equal particles that come one after the other share a contact.
 template <class Cohesion>
 template <class Contact>
 inline int PairGranCohesive<Cohesion>::contact(Contacts<Contact>& contacts, int i, int j) {
-  const int types = of_types(atom->type[i], atom->type[j]);
+  const int types = coefficients.of_types(atom->type[i], atom->type[j]);
   const Body a = step->body(i), b = step->body(j);
   int& last = contacts.last[types];
   if (last == Contacts<Contact>::NONE || !contacts.all[last].joins(a, b)) {
     last = static_cast<int>(contacts.all.size());
     contacts.all.emplace_back(
-        used[types].contact,
-        Cohesion::template of_pair<typename Contact::Attraction>(laws[types], a.radius, b.radius),
+        coefficients.contact(types),
+        coefficients.template attraction<typename Contact::Attraction>(types, a.radius, b.radius),
         a, b, step->window());
   }
   return last;
-}
-
-/// By how much the gap of a pair may have shrunk since `close` was made, [length].
-template <class Cohesion>
-double PairGranCohesive<Cohesion>::come_closer() const {
-  const double* const now = atom->x[0];
-  const double* const then = positions.data();
-  const double* const radius = atom->radius;
-  double furthest = 0.0, growth = 0.0;
-  for (std::size_t k = 0; k < positions.size(); k += 3) {
-    const double dx = now[k] - then[k], dy = now[k + 1] - then[k + 1],
-                 dz = now[k + 2] - then[k + 2];
-    furthest = std::max(furthest, dx * dx + dy * dy + dz * dz);
-  }
-  for (std::size_t i = 0; i < radii.size(); i++) growth = std::max(growth, radius[i] - radii[i]);
-  return 2.0 * (std::sqrt(furthest) + growth);
-}
-
-/// Most pairs of the engine's list are a skin apart. Those whose gap is below `list_reach` are
-/// enough until particles have moved or grown so far that others could come as near as `reach`.
-template <class Cohesion>
-void PairGranCohesive<Cohesion>::find_close(double reach) {
-  if (neighbor->ago != 0 && !positions.empty() && reach + come_closer() <= list_reach) return;
-  close.clear();
-  const int all = atom->nlocal + atom->nghost;
-  if (all == 0) return;
-  positions.assign(atom->x[0], atom->x[0] + 3 * all);
-  radii.assign(atom->radius, atom->radius + all);
-  const double* const x = atom->x[0];
-  const double* const radius = atom->radius;
-  for (int ii = 0; ii < list->inum; ii++) {
-    const int i = list->ilist[ii];
-    const int* const neighbors = list->firstneigh[i];
-    const int count = list->numneigh[i];
-    const double xi = x[3 * i], yi = x[3 * i + 1], zi = x[3 * i + 2];
-    // With room for what other contacts do to a pair within a step.
-    const double near_i = 1.0001 * radius[i] + list_reach;
-    const std::size_t before = close.size();
-    close.resize(before + count);
-    Close* last = close.data() + before;
-    for (int jj = 0; jj < count; jj++) {
-      const int j = neighbors[jj] & NEIGHMASK;
-      const double dx = x[3 * j] - xi;
-      const double dy = x[3 * j + 1] - yi;
-      const double dz = x[3 * j + 2] - zi;
-      const double near = near_i + radius[j];
-      *last = {i, j, jj};  // no branch: which pairs are near cannot be predicted
-      last += dx * dx + dy * dy + dz * dz <= near * near;
-    }
-    close.resize(last - close.data());
-    if (neighbor->ago == 0) forget_others(i, close.data() + before, last);
-  }
-}
-
-/// Only a particle that was put elsewhere can have left a partner that is not near any more.
-template <class Cohesion>
-void PairGranCohesive<Cohesion>::forget_others(int i, const Close* near, const Close* end) {
-  for (int jj = 0; jj < list->numneigh[i]; jj++) {
-    if (near != end && near->place == jj)
-      near++;
-    else
-      history->firstflag[i][jj] = 0;
-  }
 }
 
 /// The pairs that may touch in this step.
@@ -189,15 +126,16 @@ void PairGranCohesive<Cohesion>::find_active(Contacts<Contact>& contacts) {
   contacts.clear();
   const bool first = step->window().before == 0.0;
   const double reach = largest_range + 2.0 * step->flight();
-  if (reach > list_reach)
+  if (reach > close.allowed())
     error->one(FLERR,
                "{}: particles fly up to {} in half a step and could miss a "
                "contact, the neighbour list allows for {}: use a smaller time step or a skin above "
                "{}",
-               where(), step->flight(), 0.5 * (list_reach - largest_range), 20.0 * step->flight());
-  find_close(reach);
+               coefficients.where(), step->flight(), 0.5 * (close.allowed() - largest_range),
+               20.0 * step->flight());
+  close.update(*list, reach, history->firstflag);
 
-  for (const Close& pair : close) {
+  for (const ClosePair& pair : close) {
     const int i = pair.i, j = pair.j;
     const double near = atom->radius[i] + atom->radius[j] + reach;
     const Vector3 d = vector(atom->x[j]) - vector(atom->x[i]);
@@ -207,8 +145,8 @@ void PairGranCohesive<Cohesion>::find_active(Contacts<Contact>& contacts) {
     const int c = contact(contacts, i, j);
     const RelativeState grid = on_grid(i, j);
     if (!kept && !contacts.all[c].within_reach(grid)) continue;
-    double* const values = &history->firstvalue[i][HISTORY * pair.place];
-    if (!kept) std::fill_n(values, HISTORY, 0.0);
+    double* const values = &history->firstvalue[i][per_pair * pair.place];
+    if (!kept) std::fill_n(values, per_pair, 0.0);
     // A pair that a run starts with is where it is; it did not fall into the range.
     if (first && !kept)
       values[0] =
@@ -223,25 +161,29 @@ void PairGranCohesive<Cohesion>::find_active(Contacts<Contact>& contacts) {
 /// Flattened, as the next one: the laws are many small functions, and calls cost a packing a
 /// quarter.
 template <class Cohesion>
-template <bool FRICTION, class Contact>
+template <bool FRICTION, bool ROLLING, class Contact>
 [[gnu::flatten]] void PairGranCohesive<Cohesion>::follow_alone(Contacts<Contact>& contacts) {
+  if (ROLLING) rolled.assign(active.size(), {});
   for (Active& pair : active) {
     const int i = pair.i, j = pair.j;
-    pair.alone = step->has_one_contact(i) && step->has_one_contact(j);
+    pair.alone = !ROLLING && step->has_one_contact(i) && step->has_one_contact(j);
     if (pair.alone) continue;
     const Contact& c = contacts.all[pair.contact];
-    pair.change =
-        c.template alone<FRICTION>(with_spins(on_grid(i, j), i, j), pair.history[0] != 0.0,
-                                   spring_memory<FRICTION>(pair.history));
+    const PairMotion motion = with_spins(on_grid(i, j), i, j);
+    const PairStep normal = c.advance(motion.relative, pair.history[0] != 0.0);
+    pair.change = c.template alone<FRICTION>(motion, normal, spring_memory<FRICTION>(pair.history));
     add_alone<FRICTION>(step->alone[i], -1.0, c.share_i(), pair.change);
     add_alone<FRICTION>(step->alone[j], 1.0, c.share_j(), pair.change);
+    if (ROLLING)
+      rolled[&pair - active.data()] =
+          roll_alone(c, motion, normal, pair.history, step->alone[i], step->alone[j]);
   }
   step->share();
 }
 
 /// Every contact again, with half of what the other contacts of its particles do, and friction.
 template <class Cohesion>
-template <bool TALLY, bool FRICTION, class Contact>
+template <bool TALLY, bool FRICTION, bool ROLLING, class Contact>
 [[gnu::flatten]] void PairGranCohesive<Cohesion>::follow_together(Contacts<Contact>& contacts) {
   const int nlocal = atom->nlocal;
   const ContactScatter scatter(atom, step);
@@ -252,13 +194,21 @@ template <bool TALLY, bool FRICTION, class Contact>
     PairMotion others;
     if (Contact::acts_within_step && !pair.alone)
       others = others_of<FRICTION>(step->alone[i], step->alone[j], pair.change);
-    const FollowedContact now =
-        follow_with_others<FRICTION>(c, with_spins(on_grid(i, j), i, j), others, pair.history);
+    const PairMotion motion = with_spins(on_grid(i, j), i, j);
+    const FollowedContact now = follow_with_others<FRICTION>(c, motion, others, pair.history);
     *pair.kept = now.normal.inside;
 
     scatter.on_i<FRICTION>(i, c.share_i(), now);
     if (j < nlocal) scatter.on_j<FRICTION>(j, c.share_j(), now);
     scatter.book(c, j < nlocal ? 1.0 : 0.5, now);
+    if (ROLLING) {
+      if (Contact::acts_within_step)
+        others = others_of_rolling(others, pair.change, c, rolled[&pair - active.data()]);
+      const RollingStep rolling = roll_with_others(c, motion, others, now, pair.history);
+      scatter.roll_i(i, rolling);
+      if (j < nlocal) scatter.roll_j(j, rolling);
+      scatter.book(c, j < nlocal ? 1.0 : 0.5, rolling);
+    }
     if (TALLY) {
       const RelativeState d = on_grid(i, j);
       const Vector3 on_i = -scatter.kick() * now.impulse;
@@ -282,7 +232,7 @@ void PairGranCohesive<Cohesion>::tally_standing(Contacts<Contact>& contacts) {
       const Vector3 d = on_grid(i, j).separation;
       PairStep standing;
       standing.overlap_at_end = atom->radius[i] + atom->radius[j] - norm(d);
-      standing.inside = history->firstvalue[i][HISTORY * jj] != 0.0;
+      standing.inside = history->firstvalue[i][per_pair * jj] != 0.0;
       ev_tally_xyz(i, j, atom->nlocal, 0, c.spring_energy(standing) + c.adhesion_energy(standing),
                    0.0, 0.0, 0.0, 0.0, -d.x, -d.y, -d.z);
     }
@@ -295,7 +245,7 @@ void PairGranCohesive<Cohesion>::append_bound(std::vector<std::array<int, 2>>& p
   for (int ii = 0; ii < list->inum; ii++) {
     const int i = list->ilist[ii];
     for (int jj = 0; jj < list->numneigh[i]; jj++)
-      if (history->firstflag[i][jj] && history->firstvalue[i][HISTORY * jj] != 0.0)
+      if (history->firstflag[i][jj] && history->firstvalue[i][per_pair * jj] != 0.0)
         pairs.push_back({i, list->firstneigh[i][jj] & NEIGHMASK});
   }
 }
@@ -304,28 +254,7 @@ void PairGranCohesive<Cohesion>::append_bound(std::vector<std::array<int, 2>>& p
 
 template <class Cohesion>
 void PairGranCohesive<Cohesion>::settings(int narg, char** arg) {
-  if (!Cohesion::HAS_CONTACT && narg > 0)
-    error->all(FLERR, where() + " takes no keywords, not '" + arg[0] + "'");
-  for (int i = 0; i < narg; i += 2) {
-    const std::string word = arg[i];
-    if (word != "scheme" && !is_setting<Cohesion>(word))
-      error->all(FLERR, where() + ": unknown keyword '" + word +
-                            "'; valid ones: " + setting_names<Cohesion>());
-    if (i + 1 == narg) error->all(FLERR, where() + ": " + word + " takes a name");
-    if (word == "scheme")
-      scheme = scheme_from_script(lmp, where(), arg[i + 1]);
-    else
-      attraction.set(lmp, where(), word, arg[i + 1]);
-  }
-}
-
-template <class Cohesion>
-typename Cohesion::Parameters PairGranCohesive<Cohesion>::read(const std::string& here, int first,
-                                                               int narg, char** arg) {
-  if constexpr (Cohesion::HAS_CONTACT)
-    return cohesive_contact_from_script<Cohesion>(lmp, here, first, narg, arg);
-  else
-    return Cohesion::from_script(lmp, here, first, narg, arg);
+  coefficients.read_settings(narg, arg);
 }
 
 template <class Cohesion>
@@ -334,93 +263,72 @@ void PairGranCohesive<Cohesion>::coeff(int narg, char** arg) {
     error->all(FLERR, std::string("pair_coeff of ") + Cohesion::STYLE + " takes 'i j " +
                           Cohesion::COEFFICIENTS);
   if (!allocated) allocate();
-  int ilo, ihi, jlo, jhi;
-  utils::bounds(FLERR, arg[0], 1, atom->ntypes, ilo, ihi, error);
-  utils::bounds(FLERR, arg[1], 1, atom->ntypes, jlo, jhi, error);
-  const std::string here =
-      std::string("pair_coeff ") + arg[0] + " " + arg[1] + " of " + Cohesion::STYLE;
-  const Parameters p = read(here, 2, narg, arg);
-  int count = 0;
-  for (int i = ilo; i <= ihi; i++)
-    for (int j = std::max(jlo, i); j <= jhi; j++) {
-      given[of_types(i, j)] = p;
-      given[of_types(j, i)] = Cohesion::reversed(p);
-      setflag[i][j] = 1;
-      count++;
-    }
-  if (count == 0) error->all(FLERR, here + " names no pair with i <= j");
+  coefficients.read(narg, arg);
 }
 
 template <class Cohesion>
 void PairGranCohesive<Cohesion>::init_style() {
   if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag || !atom->torque_flag)
-    error->all(FLERR, where() + " acts between spheres; use 'atom_style sphere'");
+    error->all(FLERR, coefficients.where() + " acts between spheres; use 'atom_style sphere'");
   step = FixEventStep::of(lmp);
   largest_radius = largest_radii(lmp);
-  laws.assign(given.size(), attraction.no_law());
-  used = given;
-  if (scheme == Scheme::event)
-    any_contacts.template emplace<static_cast<int>(Scheme::event)>().last.resize(given.size());
+  coefficients.start();
+  if (coefficients.scheme() == Scheme::event)
+    any_contacts.template emplace<static_cast<int>(Scheme::event)>();
   else
-    any_contacts.template emplace<static_cast<int>(Scheme::sampled)>().last.resize(given.size());
+    any_contacts.template emplace<static_cast<int>(Scheme::sampled)>();
+  std::visit([this](auto& contacts) { contacts.last.resize(coefficients.pairs_of_types()); },
+             any_contacts);
   friction = false;
-  positions.clear();
-  // A tenth of the skin for the flight of both within half a step: it is far less where the
-  // engine's own check of the list holds at all.
   largest_range = 0.0;
-  list_reach = 0.1 * neighbor->skin;
+  close.start(for_flight());
   engine_api::request_history_list(neighbor, this, instance_me);
-  history.init(this, HISTORY);
+  const int needed = values_per_pair();
+  if (per_pair == 0) per_pair = needed;
+  if (per_pair < needed)
+    error->all(FLERR,
+               coefficients.where() +
+                   ": rolling_friction cannot begin here: the contacts of the run before, or "
+                   "of the restart file, remember no rolling; give it from the first run on");
+  history.init(this, per_pair);
+}
+
+template <class Cohesion>
+int PairGranCohesive<Cohesion>::values_per_pair() const {
+  return coefficients.any_rolls() ? WITH_ROLLING : WITH_FRICTION;
+}
+
+/// A tenth of the skin for the flight of both within half a step: it is far less where the engine's
+/// own check of the list holds at all.
+template <class Cohesion>
+double PairGranCohesive<Cohesion>::for_flight() const {
+  return 0.1 * neighbor->skin;
 }
 
 template <class Cohesion>
 double PairGranCohesive<Cohesion>::init_one(int i, int j) {
-  Parameters& p = given[of_types(i, j)];
-  if (!setflag[i][j]) {
-    if (!setflag[i][i] || !setflag[j][j])
-      error->all(FLERR, where() + ": no pair_coeff for types " + std::to_string(i) + " and " +
-                            std::to_string(j) + " nor for both of them to mix");
-    p = Cohesion::mixed(given[of_types(i, i)], given[of_types(j, j)]);
-    given[of_types(j, i)] = Cohesion::reversed(p);
-  }
-  const std::string here = where() + ", types " + std::to_string(i) + " and " + std::to_string(j);
-  const Parameters now = attraction.scaled(lmp, here, p);
-  const double range = Cohesion::range(scheme, now, largest_radius[i], largest_radius[j]);
-  used[of_types(j, i)] = Cohesion::reversed(now);
-  used[of_types(i, j)] = now;
-  laws[of_types(j, i)] = attraction.law(lmp, here, used[of_types(j, i)]);
-  laws[of_types(i, j)] = attraction.law(lmp, here, now);
-  friction = friction || now.contact.friction > 0.0;
+  const double range = coefficients.prepare(i, j, largest_radius[i], largest_radius[j]);
+  const auto& contact = coefficients.contact(coefficients.of_types(i, j));
+  friction = friction || contact.friction > 0.0;
   largest_range = std::max(largest_range, range);
-  list_reach = largest_range + 0.1 * neighbor->skin;
-  return largest_radius[i] + largest_radius[j] + range + 0.1 * neighbor->skin;
+  close.start(largest_range + for_flight());
+  return largest_radius[i] + largest_radius[j] + range + for_flight();
 }
 
 template <class Cohesion>
 void PairGranCohesive<Cohesion>::give_advice() {
   const std::vector<LightestParticle> lightest = lightest_particles(lmp, *step);
   std::vector<AdvisedContact> contacts;
-  for (int i = 1; i <= atom_types; i++)
-    for (int j = i; j <= atom_types; j++) {
+  for (int i = 1; i <= atom->ntypes; i++)
+    for (int j = i; j <= atom->ntypes; j++) {
       const LightestParticle &a = lightest[i], &b = lightest[j];
       if (!std::isfinite(a.radius) || !std::isfinite(b.radius)) continue;  // no particles yet
-      contacts.push_back({fmt::format("{} - {}", i, j), a, b, used[of_types(i, j)].contact,
-                          Cohesion::template of_pair<cohesion::contact::Adhesion>(
-                              laws[of_types(i, j)], a.radius, b.radius)});
+      const int types = coefficients.of_types(i, j);
+      contacts.push_back({fmt::format("{} - {}", i, j), a, b, coefficients.contact(types),
+                          coefficients.template attraction<cohesion::contact::Adhesion>(
+                              types, a.radius, b.radius)});
     }
-  advise(lmp, where(), limits_of(scheme), contacts);
-}
-
-template <class Cohesion>
-void PairGranCohesive<Cohesion>::check_radii() {
-  for (int i = 0; i < atom->nlocal; i++)
-    if (atom->radius[i] > largest_radius[atom->type[i]])
-      error->one(FLERR,
-                 "{}: particle {} of type {} has radius {}, its type had at "
-                 "most {} when the run was set up; end the run before particles grow, and start a "
-                 "new one",
-                 where(), atom->tag[i], atom->type[i], atom->radius[i],
-                 largest_radius[atom->type[i]]);
+  advise(lmp, coefficients.where(), limits_of(coefficients.scheme()), contacts);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -428,43 +336,25 @@ void PairGranCohesive<Cohesion>::check_radii() {
 template <class Cohesion>
 void PairGranCohesive<Cohesion>::write_restart(FILE* fp) {
   write_restart_settings(fp);
-  for (int i = 1; i <= atom->ntypes; i++)
-    for (int j = i; j <= atom->ntypes; j++) {
-      fwrite(&setflag[i][j], sizeof(int), 1, fp);
-      fwrite(&given[of_types(i, j)], sizeof(Parameters), 1, fp);
-    }
+  coefficients.write(fp);
 }
 
 template <class Cohesion>
 void PairGranCohesive<Cohesion>::read_restart(FILE* fp) {
   read_restart_settings(fp);
   allocate();
-  for (int i = 1; i <= atom->ntypes; i++)
-    for (int j = i; j <= atom->ntypes; j++) {
-      Parameters& p = given[of_types(i, j)];
-      if (comm->me == 0) {
-        utils::sfread(FLERR, &setflag[i][j], sizeof(int), 1, fp, nullptr, error);
-        utils::sfread(FLERR, &p, sizeof(Parameters), 1, fp, nullptr, error);
-      }
-      MPI_Bcast(&setflag[i][j], 1, MPI_INT, 0, world);
-      MPI_Bcast(&p, sizeof(Parameters), MPI_BYTE, 0, world);
-      given[of_types(j, i)] = Cohesion::reversed(p);
-    }
+  coefficients.read(fp);
+  per_pair = values_per_pair();
 }
 
 template <class Cohesion>
 void PairGranCohesive<Cohesion>::write_restart_settings(FILE* fp) {
-  const int numbers[2] = {attraction.settings(), static_cast<int>(scheme)};
-  fwrite(numbers, sizeof(int), 2, fp);
+  coefficients.write_settings(fp);
 }
 
 template <class Cohesion>
 void PairGranCohesive<Cohesion>::read_restart_settings(FILE* fp) {
-  int numbers[2] = {0, 0};
-  if (comm->me == 0) utils::sfread(FLERR, numbers, sizeof(int), 2, fp, nullptr, error);
-  MPI_Bcast(numbers, 2, MPI_INT, 0, world);
-  attraction.restore_settings(numbers[0]);
-  scheme = static_cast<Scheme>(numbers[1]);
+  coefficients.read_settings(fp);
 }
 
 template class LAMMPS_NS::PairGranCohesive<HamakerCohesion>;

@@ -9,7 +9,8 @@
 #include <vector>
 
 #include "bound_pairs.h"
-#include "cohesive_contact_from_script.h"
+#include "close_pairs.h"
+#include "cohesive_coefficients.h"
 #include "event_contact.h"
 #include "event_stepping/cohesive_contact.h"
 #include "pair.h"
@@ -38,7 +39,6 @@ class PairGranCohesive : public Pair, public BoundPairs {
   void append_bound(std::vector<std::array<int, 2>>&) const override;
 
  private:
-  using Parameters = typename Cohesion::Parameters;
   template <class Pair>
   using ContactOf = cohesion::event_stepping::CohesiveContact<Pair>;
   /// The contacts of a step, and by type pair which of them was used last.
@@ -57,61 +57,45 @@ class PairGranCohesive : public Pair, public BoundPairs {
   using AnyContacts = std::variant<Contacts<ContactOf<typename Cohesion::EventPair>>,
                                    Contacts<ContactOf<typename Cohesion::Sampled>>>;
 
-  /// A pair near enough to become active soon: `place` is that of j in i's list of neighbours.
-  struct Close {
-    int i, j, place;
-  };
   /// A pair that may touch in this step.
   struct Active {
     int i, j;
     int contact;                                  // of those of this step
     bool alone;                                   // neither particle has another contact
     int* kept;                                    // 1 while the pair has a history
-    double* history;                              // in-range flag, memory of the tangential spring
+    double* history;                              // HistorySize
     cohesion::event_stepping::PairMotion change;  // that it would cause without the others
   };
 
   void allocate();
-  int of_types(int i, int j) const { return i * (atom_types + 1) + j; }
+  double for_flight() const;
+  int values_per_pair() const;
   template <class Contact>
   int contact(Contacts<Contact>&, int i, int j);
   cohesion::event_stepping::RelativeState on_grid(int i, int j) const;
   cohesion::event_stepping::PairMotion with_spins(const cohesion::event_stepping::RelativeState&,
                                                   int i, int j) const;
-  template <bool FRICTION, class Contact>
+  template <bool FRICTION, bool ROLLING, class Contact>
   void follow(Contacts<Contact>&);
-  double come_closer() const;
-  void find_close(double reach);
-  void forget_others(int i, const Close* near, const Close* end);
   template <class Contact>
   void find_active(Contacts<Contact>&);
-  template <bool FRICTION, class Contact>
+  template <bool FRICTION, bool ROLLING, class Contact>
   void follow_alone(Contacts<Contact>&);
-  template <bool TALLY, bool FRICTION, class Contact>
+  template <bool TALLY, bool FRICTION, bool ROLLING, class Contact>
   void follow_together(Contacts<Contact>&);
   template <class Contact>
   void tally_standing(Contacts<Contact>&);
-  Parameters read(const std::string& here, int first, int narg, char** arg);
   void give_advice();
-  void check_radii();
 
-  static std::string where() { return std::string("pair_style ") + Cohesion::STYLE; }
-
-  int atom_types;
-  Cohesion attraction;
-  Scheme scheme;
-  std::vector<Parameters> given;             // by type pair
-  std::vector<Parameters> used;              // the same with adhesion scaled, if wished
-  std::vector<typename Cohesion::Law> laws;  // by type pair, built at init
+  CohesiveCoefficients<Cohesion> coefficients;
   AnyContacts any_contacts;
   std::vector<double> largest_radius;  // by type, at init
   std::vector<Active> active;
-  std::vector<Close> close;
-  std::vector<double> radii;      // per atom and ghost, when `close` was made
-  std::vector<double> positions;  // the same; empty: not made
-  double largest_range;           // up to which the scheme has to see a pair
-  double list_reach;              // gap up to which every pair is in the list
-  bool friction;                  // whether any contact has friction
+  std::vector<cohesion::Vector3> rolled;  // with rolling friction, of each: from roll_alone()
+  ClosePairs close;                       // those that may become active
+  double largest_range;                   // up to which the scheme has to see a pair
+  bool friction;                          // whether any contact has friction
+  int per_pair;                           // values of history (HistorySize); 0: not known yet
   class FixEventStep* step;
   PairHistory history;
 };

@@ -53,7 +53,9 @@ void PairHamaker::allocate() {
 
 void PairHamaker::compute(int eflag, int vflag) {
   ev_init(eflag, vflag);
-  if (neighbor->ago == 0) check_radii();
+  if (neighbor->ago == 0)
+    check_radii(lmp, "pair_style hamaker: the outer cut-off is beyond the neighbour range",
+                largest_radius);
   std::visit(
       [this](const auto& chosen) {
         if (evflag) {
@@ -217,16 +219,6 @@ double PairHamaker::init_one(int i, int j) {
       },
       laws);
   return largest_radius[i] + largest_radius[j] + p.outer_cutoff;
-}
-
-void PairHamaker::check_radii() {
-  for (int i = 0; i < atom->nlocal; i++)
-    if (atom->radius[i] > largest_radius[atom->type[i]])
-      error->one(FLERR,
-                 "pair_style hamaker: the outer cut-off is beyond the neighbour range: particle {} "
-                 "of type {} has radius {}, its type had at most {} when the run was set up; end "
-                 "the run before particles grow, and start a new one",
-                 atom->tag[i], atom->type[i], atom->radius[i], largest_radius[atom->type[i]]);
 }
 
 /* ---------------------------------------------------------------------- */

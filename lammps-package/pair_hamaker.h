@@ -51,7 +51,6 @@ class PairHamaker : public Pair {
   Parameters& parameters(int i, int j) { return given[of_types(i, j)]; }
   Parameters mixed(int, int);
   void give(int, int, const Parameters&);
-  void check_radii();
   void check_parameters(const std::string& where, const Parameters&);
   static void write_coefficients(FILE*, const Parameters&);
 

@@ -54,6 +54,7 @@ void PairHardSquareWell::allocate() {
 /// The events have been carried out; what is left is their virial, and the energy of the wells.
 void PairHardSquareWell::compute(int eflag, int vflag) {
   ev_init(eflag, vflag);
+  if (neighbor->ago == 0) check_radii(lmp, "pair_style hard/square_well", largest_radius_);
   if (vflag_either) {
     const double per_time = -1.0 / update->dt;
     for (const Event& event : events_->order().events) {
@@ -100,16 +101,6 @@ Surfaces PairHardSquareWell::surfaces(int i, int j) const {
 }
 
 double PairHardSquareWell::list_reach() const { return REACH * neighbor->skin; }
-
-void PairHardSquareWell::check_radii() const {
-  for (int i = 0; i < atom->nlocal; i++)
-    if (atom->radius[i] > largest_radius_[atom->type[i]])
-      error->one(FLERR,
-                 "pair_style hard/square_well: particle {} of type {} has radius {}, its type had "
-                 "at most {} when the run was set up; end the run before particles grow, and start "
-                 "a new one",
-                 atom->tag[i], atom->type[i], atom->radius[i], largest_radius_[atom->type[i]]);
-}
 
 /* ---------------------------------------------------------------------- */
 

@@ -51,7 +51,6 @@ class PairHardSquareWell : public Pair, public BoundPairs {
   /// How much farther than the range of contact a pair is in the list, besides the skin.
   double list_reach() const;
   /// Stops when a particle has outgrown the largest of its type at the start of the run.
-  void check_radii() const;
 
  private:
   void allocate();

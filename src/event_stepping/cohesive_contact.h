@@ -139,10 +139,14 @@ class CohesiveContact {
   /// Resistance against rolling in the step that `normal` describes, arguments as for friction(): a
   /// spring, dashpot and slider like the tangential ones, stretched at the rolling velocity
   ///
-  ///   v_r = R (w_i - w_j) x n    R = R_i R_j/(R_i + R_j), beside a wall R_i
+  ///   v_r = R (w_i - w_j), the part across n    R = R_i R_j/(R_i + R_j), beside a wall R_i
   ///
   /// which is the same for every observer, also one that turns. What they carry, F, is no force:
-  /// the particles get R n x F and its reverse. 1/m_r = R^2 (1/I_i + 1/I_j) answers it.
+  /// the particles get the torques R F and -R F, and 1/m_r = R^2 (1/I_i + 1/I_j) answers.
+  ///
+  /// The source has v_r = R (w_i - w_j) x n and the torque R n x F: the same, a quarter turn about
+  /// n away. Here all changes sign with the exchange of i and j, as engines expect of what they
+  /// remember for a pair.
   ///
   /// Source: S. Luding, Granular Matter 10 (2008) 235; Y. Wang, F. Alonso-Marroquin, W. W. Guo,
   /// Particuology 23 (2015) 49.
@@ -152,13 +156,13 @@ class CohesiveContact {
     const Vector3 n = (1.0 / norm(separation)) * separation;
     const double radius = rolling_radius();
     const auto rolling_velocity = [&](const PairMotion& of) {
-      return radius * cross(of.spin_i - of.spin_j, n);
+      return radius * in_plane(of.spin_i - of.spin_j, n);
     };
     const Vector3 by_others = rolling_velocity(others);
     const SpringStep step = follow_spring(
         tangential_.with_friction(rolling_friction_), normal, window_, n, memory,
         {rolling_velocity(grid) + 0.5 * by_others, by_others}, inverse_rolling_mass());
-    return {step.spring, step.memory, radius * cross(n, step.spring.impulse)};
+    return {step.spring, step.memory, radius * step.spring.impulse};
   }
 
   /// R, [length].

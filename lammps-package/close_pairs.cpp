@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#include "close_pairs.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "atom.h"
+#include "neigh_list.h"
+#include "neighbor.h"
+
+using namespace LAMMPS_NS;
+
+void ClosePairs::start(double allowed) {
+  allowed_ = allowed;
+  positions_.clear();
+}
+
+void ClosePairs::update(const NeighList& list, double reach, int** kept) {
+  const bool new_list = neighbor->ago == 0;
+  if (!new_list && !positions_.empty() && reach + come_closer() <= allowed_) return;
+  pairs_.clear();
+  const int all = atom->nlocal + atom->nghost;
+  if (all == 0) return;
+  positions_.assign(atom->x[0], atom->x[0] + 3 * all);
+  radii_.assign(atom->radius, atom->radius + all);
+  find(list, new_list ? kept : nullptr);
+}
+
+/// By how much the gap of a pair may have shrunk since the pairs were found, [length].
+double ClosePairs::come_closer() const {
+  const double* const now = atom->x[0];
+  const double* const then = positions_.data();
+  const double* const radius = atom->radius;
+  double furthest = 0.0, growth = 0.0;
+  for (std::size_t k = 0; k < positions_.size(); k += 3) {
+    const double dx = now[k] - then[k], dy = now[k + 1] - then[k + 1],
+                 dz = now[k + 2] - then[k + 2];
+    furthest = std::max(furthest, dx * dx + dy * dy + dz * dz);
+  }
+  for (std::size_t i = 0; i < radii_.size(); i++) growth = std::max(growth, radius[i] - radii_[i]);
+  return 2.0 * (std::sqrt(furthest) + growth);
+}
+
+void ClosePairs::find(const NeighList& list, int** kept) {
+  const double* const x = atom->x[0];
+  const double* const radius = atom->radius;
+  for (int ii = 0; ii < list.inum; ii++) {
+    const int i = list.ilist[ii];
+    const int* const neighbors = list.firstneigh[i];
+    const int count = list.numneigh[i];
+    const double xi = x[3 * i], yi = x[3 * i + 1], zi = x[3 * i + 2];
+    // With room for what other contacts do to a pair within a step.
+    const double near_i = 1.0001 * radius[i] + allowed_;
+    const std::size_t before = pairs_.size();
+    pairs_.resize(before + count);
+    ClosePair* last = pairs_.data() + before;
+    for (int jj = 0; jj < count; jj++) {
+      const int j = neighbors[jj] & NEIGHMASK;
+      const double dx = x[3 * j] - xi;
+      const double dy = x[3 * j + 1] - yi;
+      const double dz = x[3 * j + 2] - zi;
+      const double near = near_i + radius[j];
+      *last = {i, j, jj};  // no branch: which pairs are near cannot be predicted
+      last += dx * dx + dy * dy + dz * dz <= near * near;
+    }
+    pairs_.resize(last - pairs_.data());
+    if (kept) forget_others(kept[i], count, pairs_.data() + before, last);
+  }
+}
+
+/// Only a particle that was put elsewhere can have left a partner that is not near any more.
+void ClosePairs::forget_others(int* kept, int count, const ClosePair* near, const ClosePair* end) {
+  for (int jj = 0; jj < count; jj++) {
+    if (near != end && near->place == jj)
+      near++;
+    else
+      kept[jj] = 0;
+  }
+}

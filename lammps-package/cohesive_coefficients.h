@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#ifndef COHESION_COHESIVE_COEFFICIENTS_H
+#define COHESION_COHESIVE_COEFFICIENTS_H
+
+#include <algorithm>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "atom.h"
+#include "cohesive_contact_from_script.h"
+#include "comm.h"
+#include "pointers.h"
+
+namespace LAMMPS_NS {
+
+/// Settings of a pair style with cohesion and its coefficients by pair of types: read from a script
+/// or a restart file, mixed, and made laws for a run.
+template <class Cohesion>
+class CohesiveCoefficients : protected Pointers {
+ public:
+  using Parameters = typename Cohesion::Parameters;
+
+  explicit CohesiveCoefficients(LAMMPS* lammps)
+      : Pointers(lammps), types_(0), set_(nullptr), scheme_(Scheme::event) {}
+
+  static std::string where() { return std::string("pair_style ") + Cohesion::STYLE; }
+
+  /// What `pair_style` says.
+  void read_settings(int narg, char** arg);
+  /// Room for pairs of `types` types. `set` is the engine's table of those that were given.
+  void make_room(int types, int** set);
+  /// What `pair_coeff` says.
+  void read(int narg, char** arg);
+  /// The laws are made anew, by prepare().
+  void start() { laws_.assign(given_.size(), cohesion_.no_law()); }
+  /// Makes the law of types i and j, mixed when they were not given. Returns the gap up to which
+  /// the scheme has to see particles of these radii, [length].
+  double prepare(int i, int j, double radius_i, double radius_j);
+
+  void write_settings(FILE*) const;
+  void read_settings(FILE*);
+  void write(FILE*) const;
+  void read(FILE*);
+
+  Scheme scheme() const { return scheme_; }
+  int pairs_of_types() const { return static_cast<int>(given_.size()); }
+  /// The number of a pair of types.
+  int of_types(int i, int j) const { return i * (types_ + 1) + j; }
+  const cohesion::contact::ContactParameters& contact(int of_types) const {
+    return given_[of_types].contact;
+  }
+  /// Whether any contact resists rolling. Of the given ones: mixing adds none.
+  bool any_rolls() const {
+    return std::any_of(given_.begin(), given_.end(),
+                       [](const Parameters& p) { return p.contact.rolling_friction > 0.0; });
+  }
+  /// As a pair of src/event_stepping takes it.
+  template <class Attraction>
+  Attraction attraction(int of_types, double radius_i, double radius_j) const {
+    return Cohesion::template of_pair<Attraction>(laws_[of_types], radius_i, radius_j);
+  }
+
+ private:
+  Parameters contact_from_script(const std::string& here, int narg, char** arg) {
+    if constexpr (Cohesion::HAS_CONTACT)
+      return cohesive_contact_from_script<Cohesion>(lmp, here, 2, narg, arg);
+    else
+      return Cohesion::from_script(lmp, here, 2, narg, arg);
+  }
+  void give(int i, int j, const Parameters& p) {
+    given_[of_types(i, j)] = p;
+    given_[of_types(j, i)] = Cohesion::reversed(p);
+  }
+
+  int types_;
+  int** set_;
+  Scheme scheme_;
+  Cohesion cohesion_;
+  std::vector<Parameters> given_;             // by pair of types
+  std::vector<typename Cohesion::Law> laws_;  // the same; of an adhesion that is scaled, if wished
+};
+
+template <class Cohesion>
+void CohesiveCoefficients<Cohesion>::read_settings(int narg, char** arg) {
+  if (!Cohesion::HAS_CONTACT && narg > 0)
+    error->all(FLERR, where() + " takes no keywords, not '" + arg[0] + "'");
+  for (int i = 0; i < narg; i += 2) {
+    const std::string word = arg[i];
+    if (word != "scheme" && !is_setting<Cohesion>(word))
+      error->all(FLERR, where() + ": unknown keyword '" + word +
+                            "'; valid ones: " + setting_names<Cohesion>());
+    if (i + 1 == narg) error->all(FLERR, where() + ": " + word + " takes a name");
+    if (word == "scheme")
+      scheme_ = scheme_from_script(lmp, where(), arg[i + 1]);
+    else
+      cohesion_.set(lmp, where(), word, arg[i + 1]);
+  }
+}
+
+template <class Cohesion>
+void CohesiveCoefficients<Cohesion>::make_room(int types, int** set) {
+  types_ = types;
+  set_ = set;
+  given_.assign((types + 1) * (types + 1), {});
+}
+
+template <class Cohesion>
+void CohesiveCoefficients<Cohesion>::read(int narg, char** arg) {
+  int ilo, ihi, jlo, jhi;
+  utils::bounds(FLERR, arg[0], 1, types_, ilo, ihi, error);
+  utils::bounds(FLERR, arg[1], 1, types_, jlo, jhi, error);
+  const std::string here =
+      std::string("pair_coeff ") + arg[0] + " " + arg[1] + " of " + Cohesion::STYLE;
+  const Parameters p = contact_from_script(here, narg, arg);
+  int count = 0;
+  for (int i = ilo; i <= ihi; i++)
+    for (int j = std::max(jlo, i); j <= jhi; j++) {
+      give(i, j, p);
+      set_[i][j] = 1;
+      count++;
+    }
+  if (count == 0) error->all(FLERR, here + " names no pair with i <= j");
+}
+
+template <class Cohesion>
+double CohesiveCoefficients<Cohesion>::prepare(int i, int j, double radius_i, double radius_j) {
+  if (!set_[i][j]) {
+    if (!set_[i][i] || !set_[j][j])
+      error->all(FLERR, where() + ": no pair_coeff for types " + std::to_string(i) + " and " +
+                            std::to_string(j) + " nor for both of them to mix");
+    give(i, j, Cohesion::mixed(given_[of_types(i, i)], given_[of_types(j, j)]));
+  }
+  const std::string here = where() + ", types " + std::to_string(i) + " and " + std::to_string(j);
+  const Parameters scaled = cohesion_.scaled(lmp, here, given_[of_types(i, j)]);
+  laws_[of_types(j, i)] = cohesion_.law(lmp, here, Cohesion::reversed(scaled));
+  laws_[of_types(i, j)] = cohesion_.law(lmp, here, scaled);
+  return Cohesion::range(scheme_, scaled, radius_i, radius_j);
+}
+
+/* ---------------------------------------------------------------------- */
+
+template <class Cohesion>
+void CohesiveCoefficients<Cohesion>::write_settings(FILE* fp) const {
+  const int numbers[2] = {cohesion_.settings(), static_cast<int>(scheme_)};
+  fwrite(numbers, sizeof(int), 2, fp);
+}
+
+template <class Cohesion>
+void CohesiveCoefficients<Cohesion>::read_settings(FILE* fp) {
+  int numbers[2] = {0, 0};
+  if (comm->me == 0) utils::sfread(FLERR, numbers, sizeof(int), 2, fp, nullptr, error);
+  MPI_Bcast(numbers, 2, MPI_INT, 0, world);
+  cohesion_.restore_settings(numbers[0]);
+  scheme_ = static_cast<Scheme>(numbers[1]);
+}
+
+template <class Cohesion>
+void CohesiveCoefficients<Cohesion>::write(FILE* fp) const {
+  for (int i = 1; i <= types_; i++)
+    for (int j = i; j <= types_; j++) {
+      fwrite(&set_[i][j], sizeof(int), 1, fp);
+      fwrite(&given_[of_types(i, j)], sizeof(Parameters), 1, fp);
+    }
+}
+
+template <class Cohesion>
+void CohesiveCoefficients<Cohesion>::read(FILE* fp) {
+  for (int i = 1; i <= types_; i++)
+    for (int j = i; j <= types_; j++) {
+      Parameters p;
+      if (comm->me == 0) {
+        utils::sfread(FLERR, &set_[i][j], sizeof(int), 1, fp, nullptr, error);
+        utils::sfread(FLERR, &p, sizeof(Parameters), 1, fp, nullptr, error);
+      }
+      MPI_Bcast(&set_[i][j], 1, MPI_INT, 0, world);
+      MPI_Bcast(&p, sizeof(Parameters), MPI_BYTE, 0, world);
+      give(i, j, p);
+    }
+}
+
+}  // namespace LAMMPS_NS
+
+#endif
