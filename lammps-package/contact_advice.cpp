@@ -79,7 +79,8 @@ void LAMMPS_NS::advise(LAMMPS* lmp, const std::string& style, const advice::Sche
     const advice::ContactNumbers n(
         {c.i.radius, c.j.radius, c.i.mass, c.j.mass, spring.stiffness(), spring.damping(),
          c.adhesion, speed, lmp->update->dt, g,
-         c.contact.friction > 0.0 ? c.contact.tangential_ratio * spring.stiffness() : 0.0});
+         c.contact.friction > 0.0 ? c.contact.tangential_ratio * spring.stiffness() : 0.0,
+         c.contact.rolling_friction > 0.0 ? c.contact.tangential_ratio * spring.stiffness() : 0.0});
     if (prints)
       utils::logmesg(
           lmp, fmt::format("  {:<10}{:>9.3g}{:>11.4g}{:>14.3g}{:>10.2g}{:>10.2g}{:>10.3g}{:>10.3g}"
