@@ -51,6 +51,11 @@ class CohesiveCoefficients : protected Pointers {
   const cohesion::contact::ContactParameters& contact(int of_types) const {
     return given_[of_types].contact;
   }
+  /// Whether any contact resists rolling. Of the given ones: mixing adds none.
+  bool any_rolls() const {
+    return std::any_of(given_.begin(), given_.end(),
+                       [](const Parameters& p) { return p.contact.rolling_friction > 0.0; });
+  }
   /// As a pair of src/event_stepping takes it.
   template <class Attraction>
   Attraction attraction(int of_types, double radius_i, double radius_j) const {

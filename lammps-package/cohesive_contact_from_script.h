@@ -51,7 +51,7 @@ struct ContactKeyword {
 };
 
 /// The keywords of a contact, `stiffness K [restitution e | damping eta] [tangential ratio]
-/// [tangential_damping ratio] [friction mu]`, and those of the cohesion.
+/// [tangential_damping ratio] [friction mu] [rolling_friction mu_R]`, and those of the cohesion.
 template <class Cohesion>
 const auto& contact_keywords() {
   using P = typename Cohesion::Parameters;
@@ -65,6 +65,7 @@ const auto& contact_keywords() {
         {"tangential_damping", 1,
          [](P& p, const double* v) { p.contact.tangential_damping_ratio = v[0]; }},
         {"friction", 1, [](P& p, const double* v) { p.contact.friction = v[0]; }},
+        {"rolling_friction", 1, [](P& p, const double* v) { p.contact.rolling_friction = v[0]; }},
     };
     const auto own = Cohesion::keywords();
     rows.insert(rows.end(), own.begin(), own.end());

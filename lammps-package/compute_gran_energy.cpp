@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-only
 #include "compute_gran_energy.h"
 
-#include <algorithm>
+#include <cstddef>
 #include <numeric>
+#include <vector>
 
 #include "atom.h"
+#include "domain.h"
 #include "error.h"
 #include "event_stepping/cohesive_contact.h"
 #include "fix_event_step.h"
+#include "gravity.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -26,8 +29,22 @@ enum Entry {
   FRICTION,
   EXTERNAL_WORK,
   RESIDUAL,
+  GRAVITY,
+  ROLLING_SPRING,
+  ROLLING,
   ENTRIES
 };
+
+/// What stays or is stored, and what is lost.
+constexpr Entry stored[] = {KINETIC,  ROTATIONAL, SPRING,        TANGENTIAL_SPRING,
+                            ADHESION, GRAVITY,    ROLLING_SPRING};
+constexpr Entry lost[] = {NORMAL_DAMPING, TANGENTIAL_DAMPING, FRICTION, ROLLING};
+
+template <std::size_t N>
+double sum(const double* vector, const Entry (&entries)[N]) {
+  return std::accumulate(entries, entries + N, 0.0,
+                         [vector](double all, Entry entry) { return all + vector[entry]; });
+}
 
 }  // namespace
 
@@ -53,30 +70,37 @@ void ComputeGranEnergy::init() {
 void ComputeGranEnergy::compute_vector() {
   invoked_vector = update->ntimestep;
   double mine[ENTRIES] = {};
-  // The motion of the step ends with the velocities the next half kick leads to.
+  const std::vector<double> weight = weights(lmp);
+  // The motion of the step ends with the velocities the next half kick leads to, at the places half
+  // a step of flight away.
   for (int i = 0; i < atom->nlocal; i++) {
     const auto body = step->body(i);
     if (body.inverse_mass == 0.0) continue;
     const double kick = step->half_kick() * body.inverse_mass;
     const double twist = step->half_kick() * cohesion::event_stepping::inverse_inertia(body);
+    double place[3];
+    domain->unmap(atom->x[i], atom->image[i], place);
     for (int k = 0; k < 3; k++) {
       const double v = atom->v[i][k] + kick * atom->f[i][k];
       const double omega = atom->omega[i][k] + twist * atom->torque[i][k];
       mine[KINETIC] += 0.5 / body.inverse_mass * v * v;
       mine[ROTATIONAL] += 0.5 / cohesion::event_stepping::inverse_inertia(body) * omega * omega;
+      mine[GRAVITY] -= weight[3 * i + k] * (place[k] + step->half_flight() * v);
     }
   }
   const FixEventStep::Book& book = step->book;
   mine[SPRING] = book.spring;
   mine[TANGENTIAL_SPRING] = book.tangential_spring;
   mine[ADHESION] = book.adhesion;
+  mine[ROLLING_SPRING] = book.rolling_spring;
   mine[NORMAL_DAMPING] = book.normal_damping;
   mine[TANGENTIAL_DAMPING] = book.tangential_damping;
   mine[FRICTION] = book.friction;
+  mine[ROLLING] = book.rolling;
   mine[EXTERNAL_WORK] = book.external_work;
   MPI_Allreduce(mine, vector, ENTRIES, MPI_DOUBLE, MPI_SUM, world);
 
-  const double total = std::accumulate(vector, vector + EXTERNAL_WORK, 0.0) - vector[EXTERNAL_WORK];
+  const double total = sum(vector, stored) + sum(vector, lost) - vector[EXTERNAL_WORK];
   if (!opened) balance = total;
   opened = true;
   vector[RESIDUAL] = total - balance;
@@ -86,5 +110,5 @@ void ComputeGranEnergy::compute_vector() {
 double ComputeGranEnergy::compute_scalar() {
   if (invoked_vector != update->ntimestep) compute_vector();
   invoked_scalar = update->ntimestep;
-  return scalar = std::accumulate(vector, vector + NORMAL_DAMPING, 0.0);
+  return scalar = sum(vector, stored);
 }

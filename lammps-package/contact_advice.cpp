@@ -5,16 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 #include "atom.h"
 #include "comm.h"
 #include "contact/contact_parameters.h"
 #include "error.h"
-#include "fix.h"
 #include "fix_event_step.h"
-#include "modify.h"
+#include "gravity.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -35,18 +33,13 @@ static double fastest_particle(LAMMPS* lmp) {
   return std::sqrt(largest_of_all(lmp, squared));
 }
 
-/// The acceleration of fix gravity, which does not tell it: let it act on forces that are zero.
+/// The largest acceleration.
 static double gravity(LAMMPS* lmp) {
+  const std::vector<double> weight = weights(lmp);
   double g = 0.0;
-  for (int k = 0; k < lmp->modify->nfix; k++) {
-    Fix* const fix = lmp->modify->fix[k];
-    if (strcmp(fix->style, "gravity") != 0) continue;
-    fix->post_force(0);
-    for (int i = 0; i < lmp->atom->nlocal; i++) {
-      double* const f = lmp->atom->f[i];
-      g = std::max(g, std::hypot(f[0], f[1], f[2]) / lmp->atom->rmass[i]);
-      f[0] = f[1] = f[2] = 0.0;
-    }
+  for (int i = 0; i < lmp->atom->nlocal; i++) {
+    const double* const w = &weight[3 * i];
+    g = std::max(g, std::hypot(w[0], w[1], w[2]) / lmp->atom->rmass[i]);
   }
   return largest_of_all(lmp, g);
 }
@@ -86,7 +79,8 @@ void LAMMPS_NS::advise(LAMMPS* lmp, const std::string& style, const advice::Sche
     const advice::ContactNumbers n(
         {c.i.radius, c.j.radius, c.i.mass, c.j.mass, spring.stiffness(), spring.damping(),
          c.adhesion, speed, lmp->update->dt, g,
-         c.contact.friction > 0.0 ? c.contact.tangential_ratio * spring.stiffness() : 0.0});
+         c.contact.friction > 0.0 ? c.contact.tangential_ratio * spring.stiffness() : 0.0,
+         c.contact.rolling_friction > 0.0 ? c.contact.tangential_ratio * spring.stiffness() : 0.0});
     if (prints)
       utils::logmesg(
           lmp, fmt::format("  {:<10}{:>9.3g}{:>11.4g}{:>14.3g}{:>10.2g}{:>10.2g}{:>10.3g}{:>10.3g}"

@@ -26,8 +26,10 @@ struct FollowedContact {
   cohesion::Vector3 impulse;  // on j
 };
 
-/// `history` of a contact is the in-range flag and, with friction, the memory of the tangential
-/// spring.
+/// `history` of a contact: the in-range flag; with friction or rolling friction, the memory of the
+/// tangential spring; with rolling friction, that of the rolling spring.
+enum HistorySize { IN_RANGE = 1, WITH_FRICTION = 4, WITH_ROLLING = 7 };
+
 template <bool FRICTION>
 cohesion::Vector3 spring_memory(const double* history) {
   return FRICTION ? vector(history + 1) : cohesion::Vector3{};
@@ -83,6 +85,47 @@ FollowedContact follow_with_others(const Contact& c,
   return now;
 }
 
+/// The first pass of what resists rolling: adds what it does alone to both particles (all_j
+/// nullptr: a wall) and returns it, as angular impulse on i.
+template <class Contact>
+cohesion::Vector3 roll_alone(const Contact& c, const cohesion::event_stepping::PairMotion& grid,
+                             const cohesion::event_stepping::PairStep& normal,
+                             const double* history, double* all_i, double* all_j) {
+  if (normal.normal.contact_time == 0.0) return {};
+  const cohesion::Vector3 torque =
+      c.rolling(grid, {}, normal, vector(history + WITH_FRICTION)).torque_i;
+  add(all_i + 6, c.spin_share_i(), torque);
+  if (all_j) add(all_j + 6, -c.spin_share_j(), torque);
+  return torque;
+}
+
+/// What all but the rolling spring of a contact do. `others`: what all but the rest of the contact
+/// do, `own`: what the rest does alone, `rolled`: from roll_alone().
+template <class Contact>
+cohesion::event_stepping::PairMotion others_of_rolling(
+    cohesion::event_stepping::PairMotion others, const cohesion::event_stepping::PairMotion& own,
+    const Contact& c, const cohesion::Vector3& rolled) {
+  others.spin_i += own.spin_i - c.spin_share_i() * rolled;
+  others.spin_j += own.spin_j + c.spin_share_j() * rolled;
+  return others;
+}
+
+/// The second pass of what resists rolling, in the step that `now` describes.
+template <class Contact>
+cohesion::event_stepping::RollingStep roll_with_others(
+    const Contact& c, const cohesion::event_stepping::PairMotion& grid,
+    const cohesion::event_stepping::PairMotion& others, const FollowedContact& now,
+    double* history) {
+  double* const left = history + WITH_FRICTION;
+  cohesion::event_stepping::RollingStep step;
+  if (now.normal.normal.contact_time > 0.0)
+    step = c.rolling(grid, others, now.normal, vector(left));
+  left[0] = step.memory.x;
+  left[1] = step.memory.y;
+  left[2] = step.memory.z;
+  return step;
+}
+
 /// Forces, torques, changes of position and the energy book of one step.
 class ContactScatter {
  public:
@@ -103,6 +146,13 @@ class ContactScatter {
     if (FRICTION) add(torque_[j], kick_, c.sliding.torque_j);
   }
 
+  void roll_i(int i, const cohesion::event_stepping::RollingStep& r) const {
+    add(torque_[i], kick_, r.torque_i);
+  }
+  void roll_j(int j, const cohesion::event_stepping::RollingStep& r) const {
+    add(torque_[j], -kick_, r.torque_i);
+  }
+
   /// `part`: of the contact that this process accounts for.
   template <class Contact>
   void book(const Contact& contact, double part, const FollowedContact& c) const {
@@ -115,6 +165,14 @@ class ContactScatter {
     book.normal_damping += part * c.normal.normal.dissipated;
     book.tangential_damping += part * c.sliding.spring.damped;
     book.friction += part * c.sliding.spring.friction;
+  }
+  template <class Contact>
+  void book(const Contact& contact, double part,
+            const cohesion::event_stepping::RollingStep& r) const {
+    FixEventStep::Book& book = step_->book;
+    if (!book.kept) return;
+    book.rolling_spring += part * contact.friction_energy(r.spring.displacement);
+    book.rolling += part * (r.spring.damped + r.spring.friction);
   }
 
  private:

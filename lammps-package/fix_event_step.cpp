@@ -13,6 +13,7 @@
 #include "engine_api.h"
 #include "error.h"
 #include "force.h"
+#include "gravity.h"
 #include "memory.h"
 #include "modify.h"
 #include "update.h"
@@ -179,16 +180,18 @@ void FixEventStep::clear() {
   look_round();
   if (!book.kept) return;
   if (all > 0) std::fill_n(contact_force[0], 3 * all, 0.0);
-  book.spring = book.tangential_spring = book.adhesion = 0.0;
+  book.spring = book.tangential_spring = book.rolling_spring = book.adhesion = 0.0;
 }
 
 void FixEventStep::end_of_step() {
   move();
   if (!book.kept) return;
+  const std::vector<double> weight = weights(lmp);
   double work = 0.0;
   for (int i = 0; i < atom->nlocal; i++) {
     if (inverse_mass[i] == 0.0) continue;
-    for (int k = 0; k < 3; k++) work += (atom->f[i][k] - contact_force[i][k]) * atom->v[i][k];
+    for (int k = 0; k < 3; k++)
+      work += (atom->f[i][k] - contact_force[i][k] - weight[3 * i + k]) * atom->v[i][k];
   }
   book.external_work += update->dt * work;
 }

@@ -92,6 +92,8 @@ class FixEventStep : public Fix {
   cohesion::event_stepping::Body body(int i) const { return {atom->radius[i], inverse_mass[i]}; }
   /// What force times this adds to the momentum until the motion of the step ends, [time].
   double half_kick() const;
+  /// How long particles fly from the grid point to the end of the step, [time].
+  double half_flight() const { return window().after; }
 
   /// How far a particle or ghost of this rank may fly until the end of the step, [length].
   double flight() const { return longest_flight; }
@@ -115,10 +117,11 @@ class FixEventStep : public Fix {
   /// The energy of contacts; kept only when a compute asks for it.
   struct Book {
     bool kept = false;
-    double spring, tangential_spring, adhesion;           ///< at the end of the step
-    double normal_damping, tangential_damping, friction;  ///< lost so far
-    double external_work;                                 ///< of other forces, moving walls; so far
-    bigint unresolved;                                    ///< pairs whose step was cut short
+    double spring, tangential_spring, rolling_spring, adhesion;  ///< at the end of the step
+    double normal_damping, tangential_damping, friction;         ///< lost so far
+    double rolling;        ///< lost so far in rolling springs, dashpots and sliders
+    double external_work;  ///< of other forces but gravity, and moving walls; so far
+    bigint unresolved;     ///< pairs whose step was cut short
   } book;
   void keep_book() { book.kept = true; }
 

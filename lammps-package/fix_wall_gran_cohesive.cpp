@@ -28,12 +28,13 @@ FixWallGranCohesive<Cohesion>::FixWallGranCohesive(LAMMPS* lammps, int narg, cha
       scheme(Scheme::event),
       law(attraction.no_law()),
       time_origin(update->ntimestep),
-      per_wall(1),
+      per_wall(IN_RANGE),
       history(nullptr),
       step(nullptr),
       summed(false) {
   read(narg, arg);
-  if (parameters.contact.friction > 0.0) per_wall += 3;
+  if (parameters.contact.friction > 0.0) per_wall = WITH_FRICTION;
+  if (parameters.contact.rolling_friction > 0.0) per_wall = WITH_ROLLING;
   mine.assign(3 * walls.size(), 0.0);
   total = mine;
 
@@ -169,15 +170,21 @@ void FixWallGranCohesive<Cohesion>::follow_alone() {
   if (update->setupflag) give_advice();
   std::visit(
       [this](auto& shared) {
-        per_wall > 1 ? follow_alone<true>(shared) : follow_alone<false>(shared);
+        if (per_wall == WITH_ROLLING)
+          follow_alone<true, true>(shared);
+        else if (per_wall == WITH_FRICTION)
+          follow_alone<true, false>(shared);
+        else
+          follow_alone<false, false>(shared);
       },
       contacts);
 }
 
 template <class Cohesion>
-template <bool FRICTION, class Contact>
+template <bool FRICTION, bool ROLLING, class Contact>
 void FixWallGranCohesive<Cohesion>::follow_alone(std::vector<Contact>& shared) {
   active.clear();
+  rolled.clear();
   shared.clear();
   const bool first = step->window().before == 0.0;
   const double time = static_cast<double>(update->ntimestep - time_origin) * update->dt;
@@ -208,9 +215,14 @@ void FixWallGranCohesive<Cohesion>::follow_alone(std::vector<Contact>& shared) {
       step->announce(i);
       if constexpr (Contact::acts_within_step) {
         PairMotion& alone = active.back().alone;
-        alone = shared[c].template alone<FRICTION>({grid, vector(atom->omega[i]), {}},
-                                                   inside != 0.0, spring_memory<FRICTION>(&inside));
+        const PairMotion turning{grid, vector(atom->omega[i]), {}};
+        const PairStep normal = shared[c].advance(grid, inside != 0.0);
+        alone =
+            shared[c].template alone<FRICTION>(turning, normal, spring_memory<FRICTION>(&inside));
         add_alone<FRICTION>(step->alone[i], -1.0, shared[c].share_i(), alone);
+        if (ROLLING)
+          rolled.push_back(
+              roll_alone(shared[c], turning, normal, &inside, step->alone[i], nullptr));
       }
     }
   }
@@ -223,27 +235,40 @@ void FixWallGranCohesive<Cohesion>::follow_together() {
   summed = false;
   std::visit(
       [this](const auto& shared) {
-        per_wall > 1 ? follow_together<true>(shared) : follow_together<false>(shared);
+        if (per_wall == WITH_ROLLING)
+          follow_together<true, true>(shared);
+        else if (per_wall == WITH_FRICTION)
+          follow_together<true, false>(shared);
+        else
+          follow_together<false, false>(shared);
       },
       contacts);
 }
 
 /// Every contact again, with half of what the other contacts of its particle do, and friction.
 template <class Cohesion>
-template <bool FRICTION, class Contact>
+template <bool FRICTION, bool ROLLING, class Contact>
 void FixWallGranCohesive<Cohesion>::follow_together(const std::vector<Contact>& shared) {
   const ContactScatter scatter(atom, step);
   for (const Active& near : active) {
     const int i = near.i;
     const Contact& c = shared[near.contact];
     const RelativeState grid{near.point.separation, near.point.velocity - vector(atom->v[i])};
+    const PairMotion turning{grid, vector(atom->omega[i]), {}};
+    double* const kept = history_of(i, near.wall);
     PairMotion others;
     if (Contact::acts_within_step)
       others = others_of<FRICTION>(step->alone[i], nullptr, near.alone);
-    const FollowedContact now = follow_with_others<FRICTION>(c, {grid, vector(atom->omega[i]), {}},
-                                                             others, history_of(i, near.wall));
+    const FollowedContact now = follow_with_others<FRICTION>(c, turning, others, kept);
     scatter.on_i<FRICTION>(i, c.share_i(), now);
     scatter.book(c, 1.0, now);
+    if (ROLLING) {
+      if (Contact::acts_within_step)
+        others = others_of_rolling(others, near.alone, c, rolled[&near - active.data()]);
+      const RollingStep rolling = roll_with_others(c, turning, others, now, kept);
+      scatter.roll_i(i, rolling);
+      scatter.book(c, 1.0, rolling);
+    }
     step->book.external_work -= dot(near.point.velocity, now.impulse);
     add(&mine[3 * near.wall], scatter.kick(), now.impulse);
   }
@@ -323,8 +348,8 @@ void FixWallGranCohesive<Cohesion>::restart(char* buf) {
   time_origin = static_cast<bigint>(values[0]);
   if (values[1] != history_size())
     error->all(FLERR, where +
-                          ": other walls than in the restart file, or friction in one of them "
-                          "only; give the fix another ID");
+                          ": other walls than in the restart file, or friction or rolling "
+                          "friction in one of them only; give the fix another ID");
   if (comm->me == 0) std::copy_n(values + 2, mine.size(), mine.begin());
 }
 

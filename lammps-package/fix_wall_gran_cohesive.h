@@ -70,9 +70,9 @@ class FixWallGranCohesive : public Fix, public EventContacts {
   int history_size() const { return per_wall * static_cast<int>(walls.size()); }
   double* history_of(int i, int wall) { return history[i] + wall * per_wall; }
   void check_flight(int i, const cohesion::event_stepping::WallPoint&, bool inside);
-  template <bool FRICTION, class Contact>
+  template <bool FRICTION, bool ROLLING, class Contact>
   void follow_alone(std::vector<Contact>&);
-  template <bool FRICTION, class Contact>
+  template <bool FRICTION, bool ROLLING, class Contact>
   void follow_together(const std::vector<Contact>&);
   void give_advice();
   void sum();
@@ -86,10 +86,11 @@ class FixWallGranCohesive : public Fix, public EventContacts {
   cohesion::event_stepping::WallMotion motion;
   bigint time_origin;
 
-  int per_wall;      // values of history: in-range flag (-1: not known yet), memory of the spring
+  int per_wall;      // values of history (HistorySize); an in-range flag of -1: not known yet
   double** history;  // per atom
   AnyContacts contacts;
   std::vector<Active> active;
+  std::vector<cohesion::Vector3> rolled;  // with rolling friction, of each: from roll_alone()
   FixEventStep* step;
 
   std::vector<double> mine;   // force on each wall

@@ -23,8 +23,6 @@ using namespace LAMMPS_NS;
 using namespace cohesion::event_stepping;
 using cohesion::Vector3;
 
-static constexpr int HISTORY = 4;
-
 template <class Cohesion>
 PairGranCohesive<Cohesion>::PairGranCohesive(LAMMPS* lammps)
     : Pair(lammps),
@@ -32,6 +30,7 @@ PairGranCohesive<Cohesion>::PairGranCohesive(LAMMPS* lammps)
       close(lammps),
       largest_range(0.0),
       friction(false),
+      per_pair(0),
       step(nullptr),
       history(modify, Cohesion::HISTORY_ID) {
   single_enable = 0;
@@ -74,7 +73,10 @@ void PairGranCohesive<Cohesion>::compute(int eflag, int vflag) {
         if (Cohesion::HAS_CONTACT && update->setupflag) give_advice();
         if (neighbor->ago == 0) check_radii(lmp, coefficients.where(), largest_radius);
         find_active(contacts);
-        friction ? follow<true>(contacts) : follow<false>(contacts);
+        if (per_pair == WITH_ROLLING)
+          follow<true, true>(contacts);
+        else
+          friction ? follow<true, false>(contacts) : follow<false, false>(contacts);
       },
       any_contacts);
 }
@@ -91,11 +93,11 @@ inline PairMotion PairGranCohesive<Cohesion>::with_spins(const RelativeState& gr
 }
 
 template <class Cohesion>
-template <bool FRICTION, class Contact>
+template <bool FRICTION, bool ROLLING, class Contact>
 void PairGranCohesive<Cohesion>::follow(Contacts<Contact>& contacts) {
-  if constexpr (Contact::acts_within_step) follow_alone<FRICTION>(contacts);
-  evflag || step->sums_flux() ? follow_together<true, FRICTION>(contacts)
-                              : follow_together<false, FRICTION>(contacts);
+  if constexpr (Contact::acts_within_step) follow_alone<FRICTION, ROLLING>(contacts);
+  evflag || step->sums_flux() ? follow_together<true, FRICTION, ROLLING>(contacts)
+                              : follow_together<false, FRICTION, ROLLING>(contacts);
 }
 
 /// Pairs of equal particles that come one after the other share a contact.
@@ -142,8 +144,8 @@ void PairGranCohesive<Cohesion>::find_active(Contacts<Contact>& contacts) {
     const int c = contact(contacts, i, j);
     const RelativeState grid = on_grid(i, j);
     if (!kept && !contacts.all[c].within_reach(grid)) continue;
-    double* const values = &history->firstvalue[i][HISTORY * pair.place];
-    if (!kept) std::fill_n(values, HISTORY, 0.0);
+    double* const values = &history->firstvalue[i][per_pair * pair.place];
+    if (!kept) std::fill_n(values, per_pair, 0.0);
     // A pair that a run starts with is where it is; it did not fall into the range.
     if (first && !kept)
       values[0] =
@@ -158,25 +160,29 @@ void PairGranCohesive<Cohesion>::find_active(Contacts<Contact>& contacts) {
 /// Flattened, as the next one: the laws are many small functions, and calls cost a packing a
 /// quarter.
 template <class Cohesion>
-template <bool FRICTION, class Contact>
+template <bool FRICTION, bool ROLLING, class Contact>
 [[gnu::flatten]] void PairGranCohesive<Cohesion>::follow_alone(Contacts<Contact>& contacts) {
+  if (ROLLING) rolled.assign(active.size(), {});
   for (Active& pair : active) {
     const int i = pair.i, j = pair.j;
-    pair.alone = step->has_one_contact(i) && step->has_one_contact(j);
+    pair.alone = !ROLLING && step->has_one_contact(i) && step->has_one_contact(j);
     if (pair.alone) continue;
     const Contact& c = contacts.all[pair.contact];
-    pair.change =
-        c.template alone<FRICTION>(with_spins(on_grid(i, j), i, j), pair.history[0] != 0.0,
-                                   spring_memory<FRICTION>(pair.history));
+    const PairMotion motion = with_spins(on_grid(i, j), i, j);
+    const PairStep normal = c.advance(motion.relative, pair.history[0] != 0.0);
+    pair.change = c.template alone<FRICTION>(motion, normal, spring_memory<FRICTION>(pair.history));
     add_alone<FRICTION>(step->alone[i], -1.0, c.share_i(), pair.change);
     add_alone<FRICTION>(step->alone[j], 1.0, c.share_j(), pair.change);
+    if (ROLLING)
+      rolled[&pair - active.data()] =
+          roll_alone(c, motion, normal, pair.history, step->alone[i], step->alone[j]);
   }
   step->share();
 }
 
 /// Every contact again, with half of what the other contacts of its particles do, and friction.
 template <class Cohesion>
-template <bool TALLY, bool FRICTION, class Contact>
+template <bool TALLY, bool FRICTION, bool ROLLING, class Contact>
 [[gnu::flatten]] void PairGranCohesive<Cohesion>::follow_together(Contacts<Contact>& contacts) {
   const int nlocal = atom->nlocal;
   const ContactScatter scatter(atom, step);
@@ -187,13 +193,21 @@ template <bool TALLY, bool FRICTION, class Contact>
     PairMotion others;
     if (Contact::acts_within_step && !pair.alone)
       others = others_of<FRICTION>(step->alone[i], step->alone[j], pair.change);
-    const FollowedContact now =
-        follow_with_others<FRICTION>(c, with_spins(on_grid(i, j), i, j), others, pair.history);
+    const PairMotion motion = with_spins(on_grid(i, j), i, j);
+    const FollowedContact now = follow_with_others<FRICTION>(c, motion, others, pair.history);
     *pair.kept = now.normal.inside;
 
     scatter.on_i<FRICTION>(i, c.share_i(), now);
     if (j < nlocal) scatter.on_j<FRICTION>(j, c.share_j(), now);
     scatter.book(c, j < nlocal ? 1.0 : 0.5, now);
+    if (ROLLING) {
+      if (Contact::acts_within_step)
+        others = others_of_rolling(others, pair.change, c, rolled[&pair - active.data()]);
+      const RollingStep rolling = roll_with_others(c, motion, others, now, pair.history);
+      scatter.roll_i(i, rolling);
+      if (j < nlocal) scatter.roll_j(j, rolling);
+      scatter.book(c, j < nlocal ? 1.0 : 0.5, rolling);
+    }
     if (TALLY) {
       const Vector3 d = on_grid(i, j).separation;
       const Vector3 on_i = -scatter.kick() * now.impulse;
@@ -220,7 +234,7 @@ void PairGranCohesive<Cohesion>::tally_standing(Contacts<Contact>& contacts) {
       const Vector3 d = on_grid(i, j).separation;
       PairStep standing;
       standing.overlap_at_end = atom->radius[i] + atom->radius[j] - norm(d);
-      standing.inside = history->firstvalue[i][HISTORY * jj] != 0.0;
+      standing.inside = history->firstvalue[i][per_pair * jj] != 0.0;
       ev_tally_xyz(i, j, atom->nlocal, 0, c.spring_energy(standing) + c.adhesion_energy(standing),
                    0.0, 0.0, 0.0, 0.0, -d.x, -d.y, -d.z);
     }
@@ -233,7 +247,7 @@ void PairGranCohesive<Cohesion>::append_bound(std::vector<std::array<int, 2>>& p
   for (int ii = 0; ii < list->inum; ii++) {
     const int i = list->ilist[ii];
     for (int jj = 0; jj < list->numneigh[i]; jj++)
-      if (history->firstflag[i][jj] && history->firstvalue[i][HISTORY * jj] != 0.0)
+      if (history->firstflag[i][jj] && history->firstvalue[i][per_pair * jj] != 0.0)
         pairs.push_back({i, list->firstneigh[i][jj] & NEIGHMASK});
   }
 }
@@ -271,7 +285,19 @@ void PairGranCohesive<Cohesion>::init_style() {
   largest_range = 0.0;
   close.start(for_flight());
   engine_api::request_history_list(neighbor, this, instance_me);
-  history.init(this, HISTORY);
+  const int needed = values_per_pair();
+  if (per_pair == 0) per_pair = needed;
+  if (per_pair < needed)
+    error->all(FLERR,
+               coefficients.where() +
+                   ": rolling_friction cannot begin here: the contacts of the run before, or "
+                   "of the restart file, remember no rolling; give it from the first run on");
+  history.init(this, per_pair);
+}
+
+template <class Cohesion>
+int PairGranCohesive<Cohesion>::values_per_pair() const {
+  return coefficients.any_rolls() ? WITH_ROLLING : WITH_FRICTION;
 }
 
 /// A tenth of the skin for the flight of both within half a step: it is far less where the engine's
@@ -320,6 +346,7 @@ void PairGranCohesive<Cohesion>::read_restart(FILE* fp) {
   read_restart_settings(fp);
   allocate();
   coefficients.read(fp);
+  per_pair = values_per_pair();
 }
 
 template <class Cohesion>

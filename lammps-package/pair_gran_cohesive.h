@@ -63,24 +63,25 @@ class PairGranCohesive : public Pair, public BoundPairs {
     int contact;                                  // of those of this step
     bool alone;                                   // neither particle has another contact
     int* kept;                                    // 1 while the pair has a history
-    double* history;                              // in-range flag, memory of the tangential spring
+    double* history;                              // HistorySize
     cohesion::event_stepping::PairMotion change;  // that it would cause without the others
   };
 
   void allocate();
   double for_flight() const;
+  int values_per_pair() const;
   template <class Contact>
   int contact(Contacts<Contact>&, int i, int j);
   cohesion::event_stepping::RelativeState on_grid(int i, int j) const;
   cohesion::event_stepping::PairMotion with_spins(const cohesion::event_stepping::RelativeState&,
                                                   int i, int j) const;
-  template <bool FRICTION, class Contact>
+  template <bool FRICTION, bool ROLLING, class Contact>
   void follow(Contacts<Contact>&);
   template <class Contact>
   void find_active(Contacts<Contact>&);
-  template <bool FRICTION, class Contact>
+  template <bool FRICTION, bool ROLLING, class Contact>
   void follow_alone(Contacts<Contact>&);
-  template <bool TALLY, bool FRICTION, class Contact>
+  template <bool TALLY, bool FRICTION, bool ROLLING, class Contact>
   void follow_together(Contacts<Contact>&);
   template <class Contact>
   void tally_standing(Contacts<Contact>&);
@@ -90,9 +91,11 @@ class PairGranCohesive : public Pair, public BoundPairs {
   AnyContacts any_contacts;
   std::vector<double> largest_radius;  // by type, at init
   std::vector<Active> active;
-  ClosePairs close;      // those that may become active
-  double largest_range;  // up to which the scheme has to see a pair
-  bool friction;         // whether any contact has friction
+  std::vector<cohesion::Vector3> rolled;  // with rolling friction, of each: from roll_alone()
+  ClosePairs close;                       // those that may become active
+  double largest_range;                   // up to which the scheme has to see a pair
+  bool friction;                          // whether any contact has friction
+  int per_pair;                           // values of history (HistorySize); 0: not known yet
   class FixEventStep* step;
   PairHistory history;
 };

@@ -14,7 +14,7 @@ namespace LAMMPS_NS {
 /// particles to other processes, such as fix deform.
 class PairHistory {
  public:
-  /// `id` of the fix.
+  /// `id` of the fix; the number of values is added, which restart files do not tell.
   PairHistory(Modify* modify, const std::string& id) : modify_(modify), id_(id), fix_(nullptr) {
     modify_->add_fix(place() + " all DUMMY");
   }
@@ -25,7 +25,9 @@ class PairHistory {
   /// In the init of `pair`: with `values` numbers per pair, made the first time.
   void init(Pair* pair, int values) {
     if (fix_) return;
-    modify_->replace_fix(place(), id_ + " all NEIGH_HISTORY " + std::to_string(values), 1);
+    const std::string number = std::to_string(values), place_id = place();
+    id_ += "_" + number;
+    modify_->replace_fix(place_id, id_ + " all NEIGH_HISTORY " + number, 1);
     fix_ = static_cast<FixNeighHistory*>(modify_->fix[modify_->find_fix(id_)]);
     fix_->pair = pair;
   }

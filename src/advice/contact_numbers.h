@@ -23,13 +23,14 @@ struct PairParameters {
   double dt;                   ///< [time]
   double gravity;              ///< g, [length/time^2]
   double tangential_stiffness = 0.0;  ///< K_t, [force/length]; 0 without friction
+  double rolling_stiffness = 0.0;     ///< K_r, [force/length]; 0 without rolling friction
 };
 
 /// The numbers of one type pair that decide whether a simulation can be right.
 ///
 ///   steps per contact     pi/(w dt), w the larger of w0 and w_t: t_c/dt of the undamped spring,
-///                         never above t_c/dt; w_t^2 = 7 K_t/(2 mu) is the tangential spring's, of
-///                         solid spheres whose points of contact slide and roll
+///                         never above t_c/dt; w_t is the fastest that tangential and rolling
+///                         spring swing together, of solid spheres: see tangential_frequency()
 ///   steps in the cut-off  H_cut/(u dt), u = sqrt(v^2 + 2 W/mu) the speed at first touch
 ///   Bond number           F_ad/(m g), m the smaller mass
 ///   overlaps              over d, the smaller diameter
@@ -63,8 +64,26 @@ class ContactNumbers {
   const contact::AdhesiveContact& contact() const { return contact_; }
 
   /// w: the larger of w0 = sqrt(K/mu) and w_t, [1/time].
-  double frequency() const {
-    return w0_ * std::sqrt(std::max(1.0, 3.5 * p_.tangential_stiffness / p_.stiffness));
+  double frequency() const { return std::max(w0_, tangential_frequency()); }
+  /// w_t, [1/time]. Sliding u = v - (R_i w_i + R_j w_j) x n is held by K_t, rolling
+  /// R (w_i - w_j) by K_r, R = R_i R_j/(R_i + R_j). w_t^2 is the larger root of
+  ///
+  ///   (K_t/m_t - w^2) (K_r/m_r - w^2) = K_t K_r c^2
+  ///
+  /// with 1/m_t = 7/(2 mu), 1/m_r = R^2 (1/I_i + 1/I_j) and c = R (R_i/I_i - R_j/I_j), what an
+  /// impulse on the one motion changes of the other. Without rolling friction w_t^2 = 7 K_t/(2 mu);
+  /// with it, at a wall, 5.55 K_t/mu for K_r = K_t.
+  double tangential_frequency() const {
+    const double turn_i = 1.0 / (p_.mass_i * p_.radius_i), turn_j = 1.0 / (p_.mass_j * p_.radius_j);
+    const double radius = 1.0 / (1.0 / p_.radius_i + 1.0 / p_.radius_j);
+    const double slide = 3.5 * p_.tangential_stiffness / pair_mass(p_);
+    const double roll = 2.5 * p_.rolling_stiffness * radius * radius *
+                        (turn_i / p_.radius_i + turn_j / p_.radius_j);
+    const double across = 2.5 * radius * (turn_i - turn_j);
+    const double mean = 0.5 * (slide + roll);
+    return std::sqrt(mean +
+                     std::sqrt(0.25 * (slide - roll) * (slide - roll) +
+                               p_.tangential_stiffness * p_.rolling_stiffness * across * across));
   }
   /// t_c, [time]; infinite at and beyond critical damping.
   double contact_time() const { return contact_.spring().contact_time(); }

@@ -18,6 +18,7 @@ struct ContactParameters {
   double tangential_ratio = 2.0 / 7.0;    ///< K_t/K, [1]; 2/7: equal contact times of solid spheres
   double tangential_damping_ratio = 0.5;  ///< eta_t/eta, [1]
   double friction = 0.0;                  ///< mu_f, [1]; 0: no tangential force at all
+  double rolling_friction = 0.0;          ///< mu_R, [1]; 0: nothing resists rolling
 };
 
 /// Throws InvalidParameter unless K > 0, 0 <= e <= 1 and the rest is not negative, all finite.
@@ -29,6 +30,7 @@ inline void require_valid(const ContactParameters& p) {
   require_non_negative("ratio of tangential to normal stiffness", p.tangential_ratio);
   require_non_negative("ratio of tangential to normal damping", p.tangential_damping_ratio);
   require_non_negative("friction coefficient", p.friction);
+  require_non_negative("rolling friction coefficient", p.rolling_friction);
 }
 
 /// Contact of unlike materials: geometric means; damping is given in place of e when both give it.
@@ -41,6 +43,7 @@ inline ContactParameters mixed(const ContactParameters& a, const ContactParamete
   m.tangential_damping_ratio =
       geometric_mean(a.tangential_damping_ratio, b.tangential_damping_ratio);
   m.friction = geometric_mean(a.friction, b.friction);
+  m.rolling_friction = geometric_mean(a.rolling_friction, b.rolling_friction);
   return m;
 }
 
@@ -50,7 +53,8 @@ inline LinearSpringDashpot normal_contact(const ContactParameters& p, double red
   return LinearSpringDashpot::from_restitution(p.stiffness, p.restitution, reduced_mass);
 }
 
-/// The tangential contact that belongs to it.
+/// The tangential contact that belongs to it. The rolling contact has the same spring and dashpot,
+/// and mu_R in place of mu_f.
 inline TangentialParameters tangential_contact(const ContactParameters& p,
                                                const LinearSpringDashpot& normal) {
   return {p.tangential_ratio * p.stiffness, p.tangential_damping_ratio * normal.damping(),

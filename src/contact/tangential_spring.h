@@ -40,8 +40,12 @@ struct TangentialStep {
 /// more than the mean Coulomb force: then it never does. Second order in T, also where sliding
 /// ends.
 ///
+/// The same law resists rolling, elastic-plastic, with m_r that answers in place of m_t
+/// (event_stepping/cohesive_contact.h).
+///
 /// Source: P. A. Cundall and O. D. L. Strack, Geotechnique 29 (1979) 47; van der Hoef et al.,
-/// Adv. Chem. Eng. 31 (2006) 65, eq. 27-29.
+/// Adv. Chem. Eng. 31 (2006) 65, eq. 27-29. Rolling: S. Luding, Granular Matter 10 (2008) 235;
+/// Y. Wang, F. Alonso-Marroquin, W. W. Guo, Particuology 23 (2015) 49.
 class TangentialSpring {
  public:
   explicit TangentialSpring(const TangentialParameters& p) : p_(p) {}
@@ -57,6 +61,11 @@ class TangentialSpring {
       return slide(displacement, velocity, time, inverse_mass, held, limit, normal_force_at_end);
     const Vector3 middle = velocity + (0.5 * inverse_mass) * held;
     return {held, displacement + time * middle, p_.damping * dot(middle, middle) * time, 0.0};
+  }
+
+  /// The same spring and dashpot with a slider of another friction coefficient.
+  TangentialSpring with_friction(double friction) const {
+    return TangentialSpring({p_.stiffness, p_.damping, friction});
   }
 
   /// [energy]

@@ -5,6 +5,7 @@
 #include "event_stepping/pair_step.h"
 #include "event_stepping/plane_pair.h"
 #include "event_stepping/sphere_pair.h"
+#include "event_stepping/spring_memory.h"
 #include "sphere.h"
 
 namespace cohesion::event_stepping {
@@ -39,10 +40,17 @@ struct FrictionStep {
   Vector3 torque_j;
 };
 
-/// One pair in contact: normal motion by Pair, tangential spring over the time in contact. Pair is
-/// SpherePair, PlanePair or WellPair, which follow the motion exactly, or SampledPair or
-/// SampledWell. Everything that does not change from step to step is worked out once; pairs of
-/// equal bodies can share it.
+/// What the resistance against rolling does in a step.
+struct RollingStep {
+  contact::TangentialStep spring;  ///< its impulse acts on the rolling motion only
+  Vector3 memory;                  ///< as with friction
+  Vector3 torque_i;                ///< angular impulse on i, its reverse on j, [momentum length]
+};
+
+/// One pair in contact: normal motion by Pair, tangential and rolling spring over the time in
+/// contact. Pair is SpherePair, PlanePair or WellPair, which follow the motion exactly, or
+/// SampledPair or SampledWell. Everything that does not change from step to step is worked out
+/// once; pairs of equal bodies can share it.
 template <class Pair>
 class CohesiveContact {
  public:
@@ -63,7 +71,8 @@ class CohesiveContact {
         spin_share_j_(inverse_inertia(j)),
         normal_contact_(contact::normal_contact(parameters, reduced_mass_)),
         pair_(normal_contact_, attraction, i.radius + j.radius, window.length()),
-        tangential_(contact::tangential_contact(parameters, normal_contact_)) {}
+        tangential_(contact::tangential_contact(parameters, normal_contact_)),
+        rolling_friction_(parameters.rolling_friction) {}
 
   bool joins(const Body& i, const Body& j) const { return i == i_ && j == j_; }
 
@@ -89,10 +98,10 @@ class CohesiveContact {
     return pair_.advance(grid, window_, inside);
   }
 
-  /// What the contact does to its particles by itself, over the step.
+  /// What the contact does to its particles by itself in the step that `normal` describes, but for
+  /// rolling.
   template <bool FRICTION>
-  PairMotion alone(const PairMotion& grid, bool inside, const Vector3& memory) const {
-    const PairStep normal = advance(grid.relative, inside);
+  PairMotion alone(const PairMotion& grid, const PairStep& normal, const Vector3& memory) const {
     PairMotion change{normal.change, {}, {}};
     if (!FRICTION || normal.normal.contact_time == 0.0) return change;
     const FrictionStep sliding = friction(grid, {}, normal, memory);
@@ -106,18 +115,12 @@ class CohesiveContact {
   /// contacts of its particles do, `others`. `memory` is what the last step left
   /// (FrictionStep.memory).
   ///
-  /// The spring's displacement is known on the grid, where it has grown with the grid's motion, and
-  /// is carried half a step back to where the step begins, like positions. Were it added up from
-  /// the steps as the pair sees them, each alone against its own tangential force, a spring under a
-  /// constant load that others balance would creep.
-  ///
   /// The lever arms of two spheres share the distance of their centres in proportion to the radii,
   /// so that angular momentum is kept exactly; beside a wall, the limit of a large sphere, the arm
   /// is the radius.
   FrictionStep friction(const PairMotion& grid, const PairMotion& others, const PairStep& normal,
                         const Vector3& memory) const {
-    const Vector3 separation =
-        grid.relative.separation + 0.5 * others.relative.separation + normal.change.separation;
+    const Vector3 separation = separation_of(grid, others, normal);
     const double distance = norm(separation);
     const Vector3 n = (1.0 / distance) * separation;
     const double arm_i = lever_arm_i(distance);
@@ -128,22 +131,50 @@ class CohesiveContact {
     PairMotion mine = grid;
     mine.relative.velocity += 0.5 * normal.change.velocity;
     const Vector3 by_others = surface_velocity(others);
-    const Vector3 u = surface_velocity(mine) + 0.5 * by_others;
-    const double answer = inverse_tangential_mass(arm_i, arm_j);
-    Vector3 displacement = contact::TangentialSpring::turned(memory, n);
-    if (dot(memory, memory) > 0.0) displacement += window_.before * (u - by_others);
-    contact::TangentialStep spring =
-        tangential_.advance(displacement, u, normal.normal.contact_time, answer,
-                            normal.normal.repulsion_impulse, normal.normal.repulsion_at_end);
-    Vector3 left = spring.displacement - window_.after * (u + answer * spring.impulse);
-    if (normal.overlap_at_end <= 0.0) {  // parted: what the spring still held is lost
-      spring.friction += friction_energy(spring.displacement);
-      spring.displacement = left = {};
-    }
-    const Vector3 turn = cross(n, spring.impulse);
-    return {spring, left, -arm_i * turn, -arm_j * turn};
+    const SpringStep step = follow_spring(tangential_, normal, window_, n, memory,
+                                          {surface_velocity(mine) + 0.5 * by_others, by_others},
+                                          inverse_tangential_mass(arm_i, arm_j));
+    const Vector3 turn = cross(n, step.spring.impulse);
+    return {step.spring, step.memory, -arm_i * turn, -arm_j * turn};
   }
 
+  /// Resistance against rolling in the step that `normal` describes, arguments as for friction(): a
+  /// spring, dashpot and slider like the tangential ones, stretched at the rolling velocity
+  ///
+  ///   v_r = R (w_i - w_j), the part across n    R = R_i R_j/(R_i + R_j), beside a wall R_i
+  ///
+  /// which is the same for every observer, also one that turns. What they carry, F, is no force:
+  /// the particles get the torques R F and -R F, and 1/m_r = R^2 (1/I_i + 1/I_j) answers.
+  ///
+  /// The source has v_r = R (w_i - w_j) x n and the torque R n x F: the same, a quarter turn about
+  /// n away. Here all changes sign with the exchange of i and j, as engines expect of what they
+  /// remember for a pair.
+  ///
+  /// Source: S. Luding, Granular Matter 10 (2008) 235; Y. Wang, F. Alonso-Marroquin, W. W. Guo,
+  /// Particuology 23 (2015) 49.
+  RollingStep rolling(const PairMotion& grid, const PairMotion& others, const PairStep& normal,
+                      const Vector3& memory) const {
+    const Vector3 separation = separation_of(grid, others, normal);
+    const Vector3 n = (1.0 / norm(separation)) * separation;
+    const double radius = rolling_radius();
+    const auto rolling_velocity = [&](const PairMotion& of) {
+      return radius * in_plane(of.spin_i - of.spin_j, n);
+    };
+    const Vector3 by_others = rolling_velocity(others);
+    const SpringStep step = follow_spring(
+        tangential_.with_friction(rolling_friction_), normal, window_, n, memory,
+        {rolling_velocity(grid) + 0.5 * by_others, by_others}, inverse_rolling_mass());
+    return {step.spring, step.memory, radius * step.spring.impulse};
+  }
+
+  /// R, [length].
+  double rolling_radius() const { return j_.radius > 0.0 ? lever_i_ * j_.radius : i_.radius; }
+  /// 1/m_r, [1/mass].
+  double inverse_rolling_mass() const {
+    return rolling_radius() * rolling_radius() * (spin_share_i_ + spin_share_j_);
+  }
+
+  /// Of the tangential spring, and of the rolling one.
   double friction_energy(const Vector3& displacement) const {
     return tangential_.stored_energy(displacement);
   }
@@ -156,6 +187,11 @@ class CohesiveContact {
   }
 
  private:
+  /// Where the pair stands at the grid point, moved by what the step does.
+  static Vector3 separation_of(const PairMotion& grid, const PairMotion& others,
+                               const PairStep& normal) {
+    return grid.relative.separation + 0.5 * others.relative.separation + normal.change.separation;
+  }
   static Vector3 in_plane(const Vector3& a, const Vector3& n) { return a - dot(a, n) * n; }
 
   double lever_arm_i(double distance) const {
@@ -180,6 +216,7 @@ class CohesiveContact {
   contact::LinearSpringDashpot normal_contact_;
   Pair pair_;
   contact::TangentialSpring tangential_;
+  double rolling_friction_;
 };
 
 }  // namespace cohesion::event_stepping

@@ -247,7 +247,7 @@ class Box:
     SPEED, TURN = 0.03, 30.0  # [m/s], [1/s]; TURN d/2 = SPEED/2
     A = 7.49e-19
 
-    def __init__(self, friction, division, head_on=False, apart=False):
+    def __init__(self, friction, division, head_on=False, apart=False, rolling=0.0):
         random = numpy.random.default_rng(4711)
         atoms = []
         for number in range(40):
@@ -264,15 +264,16 @@ class Box:
             atoms += couples.couple(number, gap, velocity, normal, columns=10, spins=spins,
                                     diameters=self.DIAMETERS, densities=self.DENSITIES)
         dt = T_C / division
-        path, output = couples.run(atoms, ["* * " + Pair(self.A).words(friction=friction)], dt,
-                                   10 * division, every=1, size=(0.03, 0.02, 0.004))
+        words = Pair(self.A).words(friction=friction, rolling_friction=rolling)
+        path, output = couples.run(atoms, ["* * " + words], dt, 10 * division, every=1,
+                                   size=(0.03, 0.02, 0.004))
         # Forces of step 0, too, are those of the half step that follows.
         self.v = path[..., 3:6] + 0.5 * dt * path[..., 9:12] / self.MASSES[:, None]
         self.spin = self.INERTIAS[:, None] * path[..., 6:9] + 0.5 * dt * path[..., 12:15]
         self.x = path[..., 0:3] + 0.5 * dt * self.v
         names, lines = couples.engine.thermo_lines(output)
         self.thermo = dict(zip(names, numpy.array(lines).T))
-        self.book = {k: self.thermo[f"c_book[{k}]"] for k in range(1, 11)}
+        self.book = {k: self.thermo[f"c_book[{k}]"] for k in range(1, 14)}
         self.energy = self.book[1][0] + self.book[2][0]
         self.centre = numpy.array([atom["x"] for atom in atoms]).reshape(-1, 2, 3).mean(
             axis=1, keepdims=True)

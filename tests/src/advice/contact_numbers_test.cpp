@@ -84,6 +84,27 @@ TEST(ContactNumbers, AStiffTangentialSpringShortensTheContact) {
   EXPECT_NEAR(ContactNumbers(p).steps_per_contact(), steps / std::sqrt(3.5), 1e-14 * steps);
 }
 
+TEST(ContactNumbers, TangentialAndRollingSpringSwingTogether) {
+  PairParameters p = thesis_pair();
+  const double mu = 0.5 * p.mass_i, K = p.tangential_stiffness = p.rolling_stiffness = p.stiffness;
+  // Equal spheres: sliding changes the sum of the spins, rolling their difference.
+  EXPECT_NEAR(ContactNumbers(p).tangential_frequency(), std::sqrt(3.5 * K / mu),
+              1e-14 * std::sqrt(3.5 * K / mu));
+  // A ball at a wall, spins in units of v/r: K [[1, -1], [-1, 2]] against m diag(1, 0.4), of which
+  // 0.4 L^2 - 2.4 L + 1 = 0, L = 3 + sqrt(6.5).
+  p.radius_j = p.mass_j = std::numeric_limits<double>::infinity();
+  const double wall = std::sqrt((3.0 + std::sqrt(6.5)) * K / p.mass_i);
+  EXPECT_NEAR(ContactNumbers(p).tangential_frequency(), wall, 1e-14 * wall);
+  EXPECT_NEAR(ContactNumbers(p).frequency(), wall, 1e-14 * wall);
+  // Rolling alone: K_r r^2/I.
+  p.tangential_stiffness = 0.0;
+  EXPECT_NEAR(ContactNumbers(p).tangential_frequency(), std::sqrt(2.5 * K / p.mass_i),
+              1e-14 * std::sqrt(2.5 * K / p.mass_i));
+  // A soft rolling spring is not the fastest.
+  p.rolling_stiffness = 0.1 * K;
+  EXPECT_EQ(ContactNumbers(p).frequency(), std::sqrt(K / p.mass_i));
+}
+
 TEST(ContactNumbers, RefusesWhatCannotBe) {
   const double inf = std::numeric_limits<double>::infinity();
   const auto with = [](double PairParameters::*member, double value) {

@@ -83,7 +83,8 @@ TEST(ContactParameters, RefusesWhatCannotBe) {
     refused(&ContactParameters::tangential_ratio, bad, "ratio of tangential to normal stiffness");
     refused(&ContactParameters::tangential_damping_ratio, bad,
             "ratio of tangential to normal damping");
-    refused(&ContactParameters::friction, bad, "friction");
+    refused(&ContactParameters::friction, bad, "friction coefficient");
+    refused(&ContactParameters::rolling_friction, bad, "rolling friction coefficient");
   }
 }
 

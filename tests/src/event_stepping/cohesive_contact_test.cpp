@@ -146,7 +146,7 @@ TEST(CohesiveContact, AloneItDoesWhatStepAndFrictionDo) {
   const Vector3 memory{0.0, 2e-7, -1e-7};
   const PairStep normal = contact.advance(grid.relative, true);
   const FrictionStep sliding = contact.friction(grid, {}, normal, memory);
-  const PairMotion change = contact.alone<true>(grid, true, memory);
+  const PairMotion change = contact.alone<true>(grid, normal, memory);
   const Vector3 velocity =
       normal.change.velocity + (1.0 / contact.reduced_mass()) * sliding.spring.impulse;
   // One rounding of 1/mass and one of the sum.
@@ -155,7 +155,7 @@ TEST(CohesiveContact, AloneItDoesWhatStepAndFrictionDo) {
   EXPECT_EQ(norm(change.spin_i - inverse_inertia(i) * sliding.torque_i), 0.0);
   EXPECT_EQ(norm(change.spin_j - inverse_inertia(j) * sliding.torque_j), 0.0);
   EXPECT_GT(norm(change.spin_i), 0.0);
-  const PairMotion frictionless = contact.alone<false>(grid, true, memory);
+  const PairMotion frictionless = contact.alone<false>(grid, normal, memory);
   EXPECT_EQ(norm(frictionless.relative.velocity - normal.change.velocity), 0.0);
   EXPECT_EQ(norm(frictionless.spin_i), 0.0);
 }
