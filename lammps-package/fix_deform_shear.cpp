@@ -17,6 +17,7 @@
 #include "irregular.h"
 #include "modify.h"
 #include "neighbor.h"
+#include "output.h"
 #include "shear/list_margin.h"
 #include "shear_companions.h"
 #include "update.h"
@@ -127,7 +128,7 @@ void FixDeformShear::read_keywords(int narg, char** arg) {
 
 int FixDeformShear::setmask() {
   return FixConst::POST_INTEGRATE | FixConst::PRE_EXCHANGE | FixConst::POST_NEIGHBOR |
-         FixConst::POST_RUN;
+         FixConst::END_OF_STEP | FixConst::POST_RUN;
 }
 
 void FixDeformShear::init() {
@@ -303,6 +304,14 @@ void FixDeformShear::post_neighbor() {
   listed_step = neighbor->lastcall;
   if (!own_rebuild) return;
   listed.begin(atom->nlocal > 0 ? atom->x[0] : nullptr, atom->nlocal, domain->xy);
+}
+
+/// The engine puts particles back into the box that a restart file finds outside, but leaves them
+/// their velocity.
+void FixDeformShear::end_of_step() {
+  if (update->ntimestep != output->next_restart) return;
+  put_into_box(atom, domain);
+  next_reneighbor = update->ntimestep + 1;
 }
 
 /* ---------------------------------------------------------------------- */

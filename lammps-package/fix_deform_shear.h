@@ -37,6 +37,7 @@ class FixDeformShear : public FixDeform {
   void post_integrate() override;
   void pre_exchange() override;
   void post_neighbor() override;
+  void end_of_step() override;
   void post_run() override;
   void write_restart(FILE*) override;
   void restart(char*) override;

@@ -144,6 +144,7 @@ void FixHardEvents::pre_exchange() {
 /// Nothing has moved: the run starts here.
 void FixHardEvents::setup_pre_force(int) {
   order_.begin_step(0.0);
+  round_places();
   connect();
   tell_of_overlaps();
   next_reneighbor = update->ntimestep + 1;
@@ -175,8 +176,19 @@ void FixHardEvents::tell_of_overlaps() const {
 /// box at the same times and round alike.
 void FixHardEvents::match_restart() {
   if (update->ntimestep != output->next_restart) return;
-  for (int i = 0; i < atom->nlocal; i++) domain->remap(atom->x[i], atom->image[i]);
+  put_into_box(atom, domain);
+  round_places();
   next_reneighbor = update->ntimestep + 1;
+}
+
+/// In a tilted box a run begins with places that the engine has carried to the box's own
+/// coordinates and back, once more than where the file was written: some roundings, each a few
+/// 2^-53 of the box. Rounded to 2^-44 of it both are the same again.
+void FixHardEvents::round_places() {
+  if (!domain->triclinic) return;
+  const double unit = std::ldexp(1.0, std::ilogb(std::max(domain->prd[0], domain->prd[1])) - 44);
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int k = 0; k < 3; k++) atom->x[i][k] = unit * std::nearbyint(atom->x[i][k] / unit);
 }
 
 void FixHardEvents::pre_force(int) {

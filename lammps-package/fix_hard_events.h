@@ -96,6 +96,7 @@ class FixHardEvents : public Fix {
 
   void tell_of_overlaps() const;
   void match_restart();
+  void round_places();
   void connect();
   void describe(int body, int i);
   int body_of(int i);

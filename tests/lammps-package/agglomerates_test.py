@@ -207,6 +207,35 @@ class Agglomerates(unittest.TestCase):
         self.assertEqual(end["f_set[6]"], 2)
         self.assertLess(abs(end["f_set[5]"] - duration), 0.001)
 
+    def test_one_that_splits_in_a_step(self):
+        """A row of five through a face, of which the last two leave together: one agglomerate at one look,
+        two at the next, nobody without partner in between."""
+        for axis, ranks in ((0, 1), (0, 2), (1, 2)):
+            with self.subTest(axis=axis, ranks=ranks):
+                x, v = numpy.full((5, 3), 3.0), numpy.zeros((5, 3))
+                x[:, axis] = BOX[axis] - 2.05 + 1.05 * numpy.arange(5)
+                v[3:, axis] = 1.0
+                # The gap of 0.0505 passes the range of 0.2 in the middle of step 150.
+                x[3:, axis] += 0.0005
+                self.write(x % BOX, v)
+                output = self.run_script(
+                    self.FLIGHT + "dump out all custom 1 out.txt id f_set[1] f_set[2]\n"
+                    f"thermo 1\nthermo_style custom step {FIELDS} f_set[2][1] f_set[3][1] f_set[5][1]\n"
+                    "thermo_modify format float %.15g\nrun 200\n", ranks=ranks)
+                names, rows = engine.thermo_lines(output)
+                table = dict(zip(names, numpy.array(rows).T))
+                one = numpy.arange(201) < 150
+                numpy.testing.assert_array_equal(table["f_set[1]"], numpy.where(one, 1, 2))
+                numpy.testing.assert_array_equal(table["f_set[2]"], numpy.where(one, 5, 2.5))
+                for size, of_two in ((2, 1), (3, 1)):
+                    numpy.testing.assert_array_equal(table[f"f_set[{size}][1]"],
+                                                     numpy.where(one, 0, of_two))
+                numpy.testing.assert_array_equal(table["f_set[5][1]"], one)
+                self.assertEqual(abs(table["f_set[6]"]).max(), 0)  # no duration has ended
+                sets = numpy.array(engine.dumps(self.folder, "out.txt"))
+                numpy.testing.assert_array_equal(sets[149, :, 1:], [[1, 5]] * 5)
+                numpy.testing.assert_array_equal(sets[150, :, 1:], [[1, 3]] * 3 + [[4, 2]] * 2)
+
     def test_runs_that_are_split_or_restarted(self):
         x, v, _, _ = self.passing()
         self.write(x, v)

@@ -1,0 +1,100 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the outputs of sheared runs cost: instructions per particle and step, with and without each.
+
+  output-cost.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--steps N] [--scene soft|hard]
+
+A dense sheared gas of 864 spheres of gran/hamaker, and one of 900 discs of hard/square_well, in the state
+that 100 steps from a lattice lead to. Each output is defined and runs for N and 2 N steps; the
+difference of both counts is free of the start. Valgrind counts (its option --tool=cachegrind), so the
+numbers do not depend on what else the machine does; one rank. `not read` is an output that nothing asks
+for: the totals of gran/stress and hard/stress are summed all the same.
+"""
+import argparse
+import os
+import re
+import shutil
+import subprocess
+import sys
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+from progress import Progress
+
+EVERY_STEP = "fix out all ave/time 1 10 10 c_out[*] mode vector file out.txt\n"
+VECTOR = EVERY_STEP.replace(" mode vector", "")
+PROFILE = "compute out all shear/profile\n"
+AGGLOMERATES = {"agglomerates 1": "fix out all agglomerates 1\n",
+                "agglomerates 10": "fix out all agglomerates 10\n"}
+OUTPUTS = {
+    "soft": {"none": "", "shear/profile, not read": PROFILE,
+             "shear/profile, every step": PROFILE + VECTOR,
+             "shear/profile, every 10": PROFILE + VECTOR.replace("1 10 10", "10 1 10"),
+             "gran/stress, not read": "compute out all gran/stress\n",
+             "gran/stress, every step": "compute out all gran/stress\n" + EVERY_STEP,
+             "gran/energy, not read": "compute out all gran/energy\n", **AGGLOMERATES},
+    "hard": {"none": "", "shear/profile, not read": PROFILE,
+             "shear/profile, every step": PROFILE + VECTOR,
+             "hard/stress, not read": "compute out all hard/stress\n",
+             "hard/stress, every step": "compute out all hard/stress\n" + EVERY_STEP,
+             "hard/events, every step": "compute out all hard/events\n" + VECTOR, **AGGLOMERATES},
+}
+PARTICLES = {"soft": 864, "hard": 900}
+
+
+def main():
+    words = argparse.ArgumentParser(description=__doc__,
+                                    formatter_class=argparse.RawDescriptionHelpFormatter)
+    words.add_argument("lmp")
+    words.add_argument("plugin")
+    words.add_argument("--steps", type=int, default=100, help="a multiple of 10")
+    words.add_argument("--scene", choices=tuple(OUTPUTS), action="append")
+    words = words.parse_args()
+    if words.steps < 10 or words.steps % 10:
+        sys.exit(f"--steps {words.steps}: a multiple of 10, 10 or more")
+    if not shutil.which("valgrind"):
+        sys.exit("output-cost.py counts with valgrind, which is not installed")
+    os.environ.update(COHESION_LMP=words.lmp, COHESION_PLUGIN=words.plugin, OMP_NUM_THREADS="1")
+    sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+    import lammps_engine as engine
+
+    def instructions(scene, output, steps):
+        with engine.temporary_folder() as folder:
+            (Path(folder) / "output.txt").write_text(output)
+            command = ["valgrind", "--tool=cachegrind", "--cache-sim=no",
+                       "--cachegrind-out-file=/dev/null", words.lmp, "-log", "none", "-in",
+                       str(engine.SCRIPTS / "in.output_cost")]
+            for name, value in (("plugin", words.plugin), ("scene", scene), ("before", 100),
+                                ("steps", steps)):
+                command += ["-var", name, str(value)]
+            done = subprocess.run(command, cwd=folder, text=True, stdout=subprocess.PIPE,
+                                  stderr=subprocess.PIPE)
+            found = re.search(r"I\s+refs:\s+([\d,]+)", done.stderr)
+            if done.returncode != 0 or not found:
+                sys.exit(f"{' '.join(command)} ended with code {done.returncode}:\n"
+                         f"{done.stdout[-1000:]}{done.stderr[-1000:]}")
+            return int(found[1].replace(",", ""))
+
+    scenes = words.scene or list(OUTPUTS)
+    progress = Progress(2 * sum(len(OUTPUTS[scene]) for scene in scenes))
+
+    def per_step(case):
+        scene, name = case
+        counts = []
+        for steps in (words.steps, 2 * words.steps):
+            counts.append(instructions(scene, OUTPUTS[scene][name], steps))
+            progress.add(1)
+        return (counts[1] - counts[0]) / words.steps / PARTICLES[scene]
+
+    for scene in scenes:
+        cases = [(scene, name) for name in OUTPUTS[scene]]
+        with ThreadPoolExecutor(2) as pool:
+            counts = list(pool.map(per_step, cases))
+        print(f"\n{scene}: instructions per particle and step{'':10s}more    share")
+        for (_, name), count in zip(cases, counts):
+            print(f"  {name:28s}{count:14.0f}{count - counts[0]:14.0f}"
+                  f"{100 * (count / counts[0] - 1):8.1f} %", flush=True)
+
+
+if __name__ == "__main__":
+    main()
