@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "arg_info.h"
 #include "comm.h"
@@ -83,7 +84,10 @@ void FixStationary::read_keywords(int narg, char** arg) {
 
 /// From the tolerance at `i` on; the place of the first word behind.
 int FixStationary::read_watched(int i, int narg, char** arg) {
-  Value value{std::string(), utils::numeric(FLERR, arg[i], false, lmp), {}};
+  const bool any = strcmp(arg[i], "any") == 0;
+  Value value{std::string(),
+              any ? std::numeric_limits<double>::max() : utils::numeric(FLERR, arg[i], false, lmp),
+              {}};
   for (i++; i < narg; i++) {
     const std::string word = arg[i];
     if (word != "mean" && word != "rate" && word != "ratio") break;
@@ -209,9 +213,8 @@ void FixStationary::finish() {
                                  rule->blocks(), update->ntimestep);
   for (std::size_t w = 0; w < watched.size(); w++) {
     const auto mean = rule->mean(w);
-    text += fmt::format("  {}: mean {:.6g} +- {:.2g}, last change {:.2g} %, tolerance {:.2g} %\n",
-                        watched[w].words, mean.value, mean.error, 100.0 * rule->change(w),
-                        100.0 * watched[w].tolerance);
+    text += fmt::format("  {}: mean {:.6g} +- {:.2g}, last change {:.2g} %\n", watched[w].words,
+                        mean.value, mean.error, 100.0 * rule->change(w));
   }
   if (comm->me) return;
   utils::logmesg(lmp, text);

@@ -48,7 +48,7 @@ class Stationary(unittest.TestCase):
         to the next is 32/(10.5 + 32 b), below 5 % first for b = 20."""
         for ranks in (1, 2):
             output = self.go("fix end all stationary 1 progress v_t start 10 block 32 "
-                             "watch 0.05 mean v_t\n" + THERMO + "run 5000\n"
+                             "watch 0.05 mean v_t watch any rate v_t\n" + THERMO + "run 5000\n"
                              "print 'now $(step) $(f_end[1]) $(f_end[2])'\n"
                              "run 7\nprint 'then $(step)'\n", ranks)
             self.assertIn(f"now {10 + 21 * 32} 21 1", output)
@@ -57,6 +57,7 @@ class Stationary(unittest.TestCase):
             self.assertNotIn("WARNING: fix end", output)
             last = table(output)[-1]
             n = 21 * 32
+            self.assertAlmostEqual(last["f_end[6]"], 1 / 0.01, delta=1e-12 * 100)
             self.assertEqual(last["f_end[3]"], 10 + (n + 1) / 2)
             self.assertAlmostEqual(last["f_end[5]"], 32 / (10.5 + 32 * 20), delta=1e-15)
             # Coarsest level: 336 batches of two steps down to 10 values, of a line: its spread, n/sqrt(12),
