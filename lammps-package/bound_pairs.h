@@ -13,6 +13,8 @@ class BoundPairs {
   /// Appends the pairs that are bound after the forces of the step: the index of an owned particle
   /// and that of its partner, which is owned or a ghost. A pair of two ranks is given by both.
   virtual void append_bound(std::vector<std::array<int, 2>>& pairs) const = 0;
+  /// Those of them that would not part if nothing else met them.
+  virtual void append_held(std::vector<std::array<int, 2>>& pairs) const { append_bound(pairs); }
 
  protected:
   ~BoundPairs() = default;

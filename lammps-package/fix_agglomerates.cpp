@@ -39,6 +39,7 @@ FixAgglomerates::FixAgglomerates(LAMMPS* lammps, int narg, char** arg)
       place(nullptr),
       id_and_size(nullptr),
       since(nullptr),
+      held_only(false),
       distribution(20),
       last_step(-1),
       number(0.0),
@@ -49,15 +50,10 @@ FixAgglomerates::FixAgglomerates(LAMMPS* lammps, int narg, char** arg)
       unfolded(0.0),
       wrapping(0.0) {
   const std::string where = std::string("fix ") + id + " agglomerates";
-  if (narg != 4 && (narg != 6 || strcmp(arg[4], "sizes") != 0))
-    error->all(FLERR, where + " takes 'N', every so many steps, and nothing else but 'sizes M'");
+  if (narg < 4) error->all(FLERR, where + " takes 'N', every so many steps");
   nevery = utils::inumeric(FLERR, arg[3], false, lmp);
   if (nevery < 1) error->all(FLERR, where + ": N is {}; it must be 1 or more", nevery);
-  if (narg == 6) {
-    const int sizes = utils::inumeric(FLERR, arg[5], false, lmp);
-    if (sizes < 2) error->all(FLERR, where + ": sizes {}; it must be 2 or more", sizes);
-    distribution = SizeDistribution(sizes);
-  }
+  read_keywords(narg, arg);
   if (!atom->tag_enable) error->all(FLERR, where + " needs particles with IDs");
   scalar_flag = vector_flag = array_flag = peratom_flag = 1;
   size_vector = 8;
@@ -74,6 +70,24 @@ FixAgglomerates::FixAgglomerates(LAMMPS* lammps, int narg, char** arg)
   atom->add_callback(Atom::GROW);
   atom->add_callback(Atom::RESTART);
   for (int i = 0; i < atom->nlocal; i++) FixAgglomerates::set_arrays(i);
+}
+
+void FixAgglomerates::read_keywords(int narg, char** arg) {
+  const std::string where = std::string("fix ") + id + " agglomerates";
+  for (int i = 4; i < narg; i += 2) {
+    const std::string word = arg[i], value = i + 1 < narg ? arg[i + 1] : "";
+    if (word == "sizes" && !value.empty()) {
+      const int sizes = utils::inumeric(FLERR, arg[i + 1], false, lmp);
+      if (sizes < 2) error->all(FLERR, where + ": sizes {}; it must be 2 or more", sizes);
+      distribution = SizeDistribution(sizes);
+    } else if (word == "partners" && (value == "bound" || value == "held")) {
+      held_only = value == "held";
+    } else {
+      error->all(FLERR, where + ": '" + word + " " + value +
+                            "'; after 'N' it takes 'sizes M' and 'partners bound' or 'partners "
+                            "held'");
+    }
+  }
 }
 
 FixAgglomerates::~FixAgglomerates() {
@@ -141,7 +155,8 @@ void FixAgglomerates::find(double elapsed) {
 void FixAgglomerates::connect() {
   const int nlocal = atom->nlocal, all = nlocal + atom->nghost;
   pairs.clear();
-  for (const BoundPairs* source : sources) source->append_bound(pairs);
+  for (const BoundPairs* source : sources)
+    held_only ? source->append_held(pairs) : source->append_bound(pairs);
   sets.reset(all);
   for (const auto& [i, j] : pairs)
     if ((atom->mask[i] & groupbit) && (atom->mask[j] & groupbit)) sets.join(i, j);

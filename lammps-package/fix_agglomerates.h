@@ -56,6 +56,7 @@ class FixAgglomerates : public Fix {
   double memory_usage() override;
 
  private:
+  void read_keywords(int, char**);
   void find(double elapsed);
   void connect();
   bool take_over_labels();
@@ -77,6 +78,7 @@ class FixAgglomerates : public Fix {
   double** id_and_size;                       // per atom
   cohesion::agglomerates::Membership* since;  // per atom
 
+  bool held_only;  // partners are pairs that would not part by themselves
   cohesion::agglomerates::SizeDistribution distribution;
   struct Totals {
     double time = 0.0;  // since the fix was defined

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-only
 #include "fix_stationary.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <iterator>
+#include <limits>
 
 #include "arg_info.h"
 #include "comm.h"
@@ -23,6 +26,18 @@ using cohesion::statistics::Watched;
 static constexpr int HEAD = 2;  // blocks, state; then three numbers of each watched value
 static constexpr const char* SYNTAX =
     "progress VALUE, per_particle, start P, block P, most N, watch TOLERANCE TERM ...";
+
+namespace {
+
+struct TermRow {
+  const char* word;
+  int operands;
+};
+
+/// In the order of FixStationary::Kind.
+constexpr TermRow TERMS[] = {{"mean", 1}, {"weighted", 2}, {"rate", 1}, {"ratio", 2}};
+
+}  // namespace
 
 FixStationary::FixStationary(LAMMPS* lammps, int narg, char** arg)
     : Fix(lammps, narg, arg),
@@ -83,23 +98,23 @@ void FixStationary::read_keywords(int narg, char** arg) {
 
 /// From the tolerance at `i` on; the place of the first word behind.
 int FixStationary::read_watched(int i, int narg, char** arg) {
-  Value value{std::string(), utils::numeric(FLERR, arg[i], false, lmp), {}};
+  const bool any = strcmp(arg[i], "any") == 0;
+  Value value{std::string(),
+              any ? std::numeric_limits<double>::max() : utils::numeric(FLERR, arg[i], false, lmp),
+              {}};
   for (i++; i < narg; i++) {
     const std::string word = arg[i];
-    if (word != "mean" && word != "rate" && word != "ratio") break;
-    const int operands = word == "ratio" ? 2 : 1;
-    if (i + operands >= narg)
+    const auto row = std::find_if(std::begin(TERMS), std::end(TERMS),
+                                  [&](const TermRow& r) { return word == r.word; });
+    if (row == std::end(TERMS)) break;
+    if (i + row->operands >= narg)
       error->all(FLERR, where + ": watch: " + word + " takes " +
-                            (operands == 2 ? "two totals" : "one value"));
-    Term term{word == "mean" ? Kind::mean : (word == "rate" ? Kind::rate : Kind::ratio),
-              {},
-              {},
-              0.0,
-              0.0};
+                            (row->operands == 2 ? "two values" : "one value"));
+    Term term{static_cast<Kind>(row - std::begin(TERMS)), {}, {}, 0.0, 0.0};
     term.value = arg[++i];
     value.words += (value.words.empty() ? "" : " + ") + word + " " + term.value;
     require_exists(term.value);
-    if (operands == 2) {
+    if (row->operands == 2) {
       term.other = arg[++i];
       value.words += " " + term.other;
       require_exists(term.other);
@@ -107,9 +122,10 @@ int FixStationary::read_watched(int i, int narg, char** arg) {
     value.terms.push_back(term);
   }
   if (value.terms.empty())
-    error->all(FLERR, where +
-                          ": watch takes a tolerance and then at least one of: mean VALUE, rate "
-                          "TOTAL, ratio TOTAL TOTAL");
+    error->all(FLERR,
+               where +
+                   ": watch takes a tolerance and then at least one of: mean VALUE, weighted "
+                   "VALUE WEIGHT, rate TOTAL, ratio TOTAL TOTAL");
   watched.push_back(value);
   return i;
 }
@@ -187,9 +203,11 @@ std::vector<Ratio> FixStationary::gains(double elapsed) {
   for (Value& value : watched)
     for (Term& term : value.terms) {
       const double here = now(term.value);
-      const double other = term.kind == Kind::ratio ? now(term.other) : 0.0;
+      const double other = term.other.empty() ? 0.0 : now(term.other);
       if (term.kind == Kind::mean)
         gained.push_back({here, 1.0});
+      else if (term.kind == Kind::weighted)
+        gained.push_back({here * other, other});
       else if (term.kind == Kind::rate)
         gained.push_back({here - term.last, elapsed});
       else
@@ -209,9 +227,8 @@ void FixStationary::finish() {
                                  rule->blocks(), update->ntimestep);
   for (std::size_t w = 0; w < watched.size(); w++) {
     const auto mean = rule->mean(w);
-    text += fmt::format("  {}: mean {:.6g} +- {:.2g}, last change {:.2g} %, tolerance {:.2g} %\n",
-                        watched[w].words, mean.value, mean.error, 100.0 * rule->change(w),
-                        100.0 * watched[w].tolerance);
+    text += fmt::format("  {}: mean {:.6g} +- {:.2g}, last change {:.2g} %\n", watched[w].words,
+                        mean.value, mean.error, 100.0 * rule->change(w));
   }
   if (comm->me) return;
   utils::logmesg(lmp, text);

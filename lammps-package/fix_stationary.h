@@ -34,11 +34,12 @@ class FixStationary : public Fix {
   void restart(char*) override;
 
  private:
-  enum class Kind { mean, rate, ratio };
+  enum class Kind { mean, weighted, rate, ratio };
   struct Term {
     Kind kind;
-    std::string value, other;  // as in the script: c_ID, f_ID, v_name; of a ratio the total below
-    double last, last_other;   // of totals
+    std::string value,
+        other;  // as in the script: c_ID, f_ID, v_name; the weight, of a ratio the total below
+    double last, last_other;  // of totals
   };
   struct Value {
     std::string words;  // as in the script

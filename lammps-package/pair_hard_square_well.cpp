@@ -15,10 +15,12 @@
 #include "memory.h"
 #include "modify.h"
 #include "neigh_list.h"
+#include "square_well/held.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
 using namespace cohesion::hard_sphere;
+using cohesion::Vector3;
 
 // Of the skin. Where the engine's own check keeps the list, particles may be half a skin away from
 // where they were; the events of the step then turn some away farther.
@@ -84,6 +86,25 @@ void PairHardSquareWell::append_bound(std::vector<std::array<int, 2>>& pairs) co
     for (int jj = 0; jj < list->numneigh[i]; jj++)
       if (history_->firstflag[i][jj]) pairs.push_back({i, list->firstneigh[i][jj] & NEIGHMASK});
   }
+}
+
+void PairHardSquareWell::append_held(std::vector<std::array<int, 2>>& pairs) const {
+  const auto difference = [](const double* a, const double* b) {
+    return Vector3{a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+  };
+  const std::size_t before = pairs.size();
+  append_bound(pairs);
+  const auto parts = [&](const std::array<int, 2>& pair) {
+    const auto [i, j] = pair;
+    const auto& well = contact_of_types(atom->type[i], atom->type[j]).well;
+    return !cohesion::square_well::held(
+        difference(atom->x[j], atom->x[i]), difference(atom->v[i], atom->v[j]),
+        cohesion::square_well::edge(well, atom->radius[i], atom->radius[j]), well.depth,
+        1.0 / atom->rmass[i] + 1.0 / atom->rmass[j]);
+  };
+  pairs.erase(
+      std::remove_if(pairs.begin() + static_cast<std::ptrdiff_t>(before), pairs.end(), parts),
+      pairs.end());
 }
 
 std::vector<Law> PairHardSquareWell::laws() const {

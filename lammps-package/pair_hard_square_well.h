@@ -39,6 +39,7 @@ class PairHardSquareWell : public Pair, public BoundPairs {
   void write_restart_settings(FILE*) override;
   void read_restart_settings(FILE*) override;
   void append_bound(std::vector<std::array<int, 2> >&) const override;
+  void append_held(std::vector<std::array<int, 2> >&) const override;
 
   const cohesion::hard_sphere::OrderRules& rules() const { return rules_; }
   const std::string& record_file() const { return record_file_; }

@@ -19,9 +19,9 @@ sys.path.insert(0, str(HERE.parent / "common"))
 import analyse  # noqa: E402
 import picture  # noqa: E402
 from foam_case import CaseError, FoamCase, environment  # noqa: E402
+from progress_line import ProgressLine  # noqa: E402
 
 POLL = 2.0  # s between looks at the logs
-REPORT = 20.0  # s between lines when the output is not a terminal
 
 
 def arguments():
@@ -71,14 +71,9 @@ def earlier_run(out, settings, overwrite):
     return json.loads(record.read_text())["finished"]
 
 
-def clock(seconds):
-    return f"{int(seconds) // 60}:{int(seconds) % 60:02d}"
-
-
 def watch(cases, processes):
     """One line with the share done and the time left, until all have ended."""
-    begin = last = time.time()
-    on_terminal = sys.stdout.isatty()
+    line = ProgressLine()
     while any(process.poll() is None for process in processes.values()):
         time.sleep(POLL)
         if any(process.poll() for process in processes.values()):
@@ -88,16 +83,8 @@ def watch(cases, processes):
             progress = case.progress()
             parts.append(f"{name} {100 * progress[0]:3.0f} %" if progress else f"{name} settling")
             left = max(left, progress[1]) if progress and left is not None else None
-        line = (f"    {clock(time.time() - begin)} elapsed, "
-                + (f"about {clock(left)} left" if left is not None else "time left not known yet")
-                + ": " + ", ".join(parts))
-        if on_terminal:
-            print("\r" + line.ljust(79), end="", flush=True)
-        elif time.time() - last > REPORT:
-            last = time.time()
-            print(line, flush=True)
-    if on_terminal:
-        print()
+        line.show(left, ", ".join(parts))
+    line.close()
     failed = [name for name, process in processes.items() if process.poll()]
     if failed:
         for process in processes.values():

@@ -48,7 +48,7 @@ class Stationary(unittest.TestCase):
         to the next is 32/(10.5 + 32 b), below 5 % first for b = 20."""
         for ranks in (1, 2):
             output = self.go("fix end all stationary 1 progress v_t start 10 block 32 "
-                             "watch 0.05 mean v_t\n" + THERMO + "run 5000\n"
+                             "watch 0.05 mean v_t watch any rate v_t\n" + THERMO + "run 5000\n"
                              "print 'now $(step) $(f_end[1]) $(f_end[2])'\n"
                              "run 7\nprint 'then $(step)'\n", ranks)
             self.assertIn(f"now {10 + 21 * 32} 21 1", output)
@@ -57,6 +57,7 @@ class Stationary(unittest.TestCase):
             self.assertNotIn("WARNING: fix end", output)
             last = table(output)[-1]
             n = 21 * 32
+            self.assertAlmostEqual(last["f_end[6]"], 1 / 0.01, delta=1e-12 * 100)
             self.assertEqual(last["f_end[3]"], 10 + (n + 1) / 2)
             self.assertAlmostEqual(last["f_end[5]"], 32 / (10.5 + 32 * 20), delta=1e-15)
             # Coarsest level: 336 batches of two steps down to 10 values, of a line: its spread, n/sqrt(12),
@@ -69,13 +70,16 @@ class Stationary(unittest.TestCase):
         """Totals t^2 and 3 t^2: rate in time 2 t/dt, ratio 1/3; the mean of t beside them."""
         output = self.go("variable s equal step*step\nvariable u equal 3*step*step\n"
                          "fix end all stationary 2 progress v_t start 0 block 16 most 2 "
-                         "watch 1e-9 ratio v_s v_u watch 1e-9 rate v_s watch 1e-9 mean v_t rate v_s\n"
+                         "watch 1e-9 ratio v_s v_u watch 1e-9 rate v_s watch 1e-9 mean v_t rate v_s "
+                         "watch 1e-9 weighted v_t v_t\n"
                          "thermo_style custom step f_end f_end[*]\nthermo 2\nrun 500\n"
-                         "print 'after $(f_end[3]:%.15g) $(f_end[6]:%.15g) $(f_end[9]:%.15g)'\n")
-        # Known from step 0 on: 32 steps, rate 32^2/(32 dt); samples of t at 2, 4, ... 32, mean 17.
-        ratio, rate, both = map(float, re.search(r"after (.*)", output[output.index("Loop"):]
+                         "print 'after $(f_end[3]:%.15g) $(f_end[6]:%.15g) $(f_end[9]:%.15g) "
+                         "$(f_end[12]:%.15g)'\n")
+        # Known from step 0 on: 32 steps, rate 32^2/(32 dt); samples of t at 2, 4, ... 32, mean 17,
+        # sum of squares over sum 22.
+        ratio, rate, both, weighted = map(float, re.search(r"after (.*)", output[output.index("Loop"):]
                                                  ).group(1).split())
-        for found, expected in ((ratio, 1 / 3), (rate, 3200), (both, 3217)):
+        for found, expected in ((ratio, 1 / 3), (rate, 3200), (both, 3217), (weighted, 22)):
             self.assertAlmostEqual(found, expected, delta=1e-13 * expected)
         self.assertRegex(output, r"the rule was not met after 2 blocks, step 32\n"
                                  r"  ratio v_s v_u: mean 0.333333 .* 0 %")
@@ -145,9 +149,9 @@ class Refusals(unittest.TestCase):
             ("1 " + good.replace("0.1", "0"), "tolerance = 0"),
             ("1 " + good + " most 1", "most 1", "two blocks"),
             ("1 " + good + " most", "most takes a value"),
-            ("1 " + good + " watch 0.1", "at least one of: mean VALUE, rate TOTAL"),
+            ("1 " + good + " watch 0.1", "at least one of: mean VALUE", "rate TOTAL"),
             ("1 " + good + " watch 0.1 median v_t", "at least one of"),
-            ("1 " + good + " watch 0.1 ratio v_t", "two totals"),
+            ("1 " + good + " watch 0.1 ratio v_t", "two values"),
             ("1 " + good.replace("mean v_t", "mean v_none"), "'v_none' must be"),
             ("1 " + good.replace("progress v_t", "progress c_none[1]"), "'c_none[1]' must be"),
             ("1 " + good.replace("mean v_t", "mean 3"), "'3' must be"),

@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Which runs the shear example makes."""
+
+from collections import namedtuple
+
+
+class Run(namedtuple("Run", "phi D w e")):
+    """Area fraction, depth D/(m rate^2 r^2), r_out/r, restitution."""
+
+    @property
+    def name(self):
+        return f"phi{self.phi:.3f}-D{self.D:g}-w{self.w:g}-e{self.e:g}"
+
+
+# Collisions per particle before the first block and in a block, blocks at most, seed of the start, side
+# of the box in radii (120: the thesis's 458 to 2292 discs; 85: half as many).
+Rule = namedtuple("Rule", "start block most seed side")
+THESIS = Rule(2500, 500, 40, 1, 120)
+SHORT = Rule(600, 150, 6, 1, 85)
+
+FRACTIONS = (0.1, 0.2, 0.3, 0.4, 0.5)
+WIDTH, RESTITUTION = 1.1, 0.9
+MILD = (0, 1, 2, 4)  # depths below the transition at all fractions
+WIDTHS, AT_WIDTHS, WIDTHS_DEPTH = (1.001, 1.01, 1.1), (0.2, 0.4), 2
+# Depths at which the transition is looked for, and where it is looked for more closely.
+TRANSITION = {8: (0.25, 0.35, 0.45), 16: (0.125, 0.15, 0.175)}
+
+
+def subset():
+    runs = [Run(phi, D, WIDTH, RESTITUTION) for D in (*MILD, *TRANSITION) for phi in FRACTIONS]
+    runs += [Run(phi, D, WIDTH, RESTITUTION) for D, more in TRANSITION.items() for phi in more]
+    runs += [Run(phi, WIDTHS_DEPTH, w, RESTITUTION) for w in WIDTHS for phi in AT_WIDTHS]
+    return list(dict.fromkeys(runs))
+
+
+def full():
+    fractions = [0.05 * k for k in range(2, 11)]
+    runs = [Run(round(phi, 3), D, w, e) for e in (0.8, 0.9) for D in (0, 1, 2, 4, 8, 12, 16, 24)
+            for w in ((WIDTH,) if D == 0 else (1.0001, 1.001, 1.01, 1.05, 1.1)) for phi in fractions]
+    return list(dict.fromkeys(subset() + runs))

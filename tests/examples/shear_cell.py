@@ -1,0 +1,129 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""shear_cell.py BUILD_FOLDER: a small version of examples/shear, 256 discs with and without wells:
+script, block rule, resumed runs, analysis; the stress by kind is the whole, work is dissipation, without
+wells kinetic theory holds."""
+
+import math
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy as np
+
+SOURCE = Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(SOURCE / "examples/shear"), str(SOURCE / "tests/lammps-package")]
+
+import analyse  # noqa: E402
+import run  # noqa: E402
+import sheared_discs as theory  # noqa: E402
+import sweep  # noqa: E402
+
+BUILD = sys.argv.pop(1) if len(sys.argv) > 1 else str(SOURCE / "build")
+PHI, E, DISCS = 0.2, 0.9, 256
+SIDE = math.sqrt(DISCS * math.pi / PHI)
+RULE = sweep.Rule(200, 400, 4, 7, SIDE)
+RUNS = [sweep.Run(PHI, D, 1.1, E) for D in (0, 4)]
+
+
+class ShearCell(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.keeper = tempfile.TemporaryDirectory(prefix="cohesion-")
+        cls.addClassCleanup(cls.keeper.cleanup)
+        cls.out = Path(cls.keeper.name)
+        cls.results = run.carry_out(cls.jobs(), 2)
+        cls.free, cls.wells = cls.results
+
+    @classmethod
+    def jobs(cls, rule=RULE):
+        return [run.Job(r, rule, cls.out, run.launcher(BUILD)) for r in RUNS]
+
+    def test_stress_by_kind_is_the_whole(self):
+        """Means over the same samples and time: the same but for round-off of totals over 1e5 events and
+        the 15 digits that are printed."""
+        for result in self.results:
+            self.assertEqual(result["settings"]["count"], DISCS)
+            for component in ("xx", "yy", "xy"):
+                parts = [result[f"{kind}_{component}"][0] for kind in analyse.KINDS]
+                self.assertAlmostEqual(sum(parts), result[f"stress_{component}"][0],
+                                       delta=1e-10 * sum(map(abs, parts)))
+        for kind in ("approach", "escape", "capture"):
+            self.assertEqual(self.free[f"{kind}_xx"], [0, 0])
+            self.assertNotEqual(self.wells[f"{kind}_xx"][0], 0)
+
+    def test_work_is_dissipation(self):
+        """What the shear does per area and time, stress x rate, is lost in collisions, but for what the own
+        motion has gained from end to end: T rho pi over the strain, its spread sqrt(2/DISCS) of it twice."""
+        for result in self.results:
+            (work, a), (loss, b) = result["stress_xy"], result["dissipated"]
+            stored = 2 * math.sqrt(2 / DISCS) * PHI * result["temperature"][0] / result["strain"]
+            self.assertLess(abs(work - loss), 3 * math.hypot(a, b) + stored)
+            self.assertLess(3 * math.hypot(a, b) + stored, 0.1 * work)
+
+    def test_without_wells_kinetic_theory(self):
+        """As tests/lammps-package/hard_shear_test.py: T within 2.2 % (velocities that are no Gaussian) and
+        what waves add; the pressure of collisions goes with T; four standard errors."""
+        expected = theory.steady(PHI, E)
+        T, error = (v / 4 for v in self.free["temperature"])  # per diameter^2
+        nu = expected.dissipation / theory.density(PHI)
+        length = SIDE / 2
+        waves = (expected.temperature / (16 * math.pi * nu) *
+                 math.log(length / (2 * math.pi * theory.free_path(PHI)))) / expected.dissipation
+        sampling = 4 * error / expected.temperature
+        self.assertLess(sampling, 0.1)
+        self.assertGreater(T / expected.temperature, 1 - 0.022 - sampling)
+        self.assertLess(T / expected.temperature, 1 + 0.022 + waves + sampling)
+        pressure = (self.free["collision_xx"][0] + self.free["collision_yy"][0]) / math.pi / T
+        self.assertLess(abs(pressure / (np.trace(expected.impulsive) / expected.temperature) - 1), 0.022)
+
+    def test_ends_by_the_rule_or_the_limit(self):
+        for result in self.results:
+            self.assertTrue(result["stationary"] == 1 or result["blocks"] == RULE.most)
+            self.assertGreaterEqual(result["blocks"], 2)
+            # A collision has two partners; blocks end at the next sample.
+            collisions = 2 * result["collisions"][0] * result["strain"]
+            self.assertGreater(collisions, 0.9 * (RULE.start + result["blocks"] * RULE.block))
+
+    def test_finished_runs_are_taken_over(self):
+        before = [(job.folder / "log").stat().st_mtime_ns for job in self.jobs()]
+        again = run.carry_out(self.jobs(), 2)
+        self.assertEqual(again, self.results)
+        self.assertEqual([(job.folder / "log").stat().st_mtime_ns for job in self.jobs()], before)
+        self.assertTrue(all(job.result() is None for job in self.jobs(RULE._replace(seed=8))))
+
+    def test_agglomerates_only_with_wells(self):
+        self.assertEqual(self.free["largest"][0], 1 / DISCS)
+        self.assertEqual(self.free["size"][0], 0)
+        self.assertGreaterEqual(self.wells["size"][0], 2)
+        self.assertGreater(self.wells["duration"][0], 0)
+        sizes = np.loadtxt(self.out / "runs" / RUNS[1].name / "discs.txt", skiprows=9)[:, 3]
+        self.assertEqual(len(sizes), DISCS)
+        # Each agglomerate of n has n discs of size n.
+        for n in set(sizes):
+            self.assertEqual(np.count_nonzero(sizes == n) % n, 0)
+
+
+class Reading(unittest.TestCase):
+    def test_transition_is_between_neighbours(self):
+        def result(phi, largest):
+            return {"settings": sweep.Run(phi, 8, sweep.WIDTH, sweep.RESTITUTION)._asdict(),
+                    "largest": [largest, 0.0]}
+        found = analyse.transition(analyse.Results([result(0.3, 0.4), result(0.1, 0.01),
+                                                    result(0.2, 0.02)]), 8)
+        self.assertAlmostEqual(found[0], 0.25)
+        self.assertAlmostEqual(found[1], 0.05)
+        self.assertIsNone(analyse.transition(analyse.Results([result(0.3, 0.01)]), 8))
+
+    def test_rises(self):
+        self.assertEqual(analyse.rises([(1, 0.1), (2, 0.1), (3, 0.1)]), "yes")
+        self.assertEqual(analyse.rises([(1, 0.1), (2, 0.1), (1.9, 0.1)]), "unclear")
+        self.assertEqual(analyse.rises([(1, 0.1), (2, 0.1), (1, 0.1)]), "no")
+
+    def test_errors_are_shown_with_two_digits(self):
+        self.assertEqual(analyse.show((12.345, 0.0123)), "12.345 +- 0.012")
+        self.assertEqual(analyse.show((1234.5, 12.3)), "1234 +- 12")
+
+
+if __name__ == "__main__":
+    unittest.main()
