@@ -85,41 +85,37 @@ FollowedContact follow_with_others(const Contact& c,
   return now;
 }
 
-/// The first pass of what resists rolling: adds what it does alone to both particles (all_j
-/// nullptr: a wall) and returns it, as angular impulse on i.
+/// The first pass of what resists rolling: with half of what the rest of the contact does, `own`.
+/// Adds what it does to both particles (all_j nullptr: a wall) and returns it, as angular impulse
+/// on i.
 template <class Contact>
 cohesion::Vector3 roll_alone(const Contact& c, const cohesion::event_stepping::PairMotion& grid,
+                             const cohesion::event_stepping::PairMotion& own,
                              const cohesion::event_stepping::PairStep& normal,
                              const double* history, double* all_i, double* all_j) {
   if (normal.normal.contact_time == 0.0) return {};
   const cohesion::Vector3 torque =
-      c.rolling(grid, {}, normal, vector(history + WITH_FRICTION)).torque_i;
+      c.rolling(grid, {{}, own.spin_i, own.spin_j}, normal, vector(history + WITH_FRICTION))
+          .torque_i;
   add(all_i + 6, c.spin_share_i(), torque);
   if (all_j) add(all_j + 6, -c.spin_share_j(), torque);
   return torque;
 }
 
-/// What all but the rolling spring of a contact do. `others`: what all but the rest of the contact
-/// do, `own`: what the rest does alone, `rolled`: from roll_alone().
-template <class Contact>
-cohesion::event_stepping::PairMotion others_of_rolling(
-    cohesion::event_stepping::PairMotion others, const cohesion::event_stepping::PairMotion& own,
-    const Contact& c, const cohesion::Vector3& rolled) {
-  others.spin_i += own.spin_i - c.spin_share_i() * rolled;
-  others.spin_j += own.spin_j + c.spin_share_j() * rolled;
-  return others;
-}
-
-/// The second pass of what resists rolling, in the step that `now` describes.
+/// The second pass of what resists rolling. `others`: of the rest of the contact, with `rolled`
+/// from roll_alone() among them; `now`: what the rest does.
 template <class Contact>
 cohesion::event_stepping::RollingStep roll_with_others(
     const Contact& c, const cohesion::event_stepping::PairMotion& grid,
-    const cohesion::event_stepping::PairMotion& others, const FollowedContact& now,
-    double* history) {
+    cohesion::event_stepping::PairMotion others, const cohesion::Vector3& rolled,
+    const FollowedContact& now, double* history) {
   double* const left = history + WITH_FRICTION;
   cohesion::event_stepping::RollingStep step;
-  if (now.normal.normal.contact_time > 0.0)
+  if (now.normal.normal.contact_time > 0.0) {
+    others.spin_i += c.spin_share_i() * (now.sliding.torque_i - rolled);
+    others.spin_j += c.spin_share_j() * (now.sliding.torque_j + rolled);
     step = c.rolling(grid, others, now.normal, vector(left));
+  }
   left[0] = step.memory.x;
   left[1] = step.memory.y;
   left[2] = step.memory.z;

@@ -222,7 +222,7 @@ void FixWallGranCohesive<Cohesion>::follow_alone(std::vector<Contact>& shared) {
         add_alone<FRICTION>(step->alone[i], -1.0, shared[c].share_i(), alone);
         if (ROLLING)
           rolled.push_back(
-              roll_alone(shared[c], turning, normal, &inside, step->alone[i], nullptr));
+              roll_alone(shared[c], turning, alone, normal, &inside, step->alone[i], nullptr));
       }
     }
   }
@@ -263,9 +263,8 @@ void FixWallGranCohesive<Cohesion>::follow_together(const std::vector<Contact>& 
     scatter.on_i<FRICTION>(i, c.share_i(), now);
     scatter.book(c, 1.0, now);
     if (ROLLING) {
-      if (Contact::acts_within_step)
-        others = others_of_rolling(others, near.alone, c, rolled[&near - active.data()]);
-      const RollingStep rolling = roll_with_others(c, turning, others, now, kept);
+      const Vector3 alone = Contact::acts_within_step ? rolled[&near - active.data()] : Vector3{};
+      const RollingStep rolling = roll_with_others(c, turning, others, alone, now, kept);
       scatter.roll_i(i, rolling);
       scatter.book(c, 1.0, rolling);
     }

@@ -175,7 +175,7 @@ template <bool FRICTION, bool ROLLING, class Contact>
     add_alone<FRICTION>(step->alone[j], 1.0, c.share_j(), pair.change);
     if (ROLLING)
       rolled[&pair - active.data()] =
-          roll_alone(c, motion, normal, pair.history, step->alone[i], step->alone[j]);
+          roll_alone(c, motion, pair.change, normal, pair.history, step->alone[i], step->alone[j]);
   }
   step->share();
 }
@@ -201,9 +201,8 @@ template <bool TALLY, bool FRICTION, bool ROLLING, class Contact>
     if (j < nlocal) scatter.on_j<FRICTION>(j, c.share_j(), now);
     scatter.book(c, j < nlocal ? 1.0 : 0.5, now);
     if (ROLLING) {
-      if (Contact::acts_within_step)
-        others = others_of_rolling(others, pair.change, c, rolled[&pair - active.data()]);
-      const RollingStep rolling = roll_with_others(c, motion, others, now, pair.history);
+      const Vector3 alone = Contact::acts_within_step ? rolled[&pair - active.data()] : Vector3{};
+      const RollingStep rolling = roll_with_others(c, motion, others, alone, now, pair.history);
       scatter.roll_i(i, rolling);
       if (j < nlocal) scatter.roll_j(j, rolling);
       scatter.book(c, j < nlocal ? 1.0 : 0.5, rolling);
