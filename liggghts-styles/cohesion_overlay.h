@@ -69,7 +69,7 @@ class CohesionOverlay : public CohesionModelBase {
     const Cohesion::Encounter encounter{data, normal, r - data.radsum};
     if (encounter.gap >= attraction_.reach()) return false;
     if (data.mesh &&
-        !Cohesion::carries_contact(*data.mesh, data.j, data.i, atom->x[data.i], data.radi))
+        !Cohesion::carries_contact(*data.fix_mesh, data.j, data.i, atom->x[data.i], data.radi))
       return false;
     const double attraction = attraction_.force(encounter);
     for (int d = 0; d < 3; d++) {

@@ -46,20 +46,20 @@ fix gtr all property/global gammat peratomtypepair 2 1000 1000 1000 1000
 
 def _matrix(name, value, wall_value):
     return f"fix {name} all property/global {name} peratomtypepair 2 " + " ".join(
-        f"{v:.17g}" for v in (value, wall_value, wall_value, value)) + "\n"
+        repr(float(v)) for v in (value, wall_value, wall_value, value)) + "\n"
 
 
 def hamaker(constant, wall=None, cut=CUT, out=OUT):
     """The properties of cohesion hamaker."""
     return (_matrix("hamakerConstant", constant, constant if wall is None else wall)
-            + f"fix cut all property/global hamakerSurfaceCutoff scalar {cut:.17g}\n"
-            + f"fix out all property/global hamakerOuterCutoff scalar {out:.17g}\n")
+            + f"fix cut all property/global hamakerSurfaceCutoff scalar {cut!r}\n"
+            + f"fix out all property/global hamakerOuterCutoff scalar {out!r}\n")
 
 
 def square_well(depth, wall=None, ratio=RATIO):
     """The properties of cohesion square_well."""
     return (_matrix("wellDepth", depth, 2 * depth if wall is None else wall)
-            + f"fix ratio all property/global wellRatio peratomtype {ratio:.17g} {ratio:.17g}\n")
+            + f"fix ratio all property/global wellRatio peratomtype {ratio!r} {ratio!r}\n")
 
 
 def sphere(place, velocity=(0, 0, 0), spin=(0, 0, 0), radius=RADIUS):
