@@ -29,7 +29,7 @@ class BadInput(unittest.TestCase):
                              "cohesion model square_well, atom types 1 and 2",
                              "depth D of the well = " + shown,
                              "must be a finite number not below zero",
-                             "fix property/global wellDepth = " + shown)
+                             "fix property/global wellDepth = " + shown, walls=FLOOR)
 
     def test_ratio(self):
         for bad, shown in (("0.99", "0.99"), ("0", "0"), ("-1.01", "-1.01"), ("1e999", "inf")):
