@@ -28,25 +28,28 @@ neighbor {skin:.17g} bin
 neigh_modify delay 0
 """
 
-# gamman is damping over the reduced mass, with absolute_damping the damping itself.
-PROPERTIES = f"""fix E all property/global youngsModulus peratomtype 5e6 5e6
-fix nu all property/global poissonsRatio peratomtype 0.3 0.3
-fix e all property/global coefficientRestitution peratomtypepair 2 0.9 0.9 0.9 0.9
-fix mu all property/global coefficientFriction peratomtypepair 2 0.3 0.3 0.3 0.3
-fix roll all property/global coefficientRollingFriction peratomtypepair 2 0.1 0.1 0.1 0.1
-fix v all property/global characteristicVelocity scalar 1
-fix kn all property/global kn peratomtypepair 2 {STIFFNESS} {STIFFNESS} {STIFFNESS} {STIFFNESS}
-fix kt all property/global kt peratomtypepair 2 {STIFFNESS} {STIFFNESS} {STIFFNESS} {STIFFNESS}
-fix gn all property/global gamman_abs peratomtypepair 2 {DAMPING} {DAMPING} {DAMPING} {DAMPING}
-fix gt all property/global gammat_abs peratomtypepair 2 {DAMPING} {DAMPING} {DAMPING} {DAMPING}
-fix gnr all property/global gamman peratomtypepair 2 1000 1000 1000 1000
-fix gtr all property/global gammat peratomtypepair 2 1000 1000 1000 1000
-"""
 
 
 def _matrix(name, value, wall_value):
     return f"fix {name} all property/global {name} peratomtypepair 2 " + " ".join(
         repr(float(v)) for v in (value, wall_value, wall_value, value)) + "\n"
+
+
+def contact(wall=1.0):
+    """Properties of all contact models; `wall`: spring and dashpot of hooke/stiffness with a wall,
+    over those of two spheres."""
+    text = """fix E all property/global youngsModulus peratomtype 5e6 5e6
+fix nu all property/global poissonsRatio peratomtype 0.3 0.3
+fix v all property/global characteristicVelocity scalar 1
+"""
+    for name, value in {"coefficientRestitution": 0.9, "coefficientFriction": 0.3,
+                        "coefficientRollingFriction": 0.1}.items():
+        text += _matrix(name, value, value)
+    # Of gamman the dashpot is gamman times the reduced mass, of gamman_abs it is gamman_abs.
+    for name, value in {"kn": STIFFNESS, "kt": STIFFNESS, "gamman": 1000, "gammat": 1000,
+                        "gamman_abs": DAMPING, "gammat_abs": DAMPING}.items():
+        text += _matrix(name, value, wall * value)
+    return text
 
 
 def hamaker(constant, wall=None, cut=CUT, out=OUT):
@@ -68,7 +71,7 @@ def sphere(place, velocity=(0, 0, 0), spin=(0, 0, 0), radius=RADIUS):
 
 def script(spheres, models, properties="", walls=(), dt=1e-6, steps=0, every=1, skin=1e-4,
            boundary="f f f", box="-0.01 0.01 -0.01 0.01 -0.01 0.01", dump="out.txt",
-           run=None, extra=""):
+           run=None, extra="", contacts=contact()):
     """models: what follows `pair_style gran` and `fix wall/gran`; walls: what follows the models
     there, or whole lines for what a wall needs; run: in place of `run steps`."""
     text = _START.format(boundary=boundary, box=box, skin=skin) + "\n"
@@ -77,7 +80,7 @@ def script(spheres, models, properties="", walls=(), dt=1e-6, steps=0, every=1, 
         text += f"set atom {number} diameter {2 * s['radius']:.17g} density {DENSITY:.17g}"
         text += " vx {:.17g} vy {:.17g} vz {:.17g}".format(*s["velocity"])
         text += " omegax {:.17g} omegay {:.17g} omegaz {:.17g}\n".format(*s["spin"])
-    text += PROPERTIES + properties
+    text += contacts + properties
     text += f"pair_style gran {models}\npair_coeff * *\n"
     for number, wall in enumerate(walls):
         text += wall + "\n" if wall.startswith("fix ") else (
@@ -90,8 +93,7 @@ def script(spheres, models, properties="", walls=(), dt=1e-6, steps=0, every=1, 
 
 def part(row, what):
     """Three numbers of a dumped row: x (place), v (velocity), omega, f (force), tq (torque)."""
-    first = COLUMNS.index({"omega": "omegax", "tq": "tqx"}.get(what, what + "x" if what != "x" else
-                                                               "x"))
+    first = COLUMNS.index("x" if what == "x" else what + "x")
     return row[first:first + 3]
 
 

@@ -1,20 +1,17 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The cohesion model square_well: energies at the edge, escape velocity, memory."""
+"""The cohesion model square_well: energies at the edge, and memory."""
 
 import math
 import unittest
 
 from engine import EPSILON, Run
 from mesh import rectangle, stl, wall
-from scene import (DAMPING, MASS, RADIUS, RATIO, STIFFNESS, frames, part, script, sphere,
-                   square_well)
+from scene import MASS, RADIUS, RATIO, frames, part, script, sphere, square_well
 
 DIAMETER, MU = 2 * RADIUS, MASS / 2
 DEPTH = 5e-11
 WIDTH = (RATIO - 1) * DIAMETER
-# The engine wants the settings of models behind all models.
 MODELS = "model hooke/stiffness tangential off cohesion square_well"
-SETTINGS = " absolute_damping on tangential_damping off"
 
 
 def relative(frame, first, what):
@@ -132,40 +129,6 @@ class Walls(unittest.TestCase):
         end = part(path[-1][1], "v")[2]
         self.assertAlmostEqual(0.5 * MASS * ((end - speed)**2 - speed**2), depth,
                                delta=1000 * EPSILON * MASS * speed**2)
-
-
-class EscapeVelocity(unittest.TestCase):
-    def test_head_on_at_small_steps(self):
-        # v_esc = sqrt(2 D/m (1/e^2 - 1)); at t_c/185 the energy of a sampled contact is off by what
-        # depends on its place in the step: leapfrog's (w0 dt)^2/24 = 1e-5 of the impact energy, and at
-        # entry and exit up to (w0 dt)^2/2 = 1.4e-4, of which v_esc takes 1/(2 (1/e^2 - 1)) = 4.5.
-        for mass, depth, walls in ((MU, DEPTH, []), (MASS, 2 * DEPTH, ["primitive type 2 xplane -8.5e-3"])):
-            alpha = DAMPING / (2 * mass)
-            contact = math.pi / math.sqrt(STIFFNESS / mass - alpha**2)
-            restitution = math.exp(-alpha * contact)
-            escape = well_speed(depth, mass) * math.sqrt(1 / restitution**2 - 1)
-            dt, steps = contact / 185, 200 * 185
-            factors = [f for f in (0.99, 0.995, 1.005, 1.01) for _ in range(8)]
-            speeds = [f * escape for f in factors]
-            if walls:
-                width = (RATIO - 1) * RADIUS
-                spheres = [sphere((-8.5e-3 + RADIUS + width + 1e-7 + v * dt * (n % 8) / 8,
-                                   -8e-3 + 1.8e-3 * (n % 8), -5e-3 + 1.8e-3 * (n // 8)), (-v, 0, 0))
-                           for n, v in enumerate(speeds)]
-            else:
-                width = WIDTH
-                spheres = list(couples([(width + 1e-7 + v * dt * (n % 8) / 8, -v, 0.0)
-                                        for n, v in enumerate(speeds)]))
-            walls = [w + SETTINGS for w in walls]
-            path = frames(spheres, MODELS + ("" if walls else SETTINGS), square_well(DEPTH), dt=dt,
-                          steps=steps, every=steps // 4, walls=walls)
-            for n, factor in enumerate(factors):
-                with self.subTest(factor=factor, wall=bool(walls), n=n):
-                    if walls:
-                        at = path[-1][n + 1][0] + 8.5e-3 - RADIUS
-                    else:
-                        at = gap(path[-1], 2 * n + 1)
-                    (self.assertGreater if factor > 1 else self.assertLess)(at, width + 1e-7)
 
 
 class Memory(unittest.TestCase):
