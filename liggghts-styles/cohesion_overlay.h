@@ -14,6 +14,7 @@
 #include "fix_wall_gran.h"
 #include "force.h"
 #include "mesh_contact.h"
+#include "scheme_setting.h"
 
 namespace LIGGGHTS {
 namespace ContactModels {
@@ -35,16 +36,17 @@ class CohesionOverlay : public CohesionModelBase {
         wall_(model->is_wall() ? static_cast<FixWallGran*>(owner) : nullptr),
         attraction_(lmp, owner, wall_) {}
 
-  void registerSettings(Settings&) override {}
+  void registerSettings(Settings& settings) override {
+    Cohesion::register_scheme(settings, name());
+  }
   void postSettings(IContactHistorySetup*, ContactModelBase*) override {}
 
   void connectToProperties(PropertyRegistry& registry) override {
-    const std::string model = std::string("cohesion model ") + Attraction::MODEL;
     if (!atom->sphere_flag)
-      error->all(FLERR, (model + ": needs spheres, use atom_style granular").c_str());
-    if (force->cg_active()) error->cg(FLERR, model.c_str());
+      error->all(FLERR, (name() + ": needs spheres, use atom_style granular").c_str());
+    if (force->cg_active()) error->cg(FLERR, name().c_str());
     attraction_.connect(registry);
-    Cohesion::require_range(lmp, registry, wall_, model, attraction_.range());
+    Cohesion::require_range(lmp, registry, wall_, name(), attraction_.range());
   }
 
   void surfacesIntersect(SurfacesIntersectData& contact, ForceData& on_i,
@@ -63,6 +65,8 @@ class CohesionOverlay : public CohesionModelBase {
   void endSurfacesIntersect(SurfacesIntersectData&, ForceData&, ForceData&) override {}
 
  private:
+  static std::string name() { return std::string("cohesion model ") + Attraction::MODEL; }
+
   /// r: distance of i's centre from j's, or from the wall, of which radsum is then the radius of i.
   bool attract(const SurfacesCloseData& data, double r, const double* normal, ForceData& on_i,
                ForceData& on_j) {

@@ -38,6 +38,24 @@ class BadInput(unittest.TestCase):
                              "must be a finite number not below 1: the well is outside the core",
                              "wellRatio = " + shown)
 
+    def test_scheme(self):
+        for scheme, messages in (("event", ["LIGGGHTS asks a contact model for one force per contact",
+                                            "Use 'scheme sampled'"]),
+                                 ("exact", ["must be sampled"])):
+            for where in ("pair", "wall"):
+                with self.subTest(scheme=scheme, where=where):
+                    words = MODELS + (f" scheme {scheme}" if where == "pair" else "")
+                    walls = [FLOOR[0] + (f" scheme {scheme}" if where == "wall" else "")]
+                    text = script([sphere((0, 0, 0))], words, square_well(1e-11), walls=walls)
+                    if where == "pair":  # the keywords of a wall come behind its shape
+                        text = text.replace(f"wall/gran {words}", f"wall/gran {MODELS}")
+                    run = Run(text)
+                    self.assertNotEqual(run.returncode, 0)
+                    for message in [f"cohesion model square_well, scheme {scheme}: ", *messages]:
+                        self.assertIn(message, run.printed)
+        text = script([sphere((0, 0, 0))], MODELS + " scheme sampled", square_well(1e-11))
+        self.assertEqual(Run(text).returncode, 0)
+
     def test_missing_property(self):
         for missing in ("wellDepth", "wellRatio"):
             with self.subTest(missing=missing):
