@@ -31,13 +31,34 @@ void register_combination() {
       });
 }
 
-/// A normal model with each tangential model, without rolling friction.
-template <int Normal, int CohesionModel>
+template <int CohesionModel, int Normal, int Tangential>
+void register_with_each_rolling_model() {
+  using namespace ContactModels;
+  register_combination<GranStyle<Normal, Tangential, CohesionModel, ROLLING_OFF>>();
+  register_combination<GranStyle<Normal, Tangential, CohesionModel, ROLLING_CDT>>();
+  register_combination<GranStyle<Normal, Tangential, CohesionModel, ROLLING_EPSD2>>();
+}
+
+template <int CohesionModel, int Normal>
 void register_with_each_tangential_model() {
   using namespace ContactModels;
-  register_combination<GranStyle<Normal, TANGENTIAL_OFF, CohesionModel>>();
-  register_combination<GranStyle<Normal, TANGENTIAL_NO_HISTORY, CohesionModel>>();
-  register_combination<GranStyle<Normal, TANGENTIAL_HISTORY, CohesionModel>>();
+  register_with_each_rolling_model<CohesionModel, Normal, TANGENTIAL_OFF>();
+  register_with_each_rolling_model<CohesionModel, Normal, TANGENTIAL_NO_HISTORY>();
+  register_with_each_rolling_model<CohesionModel, Normal, TANGENTIAL_HISTORY>();
+}
+
+/// Makes a cohesion model known, with each combination of the other models in model-lists/. Call it
+/// from a static initialiser, before the engine reads its script: the factories are made at their
+/// first use, so the order of initialisation does not matter.
+template <int CohesionModel>
+bool register_with_each_normal_model(const char* name) {
+  using namespace ContactModels;
+  Factory::instance().addCohesionModel(name, CohesionModel);
+  register_with_each_tangential_model<CohesionModel, HOOKE>();
+  register_with_each_tangential_model<CohesionModel, HOOKE_STIFFNESS>();
+  register_with_each_tangential_model<CohesionModel, HERTZ>();
+  register_with_each_tangential_model<CohesionModel, HERTZ_STIFFNESS>();
+  return true;
 }
 
 }  // namespace Cohesion

@@ -7,6 +7,24 @@
 
 namespace cohesion::event_stepping {
 
+/// Impulse of the edge of a well on a pair found at `gap` [length] with the normal speed of approach
+/// `approach` [speed], [momentum]; positive repels. `inside`: whether the pair is in its well; a
+/// pair on the other side of the edge that moves on gets its event, once. range: gap at the edge
+/// [length]; inverse_mass: 1/mu [1/mass].
+///
+/// Source: M. Weber, thesis, section 6.2.4.2.
+inline double sampled_edge_impulse(double depth, double range, double inverse_mass, double gap,
+                                   double approach, bool& inside) {
+  if (!inside && gap < range && approach > 0.0) {
+    inside = true;
+    return square_well::approach_impulse(approach, depth, inverse_mass);
+  }
+  if (!inside || gap < range || approach >= 0.0) return 0.0;
+  inside = !square_well::escapes(approach, depth, inverse_mass);
+  return inside ? square_well::capture_impulse(approach, inverse_mass)
+                : square_well::escape_impulse(approach, depth, inverse_mass);
+}
+
 /// The square well as the scheme to compare with: a pair that is found beyond the edge, as its flag
 /// has it, gets its impulse there and then, from the velocities on the grid, spread over the step.
 /// First order in the step; a passage that begins and ends between two grid points is missed.
@@ -43,7 +61,8 @@ class SampledWell {
     const double overlap = contact_distance_ - distance;
     const double rate = -dot(normal, grid.velocity);
     const double repulsion = sampled_repulsion(spring_, overlap, rate, time, step.normal);
-    const double impulse = edge(-overlap, rate, inside);
+    const double impulse =
+        sampled_edge_impulse(depth_, range_, inverse_mass_, -overlap, rate, inside);
     step.change.velocity = ((time * repulsion + impulse) * inverse_mass_) * normal;
     step.overlap_at_end = overlap;
     step.inside = inside;
@@ -56,18 +75,6 @@ class SampledWell {
   double adhesion_energy(double /*overlap*/) const { return -depth_; }
 
  private:
-  /// The impulse of the edge [momentum], positive repels.
-  double edge(double gap, double approach, bool& inside) const {
-    if (!inside && gap < range_ && approach > 0.0) {
-      inside = true;
-      return square_well::approach_impulse(approach, depth_, inverse_mass_);
-    }
-    if (!inside || gap < range_ || approach >= 0.0) return 0.0;
-    inside = !square_well::escapes(approach, depth_, inverse_mass_);
-    return inside ? square_well::capture_impulse(approach, inverse_mass_)
-                  : square_well::escape_impulse(approach, depth_, inverse_mass_);
-  }
-
   contact::LinearSpringDashpot spring_;
   double contact_distance_;
   double range_;

@@ -23,7 +23,8 @@ def program(name):
 class Run:
     """One run in a folder of its own: returncode, printed text, and the text of the files left."""
 
-    def __init__(self, script, how="launcher", ranks=0, **variables):
+    def __init__(self, script, how="launcher", ranks=0, inputs=None, **variables):
+        """inputs: further files, name and text, that the script reads."""
         text = script if "\n" in script else (HERE / script).read_text()
         command = [program("LAUNCHER" if how == "launcher" else "STOCK"), "-in", "in.script"]
         for name, value in variables.items():
@@ -35,7 +36,8 @@ class Run:
             environment["LD_PRELOAD"] = program("PRELOAD")
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)
-            (folder / "in.script").write_text(text)
+            for file, content in {"in.script": text, **(inputs or {})}.items():
+                (folder / file).write_text(content)
             # One error in five the engine ends with bytes from memory that it has freed.
             done = subprocess.run(command, cwd=folder, env=environment, timeout=500, text=True,
                                   errors="replace", stdout=subprocess.PIPE, stderr=subprocess.STDOUT)

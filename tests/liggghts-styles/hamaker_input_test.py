@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What cannot be right ends the run before its first step, with a message that helps."""
 
-import tempfile
 import unittest
 
 from engine import HERE, Run, script_without
@@ -10,16 +9,6 @@ PAIR = dict(radius1=0.5e-3, radius2=0.5e-3, type1=1, type2=2, gap=1e-9, A=1e-18,
             out=1e-7, model="hertz", tangential="history")
 WALL = dict(radius=0.5e-3, gap=1e-9, A=1e-18, cut=4e-10, out=1e-7, model="hertz",
             tangential="history", skin=1e-4, wall="primitive type 2 zplane 0")
-TRIANGLE = """solid floor
-facet normal 0 0 1
-outer loop
-vertex -0.01 -0.01 0
-vertex 0.03 -0.01 0
-vertex -0.01 0.03 0
-endloop
-endfacet
-endsolid floor
-"""
 
 
 class BadInput(unittest.TestCase):
@@ -68,7 +57,7 @@ class BadInput(unittest.TestCase):
     def test_combination_that_does_not_exist(self):
         self.refused("in.two_spheres", "Unknown cohesion model", **{**PAIR, "model": "luding"})
         script = (HERE / "in.two_spheres").read_text().replace(
-            "cohesion hamaker", "cohesion hamaker rolling_friction cdt")
+            "cohesion hamaker", "cohesion hamaker rolling_friction luding")
         self.refused(script, "Unknown cohesion model", **PAIR)
 
     def test_primitive_wall_sees_half_the_skin(self):
@@ -76,17 +65,6 @@ class BadInput(unittest.TestCase):
                      "hamakerOuterCutoff = 1e-07", "half the neighbor skin of 1.9e-07",
                      "use 'neighbor 2e-07 bin' or more", **{**WALL, "skin": 1.9e-7})
         self.assertEqual(Run("in.sphere_and_wall", **{**WALL, "skin": 2.1e-7}).returncode, 0)
-
-    def test_mesh_wall(self):
-        with tempfile.NamedTemporaryFile("w", suffix=".stl") as mesh:
-            mesh.write(TRIANGLE)
-            mesh.flush()
-            script = (HERE / "in.sphere_and_wall").read_text().replace(
-                "fix           floor",
-                f"fix plate all mesh/surface file {mesh.name} type 2\nfix floor")
-            self.refused(script, "cohesion model hamaker, fix wall/gran floor",
-                         "mesh walls are not supported, use 'primitive'",
-                         **{**WALL, "wall": "mesh n_meshes 1 meshes plate"})
 
 
 if __name__ == "__main__":

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <mpi.h>
+// The engine's header of properties wants mpi.h before it.
+#include <algorithm>
+
+#include "atom.h"
+#include "contact_models.h"
+#include "event_stepping/sampled_well.h"
+#include "fix_mesh_surface.h"
+#include "fix_wall_gran.h"
+#include "global_properties.h"
+#include "mesh_contact.h"
+#include "pair_gran.h"
+#include "property_registry.h"
+#include "square_well_attraction.h"
+#include "update.h"
+
+namespace LIGGGHTS {
+namespace Cohesion {
+
+namespace {
+
+constexpr const char* asked_for_by = "cohesion_model square_well";
+constexpr const char* depth_property = "wellDepth";
+constexpr const char* ratio_property = "wellRatio";
+
+/// How far beyond the edge the model sees, over the radius: a pair that leaves its well must be
+/// seen outside, so it must not move farther than this in a step. Of contacts it would then see
+/// nothing.
+constexpr double margin_beyond_edge = 0.1;
+
+// What is remembered of a contact.
+enum { STATE, IMPULSE, LAST_STEP, REMEMBERED };
+// STATE; the engine gives a new contact zeros.
+constexpr double unknown = 0.0, outside = 1.0, inside = 2.0;
+
+MatrixProperty* make_depth(PropertyRegistry& registry, const char* caller, bool) {
+  return MODEL_PARAMS::createPerTypePairProperty(registry, depth_property, caller);
+}
+VectorProperty* make_ratio(PropertyRegistry& registry, const char* caller, bool) {
+  return MODEL_PARAMS::createPerTypeProperty(registry, ratio_property, caller);
+}
+
+}  // namespace
+
+SquareWellAttraction::SquareWellAttraction(LAMMPS* lmp, IContactHistorySetup* owner,
+                                           FixWallGran* wall)
+    : lmp_(lmp), pair_(wall ? nullptr : static_cast<PairGran*>(owner)), wall_(wall) {
+  // "0": the same seen from the other particle.
+  offset_ = owner->add_history_value("wellState", "0");
+  owner->add_history_value("wellImpulse", "0");
+  owner->add_history_value("wellLastStep", "0");
+}
+
+void SquareWellAttraction::connect(PropertyRegistry& registry) {
+  registry.registerProperty(depth_property, &make_depth);
+  registry.registerProperty(ratio_property, &make_ratio);
+  double** depth = registry.getMatrixProperty(depth_property, asked_for_by)->data;
+  const double* ratio = registry.getVectorProperty(ratio_property, asked_for_by)->data;
+  const int types = registry.max_type();
+  wells_.fill(
+      lmp_, MODEL, types,
+      [&](int i, int j) {
+        const cohesion::square_well::Parameters well{depth[i][j], ratio[i], ratio[j]};
+        cohesion::square_well::require_valid(well);
+        return well;
+      },
+      [&](int i, int j) {
+        return shown(depth_property, depth[i][j]) + ", " + shown(ratio_property, ratio[i]) +
+               " and " + shown(ratio_property, ratio[j]);
+      });
+  largest_ratio_ = *std::max_element(ratio + 1, ratio + types + 1);
+}
+
+ContactRange SquareWellAttraction::range() const {
+  ContactRange range;
+  range.ratio = largest_ratio_ - 1.0;
+  range.margin = margin_beyond_edge;
+  range.source = "the width (wellRatio - 1) r of the well";
+  return range;
+}
+
+double SquareWellAttraction::force(const Encounter& e) {
+  double* const history = e.data.contact_history + offset_;
+  if (e.data.computeflag) step(e, history);
+  // A step that is computed again, as each run does with the last one, repeats its force.
+  return -history[IMPULSE] / lmp_->update->dt;
+}
+
+void SquareWellAttraction::step(const Encounter& e, double* history) const {
+  const auto& d = e.data;
+  const cohesion::square_well::Parameters& well = wells_.of(d.itype, d.jtype);
+  const double width = cohesion::square_well::width(well, d.radi, d.is_wall ? 0.0 : d.radj);
+  bool within = was_inside(e, history, width);
+  if (d.shearupdate) {
+    const double b = inverse_mass(d.i) + (d.is_wall ? 0.0 : inverse_mass(d.j));
+    history[IMPULSE] = well.depth > 0.0 && b > 0.0
+                           ? cohesion::event_stepping::sampled_edge_impulse(
+                                 well.depth, width, b, e.gap, approach(e), within)
+                           : 0.0;
+  }
+  history[STATE] = within ? inside : outside;
+  history[LAST_STEP] = static_cast<double>(lmp_->update->ntimestep);
+  if (!d.contact_flags) return;
+  // Without this flag the engine forgets the contact when it makes a new list.
+  if (within || history[IMPULSE] != 0.0)
+    *d.contact_flags |= ContactModels::CONTACT_COHESION_MODEL;
+  else
+    *d.contact_flags &= ~ContactModels::CONTACT_COHESION_MODEL;
+}
+
+bool SquareWellAttraction::was_inside(const Encounter& e, double* history, double width) const {
+  const auto& d = e.data;
+  // Before its first step a run finds pairs where they are; later they come from outside.
+  if (!d.shearupdate) return history[STATE] == unknown ? e.gap < width : history[STATE] == inside;
+  const double last_step = static_cast<double>(lmp_->update->ntimestep - 1);
+  if (d.mesh && history[LAST_STEP] != last_step) {
+    const double* const before = history_before(*d.fix_mesh, d.j, d.i, lmp_->atom->x[d.i], d.radi,
+                                                offset_ + LAST_STEP, last_step);
+    return before && before[offset_ + STATE] == inside;
+  }
+  return history[STATE] == inside;
+}
+
+/// Speed along the normal at which the two come nearer.
+double SquareWellAttraction::approach(const Encounter& e) const {
+  double speed = 0.0;
+  for (int k = 0; k < 3; k++) speed += e.normal[k] * (e.data.v_j[k] - e.data.v_i[k]);
+  return speed;
+}
+
+/// Of the particle, or of the body that it belongs to; 0: it does not move.
+double SquareWellAttraction::inverse_mass(int particle) const {
+  double mass = lmp_->atom->rmass[particle];
+  if (wall_) {
+    if (wall_->fix_rigid() && wall_->body(particle) >= 0)
+      mass = wall_->masstotal(wall_->body(particle));
+  } else {
+    if (lmp_->atom->mask[particle] & pair_->freeze_group_bit()) return 0.0;
+    if (pair_->fr_pair() && pair_->mr_pair()[particle] > 0.0) mass = pair_->mr_pair()[particle];
+  }
+  return 1.0 / mass;
+}
+
+}  // namespace Cohesion
+}  // namespace LIGGGHTS

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef COHESION_SQUARE_WELL_ATTRACTION_H
+#define COHESION_SQUARE_WELL_ATTRACTION_H
+
+#include <limits>
+
+#include "contact_range.h"
+#include "encounter.h"
+#include "square_well/parameters.h"
+#include "table_of_types.h"
+
+namespace LAMMPS_NS {
+class PairGran;
+}  // namespace LAMMPS_NS
+
+namespace LIGGGHTS {
+namespace Cohesion {
+
+/// Of the cohesion model square_well: event_stepping/sampled_well.h, the impulse at the edge spread
+/// over the step. What it remembers of each contact goes with the engine's contact history through
+/// exchange and restart.
+class SquareWellAttraction {
+ public:
+  static constexpr const char* MODEL = "square_well";
+
+  SquareWellAttraction(LAMMPS_NS::LAMMPS* lmp, IContactHistorySetup* owner,
+                       LAMMPS_NS::FixWallGran* wall);
+
+  /// Reads fix property/global wellDepth (peratomtypepair) and wellRatio (peratomtype). A parameter
+  /// that cannot be right stops the engine with the types and the values given.
+  void connect(PropertyRegistry& registry);
+
+  ContactRange range() const;
+  /// It has to see the pair outside, too.
+  double reach() const { return std::numeric_limits<double>::infinity(); }
+
+  double force(const Encounter& encounter);
+
+ private:
+  void step(const Encounter& encounter, double* history) const;
+  bool was_inside(const Encounter& encounter, double* history, double width) const;
+  double approach(const Encounter& encounter) const;
+  double inverse_mass(int particle) const;
+
+  LAMMPS_NS::LAMMPS* lmp_;
+  LAMMPS_NS::PairGran* pair_;     // null for walls
+  LAMMPS_NS::FixWallGran* wall_;  // null for pairs
+  int offset_;                    // of what is remembered in the history of a contact
+  TableOfTypes<cohesion::square_well::Parameters> wells_;
+  double largest_ratio_ = 1.0;
+};
+
+}  // namespace Cohesion
+}  // namespace LIGGGHTS
+
+#endif

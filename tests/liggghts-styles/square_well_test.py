@@ -1,0 +1,195 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The cohesion model square_well: energies at the edge, and memory."""
+
+import math
+import unittest
+
+from engine import EPSILON, Run
+from mesh import rectangle, stl, wall
+from scene import MASS, RADIUS, RATIO, frames, part, script, sphere, square_well
+
+DIAMETER, MU = 2 * RADIUS, MASS / 2
+DEPTH = 5e-11
+WIDTH = (RATIO - 1) * DIAMETER
+MODELS = "model hooke/stiffness tangential off cohesion square_well"
+
+
+def relative(frame, first, what):
+    return [b - a for a, b in zip(part(frame[first], what), part(frame[first + 1], what))]
+
+
+def energy(frame, first, mass=MU):
+    """Of the relative motion of spheres first and first + 1."""
+    return 0.5 * mass * sum(v * v for v in relative(frame, first, "v"))
+
+
+def gap(frame, first):
+    return math.hypot(*relative(frame, first, "x")) - DIAMETER
+
+
+def couples(starts, origin=(-8e-3, -9e-3, -9e-3)):
+    """Spheres of couples with gap and relative velocity (along, across the line of centres, x)."""
+    for n, (distance, along, across) in enumerate(starts):
+        place = [origin[0], origin[1] + 1.6e-3 * (n % 11), origin[2] + 1.6e-3 * (n // 11)]
+        yield sphere(place, (-along / 2, -across / 2, 0))
+        yield sphere([place[0] + DIAMETER + distance, *place[1:]], (along / 2, across / 2, 0))
+
+
+def well_speed(depth, mass=MU):
+    return math.sqrt(2 * depth / mass)
+
+
+class Edge(unittest.TestCase):
+    """Passages without contact. Energies are those of squares of speeds up to 0.4 m/s; a few hundred
+    steps round velocities."""
+
+    ROUNDING = 1000 * EPSILON
+
+    def test_passing_by_changes_the_energy_by_the_depth_and_back(self):
+        # 1.005 mm apart at the nearest: through the well, beside the core.
+        speed, aside, way = 0.4, 1.005e-3, 0.8e-3
+        spheres = [sphere((-way / 2, 0, 0), (speed / 2, 0, 0)),
+                   sphere((way / 2, aside, 0), (-speed / 2, 0, 0))]
+        path = frames(spheres, MODELS, square_well(DEPTH), dt=1e-6, steps=4000, every=10)
+        start = energy(path[0], 1)
+        within = [f for f in path if gap(f, 1) < WIDTH - 2e-6]
+        self.assertGreater(len(within), 10)
+        for frame in within:
+            self.assertAlmostEqual(energy(frame, 1), start + DEPTH, delta=self.ROUNDING * start)
+        self.assertGreater(gap(path[-1], 1), WIDTH)
+        self.assertAlmostEqual(energy(path[-1], 1), start, delta=self.ROUNDING * start)
+
+    def test_escape_and_capture(self):
+        # Begin in the well, parting; above and below the speed that leads out.
+        edge = well_speed(DEPTH)
+        starts = [(8e-6, factor * edge, 0.0) for factor in (0.5, 0.999999, 1.000001, 2.0)]
+        path = frames(list(couples(starts)), MODELS, square_well(DEPTH), dt=1e-6, steps=600)
+        for n, (_, speed, _) in enumerate(starts):
+            end, start = energy(path[-1], 1 + 2 * n), 0.5 * MU * speed**2
+            along = relative(path[-1], 1 + 2 * n, "v")[0]
+            with self.subTest(speed=speed):
+                if speed > edge:
+                    self.assertAlmostEqual(end, start - DEPTH, delta=self.ROUNDING * start)
+                    self.assertGreater(along, 0.0)
+                else:
+                    self.assertAlmostEqual(end, start, delta=self.ROUNDING * start)
+                    self.assertLess(along, 0.0)
+
+    def test_pairs_of_unequal_spheres_have_their_own_edge(self):
+        # The edge where the centres are ratio r_i + ratio r_j apart.
+        large, small, speed = 0.8e-3, 0.3e-3, 0.1
+        spheres = [sphere((0, 0, 0), radius=large),
+                   sphere((large + small + 14e-6, 0, 0), (-speed, 0, 0), radius=small)]
+        path = frames(spheres, MODELS, square_well(DEPTH), dt=1e-6, steps=80)
+        # A kick is put on where the pair is first found inside; half of it shows in that frame.
+        kicked = [gap_of for gap_of, f in ((math.hypot(*relative(f, 1, "x")) - large - small, f)
+                                           for f in path) if f[2][3] != -speed]
+        width = (RATIO - 1) * (large + small)
+        self.assertLess(kicked[0], width)
+        self.assertGreater(kicked[0], width - speed * 1e-6 * 1.01)
+
+    def test_a_frozen_sphere_has_infinite_mass(self):
+        spheres = [sphere((0, 0, 0)), sphere((DIAMETER + 2 * WIDTH, 0, 0), (-0.1, 0, 0))]
+        text = script(spheres, MODELS, square_well(DEPTH), dt=1e-6, steps=150,
+                      extra="group still id 1\nfix still still freeze\n")
+        path = Run(text).frames("out.txt")
+        change = 0.5 * MASS * (path[-1][2][3]**2 - 0.01)
+        self.assertAlmostEqual(change, DEPTH, delta=self.ROUNDING * 0.5 * MASS * 0.01)
+        self.assertEqual(path[-1][1][3], 0.0)
+
+
+class Walls(unittest.TestCase):
+    def test_approach_and_capture_at_walls_of_either_kind(self):
+        # Without contact: parting from inside, and a flight inwards that ends before the wall.
+        depth, width = 2 * DEPTH, (RATIO - 1) * RADIUS
+        edge = well_speed(depth, MASS)
+        spheres = [sphere((1e-3, 0, RADIUS + 2e-6), (0, 0, 0.999999 * edge)),
+                   sphere((3e-3, 0, RADIUS + 2e-6), (0, 0, 1.000001 * edge)),
+                   sphere((-3e-3, 0, RADIUS + 1.2 * width), (0, 0, -1e-2))]
+        mesh = stl(rectangle((-9e-3, -9e-3, 0), (18e-3, 0, 0), (0, 18e-3, 0), 3))
+        for walls in (["primitive type 2 zplane 0"], wall(MODELS)):
+            with self.subTest(wall=walls[-1]):
+                path = frames(spheres, MODELS, square_well(DEPTH), walls=walls, steps=350, dt=1e-6,
+                              inputs={"plate.stl": mesh})
+                end = [part(path[-1][n], "v")[2] for n in (1, 2, 3)]
+                few = 1000 * EPSILON
+                self.assertAlmostEqual(end[0], -0.999999 * edge, delta=few * edge)
+                # The difference of two squares, one part in 1e6 apart.
+                self.assertAlmostEqual(end[1]**2, (1.000001**2 - 1) * edge**2, delta=few * edge**2)
+                self.assertGreater(end[1], 0.0)
+                self.assertAlmostEqual(0.5 * MASS * (end[2]**2 - 1e-4), depth, delta=few * depth)
+
+    def test_a_moving_wall_counts_in_the_approach(self):
+        # A sphere at rest, caught up by a plane that moves: in its frame, energy +D.
+        speed, depth = 0.02, 2 * DEPTH
+        mesh = stl(rectangle((-9e-3, -9e-3, 0), (18e-3, 0, 0), (0, 18e-3, 0), 3))
+        walls = wall(MODELS) + [f"fix up all move/mesh mesh plate linear 0 0 {speed:.17g}"]
+        path = frames([sphere((0, 0, RADIUS + 6e-6))], MODELS, square_well(DEPTH), walls=walls,
+                      dt=1e-6, steps=120, inputs={"plate.stl": mesh})
+        end = part(path[-1][1], "v")[2]
+        self.assertAlmostEqual(0.5 * MASS * ((end - speed)**2 - speed**2), depth,
+                               delta=1000 * EPSILON * MASS * speed**2)
+
+
+class Memory(unittest.TestCase):
+    """What a well remembers: whether a pair is inside, and the impulse of the last step."""
+
+    def setUp(self):
+        # Passing by in different directions, and captured without contact for a while.
+        self.spheres = [sphere((-0.4e-3, 0, 0), (0.2, 0, 0)),
+                        sphere((0.4e-3, 1.005e-3, 0), (-0.2, 0, 0))]
+        self.spheres += list(couples([(3e-6, 5e-3, 0.0), (9e-6, -1e-3, 0.0)], (-5e-3, -5e-3, -5e-3)))
+        # Across the border x = 0 of two ranks, above a wall.
+        self.spheres += [sphere((-0.2e-3, 5e-3, -10e-3 + RADIUS + 4e-6), (0.2, 0, -1e-3))]
+        self.options = dict(dt=1e-6, walls=["primitive type 2 zplane -10e-3"],
+                            box="-0.01 0.01 -0.01 0.01 -0.0101 0.01")
+
+    def ends(self, run, **more):
+        text = script(self.spheres, MODELS, square_well(DEPTH), run=run, every=1000,
+                      **{**self.options, **more})
+        return Run(text).frames("out.txt")[-1]
+
+    def test_runs_in_parts_continue_to_the_last_bit(self):
+        whole = self.ends("run 2000\n")
+        changed = [n for n in (1, 3, 5, 7) if part(whole[n], "v") != self.spheres[n - 1]["velocity"]]
+        self.assertEqual(len(changed), 4, "no event happened in this script")
+        for length in (1, 7):
+            parts = "variable n loop {0}\nlabel again\nrun {1}\nnext n\njump SELF again\n".format(
+                2000 // length, length)
+            if 2000 % length:
+                parts += f"run {2000 % length}\n"
+            self.assertEqual(self.ends(parts), whole)
+
+    def test_restart_continues_to_the_last_bit(self):
+        for walls, inputs in ((self.options["walls"], {}),
+                              (wall(MODELS), {"plate.stl": stl(rectangle(
+                                  (-9e-3, -9e-3, -10e-3), (18e-3, 0, 0), (0, 18e-3, 0), 3))})):
+            options = {**self.options, "walls": walls}
+            first = script(self.spheres, MODELS, square_well(DEPTH), every=1000, **options,
+                           run="run 1\nrun 2000\nclear\n")
+            # One in the well of the wall, one between its edge and the couple's.
+            middle = 300
+            again = script(self.spheres, MODELS, square_well(DEPTH), every=1000, **options,
+                           run=f"run 1\nrun {middle}\nwrite_restart middle.restart\nclear\n")
+            second = script([], MODELS, square_well(DEPTH), every=1000, dump="second.txt", **options,
+                            run=f"run {2000 - middle}\n")
+            start = second.index("region box")
+            end = second.index("neighbor ")
+            second = second[:start] + "read_restart middle.restart\n" + second[end:]
+            whole = Run(first, inputs=inputs).frames("out.txt")[-1]
+            restarted = Run(again + second, inputs=inputs).frames("second.txt")[-1]
+            with self.subTest(walls=walls):
+                self.assertEqual(restarted, whole)
+
+    def test_two_ranks_equal_one(self):
+        results = [Run(script(self.spheres, MODELS, square_well(DEPTH), every=2000, steps=2000,
+                              **{**self.options, "walls": []}), ranks=ranks).frames("out.txt")[-1]
+                   for ranks in (1, 2)]
+        by_place = [sorted(result.values()) for result in results]
+        for one, two in zip(*by_place):
+            for a, b in zip(one[:6], two[:6]):
+                self.assertAlmostEqual(a, b, delta=1e-12 * max(abs(a), 1e-3))
+
+
+if __name__ == "__main__":
+    unittest.main()
