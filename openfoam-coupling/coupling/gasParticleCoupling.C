@@ -5,6 +5,7 @@
 #include "clockTime.H"
 
 #include "sphere.h"
+#include "void_fraction/void_fraction.h"
 
 #include "writeParticleCloud.H"
 
@@ -30,22 +31,26 @@ Foam::UList<Type> view(const Type* values, const Foam::label n)
 } // End anonymous namespace
 
 
-void Foam::gasParticleCoupling::fetchParticles()
+void Foam::gasParticleCoupling::locateParticles()
 {
     const auto particles = engine_->particles();
-    exchange_.locate(view(particles.position, particles.count));
-    velocity_ = exchange_.toGas(view(particles.velocity, particles.count));
-    radius_ = exchange_.toGas(view(particles.radius, particles.count));
+    averaging_.exchange().locate
+    (
+        view(particles.position, particles.count),
+        view(particles.radius, particles.count)
+    );
 }
 
 
 void Foam::gasParticleCoupling::setVoidFraction()
 {
-    std::vector<double> solid(mesh_.nCells(), 0.0);
-    forAll(radius_, i)
+    const auto particles = engine_->particles();
+    scalarField volumes(particles.count);
+    forAll(volumes, i)
     {
-        deposit_(exchange_.cells()[i], sphere_volume(radius_[i]), solid);
+        volumes[i] = sphere_volume(particles.radius[i]);
     }
+    const scalarField solid(averaging_.spread(volumes));
 
     scalarField& voidFraction = voidFraction_.primitiveFieldRef();
     forAll(voidFraction, celli)
@@ -53,30 +58,54 @@ void Foam::gasParticleCoupling::setVoidFraction()
         voidFraction[celli] =
             void_fraction::void_fraction(solid[celli], mesh_.V()[celli], depthRatio_);
     }
-    const label densest = voidFraction.size() ? findMin(voidFraction) : -1;
-    const bool tooDense = densest >= 0 && voidFraction[densest] < minVoidFraction_;
-    if (returnReduce(tooDense, orOp<bool>()))
-    {
-        reportTooDense(tooDense ? densest : -1);
-    }
+    refuseTooDense();
     voidFraction_.correctBoundaryConditions();
 }
 
 
-void Foam::gasParticleCoupling::reportTooDense(const label celli) const
+void Foam::gasParticleCoupling::refuseTooDense() const
 {
-    scalar lowest = celli >= 0 ? voidFraction_[celli] : GREAT;
+    label tooDense = 0;
+    scalar excess = 0;
+    scalar lowest = GREAT;
+    point where = point::max;
+    forAll(voidFraction_, celli)
+    {
+        if (voidFraction_[celli] < minVoidFraction_)
+        {
+            ++tooDense;
+            excess += (minVoidFraction_ - voidFraction_[celli])*volume(celli);
+            if (voidFraction_[celli] < lowest)
+            {
+                lowest = voidFraction_[celli];
+                where = mesh_.C()[celli];
+            }
+        }
+    }
+    if (!returnReduce(tooDense, sumOp<label>()))
+    {
+        return;
+    }
     const scalar mine = lowest;
+    reduce(tooDense, sumOp<label>());
+    reduce(excess, sumOp<scalar>());
     reduce(lowest, minOp<scalar>());
-    point where = mine == lowest ? mesh_.C()[celli] : point::max;
+    where = mine == lowest ? where : point::max;
     reduce(where, minOp<point>());
+    const auto particles = engine_->particles();
+    scalar all = 0;
+    for (label i = 0; i < particles.count; ++i)
+    {
+        all += sphere_volume(particles.radius[i]);
+    }
+    reduce(all, sumOp<scalar>());
 
     FatalIOErrorInFunction(dict_)
-        << "the cell at " << where << " has a void fraction of " << lowest
-        << ", less than minVoidFraction = " << minVoidFraction_ << nl
-        << "    Cells of a few particle diameters cure it; nothing is clipped"
-        << exit(FatalIOError);
-    std::abort();
+        << tooDense << " cells have a void fraction below minVoidFraction = " << minVoidFraction_
+        << "; the lowest is " << lowest << ", of the cell at " << where << nl
+        << "    The solid beyond the limit is " << excess << " m3, " << 100*excess/all
+        << " % of all particles; nothing is clipped. Cells of a few particle diameters cure it,"
+        << " voidFraction sphereOverlap, or a smoothingWidth" << exit(FatalIOError);
 }
 
 
@@ -96,42 +125,42 @@ Foam::List<Foam::vector> Foam::gasParticleCoupling::pendingImpulse() const
 void Foam::gasParticleCoupling::setDrag(const volVectorField& U)
 {
     const scalar dt = mesh_.time().deltaTValue();
-    const List<vector> pending(exchange_.toGas(pendingImpulse()));
-    if (gasAt_.interpolated())
-    {
-        const auto particles = engine_->particles();
-        const auto position = exchange_.toGas(view(particles.position, particles.count));
-        gasAt_.interpolate(voidFraction_, U, exchange_.cells(), position);
-    }
+    const auto particles = engine_->particles();
+    const auto velocity = view(particles.velocity, particles.count);
+    gasAt_.set(voidFraction_, U, averaging_);
 
-    coefficient_.setSize(radius_.size());
-    scalarField& rate = dragRate_.field();
-    vectorField& source = dragSource_.field();
-    rate = 0;
-    source = Zero;
-    forAll(radius_, i)
+    coefficient_.setSize(particles.count);
+    forAll(coefficient_, i)
     {
-        const label celli = exchange_.cells()[i];
-        // The slip is U of the cell less this.
-        const vector velocity = velocity_[i] - gasAt_.offset(i);
         coefficient_[i] = drag_.coefficient
         (
-            gasAt_.voidFraction(i, voidFraction_[celli]),
-            mag(U[celli] - velocity),
-            radius_[i]
+            gasAt_.voidFraction()[i],
+            mag(gasAt_.velocity()[i] - velocity[i]),
+            particles.radius[i]
         );
-        const scalar perGasMass = 1/(volume(celli)*rho_);
-        rate[celli] += coefficient_[i]*perGasMass;
-        source[celli] += (coefficient_[i]*velocity - pending[i]/dt)*perGasMass;
     }
-    drag_.endStep(radius_.size());
+    drag_.endStep(particles.count);
+
+    // The slip is U of the particle's cells less the particle's velocity less the offset.
+    const vectorField charge
+    (
+        coefficient_*(velocity - gasAt_.offset()) - vectorField(pendingImpulse())/dt
+    );
+    const scalarField rate(averaging_.spread(coefficient_));
+    const vectorField source(averaging_.spread(charge));
+    forAll(rate, celli)
+    {
+        const scalar perGasMass = 1/(volume(celli)*rho_);
+        dragRate_.field()[celli] = rate[celli]*perGasMass;
+        dragSource_.field()[celli] = source[celli]*perGasMass;
+    }
 }
 
 
 void Foam::gasParticleCoupling::depositParticles(const volVectorField& U)
 {
     const clockTime timer;
-    fetchParticles();
+    locateParticles();
     setVoidFraction();
     setDrag(U);
     seconds_.exchange += timer.elapsedTime();
@@ -140,16 +169,15 @@ void Foam::gasParticleCoupling::depositParticles(const volVectorField& U)
 
 void Foam::gasParticleCoupling::handOver
 (
-    const UList<scalar>& coefficient,
     const UList<vector>& gasVelocity,
     const UList<vector>& gradP,
     const UList<vector>& charged
 )
 {
     drag::GasOnParticle* gas = engine_->gas();
-    forAll(coefficient, i)
+    forAll(coefficient_, i)
     {
-        gas[i].drag_coefficient = coefficient[i];
+        gas[i].drag_coefficient = coefficient_[i];
         for (direction d = 0; d < 3; ++d)
         {
             gas[i].velocity[d] = gasVelocity[i][d];
@@ -169,21 +197,14 @@ void Foam::gasParticleCoupling::advanceParticles
     clockTime timer;
     const scalar dt = mesh_.time().deltaTValue();
 
-    const labelList& cells = exchange_.cells();
-    vectorField gasVelocity(cells.size());
-    forAll(cells, i)
-    {
-        gasVelocity[i] = U[cells[i]] + gasAt_.offset(i);
-    }
-    const vectorField charged(coefficient_*(gasVelocity - velocity_)*dt);
-    const vector pendingBefore = sum(pendingImpulse());
-    handOver
+    const auto particles = engine_->particles();
+    const vectorField gasVelocity(averaging_.gather(U.primitiveField()) + gasAt_.offset());
+    const vectorField charged
     (
-        exchange_.toEngine<scalar>(coefficient_),
-        exchange_.toEngine<vector>(gasVelocity),
-        exchange_.toEngine<vector>(vectorField(gradP.primitiveField(), cells)),
-        exchange_.toEngine<vector>(charged)
+        coefficient_*(gasVelocity - view(particles.velocity, particles.count))*dt
     );
+    const vector pendingBefore = sum(pendingImpulse());
+    handOver(gasVelocity, averaging_.gather(gradP.primitiveField()), charged);
     seconds_.exchange += timer.timeIncrement();
 
     engine_->advance(subSteps_);
@@ -248,17 +269,27 @@ void Foam::gasParticleCoupling::reportBalance
 
 void Foam::gasParticleCoupling::writeParticles()
 {
-    fetchParticles();
+    locateParticles();
+    const particleExchange& exchange = averaging_.exchange();
     const auto particles = engine_->particles();
     const label n = particles.count;
+
+    DynamicList<label> centred(exchange.cells().size());
+    forAll(exchange.cells(), k)
+    {
+        if (exchange.cells()[k] >= 0)
+        {
+            centred.append(k);
+        }
+    }
     writeParticleCloud
     (
         mesh_,
-        exchange_.cells(),
-        exchange_.toGas(view(particles.position, n)),
-        velocity_,
-        radius_,
-        exchange_.toGas(view(particles.id, n))
+        labelList(exchange.cells(), centred),
+        List<point>(exchange.positions(), centred),
+        List<vector>(exchange.toParts(view(particles.velocity, n)), centred),
+        List<scalar>(exchange.toParts(view(particles.radius, n)), centred),
+        labelList(exchange.toParts(view(particles.id, n)), centred)
     );
 }
 

@@ -7,8 +7,6 @@
 
 #include "dem-engines/load_dem_engine.h"
 
-#include "selectRow.H"
-
 using namespace cohesion;
 
 
@@ -34,11 +32,10 @@ Foam::gasParticleCoupling::gasParticleCoupling
     rho_(rho),
     drag_(dict_, rho, mu),
     gasAt_(dict_),
-    deposit_(selectRow(dict_, "voidFraction", void_fraction::kernels).deposit),
     minVoidFraction_(dict_.getOrDefault<scalar>("minVoidFraction", 0.2)),
     depthRatio_(1),
     subSteps_(0),
-    exchange_(mesh),
+    averaging_(mesh, dict_),
     voidFraction_
     (
         IOobject
@@ -70,7 +67,7 @@ Foam::gasParticleCoupling::gasParticleCoupling
     checkUnitsAndBox();
     setSubSteps();
 
-    fetchParticles();
+    locateParticles();
     setVoidFraction();
     voidFraction_.oldTime();
 }
