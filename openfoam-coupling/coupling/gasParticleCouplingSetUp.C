@@ -7,6 +7,8 @@
 
 #include "dem-engines/load_dem_engine.h"
 
+#include "selectRow.H"
+
 using namespace cohesion;
 
 
@@ -14,7 +16,8 @@ Foam::gasParticleCoupling::gasParticleCoupling
 (
     const fvMesh& mesh,
     const scalar rho,
-    const scalar mu
+    const scalar mu,
+    const vector& g
 )
 :
     mesh_(mesh),
@@ -30,6 +33,8 @@ Foam::gasParticleCoupling::gasParticleCoupling
         )
     ),
     rho_(rho),
+    g_(g),
+    form_(selectRow(dict_, "form", drag::model_forms, "A")),
     drag_(dict_, rho, mu),
     gasAt_(dict_),
     minVoidFraction_(dict_.getOrDefault<scalar>("minVoidFraction", 0.2)),
@@ -47,6 +52,12 @@ Foam::gasParticleCoupling::gasParticleCoupling
             IOobject::AUTO_WRITE
         ),
         mesh
+    ),
+    one_
+    (
+        IOobject("one", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedScalar("one", dimless, 1)
     ),
     dragRate_
     (

@@ -45,6 +45,9 @@ CASES = {
     "negative drag": (
         lambda c: c.set(COUPLING, "dragFactor", -1),
         ["dragFactor = -1: must be a finite number greater than zero"]),
+    "misspelt form": (
+        lambda c: c.set(COUPLING, "form", "C"),
+        ["unknown form 'C'", "valid names: A, B"]),
     "misspelt slip": (
         lambda c: c.set(COUPLING, "slip", "cellMean"),
         ["unknown slip 'cellMean'", "valid names: cell, interpolated"]),

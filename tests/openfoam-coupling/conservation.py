@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """In every gas step of a swarm of falling, colliding spheres: what the gas lost is what the particles
 felt, and the solid volume on the mesh is that of the particles. With every void-fraction kernel, with
-smoothing, and with the interpolated slip, on 1 and 2 ranks, whose particles and cells are cut along
+smoothing, with the interpolated slip and in form B, on 1 and 2 ranks, whose particles and cells are cut along
 different directions."""
 
 import sys
@@ -14,6 +14,7 @@ SETTINGS = {
     "interpolated": {"slip": "interpolated"},
     "dividedVolume": {"voidFraction": "dividedVolume"},
     "sphereOverlap": {"voidFraction": "sphereOverlap"},
+    "form B": {"form": "B", "voidFraction": "sphereOverlap"},
     "smoothed": {"voidFraction": "sphereOverlap", "smoothingWidth": 0.01, "slip": "interpolated"},
 }
 

@@ -2,7 +2,7 @@
 """Gas blown through three layers of spheres that are held where they are, free rows of cells below
 and above, with every drag closure: in every row eps U is the superficial velocity, and the pressure
 drop is what the closure, written out again in tests/src/drag/closure_formulas.py, gives at each row's
-void fraction and slip."""
+void fraction and slip. The same in both forms of the model."""
 
 import re
 import sys
@@ -141,6 +141,8 @@ def main(build, work):
     expect = Expectations()
     for name, closure in CLOSURES.items():
         check(expect, build, work, name, {"drag": name}, closure)
+
+    check(expect, build, work, "form_B", {"drag": "diFelice", "form": "B"}, CLOSURES["diFelice"])
 
     def halved(*where):
         return 0.5 * CLOSURES["ergunWenYu"](*where, n="9.6")
