@@ -31,20 +31,44 @@ void Foam::gasAtParticles::interpolate
 (
     const volScalarField& voidFraction,
     const volVectorField& U,
-    const labelUList& cells,
-    const UList<point>& positions
+    const particleExchange& exchange
 )
 {
     const interpolationCellPoint<scalar> voidFractionAt(voidFraction);
     const interpolationCellPoint<vector> velocityAt(U);
-    voidFraction_.setSize(cells.size());
-    offset_.setSize(cells.size());
-    forAll(cells, i)
+    const labelList& cells = exchange.cells();
+    const List<point>& positions = exchange.positions();
+    scalarList voidFractions(cells.size(), Zero);
+    List<vector> velocities(cells.size(), Zero);
+    forAll(cells, k)
     {
-        const label celli = cells[i];
-        // A mean of numbers up to 1 with weights that add up to 1 only to round-off
-        voidFraction_[i] =
-            min(voidFractionAt.interpolate(positions[i], celli), scalar(1));
-        offset_[i] = velocityAt.interpolate(positions[i], celli) - U[celli];
+        if (cells[k] >= 0)
+        {
+            // A mean of numbers up to 1 with weights that add up to 1 only to round-off
+            voidFractions[k] = min(voidFractionAt.interpolate(positions[k], cells[k]), scalar(1));
+            velocities[k] = velocityAt.interpolate(positions[k], cells[k]);
+        }
+    }
+    voidFraction_ = exchange.sumParts(std::move(voidFractions));
+    velocity_ = exchange.sumParts(std::move(velocities));
+}
+
+
+void Foam::gasAtParticles::set
+(
+    const volScalarField& voidFraction,
+    const volVectorField& U,
+    particleAveraging& averaging
+)
+{
+    voidFraction_ = averaging.gather(voidFraction.primitiveField());
+    velocity_ = averaging.gather(U.primitiveField());
+    offset_.setSize(velocity_.size());
+    offset_ = Zero;
+    if (interpolated_)
+    {
+        const vectorField gathered(velocity_);
+        interpolate(voidFraction, U, averaging.exchange());
+        offset_ = velocity_ - gathered;
     }
 }

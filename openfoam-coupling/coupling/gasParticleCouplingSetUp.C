@@ -16,7 +16,8 @@ Foam::gasParticleCoupling::gasParticleCoupling
 (
     const fvMesh& mesh,
     const scalar rho,
-    const scalar mu
+    const scalar mu,
+    const vector& g
 )
 :
     mesh_(mesh),
@@ -32,13 +33,14 @@ Foam::gasParticleCoupling::gasParticleCoupling
         )
     ),
     rho_(rho),
+    g_(g),
+    form_(selectRow(dict_, "form", drag::model_forms, "A")),
     drag_(dict_, rho, mu),
     gasAt_(dict_),
-    deposit_(selectRow(dict_, "voidFraction", void_fraction::kernels).deposit),
     minVoidFraction_(dict_.getOrDefault<scalar>("minVoidFraction", 0.2)),
     depthRatio_(1),
     subSteps_(0),
-    exchange_(mesh),
+    averaging_(mesh, dict_),
     voidFraction_
     (
         IOobject
@@ -50,6 +52,12 @@ Foam::gasParticleCoupling::gasParticleCoupling
             IOobject::AUTO_WRITE
         ),
         mesh
+    ),
+    one_
+    (
+        IOobject("one", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedScalar("one", dimless, 1)
     ),
     dragRate_
     (
@@ -70,7 +78,7 @@ Foam::gasParticleCoupling::gasParticleCoupling
     checkUnitsAndBox();
     setSubSteps();
 
-    fetchParticles();
+    locateParticles();
     setVoidFraction();
     voidFraction_.oldTime();
 }

@@ -5,10 +5,20 @@
 #include "PstreamReduceOps.H"
 #include "polyMesh.H"
 
-Foam::particleExchange::particleExchange(const polyMesh& mesh)
+#include <vector>
+
+using namespace cohesion;
+
+
+Foam::particleExchange::particleExchange
+(
+    const polyMesh& mesh,
+    const void_fraction::Kernel& kernel
+)
 :
     mesh_(mesh),
-    search_(mesh, polyMesh::FACE_PLANES),
+    meshCells_(mesh, kernel),
+    images_(meshCells::images(mesh)),
     rankBounds_(Pstream::nProcs()),
     nEngine_(0)
 {
@@ -40,14 +50,14 @@ Foam::mapDistributeBase Foam::particleExchange::makeMap(labelListList&& sent)
 void Foam::particleExchange::reportOutside
 (
     const UList<point>& positions,
-    const labelList& owners
+    const scalarList& sums
 ) const
 {
     label nOutside = 0;
     point example = point::max;
-    forAll(owners, i)
+    forAll(sums, i)
     {
-        if (owners[i] < 0)
+        if (sums[i] == 0)
         {
             ++nOutside;
             example = min(example, positions[i]);
@@ -66,19 +76,28 @@ void Foam::particleExchange::reportOutside
 }
 
 
-Foam::List<Foam::DynamicList<Foam::label>> Foam::particleExchange::candidates
+Foam::particleExchange::Candidates Foam::particleExchange::candidates
 (
-    const UList<point>& positions
+    const UList<point>& positions,
+    const UList<scalar>& radii
 ) const
 {
-    List<DynamicList<label>> found(rankBounds_.size());
+    Candidates found(rankBounds_.size());
     forAll(positions, i)
     {
-        forAll(rankBounds_, rank)
+        const scalar reach = meshCells_.reach(radii[i]);
+        for (const vector& shift : images_)
         {
-            if (rankBounds_[rank].contains(positions[i]))
+            const point position = positions[i] + shift;
+            forAll(rankBounds_, rank)
             {
-                found[rank].append(i);
+                boundBox near(rankBounds_[rank]);
+                near.min() -= vector::uniform(reach);
+                near.max() += vector::uniform(reach);
+                if (near.contains(position))
+                {
+                    found[rank].append(Candidate{i, position});
+                }
             }
         }
     }
@@ -86,77 +105,186 @@ Foam::List<Foam::DynamicList<Foam::label>> Foam::particleExchange::candidates
 }
 
 
-Foam::List<Foam::DynamicList<Foam::label>> Foam::particleExchange::askForCells
+Foam::particleExchange::Answer Foam::particleExchange::answer
 (
-    const UList<point>& positions,
-    const List<DynamicList<label>>& mayHold
+    const Question& question,
+    Shares& mine
 ) const
 {
-    List<DynamicList<point>> questions(mayHold.size());
+    const point position(question[0], question[1], question[2]);
+    const label holder = meshCells_.holding(position);
+    mine.positions.append(position);
+    mine.holders.append(holder);
+    mine.starts.append(mine.shares.cells.size());
+
+    Answer answer;
+    answer[0] = holder >= 0;
+    answer[1] =
+        meshCells_.reachesOut()
+      ? meshCells_.appendShares(position, question[3], holder, mine.shares)
+      : answer[0];
+    return answer;
+}
+
+
+Foam::List<Foam::DynamicList<Foam::particleExchange::Answer>> Foam::particleExchange::ask
+(
+    const Candidates& mayHold,
+    const UList<scalar>& radii,
+    List<Shares>& mine
+) const
+{
+    List<DynamicList<Question>> questions(mayHold.size());
     forAll(mayHold, rank)
     {
-        for (const label i : mayHold[rank])
+        for (const Candidate& candidate : mayHold[rank])
         {
-            questions[rank].append(positions[i]);
+            Question question;
+            for (direction d = 0; d < 3; ++d)
+            {
+                question[d] = candidate.position[d];
+            }
+            question[3] = radii[candidate.particle];
+            questions[rank].append(question);
         }
     }
-    List<DynamicList<point>> asked(mayHold.size());
-    Pstream::exchange<DynamicList<point>, point>(questions, asked);
+    List<DynamicList<Question>> asked(mayHold.size());
+    Pstream::exchange<DynamicList<Question>, Question>(questions, asked);
 
-    List<DynamicList<label>> answers(mayHold.size());
+    List<DynamicList<Answer>> answers(mayHold.size());
     forAll(asked, rank)
     {
-        for (const point& position : asked[rank])
+        for (const Question& question : asked[rank])
         {
-            answers[rank].append(search_.findCell(position, -1, true));
+            answers[rank].append(answer(question, mine[rank]));
         }
+        mine[rank].starts.append(mine[rank].shares.cells.size());
     }
-    List<DynamicList<label>> cells(mayHold.size());
-    Pstream::exchange<DynamicList<label>, label>(answers, cells);
-    return cells;
+    List<DynamicList<Answer>> received(mayHold.size());
+    Pstream::exchange<DynamicList<Answer>, Answer>(answers, received);
+    return received;
 }
 
 
-Foam::particleExchange::Places Foam::particleExchange::firstClaims
+Foam::particleExchange::Parts Foam::particleExchange::accept
 (
     const label nParticles,
-    const List<DynamicList<label>>& mayHold,
-    const List<DynamicList<label>>& cells
-)
+    const Candidates& mayHold,
+    const List<DynamicList<Answer>>& answers
+) const
 {
-    Places places{labelList(nParticles, -1), labelList(nParticles, -1), labelListList(cells.size())};
+    Parts parts
+    {
+        List<DynamicList<label>>(mayHold.size()),
+        labelListList(mayHold.size()),
+        scalarList(nParticles, Zero)
+    };
+    std::vector<bool> centred(std::size_t(nParticles), false);
     forAll(mayHold, rank)
     {
-        DynamicList<label> accepted(mayHold[rank].size());
+        DynamicList<label> particles(mayHold[rank].size());
         forAll(mayHold[rank], k)
         {
-            const label i = mayHold[rank][k];
-            if (places.owners[i] < 0 && cells[rank][k] >= 0)
+            const label i = mayHold[rank][k].particle;
+            const bool centre = answers[rank][k][0] > 0 && !centred[i];
+            if (centre || (meshCells_.reachesOut() && answers[rank][k][1] > 0))
             {
-                places.owners[i] = rank;
-                places.cells[i] = cells[rank][k];
-                accepted.append(i);
+                parts.accepted[rank].append(centre ? k : -1 - k);
+                particles.append(i);
+                parts.sums[i] += answers[rank][k][1];
             }
+            centred[i] = centred[i] || centre;
         }
-        places.sent[rank].transfer(accepted);
+        parts.particles[rank].transfer(particles);
     }
-    return places;
+    for (label i = 0; i < nParticles; ++i)
+    {
+        if (!centred[i])
+        {
+            parts.sums[i] = 0;
+        }
+    }
+    return parts;
 }
 
 
-void Foam::particleExchange::locate(const UList<point>& positions)
+void Foam::particleExchange::setParts
+(
+    const List<Shares>& mine,
+    const List<DynamicList<label>>& accepted
+)
+{
+    DynamicList<label> cells;
+    DynamicList<point> positions;
+    DynamicList<label> starts;
+    DynamicList<label> weightedCells;
+    DynamicList<scalar> weights;
+    forAll(accepted, rank)
+    {
+        const Shares& answered = mine[rank];
+        for (const label number : accepted[rank])
+        {
+            const label k = number < 0 ? -1 - number : number;
+            cells.append(number < 0 ? -1 : answered.holders[k]);
+            positions.append(answered.positions[k]);
+            if (meshCells_.reachesOut())
+            {
+                starts.append(weights.size());
+                for (label j = answered.starts[k]; j < answered.starts[k + 1]; ++j)
+                {
+                    weightedCells.append(answered.shares.cells[j]);
+                    weights.append(answered.shares.shares[j]);
+                }
+            }
+        }
+    }
+    if (meshCells_.reachesOut())
+    {
+        starts.append(weights.size());
+    }
+    cells_.transfer(cells);
+    positions_.transfer(positions);
+    starts_.transfer(starts);
+    weightedCells_.transfer(weightedCells);
+    weights_.transfer(weights);
+}
+
+
+void Foam::particleExchange::setWeights(const scalarList& sums)
+{
+    if (!meshCells_.reachesOut())
+    {
+        return;
+    }
+    const scalarList ofParts(toParts(sums));
+    forAll(ofParts, k)
+    {
+        for (label j = starts_[k]; j < starts_[k + 1]; ++j)
+        {
+            weights_[j] /= ofParts[k];
+        }
+    }
+}
+
+
+void Foam::particleExchange::locate(const UList<point>& positions, const UList<scalar>& radii)
 {
     nEngine_ = positions.size();
 
-    // Every rank whose box holds a particle is asked; the first that has a cell for it gets it.
-    const List<DynamicList<label>> mayHold(candidates(positions));
-    Places places(firstClaims(nEngine_, mayHold, askForCells(positions, mayHold)));
+    // Every rank that may have a share is asked.
+    const Candidates mayHold(candidates(positions, radii));
+    List<Shares> mine(mayHold.size());
+    const List<DynamicList<Answer>> answers(ask(mayHold, radii, mine));
+    Parts parts(accept(nEngine_, mayHold, answers));
 
-    if (returnReduce(places.owners.found(-1), orOp<bool>()))
+    if (returnReduce(parts.sums.found(0), orOp<bool>()))
     {
-        reportOutside(positions, places.owners);
+        reportOutside(positions, parts.sums);
     }
 
-    map_.reset(new mapDistributeBase(makeMap(std::move(places.sent))));
-    cells_ = toGas(places.cells);
+    List<DynamicList<label>> accepted(mayHold.size());
+    Pstream::exchange<DynamicList<label>, label>(parts.accepted, accepted);
+    setParts(mine, accepted);
+    map_.reset(new mapDistributeBase(makeMap(std::move(parts.particles))));
+    setWeights(parts.sums);
 }

@@ -7,7 +7,7 @@ Description
     Transient solver for the volume-averaged incompressible flow of a gas through particles that a
     particle engine (LAMMPS) moves. Laminar. PIMPLE for the gas, one exchange each way per gas step.
 
-    The model is "A": the gas feels -eps grad p, a particle -V_p grad p and its drag.
+    Forms A and B of the model, src/drag/model_form.h.
 
 Usage
     cohesiveBedFoam [-overwrite] [-parallel]

@@ -12,7 +12,7 @@
 ///
 ///   F_total = F_drag - V_p grad p = F_drag (1 + (1 - eps)/eps) = F_drag/eps.
 ///
-/// Model A, which the coupling solves, needs F_drag; pressure drops through packed beds and
+/// Form A (model_form.h) needs F_drag, form B F_drag/eps; pressure drops through packed beds and
 /// simulations of fixed particles give F_total. Each closure says which of the two it states.
 ///
 /// Scale. F = force/(3 pi mu d U), which is 1 for a single sphere without inertia. F_drag is

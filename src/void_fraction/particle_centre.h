@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <vector>
+#include "void_fraction/cell.h"
 
 namespace cohesion::void_fraction {
 
@@ -11,18 +11,12 @@ namespace cohesion::void_fraction {
 /// Source: M. Weber, thesis, chapter 6.
 struct ParticleCentre {
   static constexpr const char* name = "particleCentre";
+  static constexpr double reach = 0.0;
 
-  /// solid [number of cells, length^3] += volume [length^3] of a particle centred in `cell`.
-  static void deposit(int cell, double volume, std::vector<double>& solid) {
-    solid[static_cast<std::size_t>(cell)] += volume;
+  /// Share of the sphere's volume that is the cell's [1].
+  static double share(const Sphere& sphere, const Cell& cell) {
+    return cell.contains(sphere.centre) ? 1.0 : 0.0;
   }
 };
-
-/// Void fraction of a cell. In a 2-D simulation the mesh may be of any thickness; the particles
-/// live in a slab of `depth` (one diameter in the thesis), so the cell's volume counts
-/// depth/thickness. solid_volume and cell_volume [length^3], depth_over_thickness [1], 1 in 3-D.
-inline double void_fraction(double solid_volume, double cell_volume, double depth_over_thickness) {
-  return 1.0 - solid_volume / (cell_volume * depth_over_thickness);
-}
 
 }  // namespace cohesion::void_fraction

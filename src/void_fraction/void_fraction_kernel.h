@@ -3,24 +3,30 @@
 
 #include <array>
 #include <string_view>
-#include <vector>
 
+#include "void_fraction/divided_volume.h"
 #include "void_fraction/particle_centre.h"
+#include "void_fraction/sphere_overlap.h"
 
 /// The table of void-fraction kernels: the one place that knows them all.
-/// To add one: its header beside this file, and its row in `kernels`.
+/// To add one: its header beside this file, its row in `kernels`, its test, its row in
+/// docs/openfoam-coupling/void_fraction.md.
+///
+/// A kernel says which share of a sphere's volume a cell gets. What the shares of all cells lack of
+/// 1, or have too much, is not the kernel's: who adds them up scales them to 1, so that the sphere
+/// keeps its volume beside walls too, and where a point lies on a face of two cells.
 namespace cohesion::void_fraction {
-
-/// Adds a particle's volume to the solid volume of cells; arguments as in ParticleCentre::deposit.
-using Deposit = void (*)(int cell, double volume, std::vector<double>& solid);
 
 struct Kernel {
   std::string_view name;
-  Deposit deposit;
+  double reach;  ///< from the centre to the last cell that may get a share, in radii [1]
+  double (*share)(const Sphere&, const Cell&);
 };
 
 inline constexpr std::array kernels{
-    Kernel{ParticleCentre::name, &ParticleCentre::deposit},
+    Kernel{ParticleCentre::name, ParticleCentre::reach, &ParticleCentre::share},
+    Kernel{DividedVolume::name, DividedVolume::reach, &DividedVolume::share},
+    Kernel{SphereOverlap::name, SphereOverlap::reach, &SphereOverlap::share},
 };
 
 }  // namespace cohesion::void_fraction

@@ -1,26 +1,38 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """In every gas step of a swarm of falling, colliding spheres: what the gas lost is what the particles
-felt, and the solid volume on the mesh is that of the particles. With the slip of the cell and with
-the interpolated one, on 1 and 2 ranks, whose particles and cells are cut along different directions."""
+felt, and the solid volume on the mesh is that of the particles. With every void-fraction kernel, with
+smoothing, with the interpolated slip and in form B, on 1 and 2 ranks, whose particles and cells are cut along
+different directions."""
 
 import sys
 
 from coupled_case import Expectations, column, exchange_lines
 
 
-def run(build, work, slip, ranks):
-    case = column(work, f"{slip}-{ranks}", build)
-    case.set("constant/couplingProperties", "slip", slip)
+SETTINGS = {
+    "cell": {},
+    "interpolated": {"slip": "interpolated"},
+    "dividedVolume": {"voidFraction": "dividedVolume"},
+    "sphereOverlap": {"voidFraction": "sphereOverlap"},
+    "form B": {"form": "B", "voidFraction": "sphereOverlap"},
+    "smoothed": {"voidFraction": "sphereOverlap", "smoothingWidth": 0.01, "slip": "interpolated"},
+}
+
+
+def run(build, work, name, ranks):
+    case = column(work, f"{name}-{ranks}", build)
+    for entry, value in SETTINGS[name].items():
+        case.set("constant/couplingProperties", entry, value)
     case.set("constant/couplingProperties", "lammpsCoeffs/script", '"$FOAM_CASE/swarm.lmp"')
     case.set("system/controlDict", "endTime", 0.02)
     case.mesh()
     return exchange_lines(case.solve(ranks=ranks))
 
 
-def check(expect, build, work, slip):
-    steps = {ranks: run(build, work, slip, ranks) for ranks in (1, 2)}
+def check(expect, build, work, name):
+    steps = {ranks: run(build, work, name, ranks) for ranks in (1, 2)}
     for ranks, lines in steps.items():
-        expect.equal(f"{slip}: gas steps on {ranks} ranks", len(lines), 200)
+        expect.equal(f"{name}: gas steps on {ranks} ranks", len(lines), 200)
         # Sums of some 1e3 terms, each rounded to 1e-16: 1e-13 at most. Asked for: 1e-12.
         expect.below("largest imbalance of the forces", max(x["imbalance"] for x in lines), 1e-12)
         expect.below("largest error of the solid volume", max(x["volume"] for x in lines), 1e-12)
@@ -34,8 +46,8 @@ def check(expect, build, work, slip):
 
 def main(build, work):
     expect = Expectations()
-    for slip in ("cell", "interpolated"):
-        check(expect, build, work, slip)
+    for name in SETTINGS:
+        check(expect, build, work, name)
     expect.exit()
 
 

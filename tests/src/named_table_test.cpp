@@ -14,7 +14,7 @@ TEST(NamedTable, FindsEveryRowByItsName) {
     EXPECT_EQ(find_by_name(drag::closures, "drag", row.name).per_solid_volume,
               row.per_solid_volume);
   for (const auto& row : void_fraction::kernels)
-    EXPECT_EQ(find_by_name(void_fraction::kernels, "void fraction", row.name).deposit, row.deposit);
+    EXPECT_EQ(find_by_name(void_fraction::kernels, "void fraction", row.name).share, row.share);
 }
 
 TEST(NamedTable, HasNoNameTwice) {

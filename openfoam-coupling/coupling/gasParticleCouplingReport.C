@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the coupling says: cells that are too dense, the balance of each step, where the time went.
+#include "gasParticleCoupling.H"
+
+#include "sphere.h"
+
+using namespace cohesion;
+
+
+void Foam::gasParticleCoupling::refuseTooDense() const
+{
+    label tooDense = 0;
+    scalar excess = 0;
+    scalar lowest = GREAT;
+    point where = point::max;
+    forAll(voidFraction_, celli)
+    {
+        if (voidFraction_[celli] < minVoidFraction_)
+        {
+            ++tooDense;
+            excess += (minVoidFraction_ - voidFraction_[celli])*volume(celli);
+            if (voidFraction_[celli] < lowest)
+            {
+                lowest = voidFraction_[celli];
+                where = mesh_.C()[celli];
+            }
+        }
+    }
+    if (!returnReduce(tooDense, sumOp<label>()))
+    {
+        return;
+    }
+    const scalar mine = lowest;
+    reduce(tooDense, sumOp<label>());
+    reduce(excess, sumOp<scalar>());
+    reduce(lowest, minOp<scalar>());
+    where = mine == lowest ? where : point::max;
+    reduce(where, minOp<point>());
+    const auto particles = engine_->particles();
+    scalar all = 0;
+    for (label i = 0; i < particles.count; ++i)
+    {
+        all += sphere_volume(particles.radius[i]);
+    }
+    reduce(all, sumOp<scalar>());
+
+    FatalIOErrorInFunction(dict_)
+        << tooDense << " cells have a void fraction below minVoidFraction = " << minVoidFraction_
+        << "; the lowest is " << lowest << ", of the cell at " << where << nl
+        << "    The solid beyond the limit is " << excess << " m3, " << 100*excess/all
+        << " % of all particles; nothing is clipped. Cells of a few particle diameters cure it,"
+        << " voidFraction sphereOverlap, or a smoothingWidth" << exit(FatalIOError);
+}
+
+
+void Foam::gasParticleCoupling::reportBalance
+(
+    const volVectorField& U,
+    const UList<vector>& pressureGradient,
+    const vector& pendingBefore
+) const
+{
+    const scalar dt = mesh_.time().deltaTValue();
+
+    // The gas, from the source terms of its own equation
+    vector gasDrag = Zero;
+    vector gasPressure = Zero;
+    scalar solidDeposited = 0;
+    forAll(U, celli)
+    {
+        const scalar solid = (1 - voidFraction_[celli])*volume(celli);
+        gasDrag +=
+            (dragSource_[celli] - dragRate_[celli]*U[celli])*rho_*volume(celli)*dt;
+        gasPressure += solid*pressureGradient[celli]*dt;
+        solidDeposited += solid;
+    }
+
+    // The particles, from the engine's book of the forces it put on
+    const auto particles = engine_->particles();
+    const auto felt = engine_->gas_impulse();
+    vector drag(felt.drag[0], felt.drag[1], felt.drag[2]);
+    vector pressure(felt.pressure[0], felt.pressure[1], felt.pressure[2]);
+    vector pending = sum(pendingImpulse()) - pendingBefore;
+    scalar solidVolume = 0;
+    for (label i = 0; i < particles.count; ++i)
+    {
+        solidVolume += sphere_volume(particles.radius[i]);
+    }
+
+    reduce(gasDrag, sumOp<vector>());
+    reduce(gasPressure, sumOp<vector>());
+    reduce(drag, sumOp<vector>());
+    reduce(pressure, sumOp<vector>());
+    reduce(pending, sumOp<vector>());
+    reduce(solidDeposited, sumOp<scalar>());
+    reduce(solidVolume, sumOp<scalar>());
+
+    const scalar size = mag(drag) + mag(pressure) + VSMALL;
+    Info<< "Exchange: drag on particles " << drag/dt << " N, pressure " << pressure/dt
+        << " N, not yet charged to the gas " << pending/dt
+        << " N, imbalance " << mag(gasDrag + drag - pending + gasPressure + pressure)/size
+        << ", solid volume error " << mag(solidDeposited/solidVolume - 1) << endl;
+}
+
+
+void Foam::gasParticleCoupling::report(const scalar total) const
+{
+    drag_.report();
+
+    scalar particles = seconds_.particles;
+    scalar exchange = seconds_.exchange;
+    reduce(particles, maxOp<scalar>());
+    reduce(exchange, maxOp<scalar>());
+
+    const auto row = [total](const char* name, const scalar seconds)
+    {
+        Info<< "    " << name << seconds << " s, " << 100*seconds/total << " %" << nl;
+    };
+    Info<< nl << "Where the time went (" << Pstream::nProcs() << " ranks)" << nl;
+    row("particles  ", particles);
+    row("gas        ", total - particles - exchange);
+    row("exchange   ", exchange);
+    row("all        ", total);
+    Info<< endl;
+}

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "meshCells.H"
+
+#include "PstreamReduceOps.H"
+#include "cyclicPolyPatch.H"
+#include "indexedOctree.H"
+#include "polyMesh.H"
+#include "processorCyclicPolyPatch.H"
+#include "treeDataCell.H"
+
+#include <limits>
+
+using namespace cohesion;
+
+namespace
+{
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+Vector3 toVector3(const Foam::vector& v)
+{
+    return {v.x(), v.y(), v.z()};
+}
+
+} // End anonymous namespace
+
+
+class Foam::meshCells::KernelCell
+:
+    public void_fraction::Cell
+{
+    const meshCells& cells_;
+    const label celli_;
+
+public:
+
+    KernelCell(const meshCells& cells, const label celli)
+    :
+        cells_(cells),
+        celli_(celli)
+    {}
+
+    const void_fraction::Box* box() const override
+    {
+        return cells_.isBox_[celli_] ? &cells_.boxes_[celli_] : nullptr;
+    }
+
+    bool contains(const Vector3& at) const override
+    {
+        const void_fraction::Box& box = cells_.boxes_[celli_];
+        if
+        (
+            at.x < box.low.x || at.x > box.high.x
+         || at.y < box.low.y || at.y > box.high.y
+         || at.z < box.low.z || at.z > box.high.z
+        )
+        {
+            return false;
+        }
+        if (cells_.isBox_[celli_])
+        {
+            return true;
+        }
+        point where(at.x, at.y, at.z);
+        for (direction d = 0; d < 3; ++d)
+        {
+            if (cells_.mesh_.geometricD()[d] < 0)
+            {
+                where[d] = cells_.mesh_.cellCentres()[celli_][d];
+            }
+        }
+        return cells_.mesh_.pointInCell(where, celli_, polyMesh::FACE_PLANES);
+    }
+};
+
+
+Foam::meshCells::meshCells(const polyMesh& mesh, const void_fraction::Kernel& kernel)
+:
+    mesh_(mesh),
+    kernel_(kernel),
+    search_(mesh, polyMesh::FACE_PLANES)
+{
+    if (reachesOut())
+    {
+        setBoxes();
+    }
+}
+
+
+void Foam::meshCells::setBoxes()
+{
+    boxes_.resize(mesh_.nCells());
+    isBox_.setSize(mesh_.nCells());
+    forAll(isBox_, celli)
+    {
+        boundBox bounds(mesh_.cells()[celli].points(mesh_.faces(), mesh_.points()), false);
+        // A convex cell as large as the box around it is that box.
+        isBox_[celli] = mesh_.cellVolumes()[celli] > (1 - 1e-9)*bounds.volume();
+        for (direction d = 0; d < 3; ++d)
+        {
+            if (mesh_.geometricD()[d] < 0)
+            {
+                bounds.min()[d] = -infinity;
+                bounds.max()[d] = infinity;
+            }
+        }
+        boxes_[celli] = {toVector3(bounds.min()), toVector3(bounds.max())};
+    }
+}
+
+
+Foam::label Foam::meshCells::holding(const point& position) const
+{
+    return search_.findCell(position, -1, true);
+}
+
+
+Foam::labelList Foam::meshCells::touched(const point& centre, const scalar radius) const
+{
+    const vector half = vector::uniform(reach(radius));
+    treeBoundBox around(centre - half, centre + half);
+    for (direction d = 0; d < 3; ++d)
+    {
+        if (mesh_.geometricD()[d] < 0)
+        {
+            around.min()[d] = mesh_.bounds().min()[d];
+            around.max()[d] = mesh_.bounds().max()[d];
+        }
+    }
+    const auto& tree = search_.cellTree();
+    labelList found(tree.findBox(around));
+    for (label& shape : found)
+    {
+        shape = tree.shapes().cellLabels()[shape];
+    }
+    // The order of a sum is that of the cells, not of the tree.
+    sort(found);
+    return found;
+}
+
+
+Foam::scalar Foam::meshCells::appendShares
+(
+    const point& centre,
+    const scalar radius,
+    const label holder,
+    Shares& shares
+) const
+{
+    const void_fraction::Sphere sphere{toVector3(centre), radius};
+    const auto append = [&](const label celli)
+    {
+        const scalar share = kernel_.share(sphere, KernelCell(*this, celli));
+        if (share > 0)
+        {
+            shares.cells.append(celli);
+            shares.shares.append(share);
+        }
+        return share;
+    };
+    const auto inside = [&](const scalar low, const scalar at, const scalar high)
+    {
+        return at - low >= reach(radius) && high - at >= reach(radius);
+    };
+    if (holder >= 0 && isBox_[holder])
+    {
+        const void_fraction::Box& box = boxes_[holder];
+        if
+        (
+            inside(box.low.x, centre.x(), box.high.x)
+         && inside(box.low.y, centre.y(), box.high.y)
+         && inside(box.low.z, centre.z(), box.high.z)
+        )
+        {
+            return append(holder);
+        }
+    }
+
+    scalar sum = 0;
+    for (const label celli : touched(centre, radius))
+    {
+        sum += append(celli);
+    }
+    if (sum == 0 && holder >= 0)
+    {
+        // Round-off has put a point on the outermost face outside.
+        shares.cells.append(holder);
+        shares.shares.append(1);
+        sum = 1;
+    }
+    return sum;
+}
+
+
+Foam::List<Foam::vector> Foam::meshCells::images(const polyMesh& mesh)
+{
+    List<bool> periodic(3, false);
+    for (const polyPatch& patch : mesh.boundaryMesh())
+    {
+        if ((isA<cyclicPolyPatch>(patch) || isA<processorCyclicPolyPatch>(patch)) && patch.size())
+        {
+            const vector across = cmptMag(mesh.faceAreas()[patch.start()]);
+            for (direction d = 0; d < 3; ++d)
+            {
+                periodic[d] = periodic[d] || across[d] == cmptMax(across);
+            }
+        }
+    }
+    List<vector> shifts(1, vector::zero);
+    for (direction d = 0; d < 3; ++d)
+    {
+        if (returnReduce(periodic[d], orOp<bool>()))
+        {
+            const List<vector> before(shifts);
+            for (const scalar sign : {-1, 1})
+            {
+                for (vector shift : before)
+                {
+                    shift[d] = sign*mesh.bounds().span()[d];
+                    shifts.append(shift);
+                }
+            }
+        }
+    }
+    return shifts;
+}

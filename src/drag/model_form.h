@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <string_view>
+
+/// How gas and particles share the pressure gradient.
+///
+/// Form A: the gas takes the share eps of grad p, a particle -V_p grad p and its drag F_drag
+/// (stokes_scaled.h); buoyancy is part of -V_p grad p.
+///
+///   d(eps rho u)/dt + ... = eps (rho g - grad p) - sum F_drag/V
+///
+/// Form B: the gas takes all of grad p, a particle the buoyancy -V_p rho g, and the drag is
+/// F_drag/eps, the force of gas that flows steadily and uniformly between the particles.
+///
+///   d(eps rho u)/dt + ... = rho g - grad p - sum F_drag/(eps V)
+///
+/// In both the momentum of gas and particles together changes by their weight and the pressure at
+/// the boundary alone. In a packed bed both have the pressure gradient rho g - n F_drag/eps.
+///
+/// Source: Y. Q. Feng, A. B. Yu, Ind. Eng. Chem. Res. 43 (2004) 8378; Z. Y. Zhou, S. B. Kuang, K.
+/// W. Chu, A. B. Yu, J. Fluid Mech. 661 (2010) 482, sets II (A) and III (B).
+namespace cohesion::drag {
+
+struct ModelForm {
+  std::string_view name;
+  /// Drag over that of form A [1], at the void fraction eps in (0, 1].
+  double (*drag_over_a)(double void_fraction);
+  /// Whether the gas takes all of grad p - rho g, particles then rho g in the place of grad p.
+  bool gas_takes_all;
+};
+
+inline constexpr std::array model_forms{
+    ModelForm{"A", [](double) { return 1.0; }, false},
+    ModelForm{"B", [](double void_fraction) { return 1.0 / void_fraction; }, true},
+};
+
+}  // namespace cohesion::drag

@@ -1,0 +1,223 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What each kernel makes of spheres: beside walls, beyond a periodic face and across ranks their volume
+is kept and in the right cells; smoothing has its width on any mesh; and a packed bed whose spheres are
+cut by the faces between rows has the pressure drop that follows from the kernel's shares, which are
+written out again here."""
+
+import sys
+
+import numpy as np
+from scipy.linalg import solve_banded
+
+import packed_bed
+from coupled_case import SOURCE, Expectations, column, exchange_lines
+from packed_bed import G, HEIGHT, MU, RHO, ROW, STEPS, SUPERFICIAL, blow, drop, field, rows
+
+sys.path.insert(0, str(SOURCE / "tests/src/drag"))
+from closure_formulas import CLOSURES, DOUBLE  # noqa: E402
+
+KERNELS = ("particleCentre", "dividedVolume", "sphereOverlap")
+COUPLING = "constant/couplingProperties"
+EDGES = np.linspace(0, HEIGHT, 11)
+WIDTH = 0.015  # of the smoothing, on rows of 20 mm
+
+# column/layers.lmp: of each layer the spheres of all columns
+D, PER_CELL = 3.2e-3, 25
+LAYERS = 3.3e-3 * (np.arange(60) + 0.5)
+LAYERS = LAYERS[(LAYERS > 0.05) & (LAYERS < 0.14)]
+VOLUME = np.pi / 6 * D**3
+
+
+def below(t):
+    """Share of a sphere below the height t [radii] from its centre."""
+    t = np.clip(t, -1, 1)
+    return 0.25 * (1 + t) ** 2 * (2 - t)
+
+
+def divided_heights():
+    """Heights of the 29 points [radii]: centre, and 14 points in each of two shells of 14/29 of the
+    volume, as far out as their shell's mean distance."""
+    heights = [0.0]
+    for a, b in (((1 / 29) ** (1 / 3), (15 / 29) ** (1 / 3)), ((15 / 29) ** (1 / 3), 1)):
+        r = 3 * (b**4 - a**4) / (4 * (b**3 - a**3))
+        heights += [r, -r, 0, 0, 0, 0] + 4 * [r / np.sqrt(3)] + 4 * [-r / np.sqrt(3)]
+    return np.array(heights)
+
+
+def shares(kernel):
+    """Share of each layer in each row, [layer, row]."""
+    relative = (EDGES[None, :] - LAYERS[:, None]) / (D / 2)
+    if kernel == "sphereOverlap":
+        return np.diff(below(relative), axis=1)
+    points = divided_heights() if kernel == "dividedVolume" else np.zeros(1)
+    return np.diff((points[None, None, :] < relative[:, :, None]).mean(axis=2), axis=1)
+
+
+def smooth(values, width, cell=ROW):
+    """(1 - width^2/8 d2/dz2)^-4 on cells in a row, no flux through the ends; columns of `values`."""
+    s, n = width**2 / 8 / cell**2, len(values)
+    diagonal = np.full(n, 1 + 2 * s)
+    diagonal[[0, -1]] = 1 + s
+    bands = np.array([np.full(n, -s), diagonal, np.full(n, -s)])
+    for _ in range(4):
+        values = solve_banded((1, 1), bands, values)
+    return values
+
+
+def check_packed_bed(expect, build, work, kernel, width, form="A"):
+    name = f"{kernel}-{width}-{form}"
+    print(f"-- packed bed, {name}")
+    closure = CLOSURES["ergunWenYu"]
+    settings = {"voidFraction": kernel, "drag": "ergunWenYu"}
+    if width:
+        settings["smoothingWidth"] = width
+    case, continuity, log = blow(build, work, name, settings, script="layers.lmp")
+    weight = shares(kernel)
+    assert np.allclose(weight.sum(axis=1), 1)
+    if width:
+        weight = smooth(weight.T, width).T  # spread, then smooth: of each layer to each row
+    eps = 1 - PER_CELL * VOLUME * weight.sum(axis=0) / ROW**3
+    at_layer, slip = weight @ eps, weight @ (SUPERFICIAL / eps)
+    b = [VOLUME * closure(DOUBLE, e, u, D, RHO, MU) for e, u in zip(at_layer, slip)]
+    force = PER_CELL * (weight.T @ b) / ROW**3 * SUPERFICIAL / eps  # on the gas of a row [N/m3]
+    steps = force / eps * ROW
+    # Smoothed, the end rows have some spheres. From middle to middle half their drag counts; and as the
+    # gas is not equally fast there, convection, rho eps U (U_above - U_below)/2 with the central scheme
+    # and U of the end rows at the ends, leaves
+    u = SUPERFICIAL / eps
+    convection = RHO / 4 * (u[-2] * u[-1] + u[-1] ** 2 - u[0] * u[1] - u[0] ** 2)
+    expected = (steps[:-1] + steps[1:]).sum() / 2 + RHO * G * 9 * ROW + convection
+
+    for k, found in enumerate(rows(case, "0.004", "voidFraction")):
+        # Written with 12 digits
+        expect.near(f"void fraction of row {k}", found, eps[k], 1e-12)
+    # As in packed_bed.check
+    limit = packed_bed.flux_limit(expected)
+    solver = packed_bed.drop_error(limit, steps, eps)
+    expect.below("error of the flux [m/s]", continuity * HEIGHT / packed_bed.DT, limit)
+    expect.near("pressure drop [Pa]", drop(case, "0.004"), expected,
+                packed_bed.viscous(eps) + solver)
+    lines = exchange_lines(log)
+    expect.equal("steps", len(lines), STEPS)
+    # As in conservation.py
+    expect.below("largest imbalance of the forces", max(x["imbalance"] for x in lines), 1e-12)
+    expect.below("largest error of the solid volume", max(x["volume"] for x in lines), 1e-12)
+
+
+def solid(build, work, name, kernel, places, diameter, cells=(3, 3, 10), periodic=False, width=None,
+          ranks=1):
+    """Solid volume of each cell [m3], indexed [x, y, z], and the Exchange line, after two steps
+    with spheres at `places`."""
+    case = column(work, name, build)
+    mesh = (case.folder / "system/blockMeshDict")
+    text = mesh.read_text().replace("(3 3 10)", "({} {} {})".format(*cells))
+    if periodic:
+        text = text.replace("    sides   { type wall;  faces ((0 1 5 4) (1 2 6 5) (2 3 7 6) (3 0 4 7)); }",
+                            "    sides   { type wall; faces ((0 1 5 4) (2 3 7 6)); }\n"
+                            "    left    { type cyclic; neighbourPatch right; faces ((3 0 4 7)); }\n"
+                            "    right   { type cyclic; neighbourPatch left; faces ((1 2 6 5)); }")
+        for file in (case.folder / "0.orig").iterdir():
+            file.write_text(file.read_text().replace(
+                "    top ", "    left { type cyclic; }\n    right { type cyclic; }\n    top "))
+    mesh.write_text(text)
+    commands = [f"create_atoms 1 single {x!r} {y!r} {z!r}" for x, y, z in places]
+    (case.folder / "places").write_text("\n".join(commands) + "\n")
+    case.set(COUPLING, "voidFraction", kernel)
+    case.set(COUPLING, "minVoidFraction", 1e-3)
+    if width:
+        case.set(COUPLING, "smoothingWidth", width)
+    case.set(COUPLING, "lammpsCoeffs/script", '"$FOAM_CASE/few.lmp"')
+    for variable, value in (("places", "places"), ("diameter", diameter),
+                            ("period", "p" if periodic else "f")):
+        case.set(COUPLING, f"lammpsCoeffs/variables/{variable}", value)
+    case.set("system/controlDict", "endTime", 2e-4)
+    case.set("system/controlDict", "writeInterval", 2e-4)
+    case.set("system/controlDict", "writePrecision", 17)
+    case.mesh()
+    line = exchange_lines(case.solve(ranks=ranks))[-1]
+    if ranks > 1:
+        case.run("reconstructPar")
+    eps = field(case, "0.0002", "voidFraction")
+    volume = 0.06 * 0.06 * 0.2 / np.prod(cells)
+    return ((1 - eps) * volume).reshape(cells[::-1]).transpose(2, 1, 0), line
+
+
+def check_places(expect, build, work):
+    """A sphere on a corner of cells, one half beyond a periodic face, one a tenth of its diameter
+    beyond a wall."""
+    d = 8e-3
+    volume = np.pi / 6 * d**3
+    places = [(0.02, 0.04, 0.06), (0.0, 0.03, 0.11), (0.03, 0.0032, 0.15)]
+    # void fraction 1 - x is rounded to 1e-16: in a cell of 8e-6 m3 that is
+    rounding = 2e-16 * 8e-6
+    for ranks in (1, 2):
+        found, line = solid(build, work, f"places-{ranks}", "sphereOverlap", places, d,
+                            periodic=True, ranks=ranks)
+        expected = np.zeros((3, 3, 10))
+        expected[0:2, 1:3, 2:4] += volume / 8
+        expected[0, 1, 5] += volume / 2
+        expected[2, 1, 5] += volume / 2
+        expected[1, 0, 7] += volume
+        error = np.abs(found - expected).max()
+        # Shares to 1e-14 of the sphere, by sphere_box_overlap_test.cpp
+        expect.below(f"corner, periodic face and wall, {ranks} ranks: error of a cell [m3]", error,
+                     1e-14 * volume + rounding)
+        expect.below("error of the solid volume", line["volume"], 1e-12)
+
+
+def check_ranks(expect, build, work):
+    """The same field on 1 and 2 ranks, whose border at x = 0.02 m or 0.04 m many of the spheres cross,
+    some of them on their way through a periodic face."""
+    random = np.random.default_rng(4711)
+    places = random.uniform((0, 0.006, 0.006), (0.06, 0.054, 0.194), size=(60, 3)).tolist()
+    for kernel, width in [(kernel, None) for kernel in KERNELS] + [("particleCentre", WIDTH)]:
+        fields = [solid(build, work, f"ranks-{kernel}-{width}-{ranks}", kernel, places, 0.012,
+                        periodic=True, width=width, ranks=ranks) for ranks in (1, 2)]
+        (one, line1), (two, line2) = fields
+        # Sums of up to 60 shares in another order, and the rounding of 1 - x; what the linear solver
+        # leaves of the smoothing, 1e-15 of the sum of sizes, is spread over 90 cells.
+        expect.below(f"{kernel}, smoothed over {width}: 2 ranks against 1, largest cell",
+                     np.abs(two - one).max() / 8e-6, 1e-14 if not width else 1e-13)
+        for line in (line1, line2):
+            expect.below("error of the solid volume", line["volume"], 1e-12)
+
+
+def check_width(expect, build, work):
+    """A sphere in the centre of a cell, smoothed: summed over the other two directions it has the
+    profile of smooth(), whose second moment is the square of the width, on coarse and on fine cells."""
+    width, d = 4e-3, 1e-3
+    place, volume = (0.03, 0.03, 0.102), np.pi / 6 * d**3
+    for n in (15, 45):
+        cell = 0.06 / n
+        found, _ = solid(build, work, f"width-{n}", "particleCentre", [place], d,
+                         cells=(n, n, 3 * n + n // 3), width=width)
+        # Each cell's 1 - x is rounded to 1e-16 of its volume, and so is each cell's share of that.
+        rounding = 1.2e-16 * 0.06 * 0.06 * 0.2 / volume
+        expect.near(f"{n} cells: volume / sphere", found.sum() / volume, 1, 1e-12 + rounding)
+        for axis in (0, 2):
+            peak = np.zeros(found.shape[axis])
+            peak[int(place[axis] / cell)] = 1
+            profile = found.sum(axis=tuple({0, 1, 2} - {axis})) / volume
+            expect.below(f"{n} cells, axis {axis}: profile, largest difference",
+                         np.abs(profile - smooth(peak, width, cell)).max(), 1e-12 + rounding)
+        # In a row so long that nothing reaches its ends
+        peak = np.zeros(401)
+        peak[200] = 1
+        distance = cell * (np.arange(401) - 200)
+        expect.near(f"{n} cells: standard deviation of the profile / width",
+                    np.sqrt(smooth(peak, width, cell) @ distance**2) / width, 1, 1e-12)
+
+
+def main(build, work):
+    expect = Expectations()
+    check_places(expect, build, work)
+    check_ranks(expect, build, work)
+    check_width(expect, build, work)
+    for kernel in KERNELS:
+        check_packed_bed(expect, build, work, kernel, None)
+    check_packed_bed(expect, build, work, "sphereOverlap", WIDTH)
+    expect.exit()
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
