@@ -70,9 +70,7 @@ class TangentialSpring {
     const double limit = p_.friction * std::max(normal_impulse, 0.0);
     TangentialStep step;
     if (dot(held, held) > limit * limit) {
-      const TangentialStep slid =
-          slide(displacement, velocity, time, inverse_mass, held, limit, normal_force_at_end);
-      step = slid;
+      step = slide(displacement, velocity, time, inverse_mass, held, limit, normal_force_at_end);
     } else {
       const Vector3 middle = velocity + (0.5 * inverse_mass) * held;
       step = {held, displacement + time * middle, p_.damping * dot(middle, middle) * time, 0.0};

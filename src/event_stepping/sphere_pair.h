@@ -61,12 +61,12 @@ class SpherePair {
   /// false), or `time`; `overlap` is where the surfaces are then.
   double turn(RelativeState& now, double time, bool& inside, double& overlap,
               NormalRecord& record) const {
-    if (turn_in_contact(now, time, overlap, record)) return time;
     const Start start = along_normal(now);
     Overlap surface = start.surface;
     double integral = 0.0;
-    const double taken =
-        motion_.advance(surface, time, start.centrifugal, inside, integral, record);
+    double taken = time;
+    if (!motion_.advance_lasting(surface, time, start.centrifugal, integral, record))
+      taken = motion_.advance(surface, time, start.centrifugal, inside, integral, record);
     overlap = surface.x;
     rotate(now, start, surface, taken, integral);
     return taken;
