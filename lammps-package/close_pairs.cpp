@@ -18,7 +18,7 @@ void ClosePairs::start(double allowed) {
 void ClosePairs::update(const NeighList& list, double reach, int** kept) {
   const bool new_list = neighbor->ago == 0;
   if (!new_list && !positions_.empty() && reach + come_closer() <= allowed_) return;
-  pairs_.clear();
+  count_ = 0;
   const int all = atom->nlocal + atom->nghost;
   if (all == 0) return;
   positions_.assign(atom->x[0], atom->x[0] + 3 * all);
@@ -51,9 +51,9 @@ void ClosePairs::find(const NeighList& list, int** kept) {
     const double xi = x[3 * i], yi = x[3 * i + 1], zi = x[3 * i + 2];
     // With room for what other contacts do to a pair within a step.
     const double near_i = 1.0001 * radius[i] + allowed_;
-    const std::size_t before = pairs_.size();
-    pairs_.resize(before + count);
-    ClosePair* last = pairs_.data() + before;
+    if (pairs_.size() < count_ + count) pairs_.resize(2 * count_ + count);
+    ClosePair* const first = pairs_.data() + count_;
+    ClosePair* last = first;
     for (int jj = 0; jj < count; jj++) {
       const int j = neighbors[jj] & NEIGHMASK;
       const double dx = x[3 * j] - xi;
@@ -63,8 +63,8 @@ void ClosePairs::find(const NeighList& list, int** kept) {
       *last = {i, j, jj};  // no branch: which pairs are near cannot be predicted
       last += dx * dx + dy * dy + dz * dz <= near * near;
     }
-    pairs_.resize(last - pairs_.data());
-    if (kept) forget_others(kept[i], count, pairs_.data() + before, last);
+    count_ = last - pairs_.data();
+    if (kept) forget_others(kept[i], count, first, last);
   }
 }
 

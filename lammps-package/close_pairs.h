@@ -19,7 +19,7 @@ struct ClosePair {
 /// grown so far that others could come as near as is asked for.
 class ClosePairs : protected Pointers {
  public:
-  explicit ClosePairs(LAMMPS* lammps) : Pointers(lammps), allowed_(0.0) {}
+  explicit ClosePairs(LAMMPS* lammps) : Pointers(lammps), allowed_(0.0), count_(0) {}
 
   /// Before a run: the engine's list has every pair with a gap up to `allowed` [length].
   void start(double allowed);
@@ -30,8 +30,8 @@ class ClosePairs : protected Pointers {
   /// (by particle and place in its list of neighbours) that they have a history.
   void update(const class NeighList& list, double reach, int** kept);
 
-  auto begin() const { return pairs_.begin(); }
-  auto end() const { return pairs_.end(); }
+  const ClosePair* begin() const { return pairs_.data(); }
+  const ClosePair* end() const { return pairs_.data() + count_; }
 
  private:
   double come_closer() const;
@@ -39,7 +39,8 @@ class ClosePairs : protected Pointers {
   static void forget_others(int* kept, int count, const ClosePair* near, const ClosePair* end);
 
   double allowed_;
-  std::vector<ClosePair> pairs_;
+  std::size_t count_;
+  std::vector<ClosePair> pairs_;   // the first `count_` of these
   std::vector<double> radii_;      // per atom and ghost, when the pairs were found
   std::vector<double> positions_;  // the same; empty: not found yet
 };

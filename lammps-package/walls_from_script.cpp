@@ -25,6 +25,10 @@ double WallsFromScript::number(const char* text) const {
 int WallsFromScript::read(int narg, char** arg) {
   const std::string word = arg[0];
   if (const int wall = read_wall(word, narg - 1, arg + 1)) return wall;
+  if (word == "region")
+    lmp_->error->all(FLERR, where_ +
+                                ": a region cannot be its wall; it takes planes and zcylinder, and "
+                                "particles that nothing moves make any other shape");
   if (word != "wiggle" && word != "shear" && word != "translate") return 0;
   const int moves = word == "wiggle" ? 3 : 2;
   if (narg <= moves)

@@ -446,7 +446,8 @@ class RestartAndRanks(EventWall):
     def test_restart_with_other_walls_is_refused(self):
         dt = self.spheres()
         self.run_wall(self.WALLS, dt, 13, save=13)
-        for walls in (self.WALLS + " yplane 0 NULL", self.WALLS.replace("friction 0.3", "")):
+        for walls in (self.WALLS + " yplane 0 NULL", self.WALLS.replace("friction 0.3", ""),
+                      self.WALLS + " rolling_friction 0.1"):
             with self.assertRaisesRegex(RuntimeError, "other walls than in the restart file"):
                 self.run_wall(walls, dt, 30, start="restart")
 
@@ -512,6 +513,8 @@ timestep 1e-7
         self.refused("stiffness 800 plane 0 1", "fix wall wall/gran/hamaker", "'plane'", "stiffness",
                      "hamaker", "xplane", "zcylinder", "translate")
         self.refused("stiffness 800", "no wall", "xplane lo hi", "zcylinder radius")
+        self.refused("stiffness 800 region drum", "a region cannot be its wall", "planes and zcylinder")
+        self.refused("stiffness 800 rolling_friction -0.1 xplane 0 NULL", "rolling friction")
         self.refused("", "no wall")
         self.refused("xplane 0 NULL", "stiffness K = 0")
         self.refused("stiffness -1 xplane 0 NULL", "stiffness K = -1")
