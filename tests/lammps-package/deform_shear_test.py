@@ -274,6 +274,31 @@ class SplitRuns(Shear):
                 self.assert_same(self.snapshots()[-1], whole, RATE * 2.0)
 
 
+    def test_restart_file_of_a_step_in_which_a_disc_leaves(self):
+        """A disc is hit just below the sheared face and leaves through it in the very step that a restart
+        file is written: it comes back as its image, with that one's velocity. A velocity less that of
+        the flow is the same for all images."""
+        self.write([{"type": 1, "diameter": 1.0, "density": 1.0, "x": numpy.array([5.0, y, 0.0]),
+                     "v": numpy.array([0.3, v, 0.0])} for y, v in ((7.95, -1.0), (6.9, 2.0))], 2)
+        head, pair = HEAD % {"dimension": 2, "skin": "1.5"}, ("pair_style hard/square_well\npair_coeff * * "
+                                                             "restitution 1\n")
+        tail = (f"fix shear all deform/shear rate {RATE} profile no\nfix move all nve/sphere disc\n"
+                "fix flat all enforce2d\ntimestep 0.2\n" + DUMP % 1)
+        own = []
+        for script in (head + pair + tail + "run 3\n",
+                       head + pair + tail + "restart 1 half.*\nrun 3\n",
+                       "plugin load ${plugin}\nnewton off\nread_restart half.1\ncomm_modify vel yes\n"
+                       "neighbor 1.5 bin\nneigh_modify delay 0 every 1 check yes\n" + pair + tail +
+                       "run 2\n"):
+            self.run_script(script)
+            end = self.snapshots()[-1]
+            own.append(numpy.array([end[:, 4] - RATE * (end[:, 2] - BOX[1] / 2), end[:, 5]]))
+        self.assertLess(abs(own[0][1] - [2.0, -1.0]).max(), 1e-14)  # they did collide
+        # Places are rounded to 2^-44 of the box for the restart file, 5e-13.
+        for other in own[1:]:
+            self.assertLess(abs(other - own[0]).max(), 1e-12)
+
+
 class Profile(Shear):
     def test_profile_temperature_and_stress_are_those_of_the_particles(self):
         atoms = spheres(300, 3, speed=0.2)
