@@ -137,6 +137,11 @@ TEST(BlockRule, OfAConstantIsMetByTwoBlocks) {
     BlockRule rule(5, 32, {{1, 1e-12}});
     EXPECT_EQ(rule.change(0), std::numeric_limits<double>::infinity());
     double t = 1;
+    while (!rule.add(t, {{x, 1}})) t++;
+    EXPECT_EQ(rule.blocks(), 1);
+    EXPECT_EQ(rule.change(0), std::numeric_limits<double>::infinity());
+    EXPECT_FALSE(rule.met());
+    t++;
     while (!(rule.add(t, {{x, 1}}) && rule.met())) t++;
     EXPECT_EQ(rule.blocks(), 2);
     EXPECT_EQ(t, 5 + 2 * 32);
