@@ -188,13 +188,16 @@ void PairGranCohesive<Cohesion>::find_active(Contacts<Contact>& contacts) {
   active.clear();
   contacts.clear();
   const bool first = step->window().before == 0.0;
-  const double reach = largest_range + 2.0 * step->flight();
+  // Both fly half a step from the grid point, or, sampled, are found a whole one beyond the edge.
+  const double flights = scheme == Scheme::sampled ? 4.0 : 2.0;
+  const double reach = largest_range + flights * step->flight();
   if (reach > list_reach)
     error->one(FLERR,
                "{}: particles fly up to {} in half a step and could miss a "
                "contact, the neighbour list allows for {}: use a smaller time step or a skin above "
                "{}",
-               where(), step->flight(), 0.5 * (list_reach - largest_range), 20.0 * step->flight());
+               where(), step->flight(), (list_reach - largest_range) / flights,
+               10.0 * flights * step->flight());
   find_close(reach);
 
   for (const Close& pair : close) {
