@@ -130,14 +130,16 @@ void PairGranCohesive<Cohesion>::find_active(Contacts<Contact>& contacts) {
   active.clear();
   contacts.clear();
   const bool first = step->window().before == 0.0;
-  const double reach = largest_range + 2.0 * step->flight();
+  // Both fly half a step from the grid point, or, sampled, are found a whole one beyond the edge.
+  const double flights = coefficients.scheme() == Scheme::sampled ? 4.0 : 2.0;
+  const double reach = largest_range + flights * step->flight();
   if (reach > close.allowed())
     error->one(FLERR,
                "{}: particles fly up to {} in half a step and could miss a "
                "contact, the neighbour list allows for {}: use a smaller time step or a skin above "
                "{}",
-               coefficients.where(), step->flight(), 0.5 * (close.allowed() - largest_range),
-               20.0 * step->flight());
+               coefficients.where(), step->flight(), (close.allowed() - largest_range) / flights,
+               10.0 * flights * step->flight());
   close.update(*list, reach, history->firstflag);
 
   for (const ClosePair& pair : close) {

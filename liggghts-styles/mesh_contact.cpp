@@ -46,8 +46,15 @@ bool same(const Vector3& a, const Vector3& b, double radius) {
   return norm(a - b) <= same_place * radius;
 }
 
-/// The triangle with this id, own or ghost; negative: not on this process.
-int local_index(TriMesh& mesh, int id) { return mesh.map(id, 0); }
+/// The triangle with this id of which `place` is a point, own, ghost or periodic image; negative:
+/// none on this process.
+int triangle_at(TriMesh& mesh, int id, int particle, const Vector3& place, double radius) {
+  for (int k = 0; k < mesh.map_size(id); k++) {
+    const int triangle = mesh.map(id, k);
+    if (same(nearest(mesh, triangle, particle, place).place, place, radius)) return triangle;
+  }
+  return -1;
+}
 
 /// Whether the engine keeps a contact of the two.
 bool have_contact(FixContactHistoryMesh& contacts, int particle, int id) {
@@ -69,9 +76,9 @@ bool carries_contact(FixMeshSurface& fix, int triangle, int particle, double* x,
   for (std::size_t k = 0; k < around.size(); k++) {
     const int neighbours = std::min(mesh.nNeighs(around[k]), 5);  // that the engine has room for
     for (int n = 0; n < neighbours; n++) {
-      const int other = local_index(mesh, mesh.neighFaces(around[k], n));
+      const int other =
+          triangle_at(mesh, mesh.neighFaces(around[k], n), particle, own.place, radius);
       if (other < 0 || std::find(around.begin(), around.end(), other) != around.end()) continue;
-      if (!same(nearest(mesh, other, particle, own.place).place, own.place, radius)) continue;
       const Nearest theirs = nearest(mesh, other, particle, centre);
       if (!own.of_face) {
         // A triangle is convex: a place other than the shared one is nearer.
@@ -96,10 +103,10 @@ double* history_before(FixMeshSurface& fix, int triangle, int particle, double* 
     if (id < 0 || id == mesh.id(triangle)) continue;
     double* const history = contacts.contacthistory(particle, k);
     if (history[step_offset] != last_step) continue;
-    const int other = local_index(mesh, id);
-    if (other < 0) continue;
-    const Vector3 place = nearest(mesh, other, particle, centre).place;
-    if (same(nearest(mesh, triangle, particle, place).place, place, radius)) return history;
+    for (int image = 0; image < mesh.map_size(id); image++) {
+      const Vector3 place = nearest(mesh, mesh.map(id, image), particle, centre).place;
+      if (same(nearest(mesh, triangle, particle, place).place, place, radius)) return history;
+    }
   }
   return nullptr;
 }

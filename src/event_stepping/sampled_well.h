@@ -7,10 +7,10 @@
 
 namespace cohesion::event_stepping {
 
-/// Impulse of the edge of a well on a pair found at `gap` [length] with the normal speed of approach
-/// `approach` [speed], [momentum]; positive repels. `inside`: whether the pair is in its well; a
-/// pair on the other side of the edge that moves on gets its event, once. range: gap at the edge
-/// [length]; inverse_mass: 1/mu [1/mass].
+/// Impulse of the edge of a well on a pair found at `gap` [length] with the normal speed of
+/// approach `approach` [speed], [momentum]; positive repels. `inside`: whether the pair is in its
+/// well; a pair on the other side of the edge that moves on gets its event, once. range: gap at the
+/// edge [length]; inverse_mass: 1/mu [1/mass].
 ///
 /// Source: M. Weber, thesis, section 6.2.4.2.
 inline double sampled_edge_impulse(double depth, double range, double inverse_mass, double gap,

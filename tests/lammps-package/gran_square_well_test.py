@@ -106,6 +106,18 @@ class HeadOn(unittest.TestCase):
         self.assertLess(errors[3], errors[1] / 18.5 * 2 + 0.005)
         self.assertGreater(errors[0], 0.1)  # is why there is another scheme
 
+    def test_sampled_pairs_pay_for_every_escape(self):
+        # Both spheres as fast as any: found up to a whole step of both beyond the edge.
+        speed, dt, atoms = 0.1, 2e-6, []
+        for k in range(16):
+            atoms += couples.couple(k, 5e-6 + speed * dt * k / 16, (0.0, -speed, 0.0))
+        path = couples.run(atoms, ["* * " + words(5e-11, self.RATIO)], dt, 100,
+                           style="gran/square_well scheme sampled")[0]
+        energies = 0.5 * MU * (relative(path[-1])[:, 3:6]**2).sum(axis=1)
+        # A hundred roundings of places, of which the direction is made, and of speeds.
+        expected = 0.5 * MU * speed**2 - 5e-11
+        self.assertLess(numpy.abs(energies - expected).max(), 1e-12 * expected)
+
     def test_a_well_at_touch(self):
         # ratio 1: the same escape velocity; the well has no width.
         for division in (4, 10):

@@ -101,6 +101,16 @@ class Planes(unittest.TestCase):
                 for value, other in zip(part(a[1], "v"), part(b[1], "v")):
                     self.assertAlmostEqual(value, other, delta=1e-6 * 5e-3)
 
+    def test_across_a_periodic_boundary(self):
+        # The mesh ends at x = 0.01, where its image begins.
+        floor = rectangle((-0.01, -0.009, 0), (0.02, 0, 0), (0, 0.018, 0), 10)
+        flights = [sphere((0.0095, y, RADIUS + 4e-6), (4.0, 2.0, -5e-3)) for y in (-4e-3, 0.0, 1.1e-3)]
+        for cohesion, properties in (("hamaker", hamaker(A)), ("square_well", square_well(0, DEPTH))):
+            mesh, plane = both(floor, flights, cohesion, properties, ["zplane 0"], boundary="p f f",
+                               steps=500)
+            self.assertLess(plane[-1][1][0], -5e-3)
+            self.assertLess(self.deviation(mesh, plane, "v"), 1e-6 * 5e-3)
+
     def test_in_the_well_over_borders(self):
         # Captured: up and down between floor and edge on the way over two cells.
         for cells, mesh, plane in self.sliding("square_well", square_well(0.0, DEPTH), 3e-6,

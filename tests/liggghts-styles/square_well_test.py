@@ -88,6 +88,31 @@ class Edge(unittest.TestCase):
         self.assertLess(kicked[0], width)
         self.assertGreater(kicked[0], width - speed * 1e-6 * 1.01)
 
+    def test_extreme_sizes_and_depths(self):
+        # Energies of the depth over that of the approach from 1e-6 to 1e6, up to where the way of a step is
+        # a tenth of the well after the impulse.
+        for radius in (2e-6, 1e-2):  # the engine refuses 1e-6
+            mass = MASS * (radius / RADIUS)**3
+            for ratio in (1.0001, 1.5):
+                width = 2 * (ratio - 1) * radius
+                for over in (1e-6, 1.0, 1e6):
+                    speed, depth = 0.01, over * 0.25 * mass * 0.01**2
+                    fastest = speed * math.sqrt(1 + over)
+                    dt = 0.1 * width / fastest
+                    steps = int(0.2 * width / (speed * dt)) + 4
+                    away = radius + 0.5 * (width + 0.2 * width)
+                    box = " ".join(f"{-20 * radius!r} {20 * radius!r}" for _ in range(3))
+                    path = frames([sphere((-away, 0, 0), (speed / 2, 0, 0), radius=radius),
+                                   sphere((away, 0, 0), (-speed / 2, 0, 0), radius=radius)], MODELS,
+                                  square_well(depth, ratio=ratio), dt=dt, steps=steps, box=box,
+                                  skin=radius, every=steps)
+                    with self.subTest(radius=radius, ratio=ratio, over=over):
+                        start = 0.25 * mass * speed**2
+                        self.assertGreater(math.hypot(*relative(path[-1], 1, "x")), 2 * radius)
+                        # Rounding of two speeds, each good to a few epsilon of the larger one.
+                        self.assertAlmostEqual(energy(path[-1], 1, mass / 2), start + depth,
+                                               delta=64 * EPSILON * (start + depth))
+
     def test_a_frozen_sphere_has_infinite_mass(self):
         spheres = [sphere((0, 0, 0)), sphere((DIAMETER + 2 * WIDTH, 0, 0), (-0.1, 0, 0))]
         text = script(spheres, MODELS, square_well(DEPTH), dt=1e-6, steps=150,
