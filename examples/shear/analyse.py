@@ -137,12 +137,14 @@ def findings(results):
             "yes" if above > 5 * below else "no")
     for quantity, name in (("normal", "Normal stress"), ("stress_xy", "Shear stress")):
         for phis, sign in (((0.4, 0.5), "falls"), ((0.1, 0.2), "hardly changes")):
-            changes = [ratio(results.at(quantity, phi, sweep.MILD[-1]), results.at(quantity, phi, 0))
-                       for phi in phis]
+            labels = [(phi, D) for phi in phis for D in sweep.MILD[-2:]]
+            changes = [ratio(results.at(quantity, phi, D), results.at(quantity, phi, 0))
+                       for phi, D in labels]
             right = [r + SURE * e < 1 if sign == "falls" else abs(r - 1) < HARDLY for r, e in changes]
+            labels = [f"phi {phi}, D {D}" for phi, D in labels]
             add(f"{name} {sign} with D at phi {' and '.join(map(str, phis))}",
-                f"D {sweep.MILD[-1]} over D 0: {row(changes)}",
-                together([f"phi {phi}" for phi in phis], ["yes" if r else "no" for r in right]))
+                "over D 0: " + "; ".join(f"{label}: {show(c)}" for label, c in zip(labels, changes)),
+                together(labels, ["yes" if r else "no" for r in right]))
     depths = sweep.MILD[1:]
     rise("Collision part of tau_xx rises with D",
          [(f"phi {phi}", along_depth("collision_xx", phi, (0, *depths))) for phi in (0.3, 0.4)])
