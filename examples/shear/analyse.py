@@ -69,6 +69,7 @@ def rises(values):
     return "no" if any(s < -SURE for s in steps) else "unclear"
 
 
+HARDLY = 0.1  # a change below this share is hardly one
 LARGE = 0.1  # of all discs: an agglomerate of this size is no longer one of many
 
 
@@ -94,6 +95,12 @@ def row(values):
     return ", ".join(show(v) for v in values)
 
 
+def together(labels, verdicts):
+    if len(set(verdicts)) == 1:
+        return verdicts[0]
+    return "in part (" + ", ".join(f"{label}: {v}" for label, v in zip(labels, verdicts)) + ")"
+
+
 def findings(results):
     """The thesis's findings (chapter 4), each with (statement, figures, verdict)."""
     found = []
@@ -111,9 +118,7 @@ def findings(results):
         """sets: label and values in order; agrees when all of them rise (sign -1: fall)."""
         verdicts = [rises([(sign * m, e) for m, e in values]) for _, values in sets]
         add(statement, "; ".join(f"{label}: {row(values)}" for label, values in sets),
-            "yes" if all(v == "yes" for v in verdicts) else
-            "no" if all(v == "no" for v in verdicts) else
-            "in part (" + ", ".join(f"{label}: {v}" for (label, _), v in zip(sets, verdicts)) + ")")
+            together([label for label, _ in sets], verdicts))
 
     mild, strong = results.run(0.2, 4), results.run(0.5, 16)
     add("Two regimes: one large agglomerate, or mostly agglomerates of two",
@@ -132,12 +137,14 @@ def findings(results):
             "yes" if above > 5 * below else "no")
     for quantity, name in (("normal", "Normal stress"), ("stress_xy", "Shear stress")):
         for phis, sign in (((0.4, 0.5), "falls"), ((0.1, 0.2), "hardly changes")):
-            changes = [ratio(results.at(quantity, phi, sweep.MILD[-1]), results.at(quantity, phi, 0))
-                       for phi in phis]
-            right = (all(r + SURE * e < 1 for r, e in changes) if sign == "falls"
-                     else all(abs(r - 1) < 0.1 + SURE * e for r, e in changes))
+            labels = [(phi, D) for phi in phis for D in sweep.MILD[-2:]]
+            changes = [ratio(results.at(quantity, phi, D), results.at(quantity, phi, 0))
+                       for phi, D in labels]
+            right = [r + SURE * e < 1 if sign == "falls" else abs(r - 1) < HARDLY for r, e in changes]
+            labels = [f"phi {phi}, D {D}" for phi, D in labels]
             add(f"{name} {sign} with D at phi {' and '.join(map(str, phis))}",
-                f"D {sweep.MILD[-1]} over D 0: {row(changes)}", "yes" if right else "no")
+                "over D 0: " + "; ".join(f"{label}: {show(c)}" for label, c in zip(labels, changes)),
+                together(labels, ["yes" if r else "no" for r in right]))
     depths = sweep.MILD[1:]
     rise("Collision part of tau_xx rises with D",
          [(f"phi {phi}", along_depth("collision_xx", phi, (0, *depths))) for phi in (0.3, 0.4)])

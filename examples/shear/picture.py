@@ -31,7 +31,7 @@ def draw(out, raw):
     largest(axes[2, 0], results)
     for cell, (phi, D) in zip(axes[2, 1:], SNAPSHOTS):
         snapshot(cell, out, results.run(phi, D))
-    axes[0, 0].legend(frameon=False, fontsize=8)
+    axes[0, 0].legend(frameon=False, fontsize=8, loc="lower left")
     axes[1, 0].legend(frameon=False, fontsize=8)
     figure.savefig(out / "result.png", dpi=75)
     plt.close(figure)
@@ -56,9 +56,10 @@ def by_kind(axes, results, phi):
         axes.errorbar(sweep.MILD, [p[0] for p in points], [p[1] for p in points], fmt="o-",
                       color=KIND_COLOURS[kind], markersize=4, linewidth=1.2, capsize=2, label=kind)
     axes.axhline(0, color="0.6", linewidth=0.8)
+    axes.set_ylim(top=14)
     axes.set_xlabel("D / m rate^2 r^2")
     axes.set_ylabel(f"parts of tau_xx / rho_s rate^2 r^2, phi = {phi}")
-    axes.legend(frameon=False, fontsize=8)
+    axes.legend(frameon=False, fontsize=8, ncol=2, loc="upper center")
 
 
 def against_width(axes, results):

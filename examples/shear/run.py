@@ -10,6 +10,7 @@ import hashlib
 import json
 import math
 import os
+import signal
 import subprocess
 import sys
 import time
@@ -41,7 +42,10 @@ def arguments():
                         help="build folder of the package")
     parser.add_argument("--together", type=int, default=2, metavar="N",
                         help="runs at a time (%(default)s)")
-    return parser.parse_args()
+    args = parser.parse_args()
+    if args.together < 1:
+        parser.error(f"--together {args.together}: it must be 1 or more")
+    return args
 
 
 def launcher(build):
@@ -156,6 +160,7 @@ def carry_out(jobs, together):
 
 def main():
     args = arguments()
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit("run.py: ended"))  # takes its runs along
     args.build = args.build.resolve()
     out = (args.out or args.build / ("shear-full" if args.full else "shear")).resolve()
     runs, rule = (sweep.full(), sweep.THESIS) if args.full else (sweep.subset(), sweep.SHORT)

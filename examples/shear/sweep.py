@@ -9,21 +9,21 @@ class Run(namedtuple("Run", "phi D w e")):
 
     @property
     def name(self):
-        return f"phi{self.phi:.3f}-D{self.D:g}-w{self.w:g}-e{self.e:g}"
+        return f"phi{self.phi:.4f}-D{self.D:g}-w{self.w:g}-e{self.e:g}"
 
 
 # Collisions per particle before the first block and in a block, blocks at most, seed of the start, side
 # of the box in radii (120: the thesis's 458 to 2292 discs; 85: half as many).
 Rule = namedtuple("Rule", "start block most seed side")
 THESIS = Rule(2500, 500, 40, 1, 120)
-SHORT = Rule(600, 150, 6, 1, 85)
+SHORT = Rule(800, 200, 6, 1, 85)
 
 FRACTIONS = (0.1, 0.2, 0.3, 0.4, 0.5)
 WIDTH, RESTITUTION = 1.1, 0.9
-MILD = (0, 1, 2, 4)  # depths below the transition at all fractions
+MILD = (0, 1, 2, 4)  # depths below the transition; 4 begins to form clusters at 0.4
 WIDTHS, AT_WIDTHS, WIDTHS_DEPTH = (1.001, 1.01, 1.1), (0.2, 0.4), 2
 # Depths at which the transition is looked for, and where it is looked for more closely.
-TRANSITION = {8: (0.25, 0.35, 0.45), 16: (0.125, 0.15, 0.175)}
+TRANSITION = {8: (0.25, 0.2625, 0.275, 0.2875, 0.35), 16: (0.125, 0.15, 0.1625, 0.175)}
 
 
 def subset():

@@ -100,6 +100,7 @@ class ShearCell(unittest.TestCase):
         sizes = np.loadtxt(self.out / "runs" / RUNS[1].name / "discs.txt", skiprows=9)[:, 3]
         self.assertEqual(len(sizes), DISCS)
         # Each agglomerate of n has n discs of size n.
+        self.assertTrue({1, 2} <= set(sizes))
         for n in set(sizes):
             self.assertEqual(np.count_nonzero(sizes == n) % n, 0)
 
