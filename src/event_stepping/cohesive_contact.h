@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
+
 #include "contact/contact_parameters.h"
 #include "event_stepping/pair_step.h"
 #include "event_stepping/plane_pair.h"
@@ -93,7 +95,7 @@ class CohesiveContact {
     const PairStep normal = advance(grid.relative, inside);
     PairMotion change{normal.change, {}, {}};
     if (!FRICTION || normal.normal.contact_time == 0.0) return change;
-    const FrictionStep sliding = friction(grid, {}, normal, memory);
+    const FrictionStep sliding = friction(grid, nullptr, normal, memory);
     change.relative.velocity += inverse_mass_ * sliding.spring.impulse;
     change.spin_i = spin_share_i_ * sliding.torque_i;
     change.spin_j = spin_share_j_ * sliding.torque_j;
@@ -101,8 +103,8 @@ class CohesiveContact {
   }
 
   /// Friction in the step that `normal` describes, followed from `grid` with half of what the other
-  /// contacts of its particles do, `others`. `memory` is what the last step left
-  /// (FrictionStep.memory).
+  /// contacts of its particles do, `others` (nullptr: it has none). `memory` is what the last step
+  /// left (FrictionStep.memory).
   ///
   /// The spring's displacement is known on the grid, where it has grown with the grid's motion, and
   /// is carried half a step back to where the step begins, like positions. Were it added up from
@@ -112,24 +114,29 @@ class CohesiveContact {
   /// The lever arms of two spheres share the distance of their centres in proportion to the radii,
   /// so that angular momentum is kept exactly; beside a wall, the limit of a large sphere, the arm
   /// is the radius.
-  FrictionStep friction(const PairMotion& grid, const PairMotion& others, const PairStep& normal,
+  FrictionStep friction(const PairMotion& grid, const PairMotion* others, const PairStep& normal,
                         const Vector3& memory) const {
-    const Vector3 separation =
-        grid.relative.separation + 0.5 * others.relative.separation + normal.change.separation;
-    const double distance = norm(separation);
-    const Vector3 n = (1.0 / distance) * separation;
-    const double arm_i = lever_arm_i(distance);
-    const double arm_j = distance - arm_i;
-    const auto surface_velocity = [&](const PairMotion& of) {
-      return in_plane(of.relative.velocity - cross(arm_i * of.spin_i + arm_j * of.spin_j, n), n);
+    Vector3 r = grid.relative.separation + normal.change.separation;
+    if (others) r += 0.5 * others->relative.separation;
+    const double square = dot(r, r);
+    const contact::Plane plane{r, 1.0 / square};
+    const double lever_i = this->lever_i(square);
+    const double lever_j = 1.0 - lever_i;
+    const auto surface_velocity = [&](const Vector3& velocity, const PairMotion& of) {
+      return plane.part_in(velocity - cross(lever_i * of.spin_i + lever_j * of.spin_j, r));
     };
-    PairMotion mine = grid;
-    mine.relative.velocity += 0.5 * normal.change.velocity;
-    const Vector3 by_others = surface_velocity(others);
-    const Vector3 u = surface_velocity(mine) + 0.5 * by_others;
-    const double answer = inverse_tangential_mass(arm_i, arm_j);
-    Vector3 displacement = contact::TangentialSpring::turned(memory, n);
-    if (dot(memory, memory) > 0.0) displacement += window_.before * (u - by_others);
+    Vector3 u = surface_velocity(grid.relative.velocity + 0.5 * normal.change.velocity, grid);
+    Vector3 on_grid = u;
+    if (others) {
+      const Vector3 by_others = 0.5 * surface_velocity(others->relative.velocity, *others);
+      on_grid -= by_others;
+      u += by_others;
+    }
+    const double answer = inverse_mass_ + square * (lever_i * lever_i * spin_share_i_ +
+                                                    lever_j * lever_j * spin_share_j_);
+    Vector3 displacement{};
+    if (const double stretched = dot(memory, memory); stretched > 0.0)
+      displacement = plane.turned_into(memory) + window_.before * on_grid;
     contact::TangentialStep spring =
         tangential_.advance(displacement, u, normal.normal.contact_time, answer,
                             normal.normal.repulsion_impulse, normal.normal.repulsion_at_end);
@@ -138,8 +145,8 @@ class CohesiveContact {
       spring.friction += friction_energy(spring.displacement);
       spring.displacement = left = {};
     }
-    const Vector3 turn = cross(n, spring.impulse);
-    return {spring, left, -arm_i * turn, -arm_j * turn};
+    const Vector3 turn = cross(r, spring.impulse);
+    return {spring, left, -lever_i * turn, -lever_j * turn};
   }
 
   double friction_energy(const Vector3& displacement) const {
@@ -154,15 +161,9 @@ class CohesiveContact {
   }
 
  private:
-  static Vector3 in_plane(const Vector3& a, const Vector3& n) { return a - dot(a, n) * n; }
-
-  double lever_arm_i(double distance) const {
-    return j_.radius > 0.0 ? lever_i_ * distance : i_.radius;
-  }
-
-  /// What an impulse at the ends of both arms changes of the surfaces' velocity, [1/mass].
-  double inverse_tangential_mass(double arm_i, double arm_j) const {
-    return inverse_mass_ + arm_i * arm_i * spin_share_i_ + arm_j * arm_j * spin_share_j_;
+  /// The lever arm of i as a part of the distance, whose square is given.
+  double lever_i(double square) const {
+    return j_.radius > 0.0 ? lever_i_ : i_.radius / std::sqrt(square);
   }
 
   Body i_;
