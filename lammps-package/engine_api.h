@@ -35,12 +35,12 @@ inline void request_history_list(Neighbor* neighbor, Pair* pair, int instance) {
 #endif
 }
 
-/// Bring values of a fix from particles to their ghosts.
-inline void forward_comm(Comm* comm, Fix* fix) {
+/// Bring values of a fix from particles to their ghosts, `size` of each; 0: as many as the fix has.
+inline void forward_comm(Comm* comm, Fix* fix, int size = 0) {
 #ifdef HISTBITS
-  comm->forward_comm(fix);
+  comm->forward_comm(fix, size);
 #else
-  comm->forward_comm_fix(fix);
+  comm->forward_comm_fix(fix, size);
 #endif
 }
 

@@ -73,7 +73,7 @@ FollowedContact follow_with_others(const Contact& c,
   now.impulse = c.reduced_mass() * now.normal.change.velocity;
   if (FRICTION) {
     if (now.normal.normal.contact_time > 0.0) {
-      now.sliding = c.friction(grid, others, now.normal, vector(history + 1));
+      now.sliding = c.friction(grid, &others, now.normal, vector(history + 1));
       now.impulse += now.sliding.spring.impulse;
     }
     const cohesion::Vector3& memory = now.sliding.memory;

@@ -29,6 +29,7 @@ FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
       alone(nullptr),
       shift(nullptr),
       book(),
+      shared(ALONE),
       resuming(false),
       starting(false),
       running(false),
@@ -213,20 +214,23 @@ void FixEventStep::post_run() {
 
 /* ---------------------------------------------------------------------- */
 
-void FixEventStep::share() { engine_api::forward_comm(comm, this); }
+void FixEventStep::share(int values) {
+  shared = values;
+  engine_api::forward_comm(comm, this, values);
+}
 
 int FixEventStep::pack_forward_comm(int n, int* list, double* buf, int, int*) {
-  for (int i = 0; i < n; i++, buf += ALONE) {
+  for (int i = 0; i < n; i++, buf += shared) {
     // A ghost that is passed on has what its owner sent.
     const int from = list[i];
     const bool none = from < atom->nlocal && contacts[from] == 0;
-    for (int k = 0; k < ALONE; k++) buf[k] = none ? 0.0 : alone[from][k];
+    for (int k = 0; k < shared; k++) buf[k] = none ? 0.0 : alone[from][k];
   }
-  return ALONE * n;
+  return shared * n;
 }
 
 void FixEventStep::unpack_forward_comm(int n, int first, double* buf) {
-  std::copy_n(buf, ALONE * n, alone[first]);
+  for (int i = first; i < first + n; i++, buf += shared) std::copy_n(buf, shared, alone[i]);
 }
 
 void FixEventStep::grow_arrays(int nmax) {

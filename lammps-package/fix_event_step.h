@@ -106,7 +106,8 @@ class FixEventStep : public Fix {
   /// Whether i is a particle of this rank with one contact only.
   bool has_one_contact(int i) const { return i < atom->nlocal && contacts[i] == 1; }
 
-  void share();
+  /// Brings the first `values` of `alone` to the ghosts.
+  void share(int values);
 
   /// Per atom and ghost that has a contact: change of position, velocity and spin, each contact
   /// alone.
@@ -137,6 +138,7 @@ class FixEventStep : public Fix {
 
   std::vector<EventContacts*> walls;  // those of this run
 
+  int shared;  // of the values of `alone`
   bool resuming;
   bool starting;
   bool running;

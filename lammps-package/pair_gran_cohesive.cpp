@@ -106,16 +106,22 @@ template <class Cohesion>
 template <class Contact>
 inline int PairGranCohesive<Cohesion>::contact(Contacts<Contact>& contacts, int i, int j) {
   const int types = coefficients.of_types(atom->type[i], atom->type[j]);
+  const int last = contacts.last[types];
+  if (last != Contacts<Contact>::NONE && contacts.all[last].joins(step->body(i), step->body(j)))
+    return last;
+  return new_contact(contacts, types, i, j);
+}
+
+template <class Cohesion>
+template <class Contact>
+int PairGranCohesive<Cohesion>::new_contact(Contacts<Contact>& contacts, int of_types, int i,
+                                            int j) {
   const Body a = step->body(i), b = step->body(j);
-  int& last = contacts.last[types];
-  if (last == Contacts<Contact>::NONE || !contacts.all[last].joins(a, b)) {
-    last = static_cast<int>(contacts.all.size());
-    contacts.all.emplace_back(
-        coefficients.contact(types),
-        coefficients.template attraction<typename Contact::Attraction>(types, a.radius, b.radius),
-        a, b, step->window());
-  }
-  return last;
+  contacts.all.emplace_back(
+      coefficients.contact(of_types),
+      coefficients.template attraction<typename Contact::Attraction>(of_types, a.radius, b.radius),
+      a, b, step->window());
+  return contacts.last[of_types] = static_cast<int>(contacts.all.size()) - 1;
 }
 
 /// The pairs that may touch in this step.
@@ -137,9 +143,6 @@ void PairGranCohesive<Cohesion>::find_active(Contacts<Contact>& contacts) {
 
   for (const ClosePair& pair : close) {
     const int i = pair.i, j = pair.j;
-    const double near = atom->radius[i] + atom->radius[j] + reach;
-    const Vector3 d = vector(atom->x[j]) - vector(atom->x[i]);
-    if (dot(d, d) > 1.0002 * near * near) continue;
     if (!step->body(i).inverse_mass && !step->body(j).inverse_mass) continue;
     int& kept = history->firstflag[i][pair.place];
     const int c = contact(contacts, i, j);
@@ -151,7 +154,7 @@ void PairGranCohesive<Cohesion>::find_active(Contacts<Contact>& contacts) {
     if (first && !kept)
       values[0] =
           norm(grid.separation) < atom->radius[i] + atom->radius[j] + contacts.all[c].range();
-    active.push_back({i, j, c, false, &kept, values, {}});
+    active.push_back({i, j, c, false, &kept, values});
     step->announce(i);
     step->announce(j);
   }
@@ -164,21 +167,24 @@ template <class Cohesion>
 template <bool FRICTION, bool ROLLING, class Contact>
 [[gnu::flatten]] void PairGranCohesive<Cohesion>::follow_alone(Contacts<Contact>& contacts) {
   if (ROLLING) rolled.assign(active.size(), {});
+  changes.resize(active.size());
+  PairMotion* next = changes.data();
   for (Active& pair : active) {
+    PairMotion& change = *next++;
     const int i = pair.i, j = pair.j;
     pair.alone = !ROLLING && step->has_one_contact(i) && step->has_one_contact(j);
     if (pair.alone) continue;
     const Contact& c = contacts.all[pair.contact];
     const PairMotion motion = with_spins(on_grid(i, j), i, j);
     const PairStep normal = c.advance(motion.relative, pair.history[0] != 0.0);
-    pair.change = c.template alone<FRICTION>(motion, normal, spring_memory<FRICTION>(pair.history));
-    add_alone<FRICTION>(step->alone[i], -1.0, c.share_i(), pair.change);
-    add_alone<FRICTION>(step->alone[j], 1.0, c.share_j(), pair.change);
+    change = c.template alone<FRICTION>(motion, normal, spring_memory<FRICTION>(pair.history));
+    add_alone<FRICTION>(step->alone[i], -1.0, c.share_i(), change);
+    add_alone<FRICTION>(step->alone[j], 1.0, c.share_j(), change);
     if (ROLLING)
       rolled[&pair - active.data()] =
-          roll_alone(c, motion, pair.change, normal, pair.history, step->alone[i], step->alone[j]);
+          roll_alone(c, motion, change, normal, pair.history, step->alone[i], step->alone[j]);
   }
-  step->share();
+  step->share(FRICTION ? 9 : 6);
 }
 
 /// Every contact again, with half of what the other contacts of its particles do, and friction.
@@ -187,13 +193,16 @@ template <bool TALLY, bool FRICTION, bool ROLLING, class Contact>
 [[gnu::flatten]] void PairGranCohesive<Cohesion>::follow_together(Contacts<Contact>& contacts) {
   const int nlocal = atom->nlocal;
   const ContactScatter scatter(atom, step);
+  const PairMotion* next = changes.data();
 
   for (Active& pair : active) {
     const int i = pair.i, j = pair.j;
     const Contact& c = contacts.all[pair.contact];
     PairMotion others;
-    if (Contact::acts_within_step && !pair.alone)
-      others = others_of<FRICTION>(step->alone[i], step->alone[j], pair.change);
+    if constexpr (Contact::acts_within_step) {
+      const PairMotion& change = *next++;
+      if (!pair.alone) others = others_of<FRICTION>(step->alone[i], step->alone[j], change);
+    }
     const PairMotion motion = with_spins(on_grid(i, j), i, j);
     const FollowedContact now = follow_with_others<FRICTION>(c, motion, others, pair.history);
     *pair.kept = now.normal.inside;

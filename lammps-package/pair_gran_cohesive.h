@@ -60,11 +60,10 @@ class PairGranCohesive : public Pair, public BoundPairs {
   /// A pair that may touch in this step.
   struct Active {
     int i, j;
-    int contact;                                  // of those of this step
-    bool alone;                                   // neither particle has another contact
-    int* kept;                                    // 1 while the pair has a history
-    double* history;                              // HistorySize
-    cohesion::event_stepping::PairMotion change;  // that it would cause without the others
+    int contact;      // of those of this step
+    bool alone;       // neither particle has another contact
+    int* kept;        // 1 while the pair has a history
+    double* history;  // HistorySize
   };
 
   void allocate();
@@ -72,6 +71,8 @@ class PairGranCohesive : public Pair, public BoundPairs {
   int values_per_pair() const;
   template <class Contact>
   int contact(Contacts<Contact>&, int i, int j);
+  template <class Contact>
+  int new_contact(Contacts<Contact>&, int of_types, int i, int j);
   cohesion::event_stepping::RelativeState on_grid(int i, int j) const;
   cohesion::event_stepping::PairMotion with_spins(const cohesion::event_stepping::RelativeState&,
                                                   int i, int j) const;
@@ -91,6 +92,8 @@ class PairGranCohesive : public Pair, public BoundPairs {
   AnyContacts any_contacts;
   std::vector<double> largest_radius;  // by type, at init
   std::vector<Active> active;
+  /// What each active pair would do without the others; of one that is alone: nothing.
+  std::vector<cohesion::event_stepping::PairMotion> changes;
   std::vector<cohesion::Vector3> rolled;  // with rolling friction, of each: from roll_alone()
   ClosePairs close;                       // those that may become active
   double largest_range;                   // up to which the scheme has to see a pair

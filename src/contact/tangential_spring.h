@@ -22,6 +22,21 @@ struct TangentialStep {
   double friction = 0.0;  ///< energy lost in sliding, [energy]
 };
 
+/// The plane of contact of two particles.
+struct Plane {
+  Vector3 normal;         ///< of any length
+  double inverse_square;  ///< 1/(normal normal)
+
+  Vector3 part_in(const Vector3& a) const { return a - (inverse_square * dot(a, normal)) * normal; }
+
+  /// A vector in the plane of another contact turned into this one, its length kept.
+  Vector3 turned_into(const Vector3& a) const {
+    const Vector3 part = part_in(a);
+    const double square = dot(part, part);
+    return square > 0.0 ? std::sqrt(dot(a, a) / square) * part : Vector3{};
+  }
+};
+
 /// Tangential spring, dashpot and Coulomb slider over a stretch of contact of any length.
 ///
 ///   J = -T (K_t s_mid + eta_t v_mid)    |J| <= mu_f P    v_mid = v + J/(2 m_t)
@@ -57,10 +72,14 @@ class TangentialSpring {
                          double normal_force_at_end) const {
     const Vector3 held = sticking(displacement, velocity, time, inverse_mass);
     const double limit = p_.friction * std::max(normal_impulse, 0.0);
-    if (norm(held) > limit)
-      return slide(displacement, velocity, time, inverse_mass, held, limit, normal_force_at_end);
-    const Vector3 middle = velocity + (0.5 * inverse_mass) * held;
-    return {held, displacement + time * middle, p_.damping * dot(middle, middle) * time, 0.0};
+    TangentialStep step;
+    if (norm(held) > limit) {
+      step = slide(displacement, velocity, time, inverse_mass, held, limit, normal_force_at_end);
+    } else {
+      const Vector3 middle = velocity + (0.5 * inverse_mass) * held;
+      step = {held, displacement + time * middle, p_.damping * dot(middle, middle) * time, 0.0};
+    }
+    return step;
   }
 
   /// The same spring and dashpot with a slider of another friction coefficient.
@@ -71,14 +90,6 @@ class TangentialSpring {
   /// [energy]
   double stored_energy(const Vector3& displacement) const {
     return 0.5 * p_.stiffness * dot(displacement, displacement);
-  }
-
-  /// The displacement in the plane of contact of another normal, its length kept.
-  static Vector3 turned(const Vector3& displacement, const Vector3& normal) {
-    const double before = dot(displacement, displacement);
-    const Vector3 in_plane = displacement - dot(displacement, normal) * normal;
-    const double after = dot(in_plane, in_plane);
-    return after > 0.0 ? std::sqrt(before / after) * in_plane : Vector3{};
   }
 
  private:
@@ -94,9 +105,9 @@ class TangentialSpring {
   }
 
   /// A stretch whose impulse would have to be `held`, above `limit`.
-  TangentialStep slide(const Vector3& displacement, const Vector3& velocity, double time,
-                       double inverse_mass, const Vector3& held, double limit,
-                       double normal_force_at_end) const {
+  [[gnu::noinline]] TangentialStep slide(const Vector3& displacement, const Vector3& velocity,
+                                         double time, double inverse_mass, const Vector3& held,
+                                         double limit, double normal_force_at_end) const {
     TangentialStep step;
     const Vector3 direction = (-1.0 / norm(held)) * held;
     step.impulse = -limit * direction;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
+
 #include "contact/contact_parameters.h"
 #include "event_stepping/pair_step.h"
 #include "event_stepping/plane_pair.h"
@@ -102,7 +104,7 @@ class CohesiveContact {
   PairMotion alone(const PairMotion& grid, const PairStep& normal, const Vector3& memory) const {
     PairMotion change{normal.change, {}, {}};
     if (!FRICTION || normal.normal.contact_time == 0.0) return change;
-    const FrictionStep sliding = friction(grid, {}, normal, memory);
+    const FrictionStep sliding = friction(grid, nullptr, normal, memory);
     change.relative.velocity += inverse_mass_ * sliding.spring.impulse;
     change.spin_i = spin_share_i_ * sliding.torque_i;
     change.spin_j = spin_share_j_ * sliding.torque_j;
@@ -110,30 +112,31 @@ class CohesiveContact {
   }
 
   /// Friction in the step that `normal` describes, followed from `grid` with half of what the other
-  /// contacts of its particles do, `others`. `memory` is what the last step left
-  /// (FrictionStep.memory).
+  /// contacts of its particles do, `others` (nullptr: it has none). `memory` is what the last step
+  /// left (FrictionStep.memory).
   ///
   /// The lever arms of two spheres share the distance of their centres in proportion to the radii,
   /// so that angular momentum is kept exactly; beside a wall, the limit of a large sphere, the arm
   /// is the radius.
-  FrictionStep friction(const PairMotion& grid, const PairMotion& others, const PairStep& normal,
+  FrictionStep friction(const PairMotion& grid, const PairMotion* others, const PairStep& normal,
                         const Vector3& memory) const {
-    const Vector3 separation = separation_of(grid, others, normal);
-    const double distance = norm(separation);
-    const Vector3 n = (1.0 / distance) * separation;
-    const double arm_i = lever_arm_i(distance);
-    const double arm_j = distance - arm_i;
-    const auto surface_velocity = [&](const PairMotion& of) {
-      return in_plane(of.relative.velocity - cross(arm_i * of.spin_i + arm_j * of.spin_j, n), n);
+    Vector3 r = grid.relative.separation + normal.change.separation;
+    if (others) r += 0.5 * others->relative.separation;
+    const double square = dot(r, r);
+    const contact::Plane plane{r, 1.0 / square};
+    const double lever_i = this->lever_i(square);
+    const double lever_j = 1.0 - lever_i;
+    const auto surface_velocity = [&](const Vector3& velocity, const PairMotion& of) {
+      return plane.part_in(velocity - cross(lever_i * of.spin_i + lever_j * of.spin_j, r));
     };
-    PairMotion mine = grid;
-    mine.relative.velocity += 0.5 * normal.change.velocity;
-    const Vector3 by_others = surface_velocity(others);
-    const SpringStep step = follow_spring(tangential_, normal, window_, n, memory,
-                                          {surface_velocity(mine) + 0.5 * by_others, by_others},
-                                          inverse_tangential_mass(arm_i, arm_j));
-    const Vector3 turn = cross(n, step.spring.impulse);
-    return {step.spring, step.memory, -arm_i * turn, -arm_j * turn};
+    SpringVelocity u;
+    u.before = surface_velocity(grid.relative.velocity + 0.5 * normal.change.velocity, grid);
+    if (others) u.by_others = surface_velocity(others->relative.velocity, *others);
+    const double answer = inverse_mass_ + square * (lever_i * lever_i * spin_share_i_ +
+                                                    lever_j * lever_j * spin_share_j_);
+    const SpringStep step = follow_spring(tangential_, normal, window_, plane, memory, u, answer);
+    const Vector3 turn = cross(r, step.spring.impulse);
+    return {step.spring, step.memory, -lever_i * turn, -lever_j * turn};
   }
 
   /// Resistance against rolling in the step that `normal` describes, arguments as for friction(): a
@@ -152,16 +155,16 @@ class CohesiveContact {
   /// Particuology 23 (2015) 49.
   RollingStep rolling(const PairMotion& grid, const PairMotion& others, const PairStep& normal,
                       const Vector3& memory) const {
-    const Vector3 separation = separation_of(grid, others, normal);
-    const Vector3 n = (1.0 / norm(separation)) * separation;
+    const Vector3 r =
+        grid.relative.separation + 0.5 * others.relative.separation + normal.change.separation;
+    const contact::Plane plane{r, 1.0 / dot(r, r)};
     const double radius = rolling_radius();
     const auto rolling_velocity = [&](const PairMotion& of) {
-      return radius * in_plane(of.spin_i - of.spin_j, n);
+      return radius * plane.part_in(of.spin_i - of.spin_j);
     };
-    const Vector3 by_others = rolling_velocity(others);
-    const SpringStep step = follow_spring(
-        tangential_.with_friction(rolling_friction_), normal, window_, n, memory,
-        {rolling_velocity(grid) + 0.5 * by_others, by_others}, inverse_rolling_mass());
+    const SpringStep step =
+        follow_spring(tangential_.with_friction(rolling_friction_), normal, window_, plane, memory,
+                      {rolling_velocity(grid), rolling_velocity(others)}, inverse_rolling_mass());
     return {step.spring, step.memory, radius * step.spring.impulse};
   }
 
@@ -185,20 +188,9 @@ class CohesiveContact {
   }
 
  private:
-  /// Where the pair stands at the grid point, moved by what the step does.
-  static Vector3 separation_of(const PairMotion& grid, const PairMotion& others,
-                               const PairStep& normal) {
-    return grid.relative.separation + 0.5 * others.relative.separation + normal.change.separation;
-  }
-  static Vector3 in_plane(const Vector3& a, const Vector3& n) { return a - dot(a, n) * n; }
-
-  double lever_arm_i(double distance) const {
-    return j_.radius > 0.0 ? lever_i_ * distance : i_.radius;
-  }
-
-  /// What an impulse at the ends of both arms changes of the surfaces' velocity, [1/mass].
-  double inverse_tangential_mass(double arm_i, double arm_j) const {
-    return inverse_mass_ + arm_i * arm_i * spin_share_i_ + arm_j * arm_j * spin_share_j_;
+  /// The lever arm of i as a part of the distance, whose square is given.
+  double lever_i(double square) const {
+    return j_.radius > 0.0 ? lever_i_ : i_.radius / std::sqrt(square);
   }
 
   Body i_;

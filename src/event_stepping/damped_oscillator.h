@@ -79,7 +79,8 @@ class DampedOscillator {
   /// An overlap that goes from start.x >= 0 (v > 0 if x = 0) to `end`, turning at most once, and
   /// certainly stays positive in between: it turns at a maximum, if at all.
   static bool stays_positive(Overlap start, Overlap end) {
-    return end.x >= 0.0 && (start.v >= 0.0 || end.v <= 0.0);
+    // Without branches: which way a lasting contact moves cannot be predicted.
+    return static_cast<bool>((end.x >= 0.0) & ((start.v >= 0.0) | (end.v <= 0.0)));
   }
 
   /// The first time in (0, t_end] at which an overlap that starts at x >= 0 (v > 0 if x = 0) is

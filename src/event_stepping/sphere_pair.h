@@ -42,23 +42,15 @@ class SpherePair {
   PairStep advance(const RelativeState& grid, const StepWindow& window, bool inside) const {
     PairStep step;
     RelativeState now{grid.separation - window.before * grid.velocity, grid.velocity};
-    double left = window.length();
-    double overlap = 0.0;
-    if (!inside) inside = starts_inside(now);
-    for (int stretches = 0; left > 0.0; stretches++) {
-      if (stretches == max_stretches) {
-        step.normal.unresolved = true;
-        break;
-      }
-      if (!inside) {
-        left -= fly(now, left, inside);
-        continue;
-      }
-      left -= turn(now, left, inside, overlap, step.normal);
-      if (step.normal.unresolved) break;
+    if (inside && turn_in_contact(now, window.length(), step.overlap_at_end, step.normal)) {
+      step.inside = true;
+    } else {
+      const Followed followed = follow_events(now, window.length(), inside);
+      now = followed.state;
+      step.normal = followed.normal;
+      step.overlap_at_end = followed.overlap;
+      step.inside = followed.inside;
     }
-    step.inside = inside;
-    step.overlap_at_end = inside ? overlap : contact_distance_ - norm(now.separation);
     step.change.velocity = now.velocity - grid.velocity;
     step.change.separation = now.separation - window.after * now.velocity - grid.separation;
     return step;
@@ -69,42 +61,111 @@ class SpherePair {
   /// false), or `time`; `overlap` is where the surfaces are then.
   double turn(RelativeState& now, double time, bool& inside, double& overlap,
               NormalRecord& record) const {
-    const double distance = norm(now.separation);
-    const Vector3 normal = (1.0 / distance) * now.separation;
-    const double radial = dot(normal, now.velocity);
-    const Vector3 sideways = now.velocity - radial * normal;
-    const double sideways_squared = dot(sideways, sideways);
-    const double leverage = distance * inverse_distance_;
-    const double centrifugal = leverage * leverage * sideways_squared * inverse_distance_;
-
-    Overlap surface{contact_distance_ - distance, -radial};
+    const Start start = along_normal(now);
+    Overlap surface = start.surface;
     double integral = 0.0;
     double taken = time;
-    if (!motion_.advance_lasting(surface, time, centrifugal, integral, record))
-      taken = motion_.advance(surface, time, centrifugal, inside, integral, record);
+    if (!motion_.advance_lasting(surface, time, start.centrifugal, integral, record))
+      taken = motion_.advance(surface, time, start.centrifugal, inside, integral, record);
     overlap = surface.x;
-    const double distance_after = contact_distance_ - surface.x;
-
-    // Rotation by the angle L times the integral of 1/(R - x)^2, through its half-angle tangent;
-    // `half` is that tangent along `sideways`.
-    const double angle_per_speed =
-        leverage * inverse_distance_ * (taken + 2.0 * integral * inverse_distance_);
-    const double angle_squared = angle_per_speed * angle_per_speed * sideways_squared;
-    const double half = 0.5 * angle_per_speed * (1.0 + angle_squared * (1.0 / 12.0));
-    const double half_squared = half * half * sideways_squared;
-    const double scale = 1.0 / (1.0 + half_squared);
-    const double cosine = (1.0 - half_squared) * scale;
-    const double sine = 2.0 * half * scale;  // per sideways speed
-    const Vector3 normal_after = cosine * normal + sine * sideways;
-    const Vector3 sideways_after = cosine * sideways - (sine * sideways_squared) * normal;
-    now.separation = distance_after * normal_after;
-    now.velocity = (distance / distance_after) * sideways_after - surface.v * normal_after;
+    rotate(now, start, surface, taken, integral);
     return taken;
   }
 
  private:
   /// A pair flies in, turns and flies out again; more often only by rounding at a grazed edge.
   static constexpr int max_stretches = 100;
+
+  /// A state as the motion along the normal sees it.
+  struct Start {
+    double distance;
+    double inverse_distance;
+    double sideways_squared;  ///< of the speed across the normal
+    double centrifugal;       ///< [length/time^2]
+    Overlap surface;
+  };
+
+  Start along_normal(const RelativeState& now) const {
+    const double distance = norm(now.separation);
+    const double inverse = 1.0 / distance;
+    const double radial = inverse * dot(now.separation, now.velocity);
+    const double sideways_squared =
+        std::max(dot(now.velocity, now.velocity) - radial * radial, 0.0);
+    const double leverage = distance * inverse_distance_;
+    return {distance,
+            inverse,
+            sideways_squared,
+            leverage * leverage * sideways_squared * inverse_distance_,
+            {contact_distance_ - distance, -radial}};
+  }
+
+  /// A contact that certainly lasts for all of `time`, as most steps of most contacts are: like
+  /// turn(); false, and nothing done, where that is not certain.
+  bool turn_in_contact(RelativeState& now, double time, double& overlap,
+                       NormalRecord& record) const {
+    const Start start = along_normal(now);
+    Overlap surface = start.surface;
+    double integral = 0.0;
+    if (!motion_.advance_lasting(surface, time, start.centrifugal, integral, record)) return false;
+    overlap = surface.x;
+    rotate(now, start, surface, time, integral);
+    return true;
+  }
+
+  /// Turns the pair by the angle L times the integral of 1/(R - x)^2, through its half-angle
+  /// tangent
+  /// (`half` per sideways speed), and puts its surfaces to `end`. New separation and velocity are
+  /// linear in the old ones s and w; so are the normal, s/r, and the velocity across it.
+  void rotate(RelativeState& now, const Start& start, const Overlap& end, double time,
+              double integral) const {
+    const double angle_per_speed = start.distance * inverse_distance_ * inverse_distance_ *
+                                   (time + 2.0 * integral * inverse_distance_);
+    const double angle_squared = angle_per_speed * angle_per_speed * start.sideways_squared;
+    const double half = 0.5 * angle_per_speed * (1.0 + angle_squared * (1.0 / 12.0));
+    const double half_squared = half * half * start.sideways_squared;
+    const double scale = 1.0 / (1.0 + half_squared);
+    const double cosine = (1.0 - half_squared) * scale;
+    const double sine = 2.0 * half * scale;  // per sideways speed
+    const double distance = contact_distance_ - end.x;
+    const double stretch = start.distance / distance;
+    const double radial = -start.surface.v;
+    // Of the velocity: along the old velocity across the normal, and along the old normal.
+    const double across = stretch * cosine - end.v * sine;
+    const double along = -stretch * sine * start.sideways_squared - end.v * cosine;
+    const Vector3 s = now.separation;
+    now.separation = (distance * (cosine - sine * radial) * start.inverse_distance) * s +
+                     (distance * sine) * now.velocity;
+    now.velocity = across * now.velocity + ((along - across * radial) * start.inverse_distance) * s;
+  }
+
+  struct Followed {
+    RelativeState state;
+    NormalRecord normal;
+    double overlap;
+    bool inside;
+  };
+
+  /// Everything that can happen to a pair in `time`, one stretch after the other.
+  [[gnu::noinline]] Followed follow_events(const RelativeState& start, double time,
+                                           bool inside) const {
+    Followed now{start, {}, 0.0, inside};
+    if (!inside) now.inside = starts_inside(now.state);
+    double left = time;
+    for (int stretches = 0; left > 0.0; stretches++) {
+      if (stretches == max_stretches) {
+        now.normal.unresolved = true;
+        break;
+      }
+      if (!now.inside) {
+        left -= fly(now.state, left, now.inside);
+        continue;
+      }
+      left -= turn(now.state, left, now.inside, now.overlap, now.normal);
+      if (now.normal.unresolved) break;
+    }
+    if (!now.inside) now.overlap = contact_distance_ - norm(now.state.separation);
+    return now;
+  }
 
   double outer_distance() const { return contact_distance_ + motion_.range(); }
 

@@ -12,13 +12,13 @@ struct SpringStep {
   Vector3 memory;  ///< for the next step: the spring's displacement on the grid, [length]
 };
 
-/// How fast the ends of a spring part, [length/time].
+/// How fast the ends of a spring part in a step, [length/time].
 struct SpringVelocity {
-  Vector3 free;       ///< in the middle of what all but the spring does
-  Vector3 by_others;  ///< what other contacts change of it in the whole step
+  Vector3 before;       ///< others act, with half of what the normal motion does
+  Vector3 by_others{};  ///< what the other contacts change of it in the whole step
 };
 
-/// The spring over the step that `normal` describes, in the plane across n. `memory` is what the
+/// The spring over the step that `normal` describes, in the plane of contact. `memory` is what the
 /// last step left, `answer` the inverse mass that answers the spring's impulse.
 ///
 /// The spring's displacement is known on the grid, where it has grown with the grid's motion, and
@@ -27,16 +27,17 @@ struct SpringVelocity {
 /// it added up from the steps as the pair sees them, each alone against its own tangential force, a
 /// spring under a constant load that others balance would creep.
 inline SpringStep follow_spring(const contact::TangentialSpring& law, const PairStep& normal,
-                                const StepWindow& window, const Vector3& n, const Vector3& memory,
-                                const SpringVelocity& velocity, double answer) {
-  Vector3 displacement = contact::TangentialSpring::turned(memory, n);
+                                const StepWindow& window, const contact::Plane& plane,
+                                const Vector3& memory, const SpringVelocity& velocity,
+                                double answer) {
+  Vector3 displacement{};
   if (dot(memory, memory) > 0.0)
-    displacement += window.before * (velocity.free - 0.5 * velocity.by_others);
-  contact::TangentialStep spring =
-      law.advance(displacement, velocity.free, normal.normal.contact_time, answer,
-                  normal.normal.repulsion_impulse, normal.normal.repulsion_at_end);
-  Vector3 left = spring.displacement - window.after * (velocity.free + 0.5 * velocity.by_others +
-                                                       answer * spring.impulse);
+    displacement = plane.turned_into(memory) + window.before * velocity.before;
+  contact::TangentialStep spring = law.advance(
+      displacement, velocity.before + 0.5 * velocity.by_others, normal.normal.contact_time, answer,
+      normal.normal.repulsion_impulse, normal.normal.repulsion_at_end);
+  Vector3 left = spring.displacement -
+                 window.after * (velocity.before + velocity.by_others + answer * spring.impulse);
   if (normal.overlap_at_end <= 0.0) {  // parted: what the spring still held is lost
     spring.friction += law.stored_energy(spring.displacement);
     spring.displacement = left = {};

@@ -168,13 +168,16 @@ TEST(TangentialSpring, StaysStableAtAnyDampingAndStiffness) {
     }
 }
 
-TEST(TangentialSpring, TurningKeepsTheLengthInTheNewPlane) {
+TEST(Plane, TurningKeepsTheLengthInTheNewPlane) {
   const Vector3 s{3e-7, -1e-7, 2e-7};
-  const Vector3 n = (1.0 / norm({0.1, 1.0, 0.3})) * Vector3{0.1, 1.0, 0.3};
-  const Vector3 turned = TangentialSpring::turned(s, n);
+  const Vector3 n{0.1e-3, 1.0e-3, 0.3e-3};
+  const Plane plane{n, 1.0 / dot(n, n)};
+  const Vector3 turned = plane.turned_into(s);
+  // Rounding: some four products or sums in each length, four in the part along the normal.
   EXPECT_NEAR(norm(turned) / norm(s), 1.0, 4 * eps);
-  EXPECT_NEAR(dot(turned, n), 0.0, 4 * eps * norm(s));
-  EXPECT_EQ(norm(TangentialSpring::turned({}, n)), 0.0);
+  EXPECT_NEAR(dot(turned, n), 0.0, 4 * eps * norm(s) * norm(n));
+  EXPECT_EQ(norm(plane.turned_into({})), 0.0);
+  EXPECT_EQ(norm(plane.turned_into(2.0 * n)), 0.0);
 }
 
 }  // namespace cohesion::contact

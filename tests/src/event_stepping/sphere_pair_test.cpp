@@ -62,6 +62,43 @@ TEST(SpherePair, RestitutionIsExactForAnyStepAndPhase) {
     }
 }
 
+TEST(SpherePair, LastingContactsTakeTheShortWayToTheSameEnd) {
+  const contact::LinearSpringDashpot spring(800.0, 0.79e-3, thesis::reduced_mass);
+  const contact::Adhesion adhesion = thesis::adhesion(2e-18);
+  std::mt19937 random(4711);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  int lasting = 0;
+  for (const double part : {2.5, 10.0, 20.0, 50.0}) {
+    const double dt = thesis::contact_time / part;
+    const StepWindow window{0.5 * dt, 0.5 * dt};
+    const SpherePair pair(spring, adhesion, contact_distance, dt);
+    // Made for other steps, so that it follows each event of this one.
+    const SpherePair other(spring, adhesion, contact_distance, 2.0 * dt);
+    for (int n = 0; n < 2000; n++) {
+      const Vector3 direction{uniform(random), uniform(random), uniform(random)};
+      const double distance = contact_distance * (1.0 - 0.005 * (1.0 + uniform(random)));
+      const RelativeState grid{(distance / norm(direction)) * direction,
+                               0.3 * Vector3{uniform(random), uniform(random), uniform(random)}};
+      const PairStep step = pair.advance(grid, window, true);
+      const PairStep expected = other.advance(grid, window, true);
+      const bool lasts = expected.normal.contact_time == dt && expected.overlap_at_end > 0.0;
+      lasting += lasts;
+      // Rounding: that of some ten operations on separation and speed. An overlap is a difference
+      // of distances; times w0, and times the mass, it enters velocity and impulse.
+      const double length = 10.0 * eps * contact_distance;
+      const double speed = 10.0 * eps * norm(grid.velocity) + length / thesis::contact_time * 4.0;
+      EXPECT_EQ(step.inside, expected.inside);
+      EXPECT_NEAR(step.overlap_at_end, expected.overlap_at_end, length);
+      EXPECT_LE(norm(step.change.separation - expected.change.separation), length);
+      EXPECT_LE(norm(step.change.velocity - expected.change.velocity), speed);
+      EXPECT_NEAR(step.normal.contact_time, expected.normal.contact_time, 4 * eps * dt);
+      EXPECT_NEAR(step.normal.repulsion_impulse, expected.normal.repulsion_impulse,
+                  thesis::reduced_mass * speed);
+    }
+  }
+  EXPECT_GT(lasting, 4000);
+}
+
 TEST(SpherePair, ObliqueImpactsDoNotDependOnTheStep) {
   const contact::Adhesion a = thesis::adhesion(5e-19);
   for (const double angle : {0.0, 20.0, 40.0, 60.0, 80.0})
