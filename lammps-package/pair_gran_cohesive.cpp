@@ -144,9 +144,6 @@ void PairGranCohesive<Cohesion>::find_active(Contacts<Contact>& contacts) {
 
   for (const ClosePair& pair : close) {
     const int i = pair.i, j = pair.j;
-    const double near = atom->radius[i] + atom->radius[j] + reach;
-    const Vector3 d = vector(atom->x[j]) - vector(atom->x[i]);
-    if (dot(d, d) > 1.0002 * near * near) continue;
     if (!step->body(i).inverse_mass && !step->body(j).inverse_mass) continue;
     int& kept = history->firstflag[i][pair.place];
     const int c = contact(contacts, i, j);

@@ -73,7 +73,7 @@ class TangentialSpring {
     const Vector3 held = sticking(displacement, velocity, time, inverse_mass);
     const double limit = p_.friction * std::max(normal_impulse, 0.0);
     TangentialStep step;
-    if (dot(held, held) > limit * limit) {
+    if (norm(held) > limit) {
       step = slide(displacement, velocity, time, inverse_mass, held, limit, normal_force_at_end);
     } else {
       const Vector3 middle = velocity + (0.5 * inverse_mass) * held;

@@ -191,9 +191,12 @@ TEST(RollingFriction, NothingHappensToAPairThatTurnsAsOneBodyOrSpinsOrParts) {
   pair.motion.spin_i = pair.motion.spin_j = {1.0, 2.0, 3.0};
   pair.step();
   EXPECT_EQ(norm(pair.last.torque_i), 0.0);
-  pair.motion.spin_i = {5.0, 2.0, 3.0};  // about the normal it spins, which is not resisted
+  // About the normal it spins, which is not resisted; but for the rounding of its part in the
+  // plane.
+  pair.motion.spin_i = {5.0, 2.0, 3.0};
   pair.step();
-  EXPECT_EQ(norm(pair.last.torque_i), 0.0);
+  const double stopped = 1.0 / inverse_inertia(small);  // what stops a spin of 1
+  EXPECT_LT(norm(pair.last.torque_i), 8 * eps * 5.0 * stopped);
 
   Pressed<SpherePair> smooth(rolling(0.0), small, large);
   smooth.motion.spin_i = {1.0, 2.0, 3.0};
