@@ -265,11 +265,6 @@ void PairGranCohesive<Cohesion>::append_bound(std::vector<std::array<int, 2>>& p
 /* ---------------------------------------------------------------------- */
 
 template <class Cohesion>
-void PairGranCohesive<Cohesion>::settings(int narg, char** arg) {
-  coefficients.read_settings(narg, arg);
-}
-
-template <class Cohesion>
 void PairGranCohesive<Cohesion>::coeff(int narg, char** arg) {
   if (narg < 4)
     error->all(FLERR, std::string("pair_coeff of ") + Cohesion::STYLE + " takes 'i j " +
@@ -357,16 +352,6 @@ void PairGranCohesive<Cohesion>::read_restart(FILE* fp) {
   allocate();
   coefficients.read(fp);
   per_pair = values_per_pair();
-}
-
-template <class Cohesion>
-void PairGranCohesive<Cohesion>::write_restart_settings(FILE* fp) {
-  coefficients.write_settings(fp);
-}
-
-template <class Cohesion>
-void PairGranCohesive<Cohesion>::read_restart_settings(FILE* fp) {
-  coefficients.read_settings(fp);
 }
 
 template class LAMMPS_NS::PairGranCohesive<HamakerCohesion>;

@@ -28,14 +28,14 @@ class PairGranCohesive : public Pair, public BoundPairs {
   ~PairGranCohesive() override;
 
   void compute(int, int) override;
-  void settings(int, char**) override;
+  void settings(int narg, char** arg) override { coefficients.read_settings(narg, arg); }
   void coeff(int, char**) override;
   void init_style() override;
   double init_one(int, int) override;
   void write_restart(FILE*) override;
   void read_restart(FILE*) override;
-  void write_restart_settings(FILE*) override;
-  void read_restart_settings(FILE*) override;
+  void write_restart_settings(FILE* fp) override { coefficients.write_settings(fp); }
+  void read_restart_settings(FILE* fp) override { coefficients.read_settings(fp); }
   void append_bound(std::vector<std::array<int, 2>>&) const override;
 
  private:
