@@ -8,19 +8,18 @@ ComputeStyle(gran/stress,ComputeGranStress);
 #ifndef LMP_COMPUTE_GRAN_STRESS_H
 #define LMP_COMPUTE_GRAN_STRESS_H
 
-#include "compute.h"
+#include "compute_flux_totals.h"
 
 namespace LAMMPS_NS {
 
 /// compute ID all gran/stress: momentum times distance that contact and adhesion of the soft
 /// cohesive pair styles have carried. Doc: docs/lammps-package/compute_gran_stress.md
-class ComputeGranStress : public Compute {
+class ComputeGranStress : public ComputeFluxTotals {
  public:
   ComputeGranStress(class LAMMPS*, int, char**);
-  ~ComputeGranStress() override;
 
-  void init() override {}
-  void compute_array() override;
+ protected:
+  const cohesion::MomentumFlux* totals() const override;
 
  private:
   class FixEventStep* step;

@@ -8,19 +8,18 @@ ComputeStyle(hard/stress,ComputeHardStress);
 #ifndef LMP_COMPUTE_HARD_STRESS_H
 #define LMP_COMPUTE_HARD_STRESS_H
 
-#include "compute.h"
+#include "compute_flux_totals.h"
 
 namespace LAMMPS_NS {
 
 /// compute ID all hard/stress: momentum times distance that the events of pair_style
 /// hard/square_well have carried, by kind. Doc: docs/lammps-package/compute_hard_stress.md
-class ComputeHardStress : public Compute {
+class ComputeHardStress : public ComputeFluxTotals {
  public:
   ComputeHardStress(class LAMMPS*, int, char**);
-  ~ComputeHardStress() override;
 
-  void init() override {}
-  void compute_array() override;
+ protected:
+  const cohesion::MomentumFlux* totals() const override;
 
  private:
   class FixHardEvents* events_;

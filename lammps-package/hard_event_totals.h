@@ -17,8 +17,8 @@ struct HardEventTotals {
   enum Quantity { count, energy_change, impulse, virial, quantities };
   using ByKind = std::array<std::array<double, kinds>, quantities>;
 
-  std::array<ByKind, 2> sums{};                     ///< of pairs, of walls
-  std::array<std::array<double, 6>, kinds> flux{};  ///< of pairs: Event::momentum_flux()
+  std::array<ByKind, 2> sums{};                      ///< of pairs, of walls
+  std::array<cohesion::MomentumFlux, kinds> flux{};  ///< of pairs: Event::momentum_flux()
   bool flux_wanted = false;
   double elastic = 0.0;  ///< collisions made elastic against inelastic collapse
   double busiest = 0.0;  ///< most events of one particle in one step
