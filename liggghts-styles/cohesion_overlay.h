@@ -56,7 +56,10 @@ class CohesionOverlay : public CohesionModelBase {
 
   void surfacesClose(SurfacesCloseData& near, ForceData& on_i, ForceData& on_j) override {
     const double r = std::sqrt(near.rsq);
-    const double normal[3] = {near.delta[0] / r, near.delta[1] / r, near.delta[2] / r};
+    if (r - near.radsum >= attraction_.reach()) return;
+    const double inverse = 1.0 / r;
+    const double normal[3] = {inverse * near.delta[0], inverse * near.delta[1],
+                              inverse * near.delta[2]};
     if (attract(near, r, normal, on_i, on_j)) near.has_force_update = true;
   }
 
@@ -70,12 +73,10 @@ class CohesionOverlay : public CohesionModelBase {
   /// r: distance of i's centre from j's, or from the wall, of which radsum is then the radius of i.
   bool attract(const SurfacesCloseData& data, double r, const double* normal, ForceData& on_i,
                ForceData& on_j) {
-    const Cohesion::Encounter encounter{data, normal, r - data.radsum};
-    if (encounter.gap >= attraction_.reach()) return false;
     if (data.mesh &&
         !Cohesion::carries_contact(*data.fix_mesh, data.j, data.i, atom->x[data.i], data.radi))
       return false;
-    const double attraction = attraction_.force(encounter);
+    const double attraction = attraction_.force({data, normal, r - data.radsum});
     for (int d = 0; d < 3; d++) {
       on_i.delta_F[d] -= attraction * normal[d];
       on_j.delta_F[d] += attraction * normal[d];  // of a wall the engine ignores it
