@@ -14,7 +14,7 @@ SETTINGS = {
     "interpolated": {"slip": "interpolated"},
     "dividedVolume": {"voidFraction": "dividedVolume"},
     "sphereOverlap": {"voidFraction": "sphereOverlap"},
-    "form B": {"form": "B", "voidFraction": "sphereOverlap"},
+    "formB": {"form": "B", "voidFraction": "sphereOverlap"},
     "smoothed": {"voidFraction": "sphereOverlap", "smoothingWidth": 0.01, "slip": "interpolated"},
 }
 
