@@ -93,6 +93,14 @@ void Foam::gasParticleCoupling::setDrag(const volVectorField& U)
             mag(gasAt_.velocity()[i] - velocity[i]),
             particles.radius[i]
         )*form_.drag_over_a(gasAt_.voidFraction()[i]);
+        drag_.lookAtStep
+        (
+            gasAt_.voidFraction()[i],
+            coefficient_[i],
+            particles.radius[i],
+            particles.mass[i],
+            dt
+        );
     }
     drag_.endStep(particles.count);
 

@@ -38,6 +38,7 @@ class DemEngine {
     const double (*position)[3];  ///< [length]
     const double (*velocity)[3];  ///< [length/time]
     const double* radius;         ///< [length]
+    const double* mass;           ///< [mass]
     const int* id;
   };
 

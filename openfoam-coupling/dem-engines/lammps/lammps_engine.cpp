@@ -75,7 +75,7 @@ class LammpsEngine : public DemEngine {
 
   Particles particles() override {
     const auto* atom = lammps_->atom;
-    return {atom->nlocal, rows(atom->x), rows(atom->v), atom->radius, atom->tag};
+    return {atom->nlocal, rows(atom->x), rows(atom->v), atom->radius, atom->rmass, atom->tag};
   }
 
   drag::GasOnParticle* gas() override {
