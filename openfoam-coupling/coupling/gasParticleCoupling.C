@@ -7,6 +7,7 @@
 #include "sphere.h"
 #include "void_fraction/void_fraction.h"
 
+#include "completeState.H"
 #include "writeParticleCloud.H"
 
 using namespace cohesion;
@@ -92,6 +93,14 @@ void Foam::gasParticleCoupling::setDrag(const volVectorField& U)
             mag(gasAt_.velocity()[i] - velocity[i]),
             particles.radius[i]
         )*form_.drag_over_a(gasAt_.voidFraction()[i]);
+        drag_.lookAtStep
+        (
+            gasAt_.voidFraction()[i],
+            coefficient_[i],
+            particles.radius[i],
+            particles.mass[i],
+            dt
+        );
     }
     drag_.endStep(particles.count);
 
@@ -165,7 +174,8 @@ void Foam::gasParticleCoupling::advanceParticles
     handOver(gasVelocity, averaging_.gather(felt), charged);
     seconds_.exchange += timer.timeIncrement();
 
-    engine_->advance(subSteps_);
+    const Time& time = mesh_.time();
+    engine_->advance(subSteps_, time.writeTime() ? completeState::engineFile(time) : fileName());
     seconds_.particles += timer.timeIncrement();
 
     reportBalance(U, felt, pendingBefore);
@@ -197,4 +207,11 @@ void Foam::gasParticleCoupling::writeParticles()
         List<scalar>(exchange.toParts(view(particles.radius, n)), centred),
         labelList(exchange.toParts(view(particles.id, n)), centred)
     );
+}
+
+
+void Foam::gasParticleCoupling::writeState()
+{
+    writeParticles();
+    completeState::mark(mesh_.time(), engine_->steps_done());
 }

@@ -5,6 +5,8 @@
 #include "OSspecific.H"
 #include "UPstream.H"
 
+#include "completeState.H"
+
 #include "dem-engines/load_dem_engine.h"
 
 #include "selectRow.H"
@@ -76,10 +78,14 @@ Foam::gasParticleCoupling::gasParticleCoupling
     setDepthRatio();
     makeEngine();
     checkUnitsAndBox();
+    checkContinued();
     setSubSteps();
 
-    locateParticles();
-    setVoidFraction();
+    if (!continued())
+    {
+        locateParticles();
+        setVoidFraction();
+    }
     voidFraction_.oldTime();
 }
 
@@ -142,6 +148,11 @@ void Foam::gasParticleCoupling::makeEngine()
         coupling::DemEngineSettings settings;
         settings.script = coeffs.get<fileName>("script").expand();
         settings.log = coeffs.getOrDefault<fileName>("log", "log." + name).expand();
+        if (continued())
+        {
+            settings.restart = completeState::engineFile(mesh_.time());
+            settings.log += "." + mesh_.time().timeName();
+        }
         for (const entry& variable : coeffs.subOrEmptyDict("variables"))
         {
             settings.variables[variable.keyword()] = variable.stream().toString();
@@ -207,6 +218,21 @@ void Foam::gasParticleCoupling::checkUnitsAndBox() const
         }
     }
 
+}
+
+
+void Foam::gasParticleCoupling::checkContinued() const
+{
+    if (continued() && engine_->steps_done() != completeState::engineSteps(mesh_.time()))
+    {
+        FatalIOErrorInFunction(dict_)
+            << "the run continues at time " << mesh_.time().timeName() << ", where the particles had done "
+            << completeState::engineSteps(mesh_.time()) << " steps, but after the particle script they"
+            << " have done " << engine_->steps_done() << nl
+            << "    Let the script read their state when there is one:"
+            << " if \"${continued} == no\" then <set up> else \"read_restart ${restart}\", and set"
+            << " no time step number after that" << exit(FatalIOError);
+    }
 }
 
 

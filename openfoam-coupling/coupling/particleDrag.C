@@ -7,6 +7,8 @@
 
 #include "selectRow.H"
 
+#include "drag/exchange_error.h"
+
 #include <sstream>
 
 using namespace cohesion;
@@ -75,9 +77,61 @@ std::string Foam::particleDrag::validity() const
 }
 
 
+void Foam::particleDrag::lookAtStep
+(
+    const scalar voidFraction,
+    const scalar coefficient,
+    const scalar radius,
+    const scalar mass,
+    const scalar dt
+)
+{
+    if (warnedOfStep_)
+    {
+        return;
+    }
+    const scalar step = coefficient*dt/mass;
+    const scalar density = mass/sphere_volume(radius);
+    const scalar loading = (1 - voidFraction)*density/(voidFraction*rho_);
+    const scalar error = drag::exchange_error(step, loading);
+    if (error > exchangeError_)
+    {
+        exchangeError_ = error;
+        longestStep_ = step;
+    }
+}
+
+
+void Foam::particleDrag::warnOfStep()
+{
+    // Implicit steps of the gas are off by some per cent where they are about as long as it takes to
+    // follow the particles; this is about what does not get better with stiffer drag.
+    constexpr scalar worthSaying = 0.1;
+    const scalar mine = exchangeError_;
+    reduce(exchangeError_, maxOp<scalar>());
+    scalar step = mine == exchangeError_ ? longestStep_ : 0;
+    reduce(step, maxOp<scalar>());
+    if (exchangeError_ > worthSaying && step > 1)
+    {
+        WarningInFunction
+            << "the gas step is " << step << " times the time m/b in which particles follow the gas, and"
+            << " they have so little mass there that the gas should give way: their velocity may be off"
+            << " by " << 100*exchangeError_ << " % of the slip, and the gas's, until about as many steps"
+            << " later. Nothing is wrong once they move steadily. A smaller deltaT cures it; this is said"
+            << " once" << endl;
+        warnedOfStep_ = true;
+    }
+    exchangeError_ = 0;
+}
+
+
 void Foam::particleDrag::endStep(const label n)
 {
     evaluations_ += n;
+    if (!warnedOfStep_)
+    {
+        warnOfStep();
+    }
     if (warned_)
     {
         return;

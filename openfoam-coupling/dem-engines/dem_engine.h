@@ -25,6 +25,7 @@ struct DemEngineSettings {
   MPI_Comm communicator;                         ///< every rank of it takes part
   std::string script;                            ///< input script that sets the particles up
   std::string log;                               ///< log file that the engine writes
+  std::string restart;                           ///< state to continue from; empty: none
   std::map<std::string, std::string> variables;  ///< handed to the script by name
 };
 
@@ -37,6 +38,7 @@ class DemEngine {
     const double (*position)[3];  ///< [length]
     const double (*velocity)[3];  ///< [length/time]
     const double* radius;         ///< [length]
+    const double* mass;           ///< [mass]
     const int* id;
   };
 
@@ -56,8 +58,12 @@ class DemEngine {
   /// One per particle, to be filled in by the coupling and held by the engine until the next time.
   virtual drag::GasOnParticle* gas() = 0;
 
-  /// Advances by `steps` of its own steps, gas forces included.
-  virtual void advance(int steps) = 0;
+  /// Advances by `steps` of its own steps, gas forces included. With a file named, the state at the
+  /// end is also written there, what gas() holds included.
+  virtual void advance(int steps, const std::string& restart = "") = 0;
+
+  /// Steps done since the particles were set up, those before a restart included.
+  virtual long steps_done() = 0;
 
   /// What the gas forces have given to the particles of this rank in the last advance(), summed
   /// where the forces are put on: the engine's own book, to hold against the coupling's.
@@ -69,7 +75,7 @@ class DemEngine {
 };
 
 /// Every engine library exports these two with C linkage; the number changes with this header.
-inline constexpr int dem_engine_interface = 1;
+inline constexpr int dem_engine_interface = 2;
 using DemEngineInterface = int (*)();
 using MakeDemEngine = DemEngine* (*)(const DemEngineSettings&);
 inline constexpr const char* dem_engine_interface_symbol = "cohesion_dem_engine_interface";

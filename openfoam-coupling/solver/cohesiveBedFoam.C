@@ -11,7 +11,8 @@ Description
 
 Usage
     cohesiveBedFoam [-overwrite] [-parallel]
-    with constant/couplingProperties as described in gasParticleCoupling.H
+    with constant/couplingProperties as described in gasParticleCoupling.H; continues a run when
+    system/controlDict says `startFrom latestTime`
 */
 
 #include "fvCFD.H"
@@ -19,6 +20,7 @@ Usage
 #include "pimpleControl.H"
 #include "progress.H"
 
+#include "coupling/completeState.H"
 #include "coupling/gasParticleCoupling.H"
 
 int main(int argc, char* argv[])
@@ -27,6 +29,7 @@ int main(int argc, char* argv[])
     argList::addBoolOption("overwrite", "Run although the case already holds results");
 
     #include "setRootCase.H"
+    completeState::setAsideIncomplete(args);
     #include "createTime.H"
     #include "refuseExistingResults.H"
     #include "createMesh.H"
@@ -35,7 +38,10 @@ int main(int argc, char* argv[])
 
     #include "createFields.H"
 
-    coupling.writeParticles();
+    if (!(runTime.startTime().value() > 0))
+    {
+        coupling.writeParticles();
+    }
 
     Info<< "\nStarting time loop\n" << endl;
 
@@ -65,7 +71,7 @@ int main(int argc, char* argv[])
         runTime.write();
         if (runTime.writeTime())
         {
-            coupling.writeParticles();
+            coupling.writeState();
         }
         Info<< endl;
     }

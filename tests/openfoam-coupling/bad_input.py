@@ -102,8 +102,8 @@ CASES = {
         ["deltaT = 4e-06", "whole multiple", "1e-05"]),
     "start at another time": (
         lambda c: ((c.folder / "0").rename(c.folder / "0.005"),
-                   c.set("system/controlDict", "startFrom", "latestTime")),
-        ["start at time 0.005", "startTime 0"]),
+                   c.set("system/controlDict", "startTime", 0.005)),
+        ["start at time 0.005", "no complete state", "Complete are 0.", "startTime 0"]),
     "depth on a 3-D mesh": (
         lambda c: c.set(COUPLING, "depth", 1e-3),
         ["depth = 0.001", "2-D mesh", "3 dimensions"]),

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cstdio>
 #include <cstdlib>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -8,6 +10,7 @@
 #include "../dem_engine.h"
 // engine headers
 #include "atom.h"
+#include "comm.h"
 #include "domain.h"
 #include "fix.h"
 #include "input.h"
@@ -40,7 +43,19 @@ class LammpsEngine : public DemEngine {
   explicit LammpsEngine(const DemEngineSettings& settings) {
     log_of_running_engine = settings.log;
     std::atexit(point_to_log);
-    std::vector<std::string> words{"lammps", "-screen", "none", "-log", settings.log};
+    // LAMMPS compares words in `if`, but not file names.
+    const bool continued = !settings.restart.empty();
+    std::vector<std::string> words{"lammps",
+                                   "-screen",
+                                   "none",
+                                   "-log",
+                                   settings.log,
+                                   "-var",
+                                   "continued",
+                                   continued ? "yes" : "no",
+                                   "-var",
+                                   "restart",
+                                   continued ? settings.restart : "none"};
     for (const auto& [name, value] : settings.variables)
       words.insert(words.end(), {"-var", name, value});
     std::vector<char*> arguments;
@@ -49,6 +64,10 @@ class LammpsEngine : public DemEngine {
                                                   arguments.data(), settings.communicator);
     lammps_->input->file(settings.script.c_str());
     check(settings.script);
+    // LAMMPS renews its neighbour lists in steps that write a state, so that what continues from
+    // there has the same; it asks at the start of a run with set-up whether there will be such
+    // steps.
+    write_state_at(std::numeric_limits<int>::max(), "never");
     lammps_->input->one("run 0 post no");
   }
 
@@ -56,7 +75,7 @@ class LammpsEngine : public DemEngine {
 
   Particles particles() override {
     const auto* atom = lammps_->atom;
-    return {atom->nlocal, rows(atom->x), rows(atom->v), atom->radius, atom->tag};
+    return {atom->nlocal, rows(atom->x), rows(atom->v), atom->radius, atom->rmass, atom->tag};
   }
 
   drag::GasOnParticle* gas() override {
@@ -64,10 +83,21 @@ class LammpsEngine : public DemEngine {
     return all ? reinterpret_cast<drag::GasOnParticle*>(all[0]) : nullptr;
   }
 
-  void advance(int steps) override {
+  void advance(int steps, const std::string& restart) override {
     std::fill_n(static_cast<double*>(extract("gas_impulse")), 6, 0.0);
+    const long end = steps_done() + steps;
+    if (!restart.empty()) write_state_at(end, restart);
     lammps_->input->one("run " + std::to_string(steps) + " pre no post no");
+    if (restart.empty()) return;
+    // Once is enough: LAMMPS would write at every multiple of the step.
+    write_state_at(std::numeric_limits<int>::max(), "never");
+    // LAMMPS appends the step.
+    const std::string written = restart + "." + std::to_string(end);
+    if (lammps_->comm->me == 0 && std::rename(written.c_str(), restart.c_str()) != 0)
+      throw DemEngineError("LAMMPS has not written its state to '" + written + "'");
   }
+
+  long steps_done() override { return static_cast<long>(lammps_->update->ntimestep); }
 
   Impulse gas_impulse() override {
     const auto* total = static_cast<double*>(extract("gas_impulse"));
@@ -101,6 +131,10 @@ class LammpsEngine : public DemEngine {
       throw DemEngineError("the script '" + script + "' has no fix gas/coupling, through which " +
                            "particles feel the gas; add 'fix gas all gas/coupling' as last fix");
     fix_ = *found;
+  }
+
+  void write_state_at(long step, const std::string& file) {
+    lammps_->input->one("restart " + std::to_string(step) + " " + file);
   }
 
   void* extract(const char* name) {

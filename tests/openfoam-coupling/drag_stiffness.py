@@ -1,0 +1,229 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Gas blown through spheres that are free to move, in a periodic box: both come to the same velocity. By
+the coupled solver, for drag from negligible to so stiff that gas and particles would be done in a
+millionth of their step; against the scheme written out again, to round-off, and against the exact
+solution, for which the table says how far off the scheme is.
+
+    drag_stiffness.py BUILD WORK          the test: a few cases
+    drag_stiffness.py BUILD WORK --table  all cases, a line each (some 5 minutes)
+"""
+
+import re
+import sys
+
+import numpy as np
+
+from coupled_case import SOURCE, CaseError, Expectations, column, exchange_lines
+from packed_bed import field
+from restart import numbers
+
+sys.path.insert(0, str(SOURCE / "tests/src/drag"))
+from closure_formulas import CLOSURES, DOUBLE  # noqa: E402
+
+COUPLING = "constant/couplingProperties"
+RHO, U0, DT, SUB_STEPS, STEPS = 1.0, 1.0, 1e-3, 5, 20
+# So viscous that Hill, Koch and Ladd's drag is linear: its inertial part is below 1e-6 of it.
+RE = 1e-7
+
+BLOCK = """
+scale 1;
+vertices ((0 0 0) ({0} 0 0) ({0} {0} 0) (0 {0} 0) (0 0 {0}) ({0} 0 {0}) ({0} {0} {0}) (0 {0} {0}));
+blocks ( hex (0 1 2 3 4 5 6 7) ({1} {1} {1}) simpleGrading (1 1 1) );
+boundary
+(
+    x0 {{ type cyclic; neighbourPatch x1; faces ((0 4 7 3)); }}
+    x1 {{ type cyclic; neighbourPatch x0; faces ((1 2 6 5)); }}
+    y0 {{ type cyclic; neighbourPatch y1; faces ((0 1 5 4)); }}
+    y1 {{ type cyclic; neighbourPatch y0; faces ((3 7 6 2)); }}
+    z0 {{ type cyclic; neighbourPatch z1; faces ((0 3 2 1)); }}
+    z1 {{ type cyclic; neighbourPatch z0; faces ((4 5 6 7)); }}
+);
+"""
+
+
+class Setting:
+    """stiffness: beta dt/(eps rho_g), of the gas's step; ratio of the densities; cell: size/diameter;
+    cfl: of the gas's step; per_edge: spheres along the edge of a cell, below 1 where cells are many to
+    a sphere."""
+
+    def __init__(self, stiffness, eps=0.62, ratio=1000.0, cell=3.0, cfl=0.2, kernel="particleCentre",
+                 width=0.0):
+        self.ratio, self.cell, self.cfl = ratio, cell, cfl
+        self.kernel, self.width = kernel, width
+        self.h = U0 * DT / cfl
+        self.d = self.h / cell
+        # Spacing of the lattice nearest to eps that fits the cells
+        per_edge = (6 / np.pi * (1 - eps) * cell**3) ** (1 / 3)
+        if per_edge >= 1:
+            self.per_edge, self.cells = max(1, round(per_edge)), 2
+            self.d = self.h / self.per_edge * (6 / np.pi * (1 - eps)) ** (1 / 3)
+            self.spacing = self.h / self.per_edge
+        else:
+            every = round(1 / per_edge)
+            self.per_edge, self.cells, self.spacing = 1 / every, 2 * every, every * self.h
+            self.d = self.spacing * (6 / np.pi * (1 - eps)) ** (1 / 3)
+        self.eps = eps
+        self.box = self.cells * self.h
+        self.volume = np.pi / 6 * self.d**3
+        # foamDictionary writes six digits.
+        self.mu = float(f"{RHO * U0 * self.d / RE:.6g}")
+        closure = CLOSURES["hillKochLadd"](DOUBLE, eps, U0, self.d, RHO, self.mu)
+        self.factor = float(f"{stiffness * eps * RHO / DT / ((1 - eps) * closure):.6g}")
+        self.b = self.factor * closure * self.volume
+        self.stiffness = self.b / self.volume * (1 - eps) / (eps * RHO) * DT
+        self.mass = ratio * RHO * self.volume
+        self.loading = (1 - eps) * ratio / eps  # mass of the particles over that of the gas
+
+    def __str__(self):
+        return (f"gas {self.stiffness:7.0e}  particle sub-step {self.b * DT / SUB_STEPS / self.mass:7.0e}"
+                f"  eps {self.eps:5.3f}  density ratio {self.ratio:6.0f}  cell/d {self.h / self.d:5.2f}"
+                f"  CFL {self.cfl:4.1f}  {self.kernel}{f' smoothed {self.width:g} d' * bool(self.width)}")
+
+
+def exact(s):
+    """Velocities of gas and particles at the steps' ends."""
+    t = DT * np.arange(1, STEPS + 1)
+    slip = U0 * np.exp(-s.stiffness / DT * (1 + 1 / s.loading) * t)
+    mean = U0 / (1 + s.loading)
+    return mean + slip * s.loading / (1 + s.loading), mean - slip / (1 + s.loading)
+
+
+def scheme(s):
+    """The same by the scheme: gas implicit in the drag of the particles' velocity at its step's start,
+    then the particles' sub-steps, velocity Verlet with the mean drag of a sub-step; what they felt and
+    the gas was not charged with, in the next step."""
+    u, v, force, owed = U0, 0.0, 0.0, 0.0
+    dt, x = DT / SUB_STEPS, s.b * DT / SUB_STEPS / s.mass
+    mean = -np.expm1(-x) / x
+    k = s.stiffness
+    per_gas = s.loading / s.mass  # gas velocity by an impulse on each particle
+    history = []
+    for _ in range(STEPS):
+        u = (u + k * v - owed * per_gas) / (1 + k)
+        owed = -s.b * (u - v) * DT
+        for _ in range(SUB_STEPS):
+            v += 0.5 * dt * force / s.mass
+            force = s.b * mean * (u - v)
+            v += 0.5 * dt * force / s.mass
+            owed += force * dt
+        history.append((u, v))
+    return np.array(history).T
+
+
+def run(build, work, name, s):
+    """Mean velocities after each step by the solver, and its log."""
+    case = column(work, name, build)
+    block = case.folder / "system/blockMeshDict"
+    block.write_text(block.read_text().split("// A column")[0] + BLOCK.format(repr(s.box), s.cells))
+    for file, value in (("U", f"uniform (0 0 {U0})"), ("p", "uniform 0"), ("voidFraction", "uniform 1")):
+        path = case.folder / "0.orig" / file
+        text = path.read_text().split("internalField")[0]
+        patches = "".join(f"    {d}{i} {{ type cyclic; }}\n" for d in "xyz" for i in "01")
+        path.write_text(text + f"internalField {value};\nboundaryField\n{{\n{patches}}}\n")
+    case.set("constant/g", "value", "(0 0 0)")
+    case.set("constant/transportProperties", "rho", RHO)
+    case.set("constant/transportProperties", "nu", repr(s.mu / RHO))
+    case.set(COUPLING, "drag", "hillKochLadd")
+    case.set(COUPLING, "dragFactor", repr(s.factor))
+    case.set(COUPLING, "voidFraction", s.kernel)
+    if s.width:
+        case.set(COUPLING, "smoothingWidth", s.width * s.d)
+    case.set(COUPLING, "lammpsCoeffs/script", '"$FOAM_CASE/lattice.lmp"')
+    variables = {"box": repr(s.box), "spacing": repr(s.spacing), "diameter": repr(s.d),
+                 "density": repr(s.ratio * RHO), "dt": repr(DT / SUB_STEPS),
+                 "cutoff": repr(0.4 * min(s.box, s.spacing))}
+    for variable, value in variables.items():
+        case.set(COUPLING, f"lammpsCoeffs/variables/{variable}", f'"{value}"')
+    case.set("system/fvSolution", "PIMPLE/pRefCell", 0)
+    case.set("system/fvSolution", "PIMPLE/pRefValue", 0)
+    for entry, value in (("deltaT", DT), ("endTime", STEPS * DT), ("writeControl", "timeStep"),
+                         ("writeInterval", 1), ("writePrecision", 17)):
+        case.set("system/controlDict", entry, value)
+    case.mesh()
+    log = case.solve()
+    found = []
+    for n in range(1, STEPS + 1):
+        time = f"{n * DT:.8g}"
+        text = (case.folder / time / "U").read_text()
+        uniform = re.search(r"internalField\s+uniform \(\S+ \S+ (\S+)\)", text)
+        u = float(uniform[1]) if uniform else field(case, time, "U").reshape(-1, 3)[:, 2].mean()
+        v = (case.folder / time / "lagrangian/particles/U").read_text()
+        same = re.search(r"\n\d+\{\(\S+ \S+ (\S+)\)\}", v)
+        v = float(same[1]) if same else numbers(
+            case.folder / time / "lagrangian/particles/U", 3)[:, 2].mean()
+        found.append((u, v))
+    return np.array(found).T, log
+
+
+def error_of_first_step(s):
+    """Of the particles' velocity, as a share of the slip, if their sub-steps were exact."""
+    x = s.b * DT / s.mass
+    gain = -np.expm1(-x * (1 + s.loading)) / (1 + s.loading)
+    return abs(gain + np.expm1(-x) / (1 + s.stiffness))
+
+
+def verdict(build, work, name, s):
+    """A line of the table."""
+    try:
+        found, _ = run(build, work, name, s)
+    except CaseError as error:
+        refused = re.search(r"(\d+ cells have a void fraction below|FATAL[^\n]*)", str(error))
+        return f"{s}   refused: {refused[0] if refused else 'failed'}"
+    worst = np.abs(found - np.array(exact(s))).max(axis=1)
+    last = np.abs(found - np.array(exact(s)))[:, -1]
+    return (f"{s}   gas off by {worst[0]:.1e}, at the end {last[0]:.1e};"
+            f" particles {worst[1]:.1e}, {last[1]:.1e}")
+
+
+def table(build, work):
+    settings = [Setting(10.0**k) for k in range(-6, 7, 2)]
+    settings += [Setting(10.0**k, ratio=1) for k in range(-6, 7, 2)]
+    settings += [Setting(10.0**k, eps=0.999, cell=8) for k in range(-6, 7, 2)]
+    settings += [Setting(1e9, ratio=r) for r in (1, 100, 1e4)]
+    settings += [Setting(k, eps=e, cell=c) for e, c in ((0.3, 3), (0.45, 3), (0.8, 3), (0.9999, 17.4))
+                 for k in (1e-2, 1e2, 1e6)]
+    settings += [Setting(k, ratio=r) for r in (10, 100, 1e4) for k in (1e-2, 1e2, 1e6)]
+    settings += [Setting(k, cfl=c) for c in (1, 5) for k in (1e-2, 1e2, 1e6)]
+    settings += [Setting(k, cell=c, eps=e, kernel=n, width=w) for k in (1e-2, 1e2, 1e6)
+                 for c, e, n, w in ((20, 0.99, "particleCentre", 0), (10, 0.9, "particleCentre", 0),
+                                    (1, 0.8, "sphereOverlap", 0), (0.5, 0.8, "sphereOverlap", 0),
+                                    (0.5, 0.8, "sphereOverlap", 2))]
+    for number, s in enumerate(settings):
+        print(verdict(build, work, f"table-{number}", s), flush=True)
+
+
+def check(expect, build, work, number, s):
+    print(f"-- {s}")
+    found, log = run(build, work, str(number), s)
+    lines = exchange_lines(log)
+    # Each step is a few roundings of u, v and what is owed; what is owed is up to `stiffness` times as
+    # large as u, and divided by 1 + stiffness when it is charged. The drag's inertial part: RE.
+    tolerance = 1e-13 * STEPS + RE
+    for what, values, expected in zip(("gas", "particles"), found, scheme(s)):
+        expect.below(f"{what}: largest difference from the scheme", np.abs(values - expected).max(),
+                     tolerance)
+    expect.true("the slip falls from step to step",
+                bool(np.all(np.diff(np.append(U0, found[0] - found[1])) <= 1e-12)))
+    # The gas is charged with `stiffness` times a difference of velocities that are rounded to 1e-16.
+    momentum = s.eps * RHO * U0 * s.box**3
+    expect.below("imbalance of the momentum of a step / momentum of the gas",
+                 max(x["imbalance"] * abs(x["drag"][2]) for x in lines) * DT / momentum,
+                 1e-15 * (100 + s.stiffness))
+    late = s.b * DT / s.mass > 1 and error_of_first_step(s) > 0.1
+    expect.equal("times that it warns of the gas step", log.count("the gas step is"), int(late))
+
+
+def main(build, work, *options):
+    if options == ("--table",):
+        table(build, work)
+        return
+    expect = Expectations()
+    settings = [Setting(1e-6), Setting(1.0), Setting(1e6), Setting(1e6, ratio=1), Setting(1e9, ratio=1),
+                Setting(1e6, eps=0.3, cfl=5)]
+    for number, s in enumerate(settings):
+        check(expect, build, work, number, s)
+    expect.exit()
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drag/exchange_error.h"
+
+#include <gtest/gtest.h>
+
+namespace cohesion::drag {
+
+TEST(ExchangeError, VanishesWithTheStepAndWithTheGas) {
+  EXPECT_EQ(exchange_error(0.0, 10.0), 0.0);
+  EXPECT_EQ(exchange_error(5.0, 0.0), 0.0);
+  // Second order in the step: the series of both gains begin with x, and then
+  // x - x^2 (1 + R)/2 against x - x^2 (1/2 + R): off by R x^2/2. The next order is 1e-4 of it or
+  // so.
+  for (const double loading : {0.5, 2.0, 20.0}) {
+    const double x = 1e-4 / (1.0 + loading);
+    EXPECT_NEAR(exchange_error(x, loading) / (0.5 * loading * x * x), 1.0, 1e-3);
+  }
+}
+
+TEST(ExchangeError, OfAStiffStepIsTheShareOfTheLighterParticles) {
+  for (const double loading : {0.1, 1.0, 100.0})
+    EXPECT_NEAR(exchange_error(1e9, loading), 1.0 / (1.0 + loading), 1e-7 / loading);
+}
+
+TEST(ExchangeError, IsThatOfTheExchangeStepByStep) {
+  for (const double x : {0.03, 0.7, 4.0})
+    for (const double loading : {0.2, 3.0}) {
+      // Gas at 1, particles at 0; the gas first, by x R per unit of its mass, then the particles.
+      const double gas = 1.0 / (1.0 + loading * x);
+      double particles = 0.0;
+      const int n = 2000;
+      for (int i = 0; i < n; i++) particles = (particles + x / n * gas) / (1.0 + x / n);
+      // Together, in as many small steps
+      double u = 1.0, v = 0.0;
+      for (int i = 0; i < n; i++) {
+        const double exchanged = x / n * (u - v) / (1.0 + x / n * (1.0 + loading));
+        u -= loading * exchanged;
+        v += exchanged;
+      }
+      // Implicit steps are off by half their size times the rate, of what is exchanged.
+      const double error = x * (1.0 + loading) / n;
+      EXPECT_NEAR(exchange_error(x, loading), std::abs(v - particles), error);
+    }
+}
+
+}  // namespace cohesion::drag
