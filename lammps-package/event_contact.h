@@ -60,11 +60,21 @@ cohesion::event_stepping::PairMotion others_of(const double* all_i, const double
   return others;
 }
 
-/// The second pass: with half of what the other contacts of its particles do, `others`.
+/// `others` and the contact's own rolling spring, without what that does, `own`.
+inline cohesion::event_stepping::PairMotion without(
+    cohesion::event_stepping::PairMotion others, const cohesion::event_stepping::PairSpins& own) {
+  others.spin_i -= own.i;
+  others.spin_j -= own.j;
+  return others;
+}
+
+/// The second pass: with half of what the other contacts of its particles do, `others`, and what
+/// the contact's own rolling spring does (nullptr: it has none).
 template <bool FRICTION, class Contact>
 FollowedContact follow_with_others(const Contact& c,
                                    const cohesion::event_stepping::PairMotion& grid,
                                    const cohesion::event_stepping::PairMotion& others,
+                                   const cohesion::event_stepping::PairSpins* by_rolling,
                                    double* history) {
   const cohesion::event_stepping::RelativeState middle{
       grid.relative.separation + 0.5 * others.relative.separation,
@@ -73,7 +83,7 @@ FollowedContact follow_with_others(const Contact& c,
   now.impulse = c.reduced_mass() * now.normal.change.velocity;
   if (FRICTION) {
     if (now.normal.normal.contact_time > 0.0) {
-      now.sliding = c.friction(grid, &others, now.normal, vector(history + 1));
+      now.sliding = c.friction(grid, &others, now.normal, vector(history + 1), by_rolling);
       now.impulse += now.sliding.spring.impulse;
     }
     const cohesion::Vector3& memory = now.sliding.memory;
@@ -95,27 +105,26 @@ cohesion::Vector3 roll_alone(const Contact& c, const cohesion::event_stepping::P
                              const double* history, double* all_i, double* all_j) {
   if (normal.normal.contact_time == 0.0) return {};
   const cohesion::Vector3 torque =
-      c.rolling(grid, {{}, own.spin_i, own.spin_j}, normal, vector(history + WITH_FRICTION))
+      c.rolling(grid, {}, normal, vector(history + WITH_FRICTION), {own.spin_i, own.spin_j})
           .torque_i;
-  add(all_i + 6, c.spin_share_i(), torque);
-  if (all_j) add(all_j + 6, -c.spin_share_j(), torque);
+  const cohesion::event_stepping::PairSpins change = c.rolled(torque);
+  add(all_i + 6, 1.0, change.i);
+  if (all_j) add(all_j + 6, 1.0, change.j);
   return torque;
 }
 
-/// The second pass of what resists rolling. `others`: of the rest of the contact, with `rolled`
-/// from roll_alone() among them; `now`: what the rest does.
+/// The second pass of what resists rolling. `now`: what the rest of the contact does.
 template <class Contact>
 cohesion::event_stepping::RollingStep roll_with_others(
     const Contact& c, const cohesion::event_stepping::PairMotion& grid,
-    cohesion::event_stepping::PairMotion others, const cohesion::Vector3& rolled,
-    const FollowedContact& now, double* history) {
+    const cohesion::event_stepping::PairMotion& others, const FollowedContact& now,
+    double* history) {
   double* const left = history + WITH_FRICTION;
   cohesion::event_stepping::RollingStep step;
-  if (now.normal.normal.contact_time > 0.0) {
-    others.spin_i += c.spin_share_i() * (now.sliding.torque_i - rolled);
-    others.spin_j += c.spin_share_j() * (now.sliding.torque_j + rolled);
-    step = c.rolling(grid, others, now.normal, vector(left));
-  }
+  if (now.normal.normal.contact_time > 0.0)
+    step = c.rolling(
+        grid, others, now.normal, vector(left),
+        {c.spin_share_i() * now.sliding.torque_i, c.spin_share_j() * now.sliding.torque_j});
   left[0] = step.memory.x;
   left[1] = step.memory.y;
   left[2] = step.memory.z;

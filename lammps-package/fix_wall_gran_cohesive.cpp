@@ -259,12 +259,17 @@ void FixWallGranCohesive<Cohesion>::follow_together(const std::vector<Contact>& 
     PairMotion others;
     if (Contact::acts_within_step)
       others = others_of<FRICTION>(step->alone[i], nullptr, near.alone);
-    const FollowedContact now = follow_with_others<FRICTION>(c, turning, others, kept);
+    PairSpins by_rolling;
+    if (ROLLING && Contact::acts_within_step) {
+      by_rolling = c.rolled(rolled[&near - active.data()]);
+      others = without(others, by_rolling);
+    }
+    const FollowedContact now =
+        follow_with_others<FRICTION>(c, turning, others, ROLLING ? &by_rolling : nullptr, kept);
     scatter.on_i<FRICTION>(i, c.share_i(), now);
     scatter.book(c, 1.0, now);
     if (ROLLING) {
-      const Vector3 alone = Contact::acts_within_step ? rolled[&near - active.data()] : Vector3{};
-      const RollingStep rolling = roll_with_others(c, turning, others, alone, now, kept);
+      const RollingStep rolling = roll_with_others(c, turning, others, now, kept);
       scatter.roll_i(i, rolling);
       scatter.book(c, 1.0, rolling);
     }

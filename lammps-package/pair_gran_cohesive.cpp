@@ -204,16 +204,21 @@ template <bool TALLY, bool FRICTION, bool ROLLING, class Contact>
       const PairMotion& change = *next++;
       if (!pair.alone) others = others_of<FRICTION>(step->alone[i], step->alone[j], change);
     }
+    PairSpins by_rolling;
+    if (ROLLING && Contact::acts_within_step) {
+      by_rolling = c.rolled(rolled[&pair - active.data()]);
+      others = without(others, by_rolling);
+    }
     const PairMotion motion = with_spins(on_grid(i, j), i, j);
-    const FollowedContact now = follow_with_others<FRICTION>(c, motion, others, pair.history);
+    const FollowedContact now = follow_with_others<FRICTION>(
+        c, motion, others, ROLLING ? &by_rolling : nullptr, pair.history);
     *pair.kept = now.normal.inside;
 
     scatter.on_i<FRICTION>(i, c.share_i(), now);
     if (j < nlocal) scatter.on_j<FRICTION>(j, c.share_j(), now);
     scatter.book(c, j < nlocal ? 1.0 : 0.5, now);
     if (ROLLING) {
-      const Vector3 alone = Contact::acts_within_step ? rolled[&pair - active.data()] : Vector3{};
-      const RollingStep rolling = roll_with_others(c, motion, others, alone, now, pair.history);
+      const RollingStep rolling = roll_with_others(c, motion, others, now, pair.history);
       scatter.roll_i(i, rolling);
       if (j < nlocal) scatter.roll_j(j, rolling);
       scatter.book(c, j < nlocal ? 1.0 : 0.5, rolling);

@@ -34,6 +34,12 @@ struct PairMotion {
   Vector3 spin_j{};
 };
 
+/// Changes of the spins of a pair, [1/time].
+struct PairSpins {
+  Vector3 i{};
+  Vector3 j{};
+};
+
 /// What friction does in a step.
 struct FrictionStep {
   contact::TangentialStep spring;
@@ -115,13 +121,14 @@ class CohesiveContact {
 
   /// Friction in the step that `normal` describes, followed from `grid` with half of what the other
   /// contacts of its particles do, `others` (nullptr: it has none). `memory` is what the last step
-  /// left (FrictionStep.memory).
+  /// left (FrictionStep.memory); `by_rolling` what the contact's rolling spring does (nullptr: it
+  /// has none).
   ///
   /// The lever arms of two spheres share the distance of their centres in proportion to the radii,
   /// so that angular momentum is kept exactly; beside a wall, the limit of a large sphere, the arm
   /// is the radius.
   FrictionStep friction(const PairMotion& grid, const PairMotion* others, const PairStep& normal,
-                        const Vector3& memory) const {
+                        const Vector3& memory, const PairSpins* by_rolling = nullptr) const {
     Vector3 r = grid.relative.separation + normal.change.separation;
     if (others) r += 0.5 * others->relative.separation;
     const double square = dot(r, r);
@@ -134,6 +141,7 @@ class CohesiveContact {
     SpringVelocity u;
     u.before = surface_velocity(grid.relative.velocity + 0.5 * normal.change.velocity, grid);
     if (others) u.by_others = surface_velocity(others->relative.velocity, *others);
+    if (by_rolling) u.by_other = surface_velocity({}, {{}, by_rolling->i, by_rolling->j});
     const double answer = inverse_mass_ + square * (lever_i * lever_i * spin_share_i_ +
                                                     lever_j * lever_j * spin_share_j_);
     const SpringStep step = follow_spring(tangential_, normal, window_, plane, memory, u, answer);
@@ -156,18 +164,26 @@ class CohesiveContact {
   /// Source: S. Luding, Granular Matter 10 (2008) 235; Y. Wang, F. Alonso-Marroquin, W. W. Guo,
   /// Particuology 23 (2015) 49.
   RollingStep rolling(const PairMotion& grid, const PairMotion& others, const PairStep& normal,
-                      const Vector3& memory) const {
+                      const Vector3& memory, const PairSpins& by_friction = {}) const {
     const Vector3 r =
         grid.relative.separation + 0.5 * others.relative.separation + normal.change.separation;
     const contact::Plane plane{r, 1.0 / dot(r, r)};
     const double radius = rolling_radius();
-    const auto rolling_velocity = [&](const PairMotion& of) {
-      return radius * plane.part_in(of.spin_i - of.spin_j);
+    const auto rolling_velocity = [&](const Vector3& spin_i, const Vector3& spin_j) {
+      return radius * plane.part_in(spin_i - spin_j);
     };
-    const SpringStep step =
-        follow_spring(tangential_.with_friction(rolling_friction_), normal, window_, plane, memory,
-                      {rolling_velocity(grid), rolling_velocity(others)}, inverse_rolling_mass());
+    const SpringStep step = follow_spring(
+        tangential_.with_friction(rolling_friction_), normal, window_, plane, memory,
+        {rolling_velocity(grid.spin_i, grid.spin_j), rolling_velocity(others.spin_i, others.spin_j),
+         rolling_velocity(by_friction.i, by_friction.j)},
+        inverse_rolling_mass());
     return {step.spring, step.memory, radius * step.spring.impulse};
+  }
+
+  /// What the torques R F and -R F change of the spins; `torque_i` the first of them as angular
+  /// impulse.
+  PairSpins rolled(const Vector3& torque_i) const {
+    return {spin_share_i_ * torque_i, -spin_share_j_ * torque_i};
   }
 
   /// R, [length].
