@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """2028 spheres with damping and friction that settle under gravity, adhesion 0, 1 and 20 weights.
 
-  settling-bed.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--side N] [--layers N] [--seconds S]
+  settling-bed.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--side N] [--layers N] [--seconds S] [--event N ...]
+                  [--seed N]
 
 Printed per scheme and step: kinetic energy (rotation included) over that of the start, mean over each
 fifth of the run; what of it the liveliest sphere has at the end; the largest speed there; what the energy book does not account for, over the
@@ -11,27 +12,31 @@ largest kinetic energy; seconds of processor time.
 import measuring_program
 from progress import Progress
 
-RUNS = (("event", 4), ("event", 10), ("sampled", 50))
+SAMPLED = 50  # steps per contact time
 
 
 def main():
     words = measuring_program.words(
         __doc__, ("--side", {"type": int, "default": 13, "help": "spheres per edge of a layer"}),
         ("--layers", {"type": int, "default": 12}),
-        ("--seconds", {"type": float, "default": 0.5, "help": "of the scene's time"}))
+        ("--seconds", {"type": float, "default": 0.5, "help": "of the scene's time"}),
+        ("--event", {"type": int, "nargs": "+", "default": [4, 10], "metavar": "N",
+                     "help": "steps per contact time of the event scheme"}),
+        ("--seed", {"type": int, "default": 1}))
     import lammps_engine as engine
     import settling_spheres as settling
 
+    runs = [*(("event", n) for n in words.event), ("sampled", SAMPLED)]
     # A step of the event scheme costs about two and a half of the sampled one's.
-    work = {run: run[1] * (2.5 if run[0] == "event" else 1.0) for run in RUNS}
+    work = {run: run[1] * (2.5 if run[0] == "event" else 1.0) for run in runs}
     progress = Progress(3 * sum(work.values()))
     for ratio in (0, 1, 20):
         print(f"\radhesion {ratio} times the weight{'':30s}\n"
               "  scheme   step      kinetic energy in each fifth                   liveliest  speed [m/s]"
               "   residual  seconds")
-        for scheme, division in RUNS:
+        for scheme, division in runs:
             with engine.temporary_folder() as folder:
-                settling.write(folder, words.side, words.layers, seed=1)
+                settling.write(folder, words.side, words.layers, seed=words.seed)
                 table, seconds = settling.follow(folder, division, words.seconds, scheme=scheme,
                                                  A=settling.hamaker_constant(ratio))
                 liveliest = settling.liveliest_share(engine.dump(folder, "end.txt"))
