@@ -9,6 +9,7 @@ import numpy
 import cohesive_gas as gas
 import lammps_engine as engine
 import settling_spheres as settling
+import struck_pairs
 import turning_ball
 
 D, T_C = gas.DIAMETER, gas.CONTACT_TIME
@@ -95,65 +96,25 @@ class StruckPair(unittest.TestCase):
 
     Spheres that part at a speed s have paid for it with energy: delta V^2/s where s < V. Spheres
     that part or stick with less than delta V^2 mu/2 to spare may do either."""
-    A, RESTITUTION, DURATION = 2e-18, 0.9487, 30 * T_C
-    ADHESION = A * D / (24 * settling.CUT**2)
-    SPEEDS = numpy.repeat([0.003, 0.01, 0.03, 0.1], 25)
 
     @classmethod
     def setUpClass(cls):
         keeper = engine.temporary_folder()
         cls.addClassCleanup(keeper.cleanup)
         cls.folder = keeper.name
-        random = numpy.random.default_rng(1)
-        half = 0.5 * (D - cls.ADHESION / gas.STIFFNESS)
-        spheres = []
-        for n, speed in enumerate(cls.SPEEDS):
-            angle = math.radians((10, 50, 90, 130, 170)[n % 5])
-            offset = (-0.9, -0.45, 0.02, 0.45, 0.9)[n // 5 % 5] * D
-            centre = 4e-3 * numpy.array([n % 10 + 0.5, n // 10 + 0.5, 0.5])
-            pair = [centre - [half, 0, 0], centre + [half, 0, 0]]
-            around = random.uniform(0, 2 * math.pi)
-            way = numpy.array([math.cos(angle), math.sin(angle) * math.cos(around),
-                               math.sin(angle) * math.sin(around)])
-            aside = numpy.cross(way, [0.3, 0.5, 0.8])
-            start = pair[0] + offset * aside / numpy.linalg.norm(aside)
-            meets = []
-            for sphere in pair:
-                to = start - sphere
-                root = (to @ way)**2 - to @ to + D * D
-                if root > 0:
-                    meets.append(-(to @ way) - math.sqrt(root))
-            # One to two contact times before the first touch.
-            start = start + (min(meets) - speed * random.uniform(1, 2) * T_C) * way
-            for place, velocity in ((pair[0], 0 * way), (pair[1], 0 * way), (start, speed * way)):
-                spheres.append({"type": 1, "diameter": D, "density": gas.DENSITY, "x": place,
-                                "v": velocity})
-        engine.write_spheres(cls.folder, spheres, [(0, 0.04), (0, 0.04), (0, 4e-3)], 1)
-
-    def outcome(self, division, friction):
-        """Velocities, and which of the three pairs stick."""
-        gas.follow(self.folder, division, self.DURATION, 2, A=self.A, e=self.RESTITUTION,
-                   mu=friction)
-        end = engine.dump(self.folder, "end.txt").reshape(100, 3, -1)
-        places, velocities = end[:, :, 1:4], end[:, :, 4:7]
-        gaps, speeds = [], []
-        for i, j in ((0, 1), (0, 2), (1, 2)):
-            gaps.append(numpy.linalg.norm(places[:, i] - places[:, j], axis=1) - D)
-            speeds.append(numpy.linalg.norm(velocities[:, i] - velocities[:, j], axis=1))
-        stuck = numpy.array(gaps) < settling.CUT
-        parting = numpy.where(stuck, numpy.inf, numpy.array(speeds)).min(axis=0)
-        return velocities, stuck, parting
+        struck_pairs.write(cls.folder)
 
     def compare(self, friction):
-        exact, stuck, parting = self.outcome(1000, friction)
+        exact, stuck, parting = struck_pairs.outcome(self.folder, 1000, friction)
         # All outcomes that matter are there: caught, parted, the pair broken, the partner changed.
         self.assertGreaterEqual(len(numpy.unique(stuck, axis=1).T), 5)
-        zeta = -math.log(self.RESTITUTION) / math.hypot(math.pi, math.log(self.RESTITUTION))
-        scale = numpy.hypot(self.SPEEDS,
-                            self.ADHESION / math.sqrt(gas.MASS / 2 * gas.STIFFNESS))
+        zeta = -math.log(struck_pairs.RESTITUTION) / math.hypot(math.pi,
+                                                               math.log(struck_pairs.RESTITUTION))
+        scale = numpy.hypot(struck_pairs.SPEEDS,
+                            struck_pairs.ADHESION / math.sqrt(gas.MASS / 2 * gas.STIFFNESS))
         for division in (10, 20):
             delta = (1.5 * (math.pi / division)**2 / 24 / (math.sqrt(1.5) * zeta * math.e))
-            velocities, sticks, parts = self.outcome(division, friction)
+            velocities, sticks, parts = struck_pairs.outcome(self.folder, division, friction)
             same = (sticks == stuck).all(axis=0)
             slowest = numpy.minimum(parting, parts)
             self.assertTrue((same | (slowest**2 < delta * scale**2)).all(), division)

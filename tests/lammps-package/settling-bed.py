@@ -6,8 +6,8 @@
                   [--seed N]
 
 Printed per scheme and step: kinetic energy (rotation included) over that of the start, mean over each
-fifth of the run; what of it the liveliest sphere has at the end; the largest speed there; what the energy book does not account for, over the
-largest kinetic energy; seconds of processor time.
+fifth of the run; what of it the liveliest sphere has at the end; the largest speed there; what the energy
+book does not account for, over the largest kinetic energy; seconds of processor time.
 """
 import measuring_program
 from progress import Progress
