@@ -10,6 +10,7 @@ import numpy
 from scipy.optimize import brentq
 
 import couples
+import hamaker_reference
 from couples import CUT, DIAMETER, MASS, MU, OUT, Pair
 
 T_C = couples.CONTACT_TIME
@@ -354,7 +355,7 @@ class Conservation(unittest.TestCase):
         box = Box(0.0, 6)
         gap = numpy.linalg.norm(box.x[:, :, 1] - box.x[:, :, 0], axis=2) - 0.5 * box.DIAMETERS.sum()
         spring = 0.5 * couples.STIFFNESS * numpy.minimum(gap, 0.0)**2
-        law = numpy.vectorize(lambda h: 0.0 if h >= CUT else couples.hamaker_reference.energy(
+        law = numpy.vectorize(lambda h: 0.0 if h >= CUT else hamaker_reference.energy(
             "small_gap", h, *(0.5 * box.DIAMETERS), box.A, CUT, OUT))
         adhesion = law(gap)
         for found, expected in ((box.book[3], spring), (box.book[5], adhesion),
