@@ -10,8 +10,6 @@ Valgrind counts (--tool=cachegrind), so the numbers do not depend on what else t
 `not read` is an output that nothing asks for: the totals of gran/stress and hard/stress are summed all the
 same.
 """
-import argparse
-import os
 import re
 import shutil
 import subprocess
@@ -19,6 +17,7 @@ import sys
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
+import measuring_program
 from progress import Progress
 
 EVERY_STEP = "fix out all ave/time 1 10 10 c_out[*] mode vector file out.txt\n"
@@ -44,19 +43,13 @@ MAKING = {"soft": 10000, "hard": 1000}  # steps: a strain of 2
 
 
 def main():
-    words = argparse.ArgumentParser(description=__doc__,
-                                    formatter_class=argparse.RawDescriptionHelpFormatter)
-    words.add_argument("lmp")
-    words.add_argument("plugin")
-    words.add_argument("--steps", type=int, default=100, help="a multiple of 10")
-    words.add_argument("--scene", choices=tuple(OUTPUTS), action="append")
-    words = words.parse_args()
+    words = measuring_program.words(
+        __doc__, ("--steps", {"type": int, "default": 100, "help": "a multiple of 10"}),
+        ("--scene", {"choices": tuple(OUTPUTS), "action": "append"}))
     if words.steps < 10 or words.steps % 10:
         sys.exit(f"--steps {words.steps}: a multiple of 10, 10 or more")
     if not shutil.which("valgrind"):
         sys.exit("output-cost.py counts with valgrind, which is not installed")
-    os.environ.update(COHESION_LMP=words.lmp, COHESION_PLUGIN=words.plugin, OMP_NUM_THREADS="1")
-    sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
     import lammps_engine as engine
 
     def instructions(scene, output, steps, start):

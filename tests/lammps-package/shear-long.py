@@ -11,32 +11,25 @@ layer that is worst is off the straight line, and a sum over all events of the s
 when, who): it must be the same for all. Ends with code 1 when something is not as it must be.
 Two ranks exchange news in every step: they need two cores that nobody else uses.
 """
-import argparse
 import os
 import sys
 
 import numpy
 
+import measuring_program
 from progress import Progress
-
 
 SAMPLES = 200
 
 
 def main():
-    words = argparse.ArgumentParser(description=__doc__,
-                                    formatter_class=argparse.RawDescriptionHelpFormatter)
-    words.add_argument("lmp")
-    words.add_argument("plugin")
-    words.add_argument("--steps", type=int, default=10000000, help="a multiple of 4000")
-    words.add_argument("--strain", type=float, default=200.0)
-    words.add_argument("--side", type=int, default=8)
-    words.add_argument("--mpiexec", default="mpiexec --oversubscribe -np")
-    words = words.parse_args()
+    words = measuring_program.words(
+        __doc__, ("--steps", {"type": int, "default": 10000000, "help": "a multiple of 4000"}),
+        ("--strain", {"type": float, "default": 200.0}), ("--side", {"type": int, "default": 8}),
+        ("--mpiexec", {"default": "mpiexec --oversubscribe -np"}))
     if words.steps < 4000 or words.steps % 4000:
         sys.exit(f"--steps {words.steps}: a multiple of 4000, 4000 or more")
-    os.environ.update(COHESION_LMP=words.lmp, COHESION_PLUGIN=words.plugin,
-                      COHESION_MPIEXEC=words.mpiexec)
+    os.environ["COHESION_MPIEXEC"] = words.mpiexec
     import lammps_engine as engine
     import long_shear
 
