@@ -9,6 +9,7 @@
 #include "cohesive_contact_from_script.h"
 #include "comm.h"
 #include "pointers.h"
+#include "restart_format.h"
 #include "type_pair_table.h"
 
 namespace LAMMPS_NS {
@@ -37,8 +38,10 @@ class CohesiveCoefficients : protected Pointers {
   /// the scheme has to see particles of these radii, [length].
   double prepare(int i, int j, double radius_i, double radius_j);
 
-  void write_settings(FILE*) const;
-  void read_settings(FILE*);
+  /// With `per_pair`, how many numbers the histories of that file hold for each pair.
+  void write_settings(FILE*, int per_pair) const;
+  /// Returns that number.
+  int read_settings(FILE*);
   void write(FILE* fp) const { given_.write(fp); }
   void read(FILE* fp) {
     given_.read(fp, [this](int i, int j, const Parameters& p) { give(i, j, p); });
@@ -73,6 +76,8 @@ class CohesiveCoefficients : protected Pointers {
     given_(i, j) = p;
     given_(j, i) = Cohesion::reversed(p);
   }
+
+  static constexpr int LAYOUT = 2;  // of settings and Parameters in restart files
 
   Scheme scheme_;
   Cohesion cohesion_;
@@ -118,18 +123,21 @@ double CohesiveCoefficients<Cohesion>::prepare(int i, int j, double radius_i, do
 /* ---------------------------------------------------------------------- */
 
 template <class Cohesion>
-void CohesiveCoefficients<Cohesion>::write_settings(FILE* fp) const {
-  const int numbers[2] = {cohesion_.settings(), static_cast<int>(scheme_)};
-  fwrite(numbers, sizeof(int), 2, fp);
+void CohesiveCoefficients<Cohesion>::write_settings(FILE* fp, int per_pair) const {
+  write_layout(fp, LAYOUT);
+  const int numbers[3] = {cohesion_.settings(), static_cast<int>(scheme_), per_pair};
+  fwrite(numbers, sizeof(int), 3, fp);
 }
 
 template <class Cohesion>
-void CohesiveCoefficients<Cohesion>::read_settings(FILE* fp) {
-  int numbers[2] = {0, 0};
-  if (comm->me == 0) utils::sfread(FLERR, numbers, sizeof(int), 2, fp, nullptr, error);
-  MPI_Bcast(numbers, 2, MPI_INT, 0, world);
+int CohesiveCoefficients<Cohesion>::read_settings(FILE* fp) {
+  require_layout(lmp, fp, where(), LAYOUT);
+  int numbers[3] = {0, 0, 0};
+  if (comm->me == 0) utils::sfread(FLERR, numbers, sizeof(int), 3, fp, nullptr, error);
+  MPI_Bcast(numbers, 3, MPI_INT, 0, world);
   cohesion_.restore_settings(numbers[0]);
   scheme_ = static_cast<Scheme>(numbers[1]);
+  return numbers[2];
 }
 
 }  // namespace LAMMPS_NS

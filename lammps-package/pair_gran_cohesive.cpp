@@ -356,7 +356,6 @@ void PairGranCohesive<Cohesion>::read_restart(FILE* fp) {
   read_restart_settings(fp);
   allocate();
   coefficients.read(fp);
-  per_pair = values_per_pair();
 }
 
 template class LAMMPS_NS::PairGranCohesive<HamakerCohesion>;

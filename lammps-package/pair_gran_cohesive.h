@@ -34,8 +34,9 @@ class PairGranCohesive : public Pair, public BoundPairs {
   double init_one(int, int) override;
   void write_restart(FILE*) override;
   void read_restart(FILE*) override;
-  void write_restart_settings(FILE* fp) override { coefficients.write_settings(fp); }
-  void read_restart_settings(FILE* fp) override { coefficients.read_settings(fp); }
+  void write_restart_settings(FILE* fp) override { coefficients.write_settings(fp, per_pair); }
+  /// The histories of the file stay as long as they are, whether anything rolls now or not.
+  void read_restart_settings(FILE* fp) override { per_pair = coefficients.read_settings(fp); }
   void append_bound(std::vector<std::array<int, 2>>&) const override;
 
  private:

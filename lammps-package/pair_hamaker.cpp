@@ -15,10 +15,13 @@
 #include "law_from_script.h"
 #include "memory.h"
 #include "neigh_list.h"
+#include "restart_format.h"
 #include "sphere.h"
 
 using namespace LAMMPS_NS;
 namespace hamaker = cohesion::hamaker;
+
+static constexpr int LAYOUT = 2;  // of settings and Parameters in restart files
 
 PairHamaker::PairHamaker(LAMMPS* lammps)
     : Pair(lammps),
@@ -230,6 +233,7 @@ void PairHamaker::read_restart(FILE* fp) {
 }
 
 void PairHamaker::write_restart_settings(FILE* fp) {
+  write_layout(fp, LAYOUT);
   fwrite(&surface_cutoff, sizeof(double), 1, fp);
   fwrite(&outer_cutoff, sizeof(double), 1, fp);
   const int row = static_cast<int>(form - hamaker::forms.data());
@@ -237,6 +241,7 @@ void PairHamaker::write_restart_settings(FILE* fp) {
 }
 
 void PairHamaker::read_restart_settings(FILE* fp) {
+  require_layout(lmp, fp, "pair_style hamaker", LAYOUT);
   int row = 0;
   if (comm->me == 0) {
     utils::sfread(FLERR, &surface_cutoff, sizeof(double), 1, fp, nullptr, error);

@@ -15,6 +15,7 @@
 #include "memory.h"
 #include "modify.h"
 #include "neigh_list.h"
+#include "restart_format.h"
 #include "square_well/held.h"
 #include "update.h"
 
@@ -25,6 +26,7 @@ using cohesion::Vector3;
 // Of the skin. Where the engine's own check keeps the list, particles may be half a skin away from
 // where they were; the events of the step then turn some away farther.
 static constexpr double REACH = 0.25;
+static constexpr int LAYOUT = 2;  // of settings and HardContact in restart files
 
 PairHardSquareWell::PairHardSquareWell(LAMMPS* lammps)
     : Pair(lammps),
@@ -212,12 +214,14 @@ void PairHardSquareWell::read_restart(FILE* fp) {
 }
 
 void PairHardSquareWell::write_restart_settings(FILE* fp) {
+  write_layout(fp, LAYOUT);
   const int numbers[2] = {rules_.collapse, rules_.limit};
   fwrite(numbers, sizeof(int), 2, fp);
   fwrite(&rules_.contact_time, sizeof(double), 1, fp);
 }
 
 void PairHardSquareWell::read_restart_settings(FILE* fp) {
+  require_layout(lmp, fp, "pair_style hard/square_well", LAYOUT);
   int numbers[2] = {0, 0};
   if (comm->me == 0) {
     utils::sfread(FLERR, numbers, sizeof(int), 2, fp, nullptr, error);

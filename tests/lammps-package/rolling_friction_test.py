@@ -315,6 +315,45 @@ class RanksAndRestart(Rolling):
             self.assertLess(difference.max(), 1000 * 1e-18 * steps * math.pi / T_C)
 
 
+class Ended(Rolling):
+    def test_springs_survive_a_restart_after_rolling_has_ended(self):
+        """A pair pressed by adhesion whose spheres turn the same way: the sliding spring swings. Rolling
+        friction ends between two runs; the restart file is of the second."""
+        A = 7.49e-19
+        sunk = couples.Pair(A).adhesion / STIFFNESS
+        spin = (0.0, 1.0, 0.0)
+        engine.write_spheres(self.folder, [ball(0.0, spin=spin), ball(0.0, spin=spin, x=DIAMETER - sunk)],
+                             3 * [(-0.01, 0.01)], 1)
+        head = "plugin load ${plugin}\nunits si\natom_style sphere\nboundary f f f\nnewton off\n"
+        words = (f"stiffness {STIFFNESS} restitution 0.9 friction 10 hamaker {A} cutoff {CUT} {OUT} "
+                 "rolling_friction ")
+        again = "comm_modify vel yes\nneighbor 1e-4 bin\n"
+        move = (f"fix move all nve/sphere\ntimestep {T_C / 10:.17g}\ncompute book all gran/energy\n"
+                "thermo 1\nthermo_style custom step c_book[4]\n")
+        end = ("run 7\nwrite_dump all custom end.txt id x y z vx vy vz omegax omegay omegaz "
+               "modify format float %.17g sort id\n")
+        styles = (("gran/hamaker", "", ""), ("hybrid/overlay gran/hamaker square_well", "gran/hamaker ",
+                                             "pair_coeff * * square_well 1e-30 1.0001\n"))
+        for style, name, more in styles:
+            with self.subTest(style):
+                on, off = (f"pair_coeff * * {name}{words}{mu}\n{more}" for mu in (0.1, 0))
+                tables = []
+                for text in (f"{head}{again}read_data data.spheres\npair_style {style}\n{on}{move}run 5\n"
+                             f"{off}run 5\nwrite_restart restart.ended noinit\n",
+                             # A hybrid style keeps no coefficients in restart files.
+                             f"{head}read_restart restart.ended\n{again}{off}{move}"):
+                    code, output = engine.run_text(text + end, self.folder)
+                    self.assertEqual(code, 0, output)
+                    names, lines = engine.thermo_lines(output)
+                    self.assertGreater(lines[1][names.index("c_book[4]")], 0.0)
+                    tables.append(engine.dump(self.folder, "end.txt"))
+                difference = numpy.abs(tables[1] - tables[0])
+                # As in RanksAndRestart.
+                self.assertLess(difference[:, 1:4].max(), 1e-14)
+                self.assertLess(max(difference[:, 4:7].max(), difference[:, 7:].max() * RADIUS),
+                                1e-14 * math.pi / T_C)
+
+
 class Input(Rolling):
     HEAD = """
 plugin load ${plugin}

@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Restart files whose numbers another version of the package laid out are refused."""
+import struct
+import unittest
+from pathlib import Path
+
+from script_test_case import ScriptTestCase
+
+HEAD = """
+plugin load ${plugin}
+units si
+atom_style sphere
+newton off
+"""
+MAKE = """
+region box block 0 0.01 0 0.01 0 0.01 units box
+create_box 1 box
+create_atoms 1 single 0.002 0.005 0.005 units box
+set group all diameter 1e-3 density 2650
+comm_modify vel yes
+neighbor 1e-4 bin
+"""
+STYLES = {
+    "hamaker": ("1e-9 1e-8", "1e-19"),
+    "gran/hamaker": ("", "stiffness 800"),
+    "gran/square_well": ("", "stiffness 800 well 1e-12 1.01"),
+    "hard/square_well": ("", "restitution 0.9"),
+}
+MARK = 0x436f6802  # restart_format.h, and the second layout
+
+
+class Layout(ScriptTestCase):
+    def test_another_layout_is_refused(self):
+        file = Path(self.folder) / "some.restart"
+        for style, (settings, coefficients) in STYLES.items():
+            with self.subTest(style):
+                self.goes(f"{HEAD}{MAKE}pair_style {style} {settings}\npair_coeff * * {coefficients}\n"
+                          "fix move all nve/sphere\ntimestep 1e-7\nrun 1\nwrite_restart some.restart noinit\n")
+                read = (f"{HEAD}read_restart some.restart\ncomm_modify vel yes\nneighbor 1e-4 bin\n"
+                        "fix move all nve/sphere\ntimestep 1e-7\nrun 1\n")
+                self.goes(read)
+                content, mark = file.read_bytes(), struct.pack("=i", MARK)
+                self.assertEqual(content.count(mark), 1)
+                for other in (MARK - 1, 0):
+                    file.write_bytes(content.replace(mark, struct.pack("=i", other)))
+                    self.stops(read, f"pair_style {style}", "another version of the package", "write_data")
+
+
+if __name__ == "__main__":
+    unittest.main()
