@@ -2,6 +2,9 @@
 #ifndef COHESION_BOX_SHEAR_H
 #define COHESION_BOX_SHEAR_H
 
+#include <algorithm>
+#include <vector>
+
 #include "atom.h"
 #include "domain.h"
 #include "shear/since_list.h"
@@ -51,6 +54,54 @@ inline void put_into_box(Atom* atom, Domain* domain) {
       atom->v[i][0] -= static_cast<double>(height(atom->image[i]) - before) * domain->h_rate[5];
   }
 }
+
+/// As long as it lives, own particles that put_into_box() moved since the list of neighbours was
+/// made are where ghosts and pairs of that list see them, with the velocity that they had there.
+class BesideGhosts {
+ public:
+  /// `listed`: image flags of the own particles when the list was made.
+  BesideGhosts(Atom* atom, const Domain* domain, const std::vector<imageint>& listed)
+      : atom_(atom) {
+    if (static_cast<int>(listed.size()) != atom->nlocal) return;
+    for (int i = 0; i < atom->nlocal; i++)
+      if (atom->image[i] != listed[i]) take_out(domain, i, listed[i]);
+  }
+  ~BesideGhosts() {
+    for (const Moved& was : moved_) {
+      std::copy_n(was.x, 3, atom_->x[was.i]);
+      atom_->v[was.i][0] = was.vx;
+    }
+  }
+  BesideGhosts(const BesideGhosts&) = delete;
+  BesideGhosts& operator=(const BesideGhosts&) = delete;
+
+ private:
+  struct Moved {
+    int i;
+    double x[3], vx;
+  };
+
+  void take_out(const Domain* domain, int i, imageint listed) {
+    double* const x = atom_->x[i];
+    moved_.push_back({i, {x[0], x[1], x[2]}, atom_->v[i][0]});
+    const auto boxes = [&](int shift) {
+      const auto of = [shift](imageint image) {
+        return static_cast<double>(image >> shift & IMGMASK);
+      };
+      return of(atom_->image[i]) - of(listed);
+    };
+    const double along[3] = {boxes(0), boxes(IMGBITS), boxes(IMG2BITS)};
+    const double* const h = domain->h;
+    x[0] += h[0] * along[0] + h[5] * along[1] + h[4] * along[2];
+    x[1] += h[1] * along[1] + h[3] * along[2];
+    x[2] += h[2] * along[2];
+    if (domain->deform_vremap && (atom_->mask[i] & domain->deform_groupbit))
+      atom_->v[i][0] += along[1] * domain->h_rate[5];
+  }
+
+  Atom* atom_;
+  std::vector<Moved> moved_;
+};
 
 }  // namespace LAMMPS_NS
 

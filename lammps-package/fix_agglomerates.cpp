@@ -7,6 +7,7 @@
 #include <string>
 
 #include "atom.h"
+#include "box_shear.h"
 #include "comm.h"
 #include "domain.h"
 #include "engine_api.h"
@@ -99,7 +100,7 @@ FixAgglomerates::~FixAgglomerates() {
   memory->destroy(since);
 }
 
-int FixAgglomerates::setmask() { return FixConst::END_OF_STEP; }
+int FixAgglomerates::setmask() { return FixConst::POST_NEIGHBOR | FixConst::END_OF_STEP; }
 
 void FixAgglomerates::init() {
   const std::string where = std::string("fix ") + id + " agglomerates";
@@ -120,6 +121,10 @@ void FixAgglomerates::init() {
                           "another style of this package that follows contacts");
 }
 
+void FixAgglomerates::post_neighbor() {
+  listed_images.assign(atom->image, atom->image + atom->nlocal);
+}
+
 void FixAgglomerates::setup(int) {
   find(0.0);
   if (last_step >= 0) return;
@@ -138,6 +143,7 @@ void FixAgglomerates::end_of_step() {
 /* ---------------------------------------------------------------------- */
 
 void FixAgglomerates::find(double elapsed) {
+  const BesideGhosts places(atom, domain, listed_images);
   connect();
   int changed = 1;
   while (changed) {

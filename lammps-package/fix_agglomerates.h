@@ -34,6 +34,8 @@ class FixAgglomerates : public Fix {
 
   int setmask() override;
   void init() override;
+  void setup_post_neighbor() override { post_neighbor(); }
+  void post_neighbor() override;
   void setup(int) override;
   void end_of_step() override;
   double compute_scalar() override { return compute_vector(0); }
@@ -65,6 +67,7 @@ class FixAgglomerates : public Fix {
   void sum_up(const std::vector<cohesion::agglomerates::Piece>&, double elapsed);
   void note_durations();
 
+  std::vector<imageint> listed_images;  // of own particles, when the list of neighbours was made
   std::vector<const BoundPairs*> sources;
   std::vector<std::array<int, 2> > pairs;
   cohesion::agglomerates::DisjointSets sets;

@@ -252,6 +252,42 @@ class Agglomerates(unittest.TestCase):
                 "run 1400\n", ranks=ranks))
             self.assertEqual(again, whole)
 
+    def test_steps_of_restart_files(self):
+        """A sphere is hit just below a face and leaves through it in the very step that a restart file is
+        written, for which it is put back into the box: its partner is still beside it. With restitution
+        0.1 the two are held from then on, with 1 never, whatever velocity the image has."""
+        law = "pair_style hard/square_well\npair_coeff * * restitution {} well 0.05 1.2\n"
+        columns = [f"f_{name}[{k}]" for name in ("set", "held") for k in (1, 7, 8)]
+
+        def rows(axis, restitution, ranks, more):
+            x, v = numpy.full((2, 3), 3.0), numpy.zeros((2, 3))
+            x[:, axis] = BOX[axis] - numpy.array([0.002, 1.005])  # the cores meet after 0.003
+            v[1, axis] = 1.0
+            with engine.temporary_folder() as folder:
+                self.write(x, v, folder=folder)
+                output = self.run_script(
+                    HEAD.replace(LAW, law.format(restitution)) + "fix set all agglomerates 1\n"
+                    "fix held all agglomerates 1 partners held\n"
+                    "fix shear all deform/shear rate 0.05 profile no\nfix move all nve/sphere\n"
+                    f"timestep 0.01\nthermo 1\nthermo_style custom step {' '.join(columns)}\n"
+                    f"thermo_modify format float %.15g\n{more}run 5\n", folder, ranks=ranks)
+            return numpy.array(engine.thermo_lines(output)[1])[:, 1:]
+
+        cases = [(axis, e, ranks) for axis in range(3) for e in (0.1, 1) for ranks in (1, 2)]
+        with ThreadPoolExecutor(4) as pool:
+            found = list(pool.map(lambda case: [rows(*case, more) for more in
+                                                ("", "restart 1 a.restart b.restart\n")], cases))
+        for (axis, e, ranks), (without, with_files) in zip(cases, found):
+            with self.subTest(axis=axis, restitution=e, ranks=ranks):
+                held = numpy.array([0, *5 * [e < 1]])
+                numpy.testing.assert_array_equal(without[:, [0, 2, 5]],
+                                                 numpy.array([1 + 0 * held, 0 * held, 0 * held]).T)
+                numpy.testing.assert_array_equal(without[:, 3], held)
+                # Half the distance, which is 1 to 1.05.
+                self.assertLess(abs(without[:, 1] - 0.51).max(), 0.02)
+                # Places are rounded to 2^-44 of the box for the restart file, 5e-13.
+                numpy.testing.assert_allclose(with_files, without, rtol=0, atol=1e-11)
+
     def test_one_that_was_there_at_the_start_is_not_counted(self):
         x = numpy.array([[5.0, 4.0, 3.0], [6.1, 4.0, 3.0]])
         self.write(x, numpy.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]]))
