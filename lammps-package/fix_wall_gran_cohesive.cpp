@@ -21,6 +21,9 @@ using namespace LAMMPS_NS;
 using namespace cohesion::event_stepping;
 using cohesion::Vector3;
 
+// Numbers of a restart file in front of the forces: time origin, walls, numbers of history each.
+static constexpr int HEAD = 3;
+
 template <class Cohesion>
 FixWallGranCohesive<Cohesion>::FixWallGranCohesive(LAMMPS* lammps, int narg, char** arg)
     : Fix(lammps, narg, arg),
@@ -339,10 +342,11 @@ template <class Cohesion>
 void FixWallGranCohesive<Cohesion>::write_restart(FILE* fp) {
   sum();
   if (comm->me != 0) return;
-  const double head[] = {static_cast<double>(time_origin), static_cast<double>(history_size())};
-  const int size = static_cast<int>((2 + total.size()) * sizeof(double));
+  const double head[HEAD] = {static_cast<double>(time_origin), static_cast<double>(walls.size()),
+                             static_cast<double>(per_wall)};
+  const int size = static_cast<int>((HEAD + total.size()) * sizeof(double));
   fwrite(&size, sizeof(int), 1, fp);
-  fwrite(head, sizeof(double), 2, fp);
+  fwrite(head, sizeof(double), HEAD, fp);
   fwrite(total.data(), sizeof(double), total.size(), fp);
 }
 
@@ -350,11 +354,14 @@ template <class Cohesion>
 void FixWallGranCohesive<Cohesion>::restart(char* buf) {
   const auto* values = reinterpret_cast<double*>(buf);
   time_origin = static_cast<bigint>(values[0]);
-  if (values[1] != history_size())
-    error->all(FLERR, where +
-                          ": other walls than in the restart file, or friction or rolling "
-                          "friction in one of them only; give the fix another ID");
-  if (comm->me == 0) std::copy_n(values + 2, mine.size(), mine.begin());
+  if (values[1] != static_cast<double>(walls.size()) || values[2] != per_wall)
+    error->all(FLERR,
+               where +
+                   ": other walls than in the restart file, or friction or rolling "
+                   "friction in one of them only: {} walls with {} numbers of history each "
+                   "there, {} with {} here; give the fix another ID",
+               static_cast<int>(values[1]), static_cast<int>(values[2]), walls.size(), per_wall);
+  if (comm->me == 0) std::copy_n(values + HEAD, mine.size(), mine.begin());
 }
 
 template <class Cohesion>

@@ -451,6 +451,14 @@ class RestartAndRanks(EventWall):
             with self.assertRaisesRegex(RuntimeError, "other walls than in the restart file"):
                 self.run_wall(walls, dt, 30, start="restart")
 
+    def test_restart_with_as_many_numbers_of_other_walls_is_refused(self):
+        dt = self.spheres()
+        smooth = f"stiffness {STIFFNESS} restitution 0.8 zplane 0.01 NULL xplane 0.001 0.035 yplane 0 NULL"
+        self.run_wall(smooth, dt, 13, save=13)
+        rough = f"stiffness {STIFFNESS} restitution 0.8 friction 0.3 zplane 0.01 NULL"
+        with self.assertRaisesRegex(RuntimeError, "4 walls with 1 numbers .* there, 1 with 4 here"):
+            self.run_wall(rough, dt, 30, start="restart")
+
     def test_two_ranks(self):
         dt = self.spheres()
         # Fast enough to change the process while in contact; the list is built at every step.
