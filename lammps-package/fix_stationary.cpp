@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstring>
 #include <iterator>
-#include <limits>
 
 #include "arg_info.h"
 #include "comm.h"
@@ -49,7 +48,8 @@ FixStationary::FixStationary(LAMMPS* lammps, int narg, char** arg)
       known(false),
       progress(0.0),
       last_progress(0.0),
-      last_step(0),
+      passed(0.0),
+      passed_step(0),
       state(watching),
       ended_run(false) {
   if (narg < 4) error->all(FLERR, where + ": give N, every so many steps, then " + SYNTAX);
@@ -68,7 +68,6 @@ FixStationary::FixStationary(LAMMPS* lammps, int narg, char** arg)
   global_freq = nevery;
   restart_global = 1;
   time_depend = 1;
-  modify->addstep_compute_all(update->ntimestep);
 }
 
 void FixStationary::read_keywords(int narg, char** arg) {
@@ -99,9 +98,7 @@ void FixStationary::read_keywords(int narg, char** arg) {
 /// From the tolerance at `i` on; the place of the first word behind.
 int FixStationary::read_watched(int i, int narg, char** arg) {
   const bool any = strcmp(arg[i], "any") == 0;
-  Value value{std::string(),
-              any ? std::numeric_limits<double>::max() : utils::numeric(FLERR, arg[i], false, lmp),
-              {}};
+  Value value{std::string(), any ? BlockRule::any : utils::numeric(FLERR, arg[i], false, lmp), {}};
   for (i++; i < narg; i++) {
     const std::string word = arg[i];
     const auto row = std::find_if(std::begin(TERMS), std::end(TERMS),
@@ -151,6 +148,13 @@ int FixStationary::setmask() { return FixConst::END_OF_STEP | FixConst::POST_RUN
 void FixStationary::init() {
   if (per_particle && group->count(igroup) == 0)
     error->all(FLERR, where + ": per_particle, and no particle is in the group");
+  // Computes of forces and energies must be asked for before the step.
+  if (state == watching) modify->addstep_compute_all(next_sample());
+}
+
+/// The first step from now on at which one is taken.
+bigint FixStationary::next_sample() const {
+  return (update->ntimestep + nevery - 1) / nevery * nevery;
 }
 
 /// Totals are known from the first step of the run on, where the engine has their values.
@@ -185,17 +189,23 @@ double FixStationary::now(const std::string& word) const {
 
 bool FixStationary::sample() {
   const double value = now(progress_value);
-  const double elapsed = static_cast<double>(update->ntimestep - last_step) * update->dt;
-  const std::vector<Ratio> gained = gains(elapsed);
-  last_step = update->ntimestep;
-  const double passed = value - last_progress;
+  pass();
+  const std::vector<Ratio> gained = gains(passed);
+  passed = 0.0;
+  const double gain = value - last_progress;
   last_progress = value;
   if (!known) {  // the sample tells where totals stand
     known = true;
     return rule->add(progress, std::vector<Ratio>(gained.size()));
   }
-  progress += per_particle ? passed / static_cast<double>(group->count(igroup)) : passed;
+  progress += per_particle ? gain / static_cast<double>(group->count(igroup)) : gain;
   return rule->add(progress, gained);
+}
+
+/// The time step may be another in the next run.
+void FixStationary::pass() {
+  passed += static_cast<double>(update->ntimestep - passed_step) * update->dt;
+  passed_step = update->ntimestep;
 }
 
 std::vector<Ratio> FixStationary::gains(double elapsed) {
@@ -239,6 +249,7 @@ void FixStationary::finish() {
 void FixStationary::post_run() {
   if (ended_run) timer->reset_timeout();
   ended_run = false;
+  pass();
   if (comm->me == 0 && state == watching)
     utils::logmesg(lmp, fmt::format("{}: not met yet: {} blocks\n", where, rule->blocks()));
 }
@@ -272,4 +283,6 @@ void FixStationary::restart(char* buf) {
   state = static_cast<int>(numbers[1]);
   numbers.erase(numbers.begin(), numbers.begin() + 2);
   from_script(lmp, where, [&] { return rule->restore(numbers), true; });
+  // A tolerance or `most` may be another now.
+  if (!rule->met() && (!most || rule->blocks() < most)) state = watching;
 }

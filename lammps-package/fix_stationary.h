@@ -50,8 +50,10 @@ class FixStationary : public Fix {
   void read_keywords(int, char**);
   int read_watched(int, int, char**);
   void require_exists(const std::string&) const;
+  bigint next_sample() const;
   double now(const std::string&) const;
   bool sample();
+  void pass();
   std::vector<cohesion::statistics::Ratio> gains(double elapsed);
   void finish();
 
@@ -66,7 +68,8 @@ class FixStationary : public Fix {
   bool known;            // whether progress and totals of the last sample are
   double progress;       // since the fix was defined
   double last_progress;  // the value that tells it, at the last sample
-  bigint last_step;
+  double passed;         // time since the last sample, up to passed_step
+  bigint passed_step;
   enum { watching, met, given_up };
   int state;
   bool ended_run;  // this fix has, not the user's own `timer timeout`

@@ -14,7 +14,7 @@ namespace cohesion::statistics {
 /// What a watched number is made of, and how far it may move.
 struct Watched {
   std::size_t terms;  ///< ratios whose sum it is
-  double tolerance;   ///< of the relative change from block to block [1]
+  double tolerance;   ///< of the relative change from block to block [1]; BlockRule::any
 };
 
 /// Tells when blocks of a run are alike: M. Weber, thesis, chapter 4. From a progress of `start` on
@@ -27,6 +27,8 @@ struct Watched {
 class BlockRule {
  public:
   static constexpr int batches_per_block = 16;
+  /// Tolerance of a number that is reported and not waited for.
+  static constexpr double any = std::numeric_limits<double>::max();
 
   /// Throws InvalidParameter for a start below zero, a block or tolerance that is not above.
   BlockRule(double start, double block, const std::vector<Watched>& watched)
@@ -65,30 +67,31 @@ class BlockRule {
 
   bool met() const {
     for (std::size_t w = 0; w < watched(); w++)
-      if (!(change(w) < tolerances_[w])) return false;
-    return true;
+      if (tolerances_[w] < any && !(change(w) < tolerances_[w])) return false;
+    return blocks() >= 2;
   }
 
   /// Of a watched number between the last two blocks: difference over mean size [1]; 0 where both
-  /// are the same, 0 included; infinite while there are fewer than two blocks.
+  /// are the same, 0 included; infinite while there are fewer than two blocks, and where a term has
+  /// counted nothing in one of them: that a ratio over nothing stays says nothing.
   double change(std::size_t w) const {
-    if (blocks() < 2) return std::numeric_limits<double>::infinity();
-    const double now = in_block(w, blocks() - 1), before = in_block(w, blocks() - 2);
+    const int last = blocks() - 1;
+    if (last < 1 || !counted_in_block(w, last) || !counted_in_block(w, last - 1))
+      return std::numeric_limits<double>::infinity();
+    const double now = in_block(w, last), before = in_block(w, last - 1);
     if (now == before) return 0.0;
     return std::abs(now - before) / (0.5 * (std::abs(now) + std::abs(before)));
   }
 
   /// Of a watched number, in block b counted from 0.
-  double in_block(std::size_t w, int b) const {
-    return series_[w].over(b > 0 ? ends_[b - 1] : 0, ends_[b]);
-  }
+  double in_block(std::size_t w, int b) const { return series_[w].over(begin(b), ends_[b]); }
 
   /// Of a watched number, over all batches since the start.
   Mean mean(std::size_t w) const { return series_[w].mean(); }
 
   /// All that the rule remembers, as plain numbers.
   std::vector<double> state() const {
-    std::vector<double> numbers{batches_passed_, static_cast<double>(ends_.size()),
+    std::vector<double> numbers{start_, batch_, batches_passed_, static_cast<double>(ends_.size()),
                                 static_cast<double>(series_.front().batches())};
     for (const std::size_t end : ends_) numbers.push_back(static_cast<double>(end));
     append(numbers, open_);
@@ -96,15 +99,19 @@ class BlockRule {
     return numbers;
   }
 
-  /// Goes on from the state of a rule that watched as many terms. Throws InvalidParameter when it
-  /// was another.
+  /// Goes on from the state of a rule with the same start and block that watched as many terms.
+  /// Throws InvalidParameter when it was another.
   void restore(const std::vector<double>& numbers) {
-    const std::size_t head = 3, n = numbers.size();
-    const std::size_t blocks = n < head ? 0 : static_cast<std::size_t>(numbers[1]);
-    const std::size_t batches = n < head ? 0 : static_cast<std::size_t>(numbers[2]);
+    const std::size_t head = 5, n = numbers.size();
+    const std::size_t blocks = n < head ? 0 : static_cast<std::size_t>(numbers[3]);
+    const std::size_t batches = n < head ? 0 : static_cast<std::size_t>(numbers[4]);
     require(n == head + blocks + 2 * open_.size() * (1 + batches), "numbers in the restart",
             static_cast<double>(n), "watch the same values as the run that wrote it");
-    batches_passed_ = numbers[0];
+    require(numbers[0] == start_, "start in the restart", numbers[0],
+            "give the same start as the run that wrote it");
+    require(numbers[1] == batch_, "block in the restart", batches_per_block * numbers[1],
+            "give the same block as the run that wrote it");
+    batches_passed_ = numbers[2];
     const double* at = numbers.data() + head;
     ends_.clear();
     for (std::size_t b = 0; b < blocks; b++) ends_.push_back(static_cast<std::size_t>(*at++));
@@ -125,6 +132,11 @@ class BlockRule {
   }
 
  private:
+  std::size_t begin(int b) const { return b > 0 ? ends_[b - 1] : 0; }
+  bool counted_in_block(std::size_t w, int b) const {
+    return series_[w].counted(begin(b), ends_[b]);
+  }
+
   static double whole_blocks(double batches) { return std::floor(batches / batches_per_block); }
 
   void close_batch() {

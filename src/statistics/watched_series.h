@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -48,6 +49,12 @@ class WatchedSeries {
     double value = 0.0;
     for (const Ratio& total : totals(first, last)) value += total.value();
     return value;
+  }
+
+  /// Whether each ratio has counted anything over batches first to last - 1.
+  bool counted(std::size_t first, std::size_t last) const {
+    const std::vector<Ratio> all = totals(first, last);
+    return std::all_of(all.begin(), all.end(), [](const Ratio& r) { return r.below != 0.0; });
   }
 
   /// Over all batches. The error is that of a ratio estimator (W. G. Cochran, Sampling Techniques,

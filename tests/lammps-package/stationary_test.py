@@ -110,6 +110,50 @@ class Stationary(unittest.TestCase):
         self.assertAlmostEqual(one, 2 * mass, delta=1e-11)
         self.assertAlmostEqual(flux, 2 * mass * rate, delta=1e-4)
 
+    def test_time_step_that_changes_between_samples(self):
+        """33 steps of 0.01 and 287 of 0.02, sampled every 10."""
+        output = self.go("fix end all stationary 10 progress v_t block 160 most 2 watch 1e-9 rate v_t\n"
+                         "run 33\ntimestep 0.02\nrun 1000\nprint 'mean $(f_end[3]:%.15g) $(step)'\n")
+        mean, step = re.findall(r"^mean (.*)", output, re.M)[-1].split()
+        self.assertEqual(step, "320")
+        expected = 320 / (33 * 0.01 + 287 * 0.02)
+        self.assertAlmostEqual(float(mean), expected, delta=1e-13 * expected)
+
+    def test_pressure_from_a_step_that_is_no_multiple(self):
+        """The engine works out a virial only in steps that were asked for before; the first sample is taken
+        at step 5."""
+        for more in ("", "run 1\n"):
+            output = self.go("thermo_style custom step\nthermo 1000000\nrun 3\n"
+                             "fix end all stationary 5 progress v_t block 80 watch any mean c_thermo_press\n"
+                             + more + "run 1000\nprint 'now $(step)'\n")
+            self.assertIn("now 165", output[output.rindex("Loop"):])
+
+    def test_more_blocks_after_a_restart(self):
+        """A rule that was not met within `most` goes on when more blocks are allowed, as in one go; with the
+        same `most` the fix does nothing more. Another start or block is refused."""
+        def fix(most, words="start 20 block 100"):
+            return ("variable x equal step*step\n"
+                    f"fix end all stationary 5 progress v_t {words} most {most} watch 1e-9 mean v_x\n")
+        ask = "print 'ended $(step) $(f_end[1]) $(f_end[3]:%.17g) $(f_end[4]:%.17g) $(f_end[5]:%.17g)'\n"
+        again = "plugin load ${plugin}\nnewton off\nread_restart given_up.restart\n" + "".join(
+            line + "\n" for line in HEAD.splitlines() if line.split()[:1] in (
+                ["comm_modify"], ["neighbor"], ["fix"], ["timestep"], ["variable"]))
+        with engine.temporary_folder() as folder:
+            def ends(text):
+                code, output = engine.run_text(text + ask, folder)
+                self.assertEqual(code, 0, output[-3000:])
+                return re.findall(r"^ended .*", output, re.M)[-1]
+            whole = ends(HEAD + fix(5) + "run 1000\n")
+            self.assertEqual(whole.split()[1:3], ["520", "5"])
+            first = ends(HEAD + fix(3) + "run 1000\nwrite_restart given_up.restart\n")
+            self.assertEqual(first.split()[1:3], ["320", "3"])
+            self.assertEqual(ends(again + fix(5) + "run 1000\n"), whole)
+            self.assertEqual(ends(again + fix(3) + "run 100\n").split()[1:3], ["420", "3"])
+            for words, message in (("start 25 block 100", "same start"), ("start 20 block 96", "same block")):
+                code, output = engine.run_text(again + fix(5, words) + "run 1000\n", folder)
+                self.assertNotEqual(code, 0)
+                self.assertIn(message, output)
+
     def test_restart_goes_on(self):
         """Written between blocks and read: the same end, mean and error as in one go. Totals that begin
         again at zero do no harm."""

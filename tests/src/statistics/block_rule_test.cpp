@@ -189,6 +189,30 @@ TEST(BlockRule, NeedsAllWatchedToBeStill) {
   }
 }
 
+TEST(BlockRule, IsNotStillWhereNothingWasCounted) {
+  // The second ratio counts nothing up to t = 64, then 2/1; the third, not waited for, never does.
+  BlockRule rule(0, 16, {{1, 0.01}, {2, 0.01}, {1, BlockRule::any}});
+  double met_at = 0;
+  for (double t = 1; t <= 96; t++) {
+    const Ratio late = t > 64 ? Ratio{2, 1} : Ratio{};
+    if (rule.add(t, {{1, 1}, {1, 1}, late, {}}) && rule.met() && met_at == 0) met_at = t;
+    if (t == 64 || t == 80) {
+      EXPECT_EQ(rule.change(1), std::numeric_limits<double>::infinity());
+    }
+  }
+  EXPECT_EQ(met_at, 96);
+  EXPECT_EQ(rule.change(1), 0.0);
+  EXPECT_EQ(rule.change(2), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(rule.mean(1).value, 3.0);
+}
+
+TEST(BlockRule, OfNothingToWaitForIsMetByTwoBlocks) {
+  BlockRule rule(0, 16, {{1, BlockRule::any}});
+  EXPECT_EQ(blocks_until_met(
+                rule, [](double t) { return t; }, 5),
+            2);
+}
+
 TEST(BlockRule, TakesSamplesFartherApartThanBlocks) {
   BlockRule rule(0, 16, {{1, 0.01}});
   int ended = 0;
@@ -216,6 +240,9 @@ TEST(BlockRule, GoesOnFromItsState) {
   BlockRule other(10, 32, {{1, 1e-9}});
   expect_refused([&] { other.restore(first.state()); }, "watch the same values");
   expect_refused([&] { other.restore({}); }, "watch the same values");
+  BlockRule later(11, 32, watched), longer(10, 33, watched);
+  expect_refused([&] { later.restore(first.state()); }, "same start");
+  expect_refused([&] { longer.restore(first.state()); }, "same block");
 }
 
 TEST(BlockRule, RefusesWhatCannotBe) {
