@@ -4,13 +4,38 @@
 #include <algorithm>
 
 #include "atom.h"
+#include "compute.h"
 #include "fix.h"
 #include "modify.h"
 #include "utils.h"
 
 using namespace LAMMPS_NS;
 
+namespace {
+
+/// Which computes have been invoked in this step, kept while a fix that is let act forgets it: one
+/// with a variable begins its own count. Who asks for the weights would not ask in time for the
+/// computes of its next step.
+class Invoked {
+ public:
+  explicit Invoked(Modify* modify) : modify_(modify) {
+    for (int k = 0; k < modify->ncompute; k++) flags_.push_back(modify->compute[k]->invoked_flag);
+  }
+  ~Invoked() {
+    for (int k = 0; k < modify_->ncompute; k++) modify_->compute[k]->invoked_flag = flags_[k];
+  }
+  Invoked(const Invoked&) = delete;
+  Invoked& operator=(const Invoked&) = delete;
+
+ private:
+  Modify* modify_;
+  std::vector<int> flags_;
+};
+
+}  // namespace
+
 std::vector<double> LAMMPS_NS::weights(LAMMPS* lmp) {
+  const Invoked invoked(lmp->modify);
   const int count = 3 * lmp->atom->nlocal;
   std::vector<double> weight(count, 0.0);
   double* const f = count > 0 ? lmp->atom->f[0] : nullptr;

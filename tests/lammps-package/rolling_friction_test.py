@@ -372,9 +372,11 @@ pair_style gran/hamaker
 """
     MOVE = "\nfix move all nve/sphere\nrun 1\n"
 
-    def ends(self, text, code):
+    def ends(self, text, code, lines=False):
         found, output = engine.run_text(self.HEAD + text, self.folder)
         self.assertEqual(found, code, output)
+        if lines:
+            return output
         return " ".join(line for line in output.splitlines() if code == 0 or "ERROR" in line)
 
     def test_values(self):
@@ -383,6 +385,20 @@ pair_style gran/hamaker
         self.assertIn("rolling friction coefficient", self.ends(
             "pair_coeff * * stiffness 800\nfix w all wall/gran/hamaker stiffness 800 "
             "rolling_friction -1 zplane 0 NULL" + self.MOVE, 1))
+
+    def test_gravity_of_a_variable_beside_the_pressure(self):
+        """The engine works out a virial only in steps that were asked for before: who asks for the book must
+        not make it forget that the pressure has to be asked for."""
+        found = []
+        for gravity in ("9.81", "v_g"):
+            output = self.ends(
+                "pair_coeff * * stiffness 800\nvariable g equal 9.81\n"
+                f"fix weight all gravity {gravity} vector 0 0 -1\ncompute book all gran/energy\nthermo 3\n"
+                "thermo_style custom step press c_book c_book[9] c_book[11]\n"
+                "thermo_modify format float %.17g\nfix move all nve/sphere\nrun 10\n", 0, lines=True)
+            found.append(engine.thermo_lines(output)[1])
+        self.assertEqual([row[0] for row in found[0]], [0, 3, 6, 9, 10])
+        self.assertEqual(*found)
 
     def test_cannot_begin_between_runs(self):
         on, off = (f"pair_coeff * * stiffness 800 rolling_friction {mu}" for mu in (0.1, 0))
