@@ -102,6 +102,10 @@ void FixWallGranCohesive<Cohesion>::read(int narg, char** arg) {
   motion = from_words.motion;
   parameters = cohesive_contact_from_script<Cohesion>(
       lmp, where, 0, static_cast<int>(contact_words.size()), contact_words.data());
+  if (parameters.contact.rolling_friction > 0.0 && motion.rim_speed != 0.0)
+    error->all(FLERR, where +
+                          ": rolling_friction does not know how fast a cylinder turns, and would "
+                          "resist what rolls along with it: take it away, or shear along z only");
   parameters = attraction.scaled(lmp, where, parameters);
   law = attraction.law(lmp, where, parameters);
   if (scheme == Scheme::sampled) contacts.template emplace<static_cast<int>(Scheme::sampled)>();

@@ -555,6 +555,12 @@ timestep 1e-7
         self.refused(wall + "shear y 1 wiggle x 1 1", "one of wiggle, shear and translate")
         self.refused("stiffness 800 zcylinder 1 wiggle x 1 1", "zcylinder moves along z only")
         self.refused("stiffness 800 zcylinder 1 xplane 0 NULL shear x 1", "fix of their own")
+        turning = "stiffness 800 friction 0.3 rolling_friction {} zcylinder 1 shear {} 1"
+        for axis in "xy":
+            self.refused(turning.format(0.1, axis), "rolling_friction does not know how fast a cylinder turns")
+        for words in (turning.format(0, "x"), turning.format(0.1, "z")):
+            with self.subTest(words):
+                self.goes(self.SPHERES + self.FIX + words + self.TAIL)
 
     def test_particles(self):
         points = self.HEAD % ("atomic", "mass * 1e-6\npair_style none")
