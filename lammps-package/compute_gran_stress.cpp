@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-only
 #include "compute_gran_stress.h"
 
+#include <algorithm>
+
+#include "error.h"
 #include "fix_event_step.h"
+#include "pair_members.h"
 
 using namespace LAMMPS_NS;
 
@@ -9,6 +13,19 @@ ComputeGranStress::ComputeGranStress(LAMMPS* lammps, int narg, char** arg)
     : ComputeFluxTotals(lammps, narg, arg, cohesion::event_stepping::FluxParts::parts),
       step(FixEventStep::of(lammps)) {
   step->sum_flux();
+}
+
+/// Totals that stay 0 beside other pairs would be taken for a stress of 0.
+void ComputeGranStress::init() {
+  const std::vector<PairMember> members = pair_members(force);
+  const auto known = [](const PairMember& member) {
+    return dynamic_cast<const EventPairs*>(member.pair) != nullptr;
+  };
+  if (!members.empty() && std::none_of(members.begin(), members.end(), known))
+    error->all(FLERR,
+               "compute {} gran/stress does not know what pair_style {} carries; it sums "
+               "gran/hamaker, gran/square_well and square_well",
+               id, force->pair_style);
 }
 
 const cohesion::MomentumFlux* ComputeGranStress::totals() const { return step->flux.of.data(); }

@@ -18,6 +18,8 @@ class ComputeGranStress : public ComputeFluxTotals {
  public:
   ComputeGranStress(class LAMMPS*, int, char**);
 
+  void init() override;
+
  protected:
   const cohesion::MomentumFlux* totals() const override;
 

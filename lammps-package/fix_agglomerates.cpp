@@ -14,25 +14,13 @@
 #include "error.h"
 #include "force.h"
 #include "memory.h"
-#include "pair_hybrid.h"
+#include "pair_members.h"
 #include "piece_exchange.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
 using namespace cohesion::agglomerates;
 using cohesion::Vector3;
-
-namespace {
-
-/// The members of a hybrid style, which the engine keeps to its own classes.
-struct Hybrid : PairHybrid {
-  using PairHybrid::nstyles;
-  using PairHybrid::styles;
-  static int number(PairHybrid* hybrid) { return hybrid->*&Hybrid::nstyles; }
-  static Pair* style(PairHybrid* hybrid, int m) { return (hybrid->*&Hybrid::styles)[m]; }
-};
-
-}  // namespace
 
 FixAgglomerates::FixAgglomerates(LAMMPS* lammps, int narg, char** arg)
     : Fix(lammps, narg, arg),
@@ -109,12 +97,9 @@ void FixAgglomerates::init() {
                           " needs pairs on both ranks they belong to; put 'newton off' before "
                           "the box is made");
   sources.clear();
-  const auto look = [this](Pair* pair) {
-    if (const auto* source = dynamic_cast<const BoundPairs*>(pair)) sources.push_back(source);
-  };
-  look(force->pair);
-  if (auto* const hybrid = dynamic_cast<PairHybrid*>(force->pair))
-    for (int m = 0; m < Hybrid::number(hybrid); m++) look(Hybrid::style(hybrid, m));
+  for (const PairMember& member : pair_members(force))
+    if (const auto* source = dynamic_cast<const BoundPairs*>(member.pair))
+      sources.push_back(source);
   if (sources.empty())
     error->all(FLERR, where +
                           ": no pair_style says which pairs are bound; use gran/hamaker or "

@@ -30,6 +30,12 @@ class EventContacts {
   ~EventContacts() = default;
 };
 
+/// A pair style of the event scheme: what its pairs carry is in FixEventStep::flux.
+class EventPairs {
+ protected:
+  ~EventPairs() = default;
+};
+
 /// What all styles of the event scheme share, made by the first of them. Contacts of one particle
 /// act on each other within a step: each is first followed alone, and its change of position,
 /// velocity and spin added to `alone`; then it is followed again with half of what the others did.

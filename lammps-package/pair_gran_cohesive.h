@@ -22,7 +22,7 @@ namespace LAMMPS_NS {
 /// sampled. `Cohesion` (hamaker_cohesion.h, square_well_cohesion.h) says what is its own: name,
 /// keywords, law, range, and which pairs of src/event_stepping follow it.
 template <class Cohesion>
-class PairGranCohesive : public Pair, public BoundPairs {
+class PairGranCohesive : public Pair, public BoundPairs, public EventPairs {
  public:
   explicit PairGranCohesive(class LAMMPS*);
   ~PairGranCohesive() override;

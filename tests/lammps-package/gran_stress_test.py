@@ -265,6 +265,27 @@ class Input(unittest.TestCase):
                 self.assertNotEqual(code, 0)
                 self.assertIn(expected, output)
 
+    def test_pair_styles_that_it_does_not_know(self):
+        hooke = "gran/hooke/history 800 228 0 NULL 0 0"
+        cases = [(hooke, "", "gran/hooke/history"),
+                 ("hard/square_well", "restitution 1", "hard/square_well"),
+                 (f"hybrid/overlay {hooke} zero 1.0", None, "hybrid/overlay"),
+                 (f"hybrid/overlay {hooke} square_well", None, None)]
+        members = {"gran/hooke/history": "", "square_well": "0.05 1.1", "zero": ""}
+        for style, words, foreign in cases:
+            pairs = (f"pair_coeff * * {words}\n" if words is not None else
+                     "".join(f"pair_coeff * * {name} {members[name]}\n" for name in members
+                             if name in style.split()))
+            with self.subTest(style), engine.temporary_folder() as folder:
+                engine.write_spheres(folder, [sphere([5.0, 4.0, 3.0])], [(0.0, side) for side in BOX], 1)
+                code, output = engine.run_text(
+                    "plugin load ${plugin}\nunits lj\natom_style sphere\nnewton off\ncomm_modify vel yes\n"
+                    f"read_data data.spheres\npair_style {style}\n{pairs}compute s all gran/stress\n"
+                    "fix move all nve/sphere\ntimestep 0.001\nrun 0\n", folder)
+                self.assertEqual(code, 0 if foreign is None else 1, output[-3000:])
+                if foreign:
+                    self.assertIn(f"does not know what pair_style {foreign} carries", output)
+
 
 if __name__ == "__main__":
     unittest.main()
