@@ -191,7 +191,8 @@ class Impacts(unittest.TestCase):
     def test_energy_book_is_of_first_order(self):
         # As with friction (gran_hamaker_couple_test): the angular impulse of rolling is below
         # R mu_R 2 mu (1 + e) v, and by n+1/2 a part v dt/(2 R) of it is along the normal. Friction
-        # and rolling friction act on the same spins in turn: second order, and smaller here.
+        # and rolling friction act on the same spins in turn: second order, and smaller here. Order 1 is
+        # told from 1/2 by what lies between the factors of a fourfold step, 4 and 2.
         reach, residuals = 0.5 * Box.DIAMETERS.sum(), []
         for division in (4, 8, 16, 32):
             box = Box(0.3, division, rolling=0.2)
@@ -205,7 +206,7 @@ class Impacts(unittest.TestCase):
             self.assertGreater(box.book[13][-1], 1e-3 * box.energy)
             self.assertEqual(box.book[12][-1], 0.0)
             residuals.append(residual)
-        self.assertLess(residuals[3], residuals[1] / 2)
+        self.assertGreater(residuals[1] / residuals[3], 4**0.75)
 
 
 class Gravity(Rolling):
@@ -269,6 +270,23 @@ class RanksAndRestart(Rolling):
         return [ball(x[2], random.uniform(-0.05, 0.05, 3), random.uniform(-80, 80, 3), x[0], x[1])
                 for x in numpy.array(numpy.meshgrid(grid, grid, grid)).reshape(3, -1).T]
 
+    NUDGE = 1e-12  # [m]: far above rounding, far below what makes or ends a contact
+
+    def room(self, atoms, whole, dt, steps, **settings):
+        """What rounding may do to places, and to velocities with the spin times the radius: in each step to
+        places 0.0052 m 2^-53 < 1e-18 m, in some ten operations, as much as a nudge of all places at the
+        start does at the end."""
+        random = numpy.random.default_rng(2)
+        nudged = [{**atom, "x": numpy.array(atom["x"]) + random.uniform(-1, 1, 3) * self.NUDGE}
+                  for atom in atoms]
+        moved = numpy.abs(self.run_spheres(nudged, dt, steps, steps, **settings)[0][-1] - whole)
+        each = 10 * steps * 1e-18 / self.NUDGE
+        room = each * moved[:, :3].max(), each * max(moved[:, 3:6].max(), moved[:, 6:9].max() * RADIUS)
+        report(f"room for rounding: {room[0]:.1e} m, {room[1]:.1e} m/s")
+        # A wrong memory makes 1e-3 m/s.
+        self.assertLess(room[1], 1e-6)
+        return room
+
     def test_same_end(self):
         contact = f"stiffness {STIFFNESS} restitution 0.8 friction 0.3 rolling_friction 0.1"
         planes = "xplane 0 0.0051 yplane 0 0.0051 zplane 0 NULL"
@@ -282,6 +300,7 @@ class RanksAndRestart(Rolling):
                   "wall": settings["wall"].replace("rolling_friction 0.1", "")}
         other = self.run_spheres(self.packing(), dt, steps, steps, **smooth)[0][-1]
         self.assertGreater(numpy.abs(whole[:, 6:9] - other[:, 6:9]).max(), 1.0)
+        room = self.room(self.packing(), whole, dt, steps, **settings)
         for name, options in (("two ranks", {"ranks": 2}), ("halves", {"save": 33}),
                               ("restart", {"start": "restart"}),
                               ("restart, two ranks", {"start": "restart", "ranks": 2})):
@@ -289,11 +308,9 @@ class RanksAndRestart(Rolling):
             difference = numpy.abs(end - whole)
             report(f"{name}: {difference[:, :3].max():.1e} m, {difference[:, 3:6].max():.1e} m/s, "
                    f"{difference[:, 6:9].max() * RADIUS:.1e} m/s of spin")
-            # Sums in another order: 1e-18 m a step, times the frequency of a contact for speeds;
-            # contacts that last make less than tenfold of it in 6 t_c, collisions a hundredfold.
-            self.assertLess(difference[:, :3].max(), 1e-14)
-            self.assertLess(max(difference[:, 3:6].max(), difference[:, 6:9].max() * RADIUS),
-                            1e-14 * math.pi / T_C)
+            # Sums in another order.
+            self.assertLess(difference[:, :3].max(), room[0])
+            self.assertLess(max(difference[:, 3:6].max(), difference[:, 6:9].max() * RADIUS), room[1])
 
     def test_pairs_that_come_back_the_other_way_round(self):
         # A packing that flies through a periodic box: particles change places in the engine's list,
@@ -307,12 +324,11 @@ class RanksAndRestart(Rolling):
         dt, steps = T_C / 10, 200
         ends = [self.run_spheres(atoms, dt, steps, steps, **settings, **options)[0][-1]
                 for options in ({}, {"sort": 5}, {"ranks": 2}, {"ranks": 2, "sort": 5})]
+        room = self.room(atoms, ends[0], dt, steps, **settings)[1]
         for name, end in zip(("sorted", "two ranks", "two ranks, sorted"), ends[1:]):
             difference = numpy.abs(end - ends[0])[:, 3:9] * numpy.array(3 * [1.0] + 3 * [RADIUS])
             report(f"flying packing, {name}: {difference.max():.1e} m/s")
-            # 1e-18 m a step, times the frequency of a contact; twenty contact times make a
-            # thousandfold of it. A memory of the wrong sign makes differences of 1e-3 m/s.
-            self.assertLess(difference.max(), 1000 * 1e-18 * steps * math.pi / T_C)
+            self.assertLess(difference.max(), room)
 
 
 class Ended(Rolling):
@@ -348,10 +364,11 @@ class Ended(Rolling):
                     self.assertGreater(lines[1][names.index("c_book[4]")], 0.0)
                     tables.append(engine.dump(self.folder, "end.txt"))
                 difference = numpy.abs(tables[1] - tables[0])
-                # As in RanksAndRestart.
-                self.assertLess(difference[:, 1:4].max(), 1e-14)
+                # In 7 steps some ten roundings of places of 1e-3 m, 2e-19 m each, which a contact makes
+                # pi/t_c times as many m/s; a spring that is lost makes 1e-4 m/s.
+                self.assertLess(difference[:, 1:4].max(), 2e-17)
                 self.assertLess(max(difference[:, 4:7].max(), difference[:, 7:].max() * RADIUS),
-                                1e-14 * math.pi / T_C)
+                                2e-17 * math.pi / T_C)
 
 
 class Input(Rolling):
