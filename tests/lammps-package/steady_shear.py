@@ -61,8 +61,9 @@ class SteadyShear:
         self.assertLess(abs(rest), 0.01 * scale)
 
     def kinetic_theory(self, table, area, interval, expected, fraction):
-        """T goes as the viscosity. What the theory leaves out of it: velocities that are no Gaussian,
-        2.2 % in the dilute elastic gas; waves of the flow. Waves across their direction, k from that of
+        """T goes as the viscosity. What the theory leaves out of it makes that larger: velocities that are
+        no Gaussian, 2.2 % in the dilute elastic gas (sheared_discs.nearly_elastic) and less where
+        collisions carry most; waves of the flow. Waves across their direction, k from that of
         the box 2 pi/L to that of the free path 1/l, have energy T/2 each and decay by nu k^2; sheared
         they carry on average -rate T/(16 pi nu) ln(L/(2 pi l)) of momentum (fluctuating
         hydrodynamics, as in Ernst, Hauge, van Leeuwen, Phys. Rev. A 4 (1971) 2055), more in a larger box:
@@ -78,7 +79,7 @@ class SteadyShear:
                  math.log(math.sqrt(area) / (2 * math.pi * theory.free_path(fraction)))) / viscosity
         # Runs are long enough for about 0.03; ten blocks know it within a factor of 2.
         self.assertLess(sampling, 0.06)
-        self.assertGreater(ratio, 1 - 0.022 - sampling)
+        self.assertGreater(ratio, 1 - sampling)
         self.assertLess(ratio, 1 + 0.022 + waves + sampling)
         # The mean square speed of approach goes with T whatever the shape of the distribution; partners
         # that are not independent are left the same room.
@@ -93,7 +94,7 @@ class SteadyShear:
         theirs = (expected.kinetic + expected.impulsive)[[0, 1, 0], [0, 1, 1]]
         stress = (kinetic + impulsive) / theirs
         power = numpy.array([1.0, 1.0, 1.5])
-        self.assertTrue((stress > (1 - 0.022 - sampling)**power).all(), stress)
+        self.assertTrue((stress > (1 - sampling)**power).all(), stress)
         self.assertTrue((stress < (1 + 0.022 + waves + sampling)**power).all(), stress)
         print(f"fraction {fraction}: T {ratio:.3f}, stress xx, yy, xy {stress.round(3)} of the theory; waves "
               f"up to {waves:.3f}, sampling {sampling:.3f}", file=sys.stderr)
