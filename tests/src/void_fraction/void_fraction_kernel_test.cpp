@@ -90,7 +90,9 @@ TEST(SphereOverlap, ByPointsIsNearTheExactShareOnAnyPlane) {
     }
   }
   EXPECT_LT(worst, 0.03);
-  EXPECT_GT(worst, 0.0);
+  // Among so many planes one is off by a point, 1/500, at least by half of it: it is the points that
+  // were counted.
+  EXPECT_GT(worst, 0.001);
 }
 
 TEST(VoidFraction, OfAnEmptyCellIsOne) { EXPECT_EQ(void_fraction(0.0, 2.0, 1.0), 1.0); }
