@@ -298,22 +298,24 @@ class Agglomerates(unittest.TestCase):
     def test_held_pairs_of_a_square_well(self):
         """A pair that flies through each other's well beside the core is bound for a while and never held;
         one that meets head on and keeps (0.1)^2 of its energy is held from the collision on."""
-        x = numpy.array([[3.0, 2.0, 3.0], [5.0, 3.1, 3.0], [3.0, 6.0, 3.0], [5.0, 6.0, 3.0]])
+        x = numpy.array([[4.0, 2.0, 3.0], [6.0, 3.1, 3.0], [4.0, 6.0, 3.0], [6.0, 6.0, 3.0]])
         v = numpy.array([[1.0, 0, 0], [-1.0, 0, 0], [1.0, 0, 0], [-1.0, 0, 0]])
         self.write(x, v)
         head = HEAD.replace(LAW, "pair_style hard/square_well\npair_coeff * * restitution 0.1 well 0.05 1.2\n")
-        output = self.run_script(
-            head + "fix set all agglomerates 1\nfix held all agglomerates 1 partners held\n"
-            "fix move all nve/sphere\ntimestep 0.01\nthermo 1\n"
-            "thermo_style custom step f_set f_held f_held[2]\nrun 150\n")
-        table = {int(row[0]): row[1:] for row in engine.thermo_lines(output)[1]}
-        # Edge at 1.2: the head-on pair enters it at t = (2 - 1.2)/2 = 0.4, faster inside, and collides before
-        # 0.5; the other is in while the way along x is below sqrt(1.2^2 - 1.1^2) = 0.48, near t = 1;
-        # the well bends it to 1.05 from the other centre, not on to the core.
-        self.assertEqual(table[41][:2], [1, 0])
-        self.assertEqual(table[55][:2], [1, 1])
-        self.assertEqual(table[100], [2, 1, 2])
-        self.assertEqual(table[150], [1, 1, 2])
+        for ranks in (1, 2):  # of two ranks each has one of each pair at first
+            with self.subTest(ranks=ranks):
+                output = self.run_script(
+                    head + "fix set all agglomerates 1\nfix held all agglomerates 1 partners held\n"
+                    "fix move all nve/sphere\ntimestep 0.01\nthermo 1\n"
+                    "thermo_style custom step f_set f_held f_held[2]\nrun 150\n", ranks=ranks)
+                table = {int(row[0]): row[1:] for row in engine.thermo_lines(output)[1]}
+                # Edge at 1.2: the head-on pair enters it at t = (2 - 1.2)/2 = 0.4, faster inside, and collides
+                # before 0.5; the other is in while the way along x is below sqrt(1.2^2 - 1.1^2) = 0.48, near
+                # t = 1; the well bends it to 1.05 from the other centre, not on to the core.
+                self.assertEqual(table[41][:2], [1, 0])
+                self.assertEqual(table[55][:2], [1, 1])
+                self.assertEqual(table[100], [2, 1, 2])
+                self.assertEqual(table[150], [1, 1, 2])
 
     def test_hybrid_and_refusals(self):
         self.write(numpy.array([[5.0, 4.0, 3.0], [6.1, 4.0, 3.0]]))

@@ -90,8 +90,8 @@ TEST(SphereOverlap, ByPointsIsNearTheExactShareOnAnyPlane) {
     }
   }
   EXPECT_LT(worst, 0.03);
-  // Among so many planes one is off by a point, 1/500, at least by half of it: it is the points that
-  // were counted.
+  // Among so many planes one is off by a point, 1/500, at least by half of it: it is the points
+  // that were counted.
   EXPECT_GT(worst, 0.001);
 }
 
