@@ -76,11 +76,11 @@ void LAMMPS_NS::advise(LAMMPS* lmp, const std::string& style, const advice::Sche
     const double diameter = 2.0 * std::min(c.i.radius, c.j.radius);
     const double speed = std::max(fastest, std::sqrt(2.0 * g * diameter));
     const auto spring = cohesion::contact::normal_contact(c.contact, mass);
-    const advice::ContactNumbers n(
-        {c.i.radius, c.j.radius, c.i.mass, c.j.mass, spring.stiffness(), spring.damping(),
-         c.adhesion, speed, lmp->update->dt, g,
-         c.contact.friction > 0.0 ? c.contact.tangential_ratio * spring.stiffness() : 0.0,
-         c.contact.rolling_friction > 0.0 ? c.contact.tangential_ratio * spring.stiffness() : 0.0});
+    const double tangential = cohesion::contact::tangential_contact(c.contact, spring).stiffness;
+    const advice::ContactNumbers n({c.i.radius, c.j.radius, c.i.mass, c.j.mass, spring.stiffness(),
+                                    spring.damping(), c.adhesion, speed, lmp->update->dt, g,
+                                    c.contact.friction > 0.0 ? tangential : 0.0,
+                                    c.contact.rolling_friction > 0.0 ? tangential : 0.0});
     if (prints)
       utils::logmesg(
           lmp, fmt::format("  {:<10}{:>9.3g}{:>11.4g}{:>14.3g}{:>10.2g}{:>10.2g}{:>10.3g}{:>10.3g}"

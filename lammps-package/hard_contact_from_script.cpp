@@ -2,7 +2,6 @@
 #include "hard_contact_from_script.h"
 
 #include "law_from_script.h"
-#include "mixing.h"
 #include "utils.h"
 
 using namespace LAMMPS_NS;
@@ -32,20 +31,7 @@ void LAMMPS_NS::require_valid(LAMMPS* lmp, const std::string& where, const HardC
                               bool has_restitution) {
   if (!has_restitution) lmp->error->all(FLERR, where + ": give 'restitution e'");
   from_script(lmp, where, [&] {
-    cohesion::hard_sphere::require_valid(c.law());
-    cohesion::square_well::require_valid(c.well);
-    cohesion::require(c.well.depth == 0.0 || c.well.ratio_i > 1.0, "ratio r_out/r of the well",
-                      c.well.ratio_i,
-                      "must be above 1 with a depth above zero: between core and edge in the same "
-                      "place a captured pair would have infinitely many events in no time");
+    cohesion::hard_sphere::require_valid(c);
     return 0;
   });
-}
-
-HardContact LAMMPS_NS::mixed(const HardContact& a, const HardContact& b) {
-  HardContact c;
-  c.restitution = cohesion::geometric_mean(a.restitution, b.restitution);
-  c.friction = cohesion::geometric_mean(a.friction, b.friction);
-  c.well = cohesion::square_well::mixed(a.well, b.well);
-  return c;
 }

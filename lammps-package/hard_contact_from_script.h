@@ -4,20 +4,14 @@
 
 #include <string>
 
-#include "hard_sphere/impact.h"
+#include "hard_sphere/contact_parameters.h"
 #include "lammps.h"
-#include "square_well/parameters.h"
 
 namespace LAMMPS_NS {
 
 /// What a script says about the impacts of two materials.
-struct HardContact {
-  double restitution = 1.0;
-  double friction = 0.0;
-  cohesion::square_well::Parameters well;
+struct HardContact : cohesion::hard_sphere::ContactParameters {
   bool well_given = false;  ///< a well, or none, in so many words
-
-  cohesion::hard_sphere::Law law() const { return {restitution, friction, well.depth}; }
 };
 
 /// Reads one keyword of `restitution e [friction mu] [well D ratio]` at arg[at]; gives the number
@@ -27,9 +21,6 @@ int read_hard_keyword(LAMMPS*, const std::string& where, int at, int narg, char*
 
 /// Stops LAMMPS when the contact cannot be right.
 void require_valid(LAMMPS*, const std::string& where, const HardContact&, bool has_restitution);
-
-/// Unlike materials: geometric means of restitution and friction; the well as square_well::mixed.
-HardContact mixed(const HardContact&, const HardContact&);
 
 }  // namespace LAMMPS_NS
 

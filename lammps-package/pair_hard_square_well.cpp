@@ -195,7 +195,7 @@ void PairHardSquareWell::init_style() {
 
 double PairHardSquareWell::init_one(int i, int j) {
   if (given_.to_mix("pair_style hard/square_well", i, j))
-    give(i, j, mixed(given_(i, i), given_(j, j)));
+    give(i, j, {mixed(given_(i, i), given_(j, j))});
   return cohesion::square_well::edge(given_(i, j).well, largest_radius_[i], largest_radius_[j]) +
          list_reach();
 }

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "hard_sphere/impact.h"
+#include "mixing.h"
+#include "square_well/parameters.h"
+#include "validation.h"
+
+namespace cohesion::hard_sphere {
+
+/// The impacts of a pair of materials, as users give them.
+struct ContactParameters {
+  double restitution = 1.0;      ///< e, [1]
+  double friction = 0.0;         ///< mu_f, [1]
+  square_well::Parameters well;  ///< around the hard core
+
+  Law law() const { return {restitution, friction, well.depth}; }
+};
+
+/// Throws InvalidParameter unless law and well are valid and a well that attracts reaches beyond
+/// the core.
+inline void require_valid(const ContactParameters& p) {
+  require_valid(p.law());
+  square_well::require_valid(p.well);
+  require(p.well.depth == 0.0 || p.well.ratio_i > 1.0, "ratio r_out/r of the well", p.well.ratio_i,
+          "must be above 1 with a depth above zero: between core and edge in the same place a "
+          "captured pair would have infinitely many events in no time");
+}
+
+/// Unlike materials: geometric means of restitution and friction; the well as square_well::mixed.
+inline ContactParameters mixed(const ContactParameters& a, const ContactParameters& b) {
+  return {geometric_mean(a.restitution, b.restitution), geometric_mean(a.friction, b.friction),
+          square_well::mixed(a.well, b.well)};
+}
+
+}  // namespace cohesion::hard_sphere
