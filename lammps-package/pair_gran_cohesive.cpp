@@ -173,8 +173,8 @@ template <bool FRICTION, bool ROLLING, class Contact>
   for (Active& pair : active) {
     PairMotion& change = *next++;
     const int i = pair.i, j = pair.j;
-    pair.alone = !ROLLING && step->has_one_contact(i) && step->has_one_contact(j);
-    if (pair.alone) continue;
+    pair.only = !ROLLING && step->has_one_contact(i) && step->has_one_contact(j);
+    if (pair.only) continue;
     const Contact& c = contacts.all[pair.contact];
     const PairMotion motion = with_spins(on_grid(i, j), i, j);
     const PairStep normal = c.advance(motion.relative, pair.history[0] != 0.0);
@@ -202,7 +202,7 @@ template <bool TALLY, bool FRICTION, bool ROLLING, class Contact>
     PairMotion others;
     if constexpr (Contact::acts_within_step) {
       const PairMotion& change = *next++;
-      if (!pair.alone) others = others_of<FRICTION>(step->alone[i], step->alone[j], change);
+      if (!pair.only) others = others_of<FRICTION>(step->alone[i], step->alone[j], change);
     }
     PairSpins by_rolling;
     if (ROLLING && Contact::acts_within_step) {

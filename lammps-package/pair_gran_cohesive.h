@@ -62,7 +62,7 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventPairs {
   struct Active {
     int i, j;
     int contact;      // of those of this step
-    bool alone;       // neither particle has another contact
+    bool only;        // neither particle has another contact
     int* kept;        // 1 while the pair has a history
     double* history;  // HistorySize
   };
@@ -93,7 +93,7 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventPairs {
   AnyContacts any_contacts;
   std::vector<double> largest_radius;  // by type, at init
   std::vector<Active> active;
-  /// What each active pair would do without the others; of one that is alone: nothing.
+  /// What each active pair would do without the others; of one that is their only one: nothing.
   std::vector<cohesion::event_stepping::PairMotion> changes;
   std::vector<cohesion::Vector3> rolled;  // with rolling friction, of each: from roll_alone()
   ClosePairs close;                       // those that may become active

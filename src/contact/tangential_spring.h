@@ -11,7 +11,7 @@ namespace cohesion::contact {
 struct TangentialParameters {
   double stiffness;  ///< K_t, [force/length]
   double damping;    ///< eta_t, [mass/time]
-  double friction;   ///< mu_f, [1]
+  double friction;   ///< mu_f, or mu_R of a spring that resists rolling, [1]
 };
 
 /// What the tangential spring does in one stretch of contact.

@@ -141,7 +141,7 @@ class CohesiveContact {
     SpringVelocity u;
     u.before = surface_velocity(grid.relative.velocity + 0.5 * normal.change.velocity, grid);
     if (others) u.by_others = surface_velocity(others->relative.velocity, *others);
-    if (by_rolling) u.by_other = surface_velocity({}, {{}, by_rolling->i, by_rolling->j});
+    if (by_rolling) u.by_partner = surface_velocity({}, {{}, by_rolling->i, by_rolling->j});
     const double answer = inverse_mass_ + square * (lever_i * lever_i * spin_share_i_ +
                                                     lever_j * lever_j * spin_share_j_);
     const SpringStep step = follow_spring(tangential_, normal, window_, plane, memory, u, answer);

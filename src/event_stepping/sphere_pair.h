@@ -112,10 +112,9 @@ class SpherePair {
     return true;
   }
 
-  /// Turns the pair by the angle L times the integral of 1/(R - x)^2, through its half-angle
-  /// tangent
-  /// (`half` per sideways speed), and puts its surfaces to `end`. New separation and velocity are
-  /// linear in the old ones s and w; so are the normal, s/r, and the velocity across it.
+  /// Turns the pair by the angle L times the integral of 1/(R - x)^2, through the tangent of half
+  /// of it (`half` per sideways speed), and puts its surfaces to `end`. New separation and velocity
+  /// are linear in the old ones s and w; so are the normal, s/r, and the velocity across it.
   void rotate(RelativeState& now, const Start& start, const Overlap& end, double time,
               double integral) const {
     const double angle_per_speed = start.distance * inverse_distance_ * inverse_distance_ *

@@ -14,9 +14,9 @@ struct SpringStep {
 
 /// How fast the ends of a spring part in a step, [length/time].
 struct SpringVelocity {
-  Vector3 before;       ///< others act, with half of what the normal motion does
-  Vector3 by_others{};  ///< what the other contacts change of it in the whole step
-  Vector3 by_other{};   ///< what the other spring of the same contact changes of it
+  Vector3 before;        ///< others act, with half of what the normal motion does
+  Vector3 by_others{};   ///< what the other contacts change of it in the whole step
+  Vector3 by_partner{};  ///< what the other spring of the same contact changes of it
 };
 
 /// The spring over the step that `normal` describes, in the plane of contact. `memory` is what the
@@ -39,11 +39,12 @@ inline SpringStep follow_spring(const contact::TangentialSpring& law, const Pair
     displacement =
         plane.turned_into(memory) + window.before * (velocity.before - 0.5 * velocity.by_others);
   contact::TangentialStep spring =
-      law.advance(displacement, velocity.before + 0.5 * (velocity.by_others + velocity.by_other),
+      law.advance(displacement, velocity.before + 0.5 * (velocity.by_others + velocity.by_partner),
                   normal.normal.contact_time, answer, normal.normal.repulsion_impulse,
                   normal.normal.repulsion_at_end);
-  Vector3 left = spring.displacement - window.after * (velocity.before + 0.5 * velocity.by_others +
-                                                       velocity.by_other + answer * spring.impulse);
+  Vector3 left =
+      spring.displacement - window.after * (velocity.before + 0.5 * velocity.by_others +
+                                            velocity.by_partner + answer * spring.impulse);
   if (normal.overlap_at_end <= 0.0) {  // parted: what the spring still held is lost
     spring.friction += law.stored_energy(spring.displacement);
     spring.displacement = left = {};

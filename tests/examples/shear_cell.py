@@ -67,10 +67,7 @@ class ShearCell(unittest.TestCase):
         and what waves add; the pressure of collisions goes with T; four standard errors."""
         expected = theory.steady(PHI, E)
         T, error = (v / 4 for v in self.free["temperature"])  # per diameter^2
-        nu = expected.dissipation / theory.density(PHI)
-        length = SIDE / 2
-        waves = (expected.temperature / (16 * math.pi * nu) *
-                 math.log(length / (2 * math.pi * theory.free_path(PHI)))) / expected.dissipation
+        waves = theory.waves(PHI, expected, SIDE / 2)  # in diameters
         sampling = 4 * error / expected.temperature
         self.assertLess(sampling, 0.1)
         self.assertGreater(T / expected.temperature, 1 - sampling)

@@ -35,6 +35,17 @@ def free_path(fraction):
     return 1 / (2 * math.sqrt(2) * density(fraction) * contact_value(fraction))
 
 
+def waves(fraction, state, length):
+    """Share by which waves of the flow raise the viscosity of a State in a box of this length: waves
+    across their direction, k from that of the box 2 pi/L to that of the free path 1/l, have energy T/2
+    each and decay by nu k^2; sheared they carry on average -rate T/(16 pi nu) ln(L/(2 pi l)) of momentum
+    (fluctuating hydrodynamics, as in Ernst, Hauge, van Leeuwen, Phys. Rev. A 4 (1971) 2055)."""
+    viscosity = state.dissipation
+    nu = viscosity / density(fraction)
+    return (state.temperature / (16 * math.pi * nu) *
+            math.log(length / (2 * math.pi * free_path(fraction)))) / viscosity
+
+
 def nearly_elastic(fraction, restitution):
     """Granular temperature with the viscosity of elastic discs, first Sonine approximation (Gass,
     J. Chem. Phys. 54 (1971) 1898): rate^2 times viscosity = dissipation; exact in 1 - e to leading

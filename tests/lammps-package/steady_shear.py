@@ -63,20 +63,14 @@ class SteadyShear:
     def kinetic_theory(self, table, area, interval, expected, fraction):
         """T goes as the viscosity. What the theory leaves out of it makes that larger: velocities that are
         no Gaussian, 2.2 % in the dilute elastic gas (sheared_discs.nearly_elastic) and less where
-        collisions carry most; waves of the flow. Waves across their direction, k from that of
-        the box 2 pi/L to that of the free path 1/l, have energy T/2 each and decay by nu k^2; sheared
-        they carry on average -rate T/(16 pi nu) ln(L/(2 pi l)) of momentum (fluctuating
-        hydrodynamics, as in Ernst, Hauge, van Leeuwen, Phys. Rev. A 4 (1971) 2055), more in a larger box:
-        at fraction 0.2, e 0.97, runs of a strain of 400 and 200 gave T 2.8 +- 0.6 % above the theory with
-        256 discs, 6.5 +- 0.6 % with 1024. Sampling: blocks, four standard errors."""
+        collisions carry most; waves of the flow (sheared_discs.waves), more in a larger box: at fraction
+        0.2, e 0.97, runs of a strain of 400 and 200 gave T 2.8 +- 0.6 % above the theory with 256 discs,
+        6.5 +- 0.6 % with 1024. Sampling: blocks, four standard errors."""
         T = table["c_flow[3]"][1:]
         blocks = T[:len(T) // BLOCKS * BLOCKS].reshape(BLOCKS, -1).mean(axis=1)
         sampling = 4 * blocks.std(ddof=1) / math.sqrt(BLOCKS) / expected.temperature
         ratio = T.mean() / expected.temperature
-        viscosity = expected.dissipation
-        nu = viscosity / theory.density(fraction)
-        waves = (expected.temperature / (16 * math.pi * nu) *
-                 math.log(math.sqrt(area) / (2 * math.pi * theory.free_path(fraction)))) / viscosity
+        waves = theory.waves(fraction, expected, math.sqrt(area))
         # Runs are long enough for about 0.03; ten blocks know it within a factor of 2.
         self.assertLess(sampling, 0.06)
         self.assertGreater(ratio, 1 - sampling)
