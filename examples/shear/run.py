@@ -6,6 +6,7 @@ picture. Runs that are finished are not run again.
 """
 
 import argparse
+import functools
 import hashlib
 import json
 import math
@@ -70,6 +71,12 @@ def step(run):
     return path / speed / 15
 
 
+@functools.lru_cache(maxsize=None)
+def content(file):
+    """What a result of other content was not made with."""
+    return hashlib.sha256(Path(file).read_bytes()).hexdigest()
+
+
 class Job:
     """One run: its folder, its settings, its process."""
 
@@ -77,8 +84,9 @@ class Job:
         self.engine = engine
         self.folder = out / "runs" / run.name
         self.settings = {**run._asdict(), **rule._asdict(), "count": discs(run.phi, rule.side),
-                         "script": hashlib.sha256((HERE / "in.shear").read_bytes()).hexdigest()}
-        self.dt, self.tries, self.process = step(run), 0, None
+                         "dt": step(run), "skin": 4 if run.phi < 0.25 else 2.5,
+                         "script": content(HERE / "in.shear"), "package": content(engine[1])}
+        self.dt, self.tries, self.process = self.settings["dt"], 0, None  # dt: halved where it is too long
         self.most_progress = rule.start + rule.most * rule.block
         # Collisions, and how long they take: wells add events, and close clusters collide as they like.
         self.work = self.settings["count"] * (1 if run.D == 0 else 2)
@@ -93,9 +101,8 @@ class Job:
         self.folder.mkdir(parents=True, exist_ok=True)
         self.begin = time.time()
         program, plugin = self.engine
-        skin = 4 if self.settings["phi"] < 0.25 else 2.5
         command = [program, "-in", HERE / "in.shear", "-log", "none", "-var", "plugin", plugin,
-                   "-var", "dt", f"{self.dt:.6g}", "-var", "skin", f"{skin}"]
+                   "-var", "dt", f"{self.dt:.6g}", "-var", "skin", str(self.settings["skin"])]
         for name in ("count", "phi", "e", "D", "w", "seed", "start", "block", "most"):
             command += ["-var", name, str(self.settings[name])]
         with open(self.folder / "log", "w") as log:
