@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <iterator>
 
 #include "arg_info.h"
@@ -13,6 +14,7 @@
 #include "input.h"
 #include "law_from_script.h"
 #include "modify.h"
+#include "named_table.h"
 #include "timer.h"
 #include "update.h"
 #include "variable.h"
@@ -23,8 +25,6 @@ using cohesion::statistics::Ratio;
 using cohesion::statistics::Watched;
 
 static constexpr int HEAD = 2;  // blocks, state; then three numbers of each watched value
-static constexpr const char* SYNTAX =
-    "progress VALUE, per_particle, start P, block P, most N, watch TOLERANCE TERM ...";
 
 namespace {
 
@@ -52,7 +52,7 @@ FixStationary::FixStationary(LAMMPS* lammps, int narg, char** arg)
       passed_step(0),
       state(watching),
       ended_run(false) {
-  if (narg < 4) error->all(FLERR, where + ": give N, every so many steps, then " + SYNTAX);
+  if (narg < 4) error->all(FLERR, where + ": give N, every so many steps, and keywords");
   nevery = utils::inumeric(FLERR, arg[3], false, lmp);
   if (nevery < 1) error->all(FLERR, where + ": N is {}; it must be 1 or more", nevery);
   read_keywords(narg, arg);
@@ -71,27 +71,47 @@ FixStationary::FixStationary(LAMMPS* lammps, int narg, char** arg)
 }
 
 void FixStationary::read_keywords(int narg, char** arg) {
+  struct Keyword {
+    const char* name;
+    bool takes_a_value;
+    std::function<int(int)> read;  // from arg[i] on; the place of the first word behind
+  };
+  const auto number = [&](double& value) {
+    return [this, arg, &value](int i) {
+      value = utils::numeric(FLERR, arg[i], false, lmp);
+      return i + 1;
+    };
+  };
+  const std::vector<Keyword> keywords{
+      {"progress", true,
+       [&](int i) {
+         progress_value = arg[i];
+         require_exists(progress_value);
+         return i + 1;
+       }},
+      {"per_particle", false,
+       [&](int i) {
+         per_particle = true;
+         return i;
+       }},
+      {"start", true, number(start)},
+      {"block", true, number(block)},
+      {"most", true,
+       [&](int i) {
+         most = utils::inumeric(FLERR, arg[i], false, lmp);
+         if (most < 2)
+           error->all(FLERR, where + ": most {}; two blocks are compared at least", most);
+         return i + 1;
+       }},
+      {"watch", true, [&](int i) { return read_watched(i, narg, arg); }},
+  };
   for (int i = 4; i < narg;) {
-    const std::string word = arg[i++];
-    if (word == "per_particle") {
-      per_particle = true;
-      continue;
-    }
-    if (word != "progress" && word != "start" && word != "block" && word != "most" &&
-        word != "watch")
-      error->all(FLERR, where + ": unknown keyword '" + word + "'; valid ones: " + SYNTAX);
-    if (i == narg) error->all(FLERR, where + ": " + word + " takes a value");
-    if (word == "watch") {
-      i = read_watched(i, narg, arg);
-    } else if (word == "progress") {
-      progress_value = arg[i++];
-      require_exists(progress_value);
-    } else if (word == "most") {
-      most = utils::inumeric(FLERR, arg[i++], false, lmp);
-      if (most < 2) error->all(FLERR, where + ": most {}; two blocks are compared at least", most);
-    } else {
-      (word == "start" ? start : block) = utils::numeric(FLERR, arg[i++], false, lmp);
-    }
+    const Keyword& keyword = *from_script(
+        lmp, where, [&] { return &cohesion::find_by_name(keywords, "keyword", arg[i]); });
+    i++;
+    if (keyword.takes_a_value && i == narg)
+      error->all(FLERR, where + ": " + keyword.name + " takes a value");
+    i = keyword.read(i);
   }
 }
 
