@@ -82,6 +82,11 @@ class SteadyShear:
                                  for k in (1, 2, 4)]) / time
         known = numpy.trace(expected.impulsive) / expected.temperature
         self.assertLess(abs(impulsive[:2].sum() / T.mean() / known - 1), 0.022)
+        # The mean cube, and with it what collisions take, as T^(3/2) if velocities are Gaussian: whatever
+        # the waves do to T.
+        dissipated = (table["c_events[5]"][0] - table["c_events[5]"][-1]) / time
+        known = expected.dissipation / expected.temperature**1.5
+        self.assertLess(abs(dissipated / (T**1.5).mean() / known - 1), 1.5 * 0.022)
         # The whole stress, xx, yy and xy. Normal stress goes with T; shear stress, which makes the heat
         # that collisions take, with T^(3/2).
         kinetic = numpy.array([table[f"c_flow[{k}]"][1:].mean() for k in (5, 6, 8)])
