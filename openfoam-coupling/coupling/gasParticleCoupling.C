@@ -175,7 +175,15 @@ void Foam::gasParticleCoupling::advanceParticles
     seconds_.exchange += timer.timeIncrement();
 
     const Time& time = mesh_.time();
-    engine_->advance(subSteps_, time.writeTime() ? completeState::engineFile(time) : fileName());
+    const fileName state = time.writeTime() ? completeState::engineFile(time) : fileName();
+    try
+    {
+        engine_->advance(subSteps_, state);
+    }
+    catch (const std::exception& error)
+    {
+        FatalErrorInFunction << error.what() << exit(FatalError);
+    }
     seconds_.particles += timer.timeIncrement();
 
     reportBalance(U, felt, pendingBefore);
@@ -183,7 +191,7 @@ void Foam::gasParticleCoupling::advanceParticles
 }
 
 
-void Foam::gasParticleCoupling::writeParticles()
+bool Foam::gasParticleCoupling::writeParticles()
 {
     locateParticles();
     const particleExchange& exchange = averaging_.exchange();
@@ -198,7 +206,7 @@ void Foam::gasParticleCoupling::writeParticles()
             centred.append(k);
         }
     }
-    writeParticleCloud
+    return writeParticleCloud
     (
         mesh_,
         labelList(exchange.cells(), centred),
@@ -210,8 +218,8 @@ void Foam::gasParticleCoupling::writeParticles()
 }
 
 
-void Foam::gasParticleCoupling::writeState()
+void Foam::gasParticleCoupling::writeState(const bool written)
 {
-    writeParticles();
-    completeState::mark(mesh_.time(), engine_->steps_done());
+    const bool particlesWritten = writeParticles();
+    completeState::mark(mesh_.time(), engine_->steps_done(), written && particlesWritten);
 }

@@ -150,7 +150,7 @@ void Foam::gasParticleCoupling::makeEngine()
         settings.log = coeffs.getOrDefault<fileName>("log", "log." + name).expand();
         if (continued())
         {
-            settings.restart = completeState::engineFile(mesh_.time());
+            settings.restart = completeState::restartFile(mesh_.time());
             settings.log += "." + mesh_.time().timeName();
         }
         for (const entry& variable : coeffs.subOrEmptyDict("variables"))
@@ -223,12 +223,17 @@ void Foam::gasParticleCoupling::checkUnitsAndBox() const
 
 void Foam::gasParticleCoupling::checkContinued() const
 {
-    if (continued() && engine_->steps_done() != completeState::engineSteps(mesh_.time()))
+    if (!continued())
+    {
+        return;
+    }
+    const int64_t stepsThen = completeState::engineSteps(mesh_.time());
+    if (engine_->steps_done() != stepsThen)
     {
         FatalIOErrorInFunction(dict_)
             << "the run continues at time " << mesh_.time().timeName() << ", where the particles had done "
-            << completeState::engineSteps(mesh_.time()) << " steps, but after the particle script they"
-            << " have done " << engine_->steps_done() << nl
+            << stepsThen << " steps, but after the particle script they"
+            << " have done " << int64_t(engine_->steps_done()) << nl
             << "    Let the script read their state when there is one:"
             << " if \"${continued} == no\" then <set up> else \"read_restart ${restart}\", and set"
             << " no time step number after that" << exit(FatalIOError);

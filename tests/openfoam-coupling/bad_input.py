@@ -100,6 +100,9 @@ CASES = {
     "gas step below the particle step": (
         lambda c: c.set("system/controlDict", "deltaT", 4e-6),
         ["deltaT = 4e-06", "whole multiple", "1e-05"]),
+    "only one time kept": (
+        lambda c: c.set("system/controlDict", "purgeWrite", 1),
+        ["purgeWrite = 1", "removes the last complete time", "Use 2 or more", "controlDict"]),
     "start at another time": (
         lambda c: ((c.folder / "0").rename(c.folder / "0.005"),
                    c.set("system/controlDict", "startTime", 0.005)),
