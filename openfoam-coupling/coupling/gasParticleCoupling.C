@@ -186,7 +186,7 @@ void Foam::gasParticleCoupling::advanceParticles
     }
     seconds_.particles += timer.timeIncrement();
 
-    reportBalance(U, felt, pendingBefore);
+    reportBalance(U, gradP, pendingBefore);
     seconds_.exchange += timer.timeIncrement();
 }
 

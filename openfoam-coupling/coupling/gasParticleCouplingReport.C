@@ -56,23 +56,28 @@ void Foam::gasParticleCoupling::refuseTooDense() const
 void Foam::gasParticleCoupling::reportBalance
 (
     const volVectorField& U,
-    const UList<vector>& pressureGradient,
+    const volVectorField& gradP,
     const vector& pendingBefore
 ) const
 {
     const scalar dt = mesh_.time().deltaTValue();
 
-    // The gas, from the source terms of its own equation
+    // The gas, from the terms of its own equation. Of the mixture's eps rho g - grad p it takes
+    // s (rho g - grad p); the rest is what the particles must have been given.
+    const scalarField& share = pressureShare();
     vector gasDrag = Zero;
     vector gasPressure = Zero;
     scalar solidDeposited = 0;
     forAll(U, celli)
     {
-        const scalar solid = (1 - voidFraction_[celli])*volume(celli);
         gasDrag +=
             (dragSource_[celli] - dragRate_[celli]*U[celli])*rho_*volume(celli)*dt;
-        gasPressure += solid*pressureGradient[celli]*dt;
-        solidDeposited += solid;
+        gasPressure +=
+            (
+                (1 - share[celli])*gradP[celli]
+              + (share[celli] - voidFraction_[celli])*rho_*g_
+            )*volume(celli)*dt;
+        solidDeposited += (1 - voidFraction_[celli])*volume(celli);
     }
 
     // The particles, from the engine's book of the forces it put on
