@@ -123,6 +123,7 @@ void Foam::gasParticleCoupling::setDrag(const volVectorField& U)
 void Foam::gasParticleCoupling::depositParticles(const volVectorField& U)
 {
     const clockTime timer;
+    refuseOtherStep();
     locateParticles();
     setVoidFraction();
     setDrag(U);

@@ -255,3 +255,18 @@ void Foam::gasParticleCoupling::setSubSteps()
     }
     subSteps_ = label(std::round(steps));
 }
+
+
+void Foam::gasParticleCoupling::refuseOtherStep() const
+{
+    const scalar dt = mesh_.time().deltaTValue();
+    if (mag(dt - subSteps_*engine_->time_step()) > 1e-9*dt)
+    {
+        FatalIOErrorInFunction(mesh_.time().controlDict())
+            << "the gas step is now deltaT = " << dt << " s and that of the particles "
+            << engine_->time_step() << " s, while the run was set up for " << subSteps_
+            << " steps of the particles in one of the gas" << nl
+            << "    Keep both while the case runs ('runTimeModifiable no;' for the gas); to change one,"
+            << " stop, and continue with 'startFrom latestTime;'" << exit(FatalIOError);
+    }
+}

@@ -2,7 +2,11 @@
 """Bad input to a coupled case: each stops the solver before anything is computed or overwritten, and
 says what is wrong, where, and what would be right."""
 
+import os
+import re
+import subprocess
 import sys
+import time
 
 from coupled_case import SOURCE, CaseError, Expectations, column
 
@@ -180,12 +184,43 @@ def refuses_existing_results(expect, case):
     expect.true("with -overwrite: replaced", result.stat().st_mtime_ns > written)
 
 
+def refuses_another_step_at_run_time(expect, case):
+    """deltaT in a controlDict that is read while the case runs."""
+    case.mesh()
+    case.set("system/controlDict", "runTimeModifiable", "yes")
+    case.set("system/controlDict", "endTime", 100)
+    case.set("system/controlDict", "writeInterval", 100)
+    process = case.start()
+    log = case.log("cohesiveBedFoam")
+    while process.poll() is None and "\nTime = " not in log.read_text():
+        time.sleep(0.01)
+    control = case.folder / "system/controlDict"
+    text = re.sub(r"(\ndeltaT\s+)[^;]+;", r"\g<1>2e-4;", control.read_text())
+    changed = control.with_name("changed")
+    changed.write_text(text)
+    # OpenFOAM wants a file to be ten seconds newer than the one it knows.
+    os.utime(changed, (time.time() + 60, time.time() + 60))
+    changed.replace(control)
+    try:
+        status = process.wait(timeout=60)
+    except subprocess.TimeoutExpired:
+        process.kill()
+        status = process.wait()
+        expect.true("deltaT changed at run time: stops", False)
+    said = " ".join(log.read_text().split())
+    expect.true("deltaT changed at run time: fails", status != 0)
+    for part in ("the gas step is now deltaT = 0.0002 s", "set up for 10 steps", "controlDict",
+                 "startFrom latestTime"):
+        expect.true(f"deltaT changed at run time: says \"{part}\"", part in said)
+
+
 def main(build, work):
     expect = Expectations()
     for number, (name, (spoil, parts)) in enumerate(CASES.items()):
         check(expect, column(work, str(number), build), name, spoil, parts)
     every_closure_is_documented(expect)
     refuses_existing_results(expect, column(work, "results", build))
+    refuses_another_step_at_run_time(expect, column(work, "modified", build))
     expect.exit()
 
 
