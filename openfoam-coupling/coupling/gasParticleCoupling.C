@@ -4,6 +4,7 @@
 
 #include "clockTime.H"
 
+#include "drag/momentum_exchange.h"
 #include "sphere.h"
 #include "void_fraction/void_fraction.h"
 
@@ -105,10 +106,23 @@ void Foam::gasParticleCoupling::setDrag(const volVectorField& U)
     drag_.endStep(particles.count);
 
     // The slip is U of the particle's cells less the particle's velocity less the offset.
-    const vectorField charge
-    (
-        coefficient_*(velocity - gasAt_.offset()) - vectorField(pendingImpulse())/dt
-    );
+    const List<vector> pending(pendingImpulse());
+    const vectorField& offset = gasAt_.offset();
+    vectorField charge(particles.count);
+    forAll(charge, i)
+    {
+        for (direction d = 0; d < 3; ++d)
+        {
+            charge[i][d] = drag::source_on_gas
+            (
+                coefficient_[i],
+                velocity[i][d],
+                offset[i][d],
+                pending[i][d],
+                dt
+            );
+        }
+    }
     const scalarField rate(averaging_.spread(coefficient_));
     const vectorField source(averaging_.spread(charge));
     forAll(rate, celli)
@@ -134,10 +148,11 @@ void Foam::gasParticleCoupling::depositParticles(const volVectorField& U)
 void Foam::gasParticleCoupling::handOver
 (
     const UList<vector>& gasVelocity,
-    const UList<vector>& pressureGradient,
-    const UList<vector>& charged
+    const UList<vector>& pressureGradient
 )
 {
+    const scalar dt = mesh_.time().deltaTValue();
+    const auto velocity = engine_->particles().velocity;
     drag::GasOnParticle* gas = engine_->gas();
     forAll(coefficient_, i)
     {
@@ -146,7 +161,8 @@ void Foam::gasParticleCoupling::handOver
         {
             gas[i].velocity[d] = gasVelocity[i][d];
             gas[i].pressure_gradient[d] = pressureGradient[i][d];
-            gas[i].drag_impulse[d] = -charged[i][d];
+            gas[i].drag_impulse[d] =
+                -drag::impulse_charged(coefficient_[i], gasVelocity[i][d], velocity[i][d], dt);
         }
     }
 }
@@ -159,20 +175,13 @@ void Foam::gasParticleCoupling::advanceParticles
 )
 {
     clockTime timer;
-    const scalar dt = mesh_.time().deltaTValue();
-
-    const auto particles = engine_->particles();
     const vectorField gasVelocity(averaging_.gather(U.primitiveField()) + gasAt_.offset());
-    const vectorField charged
-    (
-        coefficient_*(gasVelocity - view(particles.velocity, particles.count))*dt
-    );
     const vector pendingBefore = sum(pendingImpulse());
     const vectorField felt
     (
         form_.gas_takes_all ? vectorField(mesh_.nCells(), rho_*g_) : gradP.primitiveField()
     );
-    handOver(gasVelocity, averaging_.gather(felt), charged);
+    handOver(gasVelocity, averaging_.gather(felt));
     seconds_.exchange += timer.timeIncrement();
 
     const Time& time = mesh_.time();
