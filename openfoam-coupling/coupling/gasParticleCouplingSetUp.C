@@ -9,6 +9,7 @@
 
 #include "dem-engines/load_dem_engine.h"
 
+#include "readPositive.H"
 #include "selectRow.H"
 
 using namespace cohesion;
@@ -34,12 +35,12 @@ Foam::gasParticleCoupling::gasParticleCoupling
             IOobject::NO_WRITE
         )
     ),
-    rho_(rho),
+    rho_(requirePositive(dict_, "density of the gas", rho)),
     g_(g),
     form_(selectRow(dict_, "form", drag::model_forms, "A")),
-    drag_(dict_, rho, mu),
+    drag_(dict_, rho, requirePositive(dict_, "viscosity of the gas", mu)),
     gasAt_(dict_),
-    minVoidFraction_(dict_.getOrDefault<scalar>("minVoidFraction", 0.2)),
+    minVoidFraction_(dict_.found("minVoidFraction") ? readPositive(dict_, "minVoidFraction") : 0.2),
     depthRatio_(1),
     subSteps_(0),
     averaging_(mesh, dict_),
@@ -74,7 +75,6 @@ Foam::gasParticleCoupling::gasParticleCoupling
         dimensionedVector(dimAcceleration, Zero)
     )
 {
-    check(mu);
     setDepthRatio();
     makeEngine();
     checkUnitsAndBox();
@@ -90,39 +90,18 @@ Foam::gasParticleCoupling::gasParticleCoupling
 }
 
 
-void Foam::gasParticleCoupling::check(const scalar mu) const
-{
-    try
-    {
-        require_positive("density of the gas", rho_);
-        require_positive("viscosity of the gas", mu);
-        require_positive("minVoidFraction", minVoidFraction_);
-    }
-    catch (const InvalidParameter& error)
-    {
-        FatalIOErrorInFunction(dict_) << error.what() << exit(FatalIOError);
-    }
-}
-
-
 void Foam::gasParticleCoupling::setDepthRatio()
 {
     if (!dict_.found("depth"))
     {
         return;
     }
-    const scalar depth = dict_.get<scalar>("depth");
+    const scalar depth = readPositive(dict_, "depth");
     if (mesh_.nGeometricD() != 2)
     {
         FatalIOErrorInFunction(dict_)
             << "depth = " << depth << " goes with a 2-D mesh, and this one has "
             << mesh_.nGeometricD() << " dimensions: remove the entry"
-            << exit(FatalIOError);
-    }
-    if (!(depth > 0 && depth < GREAT))
-    {
-        FatalIOErrorInFunction(dict_)
-            << "depth = " << depth << " m: must be a finite length greater than zero"
             << exit(FatalIOError);
     }
     for (direction d = 0; d < 3; ++d)

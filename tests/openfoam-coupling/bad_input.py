@@ -119,6 +119,15 @@ CASES = {
         # One sphere: all 90 cells lack 0.5 of 1.5, 3.6e-4 m3 together.
         ["90 cells have a void fraction below minVoidFraction = 1.5", "the lowest is",
          "The solid beyond the limit is 0.00036", "nothing is clipped"]),
+    "no void fraction at all": (
+        lambda c: c.set(COUPLING, "minVoidFraction", 0),
+        ["minVoidFraction = 0: must be a finite number greater than zero", "couplingProperties"]),
+    "depth below zero": (
+        lambda c: c.set(COUPLING, "depth", -1e-3),
+        ["depth = -0.001: must be a finite number greater than zero", "couplingProperties"]),
+    "gas without viscosity": (
+        lambda c: c.set("constant/transportProperties", "nu", 0),
+        ["viscosity of the gas = 0: must be a finite number greater than zero"]),
     "inlet without area": (
         lambda c: edit(c, "0/U", "superficialVelocity (0 0 0);",
                        "superficialVelocity (0 0 0); share 0;"),
