@@ -45,9 +45,11 @@ Foam::DynamicList<Foam::instant> laterTimes(const Foam::Time& time)
 Foam::DynamicList<Foam::instant> completeTimes(const Foam::fileName& path)
 {
     Foam::DynamicList<Foam::instant> complete;
+    // On all ranks: some of OpenFOAM's file handlers ask each other.
+    const Foam::DynamicList<Foam::instant> all(laterTimes(path, 0));
     if (Foam::Pstream::master())
     {
-        for (const Foam::instant& when : laterTimes(path, 0))
+        for (const Foam::instant& when : all)
         {
             if (Foam::isFile(markOf(path, when)))
             {
@@ -222,13 +224,16 @@ void Foam::completeState::refuseLater(const Time& time)
 
 void Foam::completeState::unmarkLater(const Time& time)
 {
+    const DynamicList<instant> later(laterTimes(time));
     if (Pstream::master())
     {
-        for (const instant& when : laterTimes(time))
+        for (const instant& when : later)
         {
             rm(markOf(time.path(), when));
         }
     }
+    // No rank writes a time that still has its mark.
+    returnReduce(label(0), sumOp<label>());
 }
 
 
