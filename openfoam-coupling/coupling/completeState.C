@@ -215,7 +215,8 @@ void Foam::completeState::refuseLater(const Time& time)
     const scalar last = returnReduce(later.size() ? later.last().value() : -GREAT, maxOp<scalar>());
     FatalErrorInFunction
         << "the case " << time.path() << " already holds results after the start at "
-        << time.timeName() << ", at " << folders << " times from " << first << " to " << last << nl
+        << time.timeName() << ", at " << folders << " times from " << Time::timeName(first) << " to "
+        << Time::timeName(last) << nl
         << "    Remove them (Allclean), run in a copy of the case, give the option -overwrite,"
         << " or continue them with 'startFrom latestTime;' in system/controlDict"
         << exit(FatalError);
