@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// LIGGGHTS with all options of `liggghts`, and with the models that register.cpp adds.
+// LIGGGHTS with all options of `liggghts`, and with the models that the files register_*.cpp add.
 
 #include <mpi.h>
 

@@ -71,8 +71,10 @@ bool carries_contact(FixMeshSurface& fix, int triangle, int particle, double* x,
   const Nearest own = nearest(mesh, triangle, particle, centre);
   if (own.far_from_border) return true;
 
-  // All triangles around the place, reached over shared edges.
-  std::vector<int> around{triangle};
+  // All triangles around the place, reached over shared edges. One vector for all calls: this is in
+  // the loop over the contacts.
+  static thread_local std::vector<int> around;
+  around.assign(1, triangle);
   for (std::size_t k = 0; k < around.size(); k++) {
     const int neighbours = std::min(mesh.nNeighs(around[k]), 5);  // that the engine has room for
     for (int n = 0; n < neighbours; n++) {

@@ -17,20 +17,41 @@ namespace
 
 const char* const mark_ = "uniform/completeState";
 
-Foam::fileName markOf(const Foam::Time& time, const Foam::instant& when)
+Foam::fileName markOf(const Foam::fileName& path, const Foam::instant& when)
 {
-    return time.path()/when.name()/mark_;
+    return path/when.name()/mark_;
+}
+
+//- Of the case's, or the rank's, folder `path`: the time folders after a time, the earliest first
+Foam::DynamicList<Foam::instant> laterTimes(const Foam::fileName& path, const Foam::scalar time)
+{
+    Foam::DynamicList<Foam::instant> later;
+    for (const Foam::instant& when : Foam::Time::findTimes(path))
+    {
+        if (when.name() != "constant" && when.value() > time)
+        {
+            later.append(when);
+        }
+    }
+    return later;
+}
+
+Foam::DynamicList<Foam::instant> laterTimes(const Foam::Time& time)
+{
+    return laterTimes(time.path(), time.startTime().value() + 0.5*time.deltaTValue());
 }
 
 //- By the first rank's folders, the same on all ranks
-Foam::DynamicList<Foam::instant> completeTimes(const Foam::Time& time)
+Foam::DynamicList<Foam::instant> completeTimes(const Foam::fileName& path)
 {
     Foam::DynamicList<Foam::instant> complete;
+    // On all ranks: some of OpenFOAM's file handlers ask each other.
+    const Foam::DynamicList<Foam::instant> all(laterTimes(path, 0));
     if (Foam::Pstream::master())
     {
-        for (const Foam::instant& when : time.times())
+        for (const Foam::instant& when : all)
         {
-            if (when.name() != time.constant() && Foam::isFile(markOf(time, when)))
+            if (Foam::isFile(markOf(path, when)))
             {
                 complete.append(when);
             }
@@ -40,44 +61,110 @@ Foam::DynamicList<Foam::instant> completeTimes(const Foam::Time& time)
     return complete;
 }
 
+//- What system/controlDict says, without a Time: that one would stop where the ranks differ in their
+//  latest folder, as they may after a run was killed in a step that is written
+bool startsFromLatest(const Foam::argList& args)
+{
+    Foam::label latest = 0;
+    Foam::IFstream file(args.globalPath()/"system"/Foam::Time::controlDictName);
+    if (file.good())
+    {
+        latest =
+            Foam::dictionary(file).getOrDefault<Foam::word>("startFrom", "latestTime") == "latestTime";
+    }
+    Foam::Pstream::scatter(latest);
+    return latest;
+}
+
+Foam::fileName asideName(const Foam::fileName& path, const Foam::instant& when, const Foam::label copy)
+{
+    const Foam::fileName name(path/("incomplete-" + when.name()));
+    return copy > 1 ? Foam::fileName(name + "." + Foam::name(copy)) : name;
+}
+
+//- Renames the folders, to names that none has had before on any rank
+void setAside(const Foam::fileName& path, const Foam::UList<Foam::instant>& folders)
+{
+    const auto taken = [&](const Foam::label copy)
+    {
+        bool any = false;
+        for (const Foam::instant& when : folders)
+        {
+            any = any || Foam::exists(asideName(path, when, copy));
+        }
+        return Foam::returnReduce(any, Foam::orOp<bool>());
+    };
+    Foam::label copy = 1;
+    while (taken(copy))
+    {
+        ++copy;
+    }
+    for (const Foam::instant& when : folders)
+    {
+        if (!Foam::mv(path/when.name(), asideName(path, when, copy)))
+        {
+            FatalErrorInFunction
+                << "cannot rename " << path/when.name() << ", an incomplete time, to "
+                << asideName(path, when, copy) << Foam::exit(Foam::FatalError);
+        }
+    }
+}
+
 } // End anonymous namespace
 
 
 void Foam::completeState::setAsideIncomplete(const argList& args)
 {
-    const Time time(Time::controlDictName, args);
-    if (time.controlDict().getOrDefault<word>("startFrom", "latestTime") != "latestTime")
+    if (!startsFromLatest(args))
     {
         return;
     }
-    const DynamicList<instant> complete(completeTimes(time));
+    const DynamicList<instant> complete(completeTimes(args.path()));
     const instant last = complete.size() ? complete.last() : instant(0, "0");
-    label moved = 0;
-    for (const instant& when : time.times())
+    const DynamicList<instant> later(laterTimes(args.path(), last.value()*(1 + SMALL)));
+    const label folders = returnReduce(later.size(), maxOp<label>());
+    if (!folders)
     {
-        if (when.name() != time.constant() && when.value() > last.value()*(1 + SMALL))
-        {
-            const fileName aside(time.path()/("incomplete-" + when.name()));
-            rmDir(aside, true);
-            mv(time.path()/when.name(), aside);
-            ++moved;
-        }
+        return;
     }
-    if (returnReduce(moved, sumOp<label>()))
+    if (complete.empty() && !args.found("overwrite"))
     {
-        Info<< "Time folders after " << last.name() << " are incomplete and now called incomplete-<time>"
-            << nl << endl;
+        FatalErrorInFunction
+            << "the case " << args.globalPath() << " has time folders after 0, " << folders
+            << " of them, but none with '" << mark_ << "': no time that a run could be continued from"
+            << nl
+            << "    Remove them (Allclean), run in a copy of the case, or give the option -overwrite:"
+            << " they are then renamed to incomplete-<time>, and the run starts at 0"
+            << exit(FatalError);
+    }
+    setAside(args.path(), later);
+    Info<< "Time folders after " << last.name() << " are incomplete and now called incomplete-<time>"
+        << nl << endl;
+}
+
+
+void Foam::completeState::checkStart(const Time& time, const bool overwrite)
+{
+    checkComplete(time);
+    checkWriting(time);
+    if (overwrite)
+    {
+        unmarkLater(time);
+    }
+    else
+    {
+        refuseLater(time);
     }
 }
 
 
-void Foam::completeState::checkStart(const Time& time)
+void Foam::completeState::checkComplete(const Time& time)
 {
     if (!(time.startTime().value() > 0))
     {
         return;
     }
-    const DynamicList<instant> complete(completeTimes(time));
+    const DynamicList<instant> complete(completeTimes(time.path()));
     std::string names = "0";
     for (const instant& when : complete)
     {
@@ -96,58 +183,116 @@ void Foam::completeState::checkStart(const Time& time)
 }
 
 
-void Foam::completeState::unmarkAll(const Time& time)
+void Foam::completeState::checkWriting(const Time& time)
 {
-    if (Pstream::master())
+    if (time.controlDict().getOrDefault<label>("purgeWrite", 0) == 1)
     {
-        for (const instant& when : time.times())
-        {
-            if (when.name() != time.constant())
-            {
-                rm(markOf(time, when));
-            }
-        }
+        FatalIOErrorInFunction(time.controlDict())
+            << "purgeWrite = 1 removes the last complete time before the next one is complete: a run"
+            << " that is ended in between could not be continued. Use 2 or more, or 0, which keeps"
+            << " all" << exit(FatalIOError);
+    }
+    if (time.writeFormat() == IOstream::ASCII && IOstream::defaultPrecision() < 17)
+    {
+        IOWarningInFunction(time.controlDict())
+            << "fields are written with " << IOstream::defaultPrecision() << " digits: a run that is"
+            << " continued from them differs by that rounding from one that was never stopped. With"
+            << " 'writeFormat binary;' or 'writePrecision 17;' it does not" << endl;
     }
 }
 
 
-Foam::fileName Foam::completeState::engineFile(const Time& time)
+void Foam::completeState::refuseLater(const Time& time)
 {
-    fileName file(time.timePath()/"uniform/particles.restart");
+    const DynamicList<instant> later(laterTimes(time));
+    const label folders = returnReduce(later.size(), maxOp<label>());
+    if (!folders)
+    {
+        return;
+    }
+    const scalar first =
+        returnReduce(later.size() ? later.first().value() : GREAT, minOp<scalar>());
+    const scalar last = returnReduce(later.size() ? later.last().value() : -GREAT, maxOp<scalar>());
+    FatalErrorInFunction
+        << "the case " << time.path() << " already holds results after the start at "
+        << time.timeName() << ", at " << folders << " times from " << Time::timeName(first) << " to "
+        << Time::timeName(last) << nl
+        << "    Remove them (Allclean), run in a copy of the case, give the option -overwrite,"
+        << " or continue them with 'startFrom latestTime;' in system/controlDict"
+        << exit(FatalError);
+}
+
+
+void Foam::completeState::unmarkLater(const Time& time)
+{
+    const DynamicList<instant> later(laterTimes(time));
     if (Pstream::master())
     {
-        mkDir(file.path());
+        for (const instant& when : later)
+        {
+            rm(markOf(time.path(), when));
+        }
     }
+    // No rank writes a time that still has its mark.
+    returnReduce(label(0), sumOp<label>());
+}
+
+
+Foam::fileName Foam::completeState::restartFile(const Time& time)
+{
+    fileName file(time.timePath()/"uniform/particles.restart");
     Pstream::scatter(file);
     return file;
 }
 
 
-void Foam::completeState::mark(const Time& time, const label engineSteps)
+Foam::fileName Foam::completeState::engineFile(const Time& time)
 {
-    // All ranks have written all.
-    label here = 1;
-    reduce(here, sumOp<label>());
-    if (Pstream::master())
+    fileName file(time.path()/"particles.restart");
+    Pstream::scatter(file);
+    return file;
+}
+
+
+void Foam::completeState::mark(const Time& time, const int64_t engineSteps, const bool written)
+{
+    const fileName from(engineFile(time));
+    const fileName to(restartFile(time));
+    // Waits for all ranks.
+    bool complete = returnReduce(written, andOp<bool>());
+    if (complete && Pstream::master())
     {
-        const fileName marked(time.timePath()/mark_);
-        const fileName written(marked + ".part");
+        const fileName marked(markOf(time.path(), instant(time.value(), time.timeName())));
+        const fileName part(marked + ".part");
+        mkDir(marked.path());
+        complete = mv(from, to);
         {
-            OFstream file(written);
+            OFstream file(part);
             file.writeEntry("engineSteps", engineSteps);
+            file.flush();
+            complete = complete && file.good();
         }
-        mv(written, marked);
+        complete = complete && mv(part, marked);
+    }
+    if (!returnReduce(complete, andOp<bool>()))
+    {
+        FatalErrorInFunction
+            << "time " << time.timeName() << " could not be written in full and stays without '"
+            << mark_ << "'" << nl
+            << "    See whether the disk is full and the case's folder can be written to; 'startFrom"
+            << " latestTime;' in system/controlDict then continues from the last complete time"
+            << exit(FatalError);
     }
 }
 
 
-Foam::label Foam::completeState::engineSteps(const Time& time)
+int64_t Foam::completeState::engineSteps(const Time& time)
 {
-    label steps = 0;
+    int64_t steps = 0;
     if (Pstream::master())
     {
         IFstream file(time.timePath()/mark_);
-        steps = dictionary(file).get<label>("engineSteps");
+        steps = dictionary(file).get<int64_t>("engineSteps");
     }
     Pstream::scatter(steps);
     return steps;

@@ -62,7 +62,18 @@ void Foam::diffusionSmoothing::operator()(UList<scalar>& field)
             )
         );
         equation.source() += mesh_.V()*smooth.primitiveField();
-        equation.solve(controls);
+        const solverPerformance solution(equation.solve(controls));
+        if (!solution.converged())
+        {
+            solverPerformance::debug = lines;
+            FatalErrorInFunction
+                << "smoothing over smoothingWidth = " << width_ << " m has not converged: in "
+                << solution.nIterations() << " iterations the residual fell from "
+                << solution.initialResidual() << " to " << solution.finalResidual()
+                << ", and solid volume and momentum would not be kept" << nl
+                << "    In constant/couplingProperties take a smoothingWidth of a few cells or particle"
+                << " diameters" << exit(FatalError);
+        }
     }
     solverPerformance::debug = lines;
     field.deepCopy(smooth.primitiveField());

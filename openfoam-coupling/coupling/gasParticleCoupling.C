@@ -4,6 +4,7 @@
 
 #include "clockTime.H"
 
+#include "drag/momentum_exchange.h"
 #include "sphere.h"
 #include "void_fraction/void_fraction.h"
 
@@ -105,10 +106,23 @@ void Foam::gasParticleCoupling::setDrag(const volVectorField& U)
     drag_.endStep(particles.count);
 
     // The slip is U of the particle's cells less the particle's velocity less the offset.
-    const vectorField charge
-    (
-        coefficient_*(velocity - gasAt_.offset()) - vectorField(pendingImpulse())/dt
-    );
+    const List<vector> pending(pendingImpulse());
+    const vectorField& offset = gasAt_.offset();
+    vectorField charge(particles.count);
+    forAll(charge, i)
+    {
+        for (direction d = 0; d < 3; ++d)
+        {
+            charge[i][d] = drag::source_on_gas
+            (
+                coefficient_[i],
+                velocity[i][d],
+                offset[i][d],
+                pending[i][d],
+                dt
+            );
+        }
+    }
     const scalarField rate(averaging_.spread(coefficient_));
     const vectorField source(averaging_.spread(charge));
     forAll(rate, celli)
@@ -123,6 +137,7 @@ void Foam::gasParticleCoupling::setDrag(const volVectorField& U)
 void Foam::gasParticleCoupling::depositParticles(const volVectorField& U)
 {
     const clockTime timer;
+    refuseOtherStep();
     locateParticles();
     setVoidFraction();
     setDrag(U);
@@ -133,10 +148,11 @@ void Foam::gasParticleCoupling::depositParticles(const volVectorField& U)
 void Foam::gasParticleCoupling::handOver
 (
     const UList<vector>& gasVelocity,
-    const UList<vector>& pressureGradient,
-    const UList<vector>& charged
+    const UList<vector>& pressureGradient
 )
 {
+    const scalar dt = mesh_.time().deltaTValue();
+    const auto velocity = engine_->particles().velocity;
     drag::GasOnParticle* gas = engine_->gas();
     forAll(coefficient_, i)
     {
@@ -145,7 +161,8 @@ void Foam::gasParticleCoupling::handOver
         {
             gas[i].velocity[d] = gasVelocity[i][d];
             gas[i].pressure_gradient[d] = pressureGradient[i][d];
-            gas[i].drag_impulse[d] = -charged[i][d];
+            gas[i].drag_impulse[d] =
+                -drag::impulse_charged(coefficient_[i], gasVelocity[i][d], velocity[i][d], dt);
         }
     }
 }
@@ -158,32 +175,33 @@ void Foam::gasParticleCoupling::advanceParticles
 )
 {
     clockTime timer;
-    const scalar dt = mesh_.time().deltaTValue();
-
-    const auto particles = engine_->particles();
     const vectorField gasVelocity(averaging_.gather(U.primitiveField()) + gasAt_.offset());
-    const vectorField charged
-    (
-        coefficient_*(gasVelocity - view(particles.velocity, particles.count))*dt
-    );
     const vector pendingBefore = sum(pendingImpulse());
     const vectorField felt
     (
         form_.gas_takes_all ? vectorField(mesh_.nCells(), rho_*g_) : gradP.primitiveField()
     );
-    handOver(gasVelocity, averaging_.gather(felt), charged);
+    handOver(gasVelocity, averaging_.gather(felt));
     seconds_.exchange += timer.timeIncrement();
 
     const Time& time = mesh_.time();
-    engine_->advance(subSteps_, time.writeTime() ? completeState::engineFile(time) : fileName());
+    const fileName state = time.writeTime() ? completeState::engineFile(time) : fileName();
+    try
+    {
+        engine_->advance(subSteps_, state);
+    }
+    catch (const std::exception& error)
+    {
+        FatalErrorInFunction << error.what() << exit(FatalError);
+    }
     seconds_.particles += timer.timeIncrement();
 
-    reportBalance(U, felt, pendingBefore);
+    reportBalance(U, gradP, pendingBefore);
     seconds_.exchange += timer.timeIncrement();
 }
 
 
-void Foam::gasParticleCoupling::writeParticles()
+bool Foam::gasParticleCoupling::writeParticles()
 {
     locateParticles();
     const particleExchange& exchange = averaging_.exchange();
@@ -198,7 +216,7 @@ void Foam::gasParticleCoupling::writeParticles()
             centred.append(k);
         }
     }
-    writeParticleCloud
+    return writeParticleCloud
     (
         mesh_,
         labelList(exchange.cells(), centred),
@@ -210,8 +228,8 @@ void Foam::gasParticleCoupling::writeParticles()
 }
 
 
-void Foam::gasParticleCoupling::writeState()
+void Foam::gasParticleCoupling::writeState(const bool written)
 {
-    writeParticles();
-    completeState::mark(mesh_.time(), engine_->steps_done());
+    const bool particlesWritten = writeParticles();
+    completeState::mark(mesh_.time(), engine_->steps_done(), written && particlesWritten);
 }

@@ -7,6 +7,18 @@
 using namespace cohesion;
 
 
+Foam::scalar Foam::gasParticleCoupling::solidVolume() const
+{
+    const auto particles = engine_->particles();
+    scalar sum = 0;
+    for (label i = 0; i < particles.count; ++i)
+    {
+        sum += sphere_volume(particles.radius[i]);
+    }
+    return sum;
+}
+
+
 void Foam::gasParticleCoupling::refuseTooDense() const
 {
     label tooDense = 0;
@@ -36,13 +48,7 @@ void Foam::gasParticleCoupling::refuseTooDense() const
     reduce(lowest, minOp<scalar>());
     where = mine == lowest ? where : point::max;
     reduce(where, minOp<point>());
-    const auto particles = engine_->particles();
-    scalar all = 0;
-    for (label i = 0; i < particles.count; ++i)
-    {
-        all += sphere_volume(particles.radius[i]);
-    }
-    reduce(all, sumOp<scalar>());
+    const scalar all = returnReduce(solidVolume(), sumOp<scalar>());
 
     FatalIOErrorInFunction(dict_)
         << tooDense << " cells have a void fraction below minVoidFraction = " << minVoidFraction_
@@ -56,36 +62,36 @@ void Foam::gasParticleCoupling::refuseTooDense() const
 void Foam::gasParticleCoupling::reportBalance
 (
     const volVectorField& U,
-    const UList<vector>& pressureGradient,
+    const volVectorField& gradP,
     const vector& pendingBefore
 ) const
 {
     const scalar dt = mesh_.time().deltaTValue();
 
-    // The gas, from the source terms of its own equation
+    // The gas, from the terms of its own equation. Of the mixture's eps rho g - grad p it takes
+    // s (rho g - grad p); the rest is what the particles must have been given.
+    const scalarField& share = pressureShare();
     vector gasDrag = Zero;
     vector gasPressure = Zero;
     scalar solidDeposited = 0;
     forAll(U, celli)
     {
-        const scalar solid = (1 - voidFraction_[celli])*volume(celli);
         gasDrag +=
             (dragSource_[celli] - dragRate_[celli]*U[celli])*rho_*volume(celli)*dt;
-        gasPressure += solid*pressureGradient[celli]*dt;
-        solidDeposited += solid;
+        gasPressure +=
+            (
+                (1 - share[celli])*gradP[celli]
+              + (share[celli] - voidFraction_[celli])*rho_*g_
+            )*volume(celli)*dt;
+        solidDeposited += (1 - voidFraction_[celli])*volume(celli);
     }
 
     // The particles, from the engine's book of the forces it put on
-    const auto particles = engine_->particles();
     const auto felt = engine_->gas_impulse();
     vector drag(felt.drag[0], felt.drag[1], felt.drag[2]);
     vector pressure(felt.pressure[0], felt.pressure[1], felt.pressure[2]);
     vector pending = sum(pendingImpulse()) - pendingBefore;
-    scalar solidVolume = 0;
-    for (label i = 0; i < particles.count; ++i)
-    {
-        solidVolume += sphere_volume(particles.radius[i]);
-    }
+    scalar solid = solidVolume();
 
     reduce(gasDrag, sumOp<vector>());
     reduce(gasPressure, sumOp<vector>());
@@ -93,13 +99,13 @@ void Foam::gasParticleCoupling::reportBalance
     reduce(pressure, sumOp<vector>());
     reduce(pending, sumOp<vector>());
     reduce(solidDeposited, sumOp<scalar>());
-    reduce(solidVolume, sumOp<scalar>());
+    reduce(solid, sumOp<scalar>());
 
     const scalar size = mag(drag) + mag(pressure) + VSMALL;
     Info<< "Exchange: drag on particles " << drag/dt << " N, pressure " << pressure/dt
         << " N, not yet charged to the gas " << pending/dt
         << " N, imbalance " << mag(gasDrag + drag - pending + gasPressure + pressure)/size
-        << ", solid volume error " << mag(solidDeposited/solidVolume - 1) << endl;
+        << ", solid volume error " << mag(solidDeposited/solid - 1) << endl;
 }
 
 

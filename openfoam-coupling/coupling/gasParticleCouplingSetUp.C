@@ -9,6 +9,7 @@
 
 #include "dem-engines/load_dem_engine.h"
 
+#include "readPositive.H"
 #include "selectRow.H"
 
 using namespace cohesion;
@@ -34,12 +35,12 @@ Foam::gasParticleCoupling::gasParticleCoupling
             IOobject::NO_WRITE
         )
     ),
-    rho_(rho),
+    rho_(requirePositive(dict_, "density of the gas", rho)),
     g_(g),
     form_(selectRow(dict_, "form", drag::model_forms, "A")),
-    drag_(dict_, rho, mu),
+    drag_(dict_, rho, requirePositive(dict_, "viscosity of the gas", mu)),
     gasAt_(dict_),
-    minVoidFraction_(dict_.getOrDefault<scalar>("minVoidFraction", 0.2)),
+    minVoidFraction_(dict_.found("minVoidFraction") ? readPositive(dict_, "minVoidFraction") : 0.2),
     depthRatio_(1),
     subSteps_(0),
     averaging_(mesh, dict_),
@@ -74,7 +75,6 @@ Foam::gasParticleCoupling::gasParticleCoupling
         dimensionedVector(dimAcceleration, Zero)
     )
 {
-    check(mu);
     setDepthRatio();
     makeEngine();
     checkUnitsAndBox();
@@ -90,39 +90,18 @@ Foam::gasParticleCoupling::gasParticleCoupling
 }
 
 
-void Foam::gasParticleCoupling::check(const scalar mu) const
-{
-    try
-    {
-        require_positive("density of the gas", rho_);
-        require_positive("viscosity of the gas", mu);
-        require_positive("minVoidFraction", minVoidFraction_);
-    }
-    catch (const InvalidParameter& error)
-    {
-        FatalIOErrorInFunction(dict_) << error.what() << exit(FatalIOError);
-    }
-}
-
-
 void Foam::gasParticleCoupling::setDepthRatio()
 {
     if (!dict_.found("depth"))
     {
         return;
     }
-    const scalar depth = dict_.get<scalar>("depth");
+    const scalar depth = readPositive(dict_, "depth");
     if (mesh_.nGeometricD() != 2)
     {
         FatalIOErrorInFunction(dict_)
             << "depth = " << depth << " goes with a 2-D mesh, and this one has "
             << mesh_.nGeometricD() << " dimensions: remove the entry"
-            << exit(FatalIOError);
-    }
-    if (!(depth > 0 && depth < GREAT))
-    {
-        FatalIOErrorInFunction(dict_)
-            << "depth = " << depth << " m: must be a finite length greater than zero"
             << exit(FatalIOError);
     }
     for (direction d = 0; d < 3; ++d)
@@ -150,7 +129,7 @@ void Foam::gasParticleCoupling::makeEngine()
         settings.log = coeffs.getOrDefault<fileName>("log", "log." + name).expand();
         if (continued())
         {
-            settings.restart = completeState::engineFile(mesh_.time());
+            settings.restart = completeState::restartFile(mesh_.time());
             settings.log += "." + mesh_.time().timeName();
         }
         for (const entry& variable : coeffs.subOrEmptyDict("variables"))
@@ -223,12 +202,17 @@ void Foam::gasParticleCoupling::checkUnitsAndBox() const
 
 void Foam::gasParticleCoupling::checkContinued() const
 {
-    if (continued() && engine_->steps_done() != completeState::engineSteps(mesh_.time()))
+    if (!continued())
+    {
+        return;
+    }
+    const int64_t stepsThen = completeState::engineSteps(mesh_.time());
+    if (engine_->steps_done() != stepsThen)
     {
         FatalIOErrorInFunction(dict_)
             << "the run continues at time " << mesh_.time().timeName() << ", where the particles had done "
-            << completeState::engineSteps(mesh_.time()) << " steps, but after the particle script they"
-            << " have done " << engine_->steps_done() << nl
+            << stepsThen << " steps, but after the particle script they"
+            << " have done " << int64_t(engine_->steps_done()) << nl
             << "    Let the script read their state when there is one:"
             << " if \"${continued} == no\" then <set up> else \"read_restart ${restart}\", and set"
             << " no time step number after that" << exit(FatalIOError);
@@ -249,4 +233,19 @@ void Foam::gasParticleCoupling::setSubSteps()
             << max(scalar(1), std::round(steps))*engine_->time_step() << exit(FatalIOError);
     }
     subSteps_ = label(std::round(steps));
+}
+
+
+void Foam::gasParticleCoupling::refuseOtherStep() const
+{
+    const scalar dt = mesh_.time().deltaTValue();
+    if (mag(dt - subSteps_*engine_->time_step()) > 1e-9*dt)
+    {
+        FatalIOErrorInFunction(mesh_.time().controlDict())
+            << "the gas step is now deltaT = " << dt << " s and that of the particles "
+            << engine_->time_step() << " s, while the run was set up for " << subSteps_
+            << " steps of the particles in one of the gas" << nl
+            << "    Keep both while the case runs ('runTimeModifiable no;' for the gas); to change one,"
+            << " stop, and continue with 'startFrom latestTime;'" << exit(FatalIOError);
+    }
 }

@@ -8,6 +8,7 @@
 #include "selectRow.H"
 
 #include "drag/exchange_error.h"
+#include "sphere.h"
 
 #include <sstream>
 
@@ -90,9 +91,8 @@ void Foam::particleDrag::lookAtStep
     {
         return;
     }
-    const scalar step = coefficient*dt/mass;
-    const scalar density = mass/sphere_volume(radius);
-    const scalar loading = (1 - voidFraction)*density/(voidFraction*rho_);
+    const scalar step = drag::exchange_step(coefficient, mass, dt);
+    const scalar loading = drag::mass_loading(voidFraction, mass, sphere_volume(radius), rho_);
     const scalar error = drag::exchange_error(step, loading);
     if (error > exchangeError_)
     {

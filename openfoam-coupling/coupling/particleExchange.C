@@ -108,7 +108,7 @@ Foam::particleExchange::Candidates Foam::particleExchange::candidates
 Foam::particleExchange::Answer Foam::particleExchange::answer
 (
     const Question& question,
-    Shares& mine
+    Answered& mine
 ) const
 {
     const point position(question[0], question[1], question[2]);
@@ -131,7 +131,7 @@ Foam::List<Foam::DynamicList<Foam::particleExchange::Answer>> Foam::particleExch
 (
     const Candidates& mayHold,
     const UList<scalar>& radii,
-    List<Shares>& mine
+    List<Answered>& mine
 ) const
 {
     List<DynamicList<Question>> questions(mayHold.size());
@@ -175,7 +175,7 @@ Foam::particleExchange::Parts Foam::particleExchange::accept
 {
     Parts parts
     {
-        List<DynamicList<label>>(mayHold.size()),
+        List<DynamicList<Accepted>>(mayHold.size()),
         labelListList(mayHold.size()),
         scalarList(nParticles, Zero)
     };
@@ -189,7 +189,7 @@ Foam::particleExchange::Parts Foam::particleExchange::accept
             const bool centre = answers[rank][k][0] > 0 && !centred[i];
             if (centre || (meshCells_.reachesOut() && answers[rank][k][1] > 0))
             {
-                parts.accepted[rank].append(centre ? k : -1 - k);
+                parts.accepted[rank].append(Accepted{k, label(centre)});
                 particles.append(i);
                 parts.sums[i] += answers[rank][k][1];
             }
@@ -210,8 +210,8 @@ Foam::particleExchange::Parts Foam::particleExchange::accept
 
 void Foam::particleExchange::setParts
 (
-    const List<Shares>& mine,
-    const List<DynamicList<label>>& accepted
+    const List<Answered>& mine,
+    const List<DynamicList<Accepted>>& accepted
 )
 {
     DynamicList<label> cells;
@@ -221,11 +221,12 @@ void Foam::particleExchange::setParts
     DynamicList<scalar> weights;
     forAll(accepted, rank)
     {
-        const Shares& answered = mine[rank];
-        for (const label number : accepted[rank])
+        const Answered& answered = mine[rank];
+        for (const Accepted& part : accepted[rank])
         {
-            const label k = number < 0 ? -1 - number : number;
-            cells.append(number < 0 ? -1 : answered.holders[k]);
+            const label k = part[0];
+            const bool centre = part[1];
+            cells.append(centre ? answered.holders[k] : -1);
             positions.append(answered.positions[k]);
             if (meshCells_.reachesOut())
             {
@@ -273,7 +274,7 @@ void Foam::particleExchange::locate(const UList<point>& positions, const UList<s
 
     // Every rank that may have a share is asked.
     const Candidates mayHold(candidates(positions, radii));
-    List<Shares> mine(mayHold.size());
+    List<Answered> mine(mayHold.size());
     const List<DynamicList<Answer>> answers(ask(mayHold, radii, mine));
     Parts parts(accept(nEngine_, mayHold, answers));
 
@@ -282,8 +283,8 @@ void Foam::particleExchange::locate(const UList<point>& positions, const UList<s
         reportOutside(positions, parts.sums);
     }
 
-    List<DynamicList<label>> accepted(mayHold.size());
-    Pstream::exchange<DynamicList<label>, label>(parts.accepted, accepted);
+    List<DynamicList<Accepted>> accepted(mayHold.size());
+    Pstream::exchange<DynamicList<Accepted>, Accepted>(parts.accepted, accepted);
     setParts(mine, accepted);
     map_.reset(new mapDistributeBase(makeMap(std::move(parts.particles))));
     setWeights(parts.sums);

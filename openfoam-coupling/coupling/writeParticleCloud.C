@@ -8,14 +8,14 @@ namespace
 {
 
 template<class Type>
-void writeField
+bool writeField
 (
     const Foam::passiveParticleCloud& cloud,
     const Foam::word& name,
     const Foam::UList<Type>& values
 )
 {
-    Foam::IOField<Type>
+    return Foam::IOField<Type>
     (
         cloud.fieldIOobject(name, Foam::IOobject::NO_READ),
         Foam::Field<Type>(values)
@@ -25,7 +25,7 @@ void writeField
 } // End anonymous namespace
 
 
-void Foam::writeParticleCloud
+bool Foam::writeParticleCloud
 (
     const polyMesh& mesh,
     const labelUList& cells,
@@ -40,8 +40,8 @@ void Foam::writeParticleCloud
     {
         cloud.addParticle(new passiveParticle(mesh, positions[i], cells[i]));
     }
-    cloud.write();
-    writeField(cloud, "U", velocities);
-    writeField(cloud, "radius", radii);
-    writeField(cloud, "id", ids);
+    bool written = cloud.write();
+    written = writeField(cloud, "U", velocities) && written;
+    written = writeField(cloud, "radius", radii) && written;
+    return writeField(cloud, "id", ids) && written;
 }

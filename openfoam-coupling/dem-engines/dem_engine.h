@@ -59,7 +59,7 @@ class DemEngine {
   virtual drag::GasOnParticle* gas() = 0;
 
   /// Advances by `steps` of its own steps, gas forces included. With a file named, the state at the
-  /// end is also written there, what gas() holds included.
+  /// end is also written there, what gas() holds included. Throws DemEngineError, on all ranks.
   virtual void advance(int steps, const std::string& restart = "") = 0;
 
   /// Steps done since the particles were set up, those before a restart included.

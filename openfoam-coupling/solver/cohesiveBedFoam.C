@@ -31,7 +31,7 @@ int main(int argc, char* argv[])
     #include "setRootCase.H"
     completeState::setAsideIncomplete(args);
     #include "createTime.H"
-    #include "refuseExistingResults.H"
+    completeState::checkStart(runTime, args.found("overwrite"));
     #include "createMesh.H"
 
     pimpleControl pimple(mesh);
@@ -68,10 +68,10 @@ int main(int argc, char* argv[])
 
         coupling.advanceParticles(U, rho*gradP);
 
-        runTime.write();
+        const bool written = runTime.write();
         if (runTime.writeTime())
         {
-            coupling.writeState();
+            coupling.writeState(written);
         }
         Info<< endl;
     }

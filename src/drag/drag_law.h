@@ -6,6 +6,7 @@
 #include <string>
 
 #include "drag/drag_closure.h"
+#include "sphere.h"
 #include "validation.h"
 
 namespace cohesion::drag {
@@ -34,6 +35,13 @@ class DragLaw {
                                                          density, viscosity)
                                 : closure_.per_solid_volume(void_fraction, slip, diameter, density,
                                                             viscosity));
+  }
+
+  /// b of the drag b (u - v) on a sphere, [force time/length].
+  double coefficient(double void_fraction, double slip, double diameter, double density,
+                     double viscosity) const {
+    return sphere_volume(0.5 * diameter) *
+           per_solid_volume(void_fraction, slip, diameter, density, viscosity);
   }
 
  private:

@@ -11,15 +11,29 @@ namespace cohesion::drag {
 /// Gas and free particles with the drag coefficient b per particle come to the same velocity. With
 /// x = b dt/m for the step dt of the exchange and R the mass of the particles over that of the gas,
 /// the particles gain the share (1 - exp(-x (1 + R)))/(1 + R) of the slip in a step. When the gas
-/// is solved with the drag of the particles' velocity at the start, they gain (1 - exp(-x))/(1 + R
-/// x) instead. That is stable for any x and R, and off by the order of R x^2 for small x, but late
-/// for large ones: by 1/(1 + R) in the first step, and made up in the next x steps.
+/// is solved with the drag of the particles' velocity at the start, they gain
+/// (1 - exp(-x))/(1 + R x) instead. That is stable for any x and R, and off by the order of R x^2
+/// for small x, but late for large ones: by 1/(1 + R) in the first step, and made up in the next x
+/// steps.
 ///
 /// step x [1] >= 0, loading R [1] >= 0.
 inline double exchange_error(double step, double loading) {
   const double right = -std::expm1(-step * (1.0 + loading)) / (1.0 + loading);
   const double found = -std::expm1(-step) / (1.0 + loading * step);
   return std::abs(right - found);
+}
+
+/// x of a step: dt over the time m/b in which a particle follows the gas, [1]. coefficient b
+/// [force time/length], mass [mass] > 0, dt [time].
+inline double exchange_step(double coefficient, double mass, double dt) {
+  return coefficient * dt / mass;
+}
+
+/// R of particles like this one: their mass over that of the gas between them, [1]. void_fraction
+/// in (0, 1]; of the particle mass [mass] and volume [length^3]; of the gas density
+/// [mass/length^3].
+inline double mass_loading(double void_fraction, double mass, double volume, double gas_density) {
+  return (1.0 - void_fraction) * mass / (volume * void_fraction * gas_density);
 }
 
 }  // namespace cohesion::drag

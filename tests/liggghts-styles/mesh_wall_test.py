@@ -145,7 +145,9 @@ class Corners(unittest.TestCase):
         mesh, planes = both(self.SIDES, spheres, "square_well", square_well(0, DEPTH), self.PLANES,
                             steps=1500)
         for number in planes[0]:
-            self.assertNotEqual(part(planes[-1][number], "v"), spheres[number - 1]["velocity"])
+            # They turn back from the wall at x, which they meet at 0.02 m/s or more.
+            start = spheres[number - 1]["velocity"]
+            self.assertGreater(max(math.dist(part(f[number], "v"), start) for f in planes), 0.02)
             for k in range(3):
                 self.assertAlmostEqual(part(mesh[-1][number], "v")[k],
                                        part(planes[-1][number], "v")[k], delta=1e-6 * 0.05)

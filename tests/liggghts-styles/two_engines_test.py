@@ -104,7 +104,9 @@ class TwoEngines(unittest.TestCase):
                     one, other = run_lammps(cohesion, *scene), run_liggghts(cohesion, *scene)
                     self.assertEqual(one.shape, other.shape)
                     apart_then = apart(one, other)
-                    agree = int(numpy.argmax(apart_then > 1e-10)) or len(apart_then)
+                    beyond = numpy.flatnonzero(apart_then > 1e-10)
+                    agree = int(beyond[0]) if len(beyond) else len(apart_then)
+                    self.assertGreater(agree, 0, "apart from the start")
                     collided = [(numpy.abs(s[:, 3:] - one[0][:, 3:]).max(axis=1) > 1e-6).mean()
                                 for s in (other[agree - 1], other[-1])]
                     ends.append([numbers(one[-1]), numbers(other[-1])])

@@ -2,7 +2,11 @@
 """Bad input to a coupled case: each stops the solver before anything is computed or overwritten, and
 says what is wrong, where, and what would be right."""
 
+import os
+import re
+import subprocess
 import sys
+import time
 
 from coupled_case import SOURCE, CaseError, Expectations, column
 
@@ -100,6 +104,9 @@ CASES = {
     "gas step below the particle step": (
         lambda c: c.set("system/controlDict", "deltaT", 4e-6),
         ["deltaT = 4e-06", "whole multiple", "1e-05"]),
+    "only one time kept": (
+        lambda c: c.set("system/controlDict", "purgeWrite", 1),
+        ["purgeWrite = 1", "removes the last complete time", "Use 2 or more", "controlDict"]),
     "start at another time": (
         lambda c: ((c.folder / "0").rename(c.folder / "0.005"),
                    c.set("system/controlDict", "startTime", 0.005)),
@@ -112,6 +119,15 @@ CASES = {
         # One sphere: all 90 cells lack 0.5 of 1.5, 3.6e-4 m3 together.
         ["90 cells have a void fraction below minVoidFraction = 1.5", "the lowest is",
          "The solid beyond the limit is 0.00036", "nothing is clipped"]),
+    "no void fraction at all": (
+        lambda c: c.set(COUPLING, "minVoidFraction", 0),
+        ["minVoidFraction = 0: must be a finite number greater than zero", "couplingProperties"]),
+    "depth below zero": (
+        lambda c: c.set(COUPLING, "depth", -1e-3),
+        ["depth = -0.001: must be a finite number greater than zero", "couplingProperties"]),
+    "gas without viscosity": (
+        lambda c: c.set("constant/transportProperties", "nu", 0),
+        ["viscosity of the gas = 0: must be a finite number greater than zero"]),
     "inlet without area": (
         lambda c: edit(c, "0/U", "superficialVelocity (0 0 0);",
                        "superficialVelocity (0 0 0); share 0;"),
@@ -177,12 +193,43 @@ def refuses_existing_results(expect, case):
     expect.true("with -overwrite: replaced", result.stat().st_mtime_ns > written)
 
 
+def refuses_another_step_at_run_time(expect, case):
+    """deltaT in a controlDict that is read while the case runs."""
+    case.mesh()
+    case.set("system/controlDict", "runTimeModifiable", "yes")
+    case.set("system/controlDict", "endTime", 100)
+    case.set("system/controlDict", "writeInterval", 100)
+    process = case.start()
+    log = case.log("cohesiveBedFoam")
+    while process.poll() is None and "\nTime = " not in log.read_text():
+        time.sleep(0.01)
+    control = case.folder / "system/controlDict"
+    text = re.sub(r"(\ndeltaT\s+)[^;]+;", r"\g<1>2e-4;", control.read_text())
+    changed = control.with_name("changed")
+    changed.write_text(text)
+    # OpenFOAM wants a file to be ten seconds newer than the one it knows.
+    os.utime(changed, (time.time() + 60, time.time() + 60))
+    changed.replace(control)
+    try:
+        status = process.wait(timeout=60)
+    except subprocess.TimeoutExpired:
+        process.kill()
+        status = process.wait()
+        expect.true("deltaT changed at run time: stops", False)
+    said = " ".join(log.read_text().split())
+    expect.true("deltaT changed at run time: fails", status != 0)
+    for part in ("the gas step is now deltaT = 0.0002 s", "set up for 10 steps", "controlDict",
+                 "startFrom latestTime"):
+        expect.true(f"deltaT changed at run time: says \"{part}\"", part in said)
+
+
 def main(build, work):
     expect = Expectations()
     for number, (name, (spoil, parts)) in enumerate(CASES.items()):
         check(expect, column(work, str(number), build), name, spoil, parts)
     every_closure_is_documented(expect)
     refuses_existing_results(expect, column(work, "results", build))
+    refuses_another_step_at_run_time(expect, column(work, "modified", build))
     expect.exit()
 
 

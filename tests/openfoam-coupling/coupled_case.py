@@ -47,6 +47,18 @@ def column(work, name, build):
     return FoamCase(COLUMN, Path(work) / name, environment(build), overwrite=True)
 
 
+def disturb(case, script, by):
+    """Makes the velocities that a script of a swarm creates larger by the share `by`. What that does to
+    the end of a run is a yardstick: two runs that should be the same, but for rounding and for what
+    solvers leave, have to be nearer to each other than to the disturbed one. Collisions make both
+    differences grow alike."""
+    path = case.folder / script
+    text = path.read_text()
+    assert text.count("create 1e14 ") == 1, f"{script} creates no velocities of 1e14"
+    # A temperature goes with the square of the velocity.
+    path.write_text(text.replace("create 1e14 ", f"create {1e14 * (1 + by) ** 2!r} "))
+
+
 def exchange_lines(log):
     """Per gas step: dict of imbalance, solid volume error and the z force of drag and pressure."""
     number = r"([-+.\deE]+)"

@@ -182,6 +182,7 @@ def table(build, work):
     settings += [Setting(1e9, ratio=r) for r in (1, 100, 1e4)]
     settings += [Setting(k, eps=e, cell=c) for e, c in ((0.3, 3), (0.45, 3), (0.8, 3), (0.9999, 17.4))
                  for k in (1e-2, 1e2, 1e6)]
+    settings += [Setting(1.0, eps=0.9999, cell=17.4)]
     settings += [Setting(k, ratio=r) for r in (10, 100, 1e4) for k in (1e-2, 1e2, 1e6)]
     settings += [Setting(k, cfl=c) for c in (1, 5) for k in (1e-2, 1e2, 1e6)]
     settings += [Setting(k, cell=c, eps=e, kernel=n, width=w) for k in (1e-2, 1e2, 1e6)
@@ -219,7 +220,8 @@ def main(build, work, *options):
         return
     expect = Expectations()
     settings = [Setting(1e-6), Setting(1.0), Setting(1e6), Setting(1e6, ratio=1), Setting(1e9, ratio=1),
-                Setting(1e6, eps=0.3, cfl=5)]
+                Setting(1e6, eps=0.3, cfl=5), Setting(1.0, eps=0.999, cell=8),
+                Setting(1.0, eps=0.9999, cell=17.4)]
     for number, s in enumerate(settings):
         check(expect, build, work, number, s)
     expect.exit()

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What each kernel makes of spheres: beside walls, beyond a periodic face and across ranks their volume
-is kept and in the right cells; smoothing has its width on any mesh; and a packed bed whose spheres are
+"""What each kernel makes of spheres: beside walls, beyond a periodic face, across ranks, in cells that are
+no boxes and on meshes that do not resolve a direction, their volume is kept and in the right cells; smoothing has its width on any mesh; and a packed bed whose spheres are
 cut by the faces between rows has the pressure drop that follows from the kernel's shares, which are
 written out again here."""
 
@@ -68,7 +68,7 @@ def check_packed_bed(expect, build, work, kernel, width, form="A"):
     name = f"{kernel}-{width}-{form}"
     print(f"-- packed bed, {name}")
     closure = CLOSURES["ergunWenYu"]
-    settings = {"voidFraction": kernel, "drag": "ergunWenYu"}
+    settings = {"voidFraction": kernel, "drag": "ergunWenYu", "form": form}
     if width:
         settings["smoothingWidth"] = width
     case, continuity, log = blow(build, work, name, settings, script="layers.lmp")
@@ -78,12 +78,16 @@ def check_packed_bed(expect, build, work, kernel, width, form="A"):
         weight = smooth(weight.T, width).T  # spread, then smooth: of each layer to each row
     eps = 1 - PER_CELL * VOLUME * weight.sum(axis=0) / ROW**3
     at_layer, slip = weight @ eps, weight @ (SUPERFICIAL / eps)
-    b = [VOLUME * closure(DOUBLE, e, u, D, RHO, MU) for e, u in zip(at_layer, slip)]
+    b = np.array([VOLUME * closure(DOUBLE, e, u, D, RHO, MU) for e, u in zip(at_layer, slip)])
+    if form == "B":
+        b /= at_layer
     force = PER_CELL * (weight.T @ b) / ROW**3 * SUPERFICIAL / eps  # on the gas of a row [N/m3]
-    steps = force / eps * ROW
+    # In form A the gas takes eps of the pressure gradient, in B all of it.
+    steps = force / (eps if form == "A" else 1) * ROW
     # Smoothed, the end rows have some spheres. From middle to middle half their drag counts; and as the
     # gas is not equally fast there, convection, rho eps U (U_above - U_below)/2 with the central scheme
-    # and U of the end rows at the ends, leaves
+    # and U of the end rows at the ends, leaves (of form A; in B nothing, where the end rows are free)
+    assert form == "A" or not width
     u = SUPERFICIAL / eps
     convection = RHO / 4 * (u[-2] * u[-1] + u[-1] ** 2 - u[0] * u[1] - u[0] ** 2)
     expected = (steps[:-1] + steps[1:]).sum() / 2 + RHO * G * 9 * ROW + convection
@@ -91,7 +95,8 @@ def check_packed_bed(expect, build, work, kernel, width, form="A"):
     for k, found in enumerate(rows(case, "0.004", "voidFraction")):
         # Written with 12 digits
         expect.near(f"void fraction of row {k}", found, eps[k], 1e-12)
-    # As in packed_bed.check
+    # As in packed_bed.check, of form A; form B has no 1/eps in the inertia and in the viscous stress, so
+    # its errors are smaller.
     limit = packed_bed.flux_limit(expected)
     solver = packed_bed.drop_error(limit, steps, eps)
     expect.below("error of the flux [m/s]", continuity * HEIGHT / packed_bed.DT, limit)
@@ -105,10 +110,13 @@ def check_packed_bed(expect, build, work, kernel, width, form="A"):
 
 
 def solid(build, work, name, kernel, places, diameter, cells=(3, 3, 10), periodic=False, width=None,
-          ranks=1):
+          ranks=1, spoil=None, volume=None):
     """Solid volume of each cell [m3], indexed [x, y, z], and the Exchange line, after two steps
-    with spheres at `places`."""
+    with spheres at `places`. spoil(case): changes to the mesh; volume: of the cells, if it makes them
+    differ, [m3]."""
     case = column(work, name, build)
+    if spoil:
+        spoil(case)
     mesh = (case.folder / "system/blockMeshDict")
     text = mesh.read_text().replace("(3 3 10)", "({} {} {})".format(*cells))
     if periodic:
@@ -138,6 +146,8 @@ def solid(build, work, name, kernel, places, diameter, cells=(3, 3, 10), periodi
     if ranks > 1:
         case.run("reconstructPar")
     eps = field(case, "0.0002", "voidFraction")
+    if volume is not None:
+        return ((1 - eps) * volume.transpose(2, 1, 0).ravel()).reshape(cells[::-1]).transpose(2, 1, 0), line
     volume = 0.06 * 0.06 * 0.2 / np.prod(cells)
     return ((1 - eps) * volume).reshape(cells[::-1]).transpose(2, 1, 0), line
 
@@ -163,6 +173,112 @@ def check_places(expect, build, work):
         expect.below(f"corner, periodic face and wall, {ranks} ranks: error of a cell [m3]", error,
                      1e-14 * volume + rounding)
         expect.below("error of the solid volume", line["volume"], 1e-12)
+
+
+def divided_points():
+    """The 29 points [radii] of divided_heights(), all three coordinates."""
+    found = [np.zeros(3)]
+    for a, b in (((1 / 29) ** (1 / 3), (15 / 29) ** (1 / 3)), ((15 / 29) ** (1 / 3), 1)):
+        r = 3 * (b**4 - a**4) / (4 * (b**3 - a**3))
+        found += [sign * r * axis for axis in np.eye(3) for sign in (1, -1)]
+        found += [r / np.sqrt(3) * np.array([x, y, z]) for x in (1, -1) for y in (1, -1) for z in (1, -1)]
+    return np.array(found)
+
+
+# Two columns of cells that meet in an inclined plane: x = BORDER[0] at the bottom, BORDER[1] at the top.
+BORDER = (0.02, 0.04)
+INCLINED = """
+vertices
+(
+    (0 0 0) (20 0 0) (20 60 0) (0 60 0) (0 0 200) (40 0 200) (40 60 200) (0 60 200)
+    (60 0 0) (60 60 0) (60 0 200) (60 60 200)
+);
+blocks
+(
+    hex (0 1 2 3 4 5 6 7) (1 1 10) simpleGrading (1 1 1)
+    hex (1 8 9 2 5 10 11 6) (1 1 10) simpleGrading (1 1 1)
+);
+boundary
+(
+    bottom  { type patch; faces ((0 3 2 1) (1 2 9 8)); }
+    top     { type patch; faces ((4 5 6 7) (5 10 11 6)); }
+    sides   { type wall;  faces ((0 1 5 4) (1 8 10 5) (8 9 11 10) (9 2 6 11) (2 3 7 6) (3 0 4 7)); }
+);
+"""
+
+
+def incline(case):
+    mesh = case.folder / "system/blockMeshDict"
+    mesh.write_text(mesh.read_text().split("vertices")[0] + INCLINED)
+
+
+def flat(case):
+    """One cell thick in y, which the mesh then does not resolve."""
+    mesh = case.folder / "system/blockMeshDict"
+    text = mesh.read_text().replace(
+        "    sides   { type wall;  faces ((0 1 5 4) (1 2 6 5) (2 3 7 6) (3 0 4 7)); }",
+        "    sides   { type wall;  faces ((1 2 6 5) (3 0 4 7)); }\n"
+        "    slices  { type empty; faces ((0 1 5 4) (2 3 7 6)); }")
+    mesh.write_text(text)
+    for file in (case.folder / "0.orig").iterdir():
+        file.write_text(file.read_text().replace("    top ", "    slices { type empty; }\n    top "))
+
+
+def check_inclined(expect, build, work):
+    """Cells that are no boxes: a sphere that their border cuts, and one far from it."""
+    d = 8e-3
+    volume = np.pi / 6 * d**3
+    middles = ROW * (np.arange(10) + 0.5)
+    left = 0.06 * ROW * (BORDER[0] + (BORDER[1] - BORDER[0]) * middles / HEIGHT)
+    cells = np.stack([left, 0.06 * 0.06 * ROW - left])[:, None, :]
+    # In the middle of a row, where the border is at x = 0.031
+    cut, whole = np.array((0.0309, 0.03, 0.11)), (0.05, 0.03, 0.05)
+    slope = (BORDER[1] - BORDER[0]) / HEIGHT
+    normal = np.array((1, 0, -slope)) / np.hypot(1, slope)
+    distance = (np.array((BORDER[0], 0, 0)) - cut) @ normal / (d / 2)  # of the plane [radii]
+    points = divided_points() @ normal
+    assert np.abs(points - distance).min() > 1e-3
+    shares_left = {"particleCentre": (float(distance > 0), 0.0),
+                   "dividedVolume": ((points < distance).mean(), 0.0),
+                   # By 500 points, which void_fraction_kernel_test.cpp finds within 3 % of the sphere
+                   "sphereOverlap": (below(distance), 0.03)}
+    for kernel, (share, tolerance) in shares_left.items():
+        found, line = solid(build, work, f"inclined-{kernel}", kernel, [tuple(cut.tolist()), whole], d,
+                            cells=(2, 1, 10), spoil=incline, volume=cells)
+        expected = np.zeros((2, 1, 10))
+        expected[:, 0, 5] = volume * np.array((share, 1 - share))
+        expected[1, 0, 2] = volume
+        # The volume of a cell is rounded to a few 1e-16, and so is 1 - x.
+        expect.below(f"inclined cells, {kernel}: largest error of a cell / sphere",
+                     np.abs(found - expected).max() / volume,
+                     tolerance + 1e-14 + 1e-15 * cells.max() / volume)
+        expect.below("error of the solid volume", line["volume"], 1e-12)
+        expect.below("imbalance of the forces", line["imbalance"], 1e-12)
+
+
+def check_flat(expect, build, work):
+    """A mesh that does not resolve y: a sphere on the edge of four cells, one that the border between
+    two rows cuts off its middle, and one nearer to the front than its radius."""
+    d, t = 8e-3, 0.3
+    volume = np.pi / 6 * d**3
+    places = [(0.02, 0.03, 0.06), (0.03, 0.03, 0.12 - t * d / 2), (0.05, 0.001, 0.15)]
+    points = divided_points()
+    assert np.abs(points[:, 2] - t).min() > 1e-3
+    for kernel, lower in (("sphereOverlap", below(t)), ("dividedVolume", (points[:, 2] < t).mean())):
+        # On the edge the points of dividedVolume lie on faces, in both cells: shares by round-off
+        some = places if kernel == "sphereOverlap" else places[1:]
+        found, line = solid(build, work, f"flat-{kernel}", kernel, some, d, cells=(3, 1, 10), spoil=flat)
+        expected = np.zeros((3, 1, 10))
+        if some is places:
+            expected[0:2, 0, 2:4] += volume / 4
+        expected[1, 0, 5] += volume * lower
+        expected[1, 0, 6] += volume * (1 - lower)
+        expected[2, 0, 7] += volume
+        # As in check_places(), with cells of 2.4e-5 m3
+        expect.below(f"flat cells, {kernel}: largest error of a cell [m3]",
+                     np.abs(found - expected).max(), 1e-14 * volume + 2e-16 * 2.4e-5)
+        expect.below("error of the solid volume", line["volume"], 1e-12)
+        expect.below("imbalance of the forces", line["imbalance"], 1e-12)
 
 
 def check_ranks(expect, build, work):
@@ -211,11 +327,14 @@ def check_width(expect, build, work):
 def main(build, work):
     expect = Expectations()
     check_places(expect, build, work)
+    check_inclined(expect, build, work)
+    check_flat(expect, build, work)
     check_ranks(expect, build, work)
     check_width(expect, build, work)
     for kernel in KERNELS:
         check_packed_bed(expect, build, work, kernel, None)
     check_packed_bed(expect, build, work, "sphereOverlap", WIDTH)
+    check_packed_bed(expect, build, work, "sphereOverlap", None, form="B")
     expect.exit()
 
 

@@ -67,7 +67,7 @@ class LammpsEngine : public DemEngine {
     // LAMMPS renews its neighbour lists in steps that write a state, so that what continues from
     // there has the same; it asks at the start of a run with set-up whether there will be such
     // steps.
-    write_state_at(std::numeric_limits<int>::max(), "never");
+    write_state_at(last_step, "never");
     lammps_->input->one("run 0 post no");
   }
 
@@ -86,15 +86,22 @@ class LammpsEngine : public DemEngine {
   void advance(int steps, const std::string& restart) override {
     std::fill_n(static_cast<double*>(extract("gas_impulse")), 6, 0.0);
     const long end = steps_done() + steps;
+    if (end >= last_step)
+      throw DemEngineError(
+          "the particles have done " + std::to_string(steps_done()) +
+          " steps; LAMMPS writes states up to step " + std::to_string(last_step) +
+          " only. Set a lower step number in the script where it sets the particles "
+          "up ('reset_timestep 0'), or take longer steps");
     if (!restart.empty()) write_state_at(end, restart);
     lammps_->input->one("run " + std::to_string(steps) + " pre no post no");
     if (restart.empty()) return;
     // Once is enough: LAMMPS would write at every multiple of the step.
-    write_state_at(std::numeric_limits<int>::max(), "never");
+    write_state_at(last_step, "never");
     // LAMMPS appends the step.
     const std::string written = restart + "." + std::to_string(end);
-    if (lammps_->comm->me == 0 && std::rename(written.c_str(), restart.c_str()) != 0)
-      throw DemEngineError("LAMMPS has not written its state to '" + written + "'");
+    int failed = lammps_->comm->me == 0 && std::rename(written.c_str(), restart.c_str()) != 0;
+    MPI_Bcast(&failed, 1, MPI_INT, 0, lammps_->world);
+    if (failed) throw DemEngineError("LAMMPS has not written its state to '" + written + "'");
   }
 
   long steps_done() override { return static_cast<long>(lammps_->update->ntimestep); }
@@ -132,6 +139,10 @@ class LammpsEngine : public DemEngine {
                            "particles feel the gas; add 'fix gas all gas/coupling' as last fix");
     fix_ = *found;
   }
+
+  /// LAMMPS's command `restart` takes no later one. advance() ends before it, so that the state
+  /// called "never" is not written.
+  static constexpr long last_step = std::numeric_limits<int>::max();
 
   void write_state_at(long step, const std::string& file) {
     lammps_->input->one("restart " + std::to_string(step) + " " + file);

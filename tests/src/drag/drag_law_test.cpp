@@ -27,6 +27,13 @@ TEST(DragLaw, IsTheClosureTimesTheFactor) {
   }
 }
 
+TEST(DragLaw, CoefficientIsThatOfTheVolumeOfASphere) {
+  // b |u - v| on one sphere is beta/(1 - eps) times its volume, pi d^3/6.
+  const DragLaw law(named("beetstra"), 0.5);
+  EXPECT_NEAR(law.coefficient(0.6, 0.2, d, rho, mu) / (pi / 6.0 * d * d * d * at(law, 0.6, 0.2)),
+              1.0, 1e-15);
+}
+
 TEST(DragLaw, TakesTheExponentOfTheSuspension) {
   for (const char* name : {"ergunWenYu", "ergunRoweHenwood"}) {
     const double own = name == std::string("ergunWenYu") ? 4.65 : 4.7;

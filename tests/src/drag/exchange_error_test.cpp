@@ -9,8 +9,7 @@ TEST(ExchangeError, VanishesWithTheStepAndWithTheGas) {
   EXPECT_EQ(exchange_error(0.0, 10.0), 0.0);
   EXPECT_EQ(exchange_error(5.0, 0.0), 0.0);
   // Second order in the step: the series of both gains begin with x, and then
-  // x - x^2 (1 + R)/2 against x - x^2 (1/2 + R): off by R x^2/2. The next order is 1e-4 of it or
-  // so.
+  // x - x^2 (1 + R)/2 against x - x^2 (1/2 + R): off by R x^2/2. The next order is some 1e-4 of it.
   for (const double loading : {0.5, 2.0, 20.0}) {
     const double x = 1e-4 / (1.0 + loading);
     EXPECT_NEAR(exchange_error(x, loading) / (0.5 * loading * x * x), 1.0, 1e-3);
@@ -41,6 +40,14 @@ TEST(ExchangeError, IsThatOfTheExchangeStepByStep) {
       const double error = x * (1.0 + loading) / n;
       EXPECT_NEAR(exchange_error(x, loading), std::abs(v - particles), error);
     }
+}
+
+TEST(ExchangeError, StepAndLoadingOfABedOfPowder) {
+  // 6 particles of 2 mg and 1 mm^3 in 10 mm^3 of bed: 12 mg beside 4 mm^3 of gas at 0.001 mg/mm^3.
+  EXPECT_NEAR(mass_loading(0.4, 2.0, 1.0, 0.001), 12.0 / 0.004, 3000 * 1e-15);
+  EXPECT_EQ(mass_loading(1.0, 2.0, 1.0, 0.001), 0.0);
+  // Under the drag alone the slip falls to exp(-x) in a step.
+  EXPECT_EQ(exchange_step(4.0, 2.0, 0.25), 0.5);
 }
 
 }  // namespace cohesion::drag

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "scheme_setting.h"
+
+#include <mpi.h>
+// The engine's headers want mpi.h before them.
+#include <map>
+
+#include "contact_models.h"
+#include "settings.h"
+
+namespace LIGGGHTS {
+namespace Cohesion {
+
+namespace {
+
+constexpr const char* why_no_events =
+    "LIGGGHTS asks a contact model for one force per contact and step. The event scheme must also "
+    "move particles within the step, and follow each contact a second time with what the others of "
+    "its particles do. Use 'scheme sampled' and a small time step, or the LAMMPS package";
+
+class SchemeSetting : public Setting {
+ public:
+  explicit SchemeSetting(const std::string& model) : Setting("scheme", 1), model_(model) {}
+
+  /// Number of words taken; -1 with an error_message.
+  int parseArguments(char** args) override {
+    if (name != args[0]) return 0;
+    const std::string scheme = args[1];
+    if (scheme == "sampled") return 2;
+    error_message = model_ + ", scheme " + scheme + ": ";
+    error_message += scheme == "event" ? why_no_events : "must be sampled";
+    return -1;
+  }
+  void print_value(FILE* out) override { fprintf(out, "sampled"); }
+
+ private:
+  std::string model_;
+};
+
+using Table = std::map<std::string, Setting*>;
+
+/// The engine's table of settings takes words of its own kinds only; an explicit instantiation may
+/// name its private member. There may be one in the program only: not in a header.
+Table& table_of(Settings& settings);
+template <auto member>
+struct TableOfSettings {
+  friend Table& table_of(Settings& settings) { return settings.*member; }
+};
+template struct TableOfSettings<&Settings::settings>;
+
+}  // namespace
+
+void register_scheme(Settings& settings, const std::string& model) {
+  table_of(settings)["scheme"] = new SchemeSetting(model);  // settings owns it
+}
+
+}  // namespace Cohesion
+}  // namespace LIGGGHTS
