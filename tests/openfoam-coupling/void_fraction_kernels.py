@@ -112,8 +112,8 @@ def check_packed_bed(expect, build, work, kernel, width, form="A"):
 def solid(build, work, name, kernel, places, diameter, cells=(3, 3, 10), periodic=False, width=None,
           ranks=1, spoil=None, volume=None):
     """Solid volume of each cell [m3], indexed [x, y, z], and the Exchange line, after two steps
-    with spheres at `places`. spoil(case): changes to the mesh; volume: of the cells, if it makes them
-    differ, [m3]."""
+    with spheres at `places`. spoil(case): changes to the mesh; volume: of the cells [m3], if it makes
+    them differ, each column in x and y then being a block of the mesh."""
     case = column(work, name, build)
     if spoil:
         spoil(case)
@@ -147,7 +147,7 @@ def solid(build, work, name, kernel, places, diameter, cells=(3, 3, 10), periodi
         case.run("reconstructPar")
     eps = field(case, "0.0002", "voidFraction")
     if volume is not None:
-        return ((1 - eps) * volume.transpose(2, 1, 0).ravel()).reshape(cells[::-1]).transpose(2, 1, 0), line
+        return (1 - eps).reshape(cells) * volume, line  # blockMesh counts block by block
     volume = 0.06 * 0.06 * 0.2 / np.prod(cells)
     return ((1 - eps) * volume).reshape(cells[::-1]).transpose(2, 1, 0), line
 
