@@ -64,12 +64,13 @@ void FixGasCoupling::init() {
   }
 }
 
-// A set-up puts the forces of a step on again that a previous run has recorded.
-void FixGasCoupling::setup(int) { put_on_forces(false); }
+// A set-up puts the forces of the step around here on, which a previous run has recorded: velocities
+// have then had half of them.
+void FixGasCoupling::setup(int) { put_on_forces(true); }
 
-void FixGasCoupling::post_force(int) { put_on_forces(true); }
+void FixGasCoupling::post_force(int) { put_on_forces(false); }
 
-void FixGasCoupling::put_on_forces(bool record) {
+void FixGasCoupling::put_on_forces(bool setting_up) {
   const double dt = update->dt;
   std::fill_n(force, 6, 0.0);
   for (int i = 0; i < atom->nlocal; i++) {
@@ -80,14 +81,16 @@ void FixGasCoupling::put_on_forces(bool record) {
     for (int k = 0; k < 3; k++) {
       const double pressure = cohesion::drag::pressure_force(volume, felt.pressure_gradient[k]);
       const double others = atom->f[i][k] + pressure;
-      const double drag_force = drag.force(felt.velocity[k] - atom->v[i][k], others);
+      const double slip = felt.velocity[k] - atom->v[i][k];
+      const double drag_force =
+          setting_up ? drag.force_about(slip, others) : drag.force(slip, others);
       atom->f[i][k] = others + drag_force;
       force[k] += drag_force;
       force[3 + k] += pressure;
-      if (record) felt.drag_impulse[k] += drag_force * dt;
+      if (!setting_up) felt.drag_impulse[k] += drag_force * dt;
     }
   }
-  if (record)
+  if (!setting_up)
     for (int k = 0; k < 6; k++) impulse[k] += force[k] * dt;
 }
 

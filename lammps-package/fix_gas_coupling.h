@@ -44,7 +44,7 @@ class FixGasCoupling : public Fix {
   cohesion::drag::GasOnParticle& gas(int i) {
     return *reinterpret_cast<cohesion::drag::GasOnParticle*>(rows[i]);
   }
-  void put_on_forces(bool record);
+  void put_on_forces(bool setting_up);
 
   double** rows;      // per atom, a GasOnParticle
   double impulse[6];  // of this rank since the solver reset it: drag, pressure

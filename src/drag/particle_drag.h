@@ -13,8 +13,8 @@ namespace cohesion::drag {
 ///
 /// Exact at any x, so drag limits no time step; the terminal velocity is exact too. One component.
 ///
-/// coefficient b [force time/length] >= 0, mass [mass], dt [time], slip u - v_0 [length/time],
-/// other_force F [force]; result [force].
+/// coefficient b [force time/length] >= 0, mass [mass], dt [time], slip u - v [length/time],
+/// other_force F [force]; results [force].
 class ParticleDrag {
  public:
   ParticleDrag(double coefficient, double mass, double dt) : coefficient_(coefficient) {
@@ -22,16 +22,25 @@ class ParticleDrag {
     phi_ = x > 0.0 ? -std::expm1(-x) / x : 1.0;
     // phi - 1 loses its digits for small x; its series does not.
     phi_minus_one_ = x < 1e-4 ? -x * (0.5 - x * (1.0 / 6.0 - x / 24.0)) : phi_ - 1.0;
+    half_change_ = 0.5 * x * phi_;
   }
 
+  /// `slip` at the start of the step.
   double force(double slip, double other_force) const {
     return coefficient_ * phi_ * slip + phi_minus_one_ * other_force;
+  }
+
+  /// The same from the velocity in the middle of the step as leapfrog has it, (v_0 + v(dt))/2.
+  double force_about(double middle_slip, double other_force) const {
+    const double h = half_change_;
+    return (coefficient_ * phi_ * middle_slip + (phi_minus_one_ + h) * other_force) / (1.0 - h);
   }
 
  private:
   double coefficient_;
   double phi_;
   double phi_minus_one_;
+  double half_change_;  // (1 - exp(-x))/2
 };
 
 /// Force of the gas pressure on a particle of `volume`, -V_p grad p; one component, [force].

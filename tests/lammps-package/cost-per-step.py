@@ -2,13 +2,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Time of a step of scheme event over that of LAMMPS' gran/hooke/history, on the same spheres.
 
-  cost-per-step.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--turns N] [--steps N] [--scene NAME]
+  cost-per-step.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--turns N] [--steps N] [--scene NAME] [--instructions]
 
 Two scenes of 4000 equal spheres, t_c/20, restitution 0.9: a gas at solid fraction 0.55, and a packing
 with six lasting contacts each. Both styles start from the same positions and velocities and run in
 turns; each turn gives one ratio of LAMMPS' own loop times (processor seconds), so that a machine that
 gets slower on the way does not decide. Printed: nanoseconds per particle and step, contacts per
-particle at the end, median ratio, and the quarter and three quarter points of the ratios.
+particle at the end, median ratio, and the quarter and three quarter points of the ratios. With
+--instructions: instructions per particle and step instead, of which one turn is enough.
 """
 import re
 
@@ -23,27 +24,33 @@ CASES = ((0.0, 0.0), (0.3, 0.0), (0.0, 2e-18), (0.3, 2e-18))  # friction, A [J]
 def main():
     words = measuring_program.words(__doc__, ("--turns", {"type": int, "default": 11}),
                                     ("--steps", {"type": int, "default": 1000}),
-                                    ("--scene", {"choices": SCENES, "action": "append"}))
+                                    ("--scene", {"choices": SCENES, "action": "append"}),
+                                    ("--instructions", {"action": "store_true"}))
     import lammps_engine as engine
+    from instruction_count import per_step
 
-    def nanoseconds(folder, scene, style, mu, constant):
-        output = engine.run("in.cost_per_step", folder, scene=scene, make="no", style=style, mu=mu,
-                            A=constant, steps=words.steps)
+    def cost(folder, scene, style, mu, constant):
+        """Per particle and step: nanoseconds of a processor, or instructions; contacts per particle."""
+        case = {"scene": scene, "make": "no", "style": style, "mu": mu, "A": constant}
+        output = engine.run("in.cost_per_step", folder, steps=words.steps, **case)
+        contacts = engine.thermo(output)["c_contacts"]
         found = re.search(r"Loop time of (\S+) .* with (\d+) atoms", output)
+        if words.instructions:
+            return per_step("in.cost_per_step", folder, words.steps, **case) / int(found[2]), contacts
         used = float(re.search(r"([\d.]+)% CPU", output)[1]) / 100.0
-        time = 1e9 * used * float(found[1]) / (words.steps * int(found[2]))
-        return time, engine.thermo(output)["c_contacts"]
+        return 1e9 * used * float(found[1]) / (words.steps * int(found[2])), contacts
 
-    print("scene    friction     A [J]   stock [ns]  contacts   event [ns]  contacts   ratio")
+    unit = "[1] " if words.instructions else "[ns]"
+    print(f"scene    friction     A [J]   stock {unit}  contacts   event {unit}  contacts   ratio")
     for scene in words.scene or SCENES:
         with engine.temporary_folder() as folder:
             engine.run("in.cost_per_step", folder, scene=scene, make="yes", style="stock", mu=0.3,
                        A=0.0, steps=500)
             for mu, constant in CASES:
                 turns = []
-                for turn in range(words.turns):
+                for turn in range(1 if words.instructions else words.turns):
                     order = ("stock", "event") if turn % 2 == 0 else ("event", "stock")
-                    done = {style: nanoseconds(folder, scene, style, mu, constant)
+                    done = {style: cost(folder, scene, style, mu, constant)
                             for style in order}
                     turns.append([*done["stock"], *done["event"]])
                 stock, of_stock, event, of_event = numpy.array(turns).T

@@ -6,13 +6,11 @@
 
 A dense sheared gas of 864 spheres of gran/hamaker, and one of 900 discs of hard/square_well, each made once.
 From there every output runs for N and 2 N steps; the difference of both counts is free of the start.
-Valgrind counts (--tool=cachegrind), so the numbers do not depend on what else the machine does; one rank.
+Valgrind counts, so the numbers do not depend on what else the machine does; one rank.
 `not read` is an output that nothing asks for: the totals of gran/stress and hard/stress are summed all the
 same.
 """
-import re
 import shutil
-import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -48,48 +46,30 @@ def main():
         ("--scene", {"choices": tuple(OUTPUTS), "action": "append"}))
     if words.steps < 10 or words.steps % 10:
         sys.exit(f"--steps {words.steps}: a multiple of 10, 10 or more")
-    if not shutil.which("valgrind"):
-        sys.exit("output-cost.py counts with valgrind, which is not installed")
     import lammps_engine as engine
-
-    def instructions(scene, output, steps, start):
-        with engine.temporary_folder() as folder:
-            shutil.copy(start, folder)
-            (Path(folder) / "output.txt").write_text(output)
-            command = ["valgrind", "--tool=cachegrind", "--cache-sim=no",
-                       "--cachegrind-out-file=/dev/null", words.lmp, "-log", "none", "-in",
-                       str(engine.SCRIPTS / "in.output_cost")]
-            for name, value in (("plugin", words.plugin), ("scene", scene), ("start", "restart"),
-                                ("steps", steps)):
-                command += ["-var", name, str(value)]
-            done = subprocess.run(command, cwd=folder, text=True, stdout=subprocess.PIPE,
-                                  stderr=subprocess.PIPE)
-            found = re.search(r"I\s+refs:\s+([\d,]+)", done.stderr)
-            if done.returncode != 0 or not found:
-                sys.exit(f"{' '.join(command)} ended with code {done.returncode}:\n"
-                         f"{done.stdout[-1000:]}{done.stderr[-1000:]}")
-            return int(found[1].replace(",", ""))
+    from instruction_count import per_step
 
     scenes = words.scene or list(OUTPUTS)
-    progress = Progress(2 * sum(len(OUTPUTS[scene]) for scene in scenes))
+    progress = Progress(sum(len(OUTPUTS[scene]) for scene in scenes))
 
-    def per_step(scene, name, start):
-        counts = []
-        for steps in (words.steps, 2 * words.steps):
-            counts.append(instructions(scene, OUTPUTS[scene][name], steps, start))
-            progress.add(1)
-        return (counts[1] - counts[0]) / words.steps / PARTICLES[scene]
+    def count(scene, name, start):
+        with engine.temporary_folder() as folder:
+            shutil.copy(start, folder)
+            (Path(folder) / "output.txt").write_text(OUTPUTS[scene][name])
+            found = per_step("in.output_cost", folder, words.steps, scene=scene, start="restart")
+        progress.add(1)
+        return found / PARTICLES[scene]
 
     for scene in scenes:
         with engine.temporary_folder() as folder, ThreadPoolExecutor(2) as pool:
             (Path(folder) / "output.txt").write_text("")
             engine.run("in.output_cost", folder, scene=scene, start="lattice", steps=MAKING[scene])
             start = Path(folder) / "dense.restart"
-            counts = list(pool.map(lambda name: per_step(scene, name, start), OUTPUTS[scene]))
+            counts = list(pool.map(lambda name: count(scene, name, start), OUTPUTS[scene]))
         print(f"\n{scene}: instructions per particle and step{'':10s}more    share")
-        for name, count in zip(OUTPUTS[scene], counts):
-            print(f"  {name:28s}{count:14.0f}{count - counts[0]:14.0f}"
-                  f"{100 * (count / counts[0] - 1):8.1f} %", flush=True)
+        for name, found in zip(OUTPUTS[scene], counts):
+            print(f"  {name:28s}{found:14.0f}{found - counts[0]:14.0f}"
+                  f"{100 * (found / counts[0] - 1):8.1f} %", flush=True)
 
 
 if __name__ == "__main__":

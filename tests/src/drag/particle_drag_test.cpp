@@ -54,6 +54,18 @@ TEST(ParticleDrag, HoldsTheTerminalVelocity) {
   }
 }
 
+TEST(ParticleDrag, IsTheSameFromTheStartAndFromTheMiddle) {
+  const double mass = 3.0, gas = 1.5, weight = -29.0, v0 = -0.4;
+  for (const double x : {0.0, 1e-12, 1e-5, 1e-3, 1.0, 50.0}) {
+    const ParticleDrag drag(x * mass, mass, 1.0);
+    const double f = drag.force(gas - v0, weight);
+    const double middle = v0 + 0.5 * (f + weight) / mass;
+    // A few roundings of the forces, and of the middle velocity times b.
+    const double rounding = 1e-15 * (std::abs(f) + std::abs(weight) + x * mass * std::abs(middle));
+    EXPECT_NEAR(drag.force_about(gas - middle, weight), f, 4.0 * rounding) << x;
+  }
+}
+
 TEST(ParticleDrag, WithoutGasThereIsNoForce) {
   EXPECT_EQ(ParticleDrag(0.0, 1.0, 1.0).force(5.0, 7.0), 0.0);
 }

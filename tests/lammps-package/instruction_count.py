@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Instructions of a run, counted by valgrind: they do not depend on what else the machine does."""
+import re
+import shutil
+import subprocess
+import sys
+
+import lammps_engine as engine
+
+
+def instructions(script, folder, **variables):
+    """Of the whole process that runs `script` (a file beside this one) in `folder`, on one rank."""
+    if not shutil.which("valgrind"):
+        sys.exit("instructions are counted with valgrind, which is not installed")
+    command = ["valgrind", "--tool=cachegrind", "--cache-sim=no", "--cachegrind-out-file=/dev/null",
+               engine.LMP, "-log", "none", "-in", str(engine.SCRIPTS / script)]
+    for name, value in {"plugin": engine.PLUGIN, **variables}.items():
+        command += ["-var", name, str(value)]
+    done = subprocess.run(command, cwd=folder, text=True, stdout=subprocess.PIPE,
+                          stderr=subprocess.PIPE)
+    found = re.search(r"I\s+refs:\s+([\d,]+)", done.stderr)
+    if done.returncode != 0 or not found:
+        sys.exit(f"{' '.join(command)} ended with code {done.returncode}:\n"
+                 f"{done.stdout[-1000:]}{done.stderr[-1000:]}")
+    return int(found[1].replace(",", ""))
+
+
+def per_step(script, folder, steps, **variables):
+    """Of one step, from runs of `steps` and twice as many: the start is not in it."""
+    once, twice = (instructions(script, folder, steps=n, **variables) for n in (steps, 2 * steps))
+    return (twice - once) / steps
