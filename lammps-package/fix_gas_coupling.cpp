@@ -64,8 +64,8 @@ void FixGasCoupling::init() {
   }
 }
 
-// A set-up puts the forces of the step around here on, which a previous run has recorded: velocities
-// have then had half of them.
+// A set-up puts the forces of the step around here on, which a previous run has recorded:
+// velocities have then had half of them.
 void FixGasCoupling::setup(int) { put_on_forces(true); }
 
 void FixGasCoupling::post_force(int) { put_on_forces(false); }

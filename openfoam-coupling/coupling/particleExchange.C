@@ -5,6 +5,7 @@
 #include "PstreamReduceOps.H"
 #include "polyMesh.H"
 
+#include <utility>
 #include <vector>
 
 using namespace cohesion;
@@ -83,21 +84,37 @@ Foam::particleExchange::Candidates Foam::particleExchange::candidates
 ) const
 {
     Candidates found(rankBounds_.size());
+    if (positions.empty())
+    {
+        return found;
+    }
+
+    // Most ranks are far from all of them.
+    const vector furthest = vector::uniform(meshCells_.reach(max(radii)));
+    const boundBox around(positions, false);
+    std::vector<std::pair<vector, label>> near;
+    for (const vector& shift : images_)
+    {
+        const boundBox image(around.min() + shift - furthest, around.max() + shift + furthest);
+        forAll(rankBounds_, rank)
+        {
+            if (rankBounds_[rank].overlaps(image))
+            {
+                near.emplace_back(shift, rank);
+            }
+        }
+    }
+
     forAll(positions, i)
     {
-        const scalar reach = meshCells_.reach(radii[i]);
-        for (const vector& shift : images_)
+        const vector reach = vector::uniform(meshCells_.reach(radii[i]));
+        for (const auto& [shift, rank] : near)
         {
             const point position = positions[i] + shift;
-            forAll(rankBounds_, rank)
+            const boundBox& bounds = rankBounds_[rank];
+            if (boundBox(bounds.min() - reach, bounds.max() + reach).contains(position))
             {
-                boundBox near(rankBounds_[rank]);
-                near.min() -= vector::uniform(reach);
-                near.max() += vector::uniform(reach);
-                if (near.contains(position))
-                {
-                    found[rank].append(Candidate{i, position});
-                }
+                found[rank].append(Candidate{i, position});
             }
         }
     }
