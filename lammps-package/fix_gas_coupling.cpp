@@ -57,10 +57,14 @@ void FixGasCoupling::init() {
                "fix gas/coupling acts on spheres and needs an atom style with radii and "
                "masses, for instance 'atom_style sphere'");
   // The drag of a step depends on all other forces of that step, so they must be there already.
+  // Fixes that keep particles in a plane add none.
+  const auto adds_forces = [this](int ifix) {
+    const std::string name = modify->fix[ifix]->style;
+    return (modify->fmask[ifix] & POST_FORCE) && name != "enforce2d" && name != "planeforce";
+  };
   bool behind = false;
   for (int ifix = 0; ifix < modify->nfix; ifix++) {
-    if (behind && (modify->fmask[ifix] & POST_FORCE) && comm->me == 0 &&
-        strcmp(modify->fix[ifix]->style, "enforce2d") != 0)
+    if (behind && comm->me == 0 && adds_forces(ifix))
       error->warning(FLERR, ("fix " + std::string(id) + " gas/coupling stands before fix " +
                              modify->fix[ifix]->id + " " + modify->fix[ifix]->style +
                              ", whose forces it cannot see; define fix gas/coupling last")
