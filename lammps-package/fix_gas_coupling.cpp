@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: GPL-2.0-only
+// SPDX-License-Identifier: GPL-2.0-or-later
+// For LAMMPS and, from liggghts-styles, for LIGGGHTS: what the two spell differently is not used.
 #include "fix_gas_coupling.h"
 
 #include <algorithm>
@@ -18,6 +19,9 @@ using namespace LAMMPS_NS;
 using namespace FixConst;
 using cohesion::drag::GasOnParticle;
 
+// Atom::GROW and Atom::RESTART of LAMMPS; LIGGGHTS has no names for them.
+static constexpr int GROW = 0, RESTART = 1;
+
 FixGasCoupling::FixGasCoupling(LAMMPS* lammps, int narg, char** arg)
     : Fix(lammps, narg, arg), rows(nullptr) {
   if (narg != 3) error->all(FLERR, "fix gas/coupling takes no values: 'fix ID group gas/coupling'");
@@ -34,14 +38,14 @@ FixGasCoupling::FixGasCoupling(LAMMPS* lammps, int narg, char** arg)
   std::fill_n(impulse, 6, 0.0);
   std::fill_n(force, 6, 0.0);
   FixGasCoupling::grow_arrays(atom->nmax);
-  atom->add_callback(Atom::GROW);
-  atom->add_callback(Atom::RESTART);
+  atom->add_callback(GROW);
+  atom->add_callback(RESTART);
   for (int i = 0; i < atom->nlocal; i++) FixGasCoupling::set_arrays(i);
 }
 
 FixGasCoupling::~FixGasCoupling() {
-  atom->delete_callback(id, Atom::GROW);
-  atom->delete_callback(id, Atom::RESTART);
+  atom->delete_callback(id, GROW);
+  atom->delete_callback(id, RESTART);
   memory->destroy(rows);
 }
 
@@ -53,13 +57,18 @@ void FixGasCoupling::init() {
                "fix gas/coupling acts on spheres and needs an atom style with radii and "
                "masses, for instance 'atom_style sphere'");
   // The drag of a step depends on all other forces of that step, so they must be there already.
+  // Fixes that keep particles in a plane add none.
+  const auto adds_forces = [this](int ifix) {
+    const std::string name = modify->fix[ifix]->style;
+    return (modify->fmask[ifix] & POST_FORCE) && name != "enforce2d" && name != "planeforce";
+  };
   bool behind = false;
   for (int ifix = 0; ifix < modify->nfix; ifix++) {
-    if (behind && (modify->fmask[ifix] & POST_FORCE) && comm->me == 0 &&
-        strcmp(modify->fix[ifix]->style, "enforce2d") != 0)
-      error->warning(FLERR, "fix " + std::string(id) + " gas/coupling stands before fix " +
-                                modify->fix[ifix]->id + " " + modify->fix[ifix]->style +
-                                ", whose forces it cannot see; define fix gas/coupling last");
+    if (behind && comm->me == 0 && adds_forces(ifix))
+      error->warning(FLERR, ("fix " + std::string(id) + " gas/coupling stands before fix " +
+                             modify->fix[ifix]->id + " " + modify->fix[ifix]->style +
+                             ", whose forces it cannot see; define fix gas/coupling last")
+                                .c_str());
     if (modify->fix[ifix] == this) behind = true;
   }
 }

@@ -67,14 +67,21 @@ def read_traces(case):
     pressure = read_columns(case / "postProcessing/lowestPressure/0/volFieldValue.dat")
     jets = read_vectors(case / "postProcessing/jetVelocity/0/surfaceFieldValue.dat")
     bed = read_columns(case / "bed.dat")
-    step = float(re.search(r"^\s*dt\s+(\S+);", (case / "constant/couplingProperties").read_text(),
-                           re.M).group(1))
+    step = particle_step(case)
     time = pressure[:, 0]
     # p is that of the gas with its own weight; the pressure drop is what the particles cause.
     drop = GAS_DENSITY * (pressure[:, 1] - GRAVITY * (HEIGHT - NODE))
     weight, height, _, carried = (np.interp(time, bed[:, 0] * step, column)
                                   for column in bed[:, 1:].T)
     return Traces(time, jets[:, 2] * JET_SHARE, drop, weight, height, carried)
+
+
+def particle_step(case):
+    """Time step [s] of the particle engine that the case names."""
+    text = (Path(case) / "constant/couplingProperties").read_text()
+    engine = re.search(r"^demEngine\s+(\w+);", text, re.M).group(1)
+    own = re.search(rf"^{engine}Coeffs\s*\{{(.*?)^\}}", text, re.M | re.S).group(1)
+    return float(re.search(r"^\s*dt\s+(\S+);", own, re.M).group(1))
 
 
 def written_times(case):
@@ -160,9 +167,10 @@ def plateau(case, found):
 
 
 def solver_seconds(case):
-    """Wall clock time of the solver's time loop, from its log."""
+    """Wall clock time of the solver's time loop, and of the particle engine in it, from its log."""
     log = (Path(case) / "log.cohesiveBedFoam").read_text()
-    return float(re.search(r"^\s*all\s+(\S+) s,", log, re.M).group(1))
+    return tuple(float(re.search(rf"^\s*{part}\s+(\S+) s,", log, re.M).group(1))
+                 for part in ("all", "particles"))
 
 
 def packed_void_fraction(case):

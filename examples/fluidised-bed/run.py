@@ -2,7 +2,8 @@
 """Runs the fluidised bed without and with cohesion, both at once on one core each, and ends in a
 table of the characteristic velocities and a picture.
 
-    run.py [--schedule thesis] [--hamaker A] [--out FOLDER] [--overwrite] [--build FOLDER]
+    run.py [--engine liggghts] [--schedule thesis] [--hamaker A] [--seed N] [--beside FOLDER]
+           [--out FOLDER] [--overwrite] [--build FOLDER]
 """
 
 import argparse
@@ -26,12 +27,20 @@ POLL = 2.0  # s between looks at the logs
 
 def arguments():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--engine", choices=("lammps", "liggghts"), default="lammps",
+                        help="particle engine (%(default)s)")
+    parser.add_argument("--seed", type=int, default=None, metavar="N",
+                        help="another realisation of the bed; for LIGGGHTS a prime above 10000")
+    parser.add_argument("--beside", type=Path, default=None, metavar="FOLDER",
+                        help="earlier results, of the other engine for instance, to stand beside "
+                             "these in the table")
     parser.add_argument("--schedule", choices=("short", "thesis"), default="short",
                         help="gas velocity against time: the shortened cycle or the thesis's")
     parser.add_argument("--hamaker", type=float, default=7.49e-19, metavar="A",
                         help="Hamaker constant of the cohesive case [J] (%(default)s)")
     parser.add_argument("--out", type=Path, default=None,
-                        help="folder for cases and results (BUILD/fluidised-bed)")
+                        help="folder for cases and results (BUILD/fluidised-bed, for LIGGGHTS "
+                             "BUILD/fluidised-bed-liggghts)")
     parser.add_argument("--build", type=Path, default=HERE.parents[1] / "build",
                         help="build folder of the package")
     parser.add_argument("--overwrite", action="store_true",
@@ -39,11 +48,15 @@ def arguments():
     return parser.parse_args()
 
 
-def make_case(name, hamaker, schedule, out, env):
+def make_case(name, hamaker, args, out, env):
     case = FoamCase(HERE / "case", out / name, env, overwrite=True)
-    if schedule == "thesis":
+    if args.schedule == "thesis":
         shutil.copy(case.folder / "constant/schedule.thesis", case.folder / "constant/schedule")
-    case.set("constant/couplingProperties", "lammpsCoeffs/variables/A", hamaker)
+    coupling = "constant/couplingProperties"
+    case.set(coupling, "demEngine", args.engine)
+    case.set(coupling, f"{args.engine}Coeffs/variables/A", hamaker)
+    if args.seed is not None:
+        case.set(coupling, f"{args.engine}Coeffs/variables/seed", args.seed)
     case.mesh()
     (case.folder / "case.foam").touch()  # what ParaView opens
     return case
@@ -115,7 +128,8 @@ def table(results):
                  *(with_error(r["void_fraction"]) for r in results.values())))
     rows.append(("Ergun's U_mf for it [m/s]",
                  *("{:.3f} to {:.3f}".format(*r["ergun"]) for r in results.values())))
-    rows.append(("seconds", *(f"{r['seconds']:.0f}" for r in results.values())))
+    rows.append(("seconds, of these in the particle engine",
+                 *("{:.0f}, {:.0f}".format(*r["seconds"]) for r in results.values())))
     widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
     return "\n".join("  ".join(cell.ljust(width) for cell, width in zip(row, widths))
                      for row in rows)
@@ -140,22 +154,26 @@ def evaluate(case):
 def main():
     args = arguments()
     args.build = args.build.resolve()
-    out = args.out or args.build / "fluidised-bed"
+    out = args.out or args.build / ("fluidised-bed" if args.engine == "lammps"
+                                    else f"fluidised-bed-{args.engine}")
     env = environment(args.build)
-    settings = {"schedule": args.schedule, "hamaker": args.hamaker,
+    settings = {"engine": args.engine, "schedule": args.schedule, "hamaker": args.hamaker,
+                "seed": args.seed,
                 "fingerprint": fingerprint(args.build, env)}
     record = out / "settings.json"
     kinds = {"non-cohesive": 0.0, "Hamaker": args.hamaker}
     if earlier_run(out, settings, args.overwrite):
         print(f"    the runs are done: taking them from {out}")
     else:
-        cases = {name: make_case(name, a, args.schedule, out, env) for name, a in kinds.items()}
+        cases = {name: make_case(name, a, args, out, env) for name, a in kinds.items()}
         record.write_text(json.dumps({"settings": settings, "finished": False}))
         watch(cases, {name: case.start() for name, case in cases.items()})
         record.write_text(json.dumps({"settings": settings, "finished": True}))
 
     results = {name: evaluate(out / name) for name in kinds}
-    text = table(results)
+    beside = {} if args.beside is None else {
+        f"{name}, {args.beside.name}": evaluate(args.beside / name) for name in kinds}
+    text = table({**results, **beside})
     (out / "result.txt").write_text(text + "\n")
     picture.draw(out, results)
     print(text)

@@ -117,11 +117,10 @@ void Foam::gasParticleCoupling::setDepthRatio()
 void Foam::gasParticleCoupling::makeEngine()
 {
     const word name(dict_.get<word>("demEngine"));
-    std::string library;
     try
     {
         // The name first: a misspelt one is not a missing dictionary.
-        library = coupling::dem_engine_library(name);
+        const auto& row = coupling::dem_engine(name);
         const dictionary& coeffs = dict_.subDict(name + "Coeffs");
 
         coupling::DemEngineSettings settings;
@@ -150,10 +149,11 @@ void Foam::gasParticleCoupling::makeEngine()
         }
         settings.communicator = MPI_COMM_WORLD;
 
-        library = coupling::dem_engine_library
+        const std::string library
         (
-            name,
-            coeffs.getOrDefault<fileName>("library", fileName()).expand()
+            coeffs.found("library")
+          ? coeffs.get<fileName>("library").expand()
+          : fileName(coupling::dem_engine_library(row))
         );
         Info<< "Particle engine " << name << " runs " << settings.script.c_str() << ", log in "
             << settings.log.c_str() << endl;
@@ -213,9 +213,9 @@ void Foam::gasParticleCoupling::checkContinued() const
             << "the run continues at time " << mesh_.time().timeName() << ", where the particles had done "
             << stepsThen << " steps, but after the particle script they"
             << " have done " << int64_t(engine_->steps_done()) << nl
-            << "    Let the script read their state when there is one:"
-            << " if \"${continued} == no\" then <set up> else \"read_restart ${restart}\", and set"
-            << " no time step number after that" << exit(FatalIOError);
+            << "    Let the script read their state when there is one: "
+            << engine_->how_to_continue().c_str() << ", and set no time step number after that"
+            << exit(FatalIOError);
     }
 }
 

@@ -69,13 +69,16 @@ class DemEngine {
   /// where the forces are put on: the engine's own book, to hold against the coupling's.
   virtual Impulse gas_impulse() = 0;
 
+  /// How a script reads the state that it is given, for a message: a command of the engine.
+  virtual std::string how_to_continue() = 0;
+
   virtual double time_step() = 0;
   virtual std::string units() = 0;
   virtual Box box() = 0;
 };
 
 /// Every engine library exports these two with C linkage; the number changes with this header.
-inline constexpr int dem_engine_interface = 2;
+inline constexpr int dem_engine_interface = 3;
 using DemEngineInterface = int (*)();
 using MakeDemEngine = DemEngine* (*)(const DemEngineSettings&);
 inline constexpr const char* dem_engine_interface_symbol = "cohesion_dem_engine_interface";

@@ -2,6 +2,7 @@
 #include "load_dem_engine.h"
 
 #include <dlfcn.h>
+#include <unistd.h>
 
 #include "named_table.h"
 
@@ -24,9 +25,20 @@ void* symbol(void* handle, const char* name, const std::string& library) {
 
 }  // namespace
 
-std::string dem_engine_library(const std::string& name, const std::string& library) {
-  const auto& row = find_by_name(dem_engine_libraries, "particle engine", name);
-  return library.empty() ? own_folder() + std::string(row.library) : library;
+const DemEngineRow& dem_engine(const std::string& name) {
+  return find_by_name(dem_engines, "particle engine", name);
+}
+
+std::string dem_engine_library(const DemEngineRow& engine) {
+  const std::string library = own_folder() + std::string(engine.library);
+  if (access(library.c_str(), F_OK) == 0) return library;
+  const std::string name(engine.name);
+  throw DemEngineError("this build has no particle engine '" + name + "': there is no '" + library +
+                       "'. Install the engine (scripts/setup does), configure the package with -D" +
+                       std::string(engine.option) +
+                       "=ON and build it again, or name the file of "
+                       "an adapter in the entry 'library' of " +
+                       name + "Coeffs");
 }
 
 MakeDemEngine load_dem_engine(const std::string& library) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// fix gas/coupling in a real LAMMPS, written to and read from outside as a gas solver does it.
+// fix gas/coupling in a real LAMMPS or LIGGGHTS, written to and read from outside as a gas solver does it.
 // Runs on any number of ranks: every rank checks the particles that it owns.
 
 #include <gtest/gtest.h>
@@ -44,7 +44,6 @@ void mark_rows(Engine& engine, double drag_coefficient_scale) {
 TEST(FixGasCoupling, ParticlesStartWithoutGas) {
   Engine engine;
   engine.fill(6, 1e-5, false);
-  engine.command("run 0");
   for (int i = 0; i < engine.atom().nlocal; i++) {
     const auto* row = reinterpret_cast<double*>(&engine.gas(i));
     for (int k = 0; k < GasOnParticle::size; k++) EXPECT_EQ(row[k], 0.0);
@@ -60,7 +59,6 @@ void relax(double x) {
   constexpr int steps = 40;
   Engine engine;
   engine.fill(6, dt, true);
-  engine.command("run 0");
   const double u[3] = {0.3, -0.2, 0.7}, gradient[3] = {100.0, 50.0, -12000.0};
   std::vector<std::array<double, 3>> first(7);
   auto& atom = engine.atom();
@@ -117,7 +115,6 @@ TEST(FixGasCoupling, ImpulsesAreTheChangeOfMomentum) {
   constexpr int steps = 200;
   Engine engine;
   engine.fill(6, dt, true);
-  engine.command("run 0");
   auto& atom = engine.atom();
   for (int i = 0; i < atom.nlocal; i++) {
     GasOnParticle& gas = engine.gas(i);
@@ -179,7 +176,6 @@ TEST(FixGasCoupling, ASetUpRecordsNoImpulse) {
 TEST(FixGasCoupling, RowsMoveWithTheParticles) {
   Engine engine;
   engine.fill(12, 1e-5, false);
-  engine.command("run 0");
   auto& atom = engine.atom();
   mark_rows(engine, 0.0);
   std::set<int> mine, now;
@@ -217,9 +213,10 @@ TEST(FixGasCoupling, RestartKeepsTheRows) {
   engine.command("run 10");
   engine.command("write_restart " + file);
   engine.command("clear");
-  engine.load_plugin();
+  engine.commands(load_styles());
   engine.command("newton off");
   engine.command("read_restart " + file);
+  engine.commands(no_contacts());
   engine.command("fix gas all gas/coupling");
   engine.command("fix other all gas/coupling");
   engine.command("fix move all nve/sphere");
@@ -254,6 +251,7 @@ TEST(FixGasCoupling, OnlyItsGroupFeelsTheGas) {
   engine.command("unfix gas");
   engine.command("group some id 1 3");
   engine.command("fix gas some gas/coupling");
+  engine.command("run 0");
   mark_rows(engine, 1e-6);
   engine.command("run 0");
   for (int i = 0; i < engine.atom().nlocal; i++) {

@@ -14,14 +14,16 @@
 #include "fix.h"
 #include "input.h"
 #include "lammps.h"
-#include "library.h"
 #include "modify.h"
+#include "variable.h"
 
 #include "drag/gas_on_particle.h"
+#include GAS_COUPLING_WORDS
 
 inline constexpr double gravity = 9.81;
 
-/// A real LAMMPS with the plugin loaded, and the gas rows of its fix gas/coupling.
+/// A real LAMMPS or LIGGGHTS with the package's styles, and the gas rows of its fix gas/coupling.
+/// Built once for each, with the words of each (GAS_COUPLING_WORDS).
 class Engine {
  public:
   Engine() {
@@ -30,20 +32,23 @@ class Engine {
     for (const char* word : words) arguments.push_back(const_cast<char*>(word));
     lammps_ = std::make_unique<LAMMPS_NS::LAMMPS>(static_cast<int>(arguments.size()),
                                                   arguments.data(), MPI_COMM_WORLD);
-    load_plugin();
+    commands(load_styles());
   }
 
-  void load_plugin() { command(std::string("plugin load ") + std::getenv("COHESION_PLUGIN")); }
-  void command(const std::string& line) { lammps_->input->one(line); }
+  void command(const std::string& line) { lammps_->input->one(line.c_str()); }
+
+  void commands(const std::vector<std::string>& lines) {
+    for (const auto& line : lines) command(line);
+  }
 
   /// A periodic box with `n` spheres of different size and speed; `fall` turns gravity on.
   void fill(int n, double dt, bool fall) {
     for (const char* line :
          {"units si", "atom_style sphere", "atom_modify map array sort 10 2e-3", "boundary p p p",
-          "newton off", "region b block 0 .1 0 .02 0 .02", "create_box 2 b",
-          "pair_style hamaker 4e-10 1e-7", "pair_coeff * * 0", "neighbor 1e-3 bin",
+          "newton off", "region b block 0 .1 0 .02 0 .02", "create_box 2 b", "neighbor 1e-3 bin",
           "neigh_modify delay 0 every 1 check yes", "thermo 1000000"})
       command(line);
+    commands(no_contacts());
     for (int i = 0; i < n; i++) {
       command("create_atoms 1 single " + std::to_string(0.1 * (i + 0.5) / n) + " 0.01 0.01");
       const std::string atom = "set atom " + std::to_string(i + 1);
@@ -54,6 +59,7 @@ class Engine {
     command("fix move all nve/sphere");
     if (fall) command("fix fall all gravity " + std::to_string(gravity) + " vector 0 0 -1");
     command("fix gas all gas/coupling");
+    command("run 0");  // LIGGGHTS initialises the rows of a new fix in its first run
   }
 
   LAMMPS_NS::Atom& atom() { return *lammps_->atom; }
@@ -75,10 +81,9 @@ class Engine {
 
   double variable(const std::string& formula) {
     command("variable asked equal " + formula);
-    auto* value = static_cast<double*>(lammps_extract_variable(lammps_.get(), "asked", nullptr));
-    const double result = *value;
-    lammps_free(value);
-    return result;
+    char name[] = "asked";
+    auto* variables = lammps_->input->variable;
+    return variables->compute_equal(variables->find(name));
   }
 
  private:

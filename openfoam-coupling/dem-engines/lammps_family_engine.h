@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "dem_engine.h"
+// engine headers
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "fix.h"
+#include "input.h"
+#include "lammps.h"
+#include "modify.h"
+#include "update.h"
+
+/// LAMMPS and LIGGGHTS as particle engines, of one origin: their classes have the same names and,
+/// as far as they are used here, the same members. Included once by each adapter, with the headers
+/// of its engine. The script sets everything up and defines `fix gas/coupling`, whose arrays are
+/// read and written in place.
+namespace cohesion::coupling {
+
+// A bad command makes the engine end the process; without this the user would not learn where to
+// look.
+inline std::string log_of_running_engine;
+
+inline void point_to_log() {
+  if (!log_of_running_engine.empty())
+    std::fprintf(stderr,
+                 "The particle engine ended the run; its reason stands at the end of '%s'\n",
+                 log_of_running_engine.c_str());
+}
+
+// The engines keep coordinates as rows of three in one block: the first row's address is all of it.
+using Rows = double (*)[3];
+inline Rows rows(double** array) { return array ? reinterpret_cast<Rows>(array[0]) : nullptr; }
+
+/// What their scripts spell differently.
+struct ScriptWords {
+  const char* engine;     ///< its name, for messages
+  const char* continued;  ///< value of the variable `continued`: there is a state to continue from
+  const char* not_continued;
+};
+
+class LammpsFamilyEngine : public DemEngine {
+ public:
+  LammpsFamilyEngine(const DemEngineSettings& settings, const ScriptWords& words) : words_(words) {
+    log_of_running_engine = settings.log;
+    std::atexit(point_to_log);
+    // `if` compares no file names, so whether there is one is a variable of its own.
+    const bool continued = !settings.restart.empty();
+    std::vector<std::string> line{words.engine,
+                                  "-screen",
+                                  "none",
+                                  "-log",
+                                  settings.log,
+                                  "-var",
+                                  "continued",
+                                  continued ? words.continued : words.not_continued,
+                                  "-var",
+                                  "restart",
+                                  continued ? settings.restart : "none"};
+    for (const auto& [name, value] : settings.variables)
+      line.insert(line.end(), {"-var", name, value});
+    std::vector<char*> arguments;
+    for (auto& word : line) arguments.push_back(word.data());
+    lammps_ = std::make_unique<LAMMPS_NS::LAMMPS>(static_cast<int>(arguments.size()),
+                                                  arguments.data(), settings.communicator);
+    lammps_->input->file(settings.script.c_str());
+    check(settings.script);
+    // The engine renews its neighbour lists in steps that write a state, so that what continues
+    // from there has the same; LAMMPS asks at the start of a run with set-up whether there will be
+    // such steps.
+    write_state_at(last_step, "never");
+    command("run 0 post no");
+  }
+
+  ~LammpsFamilyEngine() override { log_of_running_engine.clear(); }
+
+  Particles particles() override {
+    const auto* atom = lammps_->atom;
+    return {atom->nlocal, rows(atom->x), rows(atom->v), atom->radius, atom->rmass, atom->tag};
+  }
+
+  drag::GasOnParticle* gas() override {
+    auto** const all = static_cast<double**>(extract("gas"));
+    return all ? reinterpret_cast<drag::GasOnParticle*>(all[0]) : nullptr;
+  }
+
+  void advance(int steps, const std::string& restart) override {
+    std::fill_n(static_cast<double*>(extract("gas_impulse")), 6, 0.0);
+    const long end = steps_done() + steps;
+    if (end >= last_step)
+      throw DemEngineError(
+          "the particles have done " + std::to_string(steps_done()) + " steps; " + words_.engine +
+          " writes states up to step " + std::to_string(last_step) +
+          " only. Set a lower step number in the script where it sets the particles "
+          "up ('reset_timestep 0'), or take longer steps");
+    if (!restart.empty()) write_state_at(end, restart);
+    command("run " + std::to_string(steps) + " pre no post no");
+    if (restart.empty()) return;
+    // Once is enough: the engine would write at every multiple of the step.
+    write_state_at(last_step, "never");
+    // The engine appends the step.
+    const std::string written = restart + "." + std::to_string(end);
+    int failed = lammps_->comm->me == 0 && std::rename(written.c_str(), restart.c_str()) != 0;
+    MPI_Bcast(&failed, 1, MPI_INT, 0, lammps_->world);
+    if (failed)
+      throw DemEngineError(words_.engine + (" has not written its state to '" + written + "'"));
+  }
+
+  long steps_done() override { return static_cast<long>(lammps_->update->ntimestep); }
+
+  Impulse gas_impulse() override {
+    const auto* total = static_cast<double*>(extract("gas_impulse"));
+    return {{total[0], total[1], total[2]}, {total[3], total[4], total[5]}};
+  }
+
+  std::string how_to_continue() override {
+    return std::string("if \"${continued} == ") + words_.not_continued +
+           "\" then <set up> else \"read_restart ${restart}\"";
+  }
+
+  double time_step() override { return lammps_->update->dt; }
+  std::string units() override { return lammps_->update->unit_style; }
+
+  Box box() override {
+    const auto* domain = lammps_->domain;
+    return {{domain->boxlo[0], domain->boxlo[1], domain->boxlo[2]},
+            {domain->boxhi[0], domain->boxhi[1], domain->boxhi[2]}};
+  }
+
+ private:
+  void check(const std::string& script) {
+    if (!lammps_->domain->box_exist)
+      throw DemEngineError("the script '" + script + "' makes no simulation box");
+    if (!lammps_->atom->radius_flag || lammps_->atom->natoms == 0)
+      throw DemEngineError("the script '" + script + "' has no spheres: it needs 'atom_style " +
+                           "sphere' and at least one particle, and has atom_style " +
+                           lammps_->atom->atom_style + " and " +
+                           std::to_string(lammps_->atom->natoms) + " particles");
+    const auto* modify = lammps_->modify;
+    const auto* end = modify->fix + modify->nfix;
+    const auto* found = std::find_if(modify->fix, modify->fix + modify->nfix, [](auto* fix) {
+      return std::string(fix->style) == "gas/coupling";
+    });
+    if (found == end)
+      throw DemEngineError("the script '" + script + "' has no fix gas/coupling, through which " +
+                           "particles feel the gas; add 'fix gas all gas/coupling' as last fix");
+    fix_ = *found;
+  }
+
+  /// The engine's command `restart` takes no later one. advance() ends before it, so that the state
+  /// called "never" is not written.
+  static constexpr long last_step = std::numeric_limits<int>::max();
+
+  void write_state_at(long step, const std::string& file) {
+    command("restart " + std::to_string(step) + " " + file);
+  }
+
+  void command(const std::string& line) { lammps_->input->one(line.c_str()); }
+
+  void* extract(const char* name) {
+    int dimension = 0;
+    return fix_->extract(name, dimension);
+  }
+
+  const ScriptWords words_;
+  std::unique_ptr<LAMMPS_NS::LAMMPS> lammps_;
+  LAMMPS_NS::Fix* fix_ = nullptr;
+};
+
+}  // namespace cohesion::coupling
