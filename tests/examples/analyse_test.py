@@ -53,6 +53,22 @@ class FluidisationCurve(unittest.TestCase):
                                    delta=0.018)
 
 
+class ParticleStep(unittest.TestCase):
+    def test_is_that_of_the_engine_that_the_case_names(self):
+        text = (BED / "case/constant/couplingProperties").read_text()
+        self.assertEqual(text.count("dt      1.125e-5;"), 2)
+        for number, engine in enumerate(("lammps", "liggghts")):
+            with tempfile.TemporaryDirectory() as folder, self.subTest(engine=engine):
+                before, first, second = text.split("dt      1.125e-5;")
+                steps = ["1e-5", "1e-5"]
+                steps[number] = "2e-5"
+                changed = f"{before}dt {steps[0]};{first}dt {steps[1]};{second}"
+                (Path(folder) / "constant").mkdir()
+                (Path(folder) / "constant/couplingProperties").write_text(
+                    changed.replace("demEngine       lammps;", f"demEngine {engine};"))
+                self.assertEqual(analyse.particle_step(folder), 2e-5)
+
+
 class Schedules(unittest.TestCase):
     def read(self, name):
         with tempfile.TemporaryDirectory() as folder:

@@ -8,13 +8,12 @@ import subprocess
 import sys
 import time
 
-from coupled_case import SOURCE, CaseError, Expectations, column
+from coupled_case import COUPLING, ENGINE, SOURCE, CaseError, Expectations, column, script_file
 
 sys.path.insert(0, str(SOURCE / "tests/src/drag"))
 from closure_formulas import CLOSURES  # noqa: E402
 
-COUPLING = "constant/couplingProperties"
-SCRIPT = "particles.lmp"
+SCRIPT = script_file("particles")
 
 
 def edit(case, file, old, new):
@@ -28,7 +27,12 @@ def edit(case, file, old, new):
 CASES = {
     "misspelt engine": (
         lambda c: c.set(COUPLING, "demEngine", "lamps"),
-        ["unknown particle engine 'lamps'", "valid names: lammps", "couplingProperties"]),
+        ["unknown particle engine 'lamps'", "valid names: lammps, liggghts",
+         "couplingProperties"]),
+    "engine that was not built": (
+        lambda c: without_adapters(c),
+        ["this build has no particle engine 'liggghts'", "libcohesionLiggghtsEngine.so",
+         "-DCOHESION_LIGGGHTS=ON", "'library' of liggghtsCoeffs", "couplingProperties"]),
     "missing engine": (
         lambda c: edit(c, COUPLING, "demEngine       lammps;", ""),
         ["demEngine", "couplingProperties"]),
@@ -135,6 +139,39 @@ CASES = {
 }
 
 
+# With LIGGGHTS: what is said of the engine and its script.
+LIGGGHTS_CASES = {
+    "no dictionary of the engine": (
+        lambda c: edit(c, COUPLING, "liggghtsCoeffs", "lammpsCoeffs2"),
+        ["liggghtsCoeffs", "couplingProperties"]),
+    "command that the engine does not know": (
+        lambda c: edit(c, SCRIPT, "pair_coeff ", "pair_coef "),
+        ["The particle engine ended the run", "log.liggghts"]),
+    "cohesion without its parameters": (
+        lambda c: edit(c, SCRIPT, "tangential off", "tangential off cohesion hamaker"),
+        ["The particle engine ended the run", "log.liggghts"]),
+    "script without particles": (
+        lambda c: (edit(c, SCRIPT, "create_atoms 1 single 0.031 0.029 0.19 units box", ""),
+                   edit(c, SCRIPT, "set          group all diameter 1e-4 density 2000", "")),
+        ["has no spheres", "0 particles"]),
+    "script without the gas": (
+        lambda c: edit(c, SCRIPT, "fix gas      all gas/coupling", ""),
+        ["no fix gas/coupling", "add 'fix gas all gas/coupling'"]),
+    "fix gas/coupling with a value": (
+        lambda c: edit(c, SCRIPT, "all gas/coupling", "all gas/coupling drag"),
+        ["The particle engine ended the run", "log.liggghts"]),
+    "script in other units": (
+        lambda c: edit(c, SCRIPT, "units        si", "units        cgs"),
+        ["units cgs", "use 'units si'"]),
+    "box of another size": (
+        lambda c: edit(c, SCRIPT, "0 0.2", "0 0.3"),
+        ["in direction z", "from 0 to 0.3 m", "the mesh from 0 to 0.2 m"]),
+    "gas step that is no multiple": (
+        lambda c: c.set("system/controlDict", "deltaT", 1.05e-4),
+        ["deltaT = 0.000105", "10.5 steps", "whole multiple"]),
+}
+
+
 def every_closure_is_documented(expect):
     """Not bad input, but what a user does after the list of valid names: look them up."""
     table = (SOURCE / "docs/openfoam-coupling/drag_closures.md").read_text()
@@ -162,6 +199,16 @@ def check(expect, case, name, spoil, parts):
     for part in parts:
         expect.true(f"{name}: says \"{part}\"", part in text)
     expect.equal(f"{name}: time folders", times(case), before)
+
+
+def without_adapters(case):
+    """The case names an engine whose adapter is not beside the coupling's library, a link to it."""
+    library = "libcohesionCoupling.so"
+    folders = case.env["LD_LIBRARY_PATH"].split(":")
+    built = next(f for f in folders if os.path.exists(os.path.join(f, library)))
+    (case.folder / library).symlink_to(os.path.join(built, library))
+    case.env["LD_LIBRARY_PATH"] = ":".join([str(case.folder), *folders])
+    case.set(COUPLING, "demEngine", "liggghts")
 
 
 def cut_mesh(case):
@@ -225,8 +272,11 @@ def refuses_another_step_at_run_time(expect, case):
 
 def main(build, work):
     expect = Expectations()
-    for number, (name, (spoil, parts)) in enumerate(CASES.items()):
+    cases = CASES if ENGINE == "lammps" else LIGGGHTS_CASES
+    for number, (name, (spoil, parts)) in enumerate(cases.items()):
         check(expect, column(work, str(number), build), name, spoil, parts)
+    if ENGINE != "lammps":
+        expect.exit()
     every_closure_is_documented(expect)
     refuses_existing_results(expect, column(work, "results", build))
     refuses_another_step_at_run_time(expect, column(work, "modified", build))
@@ -234,4 +284,4 @@ def main(build, work):
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:])
+    main(*sys.argv[1:3])

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the tests of the coupling share. Every driver is called as
-    driver.py BUILD_FOLDER WORK_FOLDER
-and exits non-zero when an expectation failed."""
+    driver.py BUILD_FOLDER WORK_FOLDER [ENGINE]
+and exits non-zero when an expectation failed. ENGINE is the particle engine, lammps unless given; the
+scripts of the others have their names as ending."""
 
 import re
 import sys
@@ -11,6 +12,8 @@ SOURCE = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(SOURCE / "examples/common"))
 from foam_case import CaseError, FoamCase, environment  # noqa: E402,F401
 
+COUPLING = "constant/couplingProperties"
+ENGINE = sys.argv[3] if len(sys.argv) > 3 else "lammps"
 COLUMN = Path(__file__).resolve().parent / "column"
 BED = SOURCE / "examples/fluidised-bed"
 
@@ -42,21 +45,36 @@ class Expectations:
         sys.exit(1 if self.failed else 0)
 
 
-def column(work, name, build):
+def column(work, name, build, engine=ENGINE):
     """The column case, fresh, under work/name."""
-    return FoamCase(COLUMN, Path(work) / name, environment(build), overwrite=True)
+    case = FoamCase(COLUMN, Path(work) / name, environment(build), overwrite=True)
+    case.set(COUPLING, "demEngine", engine)
+    return case
 
 
-def disturb(case, script, by):
+def script_file(name, engine=ENGINE):
+    """Of the script called `name` in column/."""
+    return f"{name}.{'lmp' if engine == 'lammps' else engine}"
+
+
+def use_script(case, name, engine=ENGINE):
+    case.set(COUPLING, f"{engine}Coeffs/script", f'"$FOAM_CASE/{script_file(name, engine)}"')
+
+
+def disturb(case, script, by, engine=ENGINE):
     """Makes the velocities that a script of a swarm creates larger by the share `by`. What that does to
     the end of a run is a yardstick: two runs that should be the same, but for rounding and for what
     solvers leave, have to be nearer to each other than to the disturbed one. Collisions make both
     differences grow alike."""
-    path = case.folder / script
+    path = case.folder / script_file(script, engine)
     text = path.read_text()
-    assert text.count("create 1e14 ") == 1, f"{script} creates no velocities of 1e14"
     # A temperature goes with the square of the velocity.
-    path.write_text(text.replace("create 1e14 ", f"create {1e14 * (1 + by) ** 2!r} "))
+    for old, new in (("create 1e14 ", f"create {1e14 * (1 + by) ** 2!r} "),
+                     ("speed equal 0.03\n", f"speed equal {0.03 * (1 + by)!r}\n")):
+        if text.count(old) == 1:
+            path.write_text(text.replace(old, new))
+            return
+    raise AssertionError(f"{path} creates no velocities of 1e14 or 0.03")
 
 
 def exchange_lines(log):

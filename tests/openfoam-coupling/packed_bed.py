@@ -9,7 +9,7 @@ import sys
 
 import numpy as np
 
-from coupled_case import SOURCE, Expectations, column, drag_report
+from coupled_case import SOURCE, Expectations, column, drag_report, use_script
 
 sys.path.insert(0, str(SOURCE / "tests/src/drag"))
 from closure_formulas import CLOSURES, DOUBLE  # noqa: E402
@@ -55,13 +55,13 @@ def drop(case, time):
     return RHO * (p[0] - p[-1])
 
 
-def blow(build, work, name, settings, superficial=SUPERFICIAL, ranks=1, script="packed.lmp"):
+def blow(build, work, name, settings, superficial=SUPERFICIAL, ranks=1, script="packed"):
     """Runs the bed with `settings` of couplingProperties; the case, its last error of continuity, and
     the solver's log."""
     case = column(work, name, build)
     for entry, value in settings.items():
         case.set("constant/couplingProperties", entry, value)
-    case.set("constant/couplingProperties", "lammpsCoeffs/script", f'"$FOAM_CASE/{script}"')
+    use_script(case, script)
     case.set("0.orig/U", "boundaryField/bottom/superficialVelocity", f"(0 0 {superficial})")
     # Central, for convection to have no part in the pressure drop: see check().
     case.set("system/fvSchemes", "divSchemes/div(voidFractionPhi,U)", "Gauss linear")
@@ -153,4 +153,4 @@ def main(build, work):
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:])
+    main(*sys.argv[1:3])

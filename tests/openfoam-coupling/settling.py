@@ -65,4 +65,4 @@ def main(build, work):
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:])
+    main(*sys.argv[1:3])

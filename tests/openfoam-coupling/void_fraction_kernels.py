@@ -71,7 +71,7 @@ def check_packed_bed(expect, build, work, kernel, width, form="A"):
     settings = {"voidFraction": kernel, "drag": "ergunWenYu", "form": form}
     if width:
         settings["smoothingWidth"] = width
-    case, continuity, log = blow(build, work, name, settings, script="layers.lmp")
+    case, continuity, log = blow(build, work, name, settings, script="layers")
     weight = shares(kernel)
     assert np.allclose(weight.sum(axis=1), 1)
     if width:
