@@ -7,6 +7,8 @@ import shutil
 import subprocess
 from pathlib import Path
 
+from job_pool import dies_with_us
+
 
 class CaseError(RuntimeError):
     """A program of the case failed; the text ends with the last lines of its log."""
@@ -60,7 +62,7 @@ class FoamCase:
             command = ["mpirun", "--oversubscribe", "-np", str(ranks), *command, "-parallel"]
         with open(self.log("cohesiveBedFoam"), "w") as log:
             return subprocess.Popen(
-                command, cwd=self.folder, env=self.env, stdout=log, stderr=log,
+                dies_with_us(command), cwd=self.folder, env=self.env, stdout=log, stderr=log,
                 stdin=subprocess.DEVNULL,
             )
 

@@ -8,10 +8,8 @@ table of the characteristic velocities and a picture.
 
 import argparse
 import hashlib
-import json
 import shutil
 import sys
-import time
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
@@ -20,9 +18,7 @@ sys.path.insert(0, str(HERE.parent / "common"))
 import analyse  # noqa: E402
 import picture  # noqa: E402
 from foam_case import CaseError, FoamCase, environment  # noqa: E402
-from progress_line import ProgressLine  # noqa: E402
-
-POLL = 2.0  # s between looks at the logs
+from job_pool import Job, RunError, carry_out  # noqa: E402
 
 
 def arguments():
@@ -48,18 +44,48 @@ def arguments():
     return parser.parse_args()
 
 
-def make_case(name, hamaker, args, out, env):
-    case = FoamCase(HERE / "case", out / name, env, overwrite=True)
-    if args.schedule == "thesis":
+def make_case(folder, parameters, env):
+    """The case of `parameters`: "engine", "schedule" (short or thesis), and variables of the engine's
+    script."""
+    case = FoamCase(HERE / "case", folder, env, overwrite=True)
+    coupling, engine = "constant/couplingProperties", parameters["engine"]
+    case.set(coupling, "demEngine", engine)
+    if parameters["schedule"] == "thesis":
         shutil.copy(case.folder / "constant/schedule.thesis", case.folder / "constant/schedule")
-    coupling = "constant/couplingProperties"
-    case.set(coupling, "demEngine", args.engine)
-    case.set(coupling, f"{args.engine}Coeffs/variables/A", hamaker)
-    if args.seed is not None:
-        case.set(coupling, f"{args.engine}Coeffs/variables/seed", args.seed)
+    for name, value in parameters.items():
+        if name not in ("engine", "schedule"):
+            case.set(coupling, f"{engine}Coeffs/variables/{name}", value)
     case.mesh()
     (case.folder / "case.foam").touch()  # what ParaView opens
     return case
+
+
+class BedRun(Job):
+    """One bed: its case, made anew when it starts."""
+
+    def __init__(self, folder, parameters, env, fingerprint):
+        super().__init__(folder, {**parameters, "fingerprint": fingerprint})
+        self.parameters, self.env = parameters, env
+
+    def start(self):
+        self.case = make_case(self.folder, self.parameters, self.env)
+        return self.case.start()
+
+    def figures(self):
+        """Those of evaluate() that are one number."""
+        found = evaluate(self.folder)
+        velocities = found["velocities"]
+        return {"U_mf_df": velocities.falling[0], "U_mf_th": velocities.rising[0],
+                "U_mf_in": velocities.at_maximum, "overshoot": velocities.overshoot,
+                "pressure_over_weight": found["plateau"][0], "balance": found["balance"][0],
+                "void_fraction": found["void_fraction"][0]}
+
+    def share(self):
+        progress = self.case.progress()
+        return progress[0] if progress else 0.0
+
+    def tail(self):
+        return self.case.tail()
 
 
 def fingerprint(build, env):
@@ -73,37 +99,15 @@ def fingerprint(build, env):
     return digest.hexdigest()
 
 
-def earlier_run(out, settings, overwrite):
-    """Whether `out` holds the finished run of these settings; raises CaseError for another's."""
-    record = out / "settings.json"
-    if overwrite or not out.exists():
-        return False
-    if not record.exists() or json.loads(record.read_text())["settings"] != settings:
-        raise CaseError(f"'{out}' holds the results of other settings: give --overwrite to replace "
-                        "them, or --out for another folder")
-    return json.loads(record.read_text())["finished"]
-
-
-def watch(cases, processes):
-    """One line with the share done and the time left, until all have ended."""
-    line = ProgressLine()
-    while any(process.poll() is None for process in processes.values()):
-        time.sleep(POLL)
-        if any(process.poll() for process in processes.values()):
-            break  # One has failed: the others' results would not be used.
-        parts, left = [], 0.0
-        for name, case in cases.items():
-            progress = case.progress()
-            parts.append(f"{name} {100 * progress[0]:3.0f} %" if progress else f"{name} settling")
-            left = max(left, progress[1]) if progress and left is not None else None
-        line.show(left, ", ".join(parts))
-    line.close()
-    failed = [name for name, process in processes.items() if process.poll()]
-    if failed:
-        for process in processes.values():
-            process.terminate()
-    for name in failed or processes:
-        cases[name].finish(processes[name])
+def require_ours(jobs):
+    """Raises CaseError when a folder holds the results of other settings, or something else."""
+    for job in jobs:
+        if not job.folder.exists() or job.result() is not None:
+            continue
+        killed = (job.folder / "constant/couplingProperties").exists()
+        if (job.folder / "result.json").exists() or not killed:
+            raise CaseError(f"'{job.folder}' holds something else than results of these settings: give "
+                            "--overwrite to replace it, or --out for another folder")
 
 
 def table(results):
@@ -157,18 +161,15 @@ def main():
     out = args.out or args.build / ("fluidised-bed" if args.engine == "lammps"
                                     else f"fluidised-bed-{args.engine}")
     env = environment(args.build)
-    settings = {"engine": args.engine, "schedule": args.schedule, "hamaker": args.hamaker,
-                "seed": args.seed,
-                "fingerprint": fingerprint(args.build, env)}
-    record = out / "settings.json"
+    mark = fingerprint(args.build, env)
+    common = {"engine": args.engine, "schedule": args.schedule}
+    if args.seed is not None:
+        common["seed"] = args.seed
     kinds = {"non-cohesive": 0.0, "Hamaker": args.hamaker}
-    if earlier_run(out, settings, args.overwrite):
-        print(f"    the runs are done: taking them from {out}")
-    else:
-        cases = {name: make_case(name, a, args, out, env) for name, a in kinds.items()}
-        record.write_text(json.dumps({"settings": settings, "finished": False}))
-        watch(cases, {name: case.start() for name, case in cases.items()})
-        record.write_text(json.dumps({"settings": settings, "finished": True}))
+    jobs = [BedRun(out / name, {**common, "A": a}, env, mark) for name, a in kinds.items()]
+    if not args.overwrite:
+        require_ours(jobs)
+    carry_out(jobs, together=len(jobs))
 
     results = {name: evaluate(out / name) for name in kinds}
     beside = {} if args.beside is None else {
@@ -184,5 +185,5 @@ def main():
 if __name__ == "__main__":
     try:
         main()
-    except CaseError as error:
+    except (CaseError, RunError) as error:
         sys.exit(f"run.py: {error}")

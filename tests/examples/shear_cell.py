@@ -38,7 +38,7 @@ class ShearCell(unittest.TestCase):
 
     @classmethod
     def jobs(cls, rule=RULE):
-        return [run.Job(r, rule, cls.out, run.launcher(BUILD)) for r in RUNS]
+        return [run.ShearRun(r, rule, cls.out, run.launcher(BUILD)) for r in RUNS]
 
     def test_stress_by_kind_is_the_whole(self):
         """Means over the same samples and time: the same but for round-off of totals over 1e5 events and

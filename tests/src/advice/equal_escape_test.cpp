@@ -7,6 +7,8 @@
 #include "advice/thesis_pair.h"
 #include "event_stepping/pair_run.h"
 #include "event_stepping/well_pair.h"
+#include "hamaker/law.h"
+#include "hamaker/small_gap.h"
 #include "refuses.h"
 
 namespace cohesion::advice {
@@ -54,6 +56,35 @@ TEST(EqualEscape, OfAWellIsItsDepth) {
     EXPECT_NEAR(equal_depth(spring, {0.0, 1e-5, depth}) / depth, 1.0, 1e-13);
 }
 
+TEST(EqualEscape, HamakerConstantsOfTheThesisWells) {
+  // The thesis, found by trial: D = 1e-11 J with A = 3.34e-19 J, printed with three digits. The
+  // others by an integration of the motion (tests/tools/cohesion_mapping_test.py), good to 1e-9.
+  const contact::Adhesion unit =
+      contact::adhesion_of(hamaker::Law<hamaker::SmallGap>({1.0, 4e-10, 1e-7}),
+                           two_spheres(thesis::radius, thesis::radius));
+  const auto constant = [&](double depth) {
+    return adhesion_of_escape_velocity(spring, unit, escape_velocity_of_depth(spring, depth));
+  };
+  EXPECT_NEAR(constant(1e-11), 3.34e-19, 0.005e-19);
+  EXPECT_NEAR(constant(1e-11) / 3.338019109e-19, 1.0, 1e-8);
+  EXPECT_NEAR(constant(5e-11) / 7.491511298e-19, 1.0, 1e-8);
+  EXPECT_NEAR(constant(1e-10) / 1.060388233e-18, 1.0, 1e-8);
+}
+
+TEST(EqualEscape, AConstantIsFoundAgainFromItsDepth) {
+  for (const double restitution : {0.01, 0.5, 0.95, 0.9999})
+    for (const double stiffness : {1.0, 800.0, 1e7})
+      for (const double hamaker : {1e-23, 1e-19, 1e-15}) {
+        const auto contact = contact::LinearSpringDashpot::from_restitution(stiffness, restitution,
+                                                                            thesis::reduced_mass);
+        const double speed =
+            escape_velocity_of_depth(contact, equal_depth(contact, thesis::adhesion(hamaker)));
+        // v_esc is good to some roundings of 1/e^2 - 1, which has 2e-4 left at e = 0.9999.
+        EXPECT_NEAR(adhesion_of_escape_velocity(contact, thesis::adhesion(1.0), speed) / hamaker,
+                    1.0, 1e-11);
+      }
+}
+
 TEST(EqualEscape, AdviceOnAWellHasItsEscapeVelocity) {
   PairParameters p = thesis_pair();
   p.adhesion = {0.0, 1e-5, 5e-11};
@@ -73,6 +104,11 @@ TEST(EqualEscape, RefusesWhatHasNoDepth) {
   expect_refused([&] { depth_of_escape_velocity(elastic, 0.1); }, "restitution e");
   expect_refused([&] { depth_of_escape_velocity(dead, 0.1); }, "restitution e");
   expect_refused([&] { depth_of_escape_velocity(spring, -0.1); }, "escape velocity");
+  expect_refused([&] { adhesion_of_escape_velocity(elastic, thesis::adhesion(1.0), 0.1); },
+                 "restitution e");
+  expect_refused([&] { adhesion_of_escape_velocity(spring, thesis::adhesion(1.0), 0.0); },
+                 "escape velocity");
+  expect_refused([&] { adhesion_of_escape_velocity(spring, {}, 0.1); }, "adhesion force");
 }
 
 }  // namespace cohesion::advice

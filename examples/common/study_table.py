@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A study: a table of parameters (a CSV file with a line of names), each row run with several seeds, and
+the figures of the runs with mean and standard deviation over the seeds."""
+
+import csv
+import math
+import statistics
+
+
+class TableError(RuntimeError):
+    """The table of a study cannot be right."""
+
+
+def number(text):
+    """What JSON keeps: int or float where it is one, the text otherwise."""
+    for kind in (int, float):
+        try:
+            return kind(text)
+        except ValueError:
+            pass
+    return text
+
+
+def read_table(file, known):
+    """Rows of the table `file` as dicts, lines that begin with # left out. The first column, `name`, names
+    the row, and so the folders of its runs; the others must be in `known` (name: default). What a row leaves
+    empty is the default. Raises TableError."""
+    with open(file, newline="") as lines:
+        rows = list(csv.reader((line for line in lines if not line.startswith("#")),
+                               skipinitialspace=True))
+    rows = [[cell.strip() for cell in row] for row in rows if any(cell.strip() for cell in row)]
+    if len(rows) < 2 or rows[0][0] != "name":
+        raise TableError(f"{file}: needs a line of column names, the first of them 'name', and rows")
+    columns = rows[0][1:]
+    for column in columns:
+        if column not in known:
+            raise TableError(f"{file}: no parameter '{column}'; there are {', '.join(known)}")
+    if len(set(columns)) < len(columns):
+        raise TableError(f"{file}: a column stands twice")
+    table = {}
+    for row in rows[1:]:
+        name = row[0]
+        if len(row) != len(rows[0]):
+            raise TableError(f"{file}: row '{name}' has {len(row)} cells for {len(rows[0])} columns")
+        if not name or "/" in name or name in table:
+            raise TableError(f"{file}: row name '{name}' is empty, holds a '/' or stands twice")
+        given = {column: number(cell) for column, cell in zip(columns, row[1:]) if cell}
+        table[name] = {**known, **given}
+    return table
+
+
+def over_seeds(results):
+    """Mean and standard deviation (of one run, n - 1; nan for one seed) of every figure that is a number;
+    {figure: (mean, deviation)}. `results`: dicts of the same figures."""
+    found = {}
+    for figure, first in results[0].items():
+        values = [result[figure] for result in results]
+        if isinstance(first, (int, float)) and not isinstance(first, bool):
+            spread = statistics.stdev(values) if len(values) > 1 else math.nan
+            found[figure] = (statistics.fmean(values), spread)
+    return found
+
+
+def write_summary(file, table, results):
+    """CSV: a line per row of `table`, with its parameters, how many seeds, and for each figure its mean and,
+    as <figure>_sd, standard deviation. `results`: {row name: [dict of figures per seed]}."""
+    lines = []
+    for name, parameters in table.items():
+        figures = over_seeds(results[name])
+        line = {"name": name, **parameters, "seeds": len(results[name])}
+        for figure, (mean, deviation) in figures.items():
+            line[figure], line[f"{figure}_sd"] = f"{mean:.6g}", f"{deviation:.2g}"
+        lines.append(line)
+    with open(file, "w", newline="") as out:
+        writer = csv.DictWriter(out, list(lines[0]))
+        writer.writeheader()
+        writer.writerows(lines)

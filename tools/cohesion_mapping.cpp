@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// cohesion-mapping: square wells and Hamaker attractions of equal head-on escape velocity.
+// Manual: docs/tools/cohesion-mapping.md
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <iostream>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "advice/law_mapping.h"
+#include "contact/contact_parameters.h"
+#include "square_well/parameters.h"
+
+namespace {
+
+using namespace cohesion;
+
+/// What the command line says.
+struct Request {
+  std::vector<double> radii, densities, masses;
+  bool wall = false;
+  double stiffness = 0.0, restitution = 0.0, damping = 0.0;
+  std::vector<double> cutoffs;
+  double asperity = 0.0, ratio = 1.01;
+  std::string form = "small_gap", hamaker_scheme = "event", well_scheme = "event";
+  double step = 0.0;
+  std::vector<double> hamaker_constants, depths;
+  bool damping_given = false, csv = false;
+};
+
+struct Row {
+  double hamaker_constant, depth;
+  double force;  ///< F_ad of the Hamaker attraction
+  advice::SampledEscape hamaker, well;
+};
+
+/// Of two particles the second value, or the only one.
+double second(const std::vector<double>& values) { return values.back(); }
+
+double mass(const Request& r, double radius, bool of_second) {
+  const auto& given = r.masses.empty() ? r.densities : r.masses;
+  const double value = of_second ? second(given) : given.front();
+  require_positive(r.masses.empty() ? "density" : "mass", value);
+  return r.masses.empty() ? value * sphere_volume(radius) : value;
+}
+
+/// Throws InvalidParameter for what would have no effect.
+void require_used(const Request& r) {
+  for (const auto* values : {&r.radii, &r.densities, &r.masses})
+    require(!r.wall || values->size() < 2, "second particle",
+            values->empty() ? 0.0 : values->back(),
+            "there is none beside a --wall: give one radius and one density or mass");
+  require(r.step == 0.0 || r.hamaker_scheme == "sampled" || r.well_scheme == "sampled",
+          "time step (--step)", r.step,
+          "scheme event is the same at any step: leave it out, or choose sampled for a law");
+}
+
+advice::HeadOnPair pair_of(const Request& r) {
+  const double ri = r.radii.front(), rj = second(r.radii);
+  require_positive("radius", ri);
+  require_positive("radius", rj);
+  const double mi = mass(r, ri, false);
+  const double mu = r.wall ? mi : reduced_mass(mi, mass(r, rj, true));
+  contact::ContactParameters parameters;
+  parameters.stiffness = r.stiffness;
+  parameters.restitution = r.restitution;
+  if (r.damping_given) {
+    require_non_negative("damping", r.damping);
+    parameters.damping = r.damping;
+  }
+  contact::require_valid(parameters);
+  return {contact::normal_contact(parameters, mu),
+          r.wall ? sphere_and_plane(ri) : two_spheres(ri, rj), r.wall ? ri : ri + rj};
+}
+
+const hamaker::Form* form_of(const Request& r) {
+  for (const hamaker::Form& form : hamaker::forms)
+    if (form.name == r.form) return &form;
+  return nullptr;  // not reached: the names are checked with the command line
+}
+
+class Mapping {
+ public:
+  explicit Mapping(const Request& r)
+      : pair_(pair_of(r)),
+        kind_{form_of(r), r.cutoffs.at(0), r.cutoffs.at(1), r.asperity},
+        hamaker_step_(step(r.hamaker_scheme, r)),
+        well_step_(step(r.well_scheme, r)) {
+    const square_well::Parameters well = square_well::well(0.0, r.ratio);
+    square_well::require_valid(well);
+    width_ = square_well::width(well, r.radii.front(), r.wall ? 0.0 : second(r.radii));
+  }
+
+  const advice::HeadOnPair& pair() const { return pair_; }
+
+  Row to_well(double hamaker_constant) const {
+    require_positive("Hamaker constant A", hamaker_constant);
+    const auto hamaker = advice::hamaker_escape(pair_, kind_.law(hamaker_constant), hamaker_step_);
+    const double depth = advice::depth_of(pair_, hamaker.mean, width_, well_step_);
+    return row(hamaker_constant, depth);
+  }
+
+  Row to_hamaker(double depth) const {
+    require_positive("depth D", depth);
+    const auto well = advice::well_escape(pair_, depth, width_, well_step_);
+    return row(advice::hamaker_constant_of(pair_, well.mean, kind_, hamaker_step_), depth);
+  }
+
+ private:
+  static std::optional<double> step(const std::string& scheme, const Request& r) {
+    if (scheme == "event") return std::nullopt;
+    require_positive("time step of scheme sampled (--step)", r.step);
+    return r.step;
+  }
+
+  Row row(double hamaker_constant, double depth) const {
+    const hamaker::AnyLaw law = kind_.law(hamaker_constant);
+    return {hamaker_constant, depth, advice::adhesion_of(pair_, law).force,
+            advice::hamaker_escape(pair_, law, hamaker_step_),
+            advice::well_escape(pair_, depth, width_, well_step_)};
+  }
+
+  advice::HeadOnPair pair_;
+  advice::HamakerKind kind_;
+  std::optional<double> hamaker_step_, well_step_;
+  double width_;
+};
+
+void print_csv(const std::vector<Row>& rows) {
+  std::puts(
+      "hamaker_constant,depth,adhesion_force,hamaker_mean,hamaker_slowest_parted,"
+      "hamaker_fastest_stuck,well_mean,well_slowest_parted,well_fastest_stuck");
+  for (const Row& r : rows)
+    std::printf("%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g\n", r.hamaker_constant,
+                r.depth, r.force, r.hamaker.mean, r.hamaker.slowest_parted, r.hamaker.fastest_stuck,
+                r.well.mean, r.well.slowest_parted, r.well.fastest_stuck);
+}
+
+/// What a LAMMPS script says for both laws of a row.
+void print_coefficients(const Request& request, const advice::HeadOnPair& pair, const Row& r) {
+  char contact[80], hamaker[160], well[80];
+  std::snprintf(contact, sizeof contact, "stiffness %.9g damping %.9g", pair.spring.stiffness(),
+                pair.spring.damping());
+  std::snprintf(hamaker, sizeof hamaker, "hamaker %.9g cutoff %.9g %.9g asperity %.9g",
+                r.hamaker_constant, request.cutoffs[0], request.cutoffs[1], request.asperity);
+  std::snprintf(well, sizeof well, "well %.9g %.9g", r.depth, request.ratio);
+  const auto print = [&](const char* law, const char* cohesion, const std::string& settings) {
+    if (request.wall)
+      std::printf("fix         wall all wall/gran/%s %s %s zplane 0 NULL %s\n", law, contact,
+                  cohesion, settings.c_str());
+    else
+      std::printf("pair_style  gran/%s %s\npair_coeff  * * %s %s\n", law, settings.c_str(), contact,
+                  cohesion);
+  };
+  print("hamaker", hamaker, "scheme " + request.hamaker_scheme + " form " + request.form);
+  print("square_well", well, "scheme " + request.well_scheme);
+}
+
+void print_text(const Request& request, const advice::HeadOnPair& pair,
+                const std::vector<Row>& rows) {
+  const auto& spring = pair.spring;
+  std::printf("restitution %.9g, contact time %.9g, reduced mass %.9g\n", spring.restitution(),
+              spring.contact_time(), spring.reduced_mass());
+  std::puts("head-on escape velocity: mean (slowest that parted to fastest that stuck)\n");
+  std::printf("%-13s%-13s%-13s%-40s%s\n", "A", "D", "F_ad",
+              ("Hamaker, " + request.hamaker_scheme).c_str(),
+              ("square well, " + request.well_scheme).c_str());
+  const auto escape = [](const advice::SampledEscape& e, const std::string& scheme) {
+    char text[80];
+    if (scheme == "event")
+      std::snprintf(text, sizeof text, "%.6g", e.mean);
+    else
+      std::snprintf(text, sizeof text, "%.4g (%.4g to %.4g)", e.mean, e.slowest_parted,
+                    e.fastest_stuck);
+    return std::string(text);
+  };
+  for (const Row& r : rows)
+    std::printf("%-12.6g %-12.6g %-12.6g %-39s %s\n", r.hamaker_constant, r.depth, r.force,
+                escape(r.hamaker, request.hamaker_scheme).c_str(),
+                escape(r.well, request.well_scheme).c_str());
+  for (const Row& r : rows) {
+    std::puts("");
+    print_coefficients(request, pair, r);
+  }
+}
+
+void add_options(CLI::App& app, Request& r) {
+  const auto schemes = CLI::IsMember({"event", "sampled"});
+  std::vector<std::string> forms;
+  for (const auto& form : hamaker::forms) forms.emplace_back(form.name);
+
+  auto* radius = app.add_option("--radius", r.radii, "radius, of two unlike spheres both [length]");
+  radius->required()->expected(1, 2);
+  app.add_flag("--wall", r.wall, "the partner is a plane wall");
+  auto* material = app.add_option_group("material");
+  material->add_option("--density", r.densities, "density, or both [mass/length^3]")
+      ->expected(1, 2);
+  material->add_option("--mass", r.masses, "mass in place of it, or both [mass]")->expected(1, 2);
+  material->require_option(1);
+  app.add_option("--stiffness", r.stiffness, "K of the contact [force/length]")->required();
+  auto* loss = app.add_option_group("loss");
+  loss->add_option("--restitution", r.restitution, "e of a contact without cohesion");
+  loss->add_option("--damping", r.damping, "dashpot eta in place of it [mass/time]")
+      ->each([&r](const std::string&) { r.damping_given = true; });
+  loss->require_option(1);
+  app.add_option("--cutoff", r.cutoffs, "surface and outer cut-off H_cut H_out [length]")
+      ->required()
+      ->expected(2);
+  app.add_option("--form", r.form, "of the attraction")
+      ->check(CLI::IsMember(forms))
+      ->capture_default_str();
+  app.add_option("--asperity", r.asperity, "radius of asperities, 0: smooth [length]")
+      ->capture_default_str();
+  app.add_option("--ratio", r.ratio, "r_out/r of the well")->capture_default_str();
+  app.add_option("--hamaker-scheme", r.hamaker_scheme, "scheme of the Hamaker law")
+      ->check(schemes)
+      ->capture_default_str();
+  app.add_option("--well-scheme", r.well_scheme, "scheme of the well")
+      ->check(schemes)
+      ->capture_default_str();
+  app.add_option("--step", r.step, "time step of scheme sampled [time]");
+  app.add_flag("--csv", r.csv, "comma-separated values with all digits");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Request request;
+  CLI::App app{
+      "Square wells and Hamaker attractions of equal head-on escape velocity.\n"
+      "Any consistent set of units. Manual: docs/tools/cohesion-mapping.md"};
+  app.require_subcommand(1);
+  CLI::App* to_well = app.add_subcommand("to-well", "depth D of the well for Hamaker constants");
+  add_options(*to_well, request);
+  to_well->add_option("--hamaker", request.hamaker_constants, "Hamaker constants A [energy]")
+      ->required();
+  CLI::App* to_hamaker = app.add_subcommand("to-hamaker", "Hamaker constant A for depths");
+  add_options(*to_hamaker, request);
+  to_hamaker->add_option("--depth", request.depths, "depths D of wells [energy]")->required();
+  CLI11_PARSE(app, argc, argv);
+
+  try {
+    require_used(request);
+    const Mapping mapping(request);
+    std::vector<Row> rows;
+    for (const double a : request.hamaker_constants) rows.push_back(mapping.to_well(a));
+    for (const double d : request.depths) rows.push_back(mapping.to_hamaker(d));
+    if (request.csv)
+      print_csv(rows);
+    else
+      print_text(request, mapping.pair(), rows);
+  } catch (const InvalidParameter& error) {
+    std::cerr << "cohesion-mapping: " << error.what() << '\n';
+    return 1;
+  }
+  return 0;
+}
