@@ -59,10 +59,12 @@ int main(int argc, char* argv[])
     Info<< "\nStarting time loop\n" << endl;
 
     const progress progress(runTime);
-    while (runTime.loop())
+    while (runTime.run())
     {
-        Info<< "Time = " << runTime.timeName() << progress << nl;
         #include "CourantNo.H"
+        coupling.adjustStep(runTime, CoNum);
+        ++runTime;
+        Info<< "Time = " << runTime.timeName() << progress << nl;
 
         coupling.depositParticles(U);
         voidFractionf = fvc::interpolate(voidFraction);
