@@ -5,8 +5,8 @@
 #   the system's package     with the headers that scripts/setup fetches
 #
 # Sets OpenFOAM_FOUND, OpenFOAM_VERSION (as 1912), OpenFOAM_BIN_DIR, OpenFOAM_ENVIRONMENT (list of
-# NAME=VALUE to run its programs) and the targets OpenFOAM::OpenFOAM, OpenFOAM::finiteVolume and
-# OpenFOAM::lagrangian.
+# NAME=VALUE to run its programs) and the targets OpenFOAM::OpenFOAM, OpenFOAM::finiteVolume,
+# OpenFOAM::lagrangian and OpenFOAM::turbulence.
 
 set(OpenFOAM_ROOT "" CACHE PATH "Built OpenFOAM source tree to use instead of the system's")
 
@@ -20,13 +20,19 @@ if(NOT OpenFOAM_TREE AND EXISTS "$ENV{WM_PROJECT_DIR}/src/OpenFOAM/lnInclude")
 endif()
 
 # Folders of headers, one per library
-set(OpenFOAM_MODULES OpenFOAM OSspecific finiteVolume meshTools lagrangian)
+set(OpenFOAM_MODULES OpenFOAM OSspecific finiteVolume meshTools lagrangian turbulence)
 if(OpenFOAM_TREE)
   set(OpenFOAM_OpenFOAM_INCLUDE ${OpenFOAM_TREE}/src/OpenFOAM/lnInclude)
   set(OpenFOAM_OSspecific_INCLUDE ${OpenFOAM_TREE}/src/OSspecific/POSIX/lnInclude)
   set(OpenFOAM_finiteVolume_INCLUDE ${OpenFOAM_TREE}/src/finiteVolume/lnInclude)
   set(OpenFOAM_meshTools_INCLUDE ${OpenFOAM_TREE}/src/meshTools/lnInclude)
   set(OpenFOAM_lagrangian_INCLUDE ${OpenFOAM_TREE}/src/lagrangian/basic/lnInclude)
+  foreach(part turbulenceModels incompressible phaseIncompressible)
+    list(APPEND OpenFOAM_turbulence_INCLUDE ${OpenFOAM_TREE}/src/TurbulenceModels/${part}/lnInclude)
+  endforeach()
+  # Its headers name each other by their folders.
+  list(APPEND OpenFOAM_turbulence_INCLUDE ${OpenFOAM_TREE}/src/transportModels
+    ${OpenFOAM_TREE}/src/transportModels/incompressible/lnInclude)
   file(GLOB OpenFOAM_PLATFORMS ${OpenFOAM_TREE}/platforms/*/lib)
   set(OpenFOAM_LIB_HINTS ${OpenFOAM_PLATFORMS})
   list(TRANSFORM OpenFOAM_PLATFORMS REPLACE "/lib$" "/bin" OUTPUT_VARIABLE OpenFOAM_BIN_HINTS)
@@ -46,6 +52,9 @@ else()
   foreach(module IN LISTS OpenFOAM_MODULES)
     set(OpenFOAM_${module}_INCLUDE ${COHESION_CACHE}/openfoam-stock/lnInclude/${module})
   endforeach()
+  set(transport ${COHESION_CACHE}/openfoam-stock/source/src/transportModels)
+  list(APPEND OpenFOAM_turbulence_INCLUDE ${transport}
+    ${transport}/incompressible/singlePhaseTransportModel)
   set(OpenFOAM_LIB_HINTS /usr/lib /usr/lib/${CMAKE_LIBRARY_ARCHITECTURE})
   set(OpenFOAM_PSTREAM_HINTS /usr/lib/openmpi-system ${OpenFOAM_LIB_HINTS})
   set(OpenFOAM_BIN_HINTS /usr/bin)
@@ -55,14 +64,20 @@ else()
   endif()
 endif()
 
-foreach(library OpenFOAM finiteVolume meshTools lagrangian)
+set(OpenFOAM_TURBULENCE_LIBRARIES turbulenceModels incompressibleTransportModels
+  incompressibleTurbulenceModels DPMTurbulenceModels)
+foreach(library OpenFOAM finiteVolume meshTools lagrangian fvOptions
+    ${OpenFOAM_TURBULENCE_LIBRARIES})
   find_library(OpenFOAM_${library}_LIBRARY ${library} PATHS ${OpenFOAM_LIB_HINTS} NO_DEFAULT_PATH)
   mark_as_advanced(OpenFOAM_${library}_LIBRARY)
 endforeach()
 find_library(OpenFOAM_Pstream_LIBRARY Pstream PATHS ${OpenFOAM_PSTREAM_HINTS} NO_DEFAULT_PATH)
 find_path(OpenFOAM_BIN_DIR blockMesh PATHS ${OpenFOAM_BIN_HINTS} NO_DEFAULT_PATH)
 find_path(OpenFOAM_HEADERS fvMesh.H PATHS ${OpenFOAM_finiteVolume_INCLUDE} NO_DEFAULT_PATH)
-mark_as_advanced(OpenFOAM_Pstream_LIBRARY OpenFOAM_BIN_DIR OpenFOAM_HEADERS)
+find_path(OpenFOAM_TURBULENCE_HEADERS PhaseIncompressibleTurbulenceModel.H
+  PATHS ${OpenFOAM_turbulence_INCLUDE} NO_DEFAULT_PATH)
+mark_as_advanced(OpenFOAM_Pstream_LIBRARY OpenFOAM_BIN_DIR OpenFOAM_HEADERS
+  OpenFOAM_TURBULENCE_HEADERS)
 if(OpenFOAM_TREE AND OpenFOAM_OpenFOAM_LIBRARY AND OpenFOAM_Pstream_LIBRARY)
   # Its libraries find each other by the environment alone.
   cmake_path(GET OpenFOAM_OpenFOAM_LIBRARY PARENT_PATH folder)
@@ -75,7 +90,8 @@ endif()
 set(OpenFOAM_NOT_FOUND_MESSAGE
   "run scripts/setup, source an OpenFOAM environment, or give -DOpenFOAM_ROOT=built-source-tree")
 foreach(needed OpenFOAM_OpenFOAM_LIBRARY OpenFOAM_finiteVolume_LIBRARY OpenFOAM_meshTools_LIBRARY
-    OpenFOAM_lagrangian_LIBRARY OpenFOAM_Pstream_LIBRARY OpenFOAM_HEADERS OpenFOAM_BIN_DIR
+    OpenFOAM_lagrangian_LIBRARY OpenFOAM_fvOptions_LIBRARY OpenFOAM_DPMTurbulenceModels_LIBRARY
+    OpenFOAM_Pstream_LIBRARY OpenFOAM_HEADERS OpenFOAM_TURBULENCE_HEADERS OpenFOAM_BIN_DIR
     OpenFOAM_VERSION)
   if(NOT ${needed})
     string(APPEND OpenFOAM_NOT_FOUND_MESSAGE ", no ${needed}")
@@ -85,7 +101,8 @@ endforeach()
 include(FindPackageHandleStandardArgs)
 find_package_handle_standard_args(OpenFOAM
   REQUIRED_VARS OpenFOAM_OpenFOAM_LIBRARY OpenFOAM_finiteVolume_LIBRARY OpenFOAM_meshTools_LIBRARY
-    OpenFOAM_lagrangian_LIBRARY OpenFOAM_Pstream_LIBRARY OpenFOAM_HEADERS OpenFOAM_BIN_DIR
+    OpenFOAM_lagrangian_LIBRARY OpenFOAM_fvOptions_LIBRARY OpenFOAM_DPMTurbulenceModels_LIBRARY
+    OpenFOAM_Pstream_LIBRARY OpenFOAM_HEADERS OpenFOAM_TURBULENCE_HEADERS OpenFOAM_BIN_DIR
     OpenFOAM_VERSION
   VERSION_VAR OpenFOAM_VERSION
   REASON_FAILURE_MESSAGE "${OpenFOAM_NOT_FOUND_MESSAGE}")
@@ -113,4 +130,11 @@ if(OpenFOAM_FOUND AND NOT TARGET OpenFOAM::OpenFOAM)
   target_include_directories(OpenFOAM::lagrangian SYSTEM INTERFACE ${OpenFOAM_lagrangian_INCLUDE})
   target_link_libraries(OpenFOAM::lagrangian INTERFACE
     ${OpenFOAM_lagrangian_LIBRARY} OpenFOAM::finiteVolume)
+
+  add_library(OpenFOAM::turbulence INTERFACE IMPORTED)
+  target_include_directories(OpenFOAM::turbulence SYSTEM INTERFACE ${OpenFOAM_turbulence_INCLUDE})
+  foreach(library fvOptions ${OpenFOAM_TURBULENCE_LIBRARIES})
+    target_link_libraries(OpenFOAM::turbulence INTERFACE ${OpenFOAM_${library}_LIBRARY})
+  endforeach()
+  target_link_libraries(OpenFOAM::turbulence INTERFACE OpenFOAM::finiteVolume)
 endif()

@@ -93,18 +93,24 @@ link_headers() {
 fetch_openfoam_headers() {
   local folder=$cache/openfoam-stock version module
   version=$(installed libopenfoam) || return 1
-  [ "$(cat "$folder/done" 2>/dev/null)" = "$version" ] && return 0
+  # Another set of headers may be there, of an earlier version of the package.
+  [ "$(cat "$folder/done" 2>/dev/null)" = "$version" ] && [ -d "$folder/lnInclude/turbulence" ] &&
+    return 0
   rm -rf "$folder" && mkdir -p "$folder/source"
   fetch_headers openfoam "$version" "$folder" || return 1
   tar -xf "$(upstream_tarball openfoam "$folder")" -C "$folder/source" --strip-components=1 \
     --wildcards '*/src/OpenFOAM' '*/src/OSspecific/POSIX' '*/src/finiteVolume' \
-    '*/src/meshTools' '*/src/lagrangian/basic' || return 1
+    '*/src/meshTools' '*/src/lagrangian/basic' '*/src/TurbulenceModels' \
+    '*/src/transportModels/incompressible' || return 1
   rm -f "$folder"/openfoam_*
   for module in OpenFOAM finiteVolume meshTools; do
     link_headers "$folder/source/src/$module" "$folder/lnInclude/$module"
   done
   link_headers "$folder/source/src/OSspecific/POSIX" "$folder/lnInclude/OSspecific"
   link_headers "$folder/source/src/lagrangian/basic" "$folder/lnInclude/lagrangian"
+  for module in turbulenceModels incompressible phaseIncompressible; do
+    link_headers "$folder/source/src/TurbulenceModels/$module" "$folder/lnInclude/turbulence"
+  done
   echo "${version%%.*}" >"$folder/api"
   echo "$version" >"$folder/done"
 }

@@ -86,6 +86,7 @@ void Foam::gasParticleCoupling::setDrag(const volVectorField& U)
     gasAt_.set(voidFraction_, U, averaging_);
 
     coefficient_.setSize(particles.count);
+    charged_.setSize(particles.count);
     forAll(coefficient_, i)
     {
         coefficient_[i] = drag_.coefficient
@@ -94,6 +95,7 @@ void Foam::gasParticleCoupling::setDrag(const volVectorField& U)
             mag(gasAt_.velocity()[i] - velocity[i]),
             particles.radius[i]
         )*form_.drag_over_a(gasAt_.voidFraction()[i]);
+        charged_[i] = drag_.charged(coefficient_[i], particles.mass[i], dt);
         drag_.lookAtStep
         (
             gasAt_.voidFraction()[i],
@@ -115,7 +117,7 @@ void Foam::gasParticleCoupling::setDrag(const volVectorField& U)
         {
             charge[i][d] = drag::source_on_gas
             (
-                coefficient_[i],
+                charged_[i],
                 velocity[i][d],
                 offset[i][d],
                 pending[i][d],
@@ -123,7 +125,7 @@ void Foam::gasParticleCoupling::setDrag(const volVectorField& U)
             );
         }
     }
-    const scalarField rate(averaging_.spread(coefficient_));
+    const scalarField rate(averaging_.spread(charged_));
     const vectorField source(averaging_.spread(charge));
     forAll(rate, celli)
     {
@@ -134,11 +136,39 @@ void Foam::gasParticleCoupling::setDrag(const volVectorField& U)
 }
 
 
+void Foam::gasParticleCoupling::setCrossings()
+{
+    const auto particles = engine_->particles();
+    const particleExchange& exchange = averaging_.exchange();
+    const List<vector> velocities(exchange.toParts(view(particles.velocity, particles.count)));
+    crossings_ = 0;
+    forAll(velocities, k)
+    {
+        const label celli = exchange.cells()[k];
+        if (celli >= 0)
+        {
+            crossings_ = max(crossings_, mag(velocities[k])/std::cbrt(mesh_.V()[celli]));
+        }
+    }
+    reduce(crossings_, maxOp<scalar>());
+}
+
+
+void Foam::gasParticleCoupling::adjustStep(Time& time, const scalar courant)
+{
+    step_->adjust(time, max(courant, crossings_*time.deltaTValue()));
+}
+
+
 void Foam::gasParticleCoupling::depositParticles(const volVectorField& U)
 {
     const clockTime timer;
-    refuseOtherStep();
+    step_->refuseOther(engine_->time_step());
     locateParticles();
+    if (step_->adjustable())
+    {
+        setCrossings();
+    }
     setVoidFraction();
     setDrag(U);
     seconds_.exchange += timer.elapsedTime();
@@ -162,7 +192,7 @@ void Foam::gasParticleCoupling::handOver
             gas[i].velocity[d] = gasVelocity[i][d];
             gas[i].pressure_gradient[d] = pressureGradient[i][d];
             gas[i].drag_impulse[d] =
-                -drag::impulse_charged(coefficient_[i], gasVelocity[i][d], velocity[i][d], dt);
+                -drag::impulse_charged(charged_[i], gasVelocity[i][d], velocity[i][d], dt);
         }
     }
 }
@@ -188,7 +218,7 @@ void Foam::gasParticleCoupling::advanceParticles
     const fileName state = time.writeTime() ? completeState::engineFile(time) : fileName();
     try
     {
-        engine_->advance(subSteps_, state);
+        engine_->advance(step_->subSteps(), state);
     }
     catch (const std::exception& error)
     {

@@ -42,7 +42,6 @@ Foam::gasParticleCoupling::gasParticleCoupling
     gasAt_(dict_),
     minVoidFraction_(dict_.found("minVoidFraction") ? readPositive(dict_, "minVoidFraction") : 0.2),
     depthRatio_(1),
-    subSteps_(0),
     averaging_(mesh, dict_),
     voidFraction_
     (
@@ -79,7 +78,7 @@ Foam::gasParticleCoupling::gasParticleCoupling
     makeEngine();
     checkUnitsAndBox();
     checkContinued();
-    setSubSteps();
+    step_ = std::make_unique<gasStep>(mesh.time(), engine_->time_step());
 
     if (!continued())
     {
@@ -216,36 +215,5 @@ void Foam::gasParticleCoupling::checkContinued() const
             << "    Let the script read their state when there is one: "
             << engine_->how_to_continue().c_str() << ", and set no time step number after that"
             << exit(FatalIOError);
-    }
-}
-
-
-void Foam::gasParticleCoupling::setSubSteps()
-{
-    const scalar steps = mesh_.time().deltaTValue()/engine_->time_step();
-    // Both steps are decimal numbers: their ratio is whole to round-off when it is meant to be.
-    if (steps < 0.5 || mag(steps - std::round(steps)) > 1e-9*steps)
-    {
-        FatalIOErrorInFunction(mesh_.time().controlDict())
-            << "deltaT = " << mesh_.time().deltaTValue() << " s of the gas is " << steps
-            << " steps of the particles, " << engine_->time_step()
-            << " s: make it a whole multiple, for instance "
-            << max(scalar(1), std::round(steps))*engine_->time_step() << exit(FatalIOError);
-    }
-    subSteps_ = label(std::round(steps));
-}
-
-
-void Foam::gasParticleCoupling::refuseOtherStep() const
-{
-    const scalar dt = mesh_.time().deltaTValue();
-    if (mag(dt - subSteps_*engine_->time_step()) > 1e-9*dt)
-    {
-        FatalIOErrorInFunction(mesh_.time().controlDict())
-            << "the gas step is now deltaT = " << dt << " s and that of the particles "
-            << engine_->time_step() << " s, while the run was set up for " << subSteps_
-            << " steps of the particles in one of the gas" << nl
-            << "    Keep both while the case runs ('runTimeModifiable no;' for the gas); to change one,"
-            << " stop, and continue with 'startFrom latestTime;'" << exit(FatalIOError);
     }
 }

@@ -7,6 +7,7 @@
 #include "polyMesh.H"
 #include "processorCyclicPolyPatch.H"
 #include "treeDataCell.H"
+#include "triPointRef.H"
 
 #include <limits>
 
@@ -69,17 +70,41 @@ public:
                 where[d] = cells_.mesh_.cellCentres()[celli_][d];
             }
         }
-        return cells_.mesh_.pointInCell(where, celli_, polyMesh::FACE_PLANES);
+        return cells_.mesh_.pointInCell(where, celli_, cells_.decomposition_);
     }
 };
+
+
+Foam::polyMesh::cellDecomposition Foam::meshCells::decomposition(const polyMesh& mesh)
+{
+    // A face that is warped by the share w of its size is larger than its projection by about w^2.
+    constexpr scalar warped = 1e-12;
+    bool plane = true;
+    forAll(mesh.faces(), facei)
+    {
+        const face& f = mesh.faces()[facei];
+        const point& middle = mesh.faceCentres()[facei];
+        scalar area = 0;
+        forAll(f, k)
+        {
+            area +=
+                triPointRef(mesh.points()[f[k]], mesh.points()[f.nextLabel(k)], middle).mag();
+        }
+        plane = plane && area < (1 + warped)*mag(mesh.faceAreas()[facei]);
+    }
+    return returnReduce(plane, andOp<bool>()) ? polyMesh::FACE_PLANES : polyMesh::CELL_TETS;
+}
 
 
 Foam::meshCells::meshCells(const polyMesh& mesh, const void_fraction::Kernel& kernel)
 :
     mesh_(mesh),
     kernel_(kernel),
-    search_(mesh, polyMesh::FACE_PLANES)
+    decomposition_(decomposition(mesh)),
+    search_(mesh, decomposition_)
 {
+    // Demand-driven data that all ranks make together
+    search_.cellTree();
     if (reachesOut())
     {
         setBoxes();

@@ -52,6 +52,7 @@ Foam::particleDrag::particleDrag
 )
 :
     law_(readLaw(dict)),
+    response_(selectRow(dict, "response", drag::responses, "held")),
     rho_(rho),
     mu_(mu)
 {}
@@ -87,17 +88,21 @@ void Foam::particleDrag::lookAtStep
     const scalar dt
 )
 {
-    if (warnedOfStep_)
+    if (warnedOfStep_ && !response_.free)
     {
         return;
     }
     const scalar step = drag::exchange_step(coefficient, mass, dt);
     const scalar loading = drag::mass_loading(voidFraction, mass, sphere_volume(radius), rho_);
-    const scalar error = drag::exchange_error(step, loading);
+    const scalar error = drag::exchange_error(step, loading, response_.free);
     if (error > exchangeError_)
     {
         exchangeError_ = error;
         longestStep_ = step;
+    }
+    if (response_.free)
+    {
+        growth_ = max(growth_, drag::held_growth(step, loading));
     }
 }
 
@@ -117,17 +122,38 @@ void Foam::particleDrag::warnOfStep()
             << "the gas step is " << step << " times the time m/b in which particles follow the gas, and"
             << " they have so little mass there that the gas should give way: their velocity may be off"
             << " by " << 100*exchangeError_ << " % of the slip, and the gas's, until about as many steps"
-            << " later. Nothing is wrong once they move steadily. A smaller deltaT cures it; this is said"
-            << " once" << endl;
+            << " later. Nothing is wrong once they move steadily. A smaller deltaT cures it, or, where they"
+            << " do not touch each other, 'response free;' in constant/couplingProperties; this is said once"
+            << endl;
         warnedOfStep_ = true;
     }
     exchangeError_ = 0;
 }
 
 
+void Foam::particleDrag::warnOfGrowth()
+{
+    reduce(growth_, maxOp<scalar>());
+    if (growth_ > 1)
+    {
+        WarningInFunction
+            << "with response free the gas is solved with particles that give way to it; between particles"
+            << " that are held, as in a packing, its velocity would grow by a factor of " << growth_
+            << " in a step. Where they touch each other use 'response held;' in"
+            << " constant/couplingProperties, or a smaller deltaT; this is said once" << endl;
+        warnedOfGrowth_ = true;
+    }
+    growth_ = 0;
+}
+
+
 void Foam::particleDrag::endStep(const label n)
 {
     evaluations_ += n;
+    if (response_.free && !warnedOfGrowth_)
+    {
+        warnOfGrowth();
+    }
     if (!warnedOfStep_)
     {
         warnOfStep();

@@ -5,18 +5,23 @@ Application
 
 Description
     Transient solver for the volume-averaged incompressible flow of a gas through particles that a
-    particle engine (LAMMPS) moves. Laminar. PIMPLE for the gas, one exchange each way per gas step.
+    particle engine (LAMMPS) moves. Laminar, or with a turbulence model where there is a
+    constant/turbulenceProperties. PIMPLE for the gas, one exchange each way per gas step. Sources and
+    constraints by constant/fvOptions, function objects in system/controlDict.
 
     Forms A and B of the model, src/drag/model_form.h.
 
 Usage
     cohesiveBedFoam [-overwrite] [-parallel]
+    cohesiveBedFoam -postProcess [-func name]   // on written results, without particles
     with constant/couplingProperties as described in gasParticleCoupling.H; continues a run when
     system/controlDict says `startFrom latestTime`
 */
 
 #include "fvCFD.H"
 #include "fixedFluxPressureFvPatchScalarField.H"
+#include "fvOptions.H"
+#include "gasStress.H"
 #include "pimpleControl.H"
 #include "progress.H"
 
@@ -28,6 +33,12 @@ int main(int argc, char* argv[])
     argList::addNote("Incompressible gas through the particles of a particle engine");
     argList::addBoolOption("overwrite", "Run although the case already holds results");
 
+    #define NO_CONTROL
+    #define CREATE_FIELDS readGas.H
+    #define CREATE_FIELDS_2 readVoidFraction.H
+    #define CREATE_FIELDS_3 createFlow.H
+    #include "postProcess.H"
+
     #include "setRootCase.H"
     completeState::setAsideIncomplete(args);
     #include "createTime.H"
@@ -36,7 +47,9 @@ int main(int argc, char* argv[])
 
     pimpleControl pimple(mesh);
 
-    #include "createFields.H"
+    #include "readGas.H"
+    #include "createCoupling.H"
+    #include "createFlow.H"
 
     if (!(runTime.startTime().value() > 0))
     {
@@ -46,10 +59,12 @@ int main(int argc, char* argv[])
     Info<< "\nStarting time loop\n" << endl;
 
     const progress progress(runTime);
-    while (runTime.loop())
+    while (runTime.run())
     {
-        Info<< "Time = " << runTime.timeName() << progress << nl;
         #include "CourantNo.H"
+        coupling.adjustStep(runTime, CoNum);
+        ++runTime;
+        Info<< "Time = " << runTime.timeName() << progress << nl;
 
         coupling.depositParticles(U);
         voidFractionf = fvc::interpolate(voidFraction);
@@ -62,6 +77,11 @@ int main(int argc, char* argv[])
             while (pimple.correct())
             {
                 #include "pEqn.H"
+            }
+
+            if (pimple.turbCorr())
+            {
+                stress.correct();
             }
         }
         #include "continuityError.H"

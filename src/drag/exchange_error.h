@@ -14,13 +14,23 @@ namespace cohesion::drag {
 /// is solved with the drag of the particles' velocity at the start, they gain
 /// (1 - exp(-x))/(1 + R x) instead. That is stable for any x and R, and off by the order of R x^2
 /// for small x, but late for large ones: by 1/(1 + R) in the first step, and made up in the next x
-/// steps.
+/// steps. When it is solved with particles that follow (Response, momentum_exchange.h), they gain
+/// g/(1 + R g) with g = 1 - exp(-x), which is right for large x, too.
 ///
 /// step x [1] >= 0, loading R [1] >= 0.
-inline double exchange_error(double step, double loading) {
+inline double exchange_error(double step, double loading, bool free) {
   const double right = -std::expm1(-step * (1.0 + loading)) / (1.0 + loading);
-  const double found = -std::expm1(-step) / (1.0 + loading * step);
+  const double gain = -std::expm1(-step);
+  const double found = gain / (1.0 + loading * (free ? gain : step));
   return std::abs(right - found);
+}
+
+/// Gas velocity after a step over that before, [1], between particles that are held, when the gas
+/// is solved with particles that follow: what they feel beyond is charged a step late, and from R
+/// (x - 2 (1 - exp(-x))) = 2 on the velocity swings and grows.
+inline double held_growth(double step, double loading) {
+  const double gain = -std::expm1(-step);
+  return std::abs(1.0 - loading * (step - gain)) / (1.0 + loading * gain);
 }
 
 /// x of a step: dt over the time m/b in which a particle follows the gas, [1]. coefficient b

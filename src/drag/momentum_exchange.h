@@ -1,19 +1,41 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
+#include <string_view>
+
+#include "drag/particle_drag.h"
+
 /// Which momentum passes between the gas and one particle in a gas step dt; one component.
 ///
 /// The gas solver knows the mean velocity U of the particle's cells, at the end of its step. The
-/// gas at the particle is u = U + offset. The step charges the gas with b (u - v_0) dt, v_0 the
+/// gas at the particle is u = U + offset. The step charges the gas with c (u - v_0) dt, v_0 the
 /// particle's velocity at the step's start, as a source that is linear in U, and with what the
 /// particle has felt before but the gas was not charged with, `pending`. The particle then feels
 /// b (u - v) with its own velocity as it changes: what it feels less what the gas was charged with
-/// is pending in the next step.
+/// is pending in the next step. c is b or less (Response).
 ///
-/// coefficient b [force time/length]; velocities [length/time]; pending [force time]; dt [time].
+/// coefficient c [force time/length]; velocities [length/time]; pending [force time]; dt [time].
 namespace cohesion::drag {
 
-/// S of the force S - b U on the gas, [force].
+/// What the gas step takes the particles to do meanwhile: keep their velocity, c = b, which is
+/// stable whatever they do; or follow the gas as a particle does that feels nothing else, c = b
+/// phi(b dt/m) (particle_drag.h). Then gas and free particles find their common velocity at once,
+/// but particles that are held, by others for instance, leave the share b - c of their drag
+/// pending.
+struct Response {
+  std::string_view name;
+  bool free;
+};
+inline constexpr std::array responses{Response{"held", false}, Response{"free", true}};
+
+/// c of a particle with the coefficient b [force time/length], mass [mass] and a gas step dt
+/// [time].
+inline double charged_coefficient(double coefficient, double mass, double dt, bool free) {
+  return free ? ParticleDrag(coefficient, mass, dt).force(1.0, 0.0) : coefficient;
+}
+
+/// S of the force S - c U on the gas, [force].
 inline double source_on_gas(double coefficient, double particle_velocity, double offset,
                             double pending, double dt) {
   return coefficient * (particle_velocity - offset) - pending / dt;

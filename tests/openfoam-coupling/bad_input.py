@@ -59,6 +59,9 @@ CASES = {
     "misspelt slip": (
         lambda c: c.set(COUPLING, "slip", "cellMean"),
         ["unknown slip 'cellMean'", "valid names: cell, interpolated"]),
+    "misspelt response": (
+        lambda c: c.set(COUPLING, "response", "stiff"),
+        ["unknown response 'stiff'", "valid names: held, free", "couplingProperties"]),
     "misspelt void fraction": (
         lambda c: c.set(COUPLING, "voidFraction", "center"),
         ["unknown voidFraction 'center'",
@@ -108,6 +111,15 @@ CASES = {
     "gas step below the particle step": (
         lambda c: c.set("system/controlDict", "deltaT", 4e-6),
         ["deltaT = 4e-06", "whole multiple", "1e-05"]),
+    "adjusted to no Courant number": (
+        lambda c: (c.set("system/controlDict", "adjustTimeStep", "yes"),
+                   c.set("system/controlDict", "maxCo", 0)),
+        ["maxCo = 0: must be a finite number greater than zero", "controlDict"]),
+    "viscosity that turbulence cannot have": (
+        lambda c: (c.folder / "constant/turbulenceProperties").write_text(
+            "FoamFile { version 2.0; format ascii; class dictionary; object turbulenceProperties; }\n"
+            "simulationType laminar;\n"),
+        ["transportModel is none", "must be there and be Newtonian", "transportProperties"]),
     "only one time kept": (
         lambda c: c.set("system/controlDict", "purgeWrite", 1),
         ["purgeWrite = 1", "removes the last complete time", "Use 2 or more", "controlDict"]),

@@ -6,19 +6,19 @@
 namespace cohesion::drag {
 
 TEST(ExchangeError, VanishesWithTheStepAndWithTheGas) {
-  EXPECT_EQ(exchange_error(0.0, 10.0), 0.0);
-  EXPECT_EQ(exchange_error(5.0, 0.0), 0.0);
+  EXPECT_EQ(exchange_error(0.0, 10.0, false), 0.0);
+  EXPECT_EQ(exchange_error(5.0, 0.0, false), 0.0);
   // Second order in the step: the series of both gains begin with x, and then
   // x - x^2 (1 + R)/2 against x - x^2 (1/2 + R): off by R x^2/2. The next order is some 1e-4 of it.
   for (const double loading : {0.5, 2.0, 20.0}) {
     const double x = 1e-4 / (1.0 + loading);
-    EXPECT_NEAR(exchange_error(x, loading) / (0.5 * loading * x * x), 1.0, 1e-3);
+    EXPECT_NEAR(exchange_error(x, loading, false) / (0.5 * loading * x * x), 1.0, 1e-3);
   }
 }
 
 TEST(ExchangeError, OfAStiffStepIsTheShareOfTheLighterParticles) {
   for (const double loading : {0.1, 1.0, 100.0})
-    EXPECT_NEAR(exchange_error(1e9, loading), 1.0 / (1.0 + loading), 1e-7 / loading);
+    EXPECT_NEAR(exchange_error(1e9, loading, false), 1.0 / (1.0 + loading), 1e-7 / loading);
 }
 
 TEST(ExchangeError, IsThatOfTheExchangeStepByStep) {
@@ -38,8 +38,35 @@ TEST(ExchangeError, IsThatOfTheExchangeStepByStep) {
       }
       // Implicit steps are off by half their size times the rate, of what is exchanged.
       const double error = x * (1.0 + loading) / n;
-      EXPECT_NEAR(exchange_error(x, loading), std::abs(v - particles), error);
+      EXPECT_NEAR(exchange_error(x, loading, false), std::abs(v - particles), error);
     }
+}
+
+TEST(ExchangeError, WithParticlesThatFollowIsSmallAtBothEnds) {
+  for (const double loading : {0.1, 1.0, 100.0}) {
+    EXPECT_NEAR(exchange_error(1e9, loading, true), 0.0, 1e-15);
+    // x - x^2 (1 + R)/2 against x - x^2 (1/2 + R) again
+    const double x = 1e-4 / (1.0 + loading);
+    EXPECT_NEAR(exchange_error(x, loading, true) / (0.5 * loading * x * x), 1.0, 1e-3);
+  }
+}
+
+TEST(ExchangeError, GasBetweenHeldParticlesGrowsAsItDoesStepByStep) {
+  for (const double x : {0.1, 3.0, 200.0})
+    for (const double loading : {0.01, 1.0, 50.0}) {
+      // The gas's mass is 1: a step charges it with R g u, and with what was pending, R (x - g) u.
+      const double g = -std::expm1(-x);
+      double u = 1.0, before = 0.0, pending = 0.0;
+      for (int i = 0; i < 3; i++) {
+        before = u;
+        u = (u - pending) / (1.0 + loading * g);
+        pending = loading * (x - g) * u;
+      }
+      EXPECT_NEAR(held_growth(x, loading), std::abs(u / before), 1e-12 * std::abs(u / before));
+    }
+  // Stable with light or slow particles, R (x - 2 g) < 2
+  EXPECT_LT(held_growth(3.0, 1.0), 1.0);
+  EXPECT_GT(held_growth(4.0, 1.0), 1.0);
 }
 
 TEST(ExchangeError, StepAndLoadingOfABedOfPowder) {

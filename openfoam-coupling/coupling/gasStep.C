@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gasStep.H"
+
+#include "readPositive.H"
+
+
+Foam::gasStep::gasStep(const Time& time, const scalar particleStep)
+:
+    time_(time),
+    particleStep_(particleStep)
+{
+    const scalar dt = time_.deltaTValue();
+    const scalar steps = dt/particleStep_;
+    // Both steps are decimal numbers: their ratio is whole to round-off when it is meant to be.
+    if (steps < 0.5 || mag(steps - std::round(steps)) > 1e-9*steps)
+    {
+        FatalIOErrorInFunction(time_.controlDict())
+            << "deltaT = " << dt << " s of the gas is " << steps << " steps of the particles, "
+            << particleStep_ << " s: make it a whole multiple, for instance "
+            << max(scalar(1), std::round(steps))*particleStep_ << exit(FatalIOError);
+    }
+    subSteps_ = label(std::round(steps));
+    if (adjustable())
+    {
+        // Reads what the case says of it
+        allowed(0);
+        toNextMet();
+    }
+}
+
+
+bool Foam::gasStep::adjustable() const
+{
+    return time_.controlDict().getOrDefault("adjustTimeStep", false);
+}
+
+
+Foam::scalar Foam::gasStep::allowed(const scalar courant)
+{
+    const dictionary& control = time_.controlDict();
+    const scalar maxCo = control.found("maxCo") ? readPositive(control, "maxCo") : 1;
+    scalar steps = max(subSteps_ + 1, label(1.2*subSteps_));
+    if (courant > 0)
+    {
+        steps = min(steps, maxCo/courant*subSteps_);
+    }
+    if (control.found("maxDeltaT"))
+    {
+        // Meant to be a multiple, perhaps
+        steps = min(steps, readPositive(control, "maxDeltaT")/particleStep_*(1 + 1e-9));
+    }
+    if (steps < 1 && !warned_)
+    {
+        WarningInFunction
+            << "maxCo and maxDeltaT ask for a gas step of " << steps*particleStep_
+            << " s, shorter than the particles' " << particleStep_ << " s, which is taken; this is said"
+            << " once" << endl;
+        warned_ = true;
+    }
+    return max(scalar(1), std::floor(steps));
+}
+
+
+Foam::scalar Foam::gasStep::toNextMet() const
+{
+    const scalar start = time_.startTime().value();
+    scalar next = time_.endTime().value();
+    const dictionary& control = time_.controlDict();
+    if (control.getOrDefault<word>("writeControl", "timeStep") == "adjustableRunTime")
+    {
+        const scalar interval = readPositive(control, "writeInterval");
+        const scalar written = std::floor((time_.value() - start)/interval + 1e-6);
+        next = min(next, start + (written + 1)*interval);
+    }
+    return max(scalar(1), std::round((next - time_.value())/particleStep_));
+}
+
+
+void Foam::gasStep::adjust(Time& time, const scalar courant)
+{
+    if (!adjustable())
+    {
+        return;
+    }
+    // What is met is met in equal steps, the last ten of them.
+    const scalar most = allowed(courant);
+    const scalar rest = toNextMet();
+    subSteps_ = label(rest > 10*most ? most : std::floor(rest/std::ceil(rest/most)));
+    // Time's own adjustment knows nothing of the particles' step.
+    time.setDeltaT(subSteps_*particleStep_, false);
+    Info<< "deltaT = " << time.deltaTValue() << ", " << subSteps_ << " steps of the particles" << endl;
+}
+
+
+void Foam::gasStep::refuseOther(const scalar particleStep) const
+{
+    const scalar dt = time_.deltaTValue();
+    if (mag(dt - subSteps_*particleStep) > 1e-9*dt)
+    {
+        FatalIOErrorInFunction(time_.controlDict())
+            << "the gas step is now deltaT = " << dt << " s and that of the particles "
+            << particleStep << " s, while it was set to " << subSteps_
+            << " steps of the particles of " << particleStep_ << " s" << nl
+            << "    Keep both while the case runs ('runTimeModifiable no;' for the gas); to change one,"
+            << " stop, and continue with 'startFrom latestTime;'. 'adjustTimeStep yes;' adjusts the gas's"
+            << exit(FatalIOError);
+    }
+}

@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The box of the column case, 60 mm x 60 mm x 200 mm, in cells of other shapes, by OpenFOAM's own tools.
+
+    skewed       blockMesh: hexahedra whose faces lean by up to 31 degrees, their corners pulled up and down
+    tetrahedra   gmshToFoam: five or six to where a cube was, corners moved at random
+    polyhedra    polyDualMesh of those: around each of their corners a cell, with warped faces
+    refined      refineMesh: cubes beside cubes of half the size, with hanging corners"""
+
+import itertools
+
+import numpy as np
+
+SIZE = np.array([0.06, 0.06, 0.2])
+
+
+def plain(case):
+    case.run("blockMesh")
+
+
+def skewed(case):
+    """In z all corners on the middle of the box's sides are pulled up, and those in its middle down."""
+    levels = []
+    for z, pull in ((0, 0), (100, 9), (200, 0)):
+        for y, x in itertools.product((0, 30, 60), repeat=2):
+            lifted = {0: 0, 1: 1, 2: -1}[(x == 30) + (y == 30)]
+            levels.append((x, y, z + pull * lifted))
+    blocks, bottom, top, sides = [], [], [], []
+    for k, j, i in itertools.product(range(2), repeat=3):
+        at = i + 3 * j + 9 * k
+        low = [at, at + 1, at + 4, at + 3]
+        high = [v + 9 for v in low]
+        blocks.append(f"hex ({' '.join(map(str, low + high))}) (2 2 6) simpleGrading (1 1 1)")
+        if k == 0:
+            bottom.append(low[::-1])
+        else:
+            top.append(high)
+        for a, b, outside in ((0, 1, j == 0), (1, 2, i == 1), (2, 3, j == 1), (3, 0, i == 0)):
+            if outside:
+                sides.append([low[a], low[b], high[b], high[a]])
+
+    def faces(quads):
+        return " ".join("(" + " ".join(map(str, quad)) + ")" for quad in quads)
+
+    block = case.folder / "system/blockMeshDict"
+    corners = " ".join(f"({x} {y} {z})" for x, y, z in levels)
+    block.write_text(block.read_text().split("// A column")[0] + f"""
+scale 0.001;
+vertices ({corners});
+blocks ({' '.join(blocks)});
+boundary
+(
+    bottom {{ type patch; faces ({faces(bottom)}); }}
+    top {{ type patch; faces ({faces(top)}); }}
+    sides {{ type wall; faces ({faces(sides)}); }}
+);
+""")
+    case.run("blockMesh")
+
+
+def tetrahedra(case, cells=(3, 3, 8)):
+    """Each cuboid in six around its diagonal (Kuhn), inner corners moved by up to 15 % of their distance."""
+    number = np.array(cells) + 1
+    index = np.arange(number.prod()).reshape(number)
+    nodes = np.array(list(itertools.product(*map(range, number))), float)
+    inner = np.all((nodes > 0) & (nodes < cells), axis=1)
+    nodes[inner] += 0.15 * np.random.default_rng(1).uniform(-1, 1, (inner.sum(), 3))
+    nodes *= SIZE / cells
+    tets = []
+    for corner in itertools.product(*map(range, cells)):
+        for order in itertools.permutations(range(3)):
+            at = np.array(corner)
+            path = [index[tuple(at)]]
+            for axis in order:
+                at[axis] += 1
+                path.append(index[tuple(at)])
+            a, b, c, d = nodes[path]
+            if np.dot(np.cross(b - a, c - a), d - a) < 0:
+                path[1], path[2] = path[2], path[1]
+            tets.append(path)
+    outside = []
+    for tet in tets:
+        for face in itertools.combinations(tet, 3):
+            at = nodes[list(face)]
+            for axis, end in itertools.product(range(3), (0, 1)):
+                if np.allclose(at[:, axis], end * SIZE[axis], atol=1e-9):
+                    outside.append((1 + end if axis == 2 else 3, face))
+    lines = ["$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$PhysicalNames", "4", '2 1 "bottom"', '2 2 "top"',
+             '2 3 "sides"', '3 4 "inside"', "$EndPhysicalNames", "$Nodes", len(nodes)]
+    lines += [f"{n + 1} {x!r} {y!r} {z!r}" for n, (x, y, z) in enumerate(nodes.tolist())]
+    lines += ["$EndNodes", "$Elements", len(outside) + len(tets)]
+    elements = [(2, patch, face) for patch, face in outside] + [(4, 4, tet) for tet in tets]
+    lines += [f"{n + 1} {kind} 2 {tag} {tag} {' '.join(str(v + 1) for v in of)}"
+              for n, (kind, tag, of) in enumerate(elements)]
+    lines.append("$EndElements")
+    (case.folder / "box.msh").write_text("\n".join(map(str, lines)) + "\n")
+    case.run("gmshToFoam", "box.msh")
+
+
+def polyhedra(case):
+    tetrahedra(case, (5, 5, 14))
+    case.run("polyDualMesh", "60", "-overwrite")
+
+
+def refined(case):
+    case.run("blockMesh")
+    heading = 'FoamFile {{ version 2.0; format ascii; class dictionary; object {0}; }}\n'
+    (case.folder / "system/topoSetDict").write_text(heading.format("topoSetDict") + """
+actions ( { name half; type cellSet; action new; source boxToCell; box (0 0 0.06) (0.04 0.04 0.14); } );
+""")
+    (case.folder / "system/refineMeshDict").write_text(heading.format("refineMeshDict") + """
+set half;
+coordinateSystem global;
+globalCoeffs { tan1 (1 0 0); tan2 (0 1 0); }
+directions (tan1 tan2 normal);
+useHexTopology yes;
+geometricCut no;
+writeMesh no;
+""")
+    case.run("topoSet")
+    case.run("refineMesh", "-overwrite", "-dict", "system/refineMeshDict")
+
+
+MESHES = {"skewed": skewed, "tetrahedra": tetrahedra, "polyhedra": polyhedra, "refined": refined}

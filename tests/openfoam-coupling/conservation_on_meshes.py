@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""On skewed hexahedra, tetrahedra, polyhedra with warped faces and cubes with hanging corners, on 1, 2 and
+4 ranks: in every step of a swarm of falling, colliding spheres the gas gives what the particles get, the
+solid volume on the mesh is that of the particles, and no gas is lost; and the ranks see the same."""
+
+import re
+import shutil
+import sys
+
+import numpy as np
+
+from column_meshes import MESHES
+from coupled_case import Expectations, column, disturb, exchange_lines
+
+COUPLING = "constant/couplingProperties"
+STEPS, DT = 20, 1e-4
+RANKS = {1: "(1 1 1)", 2: "(2 1 1)", 4: "(2 2 1)"}
+# A mesh is what the kernels and smoothing need; particleCentre is the simplest there.
+KERNELS = {"skewed": "sphereOverlap", "tetrahedra": "sphereOverlap", "polyhedra": "dividedVolume",
+           "refined": "sphereOverlap"}
+
+
+def run(build, work, mesh, ranks, disturbance=0.0):
+    case = column(work, f"{mesh}-{ranks}-{disturbance}", build)
+    if disturbance:
+        disturb(case, "swarm.lmp", disturbance)
+    case.set(COUPLING, "voidFraction", KERNELS[mesh])
+    case.set(COUPLING, "lammpsCoeffs/script", '"$FOAM_CASE/swarm.lmp"')
+    case.set("system/fvSolution", 'solvers/"p.*"/tolerance', 1e-14)
+    case.set("system/fvSolution", "PIMPLE/nNonOrthogonalCorrectors", 2)
+    case.set("system/decomposeParDict", "coeffs/n", RANKS[ranks])
+    # The ranks' meshes are written and read again.
+    for entry, value in (("endTime", STEPS * DT), ("writeInterval", STEPS * DT), ("writePrecision", 17)):
+        case.set("system/controlDict", entry, value)
+    MESHES[mesh](case)
+    shutil.copytree(case.folder / "0.orig", case.folder / "0", dirs_exist_ok=True)
+    log = case.solve(ranks=ranks)
+    errors = [float(x) for x in re.findall(r"Continuity error, mean of the sizes: (\S+)", log)]
+    return exchange_lines(log), errors
+
+
+def check(expect, build, work, mesh):
+    print(f"-- {mesh}")
+    runs = {ranks: run(build, work, mesh, ranks) for ranks in RANKS}
+    drags = {}
+    for ranks, (lines, errors) in runs.items():
+        expect.equal(f"{ranks} ranks: gas steps", (len(lines), len(errors)), (STEPS, STEPS))
+        # As in conservation.py
+        expect.below("largest imbalance of the forces", max(x["imbalance"] for x in lines), 1e-12)
+        expect.below("largest error of the solid volume", max(x["volume"] for x in lines), 1e-12)
+        # The solver of p leaves 1e-14 of the fluxes it adds up; a step's are below a tenth of a cell.
+        expect.below("gas lost or made in a step / volume", max(errors), 1e-13)
+        drags[ranks] = np.array([x["drag"] for x in lines])
+        expect.true("drag acts", bool(np.all(np.abs(drags[ranks][:, 2]) > 0)))
+    disturbed, _ = run(build, work, mesh, 1, disturbance=1e-8)
+    limit = np.abs(np.array([x["drag"] for x in disturbed]) - drags[1]).max()
+    for ranks in (2, 4):
+        expect.below(f"drag, largest difference of {ranks} ranks from 1 [N]",
+                     np.abs(drags[ranks] - drags[1]).max(), limit)
+
+
+def main(build, work, *meshes):
+    expect = Expectations()
+    for mesh in meshes or MESHES:
+        check(expect, build, work, mesh)
+    expect.exit()
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
