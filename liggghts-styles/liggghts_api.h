@@ -47,7 +47,8 @@ class StyleFix : public Fix {
     if (neighbor->lastcall == update->ntimestep) post_neighbor();
   }
   int pack_comm(int n, int* list, double* buf, int pbc_flag, int* pbc) final {
-    return pack_forward_comm(n, list, buf, pbc_flag, pbc);
+    pack_forward_comm(n, list, buf, pbc_flag, pbc);
+    return comm_forward;  // numbers of one particle, where LAMMPS wants those of all
   }
   void unpack_comm(int n, int first, double* buf) final { unpack_forward_comm(n, first, buf); }
 };

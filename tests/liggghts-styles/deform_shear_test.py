@@ -172,7 +172,8 @@ class SplitRuns(unittest.TestCase):
         """Without memory of contacts, which LIGGGHTS writes to these files as it was a step before."""
         self.check("model hooke/stiffness tangential off cohesion hamaker absolute_damping on",
                    hamaker(1e-11),
-                   *((f"{ranks} ranks", ranks, "restart {half} half\nrun {half}\n{again}run {rest}\n",
+                   *((f"{ranks} ranks", ranks, "restart {half} half.*\nrun {half}\nshell mv half.{half} half\n"
+                       "{again}run {rest}\n",
                       "again.txt") for ranks in (0, 2)))
 
 
