@@ -28,12 +28,12 @@ ComputeShearProfile::ComputeShearProfile(LAMMPS* lammps, int narg, char** arg)
       layers(1, 1.0) {
   const std::string where = std::string("compute ") + id + " shear/profile";
   if (narg != 3 && (narg != 5 || strcmp(arg[3], "layers") != 0))
-    stop(lmp, FLERR, where + " takes no other words than 'layers N'");
+    stop(lmp, FLERR, where, " takes no other words than 'layers N'");
   if (narg == 5) layer_number = engine_api::inumeric(FLERR, arg[4], lmp);
   if (layer_number < 3)
     stop(lmp, FLERR, where, ": layers ", layer_number, "; slip from a line takes at least 3");
   if (!domain->yperiodic)
-    stop(lmp, FLERR, where + ": the gradient is along y, which must be periodic");
+    stop(lmp, FLERR, where, ": the gradient is along y, which must be periodic");
   scalar_flag = vector_flag = array_flag = 1;
   extscalar = extvector = extarray = 0;
   size_vector = FITTED + 6;

@@ -57,6 +57,8 @@ using BoxFix = FixDeform;
 
 using FixConst::POST_NEIGHBOR;
 constexpr int GROW = Atom::GROW, RESTART = Atom::RESTART;
+/// What takes the velocities of ghosts away in a script.
+constexpr const char* NO_GHOST_VELOCITIES = "comm_modify vel no";
 
 inline double numeric(const char* file, int line, char* word, LAMMPS* lmp) {
   return utils::numeric(file, line, word, false, lmp);

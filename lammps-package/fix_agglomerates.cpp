@@ -38,11 +38,11 @@ FixAgglomerates::FixAgglomerates(LAMMPS* lammps, int narg, char** arg)
       unfolded(0.0),
       wrapping(0.0) {
   const std::string where = std::string("fix ") + id + " agglomerates";
-  if (narg < 4) stop(lmp, FLERR, where + " takes 'N', every so many steps");
+  if (narg < 4) stop(lmp, FLERR, where, " takes 'N', every so many steps");
   nevery = engine_api::inumeric(FLERR, arg[3], lmp);
   if (nevery < 1) stop(lmp, FLERR, where, ": N is ", nevery, "; it must be 1 or more");
   read_keywords(narg, arg);
-  if (!atom->tag_enable) stop(lmp, FLERR, where + " needs particles with IDs");
+  if (!atom->tag_enable) stop(lmp, FLERR, where, " needs particles with IDs");
   scalar_flag = vector_flag = array_flag = peratom_flag = 1;
   size_vector = 8;
   size_array_rows = static_cast<int>(distribution.now().size());
@@ -71,10 +71,8 @@ void FixAgglomerates::read_keywords(int narg, char** arg) {
     } else if (word == "partners" && (value == "bound" || value == "held")) {
       held_only = value == "held";
     } else {
-      stop(lmp, FLERR,
-           where + ": '" + word + " " + value +
-               "'; after 'N' it takes 'sizes M' and 'partners bound' or 'partners "
-               "held'");
+      stop(lmp, FLERR, where, ": '", word, " ", value,
+           "'; after 'N' it takes 'sizes M' and 'partners bound' or 'partners held'");
     }
   }
 }
@@ -93,10 +91,8 @@ int FixAgglomerates::setmask() { return engine_api::POST_NEIGHBOR | FixConst::EN
 void FixAgglomerates::init() {
   const std::string where = std::string("fix ") + id + " agglomerates";
   if (force->newton_pair)
-    stop(lmp, FLERR,
-         where +
-             " needs pairs on both ranks they belong to; put 'newton off' before "
-             "the box is made");
+    stop(lmp, FLERR, where,
+         " needs pairs on both ranks they belong to; put 'newton off' before the box is made");
   sources = bound_pairs(lmp, where);
 }
 

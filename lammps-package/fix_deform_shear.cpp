@@ -95,9 +95,8 @@ void FixDeformShear::read_keywords(int narg, char** arg) {
   for (int i = 3; i < narg; i += 2) {
     const std::string word = arg[i];
     if (word != "rate" && word != "profile" && word != "rebuild")
-      stop(lmp, FLERR,
-           where + ": unknown keyword '" + word + "'; valid ones: rate, profile, rebuild");
-    if (i + 1 == narg) stop(lmp, FLERR, where + ": " + word + " takes a value");
+      stop(lmp, FLERR, where, ": unknown keyword '", word, "'; valid ones: rate, profile, rebuild");
+    if (i + 1 == narg) stop(lmp, FLERR, where, ": ", word, " takes a value");
     const std::string value = arg[i + 1];
     if (word == "rate") {
       given = true;
@@ -106,22 +105,20 @@ void FixDeformShear::read_keywords(int narg, char** arg) {
       else
         given_rate = engine_api::numeric(FLERR, arg[i + 1], lmp);
       if (!std::isfinite(given_rate))
-        stop(lmp, FLERR, where + ": rate " + value + " must be a finite number or v_name");
+        stop(lmp, FLERR, where, ": rate ", value, " must be a finite number or v_name");
     } else if (word == "profile") {
       if (value != "yes" && value != "no")
-        stop(lmp, FLERR, where + ": profile '" + value + "'; valid ones: yes, no");
+        stop(lmp, FLERR, where, ": profile '", value, "'; valid ones: yes, no");
       profile = value == "yes";
     } else {
       if (value != "nonaffine" && value != "engine")
-        stop(lmp, FLERR, where + ": rebuild '" + value + "'; valid ones: nonaffine, engine");
+        stop(lmp, FLERR, where, ": rebuild '", value, "'; valid ones: nonaffine, engine");
       own_rebuild = value == "nonaffine";
     }
   }
   if (!given)
-    stop(lmp, FLERR,
-         where +
-             ": give 'rate R', strain per time, or 'rate v_name' of an equal-style "
-             "variable");
+    stop(lmp, FLERR, where,
+         ": give 'rate R', strain per time, or 'rate v_name' of an equal-style variable");
 }
 
 int FixDeformShear::setmask() {
@@ -139,17 +136,13 @@ void FixDeformShear::init() {
 void FixDeformShear::refuse_what_it_cannot_go_with() const {
   const std::string where = std::string("fix ") + id + " deform/shear";
   if (std::string(update->integrate_style).rfind("respa", 0) == 0)
-    stop(lmp, FLERR, where + " moves the box once per step; use 'run_style verlet'");
+    stop(lmp, FLERR, where, " moves the box once per step; use 'run_style verlet'");
   if (comm->ghost_velocity == 0)
-    stop(lmp, FLERR,
-         where +
-             " needs the velocities of ghost particles; take 'comm_modify vel no' "
-             "away");
+    stop(lmp, FLERR, where, " needs the velocities of ghost particles; take '",
+         engine_api::NO_GHOST_VELOCITIES, "' away");
   if (domain->xprd != state.lx || domain->yprd != state.ly || domain->yz != 0.0)
-    stop(lmp, FLERR,
-         where +
-             ": the box has been changed since the fix was made; give the fix "
-             "again");
+    stop(lmp, FLERR, where,
+         ": the box has been changed since the fix was made; give the fix again");
   refuse_companions(lmp, this, where);
 }
 
@@ -157,8 +150,8 @@ void FixDeformShear::find_rate() {
   if (rate_name.empty()) return;
   rate_variable = input->variable->find(const_cast<char*>(rate_name.c_str()));
   if (rate_variable < 0 || !input->variable->equalstyle(rate_variable))
-    stop(lmp, FLERR, "fix ", id,
-         " deform/shear: there is no equal-style variable '" + rate_name + "'");
+    stop(lmp, FLERR, "fix ", id, " deform/shear: there is no equal-style variable '", rate_name,
+         "'");
 }
 
 double FixDeformShear::rate_now() {

@@ -27,10 +27,13 @@
 namespace LAMMPS_NS {
 namespace engine_api {
 
+// ---- styles of both engines: what each is for is said in engine_api.h ----
+
 /// LIGGGHTS calls no fix when it has made a list of neighbours, but all that want to be called
 /// before the forces.
 constexpr int POST_NEIGHBOR = FixConst::PRE_FORCE;
 constexpr int GROW = 0, RESTART = 1;  // of Atom::add_callback()
+constexpr const char* NO_GHOST_VELOCITIES = "communicate ... vel no";
 
 /// A fix with the virtual functions that LAMMPS has.
 class StyleFix : public Fix {
@@ -73,18 +76,15 @@ class BoxFix : public StyleFix {
   }
   ~BoxFix() override { clear_rates(); }
 
-  void init() override {
-    domain->deform_flag = domain->deform_vremap = 1;
-    domain->deform_groupbit = groupbit;
-    atom->avec->init();  // keeps a copy of these
-    clear_rates();
-  }
+  /// Stops when a wall stands across the flow or its gradient.
+  void init() override;
 
  protected:
   std::unique_ptr<Irregular> irregular;
   double* h_rate;
 
  private:
+  void refuse_walls() const;
   void clear_rates() {
     for (int k = 0; k < 6; k++) h_rate[k] = 0.0;
   }

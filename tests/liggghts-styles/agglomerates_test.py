@@ -13,7 +13,7 @@ sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "lammps-packag
 from agglomerate_search import BOX, RANGE, Search, constructed, in_box, passing
 from engine import Run
 from printed_thermo import thermo_lines
-from scene import hamaker, script, sphere, square_well
+from scene import DENSITY, STIFFNESS, contact, hamaker, script, sphere, square_well
 
 MODELS = "model hooke/stiffness tangential off cohesion hamaker absolute_damping on"
 # The attraction is none to speak of: the sum of the gaps' forces, 1e-12/(24 0.1^2), moves 1400 kg.
@@ -21,14 +21,15 @@ LAW = hamaker(1e-12, cut=1e-3, out=RANGE)
 FIELDS = "f_set " + " ".join(f"f_set[{k}]" for k in range(1, 9))
 
 
-def scene(x, v=None, tilt=0.0, each=1, more="", fields=FIELDS, models=MODELS, properties=LAW, fixes="",
-          run="run 0\n", every=1):
+def scene(x, v=None, tilt=0.0, each=1, more="", fields=FIELDS, models=MODELS, properties=LAW,
+          run="run 0\n", every=1, contacts=contact()):
     v = numpy.zeros_like(x) if v is None else v
     return script([sphere(a, b, radius=0.5) for a, b in zip(x, v)], models, properties, dt=1e-3,
                   skin=0.3, boundary="p p p", every=every, run=run,
                   box="0 {!r} 0 {!r} 0 {!r} {!r} 0 0".format(*BOX.tolist(), tilt),
                   columns=["f_set[1]", "f_set[2]"],
-                  extra=fixes + f"fix set all agglomerates {each} {more}\n"
+                  contacts=contacts,
+                  extra=f"fix set all agglomerates {each} {more}\n"
                   f"thermo_style custom step {fields}\nthermo_modify format float %.15g\n"
                   "thermo 100\n")
 
@@ -107,17 +108,20 @@ class Durations(unittest.TestCase):
                 self.assertEqual(rows(text + tail, ranks)[0][-1].tolist(), whole)
 
     def test_in_a_well(self):
-        """Bound is who is in the well, at whatever gap: two that fly into it head on rebound with half
-        their speed and stay, until a third one that comes in time knocks one out."""
+        """Through the gap of the well, a half swing of the spring, and out again, faster inside."""
+        depth, stiffness, ratio = 100.0, 8e6, 1.2
         models = "model hooke/stiffness tangential off cohesion square_well absolute_damping on"
         x = numpy.array([[3.0, 4.0, 3.0], [4.5, 4.0, 3.0]])
         v = numpy.array([[1.0, 0.0, 0.0], [0.0, 0.0, 0.0]])
-        # Slow against the depth: v_esc^2 = 2 D/mu (1/e^2 - 1) with 2 D/mu = 0.29 and e = 1 never holds.
-        table, _ = rows(scene(x, v, models=models, properties=square_well(100.0, ratio=1.2),
-                              fixes="thermo 1\n", run="run 1500\n", every=1500))
-        self.assertEqual(table[0, 0], 0)
-        inside = numpy.flatnonzero(table[::1, 0])
-        self.assertGreater(len(inside), 0)
+        reduced = DENSITY * numpy.pi / 12
+        duration = (2 * (ratio - 1) / numpy.sqrt(1 + 2 * depth / reduced)
+                    + numpy.pi * numpy.sqrt(reduced / stiffness))
+        final = rows(scene(x, v, models=models, properties=square_well(depth, ratio=ratio),
+                           contacts=contact().replace(repr(STIFFNESS), repr(stiffness)),
+                           run="run 1000\n", every=1000))[0][-1]
+        self.assertEqual((final[1], final[6]), (0, 2))
+        # Each edge is met up to a step late, at up to twice the speed.
+        self.assertLess(abs(final[5] - duration), 3e-3)
 
 
 class Refusals(unittest.TestCase):
