@@ -3,6 +3,7 @@
 #define COHESION_BOUND_PAIRS_H
 
 #include <array>
+#include <string>
 #include <vector>
 
 namespace LAMMPS_NS {
@@ -19,6 +20,10 @@ class BoundPairs {
  protected:
   ~BoundPairs() = default;
 };
+
+/// Of the pair style in use; stops where nothing says which pairs are bound, `where` in front of
+/// the message. Valid until a pair style is defined anew.
+std::vector<const BoundPairs*> bound_pairs(class LAMMPS*, const std::string& where);
 
 }  // namespace LAMMPS_NS
 

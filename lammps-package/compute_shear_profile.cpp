@@ -8,9 +8,9 @@
 #include "atom.h"
 #include "box_shear.h"
 #include "domain.h"
-#include "error.h"
 #include "force.h"
 #include "memory.h"
+#include "message.h"
 #include "shear/granular_temperature.h"
 #include "shear/kinetic_stress.h"
 #include "update.h"
@@ -22,16 +22,18 @@ using cohesion::shear::ProfileSums;
 static constexpr int FITTED = 4;  // slope, intercept, temperature, slip; then six of stress
 
 ComputeShearProfile::ComputeShearProfile(LAMMPS* lammps, int narg, char** arg)
-    : Compute(lammps, narg, arg), layer_number(20), measured_step(-1), layers(1, 1.0) {
+    : engine_api::StyleCompute(lammps, narg, arg),
+      layer_number(20),
+      measured_step(-1),
+      layers(1, 1.0) {
   const std::string where = std::string("compute ") + id + " shear/profile";
   if (narg != 3 && (narg != 5 || strcmp(arg[3], "layers") != 0))
-    error->all(FLERR, where + " takes no other words than 'layers N'");
-  if (narg == 5) layer_number = utils::inumeric(FLERR, arg[4], false, lmp);
+    stop(lmp, FLERR, where, " takes no other words than 'layers N'");
+  if (narg == 5) layer_number = engine_api::inumeric(FLERR, arg[4], lmp);
   if (layer_number < 3)
-    error->all(FLERR, where + ": layers " + std::to_string(layer_number) +
-                          "; slip from a line takes at least 3");
+    stop(lmp, FLERR, where, ": layers ", layer_number, "; slip from a line takes at least 3");
   if (!domain->yperiodic)
-    error->all(FLERR, where + ": the gradient is along y, which must be periodic");
+    stop(lmp, FLERR, where, ": the gradient is along y, which must be periodic");
   scalar_flag = vector_flag = array_flag = 1;
   extscalar = extvector = extarray = 0;
   size_vector = FITTED + 6;

@@ -8,7 +8,7 @@ ComputeStyle(shear/profile,ComputeShearProfile);
 #ifndef LMP_COMPUTE_SHEAR_PROFILE_H
 #define LMP_COMPUTE_SHEAR_PROFILE_H
 
-#include "compute.h"
+#include "engine_api.h"
 #include "shear/mean_profile.h"
 #include "shear/slip.h"
 
@@ -16,7 +16,7 @@ namespace LAMMPS_NS {
 
 /// compute ID group shear/profile: mean profile of a sheared box, granular temperature, slip and
 /// kinetic stress about it. Doc: docs/lammps-package/compute_shear_profile.md
-class ComputeShearProfile : public Compute {
+class ComputeShearProfile : public engine_api::StyleCompute {
  public:
   ComputeShearProfile(class LAMMPS*, int, char**);
   ~ComputeShearProfile() override;

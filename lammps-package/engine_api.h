@@ -2,14 +2,27 @@
 #ifndef COHESION_ENGINE_API_H
 #define COHESION_ENGINE_API_H
 
-// What the supported LAMMPS versions spell differently; nothing else in the package asks for a
-// version. HISTBITS came with the interface that LAMMPS has had since 2022.
+// What the supported engines spell differently; nothing else in the package asks for a version.
+// HISTBITS came with the interface that LAMMPS has had since 2022. Styles that are built for
+// LIGGGHTS too (COHESION_FOR_LIGGGHTS: see liggghts-styles/CMakeLists.txt) take what is below
+// `styles of both engines` from here, and name nothing else that only one of them has.
 
+#ifdef COHESION_FOR_LIGGGHTS
+#include "liggghts_api.h"
+#else
+
+#include "atom.h"
 #include "comm.h"
+#include "compute.h"
+#include "fix.h"
+#include "fix_deform.h"
+#include "irregular.h"
 #include "lmptype.h"
 #include "neigh_request.h"
 #include "neighbor.h"
+#include "output.h"
 #include "pair.h"
+#include "utils.h"
 
 namespace LAMMPS_NS {
 namespace engine_api {
@@ -35,6 +48,34 @@ inline void request_history_list(Neighbor* neighbor, Pair* pair, int instance) {
 #endif
 }
 
+// ---- styles of both engines ----
+
+using StyleFix = Fix;
+using StyleCompute = Compute;
+/// Shears the engine's box: FixDeform, which Domain and others look for.
+using BoxFix = FixDeform;
+
+using FixConst::POST_NEIGHBOR;
+constexpr int GROW = Atom::GROW, RESTART = Atom::RESTART;
+/// What takes the velocities of ghosts away in a script.
+constexpr const char* NO_GHOST_VELOCITIES = "comm_modify vel no";
+
+inline double numeric(const char* file, int line, char* word, LAMMPS* lmp) {
+  return utils::numeric(file, line, word, false, lmp);
+}
+inline int inumeric(const char* file, int line, char* word, LAMMPS* lmp) {
+  return utils::inumeric(file, line, word, false, lmp);
+}
+/// Rank 0 shows it and writes it to the log.
+inline void tell(LAMMPS* lmp, const std::string& message) {
+  if (lmp->comm->me == 0) utils::logmesg(lmp, message);
+}
+inline bool writes_restart(Output* output, bigint step) { return output->next_restart == step; }
+
+inline bool changes_box(const Fix* fix) {
+  return fix->box_change & (Fix::BOX_CHANGE_SIZE | Fix::BOX_CHANGE_SHAPE);
+}
+
 /// Bring values of a fix from particles to their ghosts, `size` of each; 0: as many as the fix has.
 inline void forward_comm(Comm* comm, Fix* fix, int size = 0) {
 #ifdef HISTBITS
@@ -46,5 +87,7 @@ inline void forward_comm(Comm* comm, Fix* fix, int size = 0) {
 
 }  // namespace engine_api
 }  // namespace LAMMPS_NS
+
+#endif  // COHESION_FOR_LIGGGHTS
 
 #endif

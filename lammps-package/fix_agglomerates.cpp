@@ -11,10 +11,9 @@
 #include "comm.h"
 #include "domain.h"
 #include "engine_api.h"
-#include "error.h"
 #include "force.h"
 #include "memory.h"
-#include "pair_members.h"
+#include "message.h"
 #include "piece_exchange.h"
 #include "update.h"
 
@@ -23,7 +22,7 @@ using namespace cohesion::agglomerates;
 using cohesion::Vector3;
 
 FixAgglomerates::FixAgglomerates(LAMMPS* lammps, int narg, char** arg)
-    : Fix(lammps, narg, arg),
+    : engine_api::StyleFix(lammps, narg, arg),
       label(nullptr),
       place(nullptr),
       id_and_size(nullptr),
@@ -39,11 +38,11 @@ FixAgglomerates::FixAgglomerates(LAMMPS* lammps, int narg, char** arg)
       unfolded(0.0),
       wrapping(0.0) {
   const std::string where = std::string("fix ") + id + " agglomerates";
-  if (narg < 4) error->all(FLERR, where + " takes 'N', every so many steps");
-  nevery = utils::inumeric(FLERR, arg[3], false, lmp);
-  if (nevery < 1) error->all(FLERR, where + ": N is {}; it must be 1 or more", nevery);
+  if (narg < 4) stop(lmp, FLERR, where, " takes 'N', every so many steps");
+  nevery = engine_api::inumeric(FLERR, arg[3], lmp);
+  if (nevery < 1) stop(lmp, FLERR, where, ": N is ", nevery, "; it must be 1 or more");
   read_keywords(narg, arg);
-  if (!atom->tag_enable) error->all(FLERR, where + " needs particles with IDs");
+  if (!atom->tag_enable) stop(lmp, FLERR, where, " needs particles with IDs");
   scalar_flag = vector_flag = array_flag = peratom_flag = 1;
   size_vector = 8;
   size_array_rows = static_cast<int>(distribution.now().size());
@@ -56,8 +55,8 @@ FixAgglomerates::FixAgglomerates(LAMMPS* lammps, int narg, char** arg)
   time_depend = 1;
   comm_forward = 4;
   FixAgglomerates::grow_arrays(atom->nmax);
-  atom->add_callback(Atom::GROW);
-  atom->add_callback(Atom::RESTART);
+  atom->add_callback(engine_api::GROW);
+  atom->add_callback(engine_api::RESTART);
   for (int i = 0; i < atom->nlocal; i++) FixAgglomerates::set_arrays(i);
 }
 
@@ -66,44 +65,35 @@ void FixAgglomerates::read_keywords(int narg, char** arg) {
   for (int i = 4; i < narg; i += 2) {
     const std::string word = arg[i], value = i + 1 < narg ? arg[i + 1] : "";
     if (word == "sizes" && !value.empty()) {
-      const int sizes = utils::inumeric(FLERR, arg[i + 1], false, lmp);
-      if (sizes < 2) error->all(FLERR, where + ": sizes {}; it must be 2 or more", sizes);
+      const int sizes = engine_api::inumeric(FLERR, arg[i + 1], lmp);
+      if (sizes < 2) stop(lmp, FLERR, where, ": sizes ", sizes, "; it must be 2 or more");
       distribution = SizeDistribution(sizes);
     } else if (word == "partners" && (value == "bound" || value == "held")) {
       held_only = value == "held";
     } else {
-      error->all(FLERR, where + ": '" + word + " " + value +
-                            "'; after 'N' it takes 'sizes M' and 'partners bound' or 'partners "
-                            "held'");
+      stop(lmp, FLERR, where, ": '", word, " ", value,
+           "'; after 'N' it takes 'sizes M' and 'partners bound' or 'partners held'");
     }
   }
 }
 
 FixAgglomerates::~FixAgglomerates() {
-  atom->delete_callback(id, Atom::GROW);
-  atom->delete_callback(id, Atom::RESTART);
+  atom->delete_callback(id, engine_api::GROW);
+  atom->delete_callback(id, engine_api::RESTART);
   memory->destroy(label);
   memory->destroy(place);
   memory->destroy(id_and_size);
   memory->destroy(since);
 }
 
-int FixAgglomerates::setmask() { return FixConst::POST_NEIGHBOR | FixConst::END_OF_STEP; }
+int FixAgglomerates::setmask() { return engine_api::POST_NEIGHBOR | FixConst::END_OF_STEP; }
 
 void FixAgglomerates::init() {
   const std::string where = std::string("fix ") + id + " agglomerates";
   if (force->newton_pair)
-    error->all(FLERR, where +
-                          " needs pairs on both ranks they belong to; put 'newton off' before "
-                          "the box is made");
-  sources.clear();
-  for (const PairMember& member : pair_members(force))
-    if (const auto* source = dynamic_cast<const BoundPairs*>(member.pair))
-      sources.push_back(source);
-  if (sources.empty())
-    error->all(FLERR, where +
-                          ": no pair_style says which pairs are bound; use gran/hamaker or "
-                          "another style of this package that follows contacts");
+    stop(lmp, FLERR, where,
+         " needs pairs on both ranks they belong to; put 'newton off' before the box is made");
+  sources = bound_pairs(lmp, where);
 }
 
 void FixAgglomerates::post_neighbor() {
@@ -369,10 +359,8 @@ void FixAgglomerates::restart(char* buf) {
   last_step = static_cast<bigint>(step);
   auto& sums = distribution.sums();
   if (static_cast<std::size_t>(rows) != sums.size())
-    error->all(FLERR,
-               "fix {} agglomerates: the restart holds a distribution of 'sizes {}', here it "
-               "is {}; give the same",
-               id, static_cast<int>(rows), sums.size());
+    stop(lmp, FLERR, "fix ", id, " agglomerates: the restart holds a distribution of 'sizes ", rows,
+         "', here it is ", sums.size(), "; give the same");
   memcpy(sums.data(), buf + 2 * sizeof(double) + sizeof(Totals), sizeof(double) * sums.size());
 }
 

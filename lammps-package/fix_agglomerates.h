@@ -16,7 +16,7 @@ FixStyle(agglomerates,FixAgglomerates);
 #include "agglomerates/piece.h"
 #include "agglomerates/size_statistics.h"
 #include "bound_pairs.h"
-#include "fix.h"
+#include "engine_api.h"
 
 namespace LAMMPS_NS {
 
@@ -27,7 +27,7 @@ namespace LAMMPS_NS {
 /// go from owners to ghosts and through the bonds until nothing changes. Sums of an agglomerate are
 /// put together on the rank that its label belongs to, and the size goes back; no rank sees them
 /// all.
-class FixAgglomerates : public Fix {
+class FixAgglomerates : public engine_api::StyleFix {
  public:
   FixAgglomerates(class LAMMPS*, int, char**);
   ~FixAgglomerates() override;

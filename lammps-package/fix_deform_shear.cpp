@@ -11,10 +11,9 @@
 #include "box_shear.h"
 #include "comm.h"
 #include "domain.h"
-#include "error.h"
 #include "group.h"
 #include "input.h"
-#include "irregular.h"
+#include "message.h"
 #include "modify.h"
 #include "neighbor.h"
 #include "output.h"
@@ -38,9 +37,9 @@ struct EngineArguments {
   EngineArguments(LAMMPS* lmp, char** arg)
       : words{arg[0], arg[1], arg[2], "1", "xy", "erate", "0.0", "remap", "v"} {
     if (!lmp->domain->triclinic)
-      lmp->error->all(FLERR, std::string("fix ") + arg[0] +
-                                 " deform/shear tilts the box: make it with 'region ... prism' or "
-                                 "put 'change_box all triclinic' before");
+      stop(lmp, FLERR, "fix ", arg[0],
+           " deform/shear tilts the box: make it with 'region ... prism' or "
+           "put 'change_box all triclinic' before");
     for (int i = 0; i < count; i++) pointers[i] = &words[i][0];
   }
 };
@@ -52,34 +51,32 @@ ImageShift shift_of(double start_tilt, double height, double length) {
 }  // namespace
 
 FixDeformShear::FixDeformShear(LAMMPS* lammps, int narg, char** arg)
-    : FixDeform(lammps, EngineArguments::count, EngineArguments(lammps, arg).pointers.data()),
+    : engine_api::BoxFix(lammps, EngineArguments::count,
+                         EngineArguments(lammps, arg).pointers.data()),
       given_rate(0.0),
       rate_variable(-1),
       profile(true),
       own_rebuild(true),
       state(),
       lengths(0.0),
+      tilt_after_flip(0.0),
+      flipped_lengths(0),
       listed_step(-1),
       engine_delay(0),
       engine_every(0),
       in_hand(false) {
   read_keywords(narg, arg);
-  if (igroup != 0)
-    error->all(FLERR, "fix deform/shear shears the whole box; its group must be all");
+  if (igroup != 0) stop(lmp, FLERR, "fix deform/shear shears the whole box; its group must be all");
   if (!domain->xperiodic || !domain->yperiodic)
-    error->all(FLERR,
-               "fix deform/shear: flow is along x and its gradient along y; both must be periodic "
-               "(boundary p p ...)");
+    stop(lmp, FLERR,
+         "fix deform/shear: flow is along x and its gradient along y; both must be periodic "
+         "(boundary p p ...)");
   if (domain->yz != 0.0)
-    error->all(FLERR,
-               "fix deform/shear: tilt yz is {}; the images along z must not be shifted "
-               "along the gradient: make it 0",
-               domain->yz);
+    stop(lmp, FLERR, "fix deform/shear: tilt yz is ", domain->yz,
+         "; the images along z must not be shifted along the gradient: make it 0");
   if (std::abs(domain->xy) > 0.5 * domain->xprd)
-    error->all(FLERR,
-               "fix deform/shear: tilt xy is {}; it must be within half the length of the "
-               "box, {}",
-               domain->xy, 0.5 * domain->xprd);
+    stop(lmp, FLERR, "fix deform/shear: tilt xy is ", domain->xy,
+         "; it must be within half the length of the box, ", 0.5 * domain->xprd);
   scalar_flag = vector_flag = 1;
   size_vector = 3;
   global_freq = 1;
@@ -98,58 +95,54 @@ void FixDeformShear::read_keywords(int narg, char** arg) {
   for (int i = 3; i < narg; i += 2) {
     const std::string word = arg[i];
     if (word != "rate" && word != "profile" && word != "rebuild")
-      error->all(FLERR,
-                 where + ": unknown keyword '" + word + "'; valid ones: rate, profile, rebuild");
-    if (i + 1 == narg) error->all(FLERR, where + ": " + word + " takes a value");
+      stop(lmp, FLERR, where, ": unknown keyword '", word, "'; valid ones: rate, profile, rebuild");
+    if (i + 1 == narg) stop(lmp, FLERR, where, ": ", word, " takes a value");
     const std::string value = arg[i + 1];
     if (word == "rate") {
       given = true;
       if (value.substr(0, 2) == "v_")
         rate_name = value.substr(2);
       else
-        given_rate = utils::numeric(FLERR, arg[i + 1], false, lmp);
+        given_rate = engine_api::numeric(FLERR, arg[i + 1], lmp);
       if (!std::isfinite(given_rate))
-        error->all(FLERR, where + ": rate " + value + " must be a finite number or v_name");
+        stop(lmp, FLERR, where, ": rate ", value, " must be a finite number or v_name");
     } else if (word == "profile") {
       if (value != "yes" && value != "no")
-        error->all(FLERR, where + ": profile '" + value + "'; valid ones: yes, no");
+        stop(lmp, FLERR, where, ": profile '", value, "'; valid ones: yes, no");
       profile = value == "yes";
     } else {
       if (value != "nonaffine" && value != "engine")
-        error->all(FLERR, where + ": rebuild '" + value + "'; valid ones: nonaffine, engine");
+        stop(lmp, FLERR, where, ": rebuild '", value, "'; valid ones: nonaffine, engine");
       own_rebuild = value == "nonaffine";
     }
   }
   if (!given)
-    error->all(FLERR, where +
-                          ": give 'rate R', strain per time, or 'rate v_name' of an equal-style "
-                          "variable");
+    stop(lmp, FLERR, where,
+         ": give 'rate R', strain per time, or 'rate v_name' of an equal-style variable");
 }
 
 int FixDeformShear::setmask() {
-  return FixConst::POST_INTEGRATE | FixConst::PRE_EXCHANGE | FixConst::POST_NEIGHBOR |
+  return FixConst::POST_INTEGRATE | FixConst::PRE_EXCHANGE | engine_api::POST_NEIGHBOR |
          FixConst::END_OF_STEP | FixConst::POST_RUN;
 }
 
 void FixDeformShear::init() {
   refuse_what_it_cannot_go_with();
   find_rate();
-  FixDeform::init();
+  engine_api::BoxFix::init();
   h_rate[5] = shift_of(state.start_tilt, state.ly, state.lx).velocity(state.strain.rate);
 }
 
 void FixDeformShear::refuse_what_it_cannot_go_with() const {
   const std::string where = std::string("fix ") + id + " deform/shear";
-  if (utils::strmatch(update->integrate_style, "^respa"))
-    error->all(FLERR, where + " moves the box once per step; use 'run_style verlet'");
+  if (std::string(update->integrate_style).rfind("respa", 0) == 0)
+    stop(lmp, FLERR, where, " moves the box once per step; use 'run_style verlet'");
   if (comm->ghost_velocity == 0)
-    error->all(FLERR, where +
-                          " needs the velocities of ghost particles; take 'comm_modify vel no' "
-                          "away");
+    stop(lmp, FLERR, where, " needs the velocities of ghost particles; take '",
+         engine_api::NO_GHOST_VELOCITIES, "' away");
   if (domain->xprd != state.lx || domain->yprd != state.ly || domain->yz != 0.0)
-    error->all(FLERR, where +
-                          ": the box has been changed since the fix was made; give the fix "
-                          "again");
+    stop(lmp, FLERR, where,
+         ": the box has been changed since the fix was made; give the fix again");
   refuse_companions(lmp, this, where);
 }
 
@@ -157,8 +150,8 @@ void FixDeformShear::find_rate() {
   if (rate_name.empty()) return;
   rate_variable = input->variable->find(const_cast<char*>(rate_name.c_str()));
   if (rate_variable < 0 || !input->variable->equalstyle(rate_variable))
-    error->all(FLERR, std::string("fix ") + id +
-                          " deform/shear: there is no equal-style variable '" + rate_name + "'");
+    stop(lmp, FLERR, "fix ", id, " deform/shear: there is no equal-style variable '", rate_name,
+         "'");
 }
 
 double FixDeformShear::rate_now() {
@@ -167,8 +160,8 @@ double FixDeformShear::rate_now() {
   const double rate = input->variable->compute_equal(rate_variable);
   modify->addstep_compute(update->ntimestep + 1);
   if (!std::isfinite(rate))
-    error->all(FLERR, "fix {} deform/shear: variable {} is {} at step {}, no rate of shear", id,
-               rate_name, rate, update->ntimestep);
+    stop(lmp, FLERR, "fix ", id, " deform/shear: variable ", rate_name, " is ", rate, " at step ",
+         update->ntimestep, ", no rate of shear");
   return rate;
 }
 
@@ -206,11 +199,9 @@ void FixDeformShear::lay_profile() {
   if (all[3] == 0.0) return;
   for (int i = 0; i < atom->nlocal; i++)
     for (int k = 0; k < 3; k++) atom->v[i][k] -= all[k] / all[3];
-  if (comm->me == 0)
-    utils::logmesg(lmp,
-                   fmt::format("fix {} deform/shear: added the profile vx = {:g} (y - {:g}) to "
-                               "the velocities and took the net momentum away\n",
-                               id, flow.amount, flow.middle));
+  engine_api::tell(
+      lmp, message("fix ", id, " deform/shear: added the profile vx = ", flow.amount, " (y - ",
+                   flow.middle, ") to the velocities and took the net momentum away\n"));
 }
 
 /// The list that a run begins with exists; from here on this fix decides when the next is made.
@@ -252,37 +243,33 @@ void FixDeformShear::tilt(double gamma) {
   h_rate[5] = shift.velocity(state.strain.rate);
   const double half = 0.5 * state.lx;
   if (std::abs(h_rate[5]) * update->dt >= half)
-    error->all(FLERR,
-               "fix {} deform/shear: the image above moves by {} in a step, half a box is {}; "
-               "use a smaller time step",
-               id, h_rate[5] * update->dt, half);
+    stop(lmp, FLERR, "fix ", id, " deform/shear: the image above moves by ", h_rate[5] * update->dt,
+         " in a step, half a box is ", half, "; use a smaller time step");
 
   const double xy = shift.tilt(gamma, lengths);
-  flipxy = xy > half ? -1 : xy < -half ? 1 : 0;
+  flipped_lengths = xy > half ? -1 : xy < -half ? 1 : 0;
   domain->xy = xy;
   domain->set_global_box();
   domain->set_local_box();
-  if (flipxy == 0) return;
-  lengths -= flipxy;
-  set[5].tilt_flip = shift.tilt(gamma, lengths);
-  flipxz = flipyz = 0;
-  flip = 1;
+  if (flipped_lengths == 0) return;
+  lengths -= flipped_lengths;
+  tilt_after_flip = shift.tilt(gamma, lengths);
   next_reneighbor = update->ntimestep;
 }
 
 /// A flip chooses another lattice vector for the image above: nothing moves, but particles have
 /// other places in the box and other ranks.
 void FixDeformShear::pre_exchange() {
-  if (flip == 0) return;
-  domain->xy = set[5].tilt_flip;
+  if (flipped_lengths == 0) return;
+  domain->xy = tilt_after_flip;
   domain->set_global_box();
   domain->set_local_box();
-  domain->image_flip(flipxy, flipxz, flipyz);
+  domain->image_flip(flipped_lengths, 0, 0);
   domain->x2lamda(atom->nlocal);
   domain->pbc();
   irregular->migrate_atoms();
   domain->lamda2x(atom->nlocal);
-  flip = 0;
+  flipped_lengths = 0;
 }
 
 bool FixDeformShear::list_may_miss_a_pair() const {
@@ -309,7 +296,7 @@ void FixDeformShear::post_neighbor() {
 /// The engine puts particles back into the box that a restart file finds outside, but leaves them
 /// their velocity.
 void FixDeformShear::end_of_step() {
-  if (update->ntimestep != output->next_restart) return;
+  if (!engine_api::writes_restart(output, update->ntimestep)) return;
   put_into_box(atom, domain);
   next_reneighbor = update->ntimestep + 1;
 }
@@ -334,13 +321,13 @@ void FixDeformShear::restart(char* buf) {
   State kept;
   memcpy(&kept, buf, sizeof(State));
   if (kept.lx != state.lx || kept.ly != state.ly)
-    error->all(FLERR,
-               "fix {} deform/shear: the box of the restart was {} by {}, it is now {} by {}; "
-               "give the fix another ID to begin anew",
-               id, kept.lx, kept.ly, state.lx, state.ly);
+    stop(lmp, FLERR, "fix ", id, " deform/shear: the box of the restart was ", kept.lx, " by ",
+         kept.ly, ", it is now ", state.lx, " by ", state.ly,
+         "; give the fix another ID to begin anew");
   state = kept;
 }
 
 double FixDeformShear::memory_usage() {
-  return FixDeform::memory_usage() + static_cast<double>(3 * sizeof(double) * listed.count());
+  return engine_api::BoxFix::memory_usage() +
+         static_cast<double>(3 * sizeof(double) * listed.count());
 }

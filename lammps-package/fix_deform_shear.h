@@ -10,7 +10,7 @@ FixStyle(deform/shear,FixDeformShear);
 
 #include <string>
 
-#include "fix_deform.h"
+#include "engine_api.h"
 #include "shear/sheared_box.h"
 #include "shear/since_list.h"
 
@@ -25,7 +25,7 @@ namespace LAMMPS_NS {
 /// box that left through a sheared face since the list was made, and leaves them their velocity.
 /// Here the box is tilted when the particles have moved, to where it is at that time, and particles
 /// that are put back change their velocity whenever it happens.
-class FixDeformShear : public FixDeform {
+class FixDeformShear : public engine_api::BoxFix {
  public:
   FixDeformShear(class LAMMPS*, int, char**);
 
@@ -67,6 +67,8 @@ class FixDeformShear : public FixDeform {
     int begun;
   } state;
   double lengths;  // whole box lengths that the tilt was counted back by
+  double tilt_after_flip;
+  int flipped_lengths;  // by the flip that is due; 0: none is
 
   cohesion::shear::SinceList listed;  // the owned particles
   bigint listed_step;

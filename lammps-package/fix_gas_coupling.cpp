@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// For LAMMPS and, from liggghts-styles, for LIGGGHTS: what the two spell differently is not used.
 #include "fix_gas_coupling.h"
 
 #include <algorithm>
@@ -9,8 +8,10 @@
 #include "atom.h"
 #include "comm.h"
 #include "drag/particle_drag.h"
+#include "engine_api.h"
 #include "error.h"
 #include "memory.h"
+#include "message.h"
 #include "modify.h"
 #include "sphere.h"
 #include "update.h"
@@ -18,9 +19,6 @@
 using namespace LAMMPS_NS;
 using namespace FixConst;
 using cohesion::drag::GasOnParticle;
-
-// Atom::GROW and Atom::RESTART of LAMMPS; LIGGGHTS has no names for them.
-static constexpr int GROW = 0, RESTART = 1;
 
 FixGasCoupling::FixGasCoupling(LAMMPS* lammps, int narg, char** arg)
     : Fix(lammps, narg, arg), rows(nullptr) {
@@ -38,14 +36,14 @@ FixGasCoupling::FixGasCoupling(LAMMPS* lammps, int narg, char** arg)
   std::fill_n(impulse, 6, 0.0);
   std::fill_n(force, 6, 0.0);
   FixGasCoupling::grow_arrays(atom->nmax);
-  atom->add_callback(GROW);
-  atom->add_callback(RESTART);
+  atom->add_callback(engine_api::GROW);
+  atom->add_callback(engine_api::RESTART);
   for (int i = 0; i < atom->nlocal; i++) FixGasCoupling::set_arrays(i);
 }
 
 FixGasCoupling::~FixGasCoupling() {
-  atom->delete_callback(id, GROW);
-  atom->delete_callback(id, RESTART);
+  atom->delete_callback(id, engine_api::GROW);
+  atom->delete_callback(id, engine_api::RESTART);
   memory->destroy(rows);
 }
 
@@ -65,9 +63,9 @@ void FixGasCoupling::init() {
   bool behind = false;
   for (int ifix = 0; ifix < modify->nfix; ifix++) {
     if (behind && comm->me == 0 && adds_forces(ifix))
-      error->warning(FLERR, ("fix " + std::string(id) + " gas/coupling stands before fix " +
-                             modify->fix[ifix]->id + " " + modify->fix[ifix]->style +
-                             ", whose forces it cannot see; define fix gas/coupling last")
+      error->warning(FLERR, message("fix ", id, " gas/coupling stands before fix ",
+                                    modify->fix[ifix]->id, " ", modify->fix[ifix]->style,
+                                    ", whose forces it cannot see; define fix gas/coupling last")
                                 .c_str());
     if (modify->fix[ifix] == this) behind = true;
   }

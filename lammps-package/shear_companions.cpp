@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-only
 #include "shear_companions.h"
 
-#include <cstring>
+#include <string>
 
 #include "comm.h"
-#include "error.h"
-#include "fix.h"
-#include "lammps.h"
+#include "engine_api.h"
+#include "message.h"
 #include "modify.h"
 
 using namespace LAMMPS_NS;
@@ -19,13 +18,22 @@ struct Refused {
 };
 
 constexpr Refused refused[] = {
-    {"^momentum",
+    {"momentum",
      "takes away momentum that the profile has by right; this fix removes it at the "
      "start, and shear conserves it"},
-    {"^freeze", "holds particles whose images move"},
-    {"^move", "leads particles on paths that the images do not follow"},
-    {"^viscous", "drags towards rest, while every image of a particle has another velocity"},
+    {"freeze", "holds particles whose images move"},
+    {"move", "leads particles on paths that the images do not follow"},
+    {"viscous", "drags towards rest, while every image of a particle has another velocity"},
+    // Of LIGGGHTS only.
+    {"multisphere", "does not change the velocity of a body that leaves through a sheared face"},
+    {"mesh/surface",
+     "keeps its triangles on the ranks by the corners of their parts of the box, which a tilted "
+     "box "
+     "does not have"},
+    {"couple/", "brings forces of a gas that does not know of the tilted box"},
 };
+
+bool begins_with(const std::string& style, const char* start) { return style.rfind(start, 0) == 0; }
 
 }  // namespace
 
@@ -37,28 +45,25 @@ void LAMMPS_NS::refuse_companions(LAMMPS* lmp, const Fix* me, const std::string&
       before_me = false;
       continue;
     }
-    const std::string other = std::string("fix ") + fix->id + " " + fix->style;
-    if (utils::strmatch(fix->style, "^deform") ||
-        (fix->box_change & (Fix::BOX_CHANGE_SIZE | Fix::BOX_CHANGE_SHAPE)))
-      lmp->error->all(FLERR, where + ": " + other + " changes the box too; only one can");
+    const std::string style = fix->style, other = message("fix ", fix->id, " ", style);
+    if (begins_with(style, "deform") || engine_api::changes_box(fix))
+      stop(lmp, FLERR, where, ": ", other, " changes the box too; only one can");
     if (fix->rigid_flag)
-      lmp->error->all(FLERR, where + ": " + other +
-                                 " does not change the velocity of a body that "
-                                 "leaves through a sheared face");
-    if (utils::strmatch(fix->style, "^nvt") && !strstr(fix->style, "sllod"))
-      lmp->error->all(FLERR, where + ": " + other + " takes the mean flow for heat; use nvt/sllod");
-    if (utils::strmatch(fix->style, "^NEIGH_HISTORY") && !before_me)
-      lmp->error->all(FLERR, where +
-                                 " stands before the pair_style, whose memory of contacts must be "
-                                 "stored before particles change rank; give pair_style first");
+      stop(lmp, FLERR, where, ": ", other,
+           " does not change the velocity of a body that leaves through a sheared face");
+    if (begins_with(style, "nvt") && style.find("sllod") == std::string::npos)
+      stop(lmp, FLERR, where, ": ", other, " takes the mean flow for heat; use nvt/sllod");
+    if (begins_with(style, "NEIGH_HISTORY") && !before_me)
+      stop(
+          lmp, FLERR, where,
+          " stands before the pair_style, whose memory of contacts must be stored before particles "
+          "change rank; give pair_style first");
     for (const Refused& r : refused)
-      if (utils::strmatch(fix->style, r.style))
-        lmp->error->all(FLERR, where + ": " + other + " " + r.reason);
-    if ((utils::strmatch(fix->style, "^temp/") || utils::strmatch(fix->style, "^langevin")) &&
-        lmp->comm->me == 0)
-      lmp->error->warning(FLERR, where + ": " + other +
-                                     " takes the mean flow for heat, unless "
-                                     "'fix_modify temp' gives it a compute "
-                                     "temp/deform");
+      if (begins_with(style, r.style)) stop(lmp, FLERR, where, ": ", other, " ", r.reason);
+    if ((begins_with(style, "temp/") || begins_with(style, "langevin")) && lmp->comm->me == 0)
+      lmp->error->warning(FLERR, message(where, ": ", other,
+                                         " takes the mean flow for heat, unless 'fix_modify temp' "
+                                         "gives it a compute temp/deform")
+                                     .c_str());
   }
 }

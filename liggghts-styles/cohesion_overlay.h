@@ -7,6 +7,7 @@
 
 #include "atom.h"
 #include "cohesion_model_base.h"
+#include "cohesive_pairs.h"
 #include "contact_models.h"
 #include "contact_range.h"
 #include "encounter.h"
@@ -28,11 +29,13 @@ namespace ContactModels {
 ///   range()                        how far it must see (contact_range.h)
 ///   reach()                        gap from which on it does nothing, [length]
 ///   force(encounter)               attraction, [force]; called once per step and contact
+///   binds(gap, history)            whether a pair is bound (cohesive_pairs.h)
 template <class Attraction>
-class CohesionOverlay : public CohesionModelBase {
+class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePairs {
  public:
   CohesionOverlay(LAMMPS* lmp, IContactHistorySetup* owner, ContactModelBase* model)
       : CohesionModelBase(lmp, owner, model),
+        CohesivePairs(lmp, owner, model->is_wall()),
         wall_(model->is_wall() ? static_cast<FixWallGran*>(owner) : nullptr),
         attraction_(lmp, owner, wall_) {}
 
@@ -68,6 +71,10 @@ class CohesionOverlay : public CohesionModelBase {
   void endSurfacesIntersect(SurfacesIntersectData&, ForceData&, ForceData&) override {}
 
  private:
+  bool binds(double gap, const double* history) const override {
+    return attraction_.binds(gap, history);
+  }
+
   static std::string name() { return std::string("cohesion model ") + Attraction::MODEL; }
 
   /// r: distance of i's centre from j's, or from the wall, of which radsum is then the radius of i.

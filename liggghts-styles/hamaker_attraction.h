@@ -28,6 +28,8 @@ class HamakerAttraction {
   ContactRange range() const;
   double reach() const { return outer_cutoff_; }
 
+  bool binds(double gap, const double*) const { return gap < outer_cutoff_; }
+
   double force(const Encounter& e) const {
     const auto& d = e.data;
     const cohesion::PairGeometry geometry =

@@ -1,43 +1,76 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
-// Fixes for the stock LIGGGHTS, added to the styles of each engine instance.
+// SPDX-License-Identifier: GPL-2.0-only
+// Fixes and computes, named to every instance of the engine.
 //
-// LIGGGHTS calls LAMMPS::post_create() whenever its styles have been created: at the start and
+// LIGGGHTS calls LAMMPS::post_create() whenever it has made its lists of styles: at the start and
 // after `clear`. It does so through the dynamic linker, so the definition here, linked or preloaded
-// in front of libliggghts, comes first. It does the engine's own work, then adds the fixes.
+// in front of libliggghts, comes first. It does the engine's own work, then adds the styles.
+
+#include "register_styles.h"
 
 #include <dlfcn.h>
-
+#include <mpi.h>
+// The engine's headers want mpi.h before them.
 #include <map>
 #include <string>
 
+#include "compute_shear_profile.h"
+#include "domain.h"
 #include "error.h"
-#include "fix.h"
+#include "fix_agglomerates.h"
+#include "fix_deform_shear.h"
 #include "fix_gas_coupling.h"
 #include "lammps.h"
 #include "modify.h"
 
 using namespace LAMMPS_NS;
 
+namespace LIGGGHTS {
+namespace Cohesion {
+
 namespace {
 
-using MakeFix = Fix* (*)(LAMMPS*, int, char**);
-using Fixes = std::map<std::string, MakeFix>;
+using Fixes = std::map<std::string, Fix* (*)(LAMMPS*, int, char**)>;
+using Computes = std::map<std::string, Compute* (*)(LAMMPS*, int, int, char**)>;
+
+/// The engine's tables of styles; an explicit instantiation may name its private members. There may
+/// be one in the program only: not in a header.
+Fixes* fixes_of(Modify& modify);
+Computes* computes_of(Modify& modify);
+template <auto fixes, auto computes>
+struct TablesOfStyles {
+  friend Fixes* fixes_of(Modify& modify) { return modify.*fixes; }
+  friend Computes* computes_of(Modify& modify) { return modify.*computes; }
+};
+template struct TablesOfStyles<&Modify::fix_map, &Modify::compute_map>;
 
 template <class Style>
-Fix* make(LAMMPS* lmp, int narg, char** arg) {
+Fix* make_fix(LAMMPS* lmp, int narg, char** arg) {
+  return new Style(lmp, narg, arg);
+}
+template <class Style>
+Compute* make_compute(LAMMPS* lmp, int, int narg, char** arg) {
   return new Style(lmp, narg, arg);
 }
 
-// The engine's table of fixes is private; an explicit instantiation may name it all the same.
-Fixes& fixes_of(Modify& modify);
-
-template <Fixes* Modify::*table>
-struct Reach {
-  friend Fixes& fixes_of(Modify& modify) { return *(modify.*table); }
-};
-template struct Reach<&Modify::fix_map>;
-
 }  // namespace
+
+void register_styles(LAMMPS* lmp) {
+  Fixes& fixes = *fixes_of(*lmp->modify);
+  fixes["agglomerates"] = &make_fix<FixAgglomerates>;
+  fixes["deform/shear"] = &make_fix<FixDeformShear>;
+  fixes["gas/coupling"] = &make_fix<FixGasCoupling>;
+  (*computes_of(*lmp->modify))["shear/profile"] = &make_compute<ComputeShearProfile>;
+
+  // LIGGGHTS leaves the periods of a tilted box at zero: what leaves it would be lost. They are 1
+  // in the coordinates of the box.
+  for (int k = 0; k < 3; k++) {
+    lmp->domain->prd_lamda[k] = 1.0;
+    lmp->domain->prd_half_lamda[k] = 0.5;
+  }
+}
+
+}  // namespace Cohesion
+}  // namespace LIGGGHTS
 
 __attribute__((visibility("default"))) void LAMMPS::post_create() {
   using PostCreate = void (*)(LAMMPS*);
@@ -45,8 +78,7 @@ __attribute__((visibility("default"))) void LAMMPS::post_create() {
   static const auto engine_own =
       reinterpret_cast<PostCreate>(dlsym(RTLD_NEXT, "_ZN9LAMMPS_NS6LAMMPS11post_createEv"));
   if (!engine_own)
-    error->all(FLERR, "the library that adds fixes to LIGGGHTS must come before libliggghts");
+    error->all(FLERR, "the library of the cohesion package must come before libliggghts");
   engine_own(this);
-
-  fixes_of(*modify)["gas/coupling"] = &make<FixGasCoupling>;
+  LIGGGHTS::Cohesion::register_styles(this);
 }

@@ -80,6 +80,10 @@ ContactRange SquareWellAttraction::range() const {
   return range;
 }
 
+bool SquareWellAttraction::binds(double, const double* history) const {
+  return history && history[offset_ + STATE] == inside;
+}
+
 double SquareWellAttraction::force(const Encounter& e) {
   double* const history = e.data.contact_history + offset_;
   if (e.data.computeflag) step(e, history);

@@ -34,6 +34,9 @@ class SquareWellAttraction {
   /// It has to see the pair outside, too.
   double reach() const { return std::numeric_limits<double>::infinity(); }
 
+  /// While the pair is in its well.
+  bool binds(double gap, const double* history) const;
+
   double force(const Encounter& encounter);
 
  private:

@@ -7,9 +7,8 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy
 
 import lammps_engine as engine
+from agglomerate_search import BOX, RANGE, Search, constructed, in_box, passing
 
-BOX = numpy.array([10.0, 8.0, 6.0])
-RANGE = 0.2  # gap up to which two spheres are bound
 # The attraction is none to speak of at the gaps of the flights: 1e-12/(24 0.1^2) = 4e-12.
 LAW = (f"pair_style gran/hamaker scheme sampled\npair_coeff * * stiffness 800 restitution 1 hamaker "
        f"1e-12 cutoff 1e-3 {RANGE}\n")
@@ -26,50 +25,6 @@ neigh_modify delay 0 every 1 check yes
 read_data data.spheres
 """ + LAW
 FIELDS = "f_set " + " ".join(f"f_set[{k}]" for k in range(1, 9))
-
-
-def places_in_chain(start, steps):
-    return numpy.array([start + 1.1 * numpy.array(s) for s in steps])
-
-
-class Search:
-    """Sets of spheres of diameter 1 in the tilted box, found by walking from partner to partner."""
-
-    def __init__(self, x, tilt):
-        self.edges = numpy.array([[BOX[0], 0, 0], [tilt, BOX[1], 0], [0, 0, BOX[2]]])
-        self.x = x
-        n = len(x)
-        self.set_of, self.unfolded, self.wraps = -numpy.ones(n, int), x.copy(), set()
-        for first in range(n):
-            if self.set_of[first] < 0:
-                self.walk(first)
-        self.sizes = numpy.bincount(self.set_of, minlength=n)
-
-    def walk(self, first):
-        self.set_of[first], waiting = first, [first]
-        while waiting:
-            i = waiting.pop()
-            for k in range(-1, 2):
-                for l in range(-1, 2):
-                    for m in range(-1, 2):
-                        d = self.x + numpy.array([k, l, m]) @ self.edges - self.x[i]
-                        r = numpy.sqrt((d**2).sum(axis=1))
-                        for j in numpy.nonzero((r < 1.0 + RANGE) & (r > 0))[0]:
-                            place = self.unfolded[i] + d[j]
-                            if self.set_of[j] < 0:
-                                self.set_of[j], self.unfolded[j] = first, place
-                                waiting.append(j)
-                            elif numpy.abs(place - self.unfolded[j]).max() > 1.0:
-                                self.wraps.add(first)
-
-    def vector(self):
-        sets = [s for s in range(len(self.x)) if self.sizes[s] > 1]
-        gyration = [numpy.sqrt(self.unfolded[self.set_of == s].var(axis=0).sum()) for s in sets
-                    if s not in self.wraps]
-        number = len(sets)
-        mean = sum(self.sizes[s] for s in sets) / number
-        return [number, number, mean, 0.0, max(self.sizes) / len(self.x), 0.0, 0.0,
-                numpy.mean(gyration) if gyration else 0.0, len(self.wraps)]
 
 
 class Agglomerates(unittest.TestCase):
@@ -99,8 +54,7 @@ class Agglomerates(unittest.TestCase):
             return self.check_sets_in(folder, x, tilt, ranks)
 
     def check_sets_in(self, folder, x, tilt, ranks):
-        lattice = numpy.array([[BOX[0], 0, 0], [tilt, BOX[1], 0], [0, 0, BOX[2]]])
-        x = x - numpy.floor(x @ numpy.linalg.inv(lattice)) @ lattice
+        x = in_box(x, tilt)
         self.write(x, tilt=tilt, folder=folder)
         output = self.run_script(
             HEAD + "fix set all agglomerates 1 sizes 5\nfix move all nve/sphere\ntimestep 0.001\n"
@@ -111,27 +65,15 @@ class Agglomerates(unittest.TestCase):
         values = engine.thermo_lines(output)[1][0][1:]
         # Sums of 300 squares of places in the box, below 1e5, over radii of 1 and more.
         numpy.testing.assert_allclose(values[:9], found.vector(), rtol=0, atol=1e-9)
-        sizes = found.sizes[found.sizes > 0]
-        self.assertEqual(values[9:], [*[(sizes == s).sum() for s in range(1, 5)],
-                                      (sizes >= 5).sum()])
+        self.assertEqual(values[9:], found.sizes_up_to(5))
         table = engine.dump(folder, "out.txt")
-        single = found.sizes[found.set_of] == 1
-        numpy.testing.assert_array_equal(table[:, 1], numpy.where(single, 0, found.set_of + 1))
-        numpy.testing.assert_array_equal(table[:, 2], found.sizes[found.set_of])
+        numpy.testing.assert_array_equal(table[:, 1:], found.of_each())
         return found
 
     def test_constructed(self):
         """A chain through all three faces, a ring around a corner, one bound to its own image along
         the flow and one along the gradient, a pair, a single one."""
-        chain = places_in_chain([9.2, 7.3, 5.4], [(0, 0, 0), (1, 0, 0), (1, 1, 0), (1, 1, 1),
-                                                  (2, 1, 1)])
-        angle = numpy.arange(6) * numpy.pi / 3
-        ring = numpy.array([5.0, 0.0, 3.0]) + 1.1 * numpy.array([numpy.cos(angle),
-                                                                numpy.sin(angle), 0 * angle]).T
-        along = numpy.array([[1.0 * k, 3.0, 3.0] for k in range(10)])
-        pair = numpy.array([[8.0, 4.9, 0.5], [8.0, 4.9, 5.4]])
-        single = numpy.array([[4.0, 5.0, 0.5]])
-        x = numpy.concatenate([chain, ring, along, pair, single])
+        x = constructed()
         for found in self.check_all([(x, 0.0, 1), (x, 2.0, 2), (x, -4.5, 4), (x, 4.5, 1)]):
             self.assertEqual(sorted(found.sizes[found.sizes > 0]), [1, 2, 5, 6, 10])
             self.assertEqual(len(found.wraps), 1)
@@ -149,20 +91,8 @@ class Agglomerates(unittest.TestCase):
 
     FLIGHT = HEAD + "fix set all agglomerates 1\nfix move all nve/sphere\ntimestep 0.001\n"
 
-    def passing(self):
-        """A particle at rest; one passes above it, and before that one has left its range another
-        passes below. Gives places, velocities and when the ranges are entered and left."""
-        across = 1.1  # of the paths from the middle; never in contact
-        half = numpy.sqrt((1.0 + RANGE)**2 - across**2)
-        x = numpy.array([[5.0, 4.0, 3.0], [3.5 - half, 4.0 + across, 3.0],
-                         [2.95 - half, 4.0 - across, 3.0]])
-        v = numpy.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 0.0, 0.0]])
-        first, second = (1.5, 1.5 + 2 * half), (2.05, 2.05 + 2 * half)
-        self.assertLess(second[0], first[1])
-        return x, v, first, second
-
     def test_durations_and_mean_size_over_time(self):
-        x, v, first, second = self.passing()
+        x, v, first, second = passing()
         self.write(x, v)
         last = (first[0], second[1])
         dt, end = 0.001, 3.5
@@ -237,7 +167,7 @@ class Agglomerates(unittest.TestCase):
                 numpy.testing.assert_array_equal(sets[150, :, 1:], [[1, 3]] * 3 + [[4, 2]] * 2)
 
     def test_runs_that_are_split_or_restarted(self):
-        x, v, _, _ = self.passing()
+        x, v, _, _ = passing()
         self.write(x, v)
         tail = f"thermo_style custom step {FIELDS} f_set[3][2]\nthermo_modify format float %.15g\n"
         whole = engine.thermo(self.run_script(

@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy
 
 import lammps_engine as engine
+from sheared_images import ShearedImages
 
 BOX = numpy.array([10.0, 8.0, 6.0])
 RATE = 0.5
@@ -84,22 +85,15 @@ class FreeParticles(Shear):
             f"run {steps}\n", ranks=ranks)
         x0 = numpy.array([atom["x"] for atom in atoms])
         v0 = numpy.array([atom["v"] for atom in atoms])
-        crossings = 0
+        images = ShearedImages(BOX if dimension == 3 else [BOX[0], BOX[1], 1.0], rate, tilt)
         for n, table in enumerate(self.snapshots()):
-            t = n * every * dt
-            free = x0 + t * v0
-            count = numpy.rint((free - table[:, 1:4])[:, 1] / BOX[1])
-            expected = free - count[:, None] * numpy.array([tilt + rate * t * BOX[1], BOX[1], 0.0])
-            away = expected - table[:, 1:4]
-            period = BOX if dimension == 3 else numpy.array([BOX[0], BOX[1], 1.0])
-            away -= period * numpy.rint(away / period)
+            places, velocities, crossings = images.off_free_flight(
+                table[:, 1:4], table[:, 4:7], x0, v0, n * every * dt)
             # 2000 additions of 0.01 v to numbers below 50: 2000 * 4e-15 at the very most.
-            self.assertLess(numpy.abs(away).max(), 1e-11)
-            velocity = v0 - count[:, None] * numpy.array([rate * BOX[1], 0.0, 0.0])
-            self.assertLess(numpy.abs(velocity - table[:, 4:7]).max(), 1e-11)
-            crossings = numpy.abs(count).max()
+            self.assertLess(places, 1e-11)
+            self.assertLess(velocities, 1e-11)
             # Image flags are those of the box as it is now, flips included.
-            self.assertLess(numpy.abs(free - table[:, 7:10]).max(), 1e-11)
+            self.assertLess(numpy.abs(x0 + n * every * dt * v0 - table[:, 7:10]).max(), 1e-11)
         self.assertGreater(crossings, 2)
         end = engine.thermo(output)
         self.assertEqual(end["Atoms"], 200)
@@ -197,16 +191,9 @@ class Collisions(Shear):
                 "timestep 0.002\nrun 1000\n", folder)
             self.assertEqual(code, 0, output)
             tables = engine.dumps(folder, "out.txt")
-        motion = []
-        for n, table in enumerate(tables):
-            d = table[1, 1:7] - table[0, 1:7]
-            tilt = RATE * n * 0.02 * BOX[1]
-            count = numpy.rint(d[1] / BOX[1])
-            d[:3] -= count * numpy.array([tilt, BOX[1], 0.0])
-            d[3] -= count * RATE * BOX[1]
-            d[0] -= BOX[0] * numpy.rint(d[0] / BOX[0])
-            motion.append(d)
-        return numpy.array(motion)
+        images = ShearedImages(BOX, RATE)
+        return numpy.array([images.nearest(table[1, 1:7] - table[0, 1:7], n * 0.02)
+                            for n, table in enumerate(tables)])
 
     def test_across_the_boundary_is_as_in_the_middle(self):
         # Contact of 800/0.5 (t_c = 0.057) in both soft laws; over the contact, a rounding of a coordinate
@@ -242,15 +229,8 @@ class SplitRuns(Shear):
     SHEAR = f"fix shear all deform/shear rate {RATE}\nfix move all nve/sphere\ntimestep 0.002\n"
 
     def assert_same(self, one, other, strain):
-        """Up to a vector of the sheared lattice, with the velocity that goes with it."""
-        away = other[:, :7] - one[:, :7]
-        count = numpy.rint(away[:, 2] / BOX[1])
-        away[:, 1] -= count * strain * BOX[1]
-        away[:, 2] -= count * BOX[1]
-        away[:, 4] -= count * RATE * BOX[1]
-        for k in (0, 2):
-            away[:, 1 + k] -= BOX[k] * numpy.rint(away[:, 1 + k] / BOX[k])
-        self.assertLess(numpy.abs(away).max(), 1e-10)
+        self.assertLess(ShearedImages(BOX, RATE).apart(one[:, 1:7], other[:, 1:7], strain / RATE),
+                        1e-10)
 
     def test_split_and_restarted_runs_go_on_as_if_whole(self):
         # Every particle has a collision or two in the 600 steps after the split, of which each

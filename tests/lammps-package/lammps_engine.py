@@ -14,6 +14,8 @@ from pathlib import Path
 
 import numpy
 
+from printed_thermo import thermo, thermo_lines  # noqa: F401 (for those who import this)
+
 SCRIPTS = Path(__file__).resolve().parent
 LMP = os.environ["COHESION_LMP"]
 PLUGIN = os.environ["COHESION_PLUGIN"]
@@ -62,28 +64,6 @@ def dumps(folder, name):
 def dump(folder, name):
     """Last snapshot of a dump file."""
     return dumps(folder, name)[-1]
-
-
-def thermo_lines(output):
-    """Names of the columns of the last run's thermo output, and its lines of numbers."""
-    lines = output.splitlines()
-    header = max(i for i, line in enumerate(lines) if line.split()[:1] == ["Step"])
-    names, values = lines[header].split(), []
-    for line in lines[header + 1:]:
-        words = line.split()
-        if len(words) != len(names):
-            break
-        try:
-            values.append([float(word) for word in words])
-        except ValueError:
-            break
-    return names, values
-
-
-def thermo(output):
-    """Last line of thermo output, by column name."""
-    names, values = thermo_lines(output)
-    return dict(zip(names, values[-1]))
 
 
 def write_spheres(folder, atoms, box, types, name="data.spheres", tilt=None):

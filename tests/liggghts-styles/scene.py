@@ -17,12 +17,13 @@ CUT, OUT = 1e-6, 2e-5  # of the Hamaker attraction
 COLUMNS = "x y z vx vy vz omegax omegay omegaz fx fy fz tqx tqy tqz".split()
 
 _START = """units si
+dimension {dimension}
 atom_style granular
 atom_modify map array
 boundary {boundary}
 newton off
 communicate single vel yes
-region box block {box} units box
+region box {shape} {box} units box
 create_box 2 box
 neighbor {skin:.17g} bin
 neigh_modify delay 0
@@ -71,10 +72,13 @@ def sphere(place, velocity=(0, 0, 0), spin=(0, 0, 0), radius=RADIUS):
 
 def script(spheres, models, properties="", walls=(), dt=1e-6, steps=0, every=1, skin=1e-4,
            boundary="f f f", box="-0.01 0.01 -0.01 0.01 -0.01 0.01", dump="out.txt",
-           run=None, extra="", contacts=contact()):
+           run=None, extra="", contacts=contact(), dimension=3, columns=tuple(COLUMNS)):
     """models: what follows `pair_style gran` and `fix wall/gran`; walls: what follows the models
-    there, or whole lines for what a wall needs; run: in place of `run steps`."""
-    text = _START.format(boundary=boundary, box=box, skin=skin) + "\n"
+    there, or whole lines for what a wall needs; run: in place of `run steps`; box: with the tilts
+    xy, xz, yz behind its sides it is tilted."""
+    shape = "prism" if len(box.split()) == 9 else "block"
+    text = _START.format(boundary=boundary, box=box, skin=skin, shape=shape,
+                         dimension=dimension) + "\n"
     for number, s in enumerate(spheres, 1):
         text += "create_atoms 1 single {:.17g} {:.17g} {:.17g} units box\n".format(*s["place"])
         text += f"set atom {number} diameter {2 * s['radius']:.17g} density {DENSITY:.17g}"
@@ -86,8 +90,8 @@ def script(spheres, models, properties="", walls=(), dt=1e-6, steps=0, every=1, 
         text += wall + "\n" if wall.startswith("fix ") else (
             f"fix wall{number} all wall/gran {models} {wall}\n")
     text += f"fix move all nve/sphere\ntimestep {dt:.17g}\n{extra}"
-    text += f"dump out all custom {every} {dump} id {' '.join(COLUMNS)}\n"
-    text += f'dump_modify out format "%d{" %.17g" * len(COLUMNS)}" sort id\n'
+    text += f"dump out all custom {every} {dump} id {' '.join(columns)}\n"
+    text += f'dump_modify out format "%d{" %.17g" * len(columns)}" sort id\n'
     return text + (run if run is not None else f"run {steps}\n")
 
 

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#include "bound_pairs.h"
+
+#include "message.h"
+#include "pair_members.h"
+
+using namespace LAMMPS_NS;
+
+std::vector<const BoundPairs*> LAMMPS_NS::bound_pairs(LAMMPS* lmp, const std::string& where) {
+  std::vector<const BoundPairs*> sources;
+  for (const PairMember& member : pair_members(lmp->force))
+    if (const auto* source = dynamic_cast<const BoundPairs*>(member.pair))
+      sources.push_back(source);
+  if (sources.empty())
+    stop(lmp, FLERR, where,
+         ": no pair_style says which pairs are bound; use gran/hamaker or another style of this "
+         "package that follows contacts");
+  return sources;
+}

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#include <mpi.h>
+// The engine's headers want mpi.h before them.
+#include "fix_wall_gran.h"
+#include "liggghts_api.h"
+#include "message.h"
+#include "primitive_wall.h"
+
+namespace LAMMPS_NS {
+namespace engine_api {
+
+void BoxFix::init() {
+  refuse_walls();
+  domain->deform_flag = domain->deform_vremap = 1;
+  domain->deform_groupbit = groupbit;
+  atom->avec->init();  // keeps a copy of these
+  clear_rates();
+}
+
+/// The engine makes walls in tilted boxes only where it is told that they are right there.
+void BoxFix::refuse_walls() const {
+  for (int n = 0; n < modify->nfix; n++) {
+    const auto wall = dynamic_cast<FixWallGran*>(modify->fix[n]);
+    if (!wall || !wall->primitiveWall()) continue;
+    // From somewhere in the box, towards the wall.
+    double place[3], towards[3] = {};
+    for (int k = 0; k < 3; k++)
+      place[k] = domain->boxlo[k] + (0.37 + 0.11 * k) * (domain->boxhi[k] - domain->boxlo[k]);
+    wall->primitiveWall()->resolveContact(place, 0.0, towards);
+    if (towards[0] != 0.0 || towards[1] != 0.0)
+      stop(lmp, FLERR, "fix ", id, " ", style, ": fix ", wall->id,
+           " wall/gran is no wall of all images; only a zplane is, in a box that is not periodic "
+           "along z");
+  }
+}
+
+}  // namespace engine_api
+}  // namespace LAMMPS_NS

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#ifndef COHESION_COHESIVE_PAIRS_H
+#define COHESION_COHESIVE_PAIRS_H
+
+#include "bound_pairs.h"
+#include "contact_interface.h"
+
+namespace LAMMPS_NS {
+class LAMMPS;
+class PairGran;
+}  // namespace LAMMPS_NS
+
+namespace LIGGGHTS {
+namespace Cohesion {
+
+/// Pairs of pair_style gran, of which a cohesion says which it binds. The engine keeps its models
+/// out of reach; so each makes itself known by the pair style that it is a part of.
+class CohesivePairs : public LAMMPS_NS::BoundPairs {
+ public:
+  /// owner: what the engine gives a model of contacts; of a wall's this is an empty set.
+  CohesivePairs(LAMMPS_NS::LAMMPS* lmp, IContactHistorySetup* owner, bool wall);
+  CohesivePairs(const CohesivePairs&) = delete;
+  CohesivePairs& operator=(const CohesivePairs&) = delete;
+
+  /// Of a pair style; null: it has no cohesion of this package.
+  static const CohesivePairs* of(const LAMMPS_NS::PairGran* pair);
+
+  void append_bound(std::vector<std::array<int, 2> >& pairs) const override;
+
+ protected:
+  ~CohesivePairs();
+
+  /// Whether two particles with this gap [length] are bound; history: what the engine remembers of
+  /// their contact, null where no model asks it to.
+  virtual bool binds(double gap, const double* history) const = 0;
+
+ private:
+  LAMMPS_NS::LAMMPS* lmp_;
+  LAMMPS_NS::PairGran* pair_;  // null for walls
+};
+
+}  // namespace Cohesion
+}  // namespace LIGGGHTS
+
+#endif

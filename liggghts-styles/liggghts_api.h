@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#ifndef COHESION_LIGGGHTS_API_H
+#define COHESION_LIGGGHTS_API_H
+
+#include <mpi.h>
+// The engine's headers want mpi.h before them.
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include "atom.h"
+#include "atom_vec.h"
+#include "comm.h"
+#include "compute.h"
+#include "domain.h"
+#include "fix.h"
+#include "force.h"
+#include "irregular.h"
+#include "lammps.h"
+#include "modify.h"
+#include "neighbor.h"
+#include "output.h"
+#include "update.h"
+
+// What lammps-package/engine_api.h has for styles of both engines, for LIGGGHTS 3.8.
+
+namespace LAMMPS_NS {
+namespace engine_api {
+
+// ---- styles of both engines: what each is for is said in engine_api.h ----
+
+/// LIGGGHTS calls no fix when it has made a list of neighbours, but all that want to be called
+/// before the forces.
+constexpr int POST_NEIGHBOR = FixConst::PRE_FORCE;
+constexpr int GROW = 0, RESTART = 1;  // of Atom::add_callback()
+constexpr const char* NO_GHOST_VELOCITIES = "communicate ... vel no";
+
+/// A fix with the virtual functions that LAMMPS has.
+class StyleFix : public Fix {
+ public:
+  StyleFix(LAMMPS* lammps, int narg, char** arg) : Fix(lammps, narg, arg) {}
+
+  virtual void post_neighbor() {}
+  virtual void setup_post_neighbor() {}
+  virtual int pack_forward_comm(int, int*, double*, int, int*) { return 0; }
+  virtual void unpack_forward_comm(int, int, double*) {}
+
+  void setup_pre_force(int) final { setup_post_neighbor(); }
+  void pre_force(int) final {
+    if (neighbor->lastcall == update->ntimestep) post_neighbor();
+  }
+  int pack_comm(int n, int* list, double* buf, int pbc_flag, int* pbc) final {
+    pack_forward_comm(n, list, buf, pbc_flag, pbc);
+    return comm_forward;  // numbers of one particle, where LAMMPS wants those of all
+  }
+  void unpack_comm(int n, int first, double* buf) final { unpack_forward_comm(n, first, buf); }
+};
+
+class StyleCompute : public Compute {
+ public:
+  /// first: where the engine's own keywords of all computes begin.
+  StyleCompute(LAMMPS* lammps, int narg, char** arg, int first = 3)
+      : Compute(lammps, first, narg, arg) {}
+};
+
+/// Shears the engine's box, in place of fix deform, which keeps to itself what is needed of it.
+/// LIGGGHTS takes a fix for one that changes velocities at the faces by the name `deform` alone; so
+/// this one says it when a run begins, when the engine has looked for that name.
+class BoxFix : public StyleFix {
+ public:
+  BoxFix(LAMMPS* lammps, int narg, char** arg)
+      : StyleFix(lammps, narg, arg), irregular(new Irregular(lammps)), h_rate(domain->h_rate) {
+    no_change_box = box_change_shape = restart_global = restart_pbc = 1;
+    force_reneighbor = 1;
+    next_reneighbor = -1;
+  }
+  ~BoxFix() override { clear_rates(); }
+
+  /// Stops when a wall stands across the flow or its gradient.
+  void init() override;
+
+ protected:
+  std::unique_ptr<Irregular> irregular;
+  double* h_rate;
+
+ private:
+  void refuse_walls() const;
+  void clear_rates() {
+    for (int k = 0; k < 6; k++) h_rate[k] = 0.0;
+  }
+};
+
+inline double numeric(const char* file, int line, char* word, LAMMPS* lmp) {
+  return lmp->force->numeric(file, line, word);
+}
+inline int inumeric(const char* file, int line, char* word, LAMMPS* lmp) {
+  return lmp->force->inumeric(file, line, word);
+}
+/// Rank 0 shows it and writes it to the log.
+inline void tell(LAMMPS* lmp, const std::string& message) {
+  if (lmp->comm->me != 0) return;
+  for (FILE* out : {lmp->screen, lmp->logfile})
+    if (out) fputs(message.c_str(), out);
+}
+inline bool writes_restart(Output* output, bigint step) { return output->restart_requested(step); }
+
+inline bool changes_box(const Fix* fix) { return fix->box_change_size || fix->box_change_shape; }
+
+/// Bring values of a fix from particles to their ghosts.
+inline void forward_comm(Comm* comm, Fix* fix) { comm->forward_comm_fix(fix); }
+
+}  // namespace engine_api
+}  // namespace LAMMPS_NS
+
+#endif

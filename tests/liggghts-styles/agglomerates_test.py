@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""fix agglomerates in LIGGGHTS: connected sets across faces and ranks against a search over all pairs;
+how long particles belong to one, against straight flights; restarts; what is refused."""
+
+import pathlib
+import sys
+import unittest
+
+import numpy
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "lammps-package"))
+
+from agglomerate_search import BOX, RANGE, Search, constructed, in_box, passing
+from engine import Run
+from printed_thermo import thermo_lines
+from scene import DENSITY, STIFFNESS, contact, hamaker, script, sphere, square_well
+
+MODELS = "model hooke/stiffness tangential off cohesion hamaker absolute_damping on"
+# The attraction is none to speak of: the sum of the gaps' forces, 1e-12/(24 0.1^2), moves 1400 kg.
+LAW = hamaker(1e-12, cut=1e-3, out=RANGE)
+FIELDS = "f_set " + " ".join(f"f_set[{k}]" for k in range(1, 9))
+
+
+def scene(x, v=None, tilt=0.0, each=1, more="", fields=FIELDS, models=MODELS, properties=LAW,
+          run="run 0\n", every=1, contacts=contact()):
+    v = numpy.zeros_like(x) if v is None else v
+    return script([sphere(a, b, radius=0.5) for a, b in zip(x, v)], models, properties, dt=1e-3,
+                  skin=0.3, boundary="p p p", every=every, run=run,
+                  box="0 {!r} 0 {!r} 0 {!r} {!r} 0 0".format(*BOX.tolist(), tilt),
+                  columns=["f_set[1]", "f_set[2]"],
+                  contacts=contacts,
+                  extra=f"fix set all agglomerates {each} {more}\n"
+                  f"thermo_style custom step {fields}\nthermo_modify format float %.15g\n"
+                  "thermo 100\n")
+
+
+def rows(text, ranks=0):
+    run = Run(text, ranks=ranks)
+    if run.returncode:
+        raise AssertionError(run.printed[-3000:])
+    return numpy.array(thermo_lines(run.printed)[1])[:, 1:], run
+
+
+class Sets(unittest.TestCase):
+    def check(self, x, tilt, ranks):
+        x = in_box(x, tilt)
+        found = Search(x, tilt)
+        values, run = rows(scene(x, tilt=tilt, more="sizes 5", fields=FIELDS + "".join(
+            f" f_set[{size}][1]" for size in range(1, 6))), ranks)
+        # Sums of 300 squares of places in the box, below 1e5, over radii of 1 and more.
+        numpy.testing.assert_allclose(values[0, :9], found.vector(), rtol=0, atol=1e-9)
+        self.assertEqual(values[0, 9:].tolist(), found.sizes_up_to(5))
+        frame = run.frames("out.txt")[0]
+        numpy.testing.assert_array_equal([frame[n] for n in sorted(frame)], found.of_each())
+        return found
+
+    def test_constructed(self):
+        for tilt, ranks in ((0.0, 0), (2.0, 2), (-4.5, 4), (4.5, 0)):
+            with self.subTest(tilt=tilt, ranks=ranks):
+                found = self.check(constructed(), tilt, ranks)
+                self.assertEqual(sorted(found.sizes[found.sizes > 0]), [1, 2, 5, 6, 10])
+                self.assertEqual(len(found.wraps), 1)
+        # Straight up through the sheared face, back to itself only where the images stand above.
+        up = numpy.array([[5.0, 1.0 * k, 3.0] for k in range(8)])
+        self.assertEqual([len(self.check(up, tilt, 2).wraps) for tilt in (0.0, 3.0)], [1, 0])
+
+    def test_random(self):
+        random = numpy.random.default_rng(3)
+        for number, ranks in ((60, 2), (110, 0), (110, 4)):
+            with self.subTest(number=number, ranks=ranks):
+                found = self.check(random.uniform(0, 1, (number, 3)) * BOX, 3.3, ranks)
+                self.assertGreater(len(set(found.sizes)), 4)
+
+
+class Durations(unittest.TestCase):
+    FIELDS = FIELDS + " f_set[3][2]"
+
+    def test_durations_and_mean_size_over_time(self):
+        x, v, first, second = passing()
+        dt, end, last = 1e-3, 3.5, (first[0], second[1])
+        durations = [b - a for a, b in (first, second, last)]
+        for ranks, each in ((0, 1), (2, 1), (0, 10)):
+            with self.subTest(ranks=ranks, each=each):
+                table, _ = rows(scene(x, v, each=each, fields=self.FIELDS, run="run 3500\n", every=3500),
+                                ranks)
+                unit, final = each * dt, table[-1]
+                self.assertEqual((final[1], final[6]), (0, 3))
+                # Entry and exit are each seen at the next look: off by less than the time between.
+                self.assertLess(abs(final[5] - numpy.mean(durations)), unit)
+                three = first[1] - second[0]
+                mean = 2.0 + three / (last[1] - last[0])
+                self.assertLess(abs(final[3] - mean), 3 * unit / (last[1] - last[0]))
+                self.assertLess(abs(final[9] - three / end), 2 * unit / end)
+                self.assertEqual(table[[18, 21, 26], 2].tolist(), [2, 3, 2])
+
+    def test_runs_that_are_split_or_restarted(self):
+        x, v, _, _ = passing()
+        text = scene(x, v, fields=self.FIELDS, run="", every=3500)
+        again = ("clear\nunits si\natom_style granular\natom_modify map array\nboundary p p p\n"
+                 "newton off\ncommunicate single vel yes\nread_restart half\nneighbor 0.3 bin\n"
+                 "neigh_modify delay 0\n" + text[text.index("fix E all"):])
+        whole = rows(text + "run 3500\n")[0][-1].tolist()
+        for name, ranks, tail in (
+                ("split", 0, "run 1700\nrun 1800\n"),
+                ("command", 0, f"run 2100\nwrite_restart half\n{again}run 1400\n"),
+                ("file", 2, f"restart 2100 half.*\nrun 2100\nshell mv half.2100 half\n{again}run 1400\n")):
+            with self.subTest(name):
+                self.assertEqual(rows(text + tail, ranks)[0][-1].tolist(), whole)
+
+    def test_in_a_well(self):
+        """Through the gap of the well, a half swing of the spring, and out again, faster inside."""
+        depth, stiffness, ratio = 100.0, 8e6, 1.2
+        models = "model hooke/stiffness tangential off cohesion square_well absolute_damping on"
+        x = numpy.array([[3.0, 4.0, 3.0], [4.5, 4.0, 3.0]])
+        v = numpy.array([[1.0, 0.0, 0.0], [0.0, 0.0, 0.0]])
+        reduced = DENSITY * numpy.pi / 12
+        duration = (2 * (ratio - 1) / numpy.sqrt(1 + 2 * depth / reduced)
+                    + numpy.pi * numpy.sqrt(reduced / stiffness))
+        final = rows(scene(x, v, models=models, properties=square_well(depth, ratio=ratio),
+                           contacts=contact().replace(repr(STIFFNESS), repr(stiffness)),
+                           run="run 1000\n", every=1000))[0][-1]
+        self.assertEqual((final[1], final[6]), (0, 2))
+        # Each edge is met up to a step late, at up to twice the speed.
+        self.assertLess(abs(final[5] - duration), 3e-3)
+
+
+class Refusals(unittest.TestCase):
+    def stops(self, text, *words):
+        run = Run(text)
+        self.assertNotEqual(run.returncode, 0, run.printed[-2000:])
+        self.assertNotIn("Loop time", run.printed)
+        for word in words:
+            self.assertIn(word, run.printed)
+
+    def test_refused(self):
+        x = numpy.array([[5.0, 4.0, 3.0], [6.1, 4.0, 3.0]])
+        self.stops(scene(x, each=0), "N is 0", "1 or more")
+        self.stops(scene(x, more="sizes 1"), "sizes 1", "2 or more")
+        self.stops(scene(x, more="gap 1"), "gap 1", "sizes M")
+        self.stops(scene(x, models="model hooke tangential off", properties=""),
+                   "no pair_style says which pairs are bound", "cohesion hamaker")
+
+
+if __name__ == "__main__":
+    unittest.main()
