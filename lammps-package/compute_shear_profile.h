@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-only
+// SPDX-License-Identifier: GPL-2.0-or-later
 #ifdef COMPUTE_CLASS
 // clang-format off
 ComputeStyle(shear/profile,ComputeShearProfile);

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-only
+// SPDX-License-Identifier: GPL-2.0-or-later
 #ifdef FIX_CLASS
 // clang-format off
 FixStyle(agglomerates,FixAgglomerates);

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-only
+// SPDX-License-Identifier: GPL-2.0-or-later
 #ifndef COHESION_PIECE_EXCHANGE_H
 #define COHESION_PIECE_EXCHANGE_H
 

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-only
+// SPDX-License-Identifier: GPL-2.0-or-later
 #ifndef COHESION_SHEAR_COMPANIONS_H
 #define COHESION_SHEAR_COMPANIONS_H
 

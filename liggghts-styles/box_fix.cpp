@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-only
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include <mpi.h>
 // The engine's headers want mpi.h before them.
 #include "fix_wall_gran.h"

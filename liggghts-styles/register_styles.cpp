@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-only
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Fixes and computes, named to every instance of the engine.
 //
 // LIGGGHTS calls LAMMPS::post_create() whenever it has made its lists of styles: at the start and
