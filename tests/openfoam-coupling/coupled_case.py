@@ -13,7 +13,8 @@ sys.path.insert(0, str(SOURCE / "examples/common"))
 from foam_case import CaseError, FoamCase, environment  # noqa: E402,F401
 
 COUPLING = "constant/couplingProperties"
-ENGINE = sys.argv[3] if len(sys.argv) > 3 else "lammps"
+ENGINES = ("lammps", "liggghts")
+ENGINE = next((word for word in sys.argv[3:] if word in ENGINES), ENGINES[0])
 COLUMN = Path(__file__).resolve().parent / "column"
 BED = SOURCE / "examples/fluidised-bed"
 
