@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -74,10 +73,6 @@ class LammpsFamilyEngine : public DemEngine {
                                                   arguments.data(), settings.communicator);
     lammps_->input->file(settings.script.c_str());
     check(settings.script);
-    // The engine renews its neighbour lists in steps that write a state, so that what continues
-    // from there has the same; LAMMPS asks at the start of a run with set-up whether there will be
-    // such steps.
-    write_state_at(last_step, "never");
     command("run 0 post no");
   }
 
@@ -95,24 +90,13 @@ class LammpsFamilyEngine : public DemEngine {
 
   void advance(int steps, const std::string& restart) override {
     std::fill_n(static_cast<double*>(extract("gas_impulse")), 6, 0.0);
-    const long end = steps_done() + steps;
-    if (end >= last_step)
-      throw DemEngineError(
-          "the particles have done " + std::to_string(steps_done()) + " steps; " + words_.engine +
-          " writes states up to step " + std::to_string(last_step) +
-          " only. Set a lower step number in the script where it sets the particles "
-          "up ('reset_timestep 0'), or take longer steps");
-    if (!restart.empty()) write_state_at(end, restart);
     command("run " + std::to_string(steps) + " pre no post no");
     if (restart.empty()) return;
-    // Once is enough: the engine would write at every multiple of the step.
-    write_state_at(last_step, "never");
-    // The engine appends the step.
-    const std::string written = restart + "." + std::to_string(end);
-    int failed = lammps_->comm->me == 0 && std::rename(written.c_str(), restart.c_str()) != 0;
-    MPI_Bcast(&failed, 1, MPI_INT, 0, lammps_->world);
-    if (failed)
-      throw DemEngineError(words_.engine + (" has not written its state to '" + written + "'"));
+    // The command `restart` would write what contacts remember of the step before. And a run that
+    // is continued begins by computing the forces of this state anew; so does this one, to go on
+    // alike.
+    command("write_restart " + restart);
+    command("run 0 post no");
   }
 
   long steps_done() override { return static_cast<long>(lammps_->update->ntimestep); }
@@ -154,14 +138,6 @@ class LammpsFamilyEngine : public DemEngine {
       throw DemEngineError("the script '" + script + "' has no fix gas/coupling, through which " +
                            "particles feel the gas; add 'fix gas all gas/coupling' as last fix");
     fix_ = *found;
-  }
-
-  /// The engine's command `restart` takes no later one. advance() ends before it, so that the state
-  /// called "never" is not written.
-  static constexpr long last_step = std::numeric_limits<int>::max();
-
-  void write_state_at(long step, const std::string& file) {
-    command("restart " + std::to_string(step) + " " + file);
   }
 
   void command(const std::string& line) { lammps_->input->one(line.c_str()); }

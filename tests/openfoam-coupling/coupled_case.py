@@ -70,12 +70,13 @@ def disturb(case, script, by, engine=ENGINE):
     path = case.folder / script_file(script, engine)
     text = path.read_text()
     # A temperature goes with the square of the velocity.
-    for old, new in (("create 1e14 ", f"create {1e14 * (1 + by) ** 2!r} "),
-                     ("speed equal 0.03\n", f"speed equal {0.03 * (1 + by)!r}\n")):
-        if text.count(old) == 1:
-            path.write_text(text.replace(old, new))
+    for words, power in (("create ", 2), ("speed equal ", 1)):
+        changed, found = re.subn(
+            rf"\b({words})([\d.e+-]+)", lambda m: m[1] + repr(float(m[2]) * (1 + by) ** power), text)
+        if found == 1:
+            path.write_text(changed)
             return
-    raise AssertionError(f"{path} creates no velocities of 1e14 or 0.03")
+    raise AssertionError(f"{path} sets no velocities, or not in one place")
 
 
 def exchange_lines(log):

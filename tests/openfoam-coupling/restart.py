@@ -16,7 +16,7 @@ import time
 import numpy as np
 
 from coupled_case import (ENGINE, CaseError, Expectations, column, disturb, exchange_lines,
-                          script_file, use_script)
+                          use_script)
 from packed_bed import field
 
 COUPLING, CONTROL = "constant/couplingProperties", "system/controlDict"
@@ -208,18 +208,6 @@ def check_not_written(expect, build, work):
     expect.equal("a field that cannot be written: complete", complete(case, 1), [])
 
 
-def check_last_step(expect, build, work):
-    """The engines count further than they write states."""
-    case = make(build, work, "last-step", "swarm")
-    # Two gas steps of ten are possible, the third is not.
-    with open(case.folder / script_file("swarm"), "a") as script:
-        script.write("reset_timestep 2147483620\n")
-    refused(expect, "too many steps", case, "have done 2147483640 steps", "up to step 2147483647 only",
-            "'reset_timestep 0'")
-    expect.equal("too many steps: of the gas", len(exchange_lines(
-        case.log("cohesiveBedFoam").read_text())), 2)
-
-
 def main(build, work):
     expect = Expectations()
     whole, disturbed = make(build, work, "whole"), make(build, work, "disturbed")
@@ -234,7 +222,6 @@ def main(build, work):
     check_killed(expect, build, work, 1, [draw.randint(41, 79), draw.randint(1, 39), 40], reference)
     check_killed(expect, build, work, 2, [draw.randint(41, 119)], reference)
     check_refused(expect, build, work)
-    check_last_step(expect, build, work)
     if ENGINE == "lammps":
         # What the solver does by itself, with every engine
         for ranks in (1, 2):
