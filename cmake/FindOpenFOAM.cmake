@@ -113,7 +113,11 @@ if(OpenFOAM_FOUND AND NOT TARGET OpenFOAM::OpenFOAM)
     ${OpenFOAM_OpenFOAM_INCLUDE} ${OpenFOAM_OSspecific_INCLUDE})
   target_compile_definitions(OpenFOAM::OpenFOAM INTERFACE
     OPENFOAM=${OpenFOAM_VERSION} WM_DP WM_LABEL_SIZE=${OpenFOAM_LABEL_SIZE} NoRepository
-    OMPI_SKIP_MPICXX=1)
+    OMPI_SKIP_MPICXX=1
+    # OpenFOAM promises that fields do not overlap and then reuses temporaries in place: with g++ 12 at
+    # -O3 the product of a tensor and a vector field reads components that it has overwritten, and
+    # fvc::reconstruct is wrong in all cells that are not boxes along the axes.
+    __restrict__=)
   target_compile_options(OpenFOAM::OpenFOAM INTERFACE -ftemplate-depth-100 -pthread)
   # Classes that only a case names are found by the libraries' static initialisers.
   target_link_options(OpenFOAM::OpenFOAM INTERFACE -Wl,--no-as-needed)
