@@ -23,6 +23,7 @@ sys.path.insert(0, str(HERE.parent / "common"))
 import analyse  # noqa: E402
 import picture  # noqa: E402
 import sweep  # noqa: E402
+from lammps_run import NotBuilt, launcher  # noqa: E402
 from progress_line import ProgressLine  # noqa: E402
 
 POLL = 0.5  # s between looks at the runs
@@ -47,15 +48,6 @@ def arguments():
     if args.together < 1:
         parser.error(f"--together {args.together}: it must be 1 or more")
     return args
-
-
-def launcher(build):
-    """Program and plugin of the build folder; raises RunError when it has not been built."""
-    folder = Path(build).resolve() / "lammps/stock"
-    program, plugin = folder / "lmp-cohesion", folder / "cohesionplugin.so"
-    if not program.is_file() or not plugin.is_file():
-        raise RunError(f"'{program}' does not exist: build the package first (scripts/setup does)")
-    return program, plugin
 
 
 def discs(fraction, side):
@@ -183,5 +175,5 @@ def main():
 if __name__ == "__main__":
     try:
         main()
-    except RunError as error:
+    except (NotBuilt, RunError) as error:
         sys.exit(f"run.py: {error}")
