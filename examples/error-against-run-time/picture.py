@@ -26,6 +26,10 @@ def shown(row):
 
 def panel(axis, title, unit, rows, wish):
     good = [row for row in rows if not row.failure and 0 < shown(row) < float("inf")]
+    if not good:
+        axis.set(title=title)
+        axis.text(0.5, 0.5, "no error above zero that is known", ha="center", transform=axis.transAxes)
+        return
     for (name, own), marker in zip(compare.by_scheme(good).items(), "os^vD"):
         own = sorted(own, key=lambda row: row.setting.step)
         line, = axis.plot([row.seconds[1] for row in own], [shown(row) for row in own], "-", label=name, alpha=0.5)
