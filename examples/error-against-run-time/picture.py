@@ -9,12 +9,12 @@ from matplotlib import pyplot  # noqa: E402
 import compare  # noqa: E402
 
 
-def draw(file, panels, wish):
-    """`panels`: [(title, unit of the step, rows)]."""
+def draw(file, panels):
+    """`panels`: [(title, unit of the step, rows, wished error)]."""
     figure, axes = pyplot.subplots(1, len(panels), figsize=(5.2 * len(panels), 4.2), squeeze=False,
                                    constrained_layout=True)
-    for axis, (title, unit, rows) in zip(axes[0], panels):
-        panel(axis, title, unit, rows, wish)
+    for axis, words in zip(axes[0], panels):
+        panel(axis, *words)
     figure.savefig(file, dpi=100)
     pyplot.close(figure)
 
@@ -30,7 +30,7 @@ def panel(axis, title, unit, rows, wish):
         axis.set(title=title)
         axis.text(0.5, 0.5, "no error above zero that is known", ha="center", transform=axis.transAxes)
         return
-    for (name, own), marker in zip(compare.by_scheme(good).items(), "os^vD"):
+    for (name, own), marker in zip(sorted(compare.by_scheme(good).items()), "os^vD"):
         own = sorted(own, key=lambda row: row.setting.step)
         line, = axis.plot([row.seconds[1] for row in own], [shown(row) for row in own], "-", label=name, alpha=0.5)
         for row in own:

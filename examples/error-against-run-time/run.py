@@ -38,7 +38,7 @@ def steps(word):
 def arguments():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("scenes", nargs="*", type=Path, metavar="SCENE.yaml")
-    parser.add_argument("--wish", type=float, default=0.01, help="error that is good enough (%(default)s)")
+    parser.add_argument("--wish", type=float, help="error that is good enough, in place of the scene's (0.01)")
     parser.add_argument("--seeds", type=int, help="how many, in place of the scene's")
     parser.add_argument("--steps", type=steps, action="append", default=[], metavar="SCHEME=A,B",
                         help="in place of the scene's")
@@ -49,7 +49,7 @@ def arguments():
                         help="in place of the stock engine of the build folder")
     parser.add_argument("--out", type=Path, help="folder for results (BUILD/error-against-run-time)")
     args = parser.parse_args()
-    if not args.wish > 0:
+    if args.wish is not None and not args.wish > 0:
         parser.error(f"--wish {args.wish}: it must be above zero")
     args.scenes = args.scenes or sorted((HERE / "scenes").glob("*.yaml"))
     args.out = args.out or args.build / "error-against-run-time"
@@ -86,12 +86,15 @@ def follow(scene, engine, args, line):
     """Runs a scene; writes and shows what comes out."""
     results = measure(scene, engine, line)
     rows = [(quantity, compare.rows(quantity, results)) for quantity in scene.quantities]
-    text = f"{scene.title}\n\n" + "\n".join(compare.report(scene, q, r, args.wish) for q, r in rows)
+    wishes = [args.wish or quantity.wish for quantity in scene.quantities]
+    text = f"{scene.title}\n\n" + "\n".join(compare.report(scene, q, r, wish)
+                                           for (q, r), wish in zip(rows, wishes))
     folder = args.out / scene.name
     folder.mkdir(parents=True, exist_ok=True)
     (folder / "result.txt").write_text(text)
     (folder / "result.csv").write_text(compare.table(scene, rows))
-    picture.draw(folder / "result.png", [(q.name, scene.step_unit, r) for q, r in rows], args.wish)
+    picture.draw(folder / "result.png", [(q.name, scene.step_unit, r, wish)
+                                         for (q, r), wish in zip(rows, wishes)])
     line.close()
     print(f"\n{text}\nin {folder}\n", flush=True)
     return rows

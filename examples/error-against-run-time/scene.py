@@ -11,7 +11,7 @@ Setting = namedtuple("Setting", "scheme step")
 
 TAKES = ("last", "first", "change", "mean", "max", "min", "rms")
 TOP = {"title", "script", "command", "variables", "step", "schemes", "seeds", "quantities", "reference"}
-QUANTITY = {"column", "file", "take", "from", "reference", "relative_to", "over_seeds", "resolution", "unit"}
+QUANTITY = {"column", "file", "take", "from", "reference", "relative_to", "over_seeds", "resolution", "unit", "wish"}
 
 
 class SceneError(ValueError):
@@ -57,6 +57,8 @@ class Quantity:
         check(self.over_seeds in ("mean", "largest"), where, f"over_seeds '{self.over_seeds}'", "mean or largest")
         self.resolution = float(entries.get("resolution", 0.0))
         check(self.resolution >= 0, where, f"resolution {self.resolution}", "an error of at least zero")
+        self.wish = float(entries.get("wish", 0.01))
+        check(self.wish > 0, where, f"wish {self.wish}", "an error above zero")
         self.reference = self.read_reference(entries.get("reference", scene.reference), scene, where)
         scale = entries.get("relative_to")
         check(scale is None or float(scale) > 0, where, f"relative_to {scale}", "a number above zero")

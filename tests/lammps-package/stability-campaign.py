@@ -20,7 +20,7 @@ import numpy
 import measuring_program
 from progress import Progress
 
-GOOD = ("right", "not judged", "refused")
+GOOD = ("right", "marginal", "not judged", "refused")
 
 
 def make(law, number):
@@ -53,14 +53,14 @@ def kind(verdict, said):
 
 def summary(rows):
     """Lines of the table: law, cases by what became of them."""
-    lines = ["| law | points | cases right | wrong, warned | wrong, silent | not judged | points refused | crashed or "
-             "hangs | head-on energy, largest error |", "|---|---|---|---|---|---|---|---|---|"]
+    lines = ["| law | points | cases right | wrong, warned | wrong, silent | marginal | not judged | points "
+             "refused | crashed or hangs | head-on energy, largest error |", "|---|---|---|---|---|---|---|---|---|---|"]
     for law, results in rows.items():
         cases = Counter(kind(v, r.said) for _, _, r in results for v in r.verdicts.values())
         points = Counter(kind(v, r.said) for _, _, r in results for v in [r.verdicts["first"]])
         exact = [r.exact for _, _, r in results if r.exact is not None]
         lines.append(f"| {law} | {len(results)} | {cases['right']} | {cases['warned']} | {cases['silent']} | "
-                     f"{cases['not judged']} | {points['refused']} | {points['crashed']} | "
+                     f"{cases['marginal']} | {cases['not judged']} | {points['refused']} | {points['crashed']} | "
                      + (f"{max(exact):.1e} of {len(exact)}" if exact else "") + " |")
     return lines
 
@@ -123,7 +123,7 @@ def main():
         ("--points", {"type": int, "default": 250, "help": "random ones of each law"}),
         ("--law", {"default": "", "help": "only those whose name has this"}),
         ("--point", {"type": int, "help": "only this one"}),
-        ("--together", {"type": int, "default": 2, "help": "runs at a time"}))
+        ("--together", {"type": int, "default": 6, "help": "runs at a time; most of a run is waiting"}))
     import lammps_engine as engine
     import stability_judge
     import stability_laws

@@ -31,6 +31,11 @@ class Soft:
         """Nearer than this is together."""
         return point.gap
 
+    def place_room(self, point):
+        """How far the place on the grid may be from that of the motion while together, over s/w: it is the mean
+        of those half a step before and after."""
+        return (math.pi / point.values["steps"])**2 / 8
+
     def derive_steps(self, point, inside):
         """Step, duration; `inside`: of the well, the flight within it."""
         p = point.values
@@ -130,8 +135,11 @@ class SquareWell(Well, Soft):
         point.scale = max(speed, point.w0 * p["overlap"] * point.reach, 1e-300)
 
     def outcome_gap(self, point):
-        # Where the surfaces touch, when there is no room between edge and contact.
-        return max(point.wide, 1e-12 * point.reach)
+        # On the grid a pair that an edge turned round may be a step's flight beyond it.
+        return point.wide + point.scale * point.dt
+
+    def place_room(self, point):
+        return math.pi / point.values["steps"]
 
 
 class Hard(Well):
@@ -163,6 +171,7 @@ class Hard(Well):
         point.duration = path / max(p["speed"], 1e-300) if p["speed"] else 1.0
         point.dt = point.duration / p["steps"]
         point.deep, point.scale = 0.0, max(speed, 1e-300)
+        point.w0 = 0.0
 
     def outcome_gap(self, point):
         return point.wide

@@ -17,7 +17,7 @@ PERIODS = 6  # contact times that a run lasts, besides the flight through a well
 # in a contact time; of hard ones over the sum of radii.
 BASE = dict(K=800.0, e=0.9, ratio=1.0, weight=1.0, speed=0.05, steps=10.0, mu=0.0, angle=30.0, overlap=0.0)
 HAMAKER = dict(BASE, cut=4e-10, A=7.5e-19)
-WELL = dict(BASE, depth=0.5, width=0.3)
+WELL = dict(BASE, depth=0.4, width=0.3)
 UNITS = dict(K="N/m", cut="m", A="J", speed="m/s", angle="deg")
 NAMES = dict(ratio="radius ratio", weight="density ratio", cut="H_cut", steps="t_c/dt", mu="friction",
              overlap="overlap/(r_i+r_j)")
@@ -111,7 +111,8 @@ class Point:
     def cases(self):
         """Name, spheres and contacts (pairs of spheres, or sphere and axis of its wall) of what was set up."""
         if self.law.wall:
-            return {"first": ([0], [(0, 0)]), "second": ([1], [(1, 0), (1, 1)])}
+            first = {"first": ([0], [(0, 0)])}
+            return first if self.values["overlap"] else {**first, "second": ([1], [(1, 0), (1, 1)])}
         cases = {"first": ([0, 1], [(0, 1)])}
         if self.three:
             cases["second"] = ([2, 3, 4], [(2, 3), (2, 4), (3, 4)])
@@ -135,7 +136,7 @@ class Point:
         """Planes at x = 0 and y = 0; the first sphere flies by far from the second."""
         place, velocity = self.flight(self.gap)
         far = numpy.array([0.0, 40 * RADIUS + self.duration * self.values["speed"], 0.0])
-        corner = numpy.array([place[0], self.radius[1] + 1.5 * self.gap, 60 * RADIUS])
+        corner = numpy.array([place[0], self.radius[1] + 3 * self.gap, 60 * RADIUS])
         # Into the corner.
         return [(1, place + far, velocity), (1, corner, velocity - [0, 0.2 * self.values["speed"], 0])]
 
