@@ -18,6 +18,8 @@ import lammps_run  # noqa: E402
 # values: of each quantity, (value, standard error by blocks or None); seconds: of a processor [s];
 # failure: what it ended with, or "". Values are NaN where the run failed or gave none.
 Outcome = namedtuple("Outcome", "values seconds failure")
+# Paths of LAMMPS, its plugin, and the build folder of the package.
+Engine = namedtuple("Engine", "program plugin build")
 BLOCKS = 10
 
 
@@ -26,15 +28,16 @@ def text(value):
 
 
 def command(scene, setting, seed, engine):
-    """Words of the command line; `engine`: LAMMPS and plugin."""
+    """Words of the command line; `engine`: an Engine."""
     values = {name: text(value) for name, value in scene.values(setting, seed).items()}
-    program, plugin = map(str, engine)
+    program, plugin = str(engine.program), str(engine.plugin)
     if scene.script:
         words = [program, "-in", str(scene.folder / scene.script), "-log", "none", "-var", "plugin", plugin]
         for name, value in values.items():
             words += ["-var", name, value]
         return words
-    values.update(scene=str(scene.folder), lmp=program, plugin=plugin)
+    values.update(scene=str(scene.folder), lmp=program, plugin=plugin, build=str(engine.build),
+                  python=sys.executable)
     return [re.sub(r"\{(\w+)\}", lambda m: values.get(m[1], m[0]), str(word)) for word in scene.command]
 
 

@@ -109,7 +109,7 @@ def main():
         engine = args.lmp or lammps_run.launcher(args.build)
     except (SceneError, lammps_run.NotBuilt) as problem:
         sys.exit(f"run.py: {problem}")
-    engine = [Path(word).resolve() for word in engine]
+    engine = job.Engine(*(Path(word).resolve() for word in (*engine, args.build)))
     line, empty = ProgressLine(), False
     for scene in scenes:
         rows = follow(scene, engine, args, line)

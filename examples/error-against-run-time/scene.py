@@ -39,6 +39,13 @@ def numbers(values, where):
     return values
 
 
+def number(entries, name, default, where):
+    try:
+        return float(entries.get(name, default))
+    except (TypeError, ValueError):
+        raise SceneError(f"{where}: {name} '{entries[name]}'; give a number") from None
+
+
 class Quantity:
     """What is read from a run, and what it should be."""
 
@@ -51,18 +58,17 @@ class Quantity:
         self.file, self.unit = entries.get("file"), entries.get("unit", "")
         self.take = entries.get("take", "last")
         check(self.take in TAKES, where, f"take '{self.take}'", "one of " + ", ".join(TAKES))
-        self.start = float(entries.get("from", 0.0))
+        self.start = number(entries, "from", 0.0, where)
         check(0 <= self.start < 1, where, f"from {self.start}", "a share of the rows, at least 0 and below 1")
         self.over_seeds = entries.get("over_seeds", "mean")
         check(self.over_seeds in ("mean", "largest"), where, f"over_seeds '{self.over_seeds}'", "mean or largest")
-        self.resolution = float(entries.get("resolution", 0.0))
+        self.resolution = number(entries, "resolution", 0.0, where)
         check(self.resolution >= 0, where, f"resolution {self.resolution}", "an error of at least zero")
-        self.wish = float(entries.get("wish", 0.01))
+        self.wish = number(entries, "wish", 0.01, where)
         check(self.wish > 0, where, f"wish {self.wish}", "an error above zero")
         self.reference = self.read_reference(entries.get("reference", scene.reference), scene, where)
-        scale = entries.get("relative_to")
-        check(scale is None or float(scale) > 0, where, f"relative_to {scale}", "a number above zero")
-        self.scale = None if scale is None else float(scale)
+        self.scale = number(entries, "relative_to", 0.0, where) if "relative_to" in entries else None
+        check(self.scale is None or self.scale > 0, where, f"relative_to {self.scale}", "a number above zero")
         check(self.scale is not None or self.reference != 0.0, where, "an error relative to a reference of 0",
               "give 'relative_to'")
 

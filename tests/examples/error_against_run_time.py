@@ -198,6 +198,8 @@ class WrongScenes(Folder):
                 ("command:", "script: in.none\nx:", ["unknown entry 'x'"]),
                 ("take: mean", "take: median", ["take 'median'", "mean"]),
                 ("0.0125]", "-0.0125]", ["no numbers above zero", "scheme 'euler'"]),
+                ("take: mean", "from: late", ["from 'late'", "a number"]),
+                ("take: mean", "relative_to: 0", ["relative_to 0", "above zero"]),
                 ("0.0125]", "fine]", ["no numbers above zero"]),
                 ("column: x", "colunm: x", ["unknown entry 'colunm'", "column"]),
                 ("variable: seed, ", "", ["3 seeds", "variable"]),
@@ -237,7 +239,7 @@ class OwnScenes(Folder):
 
     def test_all_can_be_read(self):
         names = [Scene(file).name for file in sorted((EXAMPLE / "scenes").glob("*.yaml"))]
-        self.assertEqual(names, ["couples", "gas", "restitution", "settling", "sheared-discs"])
+        self.assertEqual(names, ["bed", "couples", "gas", "restitution", "settling", "sheared-discs"])
 
     def test_numbers_of_the_couples(self):
         """Escape velocity and restitution in the scene files are those of the pair that the tests integrate."""

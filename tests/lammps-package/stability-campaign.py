@@ -11,6 +11,7 @@ Points are the same in every run: number K of a law is drawn with seeds of its o
 that is wrong, or has another outcome, in a run that printed no warning about it: warnings that the material is
 softer than it should be do not count.
 """
+import re
 import sys
 from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
@@ -19,9 +20,7 @@ import numpy
 
 import measuring_program
 from progress import Progress
-
-GOOD = ("right", "marginal", "not judged", "refused")
-
+from stability_judge import GOOD, judge, kind
 
 def make(law, number):
     """Point `number` of a law, the corners first."""
@@ -43,14 +42,6 @@ def base_text(law):
     return text(law.base)
 
 
-def kind(verdict, said):
-    if verdict.startswith(GOOD):
-        return verdict
-    if verdict in ("crashed", "hangs"):
-        return "crashed"
-    return "warned" if said else "silent"
-
-
 def summary(rows):
     """Lines of the table: law, cases by what became of them."""
     lines = ["| law | points | cases right | wrong, warned | wrong, silent | marginal | not judged | points "
@@ -67,7 +58,6 @@ def summary(rows):
 
 def reasons(results):
     """Refusals by reason, numbers in them left out."""
-    import re
     said = Counter(re.sub(r"[-+]?\d+(\.\d+)?(e[-+]?\d+)?", "#", r.said) for _, _, r in results
                    if r.verdicts["first"] == "refused")
     return [f"- {count} x {text}" for text, count in said.most_common()]
@@ -106,7 +96,6 @@ def report(rows):
 
 def campaign(laws, count, together, engine):
     """Law's name -> [(number, Point, Result)]."""
-    from stability_judge import judge
     points = [(law, n, make(law, n)) for law in laws for n in range(len(law.corners) + count)]
     progress, rows = Progress(len(points)), {law.name: [] for law in laws}
     with ThreadPoolExecutor(together) as pool:
@@ -125,7 +114,6 @@ def main():
         ("--point", {"type": int, "help": "only this one"}),
         ("--together", {"type": int, "default": 6, "help": "runs at a time; most of a run is waiting"}))
     import lammps_engine as engine
-    import stability_judge
     import stability_laws
     laws = [law for law in stability_laws.LAWS if words.law in law.name]
     if not laws:
@@ -133,7 +121,7 @@ def main():
     if words.point is not None:
         for law in laws:
             point = make(law, words.point)
-            print(law.name, point.text(), stability_judge.judge(point, engine), sep="\n")
+            print(law.name, point.text(), judge(point, engine), sep="\n")
         return
     text = report(campaign(laws, words.points, words.together, engine))
     print(text)

@@ -39,6 +39,17 @@ SHORT = (("the overlap of a resting pair is ([^ ]*) %", r"resting overlap \1 %")
 # About the material, or the engine's own: no warning that a number is wrong.
 NO_WARNING = ("would stick less with a stiffer spring", "thermo_modify", "thermo_style")
 
+GOOD = ("right", "marginal", "not judged", "refused")
+
+
+def kind(verdict, said):
+    """What a verdict counts as: itself, or wrong with or without a warning."""
+    if verdict in GOOD:
+        return verdict
+    if verdict in ("crashed", "hangs"):
+        return "crashed"
+    return "warned" if said else "silent"
+
 
 def short(message):
     for long, brief in SHORT:
