@@ -27,9 +27,8 @@ class Soft:
         p = point.values
         return f"stiffness {p['K']:.17g} restitution {p['e']:.17g} friction {p['mu']:.17g}"
 
-    def outcome_gap(self, point):
-        """Nearer than this is together."""
-        return point.gap
+    # Each: outcome_gap(point): nearer than this is together. On the grid a pair may be a step's flight beyond the
+    # edge, when it has just left or was turned round there.
 
     def place_room(self, point):
         """How far the place on the grid may be from that of the motion while together, over s/w: it is the mean
@@ -66,7 +65,7 @@ class Hamaker(Soft):
                           point.force / math.sqrt(point.mu * p["K"]), point.w0 * p["overlap"] * point.reach, 1e-300)
 
     def outcome_gap(self, point):
-        return point.values["cut"]
+        return point.values["cut"] + point.scale * point.dt
 
     def head_on(self, point):
         """Kinetic energy left of that at first touch once parted, below 0 when captured; speed at touch [m/s]."""
@@ -135,7 +134,6 @@ class SquareWell(Well, Soft):
         point.scale = max(speed, point.w0 * p["overlap"] * point.reach, 1e-300)
 
     def outcome_gap(self, point):
-        # On the grid a pair that an edge turned round may be a step's flight beyond it.
         return point.wide + point.scale * point.dt
 
     def place_room(self, point):
@@ -174,7 +172,8 @@ class Hard(Well):
         point.w0 = 0.0
 
     def outcome_gap(self, point):
-        return point.wide
+        # Collisions without rebound leave a pair at the sum of radii but for rounding.
+        return point.wide + 1e-9 * point.reach
 
 
 LAWS = (Hamaker("event"), Hamaker("sampled"), SquareWell("event"), SquareWell("sampled"), Hard(),
