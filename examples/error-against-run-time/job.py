@@ -23,13 +23,9 @@ Engine = namedtuple("Engine", "program plugin build")
 BLOCKS = 10
 
 
-def text(value):
-    return f"{value:.17g}" if isinstance(value, float) else str(value)
-
-
 def command(scene, setting, seed, engine):
     """Words of the command line; `engine`: an Engine."""
-    values = {name: text(value) for name, value in scene.values(setting, seed).items()}
+    values = {name: str(value) for name, value in scene.values(setting, seed).items()}
     program, plugin = str(engine.program), str(engine.plugin)
     if scene.script:
         words = [program, "-in", str(scene.folder / scene.script), "-log", "none", "-var", "plugin", plugin]

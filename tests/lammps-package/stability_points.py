@@ -76,8 +76,11 @@ HARD_CORNERS = (
     [dict(depth=d, width=w) for d in (0.0, 1e-3, 1.0, 10.0) for w in (1e-9, 1e-3, 0.5)])
 
 
-def text(values):
-    return ", ".join(f"{NAMES.get(k, k)} {v:.4g}{' ' + UNITS[k] if k in UNITS else ''}" for k, v in values.items())
+def text(law, values):
+    """Values that the law knows."""
+    names = {**NAMES, "steps": "steps"} if law.hard else NAMES
+    return ", ".join(f"{names.get(k, k)} {v:.4g}{' ' + UNITS[k] if k in UNITS else ''}"
+                     for k, v in values.items() if not (law.hard and k in ("K", "overlap")))
 
 
 class Point:
@@ -148,4 +151,4 @@ class Point:
         return (math.dist(places[one], places[other]) - self.radius[kinds[one]] - self.radius[kinds[other]])
 
     def text(self):
-        return text(self.values)
+        return text(self.law, self.values)
