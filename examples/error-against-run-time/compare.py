@@ -69,16 +69,17 @@ def quantile(freedom):
     return student.ppf(0.5 + CONFIDENCE / 2, freedom)
 
 
-def rows(quantity, results):
-    """A Row for each setting; `results`: Setting -> [Outcome of each seed]."""
+def rows(quantity, results, seeds):
+    """A Row for each setting; `results`: Setting -> [Outcome of each run], the first `seeds` of them with other
+    seeds, the rest repeated for their time."""
     of_run = isinstance(quantity.reference, Setting)
-    references = results[quantity.reference] if of_run else None
+    references = results[quantity.reference][:seeds] if of_run else None
     found = []
     for setting, outcomes in results.items():
         if of_run and setting == quantity.reference:
             continue
         bad = [o.failure for o in (*outcomes, *(references or ())) if o.failure]
-        error, margin = (math.nan, math.nan) if bad else deviation(quantity, outcomes, references)
+        error, margin = (math.nan, math.nan) if bad else deviation(quantity, outcomes[:seeds], references)
         found.append(Row(setting, error, margin, times(outcomes), bad[0] if bad else ""))
     return found
 
@@ -167,13 +168,13 @@ def advice(scene, rows, wish):
         return lines
     lines.append(f"  error {wish:g}: recommended {best.setting.scheme}, {scene.step} {best.setting.step:g} "
                  f"{scene.step_unit}: {best.seconds[1]:.3g} s, error {best.error:.1e}")
-    lines += [f"    {name}: " + ("not with these steps" if found is None else
+    lines += [f"    {name}: " + ("not surely with these steps and seeds" if found is None else
                                  f"{scene.step} {found[0]:.3g}, {found[1]:.3g} s") for name, found in at.items()]
     reached = {name: found for name, found in at.items() if found}
     fast = best.setting.scheme
     for name, found in reached.items():
         if name != fast:
-            lines.append(f"    {fast} takes {found[1] / reached[fast][1]:.3g} times less time than {name}")
+            lines.append(f"    {name} takes {found[1] / reached[fast][1]:.3g} times as long as {fast}")
     return lines
 
 

@@ -57,11 +57,11 @@ def arguments():
 
 
 def measure(scene, engine, line):
-    """Setting -> [Outcome of each seed]. Every seed is a round of all settings, there and back in turns: what
+    """Setting -> [Outcome of each run]. Every seed is a round of all settings, there and back in turns: what
     slows the machine for a while slows all of them."""
     results = {setting: [] for setting in scene.settings()}
     spent, count = {setting: 0.0 for setting in results}, 0
-    for number, seed in enumerate(scene.seeds):
+    for number, seed in enumerate(scene.rounds()):
         turn = list(results) if number % 2 else list(results)[::-1]
         for setting in turn:
             before = line.elapsed
@@ -69,7 +69,7 @@ def measure(scene, engine, line):
             spent[setting] += line.elapsed - before
             count += 1
             line.show(remaining(scene, results, spent),
-                      f"{scene.name}, run {count} of {len(results) * len(scene.seeds)}")
+                      f"{scene.name}, run {count} of {len(results) * len(scene.rounds())}")
     return results
 
 
@@ -78,14 +78,14 @@ def remaining(scene, results, spent):
     done = {s: len(outcomes) for s, outcomes in results.items()}
     work = sum(done[s] / s.step for s in results)
     per_work = sum(spent.values()) / work
-    total = len(scene.seeds)
+    total = len(scene.rounds())
     return sum((total - done[s]) * (spent[s] / done[s] if done[s] else per_work / s.step) for s in results)
 
 
 def follow(scene, engine, args, line):
     """Runs a scene; writes and shows what comes out."""
     results = measure(scene, engine, line)
-    rows = [(quantity, compare.rows(quantity, results)) for quantity in scene.quantities]
+    rows = [(quantity, compare.rows(quantity, results, len(scene.seeds))) for quantity in scene.quantities]
     wishes = [args.wish or quantity.wish for quantity in scene.quantities]
     text = f"{scene.title}\n\n" + "\n".join(compare.report(scene, q, r, wish)
                                            for (q, r), wish in zip(rows, wishes))

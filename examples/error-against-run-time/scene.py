@@ -10,7 +10,8 @@ import yaml
 Setting = namedtuple("Setting", "scheme step")
 
 TAKES = ("last", "first", "change", "mean", "max", "min", "rms")
-TOP = {"title", "script", "command", "variables", "step", "schemes", "seeds", "quantities", "reference"}
+TOP = {"title", "script", "command", "variables", "step", "schemes", "seeds", "repeats", "quantities",
+       "reference"}
 QUANTITY = {"column", "file", "take", "from", "reference", "relative_to", "over_seeds", "resolution", "unit", "wish"}
 
 
@@ -123,6 +124,8 @@ class Scene:
         self.step, self.step_unit = step.get("variable", "dt"), step.get("unit", "")
         self.schemes = self.read_schemes(entries.get("schemes"), steps or {}, where)
         self.seed, self.seeds = self.read_seeds(entries.get("seeds", {}), seeds, where)
+        self.repeats = int(number(entries, "repeats", 1, where))
+        check(self.repeats >= 1, where, f"repeats {self.repeats}", "1 or more")
         self.reference = entries.get("reference")
         listed = entries.get("quantities")
         check(isinstance(listed, dict) and listed, where, "has no 'quantities'",
@@ -155,6 +158,10 @@ class Scene:
         own = [Setting(name, step) for name, scheme in self.schemes.items() for step in scheme["steps"]]
         others = [q.reference for q in self.quantities if isinstance(q.reference, Setting)]
         return list(dict.fromkeys([*(r for r in others if r not in own), *own]))
+
+    def rounds(self):
+        """The seed of each round of runs."""
+        return self.seeds * self.repeats
 
     def values(self, setting, seed):
         """Variables of one run."""
