@@ -56,6 +56,26 @@ class Campaign(unittest.TestCase):
         self.assertIn("2 steps per contact", result.said)
 
 
+class DeeperWell(stability_laws.SquareWell):
+    """A well of the engine that is a hundredth too deep."""
+
+    def words(self, point):
+        return f" well {1.01 * point.well:.17g} {1 + point.wide / point.reach:.17g}"
+
+
+class WrongLaw(unittest.TestCase):
+    def test_is_found_by_the_closed_form(self):
+        """Coarse and fine agree; but with 2 W/mu in place of which 1.01 times that acts, e^2 (v^2 + 2 W/mu) -
+        2 W/mu changes by (e^2 - 1) of a hundredth of it."""
+        point = make(DeeperWell("event"), dict(angle=0.0))
+        result = judge.judge(point, engine)
+        added = point.values["depth"]  # over the speed
+        share = added**2 / (1 + added**2)
+        self.assertAlmostEqual(result.exact, 0.01 * share * (1 - point.values["e"]**2), delta=1e-10)
+        self.assertTrue(result.verdicts["first"].startswith("wrong: "), result)
+        self.assertEqual(judge.kind(result.verdicts["first"], result.said), "silent")
+
+
 class Judge(unittest.TestCase):
     """What it makes of an end that is changed by hand."""
 
