@@ -21,6 +21,7 @@ import analyse  # noqa: E402
 import picture  # noqa: E402
 import sweep  # noqa: E402
 from job_pool import Job, RunError, carry_out, cores, dies_with_us  # noqa: E402
+from lammps_run import NotBuilt, launcher  # noqa: E402
 
 TOO_FAR = "could miss a partner"  # the engine: particles fly too far in a step
 
@@ -39,15 +40,6 @@ def arguments():
     if args.together < 1:
         parser.error(f"--together {args.together}: it must be 1 or more")
     return args
-
-
-def launcher(build):
-    """Program and plugin of the build folder; raises RunError when it has not been built."""
-    folder = Path(build).resolve() / "lammps/stock"
-    program, plugin = folder / "lmp-cohesion", folder / "cohesionplugin.so"
-    if not program.is_file() or not plugin.is_file():
-        raise RunError(f"'{program}' does not exist: build the package first (scripts/setup does)")
-    return program, plugin
 
 
 def discs(fraction, side):
@@ -132,5 +124,5 @@ def main():
 if __name__ == "__main__":
     try:
         main()
-    except RunError as error:
+    except (NotBuilt, RunError) as error:
         sys.exit(f"run.py: {error}")

@@ -23,7 +23,7 @@ OTHER_PLUGIN = os.environ.get("COHESION_OTHER_PLUGIN", "")
 MPIEXEC = os.environ.get("COHESION_MPIEXEC", "").split()
 
 
-def start(script, folder, ranks=1, lmp=LMP, environment=None, **variables):
+def start(script, folder, ranks=1, lmp=LMP, environment=None, timeout=500, **variables):
     """Runs `script` (a file beside this one) in `folder`; gives exit code and output."""
     variables.setdefault("plugin", PLUGIN)
     command = [*MPIEXEC, str(ranks)] if ranks > 1 else []
@@ -32,7 +32,7 @@ def start(script, folder, ranks=1, lmp=LMP, environment=None, **variables):
         text = f"{value:.17g}" if isinstance(value, float) else str(value)
         command += ["-var", name, text]
     done = subprocess.run(command, cwd=folder, text=True, stdout=subprocess.PIPE,
-                          stderr=subprocess.STDOUT, timeout=500,
+                          stderr=subprocess.STDOUT, timeout=timeout,
                           env={**os.environ, **(environment or {})})
     return done.returncode, done.stdout
 

@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A small stability campaign (stability-campaign.py): nothing crashes, nothing is wrong without a warning; and the
+judge sees what is wrong."""
+import unittest
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy
+
+import lammps_engine as engine
+import stability_judge as judge
+import stability_laws
+import stability_points as points
+
+RANDOM = 3  # of each law
+
+
+def make(law, values, number=0):
+    return points.Point(law, values, numpy.random.default_rng([815, number]))
+
+
+def law(name):
+    return next(law for law in stability_laws.LAWS if law.name == name)
+
+
+class Campaign(unittest.TestCase):
+    def test_random_points(self):
+        """Other points than the campaign's, the same in every run."""
+        found = []
+        for number, one in enumerate(stability_laws.LAWS):
+            random = numpy.random.default_rng([815, number])
+            found += [make(one, one.random(random), number) for _ in range(RANDOM)]
+        with ThreadPoolExecutor(4) as pool:
+            results = list(pool.map(lambda point: judge.judge(point, engine), found))
+        right = 0
+        for point, result in zip(found, results):
+            with self.subTest(point.law.name + ": " + point.text()):
+                for verdict in result.verdicts.values():
+                    self.assertIn(judge.kind(verdict, result.said),
+                                  ("right", "marginal", "not judged", "refused", "warned"), result)
+                    right += verdict == "right"
+                if "refused" in result.verdicts.values():
+                    self.assertNotEqual(result.said, "")
+        # Most points are within what the laws can do.
+        self.assertGreater(right, len(found))
+
+    def test_overlap_beyond_the_particle_is_refused_with_its_reason(self):
+        for name in ("gran/hamaker, event", "gran/square_well, sampled", "fix wall/gran/hamaker, event"):
+            result = judge.judge(make(law(name), dict(speed=100.0)), engine)
+            self.assertEqual(set(result.verdicts.values()), {"refused"})
+            self.assertRegex(result.said, "impact overlap [0-9]+ %")
+
+    def test_sampled_forces_at_two_steps_per_contact_are_wrong_and_say_so(self):
+        result = judge.judge(make(law("gran/hamaker, sampled"), dict(steps=2.0, angle=0.0)), engine)
+        self.assertNotEqual(result.verdicts["first"], "right")
+        self.assertEqual(judge.kind(result.verdicts["first"], result.said), "warned")
+        self.assertIn("2 steps per contact", result.said)
+
+
+class DeeperWell(stability_laws.SquareWell):
+    """A well of the engine that is a hundredth too deep."""
+
+    def words(self, point):
+        return f" well {1.01 * point.well:.17g} {1 + point.wide / point.reach:.17g}"
+
+
+class WrongLaw(unittest.TestCase):
+    def test_is_found_by_the_closed_form(self):
+        """Coarse and fine agree; but with 2 W/mu in place of which 1.01 times that acts, e^2 (v^2 + 2 W/mu) -
+        2 W/mu changes by (e^2 - 1) of a hundredth of it."""
+        point = make(DeeperWell("event"), dict(angle=0.0))
+        result = judge.judge(point, engine)
+        added = point.values["depth"]  # over the speed
+        share = added**2 / (1 + added**2)
+        self.assertAlmostEqual(result.exact, 0.01 * share * (1 - point.values["e"]**2), delta=1e-10)
+        self.assertTrue(result.verdicts["first"].startswith("wrong: "), result)
+        self.assertEqual(judge.kind(result.verdicts["first"], result.said), "silent")
+
+
+class Judge(unittest.TestCase):
+    """What it makes of an end that is changed by hand."""
+
+    def setUp(self):
+        self.point = make(law("gran/square_well, event"), dict(angle=0.0, e=1.0))
+        state, _, end = judge.run(self.point, engine, "event", 1)
+        self.assertEqual(state, "ran")
+        self.end = end
+        # Elastic, so that they part again.
+        self.assertEqual(judge.together(self.point, [(0, 1)], end[0]), [False])
+
+    def changed(self, share):
+        velocities = self.end[1].copy()
+        velocities[1, 0] += share * self.point.scale
+        return self.end[0], velocities
+
+    def test_errors(self):
+        error, verdict = judge.compare(self.point, "first", self.changed(1e-5), self.end, 1e-6)
+        self.assertAlmostEqual(error, 1e-5, delta=1e-12)
+        self.assertEqual(verdict, "wrong by 1e-05")
+        self.assertEqual(judge.compare(self.point, "first", self.changed(1e-7), self.end, 1e-6)[1], "right")
+        self.assertEqual(judge.compare(self.point, "first", self.changed(numpy.nan), self.end, 1e-6)[1],
+                         "wrong: not a number")
+
+    def test_outcome(self):
+        places = self.end[0].copy()
+        places[1] = [self.point.reach, 0, 0] + places[0]
+        self.assertEqual(judge.compare(self.point, "first", (places, self.end[1]), self.end, 1e-6)[1],
+                         "other outcome")
+
+    def test_closed_form(self):
+        """e = 1: all energy of the first touch is left but the well's, 1e-12 by rounding; a thousandth of the
+        speed is 2e-3 of it."""
+        self.assertLess(judge.closed_form(self.point, self.end), 1e-11)
+        wrong = self.end[0], 1.001 * self.end[1]
+        touch = self.point.law.head_on(self.point)[1]
+        left = (self.point.values["speed"] / touch)**2
+        self.assertAlmostEqual(judge.closed_form(self.point, wrong), 2.001e-3 * left, delta=1e-6)
+
+    def test_kinds(self):
+        self.assertEqual(judge.kind("wrong by 1", ""), "silent")
+        self.assertEqual(judge.kind("wrong by 1", "2 steps per contact"), "warned")
+        self.assertEqual(judge.kind("other outcome", ""), "silent")
+        self.assertEqual(judge.kind("hangs", ""), "crashed")
+        self.assertEqual(judge.kind("right", ""), "right")
+
+
+if __name__ == "__main__":
+    unittest.main()
