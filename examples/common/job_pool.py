@@ -48,8 +48,12 @@ class Job:
         found = json.loads(file.read_text()) if file.exists() else {}
         return found if found.get("settings") == self.settings else None
 
-    def launch(self):
+    def discard(self):
+        """Takes the result away, if there is one."""
         (self.folder / "result.json").unlink(missing_ok=True)
+
+    def launch(self):
+        self.discard()
         self.begin = time.time()
         self.process = self.start()
 

@@ -151,7 +151,10 @@ def main():
     kinds = {"non-cohesive": 0.0, "Hamaker": args.hamaker}
     jobs = [BedRun(out / name, {"schedule": args.schedule, "A": a}, env, mark)
             for name, a in kinds.items()]
-    if not args.overwrite:
+    if args.overwrite:
+        for job in jobs:
+            job.discard()
+    else:
         require_ours(jobs)
     carry_out(jobs, together=len(jobs))
 
