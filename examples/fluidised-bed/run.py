@@ -170,5 +170,5 @@ def main():
 if __name__ == "__main__":
     try:
         main()
-    except (CaseError, RunError) as error:
+    except RunError as error:
         sys.exit(f"run.py: {error}")
