@@ -7,10 +7,10 @@ import shutil
 import subprocess
 from pathlib import Path
 
-from job_pool import dies_with_us
+from job_pool import RunError, dies_with_us
 
 
-class CaseError(RuntimeError):
+class CaseError(RunError):
     """A program of the case failed; the text ends with the last lines of its log."""
 
 

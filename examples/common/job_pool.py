@@ -15,7 +15,7 @@ POLL = 0.5  # s between looks at the runs
 
 
 class RunError(RuntimeError):
-    """A run ended with an error; the text ends with the last lines of its log."""
+    """A run could not be started or ended with an error; the text ends with the last lines of its log."""
 
 
 def dies_with_us(command):
@@ -48,8 +48,12 @@ class Job:
         found = json.loads(file.read_text()) if file.exists() else {}
         return found if found.get("settings") == self.settings else None
 
-    def launch(self):
+    def discard(self):
+        """Takes the result away, if there is one."""
         (self.folder / "result.json").unlink(missing_ok=True)
+
+    def launch(self):
+        self.discard()
         self.begin = time.time()
         self.process = self.start()
 
@@ -61,18 +65,23 @@ class Job:
                 return False
             raise RunError(f"{self.name}, in {self.folder}, failed:\n{self.tail()}")
         seconds = time.time() - self.begin
-        result = {"settings": self.settings, "seconds": seconds, **self.figures()}
+        try:
+            figures = self.figures()
+        except Exception as error:  # of whatever kind: the other runs go on
+            raise RunError(f"{self.name}, in {self.folder}: its figures cannot be read: {error!r}")
+        result = {"settings": self.settings, "seconds": seconds, **figures}
         scratch = self.folder / "result.new"
         scratch.write_text(json.dumps(result, indent=1))
         scratch.replace(self.folder / "result.json")
         return True
 
     def start(self):
-        """Starts the run afresh, whatever its folder holds; gives its process (Popen)."""
+        """Starts the run afresh, whatever its folder holds; gives its process (Popen). RunError when it
+        cannot be started."""
         raise NotImplementedError
 
     def figures(self):
-        """Of the run that has just ended well, a dict for JSON; RunError when they cannot be read."""
+        """Of the run that has just ended well, a dict for JSON."""
         raise NotImplementedError
 
     def share(self):
@@ -88,38 +97,52 @@ class Job:
         return ""
 
 
+def ended(job):
+    """Whether a running job is done with; a job that goes on once more is not. Raises RunError."""
+    if job.process.poll() is None:
+        return False
+    if job.finish():
+        return True
+    job.launch()
+    return False
+
+
 def carry_out(jobs, together):
     """Makes all jobs that have no result yet, `together` at a time, the longest first; gives the results
     of all. A job that fails does not stop the others: RunError in the end, with all failures."""
     waiting = sorted((job for job in jobs if job.result() is None), key=lambda job: job.work)
     if len(waiting) < len(jobs):
         print(f"    {len(jobs) - len(waiting)} of {len(jobs)} runs are done: taking their results")
-    all_work, done, running, failed = sum(job.work for job in waiting), 0.0, [], []
+    all_work, done, running, failed = sum(job.work for job in waiting), 0.0, [], {}
     line = ProgressLine()
+
+    def over(job, step):
+        """Whether the job is done with after `step` of it, by itself or because it failed."""
+        try:
+            return step(job)
+        except RunError as error:
+            failed[job] = str(error)
+            return True
+
     try:
         while waiting or running:
             while waiting and len(running) < together:
                 running.append(waiting.pop())
-                running[-1].launch()
+                over(running[-1], Job.launch)
             time.sleep(POLL)
-            for job in [job for job in running if job.process.poll() is not None]:
-                running.remove(job)
-                try:
-                    if not job.finish():
-                        waiting.append(job)
-                        continue
-                except RunError as error:
-                    failed.append(str(error))
-                done += job.work
+            for job in list(running):
+                if job in failed or over(job, ended):
+                    running.remove(job)
+                    done += job.work
             so_far = done + sum(job.work * job.share() for job in running)
             left = line.elapsed * (all_work - so_far) / so_far if line.elapsed > 5 and so_far else None
             line.show(left, f"{100 * so_far / all_work:3.0f} %, running "
                             + ", ".join(job.name for job in running))
     finally:
         for job in running:
-            job.process.terminate()
+            if job.process:
+                job.process.terminate()
         line.close()
     if failed:
-        raise RunError("\n".join(failed) + (f"\n{len(failed)} of {len(jobs)} runs failed" if len(jobs) > 1
-                                            else ""))
+        raise RunError("\n".join([*failed.values(), f"{len(failed)} of {len(jobs)} runs failed"]))
     return [job.result() for job in jobs]

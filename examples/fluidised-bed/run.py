@@ -167,7 +167,10 @@ def main():
         common["seed"] = args.seed
     kinds = {"non-cohesive": 0.0, "Hamaker": args.hamaker}
     jobs = [BedRun(out / name, {**common, "A": a}, env, mark) for name, a in kinds.items()]
-    if not args.overwrite:
+    if args.overwrite:
+        for job in jobs:
+            job.discard()
+    else:
         require_ours(jobs)
     carry_out(jobs, together=len(jobs))
 
@@ -185,5 +188,5 @@ def main():
 if __name__ == "__main__":
     try:
         main()
-    except (CaseError, RunError) as error:
+    except RunError as error:
         sys.exit(f"run.py: {error}")

@@ -15,7 +15,7 @@ HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "common"))
 
 import run  # noqa: E402
-from foam_case import CaseError, environment  # noqa: E402
+from foam_case import environment  # noqa: E402
 from job_pool import RunError, carry_out, cores  # noqa: E402
 from study_table import TableError, number, over_seeds, read_table, write_summary  # noqa: E402
 
@@ -76,5 +76,5 @@ def without_settings(result):
 if __name__ == "__main__":
     try:
         main()
-    except (CaseError, RunError, TableError) as error:
+    except (RunError, TableError) as error:
         sys.exit(f"study.py: {error}")

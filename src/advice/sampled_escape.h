@@ -32,13 +32,13 @@ struct HeadOnStart {
 /// Whether `pair` (SampledPair or SampledWell) parts after its first contact. It sticks when it
 /// turns back before it is out of range; that a later impact may let it out again, as the scheme
 /// does not keep energy, is not followed. On the grid as engines have it, velocities half a step
-/// before positions; `step` [time].
+/// before positions; `step` [time]. Throws InvalidParameter after ten million steps.
 template <class Pair>
 bool parts(const Pair& pair, const HeadOnStart& start, double step) {
   const event_stepping::StepWindow window{0.5 * step, 0.5 * step};
   event_stepping::RelativeState grid{{start.separation, 0, 0}, {-start.approach, 0, 0}};
   bool inside = start.inside, parting = false;
-  while (true) {
+  for (long steps = 0; steps < 10'000'000; steps++) {
     if (inside || pair.within_reach(grid, window)) {
       const event_stepping::PairStep now = pair.advance(grid, window, inside);
       inside = now.inside;
@@ -50,6 +50,10 @@ bool parts(const Pair& pair, const HeadOnStart& start, double step) {
     parting = grid.velocity.x > 0.0;
     grid.separation += step * grid.velocity;
   }
+  require(false, "time step", step,
+          "a pair is not free again after ten million steps: take a longer one, or scheme event, "
+          "which is what short ones come to");
+  return false;
 }
 
 namespace detail {
@@ -146,10 +150,13 @@ inline SampledEscape sampled_escape(const contact::LinearSpringDashpot& spring,
   const double exact = escape_velocity_of_depth(spring, well.tail_energy);
   require_positive("escape velocity", exact);
   const contact::AdhesiveContact contact(spring, well);
-  require(well.cutoff > contact.entry_speed(exact) * step, "width of the well", well.cutoff,
+  const double way = contact.entry_speed(exact) * step;
+  require(well.cutoff > way, "width of the well", well.cutoff,
           "must exceed the way of a pair in a time step for scheme sampled: a wider well, or a "
           "shorter step");
-  const event_stepping::SampledWell pair(spring, well, contact_distance, step);
+  // Head-on the width does not matter: the narrowest one spares the flight to the edge.
+  const event_stepping::SampledWell pair(spring, {0.0, way, well.tail_energy}, contact_distance,
+                                         step);
   return detail::sampled_escape(
       [&](double speed, double position) {
         const double entry = contact.entry_speed(speed);

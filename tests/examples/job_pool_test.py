@@ -125,6 +125,21 @@ class Pool(unittest.TestCase):
         self.assertTrue(all(carry_out(jobs, 1)))
         self.assertEqual([len(job.begun()) for job in jobs], [1, 2, 1])
 
+    def test_neither_does_one_without_figures_or_one_that_does_not_start(self):
+        good, no_figure, no_start = self.jobs("good", "no-figure", "no-start")
+        good.mark("go")
+        no_figure.mark("go")
+        no_figure.figures = lambda: {}["figure"]
+
+        def start():
+            raise RunError("no-start: no mesh")
+
+        no_start.start = start
+        with self.assertRaisesRegex(RunError, r"(?s)no-start: no mesh.*KeyError\('figure'\).*2 of 3 runs"):
+            carry_out([good, no_figure, no_start], 1)
+        self.assertTrue(good.result())
+        self.assertIsNone(no_figure.result())
+
     def test_started_once_more_if_it_says_so(self):
         job, = self.jobs("a")
         job.mark("go", "wrong", "again")

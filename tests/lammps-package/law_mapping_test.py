@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy
 
 import couples
+from script_test_case import ScriptTestCase
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tools"))
 import mapping_program as program  # noqa: E402
@@ -93,6 +94,36 @@ class ByDivision(unittest.TestCase):
                 tolerance = 5e-6 + 1e-8 + 10 * material.w0 * 3e-17 / low
                 self.assertLess(tolerance, 1e-5)
                 self.assertLess(abs(math.sqrt(low * high) / row["hamaker_mean"] - 1), tolerance)
+
+
+class PrintedLines(ScriptTestCase):
+    HEAD = """plugin load ${plugin}
+units si
+atom_style sphere
+newton off
+comm_modify vel yes
+boundary p p f
+region box block 0 0.01 0 0.01 0 0.01
+create_box 1 box
+create_atoms 1 single 0.005 0.005 0.004
+set group all diameter 1e-3 density 2650
+timestep 1e-6
+"""
+    RUN = "fix move all nve/sphere\nrun 2\n"
+
+    def test_are_what_lammps_takes(self):
+        material, constant = ByDivision.MATERIALS["the thesis's bed"]
+        sphere = ("--radius", 5e-4, *material.words[3:])
+        for kind in ((), ("--form", "exact", "--asperity", 1e-8),
+                     ("--hamaker-scheme", "sampled", "--well-scheme", "sampled", "--step", 9e-6)):
+            words = ("to-well", *sphere, *kind, "--hamaker", constant)
+            hamaker, hamaker_pair, well, well_pair = program.script_lines(*words)[0]
+            for style, pair in ((hamaker, hamaker_pair), (well, well_pair)):
+                self.goes(f"{self.HEAD}pair_style {style}\npair_coeff {pair}\n{self.RUN}")
+            for wall in program.script_lines(*words, "--wall")[0]:
+                law = wall.split("wall/")[1].split()[0]
+                self.goes(f"{self.HEAD}pair_style {law}\npair_coeff * * stiffness 800\n"
+                          f"fix {wall}\n{self.RUN}")
 
 
 class SampledMean(unittest.TestCase):

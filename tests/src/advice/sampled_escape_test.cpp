@@ -139,6 +139,8 @@ TEST(SampledEscape, RefusesWhatCannotBeSampled) {
                        thesis_step);
       },
       "width of the well");
+  // A pair that a step moves by less than a rounding of its place never ends.
+  expect_refused([] { hamaker_at(1e-17); }, "time step");
   const contact::LinearSpringDashpot elastic(800.0, 0.0, thesis::reduced_mass);
   expect_refused([&] { sampled_escape(elastic, hamaker_law, 2.0 * thesis::radius, thesis_step); },
                  "restitution e");

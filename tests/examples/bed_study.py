@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""bed_study.py BUILD_FOLDER: run.py and study.py of examples/fluidised-bed with beds of 0.018 s: the
+parameters of a row reach its case, what is done is not made again. Such beds have no fluidisation curve:
+their figures are made up here."""
+
+import contextlib
+import csv
+import io
+import re
+import shutil
+import sys
+import tempfile
+import types
+import unittest
+from pathlib import Path
+from unittest import mock
+
+SOURCE = Path(__file__).resolve().parents[2]
+BED = SOURCE / "examples/fluidised-bed"
+sys.path[:0] = [str(BED), str(SOURCE / "examples/common")]
+
+import picture  # noqa: E402
+import run  # noqa: E402
+import study  # noqa: E402
+from foam_case import CaseError, environment  # noqa: E402
+from job_pool import carry_out  # noqa: E402
+
+BUILD = Path(sys.argv.pop(1) if len(sys.argv) > 1 else SOURCE / "build").resolve()
+SCHEDULE = "superficialVelocity table ((0 (0 1.2 0)) (1 (0 1.2 0)));\nendTime 0.018;\n"
+TABLE = "name, A, cohesion_side, settle\nnone, 0, , 0.01\nno-side, 7.49e-19, 0, 0.01\n"
+
+
+def variables(case):
+    """Of the particle script, as the case has them."""
+    text = (Path(case) / "constant/couplingProperties").read_text()
+    block = re.search(r"variables\s*\{(.*?)\}", text, re.S)[1]
+    return {name: study.number(value) for name, value in re.findall(r"(\w+)\s+([^;\s]+);", block)}
+
+
+def made_up(case):
+    """As run.evaluate(), from the seed."""
+    pair = (variables(case)["seed"], 0.1)
+    velocities = types.SimpleNamespace(falling=pair, rising=pair, at_maximum=pair[0], overshoot=pair[0])
+    return {"velocities": velocities, "plateau": pair, "balance": pair, "void_fraction": pair,
+            "ergun": pair, "seconds": run.analyse.solver_seconds(case)}
+
+
+class Beds(unittest.TestCase):
+    def setUp(self):
+        keeper = tempfile.TemporaryDirectory(prefix="cohesion-")
+        self.addCleanup(keeper.cleanup)
+        self.folder = Path(keeper.name)
+        shutil.copytree(BED / "case", self.folder / "case")
+        (self.folder / "case/constant/schedule").write_text(SCHEDULE)
+        for change in (mock.patch.object(run, "HERE", self.folder),
+                       mock.patch.object(run, "evaluate", made_up),
+                       mock.patch.object(picture, "draw")):
+            change.start()
+            self.addCleanup(change.stop)
+
+    def call(self, program, *words):
+        with mock.patch.object(sys, "argv", [program.__name__, *map(str, words), "--build", str(BUILD)]), \
+                contextlib.redirect_stdout(io.StringIO()) as output:
+            program.main()
+        return output.getvalue()
+
+    def test_a_table_of_beds(self):
+        table, out = self.folder / "table.csv", self.folder / "out"
+        table.write_text(TABLE)
+        words = (study, table, "--seeds", 1, 3, "--out", out)
+        self.assertIn("no-side", self.call(*words))
+        for name, A, side in (("none", 0, 1), ("no-side", 7.49e-19, 0)):
+            for seed in (1, 3):
+                case = out / "runs" / f"{name}-{seed}"
+                found = variables(case)
+                self.assertEqual({**found, "A": A, "cohesion_side": side, "cohesion_plate": 1,
+                                  "settle": 0.01, "seed": seed}, found)
+                told = (case / "log.lammps").read_text()
+                self.assertEqual("\nfix side_adhesion" in told, False)
+                self.assertEqual("\nfix plate_adhesion" in told, A > 0)
+        with open(out / "summary.csv") as file:
+            rows = {row["name"]: row for row in csv.DictReader(file)}
+        self.assertEqual(list(rows), ["none", "no-side"])
+        # Seeds 1 and 3: mean 2, deviation sqrt(2).
+        self.assertEqual([rows["none"][k] for k in ("seeds", "U_mf_df", "U_mf_df_sd", "cohesion_side")],
+                         ["2", "2", "1.4", "1"])
+        # A log is of one start: none begins when all is done.
+        stamps = [file.stat().st_mtime_ns for file in sorted(out.glob("runs/*/log.blockMesh"))]
+        self.assertIn("4 of 4 runs are done", self.call(*words))
+        self.assertEqual(stamps,
+                         [file.stat().st_mtime_ns for file in sorted(out.glob("runs/*/log.blockMesh"))])
+
+    def test_the_main_job_keeps_what_is_not_its(self):
+        out = self.folder / "out"
+        (out / "Hamaker").mkdir(parents=True)
+        (out / "Hamaker/letter.txt").write_text("mine")
+        with self.assertRaisesRegex(CaseError, "Hamaker.*--overwrite"):
+            self.call(run, "--out", out)
+        self.assertTrue((out / "Hamaker/letter.txt").exists())
+
+    def test_a_killed_bed_is_made_again(self):
+        env = environment(BUILD)
+        parameters = {"schedule": "short", "A": 0.0, "settle": 0.01, "seed": 2}
+        job = run.BedRun(self.folder / "bed", parameters, env, "this build")
+        job.launch()
+        job.process.kill()
+        job.process.wait()
+        self.assertIsNone(job.result())
+        run.require_ours([job])
+        result, = carry_out([job], 1)
+        self.assertEqual(result["U_mf_th"], 2)
+        other = run.BedRun(self.folder / "bed", {**parameters, "A": 1e-19}, env, "this build")
+        with self.assertRaisesRegex(CaseError, "--overwrite"):
+            run.require_ours([other])
+
+
+if __name__ == "__main__":
+    unittest.main()
