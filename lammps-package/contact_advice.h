@@ -17,7 +17,7 @@ using cohesion::advice::LightestParticle;
 /// By type, index 0 unused, over all ranks.
 std::vector<LightestParticle> lightest_particles(LAMMPS*, const class FixEventStep&);
 
-/// Springs and dashpot of a contact between these two. One of them must move.
+/// A contact between these two; without springs when neither moves.
 AdvisedContact advised_contact(const std::string& name, const LightestParticle& i,
                                const LightestParticle& j,
                                const cohesion::contact::ContactParameters&,

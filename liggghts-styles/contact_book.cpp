@@ -8,7 +8,6 @@
 #include "atom.h"
 #include "comm.h"
 #include "gravity_of_fixes.h"
-#include "mobile_particles.h"
 #include "modify.h"
 #include "sphere.h"
 #include "update.h"
@@ -79,9 +78,10 @@ void ContactBook::close_step(bool set_up) {
   spring = tangential_spring = adhesion = rolling_spring = 0.0;
   Losses now;
   double external = 0.0;
-  for (const Record& r : records_) work_out(r, set_up, now, external);
+  const MobileParticles mobile(lmp_->modify);
+  for (const Record& r : records_) work_out(r, mobile, set_up, now, external);
   records_.clear();
-  external += work_of_fixes();
+  external += work_of_fixes(mobile);
 
   // A run that goes on has the half step after its grid point in the book already, from the forces
   // of the last step; its set-up makes new ones.
@@ -103,11 +103,11 @@ void ContactBook::close_step(bool set_up) {
   last_step_ = lmp_->update->ntimestep;
 }
 
-void ContactBook::work_out(const Record& r, bool set_up, Losses& now, double& external) {
-  const MobileParticles mobile(lmp_->modify);
+void ContactBook::work_out(const Record& r, const MobileParticles& mobile, bool set_up, Losses& now,
+                           double& external) {
   const Atom* const atom = lmp_->atom;
   const SampledContact& c = r.entry.contact;
-  Motion grid{moving(r.i), r.j < 0 ? r.before.j : moving(r.j)};
+  const Motion grid{moving(r.i), r.j < 0 ? r.before.j : moving(r.j)};
   const Motion before = set_up ? grid : r.before;
   const double half = 0.5 * lmp_->update->dt;
   const Stored s = stored(c, half_a_step_on(before, grid), half);
@@ -137,9 +137,8 @@ void ContactBook::work_out(const Record& r, bool set_up, Losses& now, double& ex
 }
 
 /// Power on the particles of this rank of all that is neither contact nor gravity, [energy/time].
-double ContactBook::work_of_fixes() const {
+double ContactBook::work_of_fixes(const MobileParticles& mobile) const {
   const Atom* const atom = lmp_->atom;
-  const MobileParticles mobile(lmp_->modify);
   const GravityOfFixes gravity(lmp_->modify);
   double power = 0.0;
   for (int i = 0; i < atom->nlocal; i++) {

@@ -7,6 +7,8 @@
 #include "contact/sampled_work.h"
 #include "contact_interface.h"
 #include "lammps.h"
+#include "lmptype.h"
+#include "mobile_particles.h"
 
 namespace LIGGGHTS {
 namespace Cohesion {
@@ -72,8 +74,9 @@ class ContactBook {
     double share;  // of a pair that another rank, or an image of itself, has as well
   };
   cohesion::contact::Moving moving(int particle) const;
-  void work_out(const Record&, bool set_up, cohesion::contact::Losses&, double& external);
-  double work_of_fixes() const;
+  void work_out(const Record&, const MobileParticles&, bool set_up, cohesion::contact::Losses&,
+                double& external);
+  double work_of_fixes(const MobileParticles&) const;
 
   LAMMPS_NS::LAMMPS* lmp_;
   std::vector<Record> records_;
@@ -82,7 +85,7 @@ class ContactBook {
   double external_work_ = 0.0, last_external_ = 0.0;
   double at_opening_ = 0.0, rolling_at_opening_ = 0.0;
   double last_half_ = 0.0;
-  long last_step_ = -1;
+  LAMMPS_NS::bigint last_step_ = -1;
   bool opened_ = false;
 };
 
