@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-only
 #include "compute_gran_energy.h"
 
-#include <cstddef>
-#include <numeric>
 #include <vector>
 
 #include "atom.h"
 #include "domain.h"
+#include "energy_book.h"
 #include "error.h"
 #include "event_stepping/cohesive_contact.h"
 #include "fix_event_step.h"
@@ -14,42 +13,10 @@
 #include "update.h"
 
 using namespace LAMMPS_NS;
-
-namespace {
-
-/// Entries of the vector, in its order.
-enum Entry {
-  KINETIC,
-  ROTATIONAL,
-  SPRING,
-  TANGENTIAL_SPRING,
-  ADHESION,
-  NORMAL_DAMPING,
-  TANGENTIAL_DAMPING,
-  FRICTION,
-  EXTERNAL_WORK,
-  RESIDUAL,
-  GRAVITY,
-  ROLLING_SPRING,
-  ROLLING,
-  ENTRIES
-};
-
-/// What stays or is stored, and what is lost.
-constexpr Entry stored[] = {KINETIC,  ROTATIONAL, SPRING,        TANGENTIAL_SPRING,
-                            ADHESION, GRAVITY,    ROLLING_SPRING};
-constexpr Entry lost[] = {NORMAL_DAMPING, TANGENTIAL_DAMPING, FRICTION, ROLLING};
-
-template <std::size_t N>
-double sum(const double* vector, const Entry (&entries)[N]) {
-  return std::accumulate(entries, entries + N, 0.0,
-                         [vector](double all, Entry entry) { return all + vector[entry]; });
-}
-
-}  // namespace
+using namespace cohesion::energy_book;
 
 ComputeGranEnergy::ComputeGranEnergy(LAMMPS* lammps, int narg, char** arg)
-    : Compute(lammps, narg, arg), step(FixEventStep::of(lammps)), opened(false), balance(0.0) {
+    : Compute(lammps, narg, arg), step(FixEventStep::of(lammps)) {
   if (narg != 3) error->all(FLERR, "compute gran/energy takes no further arguments");
   if (igroup != 0)
     error->all(FLERR, "compute gran/energy balances all particles; its group must be 'all'");
@@ -100,15 +67,12 @@ void ComputeGranEnergy::compute_vector() {
   mine[EXTERNAL_WORK] = book.external_work;
   MPI_Allreduce(mine, vector, ENTRIES, MPI_DOUBLE, MPI_SUM, world);
 
-  const double total = sum(vector, stored) + sum(vector, lost) - vector[EXTERNAL_WORK];
-  if (!opened) balance = total;
-  opened = true;
-  vector[RESIDUAL] = total - balance;
+  opened.close(vector);
 }
 
 /// Kinetic and stored energy.
 double ComputeGranEnergy::compute_scalar() {
   if (invoked_vector != update->ntimestep) compute_vector();
   invoked_scalar = update->ntimestep;
-  return scalar = sum(vector, stored);
+  return scalar = stored(vector);
 }

@@ -9,6 +9,7 @@ ComputeStyle(gran/energy,ComputeGranEnergy);
 #define LMP_COMPUTE_GRAN_ENERGY_H
 
 #include "compute.h"
+#include "energy_book.h"
 
 namespace LAMMPS_NS {
 
@@ -25,8 +26,7 @@ class ComputeGranEnergy : public Compute {
 
  private:
   class FixEventStep* step;
-  bool opened;     // whether the first balance has been taken
-  double balance;  // total at that time
+  cohesion::energy_book::Opened opened;
 };
 
 }  // namespace LAMMPS_NS

@@ -59,44 +59,28 @@ std::vector<LightestParticle> LAMMPS_NS::lightest_particles(LAMMPS* lmp, const F
   return all;
 }
 
+AdvisedContact LAMMPS_NS::advised_contact(const std::string& name, const LightestParticle& i,
+                                          const LightestParticle& j,
+                                          const cohesion::contact::ContactParameters& contact,
+                                          const cohesion::contact::Adhesion& adhesion) {
+  AdvisedContact c{name, i, j, {}, adhesion};
+  if (!c.moves()) return c;
+  const auto spring = cohesion::contact::normal_contact(contact, c.reduced_mass());
+  const double tangential = cohesion::contact::tangential_contact(contact, spring).stiffness;
+  c.springs.stiffness = spring.stiffness();
+  c.springs.damping = spring.damping();
+  if (contact.friction > 0.0) c.springs.tangential_stiffness = tangential;
+  if (contact.rolling_friction > 0.0) c.springs.rolling_stiffness = tangential;
+  return c;
+}
+
 void LAMMPS_NS::advise(LAMMPS* lmp, const std::string& style, const advice::SchemeLimits& limits,
                        const std::vector<AdvisedContact>& contacts) {
-  const double g = gravity(lmp), fastest = fastest_particle(lmp);
-  const bool prints = lmp->comm->me == 0;
-  if (prints)
-    utils::logmesg(lmp, style + ", scheme " + std::string(limits.scheme) +
-                            ": what to expect (lightest particles; / d: over the diameter)\n"
-                            "  contact       speed  steps/t_c  H_cut/(v dt)  F_ad/K/d  impact/d"
-                            "      Bond     v_esc   tail/spring\n");
-  std::string stop;
-  for (const AdvisedContact& c : contacts) {
-    const double inverse_mass = 1.0 / c.i.mass + 1.0 / c.j.mass;
-    if (inverse_mass == 0.0) continue;  // neither moves
-    const double mass = 1.0 / inverse_mass;
-    const double diameter = 2.0 * std::min(c.i.radius, c.j.radius);
-    const double speed = std::max(fastest, std::sqrt(2.0 * g * diameter));
-    const auto spring = cohesion::contact::normal_contact(c.contact, mass);
-    const double tangential = cohesion::contact::tangential_contact(c.contact, spring).stiffness;
-    const advice::ContactNumbers n({c.i.radius, c.j.radius, c.i.mass, c.j.mass, spring.stiffness(),
-                                    spring.damping(), c.adhesion, speed, lmp->update->dt, g,
-                                    c.contact.friction > 0.0 ? tangential : 0.0,
-                                    c.contact.rolling_friction > 0.0 ? tangential : 0.0});
-    if (prints)
-      utils::logmesg(
-          lmp, fmt::format("  {:<10}{:>9.3g}{:>11.4g}{:>14.3g}{:>10.2g}{:>10.2g}{:>10.3g}{:>10.3g}"
-                           "{:>14}\n",
-                           c.name, speed, n.steps_per_contact(), n.steps_in_cutoff(),
-                           n.static_overlap_over_diameter(), n.impact_overlap_over_diameter(),
-                           n.bond_number(), n.escape_velocity(),
-                           c.adhesion.force > 0.0
-                               ? fmt::format("{:.3g}", n.well_energy() / n.spring_adhesion_energy())
-                               : "none"));
-    for (const advice::Verdict& verdict : advice::advise(n, limits)) {
-      const std::string message = style + ", " + c.name + ": " + verdict.sentence;
-      if (verdict.severity == advice::Severity::warning && prints)
-        lmp->error->warning(FLERR, message);
-      if (verdict.severity == advice::Severity::error && stop.empty()) stop = message;
-    }
+  const advice::RunNumbers run{fastest_particle(lmp), gravity(lmp), lmp->update->dt};
+  const advice::Report report = advice::report(style, limits, contacts, run);
+  if (lmp->comm->me == 0) {
+    utils::logmesg(lmp, report.table);
+    for (const std::string& warning : report.warnings) lmp->error->warning(FLERR, warning);
   }
-  if (!stop.empty()) lmp->error->all(FLERR, stop);
+  if (!report.stop.empty()) lmp->error->all(FLERR, report.stop);
 }

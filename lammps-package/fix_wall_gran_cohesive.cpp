@@ -136,12 +136,9 @@ void FixWallGranCohesive<Cohesion>::give_advice() {
   std::vector<AdvisedContact> advised;
   for (int type = 1; type <= atom->ntypes; type++) {
     if (!std::isfinite(lightest[type].radius)) continue;  // no particles yet
-    advised.push_back(
-        {fmt::format("{} - wall", type),
-         lightest[type],
-         {infinite, infinite},
-         parameters.contact,
-         Cohesion::template of_wall<cohesion::contact::Adhesion>(law, lightest[type].radius)});
+    advised.push_back(advised_contact(
+        fmt::format("{} - wall", type), lightest[type], {infinite, infinite}, parameters.contact,
+        Cohesion::template of_wall<cohesion::contact::Adhesion>(law, lightest[type].radius)));
   }
   advise(lmp, where, limits_of(scheme), advised);
 }

@@ -3,18 +3,25 @@
 #define COHESION_COHESION_OVERLAY_H
 
 #include <cmath>
+#include <memory>
 #include <string>
 
 #include "atom.h"
 #include "cohesion_model_base.h"
 #include "cohesive_pairs.h"
+#include "contact_advice.h"
 #include "contact_models.h"
 #include "contact_range.h"
 #include "encounter.h"
 #include "error.h"
+#include "fix_contact_advice.h"
+#include "fix_contact_book.h"
 #include "fix_wall_gran.h"
 #include "force.h"
+#include "hidden_fix.h"
 #include "mesh_contact.h"
+#include "normal_model_probe.h"
+#include "pair_gran.h"
 #include "scheme_setting.h"
 
 namespace LIGGGHTS {
@@ -25,11 +32,14 @@ namespace ContactModels {
 ///
 ///   MODEL                          name in a script
 ///   Attraction(lmp, owner, wall)   wall: null for pairs
-///   connect(registry)              reads the parameters
+///   registerSettings(settings)     its keywords
+///   connect(registry, normal)      reads the parameters; normal: of the contact
+///   adhesion(i, j, ri, rj)         of two types and radii; rj infinite: beside a wall
 ///   range()                        how far it must see (contact_range.h)
 ///   reach()                        gap from which on it does nothing, [length]
 ///   force(encounter)               attraction, [force]; called once per step and contact
 ///   binds(gap, history)            whether a pair is bound (cohesive_pairs.h)
+///   energy(...)                    AttractionEnergy (contact_book.h)
 template <class Attraction>
 class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePairs {
  public:
@@ -37,10 +47,17 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
       : CohesionModelBase(lmp, owner, model),
         CohesivePairs(lmp, owner, model->is_wall()),
         wall_(model->is_wall() ? static_cast<FixWallGran*>(owner) : nullptr),
-        attraction_(lmp, owner, wall_) {}
+        pair_(wall_ ? nullptr : static_cast<PairGran*>(owner)),
+        attraction_(lmp, owner, wall_) {
+    // Tangential and rolling model come next, and add what they remember then.
+    others_history_ = wall_ ? wall_->dnum() : pair_->dnum_pair();
+  }
 
   void registerSettings(Settings& settings) override {
     Cohesion::register_scheme(settings, name());
+    attraction_.registerSettings(settings);
+    make_probe();
+    normal_->registerSettings(settings);
   }
   void postSettings(IContactHistorySetup*, ContactModelBase*) override {}
 
@@ -48,7 +65,11 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     if (!atom->sphere_flag)
       error->all(FLERR, (name() + ": needs spheres, use atom_style granular").c_str());
     if (force->cg_active()) error->cg(FLERR, name().c_str());
-    attraction_.connect(registry);
+    if (!normal_) make_probe();  // from a restart file, which keeps no settings
+    normal_->connect(registry);
+    attraction_.connect(registry, *normal_);
+    Cohesion::hidden_fix<Cohesion::FixContactAdvice>(lmp).ask(advice_);
+    connect_book();
     Cohesion::require_range(lmp, registry, wall_, name(), attraction_.range());
   }
 
@@ -63,16 +84,66 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     const double inverse = 1.0 / r;
     const double normal[3] = {inverse * near.delta[0], inverse * near.delta[1],
                               inverse * near.delta[2]};
-    if (attract(near, r, normal, on_i, on_j)) near.has_force_update = true;
+    if (!attract(near, r, normal, on_i, on_j)) return;
+    near.has_force_update = true;
+    if (book_) write_attraction(near, normal, r - near.radsum, on_i);
   }
 
   void beginPass(SurfacesIntersectData&, ForceData&, ForceData&) override {}
   void endPass(SurfacesIntersectData&, ForceData&, ForceData&) override {}
-  void endSurfacesIntersect(SurfacesIntersectData&, ForceData&, ForceData&) override {}
+
+  /// The last to be called of a contact.
+  void endSurfacesIntersect(SurfacesIntersectData& contact, ForceData& on_i,
+                            ForceData& on_j) override {
+    if (book_) write_contact(contact, on_i, on_j);
+  }
 
  private:
   bool binds(double gap, const double* history) const override {
     return attraction_.binds(gap, history);
+  }
+
+  void make_probe() {
+    normal_ = std::make_unique<Cohesion::NormalModelProbe>(
+        lmp, [this](const char* model) { return has("normal", model); });
+    advice_ = std::make_shared<Cohesion::ContactAdvice>(
+        lmp, wall_, name(), *normal_,
+        [this](int i, int j, double ri, double rj) { return attraction_.adhesion(i, j, ri, rj); });
+  }
+
+  bool has(const char* kind, const char* model) const {
+    return wall_ ? wall_->contact_match(kind, model) : pair_->contact_match(kind, model);
+  }
+
+  void connect_book() {
+    if (!wall_) Cohesion::FixContactBook::to_the_end(lmp);
+    book_ = Cohesion::FixContactBook::book_of(lmp);
+    const bool slides = has("tangential", "history");
+    if (slides) places_.displacement = others_history_;
+    if (has("rolling_friction", "epsd2")) places_.rolling = others_history_ + (slides ? 3 : 0);
+  }
+
+  [[gnu::noinline]] void write_contact(const SurfacesIntersectData& contact, const ForceData& on_i,
+                                       const ForceData& on_j) {
+    const bool acts = carries(contact);
+    book_->write(contact, {Cohesion::contact_of(contact, on_i, on_j, normal_->exponent(), places_),
+                           acts ? &attraction_ : nullptr,
+                           acts && binds(-contact.deltan, contact.contact_history)});
+  }
+
+  [[gnu::noinline]] void write_attraction(const SurfacesCloseData& near, const double* normal,
+                                          double gap, const ForceData& on_i) {
+    cohesion::contact::SampledContact contact;
+    contact.normal = cohesion::vector(normal);
+    contact.overlap = -gap;
+    contact.attraction = -dot(contact.normal, cohesion::vector(on_i.delta_F));
+    book_->write(near, {contact, &attraction_, binds(gap, near.contact_history)});
+  }
+
+  /// Whether a triangle of a mesh has the attraction of the wall here.
+  bool carries(const SurfacesCloseData& data) const {
+    return !data.mesh ||
+           Cohesion::carries_contact(*data.fix_mesh, data.j, data.i, atom->x[data.i], data.radi);
   }
 
   static std::string name() { return std::string("cohesion model ") + Attraction::MODEL; }
@@ -80,9 +151,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
   /// r: distance of i's centre from j's, or from the wall, of which radsum is then the radius of i.
   bool attract(const SurfacesCloseData& data, double r, const double* normal, ForceData& on_i,
                ForceData& on_j) {
-    if (data.mesh &&
-        !Cohesion::carries_contact(*data.fix_mesh, data.j, data.i, atom->x[data.i], data.radi))
-      return false;
+    if (!carries(data)) return false;
     const double attraction = attraction_.force({data, normal, r - data.radsum});
     for (int d = 0; d < 3; d++) {
       on_i.delta_F[d] -= attraction * normal[d];
@@ -92,7 +161,13 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
   }
 
   FixWallGran* wall_;  // null for pairs
+  PairGran* pair_;     // null for walls
   Attraction attraction_;
+  std::unique_ptr<Cohesion::NormalModelProbe> normal_;
+  std::shared_ptr<const Cohesion::ContactAdvice> advice_;
+  std::shared_ptr<Cohesion::ContactBook> book_;  // null: none is kept
+  Cohesion::HistoryPlaces places_;
+  int others_history_;  // place of what the tangential and the rolling model remember
 };
 
 }  // namespace ContactModels

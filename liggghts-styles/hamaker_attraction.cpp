@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <mpi.h>
 // The engine's header of properties wants mpi.h before it.
+#include <sstream>
+
+#include "advice/stiffness_scaling.h"
 #include "global_properties.h"
 #include "hamaker_attraction.h"
+#include "liggghts_api.h"
 #include "property_registry.h"
 
 namespace LIGGGHTS {
@@ -14,9 +18,13 @@ constexpr const char* asked_for_by = "cohesion_model hamaker";
 constexpr const char* constant_property = "hamakerConstant";
 constexpr const char* surface_property = "hamakerSurfaceCutoff";
 constexpr const char* outer_property = "hamakerOuterCutoff";
+constexpr const char* stiffness_property = "materialStiffness";
 
 MatrixProperty* make_constant(PropertyRegistry& registry, const char* caller, bool) {
   return MODEL_PARAMS::createPerTypePairProperty(registry, constant_property, caller);
+}
+MatrixProperty* make_stiffness(PropertyRegistry& registry, const char* caller, bool) {
+  return MODEL_PARAMS::createPerTypePairProperty(registry, stiffness_property, caller);
 }
 ScalarProperty* make_surface_cutoff(PropertyRegistry& registry, const char* caller, bool) {
   return MODEL_PARAMS::createScalarProperty(registry, surface_property, caller);
@@ -25,9 +33,25 @@ ScalarProperty* make_outer_cutoff(PropertyRegistry& registry, const char* caller
   return MODEL_PARAMS::createScalarProperty(registry, outer_property, caller);
 }
 
+/// One factor for a pair of types wants one spring for it.
+void require_of_types(LAMMPS_NS::LAMMPS* lmp, const NormalModelProbe& normal) {
+  if (normal.is_of_types()) return;
+  const std::string message =
+      std::string("cohesion model ") + HamakerAttraction::MODEL +
+      ", material_stiffness: scales from the stiffness of the material to that of the contact, but "
+      "the spring of model " +
+      normal.name() + " differs from one pair of particles or overlap to the next: use model " +
+      "hooke/stiffness, or give the scaled hamakerConstant and hamakerSurfaceCutoff";
+  lmp->error->all(FLERR, message.c_str());
+}
+
 }  // namespace
 
-void HamakerAttraction::connect(PropertyRegistry& registry) {
+void HamakerAttraction::registerSettings(Settings& settings) {
+  settings.registerOnOff("material_stiffness", scales_, false);
+}
+
+void HamakerAttraction::connect(PropertyRegistry& registry, const NormalModelProbe& normal) {
   registry.registerProperty(constant_property, &make_constant);
   registry.registerProperty(surface_property, &make_surface_cutoff);
   registry.registerProperty(outer_property, &make_outer_cutoff);
@@ -35,15 +59,44 @@ void HamakerAttraction::connect(PropertyRegistry& registry) {
   const double surface = registry.getScalarProperty(surface_property, asked_for_by)->data;
   outer_cutoff_ = registry.getScalarProperty(outer_property, asked_for_by)->data;
 
+  double** material = nullptr;
+  if (scales_) {
+    require_of_types(lmp_, normal);
+    registry.registerProperty(stiffness_property, &make_stiffness);
+    material = registry.getMatrixProperty(stiffness_property, asked_for_by)->data;
+  }
+
   laws_.fill(
       lmp_, MODEL, registry.max_type(),
       [&](int i, int j) {
-        return Law(cohesion::hamaker::Parameters{constant[i][j], surface, outer_cutoff_});
+        const cohesion::hamaker::Parameters given{constant[i][j], surface, outer_cutoff_};
+        cohesion::hamaker::require_valid(given);
+        return Law(scales_ ? scaled(given, material[i][j], normal, i, j) : given);
       },
       [&](int i, int j) {
         return shown(constant_property, constant[i][j]) + ", " + shown(surface_property, surface) +
-               ", " + shown(outer_property, outer_cutoff_);
+               ", " + shown(outer_property, outer_cutoff_) +
+               (scales_ ? ", " + shown(stiffness_property, material[i][j]) : "");
       });
+}
+
+cohesion::hamaker::Parameters HamakerAttraction::scaled(const cohesion::hamaker::Parameters& real,
+                                                        double material,
+                                                        const NormalModelProbe& normal, int itype,
+                                                        int jtype) const {
+  cohesion::require_non_negative("material stiffness", material);
+  if (material == 0.0 || real.hamaker_constant == 0.0) return real;
+  // Any particles: the spring is of the types alone.
+  const double soft = normal.springs({itype, jtype, 1.0, 1.0, 1.0, 1.0, false}).stiffness;
+  const cohesion::hamaker::Parameters p =
+      cohesion::advice::StiffnessScaling(material, soft).hamaker(real);
+  std::ostringstream message;
+  message << "cohesion model " << MODEL << ", atom types " << itype << " and " << jtype
+          << ": adhesion scaled from stiffness " << material << " to " << soft
+          << ", so that as many stick: A " << real.hamaker_constant << " -> " << p.hamaker_constant
+          << ", H_cut " << real.surface_cutoff << " -> " << p.surface_cutoff << "\n";
+  if (itype <= jtype) LAMMPS_NS::engine_api::tell(lmp_, message.str());
+  return p;
 }
 
 ContactRange HamakerAttraction::range() const {

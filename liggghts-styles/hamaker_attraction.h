@@ -2,10 +2,16 @@
 #ifndef COHESION_HAMAKER_ATTRACTION_H
 #define COHESION_HAMAKER_ATTRACTION_H
 
+#include <cmath>
+
+#include "contact/adhesion.h"
+#include "contact_book.h"
 #include "contact_range.h"
 #include "encounter.h"
 #include "hamaker/law.h"
 #include "hamaker/small_gap.h"
+#include "normal_model_probe.h"
+#include "settings.h"
 #include "sphere.h"
 #include "table_of_types.h"
 
@@ -13,36 +19,54 @@ namespace LIGGGHTS {
 namespace Cohesion {
 
 /// Of the cohesion model hamaker: hamaker/law.h with the form of small gaps.
-class HamakerAttraction {
+class HamakerAttraction : public AttractionEnergy {
  public:
   static constexpr const char* MODEL = "hamaker";
 
   HamakerAttraction(LAMMPS_NS::LAMMPS* lmp, IContactHistorySetup*, LAMMPS_NS::FixWallGran*)
       : lmp_(lmp) {}
 
+  /// Keyword material_stiffness.
+  void registerSettings(Settings& settings);
+
   /// Reads fix property/global hamakerConstant (peratomtypepair), hamakerSurfaceCutoff and
-  /// hamakerOuterCutoff (scalar). A parameter that cannot be right stops the engine with the types
-  /// and the values given.
-  void connect(PropertyRegistry& registry);
+  /// hamakerOuterCutoff (scalar), and materialStiffness (peratomtypepair) when the adhesion is to
+  /// be scaled, which is then printed. A parameter that cannot be right stops the engine with the
+  /// types and the values given.
+  void connect(PropertyRegistry& registry, const NormalModelProbe& normal);
 
   ContactRange range() const;
   double reach() const { return outer_cutoff_; }
 
   bool binds(double gap, const double*) const { return gap < outer_cutoff_; }
+  /// rj infinite: beside a wall.
+  cohesion::contact::Adhesion adhesion(int itype, int jtype, double ri, double rj) const {
+    return cohesion::contact::adhesion_of(laws_.of(itype, jtype),
+                                          geometry(!std::isfinite(rj), ri, rj));
+  }
+
+  double energy(int itype, int jtype, double ri, double rj, double gap, bool) const override {
+    return laws_.of(itype, jtype).energy(gap, geometry(!std::isfinite(rj), ri, rj));
+  }
 
   double force(const Encounter& e) const {
     const auto& d = e.data;
-    const cohesion::PairGeometry geometry =
-        d.is_wall ? cohesion::sphere_and_plane(d.radi) : cohesion::two_spheres(d.radi, d.radj);
-    return laws_.of(d.itype, d.jtype).force(e.gap, geometry);
+    return laws_.of(d.itype, d.jtype).force(e.gap, geometry(d.is_wall, d.radi, d.radj));
   }
 
  private:
   using Law = cohesion::hamaker::Law<cohesion::hamaker::SmallGap>;
 
+  static cohesion::PairGeometry geometry(bool is_wall, double ri, double rj) {
+    return is_wall ? cohesion::sphere_and_plane(ri) : cohesion::two_spheres(ri, rj);
+  }
+  cohesion::hamaker::Parameters scaled(const cohesion::hamaker::Parameters&, double material,
+                                       const NormalModelProbe&, int itype, int jtype) const;
+
   LAMMPS_NS::LAMMPS* lmp_;
   TableOfTypes<Law> laws_;
   double outer_cutoff_ = 0.0;
+  bool scales_ = false;
 };
 
 }  // namespace Cohesion

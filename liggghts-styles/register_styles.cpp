@@ -13,10 +13,13 @@
 #include <map>
 #include <string>
 
+#include "compute_gran_energy.h"
 #include "compute_shear_profile.h"
 #include "domain.h"
 #include "error.h"
 #include "fix_agglomerates.h"
+#include "fix_contact_advice.h"
+#include "fix_contact_book.h"
 #include "fix_deform_shear.h"
 #include "fix_gas_coupling.h"
 #include "lammps.h"
@@ -59,7 +62,11 @@ void register_styles(LAMMPS* lmp) {
   fixes["agglomerates"] = &make_fix<FixAgglomerates>;
   fixes["deform/shear"] = &make_fix<FixDeformShear>;
   fixes["gas/coupling"] = &make_fix<FixGasCoupling>;
-  (*computes_of(*lmp->modify))["shear/profile"] = &make_compute<ComputeShearProfile>;
+  fixes[FixContactAdvice::STYLE] = &make_fix<FixContactAdvice>;
+  fixes[FixContactBook::STYLE] = &make_fix<FixContactBook>;
+  Computes& computes = *computes_of(*lmp->modify);
+  computes["gran/energy"] = &make_compute<ComputeGranEnergy>;
+  computes["shear/profile"] = &make_compute<ComputeShearProfile>;
 
   // LIGGGHTS leaves the periods of a tilted box at zero: what leaves it would be lost. They are 1
   // in the coordinates of the box.

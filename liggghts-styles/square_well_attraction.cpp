@@ -52,7 +52,7 @@ SquareWellAttraction::SquareWellAttraction(LAMMPS* lmp, IContactHistorySetup* ow
   owner->add_history_value("wellLastStep", "0");
 }
 
-void SquareWellAttraction::connect(PropertyRegistry& registry) {
+void SquareWellAttraction::connect(PropertyRegistry& registry, const NormalModelProbe&) {
   registry.registerProperty(depth_property, &make_depth);
   registry.registerProperty(ratio_property, &make_ratio);
   double** depth = registry.getMatrixProperty(depth_property, asked_for_by)->data;

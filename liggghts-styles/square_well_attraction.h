@@ -2,10 +2,13 @@
 #ifndef COHESION_SQUARE_WELL_ATTRACTION_H
 #define COHESION_SQUARE_WELL_ATTRACTION_H
 
+#include <cmath>
 #include <limits>
 
+#include "contact_book.h"
 #include "contact_range.h"
 #include "encounter.h"
+#include "normal_model_probe.h"
 #include "square_well/parameters.h"
 #include "table_of_types.h"
 
@@ -19,16 +22,18 @@ namespace Cohesion {
 /// Of the cohesion model square_well: event_stepping/sampled_well.h, the impulse at the edge spread
 /// over the step. What it remembers of each contact goes with the engine's contact history through
 /// exchange and restart.
-class SquareWellAttraction {
+class SquareWellAttraction : public AttractionEnergy {
  public:
   static constexpr const char* MODEL = "square_well";
 
   SquareWellAttraction(LAMMPS_NS::LAMMPS* lmp, IContactHistorySetup* owner,
                        LAMMPS_NS::FixWallGran* wall);
 
+  void registerSettings(Settings&) {}
+
   /// Reads fix property/global wellDepth (peratomtypepair) and wellRatio (peratomtype). A parameter
   /// that cannot be right stops the engine with the types and the values given.
-  void connect(PropertyRegistry& registry);
+  void connect(PropertyRegistry& registry, const NormalModelProbe&);
 
   ContactRange range() const;
   /// It has to see the pair outside, too.
@@ -36,8 +41,16 @@ class SquareWellAttraction {
 
   /// While the pair is in its well.
   bool binds(double gap, const double* history) const;
+  /// rj infinite: beside a wall.
+  cohesion::contact::Adhesion adhesion(int itype, int jtype, double ri, double rj) const {
+    return cohesion::square_well::adhesion_of(wells_.of(itype, jtype), ri,
+                                              std::isfinite(rj) ? rj : 0.0);
+  }
 
   double force(const Encounter& encounter);
+  double energy(int itype, int jtype, double, double, double, bool inside) const override {
+    return inside ? -wells_.of(itype, jtype).depth : 0.0;
+  }
 
  private:
   void step(const Encounter& encounter, double* history) const;

@@ -20,6 +20,8 @@ struct SchemeLimits {
   double steps_for_warning;  ///< steps per contact below which results suffer
   double steps_for_error;    ///< steps per contact below which they mean nothing
   bool samples_force;        ///< one force per step: leapfrog's limit holds, and gaps are skipped
+  /// What else than a smaller step helps where gaps are skipped.
+  std::string_view remedy = "use the event scheme";
 };
 
 /// Force sampled once per step: 15 to 50 steps per contact are usual; the error is leapfrog's own.
@@ -87,15 +89,14 @@ inline Verdict stability(const ContactNumbers& n) {
           text("the time step ", dt, " makes contacts unstable: reduce it below ", limit)};
 }
 
-inline Verdict cutoff_steps(const ContactNumbers& n) {
+inline Verdict cutoff_steps(const ContactNumbers& n, const SchemeLimits& limits) {
   const double steps = n.steps_in_cutoff();
   const std::string sentence =
       text("a pair at ", n.entry_speed(), " crosses the surface cut-off in ", steps, " time steps");
   if (steps >= cutoff_steps_for_warning) return {Subject::cutoff_steps, Severity::ok, sentence};
   return {Subject::cutoff_steps, Severity::warning,
           sentence + text(", so that which pairs stick is left to chance: reduce the time step to ",
-                          n.parameters().adhesion.cutoff / n.entry_speed(),
-                          " or use the event scheme")};
+                          n.parameters().adhesion.cutoff / n.entry_speed(), " or ", limits.remedy)};
 }
 
 /// The overlap falls as stiffness^(-1/power).
@@ -132,7 +133,7 @@ inline std::vector<Verdict> advise(const ContactNumbers& n, const SchemeLimits& 
   std::vector<Verdict> verdicts{detail::contact_steps(n, limits)};
   if (limits.samples_force) verdicts.push_back(detail::stability(n));
   if (limits.samples_force && attracts && p.adhesion.cutoff > 0.0)
-    verdicts.push_back(detail::cutoff_steps(n));
+    verdicts.push_back(detail::cutoff_steps(n, limits));
   if (attracts)
     verdicts.push_back(detail::overlap(Subject::static_overlap, "the overlap of a resting pair",
                                        n.static_overlap_over_diameter(), p.stiffness, 1.0));

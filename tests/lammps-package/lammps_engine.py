@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs LAMMPS on the scripts beside this file and reads what it wrote.
+"""Runs LAMMPS on the scripts beside this file and reads what it wrote; or LIGGGHTS, whose command line, data
+files and dumps are the same, on scripts of the same names.
 
 The environment names the engine under test:
   COHESION_LMP            program that knows `plugin load`
   COHESION_PLUGIN         plugin built for it
   COHESION_OTHER_PLUGIN   plugin built for another version, empty when there is none
+  COHESION_SCRIPTS        folder of the scripts, when it is another
   COHESION_MPIEXEC        MPI launcher with the option that sets the number of ranks
 """
 import os
@@ -16,9 +18,9 @@ import numpy
 
 from printed_thermo import thermo, thermo_lines  # noqa: F401 (for those who import this)
 
-SCRIPTS = Path(__file__).resolve().parent
+SCRIPTS = Path(os.environ.get("COHESION_SCRIPTS", Path(__file__).resolve().parent))
 LMP = os.environ["COHESION_LMP"]
-PLUGIN = os.environ["COHESION_PLUGIN"]
+PLUGIN = os.environ.get("COHESION_PLUGIN", "")
 OTHER_PLUGIN = os.environ.get("COHESION_OTHER_PLUGIN", "")
 MPIEXEC = os.environ.get("COHESION_MPIEXEC", "").split()
 

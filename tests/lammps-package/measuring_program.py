@@ -1,18 +1,28 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Command line of the programs here that measure: `LMP_WITH_PLUGIN_COMMAND PLUGIN [options]`."""
+"""Command line of the programs here that measure: `LMP_WITH_PLUGIN_COMMAND PLUGIN [options]`, and of those
+that know LIGGGHTS too, `LIGGGHTS_COHESION [options]`."""
 import argparse
 import os
+from pathlib import Path
+
+LIGGGHTS_SCRIPTS = Path(__file__).resolve().parents[1] / "liggghts-styles"
 
 
-def words(description, *options):
-    """What the command line says. `options`: name and keywords of argparse's add_argument, each.
-    Names the engine to lammps_engine, which is to be imported after this."""
+def words(description, *options, liggghts=False):
+    """What the command line says. `options`: name and keywords of argparse's add_argument, each; `liggghts`:
+    whether a LIGGGHTS is taken as well, which has no plugin. Names the engine to lammps_engine, which is to be
+    imported after this."""
     parser = argparse.ArgumentParser(description=description,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("lmp", help="program that knows `plugin load`")
-    parser.add_argument("plugin", help="plugin built for it")
+    parser.add_argument("lmp", help="program that knows `plugin load`" + (", or liggghts-cohesion" if liggghts else ""))
+    parser.add_argument("plugin", help="plugin built for it; of liggghts-cohesion none",
+                        **({"nargs": "?"} if liggghts else {}))
     for name, keywords in options:
         parser.add_argument(name, **keywords)
     given = parser.parse_args()
-    os.environ.update(COHESION_LMP=given.lmp, COHESION_PLUGIN=given.plugin, OMP_NUM_THREADS="1")
+    os.environ.update(COHESION_LMP=given.lmp, OMP_NUM_THREADS="1")
+    if given.plugin:
+        os.environ["COHESION_PLUGIN"] = given.plugin
+    else:
+        os.environ["COHESION_SCRIPTS"] = str(LIGGGHTS_SCRIPTS)
     return given

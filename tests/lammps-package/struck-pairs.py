@@ -1,10 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""A pair that sticks, struck by a third sphere: error of pair_style gran/hamaker against the step.
+"""A pair that sticks, struck by a third sphere: error of Hamaker adhesion against the step.
 
-  struck-pairs.py LMP_WITH_PLUGIN_COMMAND PLUGIN
+  struck-pairs.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--scheme event|sampled] [--finest N]
+  struck-pairs.py LIGGGHTS_COHESION [--finest N]         sampled
 
-100 triples (struck_pairs.py) against t_c/1000, after 30 t_c. Printed: how many end otherwise (who sticks
+Sampled: without friction, of which the engines have different laws; as in in.head_on.
+
+100 triples (struck_pairs.py) against t_c/N, 1000 unless said otherwise, after 30 t_c. Printed: how many end otherwise (who sticks
 to whom), and, of the others, the root mean square of the error of the velocities over the speed of the
 third sphere.
 """
@@ -12,21 +15,24 @@ import numpy
 
 import measuring_program
 
-DIVISIONS, FINEST = (2, 4, 5, 10, 20, 40), 1000
+DIVISIONS = {"event": (2, 4, 5, 10, 20, 40), "sampled": (4, 10, 20, 50, 200, 1000)}
 
 
 def main():
-    measuring_program.words(__doc__)
+    words = measuring_program.words(
+        __doc__, ("--scheme", {"choices": tuple(DIVISIONS), "default": "event"}),
+        ("--finest", {"type": int, "default": 1000}), liggghts=True)
+    scheme = words.scheme if words.plugin else "sampled"
     import lammps_engine as engine
     import struck_pairs
 
     with engine.temporary_folder() as folder:
         struck_pairs.write(folder)
-        for friction in (0.0, 0.3):
-            exact, stuck, _ = struck_pairs.outcome(folder, FINEST, friction)
+        for friction in (0.0, 0.3) if scheme == "event" else (0.0,):
+            exact, stuck, _ = struck_pairs.outcome(folder, words.finest, friction, scheme)
             print(f"friction {friction:g}")
-            for division in DIVISIONS:
-                velocities, sticks, _ = struck_pairs.outcome(folder, division, friction)
+            for division in DIVISIONS[scheme]:
+                velocities, sticks, _ = struck_pairs.outcome(folder, division, friction, scheme)
                 same = (sticks == stuck).all(axis=0)
                 error = numpy.linalg.norm(velocities - exact, axis=2) / struck_pairs.SPEEDS[:, None]
                 print(f"  t_c/{division:<4d} other outcome {(~same).sum():3d}   root mean square "

@@ -44,11 +44,22 @@ def write(folder):
     engine.write_spheres(folder, spheres, [(0, 0.04), (0, 0.04), (0, 4e-3)], 1)
 
 
-def outcome(folder, division, friction):
-    """At t_c/division, after 30 t_c: velocities (triple, sphere, axis), which of the three pairs stick
+def follow_sampled(folder, division):
+    """By forces on the grid, without friction."""
+    dt = T_C / division
+    engine.run("in.head_on", folder, dt=dt, steps=round(DURATION / dt), K=gas.STIFFNESS,
+               gamma=-2 * math.log(RESTITUTION) / math.pi * math.sqrt(2 * gas.STIFFNESS / gas.MASS),
+               A=A, cut=settling.CUT, out=1e-7)
+
+
+def outcome(folder, division, friction, scheme="event"):
+    """At t_c/division, after 30 t_c, followed by `scheme`, the sampled one without friction: velocities (triple, sphere, axis), which of the three pairs stick
     (pair, triple), and the slowest speed at which two have parted (triple)."""
-    gas.follow(folder, division, DURATION, 2, A=A, e=RESTITUTION, mu=friction,
-               skin=4e-4 if division < 4 else 2e-4)
+    if scheme == "sampled":
+        follow_sampled(folder, division)
+    else:
+        gas.follow(folder, division, DURATION, 2, A=A, e=RESTITUTION, mu=friction,
+                   skin=4e-4 if division < 4 else 2e-4)
     end = engine.dump(folder, "end.txt").reshape(len(SPEEDS), 3, -1)
     places, velocities = end[:, :, 1:4], end[:, :, 4:7]
     gaps, speeds = [], []

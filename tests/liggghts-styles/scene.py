@@ -36,9 +36,9 @@ def _matrix(name, value, wall_value):
         repr(float(v)) for v in (value, wall_value, wall_value, value)) + "\n"
 
 
-def contact(wall=1.0):
+def contact(wall=1.0, stiffness=STIFFNESS, gamman=1000):
     """Properties of all contact models; `wall`: spring and dashpot of hooke/stiffness with a wall,
-    over those of two spheres."""
+    over those of two spheres; stiffness, gamman: of that model."""
     text = """fix E all property/global youngsModulus peratomtype 5e6 5e6
 fix nu all property/global poissonsRatio peratomtype 0.3 0.3
 fix v all property/global characteristicVelocity scalar 1
@@ -47,7 +47,7 @@ fix v all property/global characteristicVelocity scalar 1
                         "coefficientRollingFriction": 0.1}.items():
         text += _matrix(name, value, value)
     # Of gamman the dashpot is gamman times the reduced mass, of gamman_abs it is gamman_abs.
-    for name, value in {"kn": STIFFNESS, "kt": STIFFNESS, "gamman": 1000, "gammat": 1000,
+    for name, value in {"kn": stiffness, "kt": stiffness, "gamman": gamman, "gammat": 1000,
                         "gamman_abs": DAMPING, "gammat_abs": DAMPING}.items():
         text += _matrix(name, value, wall * value)
     return text

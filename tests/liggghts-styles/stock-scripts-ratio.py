@@ -7,7 +7,7 @@ they print the same numbers, and what they cost.
 
 A SCRIPT runs in a copy of its folder. Runs take turns, and each turn gives one ratio of times, those of the
 engine's own loops by the clock and, which a busy machine changes less, processor time of the whole process;
-printed are the medians. A script that the stock program itself does not run within the limit is named and
+printed are the medians with the quarter and three quarter points. A script that the stock program itself does not run within the limit is named and
 left out.
 """
 import argparse
@@ -16,9 +16,10 @@ import pathlib
 import re
 import resource
 import shutil
-import statistics
 import subprocess
 import tempfile
+
+from spread import spread
 
 SHORT_START = {"OMPI_MCA_pml": "ob1", "OMPI_MCA_btl": "self,vader", "OMP_NUM_THREADS": "1"}
 
@@ -77,8 +78,8 @@ def main():
     words = words.parse_args()
     ways = {"stock": (words.stock, None), "launcher": (words.launcher, None),
             "preload": (words.stock, os.path.abspath(words.preload))}
-    print(f"{'script':40} {'same numbers':>14} {'time':>15} {'processor time':>15}\n"
-          f"{'':40} {'launch preload':>14} {'launch preload':>15} {'launch preload':>15}")
+    print(f"{'script':40} {'same numbers':>14}  {'time':52}processor time\n{'':40} {'launch preload':>14}  "
+          + 2 * f"{'launch':26}{'preload':26}")
     for script in words.scripts:
         name = "/".join(pathlib.Path(script).parts[-2:])
         turns, failed = [], None
@@ -98,10 +99,9 @@ def main():
         same, times, cpu = [], [], []
         for way in ("launcher", "preload"):
             same.append("yes" if all(t[way].numbers == t["stock"].numbers for t in turns) else "NO")
-            times.append(statistics.median(t[way].seconds / t["stock"].seconds for t in turns))
-            cpu.append(statistics.median(t[way].processor / t["stock"].processor for t in turns))
-        print(f"{name:40} {same[0]:>6} {same[1]:>7} {times[0]:7.3f} {times[1]:7.3f} {cpu[0]:7.3f} "
-              f"{cpu[1]:7.3f}", flush=True)
+            times.append(spread(t[way].seconds / t["stock"].seconds for t in turns))
+            cpu.append(spread(t[way].processor / t["stock"].processor for t in turns))
+        print(f"{name:40} {same[0]:>6} {same[1]:>7}  " + "  ".join(f"{s:24}" for s in (*times, *cpu)), flush=True)
 
 
 if __name__ == "__main__":

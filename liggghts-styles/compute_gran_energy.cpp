@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "compute_gran_energy.h"
+
+#include <mpi.h>
+
+#include "atom.h"
+#include "domain.h"
+#include "error.h"
+#include "fix_contact_book.h"
+#include "gravity_of_fixes.h"
+#include "hidden_fix.h"
+#include "mobile_particles.h"
+#include "update.h"
+
+namespace LIGGGHTS {
+namespace Cohesion {
+
+using namespace LAMMPS_NS;
+using namespace cohesion::energy_book;
+using cohesion::vector;
+using cohesion::Vector3;
+
+ComputeGranEnergy::ComputeGranEnergy(LAMMPS* engine, int count, char** words)
+    : StyleCompute(engine, count, words) {
+  if (count != 3) error->all(FLERR, "compute gran/energy takes no further arguments");
+  if (igroup != 0)
+    error->all(FLERR, "compute gran/energy balances all particles; its group must be 'all'");
+  if (find_hidden_fix<FixContactBook>(lmp))
+    error->all(FLERR, "compute gran/energy: there is one already, and one book is kept");
+  scalar_flag = vector_flag = 1;
+  extscalar = extvector = 1;
+  size_vector = ENTRIES;
+  vector = new double[ENTRIES];
+  hidden_fix<FixContactBook>(lmp);
+}
+
+ComputeGranEnergy::~ComputeGranEnergy() { delete[] vector; }
+
+void ComputeGranEnergy::pre_delete(bool) {
+  if (find_hidden_fix<FixContactBook>(lmp)) modify->delete_fix(FixContactBook::STYLE);
+}
+
+void ComputeGranEnergy::compute_vector() {
+  invoked_vector = update->ntimestep;
+  double mine[ENTRIES] = {};
+  const MobileParticles mobile(modify);
+  const GravityOfFixes gravity(modify);
+  const double half = 0.5 * update->dt;
+  for (int i = 0; i < atom->nlocal; i++) {
+    const int mask = atom->mask[i];
+    if (!mobile.moves(mask)) continue;
+    const double mass = atom->rmass[i];
+    const double inertia =
+        mobile.inertia_factor(domain->dimension) * mass * atom->radius[i] * atom->radius[i];
+    const Vector3 v = cohesion::vector(atom->v[i]) + half / mass * cohesion::vector(atom->f[i]);
+    const Vector3 omega =
+        cohesion::vector(atom->omega[i]) + half / inertia * cohesion::vector(atom->torque[i]);
+    mine[KINETIC] += 0.5 * mass * dot(v, v);
+    mine[ROTATIONAL] += 0.5 * inertia * dot(omega, omega);
+    double place[3];
+    domain->unmap(atom->x[i], atom->image[i], place);
+    mine[GRAVITY] -= mass * dot(gravity.on(mask), cohesion::vector(place) + half * v);
+  }
+  const ContactBook& book = *hidden_fix<FixContactBook>(lmp).book();
+  mine[SPRING] = book.spring;
+  mine[TANGENTIAL_SPRING] = book.tangential_spring;
+  mine[ADHESION] = book.adhesion;
+  mine[ROLLING_SPRING] = book.rolling_spring;
+  mine[NORMAL_DAMPING] = book.normal_damping();
+  mine[TANGENTIAL_DAMPING] = book.tangential_damping();
+  mine[FRICTION] = book.friction();
+  mine[ROLLING] = book.rolling();
+  mine[EXTERNAL_WORK] = book.external_work();
+  MPI_Allreduce(mine, vector, ENTRIES, MPI_DOUBLE, MPI_SUM, world);
+  opened_.close(vector);
+}
+
+/// Kinetic and stored energy.
+double ComputeGranEnergy::compute_scalar() {
+  if (invoked_vector != update->ntimestep) compute_vector();
+  invoked_scalar = update->ntimestep;
+  return scalar = stored(vector);
+}
+
+}  // namespace Cohesion
+}  // namespace LIGGGHTS

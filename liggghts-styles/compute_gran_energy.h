@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef COHESION_COMPUTE_GRAN_ENERGY_H
+#define COHESION_COMPUTE_GRAN_ENERGY_H
+
+#include "energy_book.h"
+#include "liggghts_api.h"
+
+namespace LIGGGHTS {
+namespace Cohesion {
+
+/// compute ID all gran/energy: the energy book half a step after the grid point.
+/// Doc: docs/liggghts-styles/compute_gran_energy.md
+class ComputeGranEnergy : public LAMMPS_NS::engine_api::StyleCompute {
+ public:
+  ComputeGranEnergy(LAMMPS_NS::LAMMPS* engine, int count, char** words);
+  ~ComputeGranEnergy() override;
+  void pre_delete(bool) override;
+
+  void init() override {}
+  void compute_vector() override;
+  double compute_scalar() override;
+
+ private:
+  cohesion::energy_book::Opened opened_;
+};
+
+}  // namespace Cohesion
+}  // namespace LIGGGHTS
+
+#endif

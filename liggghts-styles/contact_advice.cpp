@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "contact_advice.h"
+
+#include <mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "atom.h"
+#include "comm.h"
+#include "error.h"
+#include "fix_mesh_surface.h"
+#include "fix_template_sphere.h"
+#include "fix_wall_gran.h"
+#include "force.h"
+#include "gravity_of_fixes.h"
+#include "liggghts_api.h"
+#include "mobile_particles.h"
+#include "pair_gran.h"
+#include "sphere.h"
+#include "update.h"
+
+namespace LIGGGHTS {
+namespace Cohesion {
+
+using namespace LAMMPS_NS;
+namespace advice = cohesion::advice;
+using advice::LightestParticle;
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// One force per contact and step is what the engine asks for.
+constexpr advice::SchemeLimits limits{
+    advice::sampled_scheme.scheme, advice::sampled_scheme.steps_for_warning,
+    advice::sampled_scheme.steps_for_error, advice::sampled_scheme.samples_force,
+    "use the event scheme of the LAMMPS package"};
+
+void take_lighter(LightestParticle& lightest, double radius, double mass) {
+  lightest.radius = std::min(lightest.radius, radius);
+  lightest.mass = std::min(lightest.mass, mass);
+}
+
+/// Particles that are still to come; they are of the mean density of their template.
+void count_templates(Modify* modify, std::vector<LightestParticle>& lightest) {
+  for (int k = 0; k < modify->nfix; k++) {
+    auto* const spheres = dynamic_cast<FixTemplateSphere*>(modify->fix[k]);
+    if (!spheres || spheres->number_spheres() != 1 || spheres->is_relative()) continue;
+    const double radius = spheres->min_rad();
+    const double density = spheres->massexpect() / spheres->volexpect();
+    for (int type = spheres->mintype(); type <= spheres->maxtype(); type++)
+      take_lighter(lightest[type], radius, density * cohesion::sphere_volume(radius));
+  }
+}
+
+double fastest_particle(LAMMPS* lmp) {
+  double squared = 0.0, all = 0.0;
+  for (int i = 0; i < lmp->atom->nlocal; i++) {
+    const double* const v = lmp->atom->v[i];
+    squared = std::max(squared, v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+  }
+  MPI_Allreduce(&squared, &all, 1, MPI_DOUBLE, MPI_MAX, lmp->world);
+  return std::sqrt(all);
+}
+
+std::set<int> types_of(const FixWallGran& wall) {
+  if (!wall.is_mesh_wall()) return {wall.atom_type_wall()};
+  std::set<int> types;
+  for (int k = 0; k < wall.n_meshes(); k++) types.insert(wall.mesh_list()[k]->atomTypeWall());
+  return types;
+}
+
+}  // namespace
+
+std::vector<LightestParticle> lightest_particles(LAMMPS* lmp) {
+  const Atom* const atom = lmp->atom;
+  const MobileParticles mobile(lmp->modify);
+  std::vector<LightestParticle> mine(atom->ntypes + 1, {infinite, infinite});
+  count_templates(lmp->modify, mine);
+  for (int i = 0; i < atom->nlocal; i++)
+    take_lighter(mine[atom->type[i]], atom->radius[i],
+                 mobile.moves(atom->mask[i]) ? atom->rmass[i] : infinite);
+  std::vector<LightestParticle> all(mine.size());
+  MPI_Allreduce(mine.data(), all.data(), 2 * static_cast<int>(mine.size()), MPI_DOUBLE, MPI_MIN,
+                lmp->world);
+  return all;
+}
+
+ContactAdvice::ContactAdvice(LAMMPS* lmp, FixWallGran* wall, const std::string& model,
+                             const NormalModelProbe& normal, Adhesion adhesion)
+    : lmp_(lmp), wall_(wall), model_(model), normal_(normal), adhesion_(std::move(adhesion)) {}
+
+void ContactAdvice::give() const {
+  const advice::RunNumbers run{fastest_particle(lmp_), GravityOfFixes(lmp_->modify).largest(),
+                               lmp_->update->dt};
+  std::string who = model_ + (wall_ ? std::string(", fix wall/gran ") + wall_->id : "");
+  if (normal_.exponent() != 1.0)
+    who += " (" + normal_.name() + ": linear springs that an impact presses as far)";
+  const advice::Report report = advice::report(who, limits, contacts(run), run);
+  if (lmp_->comm->me == 0) {
+    engine_api::tell(lmp_, report.table);
+    for (const std::string& warning : report.warnings) lmp_->error->warning(FLERR, warning.c_str());
+  }
+  if (!report.stop.empty()) lmp_->error->all(FLERR, report.stop.c_str());
+}
+
+std::vector<advice::AdvisedContact> ContactAdvice::contacts(const advice::RunNumbers& run) const {
+  const std::vector<LightestParticle> lightest = lightest_particles(lmp_);
+  std::vector<advice::AdvisedContact> contacts;
+  const auto add = [&](const std::string& name, int i, int j, const LightestParticle& partner) {
+    advice::AdvisedContact c{name, lightest[i], partner, {}, {}};
+    if (!c.moves()) return;
+    c.adhesion = adhesion_(i, j, c.i.radius, c.j.radius);
+    set_springs(c, i, j, run);
+    contacts.push_back(c);
+  };
+  for (int i = 1; i <= lmp_->atom->ntypes; i++) {
+    if (!std::isfinite(lightest[i].radius)) continue;  // no particles
+    if (wall_) {
+      const std::set<int> types = types_of(*wall_);
+      for (const int j : types)
+        add(std::to_string(i) + " - wall" + (types.size() > 1 ? " of " + std::to_string(j) : ""), i,
+            j, {infinite, infinite});
+      continue;
+    }
+    for (int j = i; j <= lmp_->atom->ntypes; j++)
+      if (std::isfinite(lightest[j].radius))
+        add(std::to_string(i) + " - " + std::to_string(j), i, j, lightest[j]);
+  }
+  return contacts;
+}
+
+void ContactAdvice::set_springs(advice::AdvisedContact& c, int itype, int jtype,
+                                const advice::RunNumbers& run) const {
+  const NormalModelProbe::Pair pair{itype,
+                                    jtype,
+                                    c.i.radius,
+                                    c.j.radius,
+                                    c.reduced_mass(),
+                                    advice::approach_speed(run, c),
+                                    wall_ != nullptr};
+  c.springs = normal_.springs(pair);
+  // Told where the impact goes: not every dashpot of the engine changes with the overlap as
+  // power_law_spring.h has it.
+  if (c.springs.exponent != 1.0)
+    c.springs =
+        normal_.springs(pair, advice::largest_overlap(c.springs, c.reduced_mass(), c.adhesion.force,
+                                                      advice::touching_speed(run, c)));
+  if (!holds("tangential", "history", "coeffFrict", itype, jtype))
+    c.springs.tangential_stiffness = 0.0;
+  // The spring of rolling model epsd2 is the tangential one, with the reduced radius as lever.
+  if (!holds("rolling_friction", "epsd2", "coeffRollFrict", itype, jtype))
+    c.springs.rolling_stiffness = 0.0;
+}
+
+/// Whether the contact model has this model of a kind, and a coefficient other than zero for it.
+bool ContactAdvice::holds(const char* kind, const char* model, const char* coefficient, int itype,
+                          int jtype) const {
+  const bool has = wall_ ? wall_->contact_match(kind, model)
+                         : static_cast<PairGran*>(lmp_->force->pair)->contact_match(kind, model);
+  if (!has) return false;
+  return lmp_->force->registry.getMatrixProperty(coefficient, model_.c_str())->data[itype][jtype] >
+         0.0;
+}
+
+}  // namespace Cohesion
+}  // namespace LIGGGHTS

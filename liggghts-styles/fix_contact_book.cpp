@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "fix_contact_book.h"
+
+#include <mpi.h>
+
+#include <cstdlib>
+#include <cstring>
+#include <string>
+
+#include "error.h"
+#include "fix_wall_gran.h"
+#include "force.h"
+#include "hidden_fix.h"
+#include "modify.h"
+#include "pair_gran.h"
+
+namespace LIGGGHTS {
+namespace Cohesion {
+
+using namespace LAMMPS_NS;
+
+namespace {
+
+/// Whether a contact model writes into the book.
+template <class Owner>
+bool has_our_cohesion(Owner& owner) {
+  return owner.contact_match("cohesion", "hamaker") ||
+         owner.contact_match("cohesion", "square_well");
+}
+
+[[noreturn]] void refuse(LAMMPS* lmp, const std::string& why) {
+  lmp->error->all(FLERR, ("compute gran/energy: " + why).c_str());
+  std::abort();  // not reached
+}
+
+}  // namespace
+
+FixContactBook::FixContactBook(LAMMPS* engine, int count, char** words)
+    : Fix(engine, count, words), book_(std::make_shared<ContactBook>(engine)) {
+  nevery = 1;
+}
+
+int FixContactBook::setmask() { return FixConst::END_OF_STEP; }
+
+std::shared_ptr<ContactBook> FixContactBook::book_of(LAMMPS* lmp) {
+  const FixContactBook* const fix = find_hidden_fix<FixContactBook>(lmp);
+  return fix ? fix->book_ : nullptr;
+}
+
+void FixContactBook::to_the_end(LAMMPS* lmp) {
+  const int place = lmp->modify->find_fix(STYLE);
+  if (place < 0 || place == lmp->modify->nfix - 1) return;
+  const auto book = static_cast<FixContactBook*>(lmp->modify->fix[place])->book_;
+  lmp->modify->delete_fix(STYLE);
+  hidden_fix<FixContactBook>(lmp).book_ = book;
+}
+
+void FixContactBook::init() {
+  auto* const pair = dynamic_cast<PairGran*>(force->pair);
+  if (!pair || !has_our_cohesion(*pair))
+    refuse(
+        lmp,
+        "pair_style gran has none of the cohesion models hamaker and square_well, which keep the "
+        "book; without attraction, use 'cohesion hamaker' with hamakerConstant 0");
+  for (int k = 0; k < modify->nfix; k++) {
+    Fix* const fix = modify->fix[k];
+    if (std::strncmp(fix->style, "wall/gran", 9) == 0 &&
+        !has_our_cohesion(static_cast<FixWallGran&>(*fix)))
+      refuse(lmp,
+             std::string("fix wall/gran ") + fix->id +
+                 " has none of the cohesion models hamaker and square_well, which keep the book; "
+                 "without attraction, use 'cohesion hamaker' with hamakerConstant 0");
+    if (std::strncmp(fix->style, "multisphere", 11) == 0 ||
+        std::strncmp(fix->style, "rigid", 5) == 0)
+      refuse(lmp,
+             std::string("fix ") + fix->style +
+                 " moves bodies of several spheres, whose energy is not that of their spheres");
+  }
+}
+
+}  // namespace Cohesion
+}  // namespace LIGGGHTS

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef COHESION_MOBILE_PARTICLES_H
+#define COHESION_MOBILE_PARTICLES_H
+
+#include <cstring>
+
+#include "fix.h"
+#include "modify.h"
+
+namespace LIGGGHTS {
+namespace Cohesion {
+
+/// Which particles a force can move: those that a fix integrates, unless fix freeze holds them or
+/// fix move leads them.
+class MobileParticles {
+ public:
+  explicit MobileParticles(const LAMMPS_NS::Modify* modify) {
+    for (int k = 0; k < modify->nfix; k++) {
+      const LAMMPS_NS::Fix* const fix = modify->fix[k];
+      if (std::strcmp(fix->style, "freeze") == 0) frozen_ |= fix->groupbit;
+      if (fix->time_integrate && std::strcmp(fix->style, "move") != 0) mobile_ |= fix->groupbit;
+    }
+  }
+
+  /// Moment of inertia over mass and square of the radius: as fix nve/sphere turns the particle.
+  static double inertia_factor(int dimension) { return dimension == 2 ? 0.5 : 0.4; }
+
+  bool moves(int mask) const { return (mask & mobile_) && !(mask & frozen_); }
+
+ private:
+  int mobile_ = 0;
+  int frozen_ = 0;
+};
+
+}  // namespace Cohesion
+}  // namespace LIGGGHTS
+
+#endif

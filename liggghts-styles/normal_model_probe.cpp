@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "normal_model_probe.h"
+
+// The engine's headers need these three before all others.
+#include <mpi.h>
+// clang-format off
+#include "fix_insert_stream.h"
+#include "global_properties.h"
+// clang-format on
+#include "contact_model_base.h"
+#include "contact_models.h"
+
+namespace LIGGGHTS {
+namespace Cohesion {
+
+using namespace ContactModels;
+
+/// Owner of a model that is only asked: has no history and counts no heat.
+class NormalModelProbe::Quiet : public IContactHistorySetup, public ContactModelBase {
+ public:
+  explicit Quiet(LAMMPS* engine) : ContactModelBase(engine, false) {}
+  int add_history_value(std::string, std::string) override { return 0; }
+  void tally_pp(double, int, int, int) override {}
+  void tally_pw(double, int, int, int) override {}
+};
+
+namespace {
+
+using Maker = std::unique_ptr<NormalModelBase> (*)(LAMMPS*, IContactHistorySetup*,
+                                                   ContactModelBase*);
+
+template <int model>
+std::unique_ptr<NormalModelBase> make(LAMMPS* lmp, IContactHistorySetup* history,
+                                      ContactModelBase* base) {
+  return std::unique_ptr<NormalModelBase>(new NormalModel<model>(lmp, history, base));
+}
+
+struct Known {
+  const char* name;
+  Maker maker;
+};
+/// The models of model-lists/style_normal_model.h.
+constexpr Known known_models[] = {{"hooke", &make<HOOKE>},
+                                  {"hooke/stiffness", &make<HOOKE_STIFFNESS>},
+                                  {"hertz", &make<HERTZ>},
+                                  {"hertz/stiffness", &make<HERTZ_STIFFNESS>}};
+
+/// Over the radius: small against what contacts have, large against rounding.
+constexpr double asked_overlap = 1e-4;
+
+}  // namespace
+
+NormalModelProbe::NormalModelProbe(LAMMPS* lmp, const std::function<bool(const char*)>& has)
+    : quiet_(new Quiet(lmp)) {
+  for (const Known& known : known_models) {
+    if (!has(known.name)) continue;
+    name_ = known.name;
+    model_ = known.maker(lmp, quiet_.get(), quiet_.get());
+  }
+}
+
+NormalModelProbe::~NormalModelProbe() = default;
+
+void NormalModelProbe::registerSettings(Settings& settings) { model_->registerSettings(settings); }
+
+void NormalModelProbe::connect(PropertyRegistry& registry) {
+  model_->connectToProperties(registry);
+}
+
+double NormalModelProbe::exponent() const { return model_->stressStrainExponent(); }
+
+cohesion::advice::ContactSprings NormalModelProbe::springs(const Pair& pair, double overlap) const {
+  SurfacesIntersectData contact;
+  contact.is_wall = pair.is_wall;
+  contact.itype = pair.itype;
+  contact.jtype = pair.jtype;
+  contact.radi = pair.radius_i;
+  contact.radj = pair.radius_j;
+  contact.radsum = pair.radius_i + (pair.is_wall ? 0.0 : pair.radius_j);
+  contact.meff = contact.mi = contact.mj = pair.reduced_mass;
+  contact.deltan = overlap > 0.0 ? overlap : asked_overlap * pair.radius_i;
+  contact.r = contact.radsum - contact.deltan;
+  contact.vn = -pair.speed;
+  contact.en[0] = 1.0;
+  contact.en[1] = contact.en[2] = 0.0;
+  contact.computeflag = contact.shearupdate = 0;
+  ForceData on_i, on_j;
+  model_->surfacesIntersect(contact, on_i, on_j);
+
+  cohesion::advice::ContactSprings springs{contact.kn, contact.gamman};
+  springs.tangential_stiffness = springs.rolling_stiffness = contact.kt;
+  springs.exponent = exponent();
+  springs.overlap = contact.deltan;
+  return springs;
+}
+
+}  // namespace Cohesion
+}  // namespace LIGGGHTS

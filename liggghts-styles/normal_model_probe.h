@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef COHESION_NORMAL_MODEL_PROBE_H
+#define COHESION_NORMAL_MODEL_PROBE_H
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "advice/power_law_spring.h"
+#include "property_registry.h"
+#include "settings.h"
+
+namespace LIGGGHTS {
+namespace ContactModels {
+class NormalModelBase;
+}  // namespace ContactModels
+
+namespace Cohesion {
+
+/// A normal model of the engine beside the one that a contact model has, with the same settings and
+/// properties: asked about a contact that is not there, it tells spring and dashpot. What they are
+/// stays a matter of the engine.
+class NormalModelProbe {
+ public:
+  /// A contact to ask about.
+  struct Pair {
+    int itype, jtype;
+    double radius_i, radius_j;  ///< [length]; radius_j of no meaning beside a wall
+    double reduced_mass;        ///< [mass]
+    double speed;               ///< of approach: some dashpots depend on it, [length/time]
+    bool is_wall;
+  };
+
+  /// `has(name)`: whether the contact model has the normal model of this name.
+  NormalModelProbe(LAMMPS* lmp, const std::function<bool(const char*)>& has);
+  ~NormalModelProbe();
+
+  void registerSettings(Settings& settings);
+  void connect(PropertyRegistry& registry);
+
+  const std::string& name() const { return name_; }
+  /// Whether spring and dashpot follow from the atom types alone.
+  bool is_of_types() const { return name_ == "hooke/stiffness"; }
+
+  /// p of the force F ~ overlap^p.
+  double exponent() const;
+
+  /// At `overlap` [length], 0: a small one; and how the force changes with it.
+  cohesion::advice::ContactSprings springs(const Pair& pair, double overlap = 0.0) const;
+
+ private:
+  class Quiet;
+  std::unique_ptr<Quiet> quiet_;
+  std::unique_ptr<ContactModels::NormalModelBase> model_;
+  std::string name_;
+};
+
+}  // namespace Cohesion
+}  // namespace LIGGGHTS
+
+#endif

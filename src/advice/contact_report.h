@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "advice/contact_advice.h"
+#include "advice/power_law_spring.h"
+
+/// What a style prints before the first step of a run.
+namespace cohesion::advice {
+
+/// The smallest particle of a type, and the lightest that moves: its contacts are the shortest.
+struct LightestParticle {
+  double radius;  ///< [length]; infinite for a wall and for a type without particles
+  double mass;    ///< [mass]; infinite for a wall and for a type that does not move
+};
+
+/// One contact that a run may see.
+struct AdvisedContact {
+  std::string name;
+  LightestParticle i, j;
+  ContactSprings springs;
+  contact::Adhesion adhesion;
+
+  bool moves() const { return inverse_mass() > 0.0; }
+  double reduced_mass() const { return 1.0 / inverse_mass(); }
+  double diameter() const { return 2.0 * std::min(i.radius, j.radius); }
+
+ private:
+  double inverse_mass() const { return 1.0 / i.mass + 1.0 / j.mass; }
+};
+
+/// What all contacts of a run share.
+struct RunNumbers {
+  double fastest;  ///< speed of the fastest particle, [length/time]
+  double gravity;  ///< largest acceleration, [length/time^2]
+  double dt;       ///< [time]
+};
+
+struct Report {
+  std::string table;
+  std::vector<std::string> warnings;
+  std::string stop;  ///< why the run must not begin; empty: it may
+};
+
+/// Approach speed to judge a contact by, [length/time]: of the fastest particle, or of one that
+/// falls through the smaller diameter of the two.
+inline double approach_speed(const RunNumbers& run, const AdvisedContact& c) {
+  return std::max(run.fastest, std::sqrt(2.0 * run.gravity * c.diameter()));
+}
+
+/// Speed at first touch, what the attraction adds on the way included, [length/time].
+inline double touching_speed(const RunNumbers& run, const AdvisedContact& c) {
+  const double speed = approach_speed(run, c);
+  return std::sqrt(speed * speed + 2.0 * c.adhesion.well_energy() / c.reduced_mass());
+}
+
+/// Numbers of one contact; one partner must move. A spring that is not linear is that of an impact
+/// at the approach speed.
+inline ContactNumbers numbers(const AdvisedContact& c, const RunNumbers& run) {
+  const double speed = approach_speed(run, c);
+  const ContactSprings s =
+      linear_springs(c.springs, c.reduced_mass(), c.adhesion.force, touching_speed(run, c));
+  return ContactNumbers({c.i.radius, c.j.radius, c.i.mass, c.j.mass, s.stiffness, s.damping,
+                         c.adhesion, speed, run.dt, run.gravity, s.tangential_stiffness,
+                         s.rolling_stiffness});
+}
+
+namespace detail {
+
+inline std::string number(const char* format, double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+inline std::string row(const std::string& name, const ContactNumbers& n) {
+  const bool attracts = n.parameters().adhesion.force > 0.0;
+  const std::string ratio =
+      attracts ? number("%.3g", n.well_energy() / n.spring_adhesion_energy()) : "none";
+  return "  " + name + std::string(name.size() < 10 ? 10 - name.size() : 0, ' ') +
+         number("%9.3g", n.parameters().speed) + number("%11.4g", n.steps_per_contact()) +
+         number("%14.3g", n.steps_in_cutoff()) +
+         number("%10.2g", n.static_overlap_over_diameter()) +
+         number("%10.2g", n.impact_overlap_over_diameter()) + number("%10.3g", n.bond_number()) +
+         number("%10.3g", n.escape_velocity()) +
+         std::string(14 - std::min<std::size_t>(14, ratio.size()), ' ') + ratio + "\n";
+}
+
+}  // namespace detail
+
+/// The table of numbers that decide whether the run can be right, a warning for each that says that
+/// it will not be, and the first that says that it must blow up. Contacts of which neither partner
+/// moves are left out. `style`: who speaks.
+inline Report report(const std::string& style, const SchemeLimits& limits,
+                     const std::vector<AdvisedContact>& contacts, const RunNumbers& run) {
+  Report report;
+  report.table = style + ", scheme " + std::string(limits.scheme) +
+                 ": what to expect (lightest particles; / d: over the diameter)\n"
+                 "  contact       speed  steps/t_c  H_cut/(v dt)  F_ad/K/d  impact/d"
+                 "      Bond     v_esc   tail/spring\n";
+  for (const AdvisedContact& c : contacts) {
+    if (!c.moves()) continue;
+    const ContactNumbers n = numbers(c, run);
+    report.table += detail::row(c.name, n);
+    for (const Verdict& verdict : advise(n, limits)) {
+      const std::string message = style + ", " + c.name + ": " + verdict.sentence;
+      if (verdict.severity == Severity::warning) report.warnings.push_back(message);
+      if (verdict.severity == Severity::error && report.stop.empty()) report.stop = message;
+    }
+  }
+  return report;
+}
+
+}  // namespace cohesion::advice

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "validation.h"
+
+namespace cohesion::advice {
+
+/// Springs and dashpot of a contact whose force grows as a power of the overlap x,
+///
+///   F = c x^p,   dashpot eta ~ x^((p-1)/2)     p = 1: linear, p = 3/2: Hertz
+///
+/// told by what they are at one overlap. Any consistent set of units.
+struct ContactSprings {
+  double stiffness;                   ///< F/x, [force/length]
+  double damping;                     ///< eta, [mass/time]
+  double tangential_stiffness = 0.0;  ///< K_t, [force/length]; grows as `stiffness` does
+  double rolling_stiffness = 0.0;     ///< K_r, [force/length]; the same
+  double exponent = 1.0;              ///< p, [1]
+  double overlap = 0.0;               ///< x at which they are this; read unless p = 1, [length]
+};
+
+/// Largest overlap [length], without dashpot, of a pair of reduced mass mu [mass] that touches at
+/// `speed` u [length/time] while `attraction` F_ad [force] pulls: c x^(p+1)/(p+1) = F_ad x + mu
+/// u^2/2.
+inline double largest_overlap(const ContactSprings& s, double reduced_mass, double attraction,
+                              double speed) {
+  const double p = s.exponent;
+  const double work = 0.5 * reduced_mass * speed * speed;
+  // At this unit spring energy, attraction and motion in balance are lengths alone.
+  const double c = s.stiffness * std::pow(s.overlap, 1.0 - p);
+  // Beyond both, the spring has stored twice what either can give.
+  double high = std::max(std::pow(2.0 * attraction * (p + 1.0) / c, 1.0 / p),
+                         std::pow(2.0 * work * (p + 1.0) / c, 1.0 / (p + 1.0)));
+  double low = 0.0;
+  // Halved to the last bit: what is looked for is not far below the upper end.
+  for (int k = 0; k < 60; k++) {
+    const double x = 0.5 * (low + high);
+    (c * std::pow(x, p + 1.0) / (p + 1.0) < attraction * x + work ? low : high) = x;
+  }
+  return high;
+}
+
+/// The linear springs and dashpot, p = 1, that stand for `s` in an impact: pressed as far by it,
+/// and of the same restitution. With F/x and eta at the largest overlap,
+///
+///   K = 2/(p+1) F/x      eta -> 2/(p+1) eta
+///
+/// K stores there what the power law does. With z = 2/(p+1) x^((p+1)/2) as measure of the overlap,
+/// the speed v over z, v dv/dz = -(eta/mu) v - ..., is that of a linear oscillator: the restitution
+/// does not depend on the speed, and is that of zeta = eta/(2 sqrt(mu F/x)) sqrt(2/(p+1)), which K
+/// and eta above have. Their contact takes pi/2.94 = 1.07 times as long as Hertz's.
+///
+/// Where nothing moves and nothing attracts: at the overlap at which `s` is told.
+/// Throws InvalidParameter unless F/x, mu and, for p != 1, the overlap are positive.
+///
+/// Source: derived here; for Hertz: D. Antypov and J. A. Elliott, EPL 94 (2011) 50004.
+inline ContactSprings linear_springs(const ContactSprings& s, double reduced_mass,
+                                     double attraction, double speed) {
+  require_positive("stiffness K", s.stiffness);
+  require_positive("reduced mass", reduced_mass);
+  if (s.exponent == 1.0) return s;
+  require_positive("overlap", s.overlap);
+  double x = largest_overlap(s, reduced_mass, attraction, speed);
+  if (x == 0.0) x = s.overlap;
+  const double stiffer = std::pow(x / s.overlap, s.exponent - 1.0);
+  const double mean = 2.0 / (s.exponent + 1.0);
+  return {mean * stiffer * s.stiffness,
+          mean * std::sqrt(stiffer) * s.damping,
+          stiffer * s.tangential_stiffness,
+          stiffer * s.rolling_stiffness,
+          1.0,
+          x};
+}
+
+}  // namespace cohesion::advice

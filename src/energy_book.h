@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <numeric>
+
+/// What energy there is, where it is stored and what took it: the entries of compute gran/energy.
+namespace cohesion::energy_book {
+
+/// Entries of the vector, in its order, all [energy].
+enum Entry {
+  KINETIC,
+  ROTATIONAL,
+  SPRING,
+  TANGENTIAL_SPRING,
+  ADHESION,
+  NORMAL_DAMPING,
+  TANGENTIAL_DAMPING,
+  FRICTION,
+  EXTERNAL_WORK,
+  RESIDUAL,
+  GRAVITY,
+  ROLLING_SPRING,
+  ROLLING,
+  ENTRIES
+};
+
+namespace detail {
+
+/// What stays or is stored, and what is lost.
+inline constexpr Entry stored[] = {KINETIC,  ROTATIONAL, SPRING,        TANGENTIAL_SPRING,
+                                   ADHESION, GRAVITY,    ROLLING_SPRING};
+inline constexpr Entry lost[] = {NORMAL_DAMPING, TANGENTIAL_DAMPING, FRICTION, ROLLING};
+
+template <std::size_t N>
+double sum(const double* entries, const Entry (&which)[N]) {
+  return std::accumulate(which, which + N, 0.0,
+                         [entries](double all, Entry entry) { return all + entries[entry]; });
+}
+
+}  // namespace detail
+
+/// Kinetic and stored energy, [energy].
+inline double stored(const double* entries) { return detail::sum(entries, detail::stored); }
+
+/// What stays the same: all that is stored and lost, less what was put in, [energy].
+inline double balance(const double* entries) {
+  return stored(entries) + detail::sum(entries, detail::lost) - entries[EXTERNAL_WORK];
+}
+
+/// The book of one script: what is missing in it since it was opened.
+class Opened {
+ public:
+  /// Sets entries[RESIDUAL]; the first time is the opening.
+  void close(double* entries) {
+    const double now = balance(entries);
+    if (!opened_) at_opening_ = now;
+    opened_ = true;
+    entries[RESIDUAL] = now - at_opening_;
+  }
+
+ private:
+  bool opened_ = false;
+  double at_opening_ = 0.0;
+};
+
+}  // namespace cohesion::energy_book

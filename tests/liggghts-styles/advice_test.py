@@ -1,0 +1,214 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The table before the first step of a run against numbers worked out here, its warnings, and its refusals."""
+
+import math
+import pathlib
+import sys
+import unittest
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "lammps-package"))
+
+from engine import Run
+from pair_motion import Pair
+from scene import DAMPING, MASS, RADIUS, STIFFNESS, contact, hamaker, script, sphere, square_well
+
+A, CUT, OUT = 7.49e-19, 4e-10, 1e-7
+SPEED, DT = 0.1, 1e-6
+LINEAR = "model hooke/stiffness tangential off cohesion hamaker"
+ABSOLUTE = " absolute_damping on"
+FLOOR = "primitive type 2 zplane -5e-3"
+# Three significant digits are printed, of overlaps two.
+THREE, TWO = 0.006, 0.06
+
+
+def rows(run):
+    """Name of contact -> its numbers, of all tables printed."""
+    found = {}
+    for line in run.printed.split("\n"):
+        words = line.split()
+        if len(words) >= 11 and words[1:2] == ["-"]:
+            found[" ".join(words[:-8])] = dict(zip(
+                ("speed", "steps", "cutoff", "static", "impact", "bond", "escape", "ratio"),
+                (math.nan if w == "none" else float(w) for w in words[-8:])))
+    return found
+
+
+def go(models, properties, spheres=None, **options):
+    options.setdefault("dt", DT)
+    return Run(script(spheres or [sphere((0, 0, 0), (SPEED, 0, 0)), sphere((3e-3, 0, 0))], models, properties,
+                      **options))
+
+
+def natural_frequency(stiffness, mass):
+    return math.sqrt(stiffness / mass)
+
+
+class Table(unittest.TestCase):
+    def near(self, value, expected, digits=THREE):
+        self.assertAlmostEqual(value, expected, delta=digits * abs(expected))
+
+    def test_linear_pair(self):
+        run = go(LINEAR + ABSOLUTE, hamaker(A, cut=CUT, out=OUT))
+        row = rows(run)["1 - 1"]
+        pair = Pair(A)
+        tail = A * RADIUS / 2 / 6 * (1 / CUT - 1 / OUT) + pair.adhesion * CUT
+        touch = math.sqrt(SPEED**2 + 4 * tail / MASS)
+        self.near(row["speed"], SPEED)
+        self.near(row["steps"], math.pi / natural_frequency(STIFFNESS, MASS / 2) / DT)
+        self.near(row["cutoff"], CUT / touch / DT)
+        self.near(row["static"], pair.adhesion / STIFFNESS / (2 * RADIUS), TWO)
+        self.near(row["escape"], pair.escape_velocity())
+        self.near(row["ratio"], tail / (pair.adhesion**2 / (2 * STIFFNESS)))
+        self.assertEqual(row["bond"], math.inf)
+        self.assertEqual(run.printed.count("what to expect"), 1)
+        self.assertIn("cohesion model hamaker, scheme sampled: what to expect", run.files["log.liggghts"])
+
+    def test_dashpot_is_that_of_the_settings(self):
+        # gamman times the reduced mass, or gamman_abs: another damping, another escape velocity.
+        absolute, relative = (rows(go(LINEAR + words, hamaker(A, cut=CUT, out=OUT)))["1 - 1"]["escape"]
+                              for words in (ABSOLUTE, ""))
+        self.near(relative, Pair(A, damping=1000 * MASS / 2).escape_velocity())
+        self.assertGreater(abs(relative / absolute - 1), 0.02)
+
+    def test_gravity_a_wall_and_friction(self):
+        models = "model hooke/stiffness tangential history cohesion hamaker"
+        run = go(models, hamaker(A, wall=2 * A, cut=CUT, out=OUT), [sphere((0, 0, 0))], walls=[FLOOR],
+                 extra="fix g all gravity 9.81 vector 0 0 -1\n")
+        pair, wall = rows(run)["1 - 1"], rows(run)["1 - wall"]
+        self.near(pair["speed"], math.sqrt(2 * 9.81 * 2 * RADIUS))
+        self.near(pair["bond"], A * RADIUS / 2 / (6 * CUT**2) / (MASS * 9.81))
+        # kt = kn: 7/2 of the square of the frequency.
+        self.near(pair["steps"], math.pi / natural_frequency(3.5 * STIFFNESS, MASS / 2) / DT)
+        self.near(wall["steps"], math.pi / natural_frequency(3.5 * STIFFNESS, MASS) / DT)
+        self.near(wall["static"], 2 * A * RADIUS / (6 * CUT**2) / STIFFNESS / (2 * RADIUS), TWO)
+        self.assertIn("cohesion model hamaker, fix wall/gran wall0, scheme sampled", run.printed)
+
+    def test_rolling_friction_counts(self):
+        models = "model hooke/stiffness tangential history cohesion hamaker rolling_friction epsd2"
+        run = go(models, hamaker(0, cut=CUT, out=OUT), walls=[FLOOR])
+        # At a wall 5.55 K_t/mu, src/advice/contact_numbers.h.
+        self.near(rows(run)["1 - wall"]["steps"],
+                  math.pi / natural_frequency(5.55 * STIFFNESS, MASS) / DT)
+
+    def test_spring_of_model_hooke_is_that_of_the_particles(self):
+        small = 0.25e-3
+        run = go("model hooke tangential off cohesion hamaker", hamaker(0, cut=CUT, out=OUT),
+                 [sphere((0, 0, 0), (SPEED, 0, 0)), sphere((3e-3, 0, 0), radius=small)])
+        # The lightest: r/2, m/8 each. Its formula as the engine's manual has it, characteristic velocity 1 m/s.
+        root, modulus, mass = math.sqrt(small / 2), 5e6 / (2 * (1 - 0.09)), MASS / 16
+        stiffness = 16 / 15 * root * modulus * (15 * mass / (16 * root * modulus))**0.2
+        self.near(rows(run)["1 - 1"]["steps"], math.pi / natural_frequency(stiffness, mass) / DT)
+
+    def test_hertz_is_told_as_the_linear_spring_of_the_impact(self):
+        run = go("model hertz tangential off cohesion hamaker", hamaker(0, cut=CUT, out=OUT))
+        self.assertIn("hertz: linear springs that an impact presses as far", run.printed)
+        row = rows(run)["1 - 1"]
+        c = 4 / 3 * 5e6 / (2 * (1 - 0.09)) * math.sqrt(RADIUS / 2)
+        deepest = (1.25 * MASS / 2 * SPEED**2 / c)**0.4
+        self.near(row["steps"], math.pi * deepest / SPEED / DT)
+        # e = 0.9: the dashpot takes 1 - exp(-(alpha/q) asin(q/w0)) = 5 % of the overlap.
+        self.near(row["impact"], 0.949 * deepest / (2 * RADIUS), TWO)
+
+    def test_square_well(self):
+        row = rows(go("model hooke/stiffness tangential off cohesion square_well" + ABSOLUTE,
+                      square_well(5e-11)))["1 - 1"]
+        e = math.exp(-DAMPING / MASS * math.pi / math.sqrt(2 * STIFFNESS / MASS - (DAMPING / MASS)**2))
+        self.near(row["escape"], math.sqrt(4 * 5e-11 / MASS * (1 / e**2 - 1)))
+        self.assertTrue(math.isnan(row["ratio"]))
+
+    def test_particles_that_are_still_to_come(self):
+        text = script([], LINEAR, hamaker(A, cut=CUT, out=OUT), extra="""fix pts all particletemplate/sphere 15485863 \
+atom_type 1 density constant 2650 radius constant 0.5e-3
+fix pdd all particledistribution/discrete 15485867 1 pts 1.0
+""")
+        run = Run(text)
+        self.assertEqual(run.returncode, 0, run.printed[-1000:])
+        self.assertIn("1 - 1", rows(run))
+
+    def test_each_run_has_one(self):
+        run = go(LINEAR, hamaker(A, cut=CUT, out=OUT), run="run 1\nwrite_restart r.*\nrun 1\nrun 1 pre no\n")
+        self.assertEqual(run.printed.count("what to expect"), 2)
+
+
+class Judgement(unittest.TestCase):
+    LIMIT = 2 / natural_frequency(STIFFNESS, MASS / 2)  # of leapfrog, without dashpot
+
+    def test_a_step_that_must_blow_up_is_refused_before_the_first(self):
+        models = LINEAR + ABSOLUTE
+        for wall in (False, True):
+            with self.subTest(wall=wall):
+                # Beside a wall the mass is twice as large, the spring here, too.
+                spheres = [sphere((0, 0, 0), (0.01, 0, 0))] + ([] if wall else [sphere((3e-3, 0, 0))])
+                options = dict(walls=[FLOOR + ABSOLUTE] if wall else [], contacts=contact(wall=2.0), steps=10)
+                text = script(spheres, models, hamaker(0, cut=CUT, out=OUT), dt=1.001 * self.LIMIT, **options)
+                text = text.replace(f"wall/gran {models}", f"wall/gran {LINEAR}")
+                run = Run(text)
+                self.assertNotEqual(run.returncode, 0)
+                self.assertIn("makes contacts unstable: reduce it below", run.printed)
+                self.assertNotIn("Loop time", run.printed)
+        run = go(models, hamaker(0, cut=CUT, out=OUT), dt=0.9 * self.LIMIT, steps=1)
+        self.assertEqual(run.returncode, 0, run.printed[-1000:])
+        self.assertIn("the sampled scheme should have 15", run.printed)
+
+    def test_warnings_say_what_would_be_right(self):
+        run = go(LINEAR + ABSOLUTE, hamaker(A, cut=CUT, out=OUT))
+        self.assertIn("which pairs stick is left to chance: reduce the time step to 4e-09 or use the event scheme of "
+                      "the LAMMPS package", run.printed)
+        self.assertIn("scale the adhesion (stiffness scaling) or raise the stiffness", run.printed)
+
+    def test_nothing_to_warn_of(self):
+        run = go(LINEAR + ABSOLUTE, hamaker(0, cut=CUT, out=OUT))
+        self.assertNotIn("WARNING: cohesion model", run.printed)
+
+
+class StiffnessScaling(unittest.TestCase):
+    WORDS = LINEAR + ABSOLUTE + " material_stiffness on"
+
+    @staticmethod
+    def properties(material, out=OUT):
+        return hamaker(A, cut=CUT, out=out) + (
+            f"fix km all property/global materialStiffness peratomtypepair 2 {4 * (repr(material) + ' ')}\n")
+
+    def test_as_many_stick_as_of_the_material(self):
+        # The dashpot of a stiffer spring of the same restitution goes as its root.
+        factor = 4.0
+        stiffer = contact()
+        for name, value, times in (("kn", STIFFNESS, factor), ("gamman_abs", DAMPING, math.sqrt(factor))):
+            line = f"fix {name} all property/global {name} peratomtypepair 2 " + " ".join(4 * [repr(float(value))])
+            self.assertIn(line, stiffer)
+            stiffer = stiffer.replace(line, line.replace(repr(float(value)), repr(times * value)))
+        stiff = go(LINEAR + ABSOLUTE, hamaker(A, cut=CUT, out=OUT), contacts=stiffer)
+        scaled = go(self.WORDS, self.properties(factor * STIFFNESS))
+        self.assertEqual(rows(scaled)["1 - 1"]["escape"], rows(stiff)["1 - 1"]["escape"])
+        self.assertNotEqual(rows(scaled)["1 - 1"]["escape"],
+                            rows(go(LINEAR + ABSOLUTE, hamaker(A, cut=CUT, out=OUT)))["1 - 1"]["escape"])
+        # H_cut and A grow by 1/f = 2 but for k = H_cut/H_out = 0.004 of it: h = (2 - k)/f/(1 + sqrt(1 - k (2 - k)/f)).
+        self.assertIn("atom types 1 and 1: adhesion scaled from stiffness 3200 to 800, so that as many stick: A "
+                      "7.49e-19 -> 1.50", scaled.printed)
+        self.assertIn("H_cut 4e-10 -> 8.0", scaled.printed)
+
+    def test_off_and_zero_scale_nothing(self):
+        for words, material in ((LINEAR + ABSOLUTE, None), (self.WORDS, 0.0)):
+            with self.subTest(material=material):
+                run = go(words, hamaker(A, cut=CUT, out=OUT) if material is None else self.properties(material))
+                self.assertEqual(run.returncode, 0, run.printed[-1000:])
+                self.assertNotIn("adhesion scaled", run.printed)
+
+    def test_what_it_cannot_do_is_refused(self):
+        for words, properties, *messages in (
+                ("model hertz tangential off cohesion hamaker material_stiffness on", self.properties(3200.0),
+                 "the spring of model hertz differs", "use model hooke/stiffness"),
+                ("model hooke tangential off cohesion hamaker material_stiffness on", self.properties(3200.0),
+                 "the spring of model hooke differs"),
+                (self.WORDS, hamaker(A, cut=CUT, out=OUT), "materialStiffness"),
+                (self.WORDS, self.properties(-1.0), "material stiffness = -1", "materialStiffness = -1"),
+                (self.WORDS, self.properties(3200.0, out=1e-9), "too small for the softened contact")):
+            with self.subTest(message=messages[0]):
+                run = go(words, properties)
+                self.assertNotEqual(run.returncode, 0)
+                for message in messages:
+                    self.assertIn(message, run.printed)
+
+
+if __name__ == "__main__":
+    unittest.main()

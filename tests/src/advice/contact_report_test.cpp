@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "advice/contact_report.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "advice/thesis_pair.h"
+
+namespace cohesion::advice {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+AdvisedContact pair() {
+  const PairParameters p = thesis_pair();
+  return {"1 - 1",
+          {p.radius_i, p.mass_i},
+          {p.radius_j, p.mass_j},
+          {p.stiffness, p.damping},
+          p.adhesion};
+}
+
+RunNumbers run() { return {0.1, 9.81, 2.25e-5}; }
+
+}  // namespace
+
+TEST(ContactReport, RowHasTheNumbersOfTheContact) {
+  const Report r = report("a style", sampled_scheme, {pair()}, run());
+  const ContactNumbers n = numbers(pair(), run());
+  EXPECT_NE(r.table.find("a style, scheme sampled: what to expect"), std::string::npos) << r.table;
+  EXPECT_NE(r.table.find("\n  1 - 1          0.14"), std::string::npos) << r.table;
+  EXPECT_NE(r.table.find(detail::number("%.4g", n.steps_per_contact())), std::string::npos);
+  EXPECT_NE(r.table.find(detail::number("%.3g", n.escape_velocity())), std::string::npos);
+  EXPECT_NE(r.table.find(detail::number("%.3g", n.well_energy() / n.spring_adhesion_energy())),
+            std::string::npos);
+  EXPECT_EQ(r.stop, "");
+}
+
+TEST(ContactReport, WarnsAndStopsWithTheNameOfTheContact) {
+  const Report r = report("a style", sampled_scheme, {pair()}, run());
+  ASSERT_EQ(r.warnings.size(), 3u);  // steps, cut-off, spring too soft
+  for (const std::string& warning : r.warnings) EXPECT_EQ(warning.find("a style, 1 - 1: "), 0u);
+  RunNumbers large = run();
+  large.dt = 1e-3;
+  EXPECT_EQ(report("a style", sampled_scheme, {pair()}, large).stop.find("a style, 1 - 1: "), 0u);
+}
+
+TEST(ContactReport, ContactOfTheImmovableIsLeftOut) {
+  AdvisedContact fixed = pair();
+  fixed.i.mass = fixed.j.mass = infinite;
+  const Report r = report("a style", sampled_scheme, {fixed}, run());
+  EXPECT_EQ(r.table.find("1 - 1"), std::string::npos);
+  EXPECT_TRUE(r.warnings.empty());
+}
+
+TEST(ContactReport, SpeedIsThatOfAFallWhereNothingMoves) {
+  RunNumbers rest = run();
+  rest.fastest = 0.0;
+  EXPECT_DOUBLE_EQ(approach_speed(rest, pair()), std::sqrt(2.0 * 9.81 * 1e-3));
+  RunNumbers fast = run();
+  fast.fastest = 0.2;
+  EXPECT_EQ(approach_speed(fast, pair()), 0.2);
+}
+
+TEST(ContactReport, WallIsAPartnerOfInfiniteSize) {
+  AdvisedContact wall = pair();
+  wall.j = {infinite, infinite};
+  EXPECT_DOUBLE_EQ(wall.diameter(), 1e-3);
+  EXPECT_DOUBLE_EQ(wall.reduced_mass(), wall.i.mass);
+  EXPECT_DOUBLE_EQ(numbers(wall, run()).parameters().speed, 0.14007141035914503);
+}
+
+TEST(ContactReport, SpringOfAPowerIsThatOfTheImpact) {
+  AdvisedContact hertz = pair();
+  hertz.springs.exponent = 1.5;
+  hertz.springs.overlap = 1e-7;
+  const ContactNumbers n = numbers(hertz, run());
+  const double u = std::sqrt(std::pow(n.parameters().speed, 2) +
+                             2.0 * hertz.adhesion.well_energy() / hertz.reduced_mass());
+  EXPECT_DOUBLE_EQ(
+      n.parameters().stiffness,
+      linear_springs(hertz.springs, hertz.reduced_mass(), hertz.adhesion.force, u).stiffness);
+  EXPECT_GT(n.parameters().stiffness, 2.0 * hertz.springs.stiffness);
+}
+
+}  // namespace cohesion::advice

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "energy_book.h"
+
+#include <gtest/gtest.h>
+
+namespace cohesion::energy_book {
+
+TEST(EnergyBook, EachEntryIsStoredLostOrPutIn) {
+  double entries[ENTRIES];
+  for (int k = 0; k < ENTRIES; k++) entries[k] = static_cast<double>(1 << k);
+  entries[RESIDUAL] = 0.0;
+  double all = 0.0;
+  for (int k = 0; k < ENTRIES; k++)
+    if (k != RESIDUAL) all += k == EXTERNAL_WORK ? -entries[k] : entries[k];
+  EXPECT_EQ(balance(entries), all);
+  EXPECT_EQ(stored(entries), 1.0 + 2.0 + 4.0 + 8.0 + 16.0 + 1024.0 + 2048.0);
+}
+
+TEST(EnergyBook, ResidualIsWhatIsMissingSinceItWasOpened) {
+  double entries[ENTRIES] = {};
+  entries[KINETIC] = 5.0;
+  Opened book;
+  book.close(entries);
+  EXPECT_EQ(entries[RESIDUAL], 0.0);
+  entries[KINETIC] = 2.0;
+  entries[FRICTION] = 2.0;
+  entries[EXTERNAL_WORK] = 0.5;
+  book.close(entries);
+  EXPECT_EQ(entries[RESIDUAL], -1.5);
+}
+
+}  // namespace cohesion::energy_book
