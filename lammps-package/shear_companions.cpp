@@ -27,9 +27,8 @@ constexpr Refused refused[] = {
     // Of LIGGGHTS only.
     {"multisphere", "does not change the velocity of a body that leaves through a sheared face"},
     {"mesh/surface",
-     "keeps its triangles on the ranks by the corners of their parts of the box, which a tilted "
-     "box "
-     "does not have"},
+     "keeps its triangles on the ranks by the corners of their parts of the box; a tilted box has "
+     "none"},
     {"couple/", "brings forces of a gas that does not know of the tilted box"},
 };
 

@@ -5,6 +5,7 @@ and say why; they are there after `clear`, and in the preloaded library."""
 import unittest
 from concurrent.futures import ThreadPoolExecutor
 
+import mesh
 from engine import Run
 from scene import script, sphere
 
@@ -68,6 +69,12 @@ class Refusals(unittest.TestCase):
                      "fix wall0 wall/gran", "only a zplane is") for wall in ("yplane 0", "xplane 0", "zcylinder 3 5 4", "xcylinder 3 4 3")))
         run = Run(head(SHEAR, boundary="p p f", walls=[f"primitive type 2 zplane 0{allowed}"]))
         self.assertEqual(run.returncode, 0, run.printed[-2000:])
+
+    def test_mesh(self):
+        run = Run(head("fix mesh all mesh/surface file a.stl type 2\n" + SHEAR), inputs={
+            "a.stl": mesh.stl(mesh.rectangle((4, 3, 1), (2, 0, 0), (0, 2, 0)))})
+        self.assertNotEqual(run.returncode, 0)
+        self.assertIn("fix mesh mesh/surface keeps its triangles", run.printed)
 
     def test_step_that_moves_the_images_half_a_box(self):
         self.stop((head(SHEAR, run="run 3\n", dt=2.0), "in a step", "smaller time step"), begun=True)

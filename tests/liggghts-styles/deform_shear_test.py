@@ -12,26 +12,9 @@ sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "lammps-packag
 
 from engine import Run
 from printed_thermo import thermo_lines
-from scene import DAMPING, RADIUS, contact, hamaker, script, sphere, square_well
+from scene import DAMPING, RADIUS, contact, hamaker, sphere
 from sheared_images import ShearedImages
-
-BOX = numpy.array([10e-3, 8e-3, 6e-3])
-RATE = 50.0
-COLUMNS = "x y z vx vy vz".split()
-PLAIN = "model hooke tangential off"
-
-
-def sides(dimension=3, tilt=0.0):
-    low, high = (0.0, BOX[2]) if dimension == 3 else (-RADIUS, RADIUS)
-    return f"0 {BOX[0]!r} 0 {BOX[1]!r} {low!r} {high!r} {tilt!r} 0 0"
-
-
-def sheared(spheres, models, properties="", rate=RATE, profile="no", dimension=3, tilt=0.0,
-            extra="", columns=COLUMNS, **options):
-    extra = (f"fix shear all deform/shear rate {rate} profile {profile}\n" + extra +
-             ("fix flat all enforce2d\n" if dimension == 2 else ""))
-    return script(spheres, models, properties, boundary="p p p", box=sides(dimension, tilt),
-                  extra=extra, columns=columns, dimension=dimension, **options)
+from sheared_scene import BOX, COLUMNS, LAWS, PLAIN, RATE, gas, sheared
 
 
 def snapshots(run, dump="out.txt"):
@@ -82,15 +65,6 @@ class FreeParticles(unittest.TestCase):
         self.check(3, 2, -2e-3, -RATE)
 
 
-LAWS = {
-    "spring": ("model hooke/stiffness tangential history absolute_damping on", ""),
-    "hertz": ("model hertz tangential history rolling_friction epsd2", ""),
-    "hamaker": ("model hooke/stiffness tangential history cohesion hamaker absolute_damping on",
-                hamaker(1e-11)),
-    "square_well": ("model hooke/stiffness tangential history cohesion square_well "
-                    "absolute_damping on", square_well(4e-9, ratio=1.05))}
-
-
 class Collisions(unittest.TestCase):
     STEPS, EVERY, DT = 8000, 100, 2e-6
 
@@ -125,13 +99,6 @@ class Collisions(unittest.TestCase):
                     off = numpy.abs(across - middle).max(axis=0)
                     self.assertLess(off[:3].max(), 2e-12)
                     self.assertLess(off[3:].max(), 6e-8)
-
-
-def gas(speed=0.1):
-    random = numpy.random.default_rng(5)
-    grid = [numpy.arange(n) + 0.5 for n in (8, 6, 5)]
-    places = numpy.array(numpy.meshgrid(*grid)).reshape(3, -1).T * BOX / [8, 6, 5]
-    return [sphere(x, random.normal(0, speed, 3), radius=0.45e-3) for x in places]
 
 
 class SplitRuns(unittest.TestCase):
