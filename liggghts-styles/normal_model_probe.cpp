@@ -57,6 +57,9 @@ NormalModelProbe::NormalModelProbe(LAMMPS* lmp, const std::function<bool(const c
     name_ = known.name;
     model_ = known.maker(lmp, quiet_.get(), quiet_.get());
   }
+  // A restart file keeps no settings; some models leave theirs unset until they have registered.
+  Settings defaults(lmp);
+  model_->registerSettings(defaults);
 }
 
 NormalModelProbe::~NormalModelProbe() = default;

@@ -5,11 +5,11 @@
   struck-pairs.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--scheme event|sampled] [--finest N]
   struck-pairs.py LIGGGHTS_COHESION [--finest N]         sampled
 
-Sampled: without friction, of which the engines have different laws; as in in.head_on.
+Sampled, as in in.head_on: without friction, of which the engines have different laws.
 
-100 triples (struck_pairs.py) against t_c/N, 1000 unless said otherwise, after 30 t_c. Printed: how many end otherwise (who sticks
-to whom), and, of the others, the root mean square of the error of the velocities over the speed of the
-third sphere.
+100 triples (struck_pairs.py) against t_c/N, 1000 unless said otherwise, after 30 t_c. Printed: how many end
+otherwise (who sticks to whom), and, of the others, the root mean square of the error of the velocities over the
+speed of the third sphere.
 """
 import numpy
 

@@ -53,8 +53,9 @@ def follow_sampled(folder, division):
 
 
 def outcome(folder, division, friction, scheme="event"):
-    """At t_c/division, after 30 t_c, followed by `scheme`, the sampled one without friction: velocities (triple, sphere, axis), which of the three pairs stick
-    (pair, triple), and the slowest speed at which two have parted (triple)."""
+    """At t_c/division, after 30 t_c, followed by `scheme`, the sampled one without friction: velocities
+    (triple, sphere, axis), which of the three pairs stick (pair, triple), and the slowest speed at which two
+    have parted (triple)."""
     if scheme == "sampled":
         follow_sampled(folder, division)
     else:

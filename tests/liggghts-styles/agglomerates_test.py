@@ -18,11 +18,13 @@ from scene import DENSITY, STIFFNESS, contact, hamaker, script, sphere, square_w
 MODELS = "model hooke/stiffness tangential off cohesion hamaker absolute_damping on"
 # The attraction is none to speak of: the sum of the gaps' forces, 1e-12/(24 0.1^2), moves 1400 kg.
 LAW = hamaker(1e-12, cut=1e-3, out=RANGE)
+# Spheres of a ton that pass each other: a spring that would hold them.
+STIFF = contact(stiffness=1e7)
 FIELDS = "f_set " + " ".join(f"f_set[{k}]" for k in range(1, 9))
 
 
 def scene(x, v=None, tilt=0.0, each=1, more="", fields=FIELDS, models=MODELS, properties=LAW,
-          run="run 0\n", every=1, contacts=contact()):
+          run="run 0\n", every=1, contacts=STIFF):
     v = numpy.zeros_like(x) if v is None else v
     return script([sphere(a, b, radius=0.5) for a, b in zip(x, v)], models, properties, dt=1e-3,
                   skin=0.3, boundary="p p p", every=every, run=run,

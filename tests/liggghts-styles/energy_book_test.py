@@ -185,6 +185,35 @@ class SeveralWays(unittest.TestCase):
                                            msg=f"entry {k}")
 
 
+class SharedPairs(unittest.TestCase):
+    """A pair that two ranks, or two images of the box, have: it is in the book once."""
+
+    MODELS = SLIDING + "hamaker" + FULL
+
+    def rows(self, centre, boundary="f f f", ranks=0):
+        spheres = oblique()
+        for s in spheres:
+            x = s["place"][0] + centre - RADIUS - 1e-6
+            s["place"] = (x - 0.02 if x > 0.01 else x, *s["place"][1:])
+        text = script(spheres, self.MODELS, hamaker(1e-12), dt=DT, every=10000, boundary=boundary, run="run 600\n",
+                      extra=BOOK + PRINT.format(every=20))
+        return books(Run(text.replace("create_box", "processors 2 1 1\ncreate_box") if ranks else text, ranks=ranks))
+
+    def test_it_is_counted_once(self):
+        alone = self.rows(0.003)
+        energy = alone[0][1]
+        self.assertGreater(max(entry(row, SPRING) for row in alone), 0.1 * energy)
+        for name, rows in (("ranks", self.rows(0.0, ranks=2)), ("face", self.rows(0.01, boundary="p p p")),
+                           ("face between ranks", self.rows(0.01, boundary="p p p", ranks=2))):
+            with self.subTest(name):
+                self.assertEqual(len(rows), len(alone))
+                for row, other in zip(rows, alone):
+                    # The same path but for the rounding of other places, 1e-18 m of an overlap of 1e-6 m.
+                    for k in range(1, 14):
+                        self.assertAlmostEqual(entry(row, k), entry(other, k), delta=1e-9 * energy,
+                                               msg=f"entry {k} at step {row[0]}")
+
+
 class Refusals(unittest.TestCase):
     def refused(self, text, *messages):
         run = Run(text)
