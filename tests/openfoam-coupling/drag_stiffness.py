@@ -221,7 +221,7 @@ def check(expect, build, work, number, s):
     expect.equal("times that it warns of the gas step", log.count("the gas step is"), int(late))
     if s.free and s.b * DT / s.mass > 100:
         expect.below("share of the slip by which the particles are late at the end",
-                     abs(found[1] - exact(s)[1])[-1], 1e-9)
+                     abs(found[1] - exact(s)[1])[-1], tolerance)
 
 
 def main(build, work, *options):
