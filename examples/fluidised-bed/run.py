@@ -19,10 +19,12 @@ import picture  # noqa: E402
 from foam_case import CaseError, FoamCase, environment  # noqa: E402
 from job_pool import Job, RunError, carry_out  # noqa: E402
 
+SCHEDULES = ("short", "thesis")  # of the gas velocity
+
 
 def arguments():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--schedule", choices=("short", "thesis"), default="short",
+    parser.add_argument("--schedule", choices=SCHEDULES, default="short",
                         help="gas velocity against time: the shortened cycle or the thesis's")
     parser.add_argument("--hamaker", type=float, default=7.49e-19, metavar="A",
                         help="Hamaker constant of the cohesive case [J] (%(default)s)")
@@ -36,7 +38,7 @@ def arguments():
 
 
 def make_case(folder, parameters, env):
-    """The case of `parameters`: "schedule", short or thesis, and variables of the particle script."""
+    """The case of `parameters`: "schedule", one of SCHEDULES, and variables of the particle script."""
     case = FoamCase(HERE / "case", folder, env, overwrite=True)
     if parameters["schedule"] == "thesis":
         shutil.copy(case.folder / "constant/schedule.thesis", case.folder / "constant/schedule")
