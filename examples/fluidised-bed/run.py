@@ -20,6 +20,8 @@ import picture  # noqa: E402
 from foam_case import CaseError, FoamCase, environment  # noqa: E402
 from job_pool import Job, RunError, carry_out  # noqa: E402
 
+SCHEDULES = ("short", "thesis")  # of the gas velocity
+
 
 def arguments():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
@@ -30,7 +32,7 @@ def arguments():
     parser.add_argument("--beside", type=Path, default=None, metavar="FOLDER",
                         help="earlier results, of the other engine for instance, to stand beside "
                              "these in the table")
-    parser.add_argument("--schedule", choices=("short", "thesis"), default="short",
+    parser.add_argument("--schedule", choices=SCHEDULES, default="short",
                         help="gas velocity against time: the shortened cycle or the thesis's")
     parser.add_argument("--hamaker", type=float, default=7.49e-19, metavar="A",
                         help="Hamaker constant of the cohesive case [J] (%(default)s)")
@@ -45,7 +47,7 @@ def arguments():
 
 
 def make_case(folder, parameters, env):
-    """The case of `parameters`: "engine", "schedule" (short or thesis), and variables of the engine's
+    """The case of `parameters`: "engine", "schedule" (one of SCHEDULES), and variables of the engine's
     script."""
     case = FoamCase(HERE / "case", folder, env, overwrite=True)
     coupling, engine = "constant/couplingProperties", parameters["engine"]

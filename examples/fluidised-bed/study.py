@@ -58,6 +58,10 @@ def main():
     build = args.build.resolve()
     out = (args.out or build / args.table.stem).resolve()
     table = read_table(args.table, parameters())
+    for name, row in table.items():
+        if row["schedule"] not in run.SCHEDULES:
+            raise TableError(f"{args.table}: row '{name}' has schedule '{row['schedule']}'; there are "
+                             + ", ".join(run.SCHEDULES))
     env = environment(build)
     mark = run.fingerprint(build, env)
     jobs = {name: [run.BedRun(out / "runs" / f"{name}-{seed}", {"engine": "lammps", **row, "seed": seed}, env, mark)

@@ -90,6 +90,12 @@ class Beds(unittest.TestCase):
         self.assertEqual(stamps,
                          [file.stat().st_mtime_ns for file in sorted(out.glob("runs/*/log.blockMesh"))])
 
+    def test_refuses_a_schedule_that_is_none(self):
+        table = self.folder / "table.csv"
+        table.write_text("name, schedule\na, long\n")
+        with self.assertRaisesRegex(study.TableError, "'a'.*'long'; there are short, thesis"):
+            self.call(study, table, "--out", self.folder / "out")
+
     def test_the_main_job_keeps_what_is_not_its(self):
         out = self.folder / "out"
         (out / "Hamaker").mkdir(parents=True)

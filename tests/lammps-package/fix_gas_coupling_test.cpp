@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// fix gas/coupling in a real LAMMPS or LIGGGHTS, written to and read from outside as a gas solver does it.
-// Runs on any number of ranks: every rank checks the particles that it owns.
+// fix gas/coupling in a real LAMMPS or LIGGGHTS, written to and read from outside as a gas solver
+// does it. Runs on any number of ranks: every rank checks the particles that it owns.
 
 #include <gtest/gtest.h>
 #include <mpi.h>
