@@ -41,7 +41,7 @@ friction below 1e-6, with friction or several contacts below (w dt)^2 and 0.1 (b
 may differ from the motion while together, and with rounding); sampled forces below 0.1; hard spheres below 1e-9 or
 100 times what the last digits of the start do. *marginal*: wrong, but the reference is as far off when its speeds
 change by as much as is allowed; *not judged*: rounding decides, or hard spheres collapse. *warned*, *silent*: wrong, or
-another outcome, with or without a warning about the step, an overlap or a collapse.
+another outcome, with or without a warning about the step, an overlap or a collapse: any of them, not that which fits.
 """.splitlines() + [""]
 
 
