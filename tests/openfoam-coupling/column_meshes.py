@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The box of the column case, 60 mm x 60 mm x 200 mm, in cells of other shapes, by OpenFOAM's own tools.
 
-    skewed       blockMesh: hexahedra whose faces lean by up to 31 degrees, their corners pulled up and down
+    skewed       blockMesh: hexahedra whose faces lean by up to 27 degrees, their corners pulled up and down
     tetrahedra   gmshToFoam: five or six to where a cube was, corners moved at random
     polyhedra    polyDualMesh of those: around each of their corners a cell, with warped faces
     refined      refineMesh: cubes beside cubes of half the size, with hanging corners"""
