@@ -99,13 +99,15 @@ class Mapping {
     require_positive("Hamaker constant A", hamaker_constant);
     const auto hamaker = advice::hamaker_escape(pair_, kind_.law(hamaker_constant), hamaker_step_);
     const double depth = advice::depth_of(pair_, hamaker.mean, width_, well_step_);
-    return row(hamaker_constant, depth);
+    return row(hamaker_constant, depth, hamaker,
+               advice::well_escape(pair_, depth, width_, well_step_));
   }
 
   Row to_hamaker(double depth) const {
     require_positive("depth D", depth);
     const auto well = advice::well_escape(pair_, depth, width_, well_step_);
-    return row(advice::hamaker_constant_of(pair_, well.mean, kind_, hamaker_step_), depth);
+    const double a = advice::hamaker_constant_of(pair_, well.mean, kind_, hamaker_step_);
+    return row(a, depth, advice::hamaker_escape(pair_, kind_.law(a), hamaker_step_), well);
   }
 
  private:
@@ -115,11 +117,10 @@ class Mapping {
     return r.step;
   }
 
-  Row row(double hamaker_constant, double depth) const {
-    const hamaker::AnyLaw law = kind_.law(hamaker_constant);
-    return {hamaker_constant, depth, advice::adhesion_of(pair_, law).force,
-            advice::hamaker_escape(pair_, law, hamaker_step_),
-            advice::well_escape(pair_, depth, width_, well_step_)};
+  Row row(double hamaker_constant, double depth, const advice::SampledEscape& hamaker,
+          const advice::SampledEscape& well) const {
+    const double force = advice::adhesion_of(pair_, kind_.law(hamaker_constant)).force;
+    return {hamaker_constant, depth, force, hamaker, well};
   }
 
   advice::HeadOnPair pair_;
@@ -224,6 +225,16 @@ void add_options(CLI::App& app, Request& r) {
   app.add_flag("--csv", r.csv, "comma-separated values with all digits");
 }
 
+/// Throws CLI::ArgumentMismatch for an option that the command line names twice.
+void require_once(const CLI::Option& option, int argc, char** argv) {
+  int named = 0;
+  for (int i = 1; i < argc; i++) {
+    const std::string word(argv[i]);
+    named += option.check_name(word.substr(0, word.find('=')));
+  }
+  if (named > 1) throw CLI::ArgumentMismatch(option.get_name() + ": given twice");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -239,7 +250,17 @@ int main(int argc, char** argv) {
   CLI::App* to_hamaker = app.add_subcommand("to-hamaker", "Hamaker constant A for depths");
   add_options(*to_hamaker, request);
   to_hamaker->add_option("--depth", request.depths, "depths D of wells [energy]")->required();
-  CLI11_PARSE(app, argc, argv);
+  // A list is given once with all its values: given twice it would be taken for the sum of both.
+  try {
+    app.parse(argc, argv);
+    for (CLI::App* way : app.get_subcommands()) {
+      for (const CLI::Option* option : way->get_options()) require_once(*option, argc, argv);
+      for (CLI::App* group : way->get_subcommands([](CLI::App*) { return true; }))
+        for (const CLI::Option* option : group->get_options()) require_once(*option, argc, argv);
+    }
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error);
+  }
 
   try {
     require_used(request);

@@ -95,7 +95,7 @@ def over_steps(program):
 
 def text(event, same, restored):
     """The thesis's table."""
-    lines = ["exact                                sampled at 2.25e-5 s, mean and range over v_esc",
+    lines = [f"exact                                sampled at {THESIS_STEP:g} s, mean and range over v_esc",
              "D [J]    v_esc [m/s]   A [J]        well                   Hamaker, same A"
              "        A of the well's mean [J]"]
     for e, s, r in zip(event, same, restored):

@@ -63,7 +63,7 @@ class Job:
         if self.process.returncode != 0:
             if self.again():
                 return False
-            raise RunError(f"{self.name}, in {self.folder}, failed:\n{self.tail()}")
+            raise RunError(f"{self.name}, in {self.folder}, failed:\n{readable(self.tail, 'no log')}")
         seconds = time.time() - self.begin
         try:
             figures = self.figures()
@@ -97,6 +97,14 @@ class Job:
         return ""
 
 
+def readable(look, otherwise):
+    """What `look`, share() or tail() of a job, finds, `otherwise` while the file it reads is not there."""
+    try:
+        return look()
+    except OSError:
+        return otherwise
+
+
 def ended(job):
     """Whether a running job is done with; a job that goes on once more is not. Raises RunError."""
     if job.process.poll() is None:
@@ -120,8 +128,8 @@ def carry_out(jobs, together):
         """Whether the job is done with after `step` of it, by itself or because it failed."""
         try:
             return step(job)
-        except RunError as error:
-            failed[job] = str(error)
+        except (RunError, OSError) as error:
+            failed[job] = str(error) if isinstance(error, RunError) else f"{job.name}, in {job.folder}: {error}"
             return True
 
     try:
@@ -134,7 +142,7 @@ def carry_out(jobs, together):
                 if job in failed or over(job, ended):
                     running.remove(job)
                     done += job.work
-            so_far = done + sum(job.work * job.share() for job in running)
+            so_far = done + sum(job.work * readable(job.share, 0.0) for job in running)
             left = line.elapsed * (all_work - so_far) / so_far if line.elapsed > 5 and so_far else None
             line.show(left, f"{100 * so_far / all_work:3.0f} %, running "
                             + ", ".join(job.name for job in running))

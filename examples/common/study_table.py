@@ -51,9 +51,9 @@ def read_table(file, known):
 
 def over_seeds(results):
     """Mean and standard deviation (of one run, n - 1; nan for one seed) of every figure that is a number;
-    {figure: (mean, deviation)}. `results`: dicts of the same figures."""
+    {figure: (mean, deviation)}, empty without results. `results`: dicts of the same figures."""
     found = {}
-    for figure, first in results[0].items():
+    for figure, first in (results[0] if results else {}).items():
         values = [result[figure] for result in results]
         if isinstance(first, (int, float)) and not isinstance(first, bool):
             spread = statistics.stdev(values) if len(values) > 1 else math.nan
@@ -61,17 +61,20 @@ def over_seeds(results):
     return found
 
 
-def write_summary(file, table, results):
+def write_summary(file, table, results, failed=None):
     """CSV: a line per row of `table`, with its parameters, how many seeds, and for each figure its mean and,
-    as <figure>_sd, standard deviation. `results`: {row name: [dict of figures per seed]}."""
+    as <figure>_sd, standard deviation. `results`: {row name: [dict of figures per seed]}; `failed`: {row name:
+    seeds without a result}, a column of its own when given."""
     lines = []
     for name, parameters in table.items():
         figures = over_seeds(results[name])
         line = {"name": name, **parameters, "seeds": len(results[name])}
+        if failed is not None:
+            line["failed"] = failed[name]
         for figure, (mean, deviation) in figures.items():
             line[figure], line[f"{figure}_sd"] = f"{mean:.6g}", f"{deviation:.2g}"
         lines.append(line)
     with open(file, "w", newline="") as out:
-        writer = csv.DictWriter(out, list(lines[0]))
+        writer = csv.DictWriter(out, list(max(lines, key=len)))
         writer.writeheader()
         writer.writerows(lines)

@@ -49,8 +49,10 @@ def deviation(quantity, outcomes, references):
     scale = quantity.scale or abs(known.mean())
     away = (values - known) / scale
     if quantity.over_seeds == "largest":
-        return float(np.abs(away).max()), quantity.resolution
-    return float(abs(away.mean())), chance(quantity, away, blocks, scale) + quantity.resolution
+        error = float(np.abs(away).max())
+        return error, quantity.resolution + quantity.grade * error
+    error = float(abs(away.mean()))
+    return error, chance(quantity, away, blocks, scale) + quantity.resolution + quantity.grade * error
 
 
 def chance(quantity, away, blocks, scale):
@@ -78,7 +80,9 @@ def rows(quantity, results, seeds):
     for setting, outcomes in results.items():
         if of_run and setting == quantity.reference:
             continue
-        bad = [o.failure for o in (*outcomes, *(references or ())) if o.failure]
+        bad = [o.failures[quantity.name] for o in outcomes if quantity.name in o.failures]
+        bad += ["reference: " + o.failures[quantity.name] for o in references or ()
+                if quantity.name in o.failures]
         error, margin = (math.nan, math.nan) if bad else deviation(quantity, outcomes[:seeds], references)
         found.append(Row(setting, error, margin, times(outcomes), bad[0] if bad else ""))
     return found

@@ -16,8 +16,8 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "common"))
 import lammps_run  # noqa: E402
 
 # values: of each quantity, (value, standard error by blocks or None); seconds: of a processor [s];
-# failure: what it ended with, or "". Values are NaN where the run failed or gave none.
-Outcome = namedtuple("Outcome", "values seconds failure")
+# failures: by quantity why it has no value, which is NaN then.
+Outcome = namedtuple("Outcome", "values seconds failures")
 # Paths of LAMMPS, its plugin, and the build folder of the package.
 Engine = namedtuple("Engine", "program plugin build")
 BLOCKS = 10
@@ -53,16 +53,21 @@ def run(scene, setting, seed, engine):
         seconds = process if seconds is None else seconds
         if done.returncode != 0:
             return failed(scene, seconds, reason(done))
-        try:
-            values = {q.name: read(q, done.stdout, Path(folder)) for q in scene.quantities}
-        except LookupError as problem:
-            return failed(scene, seconds, problem.args[0])
-        lost = [name for name, (value, _) in values.items() if not np.isfinite(value)]
-        return Outcome(values, seconds, f"{', '.join(lost)}: not a number" if lost else "")
+        outcome = Outcome({}, seconds, {})
+        for q in scene.quantities:
+            try:
+                outcome.values[q.name] = read(q, done.stdout, Path(folder))
+                if not np.isfinite(outcome.values[q.name][0]):
+                    outcome.failures[q.name] = "not a number"
+            except LookupError as problem:
+                outcome.values[q.name] = np.nan, None
+                outcome.failures[q.name] = problem.args[0]
+        return outcome
 
 
 def failed(scene, seconds, why):
-    return Outcome({q.name: (np.nan, None) for q in scene.quantities}, seconds, why)
+    return Outcome({q.name: (np.nan, None) for q in scene.quantities}, seconds,
+                   {q.name: why for q in scene.quantities})
 
 
 def reason(done):

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Scene files: what is run, with which settings, and what is compared with what."""
 
+import re
 from collections import namedtuple
 from pathlib import Path
 
@@ -12,7 +13,9 @@ Setting = namedtuple("Setting", "scheme step")
 TAKES = ("last", "first", "change", "mean", "max", "min", "rms")
 TOP = {"title", "script", "command", "variables", "step", "schemes", "seeds", "repeats", "quantities",
        "reference"}
-QUANTITY = {"column", "file", "take", "from", "reference", "relative_to", "over_seeds", "resolution", "unit", "wish"}
+OF_US = ("scene", "lmp", "plugin", "build", "python")  # what a command may name besides variables
+QUANTITY = {"column", "file", "take", "from", "reference", "relative_to", "over_seeds", "resolution",
+            "resolution_relative", "unit", "wish"}
 
 
 class SceneError(ValueError):
@@ -47,6 +50,19 @@ def number(entries, name, default, where):
         raise SceneError(f"{where}: {name} '{entries[name]}'; give a number") from None
 
 
+def whole(entries, name, default, where):
+    value = number(entries, name, default, where)
+    check(value >= 1 and value == int(value), where, f"{name} {value:g}", "a whole number, 1 or more")
+    return int(value)
+
+
+def named(entries, where):
+    """The entries of a dict that may be left empty."""
+    entries = {} if entries is None else entries
+    check(isinstance(entries, dict), where, "has no entries", "variables: {name: value}")
+    return entries
+
+
 class Quantity:
     """What is read from a run, and what it should be."""
 
@@ -65,6 +81,8 @@ class Quantity:
         check(self.over_seeds in ("mean", "largest"), where, f"over_seeds '{self.over_seeds}'", "mean or largest")
         self.resolution = number(entries, "resolution", 0.0, where)
         check(self.resolution >= 0, where, f"resolution {self.resolution}", "an error of at least zero")
+        self.grade = number(entries, "resolution_relative", 0.0, where)
+        check(self.grade >= 0, where, f"resolution_relative {self.grade}", "a share of the error of at least zero")
         self.wish = number(entries, "wish", 0.01, where)
         check(self.wish > 0, where, f"wish {self.wish}", "an error above zero")
         self.reference = self.read_reference(entries.get("reference", scene.reference), scene, where)
@@ -117,15 +135,16 @@ class Scene:
         else:
             check(isinstance(self.command, list), where, "command is no list",
                   "command: [program, argument, ...]; {name} is replaced by the variable's value")
-        self.variables = {**entries.get("variables", {}), **(variables or {})}
+        self.variables = named(entries.get("variables"), where + ": variables")
         step = entries.get("step", {"variable": "dt", "unit": "s"})
         check(isinstance(step, dict), where, "'step' has no entries", "step: {variable: dt, unit: s}")
         known(step, {"variable", "unit"}, where + ": step")
         self.step, self.step_unit = step.get("variable", "dt"), step.get("unit", "")
         self.schemes = self.read_schemes(entries.get("schemes"), steps or {}, where)
         self.seed, self.seeds = self.read_seeds(entries.get("seeds", {}), seeds, where)
-        self.repeats = int(number(entries, "repeats", 1, where))
-        check(self.repeats >= 1, where, f"repeats {self.repeats}", "1 or more")
+        self.repeats = whole(entries, "repeats", 1, where)
+        self.set_variables(variables or {})
+        self.check_command(where)
         self.reference = entries.get("reference")
         listed = entries.get("quantities")
         check(isinstance(listed, dict) and listed, where, "has no 'quantities'",
@@ -140,15 +159,39 @@ class Scene:
             check(isinstance(scheme, dict), where, f"scheme '{name}' has no entries", "give at least 'steps'")
             known(scheme, {"variables", "steps"}, f"{where}: scheme '{name}'")
             scheme["steps"] = numbers(changed.get(name, scheme.get("steps")), f"{where}: scheme '{name}': steps")
-            scheme.setdefault("variables", {})
+            scheme["variables"] = named(scheme.get("variables"), f"{where}: scheme '{name}': variables")
         return schemes
+
+    def set_variables(self, changed):
+        """Those of the command line: what a scheme, the step or the seed sets would not be what was asked for."""
+        for name in changed:
+            where = f"--set {name}"
+            check(name != self.step, where, "is the step", "give --steps SCHEME=A,B,...")
+            check(name != self.seed, where, "is the seed", "give --seeds N")
+            check(not any(name in scheme["variables"] for scheme in self.schemes.values()), where,
+                  "is set by the schemes", "edit the scene")
+            check(name in self.read_variables(), where, "is no variable of the scene",
+                  "there are " + ", ".join(sorted(self.read_variables())))
+        self.variables = {**self.variables, **changed}
+
+    def read_variables(self):
+        """Names that the scene gives or that its script has a default for."""
+        text = (self.folder / self.script).read_text() if self.script else ""
+        return {*self.variables, *re.findall(r"^\s*variable\s+(\w+)\s+index\b", text, re.M)}
+
+    def check_command(self, where):
+        allowed = {*OF_US, *self.variables, self.step, *([self.seed] if self.seed else [])}
+        for scheme in self.schemes:
+            there = allowed | set(self.schemes[scheme]["variables"])
+            for name in re.findall(r"\{(\w+)\}", " ".join(map(str, self.command or []))):
+                check(name in there, f"{where}: command", f"'{{{name}}}' is no variable of scheme '{scheme}'",
+                      "there are " + ", ".join(sorted(there)))
 
     @staticmethod
     def read_seeds(entries, count, where):
         check(isinstance(entries, dict), where, "'seeds' has no entries", "seeds: {variable: seed, count: 4}")
         known(entries, {"variable", "count"}, where + ": seeds")
-        count = count or int(entries.get("count", 1))
-        check(count >= 1, where, f"{count} seeds", "1 or more")
+        count = whole(entries if count is None else {"count": count}, "count", 1, where + ": seeds")
         check("variable" in entries or count == 1, where, f"{count} seeds, but no variable for them",
               "seeds: {variable: seed, count: 4}")
         return entries.get("variable"), list(range(1, count + 1))

@@ -8,6 +8,7 @@ table of the characteristic velocities and a picture.
 
 import argparse
 import hashlib
+import json
 import shutil
 import sys
 from pathlib import Path
@@ -21,10 +22,11 @@ from foam_case import CaseError, FoamCase, environment  # noqa: E402
 from job_pool import Job, RunError, carry_out  # noqa: E402
 
 SCHEDULES = ("short", "thesis")  # of the gas velocity
+MARK = "settings.json"  # in the folder of a case that was made here: it may be made anew
 
 
 def arguments():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
     parser.add_argument("--engine", choices=("lammps", "liggghts"), default="lammps",
                         help="particle engine (%(default)s)")
     parser.add_argument("--seed", type=int, default=None, metavar="N",
@@ -50,6 +52,7 @@ def make_case(folder, parameters, env):
     """The case of `parameters`: "engine", "schedule" (one of SCHEDULES), and variables of the engine's
     script."""
     case = FoamCase(HERE / "case", folder, env, overwrite=True)
+    (case.folder / MARK).write_text(json.dumps(parameters))
     coupling, engine = "constant/couplingProperties", parameters["engine"]
     case.set(coupling, "demEngine", engine)
     if parameters["schedule"] == "thesis":
@@ -106,8 +109,7 @@ def require_ours(jobs):
     for job in jobs:
         if not job.folder.exists() or job.result() is not None:
             continue
-        killed = (job.folder / "constant/couplingProperties").exists()
-        if (job.folder / "result.json").exists() or not killed:
+        if (job.folder / "result.json").exists() or not (job.folder / MARK).exists():
             raise CaseError(f"'{job.folder}' holds something else than results of these settings: give "
                             "--overwrite to replace it, or --out for another folder")
 
@@ -157,6 +159,14 @@ def evaluate(case):
     }
 
 
+def earlier(folder, kinds):
+    """Of the cases `kinds` in a folder of results; raises CaseError."""
+    try:
+        return {f"{name}, {folder.name}": evaluate(folder / name) for name in kinds}
+    except (OSError, LookupError, ValueError) as error:
+        raise CaseError(f"--beside '{folder}' holds no results of this program: {error!r}") from None
+
+
 def main():
     args = arguments()
     args.build = args.build.resolve()
@@ -168,6 +178,7 @@ def main():
     if args.seed is not None:
         common["seed"] = args.seed
     kinds = {"non-cohesive": 0.0, "Hamaker": args.hamaker}
+    beside = {} if args.beside is None else earlier(args.beside, kinds)
     jobs = [BedRun(out / name, {**common, "A": a}, env, mark) for name, a in kinds.items()]
     if args.overwrite:
         for job in jobs:
@@ -177,8 +188,6 @@ def main():
     carry_out(jobs, together=len(jobs))
 
     results = {name: evaluate(out / name) for name in kinds}
-    beside = {} if args.beside is None else {
-        f"{name}, {args.beside.name}": evaluate(args.beside / name) for name in kinds}
     text = table({**results, **beside})
     (out / "result.txt").write_text(text + "\n")
     picture.draw(out, results)

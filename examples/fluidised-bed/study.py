@@ -3,7 +3,7 @@
 characteristic velocities with their standard deviations. Runs that are finished are not made again: after
 an interruption the same command goes on with the others.
 
-    study.py TABLE.csv [--seeds N ...] [--together N] [--out FOLDER] [--build FOLDER]
+    study.py TABLE.csv [--seeds N ...] [--together N] [--out FOLDER] [--overwrite] [--build FOLDER]
 """
 
 import argparse
@@ -31,14 +31,17 @@ def parameters():
                                     if name not in NOT_IN_TABLES}}
 
 
-def text(table, results):
-    """Mean and standard deviation of what the velocities and the overshoot are, a line per row."""
+def text(table, results, failed):
+    """Mean and standard deviation of what the velocities and the overshoot are, a line per row; `failed`:
+    {row name: seeds without a result}."""
     columns = ("U_mf_df", "U_mf_th", "U_mf_in", "overshoot")
     lines = [f"{'':20}" + "".join(f"{column:<20}" for column in columns) + "seeds"]
     for name in table:
         figures = over_seeds(results[name])
-        lines.append(f"{name:20}" + "".join("{:<20}".format("{:.3f} +- {:.3f}".format(*figures[column]))
-                                            for column in columns) + str(len(results[name])))
+        lines.append(f"{name:20}" + "".join("{:<20}".format("{:.3f} +- {:.3f}".format(*figures[column])
+                                                            if column in figures else "none")
+                                            for column in columns) + str(len(results[name]))
+                     + (f", {failed[name]} failed" if failed[name] else ""))
     return "\n".join(lines)
 
 
@@ -52,7 +55,10 @@ def main():
     parser.add_argument("--build", type=Path, default=HERE.parents[1] / "build",
                         help="build folder of the package")
     parser.add_argument("--out", type=Path, default=None, help="folder for runs and results (BUILD/TABLE)")
+    parser.add_argument("--overwrite", action="store_true", help="replace the runs of other settings")
     args = parser.parse_args()
+    if len(set(args.seeds)) < len(args.seeds):
+        parser.error("--seeds: one stands twice, and both runs would be made in the same folder")
     if args.together < 1:
         parser.error(f"--together {args.together}: it must be 1 or more")
     build = args.build.resolve()
@@ -66,11 +72,21 @@ def main():
     mark = run.fingerprint(build, env)
     jobs = {name: [run.BedRun(out / "runs" / f"{name}-{seed}", {"engine": "lammps", **row, "seed": seed}, env, mark)
                    for seed in args.seeds] for name, row in table.items()}
-    carry_out([job for row in jobs.values() for job in row], args.together)
-    results = {name: [without_settings(job.result()) for job in row] for name, row in jobs.items()}
-    write_summary(out / "summary.csv", table, results)
-    print(text(table, results))
+    every = [job for row in jobs.values() for job in row]
+    if not args.overwrite:
+        run.require_ours(every)
+    failure = None
+    try:
+        carry_out(every, args.together)
+    except RunError as error:  # the table is of those that are done
+        failure = error
+    results = {name: [without_settings(job.result()) for job in row if job.result()] for name, row in jobs.items()}
+    failed = {name: len(row) - len(results[name]) for name, row in jobs.items()}
+    write_summary(out / "summary.csv", table, results, failed)
+    print(text(table, results, failed))
     print(f"\ntable: {out / 'summary.csv'}; the runs: {out / 'runs'}")
+    if failure:
+        raise failure
 
 
 def without_settings(result):

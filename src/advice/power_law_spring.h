@@ -29,7 +29,7 @@ inline double largest_overlap(const ContactSprings& s, double reduced_mass, doub
                               double speed) {
   const double p = s.exponent;
   const double work = 0.5 * reduced_mass * speed * speed;
-  // At this unit spring energy, attraction and motion in balance are lengths alone.
+  // Of the force c x^p.
   const double c = s.stiffness * std::pow(s.overlap, 1.0 - p);
   // Beyond both, the spring has stored twice what either can give.
   double high = std::max(std::pow(2.0 * attraction * (p + 1.0) / c, 1.0 / p),

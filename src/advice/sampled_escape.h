@@ -15,11 +15,14 @@ namespace cohesion::advice {
 
 struct SampledEscape {
   double mean;            ///< integral of the share that sticks over the speeds, [length/time]
-  double slowest_parted;  ///< [length/time]
-  double fastest_stuck;   ///< [length/time]
+  double slowest_parted;  ///< of those looked at, [length/time]; rarer ones may be slower
+  double fastest_stuck;   ///< the same
 };
 
-/// Standard error of the mean over the exact escape velocity, at most: from how many pairs it is.
+/// Standard error of the mean over the exact escape velocity, at most, from how many pairs it is. A
+/// bias comes on top: speeds at which fewer than about one position in 16 sticks, or parts, may be
+/// cut off. Against 6000 speeds and positions, D = 5e-11 J and A = 7.49e-19 J of the bed's spheres:
+/// Hamaker 2e-5 and 4e-5, wells 6e-4 and 4e-3 of the exact velocity, at 2.25e-5 s and t_c/4.
 inline constexpr double sampling_error = 1e-3;
 
 /// A head-on pair at its first grid point, `separation` and `approach` > 0.

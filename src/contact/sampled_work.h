@@ -100,9 +100,9 @@ inline double rolling_spring_energy(const Vector3& torque, double stiffness, dou
 
 /// What the two store half a step after the grid point, [energy].
 struct Stored {
-  double overlap;            ///< then, [length]; negative: gap
-  double spring = 0.0;       ///< c x^(p+1)/(p+1)
-  double tangential_spring;  ///< K_t s^2/2
+  double overlap;                  ///< then, [length]; negative: gap
+  double spring = 0.0;             ///< c x^(p+1)/(p+1)
+  double tangential_spring = 0.0;  ///< K_t s^2/2; 0 once parted: what it held is lost as friction
 };
 
 /// `after`: the motion of the half step `time` after the grid point.
@@ -112,6 +112,7 @@ inline Stored stored(const SampledContact& c, const Motion& after, double time) 
   if (c.overlap > 0.0 && s.overlap > 0.0)
     s.spring = c.stiffness * c.overlap * c.overlap / (c.exponent + 1.0) *
                std::pow(s.overlap / c.overlap, c.exponent + 1.0);
+  if (s.overlap <= 0.0) return s;
   const Vector3 stretch = c.displacement + time * c.slides(after);
   s.tangential_spring = 0.5 * c.tangential_stiffness * dot(stretch, stretch);
   return s;

@@ -25,9 +25,9 @@ inline double exchange_error(double step, double loading, bool free) {
   return std::abs(right - found);
 }
 
-/// Gas velocity after a step over that before, [1], between particles that are held, when the gas
-/// is solved with particles that follow: what they feel beyond is charged a step late, and from R
-/// (x - 2 (1 - exp(-x))) = 2 on the velocity swings and grows.
+/// Size of the gas velocity after a step over that before, [1], between particles that are held,
+/// when the gas is solved with particles that follow: what they feel beyond is charged a step late,
+/// and from R (x - 2 (1 - exp(-x))) = 2 on the velocity swings and grows.
 inline double held_growth(double step, double loading) {
   const double gain = -std::expm1(-step);
   return std::abs(1.0 - loading * (step - gain)) / (1.0 + loading * gain);

@@ -5,10 +5,11 @@
 
 namespace cohesion::shear {
 
-/// How far each of two particles, `reach` apart at most [length], flies towards the other in
-/// `time`, at most, [length]: the two together no more than twice this. None is faster than `own`
-/// beyond the mean flow [length/time], which has this `rate` [1/time]. The flow moves one against
-/// the other at rate times reach at most; each counts for half of that.
+/// Bound of the way that each of two particles flies towards the other in `time` [time], [length]:
+/// the gap between them shrinks by no more than twice this. Neither is faster than `own`
+/// [length/time] relative to the mean flow, whose rate is `rate` [1/time], and they are no farther
+/// than `reach` [length] apart: the flow moves one against the other at rate times reach or less,
+/// of which each counts for half.
 inline double longest_flight(double own, double rate, double reach, double time) {
   return time * (own + 0.5 * std::abs(rate) * reach);
 }

@@ -23,7 +23,7 @@ import picture  # noqa: E402
 import run  # noqa: E402
 import study  # noqa: E402
 from foam_case import CaseError, environment  # noqa: E402
-from job_pool import carry_out  # noqa: E402
+from job_pool import RunError, carry_out  # noqa: E402
 
 BUILD = Path(sys.argv.pop(1) if len(sys.argv) > 1 else SOURCE / "build").resolve()
 SCHEDULE = "superficialVelocity table ((0 (0 1.2 0)) (1 (0 1.2 0)));\nendTime 0.018;\n"
@@ -90,6 +90,39 @@ class Beds(unittest.TestCase):
         self.assertEqual(stamps,
                          [file.stat().st_mtime_ns for file in sorted(out.glob("runs/*/log.blockMesh"))])
 
+    def test_a_bed_that_fails_leaves_the_table_of_the_others(self):
+        table, out = self.folder / "table.csv", self.folder / "out"
+        table.write_text(TABLE)
+        figures = run.BedRun.figures
+
+        def fail(job):
+            if job.name == "no-side-1":
+                raise ValueError("no curve")
+            return figures(job)
+
+        with mock.patch.object(run.BedRun, "figures", fail), self.assertRaisesRegex(RunError, "1 of 2 runs failed"):
+            self.call(study, table, "--seeds", 1, "--out", out)
+        with open(out / "summary.csv") as file:
+            self.assertEqual([(row["name"], row["failed"], row["U_mf_df"]) for row in csv.DictReader(file)],
+                             [("none", "0", "1"), ("no-side", "1", "")])
+        # The failed one is ours and may be made anew; the results of other settings not.
+        table.write_text(TABLE.replace("none, 0", "none, 1e-19"))
+        with self.assertRaisesRegex(CaseError, "none-1.*--overwrite"):
+            self.call(study, table, "--seeds", 1, "--out", out)
+
+    def test_refuses_a_seed_that_stands_twice(self):
+        table = self.folder / "table.csv"
+        table.write_text(TABLE)
+        with self.assertRaises(SystemExit), contextlib.redirect_stderr(io.StringIO()) as said:
+            self.call(study, table, "--seeds", 7, 7, "--out", self.folder / "out")
+        self.assertIn("twice", said.getvalue())
+
+    def test_beside_is_read_first(self):
+        with mock.patch.object(run, "evaluate", side_effect=FileNotFoundError("log")), \
+                self.assertRaisesRegex(CaseError, "--beside '.*nowhere'"):
+            self.call(run, "--out", self.folder / "out", "--beside", self.folder / "nowhere")
+        self.assertFalse((self.folder / "out").exists())
+
     def test_refuses_a_schedule_that_is_none(self):
         table = self.folder / "table.csv"
         table.write_text("name, schedule\na, long\n")
@@ -103,10 +136,15 @@ class Beds(unittest.TestCase):
         with self.assertRaisesRegex(CaseError, "Hamaker.*--overwrite"):
             self.call(run, "--out", out)
         self.assertTrue((out / "Hamaker/letter.txt").exists())
+        # Nor is a copy of the case, run by hand.
+        shutil.rmtree(out / "Hamaker")
+        shutil.copytree(self.folder / "case", out / "Hamaker")
+        with self.assertRaisesRegex(CaseError, "Hamaker.*--overwrite"):
+            self.call(run, "--out", out)
 
     def test_a_killed_bed_is_made_again(self):
         env = environment(BUILD)
-        parameters = {"schedule": "short", "A": 0.0, "settle": 0.01, "seed": 2}
+        parameters = {"engine": "lammps", "schedule": "short", "A": 0.0, "settle": 0.01, "seed": 2}
         job = run.BedRun(self.folder / "bed", parameters, env, "this build")
         job.launch()
         job.process.kill()

@@ -110,7 +110,7 @@ class Chance(unittest.TestCase):
 
     @staticmethod
     def outcome(value, block=None):
-        return job.Outcome({"q": (value, block)}, 1.0, "")
+        return job.Outcome({"q": (value, block)}, 1.0, {})
 
     def test_of_seeds(self):
         """An error of 3 in noise of 0.3: the interval of Student's t, which is exact for normal noise."""
@@ -178,6 +178,15 @@ class KnownProgram(Folder):
         self.assertIn("ZeroDivisionError", failures[0])
         self.assertEqual(failures[1:], ["", "", ""])
 
+    def test_quantity_that_is_lost_leaves_the_others(self):
+        text = EULER + "  y: {column: y, reference: 1}\n  z: {column: x, reference: finest}\n"
+        done = self.run_py(self.write(text.replace("n = round(1/{dt})", "n = round(1/{dt}) if {dt} > 0.02 else 1/0")))
+        self.assertEqual(done.returncode, 0, done.stdout)
+        found = {(row["quantity"], float(row["dt"])): row["failure"] for row in self.rows()}
+        self.assertEqual(found["x", 0.1], "")
+        self.assertIn("no column 'y'", found["y", 0.1])
+        self.assertIn("reference: ended with code 1", found["z", 0.1])
+
     def test_no_run_at_all_is_an_error(self):
         done = self.run_py(self.write(EULER.replace("n = round(1/{dt})", "1/0")))
         self.assertNotEqual(done.returncode, 0)
@@ -217,6 +226,18 @@ class WrongScenes(Folder):
             Scene(self.folder / "none.yaml")
         with self.assertRaises(SceneError):
             Scene(self.write(good), steps={"heun": ["0.1"]})
+        file = self.write(good.replace("steps: [0.1", "variables: {method: x}, steps: [0.1"))
+        for name, right in (("dt", "--steps"), ("seed", "--seeds"), ("method", "edit the scene"), ("nois", "noise")):
+            with self.assertRaisesRegex(SceneError, f"--set {name}: .*{right}"):
+                Scene(file, variables={name: "1"})
+        with self.assertRaisesRegex(SceneError, "count 0"):
+            Scene(file, seeds=0)
+        for change, to, says in (("{noise}*", "{noize}*", "'{noize}'"), ("count: 3", "count: some", "count 'some'"),
+                                 ("variables: {noise: 0}", "variables:", "'{noise}'")):
+            with self.assertRaisesRegex(SceneError, says):
+                Scene(self.write(good.replace(change, to)))
+        with self.assertRaisesRegex(SceneError, "repeats 1.5"):
+            Scene(self.write(good + "repeats: 1.5\n"))
 
     def test_column_that_is_not_there(self):
         done = self.run_py(self.write(EULER.replace("column: x", "column: y")))

@@ -125,6 +125,22 @@ class Pool(unittest.TestCase):
         self.assertTrue(all(carry_out(jobs, 1)))
         self.assertEqual([len(job.begun()) for job in jobs], [1, 2, 1])
 
+    def test_neither_does_a_program_or_a_log_that_is_not_there(self):
+        good, no_program, no_log = self.jobs("good", "no-program", "no-log")
+        for job in (good, no_log):
+            job.mark("go")
+        no_log.mark("wrong")
+
+        def missing():
+            raise FileNotFoundError(2, "No such file or directory", "missing")
+
+        no_program.start = missing
+        no_log.share = no_log.tail = good.share = missing
+        with self.assertRaisesRegex(RunError, r"(?s)no-log, in .*no log.*2 of 3 runs failed") as caught:
+            carry_out([good, no_program, no_log], 2)
+        self.assertRegex(str(caught.exception), "no-program, in .*'missing'")
+        self.assertTrue(good.result())
+
     def test_neither_does_one_without_figures_or_one_that_does_not_start(self):
         good, no_figure, no_start = self.jobs("good", "no-figure", "no-start")
         good.mark("go")
@@ -195,6 +211,10 @@ class Tables(unittest.TestCase):
         study_table.write_summary(self.file, {"one": {"A": 0}, "three": {"A": 1e-18}}, results)
         self.assertEqual(self.file.read_text().split(),
                          ["name,A,seeds,U,U_sd", "one,0,1,1,nan", "three,1e-18,3,3,2.6"])
+        study_table.write_summary(self.file, {"none": {"A": 0}, "three": {"A": 1e-18}},
+                                  {**results, "none": []}, {"none": 2, "three": 0})
+        self.assertEqual(self.file.read_text().split(),
+                         ["name,A,seeds,failed,U,U_sd", "none,0,0,2,,", "three,1e-18,3,0,3,2.6"])
 
 
 def main(folder, *names):

@@ -8,8 +8,8 @@ of two. stability_judge.py says what is compared, and what the verdicts mean.
   stability-campaign.py LMP_WITH_PLUGIN_COMMAND PLUGIN --law NAME --point K     one point, with all that was said
 
 Points are the same in every run: number K of a law is drawn with seeds of its own. `silent` in the table is a case
-that is wrong, or has another outcome, in a run that printed no warning about it: warnings that the material is
-softer than it should be do not count.
+that is wrong, or has another outcome, in a run that printed no warning about the step, the cut-off, the well or a
+collapse: warnings that the material is softer than it should be do not count.
 """
 import re
 import sys
@@ -40,8 +40,9 @@ of the point, while together that of the places over s/w, w the frequency of a c
 friction below 1e-6, with friction or several contacts below (w dt)^2 and 0.1 (both with what a place on the grid
 may differ from the motion while together, and with rounding); sampled forces below 0.1; hard spheres below 1e-9 or
 100 times what the last digits of the start do. *marginal*: wrong, but the reference is as far off when its speeds
-change by as much as is allowed; *not judged*: rounding decides, or hard spheres collapse. *warned*, *silent*: wrong, or
-another outcome, with or without a warning about the step, an overlap or a collapse: any of them, not that which fits.
+change by as much as is allowed, up and down, or of another outcome, and it has the same with one of both; *not judged*:
+rounding decides, or hard spheres collapse. *warned*, *silent*: wrong, or another outcome, with or without a warning
+about the step, the cut-off, the well or a collapse; warnings of an overlap do not count.
 """.splitlines() + [""]
 
 

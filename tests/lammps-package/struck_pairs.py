@@ -48,7 +48,8 @@ def follow_sampled(folder, division):
     """By forces on the grid, without friction."""
     dt = T_C / division
     engine.run("in.head_on", folder, dt=dt, steps=round(DURATION / dt), K=gas.STIFFNESS,
-               gamma=-2 * math.log(RESTITUTION) / math.pi * math.sqrt(2 * gas.STIFFNESS / gas.MASS),
+               gamma=-2 * math.log(RESTITUTION) / math.hypot(math.pi, math.log(RESTITUTION))
+               * math.sqrt(2 * gas.STIFFNESS / gas.MASS),
                A=A, cut=settling.CUT, out=1e-7)
 
 

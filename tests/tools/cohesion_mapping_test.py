@@ -94,6 +94,14 @@ class Refusals(unittest.TestCase):
         self.refused("to-well", *BED, *hamaker, "--wel-scheme", "event", says=["--wel-scheme"],
                      usage=True)
 
+    def test_given_twice(self):
+        self.refused("to-well", *BED, "--hamaker", 1e-19, "--hamaker", 2e-19, says=["--hamaker", "twice"], usage=True)
+        self.refused("to-hamaker", *BED, "--depth", 1e-11, "--depth=2e-11", says=["--depth", "twice"], usage=True)
+        for name, value in (("--radius", 1e-3), ("--density", 1000)):
+            self.refused("to-well", *BED, "--hamaker", 1e-19, name, value, says=[name, "twice"], usage=True)
+        self.refused("to-well", *BED[:2], "--mass", 1e-6, "--mass", 2e-6, *BED[4:], "--hamaker", 1e-19,
+                     says=["--mass", "twice"], usage=True)
+
     def test_values(self):
         hamaker = ("--hamaker", 1e-19)
         at_step = ("--hamaker-scheme", "sampled", "--step")

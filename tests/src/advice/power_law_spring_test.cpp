@@ -26,7 +26,7 @@ struct Impact {
   double largest_overlap, restitution, time;
 };
 
-/// By integration with leapfrog; `steps` to the largest overlap or so. Force (A) on top.
+/// By integration with the midpoint rule; `steps` to the largest overlap or so. Force (A) on top.
 Impact integrate(const ContactSprings& s, double attraction, double u, int steps) {
   const double c = s.stiffness * std::pow(s.overlap, 1.0 - s.exponent);
   const auto rate = [&](double x, double v) {
