@@ -13,7 +13,7 @@ std::vector<const BoundPairs*> LAMMPS_NS::bound_pairs(LAMMPS* lmp, const std::st
       sources.push_back(source);
   if (sources.empty())
     stop(lmp, FLERR, where,
-         ": no pair_style says which pairs are bound; use gran/hamaker or another style of this "
-         "package that follows contacts");
+         ": no pair_style says which pairs are bound; use gran/hamaker, gran/square_well, "
+         "square_well or hard/square_well");
   return sources;
 }

@@ -2,11 +2,15 @@
 #ifndef COHESION_BOX_SHEAR_H
 #define COHESION_BOX_SHEAR_H
 
+#include <mpi.h>
+
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "atom.h"
 #include "domain.h"
+#include "lammps.h"
 #include "shear/since_list.h"
 
 // The shear of the engine's box, where particles that leave it through a sheared face change their
@@ -21,6 +25,28 @@ inline double middle_height(const Domain* domain) {
 /// As a rate, [1/time].
 inline cohesion::shear::BoxShear rate_of_shear(const Domain* domain) {
   return {domain->deform_vremap ? domain->h_rate[5] / domain->yprd : 0.0, middle_height(domain)};
+}
+
+/// Speed of the fastest of the first `count` particles, beyond the mean flow of a sheared box,
+/// [length/time].
+inline double fastest_of(const Atom* atom, const Domain* domain, int count) {
+  const double* const x = count > 0 ? atom->x[0] : nullptr;
+  const double* const v = count > 0 ? atom->v[0] : nullptr;
+  const cohesion::shear::BoxShear flow = rate_of_shear(domain);
+  double squared = 0.0;
+  for (int i = 0; i < 3 * count; i += 3) {
+    const double u = flow.beyond(v[i], x[i + 1]);
+    squared = std::max(squared, u * u + v[i + 1] * v[i + 1] + v[i + 2] * v[i + 2]);
+  }
+  return std::sqrt(squared);
+}
+
+/// The same of the particles of all ranks.
+inline double fastest_particle(const LAMMPS* lmp) {
+  const double mine = fastest_of(lmp->atom, lmp->domain, lmp->atom->nlocal);
+  double all = 0.0;
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, lmp->world);
+  return all;
 }
 
 /// Since a list of neighbours was made, a time `ago` before now.

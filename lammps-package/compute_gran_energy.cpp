@@ -32,10 +32,12 @@ ComputeGranEnergy::~ComputeGranEnergy() { delete[] vector; }
 void ComputeGranEnergy::init() {
   if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag)
     error->all(FLERR, "compute gran/energy balances spheres; use 'atom_style sphere'");
+  refuse_moving_box(lmp, std::string("compute ") + id + " gran/energy");
 }
 
 void ComputeGranEnergy::compute_vector() {
   invoked_vector = update->ntimestep;
+  particles.look(lmp, std::string("compute ") + id + " gran/energy");
   double mine[ENTRIES] = {};
   const std::vector<double> weight = weights(lmp);
   // The motion of the step ends with the velocities the next half kick leads to, at the places half

@@ -10,6 +10,7 @@ ComputeStyle(gran/energy,ComputeGranEnergy);
 
 #include "compute.h"
 #include "energy_book.h"
+#include "energy_companions.h"
 
 namespace LAMMPS_NS {
 
@@ -27,6 +28,7 @@ class ComputeGranEnergy : public Compute {
  private:
   class FixEventStep* step;
   cohesion::energy_book::Opened opened;
+  SameParticles particles;
 };
 
 }  // namespace LAMMPS_NS

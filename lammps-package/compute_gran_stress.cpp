@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "comm.h"
 #include "error.h"
 #include "fix_event_step.h"
 #include "pair_members.h"
@@ -21,11 +22,18 @@ void ComputeGranStress::init() {
   const auto known = [](const PairMember& member) {
     return dynamic_cast<const EventPairs*>(member.pair) != nullptr;
   };
-  if (!members.empty() && std::none_of(members.begin(), members.end(), known))
+  if (members.empty()) return;
+  if (std::none_of(members.begin(), members.end(), known))
     error->all(FLERR,
                "compute {} gran/stress does not know what pair_style {} carries; it sums "
                "gran/hamaker, gran/square_well and square_well",
                id, force->pair_style);
+  for (const PairMember& member : members)
+    if (!known(member) && comm->me == 0)
+      error->warning(FLERR,
+                     "compute {} gran/stress leaves pair_style {} out: it does not know what that "
+                     "carries",
+                     id, member.style);
 }
 
 const cohesion::MomentumFlux* ComputeGranStress::totals() const { return step->flux.of.data(); }

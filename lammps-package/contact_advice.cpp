@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "atom.h"
+#include "box_shear.h"
 #include "comm.h"
 #include "contact/contact_parameters.h"
 #include "error.h"
@@ -22,15 +23,6 @@ static double largest_of_all(LAMMPS* lmp, double mine) {
   double all = 0.0;
   MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, lmp->world);
   return all;
-}
-
-static double fastest_particle(LAMMPS* lmp) {
-  double squared = 0.0;
-  for (int i = 0; i < lmp->atom->nlocal; i++) {
-    const double* const v = lmp->atom->v[i];
-    squared = std::max(squared, v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-  }
-  return std::sqrt(largest_of_all(lmp, squared));
 }
 
 /// The largest acceleration.
@@ -76,7 +68,8 @@ AdvisedContact LAMMPS_NS::advised_contact(const std::string& name, const Lightes
 
 void LAMMPS_NS::advise(LAMMPS* lmp, const std::string& style, const advice::SchemeLimits& limits,
                        const std::vector<AdvisedContact>& contacts) {
-  const advice::RunNumbers run{fastest_particle(lmp), gravity(lmp), lmp->update->dt};
+  const advice::RunNumbers run{fastest_particle(lmp), gravity(lmp), lmp->update->dt,
+                               rate_of_shear(lmp->domain).amount};
   const advice::Report report = advice::report(style, limits, contacts, run);
   if (lmp->comm->me == 0) {
     utils::logmesg(lmp, report.table);

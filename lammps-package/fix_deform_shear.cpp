@@ -66,16 +66,18 @@ FixDeformShear::FixDeformShear(LAMMPS* lammps, int narg, char** arg)
       engine_every(0),
       in_hand(false) {
   read_keywords(narg, arg);
-  if (igroup != 0) stop(lmp, FLERR, "fix deform/shear shears the whole box; its group must be all");
+  const std::string where = std::string("fix ") + id + " deform/shear";
+  if (igroup != 0)
+    stop(lmp, FLERR, where, " shears the whole box; its group must be all, not ", arg[1]);
   if (!domain->xperiodic || !domain->yperiodic)
-    stop(lmp, FLERR,
-         "fix deform/shear: flow is along x and its gradient along y; both must be periodic "
-         "(boundary p p ...)");
+    stop(lmp, FLERR, where,
+         ": flow is along x and its gradient along y; both must be periodic (boundary p p ...), ",
+         domain->xperiodic ? "y" : "x", " is not");
   if (domain->yz != 0.0)
-    stop(lmp, FLERR, "fix deform/shear: tilt yz is ", domain->yz,
+    stop(lmp, FLERR, where, ": tilt yz is ", domain->yz,
          "; the images along z must not be shifted along the gradient: make it 0");
   if (std::abs(domain->xy) > 0.5 * domain->xprd)
-    stop(lmp, FLERR, "fix deform/shear: tilt xy is ", domain->xy,
+    stop(lmp, FLERR, where, ": tilt xy is ", domain->xy,
          "; it must be within half the length of the box, ", 0.5 * domain->xprd);
   scalar_flag = vector_flag = 1;
   size_vector = 3;

@@ -113,17 +113,9 @@ void FixEventStep::init() {
 /// The fastest particle or ghost; what each weighs, when the list of neighbours is new.
 void FixEventStep::look_round() {
   const int all = atom->nlocal + atom->nghost;
-  const double* const x = all > 0 ? atom->x[0] : nullptr;
-  const double* const v = all > 0 ? atom->v[0] : nullptr;
-  // In a sheared box, beyond the mean flow.
-  const cohesion::shear::BoxShear flow = rate_of_shear(domain);
-  double fastest = 0.0;
-  for (int i = 0; i < 3 * all; i += 3) {
-    const double u = flow.beyond(v[i], x[i + 1]);
-    fastest = std::max(fastest, u * u + v[i + 1] * v[i + 1] + v[i + 2] * v[i + 2]);
-  }
-  longest_flight = cohesion::shear::longest_flight(std::sqrt(fastest), flow.amount,
-                                                   neighbor->cutneighmax, 0.5 * update->dt);
+  longest_flight =
+      cohesion::shear::longest_flight(fastest_of(atom, domain, all), rate_of_shear(domain).amount,
+                                      neighbor->cutneighmax, 0.5 * update->dt);
   if (neighbor->ago != 0) return;
   for (int i = 0; i < all; i++)
     inverse_mass[i] = mobile.inverse_mass(atom->mask[i], atom->rmass[i]);

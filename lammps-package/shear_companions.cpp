@@ -19,16 +19,16 @@ struct Refused {
 
 constexpr Refused refused[] = {
     {"momentum",
-     "takes away momentum that the profile has by right; this fix removes it at the "
-     "start, and shear conserves it"},
+     "takes away momentum that the profile has by right; "
+     "this fix removes it at the start, and shear conserves it"},
     {"freeze", "holds particles whose images move"},
     {"move", "leads particles on paths that the images do not follow"},
     {"viscous", "drags towards rest, while every image of a particle has another velocity"},
     // Of LIGGGHTS only.
     {"multisphere", "does not change the velocity of a body that leaves through a sheared face"},
     {"mesh/surface",
-     "keeps its triangles on the ranks by the corners of their parts of the box; a tilted box has "
-     "none"},
+     "keeps its triangles on the ranks by the corners of their parts of the box; "
+     "a tilted box has none"},
     {"couple/", "brings forces of a gas that does not know of the tilted box"},
 };
 

@@ -38,7 +38,7 @@ namespace ContactModels {
 ///   range()                        how far it must see (contact_range.h)
 ///   reach()                        gap from which on it does nothing, [length]
 ///   force(encounter)               attraction, [force]; called once per step and contact
-///   binds(gap, history)            whether a pair is bound (cohesive_pairs.h)
+///   binds(i, j, gap, history)      whether a pair is bound (cohesive_pairs.h)
 ///   energy(...)                    AttractionEnergy (contact_book.h)
 template <class Attraction>
 class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePairs {
@@ -99,8 +99,8 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
   }
 
  private:
-  bool binds(double gap, const double* history) const override {
-    return attraction_.binds(gap, history);
+  bool binds(int itype, int jtype, double gap, const double* history) const override {
+    return attraction_.binds(itype, jtype, gap, history);
   }
 
   void make_probe() {
@@ -128,7 +128,8 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     const bool acts = carries(contact);
     book_->write(contact, {Cohesion::contact_of(contact, on_i, on_j, normal_->exponent(), places_),
                            acts ? &attraction_ : nullptr,
-                           acts && binds(-contact.deltan, contact.contact_history)});
+                           acts && binds(contact.itype, contact.jtype, -contact.deltan,
+                                         contact.contact_history)});
   }
 
   [[gnu::noinline]] void write_attraction(const SurfacesCloseData& near, const double* normal,
@@ -137,7 +138,8 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     contact.normal = cohesion::vector(normal);
     contact.overlap = -gap;
     contact.attraction = -dot(contact.normal, cohesion::vector(on_i.delta_F));
-    book_->write(near, {contact, &attraction_, binds(gap, near.contact_history)});
+    book_->write(near,
+                 {contact, &attraction_, binds(near.itype, near.jtype, gap, near.contact_history)});
   }
 
   /// Whether a triangle of a mesh has the attraction of the wall here.

@@ -18,8 +18,8 @@ namespace Cohesion {
 
 namespace {
 
-std::map<const PairGran*, const CohesivePairs*>& known() {
-  static std::map<const PairGran*, const CohesivePairs*> styles;
+std::map<const IContactHistorySetup*, const CohesivePairs*>& known() {
+  static std::map<const IContactHistorySetup*, const CohesivePairs*> styles;
   return styles;
 }
 
@@ -32,17 +32,17 @@ double gap(const Atom* atom, int i, int j) {
 }  // namespace
 
 CohesivePairs::CohesivePairs(LAMMPS* lmp, IContactHistorySetup* owner, bool wall)
-    : lmp_(lmp), pair_(wall ? nullptr : static_cast<PairGran*>(owner)) {
-  if (pair_) known()[pair_] = this;
+    : lmp_(lmp), owner_(owner), pair_(wall ? nullptr : static_cast<PairGran*>(owner)) {
+  known()[owner_] = this;
 }
 
 CohesivePairs::~CohesivePairs() {
-  const auto mine = known().find(pair_);
+  const auto mine = known().find(owner_);
   if (mine != known().end() && mine->second == this) known().erase(mine);
 }
 
-const CohesivePairs* CohesivePairs::of(const PairGran* pair) {
-  const auto found = known().find(pair);
+const CohesivePairs* CohesivePairs::of(const IContactHistorySetup* owner) {
+  const auto found = known().find(owner);
   return found == known().end() ? nullptr : found->second;
 }
 
@@ -50,12 +50,13 @@ void CohesivePairs::append_bound(std::vector<std::array<int, 2> >& pairs) const 
   if (!pair_) return;
   const NeighList* const list = pair_->list;
   const NeighList* const memory = pair_->listgranhistory;
+  const int* const type = lmp_->atom->type;
   for (int ii = 0; ii < list->inum; ii++) {
     const int i = list->ilist[ii];
     for (int jj = 0; jj < list->numneigh[i]; jj++) {
       const int j = list->firstneigh[i][jj] & NEIGHMASK;
       const double* const history = memory ? memory->firstdouble[i] + pair_->dnum() * jj : nullptr;
-      if (binds(gap(lmp_->atom, i, j), history)) pairs.push_back({i, j});
+      if (binds(type[i], type[j], gap(lmp_->atom, i, j), history)) pairs.push_back({i, j});
     }
   }
 }

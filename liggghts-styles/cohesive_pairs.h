@@ -14,7 +14,8 @@ namespace LIGGGHTS {
 namespace Cohesion {
 
 /// Pairs of pair_style gran, of which a cohesion says which it binds. The engine keeps its models
-/// out of reach; so each makes itself known by the pair style that it is a part of.
+/// out of reach; so each makes itself known by the pair style, or the fix of a wall, that it is a
+/// part of.
 class CohesivePairs : public LAMMPS_NS::BoundPairs {
  public:
   /// owner: what the engine gives a model of contacts; of a wall's this is an empty set.
@@ -22,20 +23,21 @@ class CohesivePairs : public LAMMPS_NS::BoundPairs {
   CohesivePairs(const CohesivePairs&) = delete;
   CohesivePairs& operator=(const CohesivePairs&) = delete;
 
-  /// Of a pair style; null: it has no cohesion of this package.
-  static const CohesivePairs* of(const LAMMPS_NS::PairGran* pair);
+  /// Of a pair style or a fix wall/gran; null: it has no cohesion of this package.
+  static const CohesivePairs* of(const IContactHistorySetup* owner);
 
   void append_bound(std::vector<std::array<int, 2> >& pairs) const override;
 
  protected:
   ~CohesivePairs();
 
-  /// Whether two particles with this gap [length] are bound; history: what the engine remembers of
-  /// their contact, null where no model asks it to.
-  virtual bool binds(double gap, const double* history) const = 0;
+  /// Whether two particles of these types with this gap [length] are bound; history: what the
+  /// engine remembers of their contact, null where no model asks it to.
+  virtual bool binds(int itype, int jtype, double gap, const double* history) const = 0;
 
  private:
   LAMMPS_NS::LAMMPS* lmp_;
+  const IContactHistorySetup* owner_;
   LAMMPS_NS::PairGran* pair_;  // null for walls
 };
 

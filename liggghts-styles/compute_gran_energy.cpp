@@ -22,11 +22,14 @@ using cohesion::Vector3;
 
 ComputeGranEnergy::ComputeGranEnergy(LAMMPS* engine, int count, char** words)
     : StyleCompute(engine, count, words) {
-  if (count != 3) error->all(FLERR, "compute gran/energy takes no further arguments");
+  const std::string where = std::string("compute ") + id + " gran/energy";
+  if (count != 3)
+    stop(lmp, FLERR, where, " takes no further arguments; '", words[3], "' was given");
   if (igroup != 0)
-    error->all(FLERR, "compute gran/energy balances all particles; its group must be 'all'");
+    stop(lmp, FLERR, where, " balances all particles; its group must be 'all', not '", words[1],
+         "'");
   if (find_hidden_fix<FixContactBook>(lmp))
-    error->all(FLERR, "compute gran/energy: there is one already, and one book is kept");
+    stop(lmp, FLERR, where, ": there is one already, and one book is kept");
   scalar_flag = vector_flag = 1;
   extscalar = extvector = 1;
   size_vector = ENTRIES;
@@ -40,8 +43,13 @@ void ComputeGranEnergy::pre_delete(bool) {
   if (find_hidden_fix<FixContactBook>(lmp)) modify->delete_fix(FixContactBook::STYLE);
 }
 
+void ComputeGranEnergy::init() {
+  refuse_moving_box(lmp, std::string("compute ") + id + " gran/energy");
+}
+
 void ComputeGranEnergy::compute_vector() {
   invoked_vector = update->ntimestep;
+  particles_.look(lmp, std::string("compute ") + id + " gran/energy");
   double mine[ENTRIES] = {};
   const MobileParticles mobile(modify);
   const GravityOfFixes gravity(modify);

@@ -3,6 +3,7 @@
 #define COHESION_COMPUTE_GRAN_ENERGY_H
 
 #include "energy_book.h"
+#include "energy_companions.h"
 #include "liggghts_api.h"
 
 namespace LIGGGHTS {
@@ -16,12 +17,13 @@ class ComputeGranEnergy : public LAMMPS_NS::engine_api::StyleCompute {
   ~ComputeGranEnergy() override;
   void pre_delete(bool) override;
 
-  void init() override {}
+  void init() override;
   void compute_vector() override;
   double compute_scalar() override;
 
  private:
   cohesion::energy_book::Opened opened_;
+  LAMMPS_NS::SameParticles particles_;
 };
 
 }  // namespace Cohesion

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "atom.h"
+#include "box_shear.h"
 #include "comm.h"
 #include "error.h"
 #include "fix_mesh_surface.h"
@@ -56,16 +57,6 @@ void count_templates(Modify* modify, std::vector<LightestParticle>& lightest) {
   }
 }
 
-double fastest_particle(LAMMPS* lmp) {
-  double squared = 0.0, all = 0.0;
-  for (int i = 0; i < lmp->atom->nlocal; i++) {
-    const double* const v = lmp->atom->v[i];
-    squared = std::max(squared, v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-  }
-  MPI_Allreduce(&squared, &all, 1, MPI_DOUBLE, MPI_MAX, lmp->world);
-  return std::sqrt(all);
-}
-
 std::set<int> types_of(const FixWallGran& wall) {
   if (!wall.is_mesh_wall()) return {wall.atom_type_wall()};
   std::set<int> types;
@@ -95,7 +86,7 @@ ContactAdvice::ContactAdvice(LAMMPS* lmp, FixWallGran* wall, const std::string& 
 
 void ContactAdvice::give() const {
   const advice::RunNumbers run{fastest_particle(lmp_), GravityOfFixes(lmp_->modify).largest(),
-                               lmp_->update->dt};
+                               lmp_->update->dt, rate_of_shear(lmp_->domain).amount};
   std::string who = model_ + (wall_ ? std::string(", fix wall/gran ") + wall_->id : "");
   if (normal_.exponent() != 1.0)
     who += " (" + normal_.name() + ": linear springs that an impact presses as far)";

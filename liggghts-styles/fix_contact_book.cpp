@@ -7,6 +7,7 @@
 #include <cstring>
 #include <string>
 
+#include "cohesive_pairs.h"
 #include "error.h"
 #include "fix_wall_gran.h"
 #include "force.h"
@@ -22,10 +23,8 @@ using namespace LAMMPS_NS;
 namespace {
 
 /// Whether a contact model writes into the book.
-template <class Owner>
-bool has_our_cohesion(Owner& owner) {
-  return owner.contact_match("cohesion", "hamaker") ||
-         owner.contact_match("cohesion", "square_well");
+bool has_our_cohesion(const IContactHistorySetup& owner) {
+  return CohesivePairs::of(&owner) != nullptr;
 }
 
 [[noreturn]] void refuse(LAMMPS* lmp, const std::string& why) {

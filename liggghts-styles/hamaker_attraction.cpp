@@ -4,9 +4,11 @@
 #include <sstream>
 
 #include "advice/stiffness_scaling.h"
+#include "error.h"
 #include "global_properties.h"
 #include "hamaker_attraction.h"
 #include "liggghts_api.h"
+#include "modify.h"
 #include "property_registry.h"
 
 namespace LIGGGHTS {
@@ -14,7 +16,7 @@ namespace Cohesion {
 
 namespace {
 
-constexpr const char* asked_for_by = "cohesion_model hamaker";
+constexpr const char* asked_for_by = "cohesion model hamaker";
 constexpr const char* constant_property = "hamakerConstant";
 constexpr const char* surface_property = "hamakerSurfaceCutoff";
 constexpr const char* outer_property = "hamakerOuterCutoff";
@@ -31,6 +33,20 @@ ScalarProperty* make_surface_cutoff(PropertyRegistry& registry, const char* call
 }
 ScalarProperty* make_outer_cutoff(PropertyRegistry& registry, const char* caller, bool) {
   return MODEL_PARAMS::createScalarProperty(registry, outer_property, caller);
+}
+
+/// A restart file keeps no keywords of models.
+void tell_of_unread_stiffness(LAMMPS_NS::LAMMPS* lmp) {
+  char* const property = const_cast<char*>(stiffness_property);
+  char *const style = const_cast<char*>("property/global"),
+              *const kind = const_cast<char*>("peratomtypepair"),
+              *const caller = const_cast<char*>(asked_for_by);
+  if (!lmp->modify->find_fix_property(property, style, kind, 0, 0, caller, false)) return;
+  if (lmp->comm->me != 0) return;
+  lmp->error->warning(FLERR,
+                      "cohesion model hamaker: there is a fix property/global materialStiffness, "
+                      "but material_stiffness is off, and the adhesion is not scaled; a restart "
+                      "file does not keep the keyword: give it with pair_style and fix wall/gran");
 }
 
 /// One factor for a pair of types wants one spring for it.
@@ -60,7 +76,9 @@ void HamakerAttraction::connect(PropertyRegistry& registry, const NormalModelPro
   outer_cutoff_ = registry.getScalarProperty(outer_property, asked_for_by)->data;
 
   double** material = nullptr;
-  if (scales_) {
+  if (!scales_) {
+    tell_of_unread_stiffness(lmp_);
+  } else {
     require_of_types(lmp_, normal);
     registry.registerProperty(stiffness_property, &make_stiffness);
     material = registry.getMatrixProperty(stiffness_property, asked_for_by)->data;
@@ -84,7 +102,7 @@ cohesion::hamaker::Parameters HamakerAttraction::scaled(const cohesion::hamaker:
                                                         double material,
                                                         const NormalModelProbe& normal, int itype,
                                                         int jtype) const {
-  cohesion::require_non_negative("material stiffness", material);
+  cohesion::require_non_negative(stiffness_property, material);
   if (material == 0.0 || real.hamaker_constant == 0.0) return real;
   // Any particles: the spring is of the types alone.
   const double soft = normal.springs({itype, jtype, 1.0, 1.0, 1.0, 1.0, false}).stiffness;

@@ -38,7 +38,9 @@ class HamakerAttraction : public AttractionEnergy {
   ContactRange range() const;
   double reach() const { return outer_cutoff_; }
 
-  bool binds(double gap, const double*) const { return gap < outer_cutoff_; }
+  bool binds(int itype, int jtype, double gap, const double*) const {
+    return gap < outer_cutoff_ && attracts(itype, jtype);
+  }
   /// rj infinite: beside a wall.
   cohesion::contact::Adhesion adhesion(int itype, int jtype, double ri, double rj) const {
     return cohesion::contact::adhesion_of(laws_.of(itype, jtype),
@@ -57,6 +59,10 @@ class HamakerAttraction : public AttractionEnergy {
  private:
   using Law = cohesion::hamaker::Law<cohesion::hamaker::SmallGap>;
 
+  /// Any particles of these types.
+  bool attracts(int itype, int jtype) const {
+    return laws_.of(itype, jtype).adhesion_force(cohesion::two_spheres(1.0, 1.0)) > 0.0;
+  }
   static cohesion::PairGeometry geometry(bool is_wall, double ri, double rj) {
     return is_wall ? cohesion::sphere_and_plane(ri) : cohesion::two_spheres(ri, rj);
   }

@@ -9,6 +9,7 @@
 // clang-format on
 #include "contact_model_base.h"
 #include "contact_models.h"
+#include "error.h"
 
 namespace LIGGGHTS {
 namespace Cohesion {
@@ -39,7 +40,7 @@ struct Known {
   const char* name;
   Maker maker;
 };
-/// The models of model-lists/style_normal_model.h.
+/// The models of model-lists/style_normal_model.h, in which all must stand.
 constexpr Known known_models[] = {{"hooke", &make<HOOKE>},
                                   {"hooke/stiffness", &make<HOOKE_STIFFNESS>},
                                   {"hertz", &make<HERTZ>},
@@ -57,6 +58,11 @@ NormalModelProbe::NormalModelProbe(LAMMPS* lmp, const std::function<bool(const c
     name_ = known.name;
     model_ = known.maker(lmp, quiet_.get(), quiet_.get());
   }
+  if (!model_)
+    lmp->error->all(FLERR,
+                    "cohesion: the normal model of this contact stands in "
+                    "model-lists/style_normal_model.h, but not among known_models in "
+                    "liggghts-styles/normal_model_probe.cpp: add it there");
   // A restart file keeps no settings; some models leave theirs unset until they have registered.
   Settings defaults(lmp);
   model_->registerSettings(defaults);

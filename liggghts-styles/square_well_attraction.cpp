@@ -20,7 +20,7 @@ namespace Cohesion {
 
 namespace {
 
-constexpr const char* asked_for_by = "cohesion_model square_well";
+constexpr const char* asked_for_by = "cohesion model square_well";
 constexpr const char* depth_property = "wellDepth";
 constexpr const char* ratio_property = "wellRatio";
 
@@ -80,7 +80,7 @@ ContactRange SquareWellAttraction::range() const {
   return range;
 }
 
-bool SquareWellAttraction::binds(double, const double* history) const {
+bool SquareWellAttraction::binds(int, int, double, const double* history) const {
   return history && history[offset_ + STATE] == inside;
 }
 

@@ -40,7 +40,7 @@ class SquareWellAttraction : public AttractionEnergy {
   double reach() const { return std::numeric_limits<double>::infinity(); }
 
   /// While the pair is in its well.
-  bool binds(double gap, const double* history) const;
+  bool binds(int itype, int jtype, double gap, const double* history) const;
   /// rj infinite: beside a wall.
   cohesion::contact::Adhesion adhesion(int itype, int jtype, double ri, double rj) const {
     return cohesion::square_well::adhesion_of(wells_.of(itype, jtype), ri,

@@ -29,6 +29,11 @@ struct AdvisedContact {
   bool moves() const { return inverse_mass() > 0.0; }
   double reduced_mass() const { return 1.0 / inverse_mass(); }
   double diameter() const { return 2.0 * std::min(i.radius, j.radius); }
+  /// Between the centres; beside a wall the diameter.
+  double distance() const {
+    const double sum = i.radius + j.radius;
+    return std::isfinite(sum) ? sum : diameter();
+  }
 
  private:
   double inverse_mass() const { return 1.0 / i.mass + 1.0 / j.mass; }
@@ -36,9 +41,10 @@ struct AdvisedContact {
 
 /// What all contacts of a run share.
 struct RunNumbers {
-  double fastest;  ///< speed of the fastest particle, [length/time]
-  double gravity;  ///< largest acceleration, [length/time^2]
-  double dt;       ///< [time]
+  double fastest;      ///< speed of the fastest particle, beyond a mean shear, [length/time]
+  double gravity;      ///< largest acceleration, [length/time^2]
+  double dt;           ///< [time]
+  double shear = 0.0;  ///< rate of a mean shear, [1/time]
 };
 
 struct Report {
@@ -48,9 +54,10 @@ struct Report {
 };
 
 /// Approach speed to judge a contact by, [length/time]: of the fastest particle, or of one that
-/// falls through the smaller diameter of the two.
+/// falls through the smaller diameter of the two; and what a mean shear adds between the centres.
 inline double approach_speed(const RunNumbers& run, const AdvisedContact& c) {
-  return std::max(run.fastest, std::sqrt(2.0 * run.gravity * c.diameter()));
+  return std::max(run.fastest, std::sqrt(2.0 * run.gravity * c.diameter())) +
+         std::abs(run.shear) * c.distance();
 }
 
 /// Speed at first touch, what the attraction adds on the way included, [length/time].

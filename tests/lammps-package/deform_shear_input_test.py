@@ -75,15 +75,15 @@ class Refusals(unittest.TestCase):
             (fix + "rate 1 profile maybe\n", "'maybe'", "yes, no"),
             (fix + "rate 1 rebuild never\n", "'never'", "nonaffine, engine"),
             (fix + "rate v_none\n" + MOVE + "run 1\n", "equal-style variable 'none'"),
-            (head() + "fix shear one deform/shear rate 1\n", "group must be all"),
+            (head() + "fix shear one deform/shear rate 1\n", "fix shear", "group must be all, not one"),
             (head() + "compute flow all shear/profile bins 4\n", "layers N"),
             (head() + "compute flow all shear/profile layers 2\n", "layers 2", "at least 3"))
 
     def test_box(self):
         self.stop(
             (head("block 0 10 0 8 0 6") + SHEAR, "prism", "change_box all triclinic"),
-            (head(boundary="f p p") + SHEAR, "periodic"),
-            (head(boundary="p f p") + SHEAR, "periodic"),
+            (head(boundary="f p p") + SHEAR, "x is not"),
+            (head(boundary="p f p") + SHEAR, "y is not"),
             (head(boundary="p f p") + "compute flow all shear/profile\n", "periodic"),
             (head("prism 0 10 0 8 0 6 6 0 0") + SHEAR, "tilt xy is 6", "half the length"),
             (head("prism 0 10 0 8 0 6 0 0 2") + SHEAR, "tilt yz is 2", "make it 0"))
@@ -99,6 +99,8 @@ class Refusals(unittest.TestCase):
                         ("move linear 1 0 0", "fix other move", "paths"),
                         ("viscous 1", "fix other viscous", "another velocity"),
                         ("deform/shear rate 1", "multiple fixes change box"))],
+                  (begin + MOVE + "compute book all gran/energy\nrun 1\n", "compute book gran/energy",
+                   "fix shear deform/shear", "changes the box"),
                   (begin + "fix other all nvt temp 1 1 1\nrun 1\n", "fix other nvt", "nvt/sllod"),
                   (begin + MOVE + "run_style respa 2 2\nrun 1\n", "run_style verlet"),
                   (head() + "pair_style zero 1.0\npair_coeff * *\n" + SHEAR +

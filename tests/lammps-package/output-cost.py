@@ -29,7 +29,7 @@ OUTPUTS = {
              "shear/profile, every 10": PROFILE + VECTOR.replace("1 10 10", "10 1 10"),
              "gran/stress, not read": "compute out all gran/stress\n",
              "gran/stress, every step": "compute out all gran/stress\n" + EVERY_STEP,
-             "gran/energy, not read": "compute out all gran/energy\n", **AGGLOMERATES},
+             **AGGLOMERATES},
     "hard": {"none": "", "shear/profile, not read": PROFILE,
              "shear/profile, every step": PROFILE + VECTOR,
              "hard/stress, not read": "compute out all hard/stress\n",

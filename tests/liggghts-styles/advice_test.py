@@ -99,6 +99,13 @@ class Table(unittest.TestCase):
         stiffness = 16 / 15 * root * modulus * (15 * mass / (16 * root * modulus))**0.2
         self.near(rows(run)["1 - 1"]["steps"], math.pi / natural_frequency(stiffness, mass) / DT)
 
+    def test_a_mean_shear_is_no_speed_of_approach(self):
+        # At rest beyond the shear, above and below the middle; the profile makes them 0.1 m/s fast.
+        rate, box, shear = 20.0, "0 0.02 0 0.02 0 0.02 0 0 0", "fix shear all deform/shear rate 20\n"
+        run = go(LINEAR, hamaker(A, cut=CUT, out=OUT), [sphere((0.01, 0.005, 0.01)), sphere((0.01, 0.015, 0.01))],
+                 boundary="p p p", box=box, extra=shear)
+        self.near(rows(run)["1 - 1"]["speed"], rate * 2 * RADIUS)
+
     def test_hertz_is_told_as_the_linear_spring_of_the_impact(self):
         run = go("model hertz tangential off cohesion hamaker", hamaker(0, cut=CUT, out=OUT))
         self.assertIn("hertz: linear springs that an impact presses as far", run.printed)
@@ -194,6 +201,12 @@ class StiffnessScaling(unittest.TestCase):
                 self.assertEqual(run.returncode, 0, run.printed[-1000:])
                 self.assertNotIn("adhesion scaled", run.printed)
 
+    def test_a_stiffness_that_is_not_read_is_warned_of(self):
+        for words, warned in ((LINEAR + ABSOLUTE, True), (self.WORDS, False)):
+            with self.subTest(words=words):
+                run = go(words, self.properties(3200.0))
+                self.assertEqual("but material_stiffness is off" in run.printed, warned)
+
     def test_what_it_cannot_do_is_refused(self):
         for words, properties, *messages in (
                 ("model hertz tangential off cohesion hamaker material_stiffness on", self.properties(3200.0),
@@ -201,7 +214,7 @@ class StiffnessScaling(unittest.TestCase):
                 ("model hooke tangential off cohesion hamaker material_stiffness on", self.properties(3200.0),
                  "the spring of model hooke differs"),
                 (self.WORDS, hamaker(A, cut=CUT, out=OUT), "materialStiffness"),
-                (self.WORDS, self.properties(-1.0), "material stiffness = -1", "materialStiffness = -1"),
+                (self.WORDS, self.properties(-1.0), "materialStiffness = -1: must be"),
                 (self.WORDS, self.properties(3200.0, out=1e-9), "too small for the softened contact")):
             with self.subTest(message=messages[0]):
                 run = go(words, properties)

@@ -66,6 +66,18 @@ class Sets(unittest.TestCase):
         up = numpy.array([[5.0, 1.0 * k, 3.0] for k in range(8)])
         self.assertEqual([len(self.check(up, tilt, 2).wraps) for tilt in (0.0, 3.0)], [1, 0])
 
+    def test_types_without_attraction_are_not_bound(self):
+        # 1 and 2 attract; 2 and 3 do not, nor do 3 and 4, of the other type.
+        x = numpy.array([[1.0, 4.0, 3.0], [2.05, 4.0, 3.0], [3.1, 4.0, 3.0], [4.15, 4.0, 3.0]])
+        law = LAW.replace("1e-12 1e-12 1e-12 1e-12", "1e-12 0 0 0")
+        self.assertNotEqual(law, LAW)
+        text = scene(x, properties=law)
+        text = text.replace("fix set all", "set atom 3*4 type 2\nfix set all")
+        self.assertEqual(Search(x, 0.0).sizes.tolist(), [4, 0, 0, 0])
+        _, run = rows(text)
+        frame = run.frames("out.txt")[0]
+        numpy.testing.assert_array_equal([frame[n] for n in sorted(frame)], [[1, 2], [1, 2], [0, 1], [0, 1]])
+
     def test_random(self):
         random = numpy.random.default_rng(3)
         for number, ranks in ((60, 2), (110, 0), (110, 4)):

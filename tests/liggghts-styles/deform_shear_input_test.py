@@ -41,14 +41,14 @@ class Refusals(unittest.TestCase):
                 (fix + "rate 1 profile maybe\n", "'maybe'", "yes, no"),
                 (fix + "rate 1 rebuild never\n", "'never'", "nonaffine, engine"),
                 (fix + "rate v_none\n", "equal-style variable 'none'"),
-                ("group one id 1\nfix shear one deform/shear rate 1\n", "group must be all"),
+                ("group one id 1\nfix shear one deform/shear rate 1\n", "fix shear deform/shear", "group must be all, not one"),
                 ("compute flow all shear/profile bins 4\n", "layers N"),
                 ("compute flow all shear/profile layers 2\n", "layers 2", "at least 3"))))
 
     def test_box(self):
         self.stop(*((head(SHEAR, box, boundary), *words) for box, boundary, *words in (
                 ("0 10 0 8 0 6", "p p p", "prism", "change_box all triclinic"),
-                (PRISM, "f p p", "periodic"), (PRISM, "p f p", "periodic"),
+                (PRISM, "f p p", "x is not"), (PRISM, "p f p", "y is not"),
                 ("0 10 0 8 0 6 0 0 2", "p p p", "tilt yz is 2", "make it 0"))),
             (head("compute flow all shear/profile\n", boundary="p f p"), "periodic"))
 
@@ -66,7 +66,8 @@ class Refusals(unittest.TestCase):
     def test_walls(self):
         allowed = " allow_special_domain_periodic yes"
         self.stop(*((head(SHEAR, boundary="p p f", walls=[f"primitive type 2 {wall}{allowed}"]),
-                     "fix wall0 wall/gran", "only a zplane is") for wall in ("yplane 0", "xplane 0", "zcylinder 3 5 4", "xcylinder 3 4 3")))
+                     "fix wall0 wall/gran", "only a zplane is")
+                    for wall in ("yplane 0", "xplane 0", "zcylinder 3 5 4", "xcylinder 3 4 3")))
         run = Run(head(SHEAR, boundary="p p f", walls=[f"primitive type 2 zplane 0{allowed}"]))
         self.assertEqual(run.returncode, 0, run.printed[-2000:])
 

@@ -51,7 +51,7 @@ class BadInput(unittest.TestCase):
     def test_missing_property(self):
         for name in ("hamakerConstant", "hamakerSurfaceCutoff", "hamakerOuterCutoff"):
             with self.subTest(name=name):
-                self.refused(script_without("in.two_spheres", name), name, "cohesion_model hamaker",
+                self.refused(script_without("in.two_spheres", name), name, "cohesion model hamaker",
                              **PAIR)
 
     def test_combination_that_does_not_exist(self):

@@ -6,6 +6,7 @@ import os
 import pathlib
 import subprocess
 import sys
+import tempfile
 import unittest
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -49,7 +50,6 @@ numpy.savez(sys.argv[1], **found)
 
 
 def follow(**environment):
-    import tempfile
     with tempfile.TemporaryDirectory() as folder:
         file = os.path.join(folder, "found.npz")
         subprocess.run([sys.executable, "-c", FOLLOW.format(

@@ -61,10 +61,10 @@ class BadInput(unittest.TestCase):
             with self.subTest(missing=missing):
                 lines = [line for line in square_well(1e-11).splitlines() if missing not in line]
                 self.assertEqual(len(lines), 1)
-                self.refused("\n".join(lines) + "\n", missing, "cohesion_model square_well")
+                self.refused("\n".join(lines) + "\n", missing, "cohesion model square_well")
 
     def test_properties_of_the_other_model_do_not_help(self):
-        self.refused(hamaker(1e-18), "wellDepth", "cohesion_model square_well")
+        self.refused(hamaker(1e-18), "wellDepth", "cohesion model square_well")
 
     def test_primitive_wall_sees_half_the_skin(self):
         width = 0.2 * RADIUS
