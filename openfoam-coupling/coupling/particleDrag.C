@@ -95,7 +95,8 @@ void Foam::particleDrag::lookAtStep
     const scalar step = drag::exchange_step(coefficient, mass, dt);
     const scalar loading = drag::mass_loading(voidFraction, mass, sphere_volume(radius), rho_);
     const scalar error = drag::exchange_error(step, loading, response_.free);
-    if (error > exchangeError_)
+    // Shorter steps are off by their first order.
+    if (step > 1 && error > exchangeError_)
     {
         exchangeError_ = error;
         longestStep_ = step;
@@ -116,7 +117,7 @@ void Foam::particleDrag::warnOfStep()
     reduce(exchangeError_, maxOp<scalar>());
     scalar step = mine == exchangeError_ ? longestStep_ : 0;
     reduce(step, maxOp<scalar>());
-    if (exchangeError_ > worthSaying && step > 1)
+    if (exchangeError_ > worthSaying)
     {
         WarningInFunction
             << "the gas step is " << step << " times the time m/b in which particles follow the gas, and"

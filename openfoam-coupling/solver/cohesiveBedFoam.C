@@ -5,7 +5,7 @@ Application
 
 Description
     Transient solver for the volume-averaged incompressible flow of a gas through particles that a
-    particle engine (LAMMPS) moves. Laminar, or with a turbulence model where there is a
+    particle engine (LAMMPS, LIGGGHTS) moves. Laminar, or with a turbulence model where there is a
     constant/turbulenceProperties. PIMPLE for the gas, one exchange each way per gas step. Sources and
     constraints by constant/fvOptions, function objects in system/controlDict.
 
@@ -24,6 +24,7 @@ Usage
 #include "gasStress.H"
 #include "pimpleControl.H"
 #include "progress.H"
+#include "requireEuler.H"
 
 #include "coupling/completeState.H"
 #include "coupling/gasParticleCoupling.H"
@@ -45,6 +46,7 @@ int main(int argc, char* argv[])
     completeState::checkStart(runTime, args.found("overwrite"));
     #include "createMesh.H"
 
+    requireEuler(mesh);
     pimpleControl pimple(mesh);
 
     #include "readGas.H"

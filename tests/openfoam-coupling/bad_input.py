@@ -119,7 +119,11 @@ CASES = {
         lambda c: (c.folder / "constant/turbulenceProperties").write_text(
             "FoamFile { version 2.0; format ascii; class dictionary; object turbulenceProperties; }\n"
             "simulationType laminar;\n"),
-        ["transportModel is none", "must be there and be Newtonian", "transportProperties"]),
+        ["transportModel is missing", "it must be Newtonian", "transportProperties"]),
+    "steps of the gas that know older ones": (
+        lambda c: edit(c, "system/fvSchemes", "ddtSchemes      { default Euler; }",
+                       "ddtSchemes      { default backward; }"),
+        ["ddtSchemes: default is backward", "must be Euler", "fvSchemes"]),
     "only one time kept": (
         lambda c: c.set("system/controlDict", "purgeWrite", 1),
         ["purgeWrite = 1", "removes the last complete time", "Use 2 or more", "controlDict"]),
@@ -277,7 +281,7 @@ def refuses_another_step_at_run_time(expect, case):
         expect.true("deltaT changed at run time: stops", False)
     said = " ".join(log.read_text().split())
     expect.true("deltaT changed at run time: fails", status != 0)
-    for part in ("the gas step is now deltaT = 0.0002 s", "set up for 10 steps", "controlDict",
+    for part in ("the gas step is now deltaT = 0.0002 s", "set to 10 steps", "controlDict",
                  "startFrom latestTime"):
         expect.true(f"deltaT changed at run time: says \"{part}\"", part in said)
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What each kernel makes of spheres: beside walls, beyond a periodic face, across ranks, in cells that are
-no boxes and on meshes that do not resolve a direction, their volume is kept and in the right cells; smoothing has its width on any mesh; and a packed bed whose spheres are
-cut by the faces between rows has the pressure drop that follows from the kernel's shares, which are
-written out again here."""
+no boxes and on meshes that do not resolve a direction, their volume is kept and in the right cells;
+smoothing has its width on any mesh; and a packed bed whose spheres are cut by the faces between rows has
+the pressure drop that follows from the kernel's shares, which are written out again here."""
 
 import sys
 
