@@ -136,27 +136,31 @@ void Foam::gasParticleCoupling::setDrag(const volVectorField& U)
 }
 
 
-void Foam::gasParticleCoupling::setCrossings()
+Foam::scalar Foam::gasParticleCoupling::crossings() const
 {
     const auto particles = engine_->particles();
     const particleExchange& exchange = averaging_.exchange();
     const List<vector> velocities(exchange.toParts(view(particles.velocity, particles.count)));
-    crossings_ = 0;
+    scalar largest = 0;
     forAll(velocities, k)
     {
         const label celli = exchange.cells()[k];
         if (celli >= 0)
         {
-            crossings_ = max(crossings_, mag(velocities[k])/std::cbrt(mesh_.V()[celli]));
+            largest = max(largest, mag(velocities[k])/std::cbrt(mesh_.V()[celli]));
         }
     }
-    reduce(crossings_, maxOp<scalar>());
+    return returnReduce(largest, maxOp<scalar>());
 }
 
 
 void Foam::gasParticleCoupling::adjustStep(Time& time, const scalar courant)
 {
-    step_->adjust(time, max(courant, crossings_*time.deltaTValue()));
+    if (step_->adjustable())
+    {
+        locateParticles();
+        step_->adjust(time, max(courant, crossings()*time.deltaTValue()));
+    }
 }
 
 
@@ -164,10 +168,10 @@ void Foam::gasParticleCoupling::depositParticles(const volVectorField& U)
 {
     const clockTime timer;
     step_->refuseOther(engine_->time_step());
-    locateParticles();
-    if (step_->adjustable())
+    // Where the step is adjusted they have been.
+    if (!step_->adjustable())
     {
-        setCrossings();
+        locateParticles();
     }
     setVoidFraction();
     setDrag(U);

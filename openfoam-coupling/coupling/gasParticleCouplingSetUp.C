@@ -17,6 +17,7 @@ using namespace cohesion;
 
 Foam::gasParticleCoupling::gasParticleCoupling
 (
+    Time& time,
     const fvMesh& mesh,
     const scalar rho,
     const scalar mu,
@@ -78,7 +79,7 @@ Foam::gasParticleCoupling::gasParticleCoupling
     makeEngine();
     checkUnitsAndBox();
     checkContinued();
-    step_ = std::make_unique<gasStep>(mesh.time(), engine_->time_step());
+    step_ = std::make_unique<gasStep>(time, engine_->time_step());
 
     if (!continued())
     {
@@ -195,7 +196,6 @@ void Foam::gasParticleCoupling::checkUnitsAndBox() const
                 << " m: give the script's box the size of the mesh" << exit(FatalIOError);
         }
     }
-
 }
 
 

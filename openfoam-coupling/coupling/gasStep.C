@@ -4,22 +4,28 @@
 #include "readPositive.H"
 
 
-Foam::gasStep::gasStep(const Time& time, const scalar particleStep)
+Foam::gasStep::gasStep(Time& time, const scalar particleStep)
 :
     time_(time),
     particleStep_(particleStep)
 {
     const scalar dt = time_.deltaTValue();
     const scalar steps = dt/particleStep_;
-    // Both steps are decimal numbers: their ratio is whole to round-off when it is meant to be.
-    if (steps < 0.5 || mag(steps - std::round(steps)) > 1e-9*steps)
+    // Both steps are decimal numbers: their ratio is whole to round-off when it is meant to be. But
+    // OpenFOAM writes an adjusted step with writePrecision digits.
+    const bool rounded = adjustable() && time_.startTime().value() > 0;
+    if (!rounded && (steps < 0.5 || mag(steps - std::round(steps)) > 1e-9*steps))
     {
         FatalIOErrorInFunction(time_.controlDict())
             << "deltaT = " << dt << " s of the gas is " << steps << " steps of the particles, "
             << particleStep_ << " s: make it a whole multiple, for instance "
             << max(scalar(1), std::round(steps))*particleStep_ << exit(FatalIOError);
     }
-    subSteps_ = label(std::round(steps));
+    subSteps_ = max(label(1), label(std::round(steps)));
+    if (rounded)
+    {
+        time.setDeltaT(subSteps_*particleStep_, false);
+    }
     if (adjustable())
     {
         // Reads what the case says of it
@@ -66,10 +72,14 @@ Foam::scalar Foam::gasStep::toNextMet() const
     const scalar start = time_.startTime().value();
     scalar next = time_.endTime().value();
     const dictionary& control = time_.controlDict();
-    if (control.getOrDefault<word>("writeControl", "timeStep") == "adjustableRunTime")
+    // By Time's names: some of its controls have two.
+    const auto writes = Time::writeControlNames.getOrDefault("writeControl", control, Time::wcTimeStep);
+    if (writes == Time::wcAdjustableRunTime)
     {
         const scalar interval = readPositive(control, "writeInterval");
-        const scalar written = std::floor((time_.value() - start)/interval + 1e-6);
+        // A time is met by the nearest particle step, that may be before it.
+        const scalar since = time_.value() - start + 0.5*particleStep_;
+        const scalar written = std::floor(since/interval + 1e-6);
         next = min(next, start + (written + 1)*interval);
     }
     return max(scalar(1), std::round((next - time_.value())/particleStep_));
