@@ -60,6 +60,8 @@ class Refusals(unittest.TestCase):
                 ("fix other all move linear 1 0 0\n", "fix other move", "paths"),
                 ("fix other all viscous 1\n", "fix other viscous", "another velocity"),
                 ("fix other all deform/shear rate 1\n", "changes the box too"),
+                ("fix other all rigid single\n", "fix other rigid", "velocity of a body"),
+                ("fix other all couple/cfd couple_every 10 mpi\n", "fix other couple/cfd", "a gas that does not know"),
                 ("run_style respa 2 2\n", "run_style verlet"),
                 ("communicate single vel no\n", "velocit"))))
 
@@ -70,6 +72,10 @@ class Refusals(unittest.TestCase):
                     for wall in ("yplane 0", "xplane 0", "zcylinder 3 5 4", "xcylinder 3 4 3")))
         run = Run(head(SHEAR, boundary="p p f", walls=[f"primitive type 2 zplane 0{allowed}"]))
         self.assertEqual(run.returncode, 0, run.printed[-2000:])
+
+    def test_a_box_changed_since(self):
+        self.stop((head(SHEAR, run="run 0\nchange_box all x final 0 11 units box\nrun 1\n"),
+                   "fix shear deform/shear", "the box has been changed", "give the fix again"), begun=True)
 
     def test_mesh(self):
         run = Run(head("fix mesh all mesh/surface file a.stl type 2\n" + SHEAR), inputs={
