@@ -23,7 +23,7 @@ def run(build, work, mesh, ranks, disturbance=0.0):
     script = case.folder / "swarm.lmp"
     script.write_text(script.read_text().replace("sc 5.6e-3", "sc 5.6137e-3"))
     if disturbance:
-        disturb(case, "swarm.lmp", disturbance)
+        disturb(case, "swarm", disturbance)
     case.set(COUPLING, "voidFraction", "dividedVolume")
     case.set(COUPLING, "lammpsCoeffs/script", '"$FOAM_CASE/swarm.lmp"')
     case.set("system/fvSolution", 'solvers/"p.*"/tolerance', 1e-14)
