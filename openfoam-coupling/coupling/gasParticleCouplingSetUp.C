@@ -3,6 +3,7 @@
 #include "gasParticleCoupling.H"
 
 #include "OSspecific.H"
+#include "OStringStream.H"
 #include "UPstream.H"
 
 #include "completeState.H"
@@ -13,6 +14,29 @@
 #include "selectRow.H"
 
 using namespace cohesion;
+
+
+namespace
+{
+
+//- An entry as the script gets it: numbers with all digits that a case is likely to have
+std::string inWords(const Foam::ITstream& entry)
+{
+    Foam::OStringStream words;
+    words.precision(15);
+    forAll(entry, k)
+    {
+        if (k)
+        {
+            words << ' ';
+        }
+        const Foam::token& token = entry[k];
+        token.isString() ? words.writeQuoted(token.stringToken(), false) : words << token;
+    }
+    return words.str();
+}
+
+} // End anonymous namespace
 
 
 Foam::gasParticleCoupling::gasParticleCoupling
@@ -133,7 +157,7 @@ void Foam::gasParticleCoupling::makeEngine()
         }
         for (const entry& variable : coeffs.subOrEmptyDict("variables"))
         {
-            settings.variables[variable.keyword()] = variable.stream().toString();
+            settings.variables[variable.keyword()] = inWords(variable.stream());
         }
         if (!isFile(settings.script))
         {

@@ -92,9 +92,11 @@ class LammpsFamilyEngine : public DemEngine {
     std::fill_n(static_cast<double*>(extract("gas_impulse")), 6, 0.0);
     command("run " + std::to_string(steps) + " pre no post no");
     if (restart.empty()) return;
-    // The command `restart` would write what contacts remember of the step before. And a run that
-    // is continued begins by computing the forces of this state anew; so does this one, to go on
-    // alike.
+    // The command `restart` would write what contacts remember of the step before. `write_restart`
+    // hands particles on to other ranks, which must have been done before, together with what their
+    // contacts remember. And a run that is continued begins by computing the forces of this state
+    // anew; so does this one, to go on alike.
+    command("run 0 post no");
     command("write_restart " + restart);
     command("run 0 post no");
   }

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A gas step that follows the Courant number: always a whole number of particle steps, the times to be
-written and the end met, the exchange balanced in every step of whatever length, the same steps after a
-restart, and the flow that a short constant step gives."""
+written and the end met, the exchange balanced in every step of whatever length, and the same steps after a
+restart."""
 
 import re
 import sys
@@ -101,19 +101,7 @@ def main(build, work):
                 first[-1][1] > 2 and second[0][1] > first[-1][1] / 2)
     expect.equal("particle steps in all", sum(n for _, n in first + second), round(2 * INTERVAL / step))
 
-    print("-- constant steps")
-    # Euler's error is that of the step: the particles' velocities, by a step of a quarter of the shortest.
-    speeds = {}
-    for dt in (4, 2):
-        constant = case_of(build, work, f"constant-{dt}", {"deltaT": dt * PARTICLE_STEP})
-        constant.solve()
-        speeds[dt] = velocity(constant)
-    off = np.abs(velocity(case) - speeds[2]).max()
-    per_step = np.abs(speeds[4] - speeds[2]).max() / 2
-    # First order: an error per length of a step, here of at most the longest.
-    expect.below("particles' velocities, largest difference from constant short steps [m/s]", off,
-                 2 * per_step * lengths.max())
-    expect.true("they move", np.abs(speeds[2]).max() > 0.1)
+    expect.true("they move", np.abs(velocity(case)).max() > 0.1)
     expect.exit()
 
 
