@@ -14,6 +14,7 @@
 
 using namespace LAMMPS_NS;
 using namespace cohesion::energy_book;
+using cohesion::Vector3;
 
 ComputeGranEnergy::ComputeGranEnergy(LAMMPS* lammps, int narg, char** arg)
     : Compute(lammps, narg, arg), step(FixEventStep::of(lammps)) {
@@ -45,17 +46,16 @@ void ComputeGranEnergy::compute_vector() {
   for (int i = 0; i < atom->nlocal; i++) {
     const auto body = step->body(i);
     if (body.inverse_mass == 0.0) continue;
-    const double kick = step->half_kick() * body.inverse_mass;
-    const double twist = step->half_kick() * cohesion::event_stepping::inverse_inertia(body);
+    const double inverse_inertia = cohesion::event_stepping::inverse_inertia(body);
+    const double half = step->half_kick();
+    const Vector3 v =
+        cohesion::vector(atom->v[i]) + half * body.inverse_mass * cohesion::vector(atom->f[i]);
+    const Vector3 omega = cohesion::vector(atom->omega[i]) +
+                          half * inverse_inertia * cohesion::vector(atom->torque[i]);
     double place[3];
     domain->unmap(atom->x[i], atom->image[i], place);
-    for (int k = 0; k < 3; k++) {
-      const double v = atom->v[i][k] + kick * atom->f[i][k];
-      const double omega = atom->omega[i][k] + twist * atom->torque[i][k];
-      mine[KINETIC] += 0.5 / body.inverse_mass * v * v;
-      mine[ROTATIONAL] += 0.5 / cohesion::event_stepping::inverse_inertia(body) * omega * omega;
-      mine[GRAVITY] -= weight[3 * i + k] * (place[k] + step->half_flight() * v);
-    }
+    add_body(mine, 1.0 / body.inverse_mass, 1.0 / inverse_inertia, v, omega,
+             cohesion::vector(&weight[3 * i]), cohesion::vector(place) + step->half_flight() * v);
   }
   const FixEventStep::Book& book = step->book;
   mine[SPRING] = book.spring;

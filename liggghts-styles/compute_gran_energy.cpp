@@ -63,11 +63,10 @@ void ComputeGranEnergy::compute_vector() {
     const Vector3 v = cohesion::vector(atom->v[i]) + half / mass * cohesion::vector(atom->f[i]);
     const Vector3 omega =
         cohesion::vector(atom->omega[i]) + half / inertia * cohesion::vector(atom->torque[i]);
-    mine[KINETIC] += 0.5 * mass * dot(v, v);
-    mine[ROTATIONAL] += 0.5 * inertia * dot(omega, omega);
     double place[3];
     domain->unmap(atom->x[i], atom->image[i], place);
-    mine[GRAVITY] -= mass * dot(gravity.on(mask), cohesion::vector(place) + half * v);
+    add_body(mine, mass, inertia, v, omega, mass * gravity.on(mask),
+             cohesion::vector(place) + half * v);
   }
   const ContactBook& book = *hidden_fix<FixContactBook>(lmp).book();
   mine[SPRING] = book.spring;

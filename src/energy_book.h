@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <numeric>
 
+#include "vector3.h"
+
 /// What energy there is, where it is stored and what took it: the entries of compute gran/energy.
 namespace cohesion::energy_book {
 
@@ -39,6 +41,15 @@ double sum(const double* entries, const Entry (&which)[N]) {
 }
 
 }  // namespace detail
+
+/// Adds what a body has by its motion, `v` [length/time] and `omega` [1/time], and by its weight
+/// [force] at `place` [length]; inertia [mass length^2].
+inline void add_body(double* entries, double mass, double inertia, const Vector3& v,
+                     const Vector3& omega, const Vector3& weight, const Vector3& place) {
+  entries[KINETIC] += 0.5 * mass * dot(v, v);
+  entries[ROTATIONAL] += 0.5 * inertia * dot(omega, omega);
+  entries[GRAVITY] -= dot(weight, place);
+}
 
 /// Kinetic and stored energy, [energy].
 inline double stored(const double* entries) { return detail::sum(entries, detail::stored); }

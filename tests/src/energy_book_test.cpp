@@ -29,4 +29,16 @@ TEST(EnergyBook, ResidualIsWhatIsMissingSinceItWasOpened) {
   EXPECT_EQ(entries[RESIDUAL], -1.5);
 }
 
+TEST(EnergyBook, ABodyHasItsMotionAndItsWeight) {
+  double entries[ENTRIES] = {};
+  for (int bodies = 1; bodies <= 2; bodies++) {
+    // All numbers and sums are exact in binary.
+    add_body(entries, 2.0, 0.5, {1.0, -2.0, 2.0}, {0.0, 4.0, 0.0}, {0.0, 0.0, -16.0},
+             {3.0, 5.0, 0.25});
+    EXPECT_EQ(entries[KINETIC], 9.0 * bodies);
+    EXPECT_EQ(entries[ROTATIONAL], 4.0 * bodies);
+    EXPECT_EQ(entries[GRAVITY], 4.0 * bodies);
+  }
+}
+
 }  // namespace cohesion::energy_book
