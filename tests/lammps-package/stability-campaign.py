@@ -35,14 +35,15 @@ of two. Spheres of 1 mm and 2650 kg/m^3 and smaller ones; *depth*: speed that th
 impact; *width*: of the well, over the flight within it in a contact time (hard: over the sum of radii).
 
 Soft laws are compared with *scheme event* at a sixteenth of the step and, head-on, with the closed form; hard ones
-with an event-driven program without steps. An error is that of the velocities at the end over the largest speed s
-of the point, while together that of the places over s/w, w the frequency of a contact. *right*: one contact without
-friction below 1e-6, with friction or several contacts below (w dt)^2 and 0.1 (both with what a place on the grid
-may differ from the motion while together, and with rounding); sampled forces below 0.1; hard spheres below 1e-9 or
-100 times what the last digits of the start do. *marginal*: wrong, but the reference is as far off when its speeds
-change by as much as is allowed, up and down, or of another outcome, and it has the same with one of both; *not judged*:
-rounding decides, or hard spheres collapse. *warned*, *silent*: wrong, or another outcome, with or without a warning
-about the step, the cut-off, the well or a collapse; warnings of an overlap do not count.
+with an event-driven program without steps. An error is that of the velocities at the end over the largest speed s of
+the point, while together that of the places over s/w, w the frequency of a contact. *right*: one contact without
+friction below 1e-6, with friction or several contacts below (w dt)^2 and 0.1 (both with what a place on the grid may
+differ from the motion while together, and with rounding); sampled forces below 0.1; hard spheres below 1e-9 or 100
+times what the last digits of the start do. *marginal*: wrong, but the reference is as far off when its speeds change
+by as much as is allowed, up and down, or of another outcome, and it has the same with one of both; *not judged*:
+rounding decides, references of different steps do not agree, or hard spheres collapse. *warned*, *silent*: wrong, or
+another outcome, with or without a warning about the step, the cut-off, the well or a collapse; warnings of an overlap
+do not count.
 """.splitlines() + [""]
 
 

@@ -11,11 +11,13 @@ more with places and velocities changed in the last digits, which tells how far 
 
 Verdicts: `right`: below the aim; `other outcome`: who is together differs; `wrong`: by what; `refused`; `crashed`;
 `hangs`; `marginal`: wrong, but both references whose speeds are changed by the aim (up and down, 0.1 at most) are as
-far off; or of other outcome, and one of the two has the same; `not judged`: no reference, or round-off alone decides.
-Aims: one contact without friction 1e-6 once parted; with friction or several contacts second order, (w dt)^2, at most 0.1; while together also what the place on the grid
-differs from that of the motion, (w dt)^2/8, in wells w dt; and what the last digit of the largest place is of s/w,
-times the number of steps; where a sphere flies less than four such digits in a fine step nothing is judged. Sampled
-forces 0.1: what they are used for. Hard 1e-9, or 100 times what round-off does.
+far off; or of other outcome, and one of the two has the same; `not judged`: no reference, or wrong where round-off
+alone decides (rounding_decides) or where references of half and of twice the step do not agree with each other.
+Aims: one contact without friction 1e-6 once parted; with friction or several contacts second order, (w dt)^2, at most
+0.1; while together also what the place on the grid differs from that of the motion, (w dt)^2/8, in wells w dt; and
+what the last digit of the largest place is of s/w, times the number of steps; where a sphere flies less than four
+such digits in a fine step nothing is judged. Sampled forces 0.1: what they are used for. Hard 1e-9, or 100 times what
+round-off does.
 """
 import math
 import re
@@ -109,16 +111,39 @@ def judge(point, engine):
         aim = known[name][1](held_at_all(point, name, end))
         errors[name], verdicts[name] = compare(point, name, end, known[name][0], aim)
         if verdicts[name] != "right" and not point.law.hard:
-            change = min(aim, 0.1)
-            if change not in others:
-                others[change] = [run(point, engine, "event", REFERENCE, sign * change)[2] for sign in (-1, 1)]
-            if marginal(point, name, end, known[name][0], others[change]):
-                verdicts[name] = "marginal"
+            verdicts[name] = doubted(point, engine, name, end, known[name][0], aim, verdicts[name], others)
     exact = closed_form(point, end) if point.law.scheme == "event" else None
     # Relative to the energy, and so twice what rounding of places does to the speed.
     if exact is not None and exact > 1e-6 + 2 * last_digit(end) * point.w0 / point.scale * point.duration / point.dt:
         verdicts["first"] = f"wrong: {exact:.1g} of the energy"
     return Result(verdicts, errors, said, exact)
+
+
+def doubted(point, engine, name, end, known, aim, verdict, others):
+    """The verdict on a case that is not right, after all that could excuse it; `others`: ends of further references
+    of the point, made when first asked for."""
+    def reference(finer, faster=0.0):
+        if (finer, faster) not in others:
+            others[finer, faster] = run(point, engine, "event", finer, faster)[2]
+        return others[finer, faster]
+
+    change = min(aim, 0.1)
+    if rounding_decides(point, known):
+        return "not judged"
+    if marginal(point, name, end, known, [reference(REFERENCE, sign * change) for sign in (-1, 1)]):
+        return "marginal"
+    near = [reference(finer) for finer in (REFERENCE // 2, 2 * REFERENCE)]
+    if any(other is None or compare(point, name, other, known, aim / 2)[1] != "right" for other in near):
+        return "not judged"
+    return verdict
+
+
+def rounding_decides(point, end):
+    """Whether an attraction of about m s w, over the last digit of a place, changes the energy by as much as there is
+    in the approach: with it goes who escapes an elastic impact."""
+    p = point.values
+    approach = p["speed"] * math.cos(math.radians(p["angle"]))
+    return 0 < approach**2 < 2 * point.scale * point.w0 * last_digit(end)
 
 
 def marginal(point, name, end, known, others):
