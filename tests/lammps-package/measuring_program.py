@@ -5,6 +5,8 @@ import argparse
 import os
 from pathlib import Path
 
+from short_start import SHORT_START
+
 LIGGGHTS_SCRIPTS = Path(__file__).resolve().parents[1] / "liggghts-styles"
 
 
@@ -20,7 +22,7 @@ def words(description, *options, liggghts=False):
     for name, keywords in options:
         parser.add_argument(name, **keywords)
     given = parser.parse_args()
-    os.environ.update(COHESION_LMP=given.lmp, OMP_NUM_THREADS="1")
+    os.environ.update(COHESION_LMP=given.lmp, **SHORT_START)
     if given.plugin:
         os.environ["COHESION_PLUGIN"] = given.plugin
     else:

@@ -17,11 +17,14 @@ import re
 import resource
 import shutil
 import subprocess
+import sys
 import tempfile
 
 from spread import spread
 
-SHORT_START = {"OMPI_MCA_pml": "ob1", "OMPI_MCA_btl": "self,vader", "OMP_NUM_THREADS": "1"}
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "lammps-package"))
+
+from short_start import SHORT_START  # noqa: E402
 
 
 class Run:
