@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What pair_style gran/square_well and its wall refuse, and what their advice says, in LAMMPS."""
+import math
+import unittest
+
+import lammps_engine as engine
+from couples import DAMPING, MASS, STIFFNESS
+from gran_square_well_test import Scene, escape_velocity, words
+
+
+HEAD = """
+plugin load ${plugin}
+units si
+atom_style sphere
+boundary f f f
+newton off
+comm_modify vel yes
+region box block 0 0.01 0 0.01 0 0.01 units box
+create_box 2 box
+create_atoms 1 single 0.002 0.005 0.005 units box
+set group all diameter 1e-3 density 2650
+velocity all set 0.01 0 0
+neighbor 4e-4 bin
+timestep 5e-6
+"""
+MOVE = "\nfix move all nve/sphere\nrun 2\n"
+
+
+class Input(Scene):
+    def test_wrong_words_and_values(self):
+        style = "pair_style gran/square_well\npair_coeff * * "
+        wall = style + "stiffness 800\nfix w all wall/gran/square_well "
+        for text, expected in (
+                ("pair_style gran/square_well form exact", ("form", "valid ones: scheme")),
+                (style + "stiffness 800 hamaker 1e-19", ("hamaker", "well")),
+                (style + "stiffness 800 well 1e-11", ("well", "takes 2")),
+                (style + "stiffness 800 well -1e-11 1.1", ("depth D", "-1e-11")),
+                (style + "stiffness 800 well 1e-11 0.9", ("ratio r_out/r", "0.9", "below 1")),
+                (style + "stiffness 800 well nan 1.1", ("nan",)),
+                (style + "well 1e-11 1.1", ("stiffness",)),
+                (wall + "stiffness 800 well 1e-11 zplane 0 NULL", ("fix w", "well")),
+                (wall + "stiffness 800 well 1e-11 0.5 zplane 0 NULL", ("fix w", "0.5")),
+                (wall + "stiffness 800 form exact zplane 0 NULL", ("form", "well"))):
+            with self.subTest(text):
+                code, output = engine.run_text(HEAD + text + MOVE, self.folder)
+                self.assertEqual(code, 1, output)
+                errors = " ".join(line for line in output.splitlines() if "ERROR" in line)
+                for word in expected:
+                    self.assertIn(word, errors)
+
+    def test_advice_has_the_escape_velocity(self):
+        code, output = engine.run_text(
+            HEAD + "pair_style gran/square_well\npair_coeff * * " + words(5e-11, 1.01) +
+            "\nfix w all wall/gran/square_well " + words(1e-10, 1.01) + " zplane 0 NULL" + MOVE,
+            self.folder)
+        self.assertEqual(code, 0, output)
+        row = next(l for l in output.splitlines() if l.strip().startswith("1 - 1")).split()
+        self.assertAlmostEqual(float(row[-2]) / escape_velocity(5e-11), 1, delta=5e-3)  # printed
+        alpha = DAMPING / (2 * MASS)
+        e = math.exp(-math.pi * alpha / math.sqrt(STIFFNESS / MASS - alpha**2))
+        row = next(l for l in output.splitlines() if l.strip().startswith("1 - wall")).split()
+        self.assertAlmostEqual(float(row[-2]) / escape_velocity(1e-10, MASS, e), 1, delta=5e-3)
+
+
+if __name__ == "__main__":
+    unittest.main()
