@@ -140,10 +140,11 @@ def doubted(point, engine, name, end, known, aim, verdict, others):
 
 def rounding_decides(point, end):
     """Whether an attraction of about m s w, over the last digit of a place, changes the energy by as much as there is
-    in the approach: with it goes who escapes an elastic impact."""
+    in the approach, and as an impact takes: with it goes who escapes."""
     p = point.values
     approach = p["speed"] * math.cos(math.radians(p["angle"]))
-    return 0 < approach**2 < 2 * point.scale * point.w0 * last_digit(end)
+    digit = 2 * point.scale * point.w0 * last_digit(end)
+    return 0 < approach**2 < digit and (1 - p["e"]**2) * point.scale**2 < digit
 
 
 def marginal(point, name, end, known, others):
