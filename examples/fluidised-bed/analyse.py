@@ -173,6 +173,23 @@ def solver_seconds(case):
                  for part in ("all", "particles"))
 
 
+def exchange_milliseconds(case):
+    """Of the exchange of gas and particles per gas step, by the clock [ms]."""
+    log = (Path(case) / "log.cohesiveBedFoam").read_text()
+    return 1e3 * float(re.search(r"^\s*exchange\s+(\S+) s,", log, re.M)[1]) / log.count("\nTime = ")
+
+
+def pressure_noise(case):
+    """How much the pressure at the lowest node jumps in the bubbling bed at the start [1]: root mean square
+    of what a value differs by from the mean of the one before and the one after, over the mean pressure drop.
+    Pressure is written every second gas step, so that bubbles, of some 0.1 s, leave little of it."""
+    traces = read_traces(case)
+    _, end, _ = read_schedule(case)[0]
+    drop = traces.drop[(traces.time > START_UP) & (traces.time <= end)]
+    jumps = drop[1:-1] - 0.5 * (drop[:-2] + drop[2:])
+    return float(np.sqrt((jumps**2).mean()) / drop.mean())
+
+
 def packed_void_fraction(case):
     """Mean and standard deviation over the cells inside the resting bed: those between the lowest
     row and the last full row below the surface, at the last written time without gas flow."""

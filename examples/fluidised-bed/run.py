@@ -21,7 +21,8 @@ import picture  # noqa: E402
 from foam_case import CaseError, FoamCase, environment  # noqa: E402
 from job_pool import Job, RunError, carry_out  # noqa: E402
 
-SCHEDULES = ("short", "thesis")  # of the gas velocity
+SCHEDULES = ("short", "brief", "thesis")  # of the gas velocity
+ENTRIES = ("voidFraction", "smoothingWidth")  # of couplingProperties that a bed may have of its own
 MARK = "settings.json"  # in the folder of a case that was made here: it may be made anew
 
 
@@ -35,7 +36,7 @@ def arguments():
                         help="earlier results, of the other engine for instance, to stand beside "
                              "these in the table")
     parser.add_argument("--schedule", choices=SCHEDULES, default="short",
-                        help="gas velocity against time: the shortened cycle or the thesis's")
+                        help="gas velocity against time: the shortened cycle, half of that, or the thesis's")
     parser.add_argument("--hamaker", type=float, default=7.49e-19, metavar="A",
                         help="Hamaker constant of the cohesive case [J] (%(default)s)")
     parser.add_argument("--out", type=Path, default=None,
@@ -49,16 +50,19 @@ def arguments():
 
 
 def make_case(folder, parameters, env):
-    """The case of `parameters`: "engine", "schedule" (one of SCHEDULES), and variables of the engine's
-    script."""
+    """The case of `parameters`: "engine", "schedule" (one of SCHEDULES), ENTRIES (a smoothingWidth of 0 is
+    none), and variables of the engine's script."""
     case = FoamCase(HERE / "case", folder, env, overwrite=True)
     (case.folder / MARK).write_text(json.dumps(parameters))
     coupling, engine = "constant/couplingProperties", parameters["engine"]
     case.set(coupling, "demEngine", engine)
-    if parameters["schedule"] == "thesis":
-        shutil.copy(case.folder / "constant/schedule.thesis", case.folder / "constant/schedule")
+    if parameters["schedule"] != "short":
+        shutil.copy(case.folder / f"constant/schedule.{parameters['schedule']}", case.folder / "constant/schedule")
     for name, value in parameters.items():
-        if name not in ("engine", "schedule"):
+        if name in ENTRIES:
+            if value:
+                case.set(coupling, name, value)
+        elif name not in ("engine", "schedule"):
             case.set(coupling, f"{engine}Coeffs/variables/{name}", value)
     case.mesh()
     (case.folder / "case.foam").touch()  # what ParaView opens
@@ -83,7 +87,8 @@ class BedRun(Job):
         return {"U_mf_df": velocities.falling[0], "U_mf_th": velocities.rising[0],
                 "U_mf_in": velocities.at_maximum, "overshoot": velocities.overshoot,
                 "pressure_over_weight": found["plateau"][0], "balance": found["balance"][0],
-                "void_fraction": found["void_fraction"][0]}
+                "void_fraction": found["void_fraction"][0],
+                "pressure_noise": found["noise"], "exchange_ms_per_step": found["exchange_ms"]}
 
     def share(self):
         progress = self.case.progress()
@@ -155,6 +160,8 @@ def evaluate(case):
         "balance": balance,
         "void_fraction": (mean, deviation),
         "ergun": [analyse.ergun_minimum_fluidisation(mean + s * deviation) for s in (-1, 1)],
+        "noise": analyse.pressure_noise(case),
+        "exchange_ms": analyse.exchange_milliseconds(case),
         "seconds": analyse.solver_seconds(case),
     }
 

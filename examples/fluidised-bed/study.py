@@ -23,11 +23,13 @@ NOT_IN_TABLES = ("plugin", "seed")
 
 
 def parameters():
-    """Those of a row, with what they are in the case: the schedule and the variables of its script."""
+    """Those of a row, with what they are in the case: the schedule, the void fraction and the variables of its
+    script."""
     text = (HERE / "case/constant/couplingProperties").read_text()
     block = re.search(r"^lammpsCoeffs\s*\{.*?variables\s*\{(.*?)\}", text, re.M | re.S)[1]
     variables = dict(re.findall(r"^\s*(\w+)\s+([^;\s]+);", block, re.M))
-    return {"schedule": "short", **{name: number(value) for name, value in variables.items()
+    kernel = re.search(r"^voidFraction\s+(\w+);", text, re.M)[1]
+    return {"schedule": "short", "voidFraction": kernel, "smoothingWidth": 0, **{name: number(value) for name, value in variables.items()
                                     if name not in NOT_IN_TABLES}}
 
 

@@ -156,6 +156,7 @@ Foam::scalar Foam::gasParticleCoupling::crossings() const
 
 void Foam::gasParticleCoupling::adjustStep(Time& time, const scalar courant)
 {
+    averaging_.exchange().startStep();
     if (step_->adjustable())
     {
         locateParticles();

@@ -112,6 +112,10 @@ void Foam::gasParticleCoupling::reportBalance
 void Foam::gasParticleCoupling::report(const scalar total) const
 {
     drag_.report();
+    if (Pstream::parRun())
+    {
+        averaging_.exchange().traffic().report();
+    }
 
     scalar particles = seconds_.particles;
     scalar exchange = seconds_.exchange;

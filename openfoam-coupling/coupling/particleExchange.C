@@ -10,6 +10,22 @@
 
 using namespace cohesion;
 
+namespace
+{
+
+template<class Lists>
+Foam::labelList sizesOf(const Lists& lists)
+{
+    Foam::labelList sizes(lists.size());
+    forAll(lists, rank)
+    {
+        sizes[rank] = lists[rank].size();
+    }
+    return sizes;
+}
+
+} // End anonymous namespace
+
 
 Foam::particleExchange::particleExchange
 (
@@ -32,19 +48,39 @@ Foam::particleExchange::particleExchange
 }
 
 
-Foam::mapDistributeBase Foam::particleExchange::makeMap(labelListList&& sent)
+template<class Item>
+Foam::List<Foam::DynamicList<Item>> Foam::particleExchange::swap
+(
+    const List<DynamicList<Item>>& sent,
+    const labelUList& sizes
+)
 {
-    labelList received;
-    Pstream::exchangeSizes(sent, received);
+    List<DynamicList<Item>> received(sent.size());
+    Pstream::exchange<DynamicList<Item>, Item>(sent, sizes, received);
+    traffic_.count(sent, sizeof(Item));
+    return received;
+}
 
-    labelListList constructed(received.size());
+
+void Foam::particleExchange::setMap
+(
+    labelListList&& sent,
+    const List<DynamicList<Verdict>>& verdicts
+)
+{
+    labelListList constructed(sent.size());
     label start = 0;
-    forAll(received, rank)
+    forAll(verdicts, rank)
     {
-        constructed[rank] = identity(received[rank], start);
-        start += received[rank];
+        label n = 0;
+        for (const Verdict verdict : verdicts[rank])
+        {
+            n += verdict != noPart;
+        }
+        constructed[rank] = identity(n, start);
+        start += n;
     }
-    return mapDistributeBase(start, std::move(sent), std::move(constructed));
+    map_.reset(new mapDistributeBase(start, std::move(sent), std::move(constructed)));
 }
 
 
@@ -149,7 +185,7 @@ Foam::List<Foam::DynamicList<Foam::particleExchange::Answer>> Foam::particleExch
     const Candidates& mayHold,
     const UList<scalar>& radii,
     List<Answered>& mine
-) const
+)
 {
     List<DynamicList<Question>> questions(mayHold.size());
     forAll(mayHold, rank)
@@ -165,8 +201,9 @@ Foam::List<Foam::DynamicList<Foam::particleExchange::Answer>> Foam::particleExch
             questions[rank].append(question);
         }
     }
-    List<DynamicList<Question>> asked(mayHold.size());
-    Pstream::exchange<DynamicList<Question>, Question>(questions, asked);
+    const labelList sizes(sizesOf(questions));
+    const List<DynamicList<Question>> asked(swap(questions, neighbourSizes_(sizes)));
+    traffic_.count(sizes);
 
     List<DynamicList<Answer>> answers(mayHold.size());
     forAll(asked, rank)
@@ -177,9 +214,7 @@ Foam::List<Foam::DynamicList<Foam::particleExchange::Answer>> Foam::particleExch
         }
         mine[rank].starts.append(mine[rank].shares.cells.size());
     }
-    List<DynamicList<Answer>> received(mayHold.size());
-    Pstream::exchange<DynamicList<Answer>, Answer>(answers, received);
-    return received;
+    return swap(answers, sizes);
 }
 
 
@@ -192,7 +227,7 @@ Foam::particleExchange::Parts Foam::particleExchange::accept
 {
     Parts parts
     {
-        List<DynamicList<Accepted>>(mayHold.size()),
+        List<DynamicList<Verdict>>(mayHold.size()),
         labelListList(mayHold.size()),
         scalarList(nParticles, Zero)
     };
@@ -204,9 +239,10 @@ Foam::particleExchange::Parts Foam::particleExchange::accept
         {
             const label i = mayHold[rank][k].particle;
             const bool centre = answers[rank][k][0] > 0 && !centred[i];
-            if (centre || (meshCells_.reachesOut() && answers[rank][k][1] > 0))
+            const bool some = meshCells_.reachesOut() && answers[rank][k][1] > 0;
+            parts.verdicts[rank].append(centre ? centralPart : some ? part : noPart);
+            if (centre || some)
             {
-                parts.accepted[rank].append(Accepted{k, label(centre)});
                 particles.append(i);
                 parts.sums[i] += answers[rank][k][1];
             }
@@ -228,7 +264,7 @@ Foam::particleExchange::Parts Foam::particleExchange::accept
 void Foam::particleExchange::setParts
 (
     const List<Answered>& mine,
-    const List<DynamicList<Accepted>>& accepted
+    const List<DynamicList<Verdict>>& verdicts
 )
 {
     DynamicList<label> cells;
@@ -236,14 +272,17 @@ void Foam::particleExchange::setParts
     DynamicList<label> starts;
     DynamicList<label> weightedCells;
     DynamicList<scalar> weights;
-    forAll(accepted, rank)
+    forAll(verdicts, rank)
     {
         const Answered& answered = mine[rank];
-        for (const Accepted& part : accepted[rank])
+        forAll(verdicts[rank], k)
         {
-            const label k = part[0];
-            const bool centre = part[1];
-            cells.append(centre ? answered.holders[k] : -1);
+            const Verdict verdict = verdicts[rank][k];
+            if (verdict == noPart)
+            {
+                continue;
+            }
+            cells.append(verdict == centralPart ? answered.holders[k] : -1);
             positions.append(answered.positions[k]);
             if (meshCells_.reachesOut())
             {
@@ -300,9 +339,13 @@ void Foam::particleExchange::locate(const UList<point>& positions, const UList<s
         reportOutside(positions, parts.sums);
     }
 
-    List<DynamicList<Accepted>> accepted(mayHold.size());
-    Pstream::exchange<DynamicList<Accepted>, Accepted>(parts.accepted, accepted);
-    setParts(mine, accepted);
-    map_.reset(new mapDistributeBase(makeMap(std::move(parts.particles))));
+    labelList asked(mine.size());
+    forAll(mine, rank)
+    {
+        asked[rank] = mine[rank].holders.size();
+    }
+    const List<DynamicList<Verdict>> verdicts(swap(parts.verdicts, asked));
+    setParts(mine, verdicts);
+    setMap(std::move(parts.particles), verdicts);
     setWeights(parts.sums);
 }

@@ -42,7 +42,8 @@ def made_up(case):
     pair = (variables(case)["seed"], 0.1)
     velocities = types.SimpleNamespace(falling=pair, rising=pair, at_maximum=pair[0], overshoot=pair[0])
     return {"velocities": velocities, "plateau": pair, "balance": pair, "void_fraction": pair,
-            "ergun": pair, "seconds": run.analyse.solver_seconds(case)}
+            "ergun": pair, "noise": pair[0], "exchange_ms": pair[0],
+            "seconds": run.analyse.solver_seconds(case)}
 
 
 class Beds(unittest.TestCase):
@@ -126,7 +127,7 @@ class Beds(unittest.TestCase):
     def test_refuses_a_schedule_that_is_none(self):
         table = self.folder / "table.csv"
         table.write_text("name, schedule\na, long\n")
-        with self.assertRaisesRegex(study.TableError, "'a'.*'long'; there are short, thesis"):
+        with self.assertRaisesRegex(study.TableError, "'a'.*'long'; there are short, brief, thesis"):
             self.call(study, table, "--out", self.folder / "out")
 
     def test_the_main_job_keeps_what_is_not_its(self):

@@ -112,17 +112,24 @@ def scheme(s):
     return np.array(history).T
 
 
-def run(build, work, name, s):
-    """Mean velocities after each step by the solver, and its log."""
-    case = column(work, name, build)
+def periodic(case, box, cells, speed):
+    """A cube of so many cells along its edge `box` [m], without gravity, the gas moving along z."""
     block = case.folder / "system/blockMeshDict"
-    block.write_text(block.read_text().split("// A column")[0] + BLOCK.format(repr(s.box), s.cells))
-    for file, value in (("U", f"uniform (0 0 {U0})"), ("p", "uniform 0"), ("voidFraction", "uniform 1")):
+    block.write_text(block.read_text().split("// A column")[0] + BLOCK.format(repr(box), cells))
+    for file, value in (("U", f"uniform (0 0 {speed})"), ("p", "uniform 0"), ("voidFraction", "uniform 1")):
         path = case.folder / "0.orig" / file
         text = path.read_text().split("internalField")[0]
         patches = "".join(f"    {d}{i} {{ type cyclic; }}\n" for d in "xyz" for i in "01")
         path.write_text(text + f"internalField {value};\nboundaryField\n{{\n{patches}}}\n")
     case.set("constant/g", "value", "(0 0 0)")
+    case.set("system/fvSolution", "PIMPLE/pRefCell", 0)
+    case.set("system/fvSolution", "PIMPLE/pRefValue", 0)
+
+
+def run(build, work, name, s):
+    """Mean velocities after each step by the solver, and its log."""
+    case = column(work, name, build)
+    periodic(case, s.box, s.cells, U0)
     case.set("constant/transportProperties", "rho", RHO)
     case.set("constant/transportProperties", "nu", repr(s.mu / RHO))
     case.set(COUPLING, "drag", "hillKochLadd")
@@ -137,8 +144,6 @@ def run(build, work, name, s):
                  "cutoff": repr(0.4 * min(s.box, s.spacing))}
     for variable, value in variables.items():
         case.set(COUPLING, f"lammpsCoeffs/variables/{variable}", f'"{value}"')
-    case.set("system/fvSolution", "PIMPLE/pRefCell", 0)
-    case.set("system/fvSolution", "PIMPLE/pRefValue", 0)
     for entry, value in (("deltaT", DT), ("endTime", STEPS * DT), ("writeControl", "timeStep"),
                          ("writeInterval", 1), ("writePrecision", 17)):
         case.set("system/controlDict", entry, value)

@@ -62,15 +62,23 @@ def kill_after(case, steps, ranks):
     """Starts the solver and kills one of its ranks when its log has `steps` steps; whether it was in
     time. The others are ended by mpirun, wherever they are."""
     process = case.start(ranks=ranks)
-    log = case.log("cohesiveBedFoam")
-    while process.poll() is None and log.read_text().count("\nTime = ") < steps:
+    while process.poll() is None and steps_begun(case) < steps:
         time.sleep(0.005)
+    return kill(case, process, ranks)
+
+
+def steps_begun(case):
+    return case.log("cohesiveBedFoam").read_text().count("\nTime = ")
+
+
+def kill(case, process, ranks):
+    """Whether it still ran."""
     if ranks > 1:
         found = subprocess.run(["pgrep", "-P", str(process.pid)], capture_output=True, text=True)
         for pid in found.stdout.split()[-1:]:
             os.kill(int(pid), signal.SIGKILL)
         process.wait()
-        return "signal 9" in log.read_text()
+        return "signal 9" in case.log("cohesiveBedFoam").read_text()
     process.send_signal(signal.SIGKILL)
     return process.wait() == -signal.SIGKILL
 
@@ -208,15 +216,21 @@ def check_not_written(expect, build, work):
     expect.equal("a field that cannot be written: complete", complete(case, 1), [])
 
 
-def main(build, work):
-    expect = Expectations()
+def undisturbed(expect, build, work):
+    """The state at the end of the whole run, and the difference that a disturbance makes."""
     whole, disturbed = make(build, work, "whole"), make(build, work, "disturbed")
     disturb(disturbed, "continued", DISTURBANCE)
     end, other = (state(case, case.solve(), 1) for case in (whole, disturbed))
-    reference = end, difference(other, end)
-    for name, limit in reference[1].items():
+    limits = difference(other, end)
+    for name, limit in limits.items():
         # Chaos would make the yardstick as long as the values, and nothing would be compared.
         expect.below(f"disturbed: {name}, largest difference / largest value", limit, 1e-4)
+    return end, limits
+
+
+def main(build, work):
+    expect = Expectations()
+    reference = undisturbed(expect, build, work)
     draw = random.Random(20)
     # Moments between two writes, 40 steps apart, and near one; counted from the last complete time
     check_killed(expect, build, work, 1, [draw.randint(41, 79), draw.randint(1, 39), 40], reference)

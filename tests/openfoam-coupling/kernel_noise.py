@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Noise of the void-fraction kernels: a suspension that gas and spheres carry along at the same, constant
+velocity. Seen from there nothing happens; so the gas's velocity should stay, and the pressure be the same
+everywhere: what they do instead is made by spheres that cross faces of cells.
+
+    kernel_noise.py BUILD WORK [--cell N ...] [--courant C ...] [--steps N]
+
+For each kernel, without and with smoothing over one and two diameters, root mean square over cells and steps of:
+the change of the void fraction over h/v, the time in which a sphere crosses a cell; the pressure over the weight
+of the spheres above a square of the size of a cell, phi rho_s g h, the scale of pressures in a bed; the velocity
+over v. Spheres of the fluidised bed's size and density in air, 30 % of the volume, at 1 m/s."""
+
+import argparse
+import re
+import sys
+from pathlib import Path
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "lammps-package"))
+from coupled_case import COUPLING, column, use_script  # noqa: E402
+from drag_stiffness import periodic  # noqa: E402
+from packed_bed import field  # noqa: E402
+from progress import Progress  # noqa: E402
+
+D, DENSITY, G, SOLID, SPEED = 1e-3, 2650.0, 9.81, 0.3, 1.0
+BOX = 18 * D
+KERNELS = ("particleCentre", "dividedVolume", "sphereOverlap")
+WIDTHS = (0, 1, 2)  # of the smoothing [diameters]
+SEED = 1
+HEAD = 5  # steps left out: those that the start needs
+
+
+def places():
+    """Centres of spheres put down one after the other where there is room, in the periodic box, [n, 3]."""
+    random = np.random.default_rng(SEED)
+    n = round(SOLID * BOX**3 / (np.pi / 6 * D**3))
+    # Room for 1 + 1e-3 diameters: none touch.
+    apart, kept = 1.001 * D, np.empty((0, 3))
+    while len(kept) < n:
+        new = random.uniform(0, BOX, (4 * n, 3))
+        if len(kept):
+            new = new[cKDTree(kept, boxsize=BOX).query(new)[0] > apart]
+        taken = np.ones(len(new), bool)
+        for i, j in sorted(cKDTree(new, boxsize=BOX).query_pairs(apart)):
+            taken[j] &= not taken[i]
+        kept = np.concatenate([kept, new[taken]])[:n]
+    return kept
+
+
+def run(build, work, where, cell, courant, steps, kernel, width):
+    """Changes of the void fraction, pressures and velocities as above, and microseconds of the exchange per
+    sphere and gas step, by the clock."""
+    case = column(work, "case", build)
+    cells = round(BOX / D / cell)
+    h = BOX / cells
+    dt = float(f"{courant * h / SPEED:.6g}")
+    periodic(case, BOX, cells, SPEED)
+    use_script(case, "carried")
+    (case.folder / "places").write_text("".join(
+        "create_atoms 1 single {!r} {!r} {!r} units box\n".format(*place) for place in where.tolist()))
+    for variable, value in (("places", "places"), ("box", BOX), ("diameter", D), ("speed", SPEED), ("dt", dt)):
+        case.set(COUPLING, f"lammpsCoeffs/variables/{variable}", value)
+    case.set(COUPLING, "voidFraction", kernel)
+    if width:
+        case.set(COUPLING, "smoothingWidth", width * D)
+    for entry, value in (("deltaT", dt), ("endTime", steps * dt), ("writeControl", "timeStep"),
+                         ("writeInterval", 1), ("writePrecision", 12)):
+        case.set("system/controlDict", entry, value)
+    case.mesh()
+    log = case.solve()
+    times = sorted((f.name for f in case.folder.glob("[0-9]*") if f.name != "0" and (f / "p").exists()), key=float)
+    assert len(times) == steps, times
+    eps, p, u = (np.array([field(case, time, name) for time in times]) for name in ("voidFraction", "p", "U"))
+    density = float(re.search(r"^rho +(\S+);", (case.folder / "constant/transportProperties").read_text(), re.M)[1])
+    p = density * (p - p.mean(axis=1, keepdims=True))[HEAD:]
+    u = (u.reshape(steps, -1, 3) - [0, 0, SPEED])[HEAD:]
+    rms = [np.sqrt((values**2).mean()) for values in (np.diff(eps, axis=0)[HEAD - 1:] / courant, p)]
+    exchange = float(re.search(r"^    exchange +(\S+) s", log, re.M)[1])
+    return (rms[0], rms[1] / (SOLID * DENSITY * G * h), np.sqrt((u**2).sum(axis=2).mean()) / SPEED,
+            1e6 * exchange / (steps * len(where)))
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("build")
+    parser.add_argument("work")
+    parser.add_argument("--cell", type=float, nargs="+", default=[3], help="size of the cells [diameters]")
+    parser.add_argument("--courant", type=float, nargs="+", default=[0.15, 0.0375], metavar="C",
+                        help="steps of the gas in units of h/v; that of the bed is 0.15")
+    parser.add_argument("--steps", type=int, default=45, help="gas steps")
+    args = parser.parse_args()
+    where = places()
+    cases = [(cell, courant, kernel, width) for cell in args.cell for courant in args.courant for width in WIDTHS
+             for kernel in KERNELS]
+    progress = Progress(len(cases))
+    rows = []
+    for cell, courant, kernel, width in cases:
+        rows.append(run(args.build, args.work, where, cell, courant, args.steps, kernel, width))
+        progress.add(1)
+    print(f"\n{len(where)} spheres\n\n| cell/d | step v/h | kernel | width/d | change of void fraction | pressure "
+          "| velocity | exchange [us] |\n|---|---|---|---|---|---|---|---|")
+    for (cell, courant, kernel, width), found in zip(cases, rows):
+        print(f"| {cell:g} | {courant:g} | `{kernel}` | {width or ''} | "
+              + " | ".join(f"{value:.2g}" for value in found) + " |")
+
+
+if __name__ == "__main__":
+    main()

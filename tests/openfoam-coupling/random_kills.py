@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The swarm of restart.py, killed (signal 9) at random moments, each time from its start, and continued: which
+state is found, how much of the simulated time is lost, and how far the end is from that of the run that was not
+killed. Every third kill falls into a write, at a random place between the first file and some time after the
+last.
+
+    random_kills.py BUILD WORK [--kills N] [--ranks N] [--seed N]
+
+Moments are drawn from the seed in steps and shares of a step or of a write; where in a step that is, is the
+machine's business. Ends with 1 when more is lost than one interval between writes, or the end is another."""
+
+import argparse
+import os
+import random
+import re
+import sys
+import time
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "lammps-package"))
+from coupled_case import Expectations, exchange_lines  # noqa: E402
+from progress import Progress  # noqa: E402
+from restart import (CONTROL, INTERVAL, STEPS, compare, complete, difference, kill, make, state,  # noqa: E402
+                     steps_begun, undisturbed)
+
+WRITES = 5
+
+
+def moments(kills, seed):
+    """(write or None, steps, share of a step or of a write) of each kill."""
+    draw = random.Random(seed)
+    return [(draw.randint(1, WRITES - 1) if k % 3 == 2 else None, draw.randint(1, STEPS - 5), draw.random())
+            for k in range(kills)]
+
+
+def last_time(case):
+    """That the log has begun [s]."""
+    found = re.findall(r"^Time = (\S+)", case.log("cohesiveBedFoam").read_text(), re.M)
+    return float(found[-1]) if found else 0.0
+
+
+def durations(case):
+    """Seconds of a step and of a write of the whole run."""
+    stamps = []
+    for folder in case.glob("0.0*"):
+        mark = folder / "uniform/completeState"
+        if mark.exists():
+            files = [file.stat().st_mtime for file in folder.iterdir() if file.is_file()]
+            stamps.append((min(files), mark.stat().st_mtime))
+    stamps.sort()
+    steps = STEPS * (WRITES - 1) / WRITES
+    return ((stamps[-1][0] - stamps[0][0]) / steps, max(end - begin for begin, end in stamps))
+
+
+def wait(process, case, ranks, moment, seconds):
+    """Until the moment has come, or the run has ended."""
+    write, steps, share = moment
+    folder = case.folder / "processor0" if ranks > 1 else case.folder
+    written = folder / f"{INTERVAL * (write or 0):g}"
+    while process.poll() is None:
+        if os.path.exists(written) if write else steps_begun(case) >= steps:
+            break
+        time.sleep(0.0005 if write else 0.002)
+    # Ranks and writes take turns on one core: a write may take longer than that of the whole run.
+    time.sleep(share * (2 * seconds[1] * ranks if write else seconds[0]))
+
+
+def killed(build, work, k, ranks, moment, seconds):
+    """The case after the kill, the time it had begun and whether it still ran."""
+    case = make(build, work, f"kill-{k}")
+    if ranks > 1:
+        case.set("system/decomposeParDict", "numberOfSubdomains", ranks)
+        case.run("decomposePar", "-force")
+    case.set(CONTROL, "startFrom", "latestTime")
+    process = case.start(ranks=ranks)
+    wait(process, case, ranks, moment, seconds)
+    in_time = kill(case, process, ranks)
+    return case, last_time(case), in_time
+
+
+def cut_off(case, ranks, reached):
+    """Whether the time that it had begun has a folder without a mark."""
+    folder = (case.folder / "processor0" if ranks > 1 else case.folder) / f"{reached:g}"
+    return folder.exists() and not (folder / "uniform/completeState").exists()
+
+
+def check(expect, case, ranks, reached, reference):
+    """Continues the run; gives the last complete time and the largest difference at the end."""
+    done = complete(case, ranks)
+    found = done[-1] if done else 0.0
+    # Of a first write that was cut off nothing is complete: the solver starts anew when it is told to.
+    case.finish(case.start(*([] if done else ["-overwrite"]), ranks=ranks))
+    log = case.log("cohesiveBedFoam").read_text()
+    left = STEPS - round(found / 1e-4)
+    expect.equal(f"steps from {found:g} s on", len(exchange_lines(log)), left)
+    # A write at the end of an interval that is cut off loses all of it; 1e-9 for the sum of decimal numbers.
+    expect.below("lost time / interval", (reached - found) / INTERVAL, 1 + 1e-9)
+    values = state(case, log, ranks)
+    compare(expect, "continued", values, reference)
+    return found, max(difference(values, reference[0]).values())
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("build")
+    parser.add_argument("work")
+    parser.add_argument("--kills", type=int, default=12, metavar="N")
+    parser.add_argument("--ranks", type=int, default=1, metavar="N")
+    parser.add_argument("--seed", type=int, default=1, metavar="N")
+    args = parser.parse_args()
+    expect, progress = Expectations(), Progress(args.kills + 1)
+    reference = undisturbed(expect, args.build, args.work)
+    seconds = durations(Path(args.work) / "whole")
+    progress.add(1)
+    rows = []
+    for k, moment in enumerate(moments(args.kills, args.seed)):
+        case, reached, in_time = killed(args.build, args.work, k, args.ranks, moment, seconds)
+        if not in_time:
+            rows.append(("ended before it was killed", reached, "", "", ""))
+            continue
+        what = ("write cut off" if cut_off(case, args.ranks, reached)
+                else "after a write" if moment[0] else "between writes")
+        found, apart = check(expect, case, args.ranks, reached, reference)
+        rows.append((what, reached, found, reached - found, apart))
+        progress.add(1)
+    print(f"\n{args.ranks} rank(s), seed {args.seed}, written every {INTERVAL:g} s, a step {1e-4:g} s; found at the end "
+          f"with a disturbance of 1e-9: {min(reference[1].values()):.1g} to {max(reference[1].values()):.1g}\n\n"
+          "| killed | in the step to [s] | continued from [s] | lost [s] | largest difference at the end |\n"
+          "|---|---|---|---|---|")
+    for what, reached, found, lost, apart in rows:
+        figures = [f"{found:g}", f"{lost:.4f}", f"{apart:.1g}"] if found != "" else ["", "", ""]
+        print("| " + " | ".join([what, f"{reached:g}", *figures]) + " |")
+    expect.below("runs that ended before they were killed", sum(row[2] == "" for row in rows), 1)
+    expect.exit()
+
+
+if __name__ == "__main__":
+    main()
