@@ -84,6 +84,12 @@ void Foam::gasParticleCoupling::setDrag(const volVectorField& U)
     const auto particles = engine_->particles();
     const auto velocity = view(particles.velocity, particles.count);
     gasAt_.set(voidFraction_, U, averaging_);
+    // That of the particle's cells, with either slip
+    scalarField rho(particles.count, rho_);
+    if (density_.ideal())
+    {
+        rho *= averaging_.gather(density_.ratio().primitiveField());
+    }
 
     coefficient_.setSize(particles.count);
     charged_.setSize(particles.count);
@@ -93,7 +99,8 @@ void Foam::gasParticleCoupling::setDrag(const volVectorField& U)
         (
             gasAt_.voidFraction()[i],
             mag(gasAt_.velocity()[i] - velocity[i]),
-            particles.radius[i]
+            particles.radius[i],
+            rho[i]
         )*form_.drag_over_a(gasAt_.voidFraction()[i]);
         charged_[i] = drag_.charged(coefficient_[i], particles.mass[i], dt);
         drag_.lookAtStep
@@ -102,6 +109,7 @@ void Foam::gasParticleCoupling::setDrag(const volVectorField& U)
             coefficient_[i],
             particles.radius[i],
             particles.mass[i],
+            rho[i],
             dt
         );
     }
@@ -212,10 +220,14 @@ void Foam::gasParticleCoupling::advanceParticles
     clockTime timer;
     const vectorField gasVelocity(averaging_.gather(U.primitiveField()) + gasAt_.offset());
     const vector pendingBefore = sum(pendingImpulse());
-    const vectorField felt
-    (
-        form_.gas_takes_all ? vectorField(mesh_.nCells(), rho_*g_) : gradP.primitiveField()
-    );
+    vectorField felt(gradP.primitiveField());
+    if (form_.gas_takes_all)
+    {
+        forAll(felt, celli)
+        {
+            felt[celli] = rho_*density_.ratio(celli)*g_;
+        }
+    }
     handOver(gasVelocity, averaging_.gather(felt));
     seconds_.exchange += timer.timeIncrement();
 

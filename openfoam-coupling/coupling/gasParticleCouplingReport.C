@@ -81,7 +81,7 @@ void Foam::gasParticleCoupling::reportBalance
         gasPressure +=
             (
                 (1 - share[celli])*gradP[celli]
-              + (share[celli] - voidFraction_[celli])*rho_*g_
+              + (share[celli] - voidFraction_[celli])*rho_*density_.ratio(celli)*g_
             )*volume(celli)*dt;
         solidDeposited += (1 - voidFraction_[celli])*volume(celli);
     }

@@ -43,7 +43,7 @@ Foam::gasParticleCoupling::gasParticleCoupling
 (
     Time& time,
     const fvMesh& mesh,
-    const scalar rho,
+    const gasDensity& density,
     const scalar mu,
     const vector& g
 )
@@ -60,10 +60,11 @@ Foam::gasParticleCoupling::gasParticleCoupling
             IOobject::NO_WRITE
         )
     ),
-    rho_(requirePositive(dict_, "density of the gas", rho)),
+    density_(density),
+    rho_(requirePositive(dict_, "density of the gas", density.reference().value())),
     g_(g),
     form_(selectRow(dict_, "form", drag::model_forms, "A")),
-    drag_(dict_, rho, requirePositive(dict_, "viscosity of the gas", mu)),
+    drag_(dict_, requirePositive(dict_, "viscosity of the gas", mu)),
     gasAt_(dict_),
     minVoidFraction_(dict_.found("minVoidFraction") ? readPositive(dict_, "minVoidFraction") : 0.2),
     depthRatio_(1),

@@ -47,13 +47,11 @@ drag::DragLaw readLaw(const Foam::dictionary& dict)
 Foam::particleDrag::particleDrag
 (
     const dictionary& dict,
-    const scalar rho,
     const scalar mu
 )
 :
     law_(readLaw(dict)),
     response_(selectRow(dict, "response", drag::responses, "held")),
-    rho_(rho),
     mu_(mu)
 {}
 
@@ -85,6 +83,7 @@ void Foam::particleDrag::lookAtStep
     const scalar coefficient,
     const scalar radius,
     const scalar mass,
+    const scalar rho,
     const scalar dt
 )
 {
@@ -93,7 +92,7 @@ void Foam::particleDrag::lookAtStep
         return;
     }
     const scalar step = drag::exchange_step(coefficient, mass, dt);
-    const scalar loading = drag::mass_loading(voidFraction, mass, sphere_volume(radius), rho_);
+    const scalar loading = drag::mass_loading(voidFraction, mass, sphere_volume(radius), rho);
     const scalar error = drag::exchange_error(step, loading, response_.free);
     // Shorter steps are off by their first order.
     if (step > 1 && error > exchangeError_)

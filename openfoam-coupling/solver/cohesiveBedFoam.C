@@ -4,8 +4,8 @@ Application
     cohesiveBedFoam
 
 Description
-    Transient solver for the volume-averaged incompressible flow of a gas through particles that a
-    particle engine (LAMMPS, LIGGGHTS) moves. Laminar, or with a turbulence model where there is a
+    Transient solver for the volume-averaged flow of a gas, incompressible or an ideal one of one
+    temperature, through particles that a particle engine (LAMMPS, LIGGGHTS) moves. Laminar, or with a turbulence model where there is a
     constant/turbulenceProperties. PIMPLE for the gas, one exchange each way per gas step. Sources and
     constraints by constant/fvOptions, function objects in system/controlDict.
 
@@ -21,6 +21,7 @@ Usage
 #include "fvCFD.H"
 #include "fixedFluxPressureFvPatchScalarField.H"
 #include "fvOptions.H"
+#include "gasMass.H"
 #include "gasStress.H"
 #include "pimpleControl.H"
 #include "progress.H"
@@ -31,7 +32,7 @@ Usage
 
 int main(int argc, char* argv[])
 {
-    argList::addNote("Incompressible gas through the particles of a particle engine");
+    argList::addNote("Gas through the particles of a particle engine");
     argList::addBoolOption("overwrite", "Run although the case already holds results");
 
     #define NO_CONTROL
@@ -71,6 +72,7 @@ int main(int argc, char* argv[])
         coupling.depositParticles(U);
         voidFractionf = fvc::interpolate(voidFraction);
         voidFractionPhi = voidFractionf*phi;
+        gas.startStep();
 
         while (pimple.loop())
         {
@@ -87,6 +89,7 @@ int main(int argc, char* argv[])
             }
         }
         #include "continuityError.H"
+        density.refuseVacuum();
 
         coupling.advanceParticles(U, rho*gradP);
 

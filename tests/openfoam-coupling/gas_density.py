@@ -1,0 +1,276 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The gas as an ideal gas of one temperature, against closed forms.
+
+- At rest in gravity: the barometric formula, through spheres of any void fraction.
+- Steady flow through a packed bed that takes most of the pressure: Ergun's equation for a gas that expands,
+  at three sizes of cells.
+- A standing wave of sound between spheres that hold still: its frequency, and its amplitudes by the scheme
+  written out again.
+- In a closed box with falling spheres: the mass of the gas in every step, momentum, one rank and two, and
+  a run that is continued.
+- At a reference pressure beyond all measure: the incompressible run.
+"""
+
+import re
+import sys
+
+import numpy as np
+from scipy.optimize import brentq
+
+from coupled_case import COUPLING, Expectations, column, disturb, exchange_lines, use_script
+from packed_bed import field
+
+PRESSURE, TEMPERATURE, MOLAR_MASS = 1e5, 300.0, 28.9
+PSI = MOLAR_MASS / (8314.46261815324 * TEMPERATURE)  # [s2/m2], its inverse is R T/M
+RHO0 = PRESSURE * PSI
+BLOCK = """
+scale 1;
+vertices ((0 0 0) ({1} 0 0) ({1} {1} 0) (0 {1} 0) (0 0 {2}) ({1} 0 {2}) ({1} {1} {2}) (0 {1} {2}));
+blocks ( hex (0 1 2 3 4 5 6 7) (1 1 {0}) simpleGrading (1 1 1) );
+boundary
+(
+    bottom  {{ type patch; faces ((0 3 2 1)); }}
+    top     {{ type patch; faces ((4 5 6 7)); }}
+    sides   {{ type wall;  faces ((0 1 5 4) (1 2 6 5) (2 3 7 6) (3 0 4 7)); }}
+);
+"""
+
+
+def edit(case, file, *changes):
+    path = case.folder / file
+    text = path.read_text()
+    for pattern, new in changes:
+        text, found = re.subn(pattern, lambda _, new=new: new, text)
+        assert found == 1, f"{file}: {pattern}"
+    path.write_text(text)
+
+
+def append(case, file, text):
+    """OpenFOAM takes the last of equal entries, and merges dictionaries."""
+    with open(case.folder / file, "a") as dictionary:
+        dictionary.write(text + "\n")
+
+
+def gas(case, nu=1.5e-5, pressure=PRESSURE, temperature=TEMPERATURE):
+    edit(case, "constant/transportProperties", (r"rho +[\d.]+;", f"""density idealGas;
+idealGas {{ pressure {pressure!r}; temperature {temperature!r}; molWeight {MOLAR_MASS}; }}"""))
+    append(case, "constant/transportProperties", f"nu {nu!r};")
+
+
+def gravity(case, size):
+    append(case, "constant/g", f"value (0 0 {-size!r});")
+
+
+def control(case, dt, steps, every):
+    append(case, "system/controlDict", f"endTime {steps * dt!r}; deltaT {dt!r}; writeControl timeStep;"
+           f" writeInterval {every}; writePrecision 17;")
+    append(case, "system/fvSchemes", "divSchemes { div(voidFractionPhi,U) Gauss linear; }")
+    append(case, "system/fvSolution", 'solvers { "p.*" { tolerance 1e-13; } }')
+
+
+def held(case, script, dt, cutoff=1e-3):
+    """Spheres that nothing moves: their steps are as long as the gas's."""
+    append(case, COUPLING, f'lammpsCoeffs {{ script "$FOAM_CASE/{script}.lmp";'
+           f" variables {{ table table.data; cutoff {cutoff!r}; dt {dt!r}; }} }}")
+
+
+def closed_top(case):
+    edit(case, "0.orig/p", (r"fixedValue; value", "fixedFluxPressure; value"))
+    edit(case, "0.orig/U", (r"pressureInletOutletVelocity; value", "fixedValue; value"))
+
+
+def tube(case, cells, width, length, spheres, diameter, dt):
+    """A column of `cells` cells, `spheres` held at equal distances in it."""
+    block = case.folder / "system/blockMeshDict"
+    block.write_text(block.read_text().split("// A column")[0] + BLOCK.format(cells, width, repr(length)))
+    lines = ["spheres at rest", "", f"{spheres} atoms", "1 atom types", "", f"0 {width!r} xlo xhi",
+             f"0 {width!r} ylo yhi", f"0 {length!r} zlo zhi", "", "Atoms", ""]
+    lines += [f"{k + 1} 1 {diameter!r} 1e12 {width / 2!r} {width / 2!r} {(k + 0.5) * length / spheres!r}"
+              for k in range(spheres)]
+    (case.folder / "table.data").write_text("\n".join(lines) + "\n")
+    held(case, "table", dt, cutoff=0.4 * width)
+    gravity(case, 0.0)
+    return 1 - spheres * np.pi / 6 * diameter**3 / (width**2 * length)
+
+
+def last(case):
+    return max((d.name for d in case.folder.iterdir() if re.fullmatch(r"[\d.e-]+", d.name)), key=float)
+
+
+def at_rest(expect, build, work, form):
+    print(f"-- at rest in gravity, form {form}")
+    g, cells, h, dt = 4e5, 10, 0.02, 1e-3
+    case = column(work, f"rest-{form}", build)
+    gas(case)
+    append(case, COUPLING, f"form {form};")
+    held(case, "packed", dt)
+    gravity(case, g)
+    control(case, dt, 100, 100)
+    case.mesh()
+    case.solve()
+    found = field(case, last(case), "densityRatio").reshape(cells, 9).mean(axis=1)
+    # Over a face the pressure changes by the weight of the mean density of its two cells, and from the top, where
+    # r is 1, to the middle of the cell below by that of half a cell. What the solver of p leaves is 1e-13
+    # of its scale, the faces' fluxes dp/dn over the cells' height: some 100 of them add up.
+    a = PSI * g * h
+    scheme = (1 + a / 2) * ((1 + a / 2) / (1 - a / 2)) ** np.arange(cells)[::-1]
+    expect.below("density, largest difference from the scheme", np.abs(found / scheme - 1).max(), 1e-10)
+    # ln((1 + a/2)/(1 - a/2)) = a + a^3/12, ln(1 + a/2) = a/2 - a^2/8, each to the next order
+    height = (np.arange(cells) + 0.5) * h
+    exact = np.exp(PSI * g * (cells * h - height))
+    expect.below("density, largest difference from the barometric formula",
+                 np.abs(found / exact - 1).max(), a**2 / 8 + cells * a**3 / 12)
+    print(f"   ratio of the densities at bottom and top {found[0] / found[-1]:.4f}")
+
+
+def expanding(spheres, length, diameter, eps, mass_flux, nu):
+    """Absolute pressure [Pa] at heights z for PRESSURE at the top: with q = rho U eps,
+    psi (P^2 - P_top^2)/2 = (150 mu (1 - eps)^2/(eps^3 d^2) q + 1.75 (1 - eps)/(eps^3 d) q^2) (L - z)
+                            + (q/eps)^2 ln(P/P_top),
+    the last term what accelerates the gas."""
+    loss = (150 * RHO0 * nu * (1 - eps) ** 2 / (eps**3 * diameter**2) * mass_flux
+            + 1.75 * (1 - eps) / (eps**3 * diameter) * mass_flux**2)
+
+    def at(z):
+        return brentq(lambda p: PSI * (p**2 - PRESSURE**2) / 2 - loss * (length - z)
+                      - (mass_flux / eps) ** 2 * np.log(p / PRESSURE), PRESSURE, 100 * PRESSURE,
+                      xtol=1e-6, rtol=1e-14)
+    return at
+
+
+def packed(build, work, cells, spheres=64, width=1e-4, u=6.0, nu=1.5e-5, dt=1e-5, steps=400):
+    """Errors of the cells' pressures, as shares of them: what is found, the part of the outlet in it, and what the
+    largest may be; and by how much the flux of mass differs from face to face."""
+    case = column(work, f"packed-{cells}", build)
+    gas(case, nu=nu)
+    diameter, length = 0.95 * width, spheres * width
+    eps = tube(case, cells, width, length, spheres, diameter, dt)
+    append(case, COUPLING, "drag ergunWenYu;")
+    edit(case, "0.orig/U", (r"superficialVelocity \(0 0 0\)", f"superficialVelocity (0 0 {u})"))
+    control(case, dt, steps, steps)
+    case.mesh()
+    case.solve()
+    flux = field(case, last(case), "gasPhi")
+    found = PRESSURE + RHO0 * field(case, last(case), "p")
+    q = RHO0 * flux.mean() / width**2
+    at = expanding(spheres, length, diameter, eps, q, nu)
+    h = length / cells
+    exact = np.array([at((k + 0.5) * h) for k in range(cells)])
+    # P P' = -K but for the acceleration: P'' = -K^2/P^3, P''' = 3 K^3/P^5, largest at the top. Each face errs by
+    # h^3 P''' (1/24 + 1/8), by its difference and by the mean of two cells' resistances, and the half cell at
+    # the top, with the resistance of its middle, by h^2 P''/8.
+    k = (at(0.0) ** 2 - PRESSURE**2) / 2 / length
+    second = h**2 * (k**2 / PRESSURE**3 / 8 + length * 3 * k**3 / PRESSURE**5 / 6)
+    # The gas leaves with the velocity of the last cell, slower by h/2 dU/dz than it should: so much less
+    # momentum leaves.
+    outlet = q / eps * h / 2 * (q / eps / RHO0) * k / PRESSURE**2
+    error = found / exact - 1
+    return error, outlet / exact, (second + outlet) / PRESSURE, np.ptp(flux) / flux.mean()
+
+
+def through_a_bed(expect, build, work):
+    print("-- steady flow through a packed bed")
+    corrected = []
+    for cells in (8, 16, 32):
+        error, outlet, limit, uneven = packed(build, work, cells)
+        # Steady to what the solver of p leaves, 1e-13 of its scale; sums over the faces.
+        expect.below("flux of mass, largest difference between faces", uneven, 1e-10)
+        expect.below(f"{cells} cells: largest error of the absolute pressure", np.abs(error).max(), limit)
+        corrected.append(np.sqrt(np.mean((error + outlet) ** 2)))
+    # Without the outlet's, which is of first order, errors are of second order, with a remainder of third: h P''/P'
+    # = 0.02 to 0.1 of it.
+    for order in np.log2(np.array(corrected[:-1]) / corrected[1:]):
+        expect.near("order in space", order, 2, 0.15)
+
+
+def wave(w, smear, steps):
+    """Amplitudes of the pressure of a standing wave by the scheme, w the step times the frequency between the
+    faces. Flux q and pressure p of the new step, with the old q0: q = q0 - w p, p = p0 + w q; in the second
+    correction the share `smear` of the flux, what its mean in cells and back to faces loses, is that
+    of the first."""
+    p, q = 1.0, 0.0
+    amplitudes = [p]
+    for _ in range(steps):
+        first = q - w * (p + w * q) / (1 + w**2)
+        inertia = (1 - smear) * q + smear * first
+        p = (p + w * inertia) / (1 + w**2)
+        q = inertia - w * p
+        amplitudes.append(p)
+    return np.array(amplitudes)
+
+
+def sound(expect, build, work, form, cells=32, h=0.01, dt=2e-5, steps=110):
+    print(f"-- a standing wave of sound, form {form}")
+    case = column(work, f"sound-{form}", build)
+    gas(case, nu=1e-9)
+    eps = tube(case, cells, h, cells * h, cells, 0.9 * h, dt)
+    append(case, COUPLING, f"form {form}; dragFactor 1e-15;")
+    closed_top(case)
+    control(case, dt, steps, 1)
+    k = np.pi / (cells * h)
+    mode = np.cos(k * h * (np.arange(cells) + 0.5))
+    size = 1e-6 / PSI
+    edit(case, "0.orig/p", (r"internalField +uniform 0;", f"internalField nonuniform List<scalar> {cells}"
+                            f"({' '.join(repr(size * x) for x in mode)});"))
+    case.mesh()
+    case.solve()
+    times = [f"{n * dt:.8g}" for n in range(1, steps + 1)]
+    found = np.array([1] + [2 / cells * field(case, t, "p") @ mode / size for t in times])
+    # In form B all of the pressure gradient acts on the gas, also between spheres that gas does not flow past.
+    c = np.sqrt(1 / PSI / (1 if form == "A" else eps))
+    # Products of amplitudes are 1e-6 of them, over some 6 radians.
+    expect.below("amplitudes, largest difference from the scheme",
+                 np.abs(found - wave(dt * c * 2 / h * np.sin(k * h / 2), np.sin(k * h / 2) ** 2, steps)).max(),
+                 1e-5)
+    # A damped wave obeys a[n+1] = 2 Re(z) a[n] - |z|^2 a[n-1]; an implicit step turns it by arg z = atan(w).
+    (twice, minus), *_ = np.linalg.lstsq(np.array([found[1:-1], found[:-2]]).T, found[2:], rcond=None)
+    turn = np.arccos(twice / 2 / np.sqrt(-minus))
+    # The faces' differences lose (k h)^2/24 of k, the smearing (k h/2)^2 of the inertia.
+    expect.near("speed of sound [m/s]", np.tan(turn) / dt / k, c, c * (k * h) ** 2 * (1 / 24 + 1 / 4))
+
+
+def mass(case, time):
+    """Of the gas per reference density, in cells [1]"""
+    return (field(case, time, "voidFraction") * field(case, time, "densityRatio")).sum()
+
+
+def in_a_closed_box(expect, build, work, steps=40):
+    print("-- falling spheres in a closed box")
+    drag = {}
+    for name, ranks, by in (("one", 1, 0.0), ("two", 2, 0.0), ("other", 1, 1e-8)):
+        case = column(work, f"box-{name}", build)
+        use_script(case, "swarm")
+        if by:
+            disturb(case, "swarm", by)
+        gas(case)
+        closed_top(case)
+        control(case, 1e-4, steps, steps // 4)
+        case.mesh()
+        log = case.solve(ranks=ranks)
+        if ranks > 1:
+            case.run("reconstructPar")
+        errors = [float(x) for x in re.findall(r"Continuity error, mean of the sizes: (\S+)", log)]
+        expect.below(f"{name}: largest error of continuity in a step", max(errors), 1e-13)
+        masses = [mass(case, f"{n * steps / 4 * 1e-4:.8g}") for n in (1, 2, 3, 4)]
+        expect.below(f"{name}: gas lost or made in {3 * steps // 4} steps, of all",
+                     np.ptp(masses) / masses[0], sum(errors) + 1e-15)
+        lines = exchange_lines(log)
+        expect.below("largest imbalance of the forces", max(x["imbalance"] for x in lines), 1e-12)
+        drag[name] = np.array([x["drag"] for x in lines])
+    expect.below("drag, largest difference of 2 ranks from 1 [N]", np.abs(drag["two"] - drag["one"]).max(),
+                 np.abs(drag["other"] - drag["one"]).max())
+
+
+def main(build, work):
+    expect = Expectations()
+    for form in "AB":
+        at_rest(expect, build, work, form)
+    through_a_bed(expect, build, work)
+    for form in "AB":
+        sound(expect, build, work, form)
+    in_a_closed_box(expect, build, work)
+    expect.exit()
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:3])
