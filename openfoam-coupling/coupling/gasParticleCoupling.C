@@ -9,28 +9,10 @@
 #include "void_fraction/void_fraction.h"
 
 #include "completeState.H"
+#include "engineView.H"
 #include "writeParticleCloud.H"
 
 using namespace cohesion;
-
-namespace
-{
-
-//- The engine's arrays as OpenFOAM's, in place. UList has no form for constant data; none of the
-//  views of constant data is written to.
-Foam::UList<Foam::vector> view(const double (*rows)[3], const Foam::label n)
-{
-    static_assert(sizeof(Foam::vector) == sizeof(rows[0]), "OpenFOAM must use double precision");
-    return {reinterpret_cast<Foam::vector*>(const_cast<double (*)[3]>(rows)), n};
-}
-
-template<class Type>
-Foam::UList<Type> view(const Type* values, const Foam::label n)
-{
-    return {const_cast<Type*>(values), n};
-}
-
-} // End anonymous namespace
 
 
 void Foam::gasParticleCoupling::locateParticles()
@@ -38,8 +20,8 @@ void Foam::gasParticleCoupling::locateParticles()
     const auto particles = engine_->particles();
     averaging_.exchange().locate
     (
-        view(particles.position, particles.count),
-        view(particles.radius, particles.count)
+        engineView(particles.position, particles.count),
+        engineView(particles.radius, particles.count)
     );
 }
 
@@ -82,7 +64,7 @@ void Foam::gasParticleCoupling::setDrag(const volVectorField& U)
 {
     const scalar dt = mesh_.time().deltaTValue();
     const auto particles = engine_->particles();
-    const auto velocity = view(particles.velocity, particles.count);
+    const auto velocity = engineView(particles.velocity, particles.count);
     gasAt_.set(voidFraction_, U, averaging_);
     // That of the particle's cells, with either slip
     scalarField rho(particles.count, rho_);
@@ -148,7 +130,7 @@ Foam::scalar Foam::gasParticleCoupling::crossings() const
 {
     const auto particles = engine_->particles();
     const particleExchange& exchange = averaging_.exchange();
-    const List<vector> velocities(exchange.toParts(view(particles.velocity, particles.count)));
+    const List<vector> velocities(exchange.toParts(engineView(particles.velocity, particles.count)));
     scalar largest = 0;
     forAll(velocities, k)
     {
@@ -268,9 +250,9 @@ bool Foam::gasParticleCoupling::writeParticles()
         mesh_,
         labelList(exchange.cells(), centred),
         List<point>(exchange.positions(), centred),
-        List<vector>(exchange.toParts(view(particles.velocity, n)), centred),
-        List<scalar>(exchange.toParts(view(particles.radius, n)), centred),
-        labelList(exchange.toParts(view(particles.id, n)), centred)
+        List<vector>(exchange.toParts(engineView(particles.velocity, n)), centred),
+        List<scalar>(exchange.toParts(engineView(particles.radius, n)), centred),
+        labelList(exchange.toParts(engineView(particles.id, n)), centred)
     );
 }
 

@@ -104,6 +104,7 @@ Foam::gasParticleCoupling::gasParticleCoupling
     makeEngine();
     checkUnitsAndBox();
     checkContinued();
+    registered_ = std::make_unique<coupledParticles>(mesh_, *engine_, g_);
     step_ = std::make_unique<gasStep>(time, engine_->time_step());
 
     if (!continued())

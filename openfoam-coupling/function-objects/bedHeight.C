@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bedHeight.H"
+
+#include "addToRunTimeSelectionTable.H"
+#include "volFields.H"
+
+#include "bed/surface.h"
+
+#include "coupling/readPositive.H"
+
+#include <vector>
+
+namespace Foam
+{
+namespace functionObjects
+{
+    defineTypeNameAndDebug(bedHeight, 0);
+    addToRunTimeSelectionTable(functionObject, bedHeight, dictionary);
+}
+}
+
+
+Foam::functionObjects::bedHeight::bedHeight
+(
+    const word& name,
+    const Time& runTime,
+    const dictionary& dict
+)
+:
+    particleFunctionObject(name, runTime, dict),
+    bottom_(0),
+    top_(0),
+    layers_(0),
+    limit_(0),
+    restHeight_(0)
+{
+    read(dict);
+    writeCommented(file(), "Time");
+    writeTabbed(file(), "mean [m]");
+    if (restHeight_ > 0)
+    {
+        writeTabbed(file(), "expansion [1]");
+    }
+    writeTabbed(file(), "surface [m]");
+    writeTabbed(file(), "highest [m]");
+    file() << endl;
+    active();
+}
+
+
+bool Foam::functionObjects::bedHeight::read(const dictionary& dict)
+{
+    particleFunctionObject::read(dict);
+    layers_ = dict.get<label>("layers");
+    limit_ = dict.getOrDefault<scalar>("limit", 0.75);
+    restHeight_ = dict.found("restHeight") ? readPositive(dict, "restHeight") : 0;
+    if (layers_ < 1)
+    {
+        FatalIOErrorInFunction(dict)
+            << name() << ": layers = " << layers_ << ": must be at least 1" << exit(FatalIOError);
+    }
+    if (!(limit_ > 0 && limit_ < 1))
+    {
+        FatalIOErrorInFunction(dict)
+            << name() << ": limit = " << limit_ << ": must lie between 0 and 1" << exit(FatalIOError);
+    }
+    sortCells(dict);
+    return true;
+}
+
+
+void Foam::functionObjects::bedHeight::sortCells(const dictionary& dict)
+{
+    const scalarField corners(mesh_.points() & up());
+    bottom_ = gMin(corners);
+    top_ = gMax(corners);
+
+    layer_.setSize(mesh_.nCells());
+    volumes_ = scalarList(layers_, Zero);
+    forAll(layer_, celli)
+    {
+        const scalar height = (mesh_.C()[celli] & up()) - bottom_;
+        layer_[celli] = min(label(height/(top_ - bottom_)*layers_), layers_ - 1);
+        volumes_[layer_[celli]] += mesh_.V()[celli];
+    }
+    Pstream::listCombineGather(volumes_, plusEqOp<scalar>());
+    Pstream::listCombineScatter(volumes_);
+    const label empty = volumes_.find(0);
+    if (empty >= 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << name() << ": layers = " << layers_ << ": layer " << empty + 1 << " from the bottom, "
+            << (top_ - bottom_)/layers_ << " m thick, holds no cell's centre; take layers that are"
+            << " not thinner than cells" << exit(FatalIOError);
+    }
+}
+
+
+void Foam::functionObjects::bedHeight::begin()
+{
+    if (atStart() && !continued())
+    {
+        write();
+    }
+}
+
+
+Foam::scalar Foam::functionObjects::bedHeight::meanHeight() const
+{
+    const UList<point> positions(particles().positions());
+    const UList<scalar> masses(particles().masses());
+    scalar moment = 0;
+    scalar mass = 0;
+    forAll(positions, i)
+    {
+        moment += masses[i]*((positions[i] & up()) - bottom_);
+        mass += masses[i];
+    }
+    reduce(moment, sumOp<scalar>());
+    reduce(mass, sumOp<scalar>());
+    return 2*moment/mass;
+}
+
+
+Foam::scalar Foam::functionObjects::bedHeight::surfaceHeight() const
+{
+    const volScalarField& voidFraction = mesh_.lookupObject<volScalarField>("voidFraction");
+    scalarList gas(layers_, Zero);
+    forAll(layer_, celli)
+    {
+        gas[layer_[celli]] += voidFraction[celli]*mesh_.V()[celli];
+    }
+    Pstream::listCombineGather(gas, plusEqOp<scalar>());
+    Pstream::listCombineScatter(gas);
+
+    std::vector<double> voidFractions;
+    forAll(gas, layer)
+    {
+        voidFractions.push_back(gas[layer]/volumes_[layer]);
+    }
+    return cohesion::bed::surface_height(voidFractions, 0, (top_ - bottom_)/layers_, limit_);
+}
+
+
+Foam::scalar Foam::functionObjects::bedHeight::highest() const
+{
+    const UList<point> positions(particles().positions());
+    const UList<scalar> radii(particles().radii());
+    scalar highest = -VGREAT;
+    forAll(positions, i)
+    {
+        highest = max(highest, (positions[i] & up()) + radii[i]);
+    }
+    return returnReduce(highest, maxOp<scalar>()) - bottom_;
+}
+
+
+bool Foam::functionObjects::bedHeight::write()
+{
+    if (!active())
+    {
+        return true;
+    }
+    const scalar mean = meanHeight();
+    const scalar surface = surfaceHeight();
+    const scalar top = highest();
+
+    writeCurrentTime(file());
+    file() << tab << mean;
+    if (restHeight_ > 0)
+    {
+        file() << tab << mean/restHeight_;
+    }
+    file() << tab << surface << tab << top << endl;
+    return true;
+}

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "particleFunctionObject.H"
+
+#include "Time.H"
+#include "fvMesh.H"
+
+
+Foam::functionObjects::particleFunctionObject::particleFunctionObject
+(
+    const word& name,
+    const Time& runTime,
+    const dictionary& dict
+)
+:
+    fvMeshFunctionObject(name, runTime, dict),
+    writeFile(mesh_, name, dict.get<word>("type"), dict),
+    particles_(mesh_.cfindObject<coupledParticles>(coupledParticles::typeName)),
+    up_(Zero),
+    timeStart_(-VGREAT)
+{
+    if (!particles_)
+    {
+        IOWarningInFunction(dict)
+            << name << " does nothing: it needs the particles of a running cohesiveBedFoam" << endl;
+    }
+}
+
+
+Foam::vector Foam::functionObjects::particleFunctionObject::readDirection(const dictionary& dict) const
+{
+    vector direction = particles_ ? -particles_->g() : vector(0, 0, 1);
+    const bool given = dict.readIfPresent("direction", direction);
+    if (mag(direction) < VSMALL)
+    {
+        FatalIOErrorInFunction(dict)
+            << name() << ": " << (given ? "direction = (0 0 0)" : "direction is missing and gravity is 0")
+            << "; give the direction in which heights are measured, for instance (0 0 1)"
+            << exit(FatalIOError);
+    }
+    return direction/mag(direction);
+}
+
+
+bool Foam::functionObjects::particleFunctionObject::read(const dictionary& dict)
+{
+    fvMeshFunctionObject::read(dict);
+    up_ = readDirection(dict);
+    timeStart_ = -VGREAT;
+    if (dict.readIfPresent("timeStart", timeStart_))
+    {
+        timeStart_ = time_.userTimeToTime(timeStart_);
+    }
+    return true;
+}
+
+
+bool Foam::functionObjects::particleFunctionObject::active()
+{
+    const bool active = particles_ && time_.value() >= timeStart_ - 0.5*time_.deltaTValue();
+    if (active && !begun_)
+    {
+        begun_ = true;
+        begin();
+    }
+    return active;
+}
+
+
+bool Foam::functionObjects::particleFunctionObject::execute()
+{
+    active();
+    return true;
+}
