@@ -196,7 +196,8 @@ class Touches:
         table = table[numpy.lexsort((table[:, 0], high, low))]
         pair = numpy.sort(table[:, 7:9], axis=1)
         goes_on = (numpy.diff(pair, axis=0) == 0).all(axis=1) & (numpy.diff(table[:, 0]) == 1)
-        self.step, overlap = table[:, 0].astype(int), table[:, 9]
+        self.step, self.overlap = table[:, 0].astype(int), table[:, 9]
+        overlap = self.overlap
         self.places = table[:, 1:7].reshape(-1, 2, 3)
         ahead = numpy.concatenate([numpy.where(goes_on, -numpy.diff(overlap) / dt, 0), [0]])
         # Leapfrog: u' = u + 2 dt F(overlap, u).
