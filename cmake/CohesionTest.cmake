@@ -4,8 +4,7 @@
 #
 # A ctest test; with RANKS under mpiexec. Labels: unit, regression, verification, mpi; what is
 # labelled mpi runs on 2 ranks and so takes 2 cores. The timeout (600 s) is a guard against hangs, far
-# above what a test takes: ranks that share a busy machine wait for each other. Open MPI starts single ranks
-# without a daemon and looks for no network: most tests start an engine so often that this would be their time.
+# above what a test takes: ranks that share a busy machine wait for each other.
 function(cohesion_add_test)
   cmake_parse_arguments(T "RUN_SERIAL" "NAME;RANKS;TIMEOUT" "LABELS;COMMAND;ENVIRONMENT" ${ARGN})
   set(processors 1)
@@ -24,8 +23,7 @@ function(cohesion_add_test)
       "unknown arguments: '${T_UNPARSED_ARGUMENTS}'")
   endif()
   set(environment OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
-    OMPI_MCA_mpi_yield_when_idle=1 OMPI_MCA_ess_singleton_isolated=1 OMPI_MCA_pml=ob1
-    OMPI_MCA_btl=self,vader OMP_NUM_THREADS=1
+    OMPI_MCA_mpi_yield_when_idle=1 OMP_NUM_THREADS=1
     ${T_ENVIRONMENT})
   add_test(NAME ${T_NAME} COMMAND ${T_COMMAND})
   set_tests_properties(${T_NAME} PROPERTIES

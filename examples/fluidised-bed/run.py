@@ -21,6 +21,7 @@ import picture  # noqa: E402
 from foam_case import CaseError, FoamCase, environment  # noqa: E402
 from job_pool import Job, RunError, carry_out  # noqa: E402
 
+ENGINES = ("lammps", "liggghts")
 SCHEDULES = ("short", "brief", "thesis")  # of the gas velocity
 ENTRIES = ("voidFraction", "smoothingWidth")  # of couplingProperties that a bed may have of its own
 MARK = "settings.json"  # in the folder of a case that was made here: it may be made anew
@@ -28,7 +29,7 @@ MARK = "settings.json"  # in the folder of a case that was made here: it may be 
 
 def arguments():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
-    parser.add_argument("--engine", choices=("lammps", "liggghts"), default="lammps",
+    parser.add_argument("--engine", choices=ENGINES, default=ENGINES[0],
                         help="particle engine (%(default)s)")
     parser.add_argument("--seed", type=int, default=None, metavar="N",
                         help="another realisation of the bed; for LIGGGHTS a prime above 10000")

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs a table of beds, each with several seeds, on the cores there are, and ends in a table of the
-characteristic velocities with their standard deviations. Runs that are finished are not made again: after
-an interruption the same command goes on with the others.
+characteristic velocities with their standard deviations, and of the differences between the engines where
+two rows are the same bed in both. Runs that are finished are not made again: after an interruption the same
+command goes on with the others.
 
     study.py TABLE.csv [--seeds N ...] [--together N] [--out FOLDER] [--overwrite] [--build FOLDER]
 """
@@ -9,6 +10,7 @@ an interruption the same command goes on with the others.
 import argparse
 import re
 import sys
+from math import isqrt, sqrt
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
@@ -20,38 +22,84 @@ from job_pool import RunError, carry_out, cores  # noqa: E402
 from study_table import TableError, number, over_seeds, read_table, write_summary  # noqa: E402
 
 NOT_IN_TABLES = ("plugin", "seed")
+# Primes above 10000, which LIGGGHTS asks for
+SEEDS = {"lammps": [4711, 4712, 4713], "liggghts": [15485863, 32452843, 49979687]}
+COLUMNS = ("U_mf_df", "U_mf_th", "U_mf_in", "overshoot")
 
 
-def parameters():
-    """Those of a row, with what they are in the case: the schedule, the void fraction and the variables of its
+def parameters(engine):
+    """Those of a row, with what they are in the case: engine, schedule, void fraction and the variables of its
     script."""
     text = (HERE / "case/constant/couplingProperties").read_text()
-    block = re.search(r"^lammpsCoeffs\s*\{.*?variables\s*\{(.*?)\}", text, re.M | re.S)[1]
+    block = re.search(rf"^{engine}Coeffs\s*\{{.*?variables\s*\{{(.*?)\}}", text, re.M | re.S)[1]
     variables = dict(re.findall(r"^\s*(\w+)\s+([^;\s]+);", block, re.M))
     kernel = re.search(r"^voidFraction\s+(\w+);", text, re.M)[1]
-    return {"schedule": "short", "voidFraction": kernel, "smoothingWidth": 0, **{name: number(value) for name, value in variables.items()
-                                    if name not in NOT_IN_TABLES}}
+    return {"engine": engine, "schedule": "short", "voidFraction": kernel, "smoothingWidth": 0,
+            **{name: number(value) for name, value in variables.items() if name not in NOT_IN_TABLES}}
+
+
+def rows(file):
+    """{name: parameters} of the table `file`; what a row leaves empty is as in the case of its engine. Raises
+    TableError."""
+    known = dict.fromkeys(name for engine in run.ENGINES for name in parameters(engine))
+    table = {}
+    for name, row in read_table(file, known).items():
+        given = {column: value for column, value in row.items() if value is not None}
+        engine = given.get("engine", run.ENGINES[0])
+        if engine not in run.ENGINES:
+            raise TableError(f"{file}: row '{name}' has engine '{engine}'; there are " + ", ".join(run.ENGINES))
+        table[name] = {**parameters(engine), **given}
+        if table[name]["schedule"] not in run.SCHEDULES:
+            raise TableError(f"{file}: row '{name}' has schedule '{table[name]['schedule']}'; there are "
+                             + ", ".join(run.SCHEDULES))
+    return table
+
+
+def seeds_of(row, given):
+    """Those `given` on the command line, or SEEDS. Raises TableError for one that the engine would not take."""
+    for seed in given or ():
+        if row["engine"] == "liggghts" and (seed < 10000 or any(seed % k == 0 for k in range(2, isqrt(seed) + 1))):
+            raise TableError(f"--seeds: LIGGGHTS takes primes above 10000, and {seed} is none")
+    return given or SEEDS[row["engine"]]
 
 
 def text(table, results, failed):
-    """Mean and standard deviation of what the velocities and the overshoot are, a line per row; `failed`:
-    {row name: seeds without a result}."""
-    columns = ("U_mf_df", "U_mf_th", "U_mf_in", "overshoot")
-    lines = [f"{'':20}" + "".join(f"{column:<20}" for column in columns) + "seeds"]
+    """Mean and standard deviation of what the velocities and the overshoot are, a line per row, and for each
+    bed that is there with both engines the difference; `failed`: {row name: seeds without a result}."""
+    lines = [f"{'':20}" + "".join(f"{column:<20}" for column in COLUMNS) + "seeds"]
     for name in table:
         figures = over_seeds(results[name])
         lines.append(f"{name:20}" + "".join("{:<20}".format("{:.3f} +- {:.3f}".format(*figures[column])
                                                             if column in figures else "none")
-                                            for column in columns) + str(len(results[name]))
+                                            for column in COLUMNS) + str(len(results[name]))
                      + (f", {failed[name]} failed" if failed[name] else ""))
+    pairs = [(one, other) for one in table for other in table
+             if table[one]["engine"] == "lammps" and table[other] == {**table[one], "engine": "liggghts"}]
+    if pairs:
+        lines += ["", "LIGGGHTS - LAMMPS (over its standard error)"]
+    for one, other in pairs:
+        lines.append(f"{other:20}" + "".join(f"{difference(results[one], results[other], column):20}"
+                                            for column in COLUMNS))
     return "\n".join(lines)
+
+
+def difference(one, other, figure):
+    """Of the means over the seeds, other - one, with how many of its standard errors that is, as text; "none" with
+    fewer than two seeds of either."""
+    if min(len(one), len(other)) < 2:
+        return "none"
+    (first, spread), (second, other_spread) = (over_seeds(results)[figure] for results in (one, other))
+    error = sqrt(spread**2 / len(one) + other_spread**2 / len(other))
+    return f"{second - first:+.3f} ({f'{(second - first) / error:.1f}' if error else 'no spread'})"
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
-    parser.add_argument("table", type=Path, help="CSV: name, and columns of " + ", ".join(parameters()))
-    parser.add_argument("--seeds", type=int, nargs="+", default=[4711, 4712, 4713], metavar="N",
-                        help="of the beds of each row (%(default)s)")
+    parser.add_argument("table", type=Path, help="CSV: name, and columns of " + ", ".join(parameters("lammps")))
+    parser.add_argument("--seeds", type=int, nargs="+", metavar="N",
+                        help="of the beds of each row ("
+                             + "; ".join(f"{engine}: {' '.join(map(str, seeds))}" for engine, seeds in SEEDS.items())
+                             + ")")
     parser.add_argument("--together", type=int, default=cores(), metavar="N",
                         help="runs at a time (the cores there are: %(default)s)")
     parser.add_argument("--build", type=Path, default=HERE.parents[1] / "build",
@@ -59,21 +107,18 @@ def main():
     parser.add_argument("--out", type=Path, default=None, help="folder for runs and results (BUILD/TABLE)")
     parser.add_argument("--overwrite", action="store_true", help="replace the runs of other settings")
     args = parser.parse_args()
-    if len(set(args.seeds)) < len(args.seeds):
+    if args.seeds and len(set(args.seeds)) < len(args.seeds):
         parser.error("--seeds: one stands twice, and both runs would be made in the same folder")
     if args.together < 1:
         parser.error(f"--together {args.together}: it must be 1 or more")
     build = args.build.resolve()
     out = (args.out or build / args.table.stem).resolve()
-    table = read_table(args.table, parameters())
-    for name, row in table.items():
-        if row["schedule"] not in run.SCHEDULES:
-            raise TableError(f"{args.table}: row '{name}' has schedule '{row['schedule']}'; there are "
-                             + ", ".join(run.SCHEDULES))
+    table = rows(args.table)
+    seeds = {name: seeds_of(row, args.seeds) for name, row in table.items()}
     env = environment(build)
     mark = run.fingerprint(build, env)
-    jobs = {name: [run.BedRun(out / "runs" / f"{name}-{seed}", {"engine": "lammps", **row, "seed": seed}, env, mark)
-                   for seed in args.seeds] for name, row in table.items()}
+    jobs = {name: [run.BedRun(out / "runs" / f"{name}-{seed}", {**row, "seed": seed}, env, mark)
+                   for seed in seeds[name]] for name, row in table.items()}
     every = [job for row in jobs.values() for job in row]
     if not args.overwrite:
         run.require_ours(every)

@@ -30,16 +30,17 @@ SCHEDULE = "superficialVelocity table ((0 (0 1.2 0)) (1 (0 1.2 0)));\nendTime 0.
 TABLE = "name, A, cohesion_side, settle\nnone, 0, , 0.01\nno-side, 7.49e-19, 0, 0.01\n"
 
 
-def variables(case):
+def variables(case, engine="lammps"):
     """Of the particle script, as the case has them."""
     text = (Path(case) / "constant/couplingProperties").read_text()
-    block = re.search(r"variables\s*\{(.*?)\}", text, re.S)[1]
+    block = re.search(rf"{engine}Coeffs.*?variables\s*\{{(.*?)\}}", text, re.S)[1]
     return {name: study.number(value) for name, value in re.findall(r"(\w+)\s+([^;\s]+);", block)}
 
 
 def made_up(case):
     """As run.evaluate(), from the seed."""
-    pair = (variables(case)["seed"], 0.1)
+    engine = re.search(r"^demEngine\s+(\w+)", (Path(case) / "constant/couplingProperties").read_text(), re.M)[1]
+    pair = (variables(case, engine)["seed"], 0.1)
     velocities = types.SimpleNamespace(falling=pair, rising=pair, at_maximum=pair[0], overshoot=pair[0])
     return {"velocities": velocities, "plateau": pair, "balance": pair, "void_fraction": pair,
             "ergun": pair, "noise": pair[0], "exchange_ms": pair[0],
@@ -90,6 +91,43 @@ class Beds(unittest.TestCase):
         self.assertIn("4 of 4 runs are done", self.call(*words))
         self.assertEqual(stamps,
                          [file.stat().st_mtime_ns for file in sorted(out.glob("runs/*/log.blockMesh"))])
+
+    @unittest.skipUnless((BUILD / "openfoam/libcohesionLiggghtsEngine.so").exists(), "built without LIGGGHTS")
+    def test_beds_of_both_engines(self):
+        table, out = self.folder / "table.csv", self.folder / "out"
+        table.write_text("name, engine, A, settle\na, lammps, 1e-19, 0.01\nb, liggghts, 1e-19, 0.01\n"
+                         "other, liggghts, 0, 0.01\n")
+        words = ("--seeds", 10007, 10009)
+        *_, heading, line, _, _ = self.call(study, table, *words, "--out", out).splitlines()
+        for name, engine, A in (("a", "lammps", 1e-19), ("b", "liggghts", 1e-19), ("other", "liggghts", 0)):
+            for seed in words[1:]:
+                case = out / "runs" / f"{name}-{seed}"
+                self.assertEqual(variables(case, engine)["A"], A)
+                self.assertEqual(variables(case, engine)["seed"], seed)
+                self.assertTrue((case / f"log.{engine}").exists())
+        with open(out / "summary.csv") as file:
+            self.assertEqual([row["engine"] for row in csv.DictReader(file)], ["lammps", "liggghts", "liggghts"])
+        # The same figures: only of the same bed, in the heading's errors.
+        self.assertTrue(heading.startswith("LIGGGHTS - LAMMPS"), heading)
+        self.assertEqual(line.split(), ["b"] + 4 * ["+0.000", "(0.0)"])
+
+    def test_difference_of_engines(self):
+        """Means 2 and 5, deviations sqrt(2) of two and 1 of three: 3 over sqrt(1 + 1/3)."""
+        one, other = ([{"u": value} for value in values] for values in ((1.0, 3.0), (4.0, 5.0, 6.0)))
+        self.assertEqual(study.difference(one, other, "u"), "+3.000 (2.6)")
+        self.assertEqual(study.difference(one, other[:1], "u"), "none")
+        self.assertEqual(study.difference(one, 2 * other[:1], "u"), "+2.000 (2.0)")
+        self.assertEqual(study.difference(2 * one[:1], 2 * other[:1], "u"), "+3.000 (no spread)")
+
+    def test_refuses_what_liggghts_would_stop_at(self):
+        table = self.folder / "table.csv"
+        table.write_text("name, engine\na, liggghts\n")
+        for seed in (4711, 9973, 10008, -10007):
+            with self.assertRaisesRegex(study.TableError, f"primes above 10000, and {seed}"):
+                self.call(study, table, "--seeds", seed, "--out", self.folder / "out")
+        table.write_text("name, engine\na, yade\n")
+        with self.assertRaisesRegex(study.TableError, "'a'.*'yade'; there are lammps, liggghts"):
+            self.call(study, table, "--out", self.folder / "out")
 
     def test_a_bed_that_fails_leaves_the_table_of_the_others(self):
         table, out = self.folder / "table.csv", self.folder / "out"

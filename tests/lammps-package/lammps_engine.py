@@ -17,6 +17,7 @@ from pathlib import Path
 import numpy
 
 from printed_thermo import thermo, thermo_lines  # noqa: F401 (for those who import this)
+from short_start import short_start
 
 SCRIPTS = Path(os.environ.get("COHESION_SCRIPTS", Path(__file__).resolve().parent))
 LMP = os.environ["COHESION_LMP"]
@@ -35,7 +36,7 @@ def start(script, folder, ranks=1, lmp=LMP, environment=None, timeout=500, **var
         command += ["-var", name, text]
     done = subprocess.run(command, cwd=folder, text=True, stdout=subprocess.PIPE,
                           stderr=subprocess.STDOUT, timeout=timeout,
-                          env={**os.environ, **(environment or {})})
+                          env={**os.environ, **short_start(ranks), **(environment or {})})
     return done.returncode, done.stdout
 
 

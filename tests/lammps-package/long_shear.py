@@ -20,7 +20,8 @@ import sheared_discs as theory
 
 FRACTION, RESTITUTION, LAYERS = 0.3, 0.9, 8
 
-# events: SHA-256 of the lines after the middle; end: of the final positions and velocities.
+# events: SHA-256 of the lines after the middle, count: how many, where events are written; end: the final positions
+# and velocities.
 Done = namedtuple("Done", "name seconds table profile events count end")
 
 
@@ -42,15 +43,15 @@ def write_start(folder, side):
     engine.write_spheres(folder, atoms, [(0.0, box), (0.0, box), (-0.5, 0.5)], 1, tilt=(0.0, 0.0, 0.0))
 
 
-def run(name, folder, ranks, start, steps, strain, samples, step_done, lines_from):
+def run(name, folder, ranks, start, steps, strain, samples, step_done, lines_from, variables):
     """Runs to step `steps`; keeps a restart file of the middle. step_done(steps) is told on the way.
-    `lines_from`: the first step whose events count for the comparison."""
+    `lines_from`: the first step whose events count for the comparison; `variables`: more of the script's."""
     every = steps // samples
     command = [*engine.MPIEXEC, str(ranks)] if ranks > 1 else []
     command += [engine.LMP, "-log", "none", "-in", str(engine.SCRIPTS / "in.shear_long")]
     for key, value in (("plugin", engine.PLUGIN), ("start", start), ("dt", f"{strain / steps:.17g}"),
                        ("end", steps), ("every", every),
-                       ("keep", steps // 2)):
+                       ("keep", steps // 2), *variables.items()):
         command += ["-var", key, str(value)]
     output, at = [], 0 if start == "data" else steps // 2
     process = subprocess.Popen(command, cwd=folder, text=True, stdout=subprocess.PIPE,
@@ -58,19 +59,20 @@ def run(name, folder, ranks, start, steps, strain, samples, step_done, lines_fro
     for line in process.stdout:
         output.append(line)
         words = line.split()
-        if len(words) == 6 and words[0].isdigit() and int(words[0]) > at:
+        if len(words) >= 6 and words[1].isdigit() and words[0].isdigit() and int(words[0]) > at:
             step_done(int(words[0]) - at)
             at = int(words[0])
     if process.wait() != 0:
         raise RuntimeError(f"{name} ended with code {process.returncode}:\n{''.join(output[-40:])}")
     output = "".join(output)
     seconds = float(output.split("Loop time of")[1].split()[0])
-    digest, count = hashlib.sha256(), 0
-    with open(Path(folder) / "events.txt", "rb") as file:
-        for line in file:
-            if int(line.split(None, 1)[0]) >= lines_from:
-                digest.update(line)
-                count += 1
+    digest, count, events = hashlib.sha256(), 0, Path(folder) / "events.txt"
+    if events.exists():
+        with open(events, "rb") as file:
+            for line in file:
+                if int(line.split(None, 1)[0]) >= lines_from:
+                    digest.update(line)
+                    count += 1
     end = numpy.loadtxt(Path(folder) / "end.txt", skiprows=9)
     return Done(name, seconds, hard.columns(output), layers(folder), digest.hexdigest()[:12], count, end)
 
@@ -83,8 +85,9 @@ def layers(folder):
     return numpy.array(rows).reshape(-1, LAYERS, 2)
 
 
-def all_runs(folder, side, steps, strain, samples, step_done):
-    """One rank, two, and two and one from the restart file of the middle."""
+def all_runs(folder, side, steps, strain, samples, step_done, write=write_start, **variables):
+    """One rank, two, and two and one from the restart file of the middle. `write`: what writes data.spheres, of
+    folder and side; `variables`: more of the script's."""
     if steps % (10 * samples) or samples % 2:
         raise ValueError(f"{steps} steps, {samples} samples of the mean of ten, one at the middle")
     done = []
@@ -94,11 +97,12 @@ def all_runs(folder, side, steps, strain, samples, step_done):
         here = Path(folder) / name
         here.mkdir()
         if start == "data":
-            write_start(here, side)
+            write(here, side)
         else:
             shutil.copy(Path(folder) / start / f"middle.{steps // 2}.restart", here / "half.restart")
             start = "restart"
-        done.append(run(name, here, ranks, start, steps, strain, samples, step_done, steps // 2 + 1))
+        done.append(run(name, here, ranks, start, steps, strain, samples, step_done, steps // 2 + 1,
+                        variables))
     return done
 
 

@@ -5,8 +5,6 @@ import argparse
 import os
 from pathlib import Path
 
-from short_start import SHORT_START
-
 LIGGGHTS_SCRIPTS = Path(__file__).resolve().parents[1] / "liggghts-styles"
 
 
@@ -22,7 +20,7 @@ def words(description, *options, liggghts=False):
     for name, keywords in options:
         parser.add_argument(name, **keywords)
     given = parser.parse_args()
-    os.environ.update(COHESION_LMP=given.lmp, **SHORT_START)
+    os.environ["COHESION_LMP"] = given.lmp
     if given.plugin:
         os.environ["COHESION_PLUGIN"] = given.plugin
     else:

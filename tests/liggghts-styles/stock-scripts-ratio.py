@@ -24,7 +24,7 @@ from spread import spread
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "lammps-package"))
 
-from short_start import SHORT_START  # noqa: E402
+from short_start import short_start  # noqa: E402
 
 
 class Run:
@@ -39,7 +39,7 @@ class Run:
             (folder / "post").mkdir(exist_ok=True)  # where the engine's examples write
             before = resource.getrusage(resource.RUSAGE_CHILDREN)
             try:
-                done = subprocess.run(command, cwd=folder, env={**os.environ, **SHORT_START},
+                done = subprocess.run(command, cwd=folder, env={**os.environ, **short_start()},
                                       timeout=limit, text=True, errors="replace",
                                       stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
             except subprocess.TimeoutExpired:

@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""shear-long.py, small: nothing lost, no drift, a straight profile and the same means on one rank, on two and after
+a restart. 1e7 steps are that program's."""
+import os
+import pathlib
+import sys
+import unittest
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "lammps-package"))
+os.environ.update(COHESION_LMP=os.environ["COHESION_LAUNCHER"],
+                  COHESION_SCRIPTS=str(pathlib.Path(__file__).resolve().parent),
+                  COHESION_MPIEXEC=os.environ["COHESION_MPIEXEC"] + " --oversubscribe -n")
+
+import lammps_engine as engine
+import long_spheres
+
+
+class LongShear(unittest.TestCase):
+    def test_nothing_lost_whoever_works_it_out(self):
+        side, steps, strain = 4, 40000, 40.0
+        with engine.temporary_folder() as folder:
+            done = long_spheres.all_runs(folder, side, steps, strain, 100, lambda steps: None)
+        results = [long_spheres.Result(one, side, strain) for one in done]
+        for one in results:
+            with self.subTest(one.name):
+                self.assertEqual(one.atoms, side**3)
+                self.assertLess(abs(one.strain / strain - 1), 1e-14)
+                self.assertLess(one.momentum, long_spheres.momentum_room(steps, strain, side))
+                # Student's t of nine degrees and of eighteen: beyond 5 once in 700 and in 10,000.
+                self.assertLess(one.crooked, 5)
+                self.assertLess(long_spheres.apart(one, results[0]), 5)
+                # Slow enough to see a third of what theory has for them.
+                self.assertLess((5 * one.errors / abs(one.means)).max(), 1)
+        self.assertLess(results[0].layer_error, 0.1 * long_spheres.length(side, long_spheres.FRACTION))
+
+
+if __name__ == "__main__":
+    unittest.main()

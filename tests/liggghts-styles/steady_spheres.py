@@ -1,0 +1,214 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Smooth soft spheres that fix deform/shear shears at rate 1: runs, their balance of power, and their temperature
+and stress against kinetic theory (sheared_spheres.py).
+
+Springs and dashpots along the line of centres only (hooke/stiffness). Diameter 1; forces, energies and stresses are
+given for spheres of mass 1."""
+
+import math
+import pathlib
+import sys
+
+import numpy
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "lammps-package"))
+
+import sheared_spheres as theory
+from engine import Run
+from printed_thermo import thermo_lines
+from scene import DENSITY, contact, script, sphere
+
+MODEL = "model hooke/stiffness tangential off tangential_damping off"
+MASS = DENSITY * math.pi / 6
+BLOCKS = 10
+MEANS = ("T", "kinetic xx", "kinetic yy", "kinetic zz", "kinetic xy", "contact xx", "contact yy", "contact zz",
+         "contact xy", "carried")
+# Own velocity about the flow as it is driven: what shear takes from its energy, and that energy.
+# The engine wants computes of contacts before the first run.
+TOUCHING = "compute touching all pair/gran/local pos id delta\n"
+OUTPUT = """fix shear all deform/shear rate 1 profile yes
+run {before}
+variable own atom vx-(y-0.5*ly)
+variable carried atom mass*v_own*vy
+variable energy atom 0.5*mass*(v_own*v_own+vy*vy+vz*vz)
+compute carried all reduce sum v_carried
+compute energy all reduce sum v_energy
+compute flow all shear/profile
+compute heat all temp
+compute contact all pressure heat pair
+fix mean all ave/time {sample} {number} {every} c_flow[3] c_flow[5] c_flow[6] c_flow[7] c_flow[8] c_contact[1] \
+c_contact[2] c_contact[3] c_contact[4] c_carried
+thermo {every}
+thermo_style custom step atoms c_energy c_carried """ + " ".join(f"f_mean[{k}]" for k in range(1, 11)) + """
+thermo_modify norm no lost error format float %.17g
+"""
+# Contacts in each step, beside the places and velocities of what is dumped.
+EACH_CONTACT = """dump contacts all local 1 contacts.txt c_touching[1] c_touching[2] c_touching[3] c_touching[4] c_touching[5] \
+c_touching[6] c_touching[7] c_touching[8] c_touching[10]
+dump_modify contacts format "%.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g"
+"""
+
+
+def hard_enough(fraction, restitution, overlap):
+    """Contact that lasts a time in which two spheres that meet with the mean speed of approach, sqrt(pi T) of
+    those that meet, would come nearer by `overlap` diameters; and a step, a fifteenth of it."""
+    T = theory.steady(fraction, restitution).temperature
+    duration = overlap / math.sqrt(math.pi * T)
+    return Contact(duration, restitution), duration / 15
+
+
+class Contact:
+    """Spring and dashpot by the duration of a contact, [1/rate], and its restitution."""
+
+    def __init__(self, duration, restitution):
+        self.duration, self.restitution = duration, restitution
+        self.damping = -math.log(restitution) / duration  # eta/(2 mu), and mu = 1/2
+        self.spring = ((math.pi / duration)**2 + self.damping**2) / 2
+
+    def force(self, overlap, parting):
+        """`parting`: speed at which the centres part."""
+        return self.spring * overlap - self.damping * parting
+
+    def diameter(self, temperature):
+        """Of hard spheres with the structure and pressure of these, to first order in the duration: Barker and
+        Henderson's (J. Chem. Phys. 47 (1967) 4714), 1 - integral of exp(-spring x^2/2T) over overlaps x > 0."""
+        return 1 - math.sqrt(math.pi * temperature / (2 * self.spring))
+
+    def properties(self):
+        # gamman is for each reduced mass.
+        return contact(stiffness=MASS * self.spring, gamman=2 * self.damping)
+
+    def sampled_restitution(self, dt, phases=200):
+        """Root of the mean squares, over all phases of the step in which the contact begins: what is left of an
+        impact on the engine's grid, where the dashpot feels the speed of half a step before."""
+        parting = -numpy.ones(phases)
+        overlap = dt * (numpy.arange(phases) + 0.5) / phases
+        while (overlap > 0).any():
+            parting = parting + numpy.where(overlap > 0, 2 * dt * self.force(overlap, parting), 0)
+            overlap = overlap - dt * parting
+        return math.sqrt((parting**2).mean())
+
+
+def length(side, fraction):
+    return side * (math.pi / 6 / fraction)**(1 / 3)
+
+
+def start(side, fraction, temperature):
+    """side^3 spheres on a lattice with random velocities without net momentum."""
+    random = numpy.random.default_rng(3)
+    spacing = length(side, fraction) / side
+    places = (numpy.array(numpy.meshgrid(*3 * [range(side)])).reshape(3, -1).T + 0.5) * spacing
+    v = random.normal(0, math.sqrt(temperature), places.shape)
+    return [sphere(x, w, radius=0.5) for x, w in zip(places, v - v.mean(axis=0))]
+
+
+def run(side, fraction, law, temperature, dt, steps, before, sample, every, contacts=False, columns=("y",)):
+    """Sheared for a strain `before`, then for `steps` with samples every `sample` steps and a line of their
+    means every `every`: columns of the lines by name, per mass, and the Run. With `contacts` these and `columns`
+    are dumped in each step."""
+    box = length(side, fraction)
+    setup = OUTPUT.format(before=round(before / dt / every) * every, sample=sample, number=every // sample, every=every)
+    if contacts:
+        setup = TOUCHING + setup + EACH_CONTACT
+    done = Run(script(start(side, fraction, temperature), MODEL, dt=dt, skin=0.3, columns=columns, steps=steps,
+                      boundary="p p p", box="0 {0!r} 0 {0!r} 0 {0!r} 0 0 0".format(box),
+                      contacts=law.properties(), every=1 if contacts else steps, extra=setup))
+    if done.returncode:
+        raise AssertionError(done.printed[-3000:])
+    rows = numpy.array(thermo_lines(done.printed)[1])
+    if len(rows) != steps // every + 1 or (rows[:, 1] != side**3).any():
+        raise AssertionError("spheres are missing:\n" + done.printed[-3000:])
+    table = dict(zip(("energy", "carried now", *MEANS), rows[:, 2:].T))
+    return {name: values / (1 if name == "T" else MASS) for name, values in table.items()}, done
+
+
+class Power:
+    """Where the energy of the spheres' own motion goes, sums over the run: work of the shear by flights and by
+    contacts, what it has gained, what contacts have taken."""
+
+    def __init__(self, table, touches, volume, dt, every):
+        steps = every * (len(table["energy"]) - 1)
+        ends = table["carried now"]
+        flights = every * table["carried"][1:].sum() + (ends[0] - ends[-1]) / 2
+        self.work = -dt * (flights + every * volume * table["contact xy"][1:].sum())
+        self.gained = table["energy"][-1] - table["energy"][0]
+        self.taken = touches.taken[touches.step > touches.step.max() - steps].sum()
+        self.rest = self.work - self.gained - self.taken
+
+
+# What the theory is good for. Of the viscosity: Enskog's against molecular dynamics of elastic hard spheres at
+# fractions up to 0.3 (Alder, Gass, Wainwright, J. Chem. Phys. 53 (1970) 3813). Of what needs only the distribution of
+# speeds: what the same Gaussians leave out of the viscosity of a dilute gas (first Sonine approximation).
+VISCOSITY, SPEEDS = 0.03, 0.016
+# T in the steady state goes as the viscosity, normal stress with it; shear stress makes the heat that contacts take and
+# goes as T^(3/2).
+ACCURACY = {"stress xy": 1.5 * VISCOSITY, "contact stress/T": SPEEDS, "dissipation/T^1.5": SPEEDS}
+
+
+def compared(T, kinetic, impulsive):
+    """What is compared with theory, of stresses xx, yy, zz, xy along the first axis. The steady state's heat is
+    the work of its shear stress."""
+    both = kinetic + impulsive
+    return {"T": T, **{f"stress {c}": both[k] for k, c in enumerate(("xx", "yy", "zz", "xy"))},
+            "contact stress/T": impulsive[:3].sum(axis=0) / T, "dissipation/T^1.5": -both[3] / T**1.5}
+
+
+def expected(fraction, law, dt):
+    """What kinetic theory gives for hard spheres, and for those that behave as these on this grid."""
+    hard = theory.steady(fraction, law.restitution)
+    size = law.diameter(hard.temperature)
+    soft = theory.steady(fraction * size**3, law.sampled_restitution(dt))
+    places = ([0, 1, 2, 0], [0, 1, 2, 1])
+    # Its unit of length is `size`; the mass stays 1.
+    return (compared(hard.temperature, hard.kinetic[places], hard.impulsive[places]),
+            compared(soft.temperature * size**2, soft.kinetic[places] / size, soft.impulsive[places] / size))
+
+
+def against_theory(table, fraction, law, dt):
+    """[(name, measured over expected, room, standard error)]. The room: ACCURACY; of finite contacts half of what
+    they change to first order; of sampling, by blocks, four standard errors."""
+    hard, soft = expected(fraction, law, dt)
+    length = (len(table["T"]) - 1) // BLOCKS
+    means = numpy.array([table[name][-BLOCKS * length:].reshape(BLOCKS, length).mean(axis=1) for name in MEANS])
+    found = []
+    for name, blocks in compared(means[0], means[1:5], means[5:9]).items():
+        ratios = blocks / soft[name]
+        error = ratios.std(ddof=1) / math.sqrt(BLOCKS)
+        room = ACCURACY.get(name, VISCOSITY) + abs(hard[name] / soft[name] - 1) / 2 + 4 * error
+        found.append((name, ratios.mean(), room, error))
+    return found
+
+
+class Touches:
+    """Pairs in contact in each step, a line each, from the dump, which knows places and overlaps: what the law of
+    the contact makes of them. Speeds are those of the half steps between, by differences, and at both ends by a step
+    with the law; overlap and speed of a pair are followed as if no other touched either."""
+
+    def __init__(self, done, law, dt):
+        rows = []
+        for frame in done.files["contacts.txt"].split("ITEM: TIMESTEP")[1:]:
+            head, _, body = frame.partition("ITEM: ENTRIES")
+            step = head.split(None, 1)[0]
+            rows += [f"{step} {line}" for line in body.split("\n")[1:] if line]
+        table = numpy.array([line.split() for line in rows], dtype=float)
+        # By pair, then by step.
+        low, high = table[:, 7:9].min(axis=1), table[:, 7:9].max(axis=1)
+        table = table[numpy.lexsort((table[:, 0], high, low))]
+        pair = numpy.sort(table[:, 7:9], axis=1)
+        goes_on = (numpy.diff(pair, axis=0) == 0).all(axis=1) & (numpy.diff(table[:, 0]) == 1)
+        self.step, self.overlap = table[:, 0].astype(int), table[:, 9]
+        overlap = self.overlap
+        self.places = table[:, 1:7].reshape(-1, 2, 3)
+        ahead = numpy.concatenate([numpy.where(goes_on, -numpy.diff(overlap) / dt, 0), [0]])
+        # Leapfrog: u' = u + 2 dt F(overlap, u).
+        back = (ahead - 2 * dt * law.spring * overlap) / (1 - 2 * dt * law.damping)
+        first = ~numpy.concatenate([[False], goes_on])
+        last = ~numpy.concatenate([goes_on, [False]])
+        before = numpy.where(first, back, numpy.concatenate([[0], ahead[:-1]]))
+        # Contacts cut off by the end of the run after one step: nothing is known of their speed.
+        self.once = int((first & last).sum())
+        before[first & last] = 0
+        self.force = law.force(overlap, before)
+        after = numpy.where(last, before + 2 * dt * self.force, ahead)
+        self.taken = -self.force * (before + after) / 2 * dt
+        self.count = int(first.sum())
