@@ -18,7 +18,11 @@ from pathlib import Path
 from page import replace_section
 from programs import Missing, Programs
 
-NAMES = {"features": "feature x cost when off x cost when on, LAMMPS and LIGGGHTS"}
+NAMES = {"features": "feature x cost when off x cost when on, LAMMPS and LIGGGHTS",
+         "dense": "a step with cohesion of 32,000 spheres, beside the stock engines",
+         "growth": "a step of 1000 to 1,000,000 spheres, and memory per sphere",
+         "scaling": "one rank and two: the same scene, and twice the scene",
+         "deliverables": "size, and time to load, of what is built"}
 
 
 def main():

@@ -51,7 +51,7 @@ class Programs:
     """Of a build folder. `lammps`: which of the LAMMPS engines it was built for."""
 
     def __init__(self, build, lammps="stock"):
-        self.build = Path(build).resolve()
+        self.build, self.lammps = Path(build).resolve(), lammps
         cache = self.build / "CMakeCache.txt"
         if not cache.is_file():
             raise Missing(f"{cache} does not exist: configure and build the package first")

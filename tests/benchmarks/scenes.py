@@ -9,6 +9,7 @@ DIAMETER, DENSITY, STIFFNESS, RESTITUTION, FRICTION = 1e-3, 2650.0, 800.0, 0.9, 
 CONTACT_TIME = 9.2522e-5  # of two of them [s]
 STEP = CONTACT_TIME / 20
 HAMAKER, CUT, OUT = 7.49e-19, 4e-10, 1e-7
+SURFACE_ENERGY = HAMAKER / (6 * CUT**2) / (4 * 3.141592653589793)  # [J/m^2]
 DEPTH, RATIO = 5e-11, 1.01
 REBUILD = 20
 GAMMA = 2276.0  # damping of gran/hooke and gamman of hooke/stiffness: -2 ln(e)/t_c, e = 0.9 [1/s]
@@ -75,9 +76,10 @@ def hooke(friction=FRICTION, history=True):
             "pair_coeff * *\n")
 
 
-def granular(cohesion=""):
-    """The engine's modular style; cohesion: one of its normal models with adhesion."""
-    normal = cohesion or f"hooke {STIFFNESS} {GAMMA}"
+def granular(cohesive=False):
+    """The engine's modular style: the same contact, or one with the adhesion of Derjaguin, Muller and Toporov of
+    the same force, 4 pi gamma R*."""
+    normal = f"dmt 5e6 {GAMMA} 0.3 {SURFACE_ENERGY}" if cohesive else f"hooke {STIFFNESS} {GAMMA}"
     return ("pair_style granular\n"
             f"pair_coeff * * {normal} tangential linear_history {STIFFNESS * 2 / 7} 0.5 {FRICTION} "
             "damping mass_velocity\n")
