@@ -36,7 +36,9 @@ namespace ContactModels {
 ///   connect(registry, normal)      reads the parameters; normal: of the contact
 ///   adhesion(i, j, ri, rj)         of two types and radii; rj infinite: beside a wall
 ///   range()                        how far it must see (contact_range.h)
-///   reach()                        gap from which on it does nothing, [length]
+///   rests(near, watched)           whether it does nothing to this pair and remembers what it did;
+///   watched:
+///                                  a book is kept
 ///   force(encounter)               attraction, [force]; called once per step and contact
 ///   binds(i, j, gap, history)      whether a pair is bound (cohesive_pairs.h)
 ///   energy(...)                    AttractionEnergy (contact_book.h)
@@ -79,8 +81,8 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
   }
 
   void surfacesClose(SurfacesCloseData& near, ForceData& on_i, ForceData& on_j) override {
+    if (attraction_.rests(near, book_ != nullptr)) return;
     const double r = std::sqrt(near.rsq);
-    if (r - near.radsum >= attraction_.reach()) return;
     const double inverse = 1.0 / r;
     const double normal[3] = {inverse * near.delta[0], inverse * near.delta[1],
                               inverse * near.delta[2]};

@@ -36,7 +36,9 @@ class HamakerAttraction : public AttractionEnergy {
   void connect(PropertyRegistry& registry, const NormalModelProbe& normal);
 
   ContactRange range() const;
-  double reach() const { return outer_cutoff_; }
+  bool rests(const ContactModels::SurfacesCloseData& near, bool) const {
+    return std::sqrt(near.rsq) - near.radsum >= outer_cutoff_;
+  }
 
   bool binds(int itype, int jtype, double gap, const double*) const {
     return gap < outer_cutoff_ && attracts(itype, jtype);

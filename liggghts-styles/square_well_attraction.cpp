@@ -84,6 +84,17 @@ bool SquareWellAttraction::binds(int, int, double, const double* history) const 
   return history && history[offset_ + STATE] == inside;
 }
 
+bool SquareWellAttraction::rests(const ContactModels::SurfacesCloseData& near, bool watched) const {
+  if (watched || near.mesh || !near.computeflag || !near.shearupdate) return false;
+  const double* const history = near.contact_history + offset_;
+  if (history[STATE] != outside || history[IMPULSE] != 0.0) return false;
+  const double edge =
+      near.radsum + cohesion::square_well::width(wells_.of(near.itype, near.jtype), near.radi,
+                                                 near.is_wall ? 0.0 : near.radj);
+  // Where rounding could decide, step() does.
+  return near.rsq > edge * edge * (1.0 + 1e-12);
+}
+
 double SquareWellAttraction::force(const Encounter& e) {
   double* const history = e.data.contact_history + offset_;
   if (e.data.computeflag) step(e, history);

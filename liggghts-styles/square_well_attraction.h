@@ -3,7 +3,6 @@
 #define COHESION_SQUARE_WELL_ATTRACTION_H
 
 #include <cmath>
-#include <limits>
 
 #include "contact_book.h"
 #include "contact_range.h"
@@ -36,8 +35,8 @@ class SquareWellAttraction : public AttractionEnergy {
   void connect(PropertyRegistry& registry, const NormalModelProbe&);
 
   ContactRange range() const;
-  /// It has to see the pair outside, too.
-  double reach() const { return std::numeric_limits<double>::infinity(); }
+  /// Known to be outside and still there: most of the pairs that it has to see.
+  bool rests(const ContactModels::SurfacesCloseData& near, bool watched) const;
 
   /// While the pair is in its well.
   bool binds(int itype, int jtype, double gap, const double* history) const;

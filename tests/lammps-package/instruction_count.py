@@ -5,24 +5,30 @@ import shutil
 import subprocess
 import sys
 
-import lammps_engine as engine
 
-
-def instructions(script, folder, **variables):
-    """Of the whole process that runs `script` (a file beside this one) in `folder`, on one rank."""
+def of_command(command, folder, environment=None):
+    """Of the whole process `command` (words) in `folder`; processes that it starts are not counted."""
     if not shutil.which("valgrind"):
         sys.exit("instructions are counted with valgrind, which is not installed")
     command = ["valgrind", "--tool=cachegrind", "--cache-sim=no", "--cachegrind-out-file=/dev/null",
-               engine.LMP, "-log", "none", "-in", str(engine.SCRIPTS / script)]
-    for name, value in {"plugin": engine.PLUGIN, **variables}.items():
-        command += ["-var", name, str(value)]
-    done = subprocess.run(command, cwd=folder, text=True, stdout=subprocess.PIPE,
-                          stderr=subprocess.PIPE)
+               *map(str, command)]
+    done = subprocess.run(command, cwd=folder, env=environment, text=True, errors="replace",
+                          stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     found = re.search(r"I\s+refs:\s+([\d,]+)", done.stderr)
     if done.returncode != 0 or not found:
         sys.exit(f"{' '.join(command)} ended with code {done.returncode}:\n"
                  f"{done.stdout[-1000:]}{done.stderr[-1000:]}")
     return int(found[1].replace(",", ""))
+
+
+def instructions(script, folder, **variables):
+    """Of the whole process that runs `script` (a file beside this one) in `folder`, on one rank."""
+    import lammps_engine as engine  # wants an environment that of_command can do without
+
+    command = [engine.LMP, "-log", "none", "-in", engine.SCRIPTS / script]
+    for name, value in {"plugin": engine.PLUGIN, **variables}.items():
+        command += ["-var", name, value]
+    return of_command(command, folder)
 
 
 def per_step(script, folder, steps, **variables):

@@ -1,0 +1,54 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""What each feature costs, and how cost grows, against the stock engines.
+
+  benchmarks.py BUILD NAME [options]            one of the tables below
+  benchmarks.py BUILD NAME --help               its options
+  benchmarks.py BUILD NAME --small              the same in a minute or two
+  benchmarks.py BUILD NAME --page FILE          also into FILE, in place of the section of the same title
+
+BUILD is a build folder of the package. Prints a table as it is measured. Instructions are counted by valgrind
+and do not depend on what else the machine does; times do, and are of processors, taken in turns.
+"""
+import argparse
+import importlib
+import sys
+from pathlib import Path
+
+from page import replace_section
+from programs import Missing, Programs
+
+NAMES = {"features": "feature x cost when off x cost when on, LAMMPS and LIGGGHTS",
+         "dense": "a step with cohesion of 32,000 spheres, beside the stock engines",
+         "growth": "a step of 1000 to 1,000,000 spheres, and memory per sphere",
+         "scaling": "one rank and two: the same scene, and twice the scene",
+         "deliverables": "size, and time to load, of what is built"}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("build")
+    commands = parser.add_subparsers(dest="name", required=True)
+    for name, what in NAMES.items():
+        one = commands.add_parser(name, help=what)
+        importlib.import_module(name).add_words(one)
+        one.add_argument("--lammps", choices=("stock", "current"), default="stock")
+        one.add_argument("--small", action="store_true")
+        one.add_argument("--page", type=Path)
+    words = parser.parse_args()
+    table = importlib.import_module(words.name)
+    if words.small:
+        table.small(words)
+    lines = []
+    try:
+        for line in table.rows(Programs(words.build, words.lammps), words):
+            lines.append(line)
+            print(line, flush=True)
+    except Missing as error:
+        sys.exit(str(error))
+    if words.page:
+        replace_section(words.page, table.TITLE, lines)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A step with cohesion of many spheres on one core, each way that there is, beside the stock engines."""
+import statistics
+import sys
+
+import scenes
+from progress import Progress
+from scenes import gran, granular, hamaker, hooke, ours, overlay, well
+
+TITLE = "Cost of a step with cohesion"
+GRAN = "model hooke/stiffness tangential history"
+WAYS = {
+    "LAMMPS": {
+        "gran/hooke/history (stock)": ("lammps", hooke()),
+        "granular hooke (stock)": ("lammps", granular()),
+        "granular dmt (stock, cohesive)": ("lammps", granular(cohesive=True)),
+        "hooke/history + hamaker": ("lammps+", overlay(f"hamaker {scenes.CUT} {scenes.OUT}", scenes.HAMAKER)),
+        "hooke/history + square_well": ("lammps+", overlay("square_well", f"{scenes.DEPTH} {scenes.RATIO}")),
+        "gran/hamaker *sampled*": ("lammps+", ours(scheme="sampled", cohesion=hamaker())),
+        "gran/hamaker *event*": ("lammps+", ours(cohesion=hamaker())),
+        "gran/hamaker *event*, no friction": ("lammps+", ours(friction="", cohesion=hamaker())),
+        "gran/square_well *sampled*": ("lammps+", ours("gran/square_well", "sampled", cohesion=well())),
+        "gran/square_well *event*": ("lammps+", ours("gran/square_well", cohesion=well())),
+    },
+    "LIGGGHTS": {
+        "hooke/stiffness (stock)": ("liggghts", gran()),
+        "hooke/stiffness, sjkr (stock, cohesive)": (
+            "liggghts", gran(GRAN + " cohesion sjkr", scenes.SJKR_PROPERTIES)),
+        "cohesion hamaker": ("liggghts+", gran(GRAN + " cohesion hamaker", scenes.hamaker_properties())),
+        "cohesion square_well": ("liggghts+", gran(GRAN + " cohesion square_well", scenes.well_properties())),
+    },
+}
+
+
+def add_words(parser):
+    parser.add_argument("--engine", choices=WAYS, action="append")
+    parser.add_argument("--scene", choices=scenes.LATTICE, action="append")
+    parser.add_argument("--particles", type=int, default=32000)
+    parser.add_argument("--first", type=int, default=100, help="steps before what is measured")
+    parser.add_argument("--steps", type=int, default=100, help="that are measured; a multiple of 20")
+    parser.add_argument("--turns", type=int, default=5, help="0: instructions alone")
+
+
+def small(words):
+    words.particles, words.steps, words.turns, words.scene = 4000, 40, 1, ["gas"]
+
+
+def measure(programs, words, engine, scene, progress):
+    """Per way: instructions per particle and step, and of each turn nanoseconds."""
+    cells = scenes.cells_for(scene, words.particles)
+    number = scenes.particles(scene, cells)
+    runs = {name: (way, scenes.text(engine == "LIGGGHTS", scene, cells, pair, load=way == "lammps+"))
+            for name, (way, pair) in WAYS[engine].items()}
+    counts = {}
+    for name, (way, text) in runs.items():
+        counts[name] = programs.count_per_step(way, text, words.first, words.steps // 2 or 1) / number
+        progress.add(1)
+    turns = {name: [] for name in runs}
+    for turn in range(words.turns):
+        for name in list(runs)[::-1] if turn % 2 else runs:
+            turns[name].append(1e9 / number * programs.seconds_per_step(
+                *runs[name], words.first, 2 * words.steps))
+        progress.add(1)
+    return number, counts, turns
+
+
+def rows(programs, words):
+    engines = [e for e in words.engine or WAYS if programs.has(e.lower() + "+")]
+    tables = [(e, scene) for e in engines for scene in words.scene or scenes.LATTICE]
+    if not tables:
+        sys.exit("no engine of these is built in " + str(programs.build))
+    progress = Progress(sum(len(WAYS[e]) + words.turns for e, _ in tables))
+    yield ("| engine | scene | style | instructions | over stock | ns | over stock, same turn: median (least to "
+           "most) |")
+    yield "|---|---|---|---|---|---|---|"
+    for engine, scene in tables:
+        number, counts, turns = measure(programs, words, engine, scene, progress)
+        first = next(iter(counts))
+        for name, count in counts.items():
+            time = ratio = ""
+            if turns[name]:
+                ratios = [ours / stock for ours, stock in zip(turns[name], turns[first])]
+                time = f"{statistics.median(turns[name]):.0f}"
+                ratio = f"{statistics.median(ratios):.2f} ({min(ratios):.2f} to {max(ratios):.2f})"
+            yield (f"| {engine} | {scene}, {number} | {name} | {count:.0f} | {count / counts[first]:.2f} | {time} "
+                   f"| {ratio} |")

@@ -1,0 +1,162 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Feature x cost when off x cost when on, in instructions per particle and step: one scene without the
+feature, with the feature set to nothing, and with it."""
+import scenes
+from progress import Progress
+from scenes import gran, hamaker, hooke, ours, overlay, well
+
+TITLE = "Features of the particle engines"
+# Instructions do not repeat exactly (an address more or less in a search); found: within 1e-3.
+HAMAKER_STYLE = f"hamaker {scenes.CUT} {scenes.OUT}"
+WELL = "gran/square_well"
+WALL = f"stiffness {scenes.STIFFNESS} restitution {scenes.RESTITUTION} friction {scenes.FRICTION}"
+PLANES = "zplane {low!r} {high!r}"
+
+
+class Case:
+    """One run: engine, lines of the pair style, lines behind the integrator."""
+
+    def __init__(self, engine, pair, extra="", **options):
+        self.engine, self.pair, self.extra, self.options = engine, pair, extra, options
+
+    def text(self, scene, cells):
+        return scenes.text(self.engine.startswith("liggghts"), scene, cells, self.pair, self.extra,
+                           load=self.engine == "lammps+", **self.options)
+
+
+def stock(pair, extra="", **options):
+    return Case("lammps", pair, extra, **options)
+
+
+def package(pair, extra="", **options):
+    return Case("lammps+", pair, extra, **options)
+
+
+def output(pair, define, delete, read=""):
+    """Without, defined and deleted again, defined."""
+    return package(pair), package(pair, define + delete), package(pair, define + read)
+
+
+def cohesion(scheme, style, keywords, nothing):
+    """In a style of ours: not named, of strength 0, of full strength."""
+    return tuple(package(ours(style, scheme, cohesion=words)) for words in ("", nothing, keywords))
+
+
+EVENT, SAMPLED = ours(cohesion=hamaker()), ours(scheme="sampled", cohesion=hamaker())
+EVERY_STEP = "fix out all ave/time 1 10 10 c_out[*] mode vector file out.txt\n"
+LIGGGHTS_CONTACT = "model hooke/stiffness tangential history"
+LIGGGHTS_HAMAKER = LIGGGHTS_CONTACT + " cohesion hamaker"
+LIGGGHTS_PAIR = gran(LIGGGHTS_HAMAKER, scenes.hamaker_properties())
+
+
+def rolling(words):
+    return package(ours(cohesion=hamaker(), rolling=words))
+
+
+# feature: without it (the stock engine where it says so), with it and off, with it and on; None: there is no such run
+LAMMPS = {
+    "plugin loaded, nothing of it used; without: stock": (stock(hooke()), package(hooke()), None),
+    "contact style of ours, *sampled*; without: stock": (stock(hooke()), None, package(ours(scheme="sampled"))),
+    "contact style of ours, *event*; without: stock": (stock(hooke()), None, package(ours())),
+    "cohesion laid over: hybrid/overlay hamaker; without: stock": (
+        stock(hooke()), package(overlay(HAMAKER_STYLE, 0)), package(overlay(HAMAKER_STYLE, scenes.HAMAKER))),
+    "cohesion laid over: hybrid/overlay square_well; without: stock": (
+        stock(hooke()), package(overlay("square_well", f"0 {scenes.RATIO}")),
+        package(overlay("square_well", f"{scenes.DEPTH} {scenes.RATIO}"))),
+    "cohesion, gran/hamaker *event*": cohesion("event", "gran/hamaker", hamaker(), hamaker(0)),
+    "cohesion, gran/hamaker *sampled*": cohesion("sampled", "gran/hamaker", hamaker(), hamaker(0)),
+    "cohesion, gran/square_well *event*": cohesion("event", WELL, well(), well(0)),
+    "cohesion, gran/square_well *sampled*": cohesion("sampled", WELL, well(), well(0)),
+    "friction, *event*": tuple(package(ours(friction=words, cohesion=hamaker()))
+                               for words in ("", "friction 0", "friction 0.3")),
+    "friction, *sampled*": tuple(package(ours(scheme="sampled", friction=words, cohesion=hamaker()))
+                                 for words in ("", "friction 0", "friction 0.3")),
+    "friction and history of the engine's own style": (
+        stock(hooke(0, history=False)), stock(hooke(0)), stock(hooke())),
+    "rolling friction, *event*": tuple(map(rolling, ("", "rolling_friction 0", "rolling_friction 0.1"))),
+    "ghost velocities, asked of the engine with hamaker alone": tuple(
+        package(f"pair_style {HAMAKER_STYLE}\npair_coeff * * {scenes.HAMAKER}\n", ghosts=ghosts)
+        for ghosts in ("no", "no", "yes")),
+    "wall of ours, *event*, beside the engine's; without: no wall": (
+        package(EVENT, walled=True), None,
+        package(EVENT, f"fix w all wall/gran/hamaker {WALL} {hamaker()} {PLANES}\n", walled=True)),
+    "wall of the engine; without: no wall": (
+        stock(hooke(), walled=True), None,
+        stock(hooke(), f"fix w all wall/gran hooke/history {scenes.STIFFNESS} NULL {scenes.GAMMA} NULL "
+              f"{scenes.FRICTION} 1 {PLANES}\n", walled=True)),
+    "energy book, *event*": output(EVENT, "compute out all gran/energy\n", "uncompute out\n"),
+    "energy book, *sampled*": output(SAMPLED, "compute out all gran/energy\n", "uncompute out\n"),
+    "stress split, not read": output(EVENT, "compute out all gran/stress\n", "uncompute out\n"),
+    "stress split, every step": output(EVENT, "compute out all gran/stress\n", "uncompute out\n", EVERY_STEP),
+    "profile of the flow, every step": output(
+        EVENT, "compute out all shear/profile\n", "uncompute out\n", EVERY_STEP.replace(" mode vector", "")),
+    "agglomerates, every step": output(EVENT, "fix out all agglomerates 1\n", "unfix out\n"),
+    "agglomerates, every 10": output(EVENT, "fix out all agglomerates 10\n", "unfix out\n"),
+    "gas/coupling, no gas": output(EVENT, "fix out all gas/coupling\n", "unfix out\n"),
+}
+LIGGGHTS = {
+    "launcher, nothing of it used; without: stock": (
+        Case("liggghts", gran()), Case("liggghts+", gran()), None),
+    "cohesion hamaker; without: stock": (
+        Case("liggghts", gran()),
+        Case("liggghts+", gran(LIGGGHTS_HAMAKER, scenes.hamaker_properties(0.0))),
+        Case("liggghts+", LIGGGHTS_PAIR)),
+    "cohesion square_well; without: stock": (
+        Case("liggghts", gran()),
+        Case("liggghts+", gran(LIGGGHTS_CONTACT + " cohesion square_well", scenes.well_properties(0.0))),
+        Case("liggghts+", gran(LIGGGHTS_CONTACT + " cohesion square_well", scenes.well_properties()))),
+    "cohesion sjkr of the engine": (
+        Case("liggghts", gran()), None,
+        Case("liggghts", gran(LIGGGHTS_CONTACT + " cohesion sjkr", scenes.SJKR_PROPERTIES))),
+    "rolling epsd2 of the engine beside cohesion hamaker": (
+        Case("liggghts+", LIGGGHTS_PAIR), None,
+        Case("liggghts+", gran(LIGGGHTS_HAMAKER + " rolling_friction epsd2", scenes.hamaker_properties()))),
+    "energy book": tuple(Case("liggghts+", LIGGGHTS_PAIR, extra) for extra in (
+        "", "compute out all gran/energy\nuncompute out\n", "compute out all gran/energy\n")),
+    "agglomerates, every 10": tuple(Case("liggghts+", LIGGGHTS_PAIR, extra) for extra in (
+        "", "fix out all agglomerates 10\nunfix out\n", "fix out all agglomerates 10\n")),
+    "gas/coupling, no gas": tuple(Case("liggghts+", LIGGGHTS_PAIR, extra) for extra in (
+        "", "fix out all gas/coupling\nunfix out\n", "fix out all gas/coupling\n")),
+}
+TABLES = {"LAMMPS": LAMMPS, "LIGGGHTS": LIGGGHTS}
+
+
+def add_words(parser):
+    parser.add_argument("--engine", choices=TABLES, action="append")
+    parser.add_argument("--scene", choices=scenes.LATTICE, action="append")
+    parser.add_argument("--feature", help="those alone whose name has this in it", default="")
+    parser.add_argument("--particles", type=int, default=2048)
+    parser.add_argument("--first", type=int, default=100, help="steps before what is counted")
+    parser.add_argument("--steps", type=int, default=40, help="a multiple of 20")
+
+
+def small(words):
+    words.particles, words.scene, words.steps = 500, ["gas"], 20
+
+
+def show(ratio, of):
+    return "" if ratio is None else f"{ratio / of:.3f}"
+
+
+def rows(programs, words):
+    """Lines of the table, as they come."""
+    engines = [e for e in words.engine or TABLES if programs.has(e.lower() + "+")]
+    chosen = [(engine, name, cases, scene) for engine in engines
+              for name, cases in TABLES[engine].items() if words.feature in name
+              for scene in words.scene or scenes.LATTICE]
+    progress, known = Progress(len(chosen)), {}
+    yield "| engine | feature | scene | without | off | on | **off/without** | on/without |"
+    yield "|---|---|---|---|---|---|---|---|"
+    for engine, name, cases, scene in chosen:
+        cells = scenes.cells_for(scene, words.particles)
+        found = []
+        for case in cases:
+            text = case and case.text(scene, cells)
+            if case and (case.engine, text) not in known:
+                known[case.engine, text] = programs.count_per_step(
+                    case.engine, text, words.first, words.steps) / scenes.particles(scene, cells)
+            found.append(case and known[case.engine, text])
+        yield (f"| {engine} | {name} | {scene} | "
+               + " | ".join("" if f is None else f"{f:.0f}" for f in found)
+               + f" | {show(found[1], found[0])} | {show(found[2], found[0])} |")
+        progress.add(1)
