@@ -64,7 +64,7 @@ Foam::gasParticleCoupling::gasParticleCoupling
     rho_(requirePositive(dict_, "density of the gas", density.reference().value())),
     g_(g),
     form_(selectRow(dict_, "form", drag::model_forms, "A")),
-    drag_(dict_, requirePositive(dict_, "viscosity of the gas", mu)),
+    drag_(dict_, requirePositive(dict_, "viscosity of the gas", mu), !form_.gas_takes_all),
     gasAt_(dict_),
     minVoidFraction_(dict_.found("minVoidFraction") ? readPositive(dict_, "minVoidFraction") : 0.2),
     depthRatio_(1),

@@ -47,12 +47,14 @@ drag::DragLaw readLaw(const Foam::dictionary& dict)
 Foam::particleDrag::particleDrag
 (
     const dictionary& dict,
-    const scalar mu
+    const scalar mu,
+    const bool feelPressure
 )
 :
     law_(readLaw(dict)),
     response_(selectRow(dict, "response", drag::responses, "held")),
-    mu_(mu)
+    mu_(mu),
+    feelPressure_(feelPressure)
 {}
 
 
@@ -87,7 +89,7 @@ void Foam::particleDrag::lookAtStep
     const scalar dt
 )
 {
-    if (warnedOfStep_ && !response_.free)
+    if (warnedOfStep_ && !response_.free && (warnedOfPressure_ || !feelPressure_))
     {
         return;
     }
@@ -103,6 +105,11 @@ void Foam::particleDrag::lookAtStep
     if (response_.free)
     {
         growth_ = max(growth_, drag::held_growth(step, loading));
+    }
+    if (feelPressure_ && !warnedOfPressure_)
+    {
+        pressureGrowth_ =
+            max(pressureGrowth_, drag::pressure_growth(step, voidFraction, response_.free));
     }
 }
 
@@ -147,12 +154,34 @@ void Foam::particleDrag::warnOfGrowth()
 }
 
 
+void Foam::particleDrag::warnOfPressure()
+{
+    reduce(pressureGrowth_, maxOp<scalar>());
+    // 1 itself is that of no drag at all.
+    if (pressureGrowth_ > 1 + 1e-6)
+    {
+        WarningInFunction
+            << "in form A, where particles are so dense and follow the gas so fast, pressure and particles"
+            << " that are free to move would swing against each other and grow by a factor of "
+            << pressureGrowth_ << " in a gas step; particles that touch others hold them back. 'form B;' in"
+            << " constant/couplingProperties cures it, or a deltaT below the time in which particles follow"
+            << " the gas; this is said once" << endl;
+        warnedOfPressure_ = true;
+    }
+    pressureGrowth_ = 0;
+}
+
+
 void Foam::particleDrag::endStep(const label n)
 {
     evaluations_ += n;
     if (response_.free && !warnedOfGrowth_)
     {
         warnOfGrowth();
+    }
+    if (feelPressure_ && !warnedOfPressure_)
+    {
+        warnOfPressure();
     }
     if (!warnedOfStep_)
     {

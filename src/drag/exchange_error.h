@@ -33,6 +33,31 @@ inline double held_growth(double step, double loading) {
   return std::abs(1.0 - loading * (step - gain)) / (1.0 + loading * gain);
 }
 
+/// Growth in a step, [1], of what pressure and particles that are free to move can do in form A
+/// while the gas's flux stays as it is: the particles take the share 1 - eps of the pressure
+/// gradient and hand it to the gas by drag, which the gas is charged with a step late.
+///
+/// With k = (1 - eps)/eps and, per particle of mass 1, the velocity v, what is pending q, the
+/// impulse of the pressure P and the charged coefficient c (x, or g when particles are taken to
+/// follow), g = 1 - exp(-x), a step is
+///   P' = k (c v - q),  v' = exp(-x) v - g/x P',  q' = v' - v + P' + c v,
+/// and this is its spectral radius. It is below 1 for short steps, and goes to k + sqrt(k^2 + k)
+/// for stiff ones, k with particles that follow: above 1 where eps is below 3/4, or 1/2.
+///
+/// step x [1] >= 0, void fraction in (0, 1].
+inline double pressure_growth(double step, double void_fraction, bool free) {
+  if (step == 0.0) return 1.0;
+  const double k = (1.0 - void_fraction) / void_fraction;
+  const double gain = -std::expm1(-step);
+  const double mean = gain / step;
+  const double charged = free ? gain : step;
+  const double stays = 1.0 - gain;
+  const double half_trace = 0.5 * (stays - mean * k * charged - k * (1.0 - mean));
+  const double determinant = -k * ((1.0 - mean) * stays + mean * (charged - gain));
+  const double root = half_trace * half_trace - determinant;
+  return root < 0.0 ? std::sqrt(determinant) : std::abs(half_trace) + std::sqrt(root);
+}
+
 /// x of a step: dt over the time m/b in which a particle follows the gas, [1]. coefficient b
 /// [force time/length], mass [mass] > 0, dt [time].
 inline double exchange_step(double coefficient, double mass, double dt) {

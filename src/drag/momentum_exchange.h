@@ -19,10 +19,10 @@
 namespace cohesion::drag {
 
 /// What the gas step takes the particles to do meanwhile: keep their velocity, c = b, which is
-/// stable whatever they do; or follow the gas as a particle does that feels nothing else, c = b
-/// phi(b dt/m) (particle_drag.h). Then gas and free particles find their common velocity at once,
-/// but particles that are held, by others for instance, leave the share b - c of their drag
-/// pending.
+/// stable whatever they do, but for dense ones in form A (pressure_growth(), exchange_error.h); or
+/// follow the gas as a particle does that feels nothing else, c = b phi(b dt/m) (particle_drag.h).
+/// Then gas and free particles find their common velocity at once, but particles that are held, by
+/// others for instance, leave the share b - c of their drag pending.
 struct Response {
   std::string_view name;
   bool free;

@@ -14,6 +14,7 @@ sys.path.insert(0, str(SOURCE / "tests/src/drag"))
 from closure_formulas import CLOSURES  # noqa: E402
 
 SCRIPT = script_file("particles")
+GAS = "constant/transportProperties"
 
 
 def edit(case, file, old, new):
@@ -21,6 +22,11 @@ def edit(case, file, old, new):
     text = path.read_text()
     assert old in text, f"{file} has no '{old}'"
     path.write_text(text.replace(old, new))
+
+
+def ideal_gas(case, pressure=1e5, temperature=300, weight=28.9):
+    edit(case, GAS, "rho             1.205;", f"density idealGas; idealGas {{ pressure {pressure}; temperature"
+         f" {temperature}; molWeight {weight}; }}")
 
 
 # name: (what makes the case bad, parts of the message)
@@ -146,8 +152,31 @@ CASES = {
         lambda c: c.set(COUPLING, "depth", -1e-3),
         ["depth = -0.001: must be a finite number greater than zero", "couplingProperties"]),
     "gas without viscosity": (
-        lambda c: c.set("constant/transportProperties", "nu", 0),
+        lambda c: c.set(GAS, "nu", 0),
         ["viscosity of the gas = 0: must be a finite number greater than zero"]),
+    "misspelt density": (
+        lambda c: edit(c, GAS, "rho ", "density ideal; rho "),
+        ["unknown density 'ideal'", "valid names: constant, idealGas", "transportProperties"]),
+    "ideal gas without its numbers": (
+        lambda c: edit(c, GAS, "rho ", "density idealGas; rhoThen "),
+        ["idealGas", "transportProperties"]),
+    "ideal gas without warmth": (
+        lambda c: ideal_gas(c, temperature=0),
+        ["temperature = 0: must be a finite number greater than zero", "transportProperties.idealGas"]),
+    "ideal gas without pressure": (
+        lambda c: ideal_gas(c, pressure=-1e5),
+        ["pressure = -100000: must be a finite number greater than zero"]),
+    "ideal gas without mass": (
+        lambda c: ideal_gas(c, weight=0),
+        ["molWeight = 0: must be a finite number greater than zero"]),
+    "two densities": (
+        lambda c: (ideal_gas(c), edit(c, GAS, "density", "rho 1.2; density")),
+        ["rho is given", "it is 1.158", "remove the entry rho", "transportProperties"]),
+    "more gas drawn than there is": (
+        lambda c: (ideal_gas(c), edit(c, "0/p", "fixedValue; value", "fixedFluxPressure; value"),
+                   edit(c, "0/U", "pressureInletOutletVelocity; value uniform (0 0 0)",
+                        "fixedValue; value uniform (0 0 5000)")),
+        ["the density of the gas has fallen to -", "which no ideal gas can have", "reference pressure"]),
     "inlet without area": (
         lambda c: edit(c, "0/U", "superficialVelocity (0 0 0);",
                        "superficialVelocity (0 0 0); share 0;"),

@@ -53,6 +53,13 @@ def column(work, name, build, engine=ENGINE):
     return case
 
 
+def append(case, file, text):
+    """Adds to a dictionary, faster than case.set(): OpenFOAM takes the last of equal entries and merges equal
+    dictionaries."""
+    with open(case.folder / file, "a") as dictionary:
+        dictionary.write(text + "\n")
+
+
 def script_file(name, engine=ENGINE):
     """Of the script called `name` in column/."""
     return f"{name}.{'lmp' if engine == 'lammps' else engine}"

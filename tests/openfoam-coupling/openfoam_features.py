@@ -50,7 +50,7 @@ def shear_wave(build, work):
     """k, epsilon and the wave's amplitude at the end of every step; one of each but for the wave."""
     case = column(work, "shear_wave", build)
     block = case.folder / "system/blockMeshDict"
-    block.write_text(block.read_text().split("// A column")[0] + BLOCK.format(N * H, N))
+    block.write_text(block.read_text().split("// A column")[0] + BLOCK.format(N * H, N, N * H, N))
     cyclic = "".join(f"    {d}{i} {{ type cyclic; }}\n" for d in "xyz" for i in "01")
     z = (np.arange(N**3) // N**2 + 0.5) / N
     wave = "\n".join(f"({WAVE * np.sin(2 * np.pi * height)!r} 0 0)" for height in z)
@@ -69,7 +69,7 @@ def shear_wave(build, work):
     case.set("constant/transportProperties", "nu", NU)
     case.set(COUPLING, "dragFactor", 1e-15)
     case.set(COUPLING, "lammpsCoeffs/script", '"$FOAM_CASE/lattice.lmp"')
-    variables = {"box": N * H, "spacing": H, "diameter": 0.8 * H, "density": 1000, "dt": WAVE_DT,
+    variables = {"box": N * H, "height": N * H, "top": N * H, "spacing": H, "diameter": 0.8 * H, "density": 1000, "dt": WAVE_DT,
                  "cutoff": 0.4 * H}
     for variable, value in variables.items():
         case.set(COUPLING, f"lammpsCoeffs/variables/{variable}", f'"{value}"')

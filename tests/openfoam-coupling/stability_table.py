@@ -1,0 +1,183 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""How far the coupling is off, over the stiffness of drag, void fraction, ratio of densities, cells per diameter and
+the gas's Courant number: every row is runs of the solver. Two scenes, without gravity, in periodic boxes:
+
+- uniform: gas blown through free spheres (drag_stiffness.py), against the exact solution;
+- layer: the same spheres in the lower half of a box four times as high. The gas blows them along, through all cells,
+  against the same with steps an eighth as long; and no energy may be gained. Drag is not linear here.
+
+    stability_table.py BUILD WORK [--table FILE] [--only TEXT] [--together N]
+
+A row takes some 5 seconds. --only: rows whose line has the text, for instance '| 1e+06 |'.
+"""
+
+import argparse
+import re
+import shutil
+import sys
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import numpy as np
+
+arguments, sys.argv[1:] = sys.argv[1:], []  # coupled_case looks for an engine there
+from coupled_case import CaseError  # noqa: E402
+from drag_stiffness import (  # noqa: E402
+    RHO, U0, Setting, cells, exact, particle_velocities, run, solve, times)
+from progress_line import ProgressLine  # noqa: E402
+
+RIGHT = 0.01  # of the first slip
+FINER = 8
+PAGE = """# Stability of the coupling
+
+Written by `tests/openfoam-coupling/stability_table.py`: every row is runs of the solver, 20 gas steps each, in
+periodic boxes without gravity. A gas step has five particle steps.
+
+- *uniform*: gas blown through spheres that are free to move. Largest error of the velocities of gas and particles over
+  the steps, and that at the end, as shares of the slip at the start, against the exact solution.
+- *layer*: the same spheres in the lower half of a box four times as high. The gas blows them along, through all
+  cells. Largest error of the mean velocity of the particles and of the flux of the gas, and that at the end, as shares
+  of the gas's first velocity, against the same with steps an eighth as long; *energy*: by how much the kinetic
+  energy of gas and particles is above the first, of that (never, if nothing is wrong).
+
+x is the gas step over the time in which particles follow the gas, m/b; R the mass of the particles over that of the
+gas. *right*: all errors below 0.01. *first order*: larger ones in some steps, of implicit steps about as long as what
+they resolve, and below 0.01 at the end. *off*: by so much at the end, too. *warned*: the solver said that the gas
+step is too long, or what would grow in it. *refused*: it stopped, and said why.
+"""
+HEAD = ("| beta dt/(eps rho_g) | eps | rho_s/rho_g | cell/d | CFL | kernel | R | x | uniform: largest | end | layer:"
+        " largest | end | energy | verdict |\n" + "|---" * 14 + "|")
+
+
+def settings():
+    """Keywords of Setting, one list per row: one quantity after the other, then corners."""
+    rows = [{"stiffness": 10.0**k} for k in (-6, -4, -2, 0, 2, 4, 6, 9)]
+    rows += [{"stiffness": 1e6, "kernel": "particleCentre", "eps": e} for e in (0.62, 0.3)]
+    one = [{"eps": e} for e in (0.3, 0.45, 0.8, 0.9)]
+    one += [{"eps": 0.99, "cell": 5}, {"eps": 0.999, "cell": 8}, {"eps": 0.9999, "cell": 17.4}]
+    one += [{"ratio": r} for r in (1.0, 10.0, 100.0, 1e4)]
+    one += [{"cell": 20, "eps": 0.99}, {"cell": 10, "eps": 0.9}, {"cell": 1, "eps": 0.8},
+            {"cell": 0.5, "eps": 0.8}, {"cell": 0.5, "eps": 0.8, "width": 2}]
+    one += [{"cfl": c} for c in (1.0, 5.0)]
+    corners = [{"eps": e, "ratio": r, "cfl": c} for e in (0.3, 0.9) for r in (1.0, 1e4) for c in (0.2, 5.0)]
+    corners += [{"ratio": 1.0, "cfl": 5.0, "cell": c, "eps": e} for c, e in ((10, 0.9), (1, 0.8))]
+    rows += [{"stiffness": k, **row} for row in one for k in (1e-2, 1.0, 1e2, 1e6)]
+    rows += [{"stiffness": k, **row} for row in corners for k in (1.0, 1e6)]
+    rows += [{"stiffness": k, "ratio": r, "free": True} for r in (1.0, 10.0, 100.0) for k in (1e-2, 1.0, 1e2, 1e6)]
+    rows += [{"stiffness": k, "eps": 0.9999, "cell": 17.4, "free": True} for k in (1e-2, 1.0, 1e2, 1e6)]
+    rows += [{"stiffness": k, "eps": e, "form": "B"} for e in (0.3, 0.45, 0.62) for k in (1.0, 1e2, 1e6, 1e9)]
+    return [{"kernel": "sphereOverlap", **row} for row in rows]
+
+
+def label(s):
+    kernel = s.kernel + (f", smoothed {s.width:g} d" if s.width else "") + (", response free" if s.free else "")
+    kernel += ", form B" if s.form == "B" else ""
+    x = s.stiffness / s.loading
+    return (f"| {s.asked:.0e} | {s.eps:g} | {s.ratio:g} | {s.h / s.d:.2g} | {s.cfl:g} | {kernel} | {s.loading:.2g} |"
+            f" {x:.1g} |")
+
+
+def warned(log):
+    return any(words in log for words in ("the gas step is", "would grow by a factor", "would swing against each other"))
+
+
+class Refused(Exception):
+    pass
+
+
+def guarded(work, name, action):
+    """What `action` finds; Refused with the solver's words when it stopped."""
+    try:
+        return action()
+    except CaseError as error:
+        text = " ".join(str(error).split())
+        said = re.search(r"cells have a void fraction below minVoidFraction|FOAM FATAL.{,200}", text)
+        ended = "refused: " + said[0] if said else "crashed: the particles are lost"
+        log = Path(work, name, "log.cohesiveBedFoam")
+        raise Refused(ended + ", warned" * warned(log.read_text())) from None
+    finally:
+        shutil.rmtree(f"{work}/{name}", ignore_errors=True)
+
+
+def uniform(build, work, name, keywords):
+    """Errors in all steps, and whether it was said."""
+    s = Setting(**keywords)
+    found, log = guarded(work, name, lambda: run(build, work, name, s))
+    return np.abs(found - np.array(exact(s))).max(axis=0), warned(log)
+
+
+def motion(build, work, name, s):
+    """Of the layer after each step: the particles' mean velocity and the gas's mean flux; energies as shares of the
+    first; the log."""
+    case, log = solve(build, work, name, s)
+    history, energies = [], []
+    for time in times():
+        v = particle_velocities(case, time)
+        u, eps = cells(case, time, "U"), cells(case, time, "voidFraction")
+        history.append((v.mean(), (eps * u).mean()))
+        gas = 0.5 * RHO * (eps * u**2).mean() * s.box**2 * s.height
+        energies.append(gas + 0.5 * s.ratio * RHO * s.volume * (v**2).sum())
+    gas_alone = 0.5 * RHO * U0**2 * eps.mean() * s.box**2 * s.height
+    return np.array(history), np.array(energies) / gas_alone, log
+
+
+def layer(build, work, name, keywords):
+    """Errors in all steps, the largest gain of energy, and whether it was said."""
+    runs = [guarded(work, name, lambda s=Setting(layer=True, reynolds=100.0, finer=finer, **keywords):
+                    motion(build, work, name, s)) for finer in (1, FINER)]
+    (found, energies, log), (reference, _, _) = runs
+    return np.abs(found - reference).max(axis=1), max(energies.max() - 1, 0), warned(log)
+
+
+def verdict(largest, end, gain, said):
+    if not np.isfinite(largest) or gain > RIGHT:
+        word = "unstable"
+    elif largest < RIGHT:
+        word = "right"
+    else:
+        word = "first order" if end < RIGHT else f"off by {end:.1g}"
+    return word + ", warned" * said
+
+
+def row(build, work, number, keywords):
+    """A line of the table."""
+    line = label(Setting(**keywords))
+    try:
+        alone, said = uniform(build, work, f"{number}-uniform", keywords)
+    except Refused as refused:
+        return f"{line} | | | | | {refused} |"
+    line += f" {alone.max():.1g} | {alone[-1]:.1g} |"
+    try:
+        together, gain, also = layer(build, work, f"{number}-layer", keywords)
+    except Refused as refused:
+        return f"{line} | | | {verdict(alone.max(), alone[-1], 0, said)}; layer {refused} |"
+    word = verdict(max(alone.max(), together.max()), max(alone[-1], together[-1]), gain, said or also)
+    return f"{line} {together.max():.1g} | {together[-1]:.1g} | {gain:.0g} | {word} |"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("build")
+    parser.add_argument("work")
+    parser.add_argument("--table", help="file that the page is written to")
+    parser.add_argument("--only", default="", help="rows whose line has this text")
+    parser.add_argument("--together", type=int, default=1, help="rows at a time")
+    given = parser.parse_args(arguments)
+    chosen = [k for k in settings() if given.only in label(Setting(**k))]
+    print(HEAD, flush=True)
+    line, lines = ProgressLine(), []
+    with ThreadPoolExecutor(given.together) as pool:
+        jobs = [pool.submit(row, given.build, given.work, n, k) for n, k in enumerate(chosen)]
+        for done, job in enumerate(jobs, 1):
+            lines.append(job.result())
+            print(lines[-1], flush=True)
+            line.show(line.elapsed * (len(jobs) - done) / done, f"{done} of {len(jobs)} rows")
+    line.close()
+    if given.table:
+        with open(given.table, "w") as page:
+            page.write("\n".join([PAGE, HEAD, *lines]) + "\n")
+
+
+if __name__ == "__main__":
+    main()
