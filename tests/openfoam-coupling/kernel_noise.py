@@ -70,7 +70,7 @@ def run(build, work, where, cell, courant, steps, kernel, width):
         case.set("system/controlDict", entry, value)
     case.mesh()
     log = case.solve()
-    times = sorted((f.name for f in case.folder.glob("[0-9]*") if f.name != "0" and (f / "p").exists()), key=float)
+    times = sorted((f.parent.name for f in case.folder.glob("0.[0-9]*/p")), key=float)
     assert len(times) == steps, times
     eps, p, u = (np.array([field(case, time, name) for time in times]) for name in ("voidFraction", "p", "U"))
     density = float(re.search(r"^rho +(\S+);", (case.folder / "constant/transportProperties").read_text(), re.M)[1])
