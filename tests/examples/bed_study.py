@@ -28,6 +28,8 @@ from job_pool import RunError, carry_out  # noqa: E402
 BUILD = Path(sys.argv.pop(1) if len(sys.argv) > 1 else SOURCE / "build").resolve()
 SCHEDULE = "superficialVelocity table ((0 (0 1.2 0)) (1 (0 1.2 0)));\nendTime 0.018;\n"
 TABLE = "name, A, cohesion_side, settle\nnone, 0, , 0.01\nno-side, 7.49e-19, 0, 0.01\n"
+OTHERS = ("name, A, settle, voidFraction, smoothingWidth, scheme\nsmooth, 0, 0.01, sphereOverlap, 1e-3,\n"
+          "event, 7.49e-19, 0.01, , , event\n")
 
 
 def variables(case, engine="lammps"):
@@ -128,6 +130,24 @@ class Beds(unittest.TestCase):
         table.write_text("name, engine\na, yade\n")
         with self.assertRaisesRegex(study.TableError, "'a'.*'yade'; there are lammps, liggghts"):
             self.call(study, table, "--out", self.folder / "out")
+
+    def test_kernels_and_schemes(self):
+        table, out = self.folder / "table.csv", self.folder / "out"
+        table.write_text(OTHERS)
+        self.call(study, table, "--seeds", 1, "--out", out)
+        for name, kernel, width, scheme in (("smooth", "sphereOverlap", 0.001, "gran/hooke/history"),
+                                            ("event", "particleCentre", None, "gran/hamaker")):
+            case = out / "runs" / f"{name}-1"
+            text = (case / "constant/couplingProperties").read_text()
+            self.assertRegex(text, rf"\nvoidFraction\s+{kernel};")
+            found = re.search(r"\nsmoothingWidth\s+(\S+);", text)
+            self.assertEqual(found and float(found[1]), width)
+            told = (case / "log.lammps").read_text()
+            self.assertIn(f"\npair_style {scheme}", told)
+            self.assertEqual("\nfix plate all wall/gran/hamaker" in told, scheme == "gran/hamaker")
+            # Height and what plate and walls carry: of the bed on its plate
+            *_, carried = [float(x) for x in (case / "bed.dat").read_text().split("\n")[-2].split()]
+            self.assertTrue(abs(carried) < 1, carried)
 
     def test_a_bed_that_fails_leaves_the_table_of_the_others(self):
         table, out = self.folder / "table.csv", self.folder / "out"

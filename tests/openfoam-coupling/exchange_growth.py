@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the exchange of gas and particles costs a rank as the problem grows with the ranks: a blown-through
 swarm, 20 mm x 20 mm x 60 mm with 768 spheres and 192 cells to a rank, the ranks side by side. The ranks that
-have the particles are cut a quarter of that beside those that have the gas: each shares particles with up to
-four, or, as many as reach over a border, more.
+have the particles are cut a quarter of that beside those that have the gas.
 
     exchange_growth.py BUILD WORK [--ranks N ...] [--steps N] [--kernel NAME]
 
 Prints what each rank sent per gas step, counted by cohesiveBedFoam where it sends, mean and largest over the
-ranks; and of 1 and 2 ranks, which have a core each, the seconds. More ranks than cores share them: their
-messages are the same as on cores of their own, their times say nothing."""
+ranks; and of 1 and 2 ranks, which have a core each, the time. More ranks than cores share them: their
+messages are the same as on cores of their own, their times say nothing. Ends with 1 when a rank sends more than
+follows from its neighbours alone."""
 
 import argparse
 import re
@@ -25,6 +25,12 @@ CELLS = (4, 4, 12)
 SHIFT = 0.25  # of the particles' ranks beside the gas's, parts of a rank
 DT = 1e-4
 
+# With this shift a rank's particles are in the cells of four ranks at most, and its cells have the particles of
+# four. To those of the first kind go, one message each: how many questions, the questions, the verdicts, and
+# volume, coefficient and charge of the particles; and of kernels that reach out the sum of the shares. Back go
+# the answers, void fraction and velocity for the drag, velocity and pressure gradient at the end of the step.
+NEIGHBOURS = 4
+FORWARD, BACK = {"particleCentre": 6, "dividedVolume": 7, "sphereOverlap": 7}, 5
 
 def grid(ranks):
     """Ranks along x and y, as nearly square as they can be."""
@@ -93,7 +99,7 @@ def main():
     parser.add_argument("work")
     parser.add_argument("--ranks", type=int, nargs="+", default=[1, 2, 4, 8, 16, 32, 64], metavar="N")
     parser.add_argument("--steps", type=int, default=3, metavar="N", help="gas steps (%(default)s)")
-    parser.add_argument("--kernel", default="sphereOverlap", help="void-fraction kernel (%(default)s)")
+    parser.add_argument("--kernel", choices=FORWARD, default="sphereOverlap", help="of the void fraction (%(default)s)")
     args = parser.parse_args()
     progress = Progress(sum(args.ranks))
     rows = {}
@@ -107,7 +113,11 @@ def main():
         times = f"{seconds[0]:.2f}, {seconds[1]:.1f}" if ranks <= 2 else ""
         print("| " + " | ".join([str(ranks), str(SPHERES * ranks), *figures, times]) + " |")
     expect = Expectations()
-    for ranks, (_, _, error) in rows.items():
+    for ranks, (counts, _, error) in rows.items():
+        # Figures of the log have six digits.
+        expect.below(f"{ranks} ranks: messages", counts["messages"][1],
+                     NEIGHBOURS * (FORWARD[args.kernel] + BACK) + 1e-3)
+        expect.below(f"{ranks} ranks: to ranks", counts["to ranks"][1], 2 * NEIGHBOURS + 1e-3)
         # As in conservation.py
         expect.below(f"{ranks} ranks: imbalance of the forces, error of the solid volume", error, 1e-12)
     expect.exit()

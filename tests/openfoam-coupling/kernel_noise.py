@@ -8,7 +8,8 @@ everywhere: what they do instead is made by spheres that cross faces of cells.
 For each kernel, without and with smoothing over one and two diameters, root mean square over cells and steps of:
 the change of the void fraction over h/v, the time in which a sphere crosses a cell; the pressure over the weight
 of the spheres above a square of the size of a cell, phi rho_s g h, the scale of pressures in a bed; the velocity
-over v. Spheres of the fluidised bed's size and density in air, 30 % of the volume, at 1 m/s."""
+over v. And the processor time of the exchange per sphere and gas step, of a second run that writes nothing.
+Spheres of the fluidised bed's size and density in air, 30 % of the volume, at 1 m/s."""
 
 import argparse
 import re
@@ -23,6 +24,7 @@ from coupled_case import COUPLING, column, use_script  # noqa: E402
 from drag_stiffness import periodic  # noqa: E402
 from packed_bed import field  # noqa: E402
 from progress import Progress  # noqa: E402
+from speed_beside_dpmfoam import used  # noqa: E402
 
 D, DENSITY, G, SOLID, SPEED = 1e-3, 2650.0, 9.81, 0.3, 1.0
 BOX = 18 * D
@@ -49,13 +51,9 @@ def places():
     return kept
 
 
-def run(build, work, where, cell, courant, steps, kernel, width):
-    """Changes of the void fraction, pressures and velocities as above, and microseconds of the exchange per
-    sphere and gas step, by the clock."""
+def make(build, work, where, cells, courant, steps, kernel, width):
     case = column(work, "case", build)
-    cells = round(BOX / D / cell)
-    h = BOX / cells
-    dt = float(f"{courant * h / SPEED:.6g}")
+    dt = float(f"{courant * BOX / cells / SPEED:.6g}")
     periodic(case, BOX, cells, SPEED)
     use_script(case, "carried")
     (case.folder / "places").write_text("".join(
@@ -69,17 +67,29 @@ def run(build, work, where, cell, courant, steps, kernel, width):
                          ("writeInterval", 1), ("writePrecision", 12)):
         case.set("system/controlDict", entry, value)
     case.mesh()
-    log = case.solve()
-    times = sorted((f.name for f in case.folder.glob("[0-9]*") if f.name != "0" and (f / "p").exists()), key=float)
+    return case
+
+
+def noise(case, cells, courant, steps):
+    """Of the void fraction, the pressure and the velocity, as above."""
+    times = sorted((f.parent.name for f in case.folder.glob("0.[0-9]*/p")), key=float)
     assert len(times) == steps, times
     eps, p, u = (np.array([field(case, time, name) for time in times]) for name in ("voidFraction", "p", "U"))
     density = float(re.search(r"^rho +(\S+);", (case.folder / "constant/transportProperties").read_text(), re.M)[1])
     p = density * (p - p.mean(axis=1, keepdims=True))[HEAD:]
     u = (u.reshape(steps, -1, 3) - [0, 0, SPEED])[HEAD:]
-    rms = [np.sqrt((values**2).mean()) for values in (np.diff(eps, axis=0)[HEAD - 1:] / courant, p)]
-    exchange = float(re.search(r"^    exchange +(\S+) s", log, re.M)[1])
-    return (rms[0], rms[1] / (SOLID * DENSITY * G * h), np.sqrt((u**2).sum(axis=2).mean()) / SPEED,
-            1e6 * exchange / (steps * len(where)))
+    change = np.diff(eps, axis=0)[HEAD - 1:] / courant
+    weight = SOLID * DENSITY * G * BOX / cells
+    return [np.sqrt((change**2).mean()), np.sqrt((p**2).mean()) / weight,
+            np.sqrt((u**2).sum(axis=2).mean()) / SPEED]
+
+
+def microseconds(case, spheres, steps):
+    """Of the exchange per sphere and gas step: its share by the clock, of the processor time."""
+    case.set("system/controlDict", "writeInterval", 10 * steps)
+    processor, _ = used(case, "cohesiveBedFoam", "-overwrite")
+    log = case.log("cohesiveBedFoam").read_text()
+    return 1e6 * processor * float(re.search(r"^    exchange +\S+ s, (\S+) %", log, re.M)[1]) / 100 / (steps * spheres)
 
 
 def main():
@@ -97,7 +107,10 @@ def main():
     progress = Progress(len(cases))
     rows = []
     for cell, courant, kernel, width in cases:
-        rows.append(run(args.build, args.work, where, cell, courant, args.steps, kernel, width))
+        cells = round(BOX / D / cell)
+        case = make(args.build, args.work, where, cells, courant, args.steps, kernel, width)
+        case.solve()
+        rows.append([*noise(case, cells, courant, args.steps), microseconds(case, len(where), args.steps)])
         progress.add(1)
     print(f"\n{len(where)} spheres\n\n| cell/d | step v/h | kernel | width/d | change of void fraction | pressure "
           "| velocity | exchange [us] |\n|---|---|---|---|---|---|---|---|")

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The swarm of restart.py, killed (signal 9) at random moments, each time from its start, and continued: which
 state is found, how much of the simulated time is lost, and how far the end is from that of the run that was not
-killed. Every third kill falls into a write, at a random place between the first file and some time after the
-last.
+killed. Every third kill falls into a write or right after it, at a random moment after the first file was
+there.
 
     random_kills.py BUILD WORK [--kills N] [--ranks N] [--seed N]
 
@@ -61,8 +61,8 @@ def wait(process, case, ranks, moment, seconds):
         if os.path.exists(written) if write else steps_begun(case) >= steps:
             break
         time.sleep(0.0005 if write else 0.002)
-    # Ranks and writes take turns on one core: a write may take longer than that of the whole run.
-    time.sleep(share * (2 * seconds[1] * ranks if write else seconds[0]))
+    # Ranks take turns.
+    time.sleep(share * (seconds[1] * ranks if write else seconds[0]))
 
 
 def killed(build, work, k, ranks, moment, seconds):

@@ -1,24 +1,28 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Seconds of cohesiveBedFoam beside OpenFOAM's own DPMFoam: same mesh, gas step, spheres and drag
 closure, contacts with friction in both, about as many particle steps (DPMFoam chooses its own). Both on
-one core, alternately; processor time, as the clock of a busy machine says little.
+one core, alternately; processor time, as the clock of a busy machine says little. And the memory of each per
+sphere: what the largest resident size grows by with ten times as many layers.
 
     speed_beside_dpmfoam.py BUILD WORK [REPEATS]
 
 A program and no test: a time has no right value."""
 
+import os
 import re
-import resource
 import statistics
+import subprocess
 import sys
 
-from coupled_case import column
+from coupled_case import CaseError, column
 
 STEPS, DT = 50, 1e-4
 # Spheres of 2 mm on a lattice, nearly touching, that fall together
 SPACING, LAYERS, PER_EDGE, D = 2.05e-3, 3, 29, 2e-3
 # DPMFoam compares all spheres of neighbouring cells: cells of few spheres are its choice.
 CELLS = "(12 12 40)"
+# For the memory: ten times the spheres, a tenth of the steps
+MANY, FEW = 10 * LAYERS, STEPS // 10
 
 HEADER = """FoamFile {{ version 2.0; format ascii; class {}; object {}; }}
 """
@@ -84,50 +88,57 @@ boundaryField
 """
 
 
-def positions():
+def positions(layers=LAYERS):
     first = SPACING / 2
     return [(first + i * SPACING, first + j * SPACING, first + k * SPACING)
-            for k in range(LAYERS) for j in range(PER_EDGE) for i in range(PER_EDGE)]
+            for k in range(layers) for j in range(PER_EDGE) for i in range(PER_EDGE)]
+
+
+def used(case, program, *arguments):
+    """Processor time of a program of the case, start and reading included [s], and its largest resident size
+    [bytes]."""
+    with open(case.log(program), "w") as log:
+        process = subprocess.Popen([program, *arguments], cwd=case.folder, env=case.env, stdout=log, stderr=log)
+        _, status, usage = os.wait4(process.pid, 0)
+    if os.waitstatus_to_exitcode(status) != 0:
+        raise CaseError(f"{program} failed in {case.folder}:\n" + case.tail(program))
+    return usage.ru_utime + usage.ru_stime, 1024 * usage.ru_maxrss
 
 
 def seconds(case, program):
-    """Processor time of a program of the case, start and reading included [s]."""
-    before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    case.run(program)
-    after = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+    return used(case, program)[0]
 
 
-def prepare(case):
+def prepare(case, steps):
     block = case.folder / "system/blockMeshDict"
     block.write_text(block.read_text().replace("(3 3 10)", CELLS))
-    for entry, value in (("endTime", STEPS * DT), ("deltaT", DT), ("writeInterval", STEPS * DT)):
+    for entry, value in (("endTime", steps * DT), ("deltaT", DT), ("writeInterval", steps * DT)):
         case.set("system/controlDict", entry, value)
 
 
-def ours(build, work):
-    """Seconds, share of the exchange [%], particle steps."""
+def ours(build, work, layers=LAYERS, steps=STEPS):
+    """Seconds, bytes, share of the exchange [%], particle steps."""
     case = column(work, "cohesiveBedFoam", build)
     coupling = "constant/couplingProperties"
     case.set(coupling, "drag", "ergunWenYu")
     case.set(coupling, "lammpsCoeffs/script", '"$FOAM_CASE/swarm.lmp"')
     script = case.folder / "swarm.lmp"
     text = script.read_text()
-    for line, new in (("region +inside", f"region inside block 0 0.0595 0 0.0595 0 {LAYERS * SPACING}"),
+    for line, new in (("region +inside", f"region inside block 0 0.0595 0 0.0595 0 {layers * SPACING}"),
                       ("lattice", f"lattice sc {SPACING} origin 0.5 0.5 0.5"), ("velocity", "")):
         text = re.sub(f"^{line} .*$", new, text, flags=re.M)
     script.write_text(text)
-    prepare(case)
+    prepare(case, steps)
     case.mesh()
-    used = seconds(case, "cohesiveBedFoam")
+    time, memory = used(case, "cohesiveBedFoam")
     log = case.log("cohesiveBedFoam").read_text()
     share = float(re.search(r"^    exchange +\S+ s, (\S+) %", log, re.M)[1])
     made = re.findall(r"Created (\d+) atoms", (case.folder / "log.lammps").read_text())
-    assert int(made[0]) == len(positions()), made
-    return used, share, STEPS * round(DT / 1e-5)
+    assert int(made[0]) == len(positions(layers)), made
+    return time, memory, share, steps * round(DT / 1e-5)
 
 
-def theirs(build, work):
+def theirs(build, work, layers=LAYERS, steps=STEPS):
     case = column(work, "DPMFoam", build)
     folder = case.folder
     (folder / "constant/kinematicCloudProperties").write_text(
@@ -139,7 +150,7 @@ def theirs(build, work):
         HEADER.format("dictionary", "turbulenceProperties") + "simulationType laminar;\n")
     (folder / "constant/positions").write_text(
         HEADER.format("vectorField", "positions")
-        + "(\n" + "\n".join("({} {} {})".format(*p) for p in positions()) + "\n)\n")
+        + "(\n" + "\n".join("({} {} {})".format(*p) for p in positions(layers)) + "\n)\n")
     (folder / "0.orig/U.air").write_text(HEADER.format("volVectorField", "U.air") + U_AIR)
     for file, old, new in (
             ("system/fvSchemes", "div(voidFractionPhi,U)", "div(alphaPhi.air,U.air)"),
@@ -148,13 +159,13 @@ def theirs(build, work):
             ("system/fvSolution", '"p.*"', '"(p|kinematicCloud:theta).*"')):
         path = folder / file
         path.write_text(path.read_text().replace(old, new))
-    prepare(case)
+    prepare(case, steps)
     case.mesh()
-    used = seconds(case, "DPMFoam")
+    time, memory = used(case, "DPMFoam")
     log = case.log("DPMFoam").read_text()
-    assert re.findall(r"Current number of parcels += (\d+)", log)[-1] == str(len(positions()))
+    assert re.findall(r"Current number of parcels += (\d+)", log)[-1] == str(len(positions(layers)))
     cycles = re.findall(r"(\d+) move-collide subCycles", log)
-    return used, None, sum(map(int, cycles))
+    return time, memory, None, sum(map(int, cycles))
 
 
 def main(build, work, repeats="3"):
@@ -165,14 +176,20 @@ def main(build, work, repeats="3"):
     n = len(positions())
     medians = {}
     for name, runs in results.items():
-        used, steps = statistics.median(r[0] for r in runs), runs[0][2]
-        medians[name] = used
-        print(f"{name}: {n} spheres, {STEPS} gas steps, {steps} particle steps: {used:.2f} s "
-              f"({', '.join(f'{r[0]:.2f}' for r in runs)}), {used / (STEPS * DT):.0f} s per simulated "
-              f"second, {1e6 * used / (n * steps):.2f} us per sphere and particle step")
-    exchange = statistics.median(r[1] for r in results["cohesiveBedFoam"])
+        time, steps = statistics.median(r[0] for r in runs), runs[0][3]
+        medians[name] = time
+        print(f"{name}: {n} spheres, {STEPS} gas steps, {steps} particle steps: {time:.2f} s "
+              f"({', '.join(f'{r[0]:.2f}' for r in runs)}), {time / (STEPS * DT):.0f} s per simulated "
+              f"second, {1e6 * time / (n * steps):.2f} us per sphere and particle step")
+    exchange = statistics.median(r[2] for r in results["cohesiveBedFoam"])
     print(f"ratio of the times: {medians['DPMFoam'] / medians['cohesiveBedFoam']:.1f}; "
           f"share of the exchange in cohesiveBedFoam: {exchange:.0f} %")
+    for name, program in (("cohesiveBedFoam", ours), ("DPMFoam", theirs)):
+        few, many = program(build, work, steps=FEW), program(build, work, layers=MANY, steps=FEW)
+        extra = len(positions(MANY)) - n
+        print(f"{name}: {few[1] / 2**20:.0f} MB with {n} spheres, {many[1] / 2**20:.0f} MB with {n + extra}: "
+              f"{(many[1] - few[1]) / extra:.0f} bytes per sphere"
+              + (f"; share of the exchange {many[2]:.0f} %" if many[2] is not None else ""))
 
 
 if __name__ == "__main__":
