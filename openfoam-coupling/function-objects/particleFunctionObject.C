@@ -13,7 +13,14 @@ Foam::functionObjects::particleFunctionObject::particleFunctionObject
 )
 :
     fvMeshFunctionObject(name, runTime, dict),
-    writeFile(mesh_, name, dict.get<word>("type"), dict),
+    writeFile
+    (
+        mesh_,
+        name,
+        dict.get<word>("type"),
+        dict,
+        mesh_.foundObject<coupledParticles>(coupledParticles::typeName)
+    ),
     particles_(mesh_.cfindObject<coupledParticles>(coupledParticles::typeName)),
     up_(Zero),
     timeStart_(-VGREAT)
