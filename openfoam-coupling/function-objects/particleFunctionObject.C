@@ -22,7 +22,6 @@ Foam::functionObjects::particleFunctionObject::particleFunctionObject
         mesh_.foundObject<coupledParticles>(coupledParticles::typeName)
     ),
     particles_(mesh_.cfindObject<coupledParticles>(coupledParticles::typeName)),
-    up_(Zero),
     timeStart_(-VGREAT)
 {
     if (!particles_)
@@ -51,7 +50,6 @@ Foam::vector Foam::functionObjects::particleFunctionObject::readDirection(const 
 bool Foam::functionObjects::particleFunctionObject::read(const dictionary& dict)
 {
     fvMeshFunctionObject::read(dict);
-    up_ = readDirection(dict);
     timeStart_ = -VGREAT;
     if (dict.readIfPresent("timeStart", timeStart_))
     {

@@ -222,7 +222,7 @@ def continued(expect, build, work, ranks, velocity):
 def budget(expect, build, work, ranks):
     """Spheres that collide with each other and with walls, in gas; the walls' forces by their own record."""
     what = f"budget, {ranks} ranks"
-    density, gas_step, step, row, end = 1000.0, 1e-4, 1e-5, 5e-3, 1e-2
+    density, gas_step, step, row, end = 1000.0, 1e-4, 1e-5, 2e-3, 4e-3
     random = np.random.default_rng(7)
     places = (np.indices((6, 6, 8)).reshape(3, -1).T + 0.5) * BOX / (6, 6, 8)
     velocities = random.uniform(-2, 2, places.shape)
