@@ -11,6 +11,7 @@
 #include "dem-engines/load_dem_engine.h"
 
 #include "readPositive.H"
+#include "sayParticles.H"
 #include "selectRow.H"
 
 using namespace cohesion;
@@ -105,6 +106,7 @@ Foam::gasParticleCoupling::gasParticleCoupling
     checkUnitsAndBox();
     checkContinued();
     registered_ = std::make_unique<coupledParticles>(mesh_, *engine_, g_);
+    sayParticles(*registered_, rho_);
     step_ = std::make_unique<gasStep>(time, engine_->time_step());
 
     if (!continued())

@@ -28,6 +28,7 @@ Foam::functionObjects::bedHeight::bedHeight
 )
 :
     particleFunctionObject(name, runTime, dict),
+    up_(Zero),
     bottom_(0),
     top_(0),
     layers_(0),
@@ -51,6 +52,7 @@ Foam::functionObjects::bedHeight::bedHeight
 bool Foam::functionObjects::bedHeight::read(const dictionary& dict)
 {
     particleFunctionObject::read(dict);
+    up_ = readDirection(dict);
     layers_ = dict.get<label>("layers");
     limit_ = dict.getOrDefault<scalar>("limit", 0.75);
     restHeight_ = dict.found("restHeight") ? readPositive(dict, "restHeight") : 0;
@@ -71,7 +73,7 @@ bool Foam::functionObjects::bedHeight::read(const dictionary& dict)
 
 void Foam::functionObjects::bedHeight::sortCells(const dictionary& dict)
 {
-    const scalarField corners(mesh_.points() & up());
+    const scalarField corners(mesh_.points() & up_);
     bottom_ = gMin(corners);
     top_ = gMax(corners);
 
@@ -79,7 +81,7 @@ void Foam::functionObjects::bedHeight::sortCells(const dictionary& dict)
     volumes_ = scalarList(layers_, Zero);
     forAll(layer_, celli)
     {
-        const scalar height = (mesh_.C()[celli] & up()) - bottom_;
+        const scalar height = (mesh_.C()[celli] & up_) - bottom_;
         layer_[celli] = min(label(height/(top_ - bottom_)*layers_), layers_ - 1);
         volumes_[layer_[celli]] += mesh_.V()[celli];
     }
@@ -113,7 +115,7 @@ Foam::scalar Foam::functionObjects::bedHeight::meanHeight() const
     scalar mass = 0;
     forAll(positions, i)
     {
-        moment += masses[i]*((positions[i] & up()) - bottom_);
+        moment += masses[i]*((positions[i] & up_) - bottom_);
         mass += masses[i];
     }
     reduce(moment, sumOp<scalar>());
@@ -149,7 +151,7 @@ Foam::scalar Foam::functionObjects::bedHeight::highest() const
     scalar highest = -VGREAT;
     forAll(positions, i)
     {
-        highest = max(highest, (positions[i] & up()) + radii[i]);
+        highest = max(highest, (positions[i] & up_) + radii[i]);
     }
     return returnReduce(highest, maxOp<scalar>()) - bottom_;
 }

@@ -26,6 +26,7 @@ Foam::functionObjects::mixingIndex::mixingIndex
 :
     particleFunctionObject(name, runTime, dict),
     first_(folder()/"places"),
+    up_(Zero),
     cells_(Zero),
     layers_(0)
 {
@@ -42,6 +43,7 @@ Foam::functionObjects::mixingIndex::mixingIndex
 bool Foam::functionObjects::mixingIndex::read(const dictionary& dict)
 {
     particleFunctionObject::read(dict);
+    up_ = readDirection(dict);
     cells_ = dict.get<Vector<label>>("cells");
     layers_ = dict.getOrDefault<label>("layers", 2);
     if (cmptMin(cells_) < 1)
@@ -77,7 +79,7 @@ void Foam::functionObjects::mixingIndex::begin()
 
 void Foam::functionObjects::mixingIndex::setColours()
 {
-    const scalarField heights(pointField(first_.places()) & up());
+    const scalarField heights(pointField(first_.places()) & up_);
     labelList order;
     sortedOrder(heights, order);
     colours_.setSize(order.size());

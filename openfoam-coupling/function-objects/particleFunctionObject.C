@@ -13,9 +13,15 @@ Foam::functionObjects::particleFunctionObject::particleFunctionObject
 )
 :
     fvMeshFunctionObject(name, runTime, dict),
-    writeFile(mesh_, name, dict.get<word>("type"), dict),
+    writeFile
+    (
+        mesh_,
+        name,
+        dict.get<word>("type"),
+        dict,
+        mesh_.foundObject<coupledParticles>(coupledParticles::typeName)
+    ),
     particles_(mesh_.cfindObject<coupledParticles>(coupledParticles::typeName)),
-    up_(Zero),
     timeStart_(-VGREAT)
 {
     if (!particles_)
@@ -44,7 +50,6 @@ Foam::vector Foam::functionObjects::particleFunctionObject::readDirection(const 
 bool Foam::functionObjects::particleFunctionObject::read(const dictionary& dict)
 {
     fvMeshFunctionObject::read(dict);
-    up_ = readDirection(dict);
     timeStart_ = -VGREAT;
     if (dict.readIfPresent("timeStart", timeStart_))
     {

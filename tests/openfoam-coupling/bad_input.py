@@ -181,6 +181,29 @@ CASES = {
         lambda c: edit(c, "0/U", "superficialVelocity (0 0 0);",
                        "superficialVelocity (0 0 0); share 0;"),
         ["share = 0", "must lie above 0"]),
+    "layers of the bed thinner than cells": (
+        lambda c: observe(c, "type bedHeight; layers 25;"),
+        ["observed: layers = 25: layer 1 from the bottom, 0.008 m thick, holds no cell's centre",
+         "not thinner than cells", "controlDict"]),
+    "void fraction of a surface that there is not": (
+        lambda c: observe(c, "type bedHeight; layers 10; limit 1;"),
+        ["observed: limit = 1: must lie between 0 and 1", "controlDict"]),
+    "grid without cells": (
+        lambda c: observe(c, "type mixingIndex; cells (3 0 10);"),
+        ["observed: cells = (3 0 10): must each be at least 1", "controlDict"]),
+    "one colour": (
+        lambda c: observe(c, "type mixingIndex; cells (3 3 10); layers 1;"),
+        ["observed: layers = 1: must be at least 2", "controlDict"]),
+    "heights in no direction": (
+        lambda c: observe(c, "type mixingIndex; cells (3 3 10); direction (0 0 0);"),
+        ["observed: direction = (0 0 0); give the direction in which heights are measured"]),
+    "movement in no time": (
+        lambda c: observe(c, "type particleMovement; interval 0;"),
+        ["interval = 0: must be a finite number greater than zero", "controlDict"]),
+    "forces of some steps": (
+        lambda c: observe(c, "type forceBudget; executeControl timeStep; executeInterval 2;"
+                             " writeControl timeStep; writeInterval 10;"),
+        ["observed: the gas step 1 was left out", "without executeControl"]),
 }
 
 
@@ -254,6 +277,11 @@ def without_adapters(case):
     (case.folder / library).symlink_to(os.path.join(built, library))
     case.env["LD_LIBRARY_PATH"] = ":".join([str(case.folder), *folders])
     case.set(COUPLING, "demEngine", "liggghts")
+
+
+def observe(case, entries):
+    with open(case.folder / "system/controlDict", "a") as control:
+        control.write(f"functions {{ observed {{ libs (cohesionFunctionObjects); {entries} }} }}\n")
 
 
 def cut_mesh(case):

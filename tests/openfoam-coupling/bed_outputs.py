@@ -8,7 +8,7 @@ import sys
 
 import numpy as np
 
-from coupled_case import COUPLING, Expectations, column, use_script
+from coupled_case import COUPLING, Expectations, column, make_periodic, use_script
 
 CONTROL = "system/controlDict"
 BOX = np.array([0.06, 0.06, 0.2])
@@ -58,13 +58,15 @@ def data_file(path, places, velocities, density):
                     f"Atoms\n\n{atoms}\n\nVelocities\n\n{moves}\n")
 
 
-def make(build, work, name, script, places, velocities, density, entries):
-    """The column with spheres; what is appended to a dictionary replaces what it says before."""
+def make(build, work, name, script, places, velocities, density, entries, periodic=False):
+    """The column with spheres, periodic in x or not; what is appended to a dictionary replaces what it says before."""
     case = column(work, name, build)
     use_script(case, script)
     data_file(case.folder / "data.spheres", places, velocities, density)
     append(case, COUPLING, "lammpsCoeffs { variables { data data.spheres; } }")
     append(case, CONTROL, "writePrecision 17;" + entries)
+    if periodic:
+        make_periodic(case)
     case.mesh()
     return case
 
@@ -74,11 +76,12 @@ def append(case, file, entries):
         dictionary.write(entries + "\n")
 
 
-def flight(build, work, name, velocities, end=T):
+def flight(build, work, name, velocities, end=T, periodic=False):
     """The spheres of lattice(), so heavy that nothing turns them."""
     case = make(build, work, name, "flight", lattice(), velocities, 1e12,
-                f"deltaT {GAS_STEP}; endTime {end}; writeInterval {T / 2};" + FUNCTIONS)
-    append(case, COUPLING, f"dragFactor 1e-15; lammpsCoeffs {{ variables {{ dt {STEP}; }} }}")
+                f"deltaT {GAS_STEP}; endTime {end}; writeInterval {T / 2};" + FUNCTIONS, periodic)
+    append(case, COUPLING, f"dragFactor 1e-15; lammpsCoeffs {{ variables {{ dt {STEP};"
+                           f" period {'p' if periodic else 'f'}; }} }}")
     return case
 
 
@@ -138,11 +141,12 @@ def check_movement(expect, what, row, way, seconds):
 
 
 def rising(expect, build, work, ranks):
-    """All move up by one cell of the mixing index: what was apart stays apart."""
+    """All move up by one cell of the mixing index, and aside, a third of them in an interval through a
+    periodic face: what was apart stays apart."""
     what = f"rising, {ranks} ranks"
-    up = np.array([0, 0, BOX[2] / CELLS[2]])
+    up = np.array([0.047, 0, BOX[2] / CELLS[2]])
     velocity = np.tile(up / T, (len(lattice()), 1))
-    case = flight(build, work, f"rising-{ranks}", velocity)
+    case = flight(build, work, f"rising-{ranks}", velocity, periodic=True)
     case.solve(ranks=ranks)
     heights, mixed = table(case, "height", "bedHeight"), table(case, "mixing", "mixingIndex")
     check_height(expect, f"{what}, start", at(heights, 0), lattice(), surface(0, BED))
@@ -158,6 +162,11 @@ def rising(expect, build, work, ranks):
     expect.equal(f"{what}: intervals", len(movement), 2)
     for time in (INTERVAL, 2 * INTERVAL):
         check_movement(expect, f"{what}, to {time} s", at(movement, time), velocity * INTERVAL, INTERVAL)
+    tables = sorted(case.folder.glob("postProcessing/*/*/*"))
+    case.run("cohesiveBedFoam", "-postProcess")
+    expect.equal(f"{what}: function objects that say they lack the particles in postProcess",
+                 case.log("cohesiveBedFoam").read_text().count("does nothing: it needs the particles"), 3)
+    expect.equal(f"{what}: tables afterwards", sorted(case.folder.glob("postProcessing/*/*/*")), tables)
 
 
 def dealt_out(expect, build, work, ranks):
@@ -213,7 +222,7 @@ def continued(expect, build, work, ranks, velocity):
 def budget(expect, build, work, ranks):
     """Spheres that collide with each other and with walls, in gas; the walls' forces by their own record."""
     what = f"budget, {ranks} ranks"
-    density, gas_step, step, row, end = 1000.0, 1e-4, 1e-5, 5e-3, 1e-2
+    density, gas_step, step, row, end = 1000.0, 1e-4, 1e-5, 2e-3, 4e-3
     random = np.random.default_rng(7)
     places = (np.indices((6, 6, 8)).reshape(3, -1).T + 0.5) * BOX / (6, 6, 8)
     velocities = random.uniform(-2, 2, places.shape)

@@ -69,6 +69,20 @@ def use_script(case, name, engine=ENGINE):
     case.set(COUPLING, f"{engine}Coeffs/script", f'"$FOAM_CASE/{script_file(name, engine)}"')
 
 
+def make_periodic(case):
+    """Periodic faces in the place of the column's walls in x."""
+    mesh = case.folder / "system/blockMeshDict"
+    walls = "    sides   { type wall;  faces ((0 1 5 4) (1 2 6 5) (2 3 7 6) (3 0 4 7)); }"
+    assert walls in mesh.read_text()
+    mesh.write_text(mesh.read_text().replace(
+        walls, "    sides   { type wall; faces ((0 1 5 4) (2 3 7 6)); }\n"
+               "    left    { type cyclic; neighbourPatch right; faces ((3 0 4 7)); }\n"
+               "    right   { type cyclic; neighbourPatch left; faces ((1 2 6 5)); }"))
+    for file in (case.folder / "0.orig").iterdir():
+        file.write_text(file.read_text().replace(
+            "    top ", "    left { type cyclic; }\n    right { type cyclic; }\n    top "))
+
+
 def disturb(case, script, by, engine=ENGINE):
     """Makes the velocities that a script of a swarm creates larger by the share `by`. What that does to
     the end of a run is a yardstick: two runs that should be the same, but for rounding and for what

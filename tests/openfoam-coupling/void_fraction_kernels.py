@@ -10,7 +10,7 @@ import numpy as np
 from scipy.linalg import solve_banded
 
 import packed_bed
-from coupled_case import SOURCE, Expectations, column, exchange_lines
+from coupled_case import SOURCE, Expectations, column, exchange_lines, make_periodic
 from packed_bed import G, HEIGHT, MU, RHO, ROW, STEPS, SUPERFICIAL, blow, drop, field, rows
 
 sys.path.insert(0, str(SOURCE / "tests/src/drag"))
@@ -119,15 +119,9 @@ def solid(build, work, name, kernel, places, diameter, cells=(3, 3, 10), periodi
         spoil(case)
     mesh = (case.folder / "system/blockMeshDict")
     text = mesh.read_text().replace("(3 3 10)", "({} {} {})".format(*cells))
-    if periodic:
-        text = text.replace("    sides   { type wall;  faces ((0 1 5 4) (1 2 6 5) (2 3 7 6) (3 0 4 7)); }",
-                            "    sides   { type wall; faces ((0 1 5 4) (2 3 7 6)); }\n"
-                            "    left    { type cyclic; neighbourPatch right; faces ((3 0 4 7)); }\n"
-                            "    right   { type cyclic; neighbourPatch left; faces ((1 2 6 5)); }")
-        for file in (case.folder / "0.orig").iterdir():
-            file.write_text(file.read_text().replace(
-                "    top ", "    left { type cyclic; }\n    right { type cyclic; }\n    top "))
     mesh.write_text(text)
+    if periodic:
+        make_periodic(case)
     commands = [f"create_atoms 1 single {x!r} {y!r} {z!r}" for x, y, z in places]
     (case.folder / "places").write_text("\n".join(commands) + "\n")
     case.set(COUPLING, "voidFraction", kernel)
