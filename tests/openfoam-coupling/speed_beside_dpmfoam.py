@@ -121,6 +121,7 @@ def ours(build, work, layers=LAYERS, steps=STEPS):
     case = column(work, "cohesiveBedFoam", build)
     coupling = "constant/couplingProperties"
     case.set(coupling, "drag", "ergunWenYu")
+    case.set(coupling, "minVoidFraction", 0.01)  # spheres by their centres, as DPMFoam takes them
     case.set(coupling, "lammpsCoeffs/script", '"$FOAM_CASE/swarm.lmp"')
     script = case.folder / "swarm.lmp"
     text = script.read_text()
