@@ -87,7 +87,8 @@ class PlaneFlux(unittest.TestCase):
         self.assertLess(stress[1], 0)
         off = plane - volume
         error = off.std(axis=1, ddof=1) / math.sqrt(BLOCKS)
-        print("yy, xy: by planes over by volume", plane.mean(axis=1) / stress, "+-", error / abs(stress), file=sys.stderr)
+        print("yy, xy: by planes over by volume", plane.mean(axis=1) / stress, "+-", error / abs(stress),
+              file=sys.stderr)
         # Student's t of eleven degrees: beyond 4.5 once in a thousand.
         self.assertLess(abs(off.mean(axis=1) / error).max(), 4.5)
         self.assertLess(abs(error / stress).max(), 0.015)
