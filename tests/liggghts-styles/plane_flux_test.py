@@ -71,8 +71,8 @@ class PlaneFlux(unittest.TestCase):
         distance, *handed = by_contacts(touches, dt)
         self.assertLess(abs(distance - 1 + touches.overlap).max(), 1e-12)
 
-        # Per window of the table, by the planes and by the volume. A contact counts in the step of its force; with
-        # the dump of the first step, which is of no window.
+        # Per window of the table, by the planes and by the volume. A contact counts in the step of its force; those
+        # of the first dump, before the first step, are of no window.
         window = numpy.ceil((touches.step - (touches.step.max() - STEPS)) / EVERY).astype(int)
         volume = numpy.array([table["kinetic yy"] + table["contact yy"],
                               table["carried"] / LENGTH**3 + table["contact xy"]])[:, 1:]

@@ -50,10 +50,10 @@ class Spheres(unittest.TestCase):
         power, touches, T = self.power(1.0)
         self.assertGreater(power.gained, 0.5 * 1.5 * T * 6**3)
         self.assertLess(abs(power.rest), 0.005 * power.work)
-        # Taken is only what is held at both ends: of each pair in contact, at half the energy of its approach
-        # (mean T before the run; 3 T at its end).
-        held = numpy.mean([(touches.step == n).sum() for n in set(touches.step)]) * 3 * T
-        self.assertLess(abs(power.taken), 3 * held)
+        # Taken is only what pairs in contact hold at both ends: no more than the energy of their approach, 2 T in the
+        # mean, and T grows to less than three times the start's; twice that for the few pairs that there are.
+        held = numpy.mean([(touches.step == n).sum() for n in set(touches.step)]) * 2 * 3 * T
+        self.assertLess(abs(power.taken), 2 * held)
 
     def test_kinetic_theory(self):
         """Strains of 30 after 6; T forgets itself in a strain of some 2."""
