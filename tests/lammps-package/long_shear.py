@@ -62,6 +62,7 @@ def run(name, folder, ranks, start, steps, strain, samples, step_done, lines_fro
         if len(words) >= 6 and words[1].isdigit() and words[0].isdigit() and int(words[0]) > at:
             step_done(int(words[0]) - at)
             at = int(words[0])
+    process.stdout.close()
     if process.wait() != 0:
         raise RuntimeError(f"{name} ended with code {process.returncode}:\n{''.join(output[-40:])}")
     output = "".join(output)

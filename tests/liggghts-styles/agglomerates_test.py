@@ -107,6 +107,33 @@ class Durations(unittest.TestCase):
                 self.assertLess(abs(final[9] - three / end), 2 * unit / end)
                 self.assertEqual(table[[18, 21, 26], 2].tolist(), [2, 3, 2])
 
+    def test_one_that_splits_in_a_step(self):
+        """A row of five through a face, of which the last two leave together: one agglomerate at one look, two at
+        the next, nobody without partner in between."""
+        for axis, ranks in ((0, 0), (0, 2), (1, 2)):
+            with self.subTest(axis=axis, ranks=ranks):
+                x, v = numpy.full((5, 3), 3.0), numpy.zeros((5, 3))
+                x[:, axis] = BOX[axis] - 2.05 + 1.05 * numpy.arange(5)
+                v[3:, axis] = 1.0
+                # The gap of 0.0505 passes the range of 0.2 in the middle of step 150.
+                x[3:, axis] += 0.0005
+                text = scene(x % BOX, v, fields=FIELDS + " f_set[2][1] f_set[3][1] f_set[5][1]", run="run 200\n")
+                table, run = rows(text.replace("thermo 100\n", "thermo 1\n"), ranks)
+                one = numpy.arange(201) < 150
+                for column, before, after in ((1, 1, 2), (2, 5, 2.5), (9, 0, 1), (10, 0, 1), (11, 1, 0)):
+                    numpy.testing.assert_array_equal(table[:, column], numpy.where(one, before, after))
+                self.assertEqual(abs(table[:, 6]).max(), 0)  # no duration has ended
+                sets = [[frame[n] for n in sorted(frame)] for frame in run.frames("out.txt")]
+                numpy.testing.assert_array_equal(sets[149], [[1, 5]] * 5)
+                numpy.testing.assert_array_equal(sets[150], [[1, 3]] * 3 + [[4, 2]] * 2)
+
+    def test_one_that_was_there_at_the_start_is_not_counted(self):
+        x = numpy.array([[3.0, 4.0, 3.0], [4.1, 4.0, 3.0]])
+        v = numpy.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]])
+        table, _ = rows(scene(x, v, run="run 300\n"))
+        self.assertEqual(table[0, 1], 1)
+        self.assertEqual(table[-1, [1, 6]].tolist(), [0, 0])
+
     def test_runs_that_are_split_or_restarted(self):
         x, v, _, _ = passing()
         text = scene(x, v, fields=self.FIELDS, run="", every=3500)

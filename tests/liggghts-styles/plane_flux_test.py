@@ -71,8 +71,8 @@ class PlaneFlux(unittest.TestCase):
         distance, *handed = by_contacts(touches, dt)
         self.assertLess(abs(distance - 1 + touches.overlap).max(), 1e-12)
 
-        # Per window of the table, by the planes and by the volume. A contact counts in the step of its force; with
-        # the dump of the first step, which is of no window.
+        # Per window of the table, by the planes and by the volume. A contact counts in the step of its force; those
+        # of the first dump, before the first step, are of no window.
         window = numpy.ceil((touches.step - (touches.step.max() - STEPS)) / EVERY).astype(int)
         volume = numpy.array([table["kinetic yy"] + table["contact yy"],
                               table["carried"] / LENGTH**3 + table["contact xy"]])[:, 1:]
@@ -87,7 +87,8 @@ class PlaneFlux(unittest.TestCase):
         self.assertLess(stress[1], 0)
         off = plane - volume
         error = off.std(axis=1, ddof=1) / math.sqrt(BLOCKS)
-        print("yy, xy: by planes over by volume", plane.mean(axis=1) / stress, "+-", error / abs(stress), file=sys.stderr)
+        print("yy, xy: by planes over by volume", plane.mean(axis=1) / stress, "+-", error / abs(stress),
+              file=sys.stderr)
         # Student's t of eleven degrees: beyond 4.5 once in a thousand.
         self.assertLess(abs(off.mean(axis=1) / error).max(), 4.5)
         self.assertLess(abs(error / stress).max(), 0.015)

@@ -29,7 +29,7 @@ def main():
         ("--strain", {"type": float, "default": 200.0}), ("--side", {"type": int, "default": 4}),
         ("--mpiexec", {"default": "mpiexec --oversubscribe -np"}), liggghts=True)
     if words.plugin:
-        sys.exit("shear-long.py takes a LIGGGHTS; the program beside lammps-package/shear_long takes LAMMPS")
+        sys.exit("this program takes liggghts-cohesion alone; tests/lammps-package/shear-long.py takes LAMMPS")
     if words.steps < 4000 or words.steps % 4000:
         sys.exit(f"--steps {words.steps}: a multiple of 4000, 4000 or more")
     os.environ["COHESION_MPIEXEC"] = words.mpiexec

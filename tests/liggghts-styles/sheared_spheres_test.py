@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Sheared smooth inelastic spheres through LIGGGHTS: balance of power, and kinetic theory (sheared_spheres.py)."""
+import sys
 import unittest
 from concurrent.futures import ThreadPoolExecutor
 
@@ -33,7 +34,10 @@ class Spheres(unittest.TestCase):
         table, done = spheres.run(side, fraction, law, T, dt, steps, before=2.0, sample=1, every=every, contacts=True)
         touches = spheres.Touches(done, law, dt)
         self.assertGreater(touches.count, 500)
-        return spheres.Power(table, touches, spheres.length(side, fraction)**3, dt, every), touches, T
+        power = spheres.Power(table, touches, spheres.length(side, fraction)**3, dt, every)
+        shares = [share / power.work for share in (power.gained, power.taken, power.rest)]
+        print("e {}: of the work {:.4f} gained, {:.4f} taken, {:.5f} left".format(restitution, *shares), file=sys.stderr)
+        return power, touches, T
 
     # Each contact is followed on a grid of pi/15 of its swing: its energy is what leapfrog keeps, within (pi/15)^2/8
     # of what it exchanges. All one way that would be half of the 1 % that is asked for.
@@ -46,10 +50,10 @@ class Spheres(unittest.TestCase):
         power, touches, T = self.power(1.0)
         self.assertGreater(power.gained, 0.5 * 1.5 * T * 6**3)
         self.assertLess(abs(power.rest), 0.005 * power.work)
-        # Taken is only what is held at both ends: of each pair in contact, at half the energy of its approach
-        # (mean T before the run; 3 T at its end).
-        held = numpy.mean([(touches.step == n).sum() for n in set(touches.step)]) * 3 * T
-        self.assertLess(abs(power.taken), 3 * held)
+        # Taken is only what pairs in contact hold at both ends: no more than the energy of their approach, 2 T in the
+        # mean, and T grows to less than three times the start's; twice that for the few pairs that there are.
+        held = numpy.mean([(touches.step == n).sum() for n in set(touches.step)]) * 2 * 3 * T
+        self.assertLess(abs(power.taken), 2 * held)
 
     def test_kinetic_theory(self):
         """Strains of 30 after 6; T forgets itself in a strain of some 2."""
@@ -64,6 +68,7 @@ class Spheres(unittest.TestCase):
         with ThreadPoolExecutor(2) as pool:
             for case, done in [(case, pool.submit(against_theory, *case)) for case in cases]:
                 for name, ratio, room, error in done.result():
+                    print(f"{case}: {name} over theory {ratio:.4f} +- {error:.4f}, room {room:.4f}", file=sys.stderr)
                     with self.subTest(case=case, of=name):
                         self.assertLess(error, 0.03)  # ten blocks know it within a factor of 2
                         self.assertLess(abs(ratio - 1), room)

@@ -43,8 +43,8 @@ thermo_style custom step atoms c_energy c_carried """ + " ".join(f"f_mean[{k}]" 
 thermo_modify norm no lost error format float %.17g
 """
 # Contacts in each step, beside the places and velocities of what is dumped.
-EACH_CONTACT = """dump contacts all local 1 contacts.txt c_touching[1] c_touching[2] c_touching[3] c_touching[4] c_touching[5] \
-c_touching[6] c_touching[7] c_touching[8] c_touching[10]
+EACH_CONTACT = """dump contacts all local 1 contacts.txt c_touching[1] c_touching[2] c_touching[3] c_touching[4] \
+c_touching[5] c_touching[6] c_touching[7] c_touching[8] c_touching[10]
 dump_modify contacts format "%.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g"
 """
 
