@@ -58,18 +58,26 @@ void PairHamaker::compute(int eflag, int vflag) {
   if (neighbor->ago == 0)
     check_radii(lmp, "pair_style hamaker: the outer cut-off is beyond the neighbour range",
                 largest_radius);
-  std::visit(
-      [this](const auto& chosen) {
-        if (evflag) {
-          force->newton_pair ? compute_pairs<true, true>(chosen)
-                             : compute_pairs<true, false>(chosen);
-        } else {
-          force->newton_pair ? compute_pairs<false, true>(chosen)
-                             : compute_pairs<false, false>(chosen);
-        }
-      },
-      laws);
+  if (attracts()) {
+    std::visit(
+        [this](const auto& chosen) {
+          if (evflag) {
+            force->newton_pair ? compute_pairs<true, true>(chosen)
+                               : compute_pairs<true, false>(chosen);
+          } else {
+            force->newton_pair ? compute_pairs<false, true>(chosen)
+                               : compute_pairs<false, false>(chosen);
+          }
+        },
+        laws);
+  }
   if (vflag_fdotr) virial_fdotr_compute();
+}
+
+/// Whether any types attract each other; fix adapt may change it.
+bool PairHamaker::attracts() const {
+  return std::any_of(parameters.begin(), parameters.end(),
+                     [](const Parameters& p) { return p.hamaker_constant > 0.0; });
 }
 
 template <bool TALLY, bool NEWTON, class Law>
@@ -83,19 +91,22 @@ void PairHamaker::compute_pairs(const std::vector<Law>& law_of) {
   for (int ii = 0; ii < list->inum; ii++) {
     const int i = list->ilist[ii];
     const int* const neighbors = list->firstneigh[i];
-    for (int jj = 0; jj < list->numneigh[i]; jj++) {
+    const int number = list->numneigh[i];
+    const double xi = x[i][0], yi = x[i][1], zi = x[i][2], ri = radius[i];
+    const Law* const laws_of_i = &law_of[parameters.number(type[i], 0)];
+    for (int jj = 0; jj < number; jj++) {
       const int j = neighbors[jj] & NEIGHMASK;
-      const double dx = x[i][0] - x[j][0];
-      const double dy = x[i][1] - x[j][1];
-      const double dz = x[i][2] - x[j][2];
+      const double dx = xi - x[j][0];
+      const double dy = yi - x[j][1];
+      const double dz = zi - x[j][2];
       const double rsq = dx * dx + dy * dy + dz * dz;
-      const Law& law = law_of[parameters.number(type[i], type[j])];
-      const double contact = radius[i] + radius[j];
+      const Law& law = laws_of_i[type[j]];
+      const double contact = ri + radius[j];
       const double reach = contact + law.outer_cutoff();
       if (rsq >= reach * reach) continue;
 
       const double r = std::sqrt(rsq);
-      const cohesion::PairGeometry geometry = cohesion::two_spheres(radius[i], radius[j]);
+      const cohesion::PairGeometry geometry = cohesion::two_spheres(ri, radius[j]);
       const double attraction = law.force(r - contact, geometry);
       const double fpair = -attraction / r;
       f[i][0] += dx * fpair;

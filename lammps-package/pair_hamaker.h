@@ -47,6 +47,7 @@ class PairHamaker : public Pair {
   template <bool TALLY, bool NEWTON, class Law>
   void compute_pairs(const std::vector<Law>&);
 
+  bool attracts() const;
   void allocate();
   Parameters of_type(int);
   void give(int, int, const Parameters&);

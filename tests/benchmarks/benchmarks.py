@@ -19,6 +19,7 @@ from page import replace_section
 from programs import Missing, Programs
 
 NAMES = {"features": "feature x cost when off x cost when on, LAMMPS and LIGGGHTS",
+         "coupling": "the same of the gas: cohesiveBedFoam",
          "dense": "a step with cohesion of 32,000 spheres, beside the stock engines",
          "growth": "a step of 1000 to 1,000,000 spheres, and memory per sphere",
          "scaling": "one rank and two: the same scene, and twice the scene",

@@ -37,12 +37,14 @@ def add_words(parser):
     parser.add_argument("--scene", choices=scenes.LATTICE, action="append")
     parser.add_argument("--particles", type=int, default=32000)
     parser.add_argument("--first", type=int, default=100, help="steps before what is measured")
-    parser.add_argument("--steps", type=int, default=100, help="that are measured; a multiple of 20")
+    parser.add_argument("--steps", type=int, default=40, help="that are counted, and a quarter of those that are "
+                        "timed; a multiple of 20")
     parser.add_argument("--turns", type=int, default=5, help="0: instructions alone")
+    parser.add_argument("--times", action="store_true", help="times alone")
 
 
 def small(words):
-    words.particles, words.steps, words.turns, words.scene = 4000, 40, 1, ["gas"]
+    words.particles, words.steps, words.turns, words.scene = 4000, 20, 1, ["gas"]
 
 
 def measure(programs, words, engine, scene, progress):
@@ -53,13 +55,14 @@ def measure(programs, words, engine, scene, progress):
             for name, (way, pair) in WAYS[engine].items()}
     counts = {}
     for name, (way, text) in runs.items():
-        counts[name] = programs.count_per_step(way, text, words.first, words.steps // 2 or 1) / number
+        counts[name] = None if words.times else programs.count_per_step(
+            way, text, words.first, words.steps) / number
         progress.add(1)
     turns = {name: [] for name in runs}
     for turn in range(words.turns):
         for name in list(runs)[::-1] if turn % 2 else runs:
             turns[name].append(1e9 / number * programs.seconds_per_step(
-                *runs[name], words.first, 2 * words.steps))
+                *runs[name], words.first, 4 * words.steps))
         progress.add(1)
     return number, counts, turns
 
@@ -82,5 +85,5 @@ def rows(programs, words):
                 ratios = [ours / stock for ours, stock in zip(turns[name], turns[first])]
                 time = f"{statistics.median(turns[name]):.0f}"
                 ratio = f"{statistics.median(ratios):.2f} ({min(ratios):.2f} to {max(ratios):.2f})"
-            yield (f"| {engine} | {scene}, {number} | {name} | {count:.0f} | {count / counts[first]:.2f} | {time} "
-                   f"| {ratio} |")
+            counted = " | " if count is None else f"{count:.0f} | {count / counts[first]:.2f}"
+            yield f"| {engine} | {scene}, {number} | {name} | {counted} | {time} | {ratio} |"

@@ -115,7 +115,7 @@ def gran(models="model hooke/stiffness tangential history", properties=""):
                         "coefficientFriction": FRICTION, "coefficientRestitution": RESTITUTION,
                         "coefficientRollingFriction": 0.1}.items():
         text += f"fix {name} all property/global {name} peratomtypepair 1 {value!r}\n"
-    text += f"fix Y all property/global youngsModulus peratomtype 5e6\n"
+    text += "fix Y all property/global youngsModulus peratomtype 5e6\n"
     text += "fix nu all property/global poissonsRatio peratomtype 0.3\n"
     return text + properties + f"pair_style gran {models}\npair_coeff * *\n"
 
