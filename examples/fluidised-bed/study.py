@@ -73,14 +73,21 @@ def text(table, results, failed):
                                                             if column in figures else "none")
                                             for column in COLUMNS) + str(len(results[name]))
                      + (f", {failed[name]} failed" if failed[name] else ""))
-    pairs = [(one, other) for one in table for other in table
-             if table[one]["engine"] == "lammps" and table[other] == {**table[one], "engine": "liggghts"}]
+    pairs = [(one, other) for one in table for other in table if same_bed(table[one], table[other])]
     if pairs:
         lines += ["", "LIGGGHTS - LAMMPS (over its standard error)"]
     for one, other in pairs:
         lines.append(f"{other:20}" + "".join(f"{difference(results[one], results[other], column):20}"
                                             for column in COLUMNS))
     return "\n".join(lines)
+
+
+def same_bed(one, other):
+    """Whether the rows `one`, of LAMMPS, and `other`, of LIGGGHTS, are the same bed: a variable that one of the
+    scripts only has must be as in the case."""
+    in_case = {**parameters("liggghts"), **parameters("lammps"), "engine": None}
+    alike = {**in_case, **one, "engine": None} == {**in_case, **other, "engine": None}
+    return (one["engine"], other["engine"]) == ("lammps", "liggghts") and alike
 
 
 def difference(one, other, figure):

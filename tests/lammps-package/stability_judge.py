@@ -12,7 +12,8 @@ more with places and velocities changed in the last digits, which tells how far 
 Verdicts: `right`: below the aim; `other outcome`: who is together differs; `wrong`: by what; `refused`; `crashed`;
 `hangs`; `marginal`: wrong, but both references whose speeds are changed by the aim (up and down, 0.1 at most) are as
 far off; or of other outcome, and one of the two has the same; `not judged`: no reference, or wrong where round-off
-alone decides (rounding_decides) or where references of half and of twice the step do not agree with each other.
+alone decides (rounding_decides) or where references of half and of twice the step do not agree with each other;
+`reference crashed` (hangs, refused): one that would be needed to say. What is not a number is always `wrong`.
 Aims: one contact without friction 1e-6 once parted; with friction or several contacts second order, (w dt)^2, at most
 0.1; while together also what the place on the grid differs from that of the motion, (w dt)^2/8, in wells w dt; and
 what the last digit of the largest place is of s/w, times the number of steps; where a sphere flies less than four
@@ -44,6 +45,7 @@ NO_WARNING = ("would stick less with a stiffer spring", "thermo_modify", "thermo
 # What says that a number may be wrong: too few steps, or a rule that acted. An overlap tells of the material.
 FITS = ("steps per contact", "steps in the cut-off", "steps in the well", "inelastic collapse")
 
+NOT_A_NUMBER = "wrong: not a number"
 GOOD = ("right", "marginal", "not judged", "refused")
 
 
@@ -51,7 +53,7 @@ def kind(verdict, said):
     """What a verdict counts as: itself, or wrong with or without a warning that fits (FITS)."""
     if verdict in GOOD:
         return verdict
-    if verdict in ("crashed", "hangs"):
+    if verdict in ("crashed", "hangs") or verdict.startswith("reference "):
         return "crashed"
     return "warned" if any(words in said for words in FITS) else "silent"
 
@@ -102,7 +104,9 @@ def judge(point, engine):
     state, said, end = run(point, engine, point.law.scheme, 1)
     if state != "ran":
         return Result({name: state for name in point.cases()}, {}, said, None)
-    known = (hard_reference if point.law.hard else fine_run)(point, engine)
+    state, known = (hard_reference if point.law.hard else fine_run)(point, engine)
+    if state in ("crashed", "hangs"):
+        return Result({name: f"reference {state}" for name in point.cases()}, {}, said, None)
     verdicts, errors, others = {}, {}, {}
     for name in point.cases():
         if name not in known:
@@ -124,18 +128,24 @@ def doubted(point, engine, name, end, known, aim, verdict, others):
     of the point, made when first asked for."""
     def reference(finer, faster=0.0):
         if (finer, faster) not in others:
-            others[finer, faster] = run(point, engine, "event", finer, faster)[2]
+            others[finer, faster] = run(point, engine, "event", finer, faster)
         return others[finer, faster]
 
     change = min(aim, 0.1)
+    if verdict == NOT_A_NUMBER:
+        return verdict
     if rounding_decides(point, known):
         return "not judged"
-    if marginal(point, name, end, known, [reference(REFERENCE, sign * change) for sign in (-1, 1)]):
+    if marginal(point, name, end, known, [reference(REFERENCE, sign * change)[2] for sign in (-1, 1)]):
         return "marginal"
-    near = [reference(finer) for finer in (REFERENCE // 2, 2 * REFERENCE)]
-    if any(other is None or compare(point, name, other, known, aim / 2)[1] != "right" for other in near):
-        return "not judged"
-    return verdict
+    found = set()
+    for state, _, other in (reference(finer) for finer in (REFERENCE // 2, 2 * REFERENCE)):
+        if state != "ran":
+            return f"reference {state}"
+        found.add(compare(point, name, other, known, aim / 2)[1])
+    if NOT_A_NUMBER in found:
+        return NOT_A_NUMBER
+    return verdict if found == {"right"} else "not judged"
 
 
 def rounding_decides(point, end):
@@ -153,8 +163,9 @@ def marginal(point, name, end, known, others):
     error, found = compare(point, name, end, known, 0.0)
     others = [other for other in others if other is not None]
     if found == "other outcome":
-        return any(compare(point, name, end, other, 0.0)[1] != found for other in others)
-    return len(others) == 2 and all(compare(point, name, other, known, error)[1] != "right" for other in others)
+        return any(compare(point, name, end, other, 0.0)[1] not in (found, NOT_A_NUMBER) for other in others)
+    return len(others) == 2 and all(compare(point, name, other, known, error)[1] not in ("right", NOT_A_NUMBER)
+                                    for other in others)
 
 
 def held_at_all(point, name, end):
@@ -175,7 +186,7 @@ def compare(point, name, end, known, aim):
 
 def verdict(error, same, aim):
     if not math.isfinite(error):
-        return "wrong: not a number"
+        return NOT_A_NUMBER
     if not same:
         return "other outcome"
     return "right" if error < aim else f"wrong by {error:.1g}"
@@ -187,16 +198,17 @@ def last_digit(end):
 
 
 def fine_run(point, engine):
-    """By case: places and velocities of all spheres, and the aim, which depends on whether any are together."""
+    """State, and by case: places and velocities of all spheres, and the aim, which depends on whether any are
+    together."""
     state, _, end = run(point, engine, "event", REFERENCE)
     if state != "ran":
-        return {}
+        return state, {}
     p = point.values
     angle = math.pi / p["steps"]
     digit = last_digit(end)
     # What no engine can move on the fine grid.
     if 0 < p["speed"] * math.cos(math.radians(p["angle"])) * point.dt / REFERENCE < 4 * digit:
-        return {}
+        return state, {}
     roundoff = digit * point.w0 / point.scale * point.duration / point.dt * REFERENCE
 
     def aim(name):
@@ -205,7 +217,7 @@ def fine_run(point, engine):
         alone = 1e-6 if name == "first" and not p["mu"] else min(angle**2, 0.1)
         return lambda held: (max(alone, point.law.place_room(point)) if held else alone) + roundoff
 
-    return {name: (end, aim(name)) for name in point.cases()}
+    return state, {name: (end, aim(name)) for name in point.cases()}
 
 
 def hard_reference(point, _):
@@ -218,7 +230,7 @@ def hard_reference(point, _):
         roundoff = 100 * max(numpy.abs(ends[0][1] - end[1])[spheres].max() for end in ends[1:]) / point.scale
         if roundoff < 1e-3:
             found[name] = ends[0], lambda held, roundoff=roundoff: max(1e-9, roundoff)
-    return found
+    return "ran", found
 
 
 def event_driven(point, spheres, change):

@@ -3,6 +3,7 @@
 judge sees what is wrong."""
 import unittest
 from concurrent.futures import ThreadPoolExecutor
+from unittest import mock
 
 import numpy
 
@@ -120,6 +121,27 @@ class Judge(unittest.TestCase):
         stuck = places, self.end[1]
         self.assertTrue(judge.marginal(self.point, "first", stuck, self.end, [self.changed(0.1), stuck]))
         self.assertFalse(judge.marginal(self.point, "first", stuck, self.end, 2 * [self.changed(0.1)]))
+
+    def test_nothing_excuses_what_is_not_a_number(self):
+        nan = self.changed(numpy.nan)
+        with mock.patch.object(judge, "rounding_decides", return_value=True):
+            self.assertEqual(judge.doubted(self.point, engine, "first", nan, self.end, 1e-6, judge.NOT_A_NUMBER, {}),
+                             judge.NOT_A_NUMBER)
+        # Nor does a reference that is none excuse others.
+        self.assertFalse(judge.marginal(self.point, "first", self.changed(0.01), self.end, 2 * [nan]))
+
+    def test_a_reference_that_crashes_excuses_nothing(self):
+        """At half or at twice the fine step; one that is off there does excuse."""
+        fine = judge.REFERENCE
+        same, crashed = ("ran", "", self.end), ("crashed", "", None)
+        for finer, other, found in ((fine, same, "wrong by 0.01"), (2 * fine, crashed, "reference crashed"),
+                                    (fine // 2, crashed, "reference crashed"),
+                                    (2 * fine, ("ran", "", self.changed(numpy.nan)), judge.NOT_A_NUMBER),
+                                    (2 * fine, ("ran", "", self.changed(1e-5)), "not judged")):
+            with mock.patch.object(judge, "run", lambda *words: other if words[3] == finer else same):
+                self.assertEqual(judge.doubted(self.point, engine, "first", self.changed(0.01), self.end, 1e-6,
+                                               "wrong by 0.01", {}), found)
+        self.assertEqual(judge.kind("reference crashed", ""), "crashed")
 
     def test_outcome(self):
         places = self.end[0].copy()
