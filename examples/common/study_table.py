@@ -61,6 +61,13 @@ def over_seeds(results):
     return found
 
 
+def in_order(lines):
+    """The columns of `lines` (dicts), name, parameters and figures each in the order in which they come."""
+    before = [list(line)[:list(line).index("seeds")] for line in lines]
+    after = [list(line)[list(line).index("seeds"):] for line in lines]
+    return list(dict.fromkeys(column for part in (before, after) for line in part for column in line))
+
+
 def write_summary(file, table, results, failed=None):
     """CSV: a line per row of `table`, with its parameters, how many seeds, and for each figure its mean and,
     as <figure>_sd, standard deviation. `results`: {row name: [dict of figures per seed]}; `failed`: {row name:
@@ -75,6 +82,8 @@ def write_summary(file, table, results, failed=None):
             line[figure], line[f"{figure}_sd"] = f"{mean:.6g}", f"{deviation:.2g}"
         lines.append(line)
     with open(file, "w", newline="") as out:
-        writer = csv.DictWriter(out, list(max(lines, key=len)))
+        # Rows of different programs have other parameters, and those without results no figures.
+        columns = in_order(lines)
+        writer = csv.DictWriter(out, columns, restval="")
         writer.writeheader()
         writer.writerows(lines)

@@ -48,6 +48,10 @@ def rows(file):
         engine = given.get("engine", run.ENGINES[0])
         if engine not in run.ENGINES:
             raise TableError(f"{file}: row '{name}' has engine '{engine}'; there are " + ", ".join(run.ENGINES))
+        for column in given:
+            if column not in parameters(engine):
+                raise TableError(f"{file}: row '{name}': '{column}' does not apply to engine '{engine}'; it has "
+                                 + ", ".join(parameters(engine)))
         table[name] = {**parameters(engine), **given}
         if table[name]["schedule"] not in run.SCHEDULES:
             raise TableError(f"{file}: row '{name}' has schedule '{table[name]['schedule']}'; there are "

@@ -127,9 +127,31 @@ class Beds(unittest.TestCase):
         for seed in (4711, 9973, 10008, -10007):
             with self.assertRaisesRegex(study.TableError, f"primes above 10000, and {seed}"):
                 self.call(study, table, "--seeds", seed, "--out", self.folder / "out")
+        table.write_text("name, engine, scheme\na, lammps, event\nb, liggghts, event\n")
+        with self.assertRaisesRegex(study.TableError, "'b'.*'scheme'.*'liggghts'"):
+            self.call(study, table, "--out", self.folder / "out")
         table.write_text("name, engine\na, yade\n")
         with self.assertRaisesRegex(study.TableError, "'a'.*'yade'; there are lammps, liggghts"):
             self.call(study, table, "--out", self.folder / "out")
+
+    def test_refuses_a_scheme_that_is_none(self):
+        table, out = self.folder / "table.csv", self.folder / "out"
+        table.write_text("name, scheme, settle\na, Event, 0.01\n")
+        with self.assertRaisesRegex(RunError, "1 of 1 runs failed"):
+            self.call(study, table, "--seeds", 1, "--out", out)
+        self.assertIn("scheme is Event; there are sampled and event", (out / "runs/a-1/log.lammps").read_text())
+
+    def test_a_summary_of_both_engines_without_results(self):
+        """Parameters that one engine only has, and a row without figures."""
+        file = self.folder / "summary.csv"
+        table = {"a": {"A": 0, "scheme": "event"}, "b": {"A": 1, "other": 2}}
+        for results, expected in (({"a": [], "b": [{"u": 3.0}]}, [["a", "", "event", ""], ["b", "3", "", "2"]]),
+                                  ({"a": [{"u": 3.0}], "b": []}, [["a", "3", "event", ""], ["b", "", "", "2"]])):
+            study.write_summary(file, table, results, {"a": 0, "b": 0})
+            with open(file) as lines:
+                rows = list(csv.DictReader(lines))
+            self.assertEqual(list(rows[0]), ["name", "A", "scheme", "other", "seeds", "failed", "u", "u_sd"])
+            self.assertEqual([[row[k] for k in ("name", "u", "scheme", "other")] for row in rows], expected)
 
     def test_kernels_and_schemes(self):
         table, out = self.folder / "table.csv", self.folder / "out"

@@ -14,7 +14,7 @@ import tempfile
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.append(str(HERE.parent / "lammps-package"))
 
-from short_start import short_start  # noqa: E402
+from short_start import HERE_ONLY, short_start  # noqa: E402
 
 EPSILON = 2.0**-52
 
@@ -32,7 +32,7 @@ class Run:
         command = [program("LAUNCHER" if how == "launcher" else "STOCK"), "-in", "in.script"]
         for name, value in variables.items():
             command += ["-var", name, repr(value) if isinstance(value, float) else str(value)]
-        environment = {**os.environ, **short_start(ranks)}
+        environment = {**os.environ, **(HERE_ONLY if ranks else short_start())}
         if ranks:
             command = [program("MPIEXEC"), "--oversubscribe", "-n", str(ranks)] + command
         if how == "preload":
