@@ -6,8 +6,9 @@ import tempfile
 from pathlib import Path
 
 import instruction_count
-from programs import ENVIRONMENT, Used
+from programs import Used, environment
 from progress import Progress
+from scenes import spread
 
 TITLE = "Size and load time"
 # What is installed for whom; the first of them is what is loaded.
@@ -66,7 +67,7 @@ def counted(start):
         return None
     with tempfile.TemporaryDirectory(prefix="cohesion-") as folder:
         (Path(folder) / "in.script").write_text(script)
-        return instruction_count.of_command(command, folder, ENVIRONMENT)
+        return instruction_count.of_command(command, folder, environment())
 
 
 def stripped(file):
@@ -110,5 +111,6 @@ def load(without, own, turns, progress):
     more = [b - a for a, b in zip(alone, full)]
     memory = statistics.median(b.memory - a.memory for a, b in times) / 1e6 if without else None
     return [f"{statistics.median(alone):.0f}" if without else "", f"{statistics.median(full):.0f}",
-            f"{statistics.median(more):.1f} ({min(more):.1f} to {max(more):.1f})",
-            "" if counts[1] is None else f"{(counts[1] - (counts[0] or 0)) / 1e6:.1f}", "" if memory is None else f"{memory:.1f}"]
+            spread(more, 1),
+            "" if counts[1] is None else f"{(counts[1] - (counts[0] or 0)) / 1e6:.1f}",
+            "" if memory is None else f"{memory:.1f}"]

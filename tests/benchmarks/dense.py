@@ -5,10 +5,9 @@ import sys
 
 import scenes
 from progress import Progress
-from scenes import gran, granular, hamaker, hooke, ours, overlay, well
+from scenes import LIGGGHTS_CONTACT, gran, granular, hamaker, hooke, ours, overlay, spread, well
 
 TITLE = "Cost of a step with cohesion"
-GRAN = "model hooke/stiffness tangential history"
 WAYS = {
     "LAMMPS": {
         "gran/hooke/history (stock)": ("lammps", hooke()),
@@ -25,9 +24,10 @@ WAYS = {
     "LIGGGHTS": {
         "hooke/stiffness (stock)": ("liggghts", gran()),
         "hooke/stiffness, sjkr (stock, cohesive)": (
-            "liggghts", gran(GRAN + " cohesion sjkr", scenes.SJKR_PROPERTIES)),
-        "cohesion hamaker": ("liggghts+", gran(GRAN + " cohesion hamaker", scenes.hamaker_properties())),
-        "cohesion square_well": ("liggghts+", gran(GRAN + " cohesion square_well", scenes.well_properties())),
+            "liggghts", gran(LIGGGHTS_CONTACT + " cohesion sjkr", scenes.SJKR_PROPERTIES)),
+        "cohesion hamaker": ("liggghts+", scenes.LIGGGHTS_HAMAKER),
+        "cohesion square_well": (
+            "liggghts+", gran(LIGGGHTS_CONTACT + " cohesion square_well", scenes.well_properties())),
     },
 }
 
@@ -84,6 +84,6 @@ def rows(programs, words):
             if turns[name]:
                 ratios = [ours / stock for ours, stock in zip(turns[name], turns[first])]
                 time = f"{statistics.median(turns[name]):.0f}"
-                ratio = f"{statistics.median(ratios):.2f} ({min(ratios):.2f} to {max(ratios):.2f})"
+                ratio = spread(ratios)
             counted = " | " if count is None else f"{count:.0f} | {count / counts[first]:.2f}"
             yield f"| {engine} | {scene}, {number} | {name} | {counted} | {time} | {ratio} |"

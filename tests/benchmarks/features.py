@@ -3,10 +3,9 @@
 feature, with the feature set to nothing, and with it."""
 import scenes
 from progress import Progress
-from scenes import gran, hamaker, hooke, ours, overlay, well
+from scenes import LIGGGHTS_CONTACT, gran, hamaker, hooke, ours, overlay, well
 
 TITLE = "Features of the particle engines"
-# Instructions do not repeat exactly (an address more or less in a search); found: within 1e-3.
 HAMAKER_STYLE = f"hamaker {scenes.CUT} {scenes.OUT}"
 WELL = "gran/square_well"
 WALL = f"stiffness {scenes.STIFFNESS} restitution {scenes.RESTITUTION} friction {scenes.FRICTION}"
@@ -44,9 +43,8 @@ def cohesion(scheme, style, keywords, nothing):
 
 EVENT, SAMPLED = ours(cohesion=hamaker()), ours(scheme="sampled", cohesion=hamaker())
 EVERY_STEP = "fix out all ave/time 1 10 10 c_out[*] mode vector file out.txt\n"
-LIGGGHTS_CONTACT = "model hooke/stiffness tangential history"
 LIGGGHTS_HAMAKER = LIGGGHTS_CONTACT + " cohesion hamaker"
-LIGGGHTS_PAIR = gran(LIGGGHTS_HAMAKER, scenes.hamaker_properties())
+LIGGGHTS_PAIR = scenes.LIGGGHTS_HAMAKER
 
 
 def rolling(words):
@@ -75,8 +73,8 @@ LAMMPS = {
         stock(hooke(0, history=False)), stock(hooke(0)), stock(hooke())),
     "rolling friction, *event*": tuple(map(rolling, ("", "rolling_friction 0", "rolling_friction 0.1"))),
     "ghost velocities, asked of the engine with hamaker alone": tuple(
-        package(f"pair_style {HAMAKER_STYLE}\npair_coeff * * {scenes.HAMAKER}\n", ghosts=ghosts)
-        for ghosts in ("no", "no", "yes")),
+        ghosts and package(f"pair_style {HAMAKER_STYLE}\npair_coeff * * {scenes.HAMAKER}\n", ghosts=ghosts)
+        for ghosts in ("no", None, "yes")),
     "wall of ours, *event*, beside the engine's; without: no wall": (
         package(EVENT, walled=True), None,
         package(EVENT, f"fix w all wall/gran/hamaker {WALL} {hamaker()} {PLANES}\n", walled=True)),
@@ -94,6 +92,7 @@ LAMMPS = {
     "agglomerates, every 10": output(EVENT, "fix out all agglomerates 10\n", "unfix out\n"),
     "gas/coupling, no gas": output(EVENT, "fix out all gas/coupling\n", "unfix out\n"),
 }
+# `fix out` there is a cutoff (scenes.hamaker_properties).
 LIGGGHTS = {
     "launcher, nothing of it used; without: stock": (
         Case("liggghts", gran()), Case("liggghts+", gran()), None),
@@ -114,9 +113,9 @@ LIGGGHTS = {
     "energy book": tuple(Case("liggghts+", LIGGGHTS_PAIR, extra) for extra in (
         "", "compute out all gran/energy\nuncompute out\n", "compute out all gran/energy\n")),
     "agglomerates, every 10": tuple(Case("liggghts+", LIGGGHTS_PAIR, extra) for extra in (
-        "", "fix out all agglomerates 10\nunfix out\n", "fix out all agglomerates 10\n")),
+        "", "fix done all agglomerates 10\nunfix done\n", "fix done all agglomerates 10\n")),
     "gas/coupling, no gas": tuple(Case("liggghts+", LIGGGHTS_PAIR, extra) for extra in (
-        "", "fix out all gas/coupling\nunfix out\n", "fix out all gas/coupling\n")),
+        "", "fix done all gas/coupling\nunfix done\n", "fix done all gas/coupling\n")),
 }
 TABLES = {"LAMMPS": LAMMPS, "LIGGGHTS": LIGGGHTS}
 

@@ -11,11 +11,16 @@ from pathlib import Path
 SOURCE = Path(__file__).resolve().parents[2]
 sys.path.append(str(SOURCE / "tests/lammps-package"))
 import instruction_count  # noqa: E402
+from short_start import short_start  # noqa: E402
 
-# Without the network that Open MPI looks for at each start.
-ENVIRONMENT = {**os.environ, "OMP_NUM_THREADS": "1", "OMPI_MCA_pml": "ob1", "OMPI_MCA_btl": "self,vader",
-               "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
-               "OMPI_MCA_mpi_yield_when_idle": "1"}
+
+def environment(ranks=1):
+    """Of a start. Ranks that wait let others go on only where there are fewer processors than ranks."""
+    own = {**os.environ, **short_start(ranks)}
+    if ranks > 1:
+        own.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
+                   OMPI_MCA_mpi_yield_when_idle=str(int(ranks > len(os.sched_getaffinity(0)))))
+    return own
 
 
 class Missing(RuntimeError):
@@ -23,13 +28,12 @@ class Missing(RuntimeError):
 
 
 class Used:
-    """What a process took: `seconds` of processors, `clock` [s], `memory` of the largest process [byte];
-    and its `output`."""
+    """What a process took: `seconds` of processors, `memory` of the largest process [byte]; and its
+    `output`."""
 
-    def __init__(self, command, folder):
+    def __init__(self, command, folder, ranks=1):
         read, write = os.pipe()
-        begin = os.times().elapsed
-        process = subprocess.Popen(command, cwd=folder, env=ENVIRONMENT, stdin=subprocess.DEVNULL,
+        process = subprocess.Popen(command, cwd=folder, env=environment(ranks), stdin=subprocess.DEVNULL,
                                    stdout=write, stderr=write)
         os.close(write)
         text = []
@@ -38,7 +42,6 @@ class Used:
             reader.start()
             _, status, used = os.wait4(process.pid, 0)  # children that it waited for are in it
             process.returncode = os.waitstatus_to_exitcode(status)
-            self.clock = os.times().elapsed - begin
             reader.join()
         self.output = text[0]
         if process.returncode:
@@ -87,12 +90,12 @@ class Programs:
 
     def run(self, name, text, steps, ranks=1):
         """What `text` takes with ${steps} replaced: Used."""
-        return self._in_folder(text, steps, lambda folder: Used(self.command(name, ranks), folder))
+        return self._in_folder(text, steps, lambda folder: Used(self.command(name, ranks), folder, ranks))
 
     def count(self, name, text, steps):
         """Instructions of `text`, one rank."""
         return self._in_folder(text, steps, lambda folder: instruction_count.of_command(
-            self.command(name), folder, ENVIRONMENT))
+            self.command(name), folder, environment()))
 
     def count_per_step(self, name, text, first, steps):
         """Instructions of a step, the mean of `steps` of them after `first`: the start is not in it."""

@@ -5,18 +5,9 @@ import statistics
 
 import scenes
 from progress import Progress
-from scenes import gran, hamaker, hooke, ours
+from scenes import WAYS, spread
 
 TITLE = "One rank and two"
-GRAN = "model hooke/stiffness tangential history"
-WAYS = {
-    "LAMMPS, gran/hooke/history (stock)": ("lammps", hooke()),
-    "LAMMPS, gran/hamaker *event*": ("lammps+", ours(cohesion=hamaker())),
-    "LAMMPS, gran/hamaker *sampled*": ("lammps+", ours(scheme="sampled", cohesion=hamaker())),
-    "LIGGGHTS, hooke/stiffness (stock)": ("liggghts", gran()),
-    "LIGGGHTS, cohesion hamaker": (
-        "liggghts+", gran(GRAN + " cohesion hamaker", scenes.hamaker_properties())),
-}
 
 
 def add_words(parser):
@@ -34,10 +25,6 @@ def loop(programs, way, pair, cells, steps, ranks):
     """Seconds of the engine's own loop, by the clock."""
     text = scenes.text(way.startswith("liggghts"), "gas", cells, pair, load=way == "lammps+")
     return float(re.findall(r"Loop time of (\S+)", programs.run(way, text, steps, ranks).output)[-1])
-
-
-def spread(ratios):
-    return f"{statistics.median(ratios):.2f} ({min(ratios):.2f} to {max(ratios):.2f})"
 
 
 def rows(programs, words):

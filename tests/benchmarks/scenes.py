@@ -5,16 +5,21 @@ a packing; the same places and velocities in both.
 The lists of neighbours are made every 20 steps, not when a particle has moved far enough: runs that differ
 in what is measured then do not differ in their lists.
 """
+import math
+import statistics
+
 DIAMETER, DENSITY, STIFFNESS, RESTITUTION, FRICTION = 1e-3, 2650.0, 800.0, 0.9, 0.3
-CONTACT_TIME = 9.2522e-5  # of two of them [s]
-STEP = CONTACT_TIME / 20
 HAMAKER, CUT, OUT = 7.49e-19, 4e-10, 1e-7
-SURFACE_ENERGY = HAMAKER / (6 * CUT**2) / (4 * 3.141592653589793)  # [J/m^2]
+SURFACE_ENERGY = HAMAKER / (6 * CUT**2) / (4 * math.pi)  # [J/m^2]
 DEPTH, RATIO = 5e-11, 1.01
 REBUILD = 20
-GAMMA = 2276.0  # damping of gran/hooke and gamman of hooke/stiffness: -2 ln(e)/t_c, e = 0.9 [1/s]
+# Of two of them, mass m/2: pi/t_c is the frequency with damping, ln(1/e)/t_c its rate [s]
+CONTACT_TIME = math.sqrt(DENSITY * math.pi / 12 * DIAMETER**3 / STIFFNESS
+                         * (math.pi**2 + math.log(RESTITUTION)**2))
+STEP = CONTACT_TIME / 20
+GAMMA = -2 * math.log(RESTITUTION) / CONTACT_TIME  # damping of gran/hooke and gamman of hooke/stiffness [1/s]
 
-SPACING = {"gas": DIAMETER * (4 * 3.141592653589793 / 6 / 0.55)**(1 / 3), "packing": 0.999 * DIAMETER}
+SPACING = {"gas": DIAMETER * (4 * math.pi / 6 / 0.55)**(1 / 3), "packing": 0.999 * DIAMETER}
 LATTICE = {"gas": ("fcc", 4), "packing": ("sc", 1)}
 # From the first and the last layer of the lattice to planes there, in constants of the lattice
 MARGIN, LAST = {"gas": 0.4, "packing": 0.5}, {"gas": 0.5, "packing": 1.0}
@@ -108,7 +113,10 @@ def well(depth=DEPTH):
 
 # --- LIGGGHTS ----------------------------------------------------------------------------------
 
-def gran(models="model hooke/stiffness tangential history", properties=""):
+LIGGGHTS_CONTACT = "model hooke/stiffness tangential history"
+
+
+def gran(models=LIGGGHTS_CONTACT, properties=""):
     """The engine's contact with models of its own and ours."""
     text = ""
     for name, value in {"kn": STIFFNESS, "kt": STIFFNESS * 2 / 7, "gamman": GAMMA, "gammat": GAMMA / 2,
@@ -132,3 +140,20 @@ def well_properties(depth=DEPTH):
 
 
 SJKR_PROPERTIES = "fix k all property/global cohesionEnergyDensity peratomtypepair 1 1e4\n"
+LIGGGHTS_HAMAKER = gran(LIGGGHTS_CONTACT + " cohesion hamaker", hamaker_properties())
+
+# --- what growth and scaling compare -----------------------------------------------------------
+
+WAYS = {
+    "LAMMPS, gran/hooke/history (stock)": ("lammps", hooke()),
+    "LAMMPS, gran/hamaker *event*": ("lammps+", ours(cohesion=hamaker())),
+    "LAMMPS, gran/hamaker *sampled*": ("lammps+", ours(scheme="sampled", cohesion=hamaker())),
+    "LIGGGHTS, hooke/stiffness (stock)": ("liggghts", gran()),
+    "LIGGGHTS, cohesion hamaker": ("liggghts+", LIGGGHTS_HAMAKER),
+}
+
+
+def spread(values, digits=2):
+    """Median (least to most)."""
+    low, middle, high = (f"{value:.{digits}f}" for value in (min(values), statistics.median(values), max(values)))
+    return f"{middle} ({low} to {high})"

@@ -42,10 +42,16 @@ def all_runs(folder, side, steps, strain, samples, step_done):
 
 def momentum_room(steps, strain, side):
     """Largest momentum per component that rounding leaves, at five standard deviations: in each step each sphere's
-    velocity, of up to the box's own, 8 or so, is rounded twice, and the force of a contact across a face, spring times
-    overlap, is worked out from two places of which one is that of an image: off by 2^-53 of the box."""
-    dt, box = strain / steps, length(side, FRACTION)
-    return 5 * math.sqrt(steps * side**3) * 2.0**-53 * (8 * math.sqrt(2) + dt * law(steps, strain).spring * box)
+    velocity, of no more than the box's own, is rounded twice, and the force of a contact across a face, spring times
+    overlap, is worked out on either side from two places of which one is that of an image, off by 2^-53 of the box."""
+    contact, spheres, box = law(steps, strain), side**3, length(side, FRACTION)
+    # Of a step: collisions of the gas (Enskog) as long as a contact lasts, and of a unit vector 1/2 along each axis.
+    T = theory.steady(FRACTION, RESTITUTION).temperature
+    frequency = 4 * theory.density(FRACTION) * theory.contact_value(FRACTION) * math.sqrt(math.pi * T)
+    across = spheres * frequency * contact.duration / 2 * 3 / (2 * box)
+    velocities = box * math.sqrt(2 * spheres)
+    forces = strain / steps * contact.spring * box * math.sqrt(2 * across)
+    return 5 * math.sqrt(steps) * 2.0**-53 * math.hypot(velocities, forces)
 
 
 class Result:

@@ -25,13 +25,14 @@ SAMPLES = 200
 
 def main():
     words = measuring_program.words(
-        __doc__, ("--steps", {"type": int, "default": 10000000, "help": "a multiple of 4000"}),
+        __doc__, ("--steps", {"type": int, "default": 10000000, "help": "4000 to 20000 by 4000, or a multiple of 20000"}),
         ("--strain", {"type": float, "default": 200.0}), ("--side", {"type": int, "default": 4}),
         ("--mpiexec", {"default": "mpiexec --oversubscribe -np"}), liggghts=True)
     if words.plugin:
         sys.exit("this program takes liggghts-cohesion alone; tests/lammps-package/shear-long.py takes LAMMPS")
-    if words.steps < 4000 or words.steps % 4000:
-        sys.exit(f"--steps {words.steps}: a multiple of 4000, 4000 or more")
+    # A sample is a multiple of ten steps, and of its hundredth rounded up (in.shear_long).
+    if words.steps < 4000 or words.steps % (4000 if words.steps <= 20000 else 20000):
+        sys.exit(f"--steps {words.steps}: 4000, 8000, 12000, 16000 or a multiple of 20000")
     os.environ["COHESION_MPIEXEC"] = words.mpiexec
     import lammps_engine as engine
     import long_spheres
