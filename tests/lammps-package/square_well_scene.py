@@ -84,10 +84,10 @@ class Scene(unittest.TestCase):
 
 
 class Gas(Scene):
-    """512 spheres of three types between two walls."""
+    """512 spheres of the types 1 and 3, in a box that the tests give a floor and a lid."""
     BOX = 3 * [(0.0, 0.0106)]
 
-    def write_gas(self, types=1):
+    def write_gas(self):
         random = numpy.random.default_rng(4711)
         grid = 0.7e-3 + numpy.arange(8) * 1.3e-3
         return [self.sphere(place + random.uniform(-5e-5, 5e-5, 3), random.uniform(-.05, .05, 3),
