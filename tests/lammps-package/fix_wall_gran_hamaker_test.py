@@ -2,7 +2,6 @@
 """Impacts of spheres on walls of the event scheme, in LAMMPS, against closed forms and against
 integrations of the same motion that know neither LAMMPS nor the package."""
 import math
-import sys
 import unittest
 
 import numpy
@@ -10,59 +9,8 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 import lammps_engine as engine
-
-DIAMETER, DENSITY = 1e-3, 2650.0
-RADIUS = DIAMETER / 2
-MASS = math.pi / 6 * DENSITY * DIAMETER**3
-STIFFNESS = 800.0
-W0 = math.sqrt(STIFFNESS / MASS)
-CUT, OUT = 4e-10, 1e-7
-SPEED = 0.1
-# A position of 1e-3 m is rounded by 1e-19 m; the overlaps here are 4e-6 m: 3e-14. A contact takes
-# some ten operations in each of ten steps.
-ROUNDING = 1e-11
-
-
-def alpha(restitution):
-    """Damping rate of the spring-dashpot with this restitution."""
-    ln_e = math.log(restitution)
-    return -ln_e * W0 / math.hypot(math.pi, ln_e)
-
-
-def contact_time(restitution=1.0):
-    return math.pi / math.sqrt(W0**2 - alpha(restitution) ** 2)
-
-
-def say(text):
-    print(text, file=sys.stderr)
-
-
-class EventWall(unittest.TestCase):
-    def setUp(self):
-        keeper = engine.temporary_folder()
-        self.addCleanup(keeper.cleanup)
-        self.folder = keeper.name
-
-    def write(self, x, v, box=3 * [(0.0, 0.04)], diameter=DIAMETER, types=2, **more):
-        atoms = [{"type": 1, "diameter": diameter, "density": DENSITY, "x": place, "v": speed}
-                 for place, speed in zip(x, v)] + more.get("others", [])
-        engine.write_spheres(self.folder, atoms, box, types)
-
-    def run_wall(self, wall, dt, steps, **options):
-        settings = {"start": "data", "boundary": "f f f", "skin": 1e-3, "pairs": 0,
-                    "pair": "none", "moving": "1", "file": "end.txt", "every": 0, "save": 0,
-                    "steps": steps, **options}
-        self.output = engine.run("in.event_wall", self.folder, wall=wall, dt=dt, **settings)
-        return engine.dump(self.folder, settings["file"])
-
-    def places(self, n):
-        """Beside each other on a grid, far enough for no contact."""
-        return numpy.array([[2e-3 * (1 + k % 15), 2e-3 * (1 + k // 15), 0.0] for k in range(n)])
-
-    def course(self, columns):
-        text = (engine.Path(self.folder) / "course.txt").read_text().split("ITEM: TIMESTEP")[1:]
-        rows = [part.strip().splitlines()[-1].split() for part in text]
-        return numpy.array([[float(row[c]) for c in columns] for row in rows])
+from event_wall import (CUT, DIAMETER, MASS, OUT, RADIUS, ROUNDING, SPEED, STIFFNESS, W0,
+                        EventWall, alpha, contact_time, say)
 
 
 class Impact(EventWall):
@@ -371,118 +319,6 @@ class Friction(EventWall):
                 + ", ".join(f"{e:.1e}" for e in errors))
             self.assertLessEqual(errors[1], 5e-3)
             self.assertLessEqual(errors[2], 1e-3)
-
-
-class HugeSphere(EventWall):
-    """A wall is the limit of a sphere that is fixed and large."""
-    CONTACT = (f"stiffness {STIFFNESS} restitution 0.9 friction 0.3 hamaker 2e-17 cutoff 4e-9 1e-6")
-
-    def test_limit(self):
-        dt = contact_time() / 10
-        x = self.places(3)
-        x[:, 2] = 1e-2 + RADIUS + 1e-6
-        v = numpy.array([(0.0, 0.0, -SPEED), (0.02, 0.0, -SPEED), (0.0, 0.3, -SPEED)])
-        box = 3 * [(-0.5, 0.5)]
-        self.write(x, v, box=box)
-        steps = 20
-        plane = self.run_wall(f"{self.CONTACT} zplane 0.01 NULL", dt, steps)
-        differences = []
-        for ratio in (1e3, 1e4, 1e5, 1e6):
-            big = ratio * RADIUS
-            worst = 0.0
-            for k in range(3):
-                others = [{"type": 2, "diameter": 2 * big, "density": DENSITY,
-                           "x": [x[k, 0], x[k, 1], 0.01 - big]}]
-                self.write(x[k:k + 1], v[k:k + 1], others=others,
-                           box=[(-2 * big, 2 * big), (-2 * big, 2 * big), (-2 * big, 1.0)])
-                end = self.run_wall("stiffness 1 zplane NULL 100", dt, steps, pairs=1,
-                                    pair=self.CONTACT)
-                worst = max(worst, numpy.abs(end[0, 4:7] - plane[k, 4:7]).max(),
-                            numpy.abs(end[0, 7:] - plane[k, 7:]).max() * RADIUS)
-            differences.append(worst / SPEED)
-        say("huge sphere against wall, ratio 1e3 ... 1e6: differences of the speeds "
-            + ", ".join(f"{d:.1e}" for d in differences))
-        # Curvature: the normal turns by way/R, R* and the lever arm differ by 1/ratio: of order
-        # 1/ratio; at 1e6 the place is rounded by 6e-14 m of a range of 4e-9 m.
-        for ratio, difference in zip((1e3, 1e4, 1e5, 1e6), differences):
-            self.assertLessEqual(difference, 3.0 / ratio + 1e-6)
-
-
-class RestartAndRanks(EventWall):
-    WALLS = (f"stiffness {STIFFNESS} restitution 0.8 friction 0.3 hamaker 5e-19 cutoff {CUT} {OUT} "
-             "zplane 0.01 NULL xplane 0.001 0.035")
-
-    def spheres(self):
-        dt = contact_time() / 10
-        x = self.places(60)
-        x[:, 2] = 0.01 + RADIUS + SPEED * dt * (1 + numpy.arange(60) / 6)
-        v = [(0.02 * math.sin(k), 0.3 * math.cos(3 * k), -SPEED) for k in range(60)]
-        self.write(x, v)
-        return dt
-
-    def test_restart_in_a_contact(self):
-        dt = self.spheres()
-        for motion in ("", f"wiggle z 1e-5 {5 * contact_time():.17g}"):
-            walls = f"{self.WALLS} {motion}"
-            for steps in (16, 60):
-                whole = self.run_wall(walls, dt, steps)
-                force = engine.thermo(self.output)["f_walls[3]"]
-                halves = self.run_wall(walls, dt, steps, save=13)
-                again = self.run_wall(walls, dt, steps, start="restart")
-                self.assertEqual(force != 0.0, steps == 16)
-                self.assertEqual(engine.thermo(self.output)["f_walls[3]"], force)
-                self.assertEqual(whole.tolist(), halves.tolist())
-                self.assertEqual(whole.tolist(), again.tolist())
-
-    def test_force_on_the_walls_survives_a_restart(self):
-        dt = self.spheres()
-        self.run_wall(self.WALLS, dt, 13, save=13)
-        force = engine.thermo(self.output)["f_walls[3]"]
-        self.run_wall(self.WALLS, dt, 13, start="restart")
-        self.assertNotEqual(force, 0.0)
-        self.assertEqual(engine.thermo(self.output)["f_walls[3]"], force)
-
-    def test_restart_with_other_walls_is_refused(self):
-        dt = self.spheres()
-        self.run_wall(self.WALLS, dt, 13, save=13)
-        for walls in (self.WALLS + " yplane 0 NULL", self.WALLS.replace("friction 0.3", ""),
-                      self.WALLS + " rolling_friction 0.1"):
-            with self.assertRaisesRegex(RuntimeError, "other walls than in the restart file"):
-                self.run_wall(walls, dt, 30, start="restart")
-
-    def test_restart_with_as_many_numbers_of_other_walls_is_refused(self):
-        dt = self.spheres()
-        smooth = f"stiffness {STIFFNESS} restitution 0.8 zplane 0.01 NULL xplane 0.001 0.035 yplane 0 NULL"
-        self.run_wall(smooth, dt, 13, save=13)
-        rough = f"stiffness {STIFFNESS} restitution 0.8 friction 0.3 zplane 0.01 NULL"
-        with self.assertRaisesRegex(RuntimeError, "4 walls with 1 numbers .* there, 1 with 4 here"):
-            self.run_wall(rough, dt, 30, start="restart")
-
-    def test_two_ranks(self):
-        dt = self.spheres()
-        # Fast enough to change the process while in contact; the list is built at every step.
-        one = self.run_wall(self.WALLS, dt, 60, skin=1e-5)
-        two = self.run_wall(self.WALLS, dt, 60, skin=1e-5, ranks=2)
-        self.assertEqual(one.tolist(), two.tolist())
-
-    def test_two_ranks_with_pairs(self):
-        random = numpy.random.default_rng(4711)
-        grid = 0.011 + 1.01e-3 * numpy.arange(5)
-        x = numpy.array(numpy.meshgrid(grid, grid, grid)).reshape(3, -1).T
-        v = random.uniform(-SPEED, SPEED, x.shape)
-        self.write(x, v, box=3 * [(0.0, 0.026)])
-        contact = (f"stiffness {STIFFNESS} restitution 0.8 friction 0.3 hamaker 5e-19 cutoff {CUT} "
-                   f"{OUT}")
-        planes = "xplane 0.0105 0.0156 yplane 0.0105 0.0156 zplane 0.0105 0.0156"
-        ends = [self.run_wall(f"{contact} {planes}", contact_time() / 10, 100, pairs=1,
-                              pair=contact, ranks=ranks) for ranks in (1, 2)]
-        self.assertGreater(numpy.abs(ends[0][:, 4:7] - v).max(axis=1).min(), 0.0)
-        difference = numpy.abs(ends[0] - ends[1])
-        say(f"two ranks with pairs: {difference[:, 1:4].max():.1e} m, {difference[:, 4:7].max():.1e} m/s")
-        # Sums in another order: 2^-53 of 0.02 m a step, times w0 for speeds; collisions make
-        # tenfold of a difference, three of them a thousandfold.
-        self.assertLessEqual(difference[:, 1:4].max(), 1e-12)
-        self.assertLessEqual(difference[:, 4:7].max(), W0 * 1e-12)
 
 
 if __name__ == "__main__":

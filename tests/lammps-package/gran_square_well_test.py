@@ -2,9 +2,7 @@
 """pair_style gran/square_well and fix wall/gran/square_well in LAMMPS, against closed forms. With the
 table of escape velocities of both schemes."""
 import math
-import sys
 import unittest
-from pathlib import Path
 
 import numpy
 
@@ -12,36 +10,10 @@ import cohesive_gas as gas
 import couples
 import lammps_engine as engine
 from couples import DAMPING, DIAMETER, MASS, MU, STIFFNESS
+from square_well_scene import RESTITUTION, T_C, Scene, escape_velocity, gaps, relative, report, well_speed, words
 
-T_C = couples.CONTACT_TIME
-RESTITUTION = math.exp(-couples.ALPHA * T_C)
 POSITIONS = 8  # of the contact within the step
 DEPTHS = (1e-11, 5e-11, 1e-10)
-
-
-def report(text):
-    print(text, file=sys.stderr)
-
-
-def well_speed(depth, mass=MU):
-    return math.sqrt(2 * depth / mass)
-
-
-def escape_velocity(depth, mass=MU, restitution=RESTITUTION):
-    return well_speed(depth, mass) * math.sqrt(1 / restitution**2 - 1)
-
-
-def words(depth, ratio, damping=DAMPING, **more):
-    text = f"stiffness {STIFFNESS:.17g} damping {damping:.17g} well {depth:.17g} {ratio:.17g}"
-    return text + "".join(f" {name} {value:.17g}" for name, value in more.items())
-
-
-def relative(end):
-    return end[..., 1, :] - end[..., 0, :]
-
-
-def gaps(end):
-    return numpy.linalg.norm(relative(end)[..., :3], axis=-1) - DIAMETER
 
 
 def have_parted(gaps_then, width):
@@ -221,33 +193,6 @@ class Passes(unittest.TestCase):
         inside = RESTITUTION**2 * (speed**2 + well_speed(depth)**2)
         # The gap is rounded by 3e-17 m, in contact that is w0 3e-17 m = 1e-12 m/s.
         numpy.testing.assert_allclose(out, math.sqrt(inside - well_speed(depth)**2), rtol=1e-9)
-
-
-class Scene(unittest.TestCase):
-    def setUp(self):
-        keeper = engine.temporary_folder()
-        self.addCleanup(keeper.cleanup)
-        self.folder = keeper.name
-
-    def sphere(self, x, v=(0.0, 0.0, 0.0), kind=1, diameter=DIAMETER, **more):
-        return {"type": kind, "diameter": diameter, "density": 2650.0, "x": x, "v": v, **more}
-
-    def follow(self, atoms, pair, dt, steps, fixes=(), box=3 * [(0.0, 0.01)], ranks=1, **options):
-        if atoms:
-            engine.write_spheres(self.folder, atoms, box, 3)
-        (Path(self.folder) / "coefficients.txt").write_text(
-            "".join(f"pair_coeff {line}\n" for line in pair))
-        (Path(self.folder) / "fixes.txt").write_text("\n".join(fixes) + "\n")
-        settings = {"style": "gran/square_well", "boundary": "f f f", "skin": 4e-4, "mode": "whole",
-                    "file": "end.txt", "every": steps, **options}
-        output = engine.run("in.gran_square_well", self.folder, ranks=ranks, dt=dt, steps=steps,
-                            **settings)
-        names, lines = engine.thermo_lines(output)
-        self.output = output
-        return engine.dump(self.folder, settings["file"])
-
-    def course(self):
-        return numpy.array(engine.dumps(self.folder, "course.txt"))
 
 
 class Captured(Scene):

@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""pair_style square_well over contacts of LAMMPS: ranks, restarts, energy, refraction and input."""
+import math
+import unittest
+
+import numpy
+
+import cohesive_gas as gas
+import couples
+import lammps_engine as engine
+from couples import DAMPING, DIAMETER, MU, STIFFNESS
+from square_well_scene import HEAD, MOVE, T_C, Gas, relative, report, well_speed
+
+
+class Overlay(Gas):
+    """pair_style square_well over contacts of LAMMPS."""
+    GAMMA = DAMPING / MU
+
+    def style(self, friction):
+        return (f"hybrid/overlay gran/hooke/history {STIFFNESS} {2 / 7 * STIFFNESS} {self.GAMMA:.17g} "
+                f"NULL {friction} {int(friction > 0)} square_well")
+
+    def end(self, scheme, **options):
+        # Without friction: LAMMPS' own style loses its history when hybrid is given again.
+        atoms = self.write_gas() if options.get("mode") != "restart" else None
+        return self.follow(atoms, ["* * gran/hooke/history", "1 1 square_well 2e-10 1.1",
+                                   "2 2 square_well 1e-10 1.05", "3 3 square_well 1e-10 1.2",
+                                   "1 3 square_well 1.4e-10 1.15", "1 2 square_well 1e-10 1.1",
+                                   "2 3 square_well 1e-10 1.1"],
+                           1e-5, 1000, ["fix w all wall/gran/square_well stiffness 800 restitution 0.9 "
+                                        "well 4e-10 1.1 zplane 0 0.0106",
+                                        "fix g all gravity 9.81 vector 0 0 -1"], self.BOX,
+                           boundary="p p f", style=self.style(0.0), **options)
+
+    def test_ranks_and_restart(self):
+        whole = self.end("")
+        table, _ = gas.table(self.output)
+        self.assertLess(table[-1, 1], -5e-10)
+        for name, options in (("two runs", {"mode": "halves"}), ("2 ranks", {"ranks": 2}),
+                              ("writes a restart file", {"mode": "restart_file"}),
+                              ("restart", {"mode": "restart"})):
+            other = self.end("", **options)
+            numpy.testing.assert_array_equal(other[:, 0], whole[:, 0])
+            difference = numpy.abs(other[:, 1:4] - whole[:, 1:4]).max()
+            report(f"overlay, {name}: differs by {difference:.1e} m after 1000 steps")
+            self.assertLess(difference, 1e-12)  # as for gran/square_well
+
+    def test_energy_of_an_impact(self):
+        # Elastic contact, in and out of the well with D gained and lost: the speed is back. What the
+        # contact style errs by itself, from couples without well that meet at the speed inside.
+        depth, speed, dt, width = 5e-11, 0.02, T_C / 50, 1e-5
+        inside = math.hypot(speed, well_speed(depth))
+        found = []
+        for v, lines, gap in ((speed, ["* * gran/hooke/history", f"* * square_well {depth} 1.01"],
+                               width + 1e-7),
+                              (inside, ["* * gran/hooke/history", "* * square_well 0 1.01"], 1e-7)):
+            atoms = couples.couple(0, gap, (0.0, v, 0.0))
+            style = f"hybrid/overlay gran/hooke/history {STIFFNESS} 228 0 NULL 0 0 square_well"
+            path, output = couples.run(atoms, lines, dt, 1000, every=1, style=style, skin=4e-4)
+            out = relative(path[-1])[0, 4]
+            found.append(out**2 + (2 * depth / MU if v == speed else 0.0))
+            if v == speed:
+                names, values = engine.thermo_lines(output)
+                pe = numpy.array(values).T[names.index("PotEng")]
+                self.assertAlmostEqual(pe.min() / -depth, 1, delta=1e-12)
+                self.assertEqual(pe[-1], 0.0)
+        # The contacts begin at different places in the step, so that they err differently: leapfrog
+        # is wrong by (w0 dt)^2/8 of the energy where the spring sets in and lets go.
+        self.assertLess(abs(found[0] / found[1] - 1), 2 * (math.pi / 50)**2 / 8)
+
+    def test_passes_without_contact_are_refracted(self):
+        depth, ratio, speed, dt = 4e-11, 1.2, 0.05, T_C / 4
+        edge, n = ratio * DIAMETER, math.sqrt(1 + 2 * 4e-11 / MU / 0.05**2)
+        offsets = [n * DIAMETER + share * (edge - n * DIAMETER) for share in (0.01, 0.5, 0.99)]
+        atoms = []
+        for offset in offsets:
+            along = math.sqrt(edge**2 - offset**2) + 1e-5
+            distance = math.hypot(offset, along)
+            atoms += couples.couple(len(atoms) // 2, distance - DIAMETER, (0.0, speed, 0.0),
+                                    normal=(offset / distance, along / distance, 0.0),
+                                    pitch=(4e-3, 6e-3))
+        lines = ["* * gran/hooke/history", f"* * square_well {depth} {ratio}"]
+        steps = int(2.2 * edge / speed / dt)
+        path, _ = couples.run(atoms, lines, dt, steps, style=self.style(0.0), skin=1e-3,
+                              size=(0.03, 0.01, 0.004))
+        out = relative(path[-1])[:, 3:5]
+        for offset, turned in zip(offsets, numpy.arctan2(-out[:, 0], -out[:, 1])):
+            slope = 2 / math.sqrt(1 - (offset / edge)**2)
+            expected = 2 * (math.asin(offset / edge) - math.asin(offset / n / edge))
+            self.assertLess(abs(turned - expected),
+                            5 * math.sqrt(4 * steps) * 2e-18 / edge * slope)
+
+    def test_input(self):
+        for text, expected in (
+                ("square_well scheme event\npair_coeff * * 1e-11 1.1", ("no keywords", "scheme")),
+                ("square_well\npair_coeff * * 1e-11", ("D ratio",)),
+                ("square_well\npair_coeff * * 1e-11 0.9", ("ratio r_out/r", "0.9")),
+                ("square_well\npair_coeff * * 1e-11 1.1 3", ("D ratio",))):
+            code, output = engine.run_text(HEAD + "pair_style " + text + MOVE, self.folder)
+            self.assertEqual(code, 1, output)
+            for word in expected:
+                self.assertIn(word, output)
+
+
+if __name__ == "__main__":
+    unittest.main()
