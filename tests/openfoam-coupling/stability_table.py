@@ -99,7 +99,8 @@ def label(s):
 
 
 def warned(log):
-    return any(words in log for words in ("the gas step is", "would grow by a factor", "would swing against each other"))
+    said = ("the gas step is", "would grow by a factor", "would swing against each other")
+    return any(words in log for words in said)
 
 
 class Refused(Exception):
