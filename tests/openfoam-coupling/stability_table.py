@@ -62,7 +62,8 @@ drag left out. So v grows by the root of l^2 - (1 - kappa (1 + N)) l - kappa = 0
 kappa = (1 - eps) rho_g/(eps rho_s) and N = nu dt k^2: in size above 1 from kappa (2 + N) = 2 on. 4/h^2 is
 the k^2 of the shortest wave that cells of size h carry in one direction. **No warning says so yet.** In the bed of
 `examples/fluidised-bed` nu dt/h^2 is 7e-4 and kappa 7e-4, far below. Found with nu dt/h^2 = 6 and eps 0.62: waves of
-spheres as dense as the gas grow, of ten times denser ones they do not (`drag_stiffness.py`), as it should be. The gas of the uniform scene has nu dt/h^2 = 0.6 at cells of three diameters and a Courant number of 0.2, and goes
+spheres as dense as the gas grow, of ten times denser ones they do not (`drag_stiffness.py`), as it should be.
+The gas of the uniform scene has nu dt/h^2 = 0.6 at cells of three diameters and a Courant number of 0.2, and goes
 with that number; its drag is linear to 0.05 to 0.44 %, an error below 0.0017.
 """
 HEAD = ("| beta dt/(eps rho_g) | eps | rho_s/rho_g | cell/d | CFL | kernel | R | x | uniform: largest | end | layer:"
