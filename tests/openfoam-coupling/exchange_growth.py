@@ -32,6 +32,7 @@ DT = 1e-4
 NEIGHBOURS = 4
 FORWARD, BACK = {"particleCentre": 6, "dividedVolume": 7, "sphereOverlap": 7}, 5
 
+
 def grid(ranks):
     """Ranks along x and y, as nearly square as they can be."""
     along_y = max(n for n in range(1, int(ranks**0.5) + 1) if ranks % n == 0)

@@ -69,8 +69,8 @@ def shear_wave(build, work):
     case.set("constant/transportProperties", "nu", NU)
     case.set(COUPLING, "dragFactor", 1e-15)
     case.set(COUPLING, "lammpsCoeffs/script", '"$FOAM_CASE/lattice.lmp"')
-    variables = {"box": N * H, "height": N * H, "top": N * H, "spacing": H, "diameter": 0.8 * H, "density": 1000, "dt": WAVE_DT,
-                 "cutoff": 0.4 * H}
+    variables = {"box": N * H, "height": N * H, "top": N * H, "spacing": H, "diameter": 0.8 * H, "density": 1000,
+                 "dt": WAVE_DT, "cutoff": 0.4 * H}
     for variable, value in variables.items():
         case.set(COUPLING, f"lammpsCoeffs/variables/{variable}", f'"{value}"')
     for entry, value in (("PIMPLE/pRefCell", 0), ("PIMPLE/pRefValue", 0),

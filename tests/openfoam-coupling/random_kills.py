@@ -20,10 +20,11 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "lammps-package"))
 from coupled_case import Expectations, exchange_lines  # noqa: E402
 from progress import Progress  # noqa: E402
-from restart import (CONTROL, INTERVAL, STEPS, compare, complete, difference, kill, make, state,  # noqa: E402
+from restart import (CONTROL, END, INTERVAL, STEPS, compare, complete, difference, kill, make, state,  # noqa: E402
                      steps_begun, undisturbed)
 
-WRITES = 5
+STEP = float(END) / STEPS
+WRITES = round(float(END) / INTERVAL)
 
 
 def moments(kills, seed):
@@ -91,7 +92,7 @@ def check(expect, case, ranks, reached, reference):
     # Of a first write that was cut off nothing is complete: the solver starts anew when it is told to.
     case.finish(case.start(*([] if done else ["-overwrite"]), ranks=ranks))
     log = case.log("cohesiveBedFoam").read_text()
-    left = STEPS - round(found / 1e-4)
+    left = STEPS - round(found / STEP)
     expect.equal(f"steps from {found:g} s on", len(exchange_lines(log)), left)
     # A write at the end of an interval that is cut off loses all of it; 1e-9 for the sum of decimal numbers.
     expect.below("lost time / interval", (reached - found) / INTERVAL, 1 + 1e-9)
@@ -117,14 +118,15 @@ def main():
         case, reached, in_time = killed(args.build, args.work, k, args.ranks, moment, seconds)
         if not in_time:
             rows.append(("ended before it was killed", reached, "", "", ""))
+            progress.add(1)
             continue
         what = ("write cut off" if cut_off(case, args.ranks, reached)
                 else "after a write" if moment[0] else "between writes")
         found, apart = check(expect, case, args.ranks, reached, reference)
         rows.append((what, reached, found, reached - found, apart))
         progress.add(1)
-    print(f"\n{args.ranks} rank(s), seed {args.seed}, written every {INTERVAL:g} s, a step {1e-4:g} s; found at the end "
-          f"with a disturbance of 1e-9: {min(reference[1].values()):.1g} to {max(reference[1].values()):.1g}\n\n"
+    print(f"\n{args.ranks} rank(s), seed {args.seed}, written every {INTERVAL:g} s, a step {STEP:g} s; found at the "
+          f"end with a disturbance of 1e-9: {min(reference[1].values()):.1g} to {max(reference[1].values()):.1g}\n\n"
           "| killed | in the step to [s] | continued from [s] | lost [s] | largest difference at the end |\n"
           "|---|---|---|---|---|")
     for what, reached, found, lost, apart in rows:

@@ -36,7 +36,7 @@ def run(env, folder, parameters, rest, blow):
     case = bed.make_case(folder, {"engine": "lammps", "schedule": "thesis", "A": 7.49e-19, **parameters}, env)
     (case.folder / "constant/schedule").write_text(
         f"superficialVelocity table ((0 (0 0 0)) ({rest} (0 0 0)) ({rest + 1e-3} (0 1.2 0)) (9 (0 1.2 0)));\n"
-        f"endTime {rest + blow};\n")
+        f"endTime {rest + blow + 2 * GAS_STEP};\n")  # so that it still runs at the last moment
     process = case.start()
     stamps = []
     for moment in (GAS_STEP, rest, rest + blow):
@@ -48,8 +48,10 @@ def run(env, folder, parameters, rest, blow):
         if process.poll() is None:
             stamps.append((float(found[-1]), processor_seconds(process.pid)))
     case.finish(process)
+    assert len(stamps) == 3, "the run ended before it was looked at"
     log = case.log("cohesiveBedFoam").read_text()
-    shares = [float(re.search(rf"^    {row} +\S+ s, (\S+) %", log, re.M)[1]) for row in ("particles", "exchange")]
+    shares = [float(re.search(rf"^    {row} +\S+ s, (\S+) %", log, re.M)[1])
+              for row in ("particles", "exchange")]
     return [(b[1] - a[1]) / (b[0] - a[0]) for a, b in zip(stamps, stamps[1:])], shares
 
 
