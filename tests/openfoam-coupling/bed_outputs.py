@@ -226,6 +226,7 @@ def continued(expect, build, work, ranks, velocity):
     places = case.folder / "postProcessing/movement/places"
     later = places / "0.016"
     later.write_text("# Time 0.016, 1 particles: number, x, y, z [m]\n1 0 0 0\n")
+    (places / "notes").write_text("# Times of this run\n")
     append(case, CONTROL, f"startFrom latestTime; endTime {T};")
     case.finish(case.start(ranks=ranks))
     half = f"{T / 2:g}"
@@ -234,7 +235,7 @@ def continued(expect, build, work, ranks, velocity):
     movement = table(case, "movement", "particleMovement", half)
     expect.equal(f"{what}: intervals", len(movement), 1)
     check_movement(expect, what, at(movement, 2 * INTERVAL), velocity * INTERVAL, INTERVAL)
-    expect.equal(f"{what}: places kept", sorted(f.name for f in places.iterdir()), ["0.016"])
+    expect.equal(f"{what}: places kept", sorted(f.name for f in places.iterdir()), ["0.016", "notes"])
 
 
 def budget(expect, build, work, ranks):
