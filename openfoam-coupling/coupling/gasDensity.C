@@ -21,11 +21,27 @@ constexpr std::array densities{Density{"constant", false}, Density{"idealGas", t
 
 std::optional<IdealGas> readLaw(const Foam::dictionary& dict)
 {
+    constexpr const char* entries =
+        "idealGas { pressure [Pa], the absolute one where p is 0; temperature [K]; molWeight [kg/kmol]; }";
     if (!Foam::selectRow(dict, "density", densities, "constant").ideal)
     {
+        if (dict.found("idealGas") && !dict.found("density"))
+        {
+            FatalIOErrorInFunction(dict)
+                << "idealGas is given, and without the entry density it is not used: add 'density idealGas;'"
+                << " and remove rho, or add 'density constant;'" << Foam::exit(Foam::FatalIOError);
+        }
         return {};
     }
-    const Foam::dictionary& coeffs = dict.subDict("idealGas");
+    const Foam::dictionary& coeffs = dict.subOrEmptyDict("idealGas");
+    for (const char* entry : {"pressure", "temperature", "molWeight"})
+    {
+        if (!coeffs.found(entry))
+        {
+            FatalIOErrorInFunction(dict)
+                << "density idealGas needs " << entry << ": " << entries << Foam::exit(Foam::FatalIOError);
+        }
+    }
     try
     {
         const IdealGas law
@@ -87,6 +103,7 @@ Foam::gasDensity::gasDensity
                 1 + compressibility()*p
             )
         );
+        refuseVacuum();
     }
 }
 
@@ -106,13 +123,30 @@ void Foam::gasDensity::refuseVacuum() const
     {
         return;
     }
-    const scalar lowest = gMin(ratio_().primitiveField());
+    scalar lowest = gMin(ratio_().primitiveField());
+    // Patches between ranks, of which each has others, come last.
+    label patch = -1;
+    for (const auto& values : ratio_().boundaryField())
+    {
+        const scalar there = values.coupled() || values.empty() ? GREAT : min(values);
+        if (there < lowest)
+        {
+            lowest = there;
+            patch = values.patch().index();
+        }
+    }
+    const scalar mine = lowest;
+    reduce(lowest, minOp<scalar>());
+    patch = mine == lowest ? patch : -1;
+    reduce(patch, maxOp<label>());
     if (!(lowest > 0))
     {
+        const scalar vacuum = -1/compressibility().value();
+        const word where(patch < 0 ? "in cells" : "on patch " + p_.mesh().boundary()[patch].name(), false);
         FatalErrorInFunction
-            << "the density of the gas has fallen to " << lowest*reference_.value() << " kg/m3, which no"
-            << " ideal gas can have: the flow wants a lower pressure than there is. Look at what draws the"
-            << " gas, at the reference pressure in constant/transportProperties and at deltaT"
-            << exit(FatalError);
+            << "p = " << vacuum*(1 - lowest) << ' ' << where.c_str() << " at time " << p_.time().timeName()
+            << ": the density of the gas would be " << lowest*reference_.value() << " kg/m3, which no ideal"
+            << " gas can have; p must be above " << vacuum << ". Look at what draws the gas, at 0/p, at the"
+            << " reference pressure in constant/transportProperties and at deltaT" << exit(FatalError);
     }
 }

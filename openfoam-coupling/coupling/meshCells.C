@@ -249,3 +249,17 @@ Foam::List<Foam::vector> Foam::meshCells::images(const polyMesh& mesh)
     }
     return shifts;
 }
+
+
+Foam::vector Foam::meshCells::shortening(const UList<vector>& images, const vector& way)
+{
+    vector best = Zero;
+    for (const vector& shift : images)
+    {
+        if (magSqr(way + shift) < magSqr(way + best))
+        {
+            best = shift;
+        }
+    }
+    return best;
+}

@@ -17,6 +17,10 @@ using namespace cohesion;
 namespace
 {
 
+// 1 itself is that of no drag at all.
+constexpr double pressureGrows = 1 + 1e-6;
+
+
 drag::DragLaw readLaw(const Foam::dictionary& dict)
 {
     const drag::Closure& closure = Foam::selectRow(dict, "drag", drag::closures);
@@ -108,8 +112,13 @@ void Foam::particleDrag::lookAtStep
     }
     if (feelPressure_ && !warnedOfPressure_)
     {
-        pressureGrowth_ =
-            max(pressureGrowth_, drag::pressure_growth(step, voidFraction, response_.free));
+        const scalar growth = drag::pressure_growth(step, voidFraction, response_.free);
+        pressureGrowth_ = max(pressureGrowth_, growth);
+        if (growth > pressureGrows)
+        {
+            const scalar longest = drag::longest_pressure_step(voidFraction, response_.free);
+            pressureStep_ = min(pressureStep_, longest/step*dt);
+        }
     }
 }
 
@@ -157,15 +166,15 @@ void Foam::particleDrag::warnOfGrowth()
 void Foam::particleDrag::warnOfPressure()
 {
     reduce(pressureGrowth_, maxOp<scalar>());
-    // 1 itself is that of no drag at all.
-    if (pressureGrowth_ > 1 + 1e-6)
+    reduce(pressureStep_, minOp<scalar>());
+    if (pressureGrowth_ > pressureGrows)
     {
         WarningInFunction
             << "in form A, where particles are so dense and follow the gas so fast, pressure and particles"
             << " that are free to move would swing against each other and grow by a factor of "
             << pressureGrowth_ << " in a gas step; particles that touch others hold them back. 'form B;' in"
-            << " constant/couplingProperties cures it, or a deltaT below the time in which particles follow"
-            << " the gas; this is said once" << endl;
+            << " constant/couplingProperties cures it, or a deltaT below " << pressureStep_ << " s, as void"
+            << " fractions and drag are now; this is said once" << endl;
         warnedOfPressure_ = true;
     }
     pressureGrowth_ = 0;

@@ -28,6 +28,12 @@ void Foam::sayParticles(const coupledParticles& particles, const scalar rho)
     const scalar diameter = 2*volume/cohesion::sphere_volume(1)/squares;
     const scalar density = mass/volume;
     Info<< "Particles: " << n << ", Sauter mean diameter " << diameter << " m, density " << density
-        << " kg/m3; by both Geldart's group "
-        << char(cohesion::bed::geldart_group(density - rho, diameter)) << endl;
+        << " kg/m3";
+    // The lines between the groups are of heavier ones.
+    if (density > rho)
+    {
+        Info<< "; by both, in ambient air, Geldart's group "
+            << char(cohesion::bed::geldart_group(density - rho, diameter));
+    }
+    Info<< endl;
 }

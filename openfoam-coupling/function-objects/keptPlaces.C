@@ -92,13 +92,13 @@ void Foam::keptPlaces::write(const word& timeName) const
 }
 
 
-Foam::scalar Foam::keptPlaces::timeOf(const fileName& file)
+std::optional<Foam::scalar> Foam::keptPlaces::timeOf(const fileName& file)
 {
     std::ifstream is(file);
     std::string mark, word;
-    scalar time = std::numeric_limits<scalar>::max();
+    scalar time = 0;
     is >> mark >> word >> time;
-    return time;
+    return is && mark == "#" && word == "Time" ? std::optional(time) : std::nullopt;
 }
 
 
@@ -133,12 +133,12 @@ bool Foam::keptPlaces::recall(const scalar time)
         for (const fileName& name : readDir(folder_, fileName::FILE))
         {
             const fileName file(folder_/name);
-            const scalar then = timeOf(file);
-            if (name.hasExt("unfinished") || then > time)
+            const auto then = timeOf(file);
+            if (name.hasExt("unfinished") || (then && *then > time))
             {
                 rm(file);
             }
-            else if (last.empty() || then > timeOf(last))
+            else if (then && (last.empty() || *then > timeOf(last)))
             {
                 last = file;
             }
@@ -163,7 +163,8 @@ void Foam::keptPlaces::forgetEarlier() const
     {
         for (const fileName& name : readDir(folder_, fileName::FILE))
         {
-            if (timeOf(folder_/name) < time_)
+            const auto then = timeOf(folder_/name);
+            if (then && *then < time_)
             {
                 rm(folder_/name);
             }

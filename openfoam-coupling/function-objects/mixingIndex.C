@@ -5,6 +5,8 @@
 #include "addToRunTimeSelectionTable.H"
 #include "fvMesh.H"
 
+#include "coupling/meshCells.H"
+
 #include <vector>
 
 namespace Foam
@@ -26,6 +28,7 @@ Foam::functionObjects::mixingIndex::mixingIndex
 :
     particleFunctionObject(name, runTime, dict),
     first_(folder()/"places"),
+    images_(meshCells::images(mesh_)),
     up_(Zero),
     cells_(Zero),
     layers_(0)
@@ -93,11 +96,13 @@ void Foam::functionObjects::mixingIndex::setColours()
 Foam::label Foam::functionObjects::mixingIndex::cell(const point& place) const
 {
     const boundBox& box = mesh_.bounds();
+    // The particle engine takes particles back through periodic faces only now and then.
+    const point inside(place + meshCells::shortening(images_, place - box.midpoint()));
     label cell = 0;
     for (direction d = 3; d-- > 0; )
     {
         // Centres on the outermost faces are of the outermost cells.
-        const label i((place[d] - box.min()[d])/box.span()[d]*cells_[d]);
+        const label i((inside[d] - box.min()[d])/box.span()[d]*cells_[d]);
         cell = cell*cells_[d] + max(label(0), min(i, cells_[d] - 1));
     }
     return cell;

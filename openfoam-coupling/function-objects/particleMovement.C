@@ -64,20 +64,6 @@ void Foam::functionObjects::particleMovement::begin()
 }
 
 
-Foam::vector Foam::functionObjects::particleMovement::shortest(const vector& way) const
-{
-    vector best = way;
-    for (const vector& shift : images_)
-    {
-        if (magSqr(way + shift) < magSqr(best))
-        {
-            best = way + shift;
-        }
-    }
-    return best;
-}
-
-
 void Foam::functionObjects::particleMovement::writeMovement()
 {
     const UList<point> positions(particles().positions());
@@ -90,7 +76,8 @@ void Foam::functionObjects::particleMovement::writeMovement()
         const label index = before_.index(ids[i]);
         if (index >= 0)
         {
-            const vector way = shortest(positions[i] - before_.places()[index]);
+            vector way = positions[i] - before_.places()[index];
+            way += meshCells::shortening(images_, way);
             distance += mag(way);
             squares += cmptMultiply(way, way);
             ++n;

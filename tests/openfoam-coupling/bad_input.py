@@ -159,7 +159,14 @@ CASES = {
         ["unknown density 'ideal'", "valid names: constant, idealGas", "transportProperties"]),
     "ideal gas without its numbers": (
         lambda c: edit(c, GAS, "rho ", "density idealGas; rhoThen "),
-        ["idealGas", "transportProperties"]),
+        ["density idealGas needs pressure", "temperature [K]; molWeight [kg/kmol]", "transportProperties"]),
+    "ideal gas without its weight": (
+        lambda c: (ideal_gas(c), edit(c, GAS, "molWeight", "weight")),
+        ["density idealGas needs molWeight"]),
+    "ideal gas that is not asked for": (
+        lambda c: (ideal_gas(c), edit(c, GAS, "density idealGas;", "rho 1.2;")),
+        ["idealGas is given, and without the entry density it is not used", "density constant",
+         "transportProperties"]),
     "ideal gas without warmth": (
         lambda c: ideal_gas(c, temperature=0),
         ["temperature = 0: must be a finite number greater than zero", "transportProperties.idealGas"]),
@@ -176,7 +183,15 @@ CASES = {
         lambda c: (ideal_gas(c), edit(c, "0/p", "fixedValue; value", "fixedFluxPressure; value"),
                    edit(c, "0/U", "pressureInletOutletVelocity; value uniform (0 0 0)",
                         "fixedValue; value uniform (0 0 5000)")),
-        ["the density of the gas has fallen to -", "which no ideal gas can have", "reference pressure"]),
+        ["the density of the gas would be -", "which no ideal gas can have", "reference pressure"]),
+    # Vacuum is at -1/psi = -R T/M = -86310 m2/s2.
+    "start in less than vacuum": (
+        lambda c: (ideal_gas(c), edit(c, "0/p", "internalField   uniform 0;", "internalField uniform -9e4;")),
+        ["p = -90000 in cells at time 0", "the density of the gas would be -0.0495", "p must be above -86309"]),
+    "boundary in less than vacuum": (
+        lambda c: (ideal_gas(c), edit(c, "0/p", "fixedValue; value uniform 0;",
+                                      "fixedValue; value uniform -9e4;")),
+        ["p = -90000 on patch top at time 0", "p must be above -86309"]),
     "inlet without area": (
         lambda c: edit(c, "0/U", "superficialVelocity (0 0 0);",
                        "superficialVelocity (0 0 0); share 0;"),
@@ -204,6 +219,9 @@ CASES = {
         lambda c: observe(c, "type forceBudget; executeControl timeStep; executeInterval 2;"
                              " writeControl timeStep; writeInterval 10;"),
         ["observed: the gas step 1 was left out", "without executeControl"]),
+    "forces of no step": (
+        lambda c: observe(c, "type forceBudget; executeControl none; writeControl timeStep; writeInterval 2;"),
+        ["observed: the gas step", "was left out", "without executeControl"]),
 }
 
 

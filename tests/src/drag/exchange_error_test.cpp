@@ -99,6 +99,27 @@ TEST(ExchangeError, PressureAndFreeParticlesGrowAsTheyDoStepByStep) {
       }
 }
 
+// For particles taken to be held, the eigenvalue is -1 where (2 - g)/(2 + g - 2 g/x) = k.
+TEST(ExchangeError, PressureAndFreeParticlesGrowFromAStepOn) {
+  for (const double eps : {0.2, 0.3, 0.4, 0.5, 0.62, 0.7}) {
+    const double x = longest_pressure_step(eps, false);
+    const double g = -std::expm1(-x);
+    // x is found to 1e-6 of it, and where the growth is 1 + 1e-6.
+    EXPECT_NEAR((2.0 - g) / (2.0 + g - 2.0 * g / x), (1.0 - eps) / eps, 1e-5 / eps);
+  }
+  for (const bool free : {false, true})
+    for (const double eps : {0.2, 0.3, 0.4, 0.49}) {
+      const double limit = longest_pressure_step(eps, free);
+      for (const double share : {0.01, 0.1, 0.5, 0.99})
+        EXPECT_LT(pressure_growth(share * limit, eps, free), 1.0);
+      for (const double share : {1.01, 2.0, 10.0, 1e6})
+        EXPECT_GT(pressure_growth(share * limit, eps, free), 1.0);
+    }
+  for (const double eps : {0.76, 0.9, 1.0})
+    EXPECT_TRUE(std::isinf(longest_pressure_step(eps, false)));
+  EXPECT_TRUE(std::isinf(longest_pressure_step(0.51, true)));
+}
+
 TEST(ExchangeError, PressureAndStiffFreeParticlesGrowBelowAVoidFraction) {
   EXPECT_NEAR(pressure_growth(1e9, 0.75, false), 1.0, 1e-6);
   EXPECT_NEAR(pressure_growth(1e9, 0.5, true), 1.0, 1e-6);
