@@ -36,9 +36,8 @@ namespace ContactModels {
 ///   connect(registry, normal)      reads the parameters; normal: of the contact
 ///   adhesion(i, j, ri, rj)         of two types and radii; rj infinite: beside a wall
 ///   range()                        how far it must see (contact_range.h)
-///   rests(near, watched)           whether it does nothing to this pair and remembers what it did;
-///   watched:
-///                                  a book is kept
+///   rests(near, watched)           true: no force in this step, and its memory stays as it is;
+///                                  watched: a book is kept, so a memory must be told of
 ///   force(encounter)               attraction, [force]; called once per step and contact
 ///   binds(i, j, gap, history)      whether a pair is bound (cohesive_pairs.h)
 ///   energy(...)                    AttractionEnergy (contact_book.h)

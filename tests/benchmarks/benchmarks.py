@@ -17,6 +17,7 @@ from pathlib import Path
 
 from page import replace_section
 from programs import Missing, Programs
+from scenes import REBUILD
 
 NAMES = {"features": "feature x cost when off x cost when on, LAMMPS and LIGGGHTS",
          "coupling": "the same of the gas: cohesiveBedFoam",
@@ -38,6 +39,12 @@ def main():
         one.add_argument("--page", type=Path)
     words = parser.parse_args()
     table = importlib.import_module(words.name)
+    partial = [word for word in ("feature", "scene", "engine", "way") if getattr(words, word, None)
+               and getattr(words, word) != commands.choices[words.name].get_default(word)]
+    if words.page and partial:
+        parser.error(f"--page replaces the whole table of the page, --{partial[0]} measures a part of it")
+    if words.name in ("dense", "features") and words.steps % REBUILD:
+        parser.error(f"--steps {words.steps}: a multiple of {REBUILD}, what is between two lists")
     if words.small:
         table.small(words)
     lines = []

@@ -91,7 +91,10 @@ class PlaneFlux(unittest.TestCase):
               file=sys.stderr)
         # Student's t of eleven degrees: beyond 4.5 once in a thousand.
         self.assertLess(abs(off.mean(axis=1) / error).max(), 4.5)
-        self.assertLess(abs(error / stress).max(), 0.015)
+        # Enough to see it if the contacts across the faces of the box were left out. Of what contacts carry they have a
+        # share: of unit vectors k, mean of kx^2 |ky|^3 over mean of kx^2 ky^2 is 5/8 (3/4 for yy), times 1/LENGTH.
+        contacts = numpy.array([table["contact yy"], table["contact xy"]])[:, 1:].mean(axis=1)
+        self.assertLess((4.5 * error / abs(contacts)).max(), 5 / 8 / LENGTH)
 
 
 if __name__ == "__main__":

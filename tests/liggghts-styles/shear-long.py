@@ -25,7 +25,7 @@ SAMPLES = 200
 
 def main():
     words = measuring_program.words(
-        __doc__, ("--steps", {"type": int, "default": 10000000, "help": "4000 to 20000 by 4000, or a multiple of 20000"}),
+        __doc__, ("--steps", {"type": int, "default": 10000000, "help": "4000 to 20000 by 4000, or by 20000"}),
         ("--strain", {"type": float, "default": 200.0}), ("--side", {"type": int, "default": 4}),
         ("--mpiexec", {"default": "mpiexec --oversubscribe -np"}), liggghts=True)
     if words.plugin:
