@@ -34,7 +34,8 @@ class Spheres(unittest.TestCase):
         self.assertGreater(touches.count, 500)
         power = spheres.Power(table, touches, spheres.length(side, fraction)**3, dt, every)
         shares = [share / power.work for share in (power.gained, power.taken, power.rest)]
-        print("e {}: of the work {:.4f} gained, {:.4f} taken, {:.5f} left".format(restitution, *shares), file=sys.stderr)
+        print("e {}: of the work {:.4f} gained, {:.4f} taken, {:.5f} left".format(restitution, *shares),
+              file=sys.stderr)
         return power, touches, T, table["T"].max()
 
     # Each contact is followed on a grid of pi/15 of its swing: its energy is what leapfrog keeps, within (pi/15)^2/8
