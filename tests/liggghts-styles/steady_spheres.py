@@ -205,10 +205,13 @@ class Touches:
         first = ~numpy.concatenate([[False], goes_on])
         last = ~numpy.concatenate([goes_on, [False]])
         before = numpy.where(first, back, numpy.concatenate([[0], ahead[:-1]]))
-        # Nothing is known of the speed in contacts of one step. Others last for fifteen: an end has cut these off.
+        # Nothing is known of the speed in contacts of one step. Others last for fifteen: an end has cut these off, or
+        # they graze, with an overlap that a tangential speed v opens in half a step, (v dt)^2/(8 d), about 1e-4 of
+        # that of others, and hold nothing.
         once = first & last
-        if not numpy.isin(self.step[once], (self.step.min(), self.step.max())).all():
-            raise AssertionError(f"contacts of a single step: {set(self.step[once])}")
+        grazing = overlap[once & ~numpy.isin(self.step, (self.step.min(), self.step.max()))]
+        if (grazing**2).sum() > 1e-6 * (overlap**2).sum():
+            raise AssertionError(f"contacts of a single step, with overlaps of {grazing}")
         before[once] = 0
         self.force = law.force(overlap, before)
         after = numpy.where(last, before + 2 * dt * self.force, ahead)
