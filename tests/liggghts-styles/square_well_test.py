@@ -212,6 +212,13 @@ class Memory(unittest.TestCase):
             with self.subTest(walls=walls):
                 self.assertEqual(restarted, whole)
 
+    def test_pairs_that_are_passed_over_change_nothing(self):
+        """Those known to be outside are, but not while a book is kept."""
+        plain, watched = (Run(script(self.spheres, MODELS, square_well(DEPTH), every=20, steps=2000, extra=book,
+                                     **self.options)).frames("out.txt")
+                          for book in ("", "compute book all gran/energy\n"))
+        self.assertEqual(plain, watched)
+
     def test_two_ranks_equal_one(self):
         results = [Run(script(self.spheres, MODELS, square_well(DEPTH), every=2000, steps=2000,
                               **{**self.options, "walls": []}), ranks=ranks).frames("out.txt")[-1]
