@@ -10,7 +10,7 @@ command goes on with the others.
 import argparse
 import re
 import sys
-from math import isqrt, sqrt
+from math import isnan, isqrt, sqrt
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
@@ -73,7 +73,7 @@ def text(table, results, failed):
     lines = [f"{'':20}" + "".join(f"{column:<20}" for column in COLUMNS) + "seeds"]
     for name in table:
         figures = over_seeds(results[name])
-        lines.append(f"{name:20}" + "".join("{:<20}".format("{:.3f} +- {:.3f}".format(*figures[column])
+        lines.append(f"{name:20}" + "".join("{:<20}".format(with_deviation(*figures[column])
                                                             if column in figures else "none")
                                             for column in COLUMNS) + str(len(results[name]))
                      + (f", {failed[name]} failed" if failed[name] else ""))
@@ -92,6 +92,11 @@ def same_bed(one, other):
     in_case = {**parameters("liggghts"), **parameters("lammps"), "engine": None}
     alike = {**in_case, **one, "engine": None} == {**in_case, **other, "engine": None}
     return (one["engine"], other["engine"]) == ("lammps", "liggghts") and alike
+
+
+def with_deviation(mean, deviation):
+    """Of one seed there is none."""
+    return f"{mean:.3f}" + ("" if isnan(deviation) else f" +- {deviation:.3f}")
 
 
 def difference(one, other, figure):
