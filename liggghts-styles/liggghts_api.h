@@ -73,6 +73,10 @@ class BoxFix : public StyleFix {
     no_change_box = box_change_shape = restart_global = restart_pbc = 1;
     force_reneighbor = 1;
     next_reneighbor = -1;
+    // The engine's models forget a contact that has ended only where they see the gap: else its
+    // friction goes on when both touch again, until lists are made new, whenever that is. 1 % of
+    // both radii, as the engine's own models ask for.
+    neighbor->register_contact_dist_factor(1.01);
   }
   ~BoxFix() override { clear_rates(); }
 
