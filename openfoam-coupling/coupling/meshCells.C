@@ -3,10 +3,8 @@
 
 #include "PstreamReduceOps.H"
 #include "cyclicPolyPatch.H"
-#include "indexedOctree.H"
 #include "polyMesh.H"
 #include "processorCyclicPolyPatch.H"
-#include "treeDataCell.H"
 #include "triPointRef.H"
 
 #include <limits>
@@ -101,20 +99,17 @@ Foam::meshCells::meshCells(const polyMesh& mesh, const void_fraction::Kernel& ke
     mesh_(mesh),
     kernel_(kernel),
     decomposition_(decomposition(mesh)),
-    search_(mesh, decomposition_)
+    search_(mesh, decomposition_),
+    boxes_(boxes())
 {
     // Demand-driven data that all ranks make together
     search_.cellTree();
-    if (reachesOut())
-    {
-        setBoxes();
-    }
 }
 
 
-void Foam::meshCells::setBoxes()
+std::vector<void_fraction::Box> Foam::meshCells::boxes()
 {
-    boxes_.resize(mesh_.nCells());
+    std::vector<void_fraction::Box> boxes(mesh_.nCells());
     isBox_.setSize(mesh_.nCells());
     forAll(isBox_, celli)
     {
@@ -129,38 +124,57 @@ void Foam::meshCells::setBoxes()
                 bounds.max()[d] = infinity;
             }
         }
-        boxes_[celli] = {toVector3(bounds.min()), toVector3(bounds.max())};
+        boxes[celli] = {toVector3(bounds.min()), toVector3(bounds.max())};
     }
+    return boxes;
+}
+
+
+void Foam::meshCells::find(const point& centre, const scalar half) const
+{
+    const Vector3 at = toVector3(centre);
+    const Vector3 aside{half, half, half};
+    boxes_.meeting({at - aside, at + aside}, found_);
+}
+
+
+Foam::label Foam::meshCells::boxHolding(const point& position) const
+{
+    // Of a direction without end the mesh knows where it ends.
+    if (!mesh_.bounds().contains(position))
+    {
+        return -1;
+    }
+    // Far more than the sides of what counts as a box are off. A side at infinity has no border.
+    constexpr scalar border = 1e-6;
+    const auto within = [](const scalar low, const scalar at, const scalar high)
+    {
+        const scalar width = border*(high - low);
+        return !(at - low < width || high - at < width);
+    };
+    find(position, 0);
+    for (const label celli : found_)
+    {
+        const void_fraction::Box& box = boxes_[celli];
+        if
+        (
+            isBox_[celli]
+         && within(box.low.x, position.x(), box.high.x)
+         && within(box.low.y, position.y(), box.high.y)
+         && within(box.low.z, position.z(), box.high.z)
+        )
+        {
+            return celli;
+        }
+    }
+    return -1;
 }
 
 
 Foam::label Foam::meshCells::holding(const point& position) const
 {
-    return search_.findCell(position, -1, true);
-}
-
-
-Foam::labelList Foam::meshCells::touched(const point& centre, const scalar radius) const
-{
-    const vector half = vector::uniform(reach(radius));
-    treeBoundBox around(centre - half, centre + half);
-    for (direction d = 0; d < 3; ++d)
-    {
-        if (mesh_.geometricD()[d] < 0)
-        {
-            around.min()[d] = mesh_.bounds().min()[d];
-            around.max()[d] = mesh_.bounds().max()[d];
-        }
-    }
-    const auto& tree = search_.cellTree();
-    labelList found(tree.findBox(around));
-    for (label& shape : found)
-    {
-        shape = tree.shapes().cellLabels()[shape];
-    }
-    // The order of a sum is that of the cells, not of the tree.
-    sort(found);
-    return found;
+    const label box = boxHolding(position);
+    return box >= 0 ? box : search_.findCell(position, -1, true);
 }
 
 
@@ -202,7 +216,8 @@ Foam::scalar Foam::meshCells::appendShares
     }
 
     scalar sum = 0;
-    for (const label celli : touched(centre, radius))
+    find(centre, reach(radius));
+    for (const label celli : found_)
     {
         sum += append(celli);
     }

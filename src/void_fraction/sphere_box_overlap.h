@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 
 #include "constants.h"
 #include "sphere.h"
@@ -12,7 +13,9 @@
 /// Volume that a sphere and a box along the axes have in common, in closed form.
 ///
 /// With G(a, b, c) the volume of the part x > a, y > b, z > c of the unit sphere around the origin,
-/// the box has the sum of G over its eight corners, with the sign of the number of upper sides.
+/// a box that has one side in the sphere in each direction has G of the three, those that are upper
+/// sides mirrored; a direction whose both sides are in the sphere has the difference of two such,
+/// one with none lets its argument be -1.
 ///
 /// G for a, b, c >= 0, when the corner is inside the sphere. By the divergence theorem, with the
 /// part's spherical face S and its plane faces A_a, A_b, A_c,
@@ -25,13 +28,20 @@
 ///   2 A_a = (1 - a^2) theta_a - b (s_ab - c) - c (s_ac - b),
 ///
 /// and S follows from Gauss and Bonnet: arcs of geodesic curvature a/sqrt(1 - a^2) give a theta_a,
-/// and two of them meet at the exterior angle atan2(s_ab, -a b):
+/// and two of them meet at the exterior angle pi - phi_ab, phi_ab = atan2(s_ab, a b):
 ///
-///   S = 2 pi - sum over pairs atan2(s_ab, -a b) - sum a theta_a.
+///   S = sum over pairs phi_ab - pi - sum a theta_a.
+///
+/// Sums and differences of angles are taken as the angle of a product of complex numbers, one atan2
+/// each; the sum of the phi less pi lies between 0, where S vanishes, and pi/2.
 ///
 /// Negative arguments by reflection: G(-a, b, c) = G_2(b, c) - G(a, b, c), with the part between
-/// two planes G_2(b, c) = 2 G(0, b, c), the same with G_2(-b, c) = G_1(c) - G_2(b, c), and the cap
-/// G_1(c) = pi/3 (1 - c)^2 (2 + c).
+/// two planes G_2(b, c) = 2 G(0, b, c),
+///
+///   3/2 G_2(a, b) = phi_ab + a b s_ab - a (3 - a^2)/2 atan2(s_ab, b) - b (3 - b^2)/2 atan2(s_ab,
+///   a),
+///
+/// the same with G_2(-b, c) = G_1(c) - G_2(b, c), and the cap G_1(c) = pi/3 (1 - c)^2 (2 + c).
 ///
 /// The roots s are the same wherever they occur, so that their round-off cancels to second order
 /// where they vanish: the error is round-off of the sphere's volume everywhere.
@@ -42,36 +52,54 @@ namespace unit_sphere {
 /// Volume [1] of the part x > a, -1 <= a <= 1.
 inline double cap(double a) { return pi / 3.0 * (1.0 - a) * (1.0 - a) * (2.0 + a); }
 
+/// Root of 1 - a^2 - b^2, 0 where round-off would make it imaginary.
+inline double root(double a, double b) { return std::sqrt(std::max(0.0, 1.0 - a * a - b * b)); }
+
 /// Volume [1] of the part x > a, y > b, z > c, all >= 0.
 inline double corner_inside(double a, double b, double c) {
   if (a * a + b * b + c * c >= 1.0) return 0.0;
-  // Round-off may put the root's argument below zero though the sum above is below one.
-  const auto root = [](double x, double y) {
-    return std::sqrt(std::max(0.0, 1.0 - x * x - y * y));
-  };
   const double ab = root(a, b), bc = root(b, c), ca = root(c, a);
+  const auto arc = [](double y, double z, double xy, double xz) {
+    return std::atan2(xy * xz - y * z, y * xz + xy * z);
+  };
   const auto face = [](double x, double y, double z, double xy, double xz, double angle) {
     return 0.5 * ((1.0 - x * x) * angle - y * (xy - z) - z * (xz - y));
   };
-  const double angle_a = std::atan2(ab, b) - std::atan2(c, ca);
-  const double angle_b = std::atan2(bc, c) - std::atan2(a, ab);
-  const double angle_c = std::atan2(ca, a) - std::atan2(b, bc);
-  const double spherical = 2.0 * pi - std::atan2(ab, -a * b) - std::atan2(bc, -b * c) -
-                           std::atan2(ca, -c * a) - a * angle_a - b * angle_b - c * angle_c;
+  const double angle_a = arc(b, c, ab, ca), angle_b = arc(c, a, bc, ab),
+               angle_c = arc(a, b, ca, bc);
+  // (a b + i s_ab)(b c + i s_bc)
+  const double real = a * b * b * c - ab * bc, imaginary = a * b * bc + ab * b * c;
+  const double corners =
+      std::atan2(-(real * ca + imaginary * c * a), imaginary * ca - real * c * a);
+  const double spherical = corners - a * angle_a - b * angle_b - c * angle_c;
   return (spherical - a * face(a, b, c, ab, ca, angle_a) - b * face(b, c, a, bc, ab, angle_b) -
           c * face(c, a, b, ca, bc, angle_c)) /
          3.0;
 }
 
+/// Volume [1] of the part x > a, y > b, both >= 0.
+inline double wedge_inside(double a, double b) {
+  if (a * a + b * b >= 1.0) return 0.0;
+  const double ab = root(a, b);
+  return 2.0 / 3.0 *
+         (std::atan2(ab, a * b) + a * b * ab - 0.5 * a * (3.0 - a * a) * std::atan2(ab, b) -
+          0.5 * b * (3.0 - b * b) * std::atan2(ab, a));
+}
+
 /// Volume [1] of the part x > a, y > b, both from -1 to 1.
 inline double wedge(double a, double b) {
+  if (a == -1.0) return cap(b);
+  if (b == -1.0) return cap(a);
   if (a < 0.0) return cap(b) - wedge(-a, b);
   if (b < 0.0) return cap(a) - wedge(a, -b);
-  return 2.0 * corner_inside(0.0, a, b);
+  return wedge_inside(a, b);
 }
 
 /// Volume [1] of the part x > a, y > b, z > c, all from -1 to 1.
 inline double corner(double a, double b, double c) {
+  if (a == -1.0) return wedge(b, c);
+  if (b == -1.0) return wedge(c, a);
+  if (c == -1.0) return wedge(a, b);
   if (a < 0.0) return wedge(b, c) - corner(-a, b, c);
   if (b < 0.0) return wedge(c, a) - corner(a, -b, c);
   if (c < 0.0) return wedge(a, b) - corner(a, b, -c);
@@ -82,22 +110,35 @@ inline double corner(double a, double b, double c) {
 
 /// Share of the sphere's volume that lies in the box [1], 0 to 1.
 inline double share_in_box(const Sphere& sphere, const Box& box) {
-  // In radii, from the centre. Beyond the sphere a side does not matter.
-  const auto side = [&sphere](double at, double centre) {
-    return std::clamp((at - centre) / sphere.radius, -1.0, 1.0);
+  // The planes that cut a direction, in radii from the centre, and what lies above each: all that
+  // is above the first less what is above the second.
+  struct Direction {
+    std::array<double, 2> planes;
+    int count;
   };
-  const std::array<std::array<double, 2>, 3> sides{
-      {{side(box.low.x, sphere.centre.x), side(box.high.x, sphere.centre.x)},
-       {side(box.low.y, sphere.centre.y), side(box.high.y, sphere.centre.y)},
-       {side(box.low.z, sphere.centre.z), side(box.high.z, sphere.centre.z)}}};
+  bool apart = false, whole = true;
+  const auto direction = [&](double low, double high, double centre) -> Direction {
+    const double from = (low - centre) / sphere.radius, to = (high - centre) / sphere.radius;
+    apart = apart || from >= 1.0 || to <= -1.0;
+    whole = whole && from <= -1.0 && to >= 1.0;
+    if (to >= 1.0) return {{std::max(from, -1.0), 1.0}, 1};
+    if (from <= -1.0) return {{-to, 1.0}, 1};  // mirrored
+    return {{from, to}, 2};
+  };
+  const Direction x = direction(box.low.x, box.high.x, sphere.centre.x);
+  const Direction y = direction(box.low.y, box.high.y, sphere.centre.y);
+  const Direction z = direction(box.low.z, box.high.z, sphere.centre.z);
+  if (apart) return 0.0;
+  if (whole) return 1.0;
   double volume = 0.0;
-  for (int corner = 0; corner < 8; corner++) {
-    const int x = corner & 1, y = corner >> 1 & 1, z = corner >> 2;
-    const double part = unit_sphere::corner(sides[0][static_cast<std::size_t>(x)],
-                                            sides[1][static_cast<std::size_t>(y)],
-                                            sides[2][static_cast<std::size_t>(z)]);
-    volume += (x + y + z) % 2 == 0 ? part : -part;
-  }
+  for (int i = 0; i < x.count; i++)
+    for (int j = 0; j < y.count; j++)
+      for (int k = 0; k < z.count; k++) {
+        const double part = unit_sphere::corner(x.planes[static_cast<std::size_t>(i)],
+                                                y.planes[static_cast<std::size_t>(j)],
+                                                z.planes[static_cast<std::size_t>(k)]);
+        volume += (i + j + k) % 2 == 0 ? part : -part;
+      }
   return std::clamp(volume / sphere_volume(1.0), 0.0, 1.0);
 }
 

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <random>
 #include <vector>
 
@@ -42,6 +44,22 @@ double corner_by_slices(double a, double b, double c) {
   return sum;
 }
 
+/// Share of the unit sphere around the origin in the box, as the sum of the corner's part over the
+/// box's eight corners, each with the sign of the number of upper sides: for any box, in whatever
+/// way it cuts the sphere.
+double share_by_eight_corners(const Box& box) {
+  const auto in_sphere = [](double side) { return std::clamp(side, -1.0, 1.0); };
+  double sum = 0.0;
+  for (int corner = 0; corner < 8; corner++) {
+    const bool x = corner & 1, y = corner & 2, z = corner & 4;
+    const double part = unit_sphere::corner(in_sphere(x ? box.high.x : box.low.x),
+                                            in_sphere(y ? box.high.y : box.low.y),
+                                            in_sphere(z ? box.high.z : box.low.z));
+    sum += (x + y + z) % 2 == 0 ? part : -part;
+  }
+  return sum / sphere_volume(1.0);
+}
+
 double share(const Vector3& centre, double radius, const Box& box) {
   return share_in_box(Sphere{centre, radius}, box);
 }
@@ -66,6 +84,35 @@ TEST(SphereBoxOverlap, CornerThatIsHardlyInside) {
         EXPECT_NEAR(unit_sphere::corner(a, b, c), corner_by_slices(a, b, c), round_off)
             << a << " " << gap << " " << c;
     }
+}
+
+TEST(SphereBoxOverlap, WedgeBetweenTwoPlanes) {
+  // Twice the part on one side of the plane through the centre across both
+  for (const double a : {0.0, 1e-9, 0.1, 0.3, 0.7, 0.99})
+    for (const double b : {0.0, 1e-7, 0.14, 0.2, 0.5, 0.7})
+      if (a * a + b * b < 1.0) {
+        const double slices = 2.0 * corner_by_slices(0.0, a, b);
+        EXPECT_NEAR(unit_sphere::wedge(a, b), slices, 2.0 * round_off) << a << " " << b;
+        // The reflections take it from caps.
+        EXPECT_NEAR(unit_sphere::wedge(-a, b), unit_sphere::cap(b) - slices, 2.0 * round_off);
+        EXPECT_NEAR(unit_sphere::wedge(a, -b), unit_sphere::cap(a) - slices, 2.0 * round_off);
+      }
+}
+
+TEST(SphereBoxOverlap, HoweverTheBoxCutsTheSphere) {
+  // Each direction in each of the ways: not cut, from below, from above, both, beyond the sphere.
+  const std::vector<std::array<double, 2>> ways{
+      {-1.0, 1.0}, {-7.0, 1.3},  {-infinity, infinity}, {-0.4, 1.2}, {0.35, infinity},
+      {-1.5, 0.3}, {-3.0, -0.6}, {-0.3, 0.55},          {0.1, 0.2},  {-1.0, 0.0},
+      {1.0, 2.0},  {-2.0, -1.1}};
+  for (const auto& x : ways)
+    for (const auto& y : ways)
+      for (const auto& z : ways) {
+        const Box box{{x[0], y[0], z[0]}, {x[1], y[1], z[1]}};
+        // Eight parts of at most the sphere, each to round-off, on either side
+        EXPECT_NEAR(share({}, 1.0, box), share_by_eight_corners(box), 16.0 * round_off)
+            << x[0] << " " << x[1] << ", " << y[0] << " " << y[1] << ", " << z[0] << " " << z[1];
+      }
 }
 
 TEST(SphereBoxOverlap, CutByOneAndTwoPlanes) {
