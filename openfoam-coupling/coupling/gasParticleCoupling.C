@@ -170,6 +170,30 @@ void Foam::gasParticleCoupling::depositParticles(const volVectorField& U)
 }
 
 
+void Foam::gasParticleCoupling::warnOfWaves(const volScalarField& nu)
+{
+    const auto particles = engine_->particles();
+    scalarField solidVolume(particles.count);
+    scalar lightest = 0;
+    forAll(solidVolume, i)
+    {
+        const scalar particle = sphere_volume(particles.radius[i]);
+        const scalar volumePerMass = particle/particles.mass[i];
+        solidVolume[i] = particle*volumePerMass;
+        lightest = max(lightest, volumePerMass);
+    }
+    if (waves_.mayGrow(lightest, voidFraction_, nu))
+    {
+        scalarField ofCells(averaging_.spread(solidVolume));
+        forAll(ofCells, celli)
+        {
+            ofCells[celli] /= volume(celli);
+        }
+        waves_.look(ofCells, voidFraction_, nu, step_->subSteps());
+    }
+}
+
+
 void Foam::gasParticleCoupling::handOver
 (
     const UList<vector>& gasVelocity,

@@ -88,6 +88,7 @@ Foam::gasParticleCoupling::gasParticleCoupling
         mesh,
         dimensionedScalar("one", dimless, 1)
     ),
+    waves_(mesh, density),
     dragRate_
     (
         IOobject("dragRate", mesh.time().timeName(), mesh),

@@ -70,6 +70,10 @@ int main(int argc, char* argv[])
         Info<< "Time = " << runTime.timeName() << progress << nl;
 
         coupling.depositParticles(U);
+        if (coupling.watchesWaves())
+        {
+            coupling.warnOfWaves(stress.viscosity());
+        }
         voidFractionf = fvc::interpolate(voidFraction);
         voidFractionPhi = voidFractionf*phi;
         gas.startStep();

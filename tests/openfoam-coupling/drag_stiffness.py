@@ -234,17 +234,17 @@ def check_layer(expect, build, work):
 
 
 def check_viscous(expect, build, work):
-    """Free spheres, 16 cells high, in gas so viscous that nu dt/h^2 is 6 (stability_table.py, PAGE): light ones move
-    in waves that grow from round-off, ten times heavier ones do not, by kappa (2 + nu dt k^2) > 2. k = 2/h; waves that
-    cells see less of grow by less, so only that they grow is asked for."""
-    for ratio in (1.0, 10.0):
-        s = Setting(1e-2, ratio=ratio, kernel="sphereOverlap", reynolds=0.01)
+    """Free spheres, 16 cells high, in gas so viscous that nu dt/h^2 is 6: light ones move in waves that grow from
+    round-off, ten times heavier ones do not, and in form B none; it is said when they do (viscous_waves.h). How fast
+    they grow goes with where the lattice's planes are between the faces, so only that they grow is asked for."""
+    for ratio, form, grow in ((1.0, "A", True), (10.0, "A", False), (1.0, "B", False)):
+        s = Setting(1e-2, ratio=ratio, kernel="sphereOverlap", reynolds=0.01, form=form)
         s.high, s.height = 16, 16 * s.h
-        kappa = (1 - s.eps) / (s.eps * ratio)
-        grows = kappa * (2 + 4 * s.mu / RHO * DT / s.h**2) > 2
-        case, _ = solve(build, work, f"viscous-{ratio:g}", s)
+        what = f"form {form}, density ratio {ratio:g}"
+        case, log = solve(build, work, f"viscous-{form}-{ratio:g}", s)
         middle, end = (np.abs(cells(case, time, "p")).max() for time in (times()[STEPS // 2 - 1], times()[-1]))
-        expect.equal(f"density ratio {ratio:g}: the pressure of waves grows, as it should", end > 10 * middle, grows)
+        expect.equal(f"{what}: the pressure of waves grows", bool(end > 10 * middle), grow)
+        expect.equal(f"{what}: times that it is said", log.count("waves of particles that are free"), int(grow))
 
 
 def main(build, work):
