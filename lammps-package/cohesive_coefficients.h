@@ -2,6 +2,7 @@
 #ifndef COHESION_COHESIVE_COEFFICIENTS_H
 #define COHESION_COHESIVE_COEFFICIENTS_H
 
+#include <algorithm>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -38,7 +39,8 @@ class CohesiveCoefficients : protected Pointers {
   /// the scheme has to see particles of these radii, [length].
   double prepare(int i, int j, double radius_i, double radius_j);
 
-  /// With `per_pair`, how many numbers the histories of that file hold for each pair.
+  /// With `per_pair`, how many numbers the histories of that file hold for each pair; 0: there are
+  /// none.
   void write_settings(FILE*, int per_pair) const;
   /// Returns that number.
   int read_settings(FILE*);
@@ -58,6 +60,13 @@ class CohesiveCoefficients : protected Pointers {
   bool any_rolls() const {
     return std::any_of(given_.begin(), given_.end(),
                        [](const Parameters& p) { return p.contact.rolling_friction > 0.0; });
+  }
+  /// Whether anything can happen between particles of any types.
+  bool any_acts() const {
+    if constexpr (Cohesion::HAS_CONTACT)
+      return true;
+    else
+      return std::any_of(given_.begin(), given_.end(), &Cohesion::attracts);
   }
   /// As a pair of src/event_stepping takes it.
   template <class Attraction>

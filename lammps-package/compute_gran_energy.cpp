@@ -25,7 +25,7 @@ ComputeGranEnergy::ComputeGranEnergy(LAMMPS* lammps, int narg, char** arg)
   extscalar = extvector = 1;
   size_vector = ENTRIES;
   vector = new double[ENTRIES];
-  step->keep_book();
+  reader = step->keep_book();
 }
 
 ComputeGranEnergy::~ComputeGranEnergy() { delete[] vector; }

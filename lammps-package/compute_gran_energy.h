@@ -8,6 +8,8 @@ ComputeStyle(gran/energy,ComputeGranEnergy);
 #ifndef LMP_COMPUTE_GRAN_ENERGY_H
 #define LMP_COMPUTE_GRAN_ENERGY_H
 
+#include <memory>
+
 #include "compute.h"
 #include "energy_book.h"
 #include "energy_companions.h"
@@ -27,6 +29,7 @@ class ComputeGranEnergy : public Compute {
 
  private:
   class FixEventStep* step;
+  std::shared_ptr<const void> reader;  // while there is one the book is kept
   cohesion::energy_book::Opened opened;
   SameParticles particles;
 };

@@ -13,7 +13,7 @@ using namespace LAMMPS_NS;
 ComputeGranStress::ComputeGranStress(LAMMPS* lammps, int narg, char** arg)
     : ComputeFluxTotals(lammps, narg, arg, cohesion::event_stepping::FluxParts::parts),
       step(FixEventStep::of(lammps)) {
-  step->sum_flux();
+  reader = step->sum_flux();
 }
 
 /// Totals that stay 0 beside other pairs would be taken for a stress of 0.

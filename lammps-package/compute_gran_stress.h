@@ -8,6 +8,8 @@ ComputeStyle(gran/stress,ComputeGranStress);
 #ifndef LMP_COMPUTE_GRAN_STRESS_H
 #define LMP_COMPUTE_GRAN_STRESS_H
 
+#include <memory>
+
 #include "compute_flux_totals.h"
 
 namespace LAMMPS_NS {
@@ -25,6 +27,7 @@ class ComputeGranStress : public ComputeFluxTotals {
 
  private:
   class FixEventStep* step;
+  std::shared_ptr<const void> reader;  // while there is one the flux is summed
 };
 
 }  // namespace LAMMPS_NS

@@ -41,6 +41,8 @@ FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
       contacts(nullptr),
       inverse_mass(nullptr),
       longest_flight(0.0),
+      book_readers(std::make_shared<char>()),
+      flux_readers(std::make_shared<char>()),
       flux_wanted(false) {
   nevery = 1;
   comm_forward = ALONE;
@@ -171,9 +173,23 @@ void FixEventStep::clear() {
   const int all = atom->nlocal + atom->nghost;
   std::fill_n(contacts, all, 0);
   look_round();
+  look_for_readers();
   if (!book.kept) return;
   if (all > 0) std::fill_n(contact_force[0], 3 * all, 0.0);
   book.spring = book.tangential_spring = book.rolling_spring = book.adhesion = 0.0;
+}
+
+void FixEventStep::look_for_readers() {
+  const bool book_wanted = book_readers.use_count() > 1;
+  if (book_wanted && !book.kept) {
+    const bigint unresolved = book.unresolved;
+    book = {};
+    book.unresolved = unresolved;
+  }
+  book.kept = book_wanted;
+  const bool wanted = flux_readers.use_count() > 1;
+  if (wanted && !flux_wanted) flux = {};
+  flux_wanted = wanted;
 }
 
 void FixEventStep::end_of_step() {

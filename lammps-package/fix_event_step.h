@@ -9,6 +9,7 @@ FixStyle(EVENT_STEP,FixEventStep);
 #define LMP_FIX_EVENT_STEP_H
 
 #include <algorithm>
+#include <memory>
 #include <vector>
 
 #include "atom.h"
@@ -121,7 +122,10 @@ class FixEventStep : public Fix {
   double** alone;
   double** shift;  ///< per atom that has a contact: change of position of this step
 
-  /// The energy of contacts; kept only when a compute asks for it.
+  /// What somebody holds as long as something is to be summed for him.
+  using Reader = std::shared_ptr<const void>;
+
+  /// The energy of contacts; kept only while a compute asks for it, and anew when one does again.
   struct Book {
     bool kept = false;
     double spring, tangential_spring, rolling_spring, adhesion;  ///< at the end of the step
@@ -130,11 +134,11 @@ class FixEventStep : public Fix {
     double external_work;  ///< of other forces but gravity, and moving walls; so far
     bigint unresolved;     ///< pairs whose step was cut short
   } book;
-  void keep_book() { book.kept = true; }
+  [[nodiscard]] Reader keep_book() const { return book_readers; }
 
-  /// Of the contacts of pairs so far; summed only when a compute asks for it.
+  /// Of the contacts of pairs so far; summed as the book is kept.
   cohesion::event_stepping::FluxParts flux;
-  void sum_flux() { flux_wanted = true; }
+  [[nodiscard]] Reader sum_flux() const { return flux_readers; }
   bool sums_flux() const { return flux_wanted; }
 
   /// A force of a contact on particle i, for the book.
@@ -146,6 +150,7 @@ class FixEventStep : public Fix {
 
  private:
   void clear();
+  void look_for_readers();
   void look_round();
   void move();
 
@@ -161,6 +166,7 @@ class FixEventStep : public Fix {
   int* contacts;         // per atom and ghost, this step
   double* inverse_mass;  // per atom and ghost
   double longest_flight;
+  Reader book_readers, flux_readers;  // copies of these are out
   bool flux_wanted;
   MobileParticles mobile;
 };

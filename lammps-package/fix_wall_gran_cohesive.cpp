@@ -13,6 +13,7 @@
 #include "error.h"
 #include "hamaker_cohesion.h"
 #include "memory.h"
+#include "neighbor.h"
 #include "square_well_cohesion.h"
 #include "update.h"
 #include "walls_from_script.h"
@@ -33,6 +34,7 @@ FixWallGranCohesive<Cohesion>::FixWallGranCohesive(LAMMPS* lammps, int narg, cha
       time_origin(update->ntimestep),
       per_wall(IN_RANGE),
       history(nullptr),
+      sizes(),
       step(nullptr),
       summed(false) {
   read(narg, arg);
@@ -168,6 +170,24 @@ void FixWallGranCohesive<Cohesion>::check_flight(int i, const WallPoint& point, 
                           " radii in one step and could miss the wall; use a smaller time step");
 }
 
+/// In a step, [length]; beside walls that move, the flow of a sheared box could count as well.
+template <class Cohesion>
+double FixWallGranCohesive<Cohesion>::way_of_walls(const WallState& now) const {
+  if (motion.still()) return 0.0;
+  if (domain->deform_vremap) return std::numeric_limits<double>::infinity();
+  return update->dt * norm(now.velocity);
+}
+
+template <class Cohesion>
+void FixWallGranCohesive<Cohesion>::look_at_sizes() {
+  sizes = {std::numeric_limits<double>::infinity(), 0.0, 0.0};
+  for (int i = 0; i < atom->nlocal; i++) {
+    const double radius = atom->radius[i];
+    sizes = {std::min(sizes.smallest_radius, radius), std::max(sizes.largest_radius, radius),
+             std::max(sizes.largest_range, Cohesion::range(scheme, parameters, radius, 0.0))};
+  }
+}
+
 /// Every contact by itself: what it would do to its particle.
 template <class Cohesion>
 void FixWallGranCohesive<Cohesion>::follow_alone() {
@@ -193,8 +213,15 @@ void FixWallGranCohesive<Cohesion>::follow_alone(std::vector<Contact>& shared) {
   const bool first = step->window().before == 0.0;
   const double time = static_cast<double>(update->ntimestep - time_origin) * update->dt;
   const WallState now = motion.over(time, step->window());
+  // What moves less than a radius in a step cannot matter beyond two. Each is asked when particles
+  // may be new, or faster than that.
+  const double flight = 2.0 * step->flight() + way_of_walls(now);
+  const bool ask_each = first || neighbor->ago == 0 || flight > sizes.smallest_radius;
+  if (ask_each) look_at_sizes();
+  const FarFromWalls far(walls, now.displacement, 2.0 * sizes.largest_radius + sizes.largest_range);
 
   for (int i = 0; i < atom->nlocal; i++) {
+    if (!ask_each && far.holds(atom->x[i]) && atom->radius[i] <= sizes.largest_radius) continue;
     if (!(atom->mask[i] & groupbit)) continue;
     const Vector3 centre = vector(atom->x[i]);
     const double range = Cohesion::range(scheme, parameters, atom->radius[i], 0.0);
@@ -205,10 +232,8 @@ void FixWallGranCohesive<Cohesion>::follow_alone(std::vector<Contact>& shared) {
       // range.
       if (inside < 0.0 || (first && inside == 0.0))
         inside = point.distance > 0.0 && point.distance < atom->radius[i] + range;
-      // No particle is faster than the step's fastest; only beside a moving wall ask each.
-      if (inside != 0.0 || !motion.still() || 2.0 * step->flight() > atom->radius[i])
-        check_flight(i, point, inside != 0.0);
-      // What moves less than a radius in a step cannot matter beyond two.
+      // No particle is faster than the step's fastest.
+      if (inside != 0.0 || flight > atom->radius[i]) check_flight(i, point, inside != 0.0);
       if (point.distance <= 0.0 || point.distance > 2.0 * atom->radius[i] + range) continue;
       if (step->body(i).inverse_mass == 0.0) continue;
 

@@ -70,6 +70,8 @@ class FixWallGranCohesive : public Fix, public EventContacts {
   int history_size() const { return per_wall * static_cast<int>(walls.size()); }
   double* history_of(int i, int wall) { return history[i] + wall * per_wall; }
   void check_flight(int i, const cohesion::event_stepping::WallPoint&, bool inside);
+  double way_of_walls(const cohesion::event_stepping::WallState&) const;
+  void look_at_sizes();
   template <bool FRICTION, bool ROLLING, class Contact>
   void follow_alone(std::vector<Contact>&);
   template <bool FRICTION, bool ROLLING, class Contact>
@@ -90,6 +92,10 @@ class FixWallGranCohesive : public Fix, public EventContacts {
   double** history;  // per atom
   AnyContacts contacts;
   std::vector<Active> active;
+  /// Of the particles, when the list of neighbours was new.
+  struct Sizes {
+    double smallest_radius, largest_radius, largest_range;
+  } sizes;
   std::vector<cohesion::Vector3> rolled;  // with rolling friction, of each: from roll_alone()
   FixEventStep* step;
 

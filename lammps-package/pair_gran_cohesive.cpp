@@ -30,6 +30,7 @@ PairGranCohesive<Cohesion>::PairGranCohesive(LAMMPS* lammps)
       close(lammps),
       largest_range(0.0),
       friction(false),
+      rested(false),
       per_pair(0),
       step(nullptr),
       history(modify, Cohesion::HISTORY_ID) {
@@ -64,8 +65,13 @@ void PairGranCohesive<Cohesion>::compute(int eflag, int vflag) {
   ev_init(eflag, vflag);
   if (update->whichflag == 2)
     error->all(FLERR, coefficients.where() + " follows motion in time; it cannot be minimized");
+  if (!coefficients.any_acts()) {
+    rested = true;
+    return;
+  }
   std::visit(
       [this](auto& contacts) {
+        if (rested) begin_where_they_are(contacts);
         if (step->resumes()) {
           if (evflag) tally_standing(contacts);
           return;
@@ -123,6 +129,31 @@ int PairGranCohesive<Cohesion>::new_contact(Contacts<Contact>& contacts, int of_
   return contacts.last[of_types] = static_cast<int>(contacts.all.size()) - 1;
 }
 
+template <class Cohesion>
+bool PairGranCohesive<Cohesion>::closer(double gap, int i, int j) const {
+  return norm(on_grid(i, j).separation) < atom->radius[i] + atom->radius[j] + gap;
+}
+
+/// After steps in which no pair was followed.
+template <class Cohesion>
+template <class Contact>
+void PairGranCohesive<Cohesion>::begin_where_they_are(Contacts<Contact>& contacts) {
+  rested = false;
+  contacts.clear();
+  for (int ii = 0; ii < list->inum; ii++) {
+    const int i = list->ilist[ii];
+    for (int jj = 0; jj < list->numneigh[i]; jj++) {
+      const int j = list->firstneigh[i][jj] & NEIGHMASK;
+      const bool moves = step->body(i).inverse_mass || step->body(j).inverse_mass;
+      const bool inside = moves && closer(contacts.all[contact(contacts, i, j)].range(), i, j);
+      history->firstflag[i][jj] = inside;
+      double* const values = &history->firstvalue[i][per_pair * jj];
+      std::fill_n(values, per_pair, 0.0);
+      values[0] = inside;
+    }
+  }
+}
+
 /// The pairs that may touch in this step.
 template <class Cohesion>
 template <class Contact>
@@ -152,9 +183,7 @@ void PairGranCohesive<Cohesion>::find_active(Contacts<Contact>& contacts) {
     double* const values = &history->firstvalue[i][per_pair * pair.place];
     if (!kept) std::fill_n(values, per_pair, 0.0);
     // A pair that a run starts with is where it is; it did not fall into the range.
-    if (first && !kept)
-      values[0] =
-          norm(grid.separation) < atom->radius[i] + atom->radius[j] + contacts.all[c].range();
+    if (first && !kept) values[0] = closer(contacts.all[c].range(), i, j);
     active.push_back({i, j, c, false, &kept, values});
     step->announce(i);
     step->announce(j);
@@ -261,9 +290,12 @@ template <class Cohesion>
 void PairGranCohesive<Cohesion>::append_bound(std::vector<std::array<int, 2>>& pairs) const {
   for (int ii = 0; ii < list->inum; ii++) {
     const int i = list->ilist[ii];
-    for (int jj = 0; jj < list->numneigh[i]; jj++)
-      if (history->firstflag[i][jj] && history->firstvalue[i][per_pair * jj] != 0.0)
-        pairs.push_back({i, list->firstneigh[i][jj] & NEIGHMASK});
+    for (int jj = 0; jj < list->numneigh[i]; jj++) {
+      const int j = list->firstneigh[i][jj] & NEIGHMASK;
+      if (rested ? closer(0.0, i, j)
+                 : history->firstflag[i][jj] && history->firstvalue[i][per_pair * jj] != 0.0)
+        pairs.push_back({i, j});
+    }
   }
 }
 

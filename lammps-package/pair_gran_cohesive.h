@@ -34,9 +34,15 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventPairs {
   double init_one(int, int) override;
   void write_restart(FILE*) override;
   void read_restart(FILE*) override;
-  void write_restart_settings(FILE* fp) override { coefficients.write_settings(fp, per_pair); }
+  /// Histories that nothing was written to count as none.
+  void write_restart_settings(FILE* fp) override {
+    coefficients.write_settings(fp, rested ? 0 : per_pair);
+  }
   /// The histories of the file stay as long as they are, whether anything rolls now or not.
-  void read_restart_settings(FILE* fp) override { per_pair = coefficients.read_settings(fp); }
+  void read_restart_settings(FILE* fp) override {
+    per_pair = coefficients.read_settings(fp);
+    rested = per_pair == 0;
+  }
   void append_bound(std::vector<std::array<int, 2>>&) const override;
 
  private:
@@ -79,6 +85,9 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventPairs {
                                                   int i, int j) const;
   template <bool FRICTION, bool ROLLING, class Contact>
   void follow(Contacts<Contact>&);
+  bool closer(double gap, int i, int j) const;
+  template <class Contact>
+  void begin_where_they_are(Contacts<Contact>&);
   template <class Contact>
   void find_active(Contacts<Contact>&);
   template <bool FRICTION, bool ROLLING, class Contact>
@@ -99,6 +108,7 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventPairs {
   ClosePairs close;                       // those that may become active
   double largest_range;                   // up to which the scheme has to see a pair
   bool friction;                          // whether any contact has friction
+  bool rested;                            // nothing acted, and no pair was followed
   int per_pair;                           // values of history (HistorySize); 0: not known yet
   class FixEventStep* step;
   PairHistory history;

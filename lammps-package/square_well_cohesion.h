@@ -87,6 +87,8 @@ class SquareWellOverlay : public SquareWellCohesion {
   using EventPair = cohesion::event_stepping::WellEdge;
   using Sampled = EventPair;
 
+  static bool attracts(const Parameters& p) { return p.well.depth > 0.0; }
+
   /// Reads `D ratio` from arg[first] on.
   static Parameters from_script(LAMMPS* lmp, const std::string& where, int first, int narg,
                                 char** arg) {

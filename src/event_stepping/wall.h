@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "constants.h"
 #include "event_stepping/pair_step.h"
@@ -82,6 +84,42 @@ struct Wall {
     const double distance = dot(away, centre - now.displacement) - side * position;
     return {distance, -distance * away, now.velocity};
   }
+};
+
+/// The places that are farther than `reach` [length] from each of some walls, and on their inner
+/// side: a box, and a cylinder about the z axis.
+class FarFromWalls {
+ public:
+  /// displacement [length]: of the walls, as in WallState.
+  template <class Walls>
+  FarFromWalls(const Walls& walls, const Vector3& displacement, double reach) {
+    const double moved[] = {displacement.x, displacement.y, displacement.z};
+    for (const Wall& wall : walls) {
+      if (wall.shape == Wall::z_cylinder) {
+        const double radius = wall.position - reach;
+        square_ = std::min(square_, radius > 0.0 ? radius * radius : 0.0);
+        continue;
+      }
+      const double place = moved[wall.shape] + wall.position + wall.side * reach;
+      if (wall.side > 0.0)
+        low_[wall.shape] = std::max(low_[wall.shape], place);
+      else
+        high_[wall.shape] = std::min(high_[wall.shape], place);
+    }
+  }
+
+  bool holds(const double* centre) const {
+    return centre[0] > low_[0] && centre[0] < high_[0] && centre[1] > low_[1] &&
+           centre[1] < high_[1] && centre[2] > low_[2] && centre[2] < high_[2] &&
+           centre[0] * centre[0] + centre[1] * centre[1] < square_;
+  }
+
+ private:
+  static constexpr double nowhere = std::numeric_limits<double>::infinity();
+
+  double low_[3] = {-nowhere, -nowhere, -nowhere};
+  double high_[3] = {nowhere, nowhere, nowhere};
+  double square_ = nowhere;  // of the radius
 };
 
 }  // namespace cohesion::event_stepping

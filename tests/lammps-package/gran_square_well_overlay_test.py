@@ -90,6 +90,43 @@ class Overlay(Gas):
             self.assertLess(abs(turned - expected),
                             5 * math.sqrt(4 * steps) * 2e-18 / edge * slope)
 
+    def test_without_depth_nothing_acts(self):
+        # Each has one partner: the order of neighbours can change nothing.
+        contact = f"gran/hooke/history {STIFFNESS} 228 {self.GAMMA:.17g} NULL 0 0"
+        atoms = [atom for k in range(8) for atom in couples.couple(k, (k - 4) * 1e-6, (0.0, 0.02, 0.0))]
+        paths = [couples.run(atoms, lines, T_C / 50, 100, style=style, skin=4e-4)[0]
+                 for lines, style in ((["* *"], contact),
+                                      (["* * gran/hooke/history", "* * square_well 0 1.01"],
+                                       f"hybrid/overlay {contact} square_well"))]
+        numpy.testing.assert_array_equal(paths[1], paths[0])
+
+    def test_depth_that_is_given_later(self):
+        """Pairs are then where they are: one in the well has to climb out, one outside falls in, one
+        that parts outside flies on; in the same input and from a restart file."""
+        depth, speed, dt = 5e-11, 0.02, T_C / 50
+        atoms = [atom for k, (gap, v) in enumerate(((4e-6, -speed), (1.1e-5, speed), (1.1e-5, -speed)))
+                 for atom in couples.couple(k, gap, (0.0, v, 0.0))]
+        start, deeper = (f"pair_style {self.style(0.0)}\npair_coeff * * gran/hooke/history\n"
+                         "pair_coeff * * square_well 0 1.01\nfix move all nve/sphere\n",
+                         f"pair_coeff * * square_well {depth} 1.01\n")
+        engine.write_spheres(self.folder, atoms, [(0.0, 0.064), (0.0, 0.01), (0.0, 0.004)], 1)
+        head = ("plugin load ${plugin}\nunits si\natom_style sphere\nnewton off\ncomm_modify vel yes\n",
+                f"neighbor 4e-4 bin\ntimestep {dt!r}\n")
+        # 160 steps out of the well, or 30 to its edge and 220 to the contact.
+        end = "run 236\nwrite_dump all custom end.txt id x y z vx vy vz modify format float %.17g sort id\n"
+        first = head[0] + "read_data data.spheres\n" + head[1] + start + "run 4\n"
+        again = (head[0] + "read_restart rest\n" + head[1] +
+                 "pair_coeff * * gran/hooke/history\nfix move all nve/sphere\n")
+        for texts in ([first + deeper + end], [first + "write_restart rest\n", again + deeper + end]):
+            for text in texts:
+                code, output = engine.run_text(text, self.folder)
+                self.assertEqual(code, 0, output[-2000:])
+            out = engine.dump(self.folder, "end.txt")[:, 1:].reshape(3, 2, 6)
+            squared = relative(out)[:, 4]**2
+            # Some twenty roundings of each speed.
+            numpy.testing.assert_allclose(squared, speed**2 + 2 * depth / MU * numpy.array([-1, 1, 0]),
+                                          rtol=2 * 2 * 20 * 1.2e-16)
+
     def test_input(self):
         for text, expected in (
                 ("square_well scheme event\npair_coeff * * 1e-11 1.1", ("no keywords", "scheme")),

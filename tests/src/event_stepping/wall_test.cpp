@@ -3,11 +3,17 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <limits>
+#include <random>
+#include <vector>
+
 #include "constants.h"
 
 namespace {
 
 using cohesion::Vector3;
+using cohesion::event_stepping::FarFromWalls;
 using cohesion::event_stepping::StepWindow;
 using cohesion::event_stepping::Wall;
 using cohesion::event_stepping::WallMotion;
@@ -79,6 +85,35 @@ TEST(Wall, NearestPointOfACylinder) {
   EXPECT_DOUBLE_EQ(point.velocity.y, -1.2);
   EXPECT_LT(cylinder.nearest({30.0, 4.0, -2.0}, {}, 0.0).distance, 0.0);
   EXPECT_EQ(cylinder.nearest({0.0, 0.0, 0.0}, {}, 2.0).distance, 10.0);
+}
+
+// A distance is rounded by a few units of 1 at 1e-16; nearer to the reach either is right.
+TEST(FarFromWalls, AgreesWithTheDistanceFromEachWall) {
+  const std::vector<std::vector<Wall>> all{
+      {{Wall::x_plane, 1.0, -0.5}},
+      {{Wall::y_plane, 1.0, -0.7}, {Wall::y_plane, -1.0, 0.6}, {Wall::z_plane, -1.0, 0.5}},
+      {{Wall::z_cylinder, 1.0, 0.9}, {Wall::z_plane, 1.0, -0.4}, {Wall::z_plane, 1.0, -0.6}},
+      {{Wall::z_cylinder, 1.0, 0.1}}};
+  const WallState now{{0.05, -0.1, 0.15}, {}};
+  const double reach = 0.2;
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  for (const std::vector<Wall>& walls : all) {
+    const FarFromWalls far(walls, now.displacement, reach);
+    int found = 0;
+    for (int n = 0; n < 10000; n++) {
+      const Vector3 centre{any(random), any(random), any(random)};
+      double least = std::numeric_limits<double>::infinity();
+      for (const Wall& wall : walls)
+        least = std::min(least, wall.nearest(centre, now, 0.0).distance);
+      const double x[] = {centre.x, centre.y, centre.z};
+      if (std::abs(least - reach) > 1e-14) {
+        EXPECT_EQ(far.holds(x), least > reach);
+      }
+      found += far.holds(x);
+    }
+    EXPECT_EQ(found > 0, walls[0].position != 0.1);
+  }
 }
 
 }  // namespace
