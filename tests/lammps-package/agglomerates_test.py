@@ -8,6 +8,7 @@ import numpy
 
 import lammps_engine as engine
 from agglomerate_search import BOX, RANGE, Search, constructed, in_box, passing
+from script_test_case import FolderTestCase
 
 # The attraction is none to speak of at the gaps of the flights: 1e-12/(24 0.1^2) = 4e-12.
 LAW = (f"pair_style gran/hamaker scheme sampled\npair_coeff * * stiffness 800 restitution 1 hamaker "
@@ -27,12 +28,7 @@ read_data data.spheres
 FIELDS = "f_set " + " ".join(f"f_set[{k}]" for k in range(1, 9))
 
 
-class Agglomerates(unittest.TestCase):
-    def setUp(self):
-        keeper = engine.temporary_folder()
-        self.addCleanup(keeper.cleanup)
-        self.folder = keeper.name
-
+class Agglomerates(FolderTestCase):
     def write(self, x, v=None, tilt=0.0, folder=None):
         v = numpy.zeros_like(x) if v is None else v
         engine.write_spheres(folder or self.folder, [

@@ -2,11 +2,11 @@
 """Spheres that meet walls of the event scheme, in LAMMPS: what the tests of them share."""
 import math
 import sys
-import unittest
 
 import numpy
 
 import lammps_engine as engine
+from script_test_case import FolderTestCase
 
 DIAMETER, DENSITY = 1e-3, 2650.0
 RADIUS = DIAMETER / 2
@@ -34,12 +34,7 @@ def say(text):
     print(text, file=sys.stderr)
 
 
-class EventWall(unittest.TestCase):
-    def setUp(self):
-        keeper = engine.temporary_folder()
-        self.addCleanup(keeper.cleanup)
-        self.folder = keeper.name
-
+class EventWall(FolderTestCase):
     def write(self, x, v, box=3 * [(0.0, 0.04)], diameter=DIAMETER, types=2, **more):
         atoms = [{"type": 1, "diameter": diameter, "density": DENSITY, "x": place, "v": speed}
                  for place, speed in zip(x, v)] + more.get("others", [])

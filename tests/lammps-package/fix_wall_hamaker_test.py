@@ -7,21 +7,17 @@ import numpy
 
 import hamaker_reference as law
 import lammps_engine as engine
+from script_test_case import FolderTestCase
 
 RADII = [0.5e-3, 0.2e-3]
 SIZE = 0.02
 
 
-class WallHamaker(unittest.TestCase):
+class WallHamaker(FolderTestCase):
     FORM = "small_gap"
     LAW = (7.49e-19, 4e-10, 1e-7)
     WORDS = "7.49e-19 4e-10 1e-7"
     GAPS = [-1e-6, 0.0, 3e-10, 5e-10, 1e-9, 1e-8, 9e-8, 2e-7]
-
-    def setUp(self):
-        keeper = engine.temporary_folder()
-        self.addCleanup(keeper.cleanup)
-        self.folder = keeper.name
 
     def spheres(self, axis, dimension):
         """For each wall of an axis, gap and radius one sphere; the last one is outside the group."""

@@ -10,6 +10,7 @@ import numpy
 import hard_spheres as hard
 import lammps_engine as engine
 from hard_gas import Gas
+from script_test_case import FolderTestCase
 
 COMPUTES = ["compute stress all hard/stress", "compute pair all pressure NULL pair"]
 PAIRS = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
@@ -27,12 +28,7 @@ def totals(table):
                         for row in range(1, 5)]).transpose(2, 0, 1)
 
 
-class Stress(unittest.TestCase):
-    def setUp(self):
-        keeper = engine.temporary_folder()
-        self.addCleanup(keeper.cleanup)
-        self.folder = keeper.name
-
+class Stress(FolderTestCase):
     def run_with_stress(self, pair, dt, steps, dimension, ranks=1, skin=1.0, more=(),
                         boundary="p p p"):
         hard.script(self.folder, pair, "", dimension, [*COMPUTES, *more])

@@ -6,6 +6,7 @@ import numpy
 
 import hamaker_reference as law
 import lammps_engine as engine
+from script_test_case import FolderTestCase
 
 RADIUS = {1: 0.5e-3, 2: 0.3e-3}
 DIRECTION = numpy.array([2.0, 3.0, 6.0]) / 7.0
@@ -37,7 +38,7 @@ def gap_of(one, other):
     return numpy.linalg.norm(numpy.array(other["x"]) - one["x"]) - sum(radii(one, other))
 
 
-class PairHamaker(unittest.TestCase):
+class PairHamaker(FolderTestCase):
     FORM = "small_gap"
     PARAMETERS = {(1, 1): (1e-19, 4e-10, 1e-7), (2, 2): (7.49e-19, 8e-10, 2e-7)}
     MIXED = ((1e-19 * 7.49e-19) ** 0.5, 8e-10, 2e-7)  # geometric mean, larger of the others
@@ -45,11 +46,6 @@ class PairHamaker(unittest.TestCase):
     GAPS = [-1e-6, -1e-10, 0.0, 1e-10, 3.9e-10, 5e-10, 7e-10, 1e-9, 1e-8, 2.9e-8, 9e-8, 1.5e-7,
             2.5e-7]
     COEFF11 = "1e-19"  # the cut-offs are those of pair_style
-
-    def setUp(self):
-        keeper = engine.temporary_folder()
-        self.addCleanup(keeper.cleanup)
-        self.folder = keeper.name
 
     def given(self, gaps, mixing="yes", script="in.pairs", skin=1e-4):
         self.atoms = couples(gaps)

@@ -1,16 +1,20 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Scripts given as text that LAMMPS takes, or stops at with a message."""
+"""A folder for each test, and scripts given as text that LAMMPS takes, or stops at with a message."""
 import unittest
 
 import lammps_engine as engine
 
 
-class ScriptTestCase(unittest.TestCase):
+class FolderTestCase(unittest.TestCase):
+    """Each test has a folder of its own, `folder`."""
+
     def setUp(self):
         keeper = engine.temporary_folder()
         self.addCleanup(keeper.cleanup)
         self.folder = keeper.name
 
+
+class ScriptTestCase(FolderTestCase):
     def goes(self, script, **options):
         code, output = engine.run_text(script, self.folder, **options)
         self.assertEqual(code, 0, output)

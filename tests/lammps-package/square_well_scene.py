@@ -2,7 +2,6 @@
 """Spheres with square wells, in LAMMPS: what the tests of them share."""
 import math
 import sys
-import unittest
 from pathlib import Path
 
 import numpy
@@ -10,6 +9,7 @@ import numpy
 import couples
 import lammps_engine as engine
 from couples import DAMPING, DIAMETER, MU, STIFFNESS
+from script_test_case import FolderTestCase
 
 T_C = couples.CONTACT_TIME
 RESTITUTION = math.exp(-couples.ALPHA * T_C)
@@ -56,12 +56,7 @@ def gaps(end):
     return numpy.linalg.norm(relative(end)[..., :3], axis=-1) - DIAMETER
 
 
-class Scene(unittest.TestCase):
-    def setUp(self):
-        keeper = engine.temporary_folder()
-        self.addCleanup(keeper.cleanup)
-        self.folder = keeper.name
-
+class Scene(FolderTestCase):
     def sphere(self, x, v=(0.0, 0.0, 0.0), kind=1, diameter=DIAMETER, **more):
         return {"type": kind, "diameter": diameter, "density": 2650.0, "x": x, "v": v, **more}
 

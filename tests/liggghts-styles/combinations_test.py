@@ -2,9 +2,11 @@
 """Each combination of contact models with each cohesion: the engine's own model plus the law."""
 
 import itertools
+import math
 import unittest
 
 from engine import EPSILON, Run
+from mesh import rectangle, stl, wall
 from scene import (COLUMNS, MASS, OUT, RADIUS, RATIO, hamaker, part, script, sphere, square_well)
 
 NORMAL = ["hooke", "hooke/stiffness", "hertz", "hertz/stiffness"]
@@ -22,6 +24,11 @@ SPEED, GAP, WALL_GAP, OVERLAP = 0.1, 12e-6, 7e-6, 4e-6
 STEPS = 60  # the two flights cross the edges of their wells, at 1e-5 and 5e-6 m
 
 
+# The wall made of 200 triangles: sphere 5 slides over a border in its way.
+PLATE_BORDER = 1e-6
+PLATE = rectangle((-9e-3 + PLATE_BORDER, -9.5e-3, -5e-3), (18e-3, 0, 0), (0, 18e-3, 0), 10)
+
+
 def scene():
     floor, spin = -5e-3, (300.0, -200.0, 100.0)
     yield sphere((0, 0, 0), (0.01, 0.02, 0), spin)  # 1, 2: in contact, sliding, rolling
@@ -35,19 +42,25 @@ def scene():
 class Combinations(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
+        cls.frames = cls.run_all(list(COHESION), lambda models: ["primitive type 2 zplane -5e-3"])
+
+    @staticmethod
+    def run_all(names, walls):
         """All in one process per cohesion, the engine's own models in the stock program."""
-        cls.frames = {}
-        for name, (words, properties) in COHESION.items():
+        frames = {}
+        for name in names:
+            words, properties = COHESION[name]
             text = ""
             for number, models in enumerate(MODELS):
                 # The engine wants cohesion before rolling friction.
                 full = models.replace(" rolling_friction", words + " rolling_friction")
-                text += script(list(scene()), full, properties, dt=1e-6, steps=STEPS,
-                               walls=["primitive type 2 zplane -5e-3"], dump=f"{number}.txt")
+                text += script(list(scene()), full, properties, dt=1e-6, steps=STEPS, walls=walls(full),
+                               dump=f"{number}.txt")
                 text += "clear\n"
-            run = Run(text, "stock" if name == "none" else "launcher")
+            run = Run(text, "stock" if name == "none" else "launcher", inputs={"plate.stl": stl(PLATE)})
             for number, models in enumerate(MODELS):
-                cls.frames[name, models] = run.frames(f"{number}.txt")
+                frames[name, models] = run.frames(f"{number}.txt")
+        return frames
 
     def test_without_strength_each_is_the_engines_own_to_the_last_bit(self):
         for name, models in itertools.product(("hamaker off", "square_well off"), MODELS):
@@ -97,6 +110,20 @@ class Combinations(unittest.TestCase):
                 own = self.frames["none", models]
                 for number in (1, 2, 5):
                     self.assertEqual([f[number] for f in frames], [f[number] for f in own])
+
+    def test_a_wall_of_triangles_is_the_plane(self):
+        """Force and torque on the spheres at the wall, within 1e-6 of the largest, and so velocity and spin."""
+        frames = self.run_all(["none", "hamaker", "square_well"], wall)
+        for (name, models), mesh in frames.items():
+            with self.subTest(cohesion=name, models=models):
+                plane = self.frames[name, models]
+                self.assertLess(mesh[0][5][0], PLATE_BORDER)
+                self.assertGreater(mesh[-1][5][0], PLATE_BORDER)
+                for number in (5, 6):
+                    for what in ("f", "tq", "v", "omega"):
+                        a, b = ([part(frame[number], what) for frame in run] for run in (mesh, plane))
+                        largest = max(max(map(abs, row)) for row in b)
+                        self.assertLessEqual(max(math.dist(*rows) for rows in zip(a, b)), 1e-6 * largest, what)
 
 
 if __name__ == "__main__":

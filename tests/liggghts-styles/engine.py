@@ -23,6 +23,10 @@ def program(name):
     return os.environ["COHESION_" + name]
 
 
+def environment_of(ranks):
+    return {**os.environ, **(HERE_ONLY if ranks else short_start())}
+
+
 class Run:
     """One run in a folder of its own: returncode, printed text, and the text of the files left."""
 
@@ -32,11 +36,13 @@ class Run:
         command = [program("LAUNCHER" if how == "launcher" else "STOCK"), "-in", "in.script"]
         for name, value in variables.items():
             command += ["-var", name, repr(value) if isinstance(value, float) else str(value)]
-        environment = {**os.environ, **(HERE_ONLY if ranks else short_start())}
+        environment = environment_of(ranks)
+        preload = "LD_PRELOAD=" + program("PRELOAD") if how == "preload" else None
         if ranks:
-            command = [program("MPIEXEC"), "--oversubscribe", "-n", str(ranks)] + command
-        if how == "preload":
-            environment["LD_PRELOAD"] = program("PRELOAD")
+            given = ["-x", preload] if preload else []
+            command = [program("MPIEXEC"), "--oversubscribe", "-n", str(ranks)] + given + command
+        elif preload:
+            command = ["env", preload] + command
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)
             for file, content in {"in.script": text, **(inputs or {})}.items():

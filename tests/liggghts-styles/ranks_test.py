@@ -29,6 +29,11 @@ class Ranks(unittest.TestCase):
             for mine, other in zip(one[start][1][:3], two[start][1][:3]):
                 self.assertAlmostEqual(mine, other, delta=2e-12)
 
+    def test_preloaded_it_is_the_same_to_the_last_bit(self):
+        launcher, preload = (Run("in.cluster", how, ranks=2, steps=200) for how in ("launcher", "preload"))
+        self.assertIn("2 by 1 by 1 MPI processor grid", preload.printed)
+        self.assertEqual(preload.frames("end.txt"), launcher.frames("end.txt"))
+
 
 if __name__ == "__main__":
     unittest.main()
