@@ -127,7 +127,7 @@ void Foam::particleDrag::warnOfStep()
 {
     // Implicit steps of the gas are off by some per cent where they are about as long as it takes to
     // follow the particles; this is about what does not get better with stiffer drag.
-    constexpr scalar worthSaying = 0.1;
+    constexpr scalar worthSaying = 0.05;
     const scalar mine = exchangeError_;
     reduce(exchangeError_, maxOp<scalar>());
     scalar step = mine == exchangeError_ ? longestStep_ : 0;
