@@ -207,6 +207,10 @@ template <bool FRICTION, bool ROLLING, class Contact>
     const Contact& c = contacts.all[pair.contact];
     const PairMotion motion = with_spins(on_grid(i, j), i, j);
     const PairStep normal = c.advance(motion.relative, pair.history[0] != 0.0);
+    if (!normal.acts) {
+      change = {};
+      continue;
+    }
     change = c.template alone<FRICTION>(motion, normal, spring_memory<FRICTION>(pair.history));
     add_alone<FRICTION>(step->alone[i], -1.0, c.share_i(), change);
     add_alone<FRICTION>(step->alone[j], 1.0, c.share_j(), change);
@@ -243,8 +247,10 @@ template <bool TALLY, bool FRICTION, bool ROLLING, class Contact>
         c, motion, others, ROLLING ? &by_rolling : nullptr, pair.history);
     *pair.kept = now.normal.inside;
 
-    scatter.on_i<FRICTION>(i, c.share_i(), now);
-    if (j < nlocal) scatter.on_j<FRICTION>(j, c.share_j(), now);
+    if (now.normal.acts) {
+      scatter.on_i<FRICTION>(i, c.share_i(), now);
+      if (j < nlocal) scatter.on_j<FRICTION>(j, c.share_j(), now);
+    }
     scatter.book(c, j < nlocal ? 1.0 : 0.5, now);
     if (ROLLING) {
       const RollingStep rolling = roll_with_others(c, motion, others, now, pair.history);

@@ -36,10 +36,11 @@ namespace ContactModels {
 ///   connect(registry, normal)      reads the parameters; normal: of the contact
 ///   adhesion(i, j, ri, rj)         of two types and radii; rj infinite: beside a wall
 ///   range()                        how far it must see (contact_range.h)
+///   acts()                         false: all types have strength 0, and nothing is remembered
 ///   rests(near, watched)           true: no force in this step, and its memory stays as it is;
 ///                                  watched: a book is kept, so a memory must be told of
 ///   force(encounter)               attraction, [force]; called once per step and contact
-///   binds(i, j, gap, history)      whether a pair is bound (cohesive_pairs.h)
+///   binds(i, j, ri, rj, gap, history)  whether a pair is bound (cohesive_pairs.h)
 ///   energy(...)                    AttractionEnergy (contact_book.h)
 template <class Attraction>
 class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePairs {
@@ -76,11 +77,11 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
 
   void surfacesIntersect(SurfacesIntersectData& contact, ForceData& on_i,
                          ForceData& on_j) override {
-    attract(contact, contact.r, contact.en, on_i, on_j);
+    if (attraction_.acts()) attract(contact, contact.r, contact.en, on_i, on_j);
   }
 
   void surfacesClose(SurfacesCloseData& near, ForceData& on_i, ForceData& on_j) override {
-    if (attraction_.rests(near, book_ != nullptr)) return;
+    if (!attraction_.acts() || attraction_.rests(near, book_ != nullptr)) return;
     const double r = std::sqrt(near.rsq);
     const double inverse = 1.0 / r;
     const double normal[3] = {inverse * near.delta[0], inverse * near.delta[1],
@@ -100,8 +101,9 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
   }
 
  private:
-  bool binds(int itype, int jtype, double gap, const double* history) const override {
-    return attraction_.binds(itype, jtype, gap, history);
+  bool binds(int itype, int jtype, double ri, double rj, double gap,
+             const double* history) const override {
+    return attraction_.binds(itype, jtype, ri, rj, gap, history);
   }
 
   void make_probe() {
@@ -128,9 +130,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
                                        const ForceData& on_j) {
     const bool acts = carries(contact);
     book_->write(contact, {Cohesion::contact_of(contact, on_i, on_j, normal_->exponent(), places_),
-                           acts ? &attraction_ : nullptr,
-                           acts && binds(contact.itype, contact.jtype, -contact.deltan,
-                                         contact.contact_history)});
+                           acts ? &attraction_ : nullptr, acts && binds(contact, -contact.deltan)});
   }
 
   [[gnu::noinline]] void write_attraction(const SurfacesCloseData& near, const double* normal,
@@ -139,14 +139,17 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     contact.normal = cohesion::vector(normal);
     contact.overlap = -gap;
     contact.attraction = -dot(contact.normal, cohesion::vector(on_i.delta_F));
-    book_->write(near,
-                 {contact, &attraction_, binds(near.itype, near.jtype, gap, near.contact_history)});
+    book_->write(near, {contact, &attraction_, binds(near, gap)});
   }
 
   /// Whether a triangle of a mesh has the attraction of the wall here.
   bool carries(const SurfacesCloseData& data) const {
     return !data.mesh ||
            Cohesion::carries_contact(*data.fix_mesh, data.j, data.i, atom->x[data.i], data.radi);
+  }
+
+  bool binds(const SurfacesCloseData& d, double gap) const {
+    return binds(d.itype, d.jtype, d.radi, d.is_wall ? 0.0 : d.radj, gap, d.contact_history);
   }
 
   static std::string name() { return std::string("cohesion model ") + Attraction::MODEL; }

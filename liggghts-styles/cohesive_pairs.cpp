@@ -51,12 +51,14 @@ void CohesivePairs::append_bound(std::vector<std::array<int, 2> >& pairs) const 
   const NeighList* const list = pair_->list;
   const NeighList* const memory = pair_->listgranhistory;
   const int* const type = lmp_->atom->type;
+  const double* const radius = lmp_->atom->radius;
   for (int ii = 0; ii < list->inum; ii++) {
     const int i = list->ilist[ii];
     for (int jj = 0; jj < list->numneigh[i]; jj++) {
       const int j = list->firstneigh[i][jj] & NEIGHMASK;
       const double* const history = memory ? memory->firstdouble[i] + pair_->dnum() * jj : nullptr;
-      if (binds(type[i], type[j], gap(lmp_->atom, i, j), history)) pairs.push_back({i, j});
+      if (binds(type[i], type[j], radius[i], radius[j], gap(lmp_->atom, i, j), history))
+        pairs.push_back({i, j});
     }
   }
 }

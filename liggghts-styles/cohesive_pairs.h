@@ -31,9 +31,10 @@ class CohesivePairs : public LAMMPS_NS::BoundPairs {
  protected:
   ~CohesivePairs();
 
-  /// Whether two particles of these types with this gap [length] are bound; history: what the
-  /// engine remembers of their contact, null where no model asks it to.
-  virtual bool binds(int itype, int jtype, double gap, const double* history) const = 0;
+  /// Whether two particles of these types and radii with this gap [length] are bound; rj 0: beside
+  /// a wall; history: what the engine remembers of their contact, null where no model asks it to.
+  virtual bool binds(int itype, int jtype, double ri, double rj, double gap,
+                     const double* history) const = 0;
 
  private:
   LAMMPS_NS::LAMMPS* lmp_;

@@ -84,10 +84,12 @@ void HamakerAttraction::connect(PropertyRegistry& registry, const NormalModelPro
     material = registry.getMatrixProperty(stiffness_property, asked_for_by)->data;
   }
 
+  acts_ = false;
   laws_.fill(
       lmp_, MODEL, registry.max_type(),
       [&](int i, int j) {
         const cohesion::hamaker::Parameters given{constant[i][j], surface, outer_cutoff_};
+        acts_ = acts_ || given.hamaker_constant > 0.0;
         cohesion::hamaker::require_valid(given);
         return Law(scales_ ? scaled(given, material[i][j], normal, i, j) : given);
       },

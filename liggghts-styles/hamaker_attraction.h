@@ -36,11 +36,14 @@ class HamakerAttraction : public AttractionEnergy {
   void connect(PropertyRegistry& registry, const NormalModelProbe& normal);
 
   ContactRange range() const;
+  bool acts() const { return acts_; }
   bool rests(const ContactModels::SurfacesCloseData& near, bool) const {
-    return std::sqrt(near.rsq) - near.radsum >= outer_cutoff_;
+    // Where rounding could decide, force() does.
+    const double reach = near.radsum + outer_cutoff_;
+    return near.rsq > reach * reach * (1.0 + 1e-12);
   }
 
-  bool binds(int itype, int jtype, double gap, const double*) const {
+  bool binds(int itype, int jtype, double, double, double gap, const double*) const {
     return gap < outer_cutoff_ && attracts(itype, jtype);
   }
   /// rj infinite: beside a wall.
@@ -74,6 +77,7 @@ class HamakerAttraction : public AttractionEnergy {
   LAMMPS_NS::LAMMPS* lmp_;
   TableOfTypes<Law> laws_;
   double outer_cutoff_ = 0.0;
+  bool acts_ = false;
   bool scales_ = false;
 };
 

@@ -29,6 +29,10 @@ constexpr const char* ratio_property = "wellRatio";
 /// nothing.
 constexpr double margin_beyond_edge = 0.1;
 
+/// The same where nothing acts: the tangential model forgets its spring when it sees the pair
+/// apart.
+constexpr double margin_to_forget = 0.01;
+
 // What is remembered of a contact.
 enum { STATE, IMPULSE, LAST_STEP, REMEMBERED };
 // STATE; the engine gives a new contact zeros.
@@ -58,10 +62,14 @@ void SquareWellAttraction::connect(PropertyRegistry& registry, const NormalModel
   double** depth = registry.getMatrixProperty(depth_property, asked_for_by)->data;
   const double* ratio = registry.getVectorProperty(ratio_property, asked_for_by)->data;
   const int types = registry.max_type();
+  // A restart file may remember some.
+  if (!connected_) acts_ = lmp_->update->ntimestep > 0;
+  connected_ = true;
   wells_.fill(
       lmp_, MODEL, types,
       [&](int i, int j) {
         const cohesion::square_well::Parameters well{depth[i][j], ratio[i], ratio[j]};
+        acts_ = acts_ || well.depth > 0.0;
         cohesion::square_well::require_valid(well);
         return well;
       },
@@ -74,13 +82,19 @@ void SquareWellAttraction::connect(PropertyRegistry& registry, const NormalModel
 
 ContactRange SquareWellAttraction::range() const {
   ContactRange range;
+  if (!acts_) {
+    range.margin = margin_to_forget;
+    return range;
+  }
   range.ratio = largest_ratio_ - 1.0;
   range.margin = margin_beyond_edge;
   range.source = "the width (wellRatio - 1) r of the well";
   return range;
 }
 
-bool SquareWellAttraction::binds(int, int, double, const double* history) const {
+bool SquareWellAttraction::binds(int itype, int jtype, double ri, double rj, double gap,
+                                 const double* history) const {
+  if (!acts_) return gap < cohesion::square_well::width(wells_.of(itype, jtype), ri, rj);
   return history && history[offset_ + STATE] == inside;
 }
 

@@ -35,11 +35,13 @@ class SquareWellAttraction : public AttractionEnergy {
   void connect(PropertyRegistry& registry, const NormalModelProbe&);
 
   ContactRange range() const;
+  /// What is remembered of wells before has to be followed even when there is none any more.
+  bool acts() const { return acts_; }
   /// Known to be outside and still there: most of the pairs that it has to see.
   bool rests(const ContactModels::SurfacesCloseData& near, bool watched) const;
 
   /// While the pair is in its well.
-  bool binds(int itype, int jtype, double gap, const double* history) const;
+  bool binds(int itype, int jtype, double ri, double rj, double gap, const double* history) const;
   /// rj infinite: beside a wall.
   cohesion::contact::Adhesion adhesion(int itype, int jtype, double ri, double rj) const {
     return cohesion::square_well::adhesion_of(wells_.of(itype, jtype), ri,
@@ -63,6 +65,8 @@ class SquareWellAttraction : public AttractionEnergy {
   int offset_;                    // of what is remembered in the history of a contact
   TableOfTypes<cohesion::square_well::Parameters> wells_;
   double largest_ratio_ = 1.0;
+  bool acts_ = false;
+  bool connected_ = false;
 };
 
 }  // namespace Cohesion

@@ -47,6 +47,12 @@ class WellPair {
   PairStep advance(const RelativeState& grid, const StepWindow& window, bool inside) const {
     if (edge_ == core_) return contact_.advance(grid, window, inside);
     PairStep step;
+    if (inside && meets_nothing(grid, window)) {
+      step.inside = true;
+      step.acts = false;
+      step.overlap_at_end = core_ - norm(grid.separation + window.after * grid.velocity);
+      return step;
+    }
     Motion m{{grid.separation - window.before * grid.velocity, grid.velocity}, inside, false, 0.0};
     m.touching = dot(m.at.separation, m.at.separation) < core_ * core_;
     // Both are in the contact: one that was pushed there from outside the well fell into it.
@@ -76,6 +82,7 @@ class WellPair {
     }
     step.inside = m.inside;
     step.overlap_at_end = m.touching ? m.overlap : core_ - norm(m.at.separation);
+    step.acts = !straight;
     if (straight) return step;  // not to carry the rounding of no change into the motion
     step.change.velocity = m.at.velocity - grid.velocity;
     step.change.separation = m.at.separation - window.after * m.at.velocity - grid.separation;
@@ -111,6 +118,14 @@ class WellPair {
     bool touching;
     double overlap;  ///< while touching
   };
+
+  /// Certain for most pairs within their well: farther from contact and edge than they can fly.
+  bool meets_nothing(const RelativeState& grid, const StepWindow& window) const {
+    const double way = std::max(window.before, window.after) * norm(grid.velocity);
+    const double inner = core_ + way, outer = edge_ - way;
+    const double square = dot(grid.separation, grid.separation);
+    return outer > 0.0 && square > inner * inner && square < outer * outer;
+  }
 
   Meeting next_meeting(const Motion& m) const {
     const double b = dot(m.at.separation, m.at.velocity);
