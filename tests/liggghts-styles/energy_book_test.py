@@ -4,9 +4,9 @@
 import math
 import unittest
 
-from engine import Run
+from engine import Run, assert_refused
 from mesh import rectangle, stl, wall
-from scene import MASS, RADIUS, STIFFNESS, contact, hamaker, part, script, sphere, square_well
+from scene import MASS, RADIUS, STIFFNESS, contact, hamaker, script, sphere, square_well
 
 (KINETIC, ROTATIONAL, SPRING, TANGENTIAL, ADHESION, DAMPING, TANGENTIAL_DAMPING, FRICTION, WORK, RESIDUAL,
  GRAVITY, ROLLING_SPRING, ROLLING) = range(1, 14)
@@ -218,11 +218,7 @@ class SharedPairs(unittest.TestCase):
 
 class Refusals(unittest.TestCase):
     def refused(self, text, *messages):
-        run = Run(text)
-        self.assertNotEqual(run.returncode, 0)
-        self.assertNotIn("Loop time", run.printed)
-        for message in messages:
-            self.assertIn(message, run.printed)
+        assert_refused(self, Run(text), *messages)
 
     def test_input(self):
         models = SLIDING + "hamaker"
