@@ -11,7 +11,7 @@ import numpy
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "lammps-package"))
 
 from agglomerate_search import BOX, RANGE, Search, constructed, in_box, passing
-from engine import Run
+from engine import Run, assert_refused
 from printed_thermo import thermo_lines
 from scene import DENSITY, STIFFNESS, contact, hamaker, script, sphere, square_well
 
@@ -169,11 +169,7 @@ class Durations(unittest.TestCase):
 
 class Refusals(unittest.TestCase):
     def stops(self, text, *words):
-        run = Run(text)
-        self.assertNotEqual(run.returncode, 0, run.printed[-2000:])
-        self.assertNotIn("Loop time", run.printed)
-        for word in words:
-            self.assertIn(word, run.printed)
+        assert_refused(self, Run(text), *words)
 
     def test_refused(self):
         x = numpy.array([[5.0, 4.0, 3.0], [6.1, 4.0, 3.0]])

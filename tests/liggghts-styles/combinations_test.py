@@ -7,7 +7,7 @@ import unittest
 
 from engine import EPSILON, Run
 from mesh import rectangle, stl, wall
-from scene import (COLUMNS, MASS, OUT, RADIUS, RATIO, hamaker, part, script, sphere, square_well)
+from scene import MASS, OUT, RADIUS, hamaker, part, script, sphere, square_well
 
 NORMAL = ["hooke", "hooke/stiffness", "hertz", "hertz/stiffness"]
 TANGENTIAL = ["off", "no_history", "history"]

@@ -66,6 +66,15 @@ class Run:
         return found
 
 
+def assert_refused(case, run, *messages, begun=False):
+    """Ended with an error, before the first step unless it has `begun`, and said all of `messages`."""
+    case.assertNotEqual(run.returncode, 0, "accepted:\n" + run.printed[-2000:])
+    if not begun:
+        case.assertNotIn("Loop time", run.printed)
+    for message in messages:
+        case.assertIn(message, run.printed)
+
+
 def script_without(name, word):
     """The script without the line that holds `word`; fails when there is none."""
     lines = (HERE / name).read_text().split("\n")

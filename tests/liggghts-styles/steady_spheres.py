@@ -154,9 +154,9 @@ STANDARD_ERRORS = 4  # of ten blocks: 0.3 % lie beyond
 
 
 def memories(fraction, restitution):
-    """Strains in which deviations fall to 1/e: of T, the slowest, as heating goes as sqrt(T) and dissipation as T^(3/2);
-    and of the stress at a given T, whose balance is d(xy)/d(strain) = -yy - xy/memory when the flow makes and collisions
-    take it."""
+    """Strains in which deviations fall to 1/e: of T, the slowest, as heating goes as sqrt(T) and dissipation as
+    T^(3/2); and of the stress at a given T, which the flow makes and collisions take, d(xy)/d(strain) = -yy -
+    xy/memory."""
     state = theory.steady(fraction, restitution)
     return (1.5 * theory.density(fraction) * state.temperature / state.dissipation,
             -state.kinetic[0, 1] / state.kinetic[1, 1])
