@@ -38,8 +38,8 @@
 /// Negative arguments by reflection: G(-a, b, c) = G_2(b, c) - G(a, b, c), with the part between
 /// two planes G_2(b, c) = 2 G(0, b, c),
 ///
-///   3/2 G_2(a, b) = phi_ab + a b s_ab - a (3 - a^2)/2 atan2(s_ab, b) - b (3 - b^2)/2 atan2(s_ab,
-///   a),
+///   3/2 G_2(a, b) = phi_ab + a b s_ab
+///                   - a (3 - a^2)/2 atan2(s_ab, b) - b (3 - b^2)/2 atan2(s_ab, a),
 ///
 /// the same with G_2(-b, c) = G_1(c) - G_2(b, c), and the cap G_1(c) = pi/3 (1 - c)^2 (2 + c).
 ///
