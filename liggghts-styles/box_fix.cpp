@@ -11,6 +11,7 @@ namespace engine_api {
 
 void BoxFix::init() {
   refuse_walls();
+  warn_of_unseen_gaps();
   domain->deform_flag = domain->deform_vremap = 1;
   domain->deform_groupbit = groupbit;
   atom->avec->init();  // keeps a copy of these
@@ -32,6 +33,18 @@ void BoxFix::refuse_walls() const {
            " wall/gran is no wall of all images; only a zplane is, in a box that is not periodic "
            "along z");
   }
+}
+
+/// `neigh_modify` puts its factor in the place of what fixes and models have asked for.
+void BoxFix::warn_of_unseen_gaps() const {
+  if (comm->me != 0 || neighbor->contactDistanceFactor >= SEEN_APART) return;
+  error->warning(FLERR,
+                 message("fix ", id, " ", style, ": with contact_distance_factor ",
+                         neighbor->contactDistanceFactor,
+                         " a contact that ends keeps its friction until lists are made new; use "
+                         "'neigh_modify contact_distance_factor ",
+                         SEEN_APART, "' or more")
+                     .c_str());
 }
 
 }  // namespace engine_api

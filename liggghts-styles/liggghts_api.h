@@ -74,13 +74,13 @@ class BoxFix : public StyleFix {
     force_reneighbor = 1;
     next_reneighbor = -1;
     // The engine's models forget a contact that has ended only where they see the gap: else its
-    // friction goes on when both touch again, until lists are made new, whenever that is. 1 % of
-    // both radii, as the engine's own models ask for.
-    neighbor->register_contact_dist_factor(1.01);
+    // friction goes on when both touch again, until lists are made new, whenever that is.
+    neighbor->register_contact_dist_factor(SEEN_APART);
   }
   ~BoxFix() override { clear_rates(); }
 
-  /// Stops when a wall stands across the flow or its gradient.
+  /// Stops when a wall stands across the flow or its gradient; warns when the script has taken back
+  /// that gaps are seen.
   void init() override;
 
  protected:
@@ -88,7 +88,12 @@ class BoxFix : public StyleFix {
   double* h_rate;
 
  private:
+  /// Distance, over the sum of the radii, up to which models see a pair that has parted: as far as
+  /// those of the engine ask for that sum elastic energy.
+  static constexpr double SEEN_APART = 1.01;
+
   void refuse_walls() const;
+  void warn_of_unseen_gaps() const;
   void clear_rates() {
     for (int k = 0; k < 6; k++) h_rate[k] = 0.0;
   }

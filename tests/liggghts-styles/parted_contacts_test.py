@@ -29,6 +29,7 @@ class PartedContacts(unittest.TestCase):
         run = Run(sheared(three_in_a_row(), models, properties, rate=1e-3, dt=self.DT, steps=self.STEPS, every=5,
                           skin=skin, extra=extra))
         found = numpy.array([[frame[n] for n in (1, 2, 3)] for frame in run.frames("out.txt")])
+        self.assertEqual("keeps its friction" in run.printed, "contact_distance_factor" in extra)
         return found, int(run.printed.split("Neighbor list builds =")[1].split()[0])
 
     def apart(self, law, extra=""):
