@@ -112,6 +112,32 @@ run {steps}
                    f"hamaker stiffness {SOFT} zplane 0 NULL wiggle z {amplitude} {period}", "",
                    radii=[SMALL, R])
 
+    def test_a_flow_that_is_too_fast_for_a_still_wall(self):
+        """A particle that moves with the mean flow of a sheared box, 1.5 radii in a step, towards a wall."""
+        height, speed = 0.01, 1.5 * R / DT
+        engine.write_spheres(self.folder, [{"type": 1, "diameter": 2 * R, "density": DENSITY,
+                                            "x": (0.02, 0.01 + height, 0.01), "v": (speed, 0.0, 0.0)}],
+                             [(0.0, 0.1), (0.0, 0.02 + height), (0.0, 0.02)], 1, tilt=(0.0, 0.0, 0.0))
+        code, output = engine.run_text(f"""
+plugin load ${{plugin}}
+units si
+atom_style sphere
+newton off
+boundary f p p
+comm_modify vel yes
+read_data data.spheres
+pair_style zero 1e-3
+pair_coeff * *
+neighbor 5e-3 bin
+fix w all wall/gran/hamaker stiffness {STIFFNESS} xplane NULL 0.09
+fix d all deform 1 xy erate {speed / (0.5 * height)} remap v flip no
+fix move all nve/sphere
+timestep {DT!r}
+run 20
+""", self.folder)
+        self.assertEqual(code, 1, output[-2000:])
+        self.assertIn("radii in one step", output)
+
 
 if __name__ == "__main__":
     unittest.main()
