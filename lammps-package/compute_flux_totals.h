@@ -19,7 +19,7 @@ class ComputeFluxTotals : public Compute {
 
  protected:
   /// Of this process: as many as there are kinds.
-  virtual const cohesion::MomentumFlux* totals() const = 0;
+  virtual const cohesion::MomentumFlux* totals() = 0;
 };
 
 }  // namespace LAMMPS_NS

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-only
 #include "compute_gran_energy.h"
 
+#include <algorithm>
 #include <vector>
 
 #include "atom.h"
@@ -17,7 +18,7 @@ using namespace cohesion::energy_book;
 using cohesion::Vector3;
 
 ComputeGranEnergy::ComputeGranEnergy(LAMMPS* lammps, int narg, char** arg)
-    : Compute(lammps, narg, arg), step(FixEventStep::of(lammps)) {
+    : Compute(lammps, narg, arg), step(FixEventStep::of(lammps)), before() {
   if (narg != 3) error->all(FLERR, "compute gran/energy takes no further arguments");
   if (igroup != 0)
     error->all(FLERR, "compute gran/energy balances all particles; its group must be 'all'");
@@ -26,6 +27,7 @@ ComputeGranEnergy::ComputeGranEnergy(LAMMPS* lammps, int narg, char** arg)
   size_vector = ENTRIES;
   vector = new double[ENTRIES];
   reader = step->keep_book();
+  add_sums(before, -1.0);
 }
 
 ComputeGranEnergy::~ComputeGranEnergy() { delete[] vector; }
@@ -36,10 +38,22 @@ void ComputeGranEnergy::init() {
   refuse_moving_box(lmp, std::string("compute ") + id + " gran/energy");
 }
 
+/// Those of this process, so far.
+void ComputeGranEnergy::add_sums(double* entries, double factor) const {
+  const FixEventStep::Book& book = step->book;
+  entries[NORMAL_DAMPING] += factor * book.normal_damping;
+  entries[TANGENTIAL_DAMPING] += factor * book.tangential_damping;
+  entries[FRICTION] += factor * book.friction;
+  entries[ROLLING] += factor * book.rolling;
+  entries[EXTERNAL_WORK] += factor * book.external_work;
+}
+
 void ComputeGranEnergy::compute_vector() {
   invoked_vector = update->ntimestep;
   particles.look(lmp, std::string("compute ") + id + " gran/energy");
-  double mine[ENTRIES] = {};
+  double mine[ENTRIES];
+  std::copy_n(before, static_cast<int>(ENTRIES), mine);
+  add_sums(mine, 1.0);
   const std::vector<double> weight = weights(lmp);
   // The motion of the step ends with the velocities the next half kick leads to, at the places half
   // a step of flight away.
@@ -62,11 +76,6 @@ void ComputeGranEnergy::compute_vector() {
   mine[TANGENTIAL_SPRING] = book.tangential_spring;
   mine[ADHESION] = book.adhesion;
   mine[ROLLING_SPRING] = book.rolling_spring;
-  mine[NORMAL_DAMPING] = book.normal_damping;
-  mine[TANGENTIAL_DAMPING] = book.tangential_damping;
-  mine[FRICTION] = book.friction;
-  mine[ROLLING] = book.rolling;
-  mine[EXTERNAL_WORK] = book.external_work;
   MPI_Allreduce(mine, vector, ENTRIES, MPI_DOUBLE, MPI_SUM, world);
 
   opened.close(vector);

@@ -28,8 +28,11 @@ class ComputeGranEnergy : public Compute {
   double compute_scalar() override;
 
  private:
+  void add_sums(double* entries, double factor) const;
+
   class FixEventStep* step;
-  std::shared_ptr<const void> reader;  // while there is one the book is kept
+  std::shared_ptr<const void> reader;             // while there is one the book is kept
+  double before[cohesion::energy_book::ENTRIES];  // what the book had summed when this was defined
   cohesion::energy_book::Opened opened;
   SameParticles particles;
 };

@@ -14,6 +14,7 @@ ComputeGranStress::ComputeGranStress(LAMMPS* lammps, int narg, char** arg)
     : ComputeFluxTotals(lammps, narg, arg, cohesion::event_stepping::FluxParts::parts),
       step(FixEventStep::of(lammps)) {
   reader = step->sum_flux();
+  before = step->flux;
 }
 
 /// Totals that stay 0 beside other pairs would be taken for a stress of 0.
@@ -36,4 +37,9 @@ void ComputeGranStress::init() {
                      id, member.style);
 }
 
-const cohesion::MomentumFlux* ComputeGranStress::totals() const { return step->flux.of.data(); }
+const cohesion::MomentumFlux* ComputeGranStress::totals() {
+  since = step->flux;
+  for (std::size_t part = 0; part < since.of.size(); part++)
+    for (std::size_t k = 0; k < since.of[part].size(); k++) since.of[part][k] -= before.of[part][k];
+  return since.of.data();
+}

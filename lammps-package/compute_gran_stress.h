@@ -11,6 +11,7 @@ ComputeStyle(gran/stress,ComputeGranStress);
 #include <memory>
 
 #include "compute_flux_totals.h"
+#include "event_stepping/flux_parts.h"
 
 namespace LAMMPS_NS {
 
@@ -23,11 +24,12 @@ class ComputeGranStress : public ComputeFluxTotals {
   void init() override;
 
  protected:
-  const cohesion::MomentumFlux* totals() const override;
+  const cohesion::MomentumFlux* totals() override;
 
  private:
   class FixEventStep* step;
-  std::shared_ptr<const void> reader;  // while there is one the flux is summed
+  std::shared_ptr<const void> reader;                 // while there is one the flux is summed
+  cohesion::event_stepping::FluxParts before, since;  // this was defined
 };
 
 }  // namespace LAMMPS_NS

@@ -11,6 +11,4 @@ ComputeHardStress::ComputeHardStress(LAMMPS* lammps, int narg, char** arg)
   events_->sum_flux();
 }
 
-const cohesion::MomentumFlux* ComputeHardStress::totals() const {
-  return events_->totals().flux.data();
-}
+const cohesion::MomentumFlux* ComputeHardStress::totals() { return events_->totals().flux.data(); }

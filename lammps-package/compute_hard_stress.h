@@ -19,7 +19,7 @@ class ComputeHardStress : public ComputeFluxTotals {
   ComputeHardStress(class LAMMPS*, int, char**);
 
  protected:
-  const cohesion::MomentumFlux* totals() const override;
+  const cohesion::MomentumFlux* totals() override;
 
  private:
   class FixHardEvents* events_;

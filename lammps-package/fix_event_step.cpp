@@ -180,16 +180,8 @@ void FixEventStep::clear() {
 }
 
 void FixEventStep::look_for_readers() {
-  const bool book_wanted = book_readers.use_count() > 1;
-  if (book_wanted && !book.kept) {
-    const bigint unresolved = book.unresolved;
-    book = {};
-    book.unresolved = unresolved;
-  }
-  book.kept = book_wanted;
-  const bool wanted = flux_readers.use_count() > 1;
-  if (wanted && !flux_wanted) flux = {};
-  flux_wanted = wanted;
+  book.kept = book_readers.use_count() > 1;
+  flux_wanted = flux_readers.use_count() > 1;
 }
 
 void FixEventStep::end_of_step() {

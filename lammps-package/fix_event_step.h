@@ -125,7 +125,8 @@ class FixEventStep : public Fix {
   /// What somebody holds as long as something is to be summed for him.
   using Reader = std::shared_ptr<const void>;
 
-  /// The energy of contacts; kept only while a compute asks for it, and anew when one does again.
+  /// The energy of contacts; kept only while a compute asks for it, which itself takes off what was
+  /// there before.
   struct Book {
     bool kept = false;
     double spring, tangential_spring, rolling_spring, adhesion;  ///< at the end of the step

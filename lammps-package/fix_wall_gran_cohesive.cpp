@@ -12,7 +12,6 @@
 #include "domain.h"
 #include "error.h"
 #include "hamaker_cohesion.h"
-#include "memory.h"
 #include "neighbor.h"
 #include "square_well_cohesion.h"
 #include "update.h"
@@ -33,13 +32,14 @@ FixWallGranCohesive<Cohesion>::FixWallGranCohesive(LAMMPS* lammps, int narg, cha
       law(attraction.no_law()),
       time_origin(update->ntimestep),
       per_wall(IN_RANGE),
-      history(nullptr),
+      history(lammps),
       sizes(),
       step(nullptr),
       summed(false) {
   read(narg, arg);
   if (parameters.contact.friction > 0.0) per_wall = WITH_FRICTION;
   if (parameters.contact.rolling_friction > 0.0) per_wall = WITH_ROLLING;
+  history.start(static_cast<int>(walls.size()), per_wall);
   mine.assign(3 * walls.size(), 0.0);
   total = mine;
 
@@ -62,7 +62,6 @@ template <class Cohesion>
 FixWallGranCohesive<Cohesion>::~FixWallGranCohesive() {
   atom->delete_callback(id, Atom::GROW);
   atom->delete_callback(id, Atom::RESTART);
-  memory->destroy(history);
 }
 
 template <class Cohesion>
@@ -170,11 +169,12 @@ void FixWallGranCohesive<Cohesion>::check_flight(int i, const WallPoint& point, 
                           " radii in one step and could miss the wall; use a smaller time step");
 }
 
-/// In a step, [length]; beside walls that move, the flow of a sheared box could count as well.
+/// In a step, [length]; in a sheared box the mean flow, which step->flight() leaves out, may carry
+/// particles into any wall, or a wall against them.
 template <class Cohesion>
 double FixWallGranCohesive<Cohesion>::way_of_walls(const WallState& now) const {
-  if (motion.still()) return 0.0;
   if (domain->deform_vremap) return std::numeric_limits<double>::infinity();
+  if (motion.still()) return 0.0;
   return update->dt * norm(now.velocity);
 }
 
@@ -226,7 +226,7 @@ void FixWallGranCohesive<Cohesion>::follow_alone(std::vector<Contact>& shared) {
     const Vector3 centre = vector(atom->x[i]);
     const double range = Cohesion::range(scheme, parameters, atom->radius[i], 0.0);
     for (int w = 0; w < static_cast<int>(walls.size()); w++) {
-      double& inside = *history_of(i, w);
+      double& inside = *history.of(i, w);
       const WallPoint point = walls[w].nearest(centre, now, motion.rim_speed);
       // A particle that the wall meets for the first time is where it is; it did not fall into the
       // range.
@@ -284,7 +284,7 @@ void FixWallGranCohesive<Cohesion>::follow_together(const std::vector<Contact>& 
     const Contact& c = shared[near.contact];
     const RelativeState grid{near.point.separation, near.point.velocity - vector(atom->v[i])};
     const PairMotion turning{grid, vector(atom->omega[i]), {}};
-    double* const kept = history_of(i, near.wall);
+    double* const kept = history.of(i, near.wall);
     PairMotion others;
     if (Contact::acts_within_step)
       others = others_of<FRICTION>(step->alone[i], nullptr, near.alone);
@@ -334,34 +334,6 @@ double FixWallGranCohesive<Cohesion>::compute_vector(int axis) {
 
 /* ---------------------------------------------------------------------- */
 
-template <class Cohesion>
-void FixWallGranCohesive<Cohesion>::grow_arrays(int nmax) {
-  memory->grow(history, nmax, history_size(), "wall/gran:history");
-}
-
-template <class Cohesion>
-void FixWallGranCohesive<Cohesion>::copy_arrays(int i, int j, int) {
-  std::copy_n(history[i], history_size(), history[j]);
-}
-
-template <class Cohesion>
-void FixWallGranCohesive<Cohesion>::set_arrays(int i) {
-  std::fill_n(history[i], history_size(), 0.0);
-  for (int w = 0; w < static_cast<int>(walls.size()); w++) *history_of(i, w) = -1.0;
-}
-
-template <class Cohesion>
-int FixWallGranCohesive<Cohesion>::pack_exchange(int i, double* buf) {
-  std::copy_n(history[i], history_size(), buf);
-  return history_size();
-}
-
-template <class Cohesion>
-int FixWallGranCohesive<Cohesion>::unpack_exchange(int i, double* buf) {
-  std::copy_n(buf, history_size(), history[i]);
-  return history_size();
-}
-
 /// Time origin of the motion, and the force on the walls, which a run that continues another does
 /// not work out again.
 template <class Cohesion>
@@ -388,34 +360,6 @@ void FixWallGranCohesive<Cohesion>::restart(char* buf) {
                    "there, {} with {} here; give the fix another ID",
                static_cast<int>(values[1]), static_cast<int>(values[2]), walls.size(), per_wall);
   if (comm->me == 0) std::copy_n(values + HEAD, mine.size(), mine.begin());
-}
-
-template <class Cohesion>
-int FixWallGranCohesive<Cohesion>::pack_restart(int i, double* buf) {
-  buf[0] = size_restart(i);
-  return 1 + pack_exchange(i, buf + 1);
-}
-
-template <class Cohesion>
-void FixWallGranCohesive<Cohesion>::unpack_restart(int i, int nth) {
-  double* const values = atom->extra[i];
-  int m = 0;
-  for (int n = 0; n < nth; n++) m += static_cast<int>(values[m]);
-  unpack_exchange(i, values + m + 1);
-}
-
-template <class Cohesion>
-int FixWallGranCohesive<Cohesion>::maxsize_restart() {
-  return size_restart(0);
-}
-template <class Cohesion>
-int FixWallGranCohesive<Cohesion>::size_restart(int) {
-  return 1 + history_size();
-}
-
-template <class Cohesion>
-double FixWallGranCohesive<Cohesion>::memory_usage() {
-  return static_cast<double>(sizeof(double)) * (history_size()) * atom->nmax;
 }
 
 template class LAMMPS_NS::FixWallGranCohesive<HamakerCohesion>;

@@ -6,12 +6,14 @@
 #include <variant>
 #include <vector>
 
+#include "atom.h"
 #include "cohesive_contact_from_script.h"
 #include "event_contact.h"
 #include "event_stepping/cohesive_contact.h"
 #include "event_stepping/wall.h"
 #include "fix.h"
 #include "fix_event_step.h"
+#include "wall_history.h"
 
 namespace LAMMPS_NS {
 
@@ -33,18 +35,18 @@ class FixWallGranCohesive : public Fix, public EventContacts {
   double compute_vector(int) override;
   double compute_array(int, int) override;
 
-  void grow_arrays(int) override;
-  void copy_arrays(int, int, int) override;
-  void set_arrays(int) override;
-  int pack_exchange(int, double*) override;
-  int unpack_exchange(int, double*) override;
+  void grow_arrays(int nmax) override { history.grow(nmax); }
+  void copy_arrays(int i, int j, int) override { history.copy(i, j); }
+  void set_arrays(int i) override { history.begin(i); }
+  int pack_exchange(int i, double* buf) override { return history.pack(i, buf); }
+  int unpack_exchange(int i, double* buf) override { return history.unpack(i, buf); }
   void write_restart(FILE*) override;
   void restart(char*) override;
-  int pack_restart(int, double*) override;
-  void unpack_restart(int, int) override;
-  int maxsize_restart() override;
-  int size_restart(int) override;
-  double memory_usage() override;
+  int pack_restart(int i, double* buf) override { return history.pack_restart(i, buf); }
+  void unpack_restart(int i, int nth) override { history.unpack_restart(i, atom->extra[i], nth); }
+  int maxsize_restart() override { return history.size_restart(); }
+  int size_restart(int) override { return history.size_restart(); }
+  double memory_usage() override { return history.bytes(atom->nmax); }
 
  private:
   template <class Pair>
@@ -67,8 +69,6 @@ class FixWallGranCohesive : public Fix, public EventContacts {
   void read(int, char**);
   template <class Contact>
   std::size_t contact(std::vector<Contact>&, int i);
-  int history_size() const { return per_wall * static_cast<int>(walls.size()); }
-  double* history_of(int i, int wall) { return history[i] + wall * per_wall; }
   void check_flight(int i, const cohesion::event_stepping::WallPoint&, bool inside);
   double way_of_walls(const cohesion::event_stepping::WallState&) const;
   void look_at_sizes();
@@ -88,8 +88,8 @@ class FixWallGranCohesive : public Fix, public EventContacts {
   cohesion::event_stepping::WallMotion motion;
   bigint time_origin;
 
-  int per_wall;      // values of history (HistorySize); an in-range flag of -1: not known yet
-  double** history;  // per atom
+  int per_wall;  // values of history (HistorySize)
+  WallHistory history;
   AnyContacts contacts;
   std::vector<Active> active;
   /// Of the particles, when the list of neighbours was new.

@@ -134,6 +134,12 @@ bool PairGranCohesive<Cohesion>::closer(double gap, int i, int j) const {
   return norm(on_grid(i, j).separation) < atom->radius[i] + atom->radius[j] + gap;
 }
 
+/// Pairs of which neither is moved by anything are not followed.
+template <class Cohesion>
+bool PairGranCohesive<Cohesion>::moves(int i, int j) const {
+  return step->body(i).inverse_mass != 0.0 || step->body(j).inverse_mass != 0.0;
+}
+
 /// After steps in which no pair was followed.
 template <class Cohesion>
 template <class Contact>
@@ -144,8 +150,8 @@ void PairGranCohesive<Cohesion>::begin_where_they_are(Contacts<Contact>& contact
     const int i = list->ilist[ii];
     for (int jj = 0; jj < list->numneigh[i]; jj++) {
       const int j = list->firstneigh[i][jj] & NEIGHMASK;
-      const bool moves = step->body(i).inverse_mass || step->body(j).inverse_mass;
-      const bool inside = moves && closer(contacts.all[contact(contacts, i, j)].range(), i, j);
+      const bool inside =
+          moves(i, j) && closer(contacts.all[contact(contacts, i, j)].range(), i, j);
       history->firstflag[i][jj] = inside;
       double* const values = &history->firstvalue[i][per_pair * jj];
       std::fill_n(values, per_pair, 0.0);
@@ -175,7 +181,7 @@ void PairGranCohesive<Cohesion>::find_active(Contacts<Contact>& contacts) {
 
   for (const ClosePair& pair : close) {
     const int i = pair.i, j = pair.j;
-    if (!step->body(i).inverse_mass && !step->body(j).inverse_mass) continue;
+    if (!moves(i, j)) continue;
     int& kept = history->firstflag[i][pair.place];
     const int c = contact(contacts, i, j);
     const RelativeState grid = on_grid(i, j);
@@ -291,14 +297,15 @@ void PairGranCohesive<Cohesion>::tally_standing(Contacts<Contact>& contacts) {
   }
 }
 
-/// Bound are the pairs within the range of contact and adhesion.
+/// Bound are the pairs within the range of contact and adhesion, of those that are followed or,
+/// where nothing acts, would be.
 template <class Cohesion>
 void PairGranCohesive<Cohesion>::append_bound(std::vector<std::array<int, 2>>& pairs) const {
   for (int ii = 0; ii < list->inum; ii++) {
     const int i = list->ilist[ii];
     for (int jj = 0; jj < list->numneigh[i]; jj++) {
       const int j = list->firstneigh[i][jj] & NEIGHMASK;
-      if (rested ? closer(0.0, i, j)
+      if (rested ? moves(i, j) && closer(0.0, i, j)
                  : history->firstflag[i][jj] && history->firstvalue[i][per_pair * jj] != 0.0)
         pairs.push_back({i, j});
     }

@@ -86,6 +86,7 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventPairs {
   template <bool FRICTION, bool ROLLING, class Contact>
   void follow(Contacts<Contact>&);
   bool closer(double gap, int i, int j) const;
+  bool moves(int i, int j) const;
   template <class Contact>
   void begin_where_they_are(Contacts<Contact>&);
   template <class Contact>

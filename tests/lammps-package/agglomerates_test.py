@@ -214,6 +214,23 @@ class Agglomerates(FolderTestCase):
                 # Places are rounded to 2^-44 of the box for the restart file, 5e-13.
                 numpy.testing.assert_allclose(with_files, without, rtol=0, atol=1e-11)
 
+    def test_frozen_pairs_without_and_with_depth(self):
+        """Nothing is followed between particles that nothing moves, whether the well is deep or D = 0: of a
+        frozen row of three and a sphere that overlaps its end, only the latter two are bound."""
+        x = numpy.array([[4.0 + 0.99 * k, 4.0, 3.0] for k in range(4)])
+        law = ("pair_style square_well\npair_coeff * * {} 1.2\n"
+               "group frozen id 1 2 3\ngroup free id 4\n")
+        for depth in (0, 1e-9):
+            for ranks in (1, 2):
+                with self.subTest(depth=depth, ranks=ranks):
+                    self.write(x)
+                    self.run_script(
+                        HEAD.replace(LAW, law.format(depth)) +
+                        "fix set all agglomerates 1\nfix move free nve/sphere\ntimestep 0.001\n"
+                        "dump out all custom 5 out.txt id f_set[1] f_set[2]\nrun 10\n", ranks=ranks)
+                    for table in engine.dumps(self.folder, "out.txt"):
+                        numpy.testing.assert_array_equal(table[:, 1:], [[0, 1], [0, 1], [3, 2], [3, 2]])
+
     def test_one_that_was_there_at_the_start_is_not_counted(self):
         x = numpy.array([[5.0, 4.0, 3.0], [6.1, 4.0, 3.0]])
         self.write(x, numpy.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]]))

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What compute gran/energy and compute gran/stress sum belongs to them: it ends with uncompute, and begins anew
-with the next compute."""
+"""What compute gran/energy and compute gran/stress sum belongs to them: it begins at 0 with each compute, in a
+run after one without, right after another, and beside another that goes on."""
 import math
 import unittest
+
+import numpy
 
 import couples
 import lammps_engine as engine
@@ -26,7 +28,8 @@ uncompute stress
 
 
 class Sums(unittest.TestCase):
-    def test_a_new_one_begins_anew(self):
+    def rows(self, text):
+        """Numbers that the runs print, in one of which after the other a couple meets."""
         atoms = []
         for k in range(3):
             atoms += couples.couple(k, SPEED * DT * (10 + k * PART), (0.0, SPEED, 0.0))
@@ -45,23 +48,55 @@ pair_coeff * * stiffness {STIFFNESS} restitution {RESTITUTION}
 fix move all nve/sphere
 timestep {DT!r}
 thermo {PART}
-{DEFINE}run {PART}
-{DELETE}run {PART}
-{DEFINE}run {PART}
-""", folder)
+{text}""", folder)
         self.assertEqual(code, 0, output[-2000:])
         lines = [line.split() for line in output.splitlines()]
-        rows = [list(map(float, words)) for words in lines if len(words) == 3 and words[0].isdigit()]
-        first, third = rows[:2], rows[2:]
+        return [list(map(float, words)) for words in lines if len(words) in (3, 7) and words[0].isdigit()]
+
+    LOST = 0.5 * (1 - RESTITUTION**2) * MU * SPEED**2
+    CARRIED = couples.DIAMETER * (1 + RESTITUTION) * MU * SPEED
+
+    def check(self, begin, end, couples_met=1):
+        self.assertEqual(begin, [0.0, 0.0])
+        # A place is rounded by 2e-19 m in each of some 20 steps of contact, of an overlap of 6e-7 m.
+        self.assertLess(abs(end[0] / (couples_met * self.LOST) - 1), 1e-10)
+        # Along the distance, which is shorter by the overlap, up to that of the undamped spring.
+        self.assertLess(abs(end[1] / (couples_met * self.CARRIED) - 1), OVERLAP / couples.DIAMETER)
+
+    def test_a_run_without_one_between(self):
+        rows = self.rows(f"{DEFINE}run {PART}\n{DELETE}run {PART}\n{DEFINE}run {PART}\n")
         self.assertEqual(len(rows), 4)
-        lost = 0.5 * (1 - RESTITUTION**2) * MU * SPEED**2
-        for begin, end in (first, third):
-            self.assertEqual(begin[1:], [0.0, 0.0])
-            # A place is rounded by 2e-19 m in each of some 20 steps of contact, of an overlap of 6e-7 m.
-            self.assertLess(abs(end[1] / lost - 1), 1e-10)
-            # Along the distance, which is shorter by the overlap, up to that of the undamped spring.
-            carried = couples.DIAMETER * (1 + RESTITUTION) * MU * SPEED
-            self.assertLess(abs(end[2] / carried - 1), OVERLAP / couples.DIAMETER)
+        self.check(rows[0][1:], rows[1][1:])
+        self.check(rows[2][1:], rows[3][1:])
+
+    def test_defined_again_between_two_runs(self):
+        rows = self.rows(f"{DEFINE}run {PART}\n{DELETE}{DEFINE}run {PART}\n")
+        self.assertEqual(len(rows), 4)
+        self.check(rows[0][1:], rows[1][1:])
+        self.check(rows[2][1:], rows[3][1:])
+
+    def test_a_second_one_beside_the_first(self):
+        rows = self.rows(f"""{DEFINE}run {PART}
+compute book2 all gran/energy
+compute stress2 all gran/stress
+thermo_style custom step c_book[6] c_stress[1][2] c_book2[6] c_stress2[1][2] c_book[10] c_book2[10]
+thermo_modify norm no format float %.17g
+run {PART}
+uncompute book
+uncompute stress
+thermo_style custom step c_book2[6] c_stress2[1][2]
+thermo_modify norm no format float %.17g
+run {PART}
+""")
+        self.assertEqual([len(row) for row in rows], [3, 3, 7, 7, 3, 3])
+        self.check(rows[0][1:], rows[1][1:])
+        self.assertEqual(rows[2][1:3], rows[1][1:])
+        self.check([0.0, 0.0], rows[3][1:3], 2)
+        self.check(rows[2][3:5], rows[3][3:5])
+        # Nothing is missing in either, as far as the balance is summed: to 1e-10 of what is lost.
+        self.assertLess(numpy.abs(rows[3][5:]).max(), 1e-10 * self.LOST)
+        self.assertEqual(rows[4][1:], rows[3][3:5])
+        self.check([0.0, 0.0], rows[5][1:], 2)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,143 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Particles far from the walls are not asked in each step: against the same scene with a new list of neighbours
+in each step, in which all of them are."""
+import math
+import unittest
+
+import numpy
+
+import lammps_engine as engine
+from script_test_case import FolderTestCase
+
+R, DENSITY = 5e-4, 2500.0
+MASS = 4 / 3 * math.pi * R**3 * DENSITY
+DT = 1e-5
+STIFFNESS = MASS * (math.pi / (2 * DT))**2  # a contact lasts two steps
+SMALL, SOFT = 0.1 * R, 0.1**3 * STIFFNESS  # the same for small ones
+ASKED = {"far ones left out": "neigh_modify delay 1000000", "all asked": "neigh_modify every 1 delay 0 check no"}
+
+
+class ShortWay(FolderTestCase):
+    def runs(self, heights, speeds, fix, more, radii=None, z=0.04, steps=120):
+        """Particles that meet nothing but the walls; of each kind of ASKED code, output and, of each step, z and
+        its velocity."""
+        radii = radii or [R] * len(heights)
+        engine.write_spheres(self.folder, [
+            {"type": 1, "diameter": 2 * r, "density": DENSITY, "x": (0.01 + 0.02 * k, 0.01, height),
+             "v": (0.0, 0.0, speed)} for k, (r, height, speed) in enumerate(zip(radii, heights, speeds))],
+            [(0.0, 0.02 * len(heights)), (0.0, 0.02), (0.0, z)], 1)
+        found = {}
+        for name, lists in ASKED.items():
+            code, output = engine.run_text(f"""
+plugin load ${{plugin}}
+units si
+atom_style sphere 1
+newton off
+boundary p p f
+comm_modify vel yes
+read_data data.spheres
+pair_style zero 1e-3
+pair_coeff * *
+neighbor 5e-3 bin
+{lists}
+fix w all wall/gran/{fix}
+{more}
+fix move all nve/sphere
+timestep {DT!r}
+dump out all custom 1 out.txt id z vz
+dump_modify out format float %.17g
+thermo_style custom step
+thermo {steps}
+run {steps}
+""", self.folder)
+            built = [line.split()[-1] for line in output.splitlines() if "Neighbor list builds" in line]
+            if code == 0:
+                self.assertEqual(int(built[0]), steps if "check no" in lists else 0)
+            found[name] = code, output, numpy.array(engine.dumps(self.folder, "out.txt"))
+        return found
+
+    def same(self, *scene, **options):
+        ways = []
+        for code, output, way in self.runs(*scene, **options).values():
+            self.assertEqual(code, 0, output[-2000:])
+            ways.append(way)
+        numpy.testing.assert_array_equal(*ways)
+        return ways[0]
+
+    def test_fast_particles_and_a_moving_wall(self):
+        """Up to 0.9 of a radius in a step, nearly twice the radius away at its begin: places of the first
+        meeting spread over a step."""
+        speed = 0.8 * R / DT
+        heights = [0.02 + k / 8 * speed * DT for k in range(8)]
+        way = self.same(heights, [-speed] * 8,
+                        f"hamaker stiffness {STIFFNESS} zplane 0.005 0.035 wiggle z 2e-4 {100 * DT}", "")
+        # Each meets both walls.
+        self.assertTrue((way[:, :, 2].max(axis=0) > 0).all())
+        self.assertGreater((numpy.diff(numpy.sign(way[:, :, 2]), axis=0) != 0).sum(), 2 * 8 - 1)
+
+    def test_wells_wider_than_particles(self):
+        """The edge is at five radii: two of them, the reach of contacts, are not enough."""
+        speed, depth = 0.1 * R / DT, 0.5 * MASS * (0.1 * R / DT)**2
+        heights = [0.006 + k / 8 * speed * DT for k in range(8)]
+        way = self.same(heights, [-speed] * 8,
+                        f"square_well stiffness {STIFFNESS} well {depth} 5 zplane 0 NULL", "", steps=100)
+        # Faster in the well, and back.
+        self.assertGreater(abs(way[:, :, 2]).max() / speed, 1.2)
+
+    def test_particles_that_grow(self):
+        """To three times the radius that they had when the list was made: those at rest meet the wall."""
+        way = self.same([2.5 * R] * 2, [0.0, 0.0], f"hamaker stiffness {STIFFNESS} zplane 0 NULL",
+                        f"variable size equal {2 * R}*(1+step/50)\nfix grow all adapt 1 atom diameter v_size mass no",
+                        steps=100)
+        self.assertGreater(way[-1, :, 2].min(), 0.0)
+
+    def stops(self, *scene, **options):
+        errors = []
+        for code, output, way in self.runs(*scene, **options).values():
+            self.assertEqual(code, 1, output[-2000:])
+            error = [line.split("ERROR")[1] for line in output.splitlines() if "ERROR" in line]
+            self.assertIn("radii in one step", error[0])
+            errors.append((error[0], len(way)))
+        self.assertEqual(*errors)
+
+    def test_small_ones_that_become_too_fast_far_away(self):
+        self.stops([0.02, 0.03], [0.0, 0.0], f"hamaker stiffness {SOFT} zplane 0 NULL",
+                   f"fix g all gravity {0.1 * SMALL / DT**2} vector 0 0 -1", radii=[SMALL, R])
+
+    def test_walls_that_become_too_fast_for_small_ones_far_away(self):
+        """Up to 0.3 large radii in a step."""
+        period = 100 * DT
+        amplitude = 0.3 * R / DT * period / (2 * math.pi)
+        self.stops([0.02, 0.03], [0.0, 0.0],
+                   f"hamaker stiffness {SOFT} zplane 0 NULL wiggle z {amplitude} {period}", "",
+                   radii=[SMALL, R])
+
+    def test_a_flow_that_is_too_fast_for_a_still_wall(self):
+        """A particle that moves with the mean flow of a sheared box, 1.5 radii in a step, towards a wall."""
+        height, speed = 0.01, 1.5 * R / DT
+        engine.write_spheres(self.folder, [{"type": 1, "diameter": 2 * R, "density": DENSITY,
+                                            "x": (0.02, 0.01 + height, 0.01), "v": (speed, 0.0, 0.0)}],
+                             [(0.0, 0.1), (0.0, 0.02 + height), (0.0, 0.02)], 1, tilt=(0.0, 0.0, 0.0))
+        code, output = engine.run_text(f"""
+plugin load ${{plugin}}
+units si
+atom_style sphere
+newton off
+boundary f p p
+comm_modify vel yes
+read_data data.spheres
+pair_style zero 1e-3
+pair_coeff * *
+neighbor 5e-3 bin
+fix w all wall/gran/hamaker stiffness {STIFFNESS} xplane NULL 0.09
+fix d all deform 1 xy erate {speed / (0.5 * height)} remap v flip no
+fix move all nve/sphere
+timestep {DT!r}
+run 20
+""", self.folder)
+        self.assertEqual(code, 1, output[-2000:])
+        self.assertIn("radii in one step", output)
+
+
+if __name__ == "__main__":
+    unittest.main()
