@@ -282,6 +282,7 @@ def check_viscous(expect, build, work):
         expect.equal(f"{what}: times that it is said", log.count("waves of particles that are free"), int(grow))
         if grow:
             check_said(expect, log, s)
+            check_said(expect, case.solve("-overwrite", ranks=2), s)
 
 
 def main(build, work):
