@@ -283,6 +283,16 @@ def check_viscous(expect, build, work):
         if grow:
             check_said(expect, log, s)
             check_said(expect, case.solve("-overwrite", ranks=2), s)
+    # Where fewer of the particles' steps do, where these must be shorter, and where nothing does
+    for ratio, reynolds in ((1.0, 0.06), (0.4, 0.1), (0.25, 0.1)):
+        s = Setting(1e-2, ratio=ratio, kernel="sphereOverlap", reynolds=reynolds)
+        _, log = solve(build, work, f"said-{ratio:g}", s)
+        if ratio == 0.25:
+            expect.true("kappa above 2: says that no deltaT does", "no deltaT does: somewhere kappa is 2" in log)
+        else:
+            check_said(expect, log, s)
+            expect.equal(f"density ratio {ratio:g}: steps as they are", "steps of the particles as they" in log,
+                         ratio == 1.0)
 
 
 def main(build, work):
