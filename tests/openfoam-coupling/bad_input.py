@@ -326,12 +326,9 @@ vertices ((0 0 0) (60 -2.6 0) (60 2.6 0) (0 0 200) (60 -2.6 200) (60 2.6 200));
 blocks ( hex (0 1 2 0 3 4 5 3) (3 1 10) simpleGrading (1 1 1) );
 boundary
 (
-    bottom { type patch; faces ((0 2 1 0)); }
-    top    { type patch; faces ((3 4 5 3)); }
+    bottom { type patch; faces ((0 2 1 0)); } top { type patch; faces ((3 4 5 3)); }
     sides  { type wall;  faces ((1 2 5 4)); }
-    front  { type wedge; faces ((0 1 4 3)); }
-    back   { type wedge; faces ((0 3 5 2)); }
-);
+    front  { type wedge; faces ((0 1 4 3)); } back { type wedge; faces ((0 3 5 2)); } );
 """)
     case.run("blockMesh")
     for file in (case.folder / "0").iterdir():
