@@ -5,6 +5,7 @@
 #include "OSspecific.H"
 #include "OStringStream.H"
 #include "UPstream.H"
+#include "wedgePolyPatch.H"
 
 #include "completeState.H"
 
@@ -102,6 +103,7 @@ Foam::gasParticleCoupling::gasParticleCoupling
         dimensionedVector(dimAcceleration, Zero)
     )
 {
+    refuseWedges();
     setDepthRatio();
     makeEngine();
     checkUnitsAndBox();
@@ -116,6 +118,21 @@ Foam::gasParticleCoupling::gasParticleCoupling
         setVoidFraction();
     }
     voidFraction_.oldTime();
+}
+
+
+void Foam::gasParticleCoupling::refuseWedges() const
+{
+    for (const polyPatch& patch : mesh_.boundaryMesh())
+    {
+        if (isA<wedgePolyPatch>(patch))
+        {
+            FatalIOErrorInFunction(dict_)
+                << "patch " << patch.name() << " of constant/polyMesh/boundary is a wedge, and cells that thin"
+                << " out towards an axis cannot hold spheres: make a 3-D mesh, or a plane one of one layer of"
+                << " cells between patches of type empty" << exit(FatalIOError);
+        }
+    }
 }
 
 

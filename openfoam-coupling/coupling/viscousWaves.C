@@ -5,7 +5,10 @@
 #include "messageStream.H"
 #include "surfaceFields.H"
 
+#include <algorithm>
+#include <cmath>
 #include <sstream>
+#include <type_traits>
 
 using namespace cohesion;
 
@@ -83,6 +86,18 @@ bool Foam::viscousWaves::mayGrow
 }
 
 
+void Foam::viscousWaves::refuseNotFinite(const label celli, const drag::ViscousStep& step) const
+{
+    if (!drag::is_finite(step))
+    {
+        FatalErrorInFunction
+            << "in the cell at " << mesh_.C()[celli] << " the mass of gas over that of particles is "
+            << step.displaced << ", and nu deltaT k^2 of the gas " << step.viscous << ": both must be finite;"
+            << " see the masses of the particles and the viscosity there" << exit(FatalError);
+    }
+}
+
+
 void Foam::viscousWaves::look
 (
     const scalarField& solidVolume,
@@ -91,51 +106,133 @@ void Foam::viscousWaves::look
     const label engineSteps
 )
 {
-    Growth growth{grows, 1};
+    Worst worst{grows, vector::zero, {0, 0, 1}};
+    std::vector<drag::ViscousStep> cells;
     forAll(solidVolume, celli)
     {
         const drag::ViscousStep there =
             step(celli, solidVolume[celli], voidFraction, nu, engineSteps);
+        refuseNotFinite(celli, there);
         if (drag::surely_no_viscous_waves(there))
         {
             continue;
         }
-        if (!drag::viscous_waves_below(there, growth.factor))
+        cells.push_back(there);
+        if (!drag::viscous_waves_below(there, worst.factor))
         {
-            growth.factor = max(growth.factor, drag::viscous_growth(there));
-        }
-        if (!drag::viscous_waves_below(drag::shortened(there, growth.share), grows))
-        {
-            growth.share = min(growth.share, drag::longest_viscous_step(there));
+            const scalar factor = drag::viscous_growth(there);
+            if (factor > worst.factor)
+            {
+                worst = {factor, mesh_.C()[celli], there};
+            }
         }
     }
-    reduce(growth.factor, maxOp<scalar>());
-    reduce(growth.share, minOp<scalar>());
-    if (growth.factor > grows)
+    shareWorst(worst);
+    if (worst.factor > grows)
     {
-        warn(growth);
+        warn(worst, cells);
         warned_ = true;
     }
 }
 
 
-void Foam::viscousWaves::warn(const Growth& growth)
+void Foam::viscousWaves::shareWorst(Worst& worst)
 {
-    const scalar longest = growth.share*mesh_.time().deltaTValue();
-    std::ostringstream cure;
-    if (longest > 0)
+    const scalar factor = returnReduce(worst.factor, maxOp<scalar>());
+    const label candidate = worst.factor == factor ? Pstream::myProcNo() : Pstream::nProcs();
+    const bool mine = returnReduce(candidate, minOp<label>()) == Pstream::myProcNo();
+    const auto ofIts = [mine](auto& value)
     {
-        cure<< "or larger cells, or a deltaT below " << longest << " s and as long steps of the particles, as"
-            << " void fractions and viscosity are now";
-    }
-    else
+        if (!mine)
+        {
+            value = Zero;
+        }
+        reduce(value, sumOp<std::decay_t<decltype(value)>>());
+    };
+    ofIts(worst.factor);
+    ofIts(worst.place);
+    ofIts(worst.step.displaced);
+    ofIts(worst.step.viscous);
+    ofIts(worst.step.engine_steps);
+}
+
+
+Foam::label Foam::viscousWaves::fewerSteps
+(
+    const std::vector<drag::ViscousStep>& cells,
+    const label engineSteps
+)
+{
+    // Down to 1, by less than a tenth where they are many
+    for (label steps = engineSteps - 1; steps > 0; steps = label(0.95*steps))
     {
-        cure<< "and no deltaT does: the particles displace too much mass of gas";
+        const scalar share = scalar(steps)/engineSteps;
+        const bool grow = std::any_of(cells.begin(), cells.end(), [&](const drag::ViscousStep& there)
+        {
+            return !drag::viscous_waves_below(drag::shortened(there, share, steps), grows);
+        });
+        if (!returnReduce(grow, orOp<bool>()))
+        {
+            return steps;
+        }
     }
+    return 0;
+}
+
+
+std::string Foam::viscousWaves::cure
+(
+    const std::vector<drag::ViscousStep>& cells,
+    const label engineSteps
+) const
+{
+    const scalar deltaT = mesh_.time().deltaTValue();
+    std::ostringstream words;
+    words.precision(12);
+    if (const label steps = fewerSteps(cells, engineSteps))
+    {
+        words<< "a deltaT of " << steps*deltaT/engineSteps << " s, " << steps
+            << " steps of the particles as they are, or larger cells";
+        return words.str();
+    }
+
+    scalar needed = engineSteps;
+    for (const drag::ViscousStep& there : cells)
+    {
+        needed = max(needed, drag::engine_steps_needed(there.displaced));
+    }
+    reduce(needed, maxOp<scalar>());
+    if (!std::isfinite(needed))
+    {
+        return "no deltaT does: somewhere kappa is 2 or more";
+    }
+    scalar share = 1;
+    for (drag::ViscousStep there : cells)
+    {
+        there.engine_steps = needed;
+        share = min(share, drag::longest_viscous_step(there));
+    }
+    reduce(share, minOp<scalar>());
+    // Three digits of it, so that what is printed is a whole multiple
+    const scalar exactly = share*deltaT/needed;
+    const scalar unit = std::pow(10.0, std::floor(std::log10(exactly)) - 2);
+    const scalar particles = std::floor(exactly/unit*(1 + 1e-9))*unit;
+    words<< "a deltaT of " << needed*particles << " s in " << needed << " steps of the particles, of "
+        << particles << " s each, or larger cells";
+    return words.str();
+}
+
+
+void Foam::viscousWaves::warn(const Worst& worst, const std::vector<drag::ViscousStep>& cells)
+{
+    const std::string other = cure(cells, label(worst.step.engine_steps));
     WarningInFunction
         << "in form A, where particles are so light beside the gas and its viscosity reaches over cells"
         << " within its step, waves of particles that are free to move would grow by a factor of "
-        << growth.factor << " in a gas step, drag apart, which damps them; particles that touch others hold"
-        << " them back. 'form B;' in constant/couplingProperties cures it, " << cure.str().c_str()
-        << "; this is said once" << endl;
+        << worst.factor << " in a gas step, drag apart, which damps them; particles that touch others hold"
+        << " them back. Fastest in the cell at " << worst.place << ": kappa = (1 - eps) rho_g/(eps rho_s) = "
+        << worst.step.displaced << ", M = nu deltaT k^2 = " << worst.step.viscous << ", "
+        << worst.step.engine_steps << " steps of the particles in a deltaT. 'form B;' in"
+        << " constant/couplingProperties cures it, or, with void fractions and viscosity as they are now, "
+        << other.c_str() << "; this is said once" << endl;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace cohesion::drag {
 
@@ -53,11 +54,22 @@ inline bool viscous_waves_below(const ViscousStep& step, double factor) {
   return true;
 }
 
-/// Growth in a step, [1] to 1e-6, of the wave that grows fastest; 1 where none grows.
+/// Whether the law has something to say of `step`.
+inline bool is_finite(const ViscousStep& step) {
+  return std::isfinite(step.displaced) && std::isfinite(step.viscous) &&
+         std::isfinite(step.engine_steps);
+}
+
+/// Growth in a step, [1] to 1e-6, of the wave that grows fastest; 1 where none grows, infinity
+/// where it is no number or `step` is not finite.
 inline double viscous_growth(const ViscousStep& step) {
   constexpr double resolution = 1e-6;
+  constexpr double without_end = std::numeric_limits<double>::infinity();
+  constexpr double largest = 1e100;
+  if (!is_finite(step)) return without_end;
   double low = 1.0, high = 1.0 + resolution;
   while (!viscous_waves_below(step, high)) {
+    if (high > largest) return without_end;
     low = high;
     high *= 2.0;
   }
@@ -68,25 +80,31 @@ inline double viscous_growth(const ViscousStep& step) {
   return low;
 }
 
-/// A gas step that is the share s of this one: the engine's steps are as long as they are, or one
-/// where that is longer.
-inline ViscousStep shortened(const ViscousStep& step, double share) {
-  return {step.displaced, step.viscous * share, std::max(1.0, step.engine_steps * share)};
+/// A gas step that is `share` of this one, with so many of the engine's steps in it.
+inline ViscousStep shortened(const ViscousStep& step, double share, double engine_steps) {
+  return {step.displaced, step.viscous * share, engine_steps};
 }
 
-/// Share of a gas step, [1] to 1e-3, up to which nothing grows in a shortened() one; 1 when nothing
-/// grows, 0 where no step is short enough: gas too heavy beside the particles.
+/// The engine's steps [1] that a gas step must have at least for no wave to grow in it when it is
+/// short enough: kappa < 2 S/(S + 1), by the roots without viscosity. Infinity from a kappa of 2
+/// on: no gas step does.
+inline double engine_steps_needed(double displaced) {
+  if (!(displaced < 2.0)) return std::numeric_limits<double>::infinity();
+  return std::max(1.0, std::floor(displaced / (2.0 - displaced)) + 1.0);
+}
+
+/// Share of a gas step, [1] to 1e-3, up to which nothing grows in one with the same number of the
+/// engine's steps, each shortened by it too; 1 when nothing grows, 0 where engine_steps_needed()
+/// are more, or `step` is not finite.
 inline double longest_viscous_step(const ViscousStep& step) {
   constexpr double stable = 1.0 + 1e-6;
-  constexpr double too_short = 1e-9;
+  if (!is_finite(step) || step.engine_steps < engine_steps_needed(step.displaced)) return 0.0;
   const auto grows = [&](double share) {
-    return !viscous_waves_below(shortened(step, share), stable);
+    return !viscous_waves_below(shortened(step, share, step.engine_steps), stable);
   };
   double low = 1.0;
-  while (grows(low)) {
-    low *= 0.8;
-    if (low < too_short) return 0.0;
-  }
+  // Ends: without viscosity nothing grows.
+  while (grows(low)) low *= 0.8;
   if (low == 1.0) return low;
   double high = low / 0.8;
   while (high - low > 1e-3 * high) {

@@ -140,6 +140,9 @@ CASES = {
     "depth on a 3-D mesh": (
         lambda c: c.set(COUPLING, "depth", 1e-3),
         ["depth = 0.001", "2-D mesh", "3 dimensions"]),
+    "wedge": (
+        lambda c: wedge_mesh(c),
+        ["patch front of constant/polyMesh/boundary is a wedge", "make a 3-D mesh", "patches of type empty"]),
     "cell denser than allowed": (
         lambda c: c.set(COUPLING, "minVoidFraction", 1.5),
         # One sphere: all 90 cells lack 0.5 of 1.5, 3.6e-4 m3 together.
@@ -312,6 +315,25 @@ def cut_mesh(case):
           " box (0.02 0.02 0.18) (0.04 0.04 1); });\n")
     case.run("topoSet")
     case.run("subsetMesh", "kept", "-patch", "sides", "-overwrite")
+
+
+def wedge_mesh(case):
+    """The column as a wedge around its edge."""
+    path = case.folder / "system/blockMeshDict"
+    path.write_text(path.read_text().split("scale")[0] + """
+scale 0.001;
+vertices ((0 0 0) (60 -2.6 0) (60 2.6 0) (0 0 200) (60 -2.6 200) (60 2.6 200));
+blocks ( hex (0 1 2 0 3 4 5 3) (3 1 10) simpleGrading (1 1 1) );
+boundary
+(
+    bottom { type patch; faces ((0 2 1 0)); } top { type patch; faces ((3 4 5 3)); }
+    sides  { type wall;  faces ((1 2 5 4)); }
+    front  { type wedge; faces ((0 1 4 3)); } back { type wedge; faces ((0 3 5 2)); } );
+""")
+    case.run("blockMesh")
+    for file in (case.folder / "0").iterdir():
+        file.write_text(file.read_text().replace(
+            "boundaryField\n{", "boundaryField\n{ front { type wedge; } back { type wedge; }"))
 
 
 def refuses_existing_results(expect, case):

@@ -233,6 +233,41 @@ def check_layer(expect, build, work):
     expect.below("form B: pressure at the end", late, 2 * early)
 
 
+def largest_root(kappa, viscous, engine_steps):
+    """In size, of the steps of viscous_waves.h, over shares C in steps of 1/32."""
+    w = 0.5 * (1 - 1 / engine_steps)
+
+    def of(seen):
+        k, n = kappa * seen, viscous * (1 - seen)
+        now, before = 1 + n, 1 - n * seen / 3
+        return np.abs(np.roots([1, k * w * now - 1, k * ((1 - w) * now - w * before), -k * (1 - w) * before])).max()
+    return max(of(i / 32) for i in range(1, 33))
+
+
+def check_said(expect, log, s):
+    """What the warning of viscous waves says, by the roots: of cells that are alike, kappa, M of three directions, the
+    growth, and a deltaT that is a whole number of the particles' steps in which nothing grows."""
+    numbers_of = r"grow by a factor of (\S+) in a gas step.*kappa = \S.* = (\S+), M = .* = (\S+), (\d+) steps"
+    factor, kappa, viscous, steps = map(float, re.search(numbers_of, log).groups())
+    # Six digits are printed; kappa has the overlaps' round-off.
+    expect.near("kappa that is said", kappa, (1 - s.eps) / s.eps / s.ratio, 1e-5 * kappa)
+    expect.near("M that is said", viscous, 12 * s.mu / RHO * DT / s.h**2, 1e-5 * viscous)
+    expect.equal("steps of the particles", steps, SUB_STEPS)
+    # The growth is to 1e-6, and goes with no more than the first power of kappa and M.
+    expect.near("growth that is said", factor, largest_root(kappa, viscous, steps), 3e-5 * factor)
+    cure = re.search(r"a deltaT of (\S+) s in (\d+) steps of the particles, of (\S+) s each", log)
+    if cure:
+        longest, steps, particles = map(float, cure.groups())
+        expect.near("deltaT / whole steps", longest / particles, steps, 1e-9)
+    else:
+        longest, steps = map(float, re.search(r"a deltaT of (\S+) s, (\d+) steps of the particles as", log).groups())
+        expect.near("deltaT / steps as they are", longest / (DT / SUB_STEPS), steps, 1e-9)
+    share = longest / DT
+    expect.below("growth in the deltaT that is said", largest_root(kappa, viscous * share, steps), 1 + 2e-6)
+    if cure:  # three digits, and what was looked for to 1e-3
+        expect.true("and it is the longest", largest_root(kappa, viscous * share * 1.015, steps) > 1 + 2e-6)
+
+
 def check_viscous(expect, build, work):
     """Free spheres, 16 cells high, in gas so viscous that nu dt/h^2 is 6: light ones move in waves that grow from
     round-off, ten times heavier ones do not, and in form B none; it is said when they do (viscous_waves.h). How fast
@@ -245,6 +280,19 @@ def check_viscous(expect, build, work):
         middle, end = (np.abs(cells(case, time, "p")).max() for time in (times()[STEPS // 2 - 1], times()[-1]))
         expect.equal(f"{what}: the pressure of waves grows", bool(end > 10 * middle), grow)
         expect.equal(f"{what}: times that it is said", log.count("waves of particles that are free"), int(grow))
+        if grow:
+            check_said(expect, log, s)
+            check_said(expect, case.solve("-overwrite", ranks=2), s)
+    # Where fewer of the particles' steps do, where these must be shorter, and where nothing does
+    for ratio, reynolds in ((1.0, 0.06), (0.4, 0.1), (0.25, 0.1)):
+        s = Setting(1e-2, ratio=ratio, kernel="sphereOverlap", reynolds=reynolds)
+        _, log = solve(build, work, f"said-{ratio:g}", s)
+        if ratio == 0.25:
+            expect.true("kappa above 2: says that no deltaT does", "no deltaT does: somewhere kappa is 2" in log)
+        else:
+            check_said(expect, log, s)
+            expect.equal(f"density ratio {ratio:g}: steps as they are", "steps of the particles as they" in log,
+                         ratio == 1.0)
 
 
 def main(build, work):

@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 
 namespace cohesion::drag {
 namespace {
@@ -71,6 +74,38 @@ TEST(ViscousWaves, WithoutViscosityGrowFromADisplacedMassOn) {
   EXPECT_EQ(longest_viscous_step({3.0, 0.0, 5.0}), 0.0);
 }
 
+TEST(ViscousWaves, WithEnoughStepsOfTheEngineAShortStepDoes) {
+  for (const double kappa : {0.5, 0.999, 1.0, 1.2, 1.5, 1.9, 1.99}) {
+    const double steps = engine_steps_needed(kappa);
+    EXPECT_LT(kappa, 2.0 * steps / (steps + 1.0) + 1e-15);
+    EXPECT_GT(longest_viscous_step({kappa, 1e4, steps}), 0.0) << kappa;
+    if (steps > 1.0) {
+      EXPECT_EQ(longest_viscous_step({kappa, 1e-9, steps - 1.0}), 0.0) << kappa;
+    }
+  }
+  EXPECT_EQ(engine_steps_needed(2.0), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(longest_viscous_step({2.0, 1.0, 1e6}), 0.0);
+  // A share of the step does, in as many steps of the engine; where these are as long as they were,
+  // the shortest that can be, of one of them, is too short.
+  const ViscousStep step{1.5, 5.0, 5.0};
+  EXPECT_GT(viscous_growth(step), 1.2);
+  const double share = longest_viscous_step(step);
+  EXPECT_EQ(viscous_growth(shortened(step, 0.999 * share, 5.0)), 1.0);
+  EXPECT_GT(viscous_growth(shortened(step, 1.01 * share, 5.0)), 1.0);
+  EXPECT_GT(viscous_growth(shortened(step, 0.2, 1.0)), 1.2);
+}
+
+TEST(ViscousWaves, OfWhatIsNotFiniteGrowWithoutEnd) {
+  const double infinite = std::numeric_limits<double>::infinity();
+  for (const double bad : {infinite, std::numeric_limits<double>::quiet_NaN()})
+    for (const ViscousStep& step :
+         {ViscousStep{bad, 1.0, 5.0}, ViscousStep{0.1, bad, 5.0}, ViscousStep{0.1, 1.0, bad}}) {
+      EXPECT_FALSE(is_finite(step));
+      EXPECT_EQ(viscous_growth(step), infinite);
+      EXPECT_EQ(longest_viscous_step(step), 0.0);
+    }
+}
+
 TEST(ViscousWaves, LongestStepIsWhereTheyBeginToGrow) {
   for (const double steps : engine_steps)
     for (const double kappa : {0.001, 0.06, 0.6}) {
@@ -79,7 +114,7 @@ TEST(ViscousWaves, LongestStepIsWhereTheyBeginToGrow) {
       ASSERT_GT(share, 0.0);
       ASSERT_LT(share, 1.0);
       const auto growth = [&](double s) {
-        return viscous_growth({kappa, step.viscous * s, std::max(1.0, steps * s)});
+        return viscous_growth({kappa, step.viscous * s, steps});
       };
       EXPECT_EQ(growth(0.999 * share), 1.0);
       EXPECT_GT(growth(1.01 * share), 1.0);
