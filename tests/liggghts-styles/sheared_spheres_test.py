@@ -112,8 +112,9 @@ class Spheres(unittest.TestCase):
                     rooms.setdefault(name, []).append(room)
                     with self.subTest(case=case, of=name):
                         self.assertLess(abs(ratio - 1), room)
-        # T goes as the square of the rate: 5 % less is seen wherever in the room the truth lies.
-        self.assertLess(2 * min(rooms["T"]), 1 - 0.95**2)
+        # T goes as the square of the rate: 15 % less is seen wherever in the room the truth lies. (Ten blocks know the
+        # standard error to a quarter of it.)
+        self.assertLess(2 * min(rooms["T"]), 1 - 0.85**2)
 
 
 if __name__ == "__main__":
