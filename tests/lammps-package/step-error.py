@@ -20,7 +20,7 @@ import numpy
 import measuring_program
 
 SAMPLED = (1e-8, 3e-8, 1e-7, 3e-7, 1e-6, 5e-6, 1.125e-5, 2.25e-5)  # [s]; last: the bed's, the thesis's
-EVENT = (1e-6, 5e-6, 1.125e-5, 2.25e-5)
+EVENT = (1e-6, 5e-6, 1.125e-5, 2.25e-5, 4.5e-5)
 POSITIONS = 8
 FINEST = 1e-4
 # Over the exact escape velocity: coarse over a wide range, fine around it
