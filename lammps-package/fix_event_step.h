@@ -153,6 +153,7 @@ class FixEventStep : public Fix {
   void clear();
   void look_for_readers();
   void look_round();
+  void weigh(int all);
   void move();
 
   std::vector<EventContacts*> walls;  // those of this run
@@ -164,8 +165,9 @@ class FixEventStep : public Fix {
   double last_dt;  // of the step that `last` is from; 0: there was none
   double** last;   // per atom: force and torque at the end of the last run
   double** contact_force;
-  int* contacts;         // per atom and ghost, this step
-  double* inverse_mass;  // per atom and ghost
+  int* contacts;                // per atom and ghost, this step
+  double* inverse_mass;         // per atom and ghost
+  std::vector<double> weighed;  // the masses inverse_mass is of
   double longest_flight;
   Reader book_readers, flux_readers;  // copies of these are out
   bool flux_wanted;
