@@ -217,12 +217,27 @@ void FixEventStep::move() {
 }
 
 void FixEventStep::post_run() {
+  report_unresolved();
+  running = false;
+  if (resuming) return;  // no step was made: what was taken over is what the next run goes on from
   for (int i = 0; i < atom->nlocal; i++) {
     std::copy_n(atom->f[i], 3, last[i]);
     std::copy_n(atom->torque[i], 3, last[i] + 3);
   }
   last_dt = update->dt;
-  running = false;
+}
+
+void FixEventStep::report_unresolved() {
+  double all = 0.0;
+  MPI_Allreduce(&book.unresolved, &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  book.unresolved = 0.0;
+  if (all > 0.0 && comm->me == 0)
+    error->warning(FLERR,
+                   "scheme event: {} times in this run a pair, or a particle and a wall, turned "
+                   "round a thousand times within one step, between contact and the edge of the "
+                   "adhesion or along that edge, and was not followed to the end of that step: use "
+                   "a smaller time step",
+                   all);
 }
 
 /* ---------------------------------------------------------------------- */

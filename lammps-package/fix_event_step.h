@@ -133,7 +133,7 @@ class FixEventStep : public Fix {
     double normal_damping, tangential_damping, friction;         ///< lost so far
     double rolling;        ///< lost so far in rolling springs, dashpots and sliders
     double external_work;  ///< of other forces but gravity, and moving walls; so far
-    bigint unresolved;     ///< pairs whose step was cut short
+    double unresolved;     ///< steps of contacts that were cut short, in this run
   } book;
   [[nodiscard]] Reader keep_book() const { return book_readers; }
 
@@ -154,6 +154,7 @@ class FixEventStep : public Fix {
   void look_for_readers();
   void look_round();
   void weigh(int all);
+  void report_unresolved();
   void move();
 
   std::vector<EventContacts*> walls;  // those of this run
