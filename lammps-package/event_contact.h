@@ -162,7 +162,7 @@ class ContactScatter {
   template <class Contact>
   void book(const Contact& contact, double part, const FollowedContact& c) const {
     FixEventStep::Book& book = step_->book;
-    if (c.normal.normal.unresolved) book.unresolved++;
+    if (c.normal.normal.unresolved) book.unresolved += part;
     if (!book.kept) return;
     book.spring += part * contact.spring_energy(c.normal);
     book.adhesion += part * contact.adhesion_energy(c.normal);

@@ -112,15 +112,27 @@ void FixEventStep::init() {
   }
 }
 
-/// The fastest particle or ghost; what each weighs, when the list of neighbours is new.
+/// The fastest particle or ghost, and what each weighs.
 void FixEventStep::look_round() {
   const int all = atom->nlocal + atom->nghost;
   longest_flight =
       cohesion::shear::longest_flight(fastest_of(atom, domain, all), rate_of_shear(domain).amount,
                                       neighbor->cutneighmax, 0.5 * update->dt);
-  if (neighbor->ago != 0) return;
-  for (int i = 0; i < all; i++)
-    inverse_mass[i] = mobile.inverse_mass(atom->mask[i], atom->rmass[i]);
+  weigh(all);
+}
+
+/// Masses may change in any step (fix adapt); to see that they have not costs next to nothing.
+/// Groups count as they were when the list of neighbours was new: ghosts hear of them only then.
+void FixEventStep::weigh(int all) {
+  const double* const mass = atom->rmass;
+  if (neighbor->ago == 0) {
+    for (int i = 0; i < all; i++) inverse_mass[i] = mobile.inverse_mass(atom->mask[i], mass[i]);
+  } else {
+    if (std::memcmp(weighed.data(), mass, weighed.size() * sizeof(double)) == 0) return;
+    for (int i = 0; i < all; i++)
+      if (inverse_mass[i] != 0.0) inverse_mass[i] = 1.0 / mass[i];
+  }
+  weighed.assign(mass, mass + all);
 }
 
 /// The engine's half kick makes of a force f the momentum f dt/2; the other half went before, but
@@ -205,12 +217,27 @@ void FixEventStep::move() {
 }
 
 void FixEventStep::post_run() {
+  report_unresolved();
+  running = false;
+  if (resuming) return;  // no step was made: what was taken over is what the next run goes on from
   for (int i = 0; i < atom->nlocal; i++) {
     std::copy_n(atom->f[i], 3, last[i]);
     std::copy_n(atom->torque[i], 3, last[i] + 3);
   }
   last_dt = update->dt;
-  running = false;
+}
+
+void FixEventStep::report_unresolved() {
+  double all = 0.0;
+  MPI_Allreduce(&book.unresolved, &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  book.unresolved = 0.0;
+  if (all > 0.0 && comm->me == 0)
+    error->warning(FLERR,
+                   "scheme event: {} times in this run a pair, or a particle and a wall, turned "
+                   "round a thousand times within one step, between contact and the edge of the "
+                   "adhesion or along that edge, and was not followed to the end of that step: use "
+                   "a smaller time step",
+                   all);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -284,4 +311,4 @@ void FixEventStep::unpack_restart(int i, int nth) {
 int FixEventStep::maxsize_restart() { return 7; }
 int FixEventStep::size_restart(int) { return 7; }
 
-double FixEventStep::memory_usage() { return (22.0 * sizeof(double) + sizeof(int)) * atom->nmax; }
+double FixEventStep::memory_usage() { return (23.0 * sizeof(double) + sizeof(int)) * atom->nmax; }

@@ -133,7 +133,7 @@ class FixEventStep : public Fix {
     double normal_damping, tangential_damping, friction;         ///< lost so far
     double rolling;        ///< lost so far in rolling springs, dashpots and sliders
     double external_work;  ///< of other forces but gravity, and moving walls; so far
-    bigint unresolved;     ///< pairs whose step was cut short
+    double unresolved;     ///< steps of contacts that were cut short, in this run
   } book;
   [[nodiscard]] Reader keep_book() const { return book_readers; }
 
@@ -153,6 +153,8 @@ class FixEventStep : public Fix {
   void clear();
   void look_for_readers();
   void look_round();
+  void weigh(int all);
+  void report_unresolved();
   void move();
 
   std::vector<EventContacts*> walls;  // those of this run
@@ -164,8 +166,9 @@ class FixEventStep : public Fix {
   double last_dt;  // of the step that `last` is from; 0: there was none
   double** last;   // per atom: force and torque at the end of the last run
   double** contact_force;
-  int* contacts;         // per atom and ghost, this step
-  double* inverse_mass;  // per atom and ghost
+  int* contacts;                // per atom and ghost, this step
+  double* inverse_mass;         // per atom and ghost
+  std::vector<double> weighed;  // the masses inverse_mass is of
   double longest_flight;
   Reader book_readers, flux_readers;  // copies of these are out
   bool flux_wanted;

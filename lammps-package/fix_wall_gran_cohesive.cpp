@@ -123,6 +123,7 @@ void FixWallGranCohesive<Cohesion>::init() {
     error->all(FLERR, where + " acts on spheres; use 'atom_style sphere'");
   if (update->whichflag == 2)
     error->all(FLERR, where + " follows motion in time; it cannot be minimized");
+  sizes = {};  // not known: particles may have come since the last run
 }
 
 template <class Cohesion>

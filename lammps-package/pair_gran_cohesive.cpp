@@ -30,6 +30,7 @@ PairGranCohesive<Cohesion>::PairGranCohesive(LAMMPS* lammps)
       close(lammps),
       largest_range(0.0),
       friction(false),
+      acts(false),
       rested(false),
       per_pair(0),
       step(nullptr),
@@ -65,17 +66,17 @@ void PairGranCohesive<Cohesion>::compute(int eflag, int vflag) {
   ev_init(eflag, vflag);
   if (update->whichflag == 2)
     error->all(FLERR, coefficients.where() + " follows motion in time; it cannot be minimized");
-  if (!coefficients.any_acts()) {
+  if (!acts) {
     rested = true;
+    return;
+  }
+  if (rested) begin_where_they_are();
+  if (step->resumes()) {
+    if (evflag) tally_standing();
     return;
   }
   std::visit(
       [this](auto& contacts) {
-        if (rested) begin_where_they_are(contacts);
-        if (step->resumes()) {
-          if (evflag) tally_standing(contacts);
-          return;
-        }
         if (Cohesion::HAS_CONTACT && update->setupflag) give_advice();
         if (neighbor->ago == 0) check_radii(lmp, coefficients.where(), largest_radius);
         find_active(contacts);
@@ -85,11 +86,6 @@ void PairGranCohesive<Cohesion>::compute(int eflag, int vflag) {
           friction ? follow<true, false>(contacts) : follow<false, false>(contacts);
       },
       any_contacts);
-}
-
-template <class Cohesion>
-inline RelativeState PairGranCohesive<Cohesion>::on_grid(int i, int j) const {
-  return {vector(atom->x[j]) - vector(atom->x[i]), vector(atom->v[j]) - vector(atom->v[i])};
 }
 
 template <class Cohesion>
@@ -104,60 +100,6 @@ void PairGranCohesive<Cohesion>::follow(Contacts<Contact>& contacts) {
   if constexpr (Contact::acts_within_step) follow_alone<FRICTION, ROLLING>(contacts);
   evflag || step->sums_flux() ? follow_together<true, FRICTION, ROLLING>(contacts)
                               : follow_together<false, FRICTION, ROLLING>(contacts);
-}
-
-/// Pairs of equal particles that come one after the other share a contact.
-template <class Cohesion>
-template <class Contact>
-inline int PairGranCohesive<Cohesion>::contact(Contacts<Contact>& contacts, int i, int j) {
-  const int types = coefficients.of_types(atom->type[i], atom->type[j]);
-  const int last = contacts.last[types];
-  if (last != Contacts<Contact>::NONE && contacts.all[last].joins(step->body(i), step->body(j)))
-    return last;
-  return new_contact(contacts, types, i, j);
-}
-
-template <class Cohesion>
-template <class Contact>
-int PairGranCohesive<Cohesion>::new_contact(Contacts<Contact>& contacts, int of_types, int i,
-                                            int j) {
-  const Body a = step->body(i), b = step->body(j);
-  contacts.all.emplace_back(
-      coefficients.contact(of_types),
-      coefficients.template attraction<typename Contact::Attraction>(of_types, a.radius, b.radius),
-      a, b, step->window());
-  return contacts.last[of_types] = static_cast<int>(contacts.all.size()) - 1;
-}
-
-template <class Cohesion>
-bool PairGranCohesive<Cohesion>::closer(double gap, int i, int j) const {
-  return norm(on_grid(i, j).separation) < atom->radius[i] + atom->radius[j] + gap;
-}
-
-/// Pairs of which neither is moved by anything are not followed.
-template <class Cohesion>
-bool PairGranCohesive<Cohesion>::moves(int i, int j) const {
-  return step->body(i).inverse_mass != 0.0 || step->body(j).inverse_mass != 0.0;
-}
-
-/// After steps in which no pair was followed.
-template <class Cohesion>
-template <class Contact>
-void PairGranCohesive<Cohesion>::begin_where_they_are(Contacts<Contact>& contacts) {
-  rested = false;
-  contacts.clear();
-  for (int ii = 0; ii < list->inum; ii++) {
-    const int i = list->ilist[ii];
-    for (int jj = 0; jj < list->numneigh[i]; jj++) {
-      const int j = list->firstneigh[i][jj] & NEIGHMASK;
-      const bool inside =
-          moves(i, j) && closer(contacts.all[contact(contacts, i, j)].range(), i, j);
-      history->firstflag[i][jj] = inside;
-      double* const values = &history->firstvalue[i][per_pair * jj];
-      std::fill_n(values, per_pair, 0.0);
-      values[0] = inside;
-    }
-  }
 }
 
 /// The pairs that may touch in this step.
@@ -276,42 +218,6 @@ template <bool TALLY, bool FRICTION, bool ROLLING, class Contact>
   }
 }
 
-/// Energies of the pairs where they stand, for a run that takes over the forces of the last one.
-template <class Cohesion>
-template <class Contact>
-void PairGranCohesive<Cohesion>::tally_standing(Contacts<Contact>& contacts) {
-  contacts.clear();
-  for (int ii = 0; ii < list->inum; ii++) {
-    const int i = list->ilist[ii];
-    for (int jj = 0; jj < list->numneigh[i]; jj++) {
-      if (!history->firstflag[i][jj]) continue;
-      const int j = list->firstneigh[i][jj] & NEIGHMASK;
-      const Contact& c = contacts.all[contact(contacts, i, j)];
-      const Vector3 d = on_grid(i, j).separation;
-      PairStep standing;
-      standing.overlap_at_end = atom->radius[i] + atom->radius[j] - norm(d);
-      standing.inside = history->firstvalue[i][per_pair * jj] != 0.0;
-      ev_tally_xyz(i, j, atom->nlocal, 0, c.spring_energy(standing) + c.adhesion_energy(standing),
-                   0.0, 0.0, 0.0, 0.0, -d.x, -d.y, -d.z);
-    }
-  }
-}
-
-/// Bound are the pairs within the range of contact and adhesion, of those that are followed or,
-/// where nothing acts, would be.
-template <class Cohesion>
-void PairGranCohesive<Cohesion>::append_bound(std::vector<std::array<int, 2>>& pairs) const {
-  for (int ii = 0; ii < list->inum; ii++) {
-    const int i = list->ilist[ii];
-    for (int jj = 0; jj < list->numneigh[i]; jj++) {
-      const int j = list->firstneigh[i][jj] & NEIGHMASK;
-      if (rested ? moves(i, j) && closer(0.0, i, j)
-                 : history->firstflag[i][jj] && history->firstvalue[i][per_pair * jj] != 0.0)
-        pairs.push_back({i, j});
-    }
-  }
-}
-
 /* ---------------------------------------------------------------------- */
 
 template <class Cohesion>
@@ -330,6 +236,7 @@ void PairGranCohesive<Cohesion>::init_style() {
   step = FixEventStep::of(lmp);
   largest_radius = largest_radii(lmp);
   coefficients.start();
+  acts = coefficients.any_acts();
   if (coefficients.scheme() == Scheme::event)
     any_contacts.template emplace<static_cast<int>(Scheme::event)>();
   else

@@ -87,16 +87,16 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventPairs {
   void follow(Contacts<Contact>&);
   bool closer(double gap, int i, int j) const;
   bool moves(int i, int j) const;
-  template <class Contact>
-  void begin_where_they_are(Contacts<Contact>&);
+  template <class What>
+  void for_each_listed(const What&) const;
+  void begin_where_they_are();
   template <class Contact>
   void find_active(Contacts<Contact>&);
   template <bool FRICTION, bool ROLLING, class Contact>
   void follow_alone(Contacts<Contact>&);
   template <bool TALLY, bool FRICTION, bool ROLLING, class Contact>
   void follow_together(Contacts<Contact>&);
-  template <class Contact>
-  void tally_standing(Contacts<Contact>&);
+  void tally_standing();
   void give_advice();
 
   CohesiveCoefficients<Cohesion> coefficients;
@@ -109,11 +109,52 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventPairs {
   ClosePairs close;                       // those that may become active
   double largest_range;                   // up to which the scheme has to see a pair
   bool friction;                          // whether any contact has friction
+  bool acts;                              // whether anything can happen in this run
   bool rested;                            // nothing acted, and no pair was followed
   int per_pair;                           // values of history (HistorySize); 0: not known yet
   class FixEventStep* step;
   PairHistory history;
 };
+
+template <class Cohesion>
+inline cohesion::event_stepping::RelativeState PairGranCohesive<Cohesion>::on_grid(int i,
+                                                                                   int j) const {
+  return {vector(atom->x[j]) - vector(atom->x[i]), vector(atom->v[j]) - vector(atom->v[i])};
+}
+
+/// Pairs of equal particles that come one after the other share a contact.
+template <class Cohesion>
+template <class Contact>
+inline int PairGranCohesive<Cohesion>::contact(Contacts<Contact>& contacts, int i, int j) {
+  const int types = coefficients.of_types(atom->type[i], atom->type[j]);
+  const int last = contacts.last[types];
+  if (last != Contacts<Contact>::NONE && contacts.all[last].joins(step->body(i), step->body(j)))
+    return last;
+  return new_contact(contacts, types, i, j);
+}
+
+template <class Cohesion>
+template <class Contact>
+int PairGranCohesive<Cohesion>::new_contact(Contacts<Contact>& contacts, int of_types, int i,
+                                            int j) {
+  const cohesion::event_stepping::Body a = step->body(i), b = step->body(j);
+  contacts.all.emplace_back(
+      coefficients.contact(of_types),
+      coefficients.template attraction<typename Contact::Attraction>(of_types, a.radius, b.radius),
+      a, b, step->window());
+  return contacts.last[of_types] = static_cast<int>(contacts.all.size()) - 1;
+}
+
+template <class Cohesion>
+bool PairGranCohesive<Cohesion>::closer(double gap, int i, int j) const {
+  return norm(on_grid(i, j).separation) < atom->radius[i] + atom->radius[j] + gap;
+}
+
+/// Pairs of which neither is moved by anything are not followed.
+template <class Cohesion>
+bool PairGranCohesive<Cohesion>::moves(int i, int j) const {
+  return step->body(i).inverse_mass != 0.0 || step->body(j).inverse_mass != 0.0;
+}
 
 }  // namespace LAMMPS_NS
 

@@ -112,6 +112,43 @@ run {steps}
                    f"hamaker stiffness {SOFT} zplane 0 NULL wiggle z {amplitude} {period}", "",
                    radii=[SMALL, R])
 
+    def too_fast(self, spheres, commands, lists, ranks=1):
+        """A floor; large spheres and a small one far above it, of which the small one becomes too fast."""
+        engine.write_spheres(self.folder, [
+            {"type": 1, "diameter": 2 * r, "density": DENSITY, "x": (x, 0.01, 0.02), "v": (v, 0.0, 0.0)}
+            for r, x, v in spheres], [(0.0, 0.04), (0.0, 0.02), (0.0, 0.04)], 1)
+        code, output = engine.run_text(f"""
+plugin load ${{plugin}}
+units si
+processors {ranks} 1 1
+atom_style sphere
+newton off
+boundary p p f
+comm_modify vel yes
+read_data data.spheres
+pair_style zero 1e-3
+pair_coeff * *
+neighbor 5e-3 bin
+{lists}
+fix w all wall/gran/hamaker stiffness {SOFT} zplane 0 NULL
+fix move all nve/sphere
+timestep {DT!r}
+{commands}
+""", self.folder, ranks=ranks)
+        self.assertIn("radii in one step", output)
+        self.assertNotEqual(code, 0)
+
+    def test_a_small_one_that_comes_from_another_rank(self):
+        """It falls after it has come to a rank that had large ones only; the large ones are never too fast."""
+        self.too_fast([(R, 0.01, 0.0), (SMALL, 0.0201, -0.05 * R / DT)],
+                      f"variable g equal (step>50)*{0.1 * SMALL / DT**2}\nfix g all gravity v_g vector 0 0 -1\nrun 110",
+                      ASKED["all asked"], ranks=2)
+
+    def test_a_small_one_that_comes_between_two_runs(self):
+        self.too_fast([(R, 0.01, 0.0)],
+                      f"run 5\ncreate_atoms 1 single 0.02 0.01 0.02 units box\nset atom 2 diameter {2 * SMALL} "
+                      f"density {DENSITY}\nset atom 2 vz {-2 * SMALL / DT}\nrun 20", ASKED["far ones left out"])
+
     def test_a_flow_that_is_too_fast_for_a_still_wall(self):
         """A particle that moves with the mean flow of a sheared box, 1.5 radii in a step, towards a wall."""
         height, speed = 0.01, 1.5 * R / DT

@@ -4,7 +4,7 @@ import math
 import unittest
 
 import lammps_engine as engine
-from couples import DAMPING, MASS, STIFFNESS
+from couples import DAMPING, DIAMETER, MASS, STIFFNESS
 from square_well_scene import HEAD, MOVE, Scene, escape_velocity, words
 
 
@@ -42,6 +42,20 @@ class Input(Scene):
         e = math.exp(-math.pi * alpha / math.sqrt(STIFFNESS / MASS - alpha**2))
         row = next(l for l in output.splitlines() if l.strip().startswith("1 - wall")).split()
         self.assertAlmostEqual(float(row[-2]) / escape_velocity(1e-10, MASS, e), 1, delta=5e-3)
+
+    def test_a_pair_that_turns_round_too_often_in_a_step_is_reported(self):
+        """Captured just below the edge of its well and turning: a chord of the circle that is the edge takes
+        2 sqrt(2 part) of a radian, and a step of 0.002 radian 3500 of them. Once in the set-up, for the half
+        step that a run begins with, and once in the step."""
+        part, ratio, dt = 4e-14, 1.1, 5e-6
+        distance = ratio * DIAMETER * (1 - part)
+        v = 0.002 * distance / dt
+        self.follow([self.sphere((5e-3 + side * distance / 2, 5e-3, 5e-3), (0.0, side * v / 2, 0.0))
+                     for side in (-1, 1)], [f"* * {words(5e-11, ratio)}"], dt, 1)
+        warnings = [line for line in self.output.splitlines() if "WARNING" in line and "turned round" in line]
+        self.assertEqual(len(warnings), 1, self.output)
+        self.assertIn("scheme event: 2 times in this run", warnings[0])
+        self.assertIn("use a smaller time step", warnings[0])
 
 
 if __name__ == "__main__":

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// The part of PairGranCohesive that looks at pairs where they stand, between two steps.
+#include <algorithm>
+
+#include "atom.h"
+#include "fix_event_step.h"
+#include "hamaker_cohesion.h"
+#include "neigh_list.h"
+#include "pair_gran_cohesive.h"
+#include "square_well_cohesion.h"
+
+using namespace LAMMPS_NS;
+using namespace cohesion::event_stepping;
+using cohesion::Vector3;
+
+/// Calls what(i, j, kept, values): whether the pair has a history, and that.
+template <class Cohesion>
+template <class What>
+void PairGranCohesive<Cohesion>::for_each_listed(const What& what) const {
+  for (int ii = 0; ii < list->inum; ii++) {
+    const int i = list->ilist[ii];
+    for (int jj = 0; jj < list->numneigh[i]; jj++)
+      what(i, list->firstneigh[i][jj] & NEIGHMASK, history->firstflag[i][jj],
+           &history->firstvalue[i][per_pair * jj]);
+  }
+}
+
+/// After steps in which no pair was followed.
+template <class Cohesion>
+void PairGranCohesive<Cohesion>::begin_where_they_are() {
+  rested = false;
+  std::visit(
+      [this](auto& contacts) {
+        contacts.clear();
+        for_each_listed([&](int i, int j, int& kept, double* values) {
+          // Contacts are made for those only that some contact could reach.
+          kept = moves(i, j) && closer(largest_range, i, j) &&
+                 closer(contacts.all[contact(contacts, i, j)].range(), i, j);
+          std::fill_n(values, per_pair, 0.0);
+          values[0] = kept;
+        });
+      },
+      any_contacts);
+}
+
+/// Energies of the pairs where they stand, for a run that takes over the forces of the last one.
+template <class Cohesion>
+void PairGranCohesive<Cohesion>::tally_standing() {
+  std::visit(
+      [this](auto& contacts) {
+        contacts.clear();
+        for_each_listed([&](int i, int j, int kept, const double* values) {
+          if (!kept) return;
+          const auto& c = contacts.all[contact(contacts, i, j)];
+          const Vector3 d = on_grid(i, j).separation;
+          PairStep standing;
+          standing.overlap_at_end = atom->radius[i] + atom->radius[j] - norm(d);
+          standing.inside = values[0] != 0.0;
+          ev_tally_xyz(i, j, atom->nlocal, 0,
+                       c.spring_energy(standing) + c.adhesion_energy(standing), 0.0, 0.0, 0.0, 0.0,
+                       -d.x, -d.y, -d.z);
+        });
+      },
+      any_contacts);
+}
+
+/// Bound are the pairs within the range of contact and adhesion, of those that are followed or,
+/// where nothing acts, would be.
+template <class Cohesion>
+void PairGranCohesive<Cohesion>::append_bound(std::vector<std::array<int, 2>>& pairs) const {
+  for_each_listed([&](int i, int j, int kept, const double* values) {
+    if (rested ? moves(i, j) && closer(0.0, i, j) : kept && values[0] != 0.0)
+      pairs.push_back({i, j});
+  });
+}
+
+template void PairGranCohesive<HamakerCohesion>::begin_where_they_are();
+template void PairGranCohesive<HamakerCohesion>::tally_standing();
+template void PairGranCohesive<HamakerCohesion>::append_bound(
+    std::vector<std::array<int, 2>>&) const;
+template void PairGranCohesive<SquareWellCohesion>::begin_where_they_are();
+template void PairGranCohesive<SquareWellCohesion>::tally_standing();
+template void PairGranCohesive<SquareWellCohesion>::append_bound(
+    std::vector<std::array<int, 2>>&) const;
+template void PairGranCohesive<SquareWellOverlay>::begin_where_they_are();
+template void PairGranCohesive<SquareWellOverlay>::tally_standing();
+template void PairGranCohesive<SquareWellOverlay>::append_bound(
+    std::vector<std::array<int, 2>>&) const;
