@@ -5,26 +5,10 @@
 #include "PstreamReduceOps.H"
 #include "polyMesh.H"
 
-#include <utility>
+#include <algorithm>
 #include <vector>
 
 using namespace cohesion;
-
-namespace
-{
-
-template<class Lists>
-Foam::labelList sizesOf(const Lists& lists)
-{
-    Foam::labelList sizes(lists.size());
-    forAll(lists, rank)
-    {
-        sizes[rank] = lists[rank].size();
-    }
-    return sizes;
-}
-
-} // End anonymous namespace
 
 
 Foam::particleExchange::particleExchange
@@ -37,7 +21,7 @@ Foam::particleExchange::particleExchange
     meshCells_(mesh, kernel),
     images_(meshCells::images(mesh)),
     rankBounds_(Pstream::nProcs()),
-    nEngine_(0)
+    map_(traffic_)
 {
     // A particle on the outermost face must not fall between two boxes by round-off.
     boundBox bounds(mesh.points(), false);
@@ -45,42 +29,6 @@ Foam::particleExchange::particleExchange
     rankBounds_[Pstream::myProcNo()] = bounds;
     Pstream::gatherList(rankBounds_);
     Pstream::scatterList(rankBounds_);
-}
-
-
-template<class Item>
-Foam::List<Foam::DynamicList<Item>> Foam::particleExchange::swap
-(
-    const List<DynamicList<Item>>& sent,
-    const labelUList& sizes
-)
-{
-    List<DynamicList<Item>> received(sent.size());
-    Pstream::exchange<DynamicList<Item>, Item>(sent, sizes, received);
-    traffic_.count(sent, sizeof(Item));
-    return received;
-}
-
-
-void Foam::particleExchange::setMap
-(
-    labelListList&& sent,
-    const List<DynamicList<Verdict>>& verdicts
-)
-{
-    labelListList constructed(sent.size());
-    label start = 0;
-    forAll(verdicts, rank)
-    {
-        label n = 0;
-        for (const Verdict verdict : verdicts[rank])
-        {
-            n += verdict != noPart;
-        }
-        constructed[rank] = identity(n, start);
-        start += n;
-    }
-    map_.reset(new mapDistributeBase(start, std::move(sent), std::move(constructed)));
 }
 
 
@@ -113,22 +61,19 @@ void Foam::particleExchange::reportOutside
 }
 
 
-Foam::particleExchange::Candidates Foam::particleExchange::candidates
+std::vector<Foam::particleExchange::Near> Foam::particleExchange::nearRanks
 (
     const UList<point>& positions,
     const UList<scalar>& radii
 ) const
 {
-    Candidates found(rankBounds_.size());
+    std::vector<Near> near;
     if (positions.empty())
     {
-        return found;
+        return near;
     }
-
-    // Most ranks are far from all of them.
     const vector furthest = vector::uniform(meshCells_.reach(max(radii)));
     const boundBox around(positions, false);
-    std::vector<std::pair<vector, label>> near;
     for (const vector& shift : images_)
     {
         const boundBox image(around.min() + shift - furthest, around.max() + shift + furthest);
@@ -136,11 +81,23 @@ Foam::particleExchange::Candidates Foam::particleExchange::candidates
         {
             if (rankBounds_[rank].overlaps(image))
             {
-                near.emplace_back(shift, rank);
+                near.push_back(Near{shift, rank});
             }
         }
     }
+    return near;
+}
 
+
+template<class Visit>
+void Foam::particleExchange::visitCandidates
+(
+    const std::vector<Near>& near,
+    const UList<point>& positions,
+    const UList<scalar>& radii,
+    const Visit& visit
+) const
+{
     forAll(positions, i)
     {
         const vector reach = vector::uniform(meshCells_.reach(radii[i]));
@@ -150,160 +107,176 @@ Foam::particleExchange::Candidates Foam::particleExchange::candidates
             const boundBox& bounds = rankBounds_[rank];
             if (boundBox(bounds.min() - reach, bounds.max() + reach).contains(position))
             {
-                found[rank].append(Candidate{i, position});
+                visit(rank, i, position);
             }
         }
     }
-    return found;
 }
 
 
-Foam::particleExchange::Answer Foam::particleExchange::answer
+Foam::particleExchange::PerRank<Foam::particleExchange::Question> Foam::particleExchange::ask
 (
-    const Question& question,
-    Answered& mine
+    const UList<point>& positions,
+    const UList<scalar>& radii,
+    labelListList& particles
 ) const
+{
+    const label nRanks = rankBounds_.size();
+    // Most ranks are far from all of them.
+    const auto near = nearRanks(positions, radii);
+    labelList sizes(nRanks, Zero);
+    visitCandidates(near, positions, radii, [&](const label rank, label, const point&) { ++sizes[rank]; });
+
+    PerRank<Question> questions(nRanks);
+    particles.setSize(nRanks);
+    forAll(questions, rank)
+    {
+        questions[rank].setSize(sizes[rank]);
+        particles[rank].setSize(sizes[rank]);
+    }
+    sizes = 0;
+    const auto put = [&](const label rank, const label i, const point& position)
+    {
+        const label k = sizes[rank]++;
+        particles[rank][k] = i;
+        Question& question = questions[rank][k];
+        for (direction d = 0; d < 3; ++d)
+        {
+            question[d] = position[d];
+        }
+        question[3] = radii[i];
+    };
+    visitCandidates(near, positions, radii, put);
+    return questions;
+}
+
+
+Foam::particleExchange::Answer Foam::particleExchange::answer(const Question& question, const label k)
 {
     const point position(question[0], question[1], question[2]);
     const label holder = meshCells_.holding(position);
-    mine.positions.append(position);
-    mine.holders.append(holder);
-    mine.starts.append(mine.shares.cells.size());
+    cells_[k] = holder;
 
     Answer answer;
     answer[0] = holder >= 0;
-    answer[1] =
-        meshCells_.reachesOut()
-      ? meshCells_.appendShares(position, question[3], holder, mine.shares)
-      : answer[0];
+    answer[1] = answer[0];
+    if (meshCells_.reachesOut())
+    {
+        starts_[k] = weights_.cells.size();
+        answer[1] = meshCells_.appendShares(position, question[3], holder, weights_);
+    }
     return answer;
 }
 
 
-Foam::List<Foam::DynamicList<Foam::particleExchange::Answer>> Foam::particleExchange::ask
+Foam::particleExchange::PerRank<Foam::particleExchange::Answer> Foam::particleExchange::answer
 (
-    const Candidates& mayHold,
-    const UList<scalar>& radii,
-    List<Answered>& mine
+    const PerRank<Question>& questions
 )
 {
-    List<DynamicList<Question>> questions(mayHold.size());
-    forAll(mayHold, rank)
+    PerRank<Answer> answers(questions.size());
+    const label all = sum(sizesOf(questions));
+    cells_.setSize(all);
+    starts_.setSize(meshCells_.reachesOut() ? all + 1 : 0);
+    label k = 0;
+    forAll(questions, rank)
     {
-        for (const Candidate& candidate : mayHold[rank])
+        answers[rank].setSize(questions[rank].size());
+        forAll(answers[rank], j)
         {
-            Question question;
-            for (direction d = 0; d < 3; ++d)
-            {
-                question[d] = candidate.position[d];
-            }
-            question[3] = radii[candidate.particle];
-            questions[rank].append(question);
-        }
-    }
-    const labelList sizes(sizesOf(questions));
-    const List<DynamicList<Question>> asked(swap(questions, neighbourSizes_(sizes)));
-    traffic_.count(sizes);
-
-    List<DynamicList<Answer>> answers(mayHold.size());
-    forAll(asked, rank)
-    {
-        for (const Question& question : asked[rank])
-        {
-            answers[rank].append(answer(question, mine[rank]));
-        }
-        mine[rank].starts.append(mine[rank].shares.cells.size());
-    }
-    return swap(answers, sizes);
-}
-
-
-Foam::particleExchange::Parts Foam::particleExchange::accept
-(
-    const label nParticles,
-    const Candidates& mayHold,
-    const List<DynamicList<Answer>>& answers
-) const
-{
-    Parts parts
-    {
-        List<DynamicList<Verdict>>(mayHold.size()),
-        labelListList(mayHold.size()),
-        scalarList(nParticles, Zero)
-    };
-    std::vector<bool> centred(std::size_t(nParticles), false);
-    forAll(mayHold, rank)
-    {
-        DynamicList<label> particles(mayHold[rank].size());
-        forAll(mayHold[rank], k)
-        {
-            const label i = mayHold[rank][k].particle;
-            const bool centre = answers[rank][k][0] > 0 && !centred[i];
-            const bool some = meshCells_.reachesOut() && answers[rank][k][1] > 0;
-            parts.verdicts[rank].append(centre ? centralPart : some ? part : noPart);
-            if (centre || some)
-            {
-                particles.append(i);
-                parts.sums[i] += answers[rank][k][1];
-            }
-            centred[i] = centred[i] || centre;
-        }
-        parts.particles[rank].transfer(particles);
-    }
-    for (label i = 0; i < nParticles; ++i)
-    {
-        if (!centred[i])
-        {
-            parts.sums[i] = 0;
-        }
-    }
-    return parts;
-}
-
-
-void Foam::particleExchange::setParts
-(
-    const List<Answered>& mine,
-    const List<DynamicList<Verdict>>& verdicts
-)
-{
-    DynamicList<label> cells;
-    DynamicList<point> positions;
-    DynamicList<label> starts;
-    DynamicList<label> weightedCells;
-    DynamicList<scalar> weights;
-    forAll(verdicts, rank)
-    {
-        const Answered& answered = mine[rank];
-        forAll(verdicts[rank], k)
-        {
-            const Verdict verdict = verdicts[rank][k];
-            if (verdict == noPart)
-            {
-                continue;
-            }
-            cells.append(verdict == centralPart ? answered.holders[k] : -1);
-            positions.append(answered.positions[k]);
-            if (meshCells_.reachesOut())
-            {
-                starts.append(weights.size());
-                for (label j = answered.starts[k]; j < answered.starts[k + 1]; ++j)
-                {
-                    weightedCells.append(answered.shares.cells[j]);
-                    weights.append(answered.shares.shares[j]);
-                }
-            }
+            answers[rank][j] = answer(questions[rank][j], k++);
         }
     }
     if (meshCells_.reachesOut())
     {
-        starts.append(weights.size());
+        starts_[all] = weights_.cells.size();
     }
-    cells_.transfer(cells);
-    positions_.transfer(positions);
-    starts_.transfer(starts);
-    weightedCells_.transfer(weightedCells);
-    weights_.transfer(weights);
+    return answers;
+}
+
+
+Foam::particleExchange::PerRank<Foam::particleExchange::Verdict> Foam::particleExchange::accept
+(
+    const PerRank<Answer>& answers,
+    labelListList& particles,
+    scalarList& sums
+) const
+{
+    PerRank<Verdict> verdicts(answers.size());
+    std::vector<bool> centred(std::size_t(sums.size()), false);
+    forAll(answers, rank)
+    {
+        verdicts[rank].setSize(answers[rank].size());
+        label nParts = 0;
+        forAll(answers[rank], k)
+        {
+            const label i = particles[rank][k];
+            const bool centre = answers[rank][k][0] > 0 && !centred[i];
+            const bool some = meshCells_.reachesOut() && answers[rank][k][1] > 0;
+            verdicts[rank][k] = centre ? centralPart : some ? part : noPart;
+            if (centre || some)
+            {
+                particles[rank][nParts++] = i;
+                sums[i] += answers[rank][k][1];
+            }
+            centred[i] = centred[i] || centre;
+        }
+        particles[rank].setSize(nParts);
+    }
+    forAll(sums, i)
+    {
+        if (!centred[i])
+        {
+            sums[i] = 0;
+        }
+    }
+    return verdicts;
+}
+
+
+Foam::labelList Foam::particleExchange::setParts
+(
+    const PerRank<Question>& questions,
+    const PerRank<Verdict>& verdicts
+)
+{
+    labelList starts(verdicts.size() + 1, Zero);
+    forAll(verdicts, rank)
+    {
+        const auto isPart = [](const Verdict verdict) { return verdict != noPart; };
+        starts[rank + 1] =
+            starts[rank] + std::count_if(verdicts[rank].begin(), verdicts[rank].end(), isPart);
+    }
+    positions_.setSize(starts.last());
+    label n = 0;
+    label question = 0;
+    forAll(verdicts, rank)
+    {
+        forAll(verdicts[rank], k)
+        {
+            const Verdict verdict = verdicts[rank][k];
+            if (verdict != noPart)
+            {
+                cells_[n] = verdict == centralPart ? cells_[question] : -1;
+                const Question& of = questions[rank][k];
+                positions_[n] = point(of[0], of[1], of[2]);
+                if (meshCells_.reachesOut())
+                {
+                    starts_[n] = starts_[question];
+                }
+                ++n;
+            }
+            ++question;
+        }
+    }
+    cells_.setSize(n);
+    if (meshCells_.reachesOut())
+    {
+        // What is no part has no weights: with some it would be one.
+        starts_[n] = starts_[question];
+        starts_.setSize(n + 1);
+    }
+    return starts;
 }
 
 
@@ -313,39 +286,51 @@ void Foam::particleExchange::setWeights(const scalarList& sums)
     {
         return;
     }
-    const scalarList ofParts(toParts(sums));
-    forAll(ofParts, k)
+    const auto divide = [&](const label k, const scalar sum)
     {
         for (label j = starts_[k]; j < starts_[k + 1]; ++j)
         {
-            weights_[j] /= ofParts[k];
+            weights_.shares[j] /= sum;
         }
-    }
+    };
+    visitParts(sums, divide);
+}
+
+
+void Foam::particleExchange::forget()
+{
+    map_.clear();
+    cells_.clear();
+    positions_.clear();
+    starts_.clear();
+    // Its storage stays: how much it will take is not known.
+    weights_.cells.clear();
+    weights_.shares.clear();
 }
 
 
 void Foam::particleExchange::locate(const UList<point>& positions, const UList<scalar>& radii)
 {
-    nEngine_ = positions.size();
+    forget();
 
     // Every rank that may have a share is asked.
-    const Candidates mayHold(candidates(positions, radii));
-    List<Answered> mine(mayHold.size());
-    const List<DynamicList<Answer>> answers(ask(mayHold, radii, mine));
-    Parts parts(accept(nEngine_, mayHold, answers));
+    labelListList particles;
+    PerRank<Question> questions(ask(positions, radii, particles));
+    const labelList sizes(sizesOf(questions));
+    const labelList asked(neighbourSizes_(sizes));
+    traffic_.count(sizes);
+    questions = exchangeLists(std::move(questions), asked, traffic_);
 
-    if (returnReduce(parts.sums.found(0), orOp<bool>()))
+    scalarList sums(positions.size(), Zero);
+    PerRank<Verdict> verdicts
+    (
+        accept(exchangeLists(answer(questions), sizes, traffic_), particles, sums)
+    );
+    if (returnReduce(sums.found(0), orOp<bool>()))
     {
-        reportOutside(positions, parts.sums);
+        reportOutside(positions, sums);
     }
-
-    labelList asked(mine.size());
-    forAll(mine, rank)
-    {
-        asked[rank] = mine[rank].holders.size();
-    }
-    const List<DynamicList<Verdict>> verdicts(swap(parts.verdicts, asked));
-    setParts(mine, verdicts);
-    setMap(std::move(parts.particles), verdicts);
-    setWeights(parts.sums);
+    verdicts = exchangeLists(std::move(verdicts), asked, traffic_);
+    map_.set(positions.size(), std::move(particles), setParts(questions, verdicts));
+    setWeights(sums);
 }
