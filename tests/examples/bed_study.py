@@ -193,6 +193,32 @@ class Beds(unittest.TestCase):
                 self.assertAlmostEqual(float(well[place]) / math.sqrt(2 * D / m * (1 / e**2 - 1)), 1, delta=5e-6)
             self.assertGreater(float(found["event"]["v_esc"]), 0)
 
+    @unittest.skipUnless((BUILD / "tools/cohesion-mapping").exists(), "built without tools")
+    def test_levels_of_cohesion_are_pairs_of_equal_escape_velocity(self):
+        table = study.rows(BED / "cohesion-levels.csv")
+        speeds = {name: study.escape_velocities(BUILD, row) for name, row in table.items()}
+        self.assertEqual(set(speeds.pop("none").values()), {0.0})
+        self.assertEqual(len(speeds), 6)
+        for depth in ("1e-11", "5e-11", "1e-10"):
+            well, hamaker = (speeds[f"{law}-{depth}"]["v_esc"] for law in ("well", "hamaker"))
+            # A has nine digits, half of the last one is up to 5e-9; v_esc is nearly proportional to it.
+            self.assertAlmostEqual(hamaker / well, 1, delta=1e-8)
+            self.assertEqual(table[f"well-{depth}"]["D"], float(depth))
+        # The energy that a well takes goes with the square of the speed, so that a factor counts by its root.
+        row = {**table["well-1e-11"], "cohesion_side": 4, "cohesion_plate": "no"}
+        found = study.escape_velocities(BUILD, row)
+        self.assertAlmostEqual(found["v_esc_side"] / speeds["well-1e-11"]["v_esc_side"], 2, places=12)
+        self.assertEqual(found["v_esc_plate"], 0)
+
+    def test_escape_velocities_that_are_not_known(self):
+        """No program, or words in the place of numbers: they are left empty, and it is said why."""
+        row = {**study.parameters("lammps"), "A": 1e-19}
+        for build, given, says in ((self.folder, row, "cohesion-mapping' does not exist"),
+                                   (BUILD, {**row, "A": "much"}, "could not convert .*'much'")):
+            with contextlib.redirect_stdout(io.StringIO()) as output:
+                self.assertEqual(set(study.known_speeds(build, "a", given).values()), {None})
+            self.assertRegex(output.getvalue(), f"row 'a': .*{says}")
+
     def test_what_the_walls_carry_is_what_stops_the_bed(self):
         """bed.lmp alone, without gas, while the poured particles hit the plate: the impulse of what is `carried` is
         that of gravity and the change of the momentum, from the heights. Heights are means over windows, their
