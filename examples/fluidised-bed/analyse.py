@@ -191,19 +191,26 @@ def pressure_noise(case):
     return float(np.sqrt((jumps**2).mean()) / drop.mean())
 
 
-def mixing_rate(case):
-    """How fast the particles mix in the first step of the gas velocity [1/s]: slope of the straight line through
-    Lacey's index over time."""
-    _, end, _ = read_schedule(case)[0]
+def slowest_step(case):
+    """(start, end, velocity) of the step with the slowest gas, at which the falling branch ends."""
+    return min(read_schedule(case), key=lambda step: step[2])
+
+
+def mixing(case):
+    """(how fast the particles mix in the first step of the gas velocity [1/s], how mixed they are in the slowest [1]):
+    slope of the straight line through Lacey's index over time, and its mean."""
     time, index = read_columns(Path(case) / "postProcessing/mixing/0/mixingIndex.dat")[:, :2].T
-    return float(np.polyfit(time[time <= end], index[time <= end], 1)[0])
+    _, end, _ = read_schedule(case)[0]
+    begin, rest, _ = slowest_step(case)
+    return (float(np.polyfit(time[time <= end], index[time <= end], 1)[0]),
+            float(index[(time > begin) & (time <= rest)].mean()))
 
 
 def movement(case):
     """(mean movement of the particles [m], mean gas velocity [m/s]) of that interval on the falling branch whose
     velocity is nearest to MOVEMENT_AT; nan when the branch holds none."""
     traces = read_traces(case)
-    rest, _, _ = min(read_schedule(case), key=lambda step: step[2])
+    rest, _, _ = slowest_step(case)
     found = [(mean, traces.velocity[(traces.time > end - over) & (traces.time <= end)].mean())
              for end, over, mean, *_ in read_columns(Path(case) / "postProcessing/movement/0/particleMovement.dat")
              if end <= rest]

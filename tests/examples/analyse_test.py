@@ -80,10 +80,13 @@ class MixingAndMovement(unittest.TestCase):
         folder.mkdir(parents=True, exist_ok=True)
         (folder / f"{kind}.dat").write_text("# Time ...\n" + "".join("\t".join(map(str, row)) + "\n" for row in rows))
 
-    def test_mixing_is_the_slope_within_the_first_step(self):
+    def test_mixing_in_the_first_step_and_at_rest(self):
         self.write("mixing", "mixingIndex", [(t, 0.05 + 0.4 * t, 30, 4000) for t in (0.1, 0.3, 0.4, 1.0)]
-                   + [(1.1, 0.9, 30, 4000), (2.0, 0.1, 30, 4000)])
-        self.assertAlmostEqual(analyse.mixing_rate(self.case), 0.4, places=12)
+                   + [(1.1, 0.9, 30, 4000), (4.0, 0.1, 30, 4000), (4.2, 0.6, 30, 4000), (5.0, 0.7, 30, 4000),
+                      (5.1, 0.8, 30, 4000)])
+        rate, mixed = analyse.mixing(self.case)
+        self.assertAlmostEqual(rate, 0.4, places=12)
+        self.assertAlmostEqual(mixed, 0.65, places=12)
 
     def test_movement_where_the_falling_gas_has_the_velocity(self):
         # Mean velocities 0.85, 0.76, 0.7, 0.6; none on the rising branch, which has 0.77 itself.

@@ -55,7 +55,7 @@ def made_up(case):
     pair = (variables(case, engine)["seed"], 0.1)
     velocities = types.SimpleNamespace(falling=pair, rising=pair, at_maximum=pair[0], overshoot=pair[0])
     return {"velocities": velocities, "plateau": pair, "balance": pair, "void_fraction": pair,
-            "mixing": pair[0], "movement": pair, "ergun": pair, "noise": pair[0], "exchange_ms": pair[0],
+            "mixing": pair, "movement": pair, "ergun": pair, "noise": pair[0], "exchange_ms": pair[0],
             "seconds": run.analyse.solver_seconds(case)}
 
 
