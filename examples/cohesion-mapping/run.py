@@ -7,15 +7,16 @@ table, depth against Hamaker constant for other particles, and what scheme sampl
 
 import argparse
 import csv
-import subprocess
 import sys
 from pathlib import Path
 
 import numpy as np
 
 HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent / "common"))
 
 import picture  # noqa: E402
+from mapping_program import MappingError, MappingProgram  # noqa: E402
 
 # The bed of the thesis: spheres of 1 mm and 2650 kg/m3, its spring, dashpot and step.
 RADIUS, DENSITY, STIFFNESS, RESTITUTION = 5e-4, 2650.0, 800.0, 0.948682
@@ -38,29 +39,12 @@ FAMILIES = {
 STEPS = CONTACT_TIME / np.geomspace(3, 100, 22)  # [s]
 
 
-class MappingError(RuntimeError):
-    """cohesion-mapping is missing or refused."""
-
-
-class Program:
-    """cohesion-mapping of a build folder."""
-
-    def __init__(self, build):
-        self.file = Path(build).resolve() / "tools/cohesion-mapping"
-        if not self.file.is_file():
-            raise MappingError(f"'{self.file}' does not exist: build the package first "
-                               "(scripts/setup does)")
+class Program(MappingProgram):
+    """cohesion-mapping for the spheres of the bed, and what differs from them."""
 
     def table(self, way, values, *more, radius=RADIUS, stiffness=STIFFNESS, restitution=RESTITUTION):
-        """Rows (dict of numbers by column) for Hamaker constants (way to-well) or depths (to-hamaker)."""
-        command = [self.file, way, "--radius", radius, "--density", DENSITY, "--stiffness", stiffness,
-                   "--restitution", restitution, "--cutoff", *CUTOFF, *more, "--csv",
-                   "--hamaker" if way == "to-well" else "--depth", *values]
-        done = subprocess.run([str(word) for word in command], capture_output=True, text=True)
-        if done.returncode != 0:
-            raise MappingError(done.stderr.strip())
-        return [{name: float(x) for name, x in row.items()}
-                for row in csv.DictReader(done.stdout.splitlines())]
+        return super().table(way, values, "--radius", radius, "--density", DENSITY, "--stiffness", stiffness,
+                             "--restitution", restitution, "--cutoff", *CUTOFF, *more)
 
 
 def thesis_table(program):

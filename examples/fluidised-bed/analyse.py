@@ -18,6 +18,7 @@ PACKED_RANGE = (0.1, 0.9)  # of the weight: points on the packed-bed curve
 START_UP = 0.3  # s until the bed that was at rest bubbles
 PLATEAU = 1.1  # x the packed-bed velocities: the bed is fluidised
 SETTLING = 0.2  # share of each step left out
+MOVEMENT_AT = 0.77  # m/s: where the thesis compares the movement of the particles
 
 
 @dataclass
@@ -188,6 +189,33 @@ def pressure_noise(case):
     drop = traces.drop[(traces.time > START_UP) & (traces.time <= end)]
     jumps = drop[1:-1] - 0.5 * (drop[:-2] + drop[2:])
     return float(np.sqrt((jumps**2).mean()) / drop.mean())
+
+
+def slowest_step(case):
+    """(start, end, velocity) of the step with the slowest gas, at which the falling branch ends."""
+    return min(read_schedule(case), key=lambda step: step[2])
+
+
+def mixing(case):
+    """(how fast the particles mix in the first step of the gas velocity [1/s], how mixed they are in the slowest [1]):
+    slope of the straight line through Lacey's index over time, and its mean."""
+    time, index = read_columns(Path(case) / "postProcessing/mixing/0/mixingIndex.dat")[:, :2].T
+    _, end, _ = read_schedule(case)[0]
+    begin, rest, _ = slowest_step(case)
+    return (float(np.polyfit(time[time <= end], index[time <= end], 1)[0]),
+            float(index[(time > begin) & (time <= rest)].mean()))
+
+
+def movement(case):
+    """(mean movement of the particles [m], mean gas velocity [m/s]) of that interval on the falling branch whose
+    velocity is nearest to MOVEMENT_AT; nan when the branch holds none."""
+    traces = read_traces(case)
+    rest, _, _ = slowest_step(case)
+    found = [(mean, traces.velocity[(traces.time > end - over) & (traces.time <= end)].mean())
+             for end, over, mean, *_ in read_columns(Path(case) / "postProcessing/movement/0/particleMovement.dat")
+             if end <= rest]
+    nearest = min(found, key=lambda pair: abs(pair[1] - MOVEMENT_AT), default=(np.nan, np.nan))
+    return float(nearest[0]), float(nearest[1])
 
 
 def packed_void_fraction(case):

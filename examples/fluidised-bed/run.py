@@ -88,7 +88,8 @@ class BedRun(Job):
         return {"U_mf_df": velocities.falling[0], "U_mf_th": velocities.rising[0],
                 "U_mf_in": velocities.at_maximum, "overshoot": velocities.overshoot,
                 "pressure_over_weight": found["plateau"][0], "balance": found["balance"][0],
-                "void_fraction": found["void_fraction"][0],
+                "void_fraction": found["void_fraction"][0], "mixing": found["mixing"][0],
+                "mixed": found["mixing"][1], "movement": found["movement"][0], "movement_at": found["movement"][1],
                 "pressure_noise": found["noise"], "exchange_ms_per_step": found["exchange_ms"]}
 
     def share(self):
@@ -161,6 +162,8 @@ def evaluate(case):
         "balance": balance,
         "void_fraction": (mean, deviation),
         "ergun": [analyse.ergun_minimum_fluidisation(mean + s * deviation) for s in (-1, 1)],
+        "mixing": analyse.mixing(case),
+        "movement": analyse.movement(case),
         "noise": analyse.pressure_noise(case),
         "exchange_ms": analyse.exchange_milliseconds(case),
         "seconds": analyse.solver_seconds(case),

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs a table of beds, each with several seeds, on the cores there are, and ends in a table of the
-characteristic velocities with their standard deviations, and of the differences between the engines where
-two rows are the same bed in both. Runs that are finished are not made again: after an interruption the same
-command goes on with the others.
+characteristic velocities, of mixing and movement with their standard deviations, and of the differences
+between the engines where two rows are the same bed in both. Runs that are finished are not made again: after an
+interruption the same command goes on with the others.
 
     study.py TABLE.csv [--seeds N ...] [--together N] [--out FOLDER] [--overwrite] [--build FOLDER]
 """
@@ -17,6 +17,7 @@ HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "common"))
 
 import run  # noqa: E402
+from escape import PLACES, MappingError, escape_velocities  # noqa: E402
 from foam_case import environment  # noqa: E402
 from job_pool import RunError, carry_out, cores  # noqa: E402
 from study_table import TableError, number, over_seeds, read_table, write_summary  # noqa: E402
@@ -24,7 +25,9 @@ from study_table import TableError, number, over_seeds, read_table, write_summar
 NOT_IN_TABLES = ("plugin", "seed")
 # Primes above 10000, which LIGGGHTS asks for
 SEEDS = {"lammps": [4711, 4712, 4713], "liggghts": [15485863, 32452843, 49979687]}
-COLUMNS = ("U_mf_df", "U_mf_th", "U_mf_in", "overshoot")
+# What is printed, with its digits
+COLUMNS = {"U_mf_df": ".3f", "U_mf_th": ".3f", "U_mf_in": ".3f", "overshoot": ".3f", "mixing": ".3f",
+           "movement": ".2e"}
 
 
 def parameters(engine):
@@ -67,21 +70,33 @@ def seeds_of(row, given):
     return given or SEEDS[row["engine"]]
 
 
-def text(table, results, failed):
-    """Mean and standard deviation of what the velocities and the overshoot are, a line per row, and for each
-    bed that is there with both engines the difference; `failed`: {row name: seeds without a result}."""
-    lines = [f"{'':20}" + "".join(f"{column:<20}" for column in COLUMNS) + "seeds"]
+def known_speeds(build, name, row):
+    """escape_velocities() of the row called `name`, with six digits; None each when they are not known, and why."""
+    try:
+        return {place: float(f"{speed:.6g}") for place, speed in escape_velocities(build, row).items()}
+    except (MappingError, ValueError) as error:
+        print(f"study.py: no escape velocities of row '{name}': {error}")
+        return dict.fromkeys(PLACES)
+
+
+def text(table, results, failed, speeds):
+    """Escape velocity between particles, and mean and standard deviation of COLUMNS, a line per row, and for each
+    bed that is there with both engines the difference; `failed`: {row name: seeds without a result}, `speeds`: {row
+    name: known_speeds()}."""
+    lines = [f"{'':20}{'v_esc':<10}" + "".join(f"{column:<20}" for column in COLUMNS) + "seeds"]
     for name in table:
         figures = over_seeds(results[name])
-        lines.append(f"{name:20}" + "".join("{:<20}".format(with_deviation(*figures[column])
-                                                            if column in figures else "none")
-                                            for column in COLUMNS) + str(len(results[name]))
+        speed = speeds[name]["v_esc"]
+        lines.append(f"{name:20}{'unknown' if speed is None else f'{speed:.5f}':<10}"
+                     + "".join("{:<20}".format(with_deviation(*figures[column], COLUMNS[column])
+                                               if column in figures else "none")
+                               for column in COLUMNS) + str(len(results[name]))
                      + (f", {failed[name]} failed" if failed[name] else ""))
     pairs = [(one, other) for one in table for other in table if same_bed(table[one], table[other])]
     if pairs:
         lines += ["", "LIGGGHTS - LAMMPS (over its standard error)"]
     for one, other in pairs:
-        lines.append(f"{other:20}" + "".join(f"{difference(results[one], results[other], column):20}"
+        lines.append(f"{other:30}" + "".join(f"{difference(results[one], results[other], column):20}"
                                             for column in COLUMNS))
     return "\n".join(lines)
 
@@ -94,9 +109,9 @@ def same_bed(one, other):
     return (one["engine"], other["engine"]) == ("lammps", "liggghts") and alike
 
 
-def with_deviation(mean, deviation):
-    """Of one seed there is none."""
-    return f"{mean:.3f}" + ("" if isnan(deviation) else f" +- {deviation:.3f}")
+def with_deviation(mean, deviation, digits):
+    """Of one seed there is none. `digits`: a format."""
+    return f"{mean:{digits}}" + ("" if isnan(deviation) else f" +- {deviation:{digits}}")
 
 
 def difference(one, other, figure):
@@ -106,7 +121,7 @@ def difference(one, other, figure):
         return "none"
     (first, spread), (second, other_spread) = (over_seeds(results)[figure] for results in (one, other))
     error = sqrt(spread**2 / len(one) + other_spread**2 / len(other))
-    return f"{second - first:+.3f} ({f'{(second - first) / error:.1f}' if error else 'no spread'})"
+    return f"{second - first:+{COLUMNS[figure]}} ({f'{(second - first) / error:.1f}' if error else 'no spread'})"
 
 
 def main():
@@ -145,8 +160,9 @@ def main():
         failure = error
     results = {name: [without_settings(job.result()) for job in row if job.result()] for name, row in jobs.items()}
     failed = {name: len(row) - len(results[name]) for name, row in jobs.items()}
-    write_summary(out / "summary.csv", table, results, failed)
-    print(text(table, results, failed))
+    speeds = {name: known_speeds(build, name, row) for name, row in table.items()}
+    write_summary(out / "summary.csv", {name: {**row, **speeds[name]} for name, row in table.items()}, results, failed)
+    print(text(table, results, failed, speeds))
     print(f"\ntable: {out / 'summary.csv'}; the runs: {out / 'runs'}")
     if failure:
         raise failure

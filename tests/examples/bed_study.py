@@ -31,8 +31,9 @@ from lammps_run import launcher  # noqa: E402
 BUILD = Path(sys.argv.pop(1) if len(sys.argv) > 1 else SOURCE / "build").resolve()
 SCHEDULE = "superficialVelocity table ((0 (0 1.2 0)) (1 (0 1.2 0)));\nendTime 0.018;\n"
 TABLE = "name, A, cohesion_side, settle\nnone, 0, , 0.01\nno-side, 7.49e-19, 0, 0.01\n"
-OTHERS = ("name, A, settle, voidFraction, smoothingWidth, scheme\nsmooth, 0, 0.01, sphereOverlap, 1e-3,\n"
-          "event, 7.49e-19, 0.01, , , event\n")
+OTHERS = ("name, A, settle, voidFraction, smoothingWidth, scheme, law, D, ratio\n"
+          "smooth, 0, 0.01, sphereOverlap, 1e-3, , , ,\nevent, 7.49e-19, 0.01, , , event, , ,\n"
+          "well, , 0.01, , , event, square_well, 5e-11, 1.02\n")
 
 
 def variables(case, engine="lammps"):
@@ -42,13 +43,19 @@ def variables(case, engine="lammps"):
     return {name: study.number(value) for name, value in re.findall(r"(\w+)\s+([^;\s]+);", block)}
 
 
+def restitution(stiffness, damping, mass):
+    """Of a linear spring and dashpot whose contact ends where the surfaces part."""
+    beta = damping / 2 / mass
+    return math.exp(-math.pi * beta / math.sqrt(stiffness / mass - beta**2))
+
+
 def made_up(case):
     """As run.evaluate(), from the seed."""
     engine = re.search(r"^demEngine\s+(\w+)", (Path(case) / "constant/couplingProperties").read_text(), re.M)[1]
     pair = (variables(case, engine)["seed"], 0.1)
     velocities = types.SimpleNamespace(falling=pair, rising=pair, at_maximum=pair[0], overshoot=pair[0])
     return {"velocities": velocities, "plateau": pair, "balance": pair, "void_fraction": pair,
-            "ergun": pair, "noise": pair[0], "exchange_ms": pair[0],
+            "mixing": pair, "movement": pair, "ergun": pair, "noise": pair[0], "exchange_ms": pair[0],
             "seconds": run.analyse.solver_seconds(case)}
 
 
@@ -114,15 +121,16 @@ class Beds(unittest.TestCase):
             self.assertEqual([row["engine"] for row in csv.DictReader(file)], ["lammps", "liggghts", "liggghts"])
         # The same figures: only of the same bed, in the heading's errors.
         self.assertTrue(heading.startswith("LIGGGHTS - LAMMPS"), heading)
-        self.assertEqual(line.split(), ["b"] + 4 * ["+0.000", "(0.0)"])
+        self.assertEqual(line.split(), ["b"] + 5 * ["+0.000", "(0.0)"] + ["+0.00e+00", "(0.0)"])
 
     def test_difference_of_engines(self):
         """Means 2 and 5, deviations sqrt(2) of two and 1 of three: 3 over sqrt(1 + 1/3)."""
-        one, other = ([{"u": value} for value in values] for values in ((1.0, 3.0), (4.0, 5.0, 6.0)))
-        self.assertEqual(study.difference(one, other, "u"), "+3.000 (2.6)")
-        self.assertEqual(study.difference(one, other[:1], "u"), "none")
-        self.assertEqual(study.difference(one, 2 * other[:1], "u"), "+2.000 (2.0)")
-        self.assertEqual(study.difference(2 * one[:1], 2 * other[:1], "u"), "+3.000 (no spread)")
+        figure = "U_mf_df"
+        one, other = ([{figure: value} for value in values] for values in ((1.0, 3.0), (4.0, 5.0, 6.0)))
+        self.assertEqual(study.difference(one, other, figure), "+3.000 (2.6)")
+        self.assertEqual(study.difference(one, other[:1], figure), "none")
+        self.assertEqual(study.difference(one, 2 * other[:1], figure), "+2.000 (2.0)")
+        self.assertEqual(study.difference(2 * one[:1], 2 * other[:1], figure), "+3.000 (no spread)")
 
     def test_refuses_what_liggghts_would_stop_at(self):
         table = self.folder / "table.csv"
@@ -160,16 +168,56 @@ class Beds(unittest.TestCase):
         table, out = self.folder / "table.csv", self.folder / "out"
         table.write_text(OTHERS)
         self.call(study, table, "--seeds", 1, "--out", out)
-        for name, kernel, width, scheme in (("smooth", "sphereOverlap", 0.001, "gran/hooke/history"),
-                                            ("event", "particleCentre", None, "gran/hamaker")):
+        for name, kernel, width, style in (("smooth", "sphereOverlap", 0.001, "gran/hooke/history"),
+                                           ("event", "particleCentre", None, "gran/hamaker"),
+                                           ("well", "particleCentre", None, "gran/square_well")):
             case = out / "runs" / f"{name}-1"
             text = (case / "constant/couplingProperties").read_text()
             self.assertRegex(text, rf"\nvoidFraction\s+{kernel};")
             found = re.search(r"\nsmoothingWidth\s+(\S+);", text)
             self.assertEqual(found and float(found[1]), width)
             told = (case / "log.lammps").read_text()
-            self.assertIn(f"\npair_style {scheme}", told)
-            self.assertEqual("\nfix plate all wall/gran/hamaker" in told, scheme == "gran/hamaker")
+            self.assertIn(f"\npair_style {style}", told)
+            for law in ("hamaker", "square_well"):
+                self.assertEqual(f"\nfix plate all wall/gran/{law}" in told, style == f"gran/{law}")
+        self.assertIn(" well 5e-11 1.02\n", told)
+        with open(out / "summary.csv") as file:
+            found = {row["name"]: row for row in csv.DictReader(file)}
+        self.assertEqual((found["smooth"]["v_esc"], found["smooth"]["mixing"], found["smooth"]["movement"]),
+                         ("0.0", "1", "1"))
+        if (BUILD / "tools/cohesion-mapping").exists():
+            # The closed form of a well, sqrt(2 D/m (1/e^2 - 1)) with the m of a pair, a half; six digits.
+            well, mass = found["well"], math.pi / 6 * 2650 * 1e-9
+            for place, D, m in (("v_esc", 5e-11, mass / 2), ("v_esc_side", 1e-10, mass), ("v_esc_plate", 1e-10, mass)):
+                e = restitution(800, 0.79e-3, m)
+                self.assertAlmostEqual(float(well[place]) / math.sqrt(2 * D / m * (1 / e**2 - 1)), 1, delta=5e-6)
+            self.assertGreater(float(found["event"]["v_esc"]), 0)
+
+    @unittest.skipUnless((BUILD / "tools/cohesion-mapping").exists(), "built without tools")
+    def test_levels_of_cohesion_are_pairs_of_equal_escape_velocity(self):
+        table = study.rows(BED / "cohesion-levels.csv")
+        speeds = {name: study.escape_velocities(BUILD, row) for name, row in table.items()}
+        self.assertEqual(set(speeds.pop("none").values()), {0.0})
+        self.assertEqual(len(speeds), 6)
+        for depth in ("1e-11", "5e-11", "1e-10"):
+            well, hamaker = (speeds[f"{law}-{depth}"]["v_esc"] for law in ("well", "hamaker"))
+            # A has nine digits, half of the last one is up to 5e-9; v_esc is nearly proportional to it.
+            self.assertAlmostEqual(hamaker / well, 1, delta=1e-8)
+            self.assertEqual(table[f"well-{depth}"]["D"], float(depth))
+        # The energy that a well takes goes with the square of the speed, so that a factor counts by its root.
+        row = {**table["well-1e-11"], "cohesion_side": 4, "cohesion_plate": "no"}
+        found = study.escape_velocities(BUILD, row)
+        self.assertAlmostEqual(found["v_esc_side"] / speeds["well-1e-11"]["v_esc_side"], 2, places=12)
+        self.assertEqual(found["v_esc_plate"], 0)
+
+    def test_escape_velocities_that_are_not_known(self):
+        """No program, or words in the place of numbers: they are left empty, and it is said why."""
+        row = {**study.parameters("lammps"), "A": 1e-19}
+        for build, given, says in ((self.folder, row, "cohesion-mapping' does not exist"),
+                                   (BUILD, {**row, "A": "much"}, "could not convert .*'much'")):
+            with contextlib.redirect_stdout(io.StringIO()) as output:
+                self.assertEqual(set(study.known_speeds(build, "a", given).values()), {None})
+            self.assertRegex(output.getvalue(), f"row 'a': .*{says}")
 
     def test_what_the_walls_carry_is_what_stops_the_bed(self):
         """bed.lmp alone, without gas, while the poured particles hit the plate: the impulse of what is `carried` is
@@ -180,11 +228,12 @@ class Beds(unittest.TestCase):
         program, plugin = launcher(BUILD)
         dt, mass = 1.125e-5, 4000 * math.pi / 6 * 2650 * 1e-9
         for scheme in ("sampled", "event"):
-            for A in (0, 7.49e-19):
-                folder = self.folder / f"{scheme}-{A}"
+            for A, D in ((0, 0), (7.49e-19, 0), (0, 5e-11)):
+                folder = self.folder / f"{scheme}-{A}-{D}"
                 folder.mkdir()
                 (folder / "in.bed").write_text(f"include {self.folder / 'case/bed.lmp'}\nunfix gas\nrun 2000\n")
-                given = {"plugin": plugin, "A": A, "dt": dt, "settle": 0.01, "node": 3.333e-3, "scheme": scheme}
+                given = {"plugin": plugin, "A": A, "dt": dt, "settle": 0.01, "node": 3.333e-3, "scheme": scheme,
+                         "D": D, "law": "square_well" if D else "hamaker"}
                 words = [word for name, value in given.items() for word in ("-var", name, str(value))]
                 subprocess.run([program, "-in", "in.bed", *words], cwd=folder, check=True, stdout=subprocess.DEVNULL)
                 lines = (folder / "bed.dat").read_text().splitlines()
@@ -195,7 +244,7 @@ class Beds(unittest.TestCase):
                 impulse = window * sum(weight * force for weight, force in zip(weights, carried))
                 gained = mass * (height[-1] - height[-2] - height[1] + height[0]) / window
                 self.assertAlmostEqual((impulse - gained) / (mass * 9.81 * window * sum(weights)), 1, delta=0.02,
-                                       msg=f"{scheme}, A = {A} J")
+                                       msg=f"{scheme}, A = {A} J, D = {D} J")
 
     def test_a_bed_that_fails_leaves_the_table_of_the_others(self):
         table, out = self.folder / "table.csv", self.folder / "out"

@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Head-on escape velocities of a bed's particles from each other and from its walls, by cohesion-mapping."""
+
+import re
+import sys
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent / "common"))
+
+from mapping_program import MappingError, MappingProgram  # noqa: E402,F401
+
+SCRIPTS = {"lammps": "bed.lmp", "liggghts": "bed.liggghts"}
+PLACES = {"v_esc": "particles", "v_esc_side": "side", "v_esc_plate": "plate"}
+ON, OFF = ("on", "yes", "true"), ("off", "no", "false")
+
+
+def escape_velocities(build, row):
+    """{"v_esc", "v_esc_side", "v_esc_plate": [m/s]} of the bed with the parameters `row` (see run.make_case): below
+    it two particles stick when they meet head-on, or a particle to a side wall or the plate, in the law and scheme
+    that the bed is run with, in the mean where that is left to chance. Raises MappingError, or ValueError for words
+    in the place of numbers."""
+    return {name: escape_velocity(build, row, place) for name, place in PLACES.items()}
+
+
+def escape_velocity(build, row, place):
+    """That of one place of PLACES; 0 without cohesion there."""
+    share, well = factor(row[f"cohesion_{place}"]), row.get("law") == "square_well"
+    doubled = 2 if well and place != "particles" else 1  # as in bed.lmp
+    strength = share * doubled * float(row["D" if well else "A"])
+    if strength == 0:
+        return 0.0
+    law, way = ("well", "to-hamaker") if well else ("hamaker", "to-well")
+    scheme = row.get("scheme", "sampled")
+    words = [f"--{law}-scheme", scheme, "--ratio", row.get("ratio", 1.01)]
+    if scheme == "sampled":
+        words += ["--step", row["dt"]]
+    if place != "particles":
+        words.append("--wall")
+    found, = MappingProgram(build).table(way, [strength], *particle(row["engine"]), *words)
+    return found[f"{law}_mean"]
+
+
+def particle(engine):
+    """The particles of that engine's script, their contact and cut-offs, for cohesion-mapping."""
+    text = (HERE / "case" / SCRIPTS[engine]).read_text()
+    of = dict(re.findall(r"^variable\s+(\w+)\s+equal\s+([-+.\deE]+)\s", text, re.M))
+    return ["--radius", float(of["d"]) / 2, "--density", of["density"], "--stiffness", of["K"],
+            "--damping", of["eta"], "--cutoff", of["H_cut"], of["H_out"]]
+
+
+def factor(word):
+    """What the engines' formulas make of a number, or of a word for on and off."""
+    return 1.0 if word in ON else 0.0 if word in OFF else float(word)
