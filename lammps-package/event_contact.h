@@ -140,8 +140,8 @@ inline void book_standing(FixEventStep::Book& book, double part,
   book.adhesion += part * stored.adhesion;
 }
 
-/// What a spring of a contact remembers: `from` WITH_FRICTION or WITH_ROLLING, which its `values`
-/// numbers of history may not have.
+/// What a spring of a contact remembers, the tangential one (WITH_FRICTION) or the rolling one
+/// (WITH_ROLLING); nothing, where its `values` numbers of history do not reach so far.
 inline cohesion::Vector3 memory_in(const double* history, int values, HistorySize with) {
   return values >= with ? vector(history + with - 3) : cohesion::Vector3{};
 }

@@ -50,7 +50,7 @@ void PairGranCohesive<Cohesion>::tally_standing() {
       [this](auto& contacts) {
         contacts.clear();
         for_each_listed([&](int i, int j, int kept, const double* values) {
-          if (!kept) return;
+          if (!kept || !moves(i, j)) return;
           const auto& c = contacts.all[contact(contacts, i, j)];
           const Vector3 d = on_grid(i, j).separation;
           PairStep standing;

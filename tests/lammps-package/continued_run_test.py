@@ -2,6 +2,7 @@
 """Runs of the event scheme that go on from the forces of another: the motion, and the energy book of compute
 gran/energy that is first looked at on their first line."""
 import math
+import sys
 import unittest
 
 import numpy
@@ -48,7 +49,8 @@ def scene(style, words, oblique=0.0, scheme="event", walls="", x=5e-3):
 
 
 class ContinuedRun(ScriptTestCase):
-    def book(self, pair, runs, ranks=1, head="read_data data.spheres", boundary="p p p"):
+    def book(self, pair, runs, ranks=1, head="read_data data.spheres", boundary="p p p",
+             dt=DT):
         """The lines of the last run, by name, and the end of the motion. COMPUTE in `runs` opens the book."""
         opened = ("compute book all gran/energy\nthermo_style custom step c_book[*]\n"
                   "thermo_modify norm no format float %.17g")
@@ -63,7 +65,7 @@ comm_modify vel yes
 neighbor 1e-4 bin
 {pair}
 fix move all nve/sphere
-timestep {DT:.17g}
+timestep {dt:.17g}
 thermo 1
 {runs.replace("COMPUTE", opened)}
 write_dump all custom end.txt id x y z vx vy vz omegax omegay omegaz modify format float %.17g sort id
@@ -85,15 +87,18 @@ write_dump all custom end.txt id x y z vx vy vz omegax omegay omegaz modify form
         # most; twice that for the file.
         rounding = 20 * 2**-53 * 0.01 * STIFFNESS * 2e-6
         self.assertLess(rounding, 1e-6 * kinetic)
-        for name, runs, options in (
-                ("between runs", halves, {}),
+        ways = [("between runs", halves, {}),
                 ("from the first run on", f"COMPUTE\nrun {SPLIT}\nrun {rest}", {}),
-                ("between runs, two ranks", halves, {"ranks": 2}),
                 ("after a run of no steps", halves.replace("COMPUTE", "run 0\nCOMPUTE"), {}),
-                ("restart", f"COMPUTE\nrun {rest}", {"head": "read_restart restart.half"})):
+                ("restart", f"COMPUTE\nrun {rest}", {"head": "read_restart restart.half"})]
+        if rubs:
+            ways.append(("between runs, two ranks", halves, {"ranks": 2}))
+        for name, runs, options in ways:
             with self.subTest(name):
                 book, again = self.book(pair, runs, boundary=boundary, **options)
-                numpy.testing.assert_allclose(again, end, rtol=0, atol=1e-10)
+                # The places' rounding, times pi/t_c a speed, over R a spin; a force that is lost makes 1 1/s.
+                numpy.testing.assert_allclose(again, end, rtol=0,
+                                              atol=20 * 2**-53 * 0.01 * math.pi / CONTACT_TIME / R)
                 stored = numpy.array([book[key] - whole[key] for key in STORED])
                 moves = numpy.array([book[key] - whole[key] for key in MOTION])
                 room = numpy.full(4, rounding)
@@ -140,6 +145,31 @@ write_dump all custom end.txt id x y z vx vy vz omegax omegay omegaz modify form
             with self.subTest(words):
                 self.check(*scene("hamaker", words, oblique, walls=f"xplane 0 NULL wiggle x 1e-7 {PERIOD:.17g}"),
                            rubs=oblique > 0, boundary="f p p")
+
+    def test_packing(self):
+        """What the splitting of one step leaves where each sphere has up to six contacts: second order in the
+        step, of the energies of all springs and of the adhesion."""
+        random = numpy.random.default_rng(3)
+        places = R + 0.998 * DIAMETER * numpy.arange(6)
+        engine.write_spheres(self.folder, [
+            {"type": 1, "diameter": DIAMETER, "density": 2650.0, "x": x, "v": random.uniform(-SPEED, SPEED, 3),
+             "omega": random.uniform(-50, 50, 3)}
+            for x in numpy.array(numpy.meshgrid(places, places, places)).reshape(3, -1).T], 3 * [(0.0, 0.006)], 1)
+        for rubs in ("", RUBS):
+            words = f"{CONTACT} {HAMAKER} {rubs}"
+            pair = (f"pair_style gran/hamaker\npair_coeff * * {words}\nfix w all wall/gran/hamaker {words} "
+                    "xplane 0 0.006 yplane 0 0.006 zplane 0 NULL\nfix g all gravity 9.81 vector 0 0 -1\n")
+            apart = []
+            for part in (5, 20):
+                last, first = ({name: values[-1] for name, values in self.book(
+                    pair, f"COMPUTE\nrun {6 * part}\n{more}", boundary="f f f", dt=CONTACT_TIME / part)[0].items()}
+                               for more in ("", "run 0"))
+                for key in MOTION:
+                    self.assertEqual(first[key], last[key])
+                apart.append(sum(abs(first[key] - last[key]) for key in STORED) / last["c_book[3]"])
+                print(f"packing {rubs}: t_c/{part}: {apart[-1]:.1e} of the springs", file=sys.stderr)
+            # Between the 4 of first order and the 16 of second.
+            self.assertLess(apart[1], apart[0] / 8)
 
 
 if __name__ == "__main__":
