@@ -61,14 +61,10 @@ void ComputeGranEnergy::compute_vector() {
     const auto body = step->body(i);
     if (body.inverse_mass == 0.0) continue;
     const double inverse_inertia = cohesion::event_stepping::inverse_inertia(body);
-    const double half = step->half_kick();
-    const Vector3 v =
-        cohesion::vector(atom->v[i]) + half * body.inverse_mass * cohesion::vector(atom->f[i]);
-    const Vector3 omega = cohesion::vector(atom->omega[i]) +
-                          half * inverse_inertia * cohesion::vector(atom->torque[i]);
+    const Vector3 v = step->velocity_at_end(i);
     double place[3];
     domain->unmap(atom->x[i], atom->image[i], place);
-    add_body(mine, 1.0 / body.inverse_mass, 1.0 / inverse_inertia, v, omega,
+    add_body(mine, 1.0 / body.inverse_mass, 1.0 / inverse_inertia, v, step->spin_at_end(i),
              cohesion::vector(&weight[3 * i]), cohesion::vector(place) + step->half_flight() * v);
   }
   const FixEventStep::Book& book = step->book;

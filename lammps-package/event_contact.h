@@ -131,6 +131,21 @@ cohesion::event_stepping::RollingStep roll_with_others(
   return step;
 }
 
+/// Books what a contact stores that no step has followed since the run began.
+inline void book_standing(FixEventStep::Book& book, double part,
+                          const cohesion::event_stepping::StoredEnergies& stored) {
+  book.spring += part * stored.spring;
+  book.tangential_spring += part * stored.tangential_spring;
+  book.rolling_spring += part * stored.rolling_spring;
+  book.adhesion += part * stored.adhesion;
+}
+
+/// What a spring of a contact remembers, the tangential one (WITH_FRICTION) or the rolling one
+/// (WITH_ROLLING); nothing, where its `values` numbers of history do not reach so far.
+inline cohesion::Vector3 memory_in(const double* history, int values, HistorySize with) {
+  return values >= with ? vector(history + with - 3) : cohesion::Vector3{};
+}
+
 /// Forces, torques, changes of position and the energy book of one step.
 class ContactScatter {
  public:

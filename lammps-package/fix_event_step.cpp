@@ -20,6 +20,8 @@
 #include "update.h"
 
 using namespace LAMMPS_NS;
+using cohesion::vector;
+using cohesion::Vector3;
 using cohesion::event_stepping::StepWindow;
 
 static constexpr int ALONE = 9;
@@ -146,21 +148,50 @@ StepWindow FixEventStep::window() const {
 
 double FixEventStep::half_kick() const { return 0.5 * update->dt; }
 
+/// A run that takes over the forces of the last one has them in `last`, with the step they are of.
+Vector3 FixEventStep::velocity_at_end(int i) const {
+  const Vector3 kick =
+      resuming ? 0.5 * last_dt * vector(last[i]) : half_kick() * vector(atom->f[i]);
+  return vector(atom->v[i]) + inverse_mass[i] * kick;
+}
+
+Vector3 FixEventStep::spin_at_end(int i) const {
+  const Vector3 kick =
+      resuming ? 0.5 * last_dt * vector(last[i] + 3) : half_kick() * vector(atom->torque[i]);
+  return vector(atom->omega[i]) + cohesion::event_stepping::inverse_inertia(body(i)) * kick;
+}
+
 /* ---------------------------------------------------------------------- */
 
 void FixEventStep::setup_pre_force(int) {
   resuming = last_dt > 0.0;
   starting = !resuming;
   clear();
+  if (resuming && book.kept) take_over();
   if (resuming) return;
   for (EventContacts* wall : walls) wall->follow_alone();
 }
 
 void FixEventStep::setup(int) {
-  if (resuming) return;
+  if (resuming) {
+    if (book.kept)
+      for (EventContacts* wall : walls) wall->book_standing();
+    return;
+  }
   for (EventContacts* wall : walls) wall->follow_together();
   move();
   starting = false;
+}
+
+/// Tells the ghosts with which motion the last step ended; nothing else is in `alone` then.
+void FixEventStep::take_over() {
+  for (int i = 0; i < atom->nlocal; i++) {
+    announce(i);
+    const Vector3 v = velocity_at_end(i), spin = spin_at_end(i);
+    const double motion[] = {v.x, v.y, v.z, spin.x, spin.y, spin.z};
+    std::copy_n(motion, 6, alone[i] + 3);
+  }
+  share(ALONE);
 }
 
 void FixEventStep::initial_integrate(int) {

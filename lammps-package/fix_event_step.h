@@ -26,6 +26,8 @@ class EventContacts {
  public:
   virtual void follow_alone() = 0;
   virtual void follow_together() = 0;
+  /// Books what the contacts store, where a run takes over the forces of the last one.
+  virtual void book_standing() = 0;
 
  protected:
   ~EventContacts() = default;
@@ -102,6 +104,14 @@ class FixEventStep : public Fix {
   /// How long particles fly from the grid point to the end of the step, [time].
   double half_flight() const { return window().after; }
 
+  /// Velocity and spin of a particle at the end of the step's motion.
+  cohesion::Vector3 velocity_at_end(int i) const;
+  cohesion::Vector3 spin_at_end(int i) const;
+  /// The same, of a particle or ghost, where a run takes over the forces of the last one and the
+  /// book is kept.
+  cohesion::Vector3 taken_velocity(int i) const { return cohesion::vector(alone[i] + 3); }
+  cohesion::Vector3 taken_spin(int i) const { return cohesion::vector(alone[i] + 6); }
+
   /// How far a particle or ghost of this rank may fly until the end of the step, [length].
   double flight() const { return longest_flight; }
 
@@ -155,6 +165,7 @@ class FixEventStep : public Fix {
   void look_round();
   void weigh(int all);
   void report_unresolved();
+  void take_over();
   void move();
 
   std::vector<EventContacts*> walls;  // those of this run

@@ -170,6 +170,12 @@ void FixWallGranCohesive<Cohesion>::check_flight(int i, const WallPoint& point, 
                           " radii in one step and could miss the wall; use a smaller time step");
 }
 
+template <class Cohesion>
+WallState FixWallGranCohesive<Cohesion>::state() const {
+  const double time = static_cast<double>(update->ntimestep - time_origin) * update->dt;
+  return motion.over(time, step->window());
+}
+
 /// In a step, [length]; in a sheared box the mean flow, which step->flight() leaves out, may carry
 /// particles into any wall, or a wall against them.
 template <class Cohesion>
@@ -212,8 +218,7 @@ void FixWallGranCohesive<Cohesion>::follow_alone(std::vector<Contact>& shared) {
   rolled.clear();
   shared.clear();
   const bool first = step->window().before == 0.0;
-  const double time = static_cast<double>(update->ntimestep - time_origin) * update->dt;
-  const WallState now = motion.over(time, step->window());
+  const WallState now = state();
   // What moves less than a radius in a step cannot matter beyond two. Each is asked when particles
   // may be new, or faster than that.
   const double flight = 2.0 * step->flight() + way_of_walls(now);
@@ -306,6 +311,30 @@ void FixWallGranCohesive<Cohesion>::follow_together(const std::vector<Contact>& 
     step->book.external_work -= dot(near.point.velocity, now.impulse);
     add(&mine[3 * near.wall], scatter.kick(), now.impulse);
   }
+}
+
+template <class Cohesion>
+void FixWallGranCohesive<Cohesion>::book_standing() {
+  const WallState now = state();
+  std::visit(
+      [&](auto& shared) {
+        shared.clear();
+        for (int i = 0; i < atom->nlocal; i++)
+          for (int w = 0; w < static_cast<int>(walls.size()); w++) {
+            const double* const kept = history.of(i, w);
+            if (kept[0] <= 0.0 || step->body(i).inverse_mass == 0.0) continue;
+            const WallPoint point = walls[w].nearest(vector(atom->x[i]), now, motion.rim_speed);
+            const auto& c = shared[contact(shared, i)];
+            LAMMPS_NS::book_standing(
+                step->book, 1.0,
+                c.stored({{point.separation, point.velocity - step->taken_velocity(i)},
+                          step->taken_spin(i),
+                          {}},
+                         step->half_flight(), true, memory_in(kept, per_wall, WITH_FRICTION),
+                         memory_in(kept, per_wall, WITH_ROLLING)));
+          }
+      },
+      contacts);
 }
 
 /* ---------------------------------------------------------------------- */

@@ -31,6 +31,7 @@ class FixWallGranCohesive : public Fix, public EventContacts {
   void post_force(int) override;
   void follow_alone() override;
   void follow_together() override;
+  void book_standing() override;
 
   double compute_vector(int) override;
   double compute_array(int, int) override;
@@ -70,6 +71,7 @@ class FixWallGranCohesive : public Fix, public EventContacts {
   template <class Contact>
   std::size_t contact(std::vector<Contact>&, int i);
   void check_flight(int i, const cohesion::event_stepping::WallPoint&, bool inside);
+  cohesion::event_stepping::WallState state() const;
   double way_of_walls(const cohesion::event_stepping::WallState&) const;
   void look_at_sizes();
   template <bool FRICTION, bool ROLLING, class Contact>

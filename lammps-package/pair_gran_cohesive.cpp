@@ -72,7 +72,7 @@ void PairGranCohesive<Cohesion>::compute(int eflag, int vflag) {
   }
   if (rested) begin_where_they_are();
   if (step->resumes()) {
-    if (evflag) tally_standing();
+    if (evflag || step->book.kept) tally_standing();
     return;
   }
   std::visit(

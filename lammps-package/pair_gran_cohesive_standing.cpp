@@ -50,15 +50,24 @@ void PairGranCohesive<Cohesion>::tally_standing() {
       [this](auto& contacts) {
         contacts.clear();
         for_each_listed([&](int i, int j, int kept, const double* values) {
-          if (!kept) return;
+          if (!kept || !moves(i, j)) return;
           const auto& c = contacts.all[contact(contacts, i, j)];
           const Vector3 d = on_grid(i, j).separation;
           PairStep standing;
           standing.overlap_at_end = atom->radius[i] + atom->radius[j] - norm(d);
           standing.inside = values[0] != 0.0;
-          ev_tally_xyz(i, j, atom->nlocal, 0,
-                       c.spring_energy(standing) + c.adhesion_energy(standing), 0.0, 0.0, 0.0, 0.0,
-                       -d.x, -d.y, -d.z);
+          if (step->book.kept)
+            book_standing(step->book, j < atom->nlocal ? 1.0 : 0.5,
+                          c.stored({{d, step->taken_velocity(j) - step->taken_velocity(i)},
+                                    step->taken_spin(i),
+                                    step->taken_spin(j)},
+                                   step->half_flight(), standing.inside,
+                                   memory_in(values, per_pair, WITH_FRICTION),
+                                   memory_in(values, per_pair, WITH_ROLLING)));
+          if (evflag)
+            ev_tally_xyz(i, j, atom->nlocal, 0,
+                         c.spring_energy(standing) + c.adhesion_energy(standing), 0.0, 0.0, 0.0,
+                         0.0, -d.x, -d.y, -d.z);
         });
       },
       any_contacts);

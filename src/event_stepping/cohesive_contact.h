@@ -55,6 +55,14 @@ struct RollingStep {
   Vector3 torque_i;                ///< angular impulse on i, its reverse on j, [momentum length]
 };
 
+/// What a contact stores, [energy].
+struct StoredEnergies {
+  double spring;
+  double tangential_spring;
+  double rolling_spring;
+  double adhesion;  ///< zero for particles far from each other
+};
+
 /// One pair in contact: normal motion by Pair, tangential and rolling spring over the time in
 /// contact. Pair is SpherePair, PlanePair or WellPair, which follow the motion exactly, or
 /// SampledPair or SampledWell. Everything that does not change from step to step is worked out
@@ -136,7 +144,7 @@ class CohesiveContact {
     const double lever_i = this->lever_i(square);
     const double lever_j = 1.0 - lever_i;
     const auto surface_velocity = [&](const Vector3& velocity, const PairMotion& of) {
-      return plane.part_in(velocity - cross(lever_i * of.spin_i + lever_j * of.spin_j, r));
+      return CohesiveContact::surface_velocity(plane, lever_i, velocity, of.spin_i, of.spin_j);
     };
     SpringVelocity u;
     u.before = surface_velocity(grid.relative.velocity + 0.5 * normal.change.velocity, grid);
@@ -170,7 +178,7 @@ class CohesiveContact {
     const contact::Plane plane{r, 1.0 / dot(r, r)};
     const double radius = rolling_radius();
     const auto rolling_velocity = [&](const Vector3& spin_i, const Vector3& spin_j) {
-      return radius * plane.part_in(spin_i - spin_j);
+      return CohesiveContact::rolling_velocity(plane, spin_i, spin_j);
     };
     const SpringStep step = follow_spring(
         tangential_.with_friction(rolling_friction_), normal, window_, plane, memory,
@@ -205,7 +213,47 @@ class CohesiveContact {
     return step.inside ? pair_.adhesion_energy(step.overlap_at_end) : 0.0;
   }
 
+  /// What is stored at the end of a step that left the pair with `motion`, its separation that of
+  /// the grid and all else that of the end, and on the grid `sliding` and `rolling` in the springs
+  /// (FrictionStep.memory, RollingStep.memory). `after` [time]: from the grid to the end, in which
+  /// the springs go on with their ends, as they are carried over it (spring_memory.h).
+  StoredEnergies stored(const PairMotion& motion, double after, bool inside, const Vector3& sliding,
+                        const Vector3& rolling) const {
+    const RelativeState& grid = motion.relative;
+    const contact::Plane on_grid{grid.separation, 1.0 / dot(grid.separation, grid.separation)};
+    // A wall is met along its normal; what is sampled, is where the grid is.
+    const Vector3 flight =
+        (acts_within_step ? after : 0.0) *
+        (j_.radius > 0.0 ? grid.velocity : grid.velocity - on_grid.part_in(grid.velocity));
+    const Vector3 r = grid.separation + flight;
+    const double square = dot(r, r);
+    const contact::Plane plane{r, 1.0 / square};
+    PairStep end;
+    end.overlap_at_end = i_.radius + j_.radius - std::sqrt(square);
+    end.inside = inside;
+    const auto spring = [&](const Vector3& memory, const Vector3& velocity) {
+      if (dot(memory, memory) == 0.0) return 0.0;
+      return friction_energy(plane.turned_into(memory) + after * velocity);
+    };
+    return {spring_energy(end),
+            spring(sliding, surface_velocity(plane, lever_i(square), grid.velocity, motion.spin_i,
+                                             motion.spin_j)),
+            spring(rolling, rolling_velocity(plane, motion.spin_i, motion.spin_j)),
+            adhesion_energy(end)};
+  }
+
  private:
+  /// How fast the surfaces part in the plane of contact, whose normal is the separation.
+  static Vector3 surface_velocity(const contact::Plane& plane, double lever_i,
+                                  const Vector3& velocity, const Vector3& spin_i,
+                                  const Vector3& spin_j) {
+    return plane.part_in(velocity -
+                         cross(lever_i * spin_i + (1.0 - lever_i) * spin_j, plane.normal));
+  }
+  Vector3 rolling_velocity(const contact::Plane& plane, const Vector3& spin_i,
+                           const Vector3& spin_j) const {
+    return rolling_radius() * plane.part_in(spin_i - spin_j);
+  }
   /// The lever arm of i as a part of the distance, whose square is given.
   double lever_i(double square) const {
     return j_.radius > 0.0 ? lever_i_ : i_.radius / std::sqrt(square);

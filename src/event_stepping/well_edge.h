@@ -14,6 +14,9 @@ class WellEdge : public WellPair {
   WellEdge(const contact::LinearSpringDashpot& spring, const contact::Adhesion& well,
            double contact_distance, double step)
       : WellPair(spring, well, contact_distance, 0.0, step) {}
+
+  /// Stored by what follows the contact.
+  double spring_energy(double /*overlap*/) const { return 0.0; }
 };
 
 }  // namespace cohesion::event_stepping

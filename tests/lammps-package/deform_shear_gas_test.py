@@ -5,7 +5,7 @@ import unittest
 import numpy
 
 import lammps_engine as engine
-from sheared_script import BOX, DUMP, HEAD, RATE, Shear, spheres
+from sheared_script import BOX, DUMP, HEAD, RATE, Shear, dense_gas, spheres
 
 
 class Profile(Shear):
@@ -99,11 +99,7 @@ class TallBox(Shear):
 class LongRuns(Shear):
     def test_no_particle_is_lost_and_no_momentum_gained(self):
         """A dense gas with friction and adhesion over a strain of 16, flips and all."""
-        random = numpy.random.default_rng(6)
-        grid = [numpy.arange(n) + 0.5 for n in (8, 6, 5)]
-        places = numpy.array(numpy.meshgrid(*grid)).reshape(3, -1).T * BOX / [8, 6, 5]
-        self.write([{"type": 1, "diameter": 1.0, "density": 1.0, "x": x,
-                     "v": random.normal(0, 0.5, 3)} for x in places])
+        self.write(dense_gas(6, 1.0))
         steps, dt = 8000, 0.002
         for ranks in (1, 2):
             with self.subTest(ranks=ranks):

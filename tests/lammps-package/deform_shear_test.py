@@ -7,7 +7,7 @@ import numpy
 
 import lammps_engine as engine
 from sheared_images import ShearedImages
-from sheared_script import BOX, DUMP, HEAD, RATE, Shear, sides_of, spheres
+from sheared_script import BOX, DUMP, HEAD, RATE, Shear, dense_gas, sides_of, spheres
 
 
 class FreeParticles(Shear):
@@ -158,13 +158,6 @@ class SplitRuns(Shear):
     GAS = (HEAD % {"dimension": 3, "skin": "0.3"} +
            "pair_style gran/hamaker\npair_coeff * * stiffness 2000 restitution 0.9 friction 0.3\n")
 
-    def gas(self):
-        random = numpy.random.default_rng(5)
-        grid = [numpy.arange(n) + 0.5 for n in (8, 6, 5)]
-        places = numpy.array(numpy.meshgrid(*grid)).reshape(3, -1).T * BOX / [8, 6, 5]
-        self.write([{"type": 1, "diameter": 0.9, "density": 1.0, "x": x,
-                     "v": random.normal(0, 0.5, 3)} for x in places])
-
     SHEAR = f"fix shear all deform/shear rate {RATE}\nfix move all nve/sphere\ntimestep 0.002\n"
 
     def assert_same(self, one, other, strain):
@@ -174,7 +167,7 @@ class SplitRuns(Shear):
     def test_split_and_restarted_runs_go_on_as_if_whole(self):
         # Every particle has a collision or two in the 600 steps after the split, of which each
         # multiplies a difference by 2 (path)/d = 10 or so: 1e-15 to 1e-12.
-        self.gas()
+        self.write(dense_gas(5, 0.9))
         self.run_script(self.GAS + self.SHEAR + DUMP % 500 + "restart 400 half.*\nrun 1000\n")
         whole = self.snapshots()[-1]
         self.assertGreater(numpy.abs(whole[:, 4]).max(), 1.0)

@@ -5,7 +5,8 @@ import unittest
 
 import lammps_engine as engine
 from couples import DAMPING, DIAMETER, MASS, STIFFNESS
-from square_well_scene import HEAD, MOVE, Scene, escape_velocity, words
+from one_sphere import HEAD, MOVE
+from square_well_scene import Scene, escape_velocity, words
 
 
 class Input(Scene):

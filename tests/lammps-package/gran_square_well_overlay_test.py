@@ -9,7 +9,8 @@ import cohesive_gas as gas
 import couples
 import lammps_engine as engine
 from couples import DAMPING, DIAMETER, MU, STIFFNESS
-from square_well_scene import HEAD, MOVE, T_C, Gas, relative, report, well_speed
+from one_sphere import HEAD, MOVE
+from square_well_scene import T_C, Gas, relative, report, well_speed
 
 
 class Overlay(Gas):

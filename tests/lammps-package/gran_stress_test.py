@@ -8,24 +8,11 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy
 
 import lammps_engine as engine
+from sheared_script import BOX, HEAD as SHEARED_HEAD, sides_of
 
-BOX = numpy.array([10.0, 8.0, 6.0])
 MASS = math.pi / 6  # of a sphere of diameter 1 and density 1
 MU = MASS / 2
-HEAD = """
-plugin load ${plugin}
-units lj
-dimension %(dimension)d
-atom_style sphere
-newton off
-boundary p p p
-comm_modify vel yes
-read_data data.spheres
-neighbor %(skin)g bin
-neigh_modify delay 0 every 1 check yes
-pair_style %(style)s
-pair_coeff * * %(pair)s
-"""
+HEAD = SHEARED_HEAD + "pair_style %(style)s\npair_coeff * * %(pair)s\n"
 PARTS = " ".join(f"c_stress[{row}][{k}]" for row in (1, 2) for k in range(1, 7))
 TAIL = """
 compute stress all gran/stress
@@ -49,10 +36,7 @@ def run(atoms, style, pair, dt, steps, every=1, dimension=3, fixes="", more="", 
         skin=0.3):
     """Totals (lines, 2, 6), columns of the thermo output, snapshots."""
     with engine.temporary_folder() as folder:
-        sides = [(0.0, side) for side in box]
-        if dimension == 2:
-            sides[2] = (-0.5, 0.5)
-        engine.write_spheres(folder, atoms, sides, 1, tilt=(0.0, 0.0, 0.0))
+        engine.write_spheres(folder, atoms, sides_of(box, dimension), 1, tilt=(0.0, 0.0, 0.0))
         code, output = engine.run_text(
             HEAD % {"dimension": dimension, "style": style, "pair": pair, "skin": skin} + fixes +
             "fix move all nve/sphere\n" + ("fix flat all enforce2d\n" if dimension == 2 else "") +

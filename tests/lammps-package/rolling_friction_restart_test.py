@@ -7,6 +7,7 @@ import numpy
 
 import couples
 import lammps_engine as engine
+import one_sphere
 from couples import CUT, DIAMETER, OUT, STIFFNESS
 from gran_hamaker_couple_test import T_C
 from rolling_balls import G, RADIUS, Rolling, ball, report
@@ -130,21 +131,7 @@ class Ended(Rolling):
 
 
 class Input(Rolling):
-    HEAD = """
-plugin load ${plugin}
-units si
-atom_style sphere
-boundary f f f
-newton off
-comm_modify vel yes
-region box block 0 0.01 0 0.01 0 0.01 units box
-create_box 1 box
-create_atoms 1 single 0.002 0.005 0.005 units box
-set group all diameter 1e-3 density 2650
-neighbor 1e-4 bin
-timestep 1e-6
-pair_style gran/hamaker
-"""
+    HEAD = one_sphere.HEAD + "timestep 1e-6\npair_style gran/hamaker\n"
     MOVE = "\nfix move all nve/sphere\nrun 1\n"
 
     def ends(self, text, code, lines=False):

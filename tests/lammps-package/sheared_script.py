@@ -43,6 +43,15 @@ def spheres(number, dimension, seed=1, speed=1.0, diameter=1.0):
     return atoms
 
 
+def dense_gas(seed, diameter):
+    """Spheres on a lattice that fills the box, with speeds of 0.5."""
+    random = numpy.random.default_rng(seed)
+    cells = [8, 6, 5]
+    places = numpy.array(numpy.meshgrid(*(numpy.arange(n) + 0.5 for n in cells))).reshape(3, -1).T
+    return [{"type": 1, "diameter": diameter, "density": 1.0, "x": x, "v": random.normal(0, 0.5, 3)}
+            for x in places * BOX / cells]
+
+
 def sides_of(box, dimension):
     return [(0.0, box[0]), (0.0, box[1]), (0.0, box[2]) if dimension == 3 else (-0.5, 0.5)]
 

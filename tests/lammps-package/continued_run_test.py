@@ -1,0 +1,176 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs of the event scheme that go on from the forces of another: the motion, and the energy book of compute
+gran/energy that is first looked at on their first line."""
+import math
+import sys
+import unittest
+
+import numpy
+
+import lammps_engine as engine
+from pair_motion import CONTACT_TIME, CUT, DIAMETER, MASS, OUT, STIFFNESS
+from script_test_case import ScriptTestCase
+
+DT = CONTACT_TIME / 20
+R = DIAMETER / 2
+SPEED = 0.05
+SPLIT, STEPS = 9, 40  # in the middle of a contact
+WELL = "well 1e-10 1.01"
+HAMAKER = f"hamaker 7.49e-19 cutoff {CUT} {OUT}"
+TANGENTIAL = 2 / 7 * STIFFNESS
+ADHESION = 7.49e-19 * R / 6 / CUT**2  # force at a wall; half of that between spheres
+RUBS = "friction 0.3 rolling_friction 0.1"
+CONTACT = f"stiffness {STIFFNESS} restitution 0.9"
+PERIOD = 40 * DT
+SPIN = numpy.array([300.0, 100.0, -200.0])
+
+STORED = ["c_book[3]", "c_book[4]", "c_book[12]", "c_book[5]"]  # springs, of which two tangential; adhesion
+MOTION = ["c_book[1]", "c_book[2]"]
+LOST = ["c_book[6]", "c_book[7]", "c_book[8]", "c_book[13]"]
+
+
+OVERLAY = (f"pair_style hybrid/overlay gran/hamaker square_well\npair_coeff * * gran/hamaker {CONTACT} {HAMAKER}\n"
+           "pair_coeff * * square_well 1e-10 1.01\n")
+
+
+def scene(style, words, oblique=0.0, scheme="event", walls="", x=5e-3):
+    """Two spheres that touch after four steps, or with `walls` one below which they are."""
+    way = 4 * DT * SPEED
+    v = SPEED * numpy.array([1.0, oblique, 0.5 * oblique])
+    atoms = [{"type": 1, "diameter": DIAMETER, "density": 2650.0, "omega": spin * oblique,
+              "x": ((x + side * (R + way)) % 0.01, 5e-3, 5e-3), "v": -side * v}
+             for side, spin in ((-1, SPIN), (1, 0.5 * SPIN))]
+    if walls:
+        atoms = [{**atoms[0], "x": (R + 2 * way, 5e-3, 5e-3), "v": -v}]
+    pair = f"pair_style gran/{style} scheme {scheme}\npair_coeff * * {CONTACT} {words}\n"
+    if walls:
+        pair += f"fix w all wall/gran/{style} scheme {scheme} {CONTACT} {words} {walls}\n"
+    return atoms, pair
+
+
+class ContinuedRun(ScriptTestCase):
+    def book(self, pair, runs, ranks=1, head="read_data data.spheres", boundary="p p p",
+             dt=DT):
+        """The lines of the last run, by name, and the end of the motion. COMPUTE in `runs` opens the book."""
+        opened = ("compute book all gran/energy\nthermo_style custom step c_book[*]\n"
+                  "thermo_modify norm no format float %.17g")
+        output = self.goes(f"""
+plugin load ${{plugin}}
+units si
+atom_style sphere
+newton off
+boundary {boundary}
+{head}
+comm_modify vel yes
+neighbor 1e-4 bin
+{pair}
+fix move all nve/sphere
+timestep {dt:.17g}
+thermo 1
+{runs.replace("COMPUTE", opened)}
+write_dump all custom end.txt id x y z vx vy vz omegax omegay omegaz modify format float %.17g sort id
+""", ranks=ranks)
+        names, rows = engine.thermo_lines(output)
+        return dict(zip(names, numpy.array(rows).T)), engine.dump(self.folder, "end.txt")
+
+    def check(self, atoms, pair, rubs=False, boundary="p p p"):
+        """What a book holds that is opened between two runs, or after a restart, against one that was there
+        from the start."""
+        engine.write_spheres(self.folder, atoms, 3 * [(0.0, 0.01)], 1)
+        whole, end = self.book(pair, f"COMPUTE\nrun {STEPS}", boundary=boundary)
+        whole = {name: values[SPLIT:] for name, values in whole.items()}
+        rest = STEPS - SPLIT
+        halves = f"run {SPLIT}\nCOMPUTE\nrun {rest}"
+        self.book(pair, f"run {SPLIT}\nwrite_restart restart.half", boundary=boundary)
+        kinetic = MASS * SPEED**2
+        # Places of 0.01 m, rounded to 2^-53, in some ten operations against a spring stretched by 2e-6 m at
+        # most; twice that for the file.
+        rounding = 20 * 2**-53 * 0.01 * STIFFNESS * 2e-6
+        self.assertLess(rounding, 1e-6 * kinetic)
+        ways = [("between runs", halves, {}),
+                ("from the first run on", f"COMPUTE\nrun {SPLIT}\nrun {rest}", {}),
+                ("after a run of no steps", halves.replace("COMPUTE", "run 0\nCOMPUTE"), {}),
+                ("restart", f"COMPUTE\nrun {rest}", {"head": "read_restart restart.half"})]
+        if rubs:
+            ways.append(("between runs, two ranks", halves, {"ranks": 2}))
+        for name, runs, options in ways:
+            with self.subTest(name):
+                book, again = self.book(pair, runs, boundary=boundary, **options)
+                # The places' rounding, times pi/t_c a speed, over R a spin; a force that is lost makes 1 1/s.
+                numpy.testing.assert_allclose(again, end, rtol=0,
+                                              atol=20 * 2**-53 * 0.01 * math.pi / CONTACT_TIME / R)
+                stored = numpy.array([book[key] - whole[key] for key in STORED])
+                moves = numpy.array([book[key] - whole[key] for key in MOTION])
+                room = numpy.full(4, rounding)
+                if rubs:
+                    # Friction moves what the normal motion has left, along the plane of contact of mid-step:
+                    # in the half step after the grid the normal turns by v dt/(2 R), and surfaces fly
+                    # u dt/2; their places are known up to the product.
+                    v = 3 * SPEED  # of either against the other, at most
+                    turned = 0.25 * v * (v + 1.5 * R * numpy.linalg.norm(SPIN)) * DT**2 / R
+                    room[:3] += [math.sqrt(2 * k * whole[key][0]) * turned
+                                 for k, key in zip((STIFFNESS, TANGENTIAL, TANGENTIAL), STORED)]
+                    room[3] += ADHESION * turned
+                self.assertTrue((abs(stored[:, 0]) < room).all(), (stored[:, 0], room))
+                self.assertLess(abs(moves[:, 0]).max(), rounding)
+                self.assertGreater(abs(numpy.array([whole[key][0] for key in STORED])).max(), 1e3 * rounding)
+                # From the second line on all is as it was; the residual counts from the opening.
+                self.assertLess(max(abs(stored[:, 1:]).max(), abs(moves[:, 1:]).max()), rounding)
+                lost = numpy.array([book[key] - whole[key] + whole[key][0] - book[key][0] for key in LOST])
+                self.assertLess(abs(lost).max(), rounding)
+                missing = book["c_book[10]"] - book["c_book[10]"][0]
+                self.assertLess(abs(missing - whole["c_book[10]"] + whole["c_book[10]"][0]).max(),
+                                room.sum() + 4 * rounding)
+        return whole
+
+    def test_head_on(self):
+        for name, options in (("hamaker", {"words": HAMAKER}), ("square_well", {"words": WELL}),
+                              ("hamaker", {"words": HAMAKER, "x": 0.0}),
+                              ("hamaker", {"words": HAMAKER, "x": 0.0, "scheme": "sampled"})):
+            with self.subTest(name, **options):
+                self.check(*scene(name, **options))
+
+    def test_well_over_a_contact(self):
+        self.check(scene("hamaker", "")[0], OVERLAY)
+
+    def test_with_friction(self):
+        for name, words in (("hamaker", HAMAKER), ("square_well", WELL)):
+            with self.subTest(name):
+                whole = self.check(*scene(name, f"{words} {RUBS}", oblique=1.0, x=0.0), rubs=True)
+                for key in STORED:
+                    self.assertNotEqual(whole[key][0], 0.0)
+
+    def test_moving_walls(self):
+        for words, oblique in ((HAMAKER, 0.0), (f"{HAMAKER} {RUBS}", 1.0)):
+            with self.subTest(words):
+                self.check(*scene("hamaker", words, oblique, walls=f"xplane 0 NULL wiggle x 1e-7 {PERIOD:.17g}"),
+                           rubs=oblique > 0, boundary="f p p")
+
+    def test_packing(self):
+        """What the splitting of one step leaves where each sphere has up to six contacts: second order in the
+        step, of the energies of all springs and of the adhesion."""
+        random = numpy.random.default_rng(3)
+        places = R + 0.998 * DIAMETER * numpy.arange(6)
+        engine.write_spheres(self.folder, [
+            {"type": 1, "diameter": DIAMETER, "density": 2650.0, "x": x, "v": random.uniform(-SPEED, SPEED, 3),
+             "omega": random.uniform(-50, 50, 3)}
+            for x in numpy.array(numpy.meshgrid(places, places, places)).reshape(3, -1).T], 3 * [(0.0, 0.006)], 1)
+        for rubs in ("", RUBS):
+            words = f"{CONTACT} {HAMAKER} {rubs}"
+            pair = (f"pair_style gran/hamaker\npair_coeff * * {words}\nfix w all wall/gran/hamaker {words} "
+                    "xplane 0 0.006 yplane 0 0.006 zplane 0 NULL\nfix g all gravity 9.81 vector 0 0 -1\n")
+            apart = []
+            for part in (5, 20):
+                last, first = ({name: values[-1] for name, values in self.book(
+                    pair, f"COMPUTE\nrun {6 * part}\n{more}", boundary="f f f", dt=CONTACT_TIME / part)[0].items()}
+                               for more in ("", "run 0"))
+                for key in MOTION:
+                    self.assertEqual(first[key], last[key])
+                apart.append(sum(abs(first[key] - last[key]) for key in STORED) / last["c_book[3]"])
+                print(f"packing {rubs}: t_c/{part}: {apart[-1]:.1e} of the springs", file=sys.stderr)
+            # Between the 4 of first order and the 16 of second.
+            self.assertLess(apart[1], apart[0] / 8)
+
+
+if __name__ == "__main__":
+    unittest.main()
