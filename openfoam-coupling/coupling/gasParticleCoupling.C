@@ -4,7 +4,6 @@
 
 #include "clockTime.H"
 
-#include "drag/momentum_exchange.h"
 #include "sphere.h"
 #include "void_fraction/void_fraction.h"
 
@@ -47,85 +46,6 @@ void Foam::gasParticleCoupling::setVoidFraction()
 }
 
 
-Foam::List<Foam::vector> Foam::gasParticleCoupling::pendingImpulse() const
-{
-    const drag::GasOnParticle* gas = engine_->gas();
-    List<vector> pending(engine_->particles().count);
-    forAll(pending, i)
-    {
-        const auto& impulse = gas[i].drag_impulse;
-        pending[i] = vector(impulse[0], impulse[1], impulse[2]);
-    }
-    return pending;
-}
-
-
-void Foam::gasParticleCoupling::setDrag(const volVectorField& U)
-{
-    const scalar dt = mesh_.time().deltaTValue();
-    const auto particles = engine_->particles();
-    const auto velocity = engineView(particles.velocity, particles.count);
-    gasAt_.set(voidFraction_, U, averaging_);
-    // That of the particle's cells, with either slip
-    scalarField rho(particles.count, rho_);
-    if (density_.ideal())
-    {
-        rho *= averaging_.gather(density_.ratio().primitiveField());
-    }
-
-    coefficient_.setSize(particles.count);
-    charged_.setSize(particles.count);
-    forAll(coefficient_, i)
-    {
-        coefficient_[i] = drag_.coefficient
-        (
-            gasAt_.voidFraction()[i],
-            mag(gasAt_.velocity()[i] - velocity[i]),
-            particles.radius[i],
-            rho[i]
-        )*form_.drag_over_a(gasAt_.voidFraction()[i]);
-        charged_[i] = drag_.charged(coefficient_[i], particles.mass[i], dt);
-        drag_.lookAtStep
-        (
-            gasAt_.voidFraction()[i],
-            coefficient_[i],
-            particles.radius[i],
-            particles.mass[i],
-            rho[i],
-            dt
-        );
-    }
-    drag_.endStep(particles.count);
-
-    // The slip is U of the particle's cells less the particle's velocity less the offset.
-    const List<vector> pending(pendingImpulse());
-    const vectorField& offset = gasAt_.offset();
-    vectorField charge(particles.count);
-    forAll(charge, i)
-    {
-        for (direction d = 0; d < 3; ++d)
-        {
-            charge[i][d] = drag::source_on_gas
-            (
-                charged_[i],
-                velocity[i][d],
-                offset[i][d],
-                pending[i][d],
-                dt
-            );
-        }
-    }
-    const scalarField rate(averaging_.spread(charged_));
-    const vectorField source(averaging_.spread(charge));
-    forAll(rate, celli)
-    {
-        const scalar perGasMass = 1/(volume(celli)*rho_);
-        dragRate_.field()[celli] = rate[celli]*perGasMass;
-        dragSource_.field()[celli] = source[celli]*perGasMass;
-    }
-}
-
-
 Foam::scalar Foam::gasParticleCoupling::crossings() const
 {
     const auto particles = engine_->particles();
@@ -165,7 +85,8 @@ void Foam::gasParticleCoupling::depositParticles(const volVectorField& U)
         locateParticles();
     }
     setVoidFraction();
-    setDrag(U);
+    setCoefficients(U);
+    setSources();
     seconds_.exchange += timer.elapsedTime();
 }
 
@@ -190,29 +111,6 @@ void Foam::gasParticleCoupling::warnOfWaves(const volScalarField& nu)
             ofCells[celli] /= volume(celli);
         }
         waves_.look(ofCells, voidFraction_, nu, step_->subSteps());
-    }
-}
-
-
-void Foam::gasParticleCoupling::handOver
-(
-    const UList<vector>& gasVelocity,
-    const UList<vector>& pressureGradient
-)
-{
-    const scalar dt = mesh_.time().deltaTValue();
-    const auto velocity = engine_->particles().velocity;
-    drag::GasOnParticle* gas = engine_->gas();
-    forAll(coefficient_, i)
-    {
-        gas[i].drag_coefficient = coefficient_[i];
-        for (direction d = 0; d < 3; ++d)
-        {
-            gas[i].velocity[d] = gasVelocity[i][d];
-            gas[i].pressure_gradient[d] = pressureGradient[i][d];
-            gas[i].drag_impulse[d] =
-                -drag::impulse_charged(charged_[i], gasVelocity[i][d], velocity[i][d], dt);
-        }
     }
 }
 

@@ -70,18 +70,21 @@ void Foam::gasParticleCoupling::reportBalance
 
     // The gas, from the terms of its own equation. Of the mixture's eps rho g - grad p it takes
     // s (rho g - grad p); the rest is what the particles must have been given.
-    const scalarField& share = pressureShare();
     vector gasDrag = Zero;
     vector gasPressure = Zero;
     scalar solidDeposited = 0;
     forAll(U, celli)
     {
+        const scalar share = form_.gas_takes_all ? 1 : voidFraction_[celli];
         gasDrag +=
-            (dragSource_[celli] - dragRate_[celli]*U[celli])*rho_*volume(celli)*dt;
+            (
+                (dragSource_[celli] - dragRate_[celli]*U[celli])*rho_
+              - handedOnShare_[celli]*gradP[celli]
+            )*volume(celli)*dt;
         gasPressure +=
             (
-                (1 - share[celli])*gradP[celli]
-              + (share[celli] - voidFraction_[celli])*rho_*density_.ratio(celli)*g_
+                (1 - share)*gradP[celli]
+              + (share - voidFraction_[celli])*rho_*density_.ratio(celli)*g_
             )*volume(celli)*dt;
         solidDeposited += (1 - voidFraction_[celli])*volume(celli);
     }

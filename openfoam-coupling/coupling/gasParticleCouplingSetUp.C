@@ -6,6 +6,7 @@
 #include "OStringStream.H"
 #include "UPstream.H"
 #include "wedgePolyPatch.H"
+#include "zeroGradientFvPatchFields.H"
 
 #include "completeState.H"
 
@@ -71,6 +72,7 @@ Foam::gasParticleCoupling::gasParticleCoupling
     minVoidFraction_(dict_.found("minVoidFraction") ? readPositive(dict_, "minVoidFraction") : 0.2),
     depthRatio_(1),
     averaging_(mesh, dict_),
+    feltPressure_(continued()),
     voidFraction_
     (
         IOobject
@@ -83,13 +85,20 @@ Foam::gasParticleCoupling::gasParticleCoupling
         ),
         mesh
     ),
-    one_
+    waves_(mesh, density),
+    handedOnShare_
     (
-        IOobject("one", mesh.time().timeName(), mesh),
+        IOobject("handedOnShare", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedScalar(dimless, Zero),
+        zeroGradientFvPatchScalarField::typeName
+    ),
+    pressureShare_
+    (
+        IOobject("pressureShare", mesh.time().timeName(), mesh),
         mesh,
         dimensionedScalar("one", dimless, 1)
     ),
-    waves_(mesh, density),
     dragRate_
     (
         IOobject("dragRate", mesh.time().timeName(), mesh),

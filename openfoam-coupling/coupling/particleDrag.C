@@ -8,6 +8,7 @@
 #include "selectRow.H"
 
 #include "drag/exchange_error.h"
+#include "drag/pressure_waves.h"
 #include "sphere.h"
 
 #include <sstream>
@@ -16,10 +17,6 @@ using namespace cohesion;
 
 namespace
 {
-
-// 1 itself is that of no drag at all.
-constexpr double pressureGrows = 1 + 1e-6;
-
 
 drag::DragLaw readLaw(const Foam::dictionary& dict)
 {
@@ -112,12 +109,12 @@ void Foam::particleDrag::lookAtStep
     }
     if (feelPressure_ && !warnedOfPressure_)
     {
-        const scalar growth = drag::pressure_growth(step, voidFraction, response_.free);
-        pressureGrowth_ = max(pressureGrowth_, growth);
-        if (growth > pressureGrows)
+        const scalar drive = drag::pressure_drive(step, voidFraction);
+        if (drive > pressureDrive_)
         {
-            const scalar longest = drag::longest_pressure_step(voidFraction, response_.free);
-            pressureStep_ = min(pressureStep_, longest/step*dt);
+            pressureDrive_ = drive;
+            driveStep_ = step;
+            driveVoidFraction_ = voidFraction;
         }
     }
 }
@@ -163,25 +160,36 @@ void Foam::particleDrag::warnOfGrowth()
 }
 
 
-void Foam::particleDrag::warnOfPressure()
+void Foam::particleDrag::warnOfPressure(const scalar dt, const label engineSteps)
 {
-    reduce(pressureGrowth_, maxOp<scalar>());
-    reduce(pressureStep_, minOp<scalar>());
-    if (pressureGrowth_ > pressureGrows)
+    scalar growth = 0;
+    scalar longest = GREAT;
+    if (pressureDrive_ > 0)
+    {
+        const drag::PressureStep wave{driveStep_, driveVoidFraction_, scalar(engineSteps), response_.free};
+        if (drag::pressure_waves_grow(wave))
+        {
+            growth = drag::pressure_growth(wave);
+            longest = drag::longest_pressure_step(wave)/driveStep_*dt;
+        }
+    }
+    reduce(growth, maxOp<scalar>());
+    reduce(longest, minOp<scalar>());
+    if (growth > 1)
     {
         WarningInFunction
-            << "in form A, where particles are so dense and follow the gas so fast, pressure and particles"
-            << " that are free to move would swing against each other and grow by a factor of "
-            << pressureGrowth_ << " in a gas step; particles that touch others hold them back. 'form B;' in"
-            << " constant/couplingProperties cures it, or a deltaT below " << pressureStep_ << " s, as void"
-            << " fractions and drag are now; this is said once" << endl;
+            << "in form A, where particles are so dense and follow the gas so fast, waves of particles that"
+            << " nothing holds would swing against the pressure and grow by a factor of " << growth
+            << " in a gas step; particles that touch others hold them back. A deltaT below " << longest
+            << " s cures it, as void fractions and drag are now and with as many particle steps in it, or"
+            << " 'form B;' in constant/couplingProperties; this is said once" << endl;
         warnedOfPressure_ = true;
     }
-    pressureGrowth_ = 0;
+    pressureDrive_ = 0;
 }
 
 
-void Foam::particleDrag::endStep(const label n)
+void Foam::particleDrag::endStep(const label n, const scalar dt, const label engineSteps)
 {
     evaluations_ += n;
     if (response_.free && !warnedOfGrowth_)
@@ -190,7 +198,7 @@ void Foam::particleDrag::endStep(const label n)
     }
     if (feelPressure_ && !warnedOfPressure_)
     {
-        warnOfPressure();
+        warnOfPressure(dt, engineSteps);
     }
     if (!warnedOfStep_)
     {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cmath>
-#include <limits>
 
 namespace cohesion::drag {
 
@@ -32,52 +31,6 @@ inline double exchange_error(double step, double loading, bool free) {
 inline double held_growth(double step, double loading) {
   const double gain = -std::expm1(-step);
   return std::abs(1.0 - loading * (step - gain)) / (1.0 + loading * gain);
-}
-
-/// Growth in a step, [1], of what pressure and particles that are free to move can do in form A
-/// while the gas's flux stays as it is: the particles take the share 1 - eps of the pressure
-/// gradient and hand it to the gas by drag, which the gas is charged with a step late.
-///
-/// With k = (1 - eps)/eps and, per particle of mass 1, the velocity v, what is pending q, the
-/// impulse P that the pressure takes from the particle and the charged coefficient c (x, or g when
-/// particles are taken to follow), g = 1 - exp(-x), a step is
-///   P' = k (c v - q),  v' = exp(-x) v - g/x P',  q' = v' - v + P' + c v,
-/// and this is its spectral radius. It is below 1 for short steps, and goes to k + sqrt(k^2 + k)
-/// for stiff ones, k with particles that follow: above 1 where eps is below 3/4, or 1/2.
-///
-/// step x [1] >= 0, void fraction in (0, 1].
-inline double pressure_growth(double step, double void_fraction, bool free) {
-  if (step == 0.0) return 1.0;
-  const double k = (1.0 - void_fraction) / void_fraction;
-  const double gain = -std::expm1(-step);
-  const double mean = gain / step;
-  const double charged = free ? gain : step;
-  const double stays = 1.0 - gain;
-  const double half_trace = 0.5 * (stays - mean * k * charged - k * (1.0 - mean));
-  const double determinant = -k * ((1.0 - mean) * stays + mean * (charged - gain));
-  const double root = half_trace * half_trace - determinant;
-  return root < 0.0 ? std::sqrt(determinant) : std::abs(half_trace) + std::sqrt(root);
-}
-
-/// The x, [1], up to which pressure_growth() is at most 1; infinite where stiff steps do not grow.
-///
-/// void fraction in (0, 1].
-inline double longest_pressure_step(double void_fraction, bool free) {
-  double low = 0.0, high = 1.0;
-  // Drag is as stiff as it can be: exp(-x) is lost in 1.
-  constexpr double stiff = 1e9;
-  // 1 itself is that of no drag at all, and of stiff drag on the limit.
-  constexpr double stable = 1.0 + 1e-6;
-  while (pressure_growth(high, void_fraction, free) <= stable) {
-    if (high > stiff) return std::numeric_limits<double>::infinity();
-    low = high;
-    high *= 2.0;
-  }
-  while (high - low > 1e-6 * high) {
-    const double middle = 0.5 * (low + high);
-    (pressure_growth(middle, void_fraction, free) <= stable ? low : high) = middle;
-  }
-  return low;
 }
 
 /// x of a step: dt over the time m/b in which a particle follows the gas, [1]. coefficient b

@@ -15,14 +15,23 @@
 /// b (u - v) with its own velocity as it changes: what it feels less what the gas was charged with
 /// is pending in the next step. c is b or less (Response).
 ///
+/// In form A the particle also feels -V_p grad p, and hands the share 1 - phi of it on to the gas
+/// by drag within the step (particle_drag.h). The step charges the gas with that, too, grad p its
+/// own, implicit: W grad p with W = (1 - phi) V_p. Charged a step late, pressure and particles
+/// would swing against each other, and grow. A particle that feels nothing but gas then leaves
+/// nothing pending when it is taken to follow. One that is taken to keep its velocity is held by
+/// something that has borne the pressure of the step before, so it is charged with the change,
+/// W (grad p - grad p_last). Nothing is left of it in a steady flow. What that does to waves and
+/// held particles: pressure_waves.h.
+///
 /// coefficient c [force time/length]; velocities [length/time]; pending [force time]; dt [time].
 namespace cohesion::drag {
 
 /// What the gas step takes the particles to do meanwhile: keep their velocity, c = b, which is
-/// stable whatever they do, but for dense ones in form A (pressure_growth(), exchange_error.h); or
-/// follow the gas as a particle does that feels nothing else, c = b phi(b dt/m) (particle_drag.h).
-/// Then gas and free particles find their common velocity at once, but particles that are held, by
-/// others for instance, leave the share b - c of their drag pending.
+/// stable whatever they do, but for waves of dense ones in form A (pressure_waves.h); or follow the
+/// gas as a particle does that feels nothing else, c = b phi(b dt/m) (particle_drag.h). Then gas
+/// and free particles find their common velocity at once, but particles that are held, by others
+/// for instance, leave the share b - c of their drag pending.
 struct Response {
   std::string_view name;
   bool free;
@@ -33,6 +42,18 @@ inline constexpr std::array responses{Response{"held", false}, Response{"free", 
 /// [time].
 inline double charged_coefficient(double coefficient, double mass, double dt, bool free) {
   return free ? ParticleDrag(coefficient, mass, dt).force(1.0, 0.0) : coefficient;
+}
+
+/// W [length^3] of a particle of `volume` V_p [length^3], with the coefficient b [force
+/// time/length], mass [mass] and a gas step dt [time].
+inline double handed_on_volume(double coefficient, double mass, double volume, double dt) {
+  return -ParticleDrag(coefficient, mass, dt).force(0.0, volume);
+}
+
+/// The part of the charge W (grad p - grad p_last) that is known before the step, as a force on the
+/// gas, [force]; W [length^3], the gradient that the particle has felt last [force/length^3].
+inline double last_pressure_on_gas(double handed_on, double last_gradient, bool free) {
+  return free ? 0.0 : handed_on * last_gradient;
 }
 
 /// S of the force S - c U on the gas, [force].

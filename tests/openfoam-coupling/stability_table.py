@@ -49,7 +49,7 @@ they resolve, and below 0.01 at the end. *off*: by so much at the end, too; so i
 is more than 0.01 above the first. *warned*: the solver said that the gas
 step is too long, or what would grow in it. *refused*: it stopped, and said why. *unstable*: an error is no number, or
 the energy is more than 0.01 above the first. *crashed*: it ended in another way, with the engine's reason or the last
-words of the solver; "Lost atoms" are spheres that were thrown out of the box. In form A pressure and free particles
+words of the solver; "Lost atoms" are spheres that were thrown out of the box. In form A waves of dense free particles
 that follow the gas within a step do that ([stiff drag](cohesiveBedFoam.md)).
 
 ## Light spheres in viscous gas
@@ -108,7 +108,7 @@ def label(s):
 
 
 def warned(log):
-    said = ("the gas step is", "would grow by a factor", "would swing against each other")
+    said = ("the gas step is", "would grow by a factor", "would swing against the pressure")
     return any(words in log for words in said)
 
 

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "drag/momentum_exchange.h"
+
+namespace cohesion::drag {
+
+/// Waves of free particles in a gas step in form A: what they displace moves the gas, drag moves
+/// the particles with it, and the pressure that it takes to move the gas against them moves them,
+/// too.
+///
+/// Of a wave that all cells see, gas whose own inertia and viscosity are little beside the drag,
+/// and per particle of mass 1 and volume 1 in a step 1, so that b is x and n = 1 - eps: with the
+/// gas velocity u, the velocity h of the particles at the start of a step, their mean velocity d in
+/// it, and g = grad p/x, a gas step with S steps of the particles is (momentum_exchange.h)
+///   u' = -(n/eps) d
+///   eps x g = -n (c (u - h) + Q + (1 - phi) x (g - r g_last))
+///   d = V + m (h - V),  h' = V + E (h - V),  V = u - g
+///   Q' = h' - h + x g - c (u - h) - (1 - phi) x (g - r g_last)
+/// with E = exp(-x), m = (1 - E)/(S (1 - exp(-x/S))), phi = (1 - E)/x, Q what is pending; c = x and
+/// r = 1 with particles taken to keep their velocity, c = x phi and r = 0 with those taken to
+/// follow. Here h is that of leapfrog, half a step of the particles ahead; with many of
+/// them in a gas step that is nothing.
+///
+/// Where the gas's flux stays, u = 0, stiff drag leaves nothing. Held particles, h = d = V = 0 and
+/// x g in the last equation not there, have (eps + a) L^2 - (1 + r) a L + r a = 0 for the factor L
+/// of a step, a = n (1 - phi): sqrt(a/(eps + a)) or a/(eps + a) in size, below 1 always. Without
+/// 1 - phi in the charges free particles have k + sqrt(k^2 + k), k = n/eps, or k, when drag is
+/// stiff.
+///
+/// What is left is that the particles displace gas a step late. With stiff drag, L is below -1
+/// where
+///   (n/eps) (1 + 4 r n) (1 - 2/S) > 1,
+/// below an eps of 0.69 for many steps of the particles and r = 1, and of 0.5 for r = 0.
+struct PressureStep {
+  double step;           ///< x = b dt/m [1] > 0
+  double void_fraction;  ///< eps [1], in (0, 1]
+  double engine_steps;   ///< S [1] >= 1
+  bool free;             ///< whether the gas step takes particles to follow (Response)
+};
+
+/// h, d, g and Q/x of a wave
+using PressureWave = std::array<double, 4>;
+
+/// The wave after a step.
+inline PressureWave advanced(const PressureStep& step, const PressureWave& wave) {
+  const auto [h, displaced, last, pending] = wave;
+  const double x = step.step, eps = step.void_fraction, n = 1.0 - eps;
+  const double gain = -std::expm1(-x);
+  const double sampled = gain / (step.engine_steps * -std::expm1(-x / step.engine_steps));
+  const double charged = step.free ? gain / x : 1.0;
+  const double handed_on = handed_on_volume(x, 1.0, 1.0, 1.0);
+  const double before = step.free ? 0.0 : handed_on * last;
+
+  const double u = -n / eps * displaced;
+  const double by_slip = charged * (u - h);
+  const double g = -n * (by_slip + pending - before) / (eps + n * handed_on);
+  const double slip = h - (u - g);
+  const double felt = g - gain / x * slip;
+  return {h - gain * slip, u - g + sampled * slip, g, felt - by_slip - handed_on * g + before};
+}
+
+/// Growth in a step, [1], of the wave that grows fastest, to 1e-6: the spectral radius of a step,
+/// by squares of it (I. Gelfand, 1941).
+inline double pressure_growth(const PressureStep& step) {
+  using Matrix = std::array<PressureWave, 4>;
+  // Row by row what a step makes of each of the four: transposed, with the same radius.
+  Matrix power{};
+  for (std::size_t i = 0; i < 4; i++) {
+    PressureWave one{};
+    one[i] = 1.0;
+    power[i] = advanced(step, one);
+  }
+  // The size of the power 2^k is that of the radius to 2^k, but for some 2^k at most.
+  constexpr int squares = 26;
+  double log_radius = 0.0, share = 1.0;
+  for (int k = 0; k <= squares; k++) {
+    double size = 0.0;
+    for (const auto& row : power)
+      for (const double value : row) size = std::max(size, std::abs(value));
+    if (size == 0.0) return 0.0;
+    log_radius += share * std::log(size);
+    share *= 0.5;
+    for (auto& row : power)
+      for (double& value : row) value = std::abs(value) > 1e-150 * size ? value / size : 0.0;
+    Matrix square{};
+    for (std::size_t i = 0; i < 4; i++)
+      for (std::size_t j = 0; j < 4; j++)
+        for (std::size_t l = 0; l < 4; l++) square[i][j] += power[i][l] * power[l][j];
+    power = square;
+  }
+  return std::exp(log_radius);
+}
+
+/// Whether waves grow: by more than what is left of 1 in rounding.
+inline bool pressure_waves_grow(const PressureStep& step) {
+  return pressure_growth(step) > 1.0 + 1e-5;
+}
+
+/// The longest x, [1] to 1e-3 of it, up to which nothing grows with as many steps of the particles;
+/// that of `step` itself when nothing grows in it.
+inline double longest_pressure_step(const PressureStep& step) {
+  const auto grows = [&step](double x) {
+    return pressure_waves_grow({x, step.void_fraction, step.engine_steps, step.free});
+  };
+  if (!grows(step.step)) return step.step;
+  double low = 0.0, high = std::min(step.step, 1e-3);
+  while (!grows(high)) {
+    low = high;
+    high = std::min(step.step, 1.1 * high);
+  }
+  while (high - low > 1e-3 * high) {
+    const double middle = 0.5 * (low + high);
+    (grows(middle) ? high : low) = middle;
+  }
+  return low;
+}
+
+/// How much of what makes waves grow there is, [1], to find out where they grow most: what the
+/// particles displace and what they hand on.
+inline double pressure_drive(double step, double void_fraction) {
+  return (1.0 - void_fraction) / void_fraction * handed_on_volume(step, 1.0, 1.0, 1.0);
+}
+
+}  // namespace cohesion::drag
