@@ -5,7 +5,6 @@
 #include "OSspecific.H"
 #include "OStringStream.H"
 #include "UPstream.H"
-#include "wedgePolyPatch.H"
 #include "zeroGradientFvPatchFields.H"
 
 #include "completeState.H"
@@ -13,6 +12,7 @@
 #include "dem-engines/load_dem_engine.h"
 
 #include "readPositive.H"
+#include "refusePatches.H"
 #include "sayParticles.H"
 #include "selectRow.H"
 
@@ -112,7 +112,7 @@ Foam::gasParticleCoupling::gasParticleCoupling
         dimensionedVector(dimAcceleration, Zero)
     )
 {
-    refuseWedges();
+    refusePatches(mesh_, dict_);
     setDepthRatio();
     makeEngine();
     checkUnitsAndBox();
@@ -127,21 +127,6 @@ Foam::gasParticleCoupling::gasParticleCoupling
         setVoidFraction();
     }
     voidFraction_.oldTime();
-}
-
-
-void Foam::gasParticleCoupling::refuseWedges() const
-{
-    for (const polyPatch& patch : mesh_.boundaryMesh())
-    {
-        if (isA<wedgePolyPatch>(patch))
-        {
-            FatalIOErrorInFunction(dict_)
-                << "patch " << patch.name() << " of constant/polyMesh/boundary is a wedge, and cells that thin"
-                << " out towards an axis cannot hold spheres: make a 3-D mesh, or a plane one of one layer of"
-                << " cells between patches of type empty" << exit(FatalIOError);
-        }
-    }
 }
 
 
