@@ -50,16 +50,16 @@ Foam::scalar Foam::gasParticleCoupling::crossings() const
 {
     const auto particles = engine_->particles();
     const particleExchange& exchange = averaging_.exchange();
-    const List<vector> velocities(exchange.toParts(engineView(particles.velocity, particles.count)));
     scalar largest = 0;
-    forAll(velocities, k)
+    const auto look = [&](const label k, const vector& velocity)
     {
         const label celli = exchange.cells()[k];
         if (celli >= 0)
         {
-            largest = max(largest, mag(velocities[k])/std::cbrt(mesh_.V()[celli]));
+            largest = max(largest, mag(velocity)/std::cbrt(mesh_.V()[celli]));
         }
-    }
+    };
+    exchange.visitParts(engineView(particles.velocity, particles.count), look);
     return returnReduce(largest, maxOp<scalar>());
 }
 
@@ -93,25 +93,27 @@ void Foam::gasParticleCoupling::depositParticles(const volVectorField& U)
 
 void Foam::gasParticleCoupling::warnOfWaves(const volScalarField& nu)
 {
+    const clockTime timer;
     const auto particles = engine_->particles();
-    scalarField solidVolume(particles.count);
-    scalar lightest = 0;
-    forAll(solidVolume, i)
+    scalarField volumePerDensity(particles.count);
+    scalar ofLightest = 0;
+    forAll(volumePerDensity, i)
     {
-        const scalar particle = sphere_volume(particles.radius[i]);
-        const scalar volumePerMass = particle/particles.mass[i];
-        solidVolume[i] = particle*volumePerMass;
-        lightest = max(lightest, volumePerMass);
+        const scalar volume = sphere_volume(particles.radius[i]);
+        const scalar perDensity = volume/particles.mass[i];
+        volumePerDensity[i] = volume*perDensity;
+        ofLightest = max(ofLightest, perDensity);
     }
-    if (waves_.mayGrow(lightest, voidFraction_, nu))
+    if (waves_.mayGrow(ofLightest, voidFraction_, nu))
     {
-        scalarField ofCells(averaging_.spread(solidVolume));
+        scalarField ofCells(averaging_.spread(volumePerDensity));
         forAll(ofCells, celli)
         {
             ofCells[celli] /= volume(celli);
         }
         waves_.look(ofCells, voidFraction_, nu, step_->subSteps());
     }
+    seconds_.exchange += timer.elapsedTime();
 }
 
 

@@ -7,6 +7,7 @@
 #include "processorCyclicPolyPatch.H"
 #include "triPointRef.H"
 
+#include <algorithm>
 #include <limits>
 
 using namespace cohesion;
@@ -107,6 +108,37 @@ Foam::meshCells::meshCells(const polyMesh& mesh, const void_fraction::Kernel& ke
 }
 
 
+bool Foam::meshCells::isBox(const label celli, const boundBox& around) const
+{
+    // Of a convex cell as large as the box around it a corner or an edge may still be missing, as far as the
+    // root of what is missing of the volume: then a face lies in none of the box's sides.
+    constexpr scalar off = 1e-9;
+    const auto liesIn = [&](const face& f, const direction d, const scalar side)
+    {
+        const auto near = [&](const label pointi)
+        {
+            return mag(mesh_.points()[pointi][d] - side) <= off*around.span()[d];
+        };
+        return std::all_of(f.begin(), f.end(), near);
+    };
+    const auto inAnySide = [&](const label facei)
+    {
+        const face& f = mesh_.faces()[facei];
+        for (direction d = 0; d < 3; ++d)
+        {
+            if (liesIn(f, d, around.min()[d]) || liesIn(f, d, around.max()[d]))
+            {
+                return true;
+            }
+        }
+        return false;
+    };
+    const cell& faces = mesh_.cells()[celli];
+    return mesh_.cellVolumes()[celli] > (1 - off)*around.volume()
+     && std::all_of(faces.begin(), faces.end(), inAnySide);
+}
+
+
 std::vector<void_fraction::Box> Foam::meshCells::boxes()
 {
     std::vector<void_fraction::Box> boxes(mesh_.nCells());
@@ -114,8 +146,8 @@ std::vector<void_fraction::Box> Foam::meshCells::boxes()
     forAll(isBox_, celli)
     {
         boundBox bounds(mesh_.cells()[celli].points(mesh_.faces(), mesh_.points()), false);
-        // A convex cell as large as the box around it is that box.
-        isBox_[celli] = mesh_.cellVolumes()[celli] > (1 - 1e-9)*bounds.volume();
+        isBox_[celli] = isBox(celli, bounds);
+        anyBox_ = anyBox_ || isBox_[celli];
         for (direction d = 0; d < 3; ++d)
         {
             if (mesh_.geometricD()[d] < 0)
@@ -173,7 +205,7 @@ Foam::label Foam::meshCells::boxHolding(const point& position) const
 
 Foam::label Foam::meshCells::holding(const point& position) const
 {
-    const label box = boxHolding(position);
+    const label box = anyBox_ ? boxHolding(position) : -1;
     return box >= 0 ? box : search_.findCell(position, -1, true);
 }
 

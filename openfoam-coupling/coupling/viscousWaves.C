@@ -2,6 +2,7 @@
 #include "viscousWaves.H"
 
 #include "PstreamReduceOps.H"
+#include "cyclicPolyPatch.H"
 #include "messageStream.H"
 #include "surfaceFields.H"
 
@@ -17,6 +18,15 @@ namespace
 
 // 1 itself is that of a wave that stays as it is.
 constexpr double grows = 1 + 1e-6;
+
+
+//- Whether the cell behind a patch's face is that before it: across a periodic direction of one cell
+bool leadsBack(const Foam::polyPatch& patch, const Foam::label facei)
+{
+    return Foam::isA<Foam::cyclicPolyPatch>(patch)
+     && Foam::refCast<const Foam::cyclicPolyPatch>(patch).neighbPatch().faceCells()[facei]
+     == patch.faceCells()[facei];
+}
 
 
 //- Twice the diagonal of the Laplacian, without what walls and openings add
@@ -35,7 +45,10 @@ Foam::scalarField largestWaveNumbers(const Foam::fvMesh& mesh)
         {
             forAll(patch, facei)
             {
-                sum[patch.patch().faceCells()[facei]] += patch[facei];
+                if (!leadsBack(patch.patch().patch(), facei))
+                {
+                    sum[patch.patch().faceCells()[facei]] += patch[facei];
+                }
             }
         }
     }
@@ -56,7 +69,7 @@ Foam::viscousWaves::viscousWaves(const fvMesh& mesh, const gasDensity& density)
 drag::ViscousStep Foam::viscousWaves::step
 (
     const label celli,
-    const scalar solidVolume,
+    const scalar volumePerDensity,
     const volScalarField& voidFraction,
     const volScalarField& nu,
     const label engineSteps
@@ -64,23 +77,23 @@ drag::ViscousStep Foam::viscousWaves::step
 {
     const scalar rho = density_.reference().value()*density_.ratio(celli);
     const scalar viscous = nu[celli]*largest_[celli]*mesh_.time().deltaTValue();
-    return {solidVolume*rho/voidFraction[celli], viscous, scalar(engineSteps)};
+    return {volumePerDensity*rho/voidFraction[celli], viscous, scalar(engineSteps)};
 }
 
 
 bool Foam::viscousWaves::mayGrow
 (
-    const scalar lightest,
+    const scalar ofLightest,
     const volScalarField& voidFraction,
     const volScalarField& nu
 ) const
 {
-    const scalar volumePerMass = returnReduce(lightest, maxOp<scalar>());
+    const scalar perDensity = returnReduce(ofLightest, maxOp<scalar>());
     bool may = false;
     forAll(largest_, celli)
     {
-        const scalar solidVolume = (1 - voidFraction[celli])*volumePerMass;
-        may = may || !drag::surely_no_viscous_waves(step(celli, solidVolume, voidFraction, nu, 1));
+        const scalar volumePerDensity = (1 - voidFraction[celli])*perDensity;
+        may = may || !drag::surely_no_viscous_waves(step(celli, volumePerDensity, voidFraction, nu, 1));
     }
     return returnReduce(may, orOp<bool>());
 }
@@ -100,7 +113,7 @@ void Foam::viscousWaves::refuseNotFinite(const label celli, const drag::ViscousS
 
 void Foam::viscousWaves::look
 (
-    const scalarField& solidVolume,
+    const scalarField& volumePerDensity,
     const volScalarField& voidFraction,
     const volScalarField& nu,
     const label engineSteps
@@ -108,10 +121,10 @@ void Foam::viscousWaves::look
 {
     Worst worst{grows, vector::zero, {0, 0, 1}};
     std::vector<drag::ViscousStep> cells;
-    forAll(solidVolume, celli)
+    forAll(volumePerDensity, celli)
     {
         const drag::ViscousStep there =
-            step(celli, solidVolume[celli], voidFraction, nu, engineSteps);
+            step(celli, volumePerDensity[celli], voidFraction, nu, engineSteps);
         refuseNotFinite(celli, there);
         if (drag::surely_no_viscous_waves(there))
         {

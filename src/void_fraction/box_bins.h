@@ -14,7 +14,8 @@ namespace cohesion::void_fraction {
 
 /// Boxes, and the search for those that a region meets. The space around them is cut into equal
 /// bins of about their mean size, some eight for each box, and every bin knows which boxes reach
-/// into it. A region as small as a box so looks at few of them, however many there are.
+/// into it. A region as small as a box so looks at few of them, however many there are, where their
+/// sizes are alike: of boxes far below the mean a bin holds as many as fit there.
 ///
 /// A direction in which a box has no end is not cut.
 class BoxBins {
