@@ -120,10 +120,10 @@ def curve(case):
 def packed_curve_meets_weight(steps):
     """Where the packed-bed curve a U + b U^2 (Ergun's form, viscous and inertial) through the points
     of one branch reaches the weight: (U, standard error). Points: from the slowest up to the first
-    that leaves PACKED_RANGE; beyond it the bed moves."""
+    that leaves PACKED_RANGE or has no more pressure than the one before; beyond it the bed moves."""
     packed = []
     for step in sorted(steps, key=lambda s: s.velocity):
-        if step.ratio >= PACKED_RANGE[1]:
+        if step.ratio >= PACKED_RANGE[1] or packed and step.ratio <= packed[-1].ratio:
             break
         if step.ratio > PACKED_RANGE[0]:
             packed.append(step)
