@@ -114,7 +114,9 @@ inline double longest_pressure_step(const PressureStep& step) {
     low = high;
     high = std::min(step.step, 1.1 * high);
   }
-  while (high - low > 1e-3 * high) {
+  // Steps much shorter than any of use would not be found, but for void fractions near 0.
+  constexpr double shortest = 1e-9;
+  while (high > shortest && high - low > 1e-3 * high) {
     const double middle = 0.5 * (low + high);
     (grows(middle) ? high : low) = middle;
   }

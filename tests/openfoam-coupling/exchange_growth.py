@@ -27,10 +27,10 @@ DT = 1e-4
 
 # With this shift a rank's particles are in the cells of four ranks at most, and its cells have the particles of
 # four. To those of the first kind go, one message each: how many questions, the questions, the verdicts, and
-# volume, coefficient and charge of the particles; and of kernels that reach out the sum of the shares. Back go
-# the answers, void fraction and velocity for the drag, velocity and pressure gradient at the end of the step.
+# volume, coefficient, charge and, in form A, the volume whose pressure they hand on, of the particles; and of kernels
+# that reach out the sum of the shares. Back go the answers, void fraction and velocity for the drag, velocity and pressure gradient at the end of the step.
 NEIGHBOURS = 4
-FORWARD, BACK = {"particleCentre": 6, "dividedVolume": 7, "sphereOverlap": 7}, 5
+FORWARD, BACK = {"particleCentre": 7, "dividedVolume": 8, "sphereOverlap": 8}, 5
 
 
 def grid(ranks):
