@@ -130,7 +130,7 @@ void FixEventStep::weigh(int all) {
   if (neighbor->ago == 0) {
     for (int i = 0; i < all; i++) inverse_mass[i] = mobile.inverse_mass(atom->mask[i], mass[i]);
   } else {
-    if (std::memcmp(weighed.data(), mass, weighed.size() * sizeof(double)) == 0) return;
+    if (std::equal(weighed.begin(), weighed.end(), mass, mass + all)) return;
     for (int i = 0; i < all; i++)
       if (inverse_mass[i] != 0.0) inverse_mass[i] = 1.0 / mass[i];
   }

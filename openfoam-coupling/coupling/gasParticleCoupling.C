@@ -75,7 +75,11 @@ void Foam::gasParticleCoupling::adjustStep(Time& time, const scalar courant)
 }
 
 
-void Foam::gasParticleCoupling::depositParticles(const volVectorField& U)
+void Foam::gasParticleCoupling::depositParticles
+(
+    const volVectorField& U,
+    const volVectorField& gradP
+)
 {
     const clockTime timer;
     step_->refuseOther(engine_->time_step());
@@ -86,7 +90,7 @@ void Foam::gasParticleCoupling::depositParticles(const volVectorField& U)
     }
     setVoidFraction();
     setCoefficients(U);
-    setSources();
+    setSources(gradP);
     seconds_.exchange += timer.elapsedTime();
 }
 
@@ -134,7 +138,7 @@ void Foam::gasParticleCoupling::advanceParticles
             felt[celli] = rho_*density_.ratio(celli)*g_;
         }
     }
-    handOver(gasVelocity, averaging_.gather(felt));
+    handOver(gasVelocity, averaging_.gather(felt), chargedGradient(gradP));
     seconds_.exchange += timer.timeIncrement();
 
     const Time& time = mesh_.time();

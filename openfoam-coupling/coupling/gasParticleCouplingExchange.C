@@ -36,6 +36,7 @@ void Foam::gasParticleCoupling::setCoefficients(const volVectorField& U)
         rho *= averaging_.gather(density_.ratio().primitiveField());
     }
 
+    drag_.startStep(step_->subSteps());
     coefficient_.setSize(particles.count);
     charged_.setSize(particles.count);
     handedOn_.setSize(particles.count);
@@ -64,16 +65,15 @@ void Foam::gasParticleCoupling::setCoefficients(const volVectorField& U)
             dt
         );
     }
-    drag_.endStep(particles.count, dt, step_->subSteps());
+    drag_.endStep(particles.count, dt);
 }
 
 
-void Foam::gasParticleCoupling::setSources()
+void Foam::gasParticleCoupling::setSources(const volVectorField& gradP)
 {
     const scalar dt = mesh_.time().deltaTValue();
     const auto particles = engine_->particles();
     const auto velocity = engineView(particles.velocity, particles.count);
-    const drag::GasOnParticle* gas = engine_->gas();
 
     // The slip is U of the particle's cells less the particle's velocity less the offset.
     const List<vector> pending(pendingImpulse());
@@ -90,7 +90,7 @@ void Foam::gasParticleCoupling::setSources()
                 offset[i][d],
                 pending[i][d],
                 dt
-            ) + drag::last_pressure_on_gas(handedOn_[i], gas[i].pressure_gradient[d], drag_.free());
+            );
         }
     }
     const scalarField rate(averaging_.spread(charged_));
@@ -101,23 +101,53 @@ void Foam::gasParticleCoupling::setSources()
         dragRate_.field()[celli] = rate[celli]*perGasMass;
         dragSource_.field()[celli] = source[celli]*perGasMass;
     }
-    if (!form_.gas_takes_all)
+    if (form_.gas_takes_all)
     {
-        const scalarField handedOn(averaging_.spread(handedOn_));
-        forAll(handedOn, celli)
-        {
-            handedOnShare_[celli] = handedOn[celli]/volume(celli);
-        }
-        handedOnShare_.correctBoundaryConditions();
-        pressureShare_ = voidFraction_ + handedOnShare_;
+        return;
     }
+    const scalarField handedOn(averaging_.spread(handedOn_));
+    lastGradP_ = rho_*gradP.primitiveField();
+    forAll(handedOn, celli)
+    {
+        handedOnShare_[celli] = handedOn[celli]/volume(celli);
+        for (direction d = 0; d < 3; ++d)
+        {
+            dragSource_.field()[celli][d] += drag::last_pressure_on_gas
+            (
+                handedOnShare_[celli]/rho_,
+                lastGradP_[celli][d],
+                drag_.free()
+            );
+        }
+    }
+    handedOnShare_.correctBoundaryConditions();
+    pressureShare_ = voidFraction_ + handedOnShare_;
+}
+
+
+Foam::vectorField Foam::gasParticleCoupling::chargedGradient(const volVectorField& gradP)
+{
+    if (form_.gas_takes_all)
+    {
+        return vectorField(engine_->particles().count, Zero);
+    }
+    vectorField charged(gradP.primitiveField());
+    forAll(charged, celli)
+    {
+        for (direction d = 0; d < 3; ++d)
+        {
+            charged[celli][d] -= drag::last_pressure_on_gas(1, lastGradP_[celli][d], drag_.free());
+        }
+    }
+    return averaging_.gather(charged);
 }
 
 
 void Foam::gasParticleCoupling::handOver
 (
     const UList<vector>& gasVelocity,
-    const UList<vector>& pressureGradient
+    const UList<vector>& pressureGradient,
+    const UList<vector>& chargedGradient
 )
 {
     const scalar dt = mesh_.time().deltaTValue();
@@ -129,12 +159,9 @@ void Foam::gasParticleCoupling::handOver
         gas[i].drag_coefficient = coefficient_[i];
         for (direction d = 0; d < 3; ++d)
         {
-            const scalar handedOn =
-                handedOn_[i]*pressureGradient[i][d]
-              - drag::last_pressure_on_gas(handedOn_[i], gas[i].pressure_gradient[d], drag_.free());
             gas[i].drag_impulse[d] =
               - drag::impulse_charged(charged_[i], gasVelocity[i][d], velocity[i][d], dt)
-              - handedOn*dt;
+              - handedOn_[i]*chargedGradient[i][d]*dt;
             gas[i].velocity[d] = gasVelocity[i][d];
             gas[i].pressure_gradient[d] = pressureGradient[i][d];
         }

@@ -109,13 +109,36 @@ void Foam::particleDrag::lookAtStep
     }
     if (feelPressure_ && !warnedOfPressure_)
     {
-        const scalar drive = drag::pressure_drive(step, voidFraction);
-        if (drive > pressureDrive_)
-        {
-            pressureDrive_ = drive;
-            driveStep_ = step;
-            driveVoidFraction_ = voidFraction;
-        }
+        lookAtPressure(step, voidFraction);
+    }
+}
+
+
+void Foam::particleDrag::startStep(const label engineSteps)
+{
+    if (!pressureLimits_ || pressureLimits_->engine_steps() != engineSteps)
+    {
+        pressureLimits_.emplace(engineSteps, response_.free);
+    }
+}
+
+
+void Foam::particleDrag::lookAtPressure(const scalar step, const scalar voidFraction)
+{
+    const scalar longest = pressureLimits_->longest(voidFraction);
+    if (step <= longest)
+    {
+        return;
+    }
+    const scalar growth = drag::pressure_growth
+    (
+        {step, voidFraction, pressureLimits_->engine_steps(), response_.free}
+    );
+    if (growth > drag::pressure_grows)
+    {
+        pressureGrowth_ = max(pressureGrowth_, growth);
+        pressureStepShare_ = min(pressureStepShare_, longest/step);
+        pressureVoidFraction_ = min(pressureVoidFraction_, voidFraction);
     }
 }
 
@@ -160,36 +183,31 @@ void Foam::particleDrag::warnOfGrowth()
 }
 
 
-void Foam::particleDrag::warnOfPressure(const scalar dt, const label engineSteps)
+void Foam::particleDrag::warnOfPressure(const scalar dt)
 {
-    scalar growth = 0;
-    scalar longest = GREAT;
-    if (pressureDrive_ > 0)
+    reduce(pressureGrowth_, maxOp<scalar>());
+    reduce(pressureStepShare_, minOp<scalar>());
+    reduce(pressureVoidFraction_, minOp<scalar>());
+    if (pressureGrowth_ > drag::pressure_grows)
     {
-        const drag::PressureStep wave{driveStep_, driveVoidFraction_, scalar(engineSteps), response_.free};
-        if (drag::pressure_waves_grow(wave))
-        {
-            growth = drag::pressure_growth(wave);
-            longest = drag::longest_pressure_step(wave)/driveStep_*dt;
-        }
-    }
-    reduce(growth, maxOp<scalar>());
-    reduce(longest, minOp<scalar>());
-    if (growth > 1)
-    {
+        const bool formB =
+            !drag::stiff_waves_grow_in_form_b(pressureVoidFraction_, pressureLimits_->engine_steps());
         WarningInFunction
             << "in form A, where particles are so dense and follow the gas so fast, waves of particles that"
-            << " nothing holds would swing against the pressure and grow by a factor of " << growth
-            << " in a gas step; particles that touch others hold them back. A deltaT below " << longest
-            << " s cures it, as void fractions and drag are now and with as many particle steps in it, or"
-            << " 'form B;' in constant/couplingProperties; this is said once" << endl;
+            << " nothing holds would swing against the pressure and grow by a factor of " << pressureGrowth_
+            << " in a gas step, at void fractions from " << pressureVoidFraction_ << " on; particles that"
+            << " touch others hold them back. A deltaT below " << pressureStepShare_*dt
+            << " s cures it, as void fractions and drag are now and with as many particle steps in it"
+            << (formB ? ", or 'form B;' in constant/couplingProperties" : "") << "; this is said once" << endl;
         warnedOfPressure_ = true;
     }
-    pressureDrive_ = 0;
+    pressureGrowth_ = 0;
+    pressureStepShare_ = 1;
+    pressureVoidFraction_ = 1;
 }
 
 
-void Foam::particleDrag::endStep(const label n, const scalar dt, const label engineSteps)
+void Foam::particleDrag::endStep(const label n, const scalar dt)
 {
     evaluations_ += n;
     if (response_.free && !warnedOfGrowth_)
@@ -198,7 +216,7 @@ void Foam::particleDrag::endStep(const label n, const scalar dt, const label eng
     }
     if (feelPressure_ && !warnedOfPressure_)
     {
-        warnOfPressure(dt, engineSteps);
+        warnOfPressure(dt);
     }
     if (!warnedOfStep_)
     {

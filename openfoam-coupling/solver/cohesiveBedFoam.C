@@ -69,7 +69,7 @@ int main(int argc, char* argv[])
         ++runTime;
         Info<< "Time = " << runTime.timeName() << progress << nl;
 
-        coupling.depositParticles(U);
+        coupling.depositParticles(U, gradP);
         if (coupling.watchesWaves())
         {
             coupling.warnOfWaves(stress.viscosity());

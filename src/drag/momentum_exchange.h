@@ -21,8 +21,8 @@
 /// would swing against each other, and grow. A particle that feels nothing but gas then leaves
 /// nothing pending when it is taken to follow. One that is taken to keep its velocity is held by
 /// something that has borne the pressure of the step before, so it is charged with the change,
-/// W (grad p - grad p_last). Nothing is left of it in a steady flow. What that does to waves and
-/// held particles: pressure_waves.h.
+/// W (grad p - grad p_last), both gradients where it is now. Nothing is left of it in a steady
+/// flow. What that does to waves and held particles: pressure_waves.h.
 ///
 /// coefficient c [force time/length]; velocities [length/time]; pending [force time]; dt [time].
 namespace cohesion::drag {
@@ -51,7 +51,7 @@ inline double handed_on_volume(double coefficient, double mass, double volume, d
 }
 
 /// The part of the charge W (grad p - grad p_last) that is known before the step, as a force on the
-/// gas, [force]; W [length^3], the gradient that the particle has felt last [force/length^3].
+/// gas, [force]; W [length^3], gradient of the last step [force/length^3].
 inline double last_pressure_on_gas(double handed_on, double last_gradient, bool free) {
   return free ? 0.0 : handed_on * last_gradient;
 }

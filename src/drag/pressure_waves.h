@@ -97,9 +97,11 @@ inline double pressure_growth(const PressureStep& step) {
   return std::exp(log_radius);
 }
 
-/// Whether waves grow: by more than what is left of 1 in rounding.
+/// A growth, [1], above 1 by more than what is left of it in rounding.
+inline constexpr double pressure_grows = 1.0 + 1e-5;
+
 inline bool pressure_waves_grow(const PressureStep& step) {
-  return pressure_growth(step) > 1.0 + 1e-5;
+  return pressure_growth(step) > pressure_grows;
 }
 
 /// The longest x, [1] to 1e-3 of it, up to which nothing grows with as many steps of the particles;
@@ -123,10 +125,36 @@ inline double longest_pressure_step(const PressureStep& step) {
   return low;
 }
 
-/// How much of what makes waves grow there is, [1], to find out where they grow most: what the
-/// particles displace and what they hand on.
-inline double pressure_drive(double step, double void_fraction) {
-  return (1.0 - void_fraction) / void_fraction * handed_on_volume(step, 1.0, 1.0, 1.0);
+/// longest_pressure_step() for many particles of one gas step: worked out once for each hundredth
+/// of the void fraction, of its lower end, where it is shorter.
+class PressureLimits {
+ public:
+  PressureLimits(double engine_steps, bool free) : engine_steps_(engine_steps), free_(free) {}
+
+  double engine_steps() const { return engine_steps_; }
+
+  /// [1]; 1e9, of drag as stiff as any, where nothing grows. void fraction in (0, 1].
+  double longest(double void_fraction) {
+    constexpr double stiff = 1e9;
+    const auto part = static_cast<std::size_t>(void_fraction * parts);
+    double& known = known_[part];
+    if (known == 0.0)
+      known =
+          longest_pressure_step({stiff, std::max<double>(part, 0.5) / parts, engine_steps_, free_});
+    return known;
+  }
+
+ private:
+  static constexpr int parts = 100;
+  double engine_steps_;
+  bool free_;
+  std::array<double, parts + 1> known_{};
+};
+
+/// Whether waves with stiff drag grow in form B, with either response: that has no charge for
+/// pressure, and the limit of stiff drag that r = 0 has above.
+inline bool stiff_waves_grow_in_form_b(double void_fraction, double engine_steps) {
+  return (1.0 - void_fraction) / void_fraction * (1.0 - 2.0 / engine_steps) > 1.0;
 }
 
 }  // namespace cohesion::drag

@@ -32,8 +32,7 @@ print "found particles ${particles} side ${side} plate ${plate} pulled ${pulled}
 """
 
 
-# Energy of the wells [J], a few steps later: in the first step of a run the book does not have it. Then the
-# places and velocities.
+# Energy of the wells [J], a few steps later. Then the places and velocities.
 LOOK_AT_WELLS = """
 compute book all gran/energy
 thermo_style custom step c_book[5]

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "drag/momentum_exchange.h"
@@ -142,10 +143,15 @@ TEST(PressureWaves, DoNotGrowInTheStepThatIsSaid) {
   EXPECT_FALSE(pressure_waves_grow({3.0, 1.0, 5.0, false}));
 }
 
-TEST(PressureWaves, AreDrivenBySpheresThatDisplaceAndFollow) {
-  EXPECT_EQ(pressure_drive(0.0, 0.4), 0.0);
-  EXPECT_EQ(pressure_drive(3.0, 1.0), 0.0);
-  EXPECT_NEAR(pressure_drive(1e12, 0.4), 1.5, 1e-11);
+TEST(PressureWaves, LimitsOfManyParticlesAreOnTheSafeSideByAHundredthOfTheVoidFraction) {
+  PressureLimits limits(30.0, false);
+  for (const double eps : {0.305, 0.4, 0.4567, 0.55, 0.62, 1.0})
+    for (int again = 0; again < 2; again++) {
+      const double found = limits.longest(eps);
+      EXPECT_LE(found, longest_pressure_step({1e9, eps, 30.0, false}) * (1.0 + 1e-3));
+      EXPECT_GE(found, longest_pressure_step({1e9, std::max(eps - 0.01, 0.01), 30.0, false}) *
+                           (1.0 - 1e-3));
+    }
 }
 
 }  // namespace cohesion::drag
