@@ -9,7 +9,7 @@ import sys
 def of_command(command, folder, environment=None):
     """Of the whole process `command` (words) in `folder`; processes that it starts are not counted."""
     if not shutil.which("valgrind"):
-        sys.exit("instructions are counted with valgrind, which is not installed")
+        sys.exit("instructions are counted with valgrind, which is not installed: apt-get install valgrind")
     command = ["valgrind", "--tool=cachegrind", "--cache-sim=no", "--cachegrind-out-file=/dev/null",
                *map(str, command)]
     done = subprocess.run(command, cwd=folder, env=environment, text=True, errors="replace",
