@@ -21,6 +21,12 @@ class BoundPairs {
   ~BoundPairs() = default;
 };
 
+/// A fix that asks for them.
+class BoundPairsReader {
+ protected:
+  ~BoundPairsReader() = default;
+};
+
 /// Of the pair style in use; stops where nothing says which pairs are bound, `where` in front of
 /// the message. Valid until a pair style is defined anew.
 std::vector<const BoundPairs*> bound_pairs(class LAMMPS*, const std::string& where);

@@ -27,7 +27,7 @@ namespace LAMMPS_NS {
 /// go from owners to ghosts and through the bonds until nothing changes. Sums of an agglomerate are
 /// put together on the rank that its label belongs to, and the size goes back; no rank sees them
 /// all.
-class FixAgglomerates : public engine_api::StyleFix {
+class FixAgglomerates : public engine_api::StyleFix, public BoundPairsReader {
  public:
   FixAgglomerates(class LAMMPS*, int, char**);
   ~FixAgglomerates() override;

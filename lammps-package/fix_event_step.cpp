@@ -16,6 +16,7 @@
 #include "gravity.h"
 #include "memory.h"
 #include "modify.h"
+#include "pair_members.h"
 #include "shear/flight.h"
 #include "update.h"
 
@@ -34,6 +35,8 @@ FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
       shift(nullptr),
       book(),
       shared(ALONE),
+      follows(true),
+      resting(false),
       resuming(false),
       starting(false),
       running(false),
@@ -112,6 +115,15 @@ void FixEventStep::init() {
                             " integrates the motion: put it behind the pair_style and wall "
                             "commands of scheme event");
   }
+  follows = !walls.empty();
+  for (const PairMember& member : pair_members(force))
+    if (const auto* pairs = dynamic_cast<const EventPairs*>(member.pair))
+      follows = follows || pairs->follows();
+}
+
+/// Then a step does nothing for any particle.
+bool FixEventStep::rests() const {
+  return !follows && book_readers.use_count() == 1 && flux_readers.use_count() == 1;
 }
 
 /// The fastest particle or ghost, and what each weighs.
@@ -127,7 +139,7 @@ void FixEventStep::look_round() {
 /// Groups count as they were when the list of neighbours was new: ghosts hear of them only then.
 void FixEventStep::weigh(int all) {
   const double* const mass = atom->rmass;
-  if (neighbor->ago == 0) {
+  if (neighbor->ago == 0 || weighed.empty()) {
     for (int i = 0; i < all; i++) inverse_mass[i] = mobile.inverse_mass(atom->mask[i], mass[i]);
   } else {
     if (std::equal(weighed.begin(), weighed.end(), mass, mass + all)) return;
@@ -167,6 +179,8 @@ void FixEventStep::setup_pre_force(int) {
   resuming = last_dt > 0.0;
   starting = !resuming;
   clear();
+  resting = rests();
+  if (resting) weighed.clear();
   if (resuming && book.kept) take_over();
   if (resuming) return;
   for (EventContacts* wall : walls) wall->follow_alone();
@@ -208,6 +222,7 @@ void FixEventStep::initial_integrate(int) {
 }
 
 void FixEventStep::pre_force(int) {
+  if (resting) return;
   clear();
   for (EventContacts* wall : walls) wall->follow_alone();
 }
@@ -228,6 +243,7 @@ void FixEventStep::look_for_readers() {
 }
 
 void FixEventStep::end_of_step() {
+  if (resting) return;
   move();
   if (!book.kept) return;
   const std::vector<double> weight = weights(lmp);

@@ -35,6 +35,10 @@ class EventContacts {
 
 /// A pair style of the event scheme: what its pairs carry is in FixEventStep::flux.
 class EventPairs {
+ public:
+  /// Whether any pair may be followed in this run.
+  virtual bool follows() const = 0;
+
  protected:
   ~EventPairs() = default;
 };
@@ -161,6 +165,7 @@ class FixEventStep : public Fix {
 
  private:
   void clear();
+  bool rests() const;
   void look_for_readers();
   void look_round();
   void weigh(int all);
@@ -170,7 +175,9 @@ class FixEventStep : public Fix {
 
   std::vector<EventContacts*> walls;  // those of this run
 
-  int shared;  // of the values of `alone`
+  int shared;    // of the values of `alone`
+  bool follows;  // any pair or wall, in this run
+  bool resting;  // nothing is followed, and nobody reads the books
   bool resuming;
   bool starting;
   bool running;
@@ -179,7 +186,7 @@ class FixEventStep : public Fix {
   double** contact_force;
   int* contacts;                // per atom and ghost, this step
   double* inverse_mass;         // per atom and ghost
-  std::vector<double> weighed;  // the masses inverse_mass is of
+  std::vector<double> weighed;  // the masses inverse_mass is of; empty: of none
   double longest_flight;
   Reader book_readers, flux_readers;  // copies of these are out
   bool flux_wanted;

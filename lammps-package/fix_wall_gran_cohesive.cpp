@@ -293,7 +293,8 @@ void FixWallGranCohesive<Cohesion>::follow_together(const std::vector<Contact>& 
     double* const kept = history.of(i, near.wall);
     PairMotion others;
     if (Contact::acts_within_step)
-      others = others_of<FRICTION>(step->alone[i], nullptr, near.alone);
+      others =
+          beside_wall(others_of<FRICTION>(step->alone[i], nullptr, near.alone), grid.separation);
     PairSpins by_rolling;
     if (ROLLING && Contact::acts_within_step) {
       by_rolling = c.rolled(rolled[&near - active.data()]);

@@ -31,6 +31,7 @@ PairGranCohesive<Cohesion>::PairGranCohesive(LAMMPS* lammps)
       largest_range(0.0),
       friction(false),
       acts(false),
+      looks(true),
       rested(false),
       per_pair(0),
       step(nullptr),
@@ -246,6 +247,11 @@ void PairGranCohesive<Cohesion>::init_style() {
   friction = false;
   largest_range = 0.0;
   close.start(for_flight());
+  looks = acts || per_pair > 0 || bound_pairs_are_read();
+  if (!looks) {
+    list = nullptr;
+    return;
+  }
   engine_api::request_history_list(neighbor, this, instance_me);
   const int needed = values_per_pair();
   if (per_pair == 0) per_pair = needed;
@@ -255,6 +261,12 @@ void PairGranCohesive<Cohesion>::init_style() {
                    ": rolling_friction cannot begin here: the contacts of the run before, or "
                    "of the restart file, remember no rolling; give it from the first run on");
   history.init(this, per_pair);
+}
+
+template <class Cohesion>
+bool PairGranCohesive<Cohesion>::bound_pairs_are_read() const {
+  return std::any_of(modify->fix, modify->fix + modify->nfix,
+                     [](Fix* fix) { return dynamic_cast<BoundPairsReader*>(fix) != nullptr; });
 }
 
 template <class Cohesion>
@@ -274,6 +286,7 @@ double PairGranCohesive<Cohesion>::init_one(int i, int j) {
   const double range = coefficients.prepare(i, j, largest_radius[i], largest_radius[j]);
   const auto& contact = coefficients.contact(coefficients.of_types(i, j));
   friction = friction || contact.friction > 0.0;
+  if (!looks) return largest_radius[i] + largest_radius[j];
   largest_range = std::max(largest_range, range);
   close.start(largest_range + for_flight());
   return largest_radius[i] + largest_radius[j] + range + for_flight();

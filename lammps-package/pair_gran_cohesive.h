@@ -44,6 +44,7 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventPairs {
     rested = per_pair == 0;
   }
   void append_bound(std::vector<std::array<int, 2>>&) const override;
+  bool follows() const override { return looks; }
 
  private:
   template <class Pair>
@@ -76,6 +77,7 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventPairs {
   void allocate();
   double for_flight() const;
   int values_per_pair() const;
+  bool bound_pairs_are_read() const;
   template <class Contact>
   int contact(Contacts<Contact>&, int i, int j);
   template <class Contact>
@@ -110,8 +112,9 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventPairs {
   double largest_range;                   // up to which the scheme has to see a pair
   bool friction;                          // whether any contact has friction
   bool acts;                              // whether anything can happen in this run
+  bool looks;                             // whether any pair is looked at in it
   bool rested;                            // nothing acted, and no pair was followed
-  int per_pair;                           // values of history (HistorySize); 0: not known yet
+  int per_pair;                           // values of history (HistorySize); 0: there is none yet
   class FixEventStep* step;
   PairHistory history;
 };

@@ -14,6 +14,7 @@
 #include "largest_radii.h"
 #include "law_from_script.h"
 #include "memory.h"
+#include "modify.h"
 #include "neigh_list.h"
 #include "restart_format.h"
 #include "sphere.h"
@@ -29,7 +30,8 @@ PairHamaker::PairHamaker(LAMMPS* lammps)
       outer_cutoff(0.0),
       form(hamaker::forms.data()),
       hamaker_constant(nullptr),
-      parameters(lammps) {
+      parameters(lammps),
+      looks(true) {
   single_enable = 1;
   restartinfo = 1;
   writedata = 1;
@@ -55,10 +57,15 @@ void PairHamaker::allocate() {
 
 void PairHamaker::compute(int eflag, int vflag) {
   ev_init(eflag, vflag);
-  if (neighbor->ago == 0)
+  if (looks && neighbor->ago == 0)
     check_radii(lmp, "pair_style hamaker: the outer cut-off is beyond the neighbour range",
                 largest_radius);
   if (attracts()) {
+    if (!looks)
+      error->all(FLERR,
+                 "pair_style hamaker: an A was raised within a run that began with all A = 0 and "
+                 "without fix adapt, in which pairs have no list of neighbours: raise it before "
+                 "the run");
     std::visit(
         [this](const auto& chosen) {
           if (evflag) {
@@ -74,10 +81,20 @@ void PairHamaker::compute(int eflag, int vflag) {
   if (vflag_fdotr) virial_fdotr_compute();
 }
 
-/// Whether any types attract each other; fix adapt may change it.
+/// Whether any types attract each other; fix adapt may change it in a run.
 bool PairHamaker::attracts() const {
   return std::any_of(parameters.begin(), parameters.end(),
                      [](const Parameters& p) { return p.hamaker_constant > 0.0; });
+}
+
+/// Whether any do, or may in the run that begins. Of the given ones: mixing adds none.
+bool PairHamaker::may_attract() const {
+  for (int i = 0; i < modify->nfix; i++)
+    if (utils::strmatch(modify->fix[i]->style, "^adapt")) return true;
+  for (int i = 1; i <= atom->ntypes; i++)
+    for (int j = i; j <= atom->ntypes; j++)
+      if (setflag[i][j] && hamaker_constant[i][j] > 0.0) return true;
+  return false;
 }
 
 template <bool TALLY, bool NEWTON, class Law>
@@ -192,7 +209,11 @@ void PairHamaker::init_style() {
                                  [](const Parameters& p) { return p.asperity_radius > 0.0; });
   std::visit([this](const auto& law) { laws = std::vector(parameters.size(), law); },
              form->law(hamaker::none, rough));
-  engine_api::request_neighbor_list(neighbor, this, instance_me);
+  looks = may_attract();
+  if (looks)
+    engine_api::request_neighbor_list(neighbor, this, instance_me);
+  else
+    list = nullptr;
 }
 
 /// Of a material, with the constant that fix adapt may have changed.
@@ -216,7 +237,7 @@ double PairHamaker::init_one(int i, int j) {
         law_of[parameters.number(i, j)] = law_of[parameters.number(j, i)] = Law(p);
       },
       laws);
-  return largest_radius[i] + largest_radius[j] + p.outer_cutoff;
+  return largest_radius[i] + largest_radius[j] + (looks ? p.outer_cutoff : 0.0);
 }
 
 /* ---------------------------------------------------------------------- */

@@ -48,6 +48,7 @@ class PairHamaker : public Pair {
   void compute_pairs(const std::vector<Law>&);
 
   bool attracts() const;
+  bool may_attract() const;
   void allocate();
   Parameters of_type(int);
   void give(int, int, const Parameters&);
@@ -61,6 +62,7 @@ class PairHamaker : public Pair {
   TypePairTable<Parameters> parameters;
   cohesion::hamaker::AnyLaws laws;     // by type pair, built at init
   std::vector<double> largest_radius;  // by type, at init
+  bool looks;                          // whether any pair is looked at in this run
 };
 
 }  // namespace LAMMPS_NS

@@ -54,7 +54,8 @@ class SquareWellAttraction : public AttractionEnergy {
   }
 
  private:
-  void step(const Encounter& encounter, double* history) const;
+  void step(const Encounter& encounter, double* history);
+  void look_ahead(const Encounter& encounter);
   bool was_inside(const Encounter& encounter, double* history, double width) const;
   double approach(const Encounter& encounter) const;
   double inverse_mass(int particle) const;
@@ -67,6 +68,7 @@ class SquareWellAttraction : public AttractionEnergy {
   double largest_ratio_ = 1.0;
   bool acts_ = false;
   bool connected_ = false;
+  bool warned_ = false;  // that a pair flies too far in a step
 };
 
 }  // namespace Cohesion

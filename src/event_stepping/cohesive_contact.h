@@ -40,6 +40,15 @@ struct PairSpins {
   Vector3 j{};
 };
 
+/// What others do to a sphere, `others`, as its contact with a wall sees it. `separation`: to the
+/// foot of the normal. What moves the centre along the wall leaves the distance and the normal as
+/// they are.
+inline PairMotion beside_wall(PairMotion others, const Vector3& separation) {
+  const double part = dot(others.relative.separation, separation) / dot(separation, separation);
+  others.relative.separation = part * separation;
+  return others;
+}
+
 /// What friction does in a step.
 struct FrictionStep {
   contact::TangentialStep spring;

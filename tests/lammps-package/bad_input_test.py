@@ -77,6 +77,12 @@ class BadInput(ScriptTestCase):
                    "pair_style hamaker", "beyond the neighbour range", "type 1", "had at most",
                    "start a new one", after_a_run=True)
 
+    def test_constant_that_is_raised_where_pairs_have_no_list(self):
+        none = SPHERES + PAIR.replace("1e-19", "0") + "fix move all nve\n"
+        self.goes(none + 'run 1\nrun 4 every 2 "pair_coeff * * 1e-19"\n')
+        self.stops(none + 'run 1\nrun 4 pre no every 2 "pair_coeff * * 1e-19"\n', "pair_style hamaker",
+                   "an A was raised", "without fix adapt", "before the run", after_a_run=True)
+
     def test_pour_of_larger_particles_is_within_the_neighbour_range(self):
         output = self.goes(
             SPHERES.replace("boundary f f p", "boundary p p f").replace("0 0.01 units", "0 0.04 units")

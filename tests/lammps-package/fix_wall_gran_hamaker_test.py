@@ -264,6 +264,26 @@ class TwoWalls(EventWall):
         self.assertLessEqual(errors[3], 2e-3)
 
 
+class Corner(EventWall):
+    def test_walls_without_friction_know_nothing_of_each_other(self):
+        # Into the edge of two walls, and beside it into one of them alone: the same numbers along its normal.
+        # Captured, so that the walls are met many times, and with speeds of the same order along the other.
+        for parts in (2.5, 10):
+            dt = contact_time(0.9) / parts
+            for speed in (1e-4, 0.003, 1.0):
+                x, v = [], []
+                for k in range(16):
+                    height = 0.01 + RADIUS + CUT + speed * dt * (0.2 + k / 16)
+                    for side in (0.01 + RADIUS + CUT + 0.5 * speed * dt, 0.03):
+                        x.append([side, height, 2e-3 * (k + 1)])
+                        v.append([-speed, -0.3 * speed, 0.0])
+                self.write(x, v)
+                end = self.run_wall(f"stiffness {STIFFNESS} restitution 0.9 hamaker 7.5e-19 cutoff {CUT} {OUT} "
+                                    "xplane 0.01 NULL yplane 0.01 NULL", dt, int(8 * parts))
+                self.assertGreater((end[::2, 5] != v[0][1]).sum(), 8)
+                numpy.testing.assert_array_equal(end[::2, [2, 5]], end[1::2, [2, 5]])
+
+
 class Friction(EventWall):
     """Oblique impacts."""
 

@@ -47,12 +47,12 @@ class PairHamaker(FolderTestCase):
             2.5e-7]
     COEFF11 = "1e-19"  # the cut-offs are those of pair_style
 
-    def given(self, gaps, mixing="yes", script="in.pairs", skin=1e-4):
+    def given(self, gaps, mixing="yes", script="in.pairs", skin=1e-4, **more):
         self.atoms = couples(gaps)
         engine.write_spheres(self.folder, self.atoms, box(gaps), 2)
         return engine.run(script, self.folder, form=self.FORM, coeff11=self.COEFF11,
                           coeff22=law.words(*self.PARAMETERS[2, 2]),
-                          coeff12=law.words(*self.GIVEN), mixing=mixing, skin=skin)
+                          coeff12=law.words(*self.GIVEN), mixing=mixing, skin=skin, **more)
 
     def check_forces(self, forces, parameters):
         for i in range(0, len(self.atoms), 2):
@@ -153,10 +153,11 @@ class PairHamaker(FolderTestCase):
             self.assertLessEqual(abs(values[name] - expected), 1e-13 * abs(expected), name)
             self.assertLess(expected, 0.0)
     def test_fix_adapt_changes_the_constant(self):
-        self.given([1e-9], script="in.adapt")
-        changed = {(1, 1): (3e-19, 4e-10, 1e-7), (2, 2): (2e-19, 4e-10, 1e-7),
-                   (1, 2): (6e-38**0.5, 4e-10, 1e-7)}
-        self.check_forces(engine.dump(self.folder, "forces.txt"), changed)
+        for first in (1e-19, 0.0):
+            self.given([1e-9], script="in.adapt", first=first, steps=5)
+            changed = {(1, 1): (3e-19, 4e-10, 1e-7), (2, 2): (2 * first, 4e-10, 1e-7),
+                       (1, 2): ((6e-19 * first)**0.5, 4e-10, 1e-7)}
+            self.check_forces(engine.dump(self.folder, "forces.txt"), changed)
 
 
 class ExactForm(PairHamaker):
