@@ -6,6 +6,7 @@
   benchmarks.py BUILD NAME --help               its options
   benchmarks.py BUILD NAME --small              the same in a minute or two
   benchmarks.py BUILD NAME --page FILE          also into FILE, in place of the section of the same title
+  benchmarks.py BUILD NAME --picture FILE       of dense and growth: a picture of the table
 
 BUILD is a build folder of the package. Prints a table as it is measured. Instructions are counted by valgrind
 and do not depend on what else the machine does; times do, and are of processors, taken in turns.
@@ -23,8 +24,10 @@ NAMES = {"features": "feature x cost when off x cost when on, LAMMPS and LIGGGHT
          "coupling": "the same of the gas: cohesiveBedFoam",
          "dense": "a step with cohesion of 32,000 spheres, beside the stock engines",
          "growth": "a step of 1000 to 1,000,000 spheres, and memory per sphere",
+         "traffic": "what a step fetches from beyond caches, and how fast memory is",
          "scaling": "one rank and two: the same scene, and twice the scene",
          "deliverables": "size, and time to load, of what is built"}
+PICTURES = ("dense", "growth")  # picture.py draws them
 
 
 def main():
@@ -37,6 +40,8 @@ def main():
         one.add_argument("--lammps", choices=("stock", "current"), default="stock")
         one.add_argument("--small", action="store_true")
         one.add_argument("--page", type=Path)
+        if name in PICTURES:
+            one.add_argument("--picture", type=Path)
     words = parser.parse_args()
     table = importlib.import_module(words.name)
     partial = [word for word in ("feature", "scene", "engine", "way") if getattr(words, word, None)
@@ -56,6 +61,9 @@ def main():
         sys.exit(str(error))
     if words.page:
         replace_section(words.page, table.TITLE, lines)
+    if getattr(words, "picture", None):
+        import picture  # matplotlib takes a second to load
+        picture.draw(words.name, picture.read(lines), words.picture)
 
 
 if __name__ == "__main__":

@@ -7,7 +7,7 @@ import tempfile
 from pathlib import Path
 
 import instruction_count
-from programs import SOURCE, Missing
+from programs import SOURCE, Missing, side_by_side
 from progress import Progress
 
 sys.path.append(str(SOURCE / "tests/openfoam-coupling"))
@@ -81,13 +81,13 @@ def spheres(case, engine):
 
 def coupled(programs, entries, engine, steps):
     """Instructions per gas step and sphere, number of spheres."""
-    found = []
-    for n in (steps, 2 * steps):
+    def counted(gas_steps):
         with tempfile.TemporaryDirectory(prefix="cohesion-") as folder:
-            case = case_of(programs, folder, entries, engine, n)
-            found.append(instruction_count.of_command(["cohesiveBedFoam"], case.folder, case.env))
-            number = spheres(case, engine)
-    return (found[1] - found[0]) / steps / number, number
+            case = case_of(programs, folder, entries, engine, gas_steps)
+            return instruction_count.of_command(["cohesiveBedFoam"], case.folder, case.env), spheres(case, engine)
+
+    (start, number), (end, _) = side_by_side([lambda n=n: counted(n) for n in (steps, 2 * steps)])
+    return (end - start) / steps / number, number
 
 
 def alone(programs, engine, number, steps):

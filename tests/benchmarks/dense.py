@@ -31,6 +31,8 @@ WAYS = {
     },
 }
 
+COUNTED = 5  # counting takes as long as so many turns of timing, about
+
 
 def add_words(parser):
     parser.add_argument("--engine", choices=WAYS, action="append")
@@ -39,7 +41,7 @@ def add_words(parser):
     parser.add_argument("--first", type=int, default=100, help="steps before what is measured")
     parser.add_argument("--steps", type=int, default=40, help="that are counted, and a quarter of those that are "
                         "timed; a multiple of 20")
-    parser.add_argument("--turns", type=int, default=5, help="0: instructions alone")
+    parser.add_argument("--turns", type=int, default=3, help="0: instructions alone")
     parser.add_argument("--times", action="store_true", help="times alone")
 
 
@@ -48,7 +50,7 @@ def small(words):
 
 
 def measure(programs, words, engine, scene, progress):
-    """Per way: instructions per particle and step, and of each turn nanoseconds."""
+    """Number of spheres; per way instructions per particle and step, and of each turn nanoseconds."""
     cells = scenes.cells_for(scene, words.particles)
     number = scenes.particles(scene, cells)
     runs = {name: (way, scenes.text(engine == "LIGGGHTS", scene, cells, pair, load=way == "lammps+"))
@@ -57,33 +59,34 @@ def measure(programs, words, engine, scene, progress):
     for name, (way, text) in runs.items():
         counts[name] = None if words.times else programs.count_per_step(
             way, text, words.first, words.steps) / number
-        progress.add(1)
+        progress.add(0 if words.times else COUNTED)
     turns = {name: [] for name in runs}
     for turn in range(words.turns):
         for name in list(runs)[::-1] if turn % 2 else runs:
             turns[name].append(1e9 / number * programs.seconds_per_step(
                 *runs[name], words.first, 4 * words.steps))
-        progress.add(1)
+            progress.add(1)
     return number, counts, turns
 
 
 def rows(programs, words):
-    engines = [e for e in words.engine or WAYS if programs.has(e.lower() + "+")]
-    tables = [(e, scene) for e in engines for scene in words.scene or scenes.LATTICE]
+    # The scene of all engines first: who stops early has seen each engine.
+    tables = [(e, scene) for scene in words.scene or scenes.LATTICE for e in words.engine or WAYS
+              if programs.has(e.lower() + "+")]
     if not tables:
         sys.exit("no engine of these is built in " + str(programs.build))
-    progress = Progress(sum(len(WAYS[e]) + words.turns for e, _ in tables))
-    yield ("| engine | scene | style | instructions | over stock | ns | over stock, same turn: median (least to "
-           "most) |")
-    yield "|---|---|---|---|---|---|---|"
+    progress = Progress(sum(len(WAYS[e]) for e, _ in tables) * (words.turns + (0 if words.times else COUNTED)))
+    yield ("| engine | scene | style | instructions | over stock | over stock with cohesion | ns | over stock, same "
+           "turn: median (least to most) | over stock with cohesion, same turn |")
+    yield "|---|---|---|---|---|---|---|---|---|"
     for engine, scene in tables:
         number, counts, turns = measure(programs, words, engine, scene, progress)
-        first = next(iter(counts))
+        stock = next(iter(counts))
+        beside = (stock, next(name for name in counts if "cohesive" in name))
         for name, count in counts.items():
-            time = ratio = ""
-            if turns[name]:
-                ratios = [ours / stock for ours, stock in zip(turns[name], turns[first])]
-                time = f"{statistics.median(turns[name]):.0f}"
-                ratio = spread(ratios)
-            counted = " | " if count is None else f"{count:.0f} | {count / counts[first]:.2f}"
-            yield f"| {engine} | {scene}, {number} | {name} | {counted} | {time} | {ratio} |"
+            found = ["" if count is None else f"{count:.0f}"]
+            found += ["" if count is None else f"{count / counts[other]:.2f}" for other in beside]
+            found.append(f"{statistics.median(turns[name]):.0f}" if turns[name] else "")
+            found += [spread([own / its for own, its in zip(turns[name], turns[other])]) if turns[name] else ""
+                      for other in beside]
+            yield f"| {engine} | {scene}, {number} | {name} | " + " | ".join(found) + " |"

@@ -6,6 +6,7 @@ import subprocess
 import sys
 import tempfile
 import threading
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 SOURCE = Path(__file__).resolve().parents[2]
@@ -48,6 +49,12 @@ class Used:
             sys.exit(f"{' '.join(command)} ended with code {process.returncode}:\n{self.output[-2000:]}")
         self.seconds = used.ru_utime + used.ru_stime
         self.memory = used.ru_maxrss * 1024
+
+
+def side_by_side(works):
+    """What functions give, as many at a time as there are processors: for counts, which do not mind."""
+    with ThreadPoolExecutor(len(os.sched_getaffinity(0))) as pool:
+        return list(pool.map(lambda work: work(), works))
 
 
 class Programs:
@@ -97,9 +104,20 @@ class Programs:
         return self._in_folder(text, steps, lambda folder: instruction_count.of_command(
             self.command(name), folder, environment()))
 
+    def missed(self, name, text, steps, size):
+        """Lines of 64 bytes that a cache of `size` bytes does not hold when they are asked for."""
+        return self._in_folder(text, steps, lambda folder: instruction_count.lines_missed(
+            self.command(name), folder, environment(), size))
+
     def count_per_step(self, name, text, first, steps):
         """Instructions of a step, the mean of `steps` of them after `first`: the start is not in it."""
-        return (self.count(name, text, first + steps) - self.count(name, text, first)) / steps
+        start, end = side_by_side([lambda n=n: self.count(name, text, n) for n in (first, first + steps)])
+        return (end - start) / steps
+
+    def missed_per_step(self, name, text, first, steps, size):
+        """Lines missed in a step, alike."""
+        start, end = side_by_side([lambda n=n: self.missed(name, text, n, size) for n in (first, first + steps)])
+        return (end - start) / steps
 
     def seconds_per_step(self, name, text, first, steps):
         """The same in seconds of a processor."""

@@ -1,0 +1,155 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Pictures of the tables of the benchmarks and of the stability campaign, as they are printed or as they stand on
+a page.
+
+  picture.py dense|growth|steps PAGE FILE.png
+
+PAGE: docs/costs.md for dense and growth, docs/lammps-package/stability.md for steps, or another file that
+benchmarks.py --page or stability-campaign.py --table has written.
+"""
+import re
+import sys
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("Agg")
+from matplotlib import pyplot  # noqa: E402
+
+import programs  # noqa: E402, F401  (it knows where the others are)
+import dense  # noqa: E402
+import growth  # noqa: E402
+
+BAR = "#4477aa"
+
+
+def cells(line):
+    return [cell.strip().replace("*", "") for cell in line.strip().strip("|").split("|")]
+
+
+def read(lines):
+    """The first table of `lines`: a dictionary for each row."""
+    rows = [cells(line) for line in lines if line.startswith("|")]
+    return [dict(zip(rows[0], row)) for row in rows[2:]]
+
+
+def sections(page):
+    """Title: lines of its section."""
+    parts = re.split(r"^## (.*)\n", page, flags=re.M)
+    return {title: text.splitlines() for title, text in zip(parts[1::2], parts[2::2])}
+
+
+def spread(text):
+    """Of "median (least to most)"."""
+    return [float(number) for number in re.findall(r"[-+.\de]+", text)]
+
+
+def column(rows, start):
+    return next((name for name in rows[0] if name.startswith(start)), None)
+
+
+def draw_dense(rows):
+    """Cost over the stock engine without cohesion: bars of instructions, points of time."""
+    tables = {}
+    for row in rows:
+        tables.setdefault((row["engine"], row["scene"]), []).append(row)
+    turns = column(rows, "over stock, same turn")
+    heights = [len(own) for own in tables.values()]
+    figure, axes = pyplot.subplots(len(tables), 1, figsize=(7.5, 0.6 * len(tables) + 0.25 * sum(heights)),
+                                   squeeze=False, constrained_layout=True, height_ratios=heights)
+    for axis, ((engine, scene), own) in zip(axes[:, 0], tables.items()):
+        counted = [float(row["over stock"] or "nan") for row in own]
+        axis.barh(range(len(own)), counted, color=BAR, alpha=0.5, label="instructions")
+        timed = [(n, spread(row[turns])) for n, row in enumerate(own) if turns and row[turns]]
+        for n, (low, middle, high) in ((n, sorted(values)) for n, values in timed):
+            axis.errorbar(middle, n, xerr=[[middle - low], [high - middle]], fmt="ko", ms=3, capsize=2,
+                          label="time, least to most" if n == timed[0][0] else None)
+        axis.axvline(1, color="black", linewidth=0.6)
+        limit = 1.15 * next(value for row, value in zip(own, counted) if "cohesive" in row["style"])
+        axis.axvline(limit, color="black", linewidth=0.6, linestyle=":", label="1.15 of stock with cohesion, instructions")
+        axis.set_yticks(range(len(own)), [row["style"] for row in own], fontsize=7)
+        axis.invert_yaxis()
+        axis.set_title(f"{engine}, {scene} spheres: cost of a step over that of the first style", fontsize=8)
+        axis.tick_params(axis="x", labelsize=7)
+    axes[0, 0].legend(fontsize=7)
+    return figure
+
+
+def draw_growth(rows):
+    """Nanoseconds, and these over those of few spheres."""
+    over = column(rows, "over ")
+    figure, (left, right) = pyplot.subplots(1, 2, figsize=(10, 4), constrained_layout=True)
+    for n, name in enumerate(dict.fromkeys(row["style"] for row in rows)):
+        own = [row for row in rows if row["style"] == name]
+        x = [float(row["particles"]) for row in own]
+        left.plot(x, [float(row["ns per particle and step"]) for row in own], "o-", ms=4, label=name)
+        low, middle, high = zip(*(sorted(spread(row[over])) for row in own))
+        # Drawn a little apart, else their bars hide each other.
+        right.errorbar([value * 1.06**n for value in x], middle, fmt="o-", ms=4, capsize=2,
+                       yerr=[[b - a for a, b in zip(low, middle)], [b - a for a, b in zip(middle, high)]])
+    right.axhline(1.3, color="black", linewidth=0.6)
+    right.text(0.01, 1.3, "1.3", fontsize=7, va="bottom", transform=right.get_yaxis_transform())
+    left.set(xscale="log", xlabel="spheres", ylabel="ns per sphere and step")
+    left.set_ylim(bottom=0)
+    right.set(xscale="log", xlabel="spheres", ylabel=over.split(":")[0] + " spheres, least to most")
+    left.legend(fontsize=7)
+    return figure
+
+
+def draw_steps(tables):
+    """Share of cases right by the steps of a contact; `tables`: law -> rows of its random points."""
+    names = [row["t_c/dt"] for row in next(iter(tables.values()))]
+    figure, axis = pyplot.subplots(figsize=(7.5, 0.8 + 0.45 * len(tables)), constrained_layout=True)
+    shares, words = [], {}
+    for n, rows in enumerate(tables.values()):
+        for m, row in enumerate(rows):
+            right, warned, silent = (int(row[name]) for name in ("cases right", "wrong, warned", "wrong, silent"))
+            judged = right + warned + silent
+            shares.append(right / judged if judged else float("nan"))
+            words[m, n] = (f"{right} of {judged}" + (f"\n{silent} silent" if silent else "")
+                           + f"\n{row['refused']} of {row['points']} refused")
+    image = axis.imshow([shares[n * len(names):(n + 1) * len(names)] for n in range(len(tables))], vmin=0, vmax=1,
+                        cmap="RdYlBu", aspect="auto", alpha=0.7)
+    for (m, n), text in words.items():
+        axis.text(m, n, text, ha="center", va="center", fontsize=6)
+    axis.set_xticks(range(len(names)), names)
+    axis.set_yticks(range(len(tables)), tables, fontsize=8)
+    axis.set_xlabel("steps of a contact, t_c/dt; random points of all parameters")
+    figure.colorbar(image, label="share of cases right")
+    return figure
+
+
+def of_page(name, page):
+    """What the picture `name` is drawn from, off the text of a page."""
+    found = sections(page)
+    if name == "steps":
+        tables = {}
+        for law, lines in found.items():
+            start = [n for n, line in enumerate(lines) if line.startswith("| t_c/dt |")]
+            if start:
+                tables[law] = read(lines[start[0]:start[0] + next(
+                    (n for n, line in enumerate(lines[start[0]:]) if not line.startswith("|")), len(lines))])
+        return tables
+    return read(found[{"dense": dense, "growth": growth}[name].TITLE])
+
+
+DRAWN = {"dense": draw_dense, "growth": draw_growth, "steps": draw_steps}
+
+
+def draw(name, data, file):
+    figure = DRAWN[name](data)
+    # Without the program's version: the same table gives the same file.
+    figure.savefig(file, dpi=90, metadata={"Software": None})
+    pyplot.close(figure)
+
+
+def main():
+    if len(sys.argv) != 4 or sys.argv[1] not in DRAWN:
+        sys.exit(__doc__)
+    name, page, file = sys.argv[1:]
+    draw(name, of_page(name, Path(page).read_text()), file)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Pictures show the numbers of tables; tables of the pages of docs/ can be drawn: picture_test.py SOURCE."""
+import sys
+import unittest
+from pathlib import Path
+
+import picture
+
+DOCS = Path(sys.argv[1]) / "docs"
+DENSE = """| engine | scene | style | instructions | over stock | ns | over stock, same turn: median (least to most) |
+|---|---|---|---|---|---|---|
+| A | gas, 4 | x (stock) | 100 | 1.00 | 10 | 1.00 (1.00 to 1.00) |
+| A | gas, 4 | y (stock, cohesive) | 200 | 2.00 | 18 | 1.80 (1.50 to 1.90) |
+| B | gas, 4 | x *event* (cohesive) | 300 | 1.00 |  |  |
+""".splitlines()
+GROWTH = """| style | particles | ns per particle and step | over 10: median (least to most) |
+|---|---|---|---|
+| *a* | 10 | 5.0 | 1.00 (1.00 to 1.00) |
+| *a* | 100 | 6.0 | 1.20 (1.10 to 1.30) |
+| b | 10 | 7.0 | 1.00 (1.00 to 1.00) |
+| b | 100 | 9.8 | 1.40 (1.40 to 1.40) |
+""".splitlines()
+STEPS = """Said.
+
+## law
+
+Said.
+
+| point | first |
+|---|---|
+| 1 | right |
+
+2 random points:
+
+| t_c/dt | points | refused | cases right | wrong, warned | wrong, silent | marginal or not judged |
+|---|---|---|---|---|---|---|
+| 2 to 3 | 4 | 1 | 3 | 2 | 1 | 0 |
+| 3 to 4 | 4 | 4 | 0 | 0 | 0 | 0 |
+
+Refused:
+
+## hard law
+
+| point | first |
+|---|---|
+"""
+
+
+class Pictures(unittest.TestCase):
+    def tearDown(self):
+        picture.pyplot.close("all")
+
+    def test_dense_has_a_panel_of_each_engine_with_bars_and_times(self):
+        panels = picture.draw_dense(picture.read(DENSE)).axes
+        self.assertEqual([[bar.get_width() for bar in panel.patches] for panel in panels], [[1.0, 2.0], [1.0]])
+        limits = [next(line for line in panel.lines if line.get_linestyle() == ":").get_xdata()[0] for panel in panels]
+        self.assertEqual(limits, [1.15 * 2.0, 1.15])
+        times = panels[0].containers[-1]
+        self.assertEqual(list(times.lines[0].get_xdata()), [1.8])
+        ends = [line.get_xdata()[0] for line in times.lines[1]]
+        self.assertAlmostEqual(ends[0], 1.5)
+        self.assertAlmostEqual(ends[1], 1.9)
+
+    def test_growth_has_a_line_of_each_style(self):
+        left, right = picture.draw_growth(picture.read(GROWTH)).axes
+        self.assertEqual([list(line.get_ydata()) for line in left.lines], [[5.0, 6.0], [7.0, 9.8]])
+        self.assertEqual([line.get_label() for line in left.lines], ["a", "b"])
+        middles = [list(part.lines[0].get_ydata()) for part in right.containers]
+        self.assertEqual(middles, [[1.0, 1.2], [1.0, 1.4]])
+
+    def test_steps_have_the_share_of_cases_that_are_right(self):
+        tables = picture.of_page("steps", STEPS)
+        self.assertEqual(list(tables), ["law"])
+        shares = picture.draw_steps(tables).axes[0].images[0].get_array()
+        self.assertEqual(shares[0, 0], 3 / 6)
+        self.assertEqual([label.get_text() for label in picture.draw_steps(tables).axes[0].texts],
+                         ["3 of 6\n1 silent\n1 of 4 refused", "0 of 0\n4 of 4 refused"])
+
+    def test_pages_of_the_documentation_can_be_drawn(self):
+        for name, page in (("dense", "costs.md"), ("growth", "costs.md"), ("steps", "lammps-package/stability.md")):
+            with self.subTest(name):
+                self.assertTrue(picture.DRAWN[name](picture.of_page(name, (DOCS / page).read_text())).axes)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

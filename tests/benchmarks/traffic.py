@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a step fetches from beyond the caches, by valgrind's model of them, and how fast this machine copies: why a
+step of many spheres takes longer than of few."""
+import time
+
+import numpy
+
+import scenes
+from progress import Progress
+from scenes import WAYS
+
+TITLE = "What a step fetches"
+# A list of neighbours is made once in the steps that are counted, as it is once in so many.
+FIRST, STEPS = scenes.REBUILD, scenes.REBUILD
+LINE = 64  # bytes
+COPIES = (1, 5, 50, 500)  # [MB], source and copy
+COPIED = 2e9  # bytes in each of the turns of a copy
+
+
+def add_words(parser):
+    parser.add_argument("--sizes", type=lambda text: [int(float(n)) for n in text.split(",")],
+                        default=[10000, 100000])
+    parser.add_argument("--caches", type=lambda text: [int(n) for n in text.split(",")], default=[2, 32],
+                        help="of the last cache, MB, powers of two")
+    parser.add_argument("--way", help="those alone whose name has this in it", default="")
+
+
+def small(words):
+    words.sizes, words.way = [1000, 10000], "hamaker"
+
+
+def copied(megabytes, turns=5):
+    """Bytes read and written per second, the best of the turns."""
+    source = numpy.ones(int(megabytes * 1e6 / 2 / 8))
+    copy, best = numpy.zeros_like(source), float("inf")
+    times = max(1, int(COPIED / (2 * source.nbytes)))
+    for _ in range(turns):
+        start = time.perf_counter()
+        for _ in range(times):
+            numpy.copyto(copy, source)
+        best = min(best, (time.perf_counter() - start) / times)
+    return 2 * source.nbytes / best
+
+
+def rows(programs, words):
+    ways = {name: way for name, way in WAYS.items() if words.way in name and programs.has(way[0])}
+    progress = Progress(len(ways) * sum(words.sizes) * len(words.caches))
+    yield "| what | particles | " + " | ".join(f"beyond {cache} MB" for cache in words.caches) + " |"
+    yield "|---|---|" + "---|" * len(words.caches)
+    for name, (way, pair) in ways.items():
+        for wished in words.sizes:
+            cells = scenes.cells_for("gas", wished)
+            number = scenes.particles("gas", cells)
+            text = scenes.text(way.startswith("liggghts"), "gas", cells, pair, load=way == "lammps+")
+            bytes_of = []
+            for cache in words.caches:
+                bytes_of.append(LINE / number * programs.missed_per_step(way, text, FIRST, STEPS, cache << 20))
+                progress.add(wished)
+            yield f"| {name}, byte | {number} | " + " | ".join(f"{found:.0f}" for found in bytes_of) + " |"
+    for megabytes in COPIES:
+        yield (f"| a copy of {megabytes} MB, source and copy: {copied(megabytes) / 1e9:.0f} byte per ns read and written "
+               "|" + " |" * (1 + len(words.caches)))
