@@ -12,6 +12,7 @@ import analyse  # noqa: E402
 from foam_results import read_cloud, written_times  # noqa: E402
 
 SNAPSHOTS = 5
+SHOWN = 2.5  # of the height at rest
 
 
 def draw(file, folders):
@@ -45,6 +46,6 @@ def draw_bed(axes, bed, folder):
     spheres.set_clim(-1, 1)
     axes.add_collection(spheres)
     axes.set_xlim(0, bed.width * 1e3)
-    axes.set_ylim(0, bed.height * 1e3)
+    axes.set_ylim(0, min(bed.height, SHOWN * analyse.heights(bed)[1][0]) * 1e3)
     axes.set_aspect("equal")
     axes.tick_params(labelsize=7)

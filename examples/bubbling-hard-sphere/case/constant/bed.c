@@ -21,4 +21,4 @@ restitution 0.9;
 wallRestitution 0.9;
 friction    0.3;
 
-endTime     3;          // [s]
+endTime     2;          // [s]
