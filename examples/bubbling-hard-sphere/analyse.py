@@ -12,7 +12,8 @@ import numpy as np
 from foam_results import read_cells, written_times
 
 GRAVITY = 9.81
-START_UP = 0.5  # s left out of means: the bed comes from rest
+START_UP = 0.8  # s left out: gas that begins at once lifts the resting bed as one plug, which falls back by then
+PEAK = 1.5  # times its mean: where the pressure has a peak
 EMPTY = 0.8  # void fraction above which a cell belongs to a cavity
 SLUG = 0.7  # a cavity this wide, of the bed's width, is a slug
 
@@ -134,18 +135,28 @@ def seconds_per_second(bed):
     return float(seconds) / float(time)
 
 
+def peaks(values, level):
+    """How often a series rises through a level."""
+    above = values > level
+    return int(np.count_nonzero(above[1:] & ~above[:-1]))
+
+
 def figures(case):
-    """Those of one bed that are one number."""
+    """Those of one bed that are one number. Pressures over the weight per area of the plate, heights over that at
+    rest; means, deviations and peaks after START_UP, or the first quarter of a shorter run."""
     bed = Bed(Path(case))
-    time, pressure = pressure_trace(bed)
-    pressure = pressure[time > min(START_UP, time[-1] / 4)] / bed.weight
-    when, height = heights(bed)
-    height = height[when > min(START_UP, when[-1] / 4)] / height[0]
+    when, pressure = pressure_trace(bed)
+    start = min(START_UP, when[-1] / 4)
+    pressure = pressure[when > start] / bed.weight
+    moment, height = heights(bed)
+    height = height[moment > start] / height[0]
     times, area, widest = cavity_history(bed)
-    steady = times > min(START_UP, times[-1] / 4)
+    area, widest = area[times > start], widest[times > start]
+    void = resting_void_fraction(bed)
     return {"pressure_mean": float(pressure.mean()), "pressure_deviation": float(pressure.std()),
-            "pressure_peak": float(np.quantile(pressure, 0.99)),
+            "pressure_peaks_per_s": peaks(pressure, PEAK * pressure.mean()) / float(when[-1] - start),
             "expansion": float(height.mean()), "expansion_deviation": float(height.std()),
-            "cavities": float(area[steady].mean()), "widest_cavity": float(widest.max()),
-            "slug_share_of_time": float((widest[steady] >= SLUG).mean()),
+            "cavities": float(area.mean()), "widest_cavity": float(widest.max()),
+            "slug_share_of_time": float((widest >= SLUG).mean()),
+            "resting_void_fraction": void, "ergun_U_mf": ergun(bed, void),
             "seconds_per_second": seconds_per_second(bed)}

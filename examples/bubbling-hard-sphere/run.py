@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs the hard-sphere beds of Hoomans et al. (1996), each with and without dissipation in collisions, as many at a
-time as there are cores, and ends in a table beside the expectations, and a picture. Beds that are finished are not
-run again.
+"""Runs the hard-sphere beds of Hoomans et al. (1996), each with and without dissipation in collisions and with some
+seeds, as many at a time as there are cores, and ends in a table beside the expectations, and a picture. Beds that are
+finished are not run again.
 
-    run.py [--beds b c d] [--time SECONDS] [--seed N] [--out FOLDER] [--build FOLDER] [--together N]
+    run.py [--beds b c d] [--seeds N ...] [--time SECONDS] [--out FOLDER] [--build FOLDER] [--together N]
 """
 
 import argparse
@@ -21,6 +21,7 @@ import analyse  # noqa: E402
 import picture  # noqa: E402
 from foam_case import FoamCase, environment  # noqa: E402
 from job_pool import Job, RunError, carry_out, cores  # noqa: E402
+from study_table import over_seeds  # noqa: E402
 
 BEDS = ("b", "c", "d")
 SCRIPT = "constant/couplingProperties", "lammpsCoeffs/variables"
@@ -33,7 +34,7 @@ def arguments():
                         help="b: jet, c: uniform gas, d: 40,000 spheres, which takes long (%(default)s)")
     parser.add_argument("--time", type=float, default=None, metavar="SECONDS",
                         help="to simulate (that of each bed)")
-    parser.add_argument("--seed", type=int, default=4711, metavar="N",
+    parser.add_argument("--seeds", type=int, nargs="+", default=[1, 2, 3], metavar="N",
                         help="of the places from which the spheres are poured (%(default)s)")
     parser.add_argument("--out", type=Path, default=None,
                         help="folder for cases and results (BUILD/bubbling-hard-sphere)")
@@ -59,13 +60,14 @@ def fingerprint(build, env):
 
 
 class HardBed(Job):
-    """One bed. `changed`: entries of constant/bed that differ from the case; `variables`: of its script."""
+    """One bed. `changed`: entries of constant/bed that differ from the case."""
 
-    def __init__(self, out, env, mark, bed, dissipation, changed=None, **variables):
+    def __init__(self, out, env, mark, bed, dissipation, seed, changed=None):
         self.bed, self.env, self.changed = bed, env, changed or {}
-        self.variables = {"dissipation": dissipation, **variables}
+        self.variables = {"dissipation": dissipation, "seed": seed}
+        self.kind = bed if dissipation else f"{bed}-elastic"
         size = {**analyse.entries(HERE / f"case/constant/bed.{bed}"), **self.changed}
-        super().__init__(out / (bed if dissipation else f"{bed}-elastic"),
+        super().__init__(out / f"{self.kind}-seed-{seed}",
                          {"bed": bed, **self.changed, **self.variables, "fingerprint": mark},
                          work=size["endTime"] * size["count"])
 
@@ -100,16 +102,18 @@ def expected():
         return list(csv.DictReader(line for line in file if not line.startswith("#")))
 
 
-def table(results):
-    """Figures of {name: result}, and the rows of expected.csv for the beds there are."""
-    rows = [("", *results)]
-    rows += [(name, *(f"{result[name]:.3g}" for result in results.values()))
-             for name in next(iter(results.values())) if name not in ("settings", "seconds")]
+def table(by_kind):
+    """Means and standard deviations over the seeds, and the rows of expected.csv of the beds there are.
+    by_kind: {kind: [results]}."""
+    means = {kind: over_seeds(results) for kind, results in by_kind.items()}
+    rows = [("", *means)]
+    rows += [(name, *("{:.3g} +- {:.1g}".format(*mean[name]) for mean in means.values()))
+             for name in next(iter(means.values())) if name != "seconds"]
     widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
     lines = ["  ".join(cell.ljust(width) for cell, width in zip(row, widths)).rstrip() for row in rows]
     for row in expected():
-        if row["bed"] in results:
-            found = results[row["bed"]][row["quantity"]]
+        if row["bed"] in means:
+            found = means[row["bed"]][row["quantity"]][0]
             within = "yes" if float(row["low"]) <= found <= float(row["high"]) else "NO"
             lines.append(f"{row['bed']}, {row['quantity']} {found:.3g} between {row['low']} and {row['high']}: "
                          f"{within} ({row['origin']})")
@@ -123,12 +127,14 @@ def main():
     env = environment(args.build)
     mark = fingerprint(args.build, env)
     changed = {} if args.time is None else {"endTime": args.time}
-    jobs = [HardBed(out, env, mark, bed, dissipation, changed, seed=args.seed)
-            for bed in args.beds for dissipation in (1, 0)]
-    results = dict(zip((job.name for job in jobs), carry_out(jobs, args.together)))
-    text = table(results)
+    jobs = [HardBed(out, env, mark, bed, dissipation, seed, changed)
+            for seed in args.seeds for bed in args.beds for dissipation in (1, 0)]
+    by_kind = {}
+    for job, result in zip(jobs, carry_out(jobs, args.together)):
+        by_kind.setdefault(job.kind, []).append(result)
+    text = table(by_kind)
     (out / "result.txt").write_text(text + "\n")
-    picture.draw(out / "result.png", [job.folder for job in jobs])
+    picture.draw(out / "result.png", [job.folder for job in jobs[:len(by_kind)]])
     print(text)
     print(f"\npicture: {out / 'result.png'}\ntable:   {out / 'result.txt'}")
     print(f"ParaView: {out}/*/case.foam, gas and particles together")

@@ -22,7 +22,7 @@ from lammps_run import tables  # noqa: E402
 
 BUILD = sys.argv.pop(1) if len(sys.argv) > 1 else str(SOURCE / "build")
 SMALL = {"width": 0.05, "height": 0.2, "jetFrom": 0.02, "jetTo": 0.03, "middle": 0.025, "sideCells": 2,
-         "cellsUp": 10, "trace": 0.05, "count": 300, "endTime": 0.05}
+         "cellsUp": 10, "trace": 0.05, "count": 300, "settle": 0.1, "endTime": 0.05}
 STEPS = 100  # gas steps
 
 
@@ -32,7 +32,7 @@ class SmallBed(unittest.TestCase):
         cls.keeper = tempfile.TemporaryDirectory(prefix="cohesion-")
         cls.addClassCleanup(cls.keeper.cleanup)
         env = run.environment(BUILD)
-        cls.jobs = [run.HardBed(Path(cls.keeper.name), env, "", "b", dissipation, SMALL, settle=0.1)
+        cls.jobs = [run.HardBed(Path(cls.keeper.name), env, "", "b", dissipation, 4711, SMALL)
                     for dissipation in (1, 0)]
         cls.results = run.carry_out(cls.jobs, 2)
         cls.beds = [analyse.Bed(job.folder) for job in cls.jobs]
@@ -91,7 +91,7 @@ class SmallBed(unittest.TestCase):
         out = Path(self.keeper.name) / "result.png"
         picture.draw(out, [job.folder for job in self.jobs])
         self.assertGreater(out.stat().st_size, 10000)
-        self.assertIn("b-elastic", run.table(dict(zip(("b", "b-elastic"), self.results))))
+        self.assertIn("b-elastic", run.table({job.kind: [result] for job, result in zip(self.jobs, self.results)}))
 
 
 class Reading(unittest.TestCase):
@@ -109,6 +109,10 @@ class Reading(unittest.TestCase):
         self.assertAlmostEqual(analyse.width_of(found[1], 6), 0.5)
         self.assertEqual(analyse.cavities(np.zeros((3, 3), bool)), [])
         self.assertEqual(analyse.cavities(np.ones((3, 3), bool)), [])
+
+    def test_peaks(self):
+        self.assertEqual(analyse.peaks(np.array([1, 3, 3, 1, 2, 1, 3]), 2), 2)
+        self.assertEqual(analyse.peaks(np.array([3, 1, 1]), 2), 0)
 
     def test_minimum_fluidisation_is_that_of_the_source(self):
         """1.77 m/s, three digits, at the void fraction that the depth of the slab is made for; the bed (d) to what

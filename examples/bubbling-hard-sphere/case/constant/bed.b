@@ -21,4 +21,5 @@ restitution 0.9;
 wallRestitution 0.9;
 friction    0.3;
 
+settle      0.15;       // before the gas starts [s]
 endTime     2;          // [s]
