@@ -3,10 +3,15 @@
 plateau and void fraction. Lengths in m, velocities in m/s, pressures in Pa."""
 
 import re
+import sys
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "common"))
+
+from foam_results import written_times  # noqa: E402
 
 WIDTH, HEIGHT, DEPTH = 0.08, 0.2, 1e-3
 CELLS = (27, 30)
@@ -83,11 +88,6 @@ def particle_step(case):
     engine = re.search(r"^demEngine\s+(\w+);", text, re.M).group(1)
     own = re.search(rf"^{engine}Coeffs\s*\{{(.*?)^\}}", text, re.M | re.S).group(1)
     return float(re.search(r"^\s*dt\s+(\S+);", own, re.M).group(1))
-
-
-def written_times(case):
-    """Time folders of a case, by time."""
-    return {float(d.name): d for d in Path(case).iterdir() if re.fullmatch(r"[\d.]+", d.name)}
 
 
 def read_vectors(file):

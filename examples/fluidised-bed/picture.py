@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The picture of the fluidised bed: fluidisation curves and two snapshots."""
 
-import re
-
 import matplotlib
 
 matplotlib.use("Agg")
@@ -11,6 +9,7 @@ import numpy as np  # noqa: E402
 from matplotlib.collections import EllipseCollection  # noqa: E402
 
 import analyse  # noqa: E402
+from foam_results import read_cloud, written_times  # noqa: E402
 
 COLOURS = {"non-cohesive": "#1f6f8b", "Hamaker": "#c8553d"}
 
@@ -45,18 +44,8 @@ def draw_curves(axes, results):
     axes.set_title("fluidisation curve (dotted: U_mf,th)", fontsize=10)
 
 
-def read_cloud(folder):
-    """Positions and velocities of the particles in a written time: two arrays (n, 3)."""
-    def vectors(file):
-        text = (folder / "lagrangian/particles" / file).read_text()
-        rows = re.findall(r"\(([-+.\deE]+) ([-+.\deE]+) ([-+.\deE]+)\)", text)
-        return np.array(rows, dtype=float)
-
-    return vectors("positions"), vectors("U")
-
-
 def draw_snapshot(axes, case, name):
-    time, folder = max(analyse.written_times(case).items())
+    time, folder = max(written_times(case).items())
     positions, velocities = read_cloud(folder)
     size = np.full(len(positions), analyse.DIAMETER * 1e3)
     particles = EllipseCollection(size, size, np.zeros(len(size)), units="xy",

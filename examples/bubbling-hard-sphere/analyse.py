@@ -1,0 +1,162 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Reads one finished bed: pressure trace, height, and the cavities in it, bubbles and slugs. Lengths in m, pressures
+in Pa, velocities in m/s."""
+
+import math
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from foam_results import read_cells, written_times
+
+GRAVITY = 9.81
+START_UP = 0.8  # s left out: gas that begins at once lifts the resting bed as one plug, which falls back by then
+PEAK = 1.5  # times its mean: where the pressure has a peak
+EMPTY = 0.8  # void fraction above which a cell belongs to a cavity
+SLUG = 0.7  # a cavity this wide, of the bed's width, is a slug
+
+
+def entries(file):
+    """Numbers of a dictionary: {name: value}."""
+    return {name: float(value) for name, value in
+            re.findall(r"^\s*(\w+)\s+(-?[\d.]+(?:[eE]-?\d+)?);", Path(file).read_text(), re.M)}
+
+
+@dataclass
+class Bed:
+    """What a case is of, from its dictionaries."""
+
+    case: Path
+
+    def __post_init__(self):
+        self.size = entries(self.case / "constant/bed")
+        self.gas = entries(self.case / "constant/transportProperties")
+
+    def __getattr__(self, name):
+        return self.size[name]
+
+    @property
+    def cells(self):
+        """Across and up."""
+        return int(2 * self.sideCells + self.jetCells), int(self.cellsUp)
+
+    @property
+    def weight(self):
+        """Per area of the plate [Pa]."""
+        mass = self.count * self.density * math.pi / 6 * self.diameter**3
+        return mass * GRAVITY / (self.width * (self.front - self.back))
+
+
+def pressure_trace(bed):
+    """Times and pressures in the middle, at the height of the trace, without the gas's own weight."""
+    time, p = np.loadtxt(bed.case / "postProcessing/trace/0/p", comments="#", ndmin=2).T
+    return time, bed.gas["rho"] * (p - GRAVITY * (bed.height - bed.trace))
+
+
+def heights(bed):
+    """Times and twice the mean height of the spheres; the first is at rest."""
+    return np.loadtxt(bed.case / "postProcessing/height/0/bedHeight.dat", comments="#", ndmin=2).T[:2]
+
+
+def void_fraction(bed, folder):
+    """Of the cells in a written time, (up, across); the mesh has a block left of the jet, one above it and one
+    right of it."""
+    values = read_cells(folder / "voidFraction")
+    up, blocks, start = bed.cells[1], [], 0
+    for across in (bed.sideCells, bed.jetCells, bed.sideCells):
+        end = start + int(across) * up
+        blocks.append(values[start:end].reshape(up, int(across)))
+        start = end
+    return np.hstack(blocks)
+
+
+def cavities(empty):
+    """Connected sets (by faces) of cells that are `empty`, a bool (up, across); each a list of (row, column).
+    Those that reach the highest row are none but the space above the bed."""
+    seen, found = np.zeros(empty.shape, bool), []
+    for start in zip(*np.nonzero(empty)):
+        if seen[start]:
+            continue
+        seen[start], waiting, members = True, [start], []
+        while waiting:
+            row, column = waiting.pop()
+            members.append((row, column))
+            for to in ((row + 1, column), (row - 1, column), (row, column + 1), (row, column - 1)):
+                if 0 <= to[0] < empty.shape[0] and 0 <= to[1] < empty.shape[1] and empty[to] and not seen[to]:
+                    seen[to] = True
+                    waiting.append(to)
+        if max(row for row, _ in members) < empty.shape[0] - 1:
+            found.append(members)
+    return found
+
+
+def width_of(members, across):
+    """Share of the bed's width that a cavity is wide."""
+    columns = [column for _, column in members]
+    return (max(columns) - min(columns) + 1) / across
+
+
+def cavity_history(bed):
+    """For each written time: time, area of all cavities over that of the bed at rest, width of the widest over
+    that of the bed."""
+    across, up = bed.cells
+    cell = bed.width * bed.height / across / up
+    rest = heights(bed)[1][0] * bed.width
+    rows = []
+    for time, folder in sorted(written_times(bed.case).items()):
+        if time > 0:
+            found = cavities(void_fraction(bed, folder) > EMPTY)
+            rows.append((time, sum(map(len, found)) * cell / rest,
+                         max((width_of(members, across) for members in found), default=0.0)))
+    return np.array(rows).T
+
+
+def ergun(bed, void):
+    """Minimum fluidisation velocity at a void fraction."""
+    rho, mu, d = bed.gas["rho"], bed.gas["rho"] * bed.gas["nu"], bed.diameter
+    a, b = 1.75 * rho / (void**3 * d), 150 * (1 - void) * mu / (void**3 * d**2)
+    c = (bed.density - rho) * GRAVITY
+    return (math.sqrt(b * b + 4 * a * c) - b) / (2 * a)
+
+
+def resting_void_fraction(bed):
+    """Mean at the start, of the cells below two thirds of the bed's height that are not next to a wall."""
+    file = min((t, f) for t, f in written_times(bed.case).items() if t > 0)[1]
+    rows = int(heights(bed)[1][0] * 2 / 3 / bed.height * bed.cells[1])
+    return float(void_fraction(bed, file)[1:rows, 1:-1].mean())
+
+
+def seconds_per_second(bed):
+    """By the clock, of one simulated second."""
+    log = (bed.case / "log.cohesiveBedFoam").read_text()
+    time, seconds = re.findall(r"^Time = (\S+)  \(\S+ %, (\S+) s elapsed", log, re.M)[-1]
+    return float(seconds) / float(time)
+
+
+def peaks(values, level):
+    """How often a series rises through a level."""
+    above = values > level
+    return int(np.count_nonzero(above[1:] & ~above[:-1]))
+
+
+def figures(case):
+    """Those of one bed that are one number. Pressures over the weight per area of the plate, heights over that at
+    rest; means, deviations and peaks after START_UP, or the first quarter of a shorter run."""
+    bed = Bed(Path(case))
+    when, pressure = pressure_trace(bed)
+    start = min(START_UP, when[-1] / 4)
+    pressure = pressure[when > start] / bed.weight
+    moment, height = heights(bed)
+    height = height[moment > start] / height[0]
+    times, area, widest = cavity_history(bed)
+    area, widest = area[times > start], widest[times > start]
+    void = resting_void_fraction(bed)
+    return {"pressure_mean": float(pressure.mean()), "pressure_deviation": float(pressure.std()),
+            "pressure_peaks_per_s": peaks(pressure, PEAK * pressure.mean()) / float(when[-1] - start),
+            "expansion": float(height.mean()), "expansion_deviation": float(height.std()),
+            "cavities": float(area.mean()), "widest_cavity": float(widest.max()),
+            "slug_share_of_time": float((widest >= SLUG).mean()),
+            "resting_void_fraction": void, "ergun_U_mf": ergun(bed, void),
+            "seconds_per_second": seconds_per_second(bed)}

@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs the hard-sphere beds of Hoomans et al. (1996), each with and without dissipation in collisions and with some
+seeds, as many at a time as there are cores, and ends in a table beside the expectations, and a picture. Beds that are
+finished are not run again.
+
+    run.py [--beds b c d] [--seeds N ...] [--time SECONDS] [--out FOLDER] [--build FOLDER] [--together N]
+"""
+
+import argparse
+import csv
+import hashlib
+import json
+import shutil
+import sys
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent / "common"))
+
+import analyse  # noqa: E402
+import picture  # noqa: E402
+from foam_case import FoamCase, environment  # noqa: E402
+from job_pool import Job, RunError, carry_out, cores  # noqa: E402
+from study_table import over_seeds  # noqa: E402
+
+BEDS = ("b", "c", "d")
+SCRIPT = "constant/couplingProperties", "lammpsCoeffs/variables"
+MARK = "settings.json"  # in the folder of a case that was made here: it may be made anew
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
+    parser.add_argument("--beds", nargs="+", choices=BEDS, default=["b", "c"],
+                        help="b: jet, c: uniform gas, d: 40,000 spheres, which takes long (%(default)s)")
+    parser.add_argument("--time", type=float, default=None, metavar="SECONDS",
+                        help="to simulate (that of each bed)")
+    parser.add_argument("--seeds", type=int, nargs="+", default=[1, 2, 3], metavar="N",
+                        help="of the places from which the spheres are poured (%(default)s)")
+    parser.add_argument("--out", type=Path, default=None,
+                        help="folder for cases and results (BUILD/bubbling-hard-sphere)")
+    parser.add_argument("--build", type=Path, default=HERE.parents[1] / "build",
+                        help="build folder of the package")
+    parser.add_argument("--together", type=int, default=cores(), metavar="N",
+                        help="beds at a time (the cores there are: %(default)s)")
+    args = parser.parse_args()
+    if args.together < 1:
+        parser.error(f"--together {args.together}: it must be 1 or more")
+    return args
+
+
+def fingerprint(build, env):
+    """Of all that the results depend on, programs included."""
+    folders = [Path(f) for f in env["LD_LIBRARY_PATH"].split(":") if f.startswith(str(build))]
+    files = [*(HERE / "case").rglob("*"), build / "openfoam/cohesiveBedFoam",
+             *(f for folder in folders for f in folder.glob("*.so"))]
+    digest = hashlib.sha256()
+    for file in sorted(f for f in files if f.is_file()):
+        digest.update(file.name.encode() + file.read_bytes())
+    return digest.hexdigest()
+
+
+class HardBed(Job):
+    """One bed. `changed`: entries of constant/bed that differ from the case."""
+
+    def __init__(self, out, env, mark, bed, dissipation, seed, changed=None):
+        self.bed, self.env, self.changed = bed, env, changed or {}
+        self.variables = {"dissipation": dissipation, "seed": seed}
+        self.kind = bed if dissipation else f"{bed}-elastic"
+        size = {**analyse.entries(HERE / f"case/constant/bed.{bed}"), **self.changed}
+        super().__init__(out / f"{self.kind}-seed-{seed}",
+                         {"bed": bed, **self.changed, **self.variables, "fingerprint": mark},
+                         work=size["endTime"] * size["count"])
+
+    def start(self):
+        if self.folder.exists() and not (self.folder / MARK).exists():
+            raise RunError(f"'{self.folder}' holds something else than a bed of this program: give --out")
+        self.case = FoamCase(HERE / "case", self.folder, self.env, overwrite=True)
+        (self.folder / MARK).write_text(json.dumps(self.settings))
+        shutil.copy(self.folder / f"constant/bed.{self.bed}", self.folder / "constant/bed")
+        for name, value in self.changed.items():
+            self.case.set("constant/bed", name, value)
+        for name, value in self.variables.items():
+            self.case.set(SCRIPT[0], f"{SCRIPT[1]}/{name}", value)
+        self.case.mesh()
+        (self.folder / "case.foam").touch()  # what ParaView opens
+        return self.case.start()
+
+    def figures(self):
+        return analyse.figures(self.folder)
+
+    def share(self):
+        progress = self.case.progress()
+        return progress[0] if progress else 0.0
+
+    def tail(self):
+        return self.case.tail()
+
+
+def expected():
+    """Rows of expected.csv as dicts."""
+    with open(HERE / "expected.csv") as file:
+        return list(csv.DictReader(line for line in file if not line.startswith("#")))
+
+
+def table(by_kind):
+    """Means and standard deviations over the seeds, and the rows of expected.csv of the beds there are.
+    by_kind: {kind: [results]}."""
+    means = {kind: over_seeds(results) for kind, results in by_kind.items()}
+    rows = [("", *means)]
+    rows += [(name, *("{:.3g} +- {:.1g}".format(*mean[name]) for mean in means.values()))
+             for name in next(iter(means.values())) if name != "seconds"]
+    widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
+    lines = ["  ".join(cell.ljust(width) for cell, width in zip(row, widths)).rstrip() for row in rows]
+    for row in expected():
+        if row["bed"] in means:
+            found = means[row["bed"]][row["quantity"]][0]
+            within = "yes" if float(row["low"]) <= found <= float(row["high"]) else "NO"
+            lines.append(f"{row['bed']}, {row['quantity']} {found:.3g} between {row['low']} and {row['high']}: "
+                         f"{within} ({row['origin']})")
+    return "\n".join(lines)
+
+
+def main():
+    args = arguments()
+    args.build = args.build.resolve()
+    out = (args.out or args.build / "bubbling-hard-sphere").resolve()
+    env = environment(args.build)
+    mark = fingerprint(args.build, env)
+    changed = {} if args.time is None else {"endTime": args.time}
+    jobs = [HardBed(out, env, mark, bed, dissipation, seed, changed)
+            for seed in args.seeds for bed in args.beds for dissipation in (1, 0)]
+    by_kind = {}
+    for job, result in zip(jobs, carry_out(jobs, args.together)):
+        by_kind.setdefault(job.kind, []).append(result)
+    text = table(by_kind)
+    (out / "result.txt").write_text(text + "\n")
+    picture.draw(out / "result.png", [job.folder for job in jobs[:len(by_kind)]])
+    print(text)
+    print(f"\npicture: {out / 'result.png'}\ntable:   {out / 'result.txt'}")
+    print(f"ParaView: {out}/*/case.foam, gas and particles together")
+
+
+if __name__ == "__main__":
+    try:
+        main()
+    except RunError as error:
+        sys.exit(f"run.py: {error}")

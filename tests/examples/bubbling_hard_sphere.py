@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""bubbling_hard_sphere.py BUILD_FOLDER: a small version of examples/bubbling-hard-sphere, 300 spheres above a jet
+for 0.05 s with and without dissipation; the reading of pressure, void fraction and cavities where it is known."""
+
+import math
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy as np
+
+SOURCE = Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(SOURCE / "examples/bubbling-hard-sphere"), str(SOURCE / "tests/openfoam-coupling")]
+
+from coupled_case import exchange_lines  # noqa: E402
+import analyse  # noqa: E402
+import picture  # noqa: E402
+import run  # noqa: E402
+from foam_results import read_cloud, written_times  # noqa: E402
+from lammps_run import tables  # noqa: E402
+
+BUILD = sys.argv.pop(1) if len(sys.argv) > 1 else str(SOURCE / "build")
+SMALL = {"width": 0.05, "height": 0.2, "jetFrom": 0.02, "jetTo": 0.03, "middle": 0.025, "sideCells": 2,
+         "cellsUp": 10, "trace": 0.05, "count": 300, "settle": 0.1, "endTime": 0.05}
+STEPS = 100  # gas steps
+
+
+class SmallBed(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.keeper = tempfile.TemporaryDirectory(prefix="cohesion-")
+        cls.addClassCleanup(cls.keeper.cleanup)
+        env = run.environment(BUILD)
+        cls.jobs = [run.HardBed(Path(cls.keeper.name), env, "", "b", dissipation, 4711, SMALL)
+                    for dissipation in (1, 0)]
+        cls.results = run.carry_out(cls.jobs, 2)
+        cls.beds = [analyse.Bed(job.folder) for job in cls.jobs]
+
+    def test_gas_and_spheres_balance(self):
+        """Round-off of sums over 300 spheres: 1e-13 of the force on them, some 0.3 N."""
+        for bed in self.beds:
+            lines = exchange_lines((bed.case / "log.cohesiveBedFoam").read_text())
+            self.assertEqual(len(lines), STEPS)
+            self.assertLess(max(line["imbalance"] for line in lines), 1e-13)
+            self.assertLess(max(line["volume"] for line in lines), 1e-13)
+
+    def test_collisions_take_energy_or_none(self):
+        """Without dissipation what collisions have taken stays as it was when the gas began, but for the round-off of
+        sums (1e-12 of what settling took); with it they take more."""
+        taken = []
+        for bed in self.beds:
+            text = (bed.case / "log.lammps").read_text()
+            after = [line.split() for line in text[text.index("fix          gas"):].splitlines()]
+            rows = [[float(word) for word in words] for words in after if len(words) == 6 and words[0].isdigit()]
+            self.assertGreater(len(rows), STEPS)
+            taken.append((rows[0][5], rows[-1][5], rows[-1][3] - rows[0][3]))
+        (start, end, collisions), (elastic_start, elastic_end, elastic_collisions) = taken
+        self.assertGreater(start, 0)
+        self.assertGreater(end, start * (1 + 1e-6))
+        self.assertLess(abs(elastic_end - elastic_start), 1e-12 * start)
+        self.assertGreater(min(collisions, elastic_collisions), 1000)
+
+    def test_void_fraction_is_where_the_spheres_are(self):
+        """All solid is in the cells (8 digits are written), in rows that are those of the spheres: they differ by what
+        of a sphere is across a face, at most its radius of its volume's middle, and what it flies in a gas step."""
+        for bed in self.beds:
+            time, folder = max(written_times(bed.case).items())
+            void = analyse.void_fraction(bed, folder)
+            self.assertEqual(void.shape, (10, 5))
+            cell = bed.width * bed.height / void.size * (bed.front - bed.back)
+            sphere = math.pi / 6 * bed.diameter**3
+            self.assertAlmostEqual((1 - void).sum() * cell / sphere, bed.count, delta=1e-6 * bed.count)
+            places, velocities = read_cloud(folder)
+            self.assertEqual(len(places), bed.count)
+            flight = abs(velocities).max() * 5e-4
+            for axis, size in ((0, bed.width), (1, bed.height)):
+                share = (1 - void).sum(axis=axis)
+                middles = (np.arange(len(share)) + 0.5) / len(share) * size
+                half = middles[0]
+                self.assertLess(abs((middles * share).sum() / share.sum() - places[:, axis].mean()), half + flight)
+                for limit in middles[:-1] + half:
+                    below = share[middles < limit].sum() / share.sum()
+                    self.assertGreaterEqual(below + 1e-6, (places[:, axis] < limit - bed.diameter / 2 - flight).mean())
+                    self.assertLessEqual(below - 1e-6, (places[:, axis] < limit + bed.diameter / 2 + flight).mean())
+
+    def test_figures_and_picture(self):
+        for result in self.results:
+            self.assertTrue(all(math.isfinite(v) for v in result.values() if isinstance(v, float)), result)
+            self.assertGreater(result["expansion"], 0.9)
+        out = Path(self.keeper.name) / "result.png"
+        picture.draw(out, [job.folder for job in self.jobs])
+        self.assertGreater(out.stat().st_size, 10000)
+        self.assertIn("b-elastic", run.table({job.kind: [result] for job, result in zip(self.jobs, self.results)}))
+
+
+class Reading(unittest.TestCase):
+    def test_cavities(self):
+        """Two bubbles, one of them at a wall and three cells wide, and the space above the bed with a channel down."""
+        empty = np.array([[c == "o" for c in row] for row in reversed([
+            "oooooo",
+            "xxoxxx",
+            "xxoxxx",
+            "xxxxxo",
+            "xoxooo",
+            "xxxxxx"])])
+        found = sorted(analyse.cavities(empty), key=len)
+        self.assertEqual([len(members) for members in found], [1, 4])
+        self.assertAlmostEqual(analyse.width_of(found[1], 6), 0.5)
+        self.assertEqual(analyse.cavities(np.zeros((3, 3), bool)), [])
+        self.assertEqual(analyse.cavities(np.ones((3, 3), bool)), [])
+
+    def test_peaks(self):
+        self.assertEqual(analyse.peaks(np.array([1, 3, 3, 1, 2, 1, 3]), 2), 2)
+        self.assertEqual(analyse.peaks(np.array([3, 1, 1]), 2), 0)
+
+    def test_minimum_fluidisation_is_that_of_the_source(self):
+        """1.77 m/s, three digits, at the void fraction that the depth of the slab is made for; the bed (d) to what
+        its entries say of it, 0.56 m/s."""
+        case = SOURCE / "examples/bubbling-hard-sphere/case"
+        for name, velocity in (("b", 1.77), ("c", 1.77), ("d", 0.56)):
+            bed = object.__new__(analyse.Bed)
+            bed.size = analyse.entries(case / f"constant/bed.{name}")
+            bed.gas = analyse.entries(case / "constant/transportProperties")
+            self.assertAlmostEqual(analyse.ergun(bed, 0.41), velocity, delta=0.005)
+            depth = bed.front - bed.back
+            self.assertAlmostEqual(1 - 0.83 * 2 / 3 * bed.diameter / depth, 0.41, delta=0.001)
+
+    def test_expectations_name_figures(self):
+        rows = run.expected()
+        self.assertTrue(rows)
+        for row in rows:
+            self.assertLess(float(row["low"]), float(row["high"]))
+            self.assertTrue(row["origin"])
+
+
+if __name__ == "__main__":
+    unittest.main()
