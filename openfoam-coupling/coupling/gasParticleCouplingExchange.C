@@ -28,6 +28,7 @@ void Foam::gasParticleCoupling::setCoefficients(const volVectorField& U)
     const scalar dt = mesh_.time().deltaTValue();
     const auto particles = engine_->particles();
     const auto velocity = engineView(particles.velocity, particles.count);
+    const auto position = engineView(particles.position, particles.count);
     gasAt_.set(voidFraction_, U, averaging_);
     // That of the particle's cells, with either slip
     scalarField rho(particles.count, rho_);
@@ -57,6 +58,7 @@ void Foam::gasParticleCoupling::setCoefficients(const volVectorField& U)
           : 0;
         drag_.lookAtStep
         (
+            position[i],
             gasAt_.voidFraction()[i],
             coefficient_[i],
             particles.radius[i],

@@ -5,6 +5,7 @@
 #include "PstreamReduceOps.H"
 #include "messageStream.H"
 
+#include "ofOneRank.H"
 #include "selectRow.H"
 
 #include "drag/exchange_error.h"
@@ -82,6 +83,7 @@ std::string Foam::particleDrag::validity() const
 
 void Foam::particleDrag::lookAtStep
 (
+    const vector& place,
     const scalar voidFraction,
     const scalar coefficient,
     const scalar radius,
@@ -90,7 +92,7 @@ void Foam::particleDrag::lookAtStep
     const scalar dt
 )
 {
-    if (warnedOfStep_ && !response_.free && (warnedOfPressure_ || !feelPressure_))
+    if (warnedOfStep_ && !response_.free && warnedOfPressure_)
     {
         return;
     }
@@ -107,9 +109,9 @@ void Foam::particleDrag::lookAtStep
     {
         growth_ = max(growth_, drag::held_growth(step, loading));
     }
-    if (feelPressure_ && !warnedOfPressure_)
+    if (!warnedOfPressure_)
     {
-        lookAtPressure(step, voidFraction);
+        lookAtPressure(step, voidFraction, place);
     }
 }
 
@@ -118,12 +120,17 @@ void Foam::particleDrag::startStep(const label engineSteps)
 {
     if (!pressureLimits_ || pressureLimits_->engine_steps() != engineSteps)
     {
-        pressureLimits_.emplace(engineSteps, response_.free);
+        pressureLimits_.emplace(engineSteps, response_.free, feelPressure_);
     }
 }
 
 
-void Foam::particleDrag::lookAtPressure(const scalar step, const scalar voidFraction)
+void Foam::particleDrag::lookAtPressure
+(
+    const scalar step,
+    const scalar voidFraction,
+    const vector& place
+)
 {
     const scalar longest = pressureLimits_->longest(voidFraction);
     if (step <= longest)
@@ -132,13 +139,15 @@ void Foam::particleDrag::lookAtPressure(const scalar step, const scalar voidFrac
     }
     const scalar growth = drag::pressure_growth
     (
-        {step, voidFraction, pressureLimits_->engine_steps(), response_.free}
+        {step, voidFraction, pressureLimits_->engine_steps(), response_.free, feelPressure_}
     );
     if (growth > drag::pressure_grows)
     {
-        pressureGrowth_ = max(pressureGrowth_, growth);
         pressureStepShare_ = min(pressureStepShare_, longest/step);
-        pressureVoidFraction_ = min(pressureVoidFraction_, voidFraction);
+        if (growth > fastest_.growth)
+        {
+            fastest_ = {growth, place, voidFraction, step};
+        }
     }
 }
 
@@ -185,25 +194,38 @@ void Foam::particleDrag::warnOfGrowth()
 
 void Foam::particleDrag::warnOfPressure(const scalar dt)
 {
-    reduce(pressureGrowth_, maxOp<scalar>());
+    const bool mine = hasLargest(fastest_.growth);
+    ofOneRank(mine, fastest_.growth);
+    ofOneRank(mine, fastest_.place);
+    ofOneRank(mine, fastest_.voidFraction);
+    ofOneRank(mine, fastest_.step);
     reduce(pressureStepShare_, minOp<scalar>());
-    reduce(pressureVoidFraction_, minOp<scalar>());
-    if (pressureGrowth_ > drag::pressure_grows)
+    if (fastest_.growth > drag::pressure_grows)
     {
         const bool formB =
-            !drag::stiff_waves_grow_in_form_b(pressureVoidFraction_, pressureLimits_->engine_steps());
+            feelPressure_
+         && !drag::pressure_waves_grow
+            (
+                {
+                    fastest_.step,
+                    fastest_.voidFraction,
+                    pressureLimits_->engine_steps(),
+                    response_.free,
+                    false
+                }
+            );
         WarningInFunction
-            << "in form A, where particles are so dense and follow the gas so fast, waves of particles that"
-            << " nothing holds would swing against the pressure and grow by a factor of " << pressureGrowth_
-            << " in a gas step, at void fractions from " << pressureVoidFraction_ << " on; particles that"
-            << " touch others hold them back. A deltaT below " << pressureStepShare_*dt
+            << "where particles are so dense and follow the gas so fast, waves of particles that nothing"
+            << " holds would swing against the gas that they displace and grow by a factor of "
+            << fastest_.growth << " in a gas step, fastest at the particle at " << fastest_.place
+            << ": void fraction " << fastest_.voidFraction << ", x = b deltaT/m = " << fastest_.step
+            << ". Particles that touch others hold them back. A deltaT below " << pressureStepShare_*dt
             << " s cures it, as void fractions and drag are now and with as many particle steps in it"
             << (formB ? ", or 'form B;' in constant/couplingProperties" : "") << "; this is said once" << endl;
         warnedOfPressure_ = true;
     }
-    pressureGrowth_ = 0;
+    fastest_ = {};
     pressureStepShare_ = 1;
-    pressureVoidFraction_ = 1;
 }
 
 
@@ -214,7 +236,7 @@ void Foam::particleDrag::endStep(const label n, const scalar dt)
     {
         warnOfGrowth();
     }
-    if (feelPressure_ && !warnedOfPressure_)
+    if (!warnedOfPressure_)
     {
         warnOfPressure(dt);
     }

@@ -6,10 +6,11 @@
 #include "messageStream.H"
 #include "surfaceFields.H"
 
+#include "ofOneRank.H"
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
-#include <type_traits>
 
 using namespace cohesion;
 
@@ -119,7 +120,7 @@ void Foam::viscousWaves::look
     const label engineSteps
 )
 {
-    Worst worst{grows, vector::zero, {0, 0, 1}};
+    Worst worst{grows, vector::zero, 1, {0, 0, 1}};
     std::vector<drag::ViscousStep> cells;
     forAll(volumePerDensity, celli)
     {
@@ -136,7 +137,7 @@ void Foam::viscousWaves::look
             const scalar factor = drag::viscous_growth(there);
             if (factor > worst.factor)
             {
-                worst = {factor, mesh_.C()[celli], there};
+                worst = {factor, mesh_.C()[celli], voidFraction[celli], there};
             }
         }
     }
@@ -151,22 +152,13 @@ void Foam::viscousWaves::look
 
 void Foam::viscousWaves::shareWorst(Worst& worst)
 {
-    const scalar factor = returnReduce(worst.factor, maxOp<scalar>());
-    const label candidate = worst.factor == factor ? Pstream::myProcNo() : Pstream::nProcs();
-    const bool mine = returnReduce(candidate, minOp<label>()) == Pstream::myProcNo();
-    const auto ofIts = [mine](auto& value)
-    {
-        if (!mine)
-        {
-            value = Zero;
-        }
-        reduce(value, sumOp<std::decay_t<decltype(value)>>());
-    };
-    ofIts(worst.factor);
-    ofIts(worst.place);
-    ofIts(worst.step.displaced);
-    ofIts(worst.step.viscous);
-    ofIts(worst.step.engine_steps);
+    const bool mine = hasLargest(worst.factor);
+    ofOneRank(mine, worst.factor);
+    ofOneRank(mine, worst.place);
+    ofOneRank(mine, worst.voidFraction);
+    ofOneRank(mine, worst.step.displaced);
+    ofOneRank(mine, worst.step.viscous);
+    ofOneRank(mine, worst.step.engine_steps);
 }
 
 
@@ -243,8 +235,8 @@ void Foam::viscousWaves::warn(const Worst& worst, const std::vector<drag::Viscou
         << "in form A, where particles are so light beside the gas and its viscosity reaches over cells"
         << " within its step, waves of particles that are free to move would grow by a factor of "
         << worst.factor << " in a gas step, drag apart, which damps them; particles that touch others hold"
-        << " them back. Fastest in the cell at " << worst.place << ": kappa = (1 - eps) rho_g/(eps rho_s) = "
-        << worst.step.displaced << ", M = nu deltaT k^2 = " << worst.step.viscous << ", "
+        << " them back. Fastest in the cell at " << worst.place << ": eps = " << worst.voidFraction
+        << ", kappa = (1 - eps) rho_g/(eps rho_s) = " << worst.step.displaced << ", M = nu deltaT k^2 = " << worst.step.viscous << ", "
         << worst.step.engine_steps << " steps of the particles in a deltaT. 'form B;' in"
         << " constant/couplingProperties cures it, or, with void fractions and viscosity as they are now, "
         << other.c_str() << "; this is said once" << endl;

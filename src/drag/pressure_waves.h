@@ -10,9 +10,9 @@
 
 namespace cohesion::drag {
 
-/// Waves of free particles in a gas step in form A: what they displace moves the gas, drag moves
-/// the particles with it, and the pressure that it takes to move the gas against them moves them,
-/// too.
+/// Waves of free particles in a gas step: what they displace moves the gas, drag moves the
+/// particles with it, and in form A the pressure that it takes to move the gas against them moves
+/// them, too.
 ///
 /// Of a wave that all cells see, gas whose own inertia and viscosity are little beside the drag,
 /// and per particle of mass 1 and volume 1 in a step 1, so that b is x and n = 1 - eps: with the
@@ -37,11 +37,17 @@ namespace cohesion::drag {
 /// where
 ///   (n/eps) (1 + 4 r n) (1 - 2/S) > 1,
 /// below an eps of 0.69 for many steps of the particles and r = 1, and of 0.5 for r = 0.
+///
+/// In form B the particles do not feel the pressure: g = 0, and nothing goes with what the gas is
+/// charged with. L is below -1 where (n/eps) (1 + E - 2 m) > 1 + E; with stiff drag that is r = 0
+/// above, with either response. A pair of L is outside of the unit circle where (n/eps) (m - E) >
+/// 1, of very dense particles.
 struct PressureStep {
   double step;           ///< x = b dt/m [1] > 0
   double void_fraction;  ///< eps [1], in (0, 1]
   double engine_steps;   ///< S [1] >= 1
   bool free;             ///< whether the gas step takes particles to follow (Response)
+  bool felt = true;      ///< whether particles feel the gas's pressure gradient, form A
 };
 
 /// h, d, g and Q/x of a wave
@@ -59,7 +65,7 @@ inline PressureWave advanced(const PressureStep& step, const PressureWave& wave)
 
   const double u = -n / eps * displaced;
   const double by_slip = charged * (u - h);
-  const double g = -n * (by_slip + pending - before) / (eps + n * handed_on);
+  const double g = step.felt ? -n * (by_slip + pending - before) / (eps + n * handed_on) : 0.0;
   const double slip = h - (u - g);
   const double felt = g - gain / x * slip;
   return {h - gain * slip, u - g + sampled * slip, g, felt - by_slip - handed_on * g + before};
@@ -108,7 +114,7 @@ inline bool pressure_waves_grow(const PressureStep& step) {
 /// that of `step` itself when nothing grows in it.
 inline double longest_pressure_step(const PressureStep& step) {
   const auto grows = [&step](double x) {
-    return pressure_waves_grow({x, step.void_fraction, step.engine_steps, step.free});
+    return pressure_waves_grow({x, step.void_fraction, step.engine_steps, step.free, step.felt});
   };
   if (!grows(step.step)) return step.step;
   double low = 0.0, high = std::min(step.step, 1e-3);
@@ -129,7 +135,8 @@ inline double longest_pressure_step(const PressureStep& step) {
 /// of the void fraction, of its lower end, where it is shorter.
 class PressureLimits {
  public:
-  PressureLimits(double engine_steps, bool free) : engine_steps_(engine_steps), free_(free) {}
+  PressureLimits(double engine_steps, bool free, bool felt)
+      : engine_steps_(engine_steps), free_(free), felt_(felt) {}
 
   double engine_steps() const { return engine_steps_; }
 
@@ -139,22 +146,16 @@ class PressureLimits {
     const auto part = static_cast<std::size_t>(void_fraction * parts);
     double& known = known_[part];
     if (known == 0.0)
-      known =
-          longest_pressure_step({stiff, std::max<double>(part, 0.5) / parts, engine_steps_, free_});
+      known = longest_pressure_step(
+          {stiff, std::max<double>(part, 0.5) / parts, engine_steps_, free_, felt_});
     return known;
   }
 
  private:
   static constexpr int parts = 100;
   double engine_steps_;
-  bool free_;
+  bool free_, felt_;
   std::array<double, parts + 1> known_{};
 };
-
-/// Whether waves with stiff drag grow in form B, with either response: that has no charge for
-/// pressure, and the limit of stiff drag that r = 0 has above.
-inline bool stiff_waves_grow_in_form_b(double void_fraction, double engine_steps) {
-  return (1.0 - void_fraction) / void_fraction * (1.0 - 2.0 / engine_steps) > 1.0;
-}
 
 }  // namespace cohesion::drag
