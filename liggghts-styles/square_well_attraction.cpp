@@ -123,13 +123,14 @@ void SquareWellAttraction::step(const Encounter& e, double* history) {
   const double width = cohesion::square_well::width(well, d.radi, d.is_wall ? 0.0 : d.radj);
   bool within = was_inside(e, history, width);
   if (d.shearupdate) {
-    if (within) look_ahead(e);
     const double b = inverse_mass(d.i) + (d.is_wall ? 0.0 : inverse_mass(d.j));
     history[IMPULSE] = well.depth > 0.0 && b > 0.0
                            ? cohesion::event_stepping::sampled_edge_impulse(
                                  well.depth, width, b, e.gap, approach(e), within)
                            : 0.0;
   }
+  // One that is held at the edge turns round.
+  if (within && e.gap < width) look_ahead(e);
   history[STATE] = within ? inside : outside;
   history[LAST_STEP] = static_cast<double>(lmp_->update->ntimestep);
   if (!d.contact_flags) return;

@@ -11,8 +11,8 @@ out. Three spheres are compared with a run at a sixteenth of the step: who stick
 relative to the largest speed that the point has: of impact, from the attraction, F_ad/sqrt(mu K).
 
 Verdicts: `right` below 0.1, what sampled forces are used for; `wrong, warned`: other, and the run said that the step
-is too large for the contact or the cut-off; `wrong, silent`: it did not; `refused`; `crashed` or `hangs`. Of an
-overlap at the start is asked that no energy is gained.
+is too large for the contact, the cut-off or the well; `wrong, silent`: it did not; `refused`; `crashed` or `hangs`.
+Of an overlap at the start is asked that no energy is gained.
 """
 import argparse
 import collections
@@ -46,7 +46,7 @@ CORNERS = {
     + [dict(overlap=0.1, speed=0.0, A=a) for a in (0.0, 7.5e-19)],
     "square_well": COMMON + [dict(depth=d, width=w) for d in (0.0, 1e-3, 1e3) for w in (1e-3, 10.0)]}
 # A spring that is too soft for its material is no reason for a wrong number.
-WARNED = ("which pairs stick is left to chance", "the sampled scheme should have")
+WARNED = ("which pairs stick is left to chance", "the sampled scheme should have", "leaves its well by more than")
 
 
 def random_point(law, random):

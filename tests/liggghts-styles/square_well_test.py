@@ -75,6 +75,17 @@ class Edge(unittest.TestCase):
                     self.assertAlmostEqual(end, start, delta=self.ROUNDING * start)
                     self.assertLess(along, 0.0)
 
+    def test_a_pair_that_flies_too_far_in_a_step_is_warned_of(self):
+        # Found next 0.02 of the radii beyond the edge at most, and its D is paid; or farther, and it keeps it.
+        for way, paid in ((1.5e-5, DEPTH), (3e-5, 0.0)):
+            with self.subTest(way=way):
+                dt = 1e-6
+                speed = way / dt
+                run = Run(script(list(couples([(8e-6, speed, 0.0)])), MODELS, square_well(DEPTH), dt=dt, steps=4))
+                end, start = energy(run.frames("out.txt")[-1], 1), 0.5 * MU * speed**2
+                self.assertAlmostEqual(end, start - paid, delta=self.ROUNDING * start)
+                self.assertEqual(run.printed.count("leaves its well by more than 0.02"), int(paid == 0.0))
+
     def test_pairs_of_unequal_spheres_have_their_own_edge(self):
         # The edge where the centres are ratio r_i + ratio r_j apart.
         large, small, speed = 0.8e-3, 0.3e-3, 0.1
