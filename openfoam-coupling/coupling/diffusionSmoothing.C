@@ -17,8 +17,6 @@ Foam::diffusionSmoothing::diffusionSmoothing(const fvMesh& mesh, const dictionar
     {
         return;
     }
-    const dimensionedScalar diffusion("diffusion", dimArea, sqr(width_)/(2*steps));
-    diffusivity_.reset(new surfaceScalarField("smoothingDiffusivity", diffusion*mesh.magSf()));
     smooth_.reset
     (
         new volScalarField
@@ -29,6 +27,22 @@ Foam::diffusionSmoothing::diffusionSmoothing(const fvMesh& mesh, const dictionar
             zeroGradientFvPatchScalarField::typeName
         )
     );
+    const dimensionedScalar diffusion("diffusion", dimArea, sqr(width_)/(2*steps));
+    step_.reset
+    (
+        new fvScalarMatrix
+        (
+            fvm::Sp(dimensionedScalar("one", dimless, 1), smooth_())
+          - fv::gaussLaplacianScheme<scalar, scalar>::fvmLaplacianUncorrected
+            (
+                surfaceScalarField("smoothingDiffusivity", diffusion*mesh.magSf()),
+                mesh.nonOrthDeltaCoeffs(),
+                smooth_()
+            )
+        )
+    );
+    // With what the faces of the boundary add; that they add nothing to the source is what no flux means.
+    step_->diag() = step_->D();
 }
 
 
@@ -44,28 +58,29 @@ void Foam::diffusionSmoothing::operator()(UList<scalar>& field)
     controls.add("tolerance", 1e-15);
     controls.add("relTol", 0);
 
-    // A line in the log for each of the dozens of solutions would bury the gas's own.
-    const int lines = solverPerformance::debug;
-    solverPerformance::debug = 0;
-    volScalarField& smooth = smooth_();
-    smooth.primitiveFieldRef() = field;
+    // Not by fvMatrix::solve: the mesh keeps a list of all solutions of a time step, writes it anew with each,
+    // and of the dozens here that costs more than to solve them.
+    const lduInterfaceFieldPtrsList interfaces(smooth_->boundaryField().scalarInterfaces());
+    const autoPtr<lduMatrix::solver> solver
+    (
+        lduMatrix::solver::New
+        (
+            smooth_->name(),
+            step_(),
+            step_->boundaryCoeffs(),
+            step_->internalCoeffs(),
+            interfaces,
+            controls
+        )
+    );
+    scalarField& smooth = smooth_->primitiveFieldRef();
+    smooth = field;
     for (label step = 0; step < steps; ++step)
     {
-        fvScalarMatrix equation
-        (
-            fvm::Sp(dimensionedScalar("one", dimless, 1), smooth)
-          - fv::gaussLaplacianScheme<scalar, scalar>::fvmLaplacianUncorrected
-            (
-                diffusivity_(),
-                mesh_.nonOrthDeltaCoeffs(),
-                smooth
-            )
-        );
-        equation.source() += mesh_.V()*smooth.primitiveField();
-        const solverPerformance solution(equation.solve(controls));
+        const scalarField source(mesh_.V()*smooth);
+        const solverPerformance solution(solver->solve(smooth, source));
         if (!solution.converged())
         {
-            solverPerformance::debug = lines;
             FatalErrorInFunction
                 << "smoothing over smoothingWidth = " << width_ << " m has not converged: in "
                 << solution.nIterations() << " iterations the residual fell from "
@@ -75,8 +90,7 @@ void Foam::diffusionSmoothing::operator()(UList<scalar>& field)
                 << " diameters" << exit(FatalError);
         }
     }
-    solverPerformance::debug = lines;
-    field.deepCopy(smooth.primitiveField());
+    field.deepCopy(smooth);
 }
 
 

@@ -64,7 +64,7 @@ def case_of(programs, folder, entries, engine, steps):
             transport.write_text(transport.read_text() + "transportModel Newtonian;\n")
             schemes = case.folder / "system/fvSchemes"
             schemes.write_text(re.sub(r"divSchemes\s*{", "divSchemes { div(((voidFraction*nuEff)*dev2(T(grad(U)"
-                                      "))))) Gauss linear;", schemes.read_text()))
+                                      ")))) Gauss linear;", schemes.read_text()))
         elif entry == "adjustTimeStep":
             case.set("system/controlDict", entry, value)
             case.set("system/controlDict", "maxDeltaT", GAS_STEP)

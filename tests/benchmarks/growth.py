@@ -19,14 +19,14 @@ def add_words(parser):
     parser.add_argument("--sizes", type=lambda text: [int(float(n)) for n in text.split(",")],
                         default=[1000, 10000, 100000, 1000000])
     parser.add_argument("--way", help="those alone whose name has this in it", default="")
-    parser.add_argument("--work", type=float, default=1e7, help="particle steps of a turn: "
+    parser.add_argument("--work", type=float, default=4e6, help="particle steps of a turn: "
                         "small sizes are run more often")
     parser.add_argument("--turns", type=int, default=3)
     parser.add_argument("--counted", type=int, default=100000, help="largest number with instructions")
 
 
 def small(words):
-    words.sizes, words.turns, words.counted, words.work = [1000, 10000, 100000], 1, 10000, 4e6
+    words.sizes, words.turns, words.counted, words.work = [1000, 10000, 100000], 1, 10000, 2e6
 
 
 def free_memory():

@@ -56,7 +56,7 @@ def rows(programs, words):
             for cache in words.caches:
                 bytes_of.append(LINE / number * programs.missed_per_step(way, text, FIRST, STEPS, cache << 20))
                 progress.add(wished)
-            yield f"| {name}, byte | {number} | " + " | ".join(f"{found:.0f}" for found in bytes_of) + " |"
+            yield f"| {name}, byte | {number} | " + " | ".join(f"{round(found)}" for found in bytes_of) + " |"
     for megabytes in COPIES:
         yield (f"| a copy of {megabytes} MB, source and copy: {copied(megabytes) / 1e9:.0f} byte per ns read and written "
                "|" + " |" * (1 + len(words.caches)))
