@@ -15,6 +15,7 @@ import numpy as np
 BED = Path(__file__).resolve().parents[2] / "examples/fluidised-bed"
 sys.path.insert(0, str(BED))
 import analyse  # noqa: E402
+import particles  # noqa: E402
 
 
 def steps(minimum, highest, rising):
@@ -79,7 +80,7 @@ class MixingAndMovement(unittest.TestCase):
         velocity = np.array([v for _, _, v in self.SCHEDULE])[time.astype(int)]
         for name, value in (("read_schedule", self.SCHEDULE),
                             ("read_traces", types.SimpleNamespace(time=time, velocity=velocity))):
-            change = mock.patch.object(analyse, name, return_value=value)
+            change = mock.patch.object(particles, name, return_value=value)
             change.start()
             self.addCleanup(change.stop)
 
@@ -92,7 +93,7 @@ class MixingAndMovement(unittest.TestCase):
         self.write("mixing", "mixingIndex", [(t, 0.05 + 0.4 * t, 30, 4000) for t in (0.1, 0.3, 0.4, 1.0)]
                    + [(1.1, 0.9, 30, 4000), (4.0, 0.1, 30, 4000), (4.2, 0.6, 30, 4000), (5.0, 0.7, 30, 4000),
                       (5.1, 0.8, 30, 4000)])
-        rate, mixed = analyse.mixing(self.case)
+        rate, mixed = particles.mixing(self.case)
         self.assertAlmostEqual(rate, 0.4, places=12)
         self.assertAlmostEqual(mixed, 0.65, places=12)
 
@@ -101,16 +102,16 @@ class MixingAndMovement(unittest.TestCase):
         ends = ((1.5, 1.0), (2.4, 1.0), (3.0, 0.5), (4.0, 0.5), (5.8, 0.5))
         self.write("movement", "particleMovement",
                    [(end, over, 0.001 * k, 0, 0, 0, 4000) for k, (end, over) in enumerate(ends)])
-        found, velocity = analyse.movement(self.case)
+        found, velocity = particles.movement(self.case)
         self.assertEqual(found, 0.001)
         self.assertAlmostEqual(velocity, 0.76, places=10)
 
     def test_no_interval_on_the_falling_branch(self):
         self.write("movement", "particleMovement", [(5.8, 0.5, 0.002, 0, 0, 0, 4000)])
-        self.assertTrue(np.isnan(analyse.movement(self.case)).all())
+        self.assertTrue(np.isnan(particles.movement(self.case)).all())
         self.write("movement", "particleMovement", [])
         with self.assertWarns(UserWarning):
-            self.assertTrue(np.isnan(analyse.movement(self.case)).all())
+            self.assertTrue(np.isnan(particles.movement(self.case)).all())
 
 
 class ParticleStep(unittest.TestCase):
@@ -150,7 +151,7 @@ class Schedules(unittest.TestCase):
                 means.append(np.interp(np.linspace(start, start + 556 * gas_step, 5000), time, velocity).mean())
                 start += 556 * gas_step
             # Written with two digits.
-            self.assertLess(min(abs(mean - analyse.MOVEMENT_AT) for mean in means), 0.005, name)
+            self.assertLess(min(abs(mean - particles.MOVEMENT_AT) for mean in means), 0.005, name)
 
     def test_both_go_down_to_rest_and_up_the_same_way(self):
         for name in ("schedule", "schedule.thesis"):

@@ -21,12 +21,16 @@ SOURCE = Path(__file__).resolve().parents[2]
 BED = SOURCE / "examples/fluidised-bed"
 sys.path[:0] = [str(BED), str(SOURCE / "examples/common")]
 
+import bed_case  # noqa: E402
+import figures  # noqa: E402
 import picture  # noqa: E402
 import run  # noqa: E402
 import study  # noqa: E402
+from bed_case import parameters  # noqa: E402
 from foam_case import CaseError, environment  # noqa: E402
 from job_pool import RunError, carry_out  # noqa: E402
 from lammps_run import launcher  # noqa: E402
+from study_table import number  # noqa: E402
 
 BUILD = Path(sys.argv.pop(1) if len(sys.argv) > 1 else SOURCE / "build").resolve()
 SCHEDULE = "superficialVelocity table ((0 (0 1.2 0)) (1 (0 1.2 0)));\nendTime 0.018;\n"
@@ -40,7 +44,7 @@ def variables(case, engine="lammps"):
     """Of the particle script, as the case has them."""
     text = (Path(case) / "constant/couplingProperties").read_text()
     block = re.search(rf"{engine}Coeffs.*?variables\s*\{{(.*?)\}}", text, re.S)[1]
-    return {name: study.number(value) for name, value in re.findall(r"(\w+)\s+([^;\s]+);", block)}
+    return {name: number(value) for name, value in re.findall(r"(\w+)\s+([^;\s]+);", block)}
 
 
 def restitution(stiffness, damping, mass):
@@ -50,13 +54,13 @@ def restitution(stiffness, damping, mass):
 
 
 def made_up(case):
-    """As run.evaluate(), from the seed."""
+    """As figures.evaluate(), from the seed."""
     engine = re.search(r"^demEngine\s+(\w+)", (Path(case) / "constant/couplingProperties").read_text(), re.M)[1]
     pair = (variables(case, engine)["seed"], 0.1)
     velocities = types.SimpleNamespace(falling=pair, rising=pair, at_maximum=pair[0], overshoot=pair[0])
     return {"velocities": velocities, "plateau": pair, "balance": pair, "void_fraction": pair,
-            "mixing": pair, "movement": pair, "ergun": pair, "noise": pair[0], "exchange_ms": pair[0],
-            "seconds": run.analyse.solver_seconds(case)}
+            "mixing": pair, "movement": pair, "plugging": pair[0], "forces": {"sides": pair[0]}, "ergun": pair,
+            "noise": pair[0], "exchange_ms": pair[0], "seconds": figures.analyse.solver_seconds(case)}
 
 
 class Beds(unittest.TestCase):
@@ -66,8 +70,8 @@ class Beds(unittest.TestCase):
         self.folder = Path(keeper.name)
         shutil.copytree(BED / "case", self.folder / "case")
         (self.folder / "case/constant/schedule").write_text(SCHEDULE)
-        for change in (mock.patch.object(run, "HERE", self.folder),
-                       mock.patch.object(run, "evaluate", made_up),
+        for change in (mock.patch.object(bed_case, "CASE", self.folder / "case"),
+                       mock.patch.object(figures, "evaluate", made_up), mock.patch.object(run, "evaluate", made_up),
                        mock.patch.object(picture, "draw")):
             change.start()
             self.addCleanup(change.stop)
@@ -195,15 +199,19 @@ class Beds(unittest.TestCase):
 
     @unittest.skipUnless((BUILD / "tools/cohesion-mapping").exists(), "built without tools")
     def test_levels_of_cohesion_are_pairs_of_equal_escape_velocity(self):
-        table = study.rows(BED / "cohesion-levels.csv")
+        table = study.rows(SOURCE / "examples/defluidisation-cycle/cohesion-levels.csv")
         speeds = {name: study.escape_velocities(BUILD, row) for name, row in table.items()}
-        self.assertEqual(set(speeds.pop("none").values()), {0.0})
-        self.assertEqual(len(speeds), 6)
+        for none in ("none", "none-sampled"):
+            self.assertEqual(set(speeds.pop(none).values()), {0.0})
+        self.assertEqual(len(speeds), 12)
         for depth in ("1e-11", "5e-11", "1e-10"):
             well, hamaker = (speeds[f"{law}-{depth}"]["v_esc"] for law in ("well", "hamaker"))
             # A has nine digits, half of the last one is up to 5e-9; v_esc is nearly proportional to it.
             self.assertAlmostEqual(hamaker / well, 1, delta=1e-8)
             self.assertEqual(table[f"well-{depth}"]["D"], float(depth))
+            # Sampled is the same bed.
+            for law in ("well", "hamaker"):
+                self.assertEqual({**table[f"{law}-{depth}"], "scheme": "sampled"}, table[f"{law}-{depth}-sampled"])
         # The energy that a well takes goes with the square of the speed, so that a factor counts by its root.
         row = {**table["well-1e-11"], "cohesion_side": 4, "cohesion_plate": "no"}
         found = study.escape_velocities(BUILD, row)
@@ -212,7 +220,7 @@ class Beds(unittest.TestCase):
 
     def test_escape_velocities_that_are_not_known(self):
         """No program, or words in the place of numbers: they are left empty, and it is said why."""
-        row = {**study.parameters("lammps"), "A": 1e-19}
+        row = {**parameters("lammps"), "A": 1e-19}
         for build, given, says in ((self.folder, row, "cohesion-mapping' does not exist"),
                                    (BUILD, {**row, "A": "much"}, "could not convert .*'much'")):
             with contextlib.redirect_stdout(io.StringIO()) as output:
@@ -249,14 +257,14 @@ class Beds(unittest.TestCase):
     def test_a_bed_that_fails_leaves_the_table_of_the_others(self):
         table, out = self.folder / "table.csv", self.folder / "out"
         table.write_text(TABLE)
-        figures = run.BedRun.figures
+        figures = bed_case.BedRun.figures
 
         def fail(job):
             if job.name == "no-side-1":
                 raise ValueError("no curve")
             return figures(job)
 
-        with mock.patch.object(run.BedRun, "figures", fail), self.assertRaisesRegex(RunError, "1 of 2 runs failed"):
+        with mock.patch.object(bed_case.BedRun, "figures", fail), self.assertRaisesRegex(RunError, "1 of 2 runs failed"):
             self.call(study, table, "--seeds", 1, "--out", out)
         with open(out / "summary.csv") as file:
             self.assertEqual([(row["name"], row["failed"], row["U_mf_df"]) for row in csv.DictReader(file)],
@@ -301,17 +309,17 @@ class Beds(unittest.TestCase):
     def test_a_killed_bed_is_made_again(self):
         env = environment(BUILD)
         parameters = {"engine": "lammps", "schedule": "short", "A": 0.0, "settle": 0.01, "seed": 2}
-        job = run.BedRun(self.folder / "bed", parameters, env, "this build")
+        job = bed_case.BedRun(self.folder / "bed", parameters, env, "this build")
         job.launch()
         job.process.kill()
         job.process.wait()
         self.assertIsNone(job.result())
-        run.require_ours([job])
+        bed_case.require_ours([job])
         result, = carry_out([job], 1)
         self.assertEqual(result["U_mf_th"], 2)
-        other = run.BedRun(self.folder / "bed", {**parameters, "A": 1e-19}, env, "this build")
+        other = bed_case.BedRun(self.folder / "bed", {**parameters, "A": 1e-19}, env, "this build")
         with self.assertRaisesRegex(CaseError, "--overwrite"):
-            run.require_ours([other])
+            bed_case.require_ours([other])
 
 
 if __name__ == "__main__":
