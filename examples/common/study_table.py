@@ -51,12 +51,14 @@ def read_table(file, known):
 
 def over_seeds(results):
     """Mean and standard deviation (of one run, n - 1; nan for one seed) of every figure that is a number;
-    {figure: (mean, deviation)}, empty without results. `results`: dicts of the same figures."""
+    {figure: (mean, deviation)}, empty without results. Both are nan when a seed has no such figure, nan.
+    `results`: dicts of the same figures."""
     found = {}
     for figure, first in (results[0] if results else {}).items():
         values = [result[figure] for result in results]
         if isinstance(first, (int, float)) and not isinstance(first, bool):
-            spread = statistics.stdev(values) if len(values) > 1 else math.nan
+            known = not any(math.isnan(value) for value in values)
+            spread = statistics.stdev(values) if known and len(values) > 1 else math.nan
             found[figure] = (statistics.fmean(values), spread)
     return found
 
@@ -79,7 +81,7 @@ def write_summary(file, table, results, failed=None):
         if failed is not None:
             line["failed"] = failed[name]
         for figure, (mean, deviation) in figures.items():
-            line[figure], line[f"{figure}_sd"] = f"{mean:.6g}", f"{deviation:.2g}"
+            line[figure], line[f"{figure}_sd"] = f"{mean:.6g}", f"{deviation:.3g}"
         lines.append(line)
     with open(file, "w", newline="") as out:
         # Rows of different programs have other parameters, and those without results no figures.

@@ -101,7 +101,7 @@ class Beds(unittest.TestCase):
         self.assertEqual(list(rows), ["none", "no-side"])
         # Seeds 1 and 3: mean 2, deviation sqrt(2).
         self.assertEqual([rows["none"][k] for k in ("seeds", "U_mf_df", "U_mf_df_sd", "cohesion_side")],
-                         ["2", "2", "1.4", "1"])
+                         ["2", "2", "1.41", "1"])
         # A log is of one start: none begins when all is done.
         stamps = [file.stat().st_mtime_ns for file in sorted(out.glob("runs/*/log.blockMesh"))]
         self.assertIn("4 of 4 runs are done", self.call(*words))
