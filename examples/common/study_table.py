@@ -63,6 +63,21 @@ def over_seeds(results):
     return found
 
 
+def expectations(file, found):
+    """A line for each row of the table `file` (case, quantity, low, high, origin; # begins a comment) whose case is in
+    `found`, {case: {quantity: number}}, and whether it holds: [(text, bool)]."""
+    with open(file, newline="") as lines:
+        rows = [row for row in csv.DictReader(line for line in lines if not line.startswith("#"))]
+    checked = []
+    for row in rows:
+        if row["case"] in found:
+            value = found[row["case"]].get(row["quantity"])
+            holds = value is not None and float(row["low"]) <= value <= float(row["high"])
+            checked.append((f"{row['case']}, {row['quantity']}: {'none' if value is None else f'{value:.5g}'}, "
+                            f"expected {row['low']} to {row['high']} ({row['origin']})", holds))
+    return checked
+
+
 def in_order(lines):
     """The columns of `lines` (dicts), name, parameters and figures each in the order in which they come."""
     before = [list(line)[:list(line).index("seeds")] for line in lines]

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs a table of beds, each with several seeds, on the cores there are, and ends in a table of the
 characteristic velocities, of mixing and movement with their standard deviations, and of the differences
-between the engines where two rows are the same bed in both. Runs that are finished are not made again: after an
-interruption the same command goes on with the others.
+between the engines where two rows are the same bed in both; then come the figures that expected.csv beside the
+table has for its rows. Runs that are finished are not made again: after an interruption the same command goes on
+with the others.
 
     study.py TABLE.csv [--seeds N ...] [--together N] [--out FOLDER] [--overwrite] [--build FOLDER]
 """
@@ -20,7 +21,7 @@ from escape import PLACES, MappingError, escape_velocities  # noqa: E402
 from foam_case import environment  # noqa: E402
 from geometry import GeometryError  # noqa: E402
 from job_pool import RunError, carry_out, cores  # noqa: E402
-from study_table import TableError, over_seeds, read_table, write_summary  # noqa: E402
+from study_table import TableError, expectations, over_seeds, read_table, write_summary  # noqa: E402
 
 # Primes above 10000, which LIGGGHTS asks for
 SEEDS = {"lammps": [4711, 4712, 4713], "liggghts": [15485863, 32452843, 49979687]}
@@ -94,6 +95,15 @@ def text(table, results, failed, speeds):
     return "\n".join(lines)
 
 
+def against_expected(file, table, results, speeds):
+    """What expected.csv beside the table `file` says of its rows, as text; empty without such."""
+    beside = file.parent / "expected.csv"
+    found = {name: {**speeds[name], **{figure: mean for figure, (mean, _) in over_seeds(results[name]).items()}}
+             for name in table if results[name]}
+    return "\n".join(f"{'as expected' if holds else 'NOT AS EXPECTED'}: {line}"
+                     for line, holds in (expectations(beside, found) if beside.exists() else ()))
+
+
 def same_bed(one, other):
     """Whether the rows `one`, of LAMMPS, and `other`, of LIGGGHTS, are the same bed: a variable that one of the
     scripts only has must be as in the case."""
@@ -156,6 +166,8 @@ def main():
     speeds = {name: known_speeds(build, name, row) for name, row in table.items()}
     write_summary(out / "summary.csv", {name: {**row, **speeds[name]} for name, row in table.items()}, results, failed)
     print(text(table, results, failed, speeds))
+    if expected := against_expected(args.table, table, results, speeds):
+        print("\n" + expected)
     print(f"\ntable: {out / 'summary.csv'}; the runs: {out / 'runs'}")
     if failure:
         raise failure
