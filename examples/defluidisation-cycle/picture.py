@@ -4,7 +4,6 @@
     picture.py SUMMARY.csv PICTURE.png"""
 
 import sys
-from math import sqrt
 from pathlib import Path
 
 import matplotlib
@@ -29,15 +28,15 @@ def draw(study, file):
         for law, colour in COLOURS.items():
             for suffix, scheme in SCHEMES.items():
                 rows = [f"none{suffix}", *(f"{law}-{level}{suffix}" for level in LEVELS)]
-                found = [(1e3 * study.number(row, "v_esc"), study.mean(row, column)) for row in rows]
-                found = [(x, mean) for x, mean in found if mean]
+                found = [(1e3 * study.number(row, "v_esc"), *mean) for row in rows
+                         if (mean := study.with_error(row, column))]
                 if found:
-                    axes.errorbar([x for x, _ in found], [mean.value for _, mean in found],
-                                  [mean.deviation / sqrt(mean.seeds) for _, mean in found], fmt=STYLES[scheme],
-                                  color=colour, markersize=4.5, capsize=2, label=f"{LAWS[law]}, {scheme}")
+                    axes.errorbar(*zip(*found), fmt=STYLES[scheme], color=colour, markersize=4.5, capsize=2,
+                                  label=f"{LAWS[law]}, {scheme}")
         axes.set_xlabel("escape velocity between particles [mm/s]")
         axes.set_ylabel(label)
-    panels[0, 0].legend(frameon=False, fontsize=8)
+    if panels[0, 0].lines:
+        panels[0, 0].legend(frameon=False, fontsize=8)
     figure.savefig(file, dpi=110)
     plt.close(figure)
 

@@ -10,7 +10,6 @@ SUMMARY.csv: what study.py leaves of cohesion-levels.csv and of mechanisms.csv."
 import argparse
 import sys
 from collections import namedtuple
-from math import sqrt
 from pathlib import Path
 
 from verdict import Study, above, alike, together, trend, Claim
@@ -84,10 +83,12 @@ def of_mechanisms(_):
 
 
 def shown(study, row, figure):
-    mean = study.mean(row, figure)
-    if mean is None:
+    found = study.with_error(row, figure)
+    if found is None:
         return f"{row}: unknown"
-    return f"{row}: {mean.value:.3g} +- {mean.deviation / sqrt(mean.seeds):.1g} ({mean.seeds:.0f})"
+    value, error = found
+    seeds = study.number(row, "seeds")
+    return f"{row}: {value:.3g} " + ("" if seeds < 2 else f"+- {error:.1g} ") + f"({seeds:.0f})"
 
 
 def table(statements, study):

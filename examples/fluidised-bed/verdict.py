@@ -38,6 +38,11 @@ class Study:
         found = Mean(self.number(row, figure), self.number(row, f"{figure}_sd"), seeds)
         return found if seeds >= 2 and isfinite(found.value) and isfinite(found.deviation) else None
 
+    def with_error(self, row, figure):
+        """(mean, its standard error), the error nan of one seed; None without a number."""
+        value, deviation, seeds = (self.number(row, column) for column in (figure, f"{figure}_sd", "seeds"))
+        return (value, deviation / sqrt(seeds)) if isfinite(value) else None
+
 
 @dataclass
 class Claim:

@@ -4,7 +4,6 @@
     picture.py SUMMARY.csv PICTURE.png"""
 
 import sys
-from math import sqrt
 from pathlib import Path
 
 import matplotlib
@@ -22,25 +21,19 @@ FORCES = {"sides_at_maximum": ("side walls", "#7a5195"), "plate_at_maximum": ("p
           "gain_at_maximum": ("gain of momentum", "0.6")}
 
 
-def error(mean):
-    """Standard error of the mean."""
-    return mean.deviation / sqrt(mean.seeds)
-
-
 def draw(study, file):
     figure, (bars, budget, widths) = plt.subplots(1, 3, figsize=(12, 4.6), constrained_layout=True)
     rows = [row for row in study.rows if study.number(row, "width") == 0.08]
     places = range(len(rows))
     for place, row in zip(places, rows):
-        mean = study.mean(row, "overshoot")
-        if mean:
-            bars.barh(place, mean.value, xerr=error(mean), color=COLOURS[row.split("-")[0]], capsize=2)
+        if mean := study.with_error(row, "overshoot"):
+            bars.barh(place, mean[0], xerr=mean[1], color=COLOURS[row.split("-")[0]], capsize=2)
     bars.set_xlabel("overshoot over the weight [1]")
     for share, (name, (label, colour)) in enumerate(FORCES.items()):
         found = [(place + 0.27 * (share - 1), mean) for place, row in zip(places, rows)
-                 if (mean := study.mean(row, name))]
-        budget.barh([place for place, _ in found], [mean.value for _, mean in found], 0.27,
-                    xerr=[error(mean) for _, mean in found], color=colour, label=label, capsize=1)
+                 if (mean := study.with_error(row, name))]
+        budget.barh([place for place, _ in found], [value for _, (value, _) in found], 0.27,
+                    xerr=[error for _, (_, error) in found], color=colour, label=label, capsize=1)
     budget.set_xlabel("upward force over the weight at the pressure maximum [1]")
     budget.legend(frameon=False, fontsize=8)
     for axes in (bars, budget):
@@ -48,10 +41,10 @@ def draw(study, file):
         axes.invert_yaxis()
         axes.axvline(0, color="black", linewidth=0.6)
     for law, colour in COLOURS.items():
-        found = [(width, mean) for suffix, width in WIDTHS.items() if (mean := study.mean(law + suffix, "overshoot"))]
+        found = [(width, *mean) for suffix, width in WIDTHS.items()
+                 if (mean := study.with_error(law + suffix, "overshoot"))]
         if found:
-            widths.errorbar([width for width, _ in found], [mean.value for _, mean in found],
-                            [error(mean) for _, mean in found], fmt="o-", color=colour, capsize=2, label=law)
+            widths.errorbar(*zip(*found), fmt="o-", color=colour, capsize=2, label=law)
             widths.legend(frameon=False)
     widths.set_xlabel("width of the bed [mm]")
     widths.set_ylabel("overshoot over the weight [1]")

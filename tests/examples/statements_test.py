@@ -151,7 +151,12 @@ class Statements(Made):
     def test_one_seed_tells_nothing(self):
         made = self.level_study(1, 0.0, 1)
         self.assertEqual({together(s.claims, made) for s in statements.of_levels(made)}, {CANNOT_TELL})
-        self.assertIn("none: unknown", statements.table(statements.of_levels(made), made))
+        self.assertIn("| none: 0.7 (1); well-1e-11: 0.", statements.table(statements.of_levels(made), made))
+
+    def test_rows_that_are_missing_are_named(self):
+        made = self.made_up({"none": {"U_mf_df": [0.7, 0.8]}})
+        shown = statements.table(statements.of_levels(made), made)
+        self.assertIn("| none: 0.75 +- 0.05 (2); well-1e-11: unknown; ", shown)
 
     def test_pictures(self):
         width = {row: {"width": given["width"]} for row, given in study.rows(TABLES["mechanisms"]).items()}
