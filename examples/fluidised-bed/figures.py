@@ -8,6 +8,7 @@ HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "common"))
 
 import analyse  # noqa: E402
+import foam_results  # noqa: E402
 import geometry  # noqa: E402
 import particles  # noqa: E402
 from job_pool import digest_of  # noqa: E402
@@ -15,7 +16,7 @@ from job_pool import digest_of  # noqa: E402
 
 def programs():
     """Mark of the programs that these figures are read by: with others they are read again."""
-    return digest_of([Path(__file__), *(Path(module.__file__) for module in (analyse, geometry, particles))])
+    return digest_of([Path(__file__), *(Path(module.__file__) for module in (analyse, foam_results, geometry, particles))])
 
 
 def evaluate(case):
