@@ -4,8 +4,10 @@ killed or failed is. A run is finished when its folder holds a result of the sam
 
 Processes that a job starts must not outlive the pool, whatever ends it: see dies_with_us()."""
 
+import hashlib
 import json
 import os
+import resource
 import time
 from pathlib import Path
 
@@ -29,24 +31,45 @@ def cores():
     return len(os.sched_getaffinity(0))
 
 
+def digest_of(files):
+    """Of the names and contents of `files`, those of them that are files: tells when one has changed."""
+    digest = hashlib.sha256()
+    for file in sorted(Path(f) for f in files):
+        if file.is_file():
+            digest.update(file.name.encode() + file.read_bytes())
+    return digest.hexdigest()
+
+
 class Job:
-    """One run. `settings`: all that its result depends on, as JSON keeps it; `work`: how long it takes, in
-    any unit that the jobs of a pool share. To be defined by a kind of run: start(), figures(), share()."""
+    """One run. `settings`: all that it depends on, as JSON keeps it; `work`: how long it takes, in any unit that the
+    jobs of a pool share; `readers`: what its figures depend on besides, digest_of() the programs that read them: with
+    others the figures are read again, and the run is not made again. To be defined by a kind of run: start(),
+    figures(), share()."""
 
     process = None
+    processor_seconds = None  # of the process, once it has ended
 
-    def __init__(self, folder, settings, work=1.0):
-        self.folder, self.settings, self.work = Path(folder), settings, work
+    def __init__(self, folder, settings, work=1.0, readers=None):
+        self.folder, self.settings, self.work, self.readers = Path(folder), settings, work, readers
 
     @property
     def name(self):
         return self.folder.name
 
-    def result(self):
-        """Of the finished run: the dict of figures() with settings and seconds; None before."""
+    def kept(self):
+        """What finish() has kept of a run of these settings; None before."""
         file = self.folder / "result.json"
         found = json.loads(file.read_text()) if file.exists() else {}
         return found if found.get("settings") == self.settings else None
+
+    def finished(self):
+        return self.kept() is not None
+
+    def result(self):
+        """Of the finished run: the dict of figures() with settings and times; None before, and when other programs
+        have read the figures."""
+        found = self.kept()
+        return found if found and found.get("readers") == self.readers else None
 
     def discard(self):
         """Takes the result away, if there is one."""
@@ -64,16 +87,24 @@ class Job:
             if self.again():
                 return False
             raise RunError(f"{self.name}, in {self.folder}, failed:\n{readable(self.tail, 'no log')}")
-        seconds = time.time() - self.begin
+        self.keep({"seconds": time.time() - self.begin, "processor_seconds": self.processor_seconds})
+        return True
+
+    def read_again(self):
+        """The figures of a finished run, which other programs have read. Raises RunError."""
+        kept = self.kept()
+        self.keep({name: kept[name] for name in ("seconds", "processor_seconds")})
+
+    def keep(self, times):
+        """Reads the figures and keeps the result with the times that it took. Raises RunError."""
         try:
             figures = self.figures()
         except Exception as error:  # of whatever kind: the other runs go on
             raise RunError(f"{self.name}, in {self.folder}: its figures cannot be read: {error!r}")
-        result = {"settings": self.settings, "seconds": seconds, **figures}
+        result = {"settings": self.settings, "readers": self.readers, **times, **figures}
         scratch = self.folder / "result.new"
         scratch.write_text(json.dumps(result, indent=1))
         scratch.replace(self.folder / "result.json")
-        return True
 
     def start(self):
         """Starts the run afresh, whatever its folder holds; gives its process (Popen). RunError when it
@@ -105,10 +136,18 @@ def readable(look, otherwise):
         return otherwise
 
 
+def processor_seconds_of_children():
+    """That have ended and were waited for."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
+
+
 def ended(job):
     """Whether a running job is done with; a job that goes on once more is not. Raises RunError."""
+    before = processor_seconds_of_children()
     if job.process.poll() is None:
         return False
+    job.processor_seconds = processor_seconds_of_children() - before
     if job.finish():
         return True
     job.launch()
@@ -118,10 +157,13 @@ def ended(job):
 def carry_out(jobs, together):
     """Makes all jobs that have no result yet, `together` at a time, the longest first; gives the results
     of all. A job that fails does not stop the others: RunError in the end, with all failures."""
-    waiting = sorted((job for job in jobs if job.result() is None), key=lambda job: job.work)
+    waiting = sorted((job for job in jobs if not job.finished()), key=lambda job: job.work)
     if len(waiting) < len(jobs):
         print(f"    {len(jobs) - len(waiting)} of {len(jobs)} runs are done: taking their results")
     all_work, done, running, failed = sum(job.work for job in waiting), 0.0, [], {}
+    to_read = [job for job in jobs if job.finished() and job.result() is None]
+    if to_read:
+        print(f"    what reads their figures has changed: reading those of {len(to_read)} again")
     line = ProgressLine()
 
     def over(job, step):
@@ -132,6 +174,8 @@ def carry_out(jobs, together):
             failed[job] = str(error) if isinstance(error, RunError) else f"{job.name}, in {job.folder}: {error}"
             return True
 
+    for job in to_read:
+        over(job, Job.read_again)
     try:
         while waiting or running:
             while waiting and len(running) < together:
@@ -144,7 +188,7 @@ def carry_out(jobs, together):
                     done += job.work
             so_far = done + sum(job.work * readable(job.share, 0.0) for job in running)
             left = line.elapsed * (all_work - so_far) / so_far if line.elapsed > 5 and so_far else None
-            line.show(left, f"{100 * so_far / all_work:3.0f} %, running "
+            line.show(left, f"{100 * so_far / all_work:3.0f} %, {len(waiting)} of {len(jobs)} runs wait, running "
                             + ", ".join(job.name for job in running))
     finally:
         for job in running:

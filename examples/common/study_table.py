@@ -51,14 +51,31 @@ def read_table(file, known):
 
 def over_seeds(results):
     """Mean and standard deviation (of one run, n - 1; nan for one seed) of every figure that is a number;
-    {figure: (mean, deviation)}, empty without results. `results`: dicts of the same figures."""
+    {figure: (mean, deviation)}, empty without results. Both are nan when a seed has no such figure, nan.
+    `results`: dicts of the same figures."""
     found = {}
     for figure, first in (results[0] if results else {}).items():
         values = [result[figure] for result in results]
         if isinstance(first, (int, float)) and not isinstance(first, bool):
-            spread = statistics.stdev(values) if len(values) > 1 else math.nan
+            known = not any(math.isnan(value) for value in values)
+            spread = statistics.stdev(values) if known and len(values) > 1 else math.nan
             found[figure] = (statistics.fmean(values), spread)
     return found
+
+
+def expectations(file, found):
+    """A line for each row of the table `file` (case, quantity, low, high, origin; # begins a comment) whose case is in
+    `found`, {case: {quantity: number}}, and whether it holds: [(text, bool)]."""
+    with open(file, newline="") as lines:
+        rows = [row for row in csv.DictReader(line for line in lines if not line.startswith("#"))]
+    checked = []
+    for row in rows:
+        if row["case"] in found:
+            value = found[row["case"]].get(row["quantity"])
+            holds = value is not None and float(row["low"]) <= value <= float(row["high"])
+            checked.append((f"{row['case']}, {row['quantity']}: {'none' if value is None else f'{value:.5g}'}, "
+                            f"expected {row['low']} to {row['high']} ({row['origin']})", holds))
+    return checked
 
 
 def in_order(lines):
@@ -79,7 +96,7 @@ def write_summary(file, table, results, failed=None):
         if failed is not None:
             line["failed"] = failed[name]
         for figure, (mean, deviation) in figures.items():
-            line[figure], line[f"{figure}_sd"] = f"{mean:.6g}", f"{deviation:.2g}"
+            line[figure], line[f"{figure}_sd"] = f"{mean:.6g}", f"{deviation:.3g}"
         lines.append(line)
     with open(file, "w", newline="") as out:
         # Rows of different programs have other parameters, and those without results no figures.

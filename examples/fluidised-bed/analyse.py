@@ -12,18 +12,14 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "common"))
 
 from foam_results import written_times  # noqa: E402
+from geometry import DEPTH, HEIGHT, Geometry  # noqa: E402
 
-WIDTH, HEIGHT, DEPTH = 0.08, 0.2, 1e-3
-CELLS = (27, 30)
-JET_SHARE = 13 / 27  # share of the plate that blows
-NODE = HEIGHT / CELLS[1] / 2  # height of the lowest pressure node
 GAS_DENSITY, GAS_VISCOSITY, GRAVITY = 1.205, 1.75e-5, 9.81
 DIAMETER, PARTICLE_DENSITY = 1e-3, 2650.0
 PACKED_RANGE = (0.1, 0.9)  # of the weight: points on the packed-bed curve
 START_UP = 0.3  # s until the bed that was at rest bubbles
 PLATEAU = 1.1  # x the packed-bed velocities: the bed is fluidised
 SETTLING = 0.2  # share of each step left out
-MOVEMENT_AT = 0.77  # m/s: where the thesis compares the movement of the particles
 
 
 @dataclass
@@ -62,10 +58,12 @@ class Traces:
     weight: np.ndarray  # of the particles above the lowest node [N]
     height: np.ndarray  # twice the mean height of the particles
     carried: np.ndarray  # vertical force of plate and side walls on the particles [N]
+    sides: np.ndarray  # that of the side walls alone
+    area: float  # of the plate [m2]
 
     @property
     def ratio(self):
-        return self.drop * WIDTH * DEPTH / self.weight
+        return self.drop * self.area / self.weight
 
 
 def read_traces(case):
@@ -73,13 +71,13 @@ def read_traces(case):
     pressure = read_columns(case / "postProcessing/lowestPressure/0/volFieldValue.dat")
     jets = read_vectors(case / "postProcessing/jetVelocity/0/surfaceFieldValue.dat")
     bed = read_columns(case / "bed.dat")
-    step = particle_step(case)
+    step, geometry = particle_step(case), Geometry.read(case)
     time = pressure[:, 0]
     # p is that of the gas with its own weight; the pressure drop is what the particles cause.
-    drop = GAS_DENSITY * (pressure[:, 1] - GRAVITY * (HEIGHT - NODE))
-    weight, height, _, carried = (np.interp(time, bed[:, 0] * step, column)
-                                  for column in bed[:, 1:].T)
-    return Traces(time, jets[:, 2] * JET_SHARE, drop, weight, height, carried)
+    drop = GAS_DENSITY * (pressure[:, 1] - GRAVITY * (HEIGHT - geometry.node))
+    weight, height, _, carried, sides = (np.interp(time, bed[:, 0] * step, column)
+                                         for column in bed[:, 1:].T)
+    return Traces(time, jets[:, 2] * geometry.share, drop, weight, height, carried, sides, geometry.width * DEPTH)
 
 
 def particle_step(case):
@@ -191,33 +189,6 @@ def pressure_noise(case):
     return float(np.sqrt((jumps**2).mean()) / drop.mean())
 
 
-def slowest_step(case):
-    """(start, end, velocity) of the step with the slowest gas, at which the falling branch ends."""
-    return min(read_schedule(case), key=lambda step: step[2])
-
-
-def mixing(case):
-    """(how fast the particles mix in the first step of the gas velocity [1/s], how mixed they are in the slowest [1]):
-    slope of the straight line through Lacey's index over time, and its mean."""
-    time, index = read_columns(Path(case) / "postProcessing/mixing/0/mixingIndex.dat")[:, :2].T
-    _, end, _ = read_schedule(case)[0]
-    begin, rest, _ = slowest_step(case)
-    return (float(np.polyfit(time[time <= end], index[time <= end], 1)[0]),
-            float(index[(time > begin) & (time <= rest)].mean()))
-
-
-def movement(case):
-    """(mean movement of the particles [m], mean gas velocity [m/s]) of that interval on the falling branch whose
-    velocity is nearest to MOVEMENT_AT; nan when the branch holds none."""
-    traces = read_traces(case)
-    rest, _, _ = slowest_step(case)
-    found = [(mean, traces.velocity[(traces.time > end - over) & (traces.time <= end)].mean())
-             for end, over, mean, *_ in read_columns(Path(case) / "postProcessing/movement/0/particleMovement.dat")
-             if end <= rest]
-    nearest = min(found, key=lambda pair: abs(pair[1] - MOVEMENT_AT), default=(np.nan, np.nan))
-    return float(nearest[0]), float(nearest[1])
-
-
 def packed_void_fraction(case):
     """Mean and standard deviation over the cells inside the resting bed: those between the lowest
     row and the last full row below the surface, at the last written time without gas flow."""
@@ -227,12 +198,18 @@ def packed_void_fraction(case):
     if not written:
         return float("nan"), float("nan")
     traces = read_traces(case)
-    text = (folders[max(written)] / "voidFraction").read_text()
-    cells = re.search(r"internalField\s+nonuniform List<scalar>\s+\d+\s*\((.*?)\)", text, re.S)
-    field = np.array(cells.group(1).split(), dtype=float).reshape(CELLS[::-1])
-    rows = int(np.interp(max(written), traces.time, traces.height) / (HEIGHT / CELLS[1]))
+    field = void_fraction(case, folders[max(written)])
+    rows = int(np.interp(max(written), traces.time, traces.height) / (HEIGHT / len(field)))
     inside = field[1:rows - 1, 1:-1]
     return float(inside.mean()), float(inside.std(ddof=1))
+
+
+def void_fraction(case, folder):
+    """Of the cells at one of written_times(), an array: rows from the plate up, and in a row from left to right."""
+    geometry = Geometry.read(case)
+    text = (folder / "voidFraction").read_text()
+    cells = re.search(r"internalField\s+nonuniform List<scalar>\s+\d+\s*\((.*?)\)", text, re.S)
+    return np.array(cells.group(1).split(), dtype=float).reshape(geometry.up, geometry.across)
 
 
 def ergun_minimum_fluidisation(void_fraction):

@@ -16,7 +16,7 @@ ON, OFF = ("on", "yes", "true"), ("off", "no", "false")
 
 
 def escape_velocities(build, row):
-    """{"v_esc", "v_esc_side", "v_esc_plate": [m/s]} of the bed with the parameters `row` (see run.make_case): below
+    """{"v_esc", "v_esc_side", "v_esc_plate": [m/s]} of the bed with the parameters `row` (bed_case.parameters()): below
     it two particles stick when they meet head-on, or a particle to a side wall or the plate, in the law and scheme
     that the bed is run with, in the mean where that is left to chance. Raises MappingError, or ValueError for words
     in the place of numbers."""
@@ -37,16 +37,16 @@ def escape_velocity(build, row, place):
         words += ["--step", row["dt"]]
     if place != "particles":
         words.append("--wall")
-    found, = MappingProgram(build).table(way, [strength], *particle(row["engine"]), *words)
+    found, = MappingProgram(build).table(way, [strength], *particle(row), *words)
     return found[f"{law}_mean"]
 
 
-def particle(engine):
-    """The particles of that engine's script, their contact and cut-offs, for cohesion-mapping."""
-    text = (HERE / "case" / SCRIPTS[engine]).read_text()
+def particle(row):
+    """The particles of that bed, their contact and cut-offs, for cohesion-mapping."""
+    text = (HERE / "case" / SCRIPTS[row["engine"]]).read_text()
     of = dict(re.findall(r"^variable\s+(\w+)\s+equal\s+([-+.\deE]+)\s", text, re.M))
-    return ["--radius", float(of["d"]) / 2, "--density", of["density"], "--stiffness", of["K"],
-            "--damping", of["eta"], "--cutoff", of["H_cut"], of["H_out"]]
+    return ["--radius", float(of["d"]) / 2, "--density", of["density"], "--stiffness", row["K"],
+            "--damping", row["eta"], "--cutoff", of["H_cut"], of["H_out"]]
 
 
 def factor(word):

@@ -10,6 +10,7 @@ from matplotlib.collections import EllipseCollection  # noqa: E402
 
 import analyse  # noqa: E402
 from foam_results import read_cloud, written_times  # noqa: E402
+from geometry import Geometry  # noqa: E402
 
 COLOURS = {"non-cohesive": "#1f6f8b", "Hamaker": "#c8553d"}
 
@@ -53,7 +54,7 @@ def draw_snapshot(axes, case, name):
                                   array=velocities[:, 1], cmap="coolwarm")
     particles.set_clim(-0.5, 0.5)
     axes.add_collection(particles)
-    axes.set_xlim(0, analyse.WIDTH * 1e3)
+    axes.set_xlim(0, Geometry.read(case).width * 1e3)
     axes.set_ylim(0, 130)
     axes.set_aspect("equal")
     axes.set_xlabel("[mm]")

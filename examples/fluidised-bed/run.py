@@ -7,24 +7,17 @@ table of the characteristic velocities and a picture.
 """
 
 import argparse
-import hashlib
-import json
-import shutil
 import sys
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "common"))
 
-import analyse  # noqa: E402
 import picture  # noqa: E402
-from foam_case import CaseError, FoamCase, environment  # noqa: E402
-from job_pool import Job, RunError, carry_out  # noqa: E402
-
-ENGINES = ("lammps", "liggghts")
-SCHEDULES = ("short", "brief", "thesis")  # of the gas velocity
-ENTRIES = ("voidFraction", "smoothingWidth")  # of couplingProperties that a bed may have of its own
-MARK = "settings.json"  # in the folder of a case that was made here: it may be made anew
+from bed_case import ENGINES, SCHEDULES, BedRun, fingerprint, require_ours  # noqa: E402
+from figures import evaluate  # noqa: E402
+from foam_case import CaseError, environment  # noqa: E402
+from job_pool import RunError, carry_out  # noqa: E402
 
 
 def arguments():
@@ -48,77 +41,6 @@ def arguments():
     parser.add_argument("--overwrite", action="store_true",
                         help="replace the results of an earlier run")
     return parser.parse_args()
-
-
-def make_case(folder, parameters, env):
-    """The case of `parameters`: "engine", "schedule" (one of SCHEDULES), ENTRIES (a smoothingWidth of 0 is
-    none), and variables of the engine's script."""
-    case = FoamCase(HERE / "case", folder, env, overwrite=True)
-    (case.folder / MARK).write_text(json.dumps(parameters))
-    coupling, engine = "constant/couplingProperties", parameters["engine"]
-    case.set(coupling, "demEngine", engine)
-    if parameters["schedule"] != "short":
-        shutil.copy(case.folder / f"constant/schedule.{parameters['schedule']}", case.folder / "constant/schedule")
-    for name, value in parameters.items():
-        if name in ENTRIES:
-            if value:
-                case.set(coupling, name, value)
-        elif name not in ("engine", "schedule"):
-            case.set(coupling, f"{engine}Coeffs/variables/{name}", value)
-    case.mesh()
-    (case.folder / "case.foam").touch()  # what ParaView opens
-    return case
-
-
-class BedRun(Job):
-    """One bed: its case, made anew when it starts."""
-
-    def __init__(self, folder, parameters, env, fingerprint):
-        super().__init__(folder, {**parameters, "fingerprint": fingerprint})
-        self.parameters, self.env = parameters, env
-
-    def start(self):
-        self.case = make_case(self.folder, self.parameters, self.env)
-        return self.case.start()
-
-    def figures(self):
-        """Those of evaluate() that are one number."""
-        found = evaluate(self.folder)
-        velocities = found["velocities"]
-        return {"U_mf_df": velocities.falling[0], "U_mf_th": velocities.rising[0],
-                "U_mf_in": velocities.at_maximum, "overshoot": velocities.overshoot,
-                "pressure_over_weight": found["plateau"][0], "balance": found["balance"][0],
-                "void_fraction": found["void_fraction"][0], "mixing": found["mixing"][0],
-                "mixed": found["mixing"][1], "movement": found["movement"][0], "movement_at": found["movement"][1],
-                "pressure_noise": found["noise"], "exchange_ms_per_step": found["exchange_ms"]}
-
-    def share(self):
-        progress = self.case.progress()
-        return progress[0] if progress else 0.0
-
-    def tail(self):
-        return self.case.tail()
-
-
-def fingerprint(build, env):
-    """Of all that the results depend on, programs included: tells an earlier run of the same."""
-    folders = [Path(f) for f in env["LD_LIBRARY_PATH"].split(":") if f.startswith(str(build))]
-    files = [*(HERE / "case").rglob("*"), build / "openfoam/cohesiveBedFoam",
-             *(f for folder in folders for f in folder.glob("*.so"))]
-    digest = hashlib.sha256()
-    for file in sorted(f for f in files if f.is_file()):
-        digest.update(file.name.encode() + file.read_bytes())
-    return digest.hexdigest()
-
-
-def require_ours(jobs):
-    """Raises CaseError when a folder holds the results of other settings, or something else."""
-    for job in jobs:
-        if not job.folder.exists() or job.result() is not None:
-            continue
-        if (job.folder / "result.json").exists() or not (job.folder / MARK).exists():
-            raise CaseError(f"'{job.folder}' holds something else than results of these settings: give "
-                            "--overwrite to replace it, or --out for another folder")
 
 
 def table(results):
@@ -148,26 +70,6 @@ def table(results):
     widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
     return "\n".join("  ".join(cell.ljust(width) for cell, width in zip(row, widths))
                      for row in rows)
-
-
-def evaluate(case):
-    steps = analyse.curve(case)
-    velocities = analyse.velocities(steps)
-    plateau, balance = analyse.plateau(case, velocities)
-    mean, deviation = analyse.packed_void_fraction(case)
-    return {
-        "steps": steps,
-        "velocities": velocities,
-        "plateau": plateau,
-        "balance": balance,
-        "void_fraction": (mean, deviation),
-        "ergun": [analyse.ergun_minimum_fluidisation(mean + s * deviation) for s in (-1, 1)],
-        "mixing": analyse.mixing(case),
-        "movement": analyse.movement(case),
-        "noise": analyse.pressure_noise(case),
-        "exchange_ms": analyse.exchange_milliseconds(case),
-        "seconds": analyse.solver_seconds(case),
-    }
 
 
 def earlier(folder, kinds):

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs a table of beds, each with several seeds, on the cores there are, and ends in a table of the
 characteristic velocities, of mixing and movement with their standard deviations, and of the differences
-between the engines where two rows are the same bed in both. Runs that are finished are not made again: after an
-interruption the same command goes on with the others.
+between the engines where two rows are the same bed in both; then come the figures that expected.csv beside the
+table has for its rows. Runs that are finished are not made again: after an interruption the same command goes on
+with the others.
 
     study.py TABLE.csv [--seeds N ...] [--together N] [--out FOLDER] [--overwrite] [--build FOLDER]
 """
 
 import argparse
-import re
 import sys
 from math import isnan, isqrt, sqrt
 from pathlib import Path
@@ -16,49 +16,43 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "common"))
 
-import run  # noqa: E402
+from bed_case import ENGINES, SCHEDULES, BedRun, fingerprint, geometry_of, parameters, require_ours  # noqa: E402
 from escape import PLACES, MappingError, escape_velocities  # noqa: E402
 from foam_case import environment  # noqa: E402
+from geometry import GeometryError  # noqa: E402
 from job_pool import RunError, carry_out, cores  # noqa: E402
-from study_table import TableError, number, over_seeds, read_table, write_summary  # noqa: E402
+from study_table import TableError, expectations, over_seeds, read_table, write_summary  # noqa: E402
 
-NOT_IN_TABLES = ("plugin", "seed")
 # Primes above 10000, which LIGGGHTS asks for
 SEEDS = {"lammps": [4711, 4712, 4713], "liggghts": [15485863, 32452843, 49979687]}
-# What is printed, with its digits
+# What is printed, with its digits; of both engines, COLUMNS are compared
 COLUMNS = {"U_mf_df": ".3f", "U_mf_th": ".3f", "U_mf_in": ".3f", "overshoot": ".3f", "mixing": ".3f",
            "movement": ".2e"}
-
-
-def parameters(engine):
-    """Those of a row, with what they are in the case: engine, schedule, void fraction and the variables of its
-    script."""
-    text = (HERE / "case/constant/couplingProperties").read_text()
-    block = re.search(rf"^{engine}Coeffs\s*\{{.*?variables\s*\{{(.*?)\}}", text, re.M | re.S)[1]
-    variables = dict(re.findall(r"^\s*(\w+)\s+([^;\s]+);", block, re.M))
-    kernel = re.search(r"^voidFraction\s+(\w+);", text, re.M)[1]
-    return {"engine": engine, "schedule": "short", "voidFraction": kernel, "smoothingWidth": 0,
-            **{name: number(value) for name, value in variables.items() if name not in NOT_IN_TABLES}}
+PRINTED = {**COLUMNS, "processor_seconds": ".0f"}
 
 
 def rows(file):
     """{name: parameters} of the table `file`; what a row leaves empty is as in the case of its engine. Raises
     TableError."""
-    known = dict.fromkeys(name for engine in run.ENGINES for name in parameters(engine))
+    known = dict.fromkeys(name for engine in ENGINES for name in parameters(engine))
     table = {}
     for name, row in read_table(file, known).items():
         given = {column: value for column, value in row.items() if value is not None}
-        engine = given.get("engine", run.ENGINES[0])
-        if engine not in run.ENGINES:
-            raise TableError(f"{file}: row '{name}' has engine '{engine}'; there are " + ", ".join(run.ENGINES))
+        engine = given.get("engine", ENGINES[0])
+        if engine not in ENGINES:
+            raise TableError(f"{file}: row '{name}' has engine '{engine}'; there are " + ", ".join(ENGINES))
         for column in given:
             if column not in parameters(engine):
                 raise TableError(f"{file}: row '{name}': '{column}' does not apply to engine '{engine}'; it has "
                                  + ", ".join(parameters(engine)))
         table[name] = {**parameters(engine), **given}
-        if table[name]["schedule"] not in run.SCHEDULES:
+        if table[name]["schedule"] not in SCHEDULES:
             raise TableError(f"{file}: row '{name}' has schedule '{table[name]['schedule']}'; there are "
-                             + ", ".join(run.SCHEDULES))
+                             + ", ".join(SCHEDULES))
+        try:
+            geometry_of(table[name])
+        except GeometryError as error:
+            raise TableError(f"{file}: row '{name}': {error}") from None
     return table
 
 
@@ -80,17 +74,17 @@ def known_speeds(build, name, row):
 
 
 def text(table, results, failed, speeds):
-    """Escape velocity between particles, and mean and standard deviation of COLUMNS, a line per row, and for each
+    """Escape velocity between particles, and mean and standard deviation of PRINTED, a line per row, and for each
     bed that is there with both engines the difference; `failed`: {row name: seeds without a result}, `speeds`: {row
     name: known_speeds()}."""
-    lines = [f"{'':20}{'v_esc':<10}" + "".join(f"{column:<20}" for column in COLUMNS) + "seeds"]
+    lines = [f"{'':20}{'v_esc':<10}" + "".join(f"{column:<20}" for column in PRINTED) + "seeds"]
     for name in table:
         figures = over_seeds(results[name])
         speed = speeds[name]["v_esc"]
         lines.append(f"{name:20}{'unknown' if speed is None else f'{speed:.5f}':<10}"
-                     + "".join("{:<20}".format(with_deviation(*figures[column], COLUMNS[column])
+                     + "".join("{:<20}".format(with_deviation(*figures[column], PRINTED[column])
                                                if column in figures else "none")
-                               for column in COLUMNS) + str(len(results[name]))
+                               for column in PRINTED) + str(len(results[name]))
                      + (f", {failed[name]} failed" if failed[name] else ""))
     pairs = [(one, other) for one in table for other in table if same_bed(table[one], table[other])]
     if pairs:
@@ -99,6 +93,15 @@ def text(table, results, failed, speeds):
         lines.append(f"{other:30}" + "".join(f"{difference(results[one], results[other], column):20}"
                                             for column in COLUMNS))
     return "\n".join(lines)
+
+
+def against_expected(file, table, results, speeds):
+    """What expected.csv beside the table `file` says of its rows, as text; empty without such."""
+    beside = file.parent / "expected.csv"
+    found = {name: {**speeds[name], **{figure: mean for figure, (mean, _) in over_seeds(results[name]).items()}}
+             for name in table if results[name]}
+    return "\n".join(f"{'as expected' if holds else 'NOT AS EXPECTED'}: {line}"
+                     for line, holds in (expectations(beside, found) if beside.exists() else ()))
 
 
 def same_bed(one, other):
@@ -147,12 +150,12 @@ def main():
     table = rows(args.table)
     seeds = {name: seeds_of(row, args.seeds) for name, row in table.items()}
     env = environment(build)
-    mark = run.fingerprint(build, env)
-    jobs = {name: [run.BedRun(out / "runs" / f"{name}-{seed}", {**row, "seed": seed}, env, mark)
+    mark = fingerprint(build, env)
+    jobs = {name: [BedRun(out / "runs" / f"{name}-{seed}", {**row, "seed": seed}, env, mark)
                    for seed in seeds[name]] for name, row in table.items()}
     every = [job for row in jobs.values() for job in row]
     if not args.overwrite:
-        run.require_ours(every)
+        require_ours(every)
     failure = None
     try:
         carry_out(every, args.together)
@@ -163,13 +166,15 @@ def main():
     speeds = {name: known_speeds(build, name, row) for name, row in table.items()}
     write_summary(out / "summary.csv", {name: {**row, **speeds[name]} for name, row in table.items()}, results, failed)
     print(text(table, results, failed, speeds))
+    if expected := against_expected(args.table, table, results, speeds):
+        print("\n" + expected)
     print(f"\ntable: {out / 'summary.csv'}; the runs: {out / 'runs'}")
     if failure:
         raise failure
 
 
 def without_settings(result):
-    return {figure: value for figure, value in result.items() if figure != "settings"}
+    return {figure: value for figure, value in result.items() if figure not in ("settings", "readers")}
 
 
 if __name__ == "__main__":

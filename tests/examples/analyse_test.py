@@ -1,20 +1,19 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The reading of a fluidisation curve, of mixing and movement, on tables whose answer is known, and the schedules."""
+"""The reading of a fluidisation curve on tables whose answer is known, and the schedules."""
 
 import re
 import shutil
 import sys
 import tempfile
-import types
 import unittest
 from pathlib import Path
-from unittest import mock
 
 import numpy as np
 
 BED = Path(__file__).resolve().parents[2] / "examples/fluidised-bed"
 sys.path.insert(0, str(BED))
 import analyse  # noqa: E402
+import particles  # noqa: E402
 
 
 def steps(minimum, highest, rising):
@@ -66,53 +65,6 @@ class FluidisationCurve(unittest.TestCase):
                                    delta=0.018)
 
 
-class MixingAndMovement(unittest.TestCase):
-    """Of gas that falls from 0.9 m/s by 0.1 m/s each second, rests from 4 s on, and rises again at 5 s."""
-
-    SCHEDULE = [(float(k), k + 1.0, velocity) for k, velocity in enumerate((0.9, 0.8, 0.7, 0.6, 0.0, 0.77))]
-
-    def setUp(self):
-        keeper = tempfile.TemporaryDirectory(prefix="cohesion-")
-        self.addCleanup(keeper.cleanup)
-        self.case = Path(keeper.name)
-        time = np.arange(0, 6, 0.001) + 0.0005
-        velocity = np.array([v for _, _, v in self.SCHEDULE])[time.astype(int)]
-        for name, value in (("read_schedule", self.SCHEDULE),
-                            ("read_traces", types.SimpleNamespace(time=time, velocity=velocity))):
-            change = mock.patch.object(analyse, name, return_value=value)
-            change.start()
-            self.addCleanup(change.stop)
-
-    def write(self, name, kind, rows):
-        folder = self.case / f"postProcessing/{name}/0"
-        folder.mkdir(parents=True, exist_ok=True)
-        (folder / f"{kind}.dat").write_text("# Time ...\n" + "".join("\t".join(map(str, row)) + "\n" for row in rows))
-
-    def test_mixing_in_the_first_step_and_at_rest(self):
-        self.write("mixing", "mixingIndex", [(t, 0.05 + 0.4 * t, 30, 4000) for t in (0.1, 0.3, 0.4, 1.0)]
-                   + [(1.1, 0.9, 30, 4000), (4.0, 0.1, 30, 4000), (4.2, 0.6, 30, 4000), (5.0, 0.7, 30, 4000),
-                      (5.1, 0.8, 30, 4000)])
-        rate, mixed = analyse.mixing(self.case)
-        self.assertAlmostEqual(rate, 0.4, places=12)
-        self.assertAlmostEqual(mixed, 0.65, places=12)
-
-    def test_movement_where_the_falling_gas_has_the_velocity(self):
-        # Mean velocities 0.85, 0.76, 0.7, 0.6; none on the rising branch, which has 0.77 itself.
-        ends = ((1.5, 1.0), (2.4, 1.0), (3.0, 0.5), (4.0, 0.5), (5.8, 0.5))
-        self.write("movement", "particleMovement",
-                   [(end, over, 0.001 * k, 0, 0, 0, 4000) for k, (end, over) in enumerate(ends)])
-        found, velocity = analyse.movement(self.case)
-        self.assertEqual(found, 0.001)
-        self.assertAlmostEqual(velocity, 0.76, places=10)
-
-    def test_no_interval_on_the_falling_branch(self):
-        self.write("movement", "particleMovement", [(5.8, 0.5, 0.002, 0, 0, 0, 4000)])
-        self.assertTrue(np.isnan(analyse.movement(self.case)).all())
-        self.write("movement", "particleMovement", [])
-        with self.assertWarns(UserWarning):
-            self.assertTrue(np.isnan(analyse.movement(self.case)).all())
-
-
 class ParticleStep(unittest.TestCase):
     def test_is_that_of_the_engine_that_the_case_names(self):
         text = (BED / "case/constant/couplingProperties").read_text()
@@ -150,7 +102,7 @@ class Schedules(unittest.TestCase):
                 means.append(np.interp(np.linspace(start, start + 556 * gas_step, 5000), time, velocity).mean())
                 start += 556 * gas_step
             # Written with two digits.
-            self.assertLess(min(abs(mean - analyse.MOVEMENT_AT) for mean in means), 0.005, name)
+            self.assertLess(min(abs(mean - particles.MOVEMENT_AT) for mean in means), 0.005, name)
 
     def test_both_go_down_to_rest_and_up_the_same_way(self):
         for name in ("schedule", "schedule.thesis"):

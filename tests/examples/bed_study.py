@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """bed_study.py BUILD_FOLDER: run.py and study.py of examples/fluidised-bed with beds of 0.018 s: the
-parameters of a row reach its case, what is done is not made again. Such beds have no fluidisation curve:
-their figures are made up here."""
+parameters of a row reach its case, what is done is not made again."""
 
 import contextlib
 import csv
@@ -11,36 +10,25 @@ import re
 import shutil
 import subprocess
 import sys
-import tempfile
-import types
 import unittest
 from pathlib import Path
 from unittest import mock
 
-SOURCE = Path(__file__).resolve().parents[2]
-BED = SOURCE / "examples/fluidised-bed"
-sys.path[:0] = [str(BED), str(SOURCE / "examples/common")]
+from small_beds import BED, BUILD, SmallBeds, variables
 
-import picture  # noqa: E402
-import run  # noqa: E402
-import study  # noqa: E402
-from foam_case import CaseError, environment  # noqa: E402
-from job_pool import RunError, carry_out  # noqa: E402
-from lammps_run import launcher  # noqa: E402
+import bed_case
+import figures
+import run
+import study
+from bed_case import parameters
+from foam_case import CaseError, environment
+from job_pool import RunError, carry_out
+from lammps_run import launcher
 
-BUILD = Path(sys.argv.pop(1) if len(sys.argv) > 1 else SOURCE / "build").resolve()
-SCHEDULE = "superficialVelocity table ((0 (0 1.2 0)) (1 (0 1.2 0)));\nendTime 0.018;\n"
 TABLE = "name, A, cohesion_side, settle\nnone, 0, , 0.01\nno-side, 7.49e-19, 0, 0.01\n"
 OTHERS = ("name, A, settle, voidFraction, smoothingWidth, scheme, law, D, ratio\n"
           "smooth, 0, 0.01, sphereOverlap, 1e-3, , , ,\nevent, 7.49e-19, 0.01, , , event, , ,\n"
           "well, , 0.01, , , event, square_well, 5e-11, 1.02\n")
-
-
-def variables(case, engine="lammps"):
-    """Of the particle script, as the case has them."""
-    text = (Path(case) / "constant/couplingProperties").read_text()
-    block = re.search(rf"{engine}Coeffs.*?variables\s*\{{(.*?)\}}", text, re.S)[1]
-    return {name: study.number(value) for name, value in re.findall(r"(\w+)\s+([^;\s]+);", block)}
 
 
 def restitution(stiffness, damping, mass):
@@ -49,35 +37,7 @@ def restitution(stiffness, damping, mass):
     return math.exp(-math.pi * beta / math.sqrt(stiffness / mass - beta**2))
 
 
-def made_up(case):
-    """As run.evaluate(), from the seed."""
-    engine = re.search(r"^demEngine\s+(\w+)", (Path(case) / "constant/couplingProperties").read_text(), re.M)[1]
-    pair = (variables(case, engine)["seed"], 0.1)
-    velocities = types.SimpleNamespace(falling=pair, rising=pair, at_maximum=pair[0], overshoot=pair[0])
-    return {"velocities": velocities, "plateau": pair, "balance": pair, "void_fraction": pair,
-            "mixing": pair, "movement": pair, "ergun": pair, "noise": pair[0], "exchange_ms": pair[0],
-            "seconds": run.analyse.solver_seconds(case)}
-
-
-class Beds(unittest.TestCase):
-    def setUp(self):
-        keeper = tempfile.TemporaryDirectory(prefix="cohesion-")
-        self.addCleanup(keeper.cleanup)
-        self.folder = Path(keeper.name)
-        shutil.copytree(BED / "case", self.folder / "case")
-        (self.folder / "case/constant/schedule").write_text(SCHEDULE)
-        for change in (mock.patch.object(run, "HERE", self.folder),
-                       mock.patch.object(run, "evaluate", made_up),
-                       mock.patch.object(picture, "draw")):
-            change.start()
-            self.addCleanup(change.stop)
-
-    def call(self, program, *words):
-        with mock.patch.object(sys, "argv", [program.__name__, *map(str, words), "--build", str(BUILD)]), \
-                contextlib.redirect_stdout(io.StringIO()) as output:
-            program.main()
-        return output.getvalue()
-
+class Beds(SmallBeds):
     def test_a_table_of_beds(self):
         table, out = self.folder / "table.csv", self.folder / "out"
         table.write_text(TABLE)
@@ -97,7 +57,7 @@ class Beds(unittest.TestCase):
         self.assertEqual(list(rows), ["none", "no-side"])
         # Seeds 1 and 3: mean 2, deviation sqrt(2).
         self.assertEqual([rows["none"][k] for k in ("seeds", "U_mf_df", "U_mf_df_sd", "cohesion_side")],
-                         ["2", "2", "1.4", "1"])
+                         ["2", "2", "1.41", "1"])
         # A log is of one start: none begins when all is done.
         stamps = [file.stat().st_mtime_ns for file in sorted(out.glob("runs/*/log.blockMesh"))]
         self.assertIn("4 of 4 runs are done", self.call(*words))
@@ -193,26 +153,26 @@ class Beds(unittest.TestCase):
                 self.assertAlmostEqual(float(well[place]) / math.sqrt(2 * D / m * (1 / e**2 - 1)), 1, delta=5e-6)
             self.assertGreater(float(found["event"]["v_esc"]), 0)
 
-    @unittest.skipUnless((BUILD / "tools/cohesion-mapping").exists(), "built without tools")
-    def test_levels_of_cohesion_are_pairs_of_equal_escape_velocity(self):
-        table = study.rows(BED / "cohesion-levels.csv")
-        speeds = {name: study.escape_velocities(BUILD, row) for name, row in table.items()}
-        self.assertEqual(set(speeds.pop("none").values()), {0.0})
-        self.assertEqual(len(speeds), 6)
-        for depth in ("1e-11", "5e-11", "1e-10"):
-            well, hamaker = (speeds[f"{law}-{depth}"]["v_esc"] for law in ("well", "hamaker"))
-            # A has nine digits, half of the last one is up to 5e-9; v_esc is nearly proportional to it.
-            self.assertAlmostEqual(hamaker / well, 1, delta=1e-8)
-            self.assertEqual(table[f"well-{depth}"]["D"], float(depth))
-        # The energy that a well takes goes with the square of the speed, so that a factor counts by its root.
-        row = {**table["well-1e-11"], "cohesion_side": 4, "cohesion_plate": "no"}
-        found = study.escape_velocities(BUILD, row)
-        self.assertAlmostEqual(found["v_esc_side"] / speeds["well-1e-11"]["v_esc_side"], 2, places=12)
-        self.assertEqual(found["v_esc_plate"], 0)
+    def test_a_change_of_what_reads_figures_reads_them_again(self):
+        table, out = self.folder / "table.csv", self.folder / "out"
+        table.write_text("name, A, settle\na, 0, 0.01\n")
+        words = (study, table, "--seeds", 1, "--out", out)
+        self.call(*words)
+        stamp = (out / "runs/a-1/log.blockMesh").stat().st_mtime_ns
+        with mock.patch.object(figures, "programs", lambda: "others"):
+            self.assertIn("reading those of 1 again", self.call(*words))
+        self.assertEqual((out / "runs/a-1/log.blockMesh").stat().st_mtime_ns, stamp)
+        for changed in (BED / "bed_case.py", BED / "geometry.py", self.folder / "case/bed.lmp"):
+            marks = [bed_case.fingerprint(BUILD, environment(BUILD))]
+            read = Path.read_bytes
+            with mock.patch.object(Path, "read_bytes",
+                                   lambda file: read(file) + (b"#" if file == changed else b"")):
+                marks.append(bed_case.fingerprint(BUILD, environment(BUILD)))
+            self.assertNotEqual(*marks, changed)
 
     def test_escape_velocities_that_are_not_known(self):
         """No program, or words in the place of numbers: they are left empty, and it is said why."""
-        row = {**study.parameters("lammps"), "A": 1e-19}
+        row = {**parameters("lammps"), "A": 1e-19}
         for build, given, says in ((self.folder, row, "cohesion-mapping' does not exist"),
                                    (BUILD, {**row, "A": "much"}, "could not convert .*'much'")):
             with contextlib.redirect_stdout(io.StringIO()) as output:
@@ -249,14 +209,15 @@ class Beds(unittest.TestCase):
     def test_a_bed_that_fails_leaves_the_table_of_the_others(self):
         table, out = self.folder / "table.csv", self.folder / "out"
         table.write_text(TABLE)
-        figures = run.BedRun.figures
+        figures = bed_case.BedRun.figures
 
         def fail(job):
             if job.name == "no-side-1":
                 raise ValueError("no curve")
             return figures(job)
 
-        with mock.patch.object(run.BedRun, "figures", fail), self.assertRaisesRegex(RunError, "1 of 2 runs failed"):
+        with mock.patch.object(bed_case.BedRun, "figures", fail), \
+                self.assertRaisesRegex(RunError, "1 of 2 runs failed"):
             self.call(study, table, "--seeds", 1, "--out", out)
         with open(out / "summary.csv") as file:
             self.assertEqual([(row["name"], row["failed"], row["U_mf_df"]) for row in csv.DictReader(file)],
@@ -301,17 +262,17 @@ class Beds(unittest.TestCase):
     def test_a_killed_bed_is_made_again(self):
         env = environment(BUILD)
         parameters = {"engine": "lammps", "schedule": "short", "A": 0.0, "settle": 0.01, "seed": 2}
-        job = run.BedRun(self.folder / "bed", parameters, env, "this build")
+        job = bed_case.BedRun(self.folder / "bed", parameters, env, "this build")
         job.launch()
         job.process.kill()
         job.process.wait()
         self.assertIsNone(job.result())
-        run.require_ours([job])
+        bed_case.require_ours([job])
         result, = carry_out([job], 1)
         self.assertEqual(result["U_mf_th"], 2)
-        other = run.BedRun(self.folder / "bed", {**parameters, "A": 1e-19}, env, "this build")
+        other = bed_case.BedRun(self.folder / "bed", {**parameters, "A": 1e-19}, env, "this build")
         with self.assertRaisesRegex(CaseError, "--overwrite"):
-            run.require_ours([other])
+            bed_case.require_ours([other])
 
 
 if __name__ == "__main__":

@@ -12,7 +12,7 @@ BED = SOURCE / "examples/fluidised-bed"
 sys.path[:0] = [str(BED), str(SOURCE / "examples/common"), str(SOURCE / "tests/openfoam-coupling")]
 
 import analyse  # noqa: E402
-import run  # noqa: E402
+import figures  # noqa: E402
 from coupled_case import Expectations  # noqa: E402
 
 
@@ -24,7 +24,7 @@ def main(build):
         subprocess.run([*command, "--overwrite"], check=True)
 
     expect = Expectations()
-    results = {name: run.evaluate(out / name) for name in ("non-cohesive", "Hamaker")}
+    results = {name: figures.evaluate(out / name) for name in ("non-cohesive", "Hamaker")}
     with open(BED / "expected.csv") as file:
         rows = [r for r in csv.DictReader(line for line in file if not line.startswith("#"))]
     for row in rows:

@@ -17,7 +17,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "examples/common"))
 import study_table  # noqa: E402
-from job_pool import Job, RunError, carry_out, dies_with_us  # noqa: E402
+from job_pool import Job, RunError, carry_out, dies_with_us, digest_of  # noqa: E402
 
 
 class Shell(Job):
@@ -111,6 +111,49 @@ class Pool(unittest.TestCase):
         self.assertEqual(carry_out([other], 1)[0]["settings"], {"value": 1})
         self.assertEqual(len(job.begun()), 2)
         self.assertIsNone(job.result())
+
+    def test_figures_are_read_again_by_other_readers(self):
+        """The run is not made again, and its times stay."""
+        job, = self.jobs("a")
+        job.readers = "these"
+        job.mark("go")
+        first, = carry_out([job], 1)
+        (job.folder / "figure").write_text("13.5")
+        self.assertEqual(carry_out([job], 1), [first])
+        job.readers = "others"
+        self.assertTrue(job.finished())
+        self.assertIsNone(job.result())
+        second, = carry_out([job], 1)
+        self.assertEqual(second, {**first, "readers": "others", "figure": 13.5})
+        self.assertEqual(len(job.begun()), 1)
+        # Figures that cannot be read are a failure, and the run is not lost.
+        job.readers = "none"
+        (job.folder / "figure").unlink()
+        with self.assertRaisesRegex(RunError, r"(?s)its figures cannot be read.*1 of 1 runs failed"):
+            carry_out([job], 1)
+        self.assertTrue(job.finished())
+        self.assertIsNone(job.result())
+
+    def test_processor_seconds_are_those_of_the_run_alone(self):
+        """Of three runs at once, the one that works has them."""
+        jobs = _, busy, _ = self.jobs("lazy", "busy", "other")
+        busy.start = lambda: subprocess.Popen(
+            [sys.executable, "-c", "import time\nwhile time.process_time() < 1: pass\nopen('figure', 'w').write('1')"],
+            cwd=busy.folder)
+        for job in jobs:
+            job.mark("go")
+        lazy, worked, _ = (result["processor_seconds"] for result in carry_out(jobs, 3))
+        # The interpreter starts in less than another second; a shell that ends at once takes far less than one.
+        self.assertTrue(1 <= worked < 2, worked)
+        self.assertLess(lazy, 0.5)
+
+    def test_digest_tells_a_change(self):
+        file = self.folder / "program.py"
+        file.write_text("1")
+        before = digest_of([file, self.folder])
+        self.assertEqual(digest_of([self.folder, file]), before)
+        file.write_text("2")
+        self.assertNotEqual(digest_of([file]), before)
 
     def test_a_failure_does_not_stop_the_others(self):
         jobs = good, bad, last = self.jobs("good", "bad", "last")
@@ -208,13 +251,15 @@ class Tables(unittest.TestCase):
         self.assertAlmostEqual(found["U"][0], 3.0, delta=1e-15)
         self.assertAlmostEqual(found["U"][1], math.sqrt(7), delta=1e-15)
         self.assertTrue(math.isnan(study_table.over_seeds(results["one"])["U"][1]))
+        # A seed without the figure.
+        self.assertTrue(all(map(math.isnan, study_table.over_seeds([{"U": 1.0}, {"U": math.nan}, {"U": 2.0}])["U"])))
         study_table.write_summary(self.file, {"one": {"A": 0}, "three": {"A": 1e-18}}, results)
         self.assertEqual(self.file.read_text().split(),
-                         ["name,A,seeds,U,U_sd", "one,0,1,1,nan", "three,1e-18,3,3,2.6"])
+                         ["name,A,seeds,U,U_sd", "one,0,1,1,nan", "three,1e-18,3,3,2.65"])
         study_table.write_summary(self.file, {"none": {"A": 0}, "three": {"A": 1e-18}},
                                   {**results, "none": []}, {"none": 2, "three": 0})
         self.assertEqual(self.file.read_text().split(),
-                         ["name,A,seeds,failed,U,U_sd", "none,0,0,2,,", "three,1e-18,3,0,3,2.6"])
+                         ["name,A,seeds,failed,U,U_sd", "none,0,0,2,,", "three,1e-18,3,0,3,2.65"])
 
 
 def main(folder, *names):

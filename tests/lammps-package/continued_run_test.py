@@ -145,8 +145,9 @@ write_dump all custom end.txt id x y z vx vy vz omegax omegay omegaz modify form
                            rubs=oblique > 0, boundary="f p p")
 
     def test_packing(self):
-        """What the splitting of one step leaves where each sphere has up to six contacts: second order in the
-        step, of the energies of all springs and of the adhesion."""
+        """Where each sphere has up to six contacts: a book that is opened between two runs has what the splitting of
+        one step leaves, second order in the step, of the energies of all springs and of the adhesion. Motion and book
+        then go on as if there had been no stop, to the last bit."""
         random = numpy.random.default_rng(3)
         places = R + 0.998 * DIAMETER * numpy.arange(6)
         engine.write_spheres(self.folder, [
@@ -159,9 +160,17 @@ write_dump all custom end.txt id x y z vx vy vz omegax omegay omegaz modify form
                     "xplane 0 0.006 yplane 0 0.006 zplane 0 NULL\nfix g all gravity 9.81 vector 0 0 -1\n")
             apart = []
             for part in (5, 20):
-                last, first = ({name: values[-1] for name, values in self.book(
-                    pair, f"COMPUTE\nrun {6 * part}\n{more}", boundary="f f f", dt=CONTACT_TIME / part)[0].items()}
-                               for more in ("", "run 0"))
+                def after(runs):
+                    lines, end = self.book(pair, runs, boundary="f f f", dt=CONTACT_TIME / part)
+                    return {name: values[-1] for name, values in lines.items()}, end
+
+                (last, _), (first, _) = (after(f"COMPUTE\nrun {6 * part}\n{more}") for more in ("", "run 0"))
+                whole, end = after(f"COMPUTE\nrun {12 * part}")
+                for opened in ("COMPUTE", "COMPUTE\nrun 0"):
+                    book, again = after(f"run {6 * part}\n{opened}\nrun {6 * part}")
+                    numpy.testing.assert_array_equal(again, end)
+                    for key in STORED + MOTION:
+                        self.assertEqual(book[key], whole[key], (key, opened))
                 for key in MOTION:
                     self.assertEqual(first[key], last[key])
                 apart.append(sum(abs(first[key] - last[key]) for key in STORED) / last["c_book[3]"])

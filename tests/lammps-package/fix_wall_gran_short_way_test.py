@@ -17,6 +17,26 @@ SMALL, SOFT = 0.1 * R, 0.1**3 * STIFFNESS  # the same for small ones
 ASKED = {"far ones left out": "neigh_modify delay 1000000", "all asked": "neigh_modify every 1 delay 0 check no"}
 
 
+def script(lists, walls, commands, style="sphere", ranks=1):
+    """Particles of data.spheres that meet nothing but walls."""
+    return f"""
+plugin load ${{plugin}}
+units si
+processors {ranks} 1 1
+atom_style {style}
+newton off
+boundary p p f
+comm_modify vel yes
+read_data data.spheres
+pair_style zero 1e-3
+pair_coeff * *
+neighbor 5e-3 bin
+{lists}
+fix w all wall/gran/{walls}
+{commands}
+"""
+
+
 class ShortWay(FolderTestCase):
     def runs(self, heights, speeds, fix, more, radii=None, z=0.04, steps=120):
         """Particles that meet nothing but the walls; of each kind of ASKED code, output and, of each step, z and
@@ -28,19 +48,7 @@ class ShortWay(FolderTestCase):
             [(0.0, 0.02 * len(heights)), (0.0, 0.02), (0.0, z)], 1)
         found = {}
         for name, lists in ASKED.items():
-            code, output = engine.run_text(f"""
-plugin load ${{plugin}}
-units si
-atom_style sphere 1
-newton off
-boundary p p f
-comm_modify vel yes
-read_data data.spheres
-pair_style zero 1e-3
-pair_coeff * *
-neighbor 5e-3 bin
-{lists}
-fix w all wall/gran/{fix}
+            code, output = engine.run_text(script(lists, fix, f"""
 {more}
 fix move all nve/sphere
 timestep {DT!r}
@@ -49,7 +57,7 @@ dump_modify out format float %.17g
 thermo_style custom step
 thermo {steps}
 run {steps}
-""", self.folder)
+""", style="sphere 1"), self.folder)
             built = [line.split()[-1] for line in output.splitlines() if "Neighbor list builds" in line]
             if code == 0:
                 self.assertEqual(int(built[0]), steps if "check no" in lists else 0)
@@ -117,24 +125,9 @@ run {steps}
         engine.write_spheres(self.folder, [
             {"type": 1, "diameter": 2 * r, "density": DENSITY, "x": (x, 0.01, 0.02), "v": (v, 0.0, 0.0)}
             for r, x, v in spheres], [(0.0, 0.04), (0.0, 0.02), (0.0, 0.04)], 1)
-        code, output = engine.run_text(f"""
-plugin load ${{plugin}}
-units si
-processors {ranks} 1 1
-atom_style sphere
-newton off
-boundary p p f
-comm_modify vel yes
-read_data data.spheres
-pair_style zero 1e-3
-pair_coeff * *
-neighbor 5e-3 bin
-{lists}
-fix w all wall/gran/hamaker stiffness {SOFT} zplane 0 NULL
-fix move all nve/sphere
-timestep {DT!r}
-{commands}
-""", self.folder, ranks=ranks)
+        code, output = engine.run_text(
+            script(lists, f"hamaker stiffness {SOFT} zplane 0 NULL",
+                   f"fix move all nve/sphere\ntimestep {DT!r}\n{commands}", ranks=ranks), self.folder, ranks=ranks)
         self.assertIn("radii in one step", output)
         self.assertNotEqual(code, 0)
 

@@ -15,6 +15,7 @@ import analyse  # noqa: E402
 
 
 SETTINGS = {"plugin": "cohesionplugin.so", "A": 7.49e-19, "dt": 1.125e-5, "node": 3.333e-3, "seed": 4711}
+COMPARED = ("time", "velocity", "drop", "weight", "height")
 
 
 def settle(env, work):
@@ -47,7 +48,8 @@ def run(env, packing, work, ranks):
         case.set("system/fvSolution", f"solvers/{solver}/relTol", 0)
     case.mesh()
     case.solve(ranks=ranks)
-    traces = {name: trace[-1] for name, trace in vars(analyse.read_traces(case.folder)).items()}
+    found = analyse.read_traces(case.folder)
+    traces = {name: getattr(found, name)[-1] for name in COMPARED}
     log = (case.folder / "log.lammps").read_text()
     atoms = re.findall(r"^\s*\d+\s+(\d+)\s+\S+\s*$", log, re.M)[-1]
     return int(atoms), traces
@@ -64,7 +66,7 @@ def main(build, work):
     # left for growth in the packing. Weight and height are printed in steps of 1e-7.
     tolerance = 222 * 1e-13 * 1e4
     printed = {"weight": 1.01e-7, "height": 1.01e-7}
-    for what in ("time", "velocity", "drop", "weight", "height"):
+    for what in COMPARED:
         expect.near(f"{what}, 2 ranks against 1", t2[what], t1[what],
                     tolerance * abs(t1[what]) + printed.get(what, 0))
     expect.true("the gas presses", t1["drop"] > 100)

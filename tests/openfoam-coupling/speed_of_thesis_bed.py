@@ -17,7 +17,7 @@ import time
 from coupled_case import BED, SOURCE, environment
 
 sys.path[:0] = [str(BED), str(SOURCE / "tests/lammps-package")]
-import run as bed  # noqa: E402
+import bed_case  # noqa: E402
 from progress import Progress  # noqa: E402
 
 SCHEMES = {"sampled, t_c/8": {"scheme": "sampled", "dt": 1.125e-5}, "event, t_c/4": {"scheme": "event", "dt": 2.25e-5}}
@@ -33,7 +33,7 @@ def processor_seconds(pid):
 def run(env, folder, parameters, rest, blow):
     """Processor seconds per simulated second at rest and blown through, and the shares of particles and
     exchange in the time of all [%]."""
-    case = bed.make_case(folder, {"engine": "lammps", "schedule": "thesis", "A": 7.49e-19, **parameters}, env)
+    case = bed_case.make_case(folder, {"engine": "lammps", "schedule": "thesis", "A": 7.49e-19, **parameters}, env)
     (case.folder / "constant/schedule").write_text(
         f"superficialVelocity table ((0 (0 0 0)) ({rest} (0 0 0)) ({rest + 1e-3} (0 1.2 0)) (9 (0 1.2 0)));\n"
         f"endTime {rest + blow + 2 * GAS_STEP};\n")  # so that it still runs at the last moment

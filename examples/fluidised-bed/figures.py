@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What is read of one finished case of the fluidised bed: all of it, and what of it is one number."""
+
+import sys
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent / "common"))
+
+import analyse  # noqa: E402
+import foam_results  # noqa: E402
+import geometry  # noqa: E402
+import particles  # noqa: E402
+from job_pool import digest_of  # noqa: E402
+
+
+def programs():
+    """Mark of the programs that these figures are read by: with others they are read again."""
+    return digest_of([Path(__file__), *(Path(module.__file__) for module in (analyse, foam_results, geometry, particles))])
+
+
+def evaluate(case):
+    steps = analyse.curve(case)
+    velocities = analyse.velocities(steps)
+    plateau, balance = analyse.plateau(case, velocities)
+    mean, deviation = analyse.packed_void_fraction(case)
+    return {
+        "steps": steps,
+        "velocities": velocities,
+        "plateau": plateau,
+        "balance": balance,
+        "void_fraction": (mean, deviation),
+        "ergun": [analyse.ergun_minimum_fluidisation(mean + s * deviation) for s in (-1, 1)],
+        "mixing": particles.mixing(case),
+        "movement": particles.movement(case),
+        "plugging": particles.plugging(case),
+        "forces": particles.forces(case, next(s for s in steps if s.rising and s.velocity == velocities.at_maximum)),
+        "noise": analyse.pressure_noise(case),
+        "exchange_ms": analyse.exchange_milliseconds(case),
+        "seconds": analyse.solver_seconds(case),
+    }
+
+
+def single(found):
+    """Those of evaluate() that are one number, each under one name."""
+    velocities = found["velocities"]
+    return {"U_mf_df": velocities.falling[0], "U_mf_th": velocities.rising[0],
+            "U_mf_in": velocities.at_maximum, "overshoot": velocities.overshoot,
+            "pressure_over_weight": found["plateau"][0], "balance": found["balance"][0],
+            "void_fraction": found["void_fraction"][0], "mixing": found["mixing"][0],
+            "mixed": found["mixing"][1], "movement": found["movement"][0], "movement_at": found["movement"][1],
+            "plugging": found["plugging"], "pressure_noise": found["noise"],
+            **{f"{name}_at_maximum": share for name, share in found["forces"].items()},
+            "exchange_ms_per_step": found["exchange_ms"]}

@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What M. Weber's thesis says of cohesive beds (chapters 6 to 8), and whether the beds of our studies say so too: a
+table of its statements, each with the means over the seeds, their standard errors, and a verdict by the rule of
+verdict.py.
+
+    statements.py [--levels SUMMARY.csv] [--mechanisms SUMMARY.csv]
+
+SUMMARY.csv: what study.py leaves of cohesion-levels.csv and of mechanisms.csv."""
+
+import argparse
+import sys
+from collections import namedtuple
+from pathlib import Path
+
+from verdict import Study, above, alike, together, trend, Claim
+
+LEVELS = ("1e-11", "5e-11", "1e-10")  # depth of the wells [J]; Hamaker's attraction of the same escape velocity
+LAWS = {"well": "square well", "hamaker": "Hamaker"}
+VELOCITIES = {"U_mf_df": "U_mf,df", "U_mf_th": "U_mf,th", "U_mf_in": "U_mf,in"}
+SCHEMES = {"": "event", "-sampled": "sampled"}
+WIDTHS = {"-40": 40.0, "": 80.0, "-120": 120.0}  # [mm]
+
+Statement = namedtuple("Statement", "text figure rows claims")  # rows: those whose figures stand beside it
+
+
+def rises_with_escape_velocity(study, figure, law, suffix, text, sign=1):
+    rows = [f"none{suffix}", *(f"{law}-{level}{suffix}" for level in LEVELS)]
+    return Statement(f"{text}, {LAWS[law]}, {SCHEMES[suffix]}", figure, rows,
+                     trend(figure, {row: study.number(row, "v_esc") for row in rows}, sign))
+
+
+def of_levels(study):
+    """Chapter 7, with the scheme that follows events and with that of the thesis, and what the scheme does."""
+    found = []
+    for suffix in SCHEMES:
+        for figure, name in VELOCITIES.items():
+            found += [rises_with_escape_velocity(study, figure, law, suffix, f"{name} rises with v_esc")
+                      for law in LAWS]
+            for level in LEVELS:
+                pair = [f"{law}-{level}{suffix}" for law in LAWS]
+                found.append(Statement(f"{name} alike for both laws, D = {level} J, {SCHEMES[suffix]}", figure, pair,
+                                       alike(figure, *pair, f"none{suffix}")))
+        for figure, text in (("mixing", "mixing slows with v_esc"), ("movement", "movement falls with v_esc")):
+            found += [rises_with_escape_velocity(study, figure, law, suffix, text, -1) for law in LAWS]
+        for law in LAWS:
+            rows = [f"none{suffix}", f"{law}-{LEVELS[0]}{suffix}", f"{law}-{LEVELS[-1]}{suffix}"]
+            found.append(Statement(f"plugs at D = {LEVELS[-1]} J and its like, {LAWS[law]}, {SCHEMES[suffix]}",
+                                   "plugging", rows,
+                                   [claim for row in rows[:2] for claim in above("plugging", rows[2], row)]))
+    for figure, name in VELOCITIES.items():
+        for law in LAWS:
+            for level in LEVELS:
+                pair = [f"{law}-{level}{suffix}" for suffix in SCHEMES]
+                found.append(Statement(f"{name} alike for both schemes, {LAWS[law]}, D = {level} J or its like", figure,
+                                       pair, alike(figure, *pair, "none")))
+    return found
+
+
+def of_mechanisms(_):
+    """Chapter 8."""
+    over = "overshoot"
+
+    def without(law, rival):
+        """Rows of a law: all of its cohesion, without that at the wall that matters, without that at the other."""
+        return law, f"{law}-no-{rival}", f"{law}-no-{'side' if rival == 'plate' else 'plate'}"
+
+    found = []
+    for law, name in LAWS.items():
+        found.append(Statement(f"overshoot with cohesion, {name}", over, [law, "none"], above(over, law, "none")))
+        for none, friction in (("none", 0.3), ("none-friction", 1.0)):
+            found.append(Statement(f"none without, mu = {friction}: less than half of that, {name}", over, [none, law],
+                                   [Claim(over, {law: 0.5, none: -1.0})]))
+    for law, matters in (("well", "plate"), ("hamaker", "side")):
+        everything, missing, other = without(law, matters)
+        wall = {"plate": "the plate adds to", "side": "the side walls add to"}[matters]
+        found.append(Statement(f"{wall} the overshoot, {LAWS[law]}", over, [everything, missing],
+                               above(over, everything, missing)))
+        found.append(Statement(f"and more than the other walls, {LAWS[law]}", over, [other, missing],
+                               above(over, other, missing)))
+    widths = {f"hamaker{suffix}": width for suffix, width in WIDTHS.items()}
+    found.append(Statement("overshoot falls with width, Hamaker", over, list(widths), trend(over, widths, -1)))
+    return found
+
+
+def shown(study, row, figure):
+    found = study.with_error(row, figure)
+    if found is None:
+        return f"{row}: unknown"
+    value, error = found
+    seeds = study.number(row, "seeds")
+    return f"{row}: {value:.3g} " + ("" if seeds < 2 else f"+- {error:.1g} ") + f"({seeds:.0f})"
+
+
+def table(statements, study):
+    """As Markdown."""
+    lines = ["| statement | mean +- standard error (seeds) | verdict |", "|---|---|---|"]
+    for statement in statements:
+        figures = "; ".join(shown(study, row, statement.figure) for row in statement.rows)
+        lines.append(f"| {statement.text} | {figures} | {together(statement.claims, study)} |")
+    return "\n".join(lines)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
+    parser.add_argument("--levels", type=Path, metavar="SUMMARY.csv", help="of cohesion-levels.csv")
+    parser.add_argument("--mechanisms", type=Path, metavar="SUMMARY.csv", help="of mechanisms.csv")
+    args = parser.parse_args()
+    if not (args.levels or args.mechanisms):
+        parser.error("give --levels, --mechanisms, or both")
+    for file, statements in ((args.levels, of_levels), (args.mechanisms, of_mechanisms)):
+        if file:
+            study = Study(file)
+            print(table(statements(study), study) + "\n")
+
+
+if __name__ == "__main__":
+    try:
+        main()
+    except OSError as error:
+        sys.exit(f"statements.py: {error}")

@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Whether a statement holds by the means over seeds of a study, by one rule for all: a sum of means, each times a
+number, that should be positive. It is when it is above its standard error times Student's t of 95 %, two-sided; it is
+not when it is as far below; else the seeds cannot tell. The errors of the rows need not be alike: Welch's degrees of
+freedom."""
+
+import csv
+from collections import namedtuple
+from dataclasses import dataclass
+from math import isfinite, sqrt
+
+from scipy.stats import t as student
+
+CONFIDENCE = 0.95
+ROUNDING = 5e-6  # of the six digits of a mean
+AGREES, DOES_NOT, CANNOT_TELL = "agrees", "does not", "cannot tell"
+
+Mean = namedtuple("Mean", "value deviation seeds")  # the deviation is that of one run
+
+
+class Study:
+    """The rows of a summary.csv, as study_table.write_summary() leaves it."""
+
+    def __init__(self, file):
+        with open(file, newline="") as lines:
+            self.rows = {row["name"]: row for row in csv.DictReader(lines)}
+
+    def number(self, row, column):
+        """nan where there is none."""
+        try:
+            return float(self.rows[row][column])
+        except (KeyError, ValueError):
+            return float("nan")
+
+    def mean(self, row, figure):
+        """Mean, or None without a number and a deviation of two seeds or more."""
+        seeds = self.number(row, "seeds")
+        found = Mean(self.number(row, figure), self.number(row, f"{figure}_sd"), seeds)
+        return found if seeds >= 2 and isfinite(found.value) and isfinite(found.deviation) else None
+
+    def with_error(self, row, figure):
+        """(mean, its standard error), the error nan of one seed; None without a number."""
+        value, deviation, seeds = (self.number(row, column) for column in (figure, f"{figure}_sd", "seeds"))
+        return (value, deviation / sqrt(seeds)) if isfinite(value) else None
+
+
+@dataclass
+class Claim:
+    """That the sum of `shares`, {row: number}, times the means of `figure` is positive."""
+
+    figure: str
+    shares: dict
+
+    def means(self, study):
+        return {row: study.mean(row, self.figure) for row in self.shares}
+
+    def verdict(self, study):
+        means = self.means(study)
+        if None in means.values() or not all(isfinite(share) for share in self.shares.values()):
+            return CANNOT_TELL
+        value = sum(share * means[row].value for row, share in self.shares.items())
+        parts = [((share * means[row].deviation) ** 2 / means[row].seeds, means[row].seeds - 1)
+                 for row, share in self.shares.items()]
+        variance = sum(part for part, _ in parts)
+        margin = ROUNDING * sum(abs(share * means[row].value) for row, share in self.shares.items())
+        if variance > 0:
+            freedom = variance**2 / sum(part**2 / of for part, of in parts)
+            margin += student.ppf((1 + CONFIDENCE) / 2, freedom) * sqrt(variance)
+        return AGREES if value > margin else DOES_NOT if value < -margin else CANNOT_TELL
+
+
+def together(claims, study):
+    """Of claims that must all hold."""
+    verdicts = [claim.verdict(study) for claim in claims]
+    if DOES_NOT in verdicts:
+        return DOES_NOT
+    return AGREES if verdicts and set(verdicts) == {AGREES} else CANNOT_TELL
+
+
+def above(figure, one, other):
+    """That `one` has more than `other`."""
+    return [Claim(figure, {one: 1.0, other: -1.0})]
+
+
+def trend(figure, where, sign=1):
+    """That it rises, with sign -1 falls: the slope of the straight line through the means at `where`, {row: x}."""
+    middle = sum(where.values()) / len(where)
+    return [Claim(figure, {row: sign * (x - middle) for row, x in where.items()})]
+
+
+def alike(figure, one, other, none):
+    """That `one` and `other` differ by less than half of what they differ from `none` by, in the mean of both, and
+    that this is a rise; both ways round."""
+    claims = []
+    for sign in (1, -1):
+        claims.append(Claim(figure, {one: 0.25 + sign, other: 0.25 - sign, none: -0.5}))
+    return claims
