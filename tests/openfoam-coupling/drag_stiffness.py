@@ -2,7 +2,7 @@
 """Gas blown through spheres that are free to move, in a periodic box: both come to the same velocity. By
 the coupled solver, for drag from negligible to so stiff that gas and particles would be done in a
 millionth of their step; against the scheme written out again, to round-off. How far that is off the exact
-solution, for many more cases: stability_table.py."""
+solution, for many more cases: stability_table.py; waves of free particles that drag makes: free_waves.py."""
 
 import re
 import sys
@@ -211,40 +211,6 @@ def check(expect, build, work, number, s):
                      abs(found[1] - exact(s)[1])[-1], tolerance)
 
 
-def stiff_growth(s):
-    """Of waves of free particles in form A that are taken to keep their velocity, drag stiff: those of pressure_waves.h
-    without what is 1/x, g = -n (u - 2 u_last + u_before), d = V + (V_last - V)/S, V = u - g."""
-    n = 1 - s.eps
-    now = np.polymul([1 - 1 / SUB_STEPS, 1 / SUB_STEPS], np.polyadd([1, 0, 0], n * np.array([1, -2, 1])))
-    return np.abs(np.roots(np.polyadd([1, 0, 0, 0, 0], n / s.eps * now))).max()
-
-
-def check_layer(expect, build, work):
-    """Free spheres in a layer, so stiff that they hand all of the pressure on to the gas within a step: charged a step
-    late it would grow by 1.61 a step in form A. It dies out, as in form B, and waves are warned of where they grow."""
-    for form, free in (("A", False), ("A", True), ("B", False)):
-        s = Setting(1e9, kernel="sphereOverlap", layer=True, reynolds=100.0, form=form, free=free)
-        what = f"form {form}{', response free' * free}"
-        case, log = solve(build, work, f"layer-{form}{'-free' * free}", s)
-        early, late = (np.abs(cells(case, time, "p")).max() for time in (times()[3], times()[-1]))
-        # It decays or stays. Twice: what the late charge does in two steps; 16 steps of it are a thousand times and
-        # more.
-        expect.below(f"{what}: pressure at the end", late, 2 * early)
-        expect.equal(f"{what}: times that it warns of waves", log.count("would swing against the pressure"), 0)
-        if form == "A":
-            # As in check()
-            momentum = s.eps * RHO * U0 * s.box**2 * s.height
-            expect.below(f"{what}: imbalance of the momentum of a step / momentum of the gas",
-                         max(x["imbalance"] * (abs(x["drag"][2]) + abs(x["pressure"][2]))
-                             for x in exchange_lines(log)) * DT / momentum, 1e-15 * (100 + s.stiffness))
-    s = Setting(1e9, eps=0.45, kernel="sphereOverlap", layer=True, reynolds=100.0)
-    _, log = solve(build, work, "layer-dense", s)
-    said = float(re.search(r"pressure and grow by a factor of (\S+) in a gas step", log)[1])
-    # A stiff step is to 1/x, 1e-6, an infinite one, and some ten such terms add up; six digits are printed.
-    expect.near("growth that is warned of", said, stiff_growth(s), 2e-5)
-    expect.equal("times that it warns of it", log.count("would swing against the pressure"), 1)
-
-
 def largest_root(kappa, viscous, engine_steps):
     """In size, of the steps of viscous_waves.h, over shares C in steps of 1/32."""
     w = 0.5 * (1 - 1 / engine_steps)
@@ -315,7 +281,6 @@ def main(build, work):
                 Setting(1.0, eps=0.9999, cell=17.4, free=True)]
     for number, s in enumerate(settings):
         check(expect, build, work, number, s)
-    check_layer(expect, build, work)
     check_viscous(expect, build, work)
     expect.exit()
 

@@ -108,7 +108,7 @@ def label(s):
 
 
 def warned(log):
-    said = ("the gas step is", "would grow by a factor", "would swing against the pressure")
+    said = ("the gas step is", "would grow by a factor", "would swing against the gas")
     return any(words in log for words in said)
 
 
