@@ -67,7 +67,8 @@ def draw_dense(rows):
                           label="time, least to most" if n == timed[0][0] else None)
         axis.axvline(1, color="black", linewidth=0.6)
         limit = 1.15 * next(value for row, value in zip(own, counted) if "cohesive" in row["style"])
-        axis.axvline(limit, color="black", linewidth=0.6, linestyle=":", label="1.15 of stock with cohesion, instructions")
+        axis.axvline(limit, color="black", linewidth=0.6, linestyle=":",
+                     label="1.15 of stock with cohesion, instructions")
         axis.set_yticks(range(len(own)), [row["style"] for row in own], fontsize=7)
         axis.invert_yaxis()
         axis.set_title(f"{engine}, {scene} spheres: cost of a step over that of the first style", fontsize=8)
