@@ -39,9 +39,9 @@ class Study:
         return found if seeds >= 2 and isfinite(found.value) and isfinite(found.deviation) else None
 
     def with_error(self, row, figure):
-        """(mean, its standard error), the error nan of one seed; None without a number."""
+        """(mean, its standard error), the error 0 of one seed; None without a number."""
         value, deviation, seeds = (self.number(row, column) for column in (figure, f"{figure}_sd", "seeds"))
-        return (value, deviation / sqrt(seeds)) if isfinite(value) else None
+        return (value, deviation / sqrt(seeds) if seeds > 1 else 0.0) if isfinite(value) else None
 
 
 @dataclass
