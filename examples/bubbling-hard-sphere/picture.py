@@ -34,7 +34,7 @@ def draw(file, folders):
         row[-1].set_ylabel("pressure over weight per area")
         row[-1].set_title(f"{folder.name}: {100 * bed.trace:g} cm above the plate", fontsize=9)
         row[-1].set_ylim(-0.5, 2)
-    figure.savefig(file, dpi=75)
+    figure.savefig(file, dpi=55)
     plt.close(figure)
 
 

@@ -27,7 +27,7 @@ from study_table import over_seeds  # noqa: E402
 BED = {"count": 500, "columns": 16, "height": 48, "e": 0.9, "mu": 0.3, "time": 0.6}
 SPACING = 1.5 * analyse.DIAMETER
 STEP, CONTACT = 1e-4, 1e-6  # s; the step is that of Hoomans et al.
-KINDS = ((STEP, CONTACT), (2 * STEP, CONTACT), (STEP / 2, CONTACT))
+KINDS = ((STEP, CONTACT), (2 * STEP, CONTACT))
 
 
 def arguments():

@@ -21,5 +21,5 @@ restitution 0.96;
 wallRestitution 0.86;
 friction    0.15;
 
-settle      0.1;        // before the gas starts [s]
+settle      0.03;       // before the gas starts [s]
 endTime     0.5;        // [s]
