@@ -21,7 +21,7 @@ from column_meshes import MESHES, SIZE, plain, tetrahedra
 from kernel_noise import KERNELS, make, places
 
 sys.path.insert(0, str(BED))
-import run as bed  # noqa: E402
+import bed_case  # noqa: E402
 
 DIAMETER, SPACING = 0.02 / 3, 8.5e-3
 # The tetrahedra of about the volume of a cube
@@ -34,8 +34,8 @@ def suspension(build, work, kernel, steps):
 
 
 def plane_bed(build, work, kernel, steps):
-    case = bed.make_case(f"{work}/case", {"engine": "lammps", "schedule": "short", "A": 0, "settle": 0,
-                                          "voidFraction": kernel}, column(work, "environment", build).env)
+    case = bed_case.make_case(f"{work}/case", {"engine": "lammps", "schedule": "short", "A": 0, "settle": 0,
+                                               "voidFraction": kernel}, column(work, "environment", build).env)
     case.env["FOAM_CASE"] = str(case.folder)
     step = float(re.search(r"^deltaT +(\S+);", (case.folder / "system/controlDict").read_text(), re.M)[1])
     append(case, "system/controlDict", f"endTime {steps * step!r};")
