@@ -236,8 +236,9 @@ void Foam::viscousWaves::warn(const Worst& worst, const std::vector<drag::Viscou
         << " within its step, waves of particles that are free to move would grow by a factor of "
         << worst.factor << " in a gas step, drag apart, which damps them; particles that touch others hold"
         << " them back. Fastest in the cell at " << worst.place << ": eps = " << worst.voidFraction
-        << ", kappa = (1 - eps) rho_g/(eps rho_s) = " << worst.step.displaced << ", M = nu deltaT k^2 = " << worst.step.viscous << ", "
-        << worst.step.engine_steps << " steps of the particles in a deltaT. 'form B;' in"
+        << ", kappa = (1 - eps) rho_g/(eps rho_s) = " << worst.step.displaced
+        << ", M = nu deltaT k^2 = " << worst.step.viscous << ", " << worst.step.engine_steps
+        << " steps of the particles in a deltaT. 'form B;' in"
         << " constant/couplingProperties cures it, or, with void fractions and viscosity as they are now, "
         << other.c_str() << "; this is said once" << endl;
 }

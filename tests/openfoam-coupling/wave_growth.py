@@ -36,10 +36,10 @@ def eigenvalue(kappa, viscous, engine_steps, along):
 
 
 def solve(build, work, name, case, cells, spheres, steps, form="A", free=False, noise=NOISE, columns=0, every=1):
-    """The case after `steps` gas steps, written after `every` of them, its log, and x = b dt/m. `cells` of the box, wide
-    and high; `spheres` in a cell at random places; or, with `columns` along its edge, as many squared on it and as many
-    spheres in each, every column a bit higher than the one before, so that a face between two rows cuts as many as any
-    other plane."""
+    """The case after `steps` gas steps, written after `every` of them, its log, and x = b dt/m. `cells` of the box,
+    wide and high; `spheres` in a cell at random places; or, with `columns` along its edge, as many squared on it and
+    as many spheres in each, every column a bit higher than the one before, so that a face between two rows cuts as
+    many as any other plane."""
     eps, ratio, viscous, engine_steps, stiffness = case
     wide, high = cells
     d = CELL * (6 * (1 - eps) / np.pi / spheres) ** (1 / 3)
