@@ -8,7 +8,6 @@ finished are not run again.
 
 import argparse
 import csv
-import hashlib
 import json
 import shutil
 import sys
@@ -18,9 +17,10 @@ HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "common"))
 
 import analyse  # noqa: E402
+import foam_results  # noqa: E402
 import picture  # noqa: E402
 from foam_case import FoamCase, environment  # noqa: E402
-from job_pool import Job, RunError, carry_out, cores  # noqa: E402
+from job_pool import Job, RunError, carry_out, cores, digest_of  # noqa: E402
 from study_table import over_seeds  # noqa: E402
 
 BEDS = ("b", "c", "d")
@@ -49,14 +49,11 @@ def arguments():
 
 
 def fingerprint(build, env):
-    """Of all that the results depend on, programs included."""
+    """Of all that a run depends on, programs included."""
     folders = [Path(f) for f in env["LD_LIBRARY_PATH"].split(":") if f.startswith(str(build))]
     files = [*(HERE / "case").rglob("*"), build / "openfoam/cohesiveBedFoam",
              *(f for folder in folders for f in folder.glob("*.so"))]
-    digest = hashlib.sha256()
-    for file in sorted(f for f in files if f.is_file()):
-        digest.update(file.name.encode() + file.read_bytes())
-    return digest.hexdigest()
+    return digest_of(files)
 
 
 class HardBed(Job):
@@ -69,7 +66,8 @@ class HardBed(Job):
         size = {**analyse.entries(HERE / f"case/constant/bed.{bed}"), **self.changed}
         super().__init__(out / f"{self.kind}-seed-{seed}",
                          {"bed": bed, **self.changed, **self.variables, "fingerprint": mark},
-                         work=size["endTime"] * size["count"])
+                         work=size["endTime"] * size["count"],
+                         readers=digest_of([analyse.__file__, foam_results.__file__]))
 
     def start(self):
         if self.folder.exists() and not (self.folder / MARK).exists():

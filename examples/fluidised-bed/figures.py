@@ -16,7 +16,8 @@ from job_pool import digest_of  # noqa: E402
 
 def programs():
     """Mark of the programs that these figures are read by: with others they are read again."""
-    return digest_of([Path(__file__), *(Path(module.__file__) for module in (analyse, foam_results, geometry, particles))])
+    readers = (analyse, foam_results, geometry, particles)
+    return digest_of([Path(__file__), *(Path(module.__file__) for module in readers)])
 
 
 def evaluate(case):

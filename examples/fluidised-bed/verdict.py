@@ -62,10 +62,11 @@ class Claim:
         parts = [((share * means[row].deviation) ** 2 / means[row].seeds, means[row].seeds - 1)
                  for row, share in self.shares.items()]
         variance = sum(part for part, _ in parts)
+        if variance == 0:  # figures that come in steps, the same in all seeds
+            return CANNOT_TELL
         margin = ROUNDING * sum(abs(share * means[row].value) for row, share in self.shares.items())
-        if variance > 0:
-            freedom = variance**2 / sum(part**2 / of for part, of in parts)
-            margin += student.ppf((1 + CONFIDENCE) / 2, freedom) * sqrt(variance)
+        freedom = variance**2 / sum(part**2 / of for part, of in parts)
+        margin += student.ppf((1 + CONFIDENCE) / 2, freedom) * sqrt(variance)
         return AGREES if value > margin else DOES_NOT if value < -margin else CANNOT_TELL
 
 

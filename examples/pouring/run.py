@@ -8,7 +8,6 @@ finished are not run again.
 
 import argparse
 import csv
-import hashlib
 import os
 import subprocess
 import sys
@@ -19,7 +18,7 @@ sys.path.insert(0, str(HERE.parent / "common"))
 
 import analyse  # noqa: E402
 import picture  # noqa: E402
-from job_pool import Job, RunError, carry_out, cores, dies_with_us  # noqa: E402
+from job_pool import Job, RunError, carry_out, cores, dies_with_us, digest_of  # noqa: E402
 from lammps_run import NotBuilt, launcher, loop_seconds  # noqa: E402
 from study_table import over_seeds  # noqa: E402
 
@@ -51,10 +50,10 @@ class Pouring(Job):
     def __init__(self, out, engine, seed, dt, contact, **changed):
         variables = {**BED, **changed, "seed": seed, "dt": dt, "contact": contact}
         self.kind = f"dt {dt:g} s, contact {contact:g} s"
-        script = hashlib.sha256((HERE / "in.pouring").read_bytes()).hexdigest()
-        package = hashlib.sha256(Path(engine[1]).read_bytes()).hexdigest()
+        programs = digest_of([HERE / "in.pouring", engine[1]])
         super().__init__(out / f"dt-{dt:g}-contact-{contact:g}-seed-{seed}",
-                         {**variables, "script": script, "package": package}, work=1 / dt)
+                         {**variables, "programs": programs}, work=1 / dt,
+                         readers=digest_of([analyse.__file__]))
         self.engine, self.variables = engine, variables
         self.width = variables["columns"] * SPACING
 
