@@ -130,7 +130,7 @@ void SquareWellAttraction::step(const Encounter& e, double* history) {
                            : 0.0;
   }
   // One that is held at the edge turns round.
-  if (within && e.gap < width) look_ahead(e);
+  if (within && e.gap < width && well.depth > 0.0) look_ahead(e);
   history[STATE] = within ? inside : outside;
   history[LAST_STEP] = static_cast<double>(lmp_->update->ntimestep);
   if (!d.contact_flags) return;

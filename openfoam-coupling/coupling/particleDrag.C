@@ -137,13 +137,13 @@ void Foam::particleDrag::lookAtPressure
     {
         return;
     }
-    const scalar growth = drag::pressure_growth
-    (
-        {step, voidFraction, pressureLimits_->engine_steps(), response_.free, feelPressure_}
-    );
+    drag::PressureStep wave{step, voidFraction, pressureLimits_->engine_steps(), response_.free, feelPressure_};
+    const scalar growth = drag::pressure_growth(wave);
     if (growth > drag::pressure_grows)
     {
         pressureStepShare_ = min(pressureStepShare_, longest/step);
+        wave.felt = false;
+        growInFormB_ = growInFormB_ || drag::pressure_waves_grow(wave);
         if (growth > fastest_.growth)
         {
             fastest_ = {growth, place, voidFraction, step};
@@ -194,26 +194,15 @@ void Foam::particleDrag::warnOfGrowth()
 
 void Foam::particleDrag::warnOfPressure(const scalar dt)
 {
-    const bool mine = hasLargest(fastest_.growth);
-    ofOneRank(mine, fastest_.growth);
-    ofOneRank(mine, fastest_.place);
-    ofOneRank(mine, fastest_.voidFraction);
-    ofOneRank(mine, fastest_.step);
-    reduce(pressureStepShare_, minOp<scalar>());
-    if (fastest_.growth > drag::pressure_grows)
+    if (returnReduce(fastest_.growth, maxOp<scalar>()) > 0)
     {
-        const bool formB =
-            feelPressure_
-         && !drag::pressure_waves_grow
-            (
-                {
-                    fastest_.step,
-                    fastest_.voidFraction,
-                    pressureLimits_->engine_steps(),
-                    response_.free,
-                    false
-                }
-            );
+        const bool mine = hasLargest(fastest_.growth);
+        ofOneRank(mine, fastest_.growth);
+        ofOneRank(mine, fastest_.place);
+        ofOneRank(mine, fastest_.voidFraction);
+        ofOneRank(mine, fastest_.step);
+        reduce(pressureStepShare_, minOp<scalar>());
+        const bool formB = !returnReduce(growInFormB_, orOp<bool>());
         WarningInFunction
             << "where particles are so dense and follow the gas so fast, waves of particles that nothing"
             << " holds would swing against the gas that they displace and grow by a factor of "
@@ -226,6 +215,7 @@ void Foam::particleDrag::warnOfPressure(const scalar dt)
     }
     fastest_ = {};
     pressureStepShare_ = 1;
+    growInFormB_ = false;
 }
 
 

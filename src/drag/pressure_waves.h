@@ -33,15 +33,16 @@ namespace cohesion::drag {
 /// 1 - phi in the charges free particles have k + sqrt(k^2 + k), k = n/eps, or k, when drag is
 /// stiff.
 ///
-/// What is left is that the particles displace gas a step late. With stiff drag, L is below -1
-/// where
+/// What is left is that the particles displace gas a step late. With stiff drag and five steps of
+/// the particles or more, L is below -1 where
 ///   (n/eps) (1 + 4 r n) (1 - 2/S) > 1,
-/// below an eps of 0.69 for many steps of the particles and r = 1, and of 0.5 for r = 0.
+/// below an eps of 0.69 for many steps of the particles and r = 1, and of 0.5 for r = 0. With few
+/// steps a pair of L may leave the unit circle at larger eps, with drag that is not stiff, too.
 ///
 /// In form B the particles do not feel the pressure: g = 0, and nothing goes with what the gas is
 /// charged with. L is below -1 where (n/eps) (1 + E - 2 m) > 1 + E; with stiff drag that is r = 0
 /// above, with either response. A pair of L is outside of the unit circle where (n/eps) (m - E) >
-/// 1, of very dense particles.
+/// 1, of very dense particles or with few steps of them.
 struct PressureStep {
   double step;           ///< x = b dt/m [1] > 0
   double void_fraction;  ///< eps [1], in (0, 1]
@@ -111,16 +112,18 @@ inline bool pressure_waves_grow(const PressureStep& step) {
 }
 
 /// The longest x, [1] to 1e-3 of it, up to which nothing grows with as many steps of the particles;
-/// that of `step` itself when nothing grows in it.
+/// that of `step` itself when nothing grows up to it.
 inline double longest_pressure_step(const PressureStep& step) {
   const auto grows = [&step](double x) {
     return pressure_waves_grow({x, step.void_fraction, step.engine_steps, step.free, step.felt});
   };
-  if (!grows(step.step)) return step.step;
+  // With few steps of the particles waves may grow at an x of some units and not with stiffer drag.
+  const double stiff = 100.0 * step.engine_steps;
   double low = 0.0, high = std::min(step.step, 1e-3);
   while (!grows(high)) {
+    if (high >= step.step) return step.step;
     low = high;
-    high = std::min(step.step, 1.1 * high);
+    high = std::min(step.step, (high < stiff ? 1.1 : 10.0) * high);
   }
   // Steps much shorter than any of use would not be found, but for void fractions near 0.
   constexpr double shortest = 1e-9;

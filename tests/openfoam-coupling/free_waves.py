@@ -114,7 +114,7 @@ def main(build, work):
     expect = Expectations()
     for eps, stiffness, form, free, grows in ((0.45, 1e9, "A", False, True), (0.65, 1e9, "A", False, False),
                                               (0.45, 1e4, "A", False, True), (0.3, 1e9, "B", False, True),
-                                              (0.4, 1e9, "B", False, False)):
+                                              (0.4, 1e9, "B", False, False), (0.3, 1e9, "A", True, True)):
         check_growth(expect, build, work, eps, stiffness, form, free, grows)
     check_layer(expect, build, work)
     expect.exit()

@@ -41,7 +41,7 @@ def random_packing():
     most."""
     random = np.random.default_rng(SEED)
     places = random.uniform(0, EDGE, (round(0.55 * EDGE**3 * 6 / np.pi), 3))
-    while True:
+    for _ in range(10000):
         pairs = cKDTree(places, boxsize=EDGE).query_pairs(1, output_type="ndarray")
         apart = places[pairs[:, 1]] - places[pairs[:, 0]]
         apart -= EDGE * np.round(apart / EDGE)
@@ -53,6 +53,7 @@ def random_packing():
         np.add.at(places, pairs[:, 0], -push)
         # A number just below 0 is the edge itself after rounding.
         places = places % EDGE % EDGE
+    raise RuntimeError("the packing did not come to rest")
 
 
 def lattice():

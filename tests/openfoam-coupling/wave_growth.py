@@ -110,6 +110,7 @@ def main():
                                given.form)
         found = sizes(folder, given.steps)
         growth = (found[-1] / found[-21]) ** (1 / 20)
+        # Of form A
         formula = eigenvalue(kappa, directions * viscous, engine_steps, given.cells[1])
         print(f"| {eps:g} | {kappa:.2g} | {directions * viscous:g} | {engine_steps:g} | {growth[0]:.4g} |"
               f" {growth[1]:.4g} | {formula:.4g} | {'would' in log and 'grow by a factor' in log} |", flush=True)

@@ -198,6 +198,24 @@ TEST(PressureWaves, DoNotGrowInTheStepThatIsSaid) {
   EXPECT_FALSE(pressure_waves_grow({3.0, 1.0, 5.0, false}));
 }
 
+TEST(PressureWaves, LimitsSeeThoseThatGrowInNoStiffStep) {
+  int windows = 0;
+  for (const bool felt : {true, false})
+    for (const bool free : {false, true})
+      for (const double steps : {1.0, 2.0, 3.0, 4.0, 5.0}) {
+        PressureLimits limits(steps, free, felt);
+        for (const double eps : {0.265, 0.345, 0.385, 0.455, 0.505, 0.585}) {
+          const double longest = limits.longest(eps);
+          for (double x = 0.01; x < 1e6; x *= 1.3)
+            if (pressure_waves_grow({x, eps, steps, free, felt})) {
+              EXPECT_LT(longest, x) << eps << " " << steps << free << felt;
+              windows += !pressure_waves_grow({1e9, eps, steps, free, felt});
+            }
+        }
+      }
+  EXPECT_GT(windows, 0);
+}
+
 TEST(PressureWaves, LimitsOfManyParticlesAreOnTheSafeSideByAHundredthOfTheVoidFraction) {
   PressureLimits limits(30.0, false, true);
   for (const double eps : {0.305, 0.4, 0.4567, 0.55, 0.62, 1.0})
