@@ -19,7 +19,7 @@ sys.path.insert(0, str(HERE.parent / "common"))
 import analyse  # noqa: E402
 import picture  # noqa: E402
 from job_pool import Job, RunError, carry_out, cores, dies_with_us, digest_of  # noqa: E402
-from lammps_run import NotBuilt, launcher, loop_seconds  # noqa: E402
+from lammps_run import NotBuilt, launcher  # noqa: E402
 from study_table import over_seeds  # noqa: E402
 
 # Variables of in.pouring. The columns, 1.5 diameters apart, fill a box 24 diameters wide.
@@ -71,9 +71,7 @@ class Pouring(Job):
         return (self.folder / "log").read_text()
 
     def figures(self):
-        log = self.log()
-        return {**analyse.figures(self.folder, log, self.width, self.variables["dt"]),
-                "processor_seconds": loop_seconds(log)}
+        return analyse.figures(self.folder, self.log(), self.width, self.variables["dt"])
 
     def share(self):
         rows = [words for words in map(str.split, self.log().splitlines()[-4:])
