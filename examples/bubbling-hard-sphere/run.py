@@ -3,11 +3,11 @@
 seeds, as many at a time as there are cores, and ends in a table beside the expectations, and a picture. Beds that are
 finished are not run again.
 
-    run.py [--beds b c d] [--seeds N ...] [--time SECONDS] [--out FOLDER] [--build FOLDER] [--together N]
+    run.py [--beds b c d] [--seeds N ...] [--time SECONDS] [--out FOLDER] [--overwrite] [--build FOLDER]
+           [--together N]
 """
 
 import argparse
-import csv
 import json
 import shutil
 import sys
@@ -17,11 +17,13 @@ HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "common"))
 
 import analyse  # noqa: E402
+import expected  # noqa: E402
 import foam_results  # noqa: E402
 import picture  # noqa: E402
+import program  # noqa: E402
+import study_table  # noqa: E402
 from foam_case import FoamCase, environment  # noqa: E402
-from job_pool import Job, RunError, carry_out, cores, digest_of  # noqa: E402
-from study_table import over_seeds  # noqa: E402
+from job_pool import Job, RunError, carry_out, digest_of, require_ours  # noqa: E402
 
 BEDS = ("b", "c", "d")
 SCRIPT = "constant/couplingProperties", "lammpsCoeffs/variables"
@@ -36,16 +38,10 @@ def arguments():
                         help="to simulate (that of each bed)")
     parser.add_argument("--seeds", type=int, nargs="+", default=[1, 2, 3], metavar="N",
                         help="of the places from which the spheres are poured (%(default)s)")
-    parser.add_argument("--out", type=Path, default=None,
-                        help="folder for cases and results (BUILD/bubbling-hard-sphere)")
-    parser.add_argument("--build", type=Path, default=HERE.parents[1] / "build",
-                        help="build folder of the package")
-    parser.add_argument("--together", type=int, default=cores(), metavar="N",
-                        help="beds at a time (the cores there are: %(default)s)")
-    args = parser.parse_args()
-    if args.together < 1:
-        parser.error(f"--together {args.together}: it must be 1 or more")
-    return args
+    parser.add_argument("--overwrite", action="store_true", help="replace beds of other settings")
+    program.folder_words(parser, "BUILD/bubbling-hard-sphere", "cases and results")
+    program.together_words(parser)
+    return parser.parse_args()
 
 
 def fingerprint(build, env):
@@ -70,8 +66,6 @@ class HardBed(Job):
                          readers=digest_of([analyse.__file__, foam_results.__file__]))
 
     def start(self):
-        if self.folder.exists() and not (self.folder / MARK).exists():
-            raise RunError(f"'{self.folder}' holds something else than a bed of this program: give --out")
         self.case = FoamCase(HERE / "case", self.folder, self.env, overwrite=True)
         (self.folder / MARK).write_text(json.dumps(self.settings))
         shutil.copy(self.folder / f"constant/bed.{self.bed}", self.folder / "constant/bed")
@@ -94,30 +88,6 @@ class HardBed(Job):
         return self.case.tail()
 
 
-def expected():
-    """Rows of expected.csv as dicts."""
-    with open(HERE / "expected.csv") as file:
-        return list(csv.DictReader(line for line in file if not line.startswith("#")))
-
-
-def table(by_kind):
-    """Means and standard deviations over the seeds, and the rows of expected.csv of the beds there are.
-    by_kind: {kind: [results]}."""
-    means = {kind: over_seeds(results) for kind, results in by_kind.items()}
-    rows = [("", *means)]
-    rows += [(name, *("{:.3g} +- {:.1g}".format(*mean[name]) for mean in means.values()))
-             for name in next(iter(means.values())) if name != "seconds"]
-    widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
-    lines = ["  ".join(cell.ljust(width) for cell, width in zip(row, widths)).rstrip() for row in rows]
-    for row in expected():
-        if row["bed"] in means:
-            found = means[row["bed"]][row["quantity"]][0]
-            within = "yes" if float(row["low"]) <= found <= float(row["high"]) else "NO"
-            lines.append(f"{row['bed']}, {row['quantity']} {found:.3g} between {row['low']} and {row['high']}: "
-                         f"{within} ({row['origin']})")
-    return "\n".join(lines)
-
-
 def main():
     args = arguments()
     args.build = args.build.resolve()
@@ -127,19 +97,14 @@ def main():
     changed = {} if args.time is None else {"endTime": args.time}
     jobs = [HardBed(out, env, mark, bed, dissipation, seed, changed)
             for seed in args.seeds for bed in args.beds for dissipation in (1, 0)]
-    by_kind = {}
-    for job, result in zip(jobs, carry_out(jobs, args.together)):
-        by_kind.setdefault(job.kind, []).append(result)
-    text = table(by_kind)
-    (out / "result.txt").write_text(text + "\n")
-    picture.draw(out / "result.png", [job.folder for job in jobs[:len(by_kind)]])
-    print(text)
-    print(f"\npicture: {out / 'result.png'}\ntable:   {out / 'result.txt'}")
+    if not args.overwrite:
+        require_ours(jobs, MARK)
+    kinds = study_table.by_kind(jobs, carry_out(jobs, args.together))
+    program.leave_table(out, study_table.side_by_side(kinds, digits=3) + "\n\n"
+                        + expected.text(HERE / "expected.csv", study_table.means_of(kinds)))
+    picture.draw(out / "result.png", [job.folder for job in jobs[:len(kinds)]])
     print(f"ParaView: {out}/*/case.foam, gas and particles together")
 
 
 if __name__ == "__main__":
-    try:
-        main()
-    except RunError as error:
-        sys.exit(f"run.py: {error}")
+    program.run(main, RunError)

@@ -1,10 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The picture of run.py."""
 
-import matplotlib
-
-matplotlib.use("Agg")
-from matplotlib import pyplot  # noqa: E402
+from drawing import pyplot, save
 
 
 def draw(file, constants, families, steps, rows, exact):
@@ -29,5 +26,5 @@ def draw(file, constants, families, steps, rows, exact):
     sampled.set_xscale("log")
     sampled.set_xlabel("time step over contact time, scheme sampled")
     sampled.set_ylabel("escape velocity over the exact one")
-    sampled.legend(fontsize=8)
-    figure.savefig(file, dpi=90)
+    sampled.legend(fontsize=8, loc="lower left")
+    save(figure, file, dpi=90)

@@ -16,6 +16,7 @@ HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "common"))
 
 import picture  # noqa: E402
+import program  # noqa: E402
 from mapping_program import MappingError, MappingProgram  # noqa: E402
 
 # The bed of the thesis: spheres of 1 mm and 2650 kg/m3, its spring, dashpot and step.
@@ -105,24 +106,17 @@ def write_csv(file, families):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
-    parser.add_argument("--build", type=Path, default=HERE.parents[1] / "build",
-                        help="build folder of the package")
-    parser.add_argument("--out", type=Path, default=None, help="folder for results (BUILD/cohesion-mapping)")
+    program.folder_words(parser, "BUILD/cohesion-mapping", "results")
     args = parser.parse_args()
     out = (args.out or args.build / "cohesion-mapping").resolve()
     out.mkdir(parents=True, exist_ok=True)
-    program = Program(args.build)
-    table = text(*thesis_table(program))
-    (out / "result.txt").write_text(table + "\n")
-    families = curves(program)
+    mapping = Program(args.build)
+    program.leave_table(out, text(*thesis_table(mapping)))
+    families = curves(mapping)
     write_csv(out / "depth.csv", families)
-    picture.draw(out / "result.png", CONSTANTS, families, STEPS / CONTACT_TIME, *over_steps(program))
-    print(table)
-    print(f"\npicture: {out / 'result.png'}\ntables:  {out / 'result.txt'}, {out / 'depth.csv'}")
+    print(f"curves:  {out / 'depth.csv'}")
+    picture.draw(out / "result.png", CONSTANTS, families, STEPS / CONTACT_TIME, *over_steps(mapping))
 
 
 if __name__ == "__main__":
-    try:
-        main()
-    except MappingError as error:
-        sys.exit(f"run.py: {error}")
+    program.run(main, MappingError)

@@ -14,6 +14,7 @@ from pathlib import Path
 from progress_line import ProgressLine
 
 POLL = 0.5  # s between looks at the runs
+RESULT = "result.json"  # of a finished run, in its folder
 
 
 class RunError(RuntimeError):
@@ -58,7 +59,7 @@ class Job:
 
     def kept(self):
         """What finish() has kept of a run of these settings; None before."""
-        file = self.folder / "result.json"
+        file = self.folder / RESULT
         found = json.loads(file.read_text()) if file.exists() else {}
         return found if found.get("settings") == self.settings else None
 
@@ -73,7 +74,7 @@ class Job:
 
     def discard(self):
         """Takes the result away, if there is one."""
-        (self.folder / "result.json").unlink(missing_ok=True)
+        (self.folder / RESULT).unlink(missing_ok=True)
 
     def launch(self):
         self.discard()
@@ -104,7 +105,7 @@ class Job:
         result = {"settings": self.settings, "readers": self.readers, **times, **figures}
         scratch = self.folder / "result.new"
         scratch.write_text(json.dumps(result, indent=1))
-        scratch.replace(self.folder / "result.json")
+        scratch.replace(self.folder / RESULT)
 
     def start(self):
         """Starts the run afresh, whatever its folder holds; gives its process (Popen). RunError when it
@@ -126,6 +127,17 @@ class Job:
     def tail(self):
         """Last lines of the log of a run that failed."""
         return ""
+
+
+def require_ours(jobs, mark):
+    """Raises RunError when a folder of a job holds the results of other settings, or something else: what lacks the
+    file `mark`, which a start leaves there. What is not finished may be made anew."""
+    for job in jobs:
+        if not job.folder.exists() or job.finished():
+            continue
+        if (job.folder / RESULT).exists() or not (job.folder / mark).exists():
+            raise RunError(f"'{job.folder}' holds something else than results of these settings: give "
+                           "--overwrite to replace it, or --out for another folder")
 
 
 def readable(look, otherwise):

@@ -1,10 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The package's LAMMPS: where a build folder has it, and what its log says."""
+"""The package's LAMMPS: where a build folder has it, a run of a script by itself, and what its log says."""
 
+import os
 import re
+import subprocess
 from pathlib import Path
 
 import numpy as np
+
+from job_pool import Job, dies_with_us
 
 
 class NotBuilt(RuntimeError):
@@ -18,6 +22,41 @@ def launcher(build):
     if not program.is_file() or not plugin.is_file():
         raise NotBuilt(f"'{program}' does not exist: build the package first (scripts/setup does)")
     return program, plugin
+
+
+class ScriptRun(Job):
+    """A run of `script` with the program and plugin `engine`, of launcher(); what they print is the file `log` in
+    `folder`. Words of Job besides. To be defined by a kind of run: variables(), figures(), share()."""
+
+    def __init__(self, folder, script, engine, settings, **words):
+        super().__init__(folder, settings, **words)
+        self.script, self.engine = script, engine
+
+    def variables(self):
+        """Those of the script, without the plugin."""
+        raise NotImplementedError
+
+    def start(self):
+        self.folder.mkdir(parents=True, exist_ok=True)
+        program, plugin = self.engine
+        command = [program, "-in", self.script, "-log", "none", "-var", "plugin", plugin]
+        for name, value in self.variables().items():
+            command += ["-var", name, value]
+        with open(self.folder / "log", "w") as log:
+            return subprocess.Popen(dies_with_us(command), cwd=self.folder, stdout=log, stderr=log,
+                                    stdin=subprocess.DEVNULL, env={**os.environ, "OMP_NUM_THREADS": "1"})
+
+    def log(self):
+        return (self.folder / "log").read_text()
+
+    def last_row(self, columns):
+        """Numbers of the last row of the thermo output so far, which has so many columns; None before the first."""
+        rows = [words for words in map(str.split, self.log().splitlines()[-4:])
+                if len(words) == columns and words[0].isdigit()]
+        return [number(word) for word in rows[-1]] if rows else None
+
+    def tail(self):
+        return "\n".join(self.log().splitlines()[-15:])
 
 
 def tables(log):

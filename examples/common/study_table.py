@@ -63,19 +63,38 @@ def over_seeds(results):
     return found
 
 
-def expectations(file, found):
-    """A line for each row of the table `file` (case, quantity, low, high, origin; # begins a comment) whose case is in
-    `found`, {case: {quantity: number}}, and whether it holds: [(text, bool)]."""
-    with open(file, newline="") as lines:
-        rows = [row for row in csv.DictReader(line for line in lines if not line.startswith("#"))]
-    checked = []
-    for row in rows:
-        if row["case"] in found:
-            value = found[row["case"]].get(row["quantity"])
-            holds = value is not None and float(row["low"]) <= value <= float(row["high"])
-            checked.append((f"{row['case']}, {row['quantity']}: {'none' if value is None else f'{value:.5g}'}, "
-                            f"expected {row['low']} to {row['high']} ({row['origin']})", holds))
-    return checked
+def by_kind(jobs, results):
+    """{kind: results}, of jobs that have a kind, in their order."""
+    found = {}
+    for job, result in zip(jobs, results):
+        found.setdefault(job.kind, []).append(result)
+    return found
+
+
+def means_of(kinds):
+    """{kind: {figure: mean over the seeds}}, of by_kind()."""
+    return {kind: {figure: mean for figure, (mean, _) in over_seeds(results).items()}
+            for kind, results in kinds.items()}
+
+
+def side_by_side(kinds, digits=4):
+    """Text: a line for each figure, a column for each kind of by_kind(), means over the seeds of so many digits with
+    the deviation of one run, which one seed has not. Without `seconds`, by the clock: it says more of the machine's
+    other work."""
+    found = {kind: over_seeds(results) for kind, results in kinds.items()}
+    figures = [figure for figure in next(iter(found.values())) if figure != "seconds"]
+    return aligned([("", *found), *((figure, *(with_deviation(*mean[figure], digits) for mean in found.values()))
+                                    for figure in figures)])
+
+
+def with_deviation(mean, deviation, digits):
+    return f"{mean:.{digits}g}" + ("" if math.isnan(deviation) else f" +- {deviation:.1g}")
+
+
+def aligned(rows):
+    """Text of a table: rows of cells, columns as wide as their widest."""
+    widths = [max(map(len, column)) for column in zip(*rows)]
+    return "\n".join("  ".join(cell.ljust(width) for cell, width in zip(row, widths)).rstrip() for row in rows)
 
 
 def in_order(lines):

@@ -1,12 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Error against seconds, a panel for each quantity."""
 
-import matplotlib
+from drawing import MARKERS, label_between_decades, pyplot, save
 
-matplotlib.use("Agg")
-from matplotlib import pyplot  # noqa: E402
-
-import compare  # noqa: E402
+import compare
 
 
 def draw(file, panels):
@@ -15,8 +12,7 @@ def draw(file, panels):
                                    constrained_layout=True)
     for axis, words in zip(axes[0], panels):
         panel(axis, *words)
-    figure.savefig(file, dpi=100)
-    pyplot.close(figure)
+    save(figure, file)
 
 
 def shown(row):
@@ -30,7 +26,7 @@ def panel(axis, title, unit, rows, wish):
         axis.set(title=title)
         axis.text(0.5, 0.5, "no error above zero that is known", ha="center", transform=axis.transAxes)
         return
-    for (name, own), marker in zip(sorted(compare.by_scheme(good).items()), "os^vD"):
+    for (name, own), marker in zip(sorted(compare.by_scheme(good).items()), MARKERS):
         own = sorted(own, key=lambda row: row.setting.step)
         line, = axis.plot([row.seconds[1] for row in own], [shown(row) for row in own], "-", label=name, alpha=0.5)
         for row in own:
@@ -47,4 +43,5 @@ def panel(axis, title, unit, rows, wish):
     axis.text(0.99, wish, "wished", fontsize=7, ha="right", va="bottom", transform=axis.get_yaxis_transform())
     axis.set(xscale="log", yscale="log", xlabel="processor seconds", ylabel="error", title=title)
     axis.margins(x=0.12, y=0.15)
+    label_between_decades(axis.yaxis)
     axis.legend(fontsize=7, title="open: below this, at 95 %", title_fontsize=6)

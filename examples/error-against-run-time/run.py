@@ -19,8 +19,13 @@ import compare  # noqa: E402
 import job  # noqa: E402
 import lammps_run  # noqa: E402
 import picture  # noqa: E402
+import program  # noqa: E402
 from progress_line import ProgressLine  # noqa: E402
 from scene import Scene, SceneError  # noqa: E402
+
+
+class NothingFound(RuntimeError):
+    """All runs of a scene have failed."""
 
 
 def pair(word):
@@ -44,10 +49,9 @@ def arguments():
                         help="in place of the scene's")
     parser.add_argument("--set", type=pair, action="append", default=[], metavar="NAME=VALUE", dest="variables",
                         help="a variable of the script")
-    parser.add_argument("--build", type=Path, default=HERE.parents[1] / "build", help="build folder of the package")
     parser.add_argument("--lmp", type=Path, nargs=2, metavar=("PROGRAM", "PLUGIN"),
                         help="in place of the stock engine of the build folder")
-    parser.add_argument("--out", type=Path, help="folder for results (BUILD/error-against-run-time)")
+    program.folder_words(parser, "BUILD/error-against-run-time", "results")
     args = parser.parse_args()
     if args.wish is not None and not args.wish > 0:
         parser.error(f"--wish {args.wish}: it must be above zero")
@@ -93,29 +97,27 @@ def follow(scene, engine, args, line):
     folder.mkdir(parents=True, exist_ok=True)
     (folder / "result.txt").write_text(text)
     (folder / "result.csv").write_text(compare.table(scene, rows))
+    line.close()
+    print(f"\n{text}\nin {folder}", flush=True)
     picture.draw(folder / "result.png", [(q.name, scene.step_unit, r, wish)
                                          for (q, r), wish in zip(rows, wishes)])
-    line.close()
-    print(f"\n{text}\nin {folder}\n", flush=True)
     return rows
 
 
 def main():
     args = arguments()
     changes = {"variables": dict(args.variables), "steps": dict(args.steps), "seeds": args.seeds}
-    try:
-        # All are read before the first is run.
-        scenes = [Scene(file, **changes) for file in args.scenes]
-        engine = args.lmp or lammps_run.launcher(args.build)
-    except (SceneError, lammps_run.NotBuilt) as problem:
-        sys.exit(f"run.py: {problem}")
+    # All are read before the first is run.
+    scenes = [Scene(file, **changes) for file in args.scenes]
+    engine = args.lmp or lammps_run.launcher(args.build)
     engine = job.Engine(*(Path(word).resolve() for word in (*engine, args.build)))
     line, empty = ProgressLine(), False
     for scene in scenes:
         rows = follow(scene, engine, args, line)
         empty = empty or all(row.failure for _, own in rows for row in own)
-    sys.exit("run.py: a scene had no run that succeeded" if empty else 0)
+    if empty:
+        raise NothingFound("a scene had no run that succeeded")
 
 
 if __name__ == "__main__":
-    main()
+    program.run(main, SceneError, lammps_run.NotBuilt, NothingFound)

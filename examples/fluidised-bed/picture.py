@@ -1,29 +1,23 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The picture of the fluidised bed: fluidisation curves and two snapshots."""
 
-import matplotlib
+from drawing import circles, pyplot, save
 
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402
-import numpy as np  # noqa: E402
-from matplotlib.collections import EllipseCollection  # noqa: E402
-
-import analyse  # noqa: E402
-from foam_results import read_cloud, written_times  # noqa: E402
-from geometry import Geometry  # noqa: E402
+import analyse
+from foam_results import read_cloud, written_times
+from geometry import Geometry
 
 COLOURS = {"non-cohesive": "#1f6f8b", "Hamaker": "#c8553d"}
 
 
 def draw(out, results):
     """Writes result.png to `out`; results as from run.py's evaluate(), by case."""
-    figure = plt.figure(figsize=(11, 5.6), constrained_layout=True)
+    figure = pyplot.figure(figsize=(11, 5.6), constrained_layout=True)
     curve, *beds = figure.subplots(1, 3, gridspec_kw={"width_ratios": [2.4, 1, 1]})
     draw_curves(curve, results)
     for axes, name in zip(beds, results):
         draw_snapshot(axes, out / name, name)
-    figure.savefig(out / "result.png", dpi=130)
-    plt.close(figure)
+    save(figure, out / "result.png", dpi=130)
 
 
 def draw_curves(axes, results):
@@ -48,16 +42,12 @@ def draw_curves(axes, results):
 def draw_snapshot(axes, case, name):
     time, folder = max(written_times(case).items())
     positions, velocities = read_cloud(folder)
-    size = np.full(len(positions), analyse.DIAMETER * 1e3)
-    particles = EllipseCollection(size, size, np.zeros(len(size)), units="xy",
-                                  offsets=positions[:, :2] * 1e3, transOffset=axes.transData,
-                                  array=velocities[:, 1], cmap="coolwarm")
+    particles = circles(axes, positions[:, :2] * 1e3, analyse.DIAMETER * 1e3, array=velocities[:, 1],
+                        cmap="coolwarm")
     particles.set_clim(-0.5, 0.5)
-    axes.add_collection(particles)
     axes.set_xlim(0, Geometry.read(case).width * 1e3)
     axes.set_ylim(0, 130)
-    axes.set_aspect("equal")
     axes.set_xlabel("[mm]")
     axes.set_title(f"{name}, {time:.2f} s", fontsize=10)
-    plt.colorbar(particles, ax=axes, location="bottom", shrink=0.8,
-                 label="vertical velocity [m/s]")
+    pyplot.colorbar(particles, ax=axes, location="bottom", shrink=0.8, ticks=(-0.5, 0, 0.5),
+                    label="vertical velocity [m/s]")

@@ -14,10 +14,12 @@ HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "common"))
 
 import picture  # noqa: E402
+import program  # noqa: E402
 from bed_case import ENGINES, SCHEDULES, BedRun, fingerprint, require_ours  # noqa: E402
 from figures import evaluate  # noqa: E402
 from foam_case import CaseError, environment  # noqa: E402
 from job_pool import RunError, carry_out  # noqa: E402
+from study_table import aligned  # noqa: E402
 
 
 def arguments():
@@ -33,11 +35,7 @@ def arguments():
                         help="gas velocity against time: the shortened cycle, half of that, or the thesis's")
     parser.add_argument("--hamaker", type=float, default=7.49e-19, metavar="A",
                         help="Hamaker constant of the cohesive case [J] (%(default)s)")
-    parser.add_argument("--out", type=Path, default=None,
-                        help="folder for cases and results (BUILD/fluidised-bed, for LIGGGHTS "
-                             "BUILD/fluidised-bed-liggghts)")
-    parser.add_argument("--build", type=Path, default=HERE.parents[1] / "build",
-                        help="build folder of the package")
+    program.folder_words(parser, "BUILD/fluidised-bed, for LIGGGHTS BUILD/fluidised-bed-liggghts", "cases and results")
     parser.add_argument("--overwrite", action="store_true",
                         help="replace the results of an earlier run")
     return parser.parse_args()
@@ -67,9 +65,7 @@ def table(results):
                  *("{:.3f} to {:.3f}".format(*r["ergun"]) for r in results.values())))
     rows.append(("seconds, of these in the particle engine",
                  *("{:.0f}, {:.0f}".format(*r["seconds"]) for r in results.values())))
-    widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
-    return "\n".join("  ".join(cell.ljust(width) for cell, width in zip(row, widths))
-                     for row in rows)
+    return aligned(rows)
 
 
 def earlier(folder, kinds):
@@ -101,16 +97,10 @@ def main():
     carry_out(jobs, together=len(jobs))
 
     results = {name: evaluate(out / name) for name in kinds}
-    text = table({**results, **beside})
-    (out / "result.txt").write_text(text + "\n")
+    program.leave_table(out, table({**results, **beside}))
     picture.draw(out, results)
-    print(text)
-    print(f"\npicture: {out / 'result.png'}\ntable:   {out / 'result.txt'}")
     print(f"ParaView: {out}/*/case.foam, gas and particles together")
 
 
 if __name__ == "__main__":
-    try:
-        main()
-    except RunError as error:
-        sys.exit(f"run.py: {error}")
+    program.run(main, RunError)

@@ -12,7 +12,11 @@ import sys
 from collections import namedtuple
 from pathlib import Path
 
-from verdict import Study, above, alike, together, trend, Claim
+HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent / "common"))
+
+import program  # noqa: E402
+from verdict import Claim, Study, above, alike, together, trend  # noqa: E402
 
 LEVELS = ("1e-11", "5e-11", "1e-10")  # depth of the wells [J]; Hamaker's attraction of the same escape velocity
 LAWS = {"well": "square well", "hamaker": "Hamaker"}
@@ -114,7 +118,4 @@ def main():
 
 
 if __name__ == "__main__":
-    try:
-        main()
-    except OSError as error:
-        sys.exit(f"statements.py: {error}")
+    program.run(main, OSError)

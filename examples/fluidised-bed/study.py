@@ -16,12 +16,14 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "common"))
 
+import expected  # noqa: E402
+import program  # noqa: E402
 from bed_case import ENGINES, SCHEDULES, BedRun, fingerprint, geometry_of, parameters, require_ours  # noqa: E402
 from escape import PLACES, MappingError, escape_velocities  # noqa: E402
 from foam_case import environment  # noqa: E402
 from geometry import GeometryError  # noqa: E402
-from job_pool import RunError, carry_out, cores  # noqa: E402
-from study_table import TableError, expectations, over_seeds, read_table, write_summary  # noqa: E402
+from job_pool import RunError, carry_out  # noqa: E402
+from study_table import TableError, over_seeds, read_table, write_summary  # noqa: E402
 
 # Primes above 10000, which LIGGGHTS asks for
 SEEDS = {"lammps": [4711, 4712, 4713], "liggghts": [15485863, 32452843, 49979687]}
@@ -97,11 +99,9 @@ def text(table, results, failed, speeds):
 
 def against_expected(file, table, results, speeds):
     """What expected.csv beside the table `file` says of its rows, as text; empty without such."""
-    beside = file.parent / "expected.csv"
     found = {name: {**speeds[name], **{figure: mean for figure, (mean, _) in over_seeds(results[name]).items()}}
              for name in table if results[name]}
-    return "\n".join(f"{'as expected' if holds else 'NOT AS EXPECTED'}: {line}"
-                     for line, holds in (expectations(beside, found) if beside.exists() else ()))
+    return expected.text(file.parent / "expected.csv", found)
 
 
 def same_bed(one, other):
@@ -134,17 +134,12 @@ def main():
                         help="of the beds of each row ("
                              + "; ".join(f"{engine}: {' '.join(map(str, seeds))}" for engine, seeds in SEEDS.items())
                              + ")")
-    parser.add_argument("--together", type=int, default=cores(), metavar="N",
-                        help="runs at a time (the cores there are: %(default)s)")
-    parser.add_argument("--build", type=Path, default=HERE.parents[1] / "build",
-                        help="build folder of the package")
-    parser.add_argument("--out", type=Path, default=None, help="folder for runs and results (BUILD/TABLE)")
+    program.together_words(parser)
+    program.folder_words(parser, "BUILD/TABLE")
     parser.add_argument("--overwrite", action="store_true", help="replace the runs of other settings")
     args = parser.parse_args()
     if args.seeds and len(set(args.seeds)) < len(args.seeds):
         parser.error("--seeds: one stands twice, and both runs would be made in the same folder")
-    if args.together < 1:
-        parser.error(f"--together {args.together}: it must be 1 or more")
     build = args.build.resolve()
     out = (args.out or build / args.table.stem).resolve()
     table = rows(args.table)
@@ -166,8 +161,8 @@ def main():
     speeds = {name: known_speeds(build, name, row) for name, row in table.items()}
     write_summary(out / "summary.csv", {name: {**row, **speeds[name]} for name, row in table.items()}, results, failed)
     print(text(table, results, failed, speeds))
-    if expected := against_expected(args.table, table, results, speeds):
-        print("\n" + expected)
+    if said := against_expected(args.table, table, results, speeds):
+        print("\n" + said)
     print(f"\ntable: {out / 'summary.csv'}; the runs: {out / 'runs'}")
     if failure:
         raise failure
@@ -178,7 +173,4 @@ def without_settings(result):
 
 
 if __name__ == "__main__":
-    try:
-        main()
-    except (RunError, TableError) as error:
-        sys.exit(f"study.py: {error}")
+    program.run(main, RunError, TableError, expected.ExpectationError)

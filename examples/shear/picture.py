@@ -1,18 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The picture of the sheared discs: stress, its parts, agglomerates, both regimes."""
 
-import matplotlib
+import numpy as np
+from drawing import circles, label_between_decades, pyplot, save
 
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402
-import numpy as np  # noqa: E402
-from matplotlib.collections import EllipseCollection  # noqa: E402
-
-import analyse  # noqa: E402
-import sweep  # noqa: E402
+import analyse
+import sweep
 
 DEPTHS = (*sweep.MILD, *sweep.TRANSITION)
-COLOURS = dict(zip(DEPTHS, plt.get_cmap("viridis")(np.linspace(0, 0.9, len(DEPTHS)))))
+COLOURS = dict(zip(DEPTHS, pyplot.get_cmap("viridis")(np.linspace(0, 0.9, len(DEPTHS)))))
 KIND_COLOURS = dict(zip(analyse.KINDS, ("#1f6f8b", "#7a5195", "#ef8354", "#c8553d", "0.5")))
 SNAPSHOTS = ((0.4, 2), (0.4, 16))  # phi, D
 
@@ -20,7 +16,7 @@ SNAPSHOTS = ((0.4, 2), (0.4, 16))  # phi, D
 def draw(out, raw):
     """Writes result.png to `out`; raw: finished runs as from run.py."""
     results = analyse.Results(raw)
-    figure = plt.figure(figsize=(13, 11.5), constrained_layout=True)
+    figure = pyplot.figure(figsize=(13, 11.5), constrained_layout=True)
     axes = figure.subplots(3, 3)
     against_fraction(axes[0, 0], results, "normal", "normal stress / rho_s rate^2 r^2", sweep.MILD)
     against_fraction(axes[0, 1], results, "stress_xy", "shear stress / rho_s rate^2 r^2", sweep.MILD)
@@ -33,8 +29,7 @@ def draw(out, raw):
         snapshot(cell, out, results.run(phi, D))
     axes[0, 0].legend(frameon=False, fontsize=8, loc="lower left")
     axes[1, 0].legend(frameon=False, fontsize=8)
-    figure.savefig(out / "result.png", dpi=75)
-    plt.close(figure)
+    save(figure, out / "result.png", dpi=75)
 
 
 def against_fraction(axes, results, quantity, label, depths, log=False):
@@ -46,6 +41,7 @@ def against_fraction(axes, results, quantity, label, depths, log=False):
     axes.set_ylabel(label)
     if log:
         axes.set_yscale("log")
+        label_between_decades(axes.yaxis)
     else:
         axes.set_ylim(bottom=0)
 
@@ -71,6 +67,7 @@ def against_width(axes, results):
                           label=f"{quantity}, phi = {phi}")
     axes.set_xscale("log")
     axes.set_yscale("log")
+    label_between_decades(axes.yaxis)
     axes.set_xlabel("r_out/r - 1")
     axes.set_ylabel(f"mean size, mean duration x rate, D = {sweep.WIDTHS_DEPTH}")
     axes.legend(frameon=False, fontsize=8)
@@ -96,14 +93,11 @@ def snapshot(axes, out, result):
     run = sweep.Run(*(result["settings"][k] for k in sweep.Run._fields))
     rows = np.loadtxt(out / "runs" / run.name / "discs.txt", skiprows=9)
     length = result["box"][0]
-    diameter = np.full(len(rows), 2.0)
-    discs = EllipseCollection(diameter, diameter, 0 * diameter, units="xy",
-                              offsets=np.stack([rows[:, 1] % length, rows[:, 2]], axis=1),
-                              transOffset=axes.transData, array=np.log10(rows[:, 3]), cmap="inferno_r")
+    discs = circles(axes, np.stack([rows[:, 1] % length, rows[:, 2]], axis=1), 2.0, array=np.log10(rows[:, 3]),
+                    cmap="inferno_r")
     discs.set_clim(0, 3)
-    axes.add_collection(discs)
     axes.set_xlim(0, length)
     axes.set_ylim(0, length)
-    axes.set_aspect("equal")
+    axes.set_xlabel("x / r")
     axes.set_title(f"phi = {run.phi:g}, D = {run.D}", fontsize=10)
-    plt.colorbar(discs, ax=axes, shrink=0.8, label="log10 of agglomerate size")
+    pyplot.colorbar(discs, ax=axes, shrink=0.8, label="log10 of agglomerate size")

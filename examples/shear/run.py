@@ -9,8 +9,6 @@ import argparse
 import functools
 import hashlib
 import math
-import os
-import subprocess
 import sys
 from pathlib import Path
 
@@ -19,9 +17,10 @@ sys.path.insert(0, str(HERE.parent / "common"))
 
 import analyse  # noqa: E402
 import picture  # noqa: E402
+import program  # noqa: E402
 import sweep  # noqa: E402
-from job_pool import Job, RunError, carry_out, cores, dies_with_us  # noqa: E402
-from lammps_run import NotBuilt, launcher  # noqa: E402
+from job_pool import RunError, carry_out  # noqa: E402
+from lammps_run import NotBuilt, ScriptRun, launcher  # noqa: E402
 
 TOO_FAR = "could miss a partner"  # the engine: particles fly too far in a step
 
@@ -30,16 +29,9 @@ def arguments():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
     parser.add_argument("--full", action="store_true",
                         help="the whole sweep with the thesis's block rule (hours) instead of the subset")
-    parser.add_argument("--out", type=Path, default=None,
-                        help="folder for runs and results (BUILD/shear, with --full BUILD/shear-full)")
-    parser.add_argument("--build", type=Path, default=HERE.parents[1] / "build",
-                        help="build folder of the package")
-    parser.add_argument("--together", type=int, default=cores(), metavar="N",
-                        help="runs at a time (the cores there are: %(default)s)")
-    args = parser.parse_args()
-    if args.together < 1:
-        parser.error(f"--together {args.together}: it must be 1 or more")
-    return args
+    program.folder_words(parser, "BUILD/shear, with --full BUILD/shear-full")
+    program.together_words(parser)
+    return parser.parse_args()
 
 
 def discs(fraction, side):
@@ -61,7 +53,7 @@ def content(file):
     return hashlib.sha256(Path(file).read_bytes()).hexdigest()
 
 
-class ShearRun(Job):
+class ShearRun(ScriptRun):
     """One run of in.shear."""
 
     def __init__(self, run, rule, out, engine):
@@ -69,25 +61,14 @@ class ShearRun(Job):
                     "dt": step(run), "skin": 4 if run.phi < 0.25 else 2.5,
                     "script": content(HERE / "in.shear"), "package": content(engine[1])}
         # Collisions, and how long they take: wells add events, and close clusters collide as they like.
-        super().__init__(out / "runs" / run.name, settings,
+        super().__init__(out / "runs" / run.name, HERE / "in.shear", engine, settings,
                          work=settings["count"] * (1 if run.D == 0 else 2))
-        self.engine = engine
         self.dt, self.tries = settings["dt"], 0  # dt: halved where it is too long
         self.most_progress = rule.start + rule.most * rule.block
 
-    def start(self):
-        self.folder.mkdir(parents=True, exist_ok=True)
-        program, plugin = self.engine
-        command = [program, "-in", HERE / "in.shear", "-log", "none", "-var", "plugin", plugin,
-                   "-var", "dt", f"{self.dt:.6g}", "-var", "skin", str(self.settings["skin"])]
-        for name in ("count", "phi", "e", "D", "w", "seed", "start", "block", "most"):
-            command += ["-var", name, str(self.settings[name])]
-        with open(self.folder / "log", "w") as log:
-            return subprocess.Popen(dies_with_us(command), cwd=self.folder, stdout=log, stderr=log,
-                                    stdin=subprocess.DEVNULL, env={**os.environ, "OMP_NUM_THREADS": "1"})
-
-    def log(self):
-        return (self.folder / "log").read_text()
+    def variables(self):
+        names = ("skin", "count", "phi", "e", "D", "w", "seed", "start", "block", "most")
+        return {"dt": f"{self.dt:.6g}", **{name: self.settings[name] for name in names}}
 
     def again(self):
         self.tries += 1
@@ -99,12 +80,8 @@ class ShearRun(Job):
 
     def share(self):
         """Of the longest that the run can be."""
-        rows = [words for words in map(str.split, self.log().splitlines()[-4:])
-                if len(words) == 6 and words[0].isdigit()]
-        return min(float(rows[-1][2]) / self.most_progress, 1.0) if rows else 0.0
-
-    def tail(self):
-        return "\n".join(self.log().splitlines()[-15:])
+        row = self.last_row(columns=6)
+        return min(row[2] / self.most_progress, 1.0) if row else 0.0
 
 
 def main():
@@ -114,15 +91,9 @@ def main():
     runs, rule = (sweep.full(), sweep.THESIS) if args.full else (sweep.subset(), sweep.SHORT)
     engine = launcher(args.build)
     results = carry_out([ShearRun(run, rule, out, engine) for run in runs], args.together)
-    text = analyse.report(results)
-    (out / "result.txt").write_text(text + "\n")
+    program.leave_table(out, analyse.report(results))
     picture.draw(out, results)
-    print(text)
-    print(f"\npicture: {out / 'result.png'}\ntable:   {out / 'result.txt'}")
 
 
 if __name__ == "__main__":
-    try:
-        main()
-    except (NotBuilt, RunError) as error:
-        sys.exit(f"run.py: {error}")
+    program.run(main, NotBuilt, RunError)

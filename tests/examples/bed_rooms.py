@@ -9,6 +9,7 @@ import unittest
 from small_beds import BUILD, SOURCE, SmallBeds, variables
 
 import bed_case
+import expected
 import figures
 import study
 
@@ -42,7 +43,7 @@ class Rooms(SmallBeds):
                               ("overshoot-mechanisms/mechanisms.csv", 9)):
             table = SOURCE / "examples" / file
             found = {name: study.known_speeds(BUILD, name, row) for name, row in study.rows(table).items()}
-            held = [holds for line, holds in study.expectations(table.parent / "expected.csv", found)
+            held = [holds for line, holds in expected.held(table.parent / "expected.csv", found)
                     if "v_esc" in line]
             self.assertEqual(held, checked * [True], file)
 

@@ -9,7 +9,6 @@ import math
 import re
 import shutil
 import subprocess
-import sys
 import unittest
 from pathlib import Path
 from unittest import mock

@@ -15,10 +15,10 @@ sys.path[:0] = [str(SOURCE / "examples/bubbling-hard-sphere"), str(SOURCE / "tes
 
 from coupled_case import exchange_lines  # noqa: E402
 import analyse  # noqa: E402
+import expected  # noqa: E402
 import picture  # noqa: E402
 import run  # noqa: E402
 from foam_results import read_cloud, written_times  # noqa: E402
-from lammps_run import tables  # noqa: E402
 
 BUILD = sys.argv.pop(1) if len(sys.argv) > 1 else str(SOURCE / "build")
 SMALL = {"width": 0.05, "height": 0.2, "jetFrom": 0.02, "jetTo": 0.03, "middle": 0.025, "sideCells": 2,
@@ -91,7 +91,19 @@ class SmallBed(unittest.TestCase):
         out = Path(self.keeper.name) / "result.png"
         picture.draw(out, [job.folder for job in self.jobs])
         self.assertGreater(out.stat().st_size, 10000)
-        self.assertIn("b-elastic", run.table({job.kind: [result] for job, result in zip(self.jobs, self.results)}))
+
+    def test_expected_are_figures_of_its_beds(self):
+        for row in expected.rows(run.HERE / "expected.csv"):
+            self.assertIn(row["case"], {f"{bed}{kind}" for bed in run.BEDS for kind in ("", "-elastic")})
+            self.assertIn(row["quantity"], self.results[0])
+
+    def test_beds_of_other_settings_are_kept(self):
+        env = run.environment(BUILD)
+        other = run.HardBed(Path(self.keeper.name), env, "", "b", 1, 4711, {**SMALL, "endTime": 0.1})
+        self.assertEqual(other.folder, self.jobs[0].folder)
+        run.require_ours(self.jobs, run.MARK)
+        with self.assertRaisesRegex(run.RunError, "b-seed-4711.*--overwrite"):
+            run.require_ours([other], run.MARK)
 
 
 class Reading(unittest.TestCase):
@@ -125,13 +137,6 @@ class Reading(unittest.TestCase):
             self.assertAlmostEqual(analyse.ergun(bed, 0.41), velocity, delta=0.005)
             depth = bed.front - bed.back
             self.assertAlmostEqual(1 - 0.83 * 2 / 3 * bed.diameter / depth, 0.41, delta=0.001)
-
-    def test_expectations_name_figures(self):
-        rows = run.expected()
-        self.assertTrue(rows)
-        for row in rows:
-            self.assertLess(float(row["low"]), float(row["high"]))
-            self.assertTrue(row["origin"])
 
 
 if __name__ == "__main__":

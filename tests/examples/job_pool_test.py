@@ -17,7 +17,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "examples/common"))
 import study_table  # noqa: E402
-from job_pool import Job, RunError, carry_out, dies_with_us, digest_of  # noqa: E402
+from job_pool import Job, RunError, carry_out, dies_with_us, digest_of, require_ours  # noqa: E402
 
 
 class Shell(Job):
@@ -154,6 +154,20 @@ class Pool(unittest.TestCase):
         self.assertEqual(digest_of([self.folder, file]), before)
         file.write_text("2")
         self.assertNotEqual(digest_of([file]), before)
+
+    def test_folders_that_are_not_ours_are_kept(self):
+        """Ours are none, finished ones, and those with the mark and no result; not those of other settings."""
+        none, finished, begun, alien, other = jobs = self.jobs("none", "finished", "begun", "alien", "other")
+        finished.mark("go", "mark")
+        other.mark("go", "mark")
+        carry_out([finished, other], 2)
+        begun.mark("mark")
+        alien.mark("letter")
+        require_ours([none, finished, begun], "mark")
+        other.settings = {"value": 7}
+        for job in (alien, other):
+            with self.assertRaisesRegex(RunError, f"{job.name}' holds something else .*--overwrite"):
+                require_ours(jobs[:3] + [job], "mark")
 
     def test_a_failure_does_not_stop_the_others(self):
         jobs = good, bad, last = self.jobs("good", "bad", "last")

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The table of the thesis's statements, on made-up studies that agree, disagree and cannot tell; its pictures."""
 
-import csv
 import importlib.util
 import itertools
 import sys

@@ -18,6 +18,7 @@ BED = Path(__file__).resolve().parents[2] / "fluidised-bed"
 sys.path[:0] = [str(BED), str(BED.parent / "common")]
 
 import analyse  # noqa: E402
+import program  # noqa: E402
 from foam_case import FoamCase, environment  # noqa: E402
 
 
@@ -52,6 +53,4 @@ def main(build, step, kernel, smoothing, duration):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 6:
-        sys.exit(__doc__)
-    main(*sys.argv[1:])
+    main(*program.words(__doc__, 5))
