@@ -6,13 +6,11 @@
 import sys
 from pathlib import Path
 
-import matplotlib
+EXAMPLES = Path(__file__).resolve().parents[1]
+sys.path[:0] = [str(EXAMPLES / "fluidised-bed"), str(EXAMPLES / "common")]
 
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402
-
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "fluidised-bed"))
-
+import program  # noqa: E402
+from drawing import pyplot, save  # noqa: E402
 from statements import WIDTHS  # noqa: E402
 from verdict import Study  # noqa: E402
 
@@ -22,7 +20,7 @@ FORCES = {"sides_at_maximum": ("side walls", "#7a5195"), "plate_at_maximum": ("p
 
 
 def draw(study, file):
-    figure, (bars, budget, widths) = plt.subplots(1, 3, figsize=(12, 4.6), constrained_layout=True)
+    figure, (bars, budget, widths) = pyplot.subplots(1, 3, figsize=(12, 4.6), constrained_layout=True)
     rows = [row for row in study.rows if study.number(row, "width") == 0.08]
     places = range(len(rows))
     for place, row in zip(places, rows):
@@ -34,25 +32,25 @@ def draw(study, file):
                  if (mean := study.with_error(row, name))]
         budget.barh([place for place, _ in found], [value for _, (value, _) in found], 0.27,
                     xerr=[error for _, (_, error) in found], color=colour, label=label, capsize=1)
-    budget.set_xlabel("upward force over the weight at the pressure maximum [1]")
+    budget.set_xlabel("upward force over the weight\nat the pressure maximum [1]")
     budget.legend(frameon=False, fontsize=8)
     for axes in (bars, budget):
         axes.set_yticks(list(places), rows if axes is bars else [""] * len(rows))
         axes.invert_yaxis()
         axes.axvline(0, color="black", linewidth=0.6)
-    for law, colour in COLOURS.items():
-        found = [(width, *mean) for suffix, width in WIDTHS.items()
+    for beside, (law, colour) in enumerate(COLOURS.items(), -1):
+        # A little apart, else their bars hide each other.
+        found = [(width + beside, *mean) for suffix, width in WIDTHS.items()
                  if (mean := study.with_error(law + suffix, "overshoot"))]
         if found:
             widths.errorbar(*zip(*found), fmt="o-", color=colour, capsize=2, label=law)
             widths.legend(frameon=False)
+    widths.set_xticks(sorted(WIDTHS.values()))
     widths.set_xlabel("width of the bed [mm]")
     widths.set_ylabel("overshoot over the weight [1]")
-    figure.savefig(file, dpi=110)
-    plt.close(figure)
+    save(figure, file, dpi=110)
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 3:
-        sys.exit(__doc__)
-    draw(Study(sys.argv[1]), sys.argv[2])
+    summary, to = program.words(__doc__, 2)
+    program.run(lambda: draw(Study(summary), to), OSError)
