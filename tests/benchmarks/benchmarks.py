@@ -5,7 +5,7 @@
   benchmarks.py BUILD NAME [options]            one of the tables below
   benchmarks.py BUILD NAME --help               its options
   benchmarks.py BUILD NAME --small              the same in a minute or two
-  benchmarks.py BUILD NAME --page FILE          also into FILE, in place of the section of the same title
+  benchmarks.py BUILD NAME --page FILE          also into FILE, in place of the tables in the section of the same title
   benchmarks.py BUILD NAME --picture FILE       of dense and growth: a picture of the table
 
 BUILD is a build folder of the package. Prints a table as it is measured. Instructions are counted by valgrind
@@ -16,7 +16,7 @@ import importlib
 import sys
 from pathlib import Path
 
-from page import replace_section
+from page import replace_section, source
 from programs import Missing, Programs
 from scenes import REBUILD
 
@@ -24,10 +24,19 @@ NAMES = {"features": "feature x cost when off x cost when on, LAMMPS and LIGGGHT
          "coupling": "the same of the gas: cohesiveBedFoam",
          "dense": "a step with cohesion of 32,000 spheres, beside the stock engines",
          "growth": "a step of 1000 to 1,000,000 spheres, and memory per sphere",
+         "account": "which parts of a step grow, by the engines' own account",
          "traffic": "what a step fetches from beyond caches, and how fast memory is",
          "scaling": "one rank and two: the same scene, and twice the scene",
          "deliverables": "size, and time to load, of what is built"}
+WRITTEN = ("--page", "--picture")  # where to, each with a file
 PICTURES = ("dense", "growth")  # picture.py draws them
+
+
+def asked(words):
+    """Those of the command line that tell what is measured."""
+    where = [n for n, word in enumerate(words) if word in WRITTEN]
+    return [word for n, word in enumerate(words)
+            if n not in where and n - 1 not in where and not word.startswith(tuple(f"{w}=" for w in WRITTEN))]
 
 
 def main():
@@ -52,7 +61,7 @@ def main():
         parser.error(f"--steps {words.steps}: a multiple of {REBUILD}, what is between two lists")
     if words.small:
         table.small(words)
-    lines = []
+    lines = [source(asked(sys.argv[2:])), ""]
     try:
         for line in table.rows(Programs(words.build, words.lammps), words):
             lines.append(line)

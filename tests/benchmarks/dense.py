@@ -31,6 +31,7 @@ WAYS = {
     },
 }
 
+ASKED = 1.15  # of the engine's own style with cohesion
 COUNTED = 5  # counting takes as long as so many turns of timing, about
 
 
@@ -79,6 +80,7 @@ def rows(programs, words):
     yield ("| engine | scene | style | instructions | over stock | over stock with cohesion | ns | over stock, same "
            "turn: median (least to most) | over stock with cohesion, same turn |")
     yield "|---|---|---|---|---|---|---|---|---|"
+    against = {}
     for engine, scene in tables:
         number, counts, turns = measure(programs, words, engine, scene, progress)
         stock = next(iter(counts))
@@ -90,3 +92,29 @@ def rows(programs, words):
             found += [spread([own / its for own, its in zip(turns[name], turns[other])]) if turns[name] else ""
                       for other in beside]
             yield f"| {engine} | {scene}, {number} | {name} | " + " | ".join(found) + " |"
+        against[f"{engine}, {scene}"] = over_cohesive(WAYS[engine], counts, turns, beside[1])
+    yield ""
+    yield from verdict(against)
+
+
+def over_cohesive(ways, counts, turns, cohesive):
+    """{what: {style of ours: over the engine's own style with cohesion}}, of what was measured."""
+    own = [name for name, (way, _) in ways.items() if way.endswith("+")]
+    found = {}
+    if counts[cohesive] is not None:
+        found["instructions"] = {name: counts[name] / counts[cohesive] for name in own}
+    if turns[cohesive]:
+        found["time"] = {name: statistics.median(mine / its for mine, its in zip(turns[name], turns[cohesive]))
+                         for name in own}
+    return found
+
+
+def verdict(against):
+    """Lines of a table: which styles are within ASKED and which beyond; {engine and scene: over_cohesive()}."""
+    yield f"| over stock with cohesion | by | within {ASKED} | beyond |"
+    yield "|---|---|---|---|"
+    for where, measured in against.items():
+        for what, ratios in measured.items():
+            sides = ("; ".join(f"{name} {ratio:.2f}" for name, ratio in ratios.items() if (ratio <= ASKED) == within)
+                     for within in (True, False))
+            yield f"| {where} | {what} | " + " | ".join(side or "none" for side in sides) + " |"

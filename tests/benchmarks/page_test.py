@@ -4,7 +4,8 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from page import replace_section
+from benchmarks import asked
+from page import replace_section, source
 
 PAGE = """# Costs
 
@@ -48,6 +49,26 @@ class Page(unittest.TestCase):
     def test_last_section(self):
         self.assertEqual(self.replaced(PAGE, "One and more", "| new |"),
                          PAGE.replace("| a |\n|---|\n| kept |", "| new |"))
+
+    def test_tables_follow_each_other_and_the_source_is_replaced(self):
+        source = "From `benchmarks.py BUILD one --small`, more."
+        new = ("From `benchmarks.py BUILD one`.", "", "| a |", "|---|", "| new |", "", "| b |", "|---|", "| newer |")
+        first, second = "| a |\n|---|\n| old |\n| old |\n", "| b |\n|---|\n| old |\n"
+        expected = PAGE.replace("Said of one.\n", "Said of one.\n\nFrom `benchmarks.py BUILD one`.\n").replace(
+            first, "| a |\n|---|\n| new |\n\n| b |\n|---|\n| newer |\n")
+        given = PAGE.replace("Said of one.\n", f"Said of one.\n\n{source}\n")
+        self.assertEqual(self.replaced(given, "One", *new), expected)
+        # Again, with both tables there.
+        self.assertEqual(self.replaced(given.replace(first, first + "\n" + second), "One", *new), expected)
+        self.assertEqual(self.replaced(expected, "One", *new), expected)
+        # No source yet: it comes first.
+        self.assertEqual(self.replaced(PAGE, "One", *new[:5]), PAGE.replace("\nSaid of one.\n", (
+            "\nFrom `benchmarks.py BUILD one`.\n\nSaid of one.\n")).replace("| old |\n| old |", "| new |"))
+
+    def test_source_names_what_was_asked_for(self):
+        words = ["dense", "--page", "costs.md", "--turns", "2", "--picture=p.png", "--way", "a b"]
+        self.assertRegex(source(asked(words)), r"^From `benchmarks\.py BUILD dense --turns 2 --way 'a b'`, the load of "
+                         r"the machine before it \d+\.\d on \d+ processors\.$")
 
     def test_section_without_table_gets_one(self):
         self.assertEqual(self.replaced("## One\n\nSaid.\n\n## Two\n", "One", "| new |"),

@@ -8,18 +8,17 @@ a page.
 PAGE: docs/costs.md for dense and growth, docs/lammps-package/stability.md for steps, or another file that
 benchmarks.py --page or stability-campaign.py --table has written.
 """
+import itertools
 import re
 import sys
 from pathlib import Path
 
-import matplotlib
+import programs  # noqa: F401  (first: it knows where the others are)
+import program
+from drawing import pyplot, save
 
-matplotlib.use("Agg")
-from matplotlib import pyplot  # noqa: E402
-
-import programs  # noqa: E402, F401  (it knows where the others are)
-import dense  # noqa: E402
-import growth  # noqa: E402
+import dense
+import growth
 
 BAR = "#4477aa"
 
@@ -30,7 +29,9 @@ def cells(line):
 
 def read(lines):
     """The first table of `lines`: a dictionary for each row."""
-    rows = [cells(line) for line in lines if line.startswith("|")]
+    table = itertools.takewhile(lambda line: line.startswith("|"),
+                                itertools.dropwhile(lambda line: not line.startswith("|"), lines))
+    rows = [cells(line) for line in table]
     return [dict(zip(rows[0], row)) for row in rows[2:]]
 
 
@@ -66,14 +67,16 @@ def draw_dense(rows):
             axis.errorbar(middle, n, xerr=[[middle - low], [high - middle]], fmt="ko", ms=3, capsize=2,
                           label="time, least to most" if n == timed[0][0] else None)
         axis.axvline(1, color="black", linewidth=0.6)
-        limit = 1.15 * next(value for row, value in zip(own, counted) if "cohesive" in row["style"])
+        limit = dense.ASKED * next(value for row, value in zip(own, counted) if "cohesive" in row["style"])
         axis.axvline(limit, color="black", linewidth=0.6, linestyle=":",
-                     label="1.15 of stock with cohesion, instructions")
+                     label=f"{dense.ASKED} of stock with cohesion, instructions")
         axis.set_yticks(range(len(own)), [row["style"] for row in own], fontsize=7)
         axis.invert_yaxis()
         axis.set_title(f"{engine}, {scene} spheres: cost of a step over that of the first style", fontsize=8)
         axis.tick_params(axis="x", labelsize=7)
-    axes[0, 0].legend(fontsize=7)
+    # Below all: bars fill the panels.
+    axes[-1, 0].legend(*axes[0, 0].get_legend_handles_labels(), fontsize=7, ncols=3, loc="upper center",
+                       bbox_to_anchor=(0.4, -0.2))
     return figure
 
 
@@ -89,8 +92,8 @@ def draw_growth(rows):
         # Drawn a little apart, else their bars hide each other.
         right.errorbar([value * 1.06**n for value in x], middle, fmt="o-", ms=4, capsize=2,
                        yerr=[[b - a for a, b in zip(low, middle)], [b - a for a, b in zip(middle, high)]])
-    right.axhline(1.3, color="black", linewidth=0.6)
-    right.text(0.01, 1.3, "1.3", fontsize=7, va="bottom", transform=right.get_yaxis_transform())
+    right.axhline(growth.ASKED, color="black", linewidth=0.6)
+    right.text(0.01, growth.ASKED, f"{growth.ASKED}", fontsize=7, va="bottom", transform=right.get_yaxis_transform())
     left.set(xscale="log", xlabel="spheres", ylabel="ns per sphere and step")
     left.set_ylim(bottom=0)
     right.set(xscale="log", xlabel="spheres", ylabel=over.split(":")[0] + " spheres, least to most")
@@ -129,8 +132,7 @@ def of_page(name, page):
         for law, lines in found.items():
             start = [n for n, line in enumerate(lines) if line.startswith("| t_c/dt |")]
             if start:
-                tables[law] = read(lines[start[0]:start[0] + next(
-                    (n for n, line in enumerate(lines[start[0]:]) if not line.startswith("|")), len(lines))])
+                tables[law] = read(lines[start[0]:])
         return tables
     return read(found[{"dense": dense, "growth": growth}[name].TITLE])
 
@@ -139,16 +141,13 @@ DRAWN = {"dense": draw_dense, "growth": draw_growth, "steps": draw_steps}
 
 
 def draw(name, data, file):
-    figure = DRAWN[name](data)
-    # Without the program's version: the same table gives the same file.
-    figure.savefig(file, dpi=90, metadata={"Software": None})
-    pyplot.close(figure)
+    save(DRAWN[name](data), file, dpi=90)
 
 
 def main():
-    if len(sys.argv) != 4 or sys.argv[1] not in DRAWN:
+    name, page, file = program.words(__doc__, 3)
+    if name not in DRAWN:
         sys.exit(__doc__)
-    name, page, file = sys.argv[1:]
     draw(name, of_page(name, Path(page).read_text()), file)
 
 

@@ -7,11 +7,17 @@ from pathlib import Path
 import picture
 
 DOCS = Path(sys.argv[1]) / "docs"
-DENSE = """| engine | scene | style | instructions | over stock | ns | over stock, same turn: median (least to most) |
+DENSE = """From elsewhere
+
+| engine | scene | style | instructions | over stock | ns | over stock, same turn: median (least to most) |
 |---|---|---|---|---|---|---|
 | A | gas, 4 | x (stock) | 100 | 1.00 | 10 | 1.00 (1.00 to 1.00) |
 | A | gas, 4 | y (stock, cohesive) | 200 | 2.00 | 18 | 1.80 (1.50 to 1.90) |
 | B | gas, 4 | x *event* (cohesive) | 300 | 1.00 |  |  |
+
+| another | table |
+|---|---|
+| A | B |
 """.splitlines()
 GROWTH = """| style | particles | ns per particle and step | over 10: median (least to most) |
 |---|---|---|---|

@@ -10,9 +10,14 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 SOURCE = Path(__file__).resolve().parents[2]
-sys.path.append(str(SOURCE / "tests/lammps-package"))
+sys.path += [str(SOURCE / "tests/lammps-package"), str(SOURCE / "examples/common")]
 import instruction_count  # noqa: E402
 from short_start import short_start  # noqa: E402
+
+
+def whole_numbers(text):
+    """Of a word of the command line: with commas between them, or as 1e5."""
+    return [int(float(number)) for number in text.split(",")]
 
 
 def environment(ranks=1):

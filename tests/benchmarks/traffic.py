@@ -6,6 +6,7 @@ import time
 import numpy
 
 import scenes
+from programs import whole_numbers
 from progress import Progress
 from scenes import WAYS
 
@@ -18,9 +19,8 @@ COPIED = 2e9  # bytes in each of the turns of a copy
 
 
 def add_words(parser):
-    parser.add_argument("--sizes", type=lambda text: [int(float(n)) for n in text.split(",")],
-                        default=[10000, 100000])
-    parser.add_argument("--caches", type=lambda text: [int(n) for n in text.split(",")], default=[2, 32],
+    parser.add_argument("--sizes", type=whole_numbers, default=[10000, 100000])
+    parser.add_argument("--caches", type=whole_numbers, default=[2, 32],
                         help="of the last cache, MB, powers of two")
     parser.add_argument("--way", help="those alone whose name has this in it", default="")
 

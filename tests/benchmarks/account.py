@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The engines' own account of a step, by the clock: what of it grows with the number of spheres."""
+import re
+import statistics
+
+import scenes
+from programs import whole_numbers
+from progress import Progress
+from scenes import WAYS
+
+TITLE = "Where the time of a step goes"
+PARTS = {"Pair": "pairs", "Neigh": "lists", "Comm": "ghosts", "Modify": "integration, fixes"}
+
+
+def add_words(parser):
+    parser.add_argument("--sizes", type=whole_numbers, default=[10000, 100000, 1000000])
+    parser.add_argument("--way", help="those alone whose name has this in it", default="")
+    parser.add_argument("--steps", type=int, default=140, help="from the first on")
+    parser.add_argument("--turns", type=int, default=3)
+
+
+def small(words):
+    words.sizes, words.turns = [1000, 10000], 1
+
+
+def seconds(output):
+    """Of each of PARTS, None where the engine does not tell it, and of the whole loop."""
+    found = (re.search(rf"^{part}\s+(?:\|[^|]*\||time \(%\) =)\s*([-+.\de]+)", output, re.M) for part in PARTS)
+    return ([part and float(part[1]) for part in found],
+            float(re.findall(r"^Loop time of (\S+)", output, re.M)[-1]))
+
+
+def rows(programs, words):
+    ways = {name: way for name, way in WAYS.items() if words.way in name and programs.has(way[0])}
+    progress = Progress(len(ways) * words.turns * sum(words.sizes))
+    parts = " | ".join(PARTS.values())
+    yield f"| style, ns by the clock per particle and step | particles | all | {parts} | rest |"
+    yield "|---|---|---|" + "---|" * len(PARTS) + "---|"
+    for name, (way, pair) in ways.items():
+        for wished in words.sizes:
+            cells = scenes.cells_for("gas", wished)
+            number = scenes.particles("gas", cells)
+            text = scenes.text(way.startswith("liggghts"), "gas", cells, pair, load=way == "lammps+")
+            turns = []
+            for _ in range(words.turns):
+                parts, whole = seconds(programs.run(way, text, words.steps).output)
+                rest = whole - sum(part for part in parts if part is not None)
+                turns.append([whole, *parts, rest])
+                progress.add(wished)
+            cells = ["" if None in values else f"{statistics.median(values) * 1e9 / words.steps / number:.1f}"
+                     for values in zip(*turns)]
+            yield f"| {name} | {number} | " + " | ".join(cells) + " |"
