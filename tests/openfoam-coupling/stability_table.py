@@ -50,13 +50,13 @@ is more than 0.01 above the first. *warned*: the solver said that the gas
 step is too long, or what would grow in it. *refused*: it stopped, and said why. *unstable*: an error is no number, or
 the energy is more than 0.01 above the first. *crashed*: it ended in another way, with the engine's reason or the last
 words of the solver; "Lost atoms" are spheres that were thrown out of the box. In form A waves of dense free particles
-that follow the gas within a step do that ([stiff drag](cohesiveBedFoam.md)).
+that follow the gas within a step do that ([waves](waves.md)).
 
 ## Light spheres in viscous gas
 
 In form A a wave of free particles displaces gas, and the pressure that moves the gas moves the particles, a step
 late. Light ones move in waves that grow where the gas's viscosity reaches over cells within its step: law, warning and
-what was found are in [stiff drag](cohesiveBedFoam.md). In the bed of `examples/fluidised-bed` nu dt/h^2 is 7e-4 and
+what was found are in [waves](waves.md). In the bed of `examples/fluidised-bed` nu dt/h^2 is 7e-4 and
 kappa 7e-4, far below. The gas of the uniform scene has nu dt/h^2 = 0.6 at cells of three diameters and a Courant
 number of 0.2, and goes with that number; its drag is linear to 0.05 to 0.44 %, an error below 0.0017.
 
