@@ -25,9 +25,12 @@ def read_table(file, known):
     """Rows of the table `file` as dicts, lines that begin with # left out. The first column, `name`, names
     the row, and so the folders of its runs; the others must be in `known` (name: default). What a row leaves
     empty is the default. Raises TableError."""
-    with open(file, newline="") as lines:
-        rows = list(csv.reader((line for line in lines if not line.startswith("#")),
-                               skipinitialspace=True))
+    try:
+        with open(file, newline="") as lines:
+            rows = list(csv.reader((line for line in lines if not line.startswith("#")),
+                                   skipinitialspace=True))
+    except OSError as error:
+        raise TableError(f"{file}: {error.strerror}") from None
     rows = [[cell.strip() for cell in row] for row in rows if any(cell.strip() for cell in row)]
     if len(rows) < 2 or rows[0][0] != "name":
         raise TableError(f"{file}: needs a line of column names, the first of them 'name', and rows")

@@ -14,6 +14,8 @@ Sampled: gran/hooke/history with pair_style hamaker laid over it, in LIGGGHTS ho
 hamaker; event: pair_style gran/hamaker.
 """
 import re
+import sys
+from pathlib import Path
 
 import numpy
 
@@ -87,9 +89,9 @@ def at_asked_error(rows):
 
 
 def plot(tables, file):
-    import matplotlib
-    matplotlib.use("Agg")
-    from matplotlib import pyplot
+    sys.path.append(str(Path(__file__).resolve().parents[2] / "examples/common"))
+    from drawing import pyplot, save
+
     figure, axes = pyplot.subplots(figsize=(6, 4), constrained_layout=True)
     for (name, rows), marker in zip(tables.items(), "os"):
         axes.loglog([row[3] for row in rows], [error(row) for row in rows], marker=marker, label=name)
@@ -103,7 +105,7 @@ def plot(tables, file):
     axes.set_xlabel("run time per couple [s]")
     axes.set_ylabel("error of the escape velocity")
     axes.legend(title="scheme, at the time step")
-    figure.savefig(file, dpi=100)
+    save(figure, file)
 
 
 def main():

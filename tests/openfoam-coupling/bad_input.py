@@ -24,6 +24,22 @@ def edit(case, file, old, new):
 
 
 # name: (what makes the case bad, parts of the message)
+# With either engine: what the adapters and the solver say of the script.
+SCRIPT_CASES = {
+    "script without the gas": (
+        lambda c: edit(c, SCRIPT, "fix gas      all gas/coupling", ""),
+        ["no fix gas/coupling", "add 'fix gas all gas/coupling'"]),
+    "script in other units": (
+        lambda c: edit(c, SCRIPT, "units        si", "units        cgs"),
+        ["units cgs", "use 'units si'"]),
+    "box of another size": (
+        lambda c: edit(c, SCRIPT, "0 0.2", "0 0.3"),
+        ["in direction z", "from 0 to 0.3 m", "the mesh from 0 to 0.2 m"]),
+    "gas step that is no multiple": (
+        lambda c: c.set("system/controlDict", "deltaT", 1.05e-4),
+        ["deltaT = 0.000105", "10.5 steps", "whole multiple"]),
+}
+
 CASES = {
     "misspelt engine": (
         lambda c: c.set(COUPLING, "demEngine", "lamps"),
@@ -93,18 +109,6 @@ CASES = {
         lambda c: (edit(c, SCRIPT, "create_atoms 1 single 0.031 0.029 0.19", ""),
                    edit(c, SCRIPT, "set          group all diameter 1e-4 density 2000", "")),
         ["has no spheres", "0 particles"]),
-    "script without the gas": (
-        lambda c: edit(c, SCRIPT, "fix gas      all gas/coupling", ""),
-        ["no fix gas/coupling", "add 'fix gas all gas/coupling'"]),
-    "script in other units": (
-        lambda c: edit(c, SCRIPT, "units        si", "units        cgs"),
-        ["units cgs", "use 'units si'"]),
-    "box of another size": (
-        lambda c: edit(c, SCRIPT, "0 0.2", "0 0.3"),
-        ["in direction z", "from 0 to 0.3 m", "the mesh from 0 to 0.2 m"]),
-    "gas step that is no multiple": (
-        lambda c: c.set("system/controlDict", "deltaT", 1.05e-4),
-        ["deltaT = 0.000105", "10.5 steps", "whole multiple"]),
     "gas step below the particle step": (
         lambda c: c.set("system/controlDict", "deltaT", 4e-6),
         ["deltaT = 4e-06", "whole multiple", "1e-05"]),
@@ -145,21 +149,9 @@ LIGGGHTS_CASES = {
         lambda c: (edit(c, SCRIPT, "create_atoms 1 single 0.031 0.029 0.19 units box", ""),
                    edit(c, SCRIPT, "set          group all diameter 1e-4 density 2000", "")),
         ["has no spheres", "0 particles"]),
-    "script without the gas": (
-        lambda c: edit(c, SCRIPT, "fix gas      all gas/coupling", ""),
-        ["no fix gas/coupling", "add 'fix gas all gas/coupling'"]),
     "fix gas/coupling with a value": (
         lambda c: edit(c, SCRIPT, "all gas/coupling", "all gas/coupling drag"),
         ["The particle engine ended the run", "log.liggghts"]),
-    "script in other units": (
-        lambda c: edit(c, SCRIPT, "units        si", "units        cgs"),
-        ["units cgs", "use 'units si'"]),
-    "box of another size": (
-        lambda c: edit(c, SCRIPT, "0 0.2", "0 0.3"),
-        ["in direction z", "from 0 to 0.3 m", "the mesh from 0 to 0.2 m"]),
-    "gas step that is no multiple": (
-        lambda c: c.set("system/controlDict", "deltaT", 1.05e-4),
-        ["deltaT = 0.000105", "10.5 steps", "whole multiple"]),
 }
 
 
@@ -251,7 +243,7 @@ def refuses_another_step_at_run_time(expect, case):
 
 def main(build, work):
     expect = Expectations()
-    cases = CASES if ENGINE == "lammps" else LIGGGHTS_CASES
+    cases = {**SCRIPT_CASES, **(CASES if ENGINE == "lammps" else LIGGGHTS_CASES)}
     for number, (name, (spoil, parts)) in enumerate(cases.items()):
         check(expect, column(work, str(number), build), name, spoil, parts)
     if ENGINE != "lammps":

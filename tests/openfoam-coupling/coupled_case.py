@@ -69,6 +69,15 @@ def use_script(case, name, engine=ENGINE):
     case.set(COUPLING, f"{engine}Coeffs/script", f'"$FOAM_CASE/{script_file(name, engine)}"')
 
 
+def use_lattice(case, variables):
+    """The script lattice.lmp with these variables, {name: value}, all their digits."""
+    append(case, COUPLING, f"""lammpsCoeffs
+{{
+    script "$FOAM_CASE/lattice.lmp";
+    variables {{ {' '.join(f'{name} "{value!r}";' for name, value in variables.items())} }}
+}}""")
+
+
 def make_periodic(case):
     """Periodic faces in the place of the column's walls in x."""
     mesh = case.folder / "system/blockMeshDict"

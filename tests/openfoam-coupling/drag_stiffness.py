@@ -9,7 +9,7 @@ import sys
 
 import numpy as np
 
-from coupled_case import COUPLING, SOURCE, Expectations, append, column, exchange_lines
+from coupled_case import COUPLING, SOURCE, Expectations, append, column, exchange_lines, use_lattice
 from packed_bed import field
 from restart import numbers
 
@@ -139,12 +139,8 @@ def solve(build, work, name, s):
     append(case, "constant/transportProperties", f"rho {RHO!r}; nu {s.mu / RHO!r};")
     append(case, COUPLING, f"""form {s.form}; drag hillKochLadd; dragFactor {s.factor!r}; voidFraction {s.kernel};
 response {'free' if s.free else 'held'};
-{f'smoothingWidth {s.width * s.d!r};' if s.width else ''}
-lammpsCoeffs
-{{
-    script "$FOAM_CASE/lattice.lmp";
-    variables {{ {' '.join(f'{name} "{value!r}";' for name, value in variables.items())} }}
-}}""")
+{f'smoothingWidth {s.width * s.d!r};' if s.width else ''}""")
+    use_lattice(case, variables)
     append(case, "system/controlDict", f"deltaT {dt!r}; endTime {STEPS * DT!r}; writeControl timeStep;"
            f" writeInterval {s.finer}; writePrecision 17;")
     case.mesh()

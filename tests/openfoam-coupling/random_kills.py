@@ -20,7 +20,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "lammps-package"))
 from coupled_case import Expectations, exchange_lines  # noqa: E402
 from progress import Progress  # noqa: E402
-from restart import (CONTROL, END, INTERVAL, STEPS, compare, complete, difference, kill, make, state,  # noqa: E402
+from restart import (END, INTERVAL, STEPS, compare, complete, difference, kill, make_to_kill, state,  # noqa: E402
                      steps_begun, undisturbed)
 
 STEP = float(END) / STEPS
@@ -68,11 +68,7 @@ def wait(process, case, ranks, moment, seconds):
 
 def killed(build, work, k, ranks, moment, seconds):
     """The case after the kill, the time it had begun and whether it still ran."""
-    case = make(build, work, f"kill-{k}")
-    if ranks > 1:
-        case.set("system/decomposeParDict", "numberOfSubdomains", ranks)
-        case.run("decomposePar", "-force")
-    case.set(CONTROL, "startFrom", "latestTime")
+    case = make_to_kill(build, work, f"kill-{k}", ranks)
     process = case.start(ranks=ranks)
     wait(process, case, ranks, moment, seconds)
     in_time = kill(case, process, ranks)

@@ -40,6 +40,16 @@ def make(build, work, name, script="continued"):
     return case
 
 
+def make_to_kill(build, work, name, ranks):
+    """A case that goes on from the latest time, divided among the ranks."""
+    case = make(build, work, name)
+    if ranks > 1:
+        case.set("system/decomposeParDict", "numberOfSubdomains", ranks)
+        case.run("decomposePar", "-force")
+    case.set(CONTROL, "startFrom", "latestTime")
+    return case
+
+
 def state(case, log, ranks):
     """Numbers of the end of the run, each with its scale."""
     if ranks > 1:
@@ -90,11 +100,7 @@ def complete(case, ranks):
 
 def check_killed(expect, build, work, ranks, kills, reference):
     """Kills after each of `kills` steps, counted from where the run is continued."""
-    case = make(build, work, f"killed-{ranks}")
-    if ranks > 1:
-        case.set("system/decomposeParDict", "numberOfSubdomains", ranks)
-        case.run("decomposePar", "-force")
-    case.set(CONTROL, "startFrom", "latestTime")
+    case = make_to_kill(build, work, f"killed-{ranks}", ranks)
     for steps in kills:
         done = complete(case, ranks)
         expect.true(f"{ranks} ranks: killed after {steps} steps from {done[-1] if done else 0}",

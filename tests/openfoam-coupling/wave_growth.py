@@ -16,7 +16,7 @@ import argparse
 
 import numpy as np
 
-from coupled_case import COUPLING, append, column
+from coupled_case import COUPLING, append, column, use_lattice
 from drag_stiffness import CLOSURES, DOUBLE, DT, RHO, cells, particle_velocities, periodic
 
 CELL = 5e-3
@@ -67,12 +67,8 @@ def solve(build, work, name, case, cells, spheres, steps, form="A", free=False, 
                  "density": ratio * RHO, "dt": DT / int(engine_steps), "cutoff": 0.2 * d}
     append(folder, "constant/transportProperties", f"rho {RHO!r}; nu {mu / RHO!r};")
     append(folder, COUPLING, f"""form {form}; drag hillKochLadd; dragFactor {factor!r}; voidFraction sphereOverlap;
-minVoidFraction 0.05; response {'free' if free else 'held'};
-lammpsCoeffs
-{{
-    script "$FOAM_CASE/lattice.lmp";
-    variables {{ {' '.join(f'{name} "{value!r}";' for name, value in variables.items())} }}
-}}""")
+minVoidFraction 0.05; response {'free' if free else 'held'};""")
+    use_lattice(folder, variables)
     append(folder, "system/controlDict", f"deltaT {DT!r}; endTime {steps * DT!r}; writeControl timeStep;"
            f" writeInterval {every}; writePrecision 17;")
     if columns:
