@@ -25,7 +25,7 @@ def save(figure, file, dpi=100):
 
 
 def label_between_decades(axis):
-    """Numbers at 2 and 5 as well, on an x or y axis of logarithms that spans few decades."""
+    """Numbers between the powers of ten as well, on an x or y axis of logarithms that spans one or two."""
     axis.set_minor_formatter(LogFormatterSciNotation(labelOnlyBase=False, minor_thresholds=(2.5, 0.8)))
     axis.set_tick_params(which="minor", labelsize=7)
 
