@@ -16,8 +16,8 @@ def main():
     expect = Expectations()
 
     def run(word):
-        done = subprocess.run(["mpirun", "--oversubscribe", "-np", "2", program, word], env=environment(build), text=True,
-                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=120)
+        done = subprocess.run(["mpirun", "--oversubscribe", "-np", "2", program, word], env=environment(build),
+                              text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=120)
         return done.returncode, " ".join(done.stdout.replace("[1]", "").split())
 
     code, output = run("right")
