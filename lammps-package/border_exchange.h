@@ -42,6 +42,10 @@ class BorderExchange {
   void swap(const std::vector<std::vector<Item> >& out, std::vector<std::vector<Item> >& in);
 
  private:
+  /// Of the messages of swap(). Neither side sends others to a peer meanwhile: every process waits
+  /// in swap() for all of its peers.
+  static constexpr int TAG = 0;
+
   MPI_Comm world_;
   std::vector<int> peers_;
   std::vector<std::vector<int> > asked_;           // by peer: local names by slot
@@ -56,15 +60,15 @@ void BorderExchange::swap(const std::vector<std::vector<Item> >& out,
   in.resize(n);
   std::vector<MPI_Request> sent(n);
   for (int p = 0; p < n; p++)
-    MPI_Isend(out[p].data(), static_cast<int>(out[p].size() * sizeof(Item)), MPI_BYTE, peers_[p], 0,
-              world_, &sent[p]);
+    MPI_Isend(out[p].data(), static_cast<int>(out[p].size() * sizeof(Item)), MPI_BYTE, peers_[p],
+              TAG, world_, &sent[p]);
   for (int p = 0; p < n; p++) {
     MPI_Status status;
     int bytes = 0;
-    MPI_Probe(peers_[p], 0, world_, &status);
+    MPI_Probe(peers_[p], TAG, world_, &status);
     MPI_Get_count(&status, MPI_BYTE, &bytes);
     in[p].resize(bytes / sizeof(Item));
-    MPI_Recv(in[p].data(), bytes, MPI_BYTE, peers_[p], 0, world_, MPI_STATUS_IGNORE);
+    MPI_Recv(in[p].data(), bytes, MPI_BYTE, peers_[p], TAG, world_, MPI_STATUS_IGNORE);
   }
   MPI_Waitall(n, sent.data(), MPI_STATUSES_IGNORE);
 }

@@ -34,7 +34,11 @@ class CohesiveCoefficients : protected Pointers {
   /// What `pair_coeff` says.
   void read(int narg, char** arg);
   /// The laws are made anew, by prepare().
-  void start() { laws_.assign(given_.size(), cohesion_.no_law()); }
+  void start() {
+    given_.take();
+    laws_.assign(given_.size(), cohesion_.no_law());
+  }
+  void require_taken() const { given_.require_taken(where()); }
   /// Makes the law of types i and j, mixed when they were not given. Returns the gap up to which
   /// the scheme has to see particles of these radii, [length].
   double prepare(int i, int j, double radius_i, double radius_j);

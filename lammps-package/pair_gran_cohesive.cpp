@@ -65,6 +65,7 @@ void PairGranCohesive<Cohesion>::allocate() {
 template <class Cohesion>
 void PairGranCohesive<Cohesion>::compute(int eflag, int vflag) {
   ev_init(eflag, vflag);
+  coefficients.require_taken();
   if (update->whichflag == 2)
     error->all(FLERR, coefficients.where() + " follows motion in time; it cannot be minimized");
   if (!acts) {

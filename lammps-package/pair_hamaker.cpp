@@ -60,12 +60,14 @@ void PairHamaker::compute(int eflag, int vflag) {
   if (looks && neighbor->ago == 0)
     check_radii(lmp, "pair_style hamaker: the outer cut-off is beyond the neighbour range",
                 largest_radius);
-  if (attracts()) {
-    if (!looks)
-      error->all(FLERR,
-                 "pair_style hamaker: an A was raised within a run that began with all A = 0 and "
-                 "without fix adapt, in which pairs have no list of neighbours: raise it before "
-                 "the run");
+  const bool attract = attracts();
+  if (attract && !looks)
+    error->all(FLERR,
+               "pair_style hamaker: an A was raised within a run that began with all A = 0 and "
+               "without fix adapt, in which pairs have no list of neighbours: raise it before "
+               "the run");
+  parameters.require_taken("pair_style hamaker");
+  if (attract) {
     std::visit(
         [this](const auto& chosen) {
           if (evflag) {
@@ -204,6 +206,7 @@ void PairHamaker::init_style() {
     error->all(FLERR,
                "pair_style hamaker acts between spheres and needs an atom style with radii, "
                "for instance 'atom_style sphere'");
+  parameters.take();
   largest_radius = largest_radii(lmp);
   const bool rough = std::any_of(parameters.begin(), parameters.end(),
                                  [](const Parameters& p) { return p.asperity_radius > 0.0; });

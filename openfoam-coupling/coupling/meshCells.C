@@ -61,15 +61,13 @@ public:
         {
             return true;
         }
-        point where(at.x, at.y, at.z);
-        for (direction d = 0; d < 3; ++d)
+        const point where = cells_.inPlane(point(at.x, at.y, at.z), celli_);
+        if (!cells_.plane())
         {
-            if (cells_.mesh_.geometricD()[d] < 0)
-            {
-                where[d] = cells_.mesh_.cellCentres()[celli_][d];
-            }
+            return cells_.mesh_.pointInCell(where, celli_, cells_.decomposition_);
         }
-        return cells_.mesh_.pointInCell(where, celli_, cells_.decomposition_);
+        const auto behind = [&](const Side& side) { return side.beyond(where) <= 0; };
+        return std::all_of(cells_.cut_.begin(), cells_.cut_.end(), behind);
     }
 };
 
@@ -100,6 +98,7 @@ Foam::meshCells::meshCells(const polyMesh& mesh, const void_fraction::Kernel& ke
     mesh_(mesh),
     kernel_(kernel),
     decomposition_(decomposition(mesh)),
+    resolved_(0.5*(vector::one + vector(mesh.geometricD()))),
     search_(mesh, decomposition_),
     boxes_(boxes())
 {
@@ -170,6 +169,36 @@ void Foam::meshCells::find(const point& centre, const scalar half) const
 }
 
 
+Foam::point Foam::meshCells::inPlane(const point& at, const label celli) const
+{
+    return cmptMultiply(resolved_, at) + cmptMultiply(vector::one - resolved_, mesh_.cellCentres()[celli]);
+}
+
+
+Foam::meshCells::Lies Foam::meshCells::lies(const label celli, const point& centre, const scalar half) const
+{
+    cut_.clear();
+    const point at = inPlane(centre, celli);
+    for (const label facei : mesh_.cells()[celli])
+    {
+        const vector& area = mesh_.faceAreas()[facei];
+        const Side side{mesh_.faceOwner()[facei] == celli ? area : -area, mesh_.faceCentres()[facei]};
+        const scalar away = side.beyond(at);
+        // The sphere has no extent in a direction that is not resolved.
+        const scalar extent = half*mag(cmptMultiply(resolved_, area));
+        if (away > extent)
+        {
+            return Lies::outside;
+        }
+        if (away > -extent)
+        {
+            cut_.push_back(side);
+        }
+    }
+    return cut_.empty() ? Lies::inside : Lies::across;
+}
+
+
 Foam::label Foam::meshCells::boxHolding(const point& position) const
 {
     // Of a direction without end the mesh knows where it ends.
@@ -219,9 +248,21 @@ Foam::scalar Foam::meshCells::appendShares
 ) const
 {
     const void_fraction::Sphere sphere{toVector3(centre), radius};
+    const auto shareOf = [&](const label celli) -> scalar
+    {
+        if (plane() && !isBox_[celli])
+        {
+            const Lies there = lies(celli, centre, reach(radius));
+            if (there != Lies::across)
+            {
+                return there == Lies::inside;
+            }
+        }
+        return kernel_.share(sphere, KernelCell(*this, celli));
+    };
     const auto append = [&](const label celli)
     {
-        const scalar share = kernel_.share(sphere, KernelCell(*this, celli));
+        const scalar share = shareOf(celli);
         if (share > 0)
         {
             shares.cells.append(celli);

@@ -2,6 +2,7 @@
 #include "neighbourSizes.H"
 
 #include "UPstream.H"
+#include "error.H"
 
 #include <mpi.h>
 
@@ -10,8 +11,18 @@
 namespace
 {
 
-// Of the even and of the odd rounds; used by neither OpenFOAM nor the particle engines
-constexpr int tags[] = {20101, 20102};
+void refuseOtherSize(const MPI_Status& from)
+{
+    int came = 0;
+    MPI_Get_count(&from, MPI_BYTE, &came);
+    if (came != int(sizeof(Foam::label)))
+    {
+        FatalErrorInFunction
+            << "rank " << from.MPI_SOURCE << " said in " << came << " bytes how much it is about to send to rank "
+            << Foam::UPstream::myProcNo() << ", which expected a number of " << int(sizeof(Foam::label))
+            << " bytes; are all ranks of the same build?" << Foam::exit(Foam::FatalError);
+    }
+}
 
 } // End anonymous namespace
 
@@ -26,7 +37,7 @@ Foam::labelList Foam::neighbourSizes::operator()(const labelUList& sent)
         return received;
     }
     odd_ = !odd_;
-    const int tag = tags[odd_];
+    const int tag = odd_ ? oddTag : evenTag;
     const auto world = MPI_COMM_WORLD;
     const int bytes = sizeof(label);
 
@@ -50,6 +61,7 @@ Foam::labelList Foam::neighbourSizes::operator()(const labelUList& sent)
         if (there)
         {
             const int rank = from.MPI_SOURCE;
+            refuseOtherSize(from);
             MPI_Recv(&received[rank], bytes, MPI_BYTE, rank, tag, world, MPI_STATUS_IGNORE);
         }
         if (barrier != MPI_REQUEST_NULL)

@@ -194,10 +194,10 @@ void Foam::particleDrag::warnOfGrowth()
 
 void Foam::particleDrag::warnOfPressure(const scalar dt)
 {
-    if (returnReduce(fastest_.growth, maxOp<scalar>()) > 0)
+    const scalar growth = returnReduce(fastest_.growth, maxOp<scalar>());
+    if (growth > 0)
     {
-        const bool mine = hasLargest(fastest_.growth);
-        ofOneRank(mine, fastest_.growth);
+        const bool mine = hasLargest(fastest_.growth, growth);
         ofOneRank(mine, fastest_.place);
         ofOneRank(mine, fastest_.voidFraction);
         ofOneRank(mine, fastest_.step);
@@ -206,7 +206,7 @@ void Foam::particleDrag::warnOfPressure(const scalar dt)
         WarningInFunction
             << "where particles are so dense and follow the gas so fast, waves of particles that nothing"
             << " holds would swing against the gas that they displace and grow by a factor of "
-            << fastest_.growth << " in a gas step, fastest at the particle at " << fastest_.place
+            << growth << " in a gas step, fastest at the particle at " << fastest_.place
             << ": void fraction " << fastest_.voidFraction << ", x = b deltaT/m = " << fastest_.step
             << ". Particles that touch others hold them back. A deltaT below " << pressureStepShare_*dt
             << " s cures it, as void fractions and drag are now and with as many particle steps in it"

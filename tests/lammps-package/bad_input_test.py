@@ -83,6 +83,23 @@ class BadInput(ScriptTestCase):
         self.stops(none + 'run 1\nrun 4 pre no every 2 "pair_coeff * * 1e-19"\n', "pair_style hamaker",
                    "an A was raised", "without fix adapt", "before the run", after_a_run=True)
 
+    def test_coefficients_that_no_set_up_takes(self):
+        contact = "stiffness 800 restitution 0.9"
+        for style, first, then in (
+                ("hamaker 4e-10 1e-7", "1e-19", "2e-19"), ("square_well", "0 1.1", "1e-11 1.1"),
+                ("gran/hamaker", contact, contact + " hamaker 1e-19 cutoff 4e-10 1e-7"),
+                ("gran/square_well", contact, contact + " well 1e-11 1.1"),
+                ("hard/square_well", "restitution 0.9", "restitution 0.9 well 1e-11 1.1")):
+            begun = (SPHERES.replace("newton off", "newton off\ncomm_modify vel yes") + f"pair_style {style}\n"
+                     f"pair_coeff * * {first}\nfix move all nve/sphere\nrun 1\n")
+            change = f"pair_coeff * * {then}"
+            said = ("pair_style " + style.split()[0], "pair_coeff was given after", "leave out 'pre no'")
+            with self.subTest(style):
+                self.goes(begun + f'run 4 every 2 "{change}"\n')
+                self.goes(begun + 'run 4 pre no every 2 "print next"\n')
+                self.stops(begun + f'run 4 pre no every 2 "{change}"\n', *said, after_a_run=True)
+                self.stops(begun + change + "\nrun 4 pre no\n", *said, after_a_run=True)
+
     def test_pour_of_larger_particles_is_within_the_neighbour_range(self):
         output = self.goes(
             SPHERES.replace("boundary f f p", "boundary p p f").replace("0 0.01 units", "0 0.04 units")

@@ -101,6 +101,17 @@ class Overlay(Gas):
                                        f"hybrid/overlay {contact} square_well"))]
         numpy.testing.assert_array_equal(paths[1], paths[0])
 
+    def test_without_depth_there_is_no_list(self):
+        """Of all D = 0 none is made, and no step is too long, unless something asks which pairs are bound; LAMMPS
+        prints for which styles it makes lists."""
+        asks = "fix clusters all agglomerates 1\n"
+        for depth, fix, listed in ((0.0, "", False), (1e-11, "", True), (0.0, asks, True)):
+            code, output = engine.run_text(HEAD + f"pair_style {self.style(0.0)}\npair_coeff * * gran/hooke/history\n"
+                                           f"pair_coeff * * square_well {depth} 1.01\n" + fix + MOVE, self.folder)
+            self.assertEqual(code, 0, output)
+            self.assertIn("pair gran/hooke/history", output)
+            self.assertEqual("pair square_well" in output, listed, output)
+
     def test_depth_that_is_given_later(self):
         """Pairs are then where they are: one in the well has to climb out, one outside falls in, one
         that parts outside flies on; in the same input and from a restart file."""

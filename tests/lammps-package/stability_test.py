@@ -143,6 +143,14 @@ class Judge(unittest.TestCase):
                                                "wrong by 0.01", {}), found)
         self.assertEqual(judge.kind("reference crashed", ""), "crashed")
 
+    def test_the_place_on_the_grid_adds_to_the_error_of_the_motion(self):
+        with mock.patch.object(judge, "run", lambda *words: ("ran", "", self.end)):
+            known = judge.fine_run(self.point, engine)[1]
+        self.assertEqual(set(known), {"first", "second"})
+        for _, aim in known.values():
+            # Sums of numbers below 1
+            self.assertAlmostEqual(aim(True) - aim(False), self.point.law.place_room(self.point), delta=1e-15)
+
     def test_outcome(self):
         places = self.end[0].copy()
         places[1] = [self.point.reach, 0, 0] + places[0]

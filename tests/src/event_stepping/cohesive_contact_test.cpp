@@ -160,6 +160,23 @@ TEST(CohesiveContact, AloneItDoesWhatStepAndFrictionDo) {
   EXPECT_EQ(norm(frictionless.spin_i), 0.0);
 }
 
+TEST(BesideWall, OnlyWhatMovesTheCentreAwayFromTheWallIsSeen) {
+  const Vector3 normal{0.6, -0.48, 0.64}, along{0.8, 0.36, -0.48}, aside{0.0, 0.8, 0.6};
+  const PairMotion others{{0.02 * normal + 0.3 * along - 0.4 * aside, {1.0, -2.0, 3.0}},
+                          {4.0, 5.0, -6.0},
+                          {-7.0, 8.0, 9.0}};
+  // Whatever the distance is, and on whichever side the wall.
+  for (double distance : {1.3, -1e-3}) {
+    const PairMotion seen = beside_wall(others, distance * normal);
+    // Products of three rounded components; the scale is that of what is taken away.
+    EXPECT_NEAR(norm(seen.relative.separation - 0.02 * normal), 0.0, 10 * eps * 0.5);
+    // Velocities and spins stay: friction acts on them.
+    EXPECT_EQ(norm(seen.relative.velocity - others.relative.velocity), 0.0);
+    EXPECT_EQ(norm(seen.spin_i - others.spin_i), 0.0);
+    EXPECT_EQ(norm(seen.spin_j - others.spin_j), 0.0);
+  }
+}
+
 TEST(CohesiveContact, FrictionBalancesTheEnergy) {
   // Kinetic energy plus all losses. Not exact: normal motion and friction of a step are added
   // rather than composed, of first order in the step: the pair turns by u_t t_c/R = 0.013 in
