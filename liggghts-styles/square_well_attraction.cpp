@@ -26,7 +26,7 @@ constexpr const char* depth_property = "wellDepth";
 constexpr const char* ratio_property = "wellRatio";
 
 constexpr const char* too_far =
-    "cohesion model square_well: a pair leaves its well by more than 0.02 of the radii in one "
+    "cohesion model square_well: a pair leaves its well by more than 0.01 of the radii in one "
     "step, "
     "beyond which it is not seen, and may keep its D: use a smaller time step";
 

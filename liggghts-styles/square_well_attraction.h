@@ -78,7 +78,7 @@ class SquareWellAttraction final : public AttractionEnergy {
   /// How far beyond the edge the model sees, over the radius: a pair that leaves its well must be
   /// seen outside, so it must not move farther than this in a step. Every pair that the engine
   /// shows costs: of a dense gas a tenth takes half as long again.
-  static constexpr double MARGIN = 0.02;
+  static constexpr double MARGIN = 0.01;
 
   // What is remembered of a contact; the last beside walls alone, for contacts with meshes.
   enum { STATE, IMPULSE, LAST_STEP };
