@@ -87,15 +87,15 @@ class Edge(unittest.TestCase):
                 self.assertEqual(run.printed.count("leaves its well by more than 0.01"), int(paid == 0.0))
 
     def test_it_is_warned_of_once(self):
-        # A pair and a sphere beside a wall on each rank, in two runs.
+        # A pair, and a sphere beside a wall, at places of two ranks; then on the rank that prints nothing itself.
         dt = 1e-5
-        speed = (WIDTH / 2 + 0.012 * DIAMETER) / dt
-        spheres = [s for x in (-8e-3, 4e-3) for s in couples([(8e-6, speed, 0.0)], (x, -9e-3, 0))]
-        spheres += [sphere((x, 0, -1e-2 + RADIUS + 1e-6), (0, 0, speed)) for x in (-5e-3, 5e-3)]
-        for ranks in (1, 2):
+        speed = (WIDTH / 2 + 0.03 * DIAMETER) / dt
+        for ranks, sides in ((1, (-1, 1)), (2, (-1, 1)), (2, (1,))):
+            spheres = [s for side in sides for s in couples([(8e-6, speed, 0.0)], (6e-3 * side, -9e-3, 0))]
+            spheres += [sphere((5e-3 * side, 0, -1e-2 + RADIUS + 1e-6), (0, 0, speed)) for side in sides]
             run = Run(script(spheres, MODELS, square_well(DEPTH), walls=["primitive type 2 zplane -1e-2"], dt=dt,
                              run="run 4\nrun 4\n"), ranks=ranks)
-            with self.subTest(ranks=ranks):
+            with self.subTest(ranks=ranks, sides=sides):
                 self.assertEqual(run.returncode, 0)
                 self.assertEqual(run.printed.count("leaves its well by more than"), 1)
 
