@@ -87,7 +87,7 @@ class Edge(unittest.TestCase):
                 self.assertEqual(run.printed.count("leaves its well by more than 0.01"), int(paid == 0.0))
 
     def test_it_is_warned_of_once(self):
-        # A pair, and a sphere beside a wall, at places of two ranks; then on the rank that prints nothing itself.
+        # Pairs, and spheres beside a wall, on both ranks; then on the second alone.
         dt = 1e-5
         speed = (WIDTH / 2 + 0.03 * DIAMETER) / dt
         for ranks, sides in ((1, (-1, 1)), (2, (-1, 1)), (2, (1,))):
