@@ -37,8 +37,11 @@ namespace ContactModels {
 ///   adhesion(i, j, ri, rj)         of two types and radii; rj infinite: beside a wall
 ///   range()                        how far it must see (contact_range.h)
 ///   acts()                         false: all types have strength 0, and nothing is remembered
-///   rests(near, watched)           true: no force in this step, and its memory stays as it is;
-///                                  watched: a book is kept, so a memory must be told of
+///   rests(near, booked)            true: out of reach, so no force, and its memory stays as it is;
+///                                  booked: a memory must be told of
+///   idles(near), idles_in_contact(contact)
+///                                  true: the same of one that it holds; not asked while somebody
+///                                  wants to know of all that it holds
 ///   force(encounter)               attraction, [force]; called once per step and contact
 ///   binds(i, j, ri, rj, gap, history)  whether a pair is bound (cohesive_pairs.h)
 ///   energy(...)                    AttractionEnergy (contact_book.h)
@@ -77,21 +80,21 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
 
   void surfacesIntersect(SurfacesIntersectData& contact, ForceData& on_i,
                          ForceData& on_j) override {
-    if (attraction_.acts()) attract(contact, contact.r, contact.en, on_i, on_j);
+    if (attraction_.acts() && (watched_ || !attraction_.idles_in_contact(contact)))
+      attract(contact, contact.r, contact.en, on_i, on_j);
   }
 
   void surfacesClose(SurfacesCloseData& near, ForceData& on_i, ForceData& on_j) override {
-    if (!attraction_.acts() || attraction_.rests(near, book_ != nullptr)) return;
-    const double r = std::sqrt(near.rsq);
-    const double inverse = 1.0 / r;
-    const double normal[3] = {inverse * near.delta[0], inverse * near.delta[1],
-                              inverse * near.delta[2]};
-    if (!attract(near, r, normal, on_i, on_j)) return;
-    near.has_force_update = true;
-    if (book_) write_attraction(near, normal, r - near.radsum, on_i);
+    if (!attraction_.acts() || attraction_.rests(near, booked_)) return;
+    if (watched_ || !attraction_.idles(near)) attract_near(near, on_i, on_j);
   }
 
-  void beginPass(SurfacesIntersectData&, ForceData&, ForceData&) override {}
+  /// Once a step, of pairs alone. A step that is computed again repeats all forces.
+  void beginPass(SurfacesIntersectData& pass, ForceData&, ForceData&) override {
+    booked_ = book_ || !pass.computeflag || !pass.shearupdate;
+    watched_ =
+        booked_ || pair_->cpl() || pair_->storeContactForces() || pair_->storeContactForcesStress();
+  }
   void endPass(SurfacesIntersectData&, ForceData&, ForceData&) override {}
 
   /// The last to be called of a contact.
@@ -101,6 +104,16 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
   }
 
  private:
+  [[gnu::noinline]] void attract_near(SurfacesCloseData& near, ForceData& on_i, ForceData& on_j) {
+    const double r = std::sqrt(near.rsq);
+    const double inverse = 1.0 / r;
+    const double normal[3] = {inverse * near.delta[0], inverse * near.delta[1],
+                              inverse * near.delta[2]};
+    if (!attract(near, r, normal, on_i, on_j)) return;
+    near.has_force_update = true;
+    if (book_) write_attraction(near, normal, r - near.radsum, on_i);
+  }
+
   bool binds(int itype, int jtype, double ri, double rj, double gap,
              const double* history) const override {
     return attraction_.binds(itype, jtype, ri, rj, gap, history);
@@ -121,6 +134,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
   void connect_book() {
     if (!wall_) Cohesion::FixContactBook::to_the_end(lmp);
     book_ = Cohesion::FixContactBook::book_of(lmp);
+    booked_ = watched_ = book_ != nullptr;
     const bool slides = has("tangential", "history");
     if (slides) places_.displacement = others_history_;
     if (has("rolling_friction", "epsd2")) places_.rolling = others_history_ + (slides ? 3 : 0);
@@ -155,8 +169,8 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
   static std::string name() { return std::string("cohesion model ") + Attraction::MODEL; }
 
   /// r: distance of i's centre from j's, or from the wall, of which radsum is then the radius of i.
-  bool attract(const SurfacesCloseData& data, double r, const double* normal, ForceData& on_i,
-               ForceData& on_j) {
+  [[gnu::noinline]] bool attract(const SurfacesCloseData& data, double r, const double* normal,
+                                 ForceData& on_i, ForceData& on_j) {
     if (!carries(data)) return false;
     const double attraction = attraction_.force({data, normal, r - data.radsum});
     for (int d = 0; d < 3; d++) {
@@ -172,6 +186,8 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
   std::unique_ptr<Cohesion::NormalModelProbe> normal_;
   std::shared_ptr<const Cohesion::ContactAdvice> advice_;
   std::shared_ptr<Cohesion::ContactBook> book_;  // null: none is kept
+  bool booked_ = false;   // all contacts are asked of their memory in this step
+  bool watched_ = false;  // all that are held are asked, and listed with a force of 0, too
   Cohesion::HistoryPlaces places_;
   int others_history_;  // place of what the tangential and the rolling model remember
 };

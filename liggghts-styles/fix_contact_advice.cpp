@@ -3,7 +3,9 @@
 
 #include <mpi.h>
 
+#include "comm.h"
 #include "contact_advice.h"
+#include "error.h"
 
 namespace LIGGGHTS {
 namespace Cohesion {
@@ -17,6 +19,29 @@ void FixContactAdvice::ask(const std::shared_ptr<const ContactAdvice>& advice) {
 void FixContactAdvice::setup(int) {
   for (const auto& asked : asked_)
     if (const auto advice = asked.lock()) advice->give();
+}
+
+int FixContactAdvice::setmask() {
+  return LAMMPS_NS::FixConst::PRE_EXCHANGE | LAMMPS_NS::FixConst::POST_RUN;
+}
+
+void FixContactAdvice::pre_exchange() {
+  for (const auto& warning : late_) {
+    if (warning->said) continue;
+    const int here = warning->due;
+    int anywhere = 0;
+    MPI_Allreduce(&here, &anywhere, 1, MPI_INT, MPI_MAX, world);
+    if (!anywhere) continue;
+    warning->said = true;
+    if (comm->me == 0) error->warning(FLERR, warning->text.c_str());
+  }
+}
+
+std::shared_ptr<LateWarning> FixContactAdvice::late_warning(const std::string& text) {
+  for (const auto& warning : late_)
+    if (warning->text == text) return warning;
+  late_.push_back(std::make_shared<LateWarning>(LateWarning{text}));
+  return late_.back();
 }
 
 }  // namespace Cohesion

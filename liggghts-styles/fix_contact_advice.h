@@ -3,6 +3,7 @@
 #define COHESION_FIX_CONTACT_ADVICE_H
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "fix.h"
@@ -12,8 +13,16 @@ namespace Cohesion {
 
 class ContactAdvice;
 
-/// Lets the contact models of pairs and walls say what to expect of a run, before its first step.
-/// Hidden (hidden_fix.h). Costs no step anything.
+/// What a step may find wrong, on any rank and in any of the models that share it.
+struct LateWarning {
+  std::string text;
+  bool due = false;   ///< on this rank
+  bool said = false;  ///< on all
+};
+
+/// Lets the contact models of pairs and walls say what to expect of a run before its first step,
+/// and once what went wrong in a step: when lists are made next, or when the run ends. Hidden
+/// (hidden_fix.h).
 class FixContactAdvice : public LAMMPS_NS::Fix {
  public:
   static constexpr const char* STYLE = "cohesion_advice";
@@ -21,14 +30,20 @@ class FixContactAdvice : public LAMMPS_NS::Fix {
   FixContactAdvice(LAMMPS_NS::LAMMPS* engine, int count, char** words)
       : Fix(engine, count, words) {}
 
-  int setmask() override { return 0; }
+  int setmask() override;
   void setup(int) override;
+  void pre_exchange() override;
+  void post_run() override { pre_exchange(); }
 
   /// One that is gone is asked no more.
   void ask(const std::shared_ptr<const ContactAdvice>&);
 
+  /// The one of this text. To be asked for on all ranks.
+  std::shared_ptr<LateWarning> late_warning(const std::string& text);
+
  private:
   std::vector<std::weak_ptr<const ContactAdvice>> asked_;
+  std::vector<std::shared_ptr<LateWarning>> late_;
 };
 
 }  // namespace Cohesion

@@ -121,6 +121,7 @@ cohesion::hamaker::Parameters HamakerAttraction::scaled(const cohesion::hamaker:
 
 ContactRange HamakerAttraction::range() const {
   ContactRange range;
+  if (!acts_) return range;  // the engine looks as far as it does without
   range.gap = outer_cutoff_;
   range.source = outer_property;
   return range;

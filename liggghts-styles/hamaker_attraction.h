@@ -42,6 +42,8 @@ class HamakerAttraction : public AttractionEnergy {
     const double reach = near.radsum + outer_cutoff_;
     return near.rsq > reach * reach * (1.0 + 1e-12);
   }
+  static constexpr bool idles(const ContactModels::SurfacesCloseData&) { return false; }
+  static constexpr bool idles_in_contact(const ContactModels::SurfacesCloseData&) { return false; }
 
   bool binds(int itype, int jtype, double, double, double gap, const double*) const {
     return gap < outer_cutoff_ && attracts(itype, jtype);

@@ -5,16 +5,16 @@
 
 #include "atom.h"
 #include "contact_models.h"
-#include "error.h"
 #include "event_stepping/sampled_well.h"
+#include "fix_contact_advice.h"
 #include "fix_mesh_surface.h"
 #include "fix_wall_gran.h"
 #include "global_properties.h"
+#include "hidden_fix.h"
 #include "mesh_contact.h"
 #include "pair_gran.h"
 #include "property_registry.h"
 #include "square_well_attraction.h"
-#include "update.h"
 
 namespace LIGGGHTS {
 namespace Cohesion {
@@ -25,19 +25,10 @@ constexpr const char* asked_for_by = "cohesion model square_well";
 constexpr const char* depth_property = "wellDepth";
 constexpr const char* ratio_property = "wellRatio";
 
-/// How far beyond the edge the model sees, over the radius: a pair that leaves its well must be
-/// seen outside, so it must not move farther than this in a step. Every pair that the engine shows
-/// costs: of a dense gas a tenth takes half as long again.
-constexpr double margin_beyond_edge = 0.02;
-
-/// The same where nothing acts: the tangential model forgets its spring when it sees the pair
-/// apart.
-constexpr double margin_to_forget = 0.01;
-
-// What is remembered of a contact.
-enum { STATE, IMPULSE, LAST_STEP, REMEMBERED };
-// STATE; the engine gives a new contact zeros.
-constexpr double unknown = 0.0, outside = 1.0, inside = 2.0;
+constexpr const char* too_far =
+    "cohesion model square_well: a pair leaves its well by more than 0.01 of the radii in one "
+    "step, "
+    "beyond which it is not seen, and may keep its D: use a smaller time step";
 
 MatrixProperty* make_depth(PropertyRegistry& registry, const char* caller, bool) {
   return MODEL_PARAMS::createPerTypePairProperty(registry, depth_property, caller);
@@ -54,7 +45,7 @@ SquareWellAttraction::SquareWellAttraction(LAMMPS* lmp, IContactHistorySetup* ow
   // "0": the same seen from the other particle.
   offset_ = owner->add_history_value("wellState", "0");
   owner->add_history_value("wellImpulse", "0");
-  owner->add_history_value("wellLastStep", "0");
+  if (wall) owner->add_history_value("wellLastStep", "0");
 }
 
 void SquareWellAttraction::connect(PropertyRegistry& registry, const NormalModelProbe&) {
@@ -72,42 +63,29 @@ void SquareWellAttraction::connect(PropertyRegistry& registry, const NormalModel
         const cohesion::square_well::Parameters well{depth[i][j], ratio[i], ratio[j]};
         acts_ = acts_ || well.depth > 0.0;
         cohesion::square_well::require_valid(well);
-        return well;
+        return Well{well, cohesion::square_well::edge_bounds(well, wall_)};
       },
       [&](int i, int j) {
         return shown(depth_property, depth[i][j]) + ", " + shown(ratio_property, ratio[i]) +
                " and " + shown(ratio_property, ratio[j]);
       });
+  if (acts_) too_far_ = hidden_fix<FixContactAdvice>(lmp_).late_warning(too_far);
   largest_ratio_ = *std::max_element(ratio + 1, ratio + types + 1);
 }
 
 ContactRange SquareWellAttraction::range() const {
   ContactRange range;
-  if (!acts_) {
-    range.margin = margin_to_forget;
-    return range;
-  }
+  if (!acts_) return range;  // the engine looks as far as it does without
   range.ratio = largest_ratio_ - 1.0;
-  range.margin = margin_beyond_edge;
+  range.margin = MARGIN;
   range.source = "the width (wellRatio - 1) r of the well";
   return range;
 }
 
 bool SquareWellAttraction::binds(int itype, int jtype, double ri, double rj, double gap,
                                  const double* history) const {
-  if (!acts_) return gap < cohesion::square_well::width(wells_.of(itype, jtype), ri, rj);
+  if (!acts_) return gap < cohesion::square_well::width(wells_.of(itype, jtype).well, ri, rj);
   return history && history[offset_ + STATE] == inside;
-}
-
-bool SquareWellAttraction::rests(const ContactModels::SurfacesCloseData& near, bool watched) const {
-  if (watched || near.mesh || !near.computeflag || !near.shearupdate) return false;
-  const double* const history = near.contact_history + offset_;
-  if (history[STATE] != outside || history[IMPULSE] != 0.0) return false;
-  const double edge =
-      near.radsum + cohesion::square_well::width(wells_.of(near.itype, near.jtype), near.radi,
-                                                 near.is_wall ? 0.0 : near.radj);
-  // Where rounding could decide, step() does.
-  return near.rsq > edge * edge * (1.0 + 1e-12);
 }
 
 double SquareWellAttraction::force(const Encounter& e) {
@@ -119,7 +97,7 @@ double SquareWellAttraction::force(const Encounter& e) {
 
 void SquareWellAttraction::step(const Encounter& e, double* history) {
   const auto& d = e.data;
-  const cohesion::square_well::Parameters& well = wells_.of(d.itype, d.jtype);
+  const cohesion::square_well::Parameters& well = wells_.of(d.itype, d.jtype).well;
   const double width = cohesion::square_well::width(well, d.radi, d.is_wall ? 0.0 : d.radj);
   bool within = was_inside(e, history, width);
   if (d.shearupdate) {
@@ -132,25 +110,14 @@ void SquareWellAttraction::step(const Encounter& e, double* history) {
   // One that is held at the edge turns round.
   if (within && e.gap < width && well.depth > 0.0) look_ahead(e);
   history[STATE] = within ? inside : outside;
-  history[LAST_STEP] = static_cast<double>(lmp_->update->ntimestep);
-  if (!d.contact_flags) return;
-  // Without this flag the engine forgets the contact when it makes a new list.
-  if (within || history[IMPULSE] != 0.0)
-    *d.contact_flags |= ContactModels::CONTACT_COHESION_MODEL;
-  else
-    *d.contact_flags &= ~ContactModels::CONTACT_COHESION_MODEL;
+  if (d.mesh) history[LAST_STEP] = static_cast<double>(lmp_->update->ntimestep);
+  remember(d, within || history[IMPULSE] != 0.0);
 }
 
 /// Warns of a pair that could be beyond what the engine shows when the next step finds it.
 void SquareWellAttraction::look_ahead(const Encounter& e) {
-  const double seen = (largest_ratio_ - 1.0 + margin_beyond_edge) * e.data.radsum;
-  if (warned_ || e.gap - lmp_->update->dt * approach(e) <= seen) return;
-  warned_ = true;
-  lmp_->error->warning(
-      FLERR,
-      "cohesion model square_well: a pair leaves its well by more than 0.02 of the "
-      "radii in one step, beyond which it is not seen, and may keep its D: use a "
-      "smaller time step");
+  const double seen = (largest_ratio_ - 1.0 + MARGIN) * e.data.radsum;
+  if (e.gap - lmp_->update->dt * approach(e) > seen) too_far_->due = true;
 }
 
 bool SquareWellAttraction::was_inside(const Encounter& e, double* history, double width) const {

@@ -3,13 +3,16 @@
 #define COHESION_SQUARE_WELL_ATTRACTION_H
 
 #include <cmath>
+#include <memory>
 
 #include "contact_book.h"
 #include "contact_range.h"
 #include "encounter.h"
+#include "lammps.h"
 #include "normal_model_probe.h"
 #include "square_well/parameters.h"
 #include "table_of_types.h"
+#include "update.h"
 
 namespace LAMMPS_NS {
 class PairGran;
@@ -18,10 +21,12 @@ class PairGran;
 namespace LIGGGHTS {
 namespace Cohesion {
 
+struct LateWarning;
+
 /// Of the cohesion model square_well: event_stepping/sampled_well.h, the impulse at the edge spread
 /// over the step. What it remembers of each contact goes with the engine's contact history through
 /// exchange and restart.
-class SquareWellAttraction : public AttractionEnergy {
+class SquareWellAttraction final : public AttractionEnergy {
  public:
   static constexpr const char* MODEL = "square_well";
 
@@ -38,22 +43,75 @@ class SquareWellAttraction : public AttractionEnergy {
   /// What is remembered of wells before has to be followed even when there is none any more.
   bool acts() const { return acts_; }
   /// Known to be outside and still there: most of the pairs that it has to see.
-  bool rests(const ContactModels::SurfacesCloseData& near, bool watched) const;
+  bool rests(const ContactModels::SurfacesCloseData& near, bool booked) const {
+    return !booked && was(outside, near) && near.rsq > bounds(near).outside * square_of_radii(near);
+  }
+  /// Known to be inside and still there, and too slow to fly out of sight, of which step() warns.
+  bool idles(const ContactModels::SurfacesCloseData& near) const {
+    return near.rsq < bounds(near).inside * square_of_radii(near) && idles_in_contact(near);
+  }
+  bool idles_in_contact(const ContactModels::SurfacesCloseData& d) const {
+    if (!was(inside, d)) return false;
+    const double speed[3] = {d.v_j[0] - d.v_i[0], d.v_j[1] - d.v_i[1], d.v_j[2] - d.v_i[2]};
+    const double dt = lmp_->update->dt;
+    if ((speed[0] * speed[0] + speed[1] * speed[1] + speed[2] * speed[2]) * (dt * dt) >
+        MARGIN * MARGIN * square_of_radii(d))
+      return false;
+    remember(d, true);
+    return true;
+  }
 
   /// While the pair is in its well.
   bool binds(int itype, int jtype, double ri, double rj, double gap, const double* history) const;
   /// rj infinite: beside a wall.
   cohesion::contact::Adhesion adhesion(int itype, int jtype, double ri, double rj) const {
-    return cohesion::square_well::adhesion_of(wells_.of(itype, jtype), ri,
+    return cohesion::square_well::adhesion_of(wells_.of(itype, jtype).well, ri,
                                               std::isfinite(rj) ? rj : 0.0);
   }
 
   double force(const Encounter& encounter);
   double energy(int itype, int jtype, double, double, double, bool inside) const override {
-    return inside ? -wells_.of(itype, jtype).depth : 0.0;
+    return inside ? -wells_.of(itype, jtype).well.depth : 0.0;
   }
 
  private:
+  /// How far beyond the edge the model sees, over the radius: a pair that leaves its well must be
+  /// seen outside, so it must not move farther than this in a step. Every pair that the engine
+  /// shows costs: of a dense gas a tenth takes half as long again.
+  static constexpr double MARGIN = 0.01;
+
+  // What is remembered of a contact; the last beside walls alone, for contacts with meshes.
+  enum { STATE, IMPULSE, LAST_STEP };
+  // STATE; the engine gives a new contact zeros.
+  static constexpr double unknown = 0.0, outside = 1.0, inside = 2.0;
+
+  struct Well {
+    cohesion::square_well::Parameters well;
+    cohesion::square_well::EdgeBounds bounds;
+  };
+
+  /// Whether a step begins with the pair there, and with no impulse that has to be taken back.
+  bool was(double state, const ContactModels::SurfacesCloseData& d) const {
+    const double* const history = d.contact_history + offset_;
+    return history[STATE] == state && history[IMPULSE] == 0.0 &&
+           !(d.is_wall && (d.mesh || !d.computeflag || !d.shearupdate));
+  }
+  const cohesion::square_well::EdgeBounds& bounds(const ContactModels::SurfacesCloseData& d) const {
+    return wells_.of(d.itype, d.jtype).bounds;
+  }
+  static double square_of_radii(const ContactModels::SurfacesCloseData& d) {
+    return d.radsum * d.radsum;
+  }
+
+  /// Without this flag the engine forgets the contact when it makes a new list.
+  static void remember(const ContactModels::SurfacesCloseData& near, bool something) {
+    if (!near.contact_flags) return;
+    if (something)
+      *near.contact_flags |= ContactModels::CONTACT_COHESION_MODEL;
+    else
+      *near.contact_flags &= ~ContactModels::CONTACT_COHESION_MODEL;
+  }
+
   void step(const Encounter& encounter, double* history);
   void look_ahead(const Encounter& encounter);
   bool was_inside(const Encounter& encounter, double* history, double width) const;
@@ -64,11 +122,11 @@ class SquareWellAttraction : public AttractionEnergy {
   LAMMPS_NS::PairGran* pair_;     // null for walls
   LAMMPS_NS::FixWallGran* wall_;  // null for pairs
   int offset_;                    // of what is remembered in the history of a contact
-  TableOfTypes<cohesion::square_well::Parameters> wells_;
+  TableOfTypes<Well> wells_;
   double largest_ratio_ = 1.0;
   bool acts_ = false;
   bool connected_ = false;
-  bool warned_ = false;  // that a pair flies too far in a step
+  std::shared_ptr<LateWarning> too_far_;  // a pair flies too far in a step; null: there is no well
 };
 
 }  // namespace Cohesion

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "contact/adhesion.h"
@@ -44,6 +45,22 @@ inline double edge(const Parameters& p, double radius_i, double radius_j) {
 /// Gap at the edge, [length]; radius_j = 0 beside a wall.
 inline double width(const Parameters& p, double radius_i, double radius_j) {
   return (p.ratio_i - 1.0) * radius_i + (p.ratio_j - 1.0) * radius_j;
+}
+
+/// Squares of distances of two centres over the sum of their radii: below `inside` any pair of
+/// these materials is inside, above `outside` it is outside.
+struct EdgeBounds {
+  double inside;   ///< [1]
+  double outside;  ///< [1]
+};
+
+/// Beside a wall the sum of the radii is that of the one sphere, and the distance that of its
+/// centre. Where rounding could decide, neither bound does.
+inline EdgeBounds edge_bounds(const Parameters& p, bool wall) {
+  constexpr double rounding = 1e-12;
+  const double other = wall ? p.ratio_i : p.ratio_j;
+  const double least = std::min(p.ratio_i, other), most = std::max(p.ratio_i, other);
+  return {least * least * (1.0 - rounding), most * most * (1.0 + rounding)};
 }
 
 /// The well as an adhesion: no force, all of its energy at the edge.

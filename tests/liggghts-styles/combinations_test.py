@@ -7,7 +7,8 @@ import unittest
 
 from engine import EPSILON, Run
 from mesh import rectangle, stl, wall
-from scene import MASS, OUT, RADIUS, hamaker, part, script, sphere, square_well
+from parted_contacts_test import three_in_a_row
+from scene import MASS, OUT, RADIUS, frames, hamaker, part, script, sphere, square_well
 
 NORMAL = ["hooke", "hooke/stiffness", "hertz", "hertz/stiffness"]
 TANGENTIAL = ["off", "no_history", "history"]
@@ -66,6 +67,18 @@ class Combinations(unittest.TestCase):
         for name, models in itertools.product(("hamaker off", "square_well off"), MODELS):
             with self.subTest(cohesion=name, models=models):
                 self.assertEqual(self.frames[name, models], self.frames["none", models])
+
+    def test_nor_do_its_contacts_end_otherwise(self):
+        """Two touch, part and touch again between two lists: the engine goes on with their friction."""
+        def path(words="", properties="", how="launcher", extra=""):
+            models = f"model hooke/stiffness tangential history{words}"
+            return frames(three_in_a_row(), models, properties, how=how, dt=1e-6, steps=1200, every=100, skin=3e-4,
+                          extra=extra)
+        own = path(how="stock")
+        for name in ("hamaker off", "square_well off"):
+            self.assertEqual(path(*COHESION[name]), own, name)
+        seen_apart = path(extra="neigh_modify contact_distance_factor 1.01\n")
+        self.assertNotEqual(seen_apart, own, "this scene would not show it")
 
     def test_the_contacts_of_this_scene_do_what_their_models_say(self):
         # That the last test compares something: all combinations differ in force or torque.

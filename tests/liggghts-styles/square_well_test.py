@@ -76,15 +76,28 @@ class Edge(unittest.TestCase):
                     self.assertLess(along, 0.0)
 
     def test_a_pair_that_flies_too_far_in_a_step_is_warned_of(self):
-        # Found next 0.02 of the radii beyond the edge at most, and its D is paid; or farther, and it keeps it.
-        for way, paid in ((1.5e-5, DEPTH), (3e-5, 0.0)):
+        # Found next 0.01 of the radii beyond the edge at most, and its D is paid; or farther, and it keeps it.
+        for way, paid in ((1.1e-5, DEPTH), (1.3e-5, 0.0)):
             with self.subTest(way=way):
                 dt = 1e-6
                 speed = way / dt
                 run = Run(script(list(couples([(8e-6, speed, 0.0)])), MODELS, square_well(DEPTH), dt=dt, steps=4))
                 end, start = energy(run.frames("out.txt")[-1], 1), 0.5 * MU * speed**2
                 self.assertAlmostEqual(end, start - paid, delta=self.ROUNDING * start)
-                self.assertEqual(run.printed.count("leaves its well by more than 0.02"), int(paid == 0.0))
+                self.assertEqual(run.printed.count("leaves its well by more than 0.01"), int(paid == 0.0))
+
+    def test_it_is_warned_of_once(self):
+        # Pairs, and spheres beside a wall, on both ranks; then on the second alone.
+        dt = 1e-5
+        speed = (WIDTH / 2 + 0.03 * DIAMETER) / dt
+        for ranks, sides in ((1, (-1, 1)), (2, (-1, 1)), (2, (1,))):
+            spheres = [s for side in sides for s in couples([(8e-6, speed, 0.0)], (6e-3 * side, -9e-3, 0))]
+            spheres += [sphere((5e-3 * side, 0, -1e-2 + RADIUS + 1e-6), (0, 0, speed)) for side in sides]
+            run = Run(script(spheres, MODELS, square_well(DEPTH), walls=["primitive type 2 zplane -1e-2"], dt=dt,
+                             run="run 4\nrun 4\n"), ranks=ranks)
+            with self.subTest(ranks=ranks, sides=sides):
+                self.assertEqual(run.returncode, 0)
+                self.assertEqual(run.printed.count("leaves its well by more than"), 1)
 
     def test_pairs_of_unequal_spheres_have_their_own_edge(self):
         # The edge where the centres are ratio r_i + ratio r_j apart.

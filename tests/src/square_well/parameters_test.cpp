@@ -15,6 +15,23 @@ TEST(WellParameters, EdgeIsTheSumOfBothOuterRadii) {
   EXPECT_DOUBLE_EQ(width(p, 2.0, 0.0), 1.0);  // beside a wall: (ratio - 1) r
 }
 
+TEST(WellParameters, BoundsOfTheEdgeHoldForAnyRadii) {
+  for (const Parameters& p :
+       {well(0.3, 1.01), Parameters{0.3, 1.5, 1.25}, Parameters{0.3, 1.0, 2.0}})
+    for (const double other : {1e-3, 0.5, 1.0, 7.0, 1e3}) {
+      const double share = edge(p, 1.0, other) / (1.0 + other);
+      EXPECT_LT(edge_bounds(p, false).inside, share * share);
+      EXPECT_GT(edge_bounds(p, false).outside, share * share);
+    }
+  // The nearest that they can be: those of a material with itself, and beside a wall, whose ratio
+  // counts nothing.
+  for (const EdgeBounds& b :
+       {edge_bounds(well(0.3, 1.5), false), edge_bounds({0.3, 1.5, 9.0}, true)}) {
+    EXPECT_NEAR(b.inside, 2.25, 1e-11);
+    EXPECT_NEAR(b.outside, 2.25, 1e-11);
+  }
+}
+
 TEST(WellParameters, UnlikeMaterialsTakeTheMeanDepthAndEachItsRatio) {
   const Parameters m = mixed(well(0.2, 1.5), well(0.8, 1.1));
   EXPECT_DOUBLE_EQ(m.depth, 0.4);
