@@ -129,7 +129,7 @@ class CohesiveContact {
   PairMotion alone(const PairMotion& grid, const PairStep& normal, const Vector3& memory) const {
     PairMotion change{normal.change, {}, {}};
     if (!FRICTION || normal.normal.contact_time == 0.0) return change;
-    const FrictionStep sliding = friction(grid, nullptr, normal, memory);
+    FrictionStep sliding = friction(grid, nullptr, normal, memory);
     change.relative.velocity += inverse_mass_ * sliding.spring.impulse;
     change.spin_i = spin_share_i_ * sliding.torque_i;
     change.spin_j = spin_share_j_ * sliding.torque_j;
@@ -161,7 +161,7 @@ class CohesiveContact {
     if (by_rolling) u.by_partner = surface_velocity({}, {{}, by_rolling->i, by_rolling->j});
     const double answer = inverse_mass_ + square * (lever_i * lever_i * spin_share_i_ +
                                                     lever_j * lever_j * spin_share_j_);
-    const SpringStep step = follow_spring(tangential_, normal, window_, plane, memory, u, answer);
+    SpringStep step = follow_spring(tangential_, normal, window_, plane, memory, u, answer);
     const Vector3 turn = cross(r, step.spring.impulse);
     return {step.spring, step.memory, -lever_i * turn, -lever_j * turn};
   }
@@ -189,7 +189,7 @@ class CohesiveContact {
     const auto rolling_velocity = [&](const Vector3& spin_i, const Vector3& spin_j) {
       return CohesiveContact::rolling_velocity(plane, spin_i, spin_j);
     };
-    const SpringStep step = follow_spring(
+    SpringStep step = follow_spring(
         tangential_.with_friction(rolling_friction_), normal, window_, plane, memory,
         {rolling_velocity(grid.spin_i, grid.spin_j), rolling_velocity(others.spin_i, others.spin_j),
          rolling_velocity(by_friction.i, by_friction.j)},
