@@ -123,17 +123,20 @@ void PairGranCohesive<Cohesion>::find_active(Contacts<Contact>& contacts) {
                10.0 * flights * step->flight());
   close.update(*list, reach, history->firstflag);
 
+  int* const* const flags = history->firstflag;
+  double* const* const values_of = history->firstvalue;
   for (const ClosePair& pair : close) {
     const int i = pair.i, j = pair.j;
     if (!moves(i, j)) continue;
-    int& kept = history->firstflag[i][pair.place];
+    int& kept = flags[i][pair.place];
+    double* const values = values_of[i] + per_pair * pair.place;
     const int c = contact(contacts, i, j);
-    const RelativeState grid = on_grid(i, j);
-    if (!kept && !contacts.all[c].within_reach(grid)) continue;
-    double* const values = &history->firstvalue[i][per_pair * pair.place];
-    if (!kept) std::fill_n(values, per_pair, 0.0);
-    // A pair that a run starts with is where it is; it did not fall into the range.
-    if (first && !kept) values[0] = closer(contacts.all[c].range(), i, j);
+    if (!kept) {
+      if (!contacts.all[c].within_reach(on_grid(i, j))) continue;
+      std::fill_n(values, per_pair, 0.0);
+      // A pair that a run starts with is where it is; it did not fall into the range.
+      if (first) values[0] = closer(contacts.all[c].range(), i, j);
+    }
     active.push_back({i, j, c, false, &kept, values});
     if (!Contact::acts_within_step) continue;
     step->announce(i);
