@@ -8,6 +8,9 @@
 
 // What pairs and walls of the event scheme share: following a contact the second time, and handing
 // what it does on to the engine.
+//
+// Here, and where the laws of a step are, local variables of a struct type are not `const`: GCC 12
+// keeps such in memory, the others in registers, which costs a sampled contact a tenth.
 
 namespace LAMMPS_NS {
 
@@ -68,31 +71,33 @@ inline cohesion::event_stepping::PairMotion without(
   return others;
 }
 
-/// The second pass: with half of what the other contacts of its particles do, `others`, and what
-/// the contact's own rolling spring does (nullptr: it has none).
+/// The second pass: with half of what the other contacts of its particles do, `others` (nullptr:
+/// nothing within the step), and what the contact's own rolling spring does (nullptr: it has none).
 template <bool FRICTION, class Contact>
 FollowedContact follow_with_others(const Contact& c,
                                    const cohesion::event_stepping::PairMotion& grid,
-                                   const cohesion::event_stepping::PairMotion& others,
+                                   const cohesion::event_stepping::PairMotion* others,
                                    const cohesion::event_stepping::PairSpins* by_rolling,
                                    double* history) {
-  const cohesion::event_stepping::RelativeState middle{
-      grid.relative.separation + 0.5 * others.relative.separation,
-      grid.relative.velocity + 0.5 * others.relative.velocity};
-  FollowedContact now{c.advance(middle, history[0] != 0.0), {}, {}};
-  now.impulse = c.reduced_mass() * now.normal.change.velocity;
-  if (FRICTION) {
-    if (now.normal.normal.contact_time > 0.0) {
-      now.sliding = c.friction(grid, &others, now.normal, vector(history + 1), by_rolling);
-      now.impulse += now.sliding.spring.impulse;
-    }
-    const cohesion::Vector3& memory = now.sliding.memory;
-    history[1] = memory.x;
-    history[2] = memory.y;
-    history[3] = memory.z;
+  cohesion::event_stepping::RelativeState middle = grid.relative;
+  if (others) {
+    middle.separation += 0.5 * others->relative.separation;
+    middle.velocity += 0.5 * others->relative.velocity;
   }
-  history[0] = now.normal.inside;
-  return now;
+  cohesion::event_stepping::PairStep normal = c.advance(middle, history[0] != 0.0);
+  cohesion::event_stepping::FrictionStep sliding;
+  cohesion::Vector3 impulse = c.reduced_mass() * normal.change.velocity;
+  if (FRICTION) {
+    if (normal.normal.contact_time > 0.0) {
+      sliding = c.friction(grid, others, normal, vector(history + 1), by_rolling);
+      impulse += sliding.spring.impulse;
+    }
+    history[1] = sliding.memory.x;
+    history[2] = sliding.memory.y;
+    history[3] = sliding.memory.z;
+  }
+  history[0] = normal.inside;
+  return {normal, sliding, impulse};
 }
 
 /// The first pass of what resists rolling: with half of what the rest of the contact does, `own`.
@@ -155,14 +160,14 @@ class ContactScatter {
   /// Force that stands for an impulse.
   double kick() const { return kick_; }
 
-  template <bool FRICTION>
-  void on_i(int i, double share, const FollowedContact& c) const {
-    act(i, -1.0, share, c);
+  template <bool FRICTION, class Contact>
+  void on_i(int i, const Contact& contact, const FollowedContact& c) const {
+    act<Contact::acts_within_step>(i, -1.0, contact.share_i(), c);
     if (FRICTION) add(torque_[i], kick_, c.sliding.torque_i);
   }
-  template <bool FRICTION>
-  void on_j(int j, double share, const FollowedContact& c) const {
-    act(j, 1.0, share, c);
+  template <bool FRICTION, class Contact>
+  void on_j(int j, const Contact& contact, const FollowedContact& c) const {
+    act<Contact::acts_within_step>(j, 1.0, contact.share_j(), c);
     if (FRICTION) add(torque_[j], kick_, c.sliding.torque_j);
   }
 
@@ -196,10 +201,12 @@ class ContactScatter {
   }
 
  private:
+  /// What is sampled changes velocities alone: no particle is announced for it, and none shifted.
+  template <bool SHIFTS>
   void act(int i, double side, double share, const FollowedContact& c) const {
     const double kick = side * kick_;
     add(f_[i], kick, c.impulse);
-    add(step_->shift[i], side * share, c.normal.change.separation);
+    if (SHIFTS) add(step_->shift[i], side * share, c.normal.change.separation);
     if (step_->book.kept)
       step_->note_force(i, kick * c.impulse.x, kick * c.impulse.y, kick * c.impulse.z);
   }

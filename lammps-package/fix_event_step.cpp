@@ -41,8 +41,8 @@ FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
       starting(false),
       running(false),
       last_dt(0.0),
+      holds_last(false),
       last(nullptr),
-      contact_force(nullptr),
       contacts(nullptr),
       inverse_mass(nullptr),
       longest_flight(0.0),
@@ -66,7 +66,6 @@ FixEventStep::~FixEventStep() {
   memory->destroy(alone);
   memory->destroy(shift);
   memory->destroy(last);
-  memory->destroy(contact_force);
   memory->destroy(contacts);
   memory->destroy(inverse_mass);
 }
@@ -219,6 +218,7 @@ void FixEventStep::initial_integrate(int) {
       atom->torque[i][k] = ratio * last[i][3 + k];
     }
   resuming = false;
+  hold_last(false);
 }
 
 void FixEventStep::pre_force(int) {
@@ -233,12 +233,13 @@ void FixEventStep::clear() {
   look_round();
   look_for_readers();
   if (!book.kept) return;
-  if (all > 0) std::fill_n(contact_force[0], 3 * all, 0.0);
+  contact_force.assign(3 * all, 0.0);
   book.spring = book.tangential_spring = book.rolling_spring = book.adhesion = 0.0;
 }
 
 void FixEventStep::look_for_readers() {
   book.kept = book_readers.use_count() > 1;
+  if (!book.kept) contact_force = std::vector<double>();
   flux_wanted = flux_readers.use_count() > 1;
 }
 
@@ -251,7 +252,7 @@ void FixEventStep::end_of_step() {
   for (int i = 0; i < atom->nlocal; i++) {
     if (inverse_mass[i] == 0.0) continue;
     for (int k = 0; k < 3; k++)
-      work += (atom->f[i][k] - contact_force[i][k] - weight[3 * i + k]) * atom->v[i][k];
+      work += (atom->f[i][k] - contact_force[3 * i + k] - weight[3 * i + k]) * atom->v[i][k];
   }
   book.external_work += update->dt * work;
 }
@@ -267,11 +268,21 @@ void FixEventStep::post_run() {
   report_unresolved();
   running = false;
   if (resuming) return;  // no step was made: what was taken over is what the next run goes on from
+  hold_last(true);
   for (int i = 0; i < atom->nlocal; i++) {
     std::copy_n(atom->f[i], 3, last[i]);
     std::copy_n(atom->torque[i], 3, last[i] + 3);
   }
   last_dt = update->dt;
+}
+
+/// Alike on all ranks: particles bring what is held when they change rank.
+void FixEventStep::hold_last(bool holds) {
+  holds_last = holds;
+  if (holds)
+    memory->grow(last, atom->nmax, 6, "event_step:last");
+  else
+    memory->destroy(last);
 }
 
 void FixEventStep::report_unresolved() {
@@ -312,21 +323,26 @@ void FixEventStep::grow_arrays(int nmax) {
   memory->grow(alone, nmax, ALONE, "event_step:alone");
   memory->grow(contacts, nmax, "event_step:contacts");
   memory->grow(shift, nmax, 3, "event_step:shift");
-  memory->grow(last, nmax, 6, "event_step:last");
-  memory->grow(contact_force, nmax, 3, "event_step:contact_force");
+  if (holds_last) memory->grow(last, nmax, 6, "event_step:last");
   memory->grow(inverse_mass, nmax, "event_step:inverse_mass");
 }
 
-void FixEventStep::copy_arrays(int i, int j, int) { std::copy_n(last[i], 6, last[j]); }
+void FixEventStep::copy_arrays(int i, int j, int) {
+  if (holds_last) std::copy_n(last[i], 6, last[j]);
+}
 
-void FixEventStep::set_arrays(int i) { std::fill_n(last[i], 6, 0.0); }
+void FixEventStep::set_arrays(int i) {
+  if (holds_last) std::fill_n(last[i], 6, 0.0);
+}
 
 int FixEventStep::pack_exchange(int i, double* buf) {
+  if (!holds_last) return 0;
   std::copy_n(last[i], 6, buf);
   return 6;
 }
 
 int FixEventStep::unpack_exchange(int i, double* buf) {
+  if (!holds_last) return 0;
   std::copy_n(buf, 6, last[i]);
   return 6;
 }
@@ -338,13 +354,21 @@ void FixEventStep::write_restart(FILE* fp) {
   fwrite(running ? &update->dt : &last_dt, sizeof(double), 1, fp);
 }
 
-void FixEventStep::restart(char* buf) { memcpy(&last_dt, buf, sizeof(double)); }
+void FixEventStep::restart(char* buf) {
+  memcpy(&last_dt, buf, sizeof(double));
+  hold_last(last_dt > 0.0);
+}
 
 int FixEventStep::pack_restart(int i, double* buf) {
   buf[0] = 7;
-  // Between runs the engine's own forces may have stayed behind when particles changed rank.
-  std::copy_n(running ? atom->f[i] : last[i], 3, buf + 1);
-  std::copy_n(running ? atom->torque[i] : last[i] + 3, 3, buf + 4);
+  std::fill_n(buf + 1, 6, 0.0);  // before the first run
+  if (running) {
+    std::copy_n(atom->f[i], 3, buf + 1);
+    std::copy_n(atom->torque[i], 3, buf + 4);
+  } else if (holds_last) {
+    // The engine's own forces may have stayed behind when particles changed rank.
+    std::copy_n(last[i], 6, buf + 1);
+  }
   return 7;
 }
 
@@ -352,10 +376,14 @@ void FixEventStep::unpack_restart(int i, int nth) {
   double* const values = atom->extra[i];
   int m = 0;
   for (int n = 0; n < nth; n++) m += static_cast<int>(values[m]);
-  std::copy_n(values + m + 1, 6, last[i]);
+  if (holds_last) std::copy_n(values + m + 1, 6, last[i]);
 }
 
 int FixEventStep::maxsize_restart() { return 7; }
 int FixEventStep::size_restart(int) { return 7; }
 
-double FixEventStep::memory_usage() { return (23.0 * sizeof(double) + sizeof(int)) * atom->nmax; }
+double FixEventStep::memory_usage() {
+  const double numbers = ALONE + 3 + 1 + (holds_last ? 6 : 0);
+  return (numbers * sizeof(double) + sizeof(int)) * atom->nmax +
+         sizeof(double) * (contact_force.capacity() + weighed.capacity());
+}

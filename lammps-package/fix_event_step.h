@@ -158,9 +158,9 @@ class FixEventStep : public Fix {
 
   /// A force of a contact on particle i, for the book.
   void note_force(int i, double fx, double fy, double fz) {
-    contact_force[i][0] += fx;
-    contact_force[i][1] += fy;
-    contact_force[i][2] += fz;
+    contact_force[3 * i] += fx;
+    contact_force[3 * i + 1] += fy;
+    contact_force[3 * i + 2] += fz;
   }
 
  private:
@@ -169,6 +169,7 @@ class FixEventStep : public Fix {
   void look_for_readers();
   void look_round();
   void weigh(int all);
+  void hold_last(bool);
   void report_unresolved();
   void take_over();
   void move();
@@ -181,12 +182,13 @@ class FixEventStep : public Fix {
   bool resuming;
   bool starting;
   bool running;
-  double last_dt;  // of the step that `last` is from; 0: there was none
-  double** last;   // per atom: force and torque at the end of the last run
-  double** contact_force;
-  int* contacts;                // per atom and ghost, this step
-  double* inverse_mass;         // per atom and ghost
-  std::vector<double> weighed;  // the masses inverse_mass is of; empty: of none
+  double last_dt;   // of the step that `last` is from; 0: there was none
+  bool holds_last;  // from the end of a run to the first step of the next
+  double** last;    // per atom, while it is held: force and torque at the end of the last run
+  std::vector<double> contact_force;  // per atom and ghost, while the book is kept
+  int* contacts;                      // per atom and ghost, this step
+  double* inverse_mass;               // per atom and ghost
+  std::vector<double> weighed;        // the masses inverse_mass is of; empty: of none
   double longest_flight;
   Reader book_readers, flux_readers;  // copies of these are out
   bool flux_wanted;

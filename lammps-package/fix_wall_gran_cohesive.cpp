@@ -247,11 +247,11 @@ void FixWallGranCohesive<Cohesion>::follow_alone(std::vector<Contact>& shared) {
       const RelativeState grid{point.separation, point.velocity - vector(atom->v[i])};
       if (inside == 0.0 && !shared[c].within_reach(grid)) continue;
       active.push_back({i, w, c, point, {}});
-      step->announce(i);
       if constexpr (Contact::acts_within_step) {
+        step->announce(i);
         PairMotion& alone = active.back().alone;
-        const PairMotion turning{grid, vector(atom->omega[i]), {}};
-        const PairStep normal = shared[c].advance(grid, inside != 0.0);
+        PairMotion turning{grid, vector(atom->omega[i]), {}};
+        PairStep normal = shared[c].advance(grid, inside != 0.0);
         alone =
             shared[c].template alone<FRICTION>(turning, normal, spring_memory<FRICTION>(&inside));
         add_alone<FRICTION>(step->alone[i], -1.0, shared[c].share_i(), alone);
@@ -289,7 +289,7 @@ void FixWallGranCohesive<Cohesion>::follow_together(const std::vector<Contact>& 
     const int i = near.i;
     const Contact& c = shared[near.contact];
     const RelativeState grid{near.point.separation, near.point.velocity - vector(atom->v[i])};
-    const PairMotion turning{grid, vector(atom->omega[i]), {}};
+    PairMotion turning{grid, vector(atom->omega[i]), {}};
     double* const kept = history.of(i, near.wall);
     PairMotion others;
     if (Contact::acts_within_step)
@@ -300,12 +300,14 @@ void FixWallGranCohesive<Cohesion>::follow_together(const std::vector<Contact>& 
       by_rolling = c.rolled(rolled[&near - active.data()]);
       others = without(others, by_rolling);
     }
-    const FollowedContact now =
-        follow_with_others<FRICTION>(c, turning, others, ROLLING ? &by_rolling : nullptr, kept);
-    scatter.on_i<FRICTION>(i, c.share_i(), now);
+    constexpr bool among_others = Contact::acts_within_step;
+    FollowedContact now =
+        follow_with_others<FRICTION>(c, turning, among_others ? &others : nullptr,
+                                     ROLLING && among_others ? &by_rolling : nullptr, kept);
+    scatter.on_i<FRICTION>(i, c, now);
     scatter.book(c, 1.0, now);
     if (ROLLING) {
-      const RollingStep rolling = roll_with_others(c, turning, others, now, kept);
+      RollingStep rolling = roll_with_others(c, turning, others, now, kept);
       scatter.roll_i(i, rolling);
       scatter.book(c, 1.0, rolling);
     }

@@ -123,18 +123,22 @@ void PairGranCohesive<Cohesion>::find_active(Contacts<Contact>& contacts) {
                10.0 * flights * step->flight());
   close.update(*list, reach, history->firstflag);
 
+  int* const* const flags = history->firstflag;
+  double* const* const values_of = history->firstvalue;
   for (const ClosePair& pair : close) {
     const int i = pair.i, j = pair.j;
     if (!moves(i, j)) continue;
-    int& kept = history->firstflag[i][pair.place];
+    int& kept = flags[i][pair.place];
+    double* const values = values_of[i] + per_pair * pair.place;
     const int c = contact(contacts, i, j);
-    const RelativeState grid = on_grid(i, j);
-    if (!kept && !contacts.all[c].within_reach(grid)) continue;
-    double* const values = &history->firstvalue[i][per_pair * pair.place];
-    if (!kept) std::fill_n(values, per_pair, 0.0);
-    // A pair that a run starts with is where it is; it did not fall into the range.
-    if (first && !kept) values[0] = closer(contacts.all[c].range(), i, j);
+    if (!kept) {
+      if (!contacts.all[c].within_reach(on_grid(i, j))) continue;
+      std::fill_n(values, per_pair, 0.0);
+      // A pair that a run starts with is where it is; it did not fall into the range.
+      if (first) values[0] = closer(contacts.all[c].range(), i, j);
+    }
     active.push_back({i, j, c, false, &kept, values});
+    if (!Contact::acts_within_step) continue;
     step->announce(i);
     step->announce(j);
   }
@@ -155,8 +159,8 @@ template <bool FRICTION, bool ROLLING, class Contact>
     pair.only = !ROLLING && step->has_one_contact(i) && step->has_one_contact(j);
     if (pair.only) continue;
     const Contact& c = contacts.all[pair.contact];
-    const PairMotion motion = with_spins(on_grid(i, j), i, j);
-    const PairStep normal = c.advance(motion.relative, pair.history[0] != 0.0);
+    PairMotion motion = with_spins(on_grid(i, j), i, j);
+    PairStep normal = c.advance(motion.relative, pair.history[0] != 0.0);
     if (!normal.acts) {
       change = {};
       continue;
@@ -192,18 +196,20 @@ template <bool TALLY, bool FRICTION, bool ROLLING, class Contact>
       by_rolling = c.rolled(rolled[&pair - active.data()]);
       others = without(others, by_rolling);
     }
-    const PairMotion motion = with_spins(on_grid(i, j), i, j);
-    const FollowedContact now = follow_with_others<FRICTION>(
-        c, motion, others, ROLLING ? &by_rolling : nullptr, pair.history);
+    PairMotion motion = with_spins(on_grid(i, j), i, j);
+    constexpr bool among_others = Contact::acts_within_step;
+    FollowedContact now =
+        follow_with_others<FRICTION>(c, motion, among_others ? &others : nullptr,
+                                     ROLLING && among_others ? &by_rolling : nullptr, pair.history);
     *pair.kept = now.normal.inside;
 
     if (now.normal.acts) {
-      scatter.on_i<FRICTION>(i, c.share_i(), now);
-      if (j < nlocal) scatter.on_j<FRICTION>(j, c.share_j(), now);
+      scatter.on_i<FRICTION>(i, c, now);
+      if (j < nlocal) scatter.on_j<FRICTION>(j, c, now);
     }
     scatter.book(c, j < nlocal ? 1.0 : 0.5, now);
     if (ROLLING) {
-      const RollingStep rolling = roll_with_others(c, motion, others, now, pair.history);
+      RollingStep rolling = roll_with_others(c, motion, others, now, pair.history);
       scatter.roll_i(i, rolling);
       if (j < nlocal) scatter.roll_j(j, rolling);
       scatter.book(c, j < nlocal ? 1.0 : 0.5, rolling);

@@ -104,10 +104,11 @@ class TangentialSpring {
     return (-softened * p_.stiffness) * displacement - (softened * answer) * velocity;
   }
 
-  /// A stretch whose impulse would have to be `held`, above `limit`.
-  [[gnu::noinline]] TangentialStep slide(const Vector3& displacement, const Vector3& velocity,
-                                         double time, double inverse_mass, const Vector3& held,
-                                         double limit, double normal_force_at_end) const {
+  /// A stretch whose impulse would have to be `held`, above `limit`. Vectors by value: those of the
+  /// caller need no place in memory then, unless something slides.
+  [[gnu::noinline]] TangentialStep slide(Vector3 displacement, Vector3 velocity, double time,
+                                         double inverse_mass, Vector3 held, double limit,
+                                         double normal_force_at_end) const {
     TangentialStep step;
     const Vector3 direction = (-1.0 / norm(held)) * held;
     step.impulse = -limit * direction;

@@ -129,7 +129,7 @@ class CohesiveContact {
   PairMotion alone(const PairMotion& grid, const PairStep& normal, const Vector3& memory) const {
     PairMotion change{normal.change, {}, {}};
     if (!FRICTION || normal.normal.contact_time == 0.0) return change;
-    const FrictionStep sliding = friction(grid, nullptr, normal, memory);
+    FrictionStep sliding = friction(grid, nullptr, normal, memory);
     change.relative.velocity += inverse_mass_ * sliding.spring.impulse;
     change.spin_i = spin_share_i_ * sliding.torque_i;
     change.spin_j = spin_share_j_ * sliding.torque_j;
@@ -138,15 +138,16 @@ class CohesiveContact {
 
   /// Friction in the step that `normal` describes, followed from `grid` with half of what the other
   /// contacts of its particles do, `others` (nullptr: it has none). `memory` is what the last step
-  /// left (FrictionStep.memory); `by_rolling` what the contact's rolling spring does (nullptr: it
-  /// has none).
+  /// left (FrictionStep.memory); `by_rolling` what the contact's rolling spring does beside others
+  /// (nullptr: it has none).
   ///
   /// The lever arms of two spheres share the distance of their centres in proportion to the radii,
   /// so that angular momentum is kept exactly; beside a wall, the limit of a large sphere, the arm
   /// is the radius.
   FrictionStep friction(const PairMotion& grid, const PairMotion* others, const PairStep& normal,
                         const Vector3& memory, const PairSpins* by_rolling = nullptr) const {
-    Vector3 r = grid.relative.separation + normal.change.separation;
+    Vector3 r = grid.relative.separation;
+    if (acts_within_step) r += normal.change.separation;
     if (others) r += 0.5 * others->relative.separation;
     const double square = dot(r, r);
     const contact::Plane plane{r, 1.0 / square};
@@ -155,13 +156,19 @@ class CohesiveContact {
     const auto surface_velocity = [&](const Vector3& velocity, const PairMotion& of) {
       return CohesiveContact::surface_velocity(plane, lever_i, velocity, of.spin_i, of.spin_j);
     };
-    SpringVelocity u;
-    u.before = surface_velocity(grid.relative.velocity + 0.5 * normal.change.velocity, grid);
-    if (others) u.by_others = surface_velocity(others->relative.velocity, *others);
-    if (by_rolling) u.by_partner = surface_velocity({}, {{}, by_rolling->i, by_rolling->j});
+    SpringVelocity u(surface_velocity(grid.relative.velocity + 0.5 * normal.change.velocity, grid));
+    if (others) {
+      const Vector3 by_others = surface_velocity(others->relative.velocity, *others);
+      if (by_rolling) {
+        const Vector3 by_partner = surface_velocity({}, {{}, by_rolling->i, by_rolling->j});
+        u.add(by_others, &by_partner);
+      } else {
+        u.add(by_others, nullptr);
+      }
+    }
     const double answer = inverse_mass_ + square * (lever_i * lever_i * spin_share_i_ +
                                                     lever_j * lever_j * spin_share_j_);
-    const SpringStep step = follow_spring(tangential_, normal, window_, plane, memory, u, answer);
+    SpringStep step = follow_spring(tangential_, normal, window_, plane, memory, u, answer);
     const Vector3 turn = cross(r, step.spring.impulse);
     return {step.spring, step.memory, -lever_i * turn, -lever_j * turn};
   }
@@ -189,11 +196,11 @@ class CohesiveContact {
     const auto rolling_velocity = [&](const Vector3& spin_i, const Vector3& spin_j) {
       return CohesiveContact::rolling_velocity(plane, spin_i, spin_j);
     };
-    const SpringStep step = follow_spring(
-        tangential_.with_friction(rolling_friction_), normal, window_, plane, memory,
-        {rolling_velocity(grid.spin_i, grid.spin_j), rolling_velocity(others.spin_i, others.spin_j),
-         rolling_velocity(by_friction.i, by_friction.j)},
-        inverse_rolling_mass());
+    SpringVelocity u(rolling_velocity(grid.spin_i, grid.spin_j));
+    const Vector3 by_partner = rolling_velocity(by_friction.i, by_friction.j);
+    u.add(rolling_velocity(others.spin_i, others.spin_j), &by_partner);
+    SpringStep step = follow_spring(tangential_.with_friction(rolling_friction_), normal, window_,
+                                    plane, memory, u, inverse_rolling_mass());
     return {step.spring, step.memory, radius * step.spring.impulse};
   }
 

@@ -45,7 +45,7 @@ class SpherePair {
     if (inside && turn_in_contact(now, window.length(), step.overlap_at_end, step.normal)) {
       step.inside = true;
     } else {
-      const Followed followed = follow_events(now, window.length(), inside);
+      Followed followed = follow_events(now, window.length(), inside);
       now = followed.state;
       step.normal = followed.normal;
       step.overlap_at_end = followed.overlap;
@@ -61,7 +61,7 @@ class SpherePair {
   /// false), or `time`; `overlap` is where the surfaces are then.
   double turn(RelativeState& now, double time, bool& inside, double& overlap,
               NormalRecord& record) const {
-    const Start start = along_normal(now);
+    Start start = along_normal(now);
     Overlap surface = start.surface;
     double integral = 0.0;
     double taken = time;
@@ -103,7 +103,7 @@ class SpherePair {
   /// turn(); false, and nothing done, where that is not certain.
   bool turn_in_contact(RelativeState& now, double time, double& overlap,
                        NormalRecord& record) const {
-    const Start start = along_normal(now);
+    Start start = along_normal(now);
     Overlap surface = start.surface;
     double integral = 0.0;
     if (!motion_.advance_lasting(surface, time, start.centrifugal, integral, record)) return false;
@@ -181,7 +181,7 @@ class SpherePair {
   void cross_inwards(RelativeState& now, double distance) const {
     const Vector3 normal = (1.0 / distance) * now.separation;
     const double approach = -dot(normal, now.velocity);
-    const Overlap entered = motion_.enter({contact_distance_ - distance, approach});
+    Overlap entered = motion_.enter({contact_distance_ - distance, approach});
     now.velocity -= (entered.v - approach) * normal;
   }
 

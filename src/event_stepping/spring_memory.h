@@ -12,11 +12,23 @@ struct SpringStep {
   Vector3 memory;  ///< for the next step: the spring's displacement on the grid, [length]
 };
 
-/// How fast the ends of a spring part in a step, [length/time].
+/// How fast the ends of a spring part, [length/time].
 struct SpringVelocity {
-  Vector3 before;        ///< others act, with half of what the normal motion does
-  Vector3 by_others{};   ///< what the other contacts change of it in the whole step
-  Vector3 by_partner{};  ///< what the other spring of the same contact changes of it
+  Vector3 on_grid;  ///< between where the step begins and the grid
+  Vector3 mean;     ///< in the step, without the spring itself
+  Vector3 at_end;   ///< between where the step ends and the grid, without the spring itself
+
+  /// `before`: what others act on, with half of what the normal motion does.
+  explicit SpringVelocity(const Vector3& before) : on_grid(before), mean(before), at_end(before) {}
+
+  /// Adds what the other contacts change of it in the whole step, `by_others`, and what the other
+  /// spring of the same contact does, `by_partner` (nullptr: there is none).
+  void add(const Vector3& by_others, const Vector3* by_partner) {
+    on_grid -= 0.5 * by_others;
+    mean += 0.5 * (by_partner ? by_others + *by_partner : by_others);
+    at_end += 0.5 * by_others;
+    if (by_partner) at_end += *by_partner;
+  }
 };
 
 /// The spring over the step that `normal` describes, in the plane of contact. `memory` is what the
@@ -36,15 +48,11 @@ inline SpringStep follow_spring(const contact::TangentialSpring& law, const Pair
                                 double answer) {
   Vector3 displacement{};
   if (dot(memory, memory) > 0.0)
-    displacement =
-        plane.turned_into(memory) + window.before * (velocity.before - 0.5 * velocity.by_others);
+    displacement = plane.turned_into(memory) + window.before * velocity.on_grid;
   contact::TangentialStep spring =
-      law.advance(displacement, velocity.before + 0.5 * (velocity.by_others + velocity.by_partner),
-                  normal.normal.contact_time, answer, normal.normal.repulsion_impulse,
-                  normal.normal.repulsion_at_end);
-  Vector3 left =
-      spring.displacement - window.after * (velocity.before + 0.5 * velocity.by_others +
-                                            velocity.by_partner + answer * spring.impulse);
+      law.advance(displacement, velocity.mean, normal.normal.contact_time, answer,
+                  normal.normal.repulsion_impulse, normal.normal.repulsion_at_end);
+  Vector3 left = spring.displacement - window.after * (velocity.at_end + answer * spring.impulse);
   if (normal.overlap_at_end <= 0.0) {  // parted: what the spring still held is lost
     spring.friction += law.stored_energy(spring.displacement);
     spring.displacement = left = {};
