@@ -6,11 +6,11 @@ a wall, and a sphere that strikes two that touch.
   extremes.py LIGGGHTS_COHESION [--table FILE] [--points N] [--seed N] [--jobs N]
 
 hooke/stiffness without friction, six contact times (of the undamped spring) and the flight through a well, or into
-contact: a cut-off that takes longer than a contact time to fly through is entered on the way. Pair and
-wall are compared with the closed form: who sticks, and the energy that is left over, with which a speed is worked
-out. Three spheres are compared with a run at a sixteenth of the step: who sticks, and all velocities; a run whose step is
-so small that it warns of rounded places is no reference. Errors are relative to the largest speed that the point has:
-of impact, from the attraction, F_ad/sqrt(mu K).
+contact: a cut-off that takes longer than a contact time to fly through is entered on the way. Pair and wall are
+compared with the closed form: who sticks, and the energy that is left over, with which a speed is worked out. Three
+spheres are compared with a run at a sixteenth of the step: who sticks, and all velocities; a run whose step is so small
+that it warns of rounded places is no reference. Errors are relative to the largest speed that the point has: of impact,
+from the attraction, F_ad/sqrt(mu K).
 
 Verdicts: `right` below 0.1, what sampled forces are used for; `wrong, warned`: other, and the run said that the step
 is too large for the contact, the cut-off or the well, or too small for rounded places; `wrong, silent`: it did not;
@@ -48,9 +48,11 @@ CORNERS = {
     + [dict(A=a) for a in (0.0, 1e-21, 1e-17, 1e-16)] + [dict(cut=1e-7, A=1e-16, speed=1e-3, steps=1000.0)]
     + [dict(overlap=0.1, speed=0.0, A=a) for a in (0.0, 7.5e-19)],
     "square_well": COMMON + [dict(depth=d, width=w) for d in (0.0, 1e-3, 1e3) for w in (1e-3, 10.0)]}
+FOUND = ("right", "wrong, warned", "refused", "not set up", "no reference")
 # A spring that is too soft for its material is no reason for a wrong number.
 ROUNDED = "raise the time step to"
-WARNED = ("which pairs stick is left to chance", "the sampled scheme should have", "leaves its well by more than", ROUNDED)
+WARNED = ("which pairs stick is left to chance", "the sampled scheme should have", "leaves its well by more than",
+          ROUNDED)
 
 
 def random_point(law, random):
@@ -345,7 +347,7 @@ def report(rows):
         lines += [f"| {name_of(v)} | " + " | ".join(map(cell, r)) + f" | {brief(r[0][2])} |"
                   for name, v, corner, r in rows if name == law and corner]
         silent = [(v, r) for name, v, corner, r in rows if name == law and not corner
-                  and any(x[0] not in ("right", "wrong, warned", "refused", "not set up", "no reference") for x in r)]
+                  and any(x[0] not in FOUND for x in r)]
         lines += ["", f"Random points neither right nor warned of nor refused: {len(silent)}"]
         if silent:
             lines += ["", "| point | pair | wall | three spheres | said of the pair |", "|---|---|---|---|---|"]
