@@ -46,6 +46,8 @@ enum class Subject {
   contact_steps,    ///< steps per contact against the scheme's limits
   stability,        ///< leapfrog's limit (sampled force only)
   cutoff_steps,     ///< steps in the surface cut-off (sampled force only)
+  escape_velocity,  ///< of a square well, as far as the step decides it (sampled force only)
+  rounding,         ///< of places, against the way in a step (sampled force only)
   static_overlap,   ///< F_ad/K
   impact_overlap,   ///< of an impact at the given speed
   spring_adhesion,  ///< F_ad^2/(2 K) against the well energy
@@ -99,6 +101,31 @@ inline Verdict cutoff_steps(const ContactNumbers& n, const SchemeLimits& limits)
                           n.parameters().adhesion.cutoff / n.entry_speed(), " or ", limits.remedy)};
 }
 
+/// What 15 steps of a lightly damped contact leave open is allowed to the others, too.
+inline Verdict escape_velocity(const ContactNumbers& n, const SchemeLimits& limits) {
+  const double open = n.sampled_escape_error(), allowed = 1.0 / limits.steps_for_warning;
+  const double escape = n.escape_velocity();
+  const std::string sentence = text("the step leaves the speed below which pairs stick, ", escape,
+                                    ", open by ", 100.0 * open, " %");
+  // Two particles meet at up to twice the speed; slower pairs stick at any step.
+  const bool reached =
+      escape > 0.0 && std::isfinite(escape) && 2.0 * n.parameters().speed >= (1.0 - open) * escape;
+  if (open <= allowed || !reached) return {Subject::escape_velocity, Severity::ok, sentence};
+  return {Subject::escape_velocity, Severity::warning,
+          sentence + text(", so that which pairs stick is left to chance: for ", 100.0 * allowed,
+                          " % reduce the time step to ", n.parameters().dt * allowed / open)};
+}
+
+inline Verdict rounding(const ContactNumbers& n, const SchemeLimits& limits) {
+  const double error = n.rounding_error(), allowed = 1.0 / limits.steps_for_warning;
+  const std::string sentence = text("rounded places leave the speed of an impact at ",
+                                    n.entry_speed(), " open by up to ", 100.0 * error, " %");
+  if (error <= allowed) return {Subject::rounding, Severity::ok, sentence};
+  return {Subject::rounding, Severity::warning,
+          sentence + text(": for ", 100.0 * allowed, " % raise the time step to ",
+                          n.parameters().dt * error / allowed, " and soften the spring")};
+}
+
 /// The overlap falls as stiffness^(-1/power).
 inline Verdict overlap(Subject subject, const char* name, double over_diameter, double stiffness,
                        double power) {
@@ -134,6 +161,10 @@ inline std::vector<Verdict> advise(const ContactNumbers& n, const SchemeLimits& 
   if (limits.samples_force) verdicts.push_back(detail::stability(n));
   if (limits.samples_force && attracts && p.adhesion.cutoff > 0.0)
     verdicts.push_back(detail::cutoff_steps(n, limits));
+  // A force in the spring has an escape velocity of another kind.
+  if (limits.samples_force && !attracts && n.well_energy() > 0.0)
+    verdicts.push_back(detail::escape_velocity(n, limits));
+  if (limits.samples_force) verdicts.push_back(detail::rounding(n, limits));
   if (attracts)
     verdicts.push_back(detail::overlap(Subject::static_overlap, "the overlap of a resting pair",
                                        n.static_overlap_over_diameter(), p.stiffness, 1.0));

@@ -69,6 +69,47 @@ TEST(ContactAdvice, SkippedCutoffIsAWarningWhereTheForceIsSampled) {
   expect_verdict(p, sampled_scheme, Subject::cutoff_steps, Severity::ok, "1.03 time steps");
 }
 
+TEST(ContactAdvice, EscapeVelocityThatADashpotLeavesOpenIsAWarningWhereTheForceIsSampled) {
+  const auto subject = Subject::escape_velocity;
+  // e = 0.5: zeta = 0.2154, at 20 steps 2 zeta w0 dt/(1 - e^2) = 0.0902.
+  PairParameters p = without_adhesion();
+  const double mass = 0.5 * p.mass_i;
+  p.damping =
+      2.0 * std::log(2.0) * std::sqrt(mass * p.stiffness / (pi * pi + std::pow(std::log(2.0), 2)));
+  p.dt = pi * std::sqrt(mass / p.stiffness) / 20.0;
+  // v_esc = sqrt(3 * 2 W/mu): 0.0433 m/s.
+  p.adhesion.tail_energy = 0.5 * mass * 0.025 * 0.025;
+  p.speed = 0.05;
+  expect_verdict(p, sampled_scheme, subject, Severity::warning, "0.0433, open by 9.02 %");
+  EXPECT_EQ(find(advise(ContactNumbers(p), event_scheme), subject), nullptr);
+  PairParameters slow = p;
+  slow.speed = 0.45 * 0.0433;
+  expect_verdict(slow, sampled_scheme, subject, Severity::ok, "");
+  p.dt *= 20.0 / 27.1;
+  expect_verdict(p, sampled_scheme, subject, Severity::ok, "open by 6.6");
+}
+
+TEST(ContactAdvice, EscapeVelocityIsOpenByAStepOfTheContactWithHardlyADashpot) {
+  PairParameters p = at_steps(20.0);
+  p.damping *= 1e-9;
+  EXPECT_NEAR(ContactNumbers(p).sampled_escape_error(), 1.0 / 20.0, 1e-9);
+  p.damping = 0.0;
+  EXPECT_NEAR(ContactNumbers(p).sampled_escape_error(), 1.0 / 20.0, 1e-15);
+}
+
+TEST(ContactAdvice, WayOfARoundingInAStepIsAWarningWhereTheForceIsSampled) {
+  PairParameters p = without_adhesion();
+  p.dt = 1e-6;
+  // pi/2 2^-52 1 mm/(u dt) = 1/15: 5.23e-12 m/s.
+  p.speed = 5.3e-12;
+  expect_verdict(p, sampled_scheme, Subject::rounding, Severity::ok, "6.58 %");
+  p.speed = 5.1e-12;
+  expect_verdict(p, sampled_scheme, Subject::rounding, Severity::warning, "6.84 %");
+  EXPECT_EQ(find(advise(ContactNumbers(p), event_scheme), Subject::rounding), nullptr);
+  p.speed = 0.0;
+  expect_verdict(p, sampled_scheme, Subject::rounding, Severity::ok, "");
+}
+
 TEST(ContactAdvice, LargeOverlapIsAWarningAndAnErrorOnceItPassesWalls) {
   PairParameters p = without_adhesion();
   p.damping = 0.0;
@@ -103,7 +144,7 @@ TEST(ContactAdvice, CohesionlessPairIsNotToldAboutAdhesion) {
   PairParameters p = without_adhesion();
   p.dt = 1e-6;
   const auto verdicts = advise(ContactNumbers(p), sampled_scheme);
-  EXPECT_EQ(verdicts.size(), 3u);
+  EXPECT_EQ(verdicts.size(), 4u);
   EXPECT_EQ(worst(verdicts), Severity::ok);
 }
 
