@@ -68,7 +68,9 @@ void BorderExchange::swap(const std::vector<std::vector<Item> >& out,
     MPI_Probe(peers_[p], TAG, world_, &status);
     MPI_Get_count(&status, MPI_BYTE, &bytes);
     in[p].resize(bytes / sizeof(Item));
-    MPI_Recv(in[p].data(), bytes, MPI_BYTE, peers_[p], TAG, world_, MPI_STATUS_IGNORE);
+    // A message that is no whole number of items does not fit, and MPI stops the run.
+    MPI_Recv(in[p].data(), static_cast<int>(in[p].size() * sizeof(Item)), MPI_BYTE, peers_[p], TAG,
+             world_, MPI_STATUS_IGNORE);
   }
   MPI_Waitall(n, sent.data(), MPI_STATUSES_IGNORE);
 }
