@@ -90,6 +90,7 @@ class HardBed(Job):
 
 def main():
     args = arguments()
+    expected.rows(HERE / "expected.csv")
     args.build = args.build.resolve()
     out = (args.out or args.build / "bubbling-hard-sphere").resolve()
     env = environment(args.build)
@@ -97,8 +98,7 @@ def main():
     changed = {} if args.time is None else {"endTime": args.time}
     jobs = [HardBed(out, env, mark, bed, dissipation, seed, changed)
             for seed in args.seeds for bed in args.beds for dissipation in (1, 0)]
-    if not args.overwrite:
-        require_ours(jobs, MARK)
+    require_ours(jobs, MARK, args.overwrite)
     kinds = study_table.by_kind(jobs, carry_out(jobs, args.together))
     program.leave_table(out, study_table.side_by_side(kinds, digits=3) + "\n\n"
                         + expected.text(HERE / "expected.csv", study_table.means_of(kinds)))
@@ -107,4 +107,4 @@ def main():
 
 
 if __name__ == "__main__":
-    program.run(main, RunError)
+    program.run(main, RunError, expected.ExpectationError)

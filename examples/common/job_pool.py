@@ -129,15 +129,18 @@ class Job:
         return ""
 
 
-def require_ours(jobs, mark):
-    """Raises RunError when a folder of a job holds the results of other settings, or something else: what lacks the
-    file `mark`, which a start leaves there. What is not finished may be made anew."""
+def require_ours(jobs, mark, overwrite=False):
+    """Raises RunError when a folder of a job holds something that no start has left: what lacks the file `mark`; or,
+    without `overwrite`, the results of other settings. What is not finished may be made anew."""
     for job in jobs:
-        if not job.folder.exists() or job.finished():
+        if not job.folder.exists() or job.finished() or not any(job.folder.iterdir()):
             continue
-        if (job.folder / RESULT).exists() or not (job.folder / mark).exists():
-            raise RunError(f"'{job.folder}' holds something else than results of these settings: give "
-                           "--overwrite to replace it, or --out for another folder")
+        if not (job.folder / mark).exists():
+            raise RunError(f"'{job.folder}' holds something else than a run of this program, which would be lost: "
+                           "move it, or give --out for another folder")
+        if (job.folder / RESULT).exists() and not overwrite:
+            raise RunError(f"'{job.folder}' holds the results of other settings: give --overwrite to replace them, "
+                           "or --out for another folder")
 
 
 def readable(look, otherwise):

@@ -13,7 +13,7 @@ sys.path.insert(0, str(HERE.parent / "common"))
 import figures  # noqa: E402
 import foam_case  # noqa: E402
 import geometry  # noqa: E402
-from foam_case import CaseError, FoamCase  # noqa: E402
+from foam_case import FoamCase  # noqa: E402
 from geometry import Geometry  # noqa: E402
 from job_pool import Job, digest_of  # noqa: E402
 from study_table import number  # noqa: E402
@@ -119,13 +119,3 @@ def fingerprint(build, env):
              *(f for folder in folders for f in folder.glob("*.so")),
              *(Path(module.__file__) for module in (geometry, foam_case)), Path(__file__)]
     return digest_of(files)
-
-
-def require_ours(jobs):
-    """Raises CaseError when a folder holds the results of other settings, or something else."""
-    for job in jobs:
-        if not job.folder.exists() or job.finished():
-            continue
-        if (job.folder / "result.json").exists() or not (job.folder / MARK).exists():
-            raise CaseError(f"'{job.folder}' holds something else than results of these settings: give "
-                            "--overwrite to replace it, or --out for another folder")

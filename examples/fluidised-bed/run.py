@@ -15,10 +15,10 @@ sys.path.insert(0, str(HERE.parent / "common"))
 
 import picture  # noqa: E402
 import program  # noqa: E402
-from bed_case import ENGINES, SCHEDULES, BedRun, fingerprint, require_ours  # noqa: E402
+from bed_case import ENGINES, MARK, SCHEDULES, BedRun, fingerprint  # noqa: E402
 from figures import evaluate  # noqa: E402
 from foam_case import CaseError, environment  # noqa: E402
-from job_pool import RunError, carry_out  # noqa: E402
+from job_pool import RunError, carry_out, require_ours  # noqa: E402
 from study_table import aligned  # noqa: E402
 
 
@@ -89,11 +89,10 @@ def main():
     kinds = {"non-cohesive": 0.0, "Hamaker": args.hamaker}
     beside = {} if args.beside is None else earlier(args.beside, kinds)
     jobs = [BedRun(out / name, {**common, "A": a}, env, mark) for name, a in kinds.items()]
+    require_ours(jobs, MARK, args.overwrite)
     if args.overwrite:
         for job in jobs:
             job.discard()
-    else:
-        require_ours(jobs)
     carry_out(jobs, together=len(jobs))
 
     results = {name: evaluate(out / name) for name in kinds}

@@ -18,11 +18,11 @@ sys.path.insert(0, str(HERE.parent / "common"))
 
 import expected  # noqa: E402
 import program  # noqa: E402
-from bed_case import ENGINES, SCHEDULES, BedRun, fingerprint, geometry_of, parameters, require_ours  # noqa: E402
+from bed_case import ENGINES, MARK, SCHEDULES, BedRun, fingerprint, geometry_of, parameters  # noqa: E402
 from escape import PLACES, MappingError, escape_velocities  # noqa: E402
 from foam_case import environment  # noqa: E402
 from geometry import GeometryError  # noqa: E402
-from job_pool import RunError, carry_out  # noqa: E402
+from job_pool import RunError, carry_out, require_ours  # noqa: E402
 from study_table import TableError, over_seeds, read_table, write_summary  # noqa: E402
 
 # Primes above 10000, which LIGGGHTS asks for
@@ -143,14 +143,14 @@ def main():
     build = args.build.resolve()
     out = (args.out or build / args.table.stem).resolve()
     table = rows(args.table)
+    expected.rows(args.table.parent / "expected.csv")
     seeds = {name: seeds_of(row, args.seeds) for name, row in table.items()}
     env = environment(build)
     mark = fingerprint(build, env)
     jobs = {name: [BedRun(out / "runs" / f"{name}-{seed}", {**row, "seed": seed}, env, mark)
                    for seed in seeds[name]] for name, row in table.items()}
     every = [job for row in jobs.values() for job in row]
-    if not args.overwrite:
-        require_ours(every)
+    require_ours(every, MARK, args.overwrite)
     failure = None
     try:
         carry_out(every, args.together)

@@ -61,6 +61,7 @@ class Pouring(ScriptRun):
 
 def main():
     args = arguments()
+    expected.rows(HERE / "expected.csv")
     out = (args.out or args.build / "pouring").resolve()
     engine = launcher(args.build)
     jobs = [Pouring(out, engine, seed, *kind) for kind in KINDS for seed in args.seeds]
@@ -71,4 +72,4 @@ def main():
 
 
 if __name__ == "__main__":
-    program.run(main, NotBuilt, RunError)
+    program.run(main, NotBuilt, RunError, expected.ExpectationError)

@@ -21,7 +21,7 @@ import run
 import study
 from bed_case import parameters
 from foam_case import CaseError, environment
-from job_pool import RunError, carry_out
+from job_pool import RunError, carry_out, require_ours
 from lammps_run import launcher
 
 TABLE = "name, A, cohesion_side, settle\nnone, 0, , 0.01\nno-side, 7.49e-19, 0, 0.01\n"
@@ -223,7 +223,7 @@ class Beds(SmallBeds):
                              [("none", "0", "1"), ("no-side", "1", "")])
         # The failed one is ours and may be made anew; the results of other settings not.
         table.write_text(TABLE.replace("none, 0", "none, 1e-19"))
-        with self.assertRaisesRegex(CaseError, "none-1.*--overwrite"):
+        with self.assertRaisesRegex(RunError, "none-1.*--overwrite"):
             self.call(study, table, "--seeds", 1, "--out", out)
 
     def test_refuses_a_seed_that_stands_twice(self):
@@ -249,13 +249,13 @@ class Beds(SmallBeds):
         out = self.folder / "out"
         (out / "Hamaker").mkdir(parents=True)
         (out / "Hamaker/letter.txt").write_text("mine")
-        with self.assertRaisesRegex(CaseError, "Hamaker.*--overwrite"):
-            self.call(run, "--out", out)
+        with self.assertRaisesRegex(RunError, "Hamaker.*would be lost"):
+            self.call(run, "--out", out, "--overwrite")
         self.assertTrue((out / "Hamaker/letter.txt").exists())
         # Nor is a copy of the case, run by hand.
         shutil.rmtree(out / "Hamaker")
         shutil.copytree(self.folder / "case", out / "Hamaker")
-        with self.assertRaisesRegex(CaseError, "Hamaker.*--overwrite"):
+        with self.assertRaisesRegex(RunError, "Hamaker.*would be lost"):
             self.call(run, "--out", out)
 
     def test_a_killed_bed_is_made_again(self):
@@ -266,12 +266,12 @@ class Beds(SmallBeds):
         job.process.kill()
         job.process.wait()
         self.assertIsNone(job.result())
-        bed_case.require_ours([job])
+        require_ours([job], bed_case.MARK)
         result, = carry_out([job], 1)
         self.assertEqual(result["U_mf_th"], 2)
         other = bed_case.BedRun(self.folder / "bed", {**parameters, "A": 1e-19}, env, "this build")
-        with self.assertRaisesRegex(CaseError, "--overwrite"):
-            bed_case.require_ours([other])
+        with self.assertRaisesRegex(RunError, "--overwrite"):
+            require_ours([other], bed_case.MARK)
 
 
 if __name__ == "__main__":

@@ -165,9 +165,19 @@ class Pool(unittest.TestCase):
         alien.mark("letter")
         require_ours([none, finished, begun], "mark")
         other.settings = {"value": 7}
-        for job in (alien, other):
-            with self.assertRaisesRegex(RunError, f"{job.name}' holds something else .*--overwrite"):
+        for job, words in ((alien, "would be lost"), (other, "--overwrite")):
+            with self.assertRaisesRegex(RunError, f"{job.name}' holds .*{words}"):
                 require_ours(jobs[:3] + [job], "mark")
+
+    def test_overwrite_replaces_results_and_nothing_else(self):
+        other, alien = self.jobs("other", "alien")
+        other.mark("go", "mark")
+        carry_out([other], 1)
+        other.settings = {"value": 7}
+        require_ours([other], "mark", overwrite=True)
+        alien.mark("letter")
+        with self.assertRaisesRegex(RunError, "alien' holds .*would be lost"):
+            require_ours([alien], "mark", overwrite=True)
 
     def test_a_failure_does_not_stop_the_others(self):
         jobs = good, bad, last = self.jobs("good", "bad", "last")
