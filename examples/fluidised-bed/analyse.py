@@ -36,12 +36,13 @@ class Step:
 
 @dataclass
 class Velocities:
-    """The three characteristic velocities with standard errors, and the overshoot [1]."""
+    """The three characteristic velocities and the overshoot [1], each with its standard error."""
 
     falling: tuple
     rising: tuple
-    at_maximum: float
-    overshoot: float
+    opening: tuple
+    overshoot: tuple
+    opens: Step | None  # the step with the pressure maximum at which the bed opens
 
 
 def read_columns(file):
@@ -139,12 +140,33 @@ def packed_curve_meets_weight(steps):
     return float(velocity), float(np.sqrt(at @ covariance @ at) / (a + 2 * b * velocity))
 
 
+def opening(steps):
+    """Where the bed opens: the first pressure maximum of the rising branch, from PACKED_RANGE on, at the vertex of the
+    parabola through its step and the two beside it. Later maxima are the bubbles', of which a step holds one or so.
+    (its Step, (velocity, standard error), (what it has above the weight [1], standard error)), the errors from those
+    of the three steps; None and nan when the branch has no such maximum, as one that ends before the bed opens."""
+    rising = sorted((s for s in steps if s.rising), key=lambda s: s.velocity)
+    for three in zip(rising, rising[1:], rising[2:]):
+        before, at, after = (s.ratio for s in three)
+        if at >= PACKED_RANGE[1] and before < at >= after:
+            break
+    else:
+        return None, (np.nan, np.nan), (np.nan, np.nan)
+    fit = np.linalg.inv(np.vander([s.velocity - three[1].velocity for s in three], 3))
+    curvature, slope, ratio = fit @ [s.ratio for s in three]
+    errors = [s.ratio_error for s in three]
+    place = -slope / (2 * curvature)
+    # The vertex is level: where it lies adds nothing to the error of its height.
+    height_error = np.linalg.norm(np.array([place**2, place, 1]) @ fit * errors)
+    place_error = np.linalg.norm(np.array([2 * place, 1, 0]) @ fit * errors) / abs(2 * curvature)
+    return (three[1], (float(three[1].velocity + place), float(place_error)),
+            (float(ratio + slope * place / 2 - 1), float(height_error)))
+
+
 def velocities(steps):
-    falling = [s for s in steps if not s.rising]
-    rising = [s for s in steps if s.rising]
-    highest = max(rising, key=lambda s: s.ratio)
-    return Velocities(packed_curve_meets_weight(falling), packed_curve_meets_weight(rising),
-                      highest.velocity, highest.ratio - 1)
+    falling, rising = (packed_curve_meets_weight([s for s in steps if s.rising == branch]) for branch in (False, True))
+    opens, velocity, overshoot = opening(steps)
+    return Velocities(falling, rising, velocity, overshoot, opens)
 
 
 def plateau(case, found):

@@ -35,7 +35,7 @@ def evaluate(case):
         "mixing": particles.mixing(case),
         "movement": particles.movement(case),
         "plugging": particles.plugging(case),
-        "forces": particles.forces(case, next(s for s in steps if s.rising and s.velocity == velocities.at_maximum)),
+        "forces": particles.forces(case, velocities.opens),
         "noise": analyse.pressure_noise(case),
         "exchange_ms": analyse.exchange_milliseconds(case),
         "seconds": analyse.solver_seconds(case),
@@ -46,7 +46,7 @@ def single(found):
     """Those of evaluate() that are one number, each under one name."""
     velocities = found["velocities"]
     return {"U_mf_df": velocities.falling[0], "U_mf_th": velocities.rising[0],
-            "U_mf_in": velocities.at_maximum, "overshoot": velocities.overshoot,
+            "U_mf_in": velocities.opening[0], "overshoot": velocities.overshoot[0],
             "pressure_over_weight": found["plateau"][0], "balance": found["balance"][0],
             "void_fraction": found["void_fraction"][0], "mixing": found["mixing"][0],
             "mixed": found["mixing"][1], "movement": found["movement"][0], "movement_at": found["movement"][1],

@@ -62,12 +62,16 @@ def plugging(case):
 def forces(case, step):
     """Mean vertical forces on all particles in a Step, the share of it that its averages leave out left out too, over
     their weight [1]: "gas" (drag and pressure), "sides", "plate" (contact and attraction together), and "gain", of
-    momentum per time. Upwards is positive; gas + sides + plate = 1 + gain, to the sampling of the walls' forces."""
+    momentum per time; nan without a step. Upwards is positive; gas + sides + plate = 1 + gain, to the sampling of the
+    walls' forces."""
+    unknown = dict.fromkeys(("gas", "sides", "plate", "gain"), float("nan"))
+    if step is None:
+        return unknown
     begin = step.start + analyse.SETTLING * (step.end - step.start)
     rows = read_columns(Path(case) / "postProcessing/forces/0/forceBudget.dat")
     inside = (rows[:, 0] - rows[:, 1] >= begin - 1e-9) & (rows[:, 0] <= step.end + 1e-9)
     if not inside.any():
-        return dict.fromkeys(("gas", "sides", "plate", "gain"), float("nan"))
+        return unknown
     # Time, over, and x, y, z each of gravity, drag, pressure, others, gain.
     gravity, drag, pressure, _, gain = np.average(rows[inside][:, 3::3], axis=0, weights=rows[inside, 1])
     traces = read_traces(case)

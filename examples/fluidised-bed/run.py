@@ -8,6 +8,7 @@ table of the characteristic velocities and a picture.
 
 import argparse
 import sys
+from math import isnan
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
@@ -44,17 +45,17 @@ def arguments():
 def table(results):
     rows = [("", *results)]
 
-    def with_error(value):
-        return f"{value[0]:.3f} +- {value[1]:.3f}"
+    def with_error(value, sign=""):
+        return "none" if isnan(value[0]) else f"{value[0]:{sign}.3f} +- {value[1]:.3f}"
 
     rows.append(("U_mf,df  falling branch [m/s]",
                  *(with_error(r["velocities"].falling) for r in results.values())))
     rows.append(("U_mf,th  rising branch [m/s]",
                  *(with_error(r["velocities"].rising) for r in results.values())))
     rows.append(("U_mf,in  pressure maximum [m/s]",
-                 *(f"{r['velocities'].at_maximum:.3f}" for r in results.values())))
+                 *(with_error(r["velocities"].opening) for r in results.values())))
     rows.append(("overshoot of the pressure drop",
-                 *(f"{r['velocities'].overshoot:+.3f}" for r in results.values())))
+                 *(with_error(r["velocities"].overshoot, "+") for r in results.values())))
     rows.append(("pressure drop / weight, fluidised",
                  *(with_error(r["plateau"]) for r in results.values())))
     rows.append(("same with plate and walls added",

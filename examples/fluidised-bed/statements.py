@@ -70,10 +70,10 @@ def of_mechanisms(_):
 
     found = []
     for law, name in LAWS.items():
-        found.append(Statement(f"overshoot with cohesion, {name}", over, [law, "none"], above(over, law, "none")))
-        for none, friction in (("none", 0.3), ("none-friction", 1.0)):
-            found.append(Statement(f"none without, mu = {friction}: less than half of that, {name}", over, [none, law],
-                                   [Claim(over, {law: 0.5, none: -1.0})]))
+        found.append(Statement(f"overshoot with cohesion, {name}", over, [law, "none"],
+                               [Claim(over, {law: 1.0}), *above(over, law, "none")]))
+    for none, friction in (("none", 0.3), ("none-friction", 1.0)):
+        found.append(Statement(f"none without, mu = {friction}", over, [none], [Claim(over, {none: -1.0})]))
     for law, matters in (("well", "plate"), ("hamaker", "side")):
         everything, missing, other = without(law, matters)
         wall = {"plate": "the plate adds to", "side": "the side walls add to"}[matters]

@@ -30,14 +30,40 @@ def steps(minimum, highest, rising):
 
 
 class FluidisationCurve(unittest.TestCase):
-    def test_finds_the_velocities_and_the_overshoot(self):
+    def test_finds_the_velocities(self):
         curve = steps(0.72, None, False) + steps(0.81, (0.85, 1.12), True)
         found = analyse.velocities(curve)
         # The points lie on the fitted form: only round-off is left.
         self.assertAlmostEqual(found.falling[0], 0.72, places=10)
         self.assertAlmostEqual(found.rising[0], 0.81, places=10)
-        self.assertAlmostEqual(found.at_maximum, 0.85, places=12)
-        self.assertAlmostEqual(found.overshoot, 0.12, places=12)
+        self.assertEqual(found.opens.velocity, 0.05 * 17)
+
+    def rising(self, ratio, error=lambda velocity: 0.0):
+        """A rising branch with such pressures, functions of the velocity."""
+        return [analyse.Step(u, 0.0, 0.1, ratio(u), error(u), True) for u in (0.6, 0.7, 0.8, 0.85, 0.9, 1.0, 1.1)]
+
+    def test_the_bed_opens_at_the_first_maximum(self):
+        """On a parabola its vertex, in between of the steps; what bubbles reach later is no overshoot."""
+        opens, velocity, overshoot = analyse.opening(
+            self.rising(lambda u: 1.3 if u == 1.1 else 1.07 - 8 * (u - 0.86)**2))
+        self.assertEqual(opens.velocity, 0.85)
+        self.assertAlmostEqual(velocity[0], 0.86, places=10)
+        self.assertAlmostEqual(overshoot[0], 0.07, places=10)
+        self.assertEqual((velocity[1], overshoot[1]), (0.0, 0.0))
+
+    def test_error_of_the_opening(self):
+        """Steps h = 0.05 on both sides lower by D: the velocity has h e/(4 D) of each neighbour's e, the height e."""
+        _, velocity, overshoot = analyse.opening(self.rising(lambda u: 1.07 - 8 * (u - 0.85)**2, lambda u: 1e-3))
+        self.assertAlmostEqual(velocity[1], 2**0.5 * 0.05 * 1e-3 / (4 * 8 * 0.05**2), places=10)
+        self.assertAlmostEqual(overshoot[1], 1e-3, places=10)
+
+    def test_a_bed_that_has_not_opened(self):
+        """The pressure rises to the end, or has a maximum before it has the weight, as gas that finds a channel."""
+        for ratio in (lambda u: u, lambda u: 0.8 - abs(u - 0.8) if u < 1.05 else 0.95):
+            opens, velocity, overshoot = analyse.opening(self.rising(ratio))
+            self.assertIsNone(opens)
+            self.assertNotEqual(velocity[0], velocity[0])  # nan
+            self.assertNotEqual(overshoot[0], overshoot[0])
 
     def test_leaves_out_what_comes_after_the_bed_has_moved(self):
         # A bubbling bed whose pressure falls below the packed range again must not enter the fit.

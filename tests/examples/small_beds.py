@@ -38,7 +38,7 @@ def made_up(case):
     """As figures.evaluate(), from the seed."""
     engine = re.search(r"^demEngine\s+(\w+)", (Path(case) / "constant/couplingProperties").read_text(), re.M)[1]
     pair = (variables(case, engine)["seed"], 0.1)
-    velocities = types.SimpleNamespace(falling=pair, rising=pair, at_maximum=pair[0], overshoot=pair[0])
+    velocities = types.SimpleNamespace(falling=pair, rising=pair, opening=pair, overshoot=pair)
     return {"velocities": velocities, "plateau": pair, "balance": pair, "void_fraction": pair,
             "mixing": pair, "movement": pair, "plugging": pair[0], "forces": {"sides": pair[0]}, "ergun": pair,
             "noise": pair[0], "exchange_ms": pair[0], "seconds": figures.analyse.solver_seconds(case)}

@@ -21,7 +21,7 @@ from verdict import AGREES, CANNOT_TELL, DOES_NOT, Claim, Study, above, alike, t
 TABLES = {"levels": EXAMPLES / "defluidisation-cycle/cohesion-levels.csv",
           "mechanisms": EXAMPLES / "overshoot-mechanisms/mechanisms.csv"}
 SPEEDS = {"none": 0.0, "1e-11": 1.79e-3, "5e-11": 4.0e-3, "1e-10": 5.66e-3}
-OVERSHOOT = {"none": 0.01, "none-friction": 0.02, "well": 0.3, "well-no-plate": 0.1, "well-no-side": 0.28,
+OVERSHOOT = {"none": -0.05, "none-friction": -0.04, "well": 0.3, "well-no-plate": 0.1, "well-no-side": 0.28,
              "hamaker": 0.32, "hamaker-no-side": 0.1, "hamaker-no-plate": 0.3, "hamaker-40": 0.4, "hamaker-120": 0.2}
 
 
