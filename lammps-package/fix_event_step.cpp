@@ -25,7 +25,6 @@ using cohesion::vector;
 using cohesion::Vector3;
 using cohesion::event_stepping::StepWindow;
 
-static constexpr int ALONE = 9;
 static constexpr char ID[] = "COHESION_EVENT_STEP";
 static constexpr char PLACE[] = "COHESION_EVENT_STEP_PLACE";
 

@@ -122,7 +122,7 @@ class FixEventStep : public Fix {
   /// Announces a contact of particle or ghost i in this step, before it adds to `alone` or `shift`.
   void announce(int i) {
     if (contacts[i]++ != 0) return;
-    std::fill_n(alone[i], 9, 0.0);
+    std::fill_n(alone[i], ALONE, 0.0);
     std::fill_n(shift[i], 3, 0.0);
   }
   /// Whether i is a particle of this rank with one contact only.
@@ -133,6 +133,7 @@ class FixEventStep : public Fix {
 
   /// Per atom and ghost that has a contact: change of position, velocity and spin, each contact
   /// alone.
+  static constexpr int ALONE = 9;
   double** alone;
   double** shift;  ///< per atom that has a contact: change of position of this step
 

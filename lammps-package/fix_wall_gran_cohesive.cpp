@@ -23,6 +23,8 @@ using cohesion::Vector3;
 
 // Numbers of a restart file in front of the forces: time origin, walls, numbers of history each.
 static constexpr int HEAD = 3;
+// On each wall, three numbers of all and three of adhesion alone.
+static constexpr int FORCES = 6;
 
 template <class Cohesion>
 FixWallGranCohesive<Cohesion>::FixWallGranCohesive(LAMMPS* lammps, int narg, char** arg)
@@ -40,13 +42,13 @@ FixWallGranCohesive<Cohesion>::FixWallGranCohesive(LAMMPS* lammps, int narg, cha
   if (parameters.contact.friction > 0.0) per_wall = WITH_FRICTION;
   if (parameters.contact.rolling_friction > 0.0) per_wall = WITH_ROLLING;
   history.start(static_cast<int>(walls.size()), per_wall);
-  mine.assign(3 * walls.size(), 0.0);
+  mine.assign(FORCES * walls.size(), 0.0);
   total = mine;
 
   vector_flag = array_flag = 1;
-  size_vector = 3;
+  size_vector = FORCES;
   size_array_rows = static_cast<int>(walls.size());
-  size_array_cols = 3;
+  size_array_cols = FORCES;
   extvector = extarray = 1;
   global_freq = 1;
   restart_peratom = restart_global = 1;
@@ -312,7 +314,11 @@ void FixWallGranCohesive<Cohesion>::follow_together(const std::vector<Contact>& 
       scatter.book(c, 1.0, rolling);
     }
     step->book.external_work -= dot(near.point.velocity, now.impulse);
-    add(&mine[3 * near.wall], scatter.kick(), now.impulse);
+    double* const on_wall = &mine[FORCES * near.wall];
+    add(on_wall, scatter.kick(), now.impulse);
+    Vector3 by_contact =
+        impulse_by_contact(c, grid.separation, now.normal, now.sliding, now.impulse);
+    add(on_wall + 3, scatter.kick(), now.impulse - by_contact);
   }
 }
 
@@ -350,18 +356,18 @@ void FixWallGranCohesive<Cohesion>::sum() {
   summed = true;
 }
 
-/// Force on one wall.
+/// Force on one wall: along three axes all of it, along the same three that of adhesion.
 template <class Cohesion>
-double FixWallGranCohesive<Cohesion>::compute_array(int wall, int axis) {
+double FixWallGranCohesive<Cohesion>::compute_array(int wall, int which) {
   sum();
-  return total[3 * wall + axis];
+  return total[FORCES * wall + which];
 }
 
 /// Force on all of them.
 template <class Cohesion>
-double FixWallGranCohesive<Cohesion>::compute_vector(int axis) {
+double FixWallGranCohesive<Cohesion>::compute_vector(int which) {
   double all = 0.0;
-  for (int w = 0; w < static_cast<int>(walls.size()); w++) all += compute_array(w, axis);
+  for (int w = 0; w < static_cast<int>(walls.size()); w++) all += compute_array(w, which);
   return all;
 }
 

@@ -101,7 +101,7 @@ class FixWallGranCohesive : public Fix, public EventContacts {
   std::vector<cohesion::Vector3> rolled;  // with rolling friction, of each: from roll_alone()
   FixEventStep* step;
 
-  std::vector<double> mine;   // force on each wall
+  std::vector<double> mine;   // forces on each wall
   std::vector<double> total;  // of all processes
   bool summed;
 };

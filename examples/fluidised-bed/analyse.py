@@ -60,6 +60,7 @@ class Traces:
     height: np.ndarray  # twice the mean height of the particles
     carried: np.ndarray  # vertical force of plate and side walls on the particles [N]
     sides: np.ndarray  # that of the side walls alone
+    plate_pull: np.ndarray  # that of the plate's attraction alone; nan: the engine does not tell
     area: float  # of the plate [m2]
 
     @property
@@ -71,14 +72,15 @@ def read_traces(case):
     case = Path(case)
     pressure = read_columns(case / "postProcessing/lowestPressure/0/volFieldValue.dat")
     jets = read_vectors(case / "postProcessing/jetVelocity/0/surfaceFieldValue.dat")
-    bed = read_columns(case / "bed.dat")
+    bed, walls = (read_columns(case / file) for file in ("bed.dat", "walls.dat"))
     step, geometry = particle_step(case), Geometry.read(case)
     time = pressure[:, 0]
     # p is that of the gas with its own weight; the pressure drop is what the particles cause.
     drop = GAS_DENSITY * (pressure[:, 1] - GRAVITY * (HEIGHT - geometry.node))
-    weight, height, _, carried, sides = (np.interp(time, bed[:, 0] * step, column)
-                                         for column in bed[:, 1:].T)
-    return Traces(time, jets[:, 2] * geometry.share, drop, weight, height, carried, sides, geometry.width * DEPTH)
+    weight, height, *_ = (np.interp(time, bed[:, 0] * step, column) for column in bed[:, 1:].T)
+    carried, sides, *pull = (np.interp(time, walls[:, 0] * step, column) for column in walls[:, 1:].T)
+    return Traces(time, jets[:, 2] * geometry.share, drop, weight, height, carried, sides,
+                  pull[0] if pull else np.full(len(time), np.nan), geometry.width * DEPTH)
 
 
 def particle_step(case):

@@ -61,10 +61,10 @@ def plugging(case):
 
 def forces(case, step):
     """Mean vertical forces on all particles in a Step, the share of it that its averages leave out left out too, over
-    their weight [1]: "gas" (drag and pressure), "sides", "plate" (contact and attraction together), and "gain", of
-    momentum per time; nan without a step. Upwards is positive; gas + sides + plate = 1 + gain, to the sampling of the
-    walls' forces."""
-    unknown = dict.fromkeys(("gas", "sides", "plate", "gain"), float("nan"))
+    their weight [1]: "gas" (drag and pressure), "sides", "plate" (contact and attraction together), "plate_pull" (of it,
+    the attraction; nan with LIGGGHTS, which does not tell), and "gain", of momentum per time; nan without a step.
+    Upwards is positive; gas + sides + plate = 1 + gain while no particle hits the screen over the outlet."""
+    unknown = dict.fromkeys(("gas", "sides", "plate", "plate_pull", "gain"), float("nan"))
     if step is None:
         return unknown
     begin = step.start + analyse.SETTLING * (step.end - step.start)
@@ -76,6 +76,6 @@ def forces(case, step):
     gravity, drag, pressure, _, gain = np.average(rows[inside][:, 3::3], axis=0, weights=rows[inside, 1])
     traces = read_traces(case)
     within = (traces.time > begin) & (traces.time <= step.end)
-    sides, carried = traces.sides[within].mean(), traces.carried[within].mean()
-    found = {"gas": drag + pressure, "sides": sides, "plate": carried - sides, "gain": gain}
+    sides, carried, pull = (trace[within].mean() for trace in (traces.sides, traces.carried, traces.plate_pull))
+    found = {"gas": drag + pressure, "sides": sides, "plate": carried - sides, "plate_pull": pull, "gain": gain}
     return {name: float(force / -gravity) for name, force in found.items()}

@@ -16,6 +16,7 @@ from verdict import Study  # noqa: E402
 
 COLOURS = {"none": "0.5", "well": "#1f6f8b", "hamaker": "#c8553d"}
 FORCES = {"sides_at_maximum": ("side walls", "#7a5195"), "plate_at_maximum": ("plate", "#ef8354"),
+          "plate_pull_at_maximum": ("attraction of the plate", "#ffb997"),
           "gain_at_maximum": ("gain of momentum", "0.6")}
 
 
@@ -28,9 +29,9 @@ def draw(study, file):
             bars.barh(place, mean[0], xerr=mean[1], color=COLOURS[row.split("-")[0]], capsize=2)
     bars.set_xlabel("overshoot over the weight [1]")
     for share, (name, (label, colour)) in enumerate(FORCES.items()):
-        found = [(place + 0.27 * (share - 1), mean) for place, row in zip(places, rows)
+        found = [(place + 0.2 * (share - 1.5), mean) for place, row in zip(places, rows)
                  if (mean := study.with_error(row, name))]
-        budget.barh([place for place, _ in found], [value for _, (value, _) in found], 0.27,
+        budget.barh([place for place, _ in found], [value for _, (value, _) in found], 0.2,
                     xerr=[error for _, (_, error) in found], color=colour, label=label, capsize=1)
     budget.set_xlabel("upward force over the weight\nat the pressure maximum [1]")
     budget.legend(frameon=False, fontsize=8)

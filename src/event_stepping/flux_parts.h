@@ -8,6 +8,19 @@
 
 namespace cohesion::event_stepping {
 
+/// The part of `on_j`, all of the impulse of a step on j [momentum], that spring, dashpot and
+/// friction give; the rest is adhesion. `separation`: on the grid.
+///
+/// Spring and dashpot act along the line of centres on the grid, which is the mean one of the step
+/// up to (angle turned in it)^2: so much of the repulsion may be found in the wrong part; nothing,
+/// where nothing attracts.
+template <class Contact>
+Vector3 impulse_by_contact(const Contact& c, const Vector3& separation, const PairStep& step,
+                           const FrictionStep& sliding, const Vector3& on_j) {
+  if (!c.attracts()) return on_j;
+  return step.normal.repulsion_impulse / norm(separation) * separation + sliding.spring.impulse;
+}
+
 /// Momentum flux of contacts (momentum_flux.h) by what carries it.
 struct FluxParts {
   /// Spring, dashpot and friction; the force between surfaces apart, or that glues them.
@@ -16,16 +29,10 @@ struct FluxParts {
 
   /// One step of a pair that stands at `separation` on the grid: `share` of it. `on_j` is all of
   /// the impulse on j [momentum], friction included.
-  ///
-  /// Adhesion is what is left when spring and dashpot, along the line of centres on the grid, and
-  /// friction are taken off. That line is the mean one of the step up to (angle turned in it)^2:
-  /// so much of the repulsion may be found in the wrong part; nothing, where nothing attracts.
   template <class Contact>
   void add(double share, const Contact& c, const Vector3& separation, const PairStep& step,
            const FrictionStep& sliding, const Vector3& on_j) {
-    const double repulsion = step.normal.repulsion_impulse;
-    const Vector3 by_contact =
-        c.attracts() ? repulsion / norm(separation) * separation + sliding.spring.impulse : on_j;
+    const Vector3 by_contact = impulse_by_contact(c, separation, step, sliding, on_j);
     add(contact, share, momentum_flux(separation, by_contact));
     add(adhesion, share, momentum_flux(separation, on_j - by_contact));
   }

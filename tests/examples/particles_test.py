@@ -115,12 +115,13 @@ class Forces(unittest.TestCase):
                                                (2.1, 0.1, 50, 50))])
             time = np.arange(0.9, 2.2, 0.001) + 0.0005
             inside = (time > 1.2) & (time < 2)
-            traces = types.SimpleNamespace(time=time, sides=np.where(inside, -0.1, 9), carried=np.where(inside, 0.3, 9))
+            traces = types.SimpleNamespace(time=time, sides=np.where(inside, -0.1, 9), carried=np.where(inside, 0.3, 9),
+                                           plate_pull=np.where(inside, -0.7, 9))
             with mock.patch.object(particles, "read_traces", return_value=traces):
                 found = particles.forces(case, analyse.Step(1.0, 1.0, 2.0, 1.0, 0.0, True))
                 none = particles.forces(case, analyse.Step(1.0, 3.0, 4.0, 1.0, 0.0, True))
         # Means over 0.3 and 0.5 s: drag 1.5, gain 0.45.
-        for name, expected in {"gas": 1.0, "sides": -0.05, "plate": 0.2, "gain": 0.225}.items():
+        for name, expected in {"gas": 1.0, "sides": -0.05, "plate": 0.2, "plate_pull": -0.35, "gain": 0.225}.items():
             self.assertAlmostEqual(found[name], expected, places=12)
         self.assertTrue(np.isnan(list(none.values())).all())
 

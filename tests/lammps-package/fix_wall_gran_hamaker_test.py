@@ -82,6 +82,23 @@ class Impact(EventWall):
         self.assertAlmostEqual(-values["f_walls[3]"] / mean, 1.0, delta=1e-9)
         self.assertEqual(values["f_walls[3]"], values["f_walls[1][3]"])
         self.assertEqual(values["f_walls[1]"], 0.0)
+        self.assertEqual(values["f_walls[6]"], 0.0)  # nothing attracts
+
+    def test_adhesion_on_the_wall_is_that_of_touching_surfaces(self):
+        """In the fifth step the sphere, which slides with friction too, is in contact all the time: A r/(6 H_cut^2)."""
+        hamaker = 5e-19
+        adhesion = hamaker * RADIUS / (6 * CUT**2)
+        dt = contact_time() / 10
+        for scheme in ("event", "sampled"):
+            self.write([[2e-3, 2e-3, 0.01 + RADIUS + 1e-9]], [(0.02, 0.0, -SPEED)])
+            self.run_wall(f"stiffness {STIFFNESS} friction 0.3 hamaker {hamaker} cutoff {CUT} {OUT} "
+                          f"zplane 0.01 0.03 scheme {scheme}", dt, 5)
+            values = engine.thermo(self.output)
+            self.assertAlmostEqual(values["f_walls[6]"] / adhesion, 1.0, delta=ROUNDING)
+            self.assertEqual(values["f_walls[6]"], values["f_walls[1][6]"])
+            # Friction is no adhesion, though the line of centres is that of the wall at every place.
+            self.assertGreater(values["f_walls[1]"], 0.0)
+            self.assertLess(abs(values["f_walls[4]"]), ROUNDING * values["f_walls[1]"])
 
 
 class Escape(EventWall):
