@@ -116,8 +116,9 @@ void SquareWellAttraction::step(const Encounter& e, double* history) {
 
 /// Warns of a pair that could be beyond what the engine shows when the next step finds it.
 void SquareWellAttraction::look_ahead(const Encounter& e) {
-  const double seen = (largest_ratio_ - 1.0 + MARGIN) * e.data.radsum;
-  if (e.gap - lmp_->update->dt * approach(e) > seen) too_far_->due = true;
+  using namespace cohesion::square_well;
+  const double seen = sight(largest_ratio_, MARGIN, e.data.radsum);
+  if (flies_out_of_sight(e.gap, approach(e), lmp_->update->dt, seen)) too_far_->due = true;
 }
 
 bool SquareWellAttraction::was_inside(const Encounter& e, double* history, double width) const {
