@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "atom.h"
+#include "contact_memory.h"
 #include "contact_models.h"
 #include "event_stepping/sampled_well.h"
 #include "fix_contact_advice.h"
@@ -54,8 +55,8 @@ void SquareWellAttraction::connect(PropertyRegistry& registry, const NormalModel
   double** depth = registry.getMatrixProperty(depth_property, asked_for_by)->data;
   const double* ratio = registry.getVectorProperty(ratio_property, asked_for_by)->data;
   const int types = registry.max_type();
-  // A restart file may remember some.
-  if (!connected_) acts_ = lmp_->update->ntimestep > 0;
+  // A restart file may remember wells, and an impulse that is under way.
+  if (!connected_) acts_ = remembers(lmp_, pair_, wall_, offset_ + STATE);
   connected_ = true;
   wells_.fill(
       lmp_, MODEL, types,
