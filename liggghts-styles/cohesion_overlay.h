@@ -40,8 +40,8 @@ namespace ContactModels {
 ///   rests(near, booked)            true: out of reach, so no force, and its memory stays as it is;
 ///                                  booked: a memory must be told of
 ///   idles(near), idles_in_contact(contact)
-///                                  true: the same of one that it holds; not asked while somebody
-///                                  wants to know of all that it holds
+///                                  true: the same of one that it holds, which it has then marked
+///                                  to be remembered; not asked while all that it holds are wanted
 ///   force(encounter)               attraction, [force]; called once per step and contact
 ///   binds(i, j, ri, rj, gap, history)  whether a pair is bound (cohesive_pairs.h)
 ///   energy(...)                    AttractionEnergy (contact_book.h)

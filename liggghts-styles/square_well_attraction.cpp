@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "atom.h"
+#include "contact_memory.h"
 #include "contact_models.h"
 #include "event_stepping/sampled_well.h"
 #include "fix_contact_advice.h"
@@ -54,8 +55,8 @@ void SquareWellAttraction::connect(PropertyRegistry& registry, const NormalModel
   double** depth = registry.getMatrixProperty(depth_property, asked_for_by)->data;
   const double* ratio = registry.getVectorProperty(ratio_property, asked_for_by)->data;
   const int types = registry.max_type();
-  // A restart file may remember some.
-  if (!connected_) acts_ = lmp_->update->ntimestep > 0;
+  // A restart file may remember wells, and an impulse that is under way.
+  if (!connected_) acts_ = remembers(lmp_, pair_, wall_, offset_ + STATE);
   connected_ = true;
   wells_.fill(
       lmp_, MODEL, types,
@@ -116,8 +117,9 @@ void SquareWellAttraction::step(const Encounter& e, double* history) {
 
 /// Warns of a pair that could be beyond what the engine shows when the next step finds it.
 void SquareWellAttraction::look_ahead(const Encounter& e) {
-  const double seen = (largest_ratio_ - 1.0 + MARGIN) * e.data.radsum;
-  if (e.gap - lmp_->update->dt * approach(e) > seen) too_far_->due = true;
+  using namespace cohesion::square_well;
+  const double seen = sight(largest_ratio_, MARGIN, e.data.radsum);
+  if (flies_out_of_sight(e.gap, approach(e), lmp_->update->dt, seen)) too_far_->due = true;
 }
 
 bool SquareWellAttraction::was_inside(const Encounter& e, double* history, double width) const {

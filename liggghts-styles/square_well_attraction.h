@@ -11,6 +11,7 @@
 #include "lammps.h"
 #include "normal_model_probe.h"
 #include "square_well/parameters.h"
+#include "square_well/sight.h"
 #include "table_of_types.h"
 #include "update.h"
 
@@ -40,22 +41,23 @@ class SquareWellAttraction final : public AttractionEnergy {
   void connect(PropertyRegistry& registry, const NormalModelProbe&);
 
   ContactRange range() const;
-  /// What is remembered of wells before has to be followed even when there is none any more.
+  /// What is remembered of wells has to be followed even when none is left.
   bool acts() const { return acts_; }
   /// Known to be outside and still there: most of the pairs that it has to see.
   bool rests(const ContactModels::SurfacesCloseData& near, bool booked) const {
     return !booked && was(outside, near) && near.rsq > bounds(near).outside * square_of_radii(near);
   }
   /// Known to be inside and still there, and too slow to fly out of sight, of which step() warns.
+  /// Marks such a contact as one to be remembered, as step() does.
   bool idles(const ContactModels::SurfacesCloseData& near) const {
     return near.rsq < bounds(near).inside * square_of_radii(near) && idles_in_contact(near);
   }
   bool idles_in_contact(const ContactModels::SurfacesCloseData& d) const {
     if (!was(inside, d)) return false;
     const double speed[3] = {d.v_j[0] - d.v_i[0], d.v_j[1] - d.v_i[1], d.v_j[2] - d.v_i[2]};
-    const double dt = lmp_->update->dt;
-    if ((speed[0] * speed[0] + speed[1] * speed[1] + speed[2] * speed[2]) * (dt * dt) >
-        MARGIN * MARGIN * square_of_radii(d))
+    if (!cohesion::square_well::stays_in_sight(
+            speed[0] * speed[0] + speed[1] * speed[1] + speed[2] * speed[2], lmp_->update->dt,
+            MARGIN, square_of_radii(d)))
       return false;
     remember(d, true);
     return true;

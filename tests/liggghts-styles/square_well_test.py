@@ -6,6 +6,7 @@ import unittest
 
 from engine import EPSILON, Run
 from mesh import rectangle, stl, wall
+from parted_contacts_test import three_in_a_row
 from scene import MASS, RADIUS, RATIO, contact, frames, part, script, sphere, square_well
 
 DIAMETER, MU = 2 * RADIUS, MASS / 2
@@ -37,6 +38,11 @@ def couples(starts, origin=(-8e-3, -9e-3, -9e-3)):
 
 def well_speed(depth, mass=MU):
     return math.sqrt(2 * depth / mass)
+
+
+def continued(text, file="middle.restart"):
+    """The script with particles from a restart file."""
+    return text[:text.index("region box")] + f"read_restart {file}\n" + text[text.index("neighbor "):]
 
 
 class Edge(unittest.TestCase):
@@ -226,15 +232,44 @@ class Memory(unittest.TestCase):
             middle = 300
             again = script(self.spheres, MODELS, square_well(DEPTH), every=1000, **options,
                            run=f"run 1\nrun {middle}\nwrite_restart middle.restart\nclear\n")
-            second = script([], MODELS, square_well(DEPTH), every=1000, dump="second.txt", **options,
-                            run=f"run {2000 - middle}\n")
-            start = second.index("region box")
-            end = second.index("neighbor ")
-            second = second[:start] + "read_restart middle.restart\n" + second[end:]
+            second = continued(script([], MODELS, square_well(DEPTH), every=1000, dump="second.txt", **options,
+                                      run=f"run {2000 - middle}\n"))
             whole = Run(first, inputs=inputs).frames("out.txt")[-1]
             restarted = Run(again + second, inputs=inputs).frames("second.txt")[-1]
             with self.subTest(walls=walls):
                 self.assertEqual(restarted, whole)
+
+    def test_an_impulse_under_way_is_taken_back_when_the_wells_are_gone(self):
+        # Whole in the step after the restart file, which has half of it in the velocities.
+        floor, speed, ways = -10e-3, 0.2, {"plate.stl": stl(rectangle(
+            (-9e-3, -9e-3, -10e-3), (18e-3, 0, 0), (0, 18e-3, 0), 3))}
+        pair = list(couples([(WIDTH + 0.5e-6, -speed, 0.0)]))
+        above = [sphere((0, 0, floor + RADIUS + WIDTH / 2 + 0.5e-6), (0, 0, -speed))]
+        for spheres, walls, mass, depth in ((pair, [], MU, DEPTH),
+                                            (above, ["primitive type 2 zplane -10e-3"], MASS, 2 * DEPTH),
+                                            (above, wall(MODELS), MASS, 2 * DEPTH)):
+            def text(spheres, depth, **more):
+                return script(spheres, MODELS, square_well(depth), dt=1e-6, walls=walls,
+                              box=self.options["box"], **more)
+
+            def speeds(frame):
+                return relative(frame, 1, "v") if len(frame) > 1 else part(frame[1], "v")
+
+            for ranks in (0, 2) if not walls else (0,):
+                first = text(spheres, DEPTH, run="run 3\nwrite_restart middle.restart\nclear\n")
+                # Too few steps to reach the core.
+                second = continued(text([], 0.0, dump="second.txt", run="run 20\n"))
+                run = Run(first + second, inputs=ways, ranks=ranks)
+                before, after = run.frames("out.txt"), run.frames("second.txt")
+                with self.subTest(walls=walls, ranks=ranks):
+                    start = 0.5 * mass * speed**2
+                    few = 1000 * EPSILON * start
+                    size = math.hypot(*speeds(before[-2]))
+                    self.assertAlmostEqual(size, speed, delta=4 * EPSILON * speed)
+                    size = math.hypot(*speeds(before[-1]))
+                    self.assertGreater(0.5 * mass * size**2, start + 0.1 * depth, "half an impulse")
+                    size = math.hypot(*speeds(after[-1]))
+                    self.assertAlmostEqual(0.5 * mass * size**2, start + depth, delta=few)
 
     def test_pairs_that_are_passed_over_change_nothing(self):
         """Those known to be outside are, but not while a book is kept."""
@@ -251,6 +286,59 @@ class Memory(unittest.TestCase):
         for one, two in zip(*by_place):
             for a, b in zip(one[:6], two[:6]):
                 self.assertAlmostEqual(a, b, delta=1e-12 * max(abs(a), 1e-3))
+
+
+class NoDepth(unittest.TestCase):
+    """With D = 0 a run is the engine's own to the last bit, at whatever step it begins and from a restart file."""
+
+    FLOOR = -9e-3
+    OWN = "model hooke/stiffness tangential history"
+    WALLS = {"none": lambda models: [],
+             "primitive": lambda models: ["primitive type 2 zplane -9e-3"],
+             "mesh": wall}
+
+    def scene(self):
+        """Two that touch and touch again before a new list is made, in whose friction it shows how far the engine
+        looks; two that rub on each other; two on the floor."""
+        yield from three_in_a_row()
+        yield sphere((-5e-3, -5e-3, 0), (0, 0.05, 0))
+        yield sphere((-5e-3 + DIAMETER - 4e-6, -5e-3, 0), (0, 0, 0.05))
+        yield sphere((-5e-3, 5e-3, self.FLOOR + RADIUS - 2e-6), (0.05, 0.02, 0))
+        yield sphere((5e-3, -5e-3, self.FLOOR + RADIUS - 2e-6), (0, 0.05, 0), (100, 0, 0))
+
+    def end(self, walls, parts, depth=None, extra="", ranks=0):
+        """Of a run in one part, or in two with a restart file between."""
+        models, properties = self.OWN, ""
+        if depth is not None:
+            models, properties = f"{models} cohesion square_well", square_well(depth)
+        options = dict(dt=1e-6, every=50, skin=3e-4, walls=self.WALLS[walls](models), extra=extra)
+        text = script(list(self.scene()), models, properties, run=parts[0], **options)
+        for number, run in enumerate(parts[1:]):
+            text += "write_restart middle.restart\nclear\n" + continued(
+                script([], models, properties, dump=f"out{number}.txt", run=run, **options))
+        plate = stl(rectangle((-9e-3, -9e-3, self.FLOOR), (18e-3, 0, 0), (0, 18e-3, 0), 3))
+        run = Run(text, "stock" if depth is None else "launcher", inputs={"plate.stl": plate}, ranks=ranks)
+        return run.frames("out.txt" if len(parts) == 1 else f"out{len(parts) - 2}.txt")
+
+    def test_is_the_engines_own_to_the_last_bit(self):
+        # The first two touch in steps 1 to 33 and 277 to 309.
+        for name, parts in {"a later first step": ["reset_timestep 5000\nrun 400\n"],
+                            "a restart file": ["run 20\n", "run 380\n"],
+                            "two": ["run 20\n", "run 10\n", "run 370\n"]}.items():
+            for walls, ranks in (("primitive", 0), ("mesh", 0)) + ((("none", 2),) if name == "two" else ()):
+                with self.subTest(name, walls=walls, ranks=ranks):
+                    own = self.end(walls, parts, ranks=ranks)
+                    self.assertTrue(self.end(walls, parts, 0.0, ranks=ranks) == own)
+                    if name != "two":
+                        seen_apart = self.end(walls, parts, extra="neigh_modify contact_distance_factor 1.01\n")
+                        self.assertFalse(seen_apart == own, "this scene would not show it")
+
+    def test_a_wall_that_is_added_later_changes_nothing_either(self):
+        later = "run 20\n{}run 380\n"
+        def path(models, *more):
+            floor = f"fix floor all wall/gran {models} primitive type 2 zplane -9e-3\n"
+            return self.end("none", [later.format(floor)], *more)
+        self.assertTrue(path(f"{self.OWN} cohesion square_well", 0.0) == path(self.OWN))
 
 
 if __name__ == "__main__":
