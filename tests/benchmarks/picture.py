@@ -108,8 +108,8 @@ def draw_steps(tables):
     shares, words = [], {}
     for n, rows in enumerate(tables.values()):
         for m, row in enumerate(rows):
-            right, warned, silent = (int(row[name]) for name in ("cases right", "wrong, warned", "wrong, silent"))
-            judged = right + warned + silent
+            right, silent = int(row["cases right"]), int(row["wrong, silent"])
+            judged = right + sum(int(number) for name, number in row.items() if name.startswith("wrong, "))
             shares.append(right / judged if judged else float("nan"))
             words[m, n] = (f"{right} of {judged}" + (f"\n{silent} silent" if silent else "")
                            + f"\n{row['refused']} of {row['points']} refused")

@@ -38,10 +38,10 @@ Said.
 
 2 random points:
 
-| t_c/dt | points | refused | cases right | wrong, warned | wrong, silent | marginal or not judged |
-|---|---|---|---|---|---|---|
-| 2 to 3 | 4 | 1 | 3 | 2 | 1 | 0 |
-| 3 to 4 | 4 | 4 | 0 | 0 | 0 | 0 |
+| t_c/dt | points | refused | cases right | wrong, warned | wrong, other types warned | wrong, silent | not judged |
+|---|---|---|---|---|---|---|---|
+| 2 to 3 | 4 | 1 | 3 | 1 | 1 | 1 | 0 |
+| 3 to 4 | 4 | 4 | 0 | 0 | 0 | 0 | 0 |
 
 Refused:
 
