@@ -32,21 +32,31 @@ def short(message):
 def warnings(output, contacts):
     """Those of a run in short. Behind what was said only of a contact that does not occur stands that, in brackets;
     `contacts`: those that do occur, as the styles name them ("1 - 2", "1 - wall")."""
-    found, elsewhere = set(), {}
+    found, others = set(), {}
     for message in re.findall("WARNING: (.*)", output):
         if any(no in message for no in NO_WARNING):
             continue
         about = re.search(rf", ({CONTACT}): ", message)
         if about and about[1] not in contacts:
-            elsewhere[short(message)] = about[1]
+            others[short(message)] = about[1]
         else:
             found.add(short(message))
-    found.update(f"{brief} ({contact})" for brief, contact in elsewhere.items() if brief not in found)
+    found.update(f"{brief} ({contact})" for brief, contact in others.items() if brief not in found)
     return "; ".join(sorted(found))
+
+
+def elsewhere(part):
+    """Whether it was said only of a contact that does not occur."""
+    return re.search(rf"\({CONTACT}\)$", part) is not None
+
+
+def of_own(said):
+    """What was said of contacts that occur."""
+    return "; ".join(part for part in said.split("; ") if not elsewhere(part))
 
 
 def fits(said, words=FITS):
     """What was said that a number may be wrong: "warned"; "elsewhere" of contacts alone that do not occur; or
     "silent"."""
-    about = [bool(re.search(rf"\({CONTACT}\)$", part)) for part in said.split("; ") if any(w in part for w in words)]
+    about = [elsewhere(part) for part in said.split("; ") if any(word in part for word in words)]
     return "silent" if not about else "elsewhere" if all(about) else "warned"

@@ -13,12 +13,12 @@ that it warns of rounded places is no reference. Errors are relative to the larg
 from the attraction, F_ad/sqrt(mu K).
 
 Three spheres may turn round or part a little later than in the reference, and differ between the two turns alone. All
-are compared at two times, the end and half a contact time later, and are wrong where they are so at both. Of a point
-that is right at one of the two the page tells that it is, and counts them.
+are compared at two times, the end and half a contact time later, and are wrong where they are so at both. The page
+counts those that are right at one of the two alone.
 
 Verdicts: `right` below 0.1, what sampled forces are used for; `wrong, warned`: other, and the run said of a contact
 that occurs that the step is too large for the contact, the cut-off or the well, or too small for rounded places;
-`wrong, other types warned`: it said so of contacts alone that do not occur, in brackets in what was said;
+`wrong, other types warned`: it said so only of contacts that do not occur, named in brackets;
 `wrong, silent`: it did not; `refused`; `crashed` or `hangs`; `not set up`: of an overlap at the start, or where two
 that touch would overlap by half a radius; `no reference`; `reference` with what became of it. Of an overlap at the
 start is asked that no energy is gained.
@@ -37,7 +37,7 @@ import tempfile
 import numpy
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "lammps-package"))
-from brief_warnings import ROUNDED, fits, short, warnings
+from brief_warnings import ROUNDED, fits, of_own, short, warnings
 from extremes_points import CORNERS, DENSITY, LAWS, RADIUS, Partners, name_of, random_point
 from progress import Progress
 
@@ -208,8 +208,10 @@ def of_times(said, errors, right):
 
 
 def said_of(results):
-    """Of pair, wall and three spheres: once where it is the same of all that ran."""
-    texts = {case: result[2] for case, result in zip(CASES, results) if result[0] != "not set up"}
+    """Of pair, wall and three spheres, once where it is the same of all that ran; of contacts that do not occur only
+    where nothing else was said."""
+    texts = {case: said if found == WRONG["elsewhere"] else of_own(said)
+             for case, (found, _, said) in zip(CASES, results) if found != "not set up"}
     if len(set(texts.values())) == 1:
         return next(iter(texts.values()))
     return ". ".join(f"{case}: {text}" for case, text in texts.items() if text)
@@ -260,8 +262,8 @@ def report(rows):
     lines = ["# LIGGGHTS cohesion models at the ends of their parameters", "",
              "Written by `tests/liggghts-styles/extremes.py`, which says what was done and what the verdicts mean.",
              "hooke/stiffness, spheres of 1 mm and 2650 kg/m^3. depth: speed that the well adds, over the speed of",
-             "impact; width: of the well, over the flight within it in a contact time. Three spheres are compared at two",
-             "times; *later alone*, *later not*: right at the second alone, or at the first; counted as right.", "",
+             "impact; width: of the well, over the flight within it in a contact time. Three spheres are compared at",
+             "two times; *later alone*, *later not*: right at the second alone, or at the first; counted as right.", "",
              "| model | case | points | " + " | ".join(kinds) + " | not set up | no reference |",
              "|---|---|---|" + (len(kinds) + 2) * "---|"]
     for law in LAWS:
