@@ -4,9 +4,8 @@ import re
 import statistics
 
 import scenes
-from programs import whole_numbers
+from build_folder import whole_numbers
 from progress import Progress
-from scenes import WAYS
 
 TITLE = "Where the time of a step goes"
 PARTS = {"Pair": "pairs", "Neigh": "lists", "Comm": "ghosts", "Modify": "integration, fixes"}
@@ -31,22 +30,17 @@ def seconds(output):
 
 
 def rows(programs, words):
-    ways = {name: way for name, way in WAYS.items() if words.way in name and programs.has(way[0])}
-    progress = Progress(len(ways) * words.turns * sum(words.sizes))
-    parts = " | ".join(PARTS.values())
-    yield f"| style, ns by the clock per particle and step | particles | all | {parts} | rest |"
+    runs = list(scenes.gases(programs, words))
+    progress = Progress(words.turns * sum(run.wished for run in runs))
+    yield (f"| style, ns by the clock per particle and step | particles | all | {' | '.join(PARTS.values())} | rest |")
     yield "|---|---|---|" + "---|" * len(PARTS) + "---|"
-    for name, (way, pair) in ways.items():
-        for wished in words.sizes:
-            cells = scenes.cells_for("gas", wished)
-            number = scenes.particles("gas", cells)
-            text = scenes.text(way.startswith("liggghts"), "gas", cells, pair, load=way == "lammps+")
-            turns = []
-            for _ in range(words.turns):
-                parts, whole = seconds(programs.run(way, text, words.steps).output)
-                rest = whole - sum(part for part in parts if part is not None)
-                turns.append([whole, *parts, rest])
-                progress.add(wished)
-            cells = ["" if None in values else f"{statistics.median(values) * 1e9 / words.steps / number:.1f}"
-                     for values in zip(*turns)]
-            yield f"| {name} | {number} | " + " | ".join(cells) + " |"
+    for run in runs:
+        turns = []
+        for _ in range(words.turns):
+            parts, whole = seconds(programs.run(run.way, run.text, words.steps).output)
+            rest = whole - sum(part for part in parts if part is not None)
+            turns.append([whole, *parts, rest])
+            progress.add(run.wished)
+        cells = ["" if None in values else f"{statistics.median(values) * 1e9 / words.steps / run.particles:.1f}"
+                 for values in zip(*turns)]
+        yield f"| {run.name} | {run.particles} | " + " | ".join(cells) + " |"

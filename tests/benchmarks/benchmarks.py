@@ -17,7 +17,7 @@ import sys
 from pathlib import Path
 
 from page import replace_section, source
-from programs import Missing, Programs
+from build_folder import Missing, Programs
 from scenes import REBUILD
 
 NAMES = {"features": "feature x cost when off x cost when on, LAMMPS and LIGGGHTS",

@@ -7,7 +7,7 @@ import tempfile
 from pathlib import Path
 
 import instruction_count
-from programs import SOURCE, Missing, side_by_side
+from build_folder import SOURCE, Missing, side_by_side
 from progress import Progress
 
 sys.path.append(str(SOURCE / "tests/openfoam-coupling"))

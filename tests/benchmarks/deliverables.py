@@ -6,7 +6,7 @@ import tempfile
 from pathlib import Path
 
 import instruction_count
-from programs import Used, environment
+from build_folder import Used, environment
 from progress import Progress
 from scenes import spread
 

@@ -5,7 +5,7 @@ import sys
 
 import scenes
 from progress import Progress
-from scenes import LIGGGHTS_CONTACT, gran, granular, hamaker, hooke, ours, overlay, spread, well
+from scenes import LIGGGHTS_CONTACT, gran, granular, hamaker, hooke, ours, overlay, spread, spread_words, well
 
 TITLE = "Cost of a step with cohesion"
 WAYS = {
@@ -78,7 +78,7 @@ def rows(programs, words):
         sys.exit("no engine of these is built in " + str(programs.build))
     progress = Progress(sum(len(WAYS[e]) for e, _ in tables) * (words.turns + (0 if words.times else COUNTED)))
     yield ("| engine | scene | style | instructions | over stock | over stock with cohesion | ns | over stock, same "
-           "turn: median (least to most) | over stock with cohesion, same turn |")
+           f"turn{spread_words(words.turns)} | over stock with cohesion, same turn |")
     yield "|---|---|---|---|---|---|---|---|---|"
     against = {}
     for engine, scene in tables:
@@ -109,12 +109,18 @@ def over_cohesive(ways, counts, turns, cohesive):
     return found
 
 
+def told(ratio):
+    """With two digits, near ASKED with as many as tell on which side it is."""
+    text = f"{ratio:.2f}"
+    return f"{ratio:.4f}" if text == f"{ASKED:.2f}" else text
+
+
 def verdict(against):
     """Lines of a table: which styles are within ASKED and which beyond; {engine and scene: over_cohesive()}."""
     yield f"| over stock with cohesion | by | within {ASKED} | beyond |"
     yield "|---|---|---|---|"
     for where, measured in against.items():
         for what, ratios in measured.items():
-            sides = ("; ".join(f"{name} {ratio:.2f}" for name, ratio in ratios.items() if (ratio <= ASKED) == within)
+            sides = ("; ".join(f"{name} {told(ratio)}" for name, ratio in ratios.items() if (ratio <= ASKED) == within)
                      for within in (True, False))
             yield f"| {where} | {what} | " + " | ".join(side or "none" for side in sides) + " |"

@@ -6,9 +6,9 @@ import sys
 from pathlib import Path
 
 import scenes
-from programs import whole_numbers
+from build_folder import whole_numbers
 from progress import Progress
-from scenes import WAYS, spread
+from scenes import spread, spread_words
 
 TITLE = "Growth with the number of particles"
 # The same stretch for all sizes, as the scene changes while it runs: two contact times, lists made twice.
@@ -42,45 +42,43 @@ class Found:
         self.nanoseconds, self.instructions, self.memory = [], None, 0
 
 
-def measure(programs, words, ways, progress):
-    found = {(name, wished): Found() for name in ways for wished in words.sizes}
+def measure(programs, words, runs, progress):
+    """Found of each name and number that was asked for."""
+    found = {(run.name, run.wished): Found() for run in runs}
     for turn in range(words.turns):
-        for name, wished in list(found)[::-1] if turn % 2 else found:
-            way, pair = ways[name]
-            cells = scenes.cells_for("gas", wished)
-            number = scenes.particles("gas", cells)
-            text = scenes.text(way.startswith("liggghts"), "gas", cells, pair, load=way == "lammps+")
-            here, times = found[name, wished], max(1, round(words.work / number / STEPS))
+        for run in runs[::-1] if turn % 2 else runs:
+            here, times = found[run.name, run.wished], max(1, round(words.work / run.particles / STEPS))
             seconds = 0.0
             for _ in range(times):
-                start, end = (programs.run(way, text, n) for n in (FIRST, FIRST + STEPS))
+                start, end = (programs.run(run.way, run.text, n) for n in (FIRST, FIRST + STEPS))
                 seconds += (end.seconds - start.seconds) / times
                 here.memory = max(here.memory, end.memory)
-            here.nanoseconds.append(1e9 * seconds / STEPS / number)
-            if turn == 0 and wished <= words.counted:
-                here.instructions = programs.count_per_step(way, text, FIRST, STEPS) / number
+            here.nanoseconds.append(1e9 * seconds / STEPS / run.particles)
+            if turn == 0 and run.wished <= words.counted:
+                here.instructions = programs.count_per_step(run.way, run.text, FIRST, STEPS) / run.particles
             progress.add(1)
     return found
 
 
 def rows(programs, words):
-    ways = {name: way for name, way in WAYS.items() if words.way in name and programs.has(way[0])}
     if max(words.sizes) >= 1e6 and free_memory() < SPARE:
         words.sizes = [size for size in words.sizes if size < 1e6]
         print(f"less than {SPARE / 1e9:g} GB of memory are free: 1e6 and more are left out", file=sys.stderr)
-    if not ways or len(words.sizes) < 2:
+    runs = list(scenes.gases(programs, words))
+    if not runs or len(words.sizes) < 2:
         sys.exit("nothing to compare: two sizes and an engine that is built are needed")
-    found = measure(programs, words, ways, Progress(len(ways) * len(words.sizes) * words.turns))
+    found = measure(programs, words, runs, Progress(len(runs) * words.turns))
     base = 10000 if 10000 in words.sizes else words.sizes[0]
-    yield (f"| style | particles | ns per particle and step | over {base}: median (least to most) | instructions | "
+    yield (f"| style | particles | ns per particle and step | over {base}{spread_words(words.turns)} | instructions | "
            "byte per particle |")
     yield "|---|---|---|---|---|---|"
-    for (name, wished), here in found.items():
-        number = scenes.particles("gas", scenes.cells_for("gas", wished))
-        smallest = found[name, words.sizes[0]]
-        few = scenes.particles("gas", scenes.cells_for("gas", words.sizes[0]))
-        ratios = [a / b for a, b in zip(here.nanoseconds, found[name, base].nanoseconds)]
-        memory = f"{(here.memory - smallest.memory) / (number - few):.0f}" if number > few else ""
+    few = runs[0].particles
+    for run in runs:
+        here, smallest = (found[run.name, wished] for wished in (run.wished, words.sizes[0]))
+        ratios = [a / b for a, b in zip(here.nanoseconds, found[run.name, base].nanoseconds)]
+        more = run.particles - few
+        memory = f"{(here.memory - smallest.memory) / more:.0f}" if more > 0 else ""
         count = "" if here.instructions is None else f"{here.instructions:.0f}"
-        yield (f"| {name} | {number} | {statistics.median(here.nanoseconds):.1f} | {spread(ratios)} | {count} | "
+        time = statistics.median(here.nanoseconds)
+        yield (f"| {run.name} | {run.particles} | {time:.1f} | {spread(ratios)} | {count} | "
                f"{memory} |")

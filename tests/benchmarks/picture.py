@@ -13,7 +13,7 @@ import re
 import sys
 from pathlib import Path
 
-import programs  # noqa: F401  (first: it knows where the others are)
+import build_folder  # noqa: F401  (first: it knows where the others are)
 import program
 from drawing import pyplot, save
 
@@ -42,8 +42,14 @@ def sections(page):
 
 
 def spread(text):
-    """Of "median (least to most)"."""
-    return [float(number) for number in re.findall(r"[-+.\de]+", text)]
+    """Least, median and most of "median (least to most)", or of one number."""
+    values = sorted(float(number) for number in re.findall(r"[-+.\de]+", text))
+    return values[0], values[len(values) // 2], values[-1]
+
+
+def spread_words(name):
+    """What the column `name` tells of turns."""
+    return ", least to most" if "least" in name else ", one turn"
 
 
 def column(rows, start):
@@ -63,9 +69,9 @@ def draw_dense(rows):
         counted = [float(row["over stock"] or "nan") for row in own]
         axis.barh(range(len(own)), counted, color=BAR, alpha=0.5, label="instructions")
         timed = [(n, spread(row[turns])) for n, row in enumerate(own) if turns and row[turns]]
-        for n, (low, middle, high) in ((n, sorted(values)) for n, values in timed):
+        for n, (low, middle, high) in timed:
             axis.errorbar(middle, n, xerr=[[middle - low], [high - middle]], fmt="ko", ms=3, capsize=2,
-                          label="time, least to most" if n == timed[0][0] else None)
+                          label="time" + spread_words(turns) if n == timed[0][0] else None)
         axis.axvline(1, color="black", linewidth=0.6)
         limit = dense.ASKED * next(value for row, value in zip(own, counted) if "cohesive" in row["style"])
         axis.axvline(limit, color="black", linewidth=0.6, linestyle=":",
@@ -88,7 +94,7 @@ def draw_growth(rows):
         own = [row for row in rows if row["style"] == name]
         x = [float(row["particles"]) for row in own]
         left.plot(x, [float(row["ns per particle and step"]) for row in own], "o-", ms=4, label=name)
-        low, middle, high = zip(*(sorted(spread(row[over])) for row in own))
+        low, middle, high = zip(*(spread(row[over]) for row in own))
         # Drawn a little apart, else their bars hide each other.
         right.errorbar([value * 1.06**n for value in x], middle, fmt="o-", ms=4, capsize=2,
                        yerr=[[b - a for a, b in zip(low, middle)], [b - a for a, b in zip(middle, high)]])
@@ -96,7 +102,7 @@ def draw_growth(rows):
     right.text(0.01, growth.ASKED, f"{growth.ASKED}", fontsize=7, va="bottom", transform=right.get_yaxis_transform())
     left.set(xscale="log", xlabel="spheres", ylabel="ns per sphere and step")
     left.set_ylim(bottom=0)
-    right.set(xscale="log", xlabel="spheres", ylabel=over.split(":")[0] + " spheres, least to most")
+    right.set(xscale="log", xlabel="spheres", ylabel=over.split(":")[0] + " spheres" + spread_words(over))
     left.legend(fontsize=7)
     return figure
 
@@ -108,8 +114,8 @@ def draw_steps(tables):
     shares, words = [], {}
     for n, rows in enumerate(tables.values()):
         for m, row in enumerate(rows):
-            right, warned, silent = (int(row[name]) for name in ("cases right", "wrong, warned", "wrong, silent"))
-            judged = right + warned + silent
+            right, silent = int(row["cases right"]), int(row["wrong, silent"])
+            judged = right + sum(int(number) for name, number in row.items() if name.startswith("wrong, "))
             shares.append(right / judged if judged else float("nan"))
             words[m, n] = (f"{right} of {judged}" + (f"\n{silent} silent" if silent else "")
                            + f"\n{row['refused']} of {row['points']} refused")

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Pictures show the numbers of tables; tables of the pages of docs/ can be drawn: picture_test.py SOURCE."""
+import re
 import sys
 import unittest
 from pathlib import Path
@@ -38,10 +39,10 @@ Said.
 
 2 random points:
 
-| t_c/dt | points | refused | cases right | wrong, warned | wrong, silent | marginal or not judged |
-|---|---|---|---|---|---|---|
-| 2 to 3 | 4 | 1 | 3 | 2 | 1 | 0 |
-| 3 to 4 | 4 | 4 | 0 | 0 | 0 | 0 |
+| t_c/dt | points | refused | cases right | wrong, warned | wrong, other types warned | wrong, silent | not judged |
+|---|---|---|---|---|---|---|---|
+| 2 to 3 | 4 | 1 | 3 | 1 | 1 | 1 | 0 |
+| 3 to 4 | 4 | 4 | 0 | 0 | 0 | 0 | 0 |
 
 Refused:
 
@@ -66,6 +67,16 @@ class Pictures(unittest.TestCase):
         ends = [line.get_xdata()[0] for line in times.lines[1]]
         self.assertAlmostEqual(ends[0], 1.5)
         self.assertAlmostEqual(ends[1], 1.9)
+
+    def test_of_one_turn_there_is_no_range(self):
+        one = [re.sub(r" \([\d.]+ to [\d.]+\)|: median \(least to most\)", "", line) for line in DENSE + GROWTH]
+        dense, growth = one[:len(DENSE)], one[len(DENSE):]
+        panel = picture.draw_dense(picture.read(dense)).axes[0]
+        ends = panel.containers[-1].lines[1]
+        self.assertEqual([line.get_xdata()[0] for line in ends], [1.8, 1.8])
+        right = picture.draw_growth(picture.read(growth)).axes[1]
+        self.assertEqual([list(part.lines[0].get_ydata()) for part in right.containers], [[1.0, 1.2], [1.0, 1.4]])
+        self.assertEqual(right.get_ylabel(), "over 10 spheres, one turn")
 
     def test_growth_has_a_line_of_each_style(self):
         left, right = picture.draw_growth(picture.read(GROWTH)).axes

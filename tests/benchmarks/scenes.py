@@ -7,6 +7,7 @@ in what is measured then do not differ in their lists.
 """
 import math
 import statistics
+from collections import namedtuple
 
 DIAMETER, DENSITY, STIFFNESS, RESTITUTION, FRICTION = 1e-3, 2650.0, 800.0, 0.9, 0.3
 HAMAKER, CUT, OUT = 7.49e-19, 4e-10, 1e-7
@@ -153,7 +154,27 @@ WAYS = {
 }
 
 
+# `way`: of Programs; `wished`: the number of spheres that was asked for, of which `particles` came.
+Run = namedtuple("Run", "name way text wished particles")
+
+
+def gases(programs, words):
+    """A Run of the gas for each of WAYS that is built and asked for (words.way) at each of words.sizes."""
+    for name, (way, pair) in WAYS.items():
+        if words.way not in name or not programs.has(way):
+            continue
+        for wished in words.sizes:
+            cells = cells_for("gas", wished)
+            script = text(way.startswith("liggghts"), "gas", cells, pair, load=way == "lammps+")
+            yield Run(name, way, script, wished, particles("gas", cells))
+
+
 def spread(values, digits=2):
-    """Median (least to most)."""
+    """Median (least to most); of one value that alone."""
     low, middle, high = (f"{value:.{digits}f}" for value in (min(values), statistics.median(values), max(values)))
-    return f"{middle} ({low} to {high})"
+    return f"{middle} ({low} to {high})" if len(values) > 1 else middle
+
+
+def spread_words(turns):
+    """What the heading of a column of spreads says of them."""
+    return ": median (least to most)" if turns > 1 else ""

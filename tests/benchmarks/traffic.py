@@ -6,9 +6,8 @@ import time
 import numpy
 
 import scenes
-from programs import whole_numbers
+from build_folder import whole_numbers
 from progress import Progress
-from scenes import WAYS
 
 TITLE = "What a step fetches"
 # A list of neighbours is made once in the steps that are counted, as it is once in so many.
@@ -43,20 +42,17 @@ def copied(megabytes, turns=5):
 
 
 def rows(programs, words):
-    ways = {name: way for name, way in WAYS.items() if words.way in name and programs.has(way[0])}
-    progress = Progress(len(ways) * sum(words.sizes) * len(words.caches))
+    runs = list(scenes.gases(programs, words))
+    progress = Progress(sum(run.wished for run in runs) * len(words.caches))
     yield "| what | particles | " + " | ".join(f"beyond {cache} MB" for cache in words.caches) + " |"
     yield "|---|---|" + "---|" * len(words.caches)
-    for name, (way, pair) in ways.items():
-        for wished in words.sizes:
-            cells = scenes.cells_for("gas", wished)
-            number = scenes.particles("gas", cells)
-            text = scenes.text(way.startswith("liggghts"), "gas", cells, pair, load=way == "lammps+")
-            bytes_of = []
-            for cache in words.caches:
-                bytes_of.append(LINE / number * programs.missed_per_step(way, text, FIRST, STEPS, cache << 20))
-                progress.add(wished)
-            yield f"| {name}, byte | {number} | " + " | ".join(f"{round(found)}" for found in bytes_of) + " |"
+    for run in runs:
+        bytes_of = []
+        for cache in words.caches:
+            lines = programs.missed_per_step(run.way, run.text, FIRST, STEPS, cache << 20)
+            bytes_of.append(LINE * lines / run.particles)
+            progress.add(run.wished)
+        yield f"| {run.name}, byte | {run.particles} | " + " | ".join(f"{round(found)}" for found in bytes_of) + " |"
     for megabytes in COPIES:
         yield (f"| a copy of {megabytes} MB, source and copy: {copied(megabytes) / 1e9:.0f} byte per ns read and "
                "written |" + " |" * (1 + len(words.caches)))

@@ -8,8 +8,8 @@ of two. stability_judge.py says what is compared, and what the verdicts mean.
   stability-campaign.py LMP_WITH_PLUGIN_COMMAND PLUGIN --law NAME --point K     one point, with all that was said
 
 Points are the same in every run: number K of a law is drawn with seeds of its own. `silent` in the table is a case
-that is wrong, or has another outcome, in a run that printed no warning about the step, the cut-off, the well or a
-collapse: warnings that the material is softer than it should be do not count.
+that is wrong, or has another outcome, in a run that printed no warning about the step, the cut-off, the well, rounding
+or a collapse: warnings that the material is softer than it should be do not count.
 """
 import re
 import sys
@@ -21,7 +21,7 @@ import numpy
 import measuring_program
 import stability_laws
 from progress import Progress
-from stability_judge import judge, kind
+from stability_judge import COARSE, judge, kind
 from stability_points import Point, text
 
 HEAD = ("| point | first | error | second | error | said |", "|---|---|---|---|---|---|")
@@ -37,13 +37,15 @@ impact; *width*: of the well, over the flight within it in a contact time (hard:
 Soft laws are compared with *scheme event* at a sixteenth of the step and, head-on, with the closed form; hard ones
 with an event-driven program without steps. An error is that of the velocities at the end over the largest speed s of
 the point, while together that of the places over s/w, w the frequency of a contact. *right*: one contact without
-friction below 1e-6, with friction or several contacts below (w dt)^2 and 0.1 (both with what a place on the grid may
-differ from the motion while together, and with rounding); sampled forces below 0.1; hard spheres below 1e-9 or 100
-times what the last digits of the start do. *marginal*: wrong, but the reference is as far off when its speeds change
-by as much as is allowed, up and down, or of another outcome, and it has the same with one of both; *not judged*:
-rounding decides, references of different steps do not agree, or hard spheres collapse. *warned*, *silent*: wrong, or
-another outcome, with or without a warning about the step, the cut-off, the well or a collapse; warnings of an overlap
-do not count.
+friction below 1e-6, with friction or several contacts below (w dt)^2 (both with what a place on the grid may differ
+from the motion while together, and with rounding), none above 0.1; sampled forces below 0.1; hard spheres below 1e-9
+or 100 times what the last digits of the start do. *marginal*: wrong, but the reference is as far off when its speeds
+change by as much as is allowed, up and down, or of another outcome, and it has the same with one of both; *not
+judged*: rounding decides, references of different steps do not agree, or hard spheres collapse; *not judged: coarse*:
+off by more than 0.1 while together, but by no more than a place on so coarse a grid may differ from the motion.
+*warned*, *silent*: wrong, or another outcome, with or without a warning about the step, the cut-off, the well,
+rounding or a collapse; warnings of an overlap do not count. *other types warned*: with such a warning, but of contacts
+alone that do not occur, as of two small spheres; these are named in brackets behind what was said.
 """.splitlines() + [""]
 
 
@@ -66,16 +68,18 @@ def base_text(law):
 
 def summary(rows):
     """Lines of the table: law, cases by what became of them."""
-    lines = ["| law | points | cases right | wrong, warned | wrong, silent | marginal | not judged | points "
-             "refused | crashed or hangs | head-on energy, largest error |", "|---|---|---|---|---|---|---|---|---|---|"]
+    lines = ["| law | points | cases right | wrong, warned | wrong, other types warned | wrong, silent | marginal | "
+             "not judged | points refused | crashed or hangs | head-on energy, largest error |", "|" + 11 * "---|"]
     for law, results in rows.items():
         cases = Counter(kind(v, r.said) for _, _, r in results for v in r.verdicts.values())
         points = Counter(kind(v, r.said) for _, _, r in results for v in [r.verdicts["first"]])
         exact = [r.exact for _, _, r in results if r.exact is not None]
-        lines.append(f"| {law} | {len(results)} | {cases['right']} | {cases['warned']} | {cases['silent']} | "
-                     f"{cases['marginal']} | {cases['not judged']} | {points['refused']} | {points['crashed']} | "
+        lines.append(f"| {law} | {len(results)} | {cases['right']} | {cases['warned']} | "
+                     f"{cases['elsewhere']} | {cases['silent']} | {cases['marginal']} | {cases['not judged']} | "
+                     f"{points['refused']} | {points['crashed']} | "
                      + (f"{max(exact):.1e} of {len(exact)}" if exact else "") + " |")
-    return lines
+    coarse = sum(v == COARSE for results in rows.values() for _, _, r in results for v in r.verdicts.values())
+    return lines + ["", f"Of the cases not judged {coarse} are {COARSE.split(': ')[1]}."]
 
 
 def reasons(results):
@@ -98,15 +102,19 @@ def corners(results):
 
 def by_steps(results):
     """Cases of the random points by contact times over the time step."""
-    lines = ["", "| t_c/dt | points | refused | cases right | wrong, warned | wrong, silent | marginal or not judged |",
-             "|---|---|---|---|---|---|---|"]
+    lines = ["", "| t_c/dt | points | refused | cases right | wrong, warned | wrong, other types warned | "
+             "wrong, silent | marginal or not judged |", "|" + 8 * "---|"]
     for low, high in zip(STEPS, STEPS[1:]):
         part = [r for _, p, r in results if low <= p.values["steps"] < high]
         kinds = Counter(kind(v, r.said) for r in part for v in r.verdicts.values())
         refused = sum("refused" in r.verdicts.values() for r in part)
         lines.append(f"| {low} to {high} | {len(part)} | {refused} | {kinds['right']} | {kinds['warned']} | "
-                     f"{kinds['silent']} | {kinds['marginal'] + kinds['not judged']} |")
+                     f"{kinds['elsewhere']} | {kinds['silent']} | {kinds['marginal'] + kinds['not judged']} |")
     return lines
+
+
+def words_of(*kinds):
+    return [{"elsewhere": "other types warned"}.get(kind, kind) for kind in kinds]
 
 
 def details(law, results):
@@ -116,10 +124,10 @@ def details(law, results):
     if not results[0][1].law.hard:
         lines += by_steps(inner)
     # Of sampled forces many are wrong, and say so.
-    shown = ("silent", "crashed") if results[0][1].law.scheme == "sampled" else ("silent", "crashed", "warned")
+    shown = ("silent", "elsewhere", "crashed") + (() if results[0][1].law.scheme == "sampled" else ("warned",))
     bad = [(n, p, r) for n, p, r in inner if any(kind(v, r.said) in shown for v in r.verdicts.values())]
     if bad:
-        lines += ["", f"Wrong ({', '.join(shown)}), with the number of the point:", "", *HEAD]
+        lines += ["", f"Wrong ({', '.join(words_of(*shown))}), with the number of the point:", "", *HEAD]
         lines += [f"| {n}: {p.text()} | {cells(r)}" for n, p, r in bad]
     refused = reasons(results)
     return lines + (["", "Refused:", "", *refused] if refused else [])

@@ -15,8 +15,9 @@ far off; or of other outcome, and one of the two has the same; `not judged`: no 
 alone decides (rounding_decides) or where references of half and of twice the step do not agree with each other;
 `reference crashed` (hangs, refused): one that would be needed to say. What is not a number is always `wrong`.
 Aims: one contact without friction 1e-6 once parted; with friction or several contacts second order, (w dt)^2, at most
-0.1; while together also what the place on the grid differs from that of the motion, (w dt)^2/8, in wells w dt; and
-what the last digit of the largest place is of s/w, times the number of steps; where a sphere flies less than four
+0.1; while together also what the place on the grid may differ from that of the motion, (w dt)^2/8, in wells w dt; and
+what the last digit of the largest place is of s/w, times the number of steps. Where that is more than 0.1 the aim is
+0.1, and what is off by more, but by no more than that, is `not judged: coarse`. Where a sphere flies less than four
 such digits in a fine step nothing is judged. Sampled forces 0.1: what they are used for. Hard 1e-9, or 100 times what
 round-off does.
 """
@@ -28,6 +29,8 @@ from pathlib import Path
 
 import numpy
 
+from brief_warnings import fits, short, warnings
+
 REFERENCE = 16
 MOST_EVENTS = 400
 SECONDS = 120  # far above what a run takes, on a busy machine too
@@ -35,35 +38,24 @@ SECONDS = 120  # far above what a run takes, on a busy machine too
 # impact against the closed form.
 Result = namedtuple("Result", "verdicts errors said exact")
 
-SHORT = (("the overlap of a resting pair is ([^ ]*) %", r"resting overlap \1 %"),
-         ("the largest overlap of an impact is ([^ ]*) %", r"impact overlap \1 %"),
-         ("a contact takes ([^ ]*) time steps", r"\1 steps per contact"),
-         ("crosses the surface cut-off in ([^ ]*) time steps", r"\1 steps in the cut-off"),
-         ("crosses the well in ([^ ]*) time steps", r"\1 steps in the well"))
-# About the material, or the engine's own: no warning that a number is wrong.
-NO_WARNING = ("would stick less with a stiffer spring", "thermo_modify", "thermo_style")
-# What says that a number may be wrong: too few steps, or a rule that acted. An overlap tells of the material.
-FITS = ("steps per contact", "steps in the cut-off", "steps in the well", "inelastic collapse")
-
+# Largest error that counts as right, over the largest speed.
+MOST = 0.1
+# Below `right` a case is right; from there to `room` nothing can be said of it.
+Aim = namedtuple("Aim", "right room")
 NOT_A_NUMBER = "wrong: not a number"
+COARSE = "not judged: coarse"
 GOOD = ("right", "marginal", "not judged", "refused")
 
 
 def kind(verdict, said):
-    """What a verdict counts as: itself, or wrong with or without a warning that fits (FITS)."""
+    """What a verdict counts as: itself, or wrong with what fits() says of the warnings."""
     if verdict in GOOD:
         return verdict
+    if verdict == COARSE:
+        return "not judged"
     if verdict in ("crashed", "hangs") or verdict.startswith("reference "):
         return "crashed"
-    return "warned" if any(words in said for words in FITS) else "silent"
-
-
-def short(message):
-    for long, brief in SHORT:
-        found = re.search(long, message)
-        if found:
-            return found.expand(brief)
-    return re.sub(r"^(pair_style|fix)[^:]*: ", "", re.sub(r" \(\S+:\d+\)", "", message))
+    return fits(said)
 
 
 def run(point, engine, scheme, finer, faster=0.0):
@@ -85,8 +77,7 @@ def run(point, engine, scheme, finer, faster=0.0):
                                         skin=float(skin), timeout=SECONDS)
         except subprocess.TimeoutExpired:
             return "hangs", "", None
-        said = [w for w in re.findall(r"WARNING: (.*)", output) if not any(no in w for no in NO_WARNING)]
-        said = "; ".join(sorted({short(w) for w in said}))
+        said = warnings(output, point.touching)
         if code != 0:
             error = re.search(r"ERROR[^:]*: (.*)", output)
             return ("refused", short(error[1]), None) if error else ("crashed", output[-300:], None)
@@ -114,8 +105,8 @@ def judge(point, engine):
             continue
         aim = known[name][1](held_at_all(point, name, end))
         errors[name], verdicts[name] = compare(point, name, end, known[name][0], aim)
-        if verdicts[name] != "right" and not point.law.hard:
-            verdicts[name] = doubted(point, engine, name, end, known[name][0], aim, verdicts[name], others)
+        if verdicts[name] not in ("right", COARSE) and not point.law.hard:
+            verdicts[name] = doubted(point, engine, name, end, known[name][0], aim.right, verdicts[name], others)
     exact = closed_form(point, end) if point.law.scheme == "event" else None
     # Relative to the energy, and so twice what rounding of places does to the speed.
     if exact is not None and exact > 1e-6 + 2 * last_digit(end) * point.w0 / point.scale * point.duration / point.dt:
@@ -124,14 +115,14 @@ def judge(point, engine):
 
 
 def doubted(point, engine, name, end, known, aim, verdict, others):
-    """The verdict on a case that is not right, after all that could excuse it; `others`: ends of further references
-    of the point, made when first asked for."""
+    """The verdict on a case that is not right, after all that could excuse it. `aim`: below which it were right;
+    `others`: ends of further references of the point, made when first asked for."""
     def reference(finer, faster=0.0):
         if (finer, faster) not in others:
             others[finer, faster] = run(point, engine, "event", finer, faster)
         return others[finer, faster]
 
-    change = min(aim, 0.1)
+    change = min(aim, MOST)
     if verdict == NOT_A_NUMBER:
         return verdict
     if rounding_decides(point, known):
@@ -142,7 +133,7 @@ def doubted(point, engine, name, end, known, aim, verdict, others):
     for state, _, other in (reference(finer) for finer in (REFERENCE // 2, 2 * REFERENCE)):
         if state != "ran":
             return f"reference {state}"
-        found.add(compare(point, name, other, known, aim / 2)[1])
+        found.add(compare(point, name, other, known, up_to(aim / 2))[1])
     if NOT_A_NUMBER in found:
         return NOT_A_NUMBER
     return verdict if found == {"right"} else "not judged"
@@ -160,11 +151,11 @@ def rounding_decides(point, end):
 def marginal(point, name, end, known, others):
     """Whether the case, which is not right, is as sensitive as that; `others`: ends of the changed references, None
     where one did not run, which excuses nothing. An outcome changes on one side of a threshold only."""
-    error, found = compare(point, name, end, known, 0.0)
+    error, found = compare(point, name, end, known, up_to(0.0))
     others = [other for other in others if other is not None]
     if found == "other outcome":
-        return any(compare(point, name, end, other, 0.0)[1] not in (found, NOT_A_NUMBER) for other in others)
-    return len(others) == 2 and all(compare(point, name, other, known, error)[1] not in ("right", NOT_A_NUMBER)
+        return any(compare(point, name, end, other, up_to(0.0))[1] not in (found, NOT_A_NUMBER) for other in others)
+    return len(others) == 2 and all(compare(point, name, other, known, up_to(error))[1] not in ("right", NOT_A_NUMBER)
                                     for other in others)
 
 
@@ -184,12 +175,18 @@ def compare(point, name, end, known, aim):
     return error, verdict(error, same, aim)
 
 
+def up_to(error):
+    return Aim(error, error)
+
+
 def verdict(error, same, aim):
     if not math.isfinite(error):
         return NOT_A_NUMBER
     if not same:
         return "other outcome"
-    return "right" if error < aim else f"wrong by {error:.1g}"
+    if error < aim.right:
+        return "right"
+    return COARSE if error < aim.room else f"wrong by {error:.1g}"
 
 
 def last_digit(end):
@@ -213,10 +210,14 @@ def fine_run(point, engine):
 
     def aim(name):
         if point.law.scheme == "sampled":
-            return lambda held: 0.1
-        alone = 1e-6 if name == "first" and not p["mu"] else min(angle**2, 0.1)
-        # The motion is off by the one, its place on the grid by the other besides.
-        return lambda held: alone + (point.law.place_room(point) if held else 0.0) + roundoff
+            return lambda held: up_to(MOST)
+        alone = 1e-6 if name == "first" and not p["mu"] else min(angle**2, MOST)
+
+        def of(held):
+            # The motion is off by the one, its place on the grid by the other besides.
+            room = alone + (point.law.place_room(point) if held else 0.0) + roundoff
+            return Aim(min(room, MOST), room)
+        return of
 
     return state, {name: (end, aim(name)) for name in point.cases()}
 
@@ -230,7 +231,7 @@ def hard_reference(point, _):
             continue
         roundoff = 100 * max(numpy.abs(ends[0][1] - end[1])[spheres].max() for end in ends[1:]) / point.scale
         if roundoff < 1e-3:
-            found[name] = ends[0], lambda held, roundoff=roundoff: max(1e-9, roundoff)
+            found[name] = ends[0], lambda held, roundoff=roundoff: up_to(max(1e-9, roundoff))
     return "ran", found
 
 

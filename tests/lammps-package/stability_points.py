@@ -122,6 +122,13 @@ class Point:
         return cases
 
     @property
+    def touching(self):
+        """Contacts that occur, by types, as the styles name them."""
+        if self.law.wall:
+            return ("2 - wall",)
+        return ("1 - 2", "1 - 1") if self.three else ("1 - 2",)
+
+    @property
     def three(self):
         return not self.values["overlap"] and self.deep < 0.5 * RADIUS
 

@@ -49,8 +49,8 @@ they resolve, and below 0.01 at the end. *off*: by so much at the end, too; so i
 is more than 0.01 above the first. *warned*: the solver said that the gas
 step is too long, or what would grow in it. *refused*: it stopped, and said why. *unstable*: an error is no number, or
 the energy is more than 0.01 above the first. *crashed*: it ended in another way, with the engine's reason or the last
-words of the solver; "Lost atoms" are spheres that were thrown out of the box. In form A waves of dense free particles
-that follow the gas within a step do that ([waves](waves.md)).
+words of the solver; "Lost atoms" are spheres that were thrown out of the box. Waves of free particles do that
+([waves](waves.md)), of dense ones that follow the gas within a step in either form, of light ones in form A.
 
 ## Light spheres in viscous gas
 
