@@ -86,12 +86,15 @@ def side_by_side(kinds, digits=4):
     other work."""
     found = {kind: over_seeds(results) for kind, results in kinds.items()}
     figures = [figure for figure in next(iter(found.values())) if figure != "seconds"]
-    return aligned([("", *found), *((figure, *(with_deviation(*mean[figure], digits) for mean in found.values()))
+    return aligned([("", *found), *((figure, *(with_deviation(*mean[figure], f".{digits}g", ".1g")
+                                              for mean in found.values()))
                                     for figure in figures)])
 
 
-def with_deviation(mean, deviation, digits):
-    return f"{mean:.{digits}g}" + ("" if math.isnan(deviation) else f" +- {deviation:.1g}")
+def with_deviation(mean, deviation, digits, of_deviation=None):
+    """Text of a mean with the deviation of one run, which one seed has not. `digits`: a format, that of the deviation
+    too when it has none of its own."""
+    return f"{mean:{digits}}" + ("" if math.isnan(deviation) else f" +- {deviation:{of_deviation or digits}}")
 
 
 def aligned(rows):

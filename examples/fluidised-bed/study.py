@@ -10,7 +10,7 @@ with the others.
 
 import argparse
 import sys
-from math import isnan, isqrt, sqrt
+from math import isqrt, sqrt
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
@@ -23,7 +23,7 @@ from escape import PLACES, MappingError, escape_velocities  # noqa: E402
 from foam_case import environment  # noqa: E402
 from geometry import GeometryError  # noqa: E402
 from job_pool import RunError, carry_out, require_ours  # noqa: E402
-from study_table import TableError, over_seeds, read_table, write_summary  # noqa: E402
+from study_table import TableError, aligned, over_seeds, read_table, with_deviation, write_summary  # noqa: E402
 
 # Primes above 10000, which LIGGGHTS asks for
 SEEDS = {"lammps": [4711, 4712, 4713], "liggghts": [15485863, 32452843, 49979687]}
@@ -79,15 +79,14 @@ def text(table, results, failed, speeds):
     """Escape velocity between particles, and mean and standard deviation of PRINTED, a line per row, and for each
     bed that is there with both engines the difference; `failed`: {row name: seeds without a result}, `speeds`: {row
     name: known_speeds()}."""
-    lines = [f"{'':20}{'v_esc':<10}" + "".join(f"{column:<20}" for column in PRINTED) + "seeds"]
+    lines = [("", "v_esc", *PRINTED, "seeds")]
     for name in table:
-        figures = over_seeds(results[name])
-        speed = speeds[name]["v_esc"]
-        lines.append(f"{name:20}{'unknown' if speed is None else f'{speed:.5f}':<10}"
-                     + "".join("{:<20}".format(with_deviation(*figures[column], PRINTED[column])
-                                               if column in figures else "none")
-                               for column in PRINTED) + str(len(results[name]))
-                     + (f", {failed[name]} failed" if failed[name] else ""))
+        figures, speed = over_seeds(results[name]), speeds[name]["v_esc"]
+        lines.append((name, "unknown" if speed is None else f"{speed:.5f}",
+                      *(with_deviation(*figures[column], PRINTED[column]) if column in figures else "none"
+                        for column in PRINTED),
+                      f"{len(results[name])}" + (f", {failed[name]} failed" if failed[name] else "")))
+    lines = [aligned(lines)]
     pairs = [(one, other) for one in table for other in table if same_bed(table[one], table[other])]
     if pairs:
         lines += ["", "LIGGGHTS - LAMMPS (over its standard error)"]
@@ -110,11 +109,6 @@ def same_bed(one, other):
     in_case = {**parameters("liggghts"), **parameters("lammps"), "engine": None}
     alike = {**in_case, **one, "engine": None} == {**in_case, **other, "engine": None}
     return (one["engine"], other["engine"]) == ("lammps", "liggghts") and alike
-
-
-def with_deviation(mean, deviation, digits):
-    """Of one seed there is none. `digits`: a format."""
-    return f"{mean:{digits}}" + ("" if isnan(deviation) else f" +- {deviation:{digits}}")
 
 
 def difference(one, other, figure):
