@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
+from scipy.ndimage import label
 
 from foam_results import read_cells, written_times
 
@@ -73,29 +74,16 @@ def void_fraction(bed, folder):
 
 
 def cavities(empty):
-    """Connected sets (by faces) of cells that are `empty`, a bool (up, across); each a list of (row, column).
+    """Connected sets (by faces) of cells that are `empty`, a bool (up, across); each an array of its rows and columns.
     Those that reach the highest row are none but the space above the bed."""
-    seen, found = np.zeros(empty.shape, bool), []
-    for start in zip(*np.nonzero(empty)):
-        if seen[start]:
-            continue
-        seen[start], waiting, members = True, [start], []
-        while waiting:
-            row, column = waiting.pop()
-            members.append((row, column))
-            for to in ((row + 1, column), (row - 1, column), (row, column + 1), (row, column - 1)):
-                if 0 <= to[0] < empty.shape[0] and 0 <= to[1] < empty.shape[1] and empty[to] and not seen[to]:
-                    seen[to] = True
-                    waiting.append(to)
-        if max(row for row, _ in members) < empty.shape[0] - 1:
-            found.append(members)
-    return found
+    labels, count = label(empty)
+    found = [np.argwhere(labels == one) for one in range(1, count + 1)]
+    return [members for members in found if members[:, 0].max() < empty.shape[0] - 1]
 
 
 def width_of(members, across):
     """Share of the bed's width that a cavity is wide."""
-    columns = [column for _, column in members]
-    return (max(columns) - min(columns) + 1) / across
+    return (np.ptp(members[:, 1]) + 1) / across
 
 
 def cavity_history(bed):
