@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from scipy.ndimage import label
 
+from cavities import cavities, width_of
 from foam_results import read_cells, written_times
 
 GRAVITY = 9.81
@@ -71,19 +71,6 @@ def void_fraction(bed, folder):
         blocks.append(values[start:end].reshape(up, int(across)))
         start = end
     return np.hstack(blocks)
-
-
-def cavities(empty):
-    """Connected sets (by faces) of cells that are `empty`, a bool (up, across); each an array of its rows and columns.
-    Those that reach the highest row are none but the space above the bed."""
-    labels, count = label(empty)
-    found = [np.argwhere(labels == one) for one in range(1, count + 1)]
-    return [members for members in found if members[:, 0].max() < empty.shape[0] - 1]
-
-
-def width_of(members, across):
-    """Share of the bed's width that a cavity is wide."""
-    return (np.ptp(members[:, 1]) + 1) / across
 
 
 def cavity_history(bed):

@@ -17,6 +17,7 @@ HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "common"))
 
 import analyse  # noqa: E402
+import cavities  # noqa: E402
 import expected  # noqa: E402
 import foam_results  # noqa: E402
 import picture  # noqa: E402
@@ -63,7 +64,7 @@ class HardBed(Job):
         super().__init__(out / f"{self.kind}-seed-{seed}",
                          {"bed": bed, **self.changed, **self.variables, "fingerprint": mark},
                          work=size["endTime"] * size["count"],
-                         readers=digest_of([analyse.__file__, foam_results.__file__]))
+                         readers=digest_of([module.__file__ for module in (analyse, cavities, foam_results)]))
 
     def start(self):
         self.case = FoamCase(HERE / "case", self.folder, self.env, overwrite=True)

@@ -18,6 +18,7 @@ import analyse  # noqa: E402
 import expected  # noqa: E402
 import picture  # noqa: E402
 import run  # noqa: E402
+from cavities import cavities, width_of  # noqa: E402
 from foam_results import read_cloud, written_times  # noqa: E402
 
 BUILD = sys.argv.pop(1) if len(sys.argv) > 1 else str(SOURCE / "build")
@@ -116,11 +117,11 @@ class Reading(unittest.TestCase):
             "xxxxxo",
             "xoxooo",
             "xxxxxx"])])
-        found = sorted(analyse.cavities(empty), key=len)
+        found = sorted(cavities(empty), key=len)
         self.assertEqual([len(members) for members in found], [1, 4])
-        self.assertAlmostEqual(analyse.width_of(found[1], 6), 0.5)
-        self.assertEqual(analyse.cavities(np.zeros((3, 3), bool)), [])
-        self.assertEqual(analyse.cavities(np.ones((3, 3), bool)), [])
+        self.assertAlmostEqual(width_of(found[1], 6), 0.5)
+        self.assertEqual(cavities(np.zeros((3, 3), bool)), [])
+        self.assertEqual(cavities(np.ones((3, 3), bool)), [])
 
     def test_peaks(self):
         self.assertEqual(analyse.peaks(np.array([1, 3, 3, 1, 2, 1, 3]), 2), 2)
