@@ -16,7 +16,9 @@ from geometry import DEPTH, HEIGHT, Geometry  # noqa: E402
 
 GAS_DENSITY, GAS_VISCOSITY, GRAVITY = 1.205, 1.75e-5, 9.81
 DIAMETER, PARTICLE_DENSITY = 1e-3, 2650.0
-PACKED_RANGE = (0.1, 0.9)  # of the weight: points on the packed-bed curve
+PACKED_RANGE = (0.1, 0.7)  # of the weight: points on the packed-bed curve; above it a falling bed may still expand
+OTHER_RANGES = (0.6, 0.8, 0.9)  # where that range might end as well: what it would change is an error of the velocity
+OPEN = 0.9  # of the packed-bed curve: with less pressure the bed has opened
 START_UP = 0.3  # s until the bed that was at rest bubbles
 PLATEAU = 1.1  # x the packed-bed velocities: the bed is fluidised
 SETTLING = 0.2  # share of each step left out
@@ -30,7 +32,7 @@ class Step:
     start: float
     end: float
     ratio: float  # pressure drop x area / weight above the lowest pressure node [1]
-    ratio_error: float  # standard deviation of its mean over five blocks [1]
+    ratio_error: float  # standard deviation of its mean over five blocks [1]; of bubbles, slower than that, too small
     rising: bool
 
 
@@ -118,42 +120,72 @@ def curve(case):
     return steps
 
 
-def packed_curve_meets_weight(steps):
-    """Where the packed-bed curve a U + b U^2 (Ergun's form, viscous and inertial) through the points
-    of one branch reaches the weight: (U, standard error). Points: from the slowest up to the first
-    that leaves PACKED_RANGE or has no more pressure than the one before; beyond it the bed moves."""
+def packed_points(steps, upto):
+    """Those of one branch on the packed-bed curve, from the slowest up to the first that leaves PACKED_RANGE, here up to
+    `upto`, or has no more pressure than the one before; beyond it the bed moves."""
     packed = []
     for step in sorted(steps, key=lambda s: s.velocity):
-        if step.ratio >= PACKED_RANGE[1] or packed and step.ratio <= packed[-1].ratio:
+        if step.ratio >= upto or packed and step.ratio <= packed[-1].ratio:
             break
         if step.ratio > PACKED_RANGE[0]:
             packed.append(step)
-    if len(packed) < 4:
-        return float("nan"), float("nan")
-    u = np.array([s.velocity for s in packed])
-    y = np.array([s.ratio for s in packed])
-    terms = np.stack([u, u**2], axis=1)
-    (a, b), *_ = np.linalg.lstsq(terms, y, rcond=None)
-    spread = np.sqrt(((y - terms @ (a, b)) ** 2).sum() / (len(u) - 2))
-    covariance = spread**2 * np.linalg.inv(terms.T @ terms)
-    velocity = (-a + np.sqrt(a**2 + 4 * b)) / (2 * b)
-    # The error of the fitted curve at that velocity, divided by its slope there.
-    at = np.array([velocity, velocity**2])
-    return float(velocity), float(np.sqrt(at @ covariance @ at) / (a + 2 * b * velocity))
+    return packed
+
+
+@dataclass
+class PackedCurve:
+    """a U + b U^2 (Ergun's form, viscous and inertial) through packed_points(); nan of fewer than four."""
+
+    coefficients: np.ndarray
+    covariance: np.ndarray
+
+    @classmethod
+    def through(cls, packed):
+        if len(packed) < 4:
+            return cls(np.full(2, np.nan), np.full((2, 2), np.nan))
+        u, y = np.array([(s.velocity, s.ratio) for s in packed]).T
+        terms = np.stack([u, u**2], axis=1)
+        found, *_ = np.linalg.lstsq(terms, y, rcond=None)
+        spread = np.sqrt(((y - terms @ found) ** 2).sum() / (len(u) - 2))
+        return cls(found, spread**2 * np.linalg.inv(terms.T @ terms))
+
+    def at(self, velocity):
+        return float(self.coefficients @ (velocity, velocity**2))
+
+    def meets_weight(self):
+        """(velocity, standard error): the error of the curve there, divided by its slope."""
+        a, b = self.coefficients
+        velocity = (-a + np.sqrt(a**2 + 4 * b)) / (2 * b)
+        at = np.array([velocity, velocity**2])
+        return float(velocity), float(np.sqrt(at @ self.covariance @ at) / (a + 2 * b * velocity))
+
+
+def packed_curve_meets_weight(steps):
+    """Where the packed-bed curve of one branch reaches the weight: (velocity, error). The error is that of the fit and,
+    added in squares, the largest change of the velocity when the points end at another of OTHER_RANGES."""
+    velocity, error = PackedCurve.through(packed_points(steps, PACKED_RANGE[1])).meets_weight()
+    others = [PackedCurve.through(packed_points(steps, end)).meets_weight()[0] for end in OTHER_RANGES]
+    changes = [abs(other - velocity) for other in others if np.isfinite(other)]
+    return velocity, float(np.hypot(error, max(changes, default=0.0)))
 
 
 def opening(steps):
-    """Where the bed opens: the first pressure maximum of the rising branch, from PACKED_RANGE on, at the vertex of the
-    parabola through its step and the two beside it. Later maxima are the bubbles', of which a step holds one or so.
-    (its Step, (velocity, standard error), (what it has above the weight [1], standard error)), the errors from those
-    of the three steps; None and nan when the branch has no such maximum, as one that ends before the bed opens."""
+    """Where the bed opens: the pressure maximum of the rising branch up to its first step that has less than OPEN of
+    the packed-bed curve; later maxima are the bubbles'. At the vertex of the parabola through its step and the two
+    beside it when it is the highest of these, else at the step. (its Step, (velocity, standard error), (what it has
+    above the weight [1], standard error)), the errors from those of the three steps; None and nan when the branch ends
+    before the bed opens, or has no packed-bed curve."""
     rising = sorted((s for s in steps if s.rising), key=lambda s: s.velocity)
-    for three in zip(rising, rising[1:], rising[2:]):
-        before, at, after = (s.ratio for s in three)
-        if at >= PACKED_RANGE[1] and before < at >= after:
-            break
-    else:
+    packed = PackedCurve.through(packed_points(rising, PACKED_RANGE[1]))
+    opened = next((k for k, s in enumerate(rising) if s.ratio < OPEN * packed.at(s.velocity) and s.ratio > PACKED_RANGE[1]),
+                  None)
+    if opened is None:
         return None, (np.nan, np.nan), (np.nan, np.nan)
+    highest = max(range(opened + 1), key=lambda k: rising[k].ratio)
+    three = rising[highest - 1:highest + 2]
+    if len(three) < 3 or three[2].ratio > three[1].ratio:
+        at = rising[highest]
+        return (at, (at.velocity, (at.velocity - rising[highest - 1].velocity) / 2), (at.ratio - 1, at.ratio_error))
     fit = np.linalg.inv(np.vander([s.velocity - three[1].velocity for s in three], 3))
     curvature, slope, ratio = fit @ [s.ratio for s in three]
     errors = [s.ratio_error for s in three]

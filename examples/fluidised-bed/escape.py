@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Head-on escape velocities of a bed's particles from each other and from its walls, by cohesion-mapping."""
+"""Head-on escape velocities of a bed's particles from each other and from its walls, and their Bond number, by
+cohesion-mapping."""
 
+import math
 import re
 import sys
 from pathlib import Path
@@ -12,6 +14,7 @@ from mapping_program import MappingError, MappingProgram  # noqa: E402,F401
 
 SCRIPTS = {"lammps": "bed.lmp", "liggghts": "bed.liggghts"}
 PLACES = {"v_esc": "particles", "v_esc_side": "side", "v_esc_plate": "plate"}
+GRAVITY = 9.81  # m/s2, that of the script
 ON, OFF = ("on", "yes", "true"), ("off", "no", "false")
 
 
@@ -28,25 +31,44 @@ def escape_velocity(build, row, place):
     share, well = factor(row[f"cohesion_{place}"]), row.get("law") == "square_well"
     doubled = 2 if well and place != "particles" else 1  # as in bed.lmp
     strength = share * doubled * float(row["D" if well else "A"])
+    law, scheme = "well" if well else "hamaker", row.get("scheme", "sampled")
     if strength == 0:
         return 0.0
-    law, way = ("well", "to-hamaker") if well else ("hamaker", "to-well")
-    scheme = row.get("scheme", "sampled")
     words = [f"--{law}-scheme", scheme, "--ratio", row.get("ratio", 1.01)]
     if scheme == "sampled":
         words += ["--step", row["dt"]]
     if place != "particles":
         words.append("--wall")
-    found, = MappingProgram(build).table(way, [strength], *particle(row), *words)
-    return found[f"{law}_mean"]
+    return mapped(build, row, law, strength, *words)[f"{law}_mean"]
 
 
-def particle(row):
-    """The particles of that bed, their contact and cut-offs, for cohesion-mapping."""
+def bond_number(build, row):
+    """Hamaker force of two particles that touch over the weight of one [1]; 0 without, nan of square wells, which have
+    no force. Raises as escape_velocities()."""
+    if row.get("law") == "square_well":
+        return math.nan
+    strength = factor(row["cohesion_particles"]) * float(row["A"])
+    if strength == 0:
+        return 0.0
+    of = numbers(row)
+    weight = of["density"] * math.pi / 6 * of["d"]**3 * GRAVITY
+    return mapped(build, row, "hamaker", strength)["adhesion_force"] / weight
+
+
+def mapped(build, row, law, strength, *words):
+    """What cohesion-mapping has for one strength, A or D, of a law between the bed's particles."""
+    of = numbers(row)
+    found, = MappingProgram(build).table(
+        "to-hamaker" if law == "well" else "to-well", [strength], "--radius", of["d"] / 2, "--density", of["density"],
+        "--stiffness", row["K"], "--damping", row["eta"], "--cutoff", of["H_cut"], of["H_out"], *words)
+    return found
+
+
+def numbers(row):
+    """Those of the bed's script that are no variables of the case."""
     text = (HERE / "case" / SCRIPTS[row["engine"]]).read_text()
-    of = dict(re.findall(r"^variable\s+(\w+)\s+equal\s+([-+.\deE]+)\s", text, re.M))
-    return ["--radius", float(of["d"]) / 2, "--density", of["density"], "--stiffness", row["K"],
-            "--damping", row["eta"], "--cutoff", of["H_cut"], of["H_out"]]
+    return {name: float(value) for name, value in
+            re.findall(r"^variable\s+(\w+)\s+equal\s+([-+.\deE]+)\s", text, re.M)}
 
 
 def factor(word):

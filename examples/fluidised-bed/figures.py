@@ -8,6 +8,7 @@ HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "common"))
 
 import analyse  # noqa: E402
+import cavities  # noqa: E402
 import foam_results  # noqa: E402
 import geometry  # noqa: E402
 import particles  # noqa: E402
@@ -16,7 +17,7 @@ from job_pool import digest_of  # noqa: E402
 
 def programs():
     """Mark of the programs that these figures are read by: with others they are read again."""
-    readers = (analyse, foam_results, geometry, particles)
+    readers = (analyse, cavities, foam_results, geometry, particles)
     return digest_of([Path(__file__), *(Path(module.__file__) for module in readers)])
 
 
@@ -35,6 +36,7 @@ def evaluate(case):
         "mixing": particles.mixing(case),
         "movement": particles.movement(case),
         "plugging": particles.plugging(case),
+        "widest_cavity": particles.widest_cavity(case),
         "forces": particles.forces(case, velocities.opens),
         "noise": analyse.pressure_noise(case),
         "exchange_ms": analyse.exchange_milliseconds(case),
@@ -47,9 +49,10 @@ def single(found):
     velocities = found["velocities"]
     return {"U_mf_df": velocities.falling[0], "U_mf_th": velocities.rising[0],
             "U_mf_in": velocities.opening[0], "overshoot": velocities.overshoot[0],
+            "overshoot_over_plateau": velocities.overshoot[0] + 1 - found["plateau"][0],
             "pressure_over_weight": found["plateau"][0], "balance": found["balance"][0],
             "void_fraction": found["void_fraction"][0], "mixing": found["mixing"][0],
             "mixed": found["mixing"][1], "movement": found["movement"][0], "movement_at": found["movement"][1],
-            "plugging": found["plugging"], "pressure_noise": found["noise"],
+            "plugging": found["plugging"], "widest_cavity": found["widest_cavity"], "pressure_noise": found["noise"],
             **{f"{name}_at_maximum": share for name, share in found["forces"].items()},
             "exchange_ms_per_step": found["exchange_ms"]}

@@ -2,19 +2,24 @@
 """Reads what the particles of one finished case of the fluidised bed do: mixing, movement, plugs, and what carries
 them. Lengths in m, velocities in m/s, forces in N."""
 
+import sys
 from pathlib import Path
 
 import numpy as np
 
-import analyse
-from analyse import START_UP, read_columns, read_schedule, read_traces
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "common"))
+
+import analyse  # noqa: E402
+from analyse import START_UP, read_columns, read_schedule, read_traces  # noqa: E402
+from cavities import cavities, width_of  # noqa: E402
 
 MOVEMENT_AT = 0.77  # m/s: where the thesis compares the movement of the particles
-MIXING_OVER = 0.4  # s: some four bubbles, of 0.1 s each; mixing is not read of less
+MIXING_OVER = 0.4  # s: some two bubbles, of 0.2 to 0.3 s each; mixing is not read of less
 BUBBLING = 0.9  # m/s: with as much gas the bed without cohesion bubbles
 # Void fraction of a row of cells: a row of the bed has less than DENSE; one with more than EMPTY holds less than a
 # tenth of the particles of a packed row.
 DENSE, EMPTY = 0.75, 0.95
+CAVITY = 0.8  # void fraction above which a cell belongs to a bubble or a gap
 
 
 def slowest_step(case):
@@ -25,8 +30,10 @@ def slowest_step(case):
 def mixing(case):
     """(how fast the particles mix in the first step of the gas velocity, the start-up left out [1/s], how mixed they
     are in the slowest [1]): slope of the straight line through Lacey's index over time, nan when that step has less
-    than MIXING_OVER; and its mean."""
+    than MIXING_OVER; and its mean. The index is 0 at the start and 1 when mixed: cells that hold two layers give it
+    a little before, which is taken off."""
     time, index = read_columns(Path(case) / "postProcessing/mixing/0/mixingIndex.dat")[:, :2].T
+    index = (index - index[0]) / (1 - index[0])
     _, end, _ = read_schedule(case)[0]
     begin, rest, _ = slowest_step(case)
     first = (time >= START_UP) & (time <= end)
@@ -46,25 +53,39 @@ def movement(case):
     return float(nearest[0]), float(nearest[1])
 
 
-def plugging(case):
-    """Share of the written times at which a plug rises [1]: with at least BUBBLING of gas, the start-up left out, a row
-    of cells that is EMPTY all across lies below a row of the bed."""
+def bubbling_times(case):
+    """Void fractions of the written times, the start-up left out, with at least BUBBLING of gas."""
     traces = read_traces(case)
+    return [analyse.void_fraction(case, folder) for time, folder in analyse.written_times(case).items()
+            if time > START_UP and np.interp(time, traces.time, traces.velocity) >= BUBBLING - 1e-3]
+
+
+def plugging(case):
+    """Share of bubbling_times() at which a plug rises [1]: a row of cells that is EMPTY all across lies below a row of
+    the bed."""
     split = []
-    for time, folder in analyse.written_times(case).items():
-        if time > START_UP and np.interp(time, traces.time, traces.velocity) >= BUBBLING - 1e-3:
-            rows = analyse.void_fraction(case, folder).mean(axis=1)
-            bed = np.flatnonzero(rows < DENSE)
-            split.append(bool(len(bed)) and bool((rows[:bed[-1]] > EMPTY).any()))
+    for cells in bubbling_times(case):
+        rows = cells.mean(axis=1)
+        bed = np.flatnonzero(rows < DENSE)
+        split.append(bool(len(bed)) and bool((rows[:bed[-1]] > EMPTY).any()))
     return float(np.mean(split)) if split else float("nan")
+
+
+def widest_cavity(case):
+    """Mean over bubbling_times() of the width of the widest cavity in the bed, over the bed's [1]: 1 is a gap from wall
+    to wall, through which particles may rain."""
+    widths = [max((width_of(members, cells.shape[1]) for members in cavities(cells > CAVITY)), default=0.0)
+              for cells in bubbling_times(case)]
+    return float(np.mean(widths)) if widths else float("nan")
 
 
 def forces(case, step):
     """Mean vertical forces on all particles in a Step, the share of it that its averages leave out left out too, over
-    their weight [1]: "gas" (drag and pressure), "sides", "plate" (contact and attraction together), "plate_pull" (of it,
-    the attraction; nan with LIGGGHTS, which does not tell), and "gain", of momentum per time; nan without a step.
-    Upwards is positive; gas + sides + plate = 1 + gain while no particle hits the screen over the outlet."""
-    unknown = dict.fromkeys(("gas", "sides", "plate", "plate_pull", "gain"), float("nan"))
+    their weight [1]: "drag", "pressure", "sides" (friction), "plate" (contact and attraction together), "plate_pull"
+    (of it, the attraction; nan with LIGGGHTS, which does not tell); "gain", of momentum per time; "unclosed", what is
+    left of drag + pressure + sides + plate - 1 - gain: the screen over the outlet, and where samples are not at the
+    step's ends. Upwards is positive. nan without a step."""
+    unknown = dict.fromkeys(("drag", "pressure", "sides", "plate", "plate_pull", "gain", "unclosed"), float("nan"))
     if step is None:
         return unknown
     begin = step.start + analyse.SETTLING * (step.end - step.start)
@@ -77,5 +98,6 @@ def forces(case, step):
     traces = read_traces(case)
     within = (traces.time > begin) & (traces.time <= step.end)
     sides, carried, pull = (trace[within].mean() for trace in (traces.sides, traces.carried, traces.plate_pull))
-    found = {"gas": drag + pressure, "sides": sides, "plate": carried - sides, "plate_pull": pull, "gain": gain}
+    found = {"drag": drag, "pressure": pressure, "sides": sides, "plate": carried - sides, "plate_pull": pull,
+             "gain": gain, "unclosed": drag + pressure + carried + gravity - gain}
     return {name: float(force / -gravity) for name, force in found.items()}

@@ -16,7 +16,7 @@ HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "common"))
 
 import program  # noqa: E402
-from verdict import Claim, Study, above, alike, together, trend  # noqa: E402
+from verdict import Claim, Study, above, alike, less_than_half, together, trend  # noqa: E402
 
 LEVELS = ("1e-11", "5e-11", "1e-10")  # depth of the wells [J]; Hamaker's attraction of the same escape velocity
 LAWS = {"well": "square well", "hamaker": "Hamaker"}
@@ -56,33 +56,49 @@ def of_levels(study):
             for level in LEVELS:
                 pair = [f"{law}-{level}{suffix}" for suffix in SCHEMES]
                 found.append(Statement(f"{name} alike for both schemes, {LAWS[law]}, D = {level} J or its like", figure,
-                                       pair, alike(figure, *pair, "none")))
+                                       pair, alike(figure, *pair, "none", "none-sampled")))
     return found
+
+
+# Places where cohesion is switched off, and what is said of them.
+PLACES = {"particles": "particles add to", "plate": "the plate adds to", "side": "the side walls add to"}
+MATTERS = {"well": ("plate", "side"), "hamaker": ("side", "plate")}  # which wall more, and the other
+# The pressure maximum above the weight, as in the thesis; and above the bubbling bed's own pressure, which the plate
+# leaves a little below the weight.
+OVERSHOOTS = {"overshoot": "overshoot", "overshoot_over_plateau": "overshoot over the plateau"}
 
 
 def of_mechanisms(_):
     """Chapter 8."""
-    over = "overshoot"
-
-    def without(law, rival):
-        """Rows of a law: all of its cohesion, without that at the wall that matters, without that at the other."""
-        return law, f"{law}-no-{rival}", f"{law}-no-{'side' if rival == 'plate' else 'plate'}"
-
     found = []
-    for law, name in LAWS.items():
-        found.append(Statement(f"overshoot with cohesion, {name}", over, [law, "none"],
-                               [Claim(over, {law: 1.0}), *above(over, law, "none")]))
+    for figure, words in OVERSHOOTS.items():
+        for law, name in LAWS.items():
+            claims = above(figure, law, "none")
+            if figure == "overshoot":
+                claims.append(Claim(figure, {law: 1.0}))
+            found.append(Statement(f"{words} with cohesion, {name}", figure, [law, "none"], claims))
     for none, friction in (("none", 0.3), ("none-friction", 1.0)):
-        found.append(Statement(f"none without, mu = {friction}", over, [none], [Claim(over, {none: -1.0})]))
-    for law, matters in (("well", "plate"), ("hamaker", "side")):
-        everything, missing, other = without(law, matters)
-        wall = {"plate": "the plate adds to", "side": "the side walls add to"}[matters]
-        found.append(Statement(f"{wall} the overshoot, {LAWS[law]}", over, [everything, missing],
-                               above(over, everything, missing)))
-        found.append(Statement(f"and more than the other walls, {LAWS[law]}", over, [other, missing],
-                               above(over, other, missing)))
-    widths = {f"hamaker{suffix}": width for suffix, width in WIDTHS.items()}
-    found.append(Statement("overshoot falls with width, Hamaker", over, list(widths), trend(over, widths, -1)))
+        found.append(Statement(f"no overshoot without, mu = {friction}", "overshoot", [none],
+                               [Claim("overshoot", {none: -1.0})]))
+        for law, name in LAWS.items():
+            figure = "overshoot_over_plateau"
+            found.append(Statement(f"over the plateau less than half of that with cohesion, mu = {friction}, {name}", figure,
+                                   [none, law], [Claim(figure, {law: 0.5, none: -1.0})]))
+    over = "overshoot"
+    for law, name in LAWS.items():
+        for place, words in PLACES.items():
+            found.append(Statement(f"{words} the overshoot, {name}", over, [law, f"{law}-no-{place}"],
+                                   above(over, law, f"{law}-no-{place}")))
+        more, less = (f"{law}-no-{place}" for place in MATTERS[law])
+        found.append(Statement(f"{PLACES[MATTERS[law][0]]} it more than the other walls, {name}", over, [less, more],
+                               above(over, less, more)))
+    (well, hamaker, none) = ({f"{row}{suffix}": width for suffix, width in WIDTHS.items()}
+                             for row in ("well", "hamaker", "none"))
+    falls = trend(over, hamaker, -1)
+    found.append(Statement("overshoot falls with width, Hamaker", over, list(hamaker), falls))
+    found.append(Statement("and more than without cohesion", over, list(none), less_than_half(over, trend(over, none), falls)))
+    found.append(Statement("less than half as much, square well", over, list(well),
+                           less_than_half(over, trend(over, well), falls)))
     return found
 
 

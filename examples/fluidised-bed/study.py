@@ -19,7 +19,7 @@ sys.path.insert(0, str(HERE.parent / "common"))
 import expected  # noqa: E402
 import program  # noqa: E402
 from bed_case import ENGINES, MARK, SCHEDULES, BedRun, fingerprint, geometry_of, parameters  # noqa: E402
-from escape import PLACES, MappingError, escape_velocities  # noqa: E402
+from escape import PLACES, MappingError, bond_number, escape_velocities  # noqa: E402
 from foam_case import environment  # noqa: E402
 from geometry import GeometryError  # noqa: E402
 from job_pool import RunError, carry_out, require_ours  # noqa: E402
@@ -67,12 +67,14 @@ def seeds_of(row, given):
 
 
 def known_speeds(build, name, row):
-    """escape_velocities() of the row called `name`, with six digits; None each when they are not known, and why."""
+    """escape_velocities() of the row called `name`, and "bond", with six digits; None each when they are not known, and
+    why."""
     try:
-        return {place: float(f"{speed:.6g}") for place, speed in escape_velocities(build, row).items()}
+        found = {**escape_velocities(build, row), "bond": bond_number(build, row)}
+        return {place: float(f"{speed:.6g}") for place, speed in found.items()}
     except (MappingError, ValueError) as error:
         print(f"study.py: no escape velocities of row '{name}': {error}")
-        return dict.fromkeys(PLACES)
+        return dict.fromkeys([*PLACES, "bond"])
 
 
 def text(table, results, failed, speeds):

@@ -2,7 +2,7 @@
 """Whether a statement holds by the means over seeds of a study, by one rule for all: a sum of means, each times a
 number, that should be positive. It is when it is above its standard error times Student's t of 95 %, two-sided; it is
 not when it is as far below; else the seeds cannot tell. The errors of the rows need not be alike: Welch's degrees of
-freedom."""
+freedom. A sum that is 0 in every seed, as of events that never happen, is not seen."""
 
 import csv
 from collections import namedtuple
@@ -13,7 +13,7 @@ from scipy.stats import t as student
 
 CONFIDENCE = 0.95
 ROUNDING = 5e-6  # of the six digits of a mean
-AGREES, DOES_NOT, CANNOT_TELL = "agrees", "does not", "cannot tell"
+AGREES, DOES_NOT, CANNOT_TELL, NOT_SEEN = "agrees", "does not", "cannot tell", "not seen"
 
 Mean = namedtuple("Mean", "value deviation seeds")  # the deviation is that of one run
 
@@ -62,8 +62,8 @@ class Claim:
         parts = [((share * means[row].deviation) ** 2 / means[row].seeds, means[row].seeds - 1)
                  for row, share in self.shares.items()]
         variance = sum(part for part, _ in parts)
-        if variance == 0:  # figures that come in steps, the same in all seeds
-            return CANNOT_TELL
+        if variance == 0:
+            return NOT_SEEN if value == 0 and any(self.shares.values()) else CANNOT_TELL
         margin = ROUNDING * sum(abs(share * means[row].value) for row, share in self.shares.items())
         freedom = variance**2 / sum(part**2 / of for part, of in parts)
         margin += student.ppf((1 + CONFIDENCE) / 2, freedom) * sqrt(variance)
@@ -73,8 +73,9 @@ class Claim:
 def together(claims, study):
     """Of claims that must all hold."""
     verdicts = [claim.verdict(study) for claim in claims]
-    if DOES_NOT in verdicts:
-        return DOES_NOT
+    for one in (DOES_NOT, NOT_SEEN):
+        if one in verdicts:
+            return one
     return AGREES if verdicts and set(verdicts) == {AGREES} else CANNOT_TELL
 
 
@@ -89,10 +90,21 @@ def trend(figure, where, sign=1):
     return [Claim(figure, {row: sign * (x - middle) for row, x in where.items()})]
 
 
-def alike(figure, one, other, none):
-    """That `one` and `other` differ by less than half of what they differ from `none` by, in the mean of both, and
-    that this is a rise; both ways round."""
+def alike(figure, one, other, none, other_none=None):
+    """That the effects of `one` and `other`, what they differ from `none` by (`other` from `other_none` if given), differ
+    by less than half of their mean, and that this is a rise; both ways round."""
     claims = []
     for sign in (1, -1):
-        claims.append(Claim(figure, {one: 0.25 + sign, other: 0.25 - sign, none: -0.5}))
+        shares = {one: 0.25 + sign, other: 0.25 - sign, none: 0.0}
+        shares[none] -= 0.25 + sign
+        shares[other_none or none] = shares.get(other_none or none, 0.0) - 0.25 + sign
+        claims.append(Claim(figure, shares))
     return claims
+
+
+def less_than_half(figure, one, other):
+    """That the trend of `one`, either way, is less than half of that of `other`, a fall: both are trend()s of one
+    claim."""
+    (flat,), (fall,) = one, other
+    return [Claim(figure, {**{row: 0.5 * share for row, share in fall.shares.items()},
+                           **{row: sign * share for row, share in flat.shares.items()}}) for sign in (1, -1)]

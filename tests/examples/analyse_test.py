@@ -38,18 +38,33 @@ class FluidisationCurve(unittest.TestCase):
         self.assertAlmostEqual(found.rising[0], 0.81, places=10)
         self.assertEqual(found.opens.velocity, 0.05 * 17)
 
-    def rising(self, ratio, error=lambda velocity: 0.0):
-        """A rising branch with such pressures, functions of the velocity."""
-        return [analyse.Step(u, 0.0, 0.1, ratio(u), error(u), True) for u in (0.6, 0.7, 0.8, 0.85, 0.9, 1.0, 1.1)]
+    def rising(self, beyond, error=lambda velocity: 0.0):
+        """A rising branch: packed, with the weight at 0.8 m/s, up to that, and pressures beyond, functions of the
+        velocity."""
+        return [analyse.Step(u, 0.0, 0.1, beyond(u) if u > 0.76 else 0.5 * u / 0.8 + 0.5 * (u / 0.8)**2, error(u), True)
+                for u in (0.2, 0.3, 0.4, 0.5, 0.6, 0.65, 0.7, 0.75, 0.8, 0.85, 0.9, 1.0, 1.1)]
 
-    def test_the_bed_opens_at_the_first_maximum(self):
-        """On a parabola its vertex, in between of the steps; what bubbles reach later is no overshoot."""
+    def test_the_bed_opens_at_the_pressure_maximum(self):
+        """At the vertex of a parabola, in between of the steps; what bubbles reach later is no overshoot."""
         opens, velocity, overshoot = analyse.opening(
             self.rising(lambda u: 1.3 if u == 1.1 else 1.07 - 8 * (u - 0.86)**2))
         self.assertEqual(opens.velocity, 0.85)
         self.assertAlmostEqual(velocity[0], 0.86, places=10)
         self.assertAlmostEqual(overshoot[0], 0.07, places=10)
         self.assertEqual((velocity[1], overshoot[1]), (0.0, 0.0))
+
+    def test_a_dip_while_the_bed_is_packed_is_no_maximum(self):
+        """0.98 at 0.8 m/s, 0.97 at 0.85 m/s, 8 % below the packed bed there, then 1.05: the bed goes on to rise."""
+        opens, _, _ = analyse.opening(self.rising({0.8: 0.98, 0.85: 1.0, 0.9: 1.05, 1.0: 0.9, 1.1: 1.1}.get))
+        self.assertEqual(opens.velocity, 0.9)
+
+    def test_a_maximum_at_the_step_that_has_opened(self):
+        """Pressures that go on to rise: at the step itself, to half of the way from the one before."""
+        opens, velocity, overshoot = analyse.opening(self.rising(lambda u: 0.92 + 0.1 * (u - 0.8), lambda u: 0.01))
+        self.assertEqual(opens.velocity, 0.85)
+        self.assertAlmostEqual(velocity[1], 0.025, places=12)
+        self.assertAlmostEqual(overshoot[0], -0.075, places=12)
+        self.assertEqual(overshoot[1], 0.01)
 
     def test_error_of_the_opening(self):
         """Steps h = 0.05 on both sides lower by D: the velocity has h e/(4 D) of each neighbour's e, the height e."""
@@ -58,12 +73,26 @@ class FluidisationCurve(unittest.TestCase):
         self.assertAlmostEqual(overshoot[1], 1e-3, places=10)
 
     def test_a_bed_that_has_not_opened(self):
-        """The pressure rises to the end, or has a maximum before it has the weight, as gas that finds a channel."""
-        for ratio in (lambda u: u, lambda u: 0.8 - abs(u - 0.8) if u < 1.05 else 0.95):
-            opens, velocity, overshoot = analyse.opening(self.rising(ratio))
+        """The pressure follows the packed bed to the end, or there is none to follow."""
+        packed = self.rising(lambda u: 0.5 * u / 0.8 + 0.5 * (u / 0.8)**2)
+        for steps in (packed, packed[8:]):
+            opens, velocity, overshoot = analyse.opening(steps)
             self.assertIsNone(opens)
             self.assertNotEqual(velocity[0], velocity[0])  # nan
             self.assertNotEqual(overshoot[0], overshoot[0])
+
+    def test_the_end_of_the_packed_points_is_an_error(self):
+        """A falling bed that still expands above 0.65 of the weight: the velocity is that of the slower points; its
+        error what other ends make of it, the largest that of 0.9."""
+        curve = steps(0.8, None, False)
+        for step in curve:
+            if 0.65 < step.ratio < 1:
+                step.ratio = 0.65 + 0.7 * (step.ratio - 0.65)
+        velocity, error = analyse.packed_curve_meets_weight(curve)
+        ends = [analyse.PackedCurve.through(analyse.packed_points(curve, end)).meets_weight()[0] for end in (0.6, 0.9)]
+        self.assertAlmostEqual(ends[0], 0.8, places=10)
+        self.assertLess(abs(velocity - 0.8), 0.3 * abs(ends[1] - 0.8))
+        self.assertGreaterEqual(error, abs(ends[1] - velocity))
 
     def test_leaves_out_what_comes_after_the_bed_has_moved(self):
         # A bubbling bed whose pressure falls below the packed range again must not enter the fit.

@@ -45,12 +45,13 @@ class MixingAndMovement(unittest.TestCase):
                    + [(1.1, 0.9, 30, 4000), (4.0, 0.1, 30, 4000), (4.2, 0.6, 30, 4000), (5.0, 0.7, 30, 4000),
                       (5.1, 0.8, 30, 4000)])
         rate, mixed = particles.mixing(self.case)
-        self.assertAlmostEqual(rate, 0.4, places=12)
-        self.assertAlmostEqual(mixed, 0.65, places=12)
+        # From 0.09 at the start: of what is left to 1.
+        self.assertAlmostEqual(rate, 0.4 / 0.91, places=12)
+        self.assertAlmostEqual(mixed, (0.65 - 0.09) / 0.91, places=12)
 
     def test_mixing_is_not_read_of_a_short_first_step(self):
         """Of 0.65 s without the 0.3 s of the start, and of 0.71 s."""
-        rows = [(t, 0.5 * t**2 if t < 0.3 else 0.4 * t, 30, 4000) for t in np.arange(0.01, 0.7, 0.01)]
+        rows = [(t, 0.5 * t**2 if t < 0.3 else 0.4 * t, 30, 4000) for t in np.arange(0, 0.7, 0.01)]
         write(self.case, "mixing", "mixingIndex", rows + [(4.5, 0.6, 30, 4000)])
         for end, expected in ((0.65, np.nan), (0.71, 0.4)):
             analyse_schedule = [(0.0, end, 0.9), *self.SCHEDULE[1:]]
@@ -81,14 +82,14 @@ class Plugs(unittest.TestCase):
 
     PACKED, GAP, SPRAY = [0.4, 0.5, 0.4], [1.0, 0.97, 0.95], [0.9, 0.95, 0.9]
 
-    def share(self, *beds):
+    def share(self, *beds, read=particles.plugging):
         times = (0.2, 0.4, 0.6, 0.8, 1.5)
         time = np.arange(0, 2, 0.001)
         traces = types.SimpleNamespace(time=time, velocity=np.where(time < 1, 1.2, 0.5))
         with mock.patch.object(particles, "read_traces", return_value=traces), \
                 mock.patch.object(analyse, "written_times", return_value=dict(zip(times, beds))), \
                 mock.patch.object(analyse, "void_fraction", lambda _, bed: np.array(bed)):
-            return particles.plugging("case")
+            return read("case")
 
     def test_a_gap_across_below_a_row_of_the_bed(self):
         bed = 4 * [self.PACKED] + 4 * [[1.0, 1.0, 1.0]]
@@ -101,6 +102,14 @@ class Plugs(unittest.TestCase):
         self.assertEqual(self.share(bed, split, lifted, bed, bed), 2 / 3)
         self.assertEqual(self.share(bed, sprayed, bed, split, split), 1 / 3)
         self.assertTrue(np.isnan(self.share(bed)))
+
+    def test_the_widest_cavity_below_the_bed(self):
+        """A bubble of one cell, a gap across of which a third is left, none: 1/3, 1 and 0 of the width."""
+        bed = 4 * [self.PACKED] + 4 * [[1.0, 1.0, 1.0]]
+        bubble = [self.PACKED, [0.4, 0.9, 0.5]] + bed[2:]
+        gap = [self.PACKED, [0.9, 0.85, 0.95]] + bed[2:]
+        self.assertAlmostEqual(self.share(bed, bubble, gap, bed, gap, read=particles.widest_cavity), 4 / 9, places=12)
+        self.assertTrue(np.isnan(self.share(bed, read=particles.widest_cavity)))
 
 
 class Forces(unittest.TestCase):
@@ -121,7 +130,8 @@ class Forces(unittest.TestCase):
                 found = particles.forces(case, analyse.Step(1.0, 1.0, 2.0, 1.0, 0.0, True))
                 none = particles.forces(case, analyse.Step(1.0, 3.0, 4.0, 1.0, 0.0, True))
         # Means over 0.3 and 0.5 s: drag 1.5, gain 0.45.
-        for name, expected in {"gas": 1.0, "sides": -0.05, "plate": 0.2, "plate_pull": -0.35, "gain": 0.225}.items():
+        for name, expected in {"drag": 0.75, "pressure": 0.25, "sides": -0.05, "plate": 0.2, "plate_pull": -0.35,
+                               "gain": 0.225, "unclosed": -0.075}.items():
             self.assertAlmostEqual(found[name], expected, places=12)
         self.assertTrue(np.isnan(list(none.values())).all())
 

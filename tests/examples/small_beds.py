@@ -40,7 +40,8 @@ def made_up(case):
     pair = (variables(case, engine)["seed"], 0.1)
     velocities = types.SimpleNamespace(falling=pair, rising=pair, opening=pair, overshoot=pair)
     return {"velocities": velocities, "plateau": pair, "balance": pair, "void_fraction": pair,
-            "mixing": pair, "movement": pair, "plugging": pair[0], "forces": {"sides": pair[0]}, "ergun": pair,
+            "mixing": pair, "movement": pair, "plugging": pair[0], "widest_cavity": pair[0],
+            "forces": {"sides": pair[0]}, "ergun": pair,
             "noise": pair[0], "exchange_ms": pair[0], "seconds": figures.analyse.solver_seconds(case)}
 
 

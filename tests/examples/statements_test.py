@@ -16,13 +16,16 @@ sys.path.insert(0, str(EXAMPLES / "fluidised-bed"))
 import statements  # noqa: E402
 import study  # noqa: E402
 from study_table import write_summary  # noqa: E402
-from verdict import AGREES, CANNOT_TELL, DOES_NOT, Claim, Study, above, alike, together, trend  # noqa: E402
+from verdict import (AGREES, CANNOT_TELL, DOES_NOT, NOT_SEEN, Claim, Study, above, alike, less_than_half,  # noqa: E402
+                     together, trend)
 
 TABLES = {"levels": EXAMPLES / "defluidisation-cycle/cohesion-levels.csv",
           "mechanisms": EXAMPLES / "overshoot-mechanisms/mechanisms.csv"}
 SPEEDS = {"none": 0.0, "1e-11": 1.79e-3, "5e-11": 4.0e-3, "1e-10": 5.66e-3}
-OVERSHOOT = {"none": -0.05, "none-friction": -0.04, "well": 0.3, "well-no-plate": 0.1, "well-no-side": 0.28,
-             "hamaker": 0.32, "hamaker-no-side": 0.1, "hamaker-no-plate": 0.3, "hamaker-40": 0.4, "hamaker-120": 0.2}
+OVERSHOOT = {"none": -0.05, "none-friction": -0.04, "none-40": -0.05, "none-120": -0.05,
+             "well": 0.3, "well-no-particles": 0.05, "well-no-plate": 0.1, "well-no-side": 0.28, "well-40": 0.31,
+             "well-120": 0.29, "hamaker": 0.32, "hamaker-no-particles": 0.05, "hamaker-no-side": 0.1,
+             "hamaker-no-plate": 0.3, "hamaker-40": 0.4, "hamaker-120": 0.2}
 
 
 def picture(room):
@@ -66,9 +69,10 @@ class Made(unittest.TestCase):
         return self.made_up(rows, speeds)
 
     def mechanism_study(self, turn, deviation):
-        """The rows of mechanisms.csv that are asked for; `turn`: of their overshoot."""
-        self.assertLessEqual(set(OVERSHOOT), set(study.rows(TABLES["mechanisms"])))
-        return self.made_up({row: {"overshoot": spread(turn(mean), deviation)} for row, mean in OVERSHOOT.items()})
+        """All rows of mechanisms.csv; `turn`: of their overshoot."""
+        self.assertEqual(set(OVERSHOOT), set(study.rows(TABLES["mechanisms"])))
+        return self.made_up({row: {figure: spread(turn(mean), deviation) for figure in statements.OVERSHOOTS}
+                             for row, mean in OVERSHOOT.items()})
 
 
 class Rule(Made):
@@ -100,13 +104,29 @@ class Rule(Made):
                                  "other": {"u": spread(2.0 + x, deviation)}})
             self.assertEqual(together(alike("u", "one", "other", "none"), made), expected, x)
 
+    def test_of_effects_of_two_kinds(self):
+        """Effects 1 and 1.1 over 1 and 3 are alike, over 1 and 1 they are 1 and 3.1."""
+        made = self.made_up({"none": {"u": spread(1.0, 0.01)}, "rest": {"u": spread(3.0, 0.01)},
+                             "one": {"u": spread(2.0, 0.01)}, "other": {"u": spread(4.1, 0.01)}})
+        self.assertEqual(together(alike("u", "one", "other", "none", "rest"), made), AGREES)
+        self.assertEqual(together(alike("u", "one", "other", "none"), made), DOES_NOT)
+
+    def test_of_less_than_half_a_fall(self):
+        """Of a fall by 2 over the range: 0.8 in either direction is, 1.2 is not."""
+        where = {"a": 0.0, "b": 1.0}
+        for change, expected in ((0.8, AGREES), (-0.8, AGREES), (1.2, DOES_NOT), (-1.2, DOES_NOT)):
+            made = self.made_up({"a": {"u": spread(3.0, 0.01)}, "b": {"u": spread(1.0, 0.01)},
+                                 "c": {"u": spread(5.0, 0.01)}, "d": {"u": spread(5.0 + change, 0.01)}})
+            claims = less_than_half("u", trend("u", {"c": 0.0, "d": 1.0}), trend("u", where, -1))
+            self.assertEqual(together(claims, made), expected, change)
+
     def test_without_figures_seeds_or_spread(self):
         made = self.made_up({"a": {"u": [1.0]}, "b": {"u": [2.0, 2.0]}, "c": {"u": [3.0, 3.0]}, "d": {"u": []},
                              "e": {"u": [float("nan")] * 3}, "f": {"u": [2.0, 2.0]}})
         for row in ("a", "d", "e", "missing"):
             self.assertEqual(together(above("u", "c", row), made), CANNOT_TELL, row)
-        for one, other in ("cb", "bc", "bf"):
-            self.assertEqual(together(above("u", one, other), made), CANNOT_TELL)
+        for one, other, expected in (("c", "b", CANNOT_TELL), ("b", "c", CANNOT_TELL), ("b", "f", NOT_SEEN)):
+            self.assertEqual(together(above("u", one, other), made), expected)
         # Six digits are printed: what their rounding may have made is no difference.
         rounded = self.made_up({"a": {"u": [1.00000490, 1.00000491]}, "b": {"u": [1.00000510, 1.00000511]}})
         self.assertEqual(together(above("u", "b", "a"), rounded), CANNOT_TELL)
@@ -158,7 +178,7 @@ class Statements(Made):
 
     def test_pictures(self):
         width = {row: {"width": given["width"]} for row, given in study.rows(TABLES["mechanisms"]).items()}
-        forces = ("overshoot", "sides_at_maximum", "plate_at_maximum", "plate_pull_at_maximum",
+        forces = ("overshoot", "overshoot_over_plateau", "sides_at_maximum", "plate_at_maximum", "plate_pull_at_maximum",
                   "gain_at_maximum")
         for seeds in (3, 1):
             mechanisms = self.made_up({row: {figure: spread(0.2, 0.01, seeds) for figure in forces} for row in width},
