@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Velocities of the fluidisation curve, mixing and movement against the escape velocity between particles.
+"""Velocities of the fluidisation curve, mixing, movement and overshoot against the escape velocity between particles.
 
     picture.py SUMMARY.csv PICTURE.png"""
 
@@ -15,7 +15,7 @@ from statements import LAWS, LEVELS, SCHEMES  # noqa: E402
 from verdict import Study  # noqa: E402
 
 PANELS = {"U_mf_df": "U_mf,df [m/s]", "U_mf_th": "U_mf,th [m/s]", "U_mf_in": "U_mf,in [m/s]",
-          "mixing": "mixing [1/s]", "movement": "movement [mm]", "plugging": "share of time with a plug [1]"}
+          "mixing": "mixing [1/s]", "movement": "movement [mm]", "overshoot_over_plateau": "overshoot over the plateau [1]"}
 SCALES = {"movement": 1e3}
 COLOURS = {"well": "#1f6f8b", "hamaker": "#c8553d"}
 APART = 0.06  # mm/s, between lines

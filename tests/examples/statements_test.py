@@ -65,6 +65,7 @@ class Made(unittest.TestCase):
             rows[row] = {**{figure: spread(0.7 + 0.2 * change, deviation, seeds) for figure in statements.VELOCITIES},
                          "mixing": spread(2 - change, deviation, seeds),
                          "movement": spread(2e-3 - 1e-3 * change, 1e-3 * deviation, seeds),
+                         "overshoot_over_plateau": spread(0.1 * change, deviation, seeds),
                          "plugging": spread(0.5 + 0.4 * change, deviation, seeds)}
         return self.made_up(rows, speeds)
 
