@@ -9,20 +9,15 @@ from pathlib import Path
 
 import numpy as np
 
+import ergun
+from case_entries import entries, gravity
 from cavities import cavities, width_of
 from foam_results import read_cells, written_times
 
-GRAVITY = 9.81
 START_UP = 0.8  # s left out: gas that begins at once lifts the resting bed as one plug, which falls back by then
 PEAK = 1.5  # times its mean: where the pressure has a peak
 EMPTY = 0.8  # void fraction above which a cell belongs to a cavity
 SLUG = 0.7  # a cavity this wide, of the bed's width, is a slug
-
-
-def entries(file):
-    """Numbers of a dictionary: {name: value}."""
-    return {name: float(value) for name, value in
-            re.findall(r"^\s*(\w+)\s+(-?[\d.]+(?:[eE]-?\d+)?);", Path(file).read_text(), re.M)}
 
 
 @dataclass
@@ -34,6 +29,7 @@ class Bed:
     def __post_init__(self):
         self.size = entries(self.case / "constant/bed")
         self.gas = entries(self.case / "constant/transportProperties")
+        self.gravity = gravity(self.case)
 
     def __getattr__(self, name):
         return self.size[name]
@@ -47,13 +43,19 @@ class Bed:
     def weight(self):
         """Per area of the plate [Pa]."""
         mass = self.count * self.density * math.pi / 6 * self.diameter**3
-        return mass * GRAVITY / (self.width * (self.front - self.back))
+        return mass * self.gravity / (self.width * (self.front - self.back))
+
+    def minimum_fluidisation(self, void_fraction):
+        """By Ergun's equation."""
+        rho = self.gas["rho"]
+        return ergun.minimum_fluidisation(void_fraction, self.diameter, self.density, rho, rho * self.gas["nu"],
+                                          self.gravity)
 
 
 def pressure_trace(bed):
     """Times and pressures in the middle, at the height of the trace, without the gas's own weight."""
     time, p = np.loadtxt(bed.case / "postProcessing/trace/0/p", comments="#", ndmin=2).T
-    return time, bed.gas["rho"] * (p - GRAVITY * (bed.height - bed.trace))
+    return time, bed.gas["rho"] * (p - bed.gravity * (bed.height - bed.trace))
 
 
 def heights(bed):
@@ -64,7 +66,7 @@ def heights(bed):
 def void_fraction(bed, folder):
     """Of the cells in a written time, (up, across); the mesh has a block left of the jet, one above it and one
     right of it."""
-    values = read_cells(folder / "voidFraction")
+    values = read_cells(folder / "voidFraction", math.prod(bed.cells))
     up, blocks, start = bed.cells[1], [], 0
     for across in (bed.sideCells, bed.jetCells, bed.sideCells):
         end = start + int(across) * up
@@ -86,14 +88,6 @@ def cavity_history(bed):
             rows.append((time, sum(map(len, found)) * cell / rest,
                          max((width_of(members, across) for members in found), default=0.0)))
     return np.array(rows).T
-
-
-def ergun(bed, void):
-    """Minimum fluidisation velocity at a void fraction."""
-    rho, mu, d = bed.gas["rho"], bed.gas["rho"] * bed.gas["nu"], bed.diameter
-    a, b = 1.75 * rho / (void**3 * d), 150 * (1 - void) * mu / (void**3 * d**2)
-    c = (bed.density - rho) * GRAVITY
-    return (math.sqrt(b * b + 4 * a * c) - b) / (2 * a)
 
 
 def resting_void_fraction(bed):
@@ -133,5 +127,5 @@ def figures(case):
             "expansion": float(height.mean()), "expansion_deviation": float(height.std()),
             "cavities": float(area.mean()), "widest_cavity": float(widest.max()),
             "slug_share_of_time": float((widest >= SLUG).mean()),
-            "resting_void_fraction": void, "ergun_U_mf": ergun(bed, void),
+            "resting_void_fraction": void, "ergun_U_mf": bed.minimum_fluidisation(void),
             "seconds_per_second": seconds_per_second(bed)}

@@ -17,7 +17,9 @@ HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "common"))
 
 import analyse  # noqa: E402
+import case_entries  # noqa: E402
 import cavities  # noqa: E402
+import ergun  # noqa: E402
 import expected  # noqa: E402
 import foam_results  # noqa: E402
 import picture  # noqa: E402
@@ -28,6 +30,7 @@ from job_pool import Job, RunError, carry_out, digest_of, require_ours  # noqa: 
 
 BEDS = ("b", "c", "d")
 SCRIPT = "constant/couplingProperties", "lammpsCoeffs/variables"
+READERS = (analyse, case_entries, cavities, ergun, foam_results)  # what the figures depend on besides the run
 MARK = "settings.json"  # in the folder of a case that was made here: it may be made anew
 
 
@@ -60,11 +63,11 @@ class HardBed(Job):
         self.bed, self.env, self.changed = bed, env, changed or {}
         self.variables = {"dissipation": dissipation, "seed": seed}
         self.kind = bed if dissipation else f"{bed}-elastic"
-        size = {**analyse.entries(HERE / f"case/constant/bed.{bed}"), **self.changed}
+        size = {**case_entries.entries(HERE / f"case/constant/bed.{bed}"), **self.changed}
         super().__init__(out / f"{self.kind}-seed-{seed}",
                          {"bed": bed, **self.changed, **self.variables, "fingerprint": mark},
                          work=size["endTime"] * size["count"],
-                         readers=digest_of([module.__file__ for module in (analyse, cavities, foam_results)]))
+                         readers=digest_of([module.__file__ for module in READERS]))
 
     def start(self):
         self.case = FoamCase(HERE / "case", self.folder, self.env, overwrite=True)

@@ -11,17 +11,51 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "common"))
 
-from foam_results import written_times  # noqa: E402
-from geometry import DEPTH, HEIGHT, Geometry  # noqa: E402
+import ergun  # noqa: E402
+from case_entries import engine_block, entries, gravity, numbers, particle_variables  # noqa: E402
+from foam_results import mesh_size, read_cells, written_times  # noqa: E402
 
-GAS_DENSITY, GAS_VISCOSITY, GRAVITY = 1.205, 1.75e-5, 9.81
-DIAMETER, PARTICLE_DENSITY = 1e-3, 2650.0
 PACKED_RANGE = (0.1, 0.7)  # of the weight: points on the packed-bed curve; above it a falling bed may still expand
 OTHER_RANGES = (0.6, 0.8, 0.9)  # where that range might end as well: what it would change is an error of the velocity
 OPEN = 0.9  # of the packed-bed curve: with less pressure the bed has opened
 START_UP = 0.3  # s until the bed that was at rest bubbles
 PLATEAU = 1.1  # x the packed-bed velocities: the bed is fluidised
 SETTLING = 0.2  # share of each step left out
+
+
+@dataclass(frozen=True)
+class Bed:
+    """What a case is of: its gas, particles and cells, from its dictionaries, its mesh and its particles' script. Up
+    is y."""
+
+    gas_density: float
+    gas_viscosity: float  # [Pa s]
+    gravity: float  # [m/s2]
+    diameter: float
+    density: float  # of the particles
+    width: float
+    height: float  # of the mesh
+    depth: float  # from front to back
+    across: int  # cells
+    up: int
+    jet_share: float  # of the plate
+
+    @staticmethod
+    def read(case):
+        gas, cells = (entries(Path(case) / file) for file in ("constant/transportProperties", "constant/bed"))
+        particle = particle_variables(case)
+        return Bed(gas["rho"], gas["rho"] * gas["nu"], gravity(case), particle["d"], particle["density"],
+                   *mesh_size(case), int(cells["across"]), int(cells["up"]), cells["jetShare"])
+
+    @property
+    def node(self):
+        """Height of the lowest pressure node, the centres of the lowest cells."""
+        return self.height / self.up / 2
+
+    def minimum_fluidisation(self, void_fraction):
+        """By Ergun's equation."""
+        return ergun.minimum_fluidisation(void_fraction, self.diameter, self.density, self.gas_density,
+                                          self.gas_viscosity, self.gravity)
 
 
 @dataclass
@@ -75,22 +109,19 @@ def read_traces(case):
     pressure = read_columns(case / "postProcessing/lowestPressure/0/volFieldValue.dat")
     jets = read_vectors(case / "postProcessing/jetVelocity/0/surfaceFieldValue.dat")
     bed, walls = (read_columns(case / file) for file in ("bed.dat", "walls.dat"))
-    step, geometry = particle_step(case), Geometry.read(case)
+    step, of = particle_step(case), Bed.read(case)
     time = pressure[:, 0]
     # p is that of the gas with its own weight; the pressure drop is what the particles cause.
-    drop = GAS_DENSITY * (pressure[:, 1] - GRAVITY * (HEIGHT - geometry.node))
+    drop = of.gas_density * (pressure[:, 1] - of.gravity * (of.height - of.node))
     weight, height, *_ = (np.interp(time, bed[:, 0] * step, column) for column in bed[:, 1:].T)
     carried, sides, *pull = (np.interp(time, walls[:, 0] * step, column) for column in walls[:, 1:].T)
-    return Traces(time, jets[:, 2] * geometry.share, drop, weight, height, carried, sides,
-                  pull[0] if pull else np.full(len(time), np.nan), geometry.width * DEPTH)
+    return Traces(time, jets[:, 2] * of.jet_share, drop, weight, height, carried, sides,
+                  pull[0] if pull else np.full(len(time), np.nan), of.width * of.depth)
 
 
 def particle_step(case):
     """Time step [s] of the particle engine that the case names."""
-    text = (Path(case) / "constant/couplingProperties").read_text()
-    engine = re.search(r"^demEngine\s+(\w+);", text, re.M).group(1)
-    own = re.search(rf"^{engine}Coeffs\s*\{{(.*?)^\}}", text, re.M | re.S).group(1)
-    return float(re.search(r"^\s*dt\s+(\S+);", own, re.M).group(1))
+    return numbers(engine_block(case))["dt"]
 
 
 def read_vectors(file):
@@ -253,25 +284,13 @@ def packed_void_fraction(case):
     written = [t for t in folders if rest and rest[0][0] < t <= rest[0][1] + 1e-3]
     if not written:
         return float("nan"), float("nan")
-    traces = read_traces(case)
-    field = void_fraction(case, folders[max(written)])
-    rows = int(np.interp(max(written), traces.time, traces.height) / (HEIGHT / len(field)))
-    inside = field[1:rows - 1, 1:-1]
+    traces, of = read_traces(case), Bed.read(case)
+    rows = int(np.interp(max(written), traces.time, traces.height) / (of.height / of.up))
+    inside = void_fraction(case, folders[max(written)])[1:rows - 1, 1:-1]
     return float(inside.mean()), float(inside.std(ddof=1))
 
 
 def void_fraction(case, folder):
     """Of the cells at one of written_times(), an array: rows from the plate up, and in a row from left to right."""
-    geometry = Geometry.read(case)
-    text = (folder / "voidFraction").read_text()
-    cells = re.search(r"internalField\s+nonuniform List<scalar>\s+\d+\s*\((.*?)\)", text, re.S)
-    return np.array(cells.group(1).split(), dtype=float).reshape(geometry.up, geometry.across)
-
-
-def ergun_minimum_fluidisation(void_fraction):
-    """Ergun's superficial velocity at which the pressure drop carries the bed."""
-    solid = 1 - void_fraction
-    viscous = 150 * solid**2 / void_fraction**3 * GAS_VISCOSITY / DIAMETER**2
-    inertial = 1.75 * solid / void_fraction**3 * GAS_DENSITY / DIAMETER
-    weight = solid * (PARTICLE_DENSITY - GAS_DENSITY) * GRAVITY
-    return (-viscous + np.sqrt(viscous**2 + 4 * inertial * weight)) / (2 * inertial)
+    of = Bed.read(case)
+    return read_cells(folder / "voidFraction", of.up * of.across).reshape(of.up, of.across)

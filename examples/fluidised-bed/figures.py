@@ -8,16 +8,17 @@ HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "common"))
 
 import analyse  # noqa: E402
+import case_entries  # noqa: E402
 import cavities  # noqa: E402
+import ergun  # noqa: E402
 import foam_results  # noqa: E402
-import geometry  # noqa: E402
 import particles  # noqa: E402
 from job_pool import digest_of  # noqa: E402
 
 
 def programs():
     """Mark of the programs that these figures are read by: with others they are read again."""
-    readers = (analyse, cavities, foam_results, geometry, particles)
+    readers = (analyse, case_entries, cavities, ergun, foam_results, particles)
     return digest_of([Path(__file__), *(Path(module.__file__) for module in readers)])
 
 
@@ -26,13 +27,14 @@ def evaluate(case):
     velocities = analyse.velocities(steps)
     plateau, balance = analyse.plateau(case, velocities)
     mean, deviation = analyse.packed_void_fraction(case)
+    bed = analyse.Bed.read(case)
     return {
         "steps": steps,
         "velocities": velocities,
         "plateau": plateau,
         "balance": balance,
         "void_fraction": (mean, deviation),
-        "ergun": [analyse.ergun_minimum_fluidisation(mean + s * deviation) for s in (-1, 1)],
+        "ergun": [bed.minimum_fluidisation(mean + s * deviation) for s in (-1, 1)],
         "mixing": particles.mixing(case),
         "movement": particles.movement(case),
         "plugging": particles.plugging(case),

@@ -5,7 +5,6 @@ from drawing import circles, pyplot, save
 
 import analyse
 from foam_results import read_cloud, written_times
-from geometry import Geometry
 
 COLOURS = {"non-cohesive": "#1f6f8b", "Hamaker": "#c8553d"}
 
@@ -42,10 +41,10 @@ def draw_curves(axes, results):
 def draw_snapshot(axes, case, name):
     time, folder = max(written_times(case).items())
     positions, velocities = read_cloud(folder)
-    particles = circles(axes, positions[:, :2] * 1e3, analyse.DIAMETER * 1e3, array=velocities[:, 1],
-                        cmap="coolwarm")
+    bed = analyse.Bed.read(case)
+    particles = circles(axes, positions[:, :2] * 1e3, bed.diameter * 1e3, array=velocities[:, 1], cmap="coolwarm")
     particles.set_clim(-0.5, 0.5)
-    axes.set_xlim(0, Geometry.read(case).width * 1e3)
+    axes.set_xlim(0, bed.width * 1e3)
     axes.set_ylim(0, 130)
     axes.set_xlabel("[mm]")
     axes.set_title(f"{name}, {time:.2f} s", fontsize=10)

@@ -18,6 +18,7 @@ import analyse  # noqa: E402
 import expected  # noqa: E402
 import picture  # noqa: E402
 import run  # noqa: E402
+from case_entries import entries, gravity  # noqa: E402
 from cavities import cavities, width_of  # noqa: E402
 from foam_results import read_cloud, written_times  # noqa: E402
 
@@ -133,9 +134,10 @@ class Reading(unittest.TestCase):
         case = SOURCE / "examples/bubbling-hard-sphere/case"
         for name, velocity in (("b", 1.77), ("c", 1.77), ("d", 0.56)):
             bed = object.__new__(analyse.Bed)
-            bed.size = analyse.entries(case / f"constant/bed.{name}")
-            bed.gas = analyse.entries(case / "constant/transportProperties")
-            self.assertAlmostEqual(analyse.ergun(bed, 0.41), velocity, delta=0.005)
+            bed.size = entries(case / f"constant/bed.{name}")
+            bed.gas = entries(case / "constant/transportProperties")
+            bed.gravity = gravity(case)
+            self.assertAlmostEqual(bed.minimum_fluidisation(0.41), velocity, delta=0.005)
             depth = bed.front - bed.back
             self.assertAlmostEqual(1 - 0.83 * 2 / 3 * bed.diameter / depth, 0.41, delta=0.001)
 
