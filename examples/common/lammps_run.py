@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The package's LAMMPS: where a build folder has it, a run of a script by itself, and what its log says."""
 
+import json
 import os
 import re
 import subprocess
@@ -9,6 +10,9 @@ from pathlib import Path
 import numpy as np
 
 from job_pool import Job, dies_with_us
+
+
+MARK = "settings.json"  # in the folder of a run that was started here: it may be made anew
 
 
 class NotBuilt(RuntimeError):
@@ -38,6 +42,7 @@ class ScriptRun(Job):
 
     def start(self):
         self.folder.mkdir(parents=True, exist_ok=True)
+        (self.folder / MARK).write_text(json.dumps(self.settings))
         program, plugin = self.engine
         command = [program, "-in", self.script, "-log", "none", "-var", "plugin", plugin]
         for name, value in self.variables().items():

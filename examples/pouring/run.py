@@ -3,7 +3,7 @@
 a time as there are cores, and ends in a table, figures beside those expected, and a picture. Runs that are
 finished are not run again.
 
-    run.py [--build FOLDER] [--out FOLDER] [--seeds N ...] [--together N]
+    run.py [--build FOLDER] [--out FOLDER] [--seeds N ...] [--together N] [--overwrite]
 """
 
 import argparse
@@ -18,8 +18,8 @@ import expected  # noqa: E402
 import picture  # noqa: E402
 import program  # noqa: E402
 import study_table  # noqa: E402
-from job_pool import RunError, carry_out, digest_of  # noqa: E402
-from lammps_run import NotBuilt, ScriptRun, launcher  # noqa: E402
+from job_pool import RunError, carry_out, digest_of, require_ours  # noqa: E402
+from lammps_run import MARK, NotBuilt, ScriptRun, launcher  # noqa: E402
 
 # Variables of in.pouring. The columns, 1.5 diameters apart, fill a box 24 diameters wide.
 BED = {"count": 500, "columns": 16, "height": 48, "e": 0.9, "mu": 0.3, "time": 0.6}
@@ -32,6 +32,7 @@ def arguments():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
     parser.add_argument("--seeds", type=int, nargs="+", default=[1, 2, 3], metavar="N",
                         help="of the places from which the spheres fall (%(default)s)")
+    parser.add_argument("--overwrite", action="store_true", help="replace runs of other settings")
     program.folder_words(parser, "BUILD/pouring")
     program.together_words(parser)
     return parser.parse_args()
@@ -65,6 +66,7 @@ def main():
     out = (args.out or args.build / "pouring").resolve()
     engine = launcher(args.build)
     jobs = [Pouring(out, engine, seed, *kind) for kind in KINDS for seed in args.seeds]
+    require_ours(jobs, MARK, args.overwrite)
     kinds = study_table.by_kind(jobs, carry_out(jobs, args.together))
     program.leave_table(out, study_table.side_by_side(kinds) + "\n\n"
                         + expected.text(HERE / "expected.csv", study_table.means_of(kinds)))

@@ -2,11 +2,15 @@
 """bubbling_hard_sphere.py BUILD_FOLDER: a small version of examples/bubbling-hard-sphere, 300 spheres above a jet
 for 0.05 s with and without dissipation; the reading of pressure, void fraction and cavities where it is known."""
 
+import contextlib
+import io
 import math
+import re
 import sys
 import tempfile
 import unittest
 from pathlib import Path
+from unittest import mock
 
 import numpy as np
 
@@ -98,6 +102,17 @@ class SmallBed(unittest.TestCase):
         for row in expected.rows(run.HERE / "expected.csv"):
             self.assertIn(row["case"], {f"{bed}{kind}" for bed in run.BEDS for kind in ("", "-elastic")})
             self.assertIn(row["quantity"], self.results[0])
+
+    def test_a_run_of_another_time_is_not_held_against_expectations(self):
+        """The small bed's figures in the place of those of both beds, with and without dissipation."""
+        for words, lines in ((), len(expected.rows(run.HERE / "expected.csv"))), (("--time", "0.05"), 0):
+            with tempfile.TemporaryDirectory(prefix="cohesion-") as out, \
+                    mock.patch.object(run, "carry_out", lambda jobs, together: len(jobs) * self.results[:1]), \
+                    mock.patch.object(run.picture, "draw"), contextlib.redirect_stdout(io.StringIO()) as printed, \
+                    mock.patch.object(sys, "argv", ["run.py", "--seeds", "1", "--out", out, "--build", BUILD, *words]):
+                run.main()
+            self.assertEqual(len(re.findall(", expected [0-9.]+ to", printed.getvalue())), lines)
+            self.assertIn("slug_share_of_time", printed.getvalue())
 
     def test_beds_of_other_settings_are_kept(self):
         env = run.environment(BUILD)

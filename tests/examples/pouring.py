@@ -7,6 +7,7 @@ import sys
 import tempfile
 import unittest
 from pathlib import Path
+from unittest import mock
 
 import numpy as np
 
@@ -78,6 +79,21 @@ class SmallBed(unittest.TestCase):
         before = [(job.folder / "log").stat().st_mtime_ns for job in self.jobs]
         self.assertEqual(run.carry_out(self.jobs, 2), self.results)
         self.assertEqual([(job.folder / "log").stat().st_mtime_ns for job in self.jobs], before)
+
+    def test_runs_of_other_settings_and_what_is_no_run_are_kept(self):
+        first = self.jobs[0]
+        run.require_ours(self.jobs, run.MARK)
+        other = run.Pouring(Path(self.keeper.name), first.engine, 1, run.STEP, run.CONTACT, **{**SMALL, "time": 0.2})
+        self.assertEqual(other.folder, first.folder)
+        with self.assertRaisesRegex(run.RunError, "--overwrite"):
+            run.require_ours([other], run.MARK)
+        with tempfile.TemporaryDirectory(prefix="cohesion-") as out:
+            folder = Path(out) / first.folder.name
+            folder.mkdir()
+            (folder / "letter.txt").write_text("mine")
+            with mock.patch.object(sys, "argv", ["run.py", "--out", out, "--build", BUILD, "--overwrite"]), \
+                    self.assertRaisesRegex(run.RunError, f"{folder.name}.*would be lost"):
+                run.main()
 
 
 class Reading(unittest.TestCase):
