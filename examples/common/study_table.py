@@ -92,8 +92,10 @@ def side_by_side(kinds, digits=4):
 
 
 def with_deviation(mean, deviation, digits, of_deviation=None):
-    """Text of a mean with the deviation of one run, which one seed has not. `digits`: a format, that of the deviation
-    too when it has none of its own."""
+    """Text of a mean with the deviation of one run, which one seed has not; "none" without a mean, nan. `digits`: a
+    format, that of the deviation too when it has none of its own."""
+    if math.isnan(mean):
+        return "none"
     return f"{mean:{digits}}" + ("" if math.isnan(deviation) else f" +- {deviation:{of_deviation or digits}}")
 
 

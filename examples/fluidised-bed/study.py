@@ -10,7 +10,7 @@ with the others.
 
 import argparse
 import sys
-from math import isqrt, sqrt
+from math import isnan, isqrt, sqrt
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
@@ -115,10 +115,12 @@ def same_bed(one, other):
 
 def difference(one, other, figure):
     """Of the means over the seeds, other - one, with how many of its standard errors that is, as text; "none" with
-    fewer than two seeds of either."""
+    fewer than two seeds of either, or one of no such figure."""
     if min(len(one), len(other)) < 2:
         return "none"
     (first, spread), (second, other_spread) = (over_seeds(results)[figure] for results in (one, other))
+    if isnan(second - first):
+        return "none"
     error = sqrt(spread**2 / len(one) + other_spread**2 / len(other))
     return f"{second - first:+{COLUMNS[figure]}} ({f'{(second - first) / error:.1f}' if error else 'no spread'})"
 

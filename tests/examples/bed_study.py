@@ -91,6 +91,15 @@ class Beds(SmallBeds):
         self.assertEqual(study.difference(one, other[:1], figure), "none")
         self.assertEqual(study.difference(one, 2 * other[:1], figure), "+2.000 (2.0)")
         self.assertEqual(study.difference(2 * one[:1], 2 * other[:1], figure), "+3.000 (no spread)")
+        self.assertEqual(study.difference(one, [*other, {figure: math.nan}], figure), "none")
+
+    def test_a_figure_that_one_seed_has_not(self):
+        """Of the same: none, not a number that is none."""
+        row = {name: float(k) for k, name in enumerate(study.PRINTED)}
+        results = {"a": [row, {**row, "overshoot": math.nan}]}
+        heading, line = study.text({"a": parameters("lammps")}, results, {"a": 0}, {"a": {"v_esc": 0.1}}).splitlines()
+        self.assertEqual(line.count("none"), 1)
+        self.assertEqual(line.index("none"), heading.index("overshoot"))
 
     def test_refuses_what_liggghts_would_stop_at(self):
         table = self.folder / "table.csv"
