@@ -9,40 +9,71 @@ COUPLING = "constant/couplingProperties"
 NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 
 
-def numbers(text):
-    """{name: value} of the entries in a dictionary's text, those of dictionaries inside it too."""
-    return {name: float(value) for name, value in re.findall(rf"^\s*(\w+)\s+({NUMBER})\s*;", text, re.M)}
+class EntryError(LookupError):
+    """A file of the case lacks what is read of it."""
+
+
+class Numbers(dict):
+    """{name: value}, of a file."""
+
+    def __init__(self, found, file):
+        super().__init__({name: float(value) for name, value in found})
+        self.file = file
+
+    def __missing__(self, name):
+        raise EntryError(f"{self.file}: no number '{name}'")
+
+
+def in_text(pattern, file, text, what):
+    """The group of the pattern in the text of a file. Raises EntryError, which says `what` is missing."""
+    found = re.search(pattern, text, re.M | re.S)
+    if not found:
+        raise EntryError(f"{file}: no {what}")
+    return found[1]
+
+
+def numbers(text, file):
+    """Of the entries in a dictionary's text, those of dictionaries inside it too."""
+    return Numbers(re.findall(rf"^\s*(\w+)\s+({NUMBER})\s*;", text, re.M), file)
 
 
 def entries(file):
     """numbers() of a dictionary."""
-    return numbers(Path(file).read_text())
+    return numbers(Path(file).read_text(), file)
 
 
 def gravity(case):
     """Of constant/g, which is against y [m/s2]."""
-    text = (Path(case) / "constant/g").read_text()
-    return -float(re.search(rf"^value\s+\(\s*{NUMBER}\s+({NUMBER})\s+{NUMBER}\s*\)\s*;", text, re.M)[1])
+    file = Path(case) / "constant/g"
+    vector = rf"^value\s+\(\s*{NUMBER}\s+({NUMBER})\s+{NUMBER}\s*\)\s*;"
+    return -float(in_text(vector, file, file.read_text(), "vector 'value'"))
 
 
 def engine_block(case):
-    """Text of the dictionary of the particle engine that the case names."""
-    text = (Path(case) / COUPLING).read_text()
-    engine = re.search(r"^demEngine\s+(\w+)\s*;", text, re.M)[1]
-    return re.search(rf"^{engine}Coeffs\s*\{{(.*?)^\}}", text, re.M | re.S)[1]
+    """File and text of the dictionary of the particle engine that the case names."""
+    file = Path(case) / COUPLING
+    text = file.read_text()
+    engine = in_text(r"^demEngine\s+(\w+)\s*;", file, text, "entry 'demEngine'")
+    return file, in_text(rf"^{engine}Coeffs\s*\{{(.*?)^\}}", file, text, f"dictionary '{engine}Coeffs'")
+
+
+def particle_step(case):
+    """Time step [s] of the particle engine that the case names."""
+    file, block = engine_block(case)
+    return numbers(block, file)["dt"]
 
 
 def script_numbers(file):
-    """{name: value} of the variables that a particles' script begins with or calculates with."""
+    """Of the variables of a particles' script."""
     text = Path(file).read_text()
-    found = re.findall(rf"^variable\s+(\w+)\s+(?:index|equal)\s+({NUMBER})(?:\s|$)", text, re.M)
-    return {name: float(value) for name, value in found}
+    return Numbers(re.findall(rf"^variable\s+(\w+)\s+(?:index|equal)\s+({NUMBER})(?:\s|$)", text, re.M), file)
 
 
 def particle_variables(case):
-    """{name: value} of the variables of the particles' script that the case runs: those that the case sets, and those of
-    the script itself."""
-    block = engine_block(case)
-    script = re.search(r'^\s*script\s+"?([^";]+)"?\s*;', block, re.M)[1]
-    script = Path(case) / re.sub(r"\$\{?FOAM_CASE\}?", ".", script)
-    return {**script_numbers(script), **numbers(block)}
+    """Of the variables of the particles' script that the case runs: those of the script itself, and those that the case
+    sets."""
+    file, block = engine_block(case)
+    script = in_text(r'^\s*script\s+"?([^";]+)"?\s*;', file, block, "entry 'script'")
+    found = script_numbers(Path(case) / re.sub(r"\$\{?FOAM_CASE\}?", ".", script))
+    found.update(numbers(block, file))
+    return found

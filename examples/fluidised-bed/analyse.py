@@ -12,7 +12,7 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "common"))
 
 import ergun  # noqa: E402
-from case_entries import engine_block, entries, gravity, numbers, particle_variables  # noqa: E402
+from case_entries import entries, gravity, particle_step, particle_variables  # noqa: E402
 from foam_results import mesh_size, read_cells, written_times  # noqa: E402
 
 PACKED_RANGE = (0.1, 0.7)  # of the weight: points on the packed-bed curve; above it a falling bed may still expand
@@ -117,11 +117,6 @@ def read_traces(case):
     carried, sides, *pull = (np.interp(time, walls[:, 0] * step, column) for column in walls[:, 1:].T)
     return Traces(time, jets[:, 2] * of.jet_share, drop, weight, height, carried, sides,
                   pull[0] if pull else np.full(len(time), np.nan), of.width * of.depth)
-
-
-def particle_step(case):
-    """Time step [s] of the particle engine that the case names."""
-    return numbers(engine_block(case))["dt"]
 
 
 def read_vectors(file):

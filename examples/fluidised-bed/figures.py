@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What is read of one finished case of the fluidised bed: all of it, and what of it is one number."""
+"""What is read of one finished case of the fluidised bed: all of it, and what of it is one number.
+
+    figures.py CASE"""
 
 import sys
+from math import nan
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
@@ -13,7 +16,10 @@ import cavities  # noqa: E402
 import ergun  # noqa: E402
 import foam_results  # noqa: E402
 import particles  # noqa: E402
+import program  # noqa: E402
+from case_entries import EntryError  # noqa: E402
 from job_pool import digest_of  # noqa: E402
+from study_table import aligned, with_deviation  # noqa: E402
 
 
 def programs():
@@ -58,3 +64,12 @@ def single(found):
             "plugging": found["plugging"], "widest_cavity": found["widest_cavity"], "pressure_noise": found["noise"],
             **{f"{name}_at_maximum": share for name, share in found["forces"].items()},
             "exchange_ms_per_step": found["exchange_ms"]}
+
+
+def main():
+    case, = program.words(__doc__, 1)
+    print(aligned([(name, with_deviation(value, nan, ".6g")) for name, value in single(evaluate(case)).items()]))
+
+
+if __name__ == "__main__":
+    program.run(main, OSError, EntryError)

@@ -15,6 +15,7 @@ sys.path.insert(0, str(BED))
 import analyse  # noqa: E402
 import ergun  # noqa: E402
 import particles  # noqa: E402
+from case_entries import particle_step  # noqa: E402
 
 
 def steps(minimum, highest, rising):
@@ -140,7 +141,7 @@ class ParticleStep(unittest.TestCase):
                 (Path(folder) / "constant").mkdir()
                 (Path(folder) / "constant/couplingProperties").write_text(
                     changed.replace("demEngine       lammps;", f"demEngine {engine};"))
-                self.assertEqual(analyse.particle_step(folder), 2e-5)
+                self.assertEqual(particle_step(folder), 2e-5)
 
 
 class Schedules(unittest.TestCase):
