@@ -230,14 +230,16 @@ def velocities(steps):
 
 
 def plateau(case, found):
-    """Fluidised state: mean of pressure drop x area / weight, and of the same with the force of plate
-    and side walls added, each with its standard error. All times with a gas velocity at least PLATEAU
-    x both packed-bed velocities, the start-up left out; the errors from means over blocks of 0.2 s,
-    about a period of the bubbles."""
+    """Fluidised state: mean of pressure drop x area / weight, and of the same with the force of plate and side walls
+    added, each with its standard error. All times with a gas velocity above PLATEAU x both packed-bed velocities, or
+    the one that is known, the start-up left out; the errors from means over blocks of 0.2 s, about a period of the
+    bubbles. nan when there are no two such times, or no such velocity."""
     traces = read_traces(case)
-    fluidised = ((traces.time > START_UP)
-                 & (traces.velocity > PLATEAU * max(found.falling[0], found.rising[0])))
+    known = [velocity for velocity, _ in (found.falling, found.rising) if not np.isnan(velocity)]
+    fluidised = (traces.time > START_UP) & (traces.velocity > PLATEAU * max(known, default=np.inf))
     duration = np.count_nonzero(fluidised) * (traces.time[1] - traces.time[0])
+    if np.count_nonzero(fluidised) < 2:
+        return (np.nan, np.nan), (np.nan, np.nan)
 
     def mean_and_error(values):
         blocks = [b.mean() for b in np.array_split(values[fluidised], max(2, round(duration / 0.2)))]

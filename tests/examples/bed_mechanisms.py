@@ -38,7 +38,7 @@ compute book all gran/energy
 thermo_style custom step c_book[5]
 run 10
 variable held equal c_book[5]
-print "found held ${held}"
+print "found held ${held} plate_pull ${plate_pull}"
 write_dump all custom places id x y vx vy modify format float %.17g
 """
 STEP = 2.25e-5  # [s]
@@ -119,6 +119,8 @@ class Mechanisms(unittest.TestCase):
                 self.assertLessEqual(least, round(held))
                 self.assertLessEqual(round(held), most)
                 self.assertEqual(held > 0, any(given))
+                if not given[2]:
+                    self.assertEqual(found["plate_pull"], 0)
 
     def test_refuses_a_strength_of_the_other_law(self):
         for says, given in (("A is 7.49e-19, of law hamaker", {"law": "square_well"}),

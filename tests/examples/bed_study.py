@@ -206,13 +206,19 @@ class Beds(SmallBeds):
                 words = [word for name, value in given.items() for word in ("-var", name, str(value))]
                 subprocess.run([program, "-in", "in.bed", *words], cwd=folder, check=True, stdout=subprocess.DEVNULL)
                 rows = read_columns(folder / "bed.dat")
-                height, carried = rows[:, 2] / 2, read_columns(folder / "walls.dat")[:, 1]
+                height, walls = rows[:, 2] / 2, read_columns(folder / "walls.dat")
+                carried, plate_pull = walls[:, 1], walls[:, 3]
                 window = 80 * dt
                 weights = [0.25, 0.75] + [1] * (len(rows) - 4) + [0.75, 0.25]
                 impulse = window * sum(weight * force for weight, force in zip(weights, carried))
                 gained = mass * (height[-1] - height[-2] - height[1] + height[0]) / window
                 self.assertAlmostEqual((impulse - gained) / (mass * 9.81 * window * sum(weights)), 1, delta=0.02,
                                        msg=f"{scheme}, A = {A} J, D = {D} J")
+                # Of the plate's attraction alone: none without cohesion, down with it in the mean.
+                if A or D:
+                    self.assertLess(plate_pull.mean(), 0)
+                else:
+                    self.assertEqual(set(plate_pull), {0.0})
 
     def test_a_bed_that_fails_leaves_the_table_of_the_others(self):
         table, out = self.folder / "table.csv", self.folder / "out"
