@@ -274,17 +274,19 @@ def pressure_noise(case):
 
 
 def packed_void_fraction(case):
-    """Mean and standard deviation over the cells inside the resting bed: those between the lowest
-    row and the last full row below the surface, at the last written time without gas flow."""
+    """Mean, standard deviation and standard error of the mean over the cells inside the resting bed: those between the
+    lowest row and the last full row below the surface, at the last written time without gas flow. The error is that of
+    cells that are independent; what one has too much its neighbours lack, so that it is rather too large."""
     rest = [s for s in read_schedule(case) if s[2] == 0]
     folders = written_times(case)
     written = [t for t in folders if rest and rest[0][0] < t <= rest[0][1] + 1e-3]
     if not written:
-        return float("nan"), float("nan")
+        return float("nan"), float("nan"), float("nan")
     traces, of = read_traces(case), Bed.read(case)
     rows = int(np.interp(max(written), traces.time, traces.height) / (of.height / of.up))
     inside = void_fraction(case, folders[max(written)])[1:rows - 1, 1:-1]
-    return float(inside.mean()), float(inside.std(ddof=1))
+    deviation = inside.std(ddof=1)
+    return float(inside.mean()), float(deviation), float(deviation / np.sqrt(inside.size))
 
 
 def void_fraction(case, folder):

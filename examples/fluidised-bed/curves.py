@@ -5,6 +5,7 @@ most, with processor seconds.
 
     curves.py STUDY_FOLDER PICTURE.png"""
 
+import json
 import sys
 from pathlib import Path
 
@@ -16,22 +17,45 @@ import numpy as np  # noqa: E402
 import analyse  # noqa: E402
 import program  # noqa: E402
 from drawing import pyplot, save  # noqa: E402
+from job_pool import RESULT  # noqa: E402
+from study_table import number  # noqa: E402
 from verdict import Study  # noqa: E402
 
 BASE = "base"
 BRANCHES = {"o-": "falling", "^--": "rising"}
 
 
-def curves(folder, row):
+class CurvesError(RuntimeError):
+    """The runs are not those of the summary."""
+
+
+def runs(folder, study, row):
+    """Folders of the runs that the line of summary.csv is of: with its parameters, of one build of the programs, as many
+    as it has seeds. Others may lie beside them, of earlier parameters or builds. Raises CurvesError when no build has as
+    many, or more than one has."""
+    given, seeds, of_build = study.rows[row], study.number(row, "seeds"), {}
+    for file in sorted(folder.glob(f"runs/{row}-*/{RESULT}")):
+        settings = json.loads(file.read_text())["settings"]
+        build, seed = settings.pop("fingerprint"), settings.pop("seed")
+        if file.parent.name == f"{row}-{seed}" and all(number(given.get(name, "")) == value
+                                                       for name, value in settings.items()):
+            of_build.setdefault(build, []).append(file.parent)
+    found = [cases for cases in of_build.values() if len(cases) == seeds]
+    if len(found) != 1 and seeds:
+        raise CurvesError(f"{folder}: which runs the {seeds:.0f} of row '{row}' in summary.csv are cannot be told: run "
+                          "study.py again with the seeds that are meant")
+    return found[0] if seeds else []
+
+
+def curves(folder, study, row):
     """[(velocities, pressure drops over the weight, a line for each seed that has a result)] of the falling and the
     rising branch; None without any."""
-    runs = [analyse.curve(run.parent) for run in sorted(folder.glob(f"runs/{row}-*/result.json"))
-            if run.parent.name.rpartition("-")[0] == row]
-    if not runs:
+    found = [analyse.curve(case) for case in runs(folder, study, row)]
+    if not found:
         return None
-    drops = np.array([[step.ratio for step in steps] for steps in runs])
-    rising = np.array([step.rising for step in runs[0]])
-    velocity = np.array([step.velocity for step in runs[0]])
+    drops = np.array([[step.ratio for step in steps] for steps in found])
+    rising = np.array([step.rising for step in found[0]])
+    velocity = np.array([step.velocity for step in found[0]])
     return [(velocity[branch], drops[:, branch]) for branch in (~rising, rising)]
 
 
@@ -52,7 +76,7 @@ def draw(folder, file):
     for axes, kind in zip(panels[0], kinds):
         rows = [row for row in study.rows if row == BASE or row.split("-")[0] == kind]
         for row, colour in zip(rows, pyplot.rcParams["axes.prop_cycle"].by_key()["color"]):
-            if found := curves(folder, row):
+            if found := curves(folder, study, row):
                 draw_row(axes, found, colour, f"{row}: {study.number(row, 'processor_seconds'):.0f} s, "
                          f"{len(found[0][1])} seed{'s' * (len(found[0][1]) > 1)}")
         axes.axhline(1.0, color="0.5", linewidth=0.7)
@@ -69,4 +93,4 @@ def draw(folder, file):
 
 if __name__ == "__main__":
     of, to = program.words(__doc__, 2)
-    program.run(lambda: draw(Path(of), to), OSError)
+    program.run(lambda: draw(Path(of), to), OSError, CurvesError)

@@ -32,14 +32,14 @@ def evaluate(case):
     steps = analyse.curve(case)
     velocities = analyse.velocities(steps)
     plateau, balance = analyse.plateau(case, velocities)
-    mean, deviation = analyse.packed_void_fraction(case)
+    mean, deviation, error = analyse.packed_void_fraction(case)
     bed = analyse.Bed.read(case)
     return {
         "steps": steps,
         "velocities": velocities,
         "plateau": plateau,
         "balance": balance,
-        "void_fraction": (mean, deviation),
+        "void_fraction": (mean, deviation, error),
         "ergun": [bed.minimum_fluidisation(mean + s * deviation) for s in (-1, 1)],
         "mixing": particles.mixing(case),
         "movement": particles.movement(case),

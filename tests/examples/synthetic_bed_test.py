@@ -3,12 +3,15 @@
 of it depends on entries of the case, and the curves of a study. No entry is that of the example's own case."""
 
 import json
+import dataclasses
+import json
 import math
 import sys
 import tempfile
 import unittest
 import warnings
 from pathlib import Path
+from unittest import mock
 
 import numpy as np
 
@@ -17,9 +20,9 @@ sys.path[:0] = [str(SOURCE / "examples/fluidised-bed"), str(SOURCE / "examples/c
 import analyse  # noqa: E402
 import curves  # noqa: E402
 import figures  # noqa: E402
-import program  # noqa: E402
 from case_entries import EntryError  # noqa: E402
 from study_table import write_summary  # noqa: E402
+from verdict import Study  # noqa: E402
 
 # Gas velocities and the ends of their steps, each changed within 1 ms.
 DOWN = [(1.2, 0.8), (0.9, 0.9), (0.7, 1.0), (0.6, 1.1), (0.5, 1.2), (0.4, 1.3), (0.3, 1.4), (0.2, 1.5)]
@@ -107,7 +110,7 @@ def files():
         "bed.dat": table(zip(steps, written, np.full(len(steps), 0.062), steps)),
         "walls.dat": table(zip(steps, 0.04 * written, -0.01 * written, -0.02 * written)),
         "postProcessing/mixing/0/mixingIndex.dat": table(
-            (t, 9 if t < 0.3 else 0.4 * t if t < 1 else 0.65 if 1.501 < t <= 1.6 else 0.1, 0, 0)
+            (t, 0.2 if t == 0.1 else 9 if t < 0.3 else 0.4 * t if t < 1 else 0.65 if 1.501 < t <= 1.6 else 0.1, 0, 0)
             for t in np.arange(1, 26) / 10),
         # Mean velocities 1.05 and 0.7; an interval of the rising branch.
         "postProcessing/movement/0/particleMovement.dat": table(((0.9, 0.2, 0.005, 0, 0, 0, 0),
@@ -173,9 +176,11 @@ class Reading(Synthetic):
         self.near(found["plateau"], (np.mean(blocks), error))
         self.near(found["balance"], (np.mean(blocks) + 0.04, error))
         # 0.40, 0.42, 0.44 and 0.46, three times each.
-        self.near(found["void_fraction"], (0.43, math.sqrt(12 * 5e-4 / 11)))
-        self.near([single[name] for name in ("mixing", "mixed", "movement", "movement_at")], (0.4, 0.65, 0.003, 0.7))
-        self.assertEqual(single["plugging"], 0.5)
+        self.near(found["void_fraction"], (0.43, math.sqrt(12 * 5e-4 / 11), math.sqrt(5e-4 / 11)))
+        self.near([single[name] for name in ("mixing", "mixed", "movement", "movement_at")],
+                  (0.4 / 0.8, 0.45 / 0.8, 0.003, 0.7))  # of an index that is 0.2 at the start
+        # An empty bed at 0.5 s, a gap from wall to wall at 0.7 s.
+        self.assertEqual((single["plugging"], single["widest_cavity"]), (0.5, 0.5))
         # What a sample differs by from its neighbours is twice the noise.
         self.near(found["noise"], 2 * NOISE / 0.96)
         self.near(found["forces"]["gain"], 0.3 / 2)
@@ -245,6 +250,63 @@ class Plateau(Synthetic):
         self.near(found(one, (0.82, 0.0))[0][0], np.mean((0.96, 0.96, (0.96 + 1.04) / 2, 1.04)))
         for without in (found(none, none), found((1.1, 0.0), none)):
             self.assertTrue(np.isnan(without).all())
+
+
+class Curves(Synthetic):
+    """Of a study whose folder has runs of other parameters and of another build as well."""
+
+    TABLE = {"base": {"engine": "lammps", "A": 0, "law": "hamaker"}, "A-1": {"engine": "lammps", "A": 1e-19}}
+
+    def run_of(self, name, build="this", **settings):
+        row, _, seed = name.rpartition("-")
+        case = self.make(f"runs/{name}")
+        (case / "result.json").write_text(json.dumps(
+            {"settings": {**self.TABLE[row], "seed": int(seed), "fingerprint": build, **settings}}))
+        return case
+
+    def study(self, seeds):
+        """Whose rows have so many."""
+        results = {name: seeds * [{"processor_seconds": 3.0}] for name in self.TABLE}
+        write_summary(self.folder / "summary.csv", self.TABLE, results)
+        return Study(self.folder / "summary.csv")
+
+    def test_runs_are_those_of_the_summary(self):
+        ours = [self.run_of("base-7"), self.run_of("base-9")]
+        self.run_of("base-11", A=1e-19)
+        self.run_of("base-13", build="other")
+        self.run_of("A-1-7")
+        self.assertEqual(curves.runs(self.folder, self.study(2), "base"), sorted(ours))
+        self.assertEqual(curves.runs(self.folder, self.study(0), "base"), [])
+        with self.assertRaisesRegex(curves.CurvesError, "the 3 of row 'base' in summary.csv"):
+            curves.runs(self.folder, self.study(3), "base")
+        # As many of the other build.
+        self.run_of("base-15", build="other")
+        with self.assertRaisesRegex(curves.CurvesError, "run study.py again"):
+            curves.runs(self.folder, self.study(2), "base")
+
+    def test_picture_has_means_in_bands(self):
+        """The second run has 1.1 times the pressure of the first, of a gas of 1.1 times the density."""
+        for name in ("base-7", "base-9", "A-1-7", "A-1-9"):
+            self.run_of(name)
+        drops = curves.curves(self.folder, self.study(2), "base")
+        self.near(drops[1][0], [velocity for velocity, _ in UP])
+        self.near(drops[1][1][1], drops[1][1][0])
+        bed = analyse.Bed.read
+
+        def denser(of):
+            found = bed(of)
+            factor = 1.1 if of.name.endswith("-9") else 1
+            return dataclasses.replace(found, gas_density=factor * found.gas_density)
+
+        with mock.patch.object(analyse.Bed, "read", denser), mock.patch.object(curves, "save") as save:
+            curves.draw(self.folder, "picture.png")
+        axes, = save.call_args.args[0].axes
+        falling, rising, *_ = axes.lines
+        self.near(rising.get_xdata(), drops[1][0])
+        self.near(rising.get_ydata(), 1.05 * drops[1][1][0])
+        self.assertEqual(falling.get_label(), "base: 3 s, 2 seeds")
+        band = axes.collections[1].get_paths()[0].vertices[:, 1]
+        self.near((band.min(), band.max()), (drops[1][1].min(), 1.1 * drops[1][1].max()))
 
 
 if __name__ == "__main__":
