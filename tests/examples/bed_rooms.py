@@ -40,12 +40,25 @@ class Rooms(SmallBeds):
     def test_expected_escape_velocities(self):
         """Those of expected.csv of the rooms, in the full tables."""
         for file, checked in (("defluidisation-cycle/cohesion-levels.csv", 7),
+                              ("defluidisation-cycle/small.csv", 3),
                               ("overshoot-mechanisms/mechanisms.csv", 10)):
             table = SOURCE / "examples" / file
             found = {name: study.known_speeds(BUILD, name, row) for name, row in study.rows(table).items()}
             held = [holds for line, holds in expected.held(table.parent / "expected.csv", found)
                     if "v_esc" in line or "bond" in line]
             self.assertEqual(held, checked * [True], file)
+
+    def test_small_table_is_of_rows_of_the_levels(self):
+        """Each without cohesion, of the deepest wells and of their Hamaker attraction, by the same name, in half the
+        width with cells of nearly the same width, through the brief schedule."""
+        levels, small = (study.rows(SOURCE / "examples/defluidisation-cycle" / file)
+                         for file in ("cohesion-levels.csv", "small.csv"))
+        self.assertEqual(list(small), ["none-40", "well-1e-10-40", "hamaker-1e-10-40"])
+        for name, row in small.items():
+            level = levels[name.removesuffix("-40")]
+            self.assertEqual({**level, "schedule": "brief", "width": 0.04, "across": 13}, row)
+            self.assertEqual(row["width"], level["width"] / 2)
+            self.assertLess(abs(level["across"] / row["across"] / 2 - 1), 0.04)
 
     def test_a_small_version_of_both_rooms(self):
         """Each law and switch of their tables, as beds of 0.018 s; what is expected of them is said in the end."""
