@@ -2,7 +2,7 @@
 """Runs the sheared discs with square wells, as many runs at a time as there are cores, and ends in a table
 of findings and a picture. Runs that are finished are not run again.
 
-    run.py [--full] [--out FOLDER] [--build FOLDER]
+    run.py [--full] [--out FOLDER] [--overwrite] [--build FOLDER] [--together N]
 """
 
 import argparse
@@ -19,8 +19,8 @@ import analyse  # noqa: E402
 import picture  # noqa: E402
 import program  # noqa: E402
 import sweep  # noqa: E402
-from job_pool import RunError, carry_out  # noqa: E402
-from lammps_run import NotBuilt, ScriptRun, launcher  # noqa: E402
+from job_pool import RunError, carry_out, require_ours  # noqa: E402
+from lammps_run import MARK, NotBuilt, ScriptRun, launcher  # noqa: E402
 
 TOO_FAR = "could miss a partner"  # the engine: particles fly too far in a step
 
@@ -29,6 +29,7 @@ def arguments():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
     parser.add_argument("--full", action="store_true",
                         help="the whole sweep with the thesis's block rule (hours) instead of the subset")
+    parser.add_argument("--overwrite", action="store_true", help="replace runs of other settings")
     program.folder_words(parser, "BUILD/shear, with --full BUILD/shear-full")
     program.together_words(parser)
     return parser.parse_args()
@@ -90,7 +91,9 @@ def main():
     out = (args.out or args.build / ("shear-full" if args.full else "shear")).resolve()
     runs, rule = (sweep.full(), sweep.THESIS) if args.full else (sweep.subset(), sweep.SHORT)
     engine = launcher(args.build)
-    results = carry_out([ShearRun(run, rule, out, engine) for run in runs], args.together)
+    jobs = [ShearRun(run, rule, out, engine) for run in runs]
+    require_ours(jobs, MARK, args.overwrite)
+    results = carry_out(jobs, args.together)
     program.leave_table(out, analyse.report(results))
     picture.draw(out, results)
 

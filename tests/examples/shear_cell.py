@@ -96,8 +96,11 @@ class ShearCell(unittest.TestCase):
 
     def test_finished_runs_are_taken_over(self):
         before = [(job.folder / "log").stat().st_mtime_ns for job in self.jobs()]
+        run.require_ours(self.jobs(), run.MARK)
         again = run.carry_out(self.jobs(), 2)
         self.assertEqual(again, self.results)
+        with self.assertRaisesRegex(run.RunError, "--overwrite"):
+            run.require_ours(self.jobs(RULE._replace(most=RULE.most + 1)), run.MARK)
         self.assertEqual([(job.folder / "log").stat().st_mtime_ns for job in self.jobs()], before)
         self.assertTrue(all(job.result() is None for job in self.jobs(RULE._replace(seed=8))))
 
