@@ -30,9 +30,9 @@ class CurvesError(RuntimeError):
 
 
 def runs(folder, study, row):
-    """Folders of the runs that the line of summary.csv is of: with its parameters, of one build of the programs, as many
-    as it has seeds. Others may lie beside them, of earlier parameters or builds. Raises CurvesError when no build has as
-    many, or more than one has."""
+    """Folders of the runs that the line of summary.csv is of: with its parameters, of one build of the programs, as
+    many as it has seeds. Others may lie beside them, of earlier parameters or builds. Raises CurvesError when no build
+    has as many, or more than one has."""
     given, seeds, of_build = study.rows[row], study.number(row, "seeds"), {}
     for file in sorted(folder.glob(f"runs/{row}-*/{RESULT}")):
         settings = json.loads(file.read_text())["settings"]
