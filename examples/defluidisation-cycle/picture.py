@@ -15,7 +15,8 @@ from statements import LAWS, LEVELS, SCHEMES  # noqa: E402
 from verdict import Study  # noqa: E402
 
 PANELS = {"U_mf_df": "U_mf,df [m/s]", "U_mf_th": "U_mf,th [m/s]", "U_mf_in": "U_mf,in [m/s]",
-          "mixing": "mixing [1/s]", "movement": "movement [mm]", "overshoot_over_plateau": "overshoot over the plateau [1]"}
+          "mixing": "mixing [1/s]", "movement": "movement [mm]",
+          "overshoot_over_plateau": "overshoot over the plateau [1]"}
 SCALES = {"movement": 1e3}
 COLOURS = {"well": "#1f6f8b", "hamaker": "#c8553d"}
 APART = 0.06  # mm/s, between lines

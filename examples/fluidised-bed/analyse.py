@@ -147,8 +147,8 @@ def curve(case):
 
 
 def packed_points(steps, upto):
-    """Those of one branch on the packed-bed curve, from the slowest up to the first that leaves PACKED_RANGE, here up to
-    `upto`, or has no more pressure than the one before; beyond it the bed moves."""
+    """Those of one branch on the packed-bed curve, from the slowest up to the first that leaves PACKED_RANGE, here up
+    to `upto`, or has no more pressure than the one before; beyond it the bed moves."""
     packed = []
     for step in sorted(steps, key=lambda s: s.velocity):
         if step.ratio >= upto or packed and step.ratio <= packed[-1].ratio:
@@ -181,6 +181,8 @@ class PackedCurve:
     def meets_weight(self):
         """(velocity, standard error): the error of the curve there, divided by its slope."""
         a, b = self.coefficients
+        if not a**2 + 4 * b > 0:
+            return np.nan, np.nan
         velocity = (-a + np.sqrt(a**2 + 4 * b)) / (2 * b)
         at = np.array([velocity, velocity**2])
         return float(velocity), float(np.sqrt(at @ self.covariance @ at) / (a + 2 * b * velocity))
@@ -203,8 +205,8 @@ def opening(steps):
     before the bed opens, or has no packed-bed curve."""
     rising = sorted((s for s in steps if s.rising), key=lambda s: s.velocity)
     packed = PackedCurve.through(packed_points(rising, PACKED_RANGE[1]))
-    opened = next((k for k, s in enumerate(rising) if s.ratio < OPEN * packed.at(s.velocity) and s.ratio > PACKED_RANGE[1]),
-                  None)
+    opened = next((k for k, s in enumerate(rising)
+                   if PACKED_RANGE[1] < s.ratio < OPEN * packed.at(s.velocity)), None)
     if opened is None:
         return None, (np.nan, np.nan), (np.nan, np.nan)
     highest = max(range(opened + 1), key=lambda k: rising[k].ratio)

@@ -3,13 +3,13 @@
 cohesion-mapping."""
 
 import math
-import re
 import sys
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "common"))
 
+from case_entries import script_numbers  # noqa: E402
 from mapping_program import MappingError, MappingProgram  # noqa: E402,F401
 
 SCRIPTS = {"lammps": "bed.lmp", "liggghts": "bed.liggghts"}
@@ -50,25 +50,18 @@ def bond_number(build, row):
     strength = factor(row["cohesion_particles"]) * float(row["A"])
     if strength == 0:
         return 0.0
-    of = numbers(row)
+    of = script_numbers(HERE / "case" / SCRIPTS[row["engine"]])
     weight = of["density"] * math.pi / 6 * of["d"]**3 * GRAVITY
     return mapped(build, row, "hamaker", strength)["adhesion_force"] / weight
 
 
 def mapped(build, row, law, strength, *words):
     """What cohesion-mapping has for one strength, A or D, of a law between the bed's particles."""
-    of = numbers(row)
+    of = script_numbers(HERE / "case" / SCRIPTS[row["engine"]])
     found, = MappingProgram(build).table(
         "to-hamaker" if law == "well" else "to-well", [strength], "--radius", of["d"] / 2, "--density", of["density"],
         "--stiffness", row["K"], "--damping", row["eta"], "--cutoff", of["H_cut"], of["H_out"], *words)
     return found
-
-
-def numbers(row):
-    """Those of the bed's script that are no variables of the case."""
-    text = (HERE / "case" / SCRIPTS[row["engine"]]).read_text()
-    return {name: float(value) for name, value in
-            re.findall(r"^variable\s+(\w+)\s+equal\s+([-+.\deE]+)\s", text, re.M)}
 
 
 def factor(word):

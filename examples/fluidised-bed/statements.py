@@ -82,8 +82,8 @@ def of_mechanisms(_):
                                [Claim("overshoot", {none: -1.0})]))
         for law, name in LAWS.items():
             figure = "overshoot_over_plateau"
-            found.append(Statement(f"over the plateau less than half of that with cohesion, mu = {friction}, {name}", figure,
-                                   [none, law], [Claim(figure, {law: 0.5, none: -1.0})]))
+            found.append(Statement(f"over the plateau less than half of that with cohesion, mu = {friction}, {name}",
+                                   figure, [none, law], [Claim(figure, {law: 0.5, none: -1.0})]))
     over = "overshoot"
     for law, name in LAWS.items():
         for place, words in PLACES.items():
@@ -96,7 +96,8 @@ def of_mechanisms(_):
                              for row in ("well", "hamaker", "none"))
     falls = trend(over, hamaker, -1)
     found.append(Statement("overshoot falls with width, Hamaker", over, list(hamaker), falls))
-    found.append(Statement("and more than without cohesion", over, list(none), less_than_half(over, trend(over, none), falls)))
+    found.append(Statement("less than half as much without cohesion", over, list(none),
+                           less_than_half(over, trend(over, none), falls)))
     found.append(Statement("less than half as much, square well", over, list(well),
                            less_than_half(over, trend(over, well), falls)))
     return found

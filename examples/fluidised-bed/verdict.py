@@ -91,8 +91,8 @@ def trend(figure, where, sign=1):
 
 
 def alike(figure, one, other, none, other_none=None):
-    """That the effects of `one` and `other`, what they differ from `none` by (`other` from `other_none` if given), differ
-    by less than half of their mean, and that this is a rise; both ways round."""
+    """That the effects of `one` and `other`, what they differ from `none` by (`other` from `other_none` if given),
+    differ by less than half of their mean, and that this is a rise; both ways round."""
     claims = []
     for sign in (1, -1):
         shares = {one: 0.25 + sign, other: 0.25 - sign, none: 0.0}

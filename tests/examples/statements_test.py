@@ -179,8 +179,8 @@ class Statements(Made):
 
     def test_pictures(self):
         width = {row: {"width": given["width"]} for row, given in study.rows(TABLES["mechanisms"]).items()}
-        forces = ("overshoot", "overshoot_over_plateau", "sides_at_maximum", "plate_at_maximum", "plate_pull_at_maximum",
-                  "gain_at_maximum")
+        forces = ("overshoot", "overshoot_over_plateau", "sides_at_maximum", "plate_at_maximum",
+                  "plate_pull_at_maximum", "gain_at_maximum")
         for seeds in (3, 1):
             mechanisms = self.made_up({row: {figure: spread(0.2, 0.01, seeds) for figure in forces} for row in width},
                                       width)
