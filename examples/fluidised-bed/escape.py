@@ -9,12 +9,11 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "common"))
 
-from case_entries import script_numbers  # noqa: E402
+from case_entries import gravity, script_numbers  # noqa: E402
 from mapping_program import MappingError, MappingProgram  # noqa: E402,F401
 
 SCRIPTS = {"lammps": "bed.lmp", "liggghts": "bed.liggghts"}
 PLACES = {"v_esc": "particles", "v_esc_side": "side", "v_esc_plate": "plate"}
-GRAVITY = 9.81  # m/s2, that of the script
 ON, OFF = ("on", "yes", "true"), ("off", "no", "false")
 
 
@@ -51,7 +50,7 @@ def bond_number(build, row):
     if strength == 0:
         return 0.0
     of = script_numbers(HERE / "case" / SCRIPTS[row["engine"]])
-    weight = of["density"] * math.pi / 6 * of["d"]**3 * GRAVITY
+    weight = of["density"] * math.pi / 6 * of["d"]**3 * gravity(HERE / "case")
     return mapped(build, row, "hamaker", strength)["adhesion_force"] / weight
 
 

@@ -96,7 +96,7 @@ class Impact(EventWall):
             values = engine.thermo(self.output)
             self.assertAlmostEqual(values["f_walls[6]"] / adhesion, 1.0, delta=ROUNDING)
             self.assertEqual(values["f_walls[6]"], values["f_walls[1][6]"])
-            # Friction is no adhesion, though the line of centres is that of the wall at every place.
+            # Friction is no adhesion.
             self.assertGreater(values["f_walls[1]"], 0.0)
             self.assertLess(abs(values["f_walls[4]"]), ROUNDING * values["f_walls[1]"])
 
