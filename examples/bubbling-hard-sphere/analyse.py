@@ -112,10 +112,10 @@ def peaks(values, level):
 
 def figures(case):
     """Those of one bed that are one number. Pressures over the weight per area of the plate, heights over that at
-    rest; means, deviations and peaks after START_UP, or the first quarter of a shorter run."""
+    rest; means, deviations and peaks after START_UP, in runs of less than twice that after their first quarter."""
     bed = Bed(Path(case))
     when, pressure = pressure_trace(bed)
-    start = min(START_UP, when[-1] / 4)
+    start = START_UP if when[-1] >= 2 * START_UP else when[-1] / 4
     pressure = pressure[when > start] / bed.weight
     moment, height = heights(bed)
     height = height[moment > start] / height[0]

@@ -11,7 +11,7 @@ sys.path[:0] = [str(EXAMPLES / "fluidised-bed"), str(EXAMPLES / "common")]
 
 import program  # noqa: E402
 from drawing import pyplot, save  # noqa: E402
-from statements import LAWS, LEVELS, SCHEMES  # noqa: E402
+from statements import LAWS, SCHEMES, by_level  # noqa: E402
 from verdict import Study  # noqa: E402
 
 PANELS = {"U_mf_df": "U_mf,df [m/s]", "U_mf_th": "U_mf,th [m/s]", "U_mf_in": "U_mf,in [m/s]",
@@ -28,11 +28,10 @@ def draw(study, file):
     for axes, (column, label) in zip(panels.flat, PANELS.items()):
         lines = [(law, suffix) for law in COLOURS for suffix in SCHEMES]
         for beside, (law, suffix) in enumerate(lines):
-            rows = [f"none{suffix}", *(f"{law}-{level}{suffix}" for level in LEVELS)]
             # A little apart, else their bars hide each other.
             found = [(1e3 * study.number(row, "v_esc") + APART * (beside - 1.5),
                       *(SCALES.get(column, 1) * number for number in mean))
-                     for row in rows if (mean := study.with_error(row, column))]
+                     for row in by_level(law, suffix) if (mean := study.with_error(row, column))]
             if found:
                 axes.errorbar(*zip(*found), fmt=STYLES[SCHEMES[suffix]], color=COLOURS[law], markersize=4.5,
                               capsize=2, label=f"{LAWS[law]}, {SCHEMES[suffix]}")

@@ -83,8 +83,9 @@ def forces(case, step):
     """Mean vertical forces on all particles in a Step, the share of it that its averages leave out left out too, over
     their weight [1]: "drag", "pressure", "sides" (friction), "plate" (contact and attraction together), "plate_pull"
     (of it, the attraction; nan with LIGGGHTS, which does not tell); "gain", of momentum per time; "unclosed", what is
-    left of drag + pressure + sides + plate - 1 - gain: the screen over the outlet, and where samples are not at the
-    step's ends. Upwards is positive. nan without a step."""
+    left of drag + pressure + sides + plate - 1 - gain: the screen over the outlet, and a particle step at the ends. All
+    are of the same times, those of the function object's averages that lie within. Upwards is positive. nan without a
+    step."""
     unknown = dict.fromkeys(("drag", "pressure", "sides", "plate", "plate_pull", "gain", "unclosed"), float("nan"))
     if step is None:
         return unknown
@@ -95,9 +96,12 @@ def forces(case, step):
         return unknown
     # Time, over, and x, y, z each of gravity, drag, pressure, others, gain.
     gravity, drag, pressure, _, gain = np.average(rows[inside][:, 3::3], axis=0, weights=rows[inside, 1])
-    traces = read_traces(case)
-    within = (traces.time > begin) & (traces.time <= step.end)
-    sides, carried, pull = (trace[within].mean() for trace in (traces.sides, traces.carried, traces.plate_pull))
+    first, last = (rows[inside, 0] - rows[inside, 1])[0], rows[inside, 0][-1]
+    walls = read_columns(Path(case) / "walls.dat")  # a row: mean over the particle steps since the row before
+    time = walls[:, 0] * analyse.particle_step(case)
+    within = (time > first + 1e-9) & (time <= last + 1e-9)
+    carried, sides, *pull = walls[within, 1:].mean(axis=0)
+    pull = pull[0] if pull else float("nan")
     found = {"drag": drag, "pressure": pressure, "sides": sides, "plate": carried - sides, "plate_pull": pull,
              "gain": gain, "unclosed": drag + pressure + carried + gravity - gain}
     return {name: float(force / -gravity) for name, force in found.items()}

@@ -27,8 +27,19 @@ WIDTHS = {"-40": 40.0, "": 80.0, "-120": 120.0}  # [mm]
 Statement = namedtuple("Statement", "text figure rows claims")  # rows: those whose figures stand beside it
 
 
+def without(law, suffix):
+    """Row without cohesion that has the contacts of the law's rows: with scheme sampled those of Hamaker's attraction
+    are LAMMPS's own."""
+    return "none-well-sampled" if (law, SCHEMES[suffix]) == ("well", "sampled") else f"none{suffix}"
+
+
+def by_level(law, suffix):
+    """Rows of a law, from no cohesion to the most."""
+    return [without(law, suffix), *(f"{law}-{level}{suffix}" for level in LEVELS)]
+
+
 def rises_with_escape_velocity(study, figure, law, suffix, text, sign=1):
-    rows = [f"none{suffix}", *(f"{law}-{level}{suffix}" for level in LEVELS)]
+    rows = by_level(law, suffix)
     return Statement(f"{text}, {LAWS[law]}, {SCHEMES[suffix]}", figure, rows,
                      trend(figure, {row: study.number(row, "v_esc") for row in rows}, sign))
 
@@ -43,20 +54,20 @@ def of_levels(study):
             for level in LEVELS:
                 pair = [f"{law}-{level}{suffix}" for law in LAWS]
                 found.append(Statement(f"{name} alike for both laws, D = {level} J, {SCHEMES[suffix]}", figure, pair,
-                                       alike(figure, *pair, f"none{suffix}")))
+                                       alike(figure, *pair, *(without(law, suffix) for law in LAWS))))
         for figure, text in (("mixing", "mixing slows with v_esc"), ("movement", "movement falls with v_esc")):
             found += [rises_with_escape_velocity(study, figure, law, suffix, text, -1) for law in LAWS]
         for law in LAWS:
-            rows = [f"none{suffix}", f"{law}-{LEVELS[0]}{suffix}", f"{law}-{LEVELS[-1]}{suffix}"]
+            none, low, _, high = by_level(law, suffix)
             found.append(Statement(f"plugs at D = {LEVELS[-1]} J and its like, {LAWS[law]}, {SCHEMES[suffix]}",
-                                   "plugging", rows,
-                                   [claim for row in rows[:2] for claim in above("plugging", rows[2], row)]))
+                                   "plugging", [none, low, high],
+                                   [*above("plugging", high, none), *above("plugging", high, low)]))
     for figure, name in VELOCITIES.items():
         for law in LAWS:
             for level in LEVELS:
                 pair = [f"{law}-{level}{suffix}" for suffix in SCHEMES]
                 found.append(Statement(f"{name} alike for both schemes, {LAWS[law]}, D = {level} J or its like", figure,
-                                       pair, alike(figure, *pair, "none", "none-sampled")))
+                                       pair, alike(figure, *pair, *(without(law, suffix) for suffix in SCHEMES))))
     return found
 
 

@@ -122,18 +122,22 @@ class Forces(unittest.TestCase):
                   [(t, over, 7, -2, 7, 7, drag, 7, 7, 0.5, 7, 7, 7, 7, 7, gain, 7)
                    for t, over, drag, gain in ((1.2, 0.1, 50, 50), (1.5, 0.3, 1.0, 0.2), (2.0, 0.5, 1.8, 0.6),
                                                (2.1, 0.1, 50, 50))])
-            time = np.arange(0.9, 2.2, 0.001) + 0.0005
-            inside = (time > 1.2) & (time < 2)
-            traces = types.SimpleNamespace(time=time, sides=np.where(inside, -0.1, 9), carried=np.where(inside, 0.3, 9),
-                                           plate_pull=np.where(inside, -0.7, 9))
-            with mock.patch.object(particles, "read_traces", return_value=traces):
+            steps = np.arange(1000, 2201, 50)  # of 1 ms; a row is the mean since the one before
+            inside = (steps > 1200) & (steps <= 2000)
+            walls = [np.where(inside, force, 9) for force in (0.3, -0.1, -0.7)]
+            np.savetxt(case / "walls.dat", np.column_stack([steps, *walls]))
+            with mock.patch.object(analyse, "particle_step", return_value=1e-3):
                 found = particles.forces(case, analyse.Step(1.0, 1.0, 2.0, 1.0, 0.0, True))
                 none = particles.forces(case, analyse.Step(1.0, 3.0, 4.0, 1.0, 0.0, True))
+                np.savetxt(case / "walls.dat", np.column_stack([steps, *walls[:2]]))
+                liggghts = particles.forces(case, analyse.Step(1.0, 1.0, 2.0, 1.0, 0.0, True))
         # Means over 0.3 and 0.5 s: drag 1.5, gain 0.45.
         for name, expected in {"drag": 0.75, "pressure": 0.25, "sides": -0.05, "plate": 0.2, "plate_pull": -0.35,
                                "gain": 0.225, "unclosed": -0.075}.items():
             self.assertAlmostEqual(found[name], expected, places=12)
         self.assertTrue(np.isnan(list(none.values())).all())
+        self.assertTrue(np.isnan(liggghts.pop("plate_pull")))
+        self.assertEqual(liggghts, {name: found[name] for name in liggghts})
 
 
 class Width(unittest.TestCase):
