@@ -13,7 +13,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "common"))
 
 import ergun  # noqa: E402
 from case_entries import entries, gravity, particle_step, particle_variables  # noqa: E402
-from foam_results import mesh_size, read_cells, written_times  # noqa: E402
+from foam_results import function_table, mesh_size, read_cells, written_times  # noqa: E402
 
 PACKED_RANGE = (0.1, 0.7)  # of the weight: points on the packed-bed curve; above it a falling bed may still expand
 OTHER_RANGES = (0.6, 0.8, 0.9)  # where that range might end as well: what it would change is an error of the velocity
@@ -106,8 +106,8 @@ class Traces:
 
 def read_traces(case):
     case = Path(case)
-    pressure = read_columns(case / "postProcessing/lowestPressure/0/volFieldValue.dat")
-    jets = read_vectors(case / "postProcessing/jetVelocity/0/surfaceFieldValue.dat")
+    pressure = read_columns(function_table(case, "lowestPressure", "volFieldValue.dat"))
+    jets = read_vectors(function_table(case, "jetVelocity", "surfaceFieldValue.dat"))
     bed, walls = (read_columns(case / file) for file in ("bed.dat", "walls.dat"))
     step, of = particle_step(case), Bed.read(case)
     time = pressure[:, 0]

@@ -230,6 +230,32 @@ class Reading(Synthetic):
                 (self.case / file).write_text(before)
 
 
+    def test_tables_of_another_run_are_refused(self):
+        """Of each that is read: one that OpenFOAM wrote beside it, a folder of a later start, and none."""
+        for name, file in (("lowestPressure", "volFieldValue"), ("jetVelocity", "surfaceFieldValue"),
+                           ("mixing", "mixingIndex"), ("movement", "particleMovement")):
+            table = self.case / f"postProcessing/{name}/0/{file}.dat"
+            again, later = table.with_name(f"{file}_0.dat"), self.case / f"postProcessing/{name}/1.5"
+            with self.subTest(name):
+                again.write_text(table.read_text())
+                with self.assertRaisesRegex(EntryError, rf"{name}/0: {file}_0.dat beside {file}.dat: .*run it again"):
+                    figures.evaluate(self.case)
+                again.unlink()
+                later.mkdir()
+                with self.assertRaisesRegex(EntryError, f"{name}: tables from the starts 0, 1.5; .*from 0"):
+                    figures.evaluate(self.case)
+                later.rmdir()
+                text = table.read_text()
+                table.unlink()
+                with self.assertRaisesRegex(EntryError, f"{file}.dat: no such table"):
+                    figures.evaluate(self.case)
+                table.write_text(text)
+        # What else stands there is no table of another run.
+        (self.case / "postProcessing/movement/places").mkdir()
+        (self.case / "postProcessing/mixing/0/mixingIndex_old.dat").touch()
+        figures.evaluate(self.case)
+
+
 class Plateau(Synthetic):
     def test_one_of_the_velocities_is_enough(self):
         """Whichever it is; without one, or with one that the gas is never above, there is no plateau, and no
