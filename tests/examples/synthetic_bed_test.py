@@ -283,11 +283,12 @@ class Curves(Synthetic):
 
     TABLE = {"base": {"engine": "lammps", "A": 0, "law": "hamaker"}, "A-1": {"engine": "lammps", "A": 1e-19}}
 
-    def run_of(self, name, build="this", **settings):
+    def run_of(self, name, build="this", unread=False, **settings):
         row, _, seed = name.rpartition("-")
         case = self.make(f"runs/{name}")
         (case / "result.json").write_text(json.dumps(
-            {"settings": {**self.TABLE[row], "seed": int(seed), "fingerprint": build, **settings}}))
+            {"settings": {**self.TABLE[row], "seed": int(seed), "fingerprint": build, **settings},
+             **({"unread": True} if unread else {})}))
         return case
 
     def study(self, seeds):
@@ -300,6 +301,7 @@ class Curves(Synthetic):
         ours = [self.run_of("base-7"), self.run_of("base-9")]
         self.run_of("base-11", A=1e-19)
         self.run_of("base-13", build="other")
+        self.run_of("base-17", unread=True)
         self.run_of("A-1-7")
         self.assertEqual(curves.runs(self.folder, self.study(2), "base"), sorted(ours))
         self.assertEqual(curves.runs(self.folder, self.study(0), "base"), [])
