@@ -100,8 +100,8 @@ class Job:
         try:
             figures = self.figures()
         except Exception as error:  # of whatever kind: the other runs go on
-            raise RunError(f"{self.name}, in {self.folder}: its figures cannot be read: {error!r}; the next start reads "
-                           "them again, and makes the run again once its folder is removed")
+            raise RunError(f"{self.name}, in {self.folder}: its figures cannot be read: {error!r}; the next start "
+                           "reads them again, and makes the run again once its folder is removed")
         times = {name: kept[name] for name in ("seconds", "processor_seconds")}
         self.keep({"settings": self.settings, "readers": self.readers, **times, **figures})
 
