@@ -12,7 +12,7 @@ import numpy as np
 import ergun
 from case_entries import entries, gravity
 from cavities import cavities, width_of
-from foam_results import read_cells, written_times
+from foam_results import function_table, read_cells, written_times
 
 START_UP = 0.8  # s left out: gas that begins at once lifts the resting bed as one plug, which falls back by then
 PEAK = 1.5  # times its mean: where the pressure has a peak
@@ -54,13 +54,13 @@ class Bed:
 
 def pressure_trace(bed):
     """Times and pressures in the middle, at the height of the trace, without the gas's own weight."""
-    time, p = np.loadtxt(bed.case / "postProcessing/trace/0/p", comments="#", ndmin=2).T
+    time, p = np.loadtxt(function_table(bed.case, "trace", "p"), comments="#", ndmin=2).T
     return time, bed.gas["rho"] * (p - bed.gravity * (bed.height - bed.trace))
 
 
 def heights(bed):
     """Times and twice the mean height of the spheres; the first is at rest."""
-    return np.loadtxt(bed.case / "postProcessing/height/0/bedHeight.dat", comments="#", ndmin=2).T[:2]
+    return np.loadtxt(function_table(bed.case, "height", "bedHeight.dat"), comments="#", ndmin=2).T[:2]
 
 
 def void_fraction(bed, folder):

@@ -15,6 +15,7 @@ from progress_line import ProgressLine
 
 POLL = 0.5  # s between looks at the runs
 RESULT = "result.json"  # of a finished run, in its folder
+UNREAD = "unread"  # true in the result of a run whose figures have not been read
 
 
 class RunError(RuntimeError):
@@ -68,9 +69,9 @@ class Job:
 
     def result(self):
         """Of the finished run: the dict of figures() with settings and times; None before, and when other programs
-        have read the figures."""
+        have read the figures, or none could."""
         found = self.kept()
-        return found if found and found.get("readers") == self.readers else None
+        return found if found and found.get("readers") == self.readers and not found.get(UNREAD) else None
 
     def discard(self):
         """Takes the result away, if there is one."""
@@ -82,27 +83,30 @@ class Job:
         self.process = self.start()
 
     def finish(self):
-        """After the process has ended: keeps the result. False when it has to be started once more.
-        Raises RunError when it failed."""
+        """After the process has ended: keeps the result, of a run that ended well even when its figures cannot be read.
+        False when it has to be started once more. Raises RunError when it failed, or has no figures."""
         if self.process.returncode != 0:
             if self.again():
                 return False
             raise RunError(f"{self.name}, in {self.folder}, failed:\n{readable(self.tail, 'no log')}")
-        self.keep({"seconds": time.time() - self.begin, "processor_seconds": self.processor_seconds})
+        times = {"seconds": time.time() - self.begin, "processor_seconds": self.processor_seconds}
+        self.keep({"settings": self.settings, "readers": None, UNREAD: True, **times})
+        self.read_again()
         return True
 
     def read_again(self):
-        """The figures of a finished run, which other programs have read. Raises RunError."""
+        """The figures of a finished run, which other programs have read, or none. Raises RunError."""
         kept = self.kept()
-        self.keep({name: kept[name] for name in ("seconds", "processor_seconds")})
-
-    def keep(self, times):
-        """Reads the figures and keeps the result with the times that it took. Raises RunError."""
         try:
             figures = self.figures()
         except Exception as error:  # of whatever kind: the other runs go on
-            raise RunError(f"{self.name}, in {self.folder}: its figures cannot be read: {error!r}")
-        result = {"settings": self.settings, "readers": self.readers, **times, **figures}
+            raise RunError(f"{self.name}, in {self.folder}: its figures cannot be read: {error!r}; the next start "
+                           "reads them again, and makes the run again once its folder is removed")
+        times = {name: kept[name] for name in ("seconds", "processor_seconds")}
+        self.keep({"settings": self.settings, "readers": self.readers, **times, **figures})
+
+    def keep(self, result):
+        """In place of the one before, whole or not at all."""
         scratch = self.folder / "result.new"
         scratch.write_text(json.dumps(result, indent=1))
         scratch.replace(self.folder / RESULT)
@@ -178,7 +182,7 @@ def carry_out(jobs, together):
     all_work, done, running, failed = sum(job.work for job in waiting), 0.0, [], {}
     to_read = [job for job in jobs if job.finished() and job.result() is None]
     if to_read:
-        print(f"    what reads their figures has changed: reading those of {len(to_read)} again")
+        print(f"    what reads their figures has changed, or could not: reading those of {len(to_read)} again")
     line = ProgressLine()
 
     def over(job, step):

@@ -32,7 +32,11 @@ def together_words(parser):
 
 
 def words(doc, count):
-    """Those of a program that takes `count` words and no options; with others it ends with its text `doc`."""
+    """Those of a program that takes `count` words and no options but --help, which prints its text `doc`; with others
+    that text is the error that it ends with."""
+    if {"--help", "-h"} & set(sys.argv[1:]):
+        print(doc)
+        sys.exit(0)
     if len(sys.argv) != 1 + count:
         sys.exit(doc)
     return sys.argv[1:]

@@ -12,8 +12,8 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "common"))
 
 import ergun  # noqa: E402
-from case_entries import entries, gravity, particle_step, particle_variables  # noqa: E402
-from foam_results import mesh_size, read_cells, written_times  # noqa: E402
+from case_entries import EntryError, entries, gravity, in_text, particle_step, particle_variables  # noqa: E402
+from foam_results import function_table, mesh_size, read_cells, written_times  # noqa: E402
 
 PACKED_RANGE = (0.1, 0.7)  # of the weight: points on the packed-bed curve; above it a falling bed may still expand
 OTHER_RANGES = (0.6, 0.8, 0.9)  # where that range might end as well: what it would change is an error of the velocity
@@ -106,8 +106,8 @@ class Traces:
 
 def read_traces(case):
     case = Path(case)
-    pressure = read_columns(case / "postProcessing/lowestPressure/0/volFieldValue.dat")
-    jets = read_vectors(case / "postProcessing/jetVelocity/0/surfaceFieldValue.dat")
+    pressure = read_columns(function_table(case, "lowestPressure", "volFieldValue.dat"))
+    jets = read_vectors(function_table(case, "jetVelocity", "surfaceFieldValue.dat"))
     bed, walls = (read_columns(case / file) for file in ("bed.dat", "walls.dat"))
     step, of = particle_step(case), Bed.read(case)
     time = pressure[:, 0]
@@ -125,11 +125,16 @@ def read_vectors(file):
 
 
 def read_schedule(case):
-    """(start, end, velocity) of the steps in constant/schedule."""
-    text = (Path(case) / "constant/schedule").read_text()
+    """(start, end, velocity) of the steps in constant/schedule. Raises EntryError without any."""
+    file = Path(case) / "constant/schedule"
+    text = file.read_text()
     rows = re.findall(r"\(\s*([\d.e+-]+)\s+\(\s*\S+\s+([\d.e+-]+)\s+\S+\)\s*\)", text)
     points = [(float(t), float(v)) for t, v in rows]
-    return [(t0, t1, v0) for (t0, v0), (t1, v1) in zip(points, points[1:]) if v0 == v1]
+    steps = [(t0, t1, v0) for (t0, v0), (t1, v1) in zip(points, points[1:]) if v0 == v1]
+    if not steps:
+        raise EntryError(f"{file}: no step of the gas velocity: two points '(time (0 velocity 0))' with the same "
+                         "velocity, one after the other")
+    return steps
 
 
 def curve(case):
@@ -199,16 +204,17 @@ def packed_curve_meets_weight(steps):
 
 def opening(steps):
     """Where the bed opens: the pressure maximum of the rising branch up to its first step that has less than OPEN of
-    the packed-bed curve; later maxima are the bubbles'. At the vertex of the parabola through its step and the two
-    beside it when it is the highest of these, else at the step. (its Step, (velocity, standard error), (what it has
-    above the weight [1], standard error)), the errors from those of the three steps; None and nan when the branch ends
-    before the bed opens, or has no packed-bed curve."""
+    the packed-bed curve and more than PACKED_RANGE[1] of the weight; later maxima are the bubbles'. At the vertex of
+    the parabola through its step and the two beside it when it is the highest of these, else at the step. (its Step,
+    (velocity, standard error), (what it has above the weight [1], standard error)), the errors from those of the three
+    steps; None and nan when the branch ends before the bed opens, or has no packed-bed curve."""
     rising = sorted((s for s in steps if s.rising), key=lambda s: s.velocity)
     packed = PackedCurve.through(packed_points(rising, PACKED_RANGE[1]))
     opened = next((k for k, s in enumerate(rising)
                    if PACKED_RANGE[1] < s.ratio < OPEN * packed.at(s.velocity)), None)
     if opened is None:
         return None, (np.nan, np.nan), (np.nan, np.nan)
+    # Not the slowest step: that has less than PACKED_RANGE[1], else there is no packed-bed curve; `opened` has more.
     highest = max(range(opened + 1), key=lambda k: rising[k].ratio)
     three = rising[highest - 1:highest + 2]
     if len(three) < 3 or three[2].ratio > three[1].ratio:
@@ -251,23 +257,32 @@ def plateau(case, found):
             mean_and_error(traces.ratio + traces.carried / traces.weight))
 
 
+def loop_times(case, *parts):
+    """Wall clock times [s] of parts of the solver's time loop, and its number of steps, from its log: a list. Raises
+    EntryError for the log of a solver that was killed, or of another one."""
+    file = Path(case) / "log.cohesiveBedFoam"
+    log = file.read_text()
+    what = "summary '{} ... s, ... %', with which cohesiveBedFoam ends: figures are of a case that has run to its end"
+    seconds = [float(in_text(rf"^\s*{part}\s+(\S+) s,", file, log, what.format(part))) for part in parts]
+    in_text(r"^(Time) = ", file, log, "line 'Time = ...'")
+    return [*seconds, len(re.findall(r"^Time = ", log, re.M))]
+
+
 def solver_seconds(case):
     """Wall clock time of the solver's time loop, and of the particle engine in it, from its log."""
-    log = (Path(case) / "log.cohesiveBedFoam").read_text()
-    return tuple(float(re.search(rf"^\s*{part}\s+(\S+) s,", log, re.M).group(1))
-                 for part in ("all", "particles"))
+    return tuple(loop_times(case, "all", "particles")[:2])
 
 
 def exchange_milliseconds(case):
     """Of the exchange of gas and particles per gas step, by the clock [ms]."""
-    log = (Path(case) / "log.cohesiveBedFoam").read_text()
-    return 1e3 * float(re.search(r"^\s*exchange\s+(\S+) s,", log, re.M)[1]) / log.count("\nTime = ")
+    seconds, steps = loop_times(case, "exchange")
+    return 1e3 * seconds / steps
 
 
 def pressure_noise(case):
     """How much the pressure at the lowest node jumps in the bubbling bed at the start [1]: root mean square
     of what a value differs by from the mean of the one before and the one after, over the mean pressure drop.
-    Pressure is written every second gas step, so that bubbles, of some 0.1 s, leave little of it."""
+    Pressure is written every second gas step, so that bubbles, of 0.2 to 0.3 s, leave little of it."""
     traces = read_traces(case)
     _, end, _ = read_schedule(case)[0]
     drop = traces.drop[(traces.time > START_UP) & (traces.time <= end)]

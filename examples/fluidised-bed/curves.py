@@ -16,8 +16,9 @@ import numpy as np  # noqa: E402
 
 import analyse  # noqa: E402
 import program  # noqa: E402
+from case_entries import EntryError  # noqa: E402
 from drawing import pyplot, save  # noqa: E402
-from job_pool import RESULT  # noqa: E402
+from job_pool import RESULT, UNREAD  # noqa: E402
 from study_table import number  # noqa: E402
 from verdict import Study  # noqa: E402
 
@@ -30,12 +31,15 @@ class CurvesError(RuntimeError):
 
 
 def runs(folder, study, row):
-    """Folders of the runs that the line of summary.csv is of: with its parameters, of one build of the programs, as
-    many as it has seeds. Others may lie beside them, of earlier parameters or builds. Raises CurvesError when no build
-    has as many, or more than one has."""
+    """Folders of the runs that the line of summary.csv is of: with its parameters, of one build of the programs, with
+    figures, as many as it has seeds. Others may lie beside them, of earlier parameters or builds. Raises CurvesError
+    when no build has as many, or more than one has."""
     given, seeds, of_build = study.rows[row], study.number(row, "seeds"), {}
     for file in sorted(folder.glob(f"runs/{row}-*/{RESULT}")):
-        settings = json.loads(file.read_text())["settings"]
+        result = json.loads(file.read_text())
+        if result.get(UNREAD):
+            continue
+        settings = result["settings"]
         build, seed = settings.pop("fingerprint"), settings.pop("seed")
         if file.parent.name == f"{row}-{seed}" and all(number(given.get(name, "")) == value
                                                        for name, value in settings.items()):
@@ -93,4 +97,4 @@ def draw(folder, file):
 
 if __name__ == "__main__":
     of, to = program.words(__doc__, 2)
-    program.run(lambda: draw(Path(of), to), OSError, CurvesError)
+    program.run(lambda: draw(Path(of), to), OSError, CurvesError, EntryError)

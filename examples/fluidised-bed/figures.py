@@ -29,6 +29,8 @@ def programs():
 
 
 def evaluate(case):
+    """Raises EntryError for a case that has not run to its end, once, or lacks what is read."""
+    seconds = analyse.solver_seconds(case)  # first: tells a case that was killed
     steps = analyse.curve(case)
     velocities = analyse.velocities(steps)
     plateau, balance = analyse.plateau(case, velocities)
@@ -48,7 +50,7 @@ def evaluate(case):
         "forces": particles.forces(case, velocities.opens),
         "noise": analyse.pressure_noise(case),
         "exchange_ms": analyse.exchange_milliseconds(case),
-        "seconds": analyse.solver_seconds(case),
+        "seconds": seconds,
     }
 
 

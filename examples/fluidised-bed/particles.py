@@ -12,6 +12,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "common"))
 import analyse  # noqa: E402
 from analyse import START_UP, read_columns, read_schedule, read_traces  # noqa: E402
 from cavities import cavities, width_of  # noqa: E402
+from foam_results import function_table  # noqa: E402
 
 MOVEMENT_AT = 0.77  # m/s: where the thesis compares the movement of the particles
 MIXING_OVER = 0.4  # s: some two bubbles, of 0.2 to 0.3 s each; mixing is not read of less
@@ -32,7 +33,7 @@ def mixing(case):
     are in the slowest [1]): slope of the straight line through Lacey's index over time, nan when that step has less
     than MIXING_OVER; and its mean. The index is 0 at the start and 1 when mixed: cells that hold two layers give it
     a little before, which is taken off."""
-    time, index = read_columns(Path(case) / "postProcessing/mixing/0/mixingIndex.dat")[:, :2].T
+    time, index = read_columns(function_table(case, "mixing", "mixingIndex.dat"))[:, :2].T
     index = (index - index[0]) / (1 - index[0])
     _, end, _ = read_schedule(case)[0]
     begin, rest, _ = slowest_step(case)
@@ -47,7 +48,7 @@ def movement(case):
     traces = read_traces(case)
     rest, _, _ = slowest_step(case)
     found = [(mean, traces.velocity[(traces.time > end - over) & (traces.time <= end)].mean())
-             for end, over, mean, *_ in read_columns(Path(case) / "postProcessing/movement/0/particleMovement.dat")
+             for end, over, mean, *_ in read_columns(function_table(case, "movement", "particleMovement.dat"))
              if end <= rest]
     nearest = min(found, key=lambda pair: abs(pair[1] - MOVEMENT_AT), default=(np.nan, np.nan))
     return float(nearest[0]), float(nearest[1])

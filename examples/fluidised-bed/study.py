@@ -62,7 +62,7 @@ def seeds_of(row, given):
     """Those `given` on the command line, or SEEDS. Raises TableError for one that the engine would not take."""
     for seed in given or ():
         if row["engine"] == "liggghts" and (seed < 10000 or any(seed % k == 0 for k in range(2, isqrt(seed) + 1))):
-            raise TableError(f"--seeds: LIGGGHTS takes primes above 10000, and {seed} is none")
+            raise TableError(f"seeds: LIGGGHTS takes primes above 10000, and {seed} is none")
     return given or SEEDS[row["engine"]]
 
 
@@ -91,10 +91,9 @@ def text(table, results, failed, speeds):
     lines = [aligned(lines)]
     pairs = [(one, other) for one in table for other in table if same_bed(table[one], table[other])]
     if pairs:
-        lines += ["", "LIGGGHTS - LAMMPS (over its standard error)"]
-    for one, other in pairs:
-        lines.append(f"{other:30}" + "".join(f"{difference(results[one], results[other], column):20}"
-                                            for column in COLUMNS))
+        differences = [(other, *(difference(results[one], results[other], column) for column in COLUMNS))
+                       for one, other in pairs]
+        lines += ["", aligned([("LIGGGHTS - LAMMPS (over its standard error)", *COLUMNS), *differences])]
     return "\n".join(lines)
 
 

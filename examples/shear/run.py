@@ -9,6 +9,7 @@ import argparse
 import functools
 import hashlib
 import math
+import re
 import sys
 from pathlib import Path
 
@@ -77,7 +78,9 @@ class ShearRun(ScriptRun):
         return TOO_FAR in self.log() and self.tries <= 5
 
     def figures(self):
-        return {"dt": self.dt, **analyse.read_log(self.log())}
+        log = self.log()
+        # Not self.dt: the run may be one that was started with half of it, and is read again.
+        return {"dt": float(re.search(r"^\s*Time step\s*:\s*(\S+)", log, re.M)[1]), **analyse.read_log(log)}
 
     def share(self):
         """Of the longest that the run can be."""

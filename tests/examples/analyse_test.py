@@ -83,6 +83,14 @@ class FluidisationCurve(unittest.TestCase):
             self.assertNotEqual(velocity[0], velocity[0])  # nan
             self.assertNotEqual(overshoot[0], overshoot[0])
 
+    def test_the_slowest_step_is_not_the_maximum(self):
+        """With the highest pressure there is no packed bed to have opened."""
+        steps = self.rising(lambda u: 1.07 - 8 * (u - 0.86)**2)
+        steps[0].ratio = 1.2
+        opens, velocity, overshoot = analyse.opening(steps)
+        self.assertIsNone(opens)
+        self.assertTrue(np.isnan([*velocity, *overshoot]).all())
+
     def test_the_end_of_the_packed_points_is_an_error(self):
         """A falling bed that still expands above 0.65 of the weight: the velocity is that of the slower points; its
         error what other ends make of it, the largest that of 0.9."""

@@ -73,6 +73,13 @@ class Programs(unittest.TestCase):
             with self.assertRaisesRegex(SystemExit, "^what it is$"):
                 program.words("what it is", 3)
 
+    def test_its_text_is_help(self):
+        for word in ("--help", "-h"):
+            with mock.patch.object(sys, "argv", ["run.py", word]), self.assertRaises(SystemExit) as end, \
+                    contextlib.redirect_stdout(io.StringIO()) as said:
+                program.words("what it is", 1)
+            self.assertEqual((end.exception.code, said.getvalue()), (0, "what it is\n"))
+
     def test_runs_at_a_time_are_one_or_more(self):
         parser = program.argparse.ArgumentParser()
         program.together_words(parser)

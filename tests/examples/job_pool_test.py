@@ -14,6 +14,7 @@ import tempfile
 import time
 import unittest
 from pathlib import Path
+from unittest import mock
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "examples/common"))
 import study_table  # noqa: E402
@@ -133,6 +134,29 @@ class Pool(unittest.TestCase):
             carry_out([job], 1)
         self.assertTrue(job.finished())
         self.assertIsNone(job.result())
+
+    def test_a_run_whose_figures_cannot_be_read_is_kept(self):
+        """With its settings and times; the next start reads it, whether its readers have a mark or none."""
+        for readers in (None, "these"):
+            job, = self.jobs(f"a-{readers}")
+            job.readers = readers
+            job.mark("go", "mark")
+            with mock.patch.object(Shell, "figures", lambda job: {}["figure"]):
+                for _ in range(2):
+                    with self.assertRaisesRegex(RunError, r"KeyError\('figure'\).*once its folder is removed"):
+                        carry_out([job], 1)
+                    kept = json.loads((job.folder / "result.json").read_text())
+                    self.assertEqual((set(kept), kept["settings"], kept["readers"]),
+                                     ({"settings", "readers", "unread", "seconds", "processor_seconds"}, {"value": 0},
+                                      None))
+                    self.assertTrue(job.finished())
+                    self.assertIsNone(job.result())
+            require_ours([job], "mark")
+            result, = carry_out([job], 1)
+            self.assertEqual(result, {"settings": {"value": 0}, "readers": readers, "seconds": kept["seconds"],
+                                      "processor_seconds": kept["processor_seconds"], "figure": 12.5})
+            self.assertEqual(job.result(), result)
+            self.assertEqual(len(job.begun()), 1)
 
     def test_processor_seconds_are_those_of_the_run_alone(self):
         """Of three runs at once, the one that works has them."""

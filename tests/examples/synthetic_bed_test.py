@@ -18,10 +18,13 @@ import numpy as np
 SOURCE = Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(SOURCE / "examples/fluidised-bed"), str(SOURCE / "examples/common")]
 import analyse  # noqa: E402
+import bed_case  # noqa: E402
 import curves  # noqa: E402
 import figures  # noqa: E402
+import run  # noqa: E402
+import study  # noqa: E402
 from case_entries import EntryError  # noqa: E402
-from study_table import write_summary  # noqa: E402
+from study_table import TableError, write_summary  # noqa: E402
 from verdict import Study  # noqa: E402
 
 # Gas velocities and the ends of their steps, each changed within 1 ms.
@@ -221,13 +224,62 @@ class Reading(Synthetic):
                 ("constant/g", "(0 -10", "($down", "g: no vector 'value'"),
                 ("in.bed", "equal 1500", "string heavy", "in.bed: no number 'density'"),
                 ("constant/couplingProperties", "lammpsCoeffs", "otherCoeffs", "no dictionary 'lammpsCoeffs'"),
-                ("constant/couplingProperties", "demEngine", "engine", "no entry 'demEngine'")):
+                ("constant/couplingProperties", "demEngine", "engine", "no entry 'demEngine'"),
+                ("log.cohesiveBedFoam", "all ", "some ", "log.cohesiveBedFoam: no summary 'all .*run to its end"),
+                ("log.cohesiveBedFoam", "particles ", "some ", "log.cohesiveBedFoam: no summary 'particles "),
+                ("log.cohesiveBedFoam", "exchange ", "some ", "log.cohesiveBedFoam: no summary 'exchange "),
+                ("log.cohesiveBedFoam", "Time", "Step", "log.cohesiveBedFoam: no line 'Time = ...'"),
+                ("constant/schedule", "0))", "0)", "schedule: no step of the gas velocity: two points")):
             with self.subTest(says):
                 before = (self.case / file).read_text()
                 self.change(file, old, new)
                 with self.assertRaisesRegex(EntryError, says):
                     figures.evaluate(self.case)
                 (self.case / file).write_text(before)
+
+
+    def test_tables_of_another_run_are_refused(self):
+        """Of each that is read: one that OpenFOAM wrote beside it, a folder of a later start, and none."""
+        for name, file in (("lowestPressure", "volFieldValue"), ("jetVelocity", "surfaceFieldValue"),
+                           ("mixing", "mixingIndex"), ("movement", "particleMovement")):
+            table = self.case / f"postProcessing/{name}/0/{file}.dat"
+            again, later = table.with_name(f"{file}_0.dat"), self.case / f"postProcessing/{name}/1.5"
+            with self.subTest(name):
+                again.write_text(table.read_text())
+                with self.assertRaisesRegex(EntryError, rf"{name}/0: {file}_0.dat beside {file}.dat: .*run it again"):
+                    figures.evaluate(self.case)
+                again.unlink()
+                later.mkdir()
+                with self.assertRaisesRegex(EntryError, f"{name}: tables from the starts 0, 1.5; .*from 0"):
+                    figures.evaluate(self.case)
+                later.rmdir()
+                text = table.read_text()
+                table.unlink()
+                with self.assertRaisesRegex(EntryError, f"{file}.dat: no such table"):
+                    figures.evaluate(self.case)
+                table.write_text(text)
+        # What else stands there is no table of another run.
+        (self.case / "postProcessing/movement/places").mkdir()
+        (self.case / "postProcessing/mixing/0/mixingIndex_old.dat").touch()
+        figures.evaluate(self.case)
+
+
+class Programs(unittest.TestCase):
+    def test_differences_of_the_engines_stand_below_their_names(self):
+        table = {engine: bed_case.parameters(engine) for engine in bed_case.ENGINES}
+        results = {"lammps": [dict.fromkeys(study.PRINTED, 1.0 + k) for k in range(2)],
+                   "liggghts": [dict.fromkeys(study.PRINTED, 3.0 + k) for k in range(2)]}
+        *_, heads, line = study.text(table, results, dict.fromkeys(table, 0),
+                                     dict.fromkeys(table, {"v_esc": 0.1})).splitlines()
+        self.assertEqual(heads.split()[-len(study.COLUMNS):], list(study.COLUMNS))
+        for name, digits in study.COLUMNS.items():
+            self.assertTrue(line[heads.index(f"  {name}") + 2:].startswith(f"{2:+{digits}} ("), name)
+
+    def test_a_seed_that_liggghts_would_not_take_is_refused_before_all(self):
+        with mock.patch.object(sys, "argv", ["run.py", "--engine", "liggghts", "--seed", "5"]), \
+                mock.patch.object(run, "environment", side_effect=AssertionError("begun")), \
+                self.assertRaisesRegex(TableError, "LIGGGHTS takes primes above 10000, and 5 is none"):
+            run.main()
 
 
 class Plateau(Synthetic):
@@ -257,11 +309,12 @@ class Curves(Synthetic):
 
     TABLE = {"base": {"engine": "lammps", "A": 0, "law": "hamaker"}, "A-1": {"engine": "lammps", "A": 1e-19}}
 
-    def run_of(self, name, build="this", **settings):
+    def run_of(self, name, build="this", unread=False, **settings):
         row, _, seed = name.rpartition("-")
         case = self.make(f"runs/{name}")
         (case / "result.json").write_text(json.dumps(
-            {"settings": {**self.TABLE[row], "seed": int(seed), "fingerprint": build, **settings}}))
+            {"settings": {**self.TABLE[row], "seed": int(seed), "fingerprint": build, **settings},
+             **({"unread": True} if unread else {})}))
         return case
 
     def study(self, seeds):
@@ -274,6 +327,7 @@ class Curves(Synthetic):
         ours = [self.run_of("base-7"), self.run_of("base-9")]
         self.run_of("base-11", A=1e-19)
         self.run_of("base-13", build="other")
+        self.run_of("base-17", unread=True)
         self.run_of("A-1-7")
         self.assertEqual(curves.runs(self.folder, self.study(2), "base"), sorted(ours))
         self.assertEqual(curves.runs(self.folder, self.study(0), "base"), [])
