@@ -91,7 +91,7 @@ def forces(case, step):
     if step is None:
         return unknown
     begin = step.start + analyse.SETTLING * (step.end - step.start)
-    rows = read_columns(Path(case) / "postProcessing/forces/0/forceBudget.dat")
+    rows = read_columns(function_table(case, "forces", "forceBudget.dat"))
     inside = (rows[:, 0] - rows[:, 1] >= begin - 1e-9) & (rows[:, 0] <= step.end + 1e-9)
     if not inside.any():
         return unknown

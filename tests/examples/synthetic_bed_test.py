@@ -241,7 +241,7 @@ class Reading(Synthetic):
     def test_tables_of_another_run_are_refused(self):
         """Of each that is read: one that OpenFOAM wrote beside it, a folder of a later start, and none."""
         for name, file in (("lowestPressure", "volFieldValue"), ("jetVelocity", "surfaceFieldValue"),
-                           ("mixing", "mixingIndex"), ("movement", "particleMovement")):
+                           ("mixing", "mixingIndex"), ("movement", "particleMovement"), ("forces", "forceBudget")):
             table = self.case / f"postProcessing/{name}/0/{file}.dat"
             again, later = table.with_name(f"{file}_0.dat"), self.case / f"postProcessing/{name}/1.5"
             with self.subTest(name):
