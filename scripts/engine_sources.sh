@@ -8,8 +8,8 @@ archive() {
   # shellcheck disable=SC2016 # apt's own variables
   apt-get indextargets --format '$(REPO_URI) $(LABEL) $(CODENAME) $(COMPONENT)' \
     'Created-By: Packages' 'Origin: Debian' |
-    awk -v wanted="Debian $(codename) main" '$1 !~ /^cdrom:/ && $2 " " $3 " " $4 == wanted \
-      {print $1; exit}'
+    awk -v wanted="Debian $(codename) main" '$1 !~ /^cdrom:/ && $2 " " $3 " " $4 == wanted && !found++ \
+      {print $1}'
 }
 
 # fetch_source PACKAGE SUITE FOLDER: the upstream tarball of a source package. apt gets lists and
@@ -19,7 +19,7 @@ fetch_source() {
   uri=$(archive)
   if [ -z "$uri" ]; then
     # Without lists apt does not know its archives.
-    retry logged "$cache/logs/apt-update" "${as_root[@]}" apt-get update || return 1
+    retry logged "$cache/logs/apt-update" "${as_root[@]}" apt-get update
     uri=$(archive)
   fi
   [ -n "$uri" ] || { echo "no Debian archive in apt's configuration"; return 1; }
@@ -28,21 +28,21 @@ fetch_source() {
   apt=(apt-get -o "Dir::Etc::sourcelist=$folder/apt/sources.list" -o Dir::Etc::sourceparts=/dev/null
     -o "Dir::State::lists=$folder/apt/lists" -o Dir::State::status=/dev/null
     -o "Dir::Cache=$folder/apt/cache" -o APT::Sandbox::User="$(id -un)")
-  retry "${apt[@]}" -o APT::Update::Error-Mode=any update || return 1
+  retry "${apt[@]}" -o APT::Update::Error-Mode=any update
   # An archive may lack a small file of a source package and apt then fails: the upstream tarball
   # is enough, if its size and checksum are those of the archive's signed index.
   listed=$("${apt[@]}" --only-source source --print-uris "$package" |
-    awk '$2 ~ /\.orig\.tar\.[a-z0-9]+$/ {print $2, $4; exit}')
+    awk '$2 ~ /\.orig\.tar\.[a-z0-9]+$/ && !found++ {print $2, $4}')
   read -r tarball checksum <<<"$listed"
   checksum=${checksum#SHA256:}
   [ -n "$checksum" ] || { echo "no source package $package in $suite"; return 1; }
-  retry download_tarball || return 1
+  retry download_tarball
   rm -rf "$folder/apt"
 }
 
 # The rest of fetch_source, with its variables: leaves the checked tarball in the folder.
 download_tarball() {
-  (cd "$folder" && "${apt[@]}" --only-source source --download-only "$package")
+  (cd "$folder" && "${apt[@]}" --only-source source --download-only "$package") || true
   echo "$checksum  $folder/$tarball" | sha256sum --check
 }
 
@@ -50,34 +50,59 @@ upstream_tarball() {
   find "$2" -maxdepth 1 -name "$1_*.orig.tar.*" ! -name '*.asc'
 }
 
-codename() {
+# An entry of /etc/os-release; empty when it has none of that name
+os_release() {
   # shellcheck disable=SC1091
-  (. /etc/os-release && echo "$VERSION_CODENAME")
+  (. /etc/os-release && echo "${!1:-}")
 }
 
-# Upstream version of an installed engine
+codename() {
+  os_release VERSION_CODENAME
+}
+
+require_known_debian() {
+  case "$(codename)" in
+    bookworm | trixie) return 0 ;;
+  esac
+  fail "these scripts know the packages of Debian 12 (bookworm) and 13 (trixie), and this is $(os_release PRETTY_NAME).
+Run them in a container or a chroot of one of the two, for instance made by 'debootstrap trixie FOLDER', or install
+the engines and their headers yourself and build with CMake: docs/building.md"
+}
+
+# Upstream version of the package that has an installed library. Packages of libraries change their names from one Debian
+# to the next, and of a name that it has heard of dpkg-query prints an empty version and calls that a success.
 installed() {
-  dpkg-query -W -f='${source:Upstream-Version}' "$1"
+  local owner version
+  owner=$(dpkg-query -S "*/$1" | sed -n '1s/: .*//p')
+  version=$(dpkg-query -W -f='${source:Upstream-Version}' "$owner")
+  [ -n "$version" ] || { echo "package '$owner' of $1 has no version" >&2; return 1; }
+  echo "$version"
 }
 
 # fetch_headers PACKAGE VERSION FOLDER: the tarball of just that version. Headers of another one
 # would compile and then crash.
 fetch_headers() {
-  logged "$cache/logs/$1-source" fetch_source "$1" "$(codename)" "$3" || return 1
-  [ -e "$3/$1_$2.orig.tar.xz" ] || [ -e "$3/$1_$2.orig.tar.bz2" ] || {
+  logged "$cache/logs/$1-source" fetch_source "$1" "$(codename)" "$3"
+  [[ $(upstream_tarball "$1" "$3") = "$3/$1_$2.orig.tar."* ]] || {
     echo "$1 $2 is installed, but the archive has the source of $(upstream_tarball "$1" "$3")"
     return 1
   }
 }
 
+# Whether a folder's headers are those of a version
+has_version() {
+  [ -e "$1/done" ] && [ "$(cat "$1/done")" = "$2" ]
+}
+
 fetch_lammps_headers() {
   local folder=$cache/lammps-stock version
-  version=$(installed liblammps0) || return 1
-  [ "$(cat "$folder/done" 2>/dev/null)" = "$version" ] && return 0
-  rm -rf "$folder" && mkdir -p "$folder"
-  fetch_headers lammps "$version" "$folder" || return 1
+  version=$(installed liblammps.so)
+  ! has_version "$folder" "$version" || return 0
+  rm -rf "$folder"
+  mkdir -p "$folder"
+  fetch_headers lammps "$version" "$folder"
   tar -xf "$(upstream_tarball lammps "$folder")" -C "$folder" --strip-components=1 \
-    --wildcards '*/src/*.h' || return 1
+    --wildcards '*/src/*.h'
   rm -f "$folder"/lammps_*
   echo "$version" >"$folder/done"
 }
@@ -92,16 +117,18 @@ link_headers() {
 
 fetch_openfoam_headers() {
   local folder=$cache/openfoam-stock version module
-  version=$(installed libopenfoam) || return 1
+  version=$(installed libOpenFOAM.so)
   # Another set of headers may be there, of an earlier version of the package.
-  [ "$(cat "$folder/done" 2>/dev/null)" = "$version" ] && [ -d "$folder/lnInclude/turbulence" ] &&
+  if has_version "$folder" "$version" && [ -d "$folder/lnInclude/turbulence" ]; then
     return 0
-  rm -rf "$folder" && mkdir -p "$folder/source"
-  fetch_headers openfoam "$version" "$folder" || return 1
+  fi
+  rm -rf "$folder"
+  mkdir -p "$folder/source"
+  fetch_headers openfoam "$version" "$folder"
   tar -xf "$(upstream_tarball openfoam "$folder")" -C "$folder/source" --strip-components=1 \
     --wildcards '*/src/OpenFOAM' '*/src/OSspecific/POSIX' '*/src/finiteVolume' \
     '*/src/meshTools' '*/src/lagrangian/basic' '*/src/TurbulenceModels' \
-    '*/src/transportModels/incompressible' || return 1
+    '*/src/transportModels/incompressible'
   rm -f "$folder"/openfoam_*
   for module in OpenFOAM finiteVolume meshTools; do
     link_headers "$folder/source/src/$module" "$folder/lnInclude/$module"
@@ -118,37 +145,48 @@ fetch_openfoam_headers() {
 # Not to be had is no failure: the tests and CMake's summary say so and go on without it.
 build_current_lammps() {
   local folder=$cache/lammps-current
-  [ -e "$folder/done" ] && return 0
-  [ "${COHESION_CURRENT_LAMMPS:-yes}" = yes ] || {
+  [ ! -e "$folder/done" ] || return 0
+  if [ "${COHESION_CURRENT_LAMMPS:-yes}" != yes ]; then
     skip_current_lammps "COHESION_CURRENT_LAMMPS is not 'yes'"
     return 0
-  }
-  rm -rf "$folder" && mkdir -p "$folder"
-  logged "$cache/logs/lammps-current-source" fetch_source lammps trixie "$folder" || {
-    skip_current_lammps "its source could not be fetched"
-    return 0
-  }
-  unpack_current_lammps "$folder" || {
-    skip_current_lammps "its source could not be unpacked"
-    return 0
-  }
-  logged "$cache/logs/lammps-current-build" compile_current_lammps "$folder" || {
-    skip_current_lammps "it could not be built, see $cache/logs/lammps-current-build"
-    return 0
-  }
+  fi
+  rm -rf "$folder"
+  mkdir -p "$folder"
+  attempt make_current_lammps "$folder"
+  [ "$status" = 0 ] || return 0
   rm -f "$cache/lammps-current.missing"
   touch "$folder/done"
 }
 
+# In a folder; fails when it has said why there is none.
+make_current_lammps() {
+  local log=$cache/logs/lammps-current
+  or_skip "its source could not be fetched, see $log-source" \
+    logged "$log-source" fetch_source lammps trixie "$1"
+  or_skip "its source could not be unpacked" unpack_current_lammps "$1"
+  or_skip "it could not be built, see $log-build" logged "$log-build" compile_current_lammps "$1"
+}
+
+# or_skip REASON command...
+or_skip() {
+  local reason=$1
+  shift
+  attempt "$@"
+  [ "$status" != 0 ] || return 0
+  skip_current_lammps "$reason"
+  return 1
+}
+
 unpack_current_lammps() {
   tar -xf "$(upstream_tarball lammps "$1")" -C "$1" --strip-components=1 --exclude='*/doc' \
-    --exclude='*/examples' --exclude='*/potentials' --exclude='*/bench' && rm -f "$1"/lammps_*
+    --exclude='*/examples' --exclude='*/potentials' --exclude='*/bench'
+  rm -f "$1"/lammps_*
 }
 
 compile_current_lammps() {
   cmake -S "$1/cmake" -B "$1/build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_SHARED_LIBS=ON \
-    -DBUILD_MPI=ON -DBUILD_OMP=OFF -DPKG_PLUGIN=ON -DPKG_GRANULAR=ON &&
-    cmake --build "$1/build" --parallel "$cores"
+    -DBUILD_MPI=ON -DBUILD_OMP=OFF -DPKG_PLUGIN=ON -DPKG_GRANULAR=ON
+  cmake --build "$1/build" --parallel "$cores"
 }
 
 skip_current_lammps() {

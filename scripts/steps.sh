@@ -2,6 +2,7 @@
 # Shared by the scripts: where things are, and steps that say what they do and how long they took.
 # shellcheck shell=bash
 
+shopt -s inherit_errexit # `set -e` in $(...) too
 repository=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cache=${COHESION_CACHE:-$HOME/.cache/cohesion}
 build=${COHESION_BUILD:-$repository/build}
@@ -15,12 +16,26 @@ else
   as_root=(sudo)
 fi
 
+# attempt command...: its exit code is in `status` afterwards. `set -e` holds in all of the command; after `if`, `!` or
+# `&&` and before `||` it would not, and what fails in the middle would count as done. For that reason attempt, step,
+# retry and logged are not to be called in such places either.
+attempt() {
+  set +e
+  (
+    set -e
+    "$@"
+  )
+  status=$?
+  set -e
+}
+
 # step "what it does" "how long it takes the first time" command...
 step() {
   local what=$1 expected=$2 begin=$SECONDS
   shift 2
   printf '==> %s (%s the first time)\n' "$what" "$expected"
-  "$@" || fail "$what"
+  attempt "$@"
+  [ "$status" = 0 ] || fail "$what"
   printf '    done in %d s\n' $((SECONDS - begin))
 }
 
@@ -29,12 +44,18 @@ fail() {
   exit 1
 }
 
+# What the last configuration left out, a line each with the reason
+left_out() {
+  sed -n 's/^  \(.*\): left out, /\1: /p' "$build/summary.txt"
+}
+
 # Downloads fail now and then: up to three times.
 retry() {
-  local attempt
-  for attempt in 1 2 3; do
-    "$@" && return 0
-    sleep $((attempt * 5))
+  local turn
+  for turn in 1 2 3; do
+    attempt "$@"
+    [ "$status" != 0 ] || return 0
+    [ "$turn" = 3 ] || sleep $((turn * 5))
   done
   return 1
 }
@@ -44,9 +65,9 @@ logged() {
   local log=$1
   shift
   mkdir -p "$(dirname "$log")"
-  if ! "$@" >"$log" 2>&1; then
-    tail -n 30 "$log"
-    printf 'the whole log: %s\n' "$log"
-    return 1
-  fi
+  attempt "$@" >"$log" 2>&1
+  [ "$status" != 0 ] || return 0
+  tail -n 30 "$log"
+  printf 'the whole log: %s\n' "$log"
+  return 1
 }
