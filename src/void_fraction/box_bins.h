@@ -56,7 +56,7 @@ class BoxBins {
 
   /// How one direction is cut.
   struct Axis {
-    double Vector3::*coordinate = nullptr;
+    double Vector3::* coordinate = nullptr;
     double low = 0.0, high = 0.0;  ///< of all boxes
     double per_length = 0.0;       ///< bins per length; 0: one for all
     double slack = 0.0;            ///< [length] far below a bin, far above round-off

@@ -107,7 +107,7 @@ TEST(ContactNumbers, TangentialAndRollingSpringSwingTogether) {
 
 TEST(ContactNumbers, RefusesWhatCannotBe) {
   const double inf = std::numeric_limits<double>::infinity();
-  const auto with = [](double PairParameters::*member, double value) {
+  const auto with = [](double PairParameters::* member, double value) {
     PairParameters p = thesis_pair();
     p.*member = value;
     return p;

@@ -84,11 +84,8 @@ TEST(LawMapping, NothingHoldsAtNoSpeed) {
 }
 
 TEST(LawMapping, RefusesLawsThatAreNone) {
-  expect_refused(
-      [] {
-        HamakerKind{&hamaker::forms[0], 1e-7, 4e-10, 0.0}.law(1e-19);
-      },
-      "surface cut-off");
+  expect_refused([] { HamakerKind{&hamaker::forms[0], 1e-7, 4e-10, 0.0}.law(1e-19); },
+                 "surface cut-off");
   const HeadOnPair elastic{{800.0, 0.0, thesis::reduced_mass}, spheres.geometry, 1e-3};
   expect_refused([&] { hamaker_escape(elastic, smooth.law(1e-19), std::nullopt); },
                  "restitution e");

@@ -17,7 +17,7 @@ const double mass = 2650.0 * sphere_volume(0.5e-3);
 const LinearSpringDashpot bed(800.0, 0.79e-3, reduced_mass(mass, mass));
 const double a_r_over_6 = 5e-19 * 0.25e-3 / 6.0;
 const Adhesion bed_adhesion{a_r_over_6 / (4e-10 * 4e-10), 4e-10,
-                            a_r_over_6*(1.0 / 4e-10 - 1.0 / 1e-7)};
+                            a_r_over_6 * (1.0 / 4e-10 - 1.0 / 1e-7)};
 
 /// K = mu = 1, so that F_ad is the speed b and zeta = eta/2; the well has the energy `well`.
 AdhesiveContact unit(double zeta, double force, double well) {

@@ -69,7 +69,7 @@ TEST(ContactParameters, TangentialContactIsInProportionToTheNormalOne) {
 TEST(ContactParameters, RefusesWhatCannotBe) {
   EXPECT_NO_THROW(require_valid(valid()));
   const double nan = std::nan(""), inf = std::numeric_limits<double>::infinity();
-  const auto refused = [](double ContactParameters::*value, double bad, const char* part) {
+  const auto refused = [](double ContactParameters::* value, double bad, const char* part) {
     ContactParameters p = valid();
     p.*value = bad;
     expect_refused([&] { require_valid(p); }, part);

@@ -32,16 +32,10 @@ TEST(HardContactParameters, RefusesWhatCannotBe) {
   require_valid(ContactParameters{1.0, 0.0, square_well::well(0.0, 1.0)});
   expect_refused([] { require_valid(ContactParameters{1.1, 0.0, {}}); }, "restitution e");
   expect_refused([] { require_valid(ContactParameters{1.0, -0.1, {}}); }, "friction mu");
-  expect_refused(
-      [] {
-        require_valid(ContactParameters{1.0, 0.0, square_well::well(-1.0, 1.1)});
-      },
-      "depth D");
-  expect_refused(
-      [] {
-        require_valid(ContactParameters{1.0, 0.0, square_well::well(1.0, 1.0)});
-      },
-      "must be above 1");
+  expect_refused([] { require_valid(ContactParameters{1.0, 0.0, square_well::well(-1.0, 1.1)}); },
+                 "depth D");
+  expect_refused([] { require_valid(ContactParameters{1.0, 0.0, square_well::well(1.0, 1.0)}); },
+                 "must be above 1");
 }
 
 }  // namespace cohesion::hard_sphere

@@ -152,9 +152,7 @@ TEST(BlockRule, OfAConstantIsMetByTwoBlocks) {
 
 TEST(BlockRule, LeavesOutWhatCameBeforeTheStart) {
   BlockRule rule(100, 16, {{1, 0.01}});
-  EXPECT_EQ(blocks_until_met(
-                rule, [](double t) { return t <= 100 ? 1e9 : 2; }, 3),
-            2);
+  EXPECT_EQ(blocks_until_met(rule, [](double t) { return t <= 100 ? 1e9 : 2; }, 3), 2);
   EXPECT_EQ(rule.mean(0).value, 2);
 }
 
@@ -163,17 +161,13 @@ TEST(BlockRule, FollowsALinearDriftUntilItIsSmall) {
   // below 0.05 first at b = 20.
   BlockRule rule(0, 64, {{1, 0.05}});
   // The first sample tells where the run is; the first block has 63 values.
-  EXPECT_EQ(blocks_until_met(
-                rule, [](double t) { return t; }, 100),
-            21);
+  EXPECT_EQ(blocks_until_met(rule, [](double t) { return t; }, 100), 21);
 }
 
 TEST(BlockRule, IsNeverMetByExponentialGrowth) {
   // Each block is exp(B/100) of the one before: change 2 tanh(B/200) = 0.32.
   BlockRule rule(0, 32, {{1, 0.3}});
-  EXPECT_EQ(blocks_until_met(
-                rule, [](double t) { return std::exp(t / 100); }, 50),
-            -1);
+  EXPECT_EQ(blocks_until_met(rule, [](double t) { return std::exp(t / 100); }, 50), -1);
   EXPECT_NEAR(rule.change(0), 2 * std::tanh(32.0 / 200), 1e-12);
   EXPECT_GT(rule.mean(0).error, 0.1 * rule.mean(0).value);
 }
@@ -208,9 +202,7 @@ TEST(BlockRule, IsNotStillWhereNothingWasCounted) {
 
 TEST(BlockRule, OfNothingToWaitForIsMetByTwoBlocks) {
   BlockRule rule(0, 16, {{1, BlockRule::any}});
-  EXPECT_EQ(blocks_until_met(
-                rule, [](double t) { return t; }, 5),
-            2);
+  EXPECT_EQ(blocks_until_met(rule, [](double t) { return t; }, 5), 2);
 }
 
 TEST(BlockRule, TakesSamplesFartherApartThanBlocks) {

@@ -25,7 +25,7 @@ std::vector<int> all_meeting(const std::vector<Box>& boxes, const Box& around) {
   std::vector<int> found;
   for (std::size_t n = 0; n < boxes.size(); n++) {
     bool meets = true;
-    for (double Vector3::*c : {&Vector3::x, &Vector3::y, &Vector3::z})
+    for (double Vector3::* c : {&Vector3::x, &Vector3::y, &Vector3::z})
       meets = meets && boxes[n].low.*c <= around.high.*c && around.low.*c <= boxes[n].high.*c;
     if (meets) found.push_back(static_cast<int>(n));
   }
@@ -61,7 +61,7 @@ void expect_all_found(const std::vector<Box>& boxes, const Box& surroundings) {
   for (int trial = 0; trial < 2000; trial++) {
     const double size = trial % 5 == 0 ? 0.0 : std::pow(10.0, -4.0 * uniform(random));
     Box around;
-    for (double Vector3::*c : {&Vector3::x, &Vector3::y, &Vector3::z}) {
+    for (double Vector3::* c : {&Vector3::x, &Vector3::y, &Vector3::z}) {
       around.low.*c = surroundings.low.*c + (1.4 * uniform(random) - 0.2) * span.*c;
       around.high.*c = around.low.*c + size * span.*c;
       const Box& some = boxes[random() % boxes.size()];
