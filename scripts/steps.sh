@@ -49,6 +49,17 @@ left_out() {
   sed -n 's/^  \(.*\): left out, /\1: /p' "$build/summary.txt"
 }
 
+# Once all that is needed has been installed, what CMake leaves out, unless it was switched off, is a failure.
+# The current LAMMPS is for tests alone.
+require_complete() {
+  local missing
+  missing=$(left_out | sed '/^current LAMMPS: /d; / is OFF$/d')
+  [ -z "$missing" ] || {
+    printf 'left out, though all was installed:\n%s\n' "$missing"
+    return 1
+  }
+}
+
 # Downloads fail now and then: up to three times.
 retry() {
   local turn

@@ -97,7 +97,7 @@ def main():
     expected.rows(HERE / "expected.csv")
     args.build = args.build.resolve()
     out = (args.out or args.build / "bubbling-hard-sphere").resolve()
-    env = environment(args.build)
+    env = environment(args.build, ["lammps"])
     mark = fingerprint(args.build, env)
     changed = {} if args.time is None else {"endTime": args.time}
     jobs = [HardBed(out, env, mark, bed, dissipation, seed, changed)

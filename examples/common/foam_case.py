@@ -7,6 +7,7 @@ import shutil
 import subprocess
 from pathlib import Path
 
+from build_summary import missing
 from job_pool import RunError, dies_with_us
 
 
@@ -14,15 +15,23 @@ class CaseError(RunError):
     """A program of the case failed; the text ends with the last lines of its log."""
 
 
-def environment(build):
-    """Environment (dict) in which the programs of the build folder `build` run.
+SCRIPT = "openfoam/environment.sh"
+# Particle engines, as a case names them: their adapters, and what these need of the package
+ADAPTERS = {"lammps": ("openfoam/libcohesionLammpsEngine.so", "LAMMPS package"),
+            "liggghts": ("openfoam/libcohesionLiggghtsEngine.so", "LIGGGHTS styles")}
 
-    Raises CaseError when the folder has not been built."""
-    script = Path(build).resolve() / "openfoam" / "environment.sh"
-    if not script.is_file():
-        raise CaseError(f"'{script}' does not exist: build the package first (scripts/run-bed does)")
+
+def environment(build, engines=()):
+    """Environment (dict) in which the programs of the build folder `build` run, with the particle engines `engines`.
+
+    Raises CaseError when the folder has not been built, or without one of the engines."""
+    build = Path(build).resolve()
+    for file, part in ((SCRIPT, "OpenFOAM coupling"), *(ADAPTERS[engine] for engine in sorted(engines))):
+        reason = missing(build, file, part)
+        if reason:
+            raise CaseError(reason)
     output = subprocess.run(
-        ["bash", "-c", f"source '{script}' && env -0"], check=True, capture_output=True
+        ["bash", "-c", f"source '{build / SCRIPT}' && env -0"], check=True, capture_output=True
     ).stdout
     return dict(item.split("=", 1) for item in output.decode().split("\0") if "=" in item)
 

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
+from build_summary import missing
 from job_pool import Job, dies_with_us
 
 
@@ -21,11 +22,13 @@ class NotBuilt(RuntimeError):
 
 def launcher(build):
     """Program and plugin of the build folder; raises NotBuilt when it has not been built."""
-    folder = Path(build).resolve() / "lammps/stock"
-    program, plugin = folder / "lmp-cohesion", folder / "cohesionplugin.so"
-    if not program.is_file() or not plugin.is_file():
-        raise NotBuilt(f"'{program}' does not exist: build the package first (scripts/setup does)")
-    return program, plugin
+    build = Path(build).resolve()
+    files = "lammps/stock/lmp-cohesion", "lammps/stock/cohesionplugin.so"
+    for file in files:
+        reason = missing(build, file, "LAMMPS package", "stock LAMMPS")
+        if reason:
+            raise NotBuilt(reason)
+    return tuple(build / file for file in files)
 
 
 class ScriptRun(Job):

@@ -89,7 +89,7 @@ def main():
     common = {"engine": args.engine, "schedule": args.schedule}
     if args.seed is not None:
         common["seed"], = seeds_of(common, [args.seed])
-    env = environment(args.build)
+    env = environment(args.build, [args.engine])
     mark = fingerprint(args.build, env)
     kinds = {"non-cohesive": 0.0, "Hamaker": args.hamaker}
     beside = {} if args.beside is None else earlier(args.beside, kinds)

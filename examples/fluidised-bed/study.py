@@ -142,7 +142,7 @@ def main():
     table = rows(args.table)
     expected.rows(args.table.parent / "expected.csv")
     seeds = {name: seeds_of(row, args.seeds) for name, row in table.items()}
-    env = environment(build)
+    env = environment(build, {row["engine"] for row in table.values()})
     mark = fingerprint(build, env)
     jobs = {name: [BedRun(out / "runs" / f"{name}-{seed}", {**row, "seed": seed}, env, mark)
                    for seed in seeds[name]] for name, row in table.items()}

@@ -46,10 +46,12 @@ def call(command):
     return done.returncode, done.stdout
 
 
-def built(summary):
-    """Options of what the summary says is built."""
-    return {option for option, (_, what) in DELIVERABLES.items()
-            if re.search(rf"^--   {what}: (for|with) ", summary, re.M)}
+def built(folder):
+    """Options of what the summary says is built; it says of the others that they are left out, and why."""
+    summary = (Path(folder) / "summary.txt").read_text()
+    said = {option: re.search(rf"^  {what}: (for|with|left out,) \S", summary, re.M)
+            for option, (_, what) in DELIVERABLES.items()}
+    return {option for option, found in said.items() if found[1] != "left out,"}
 
 
 def check(cmake, source, folder, chosen, here, missing):
@@ -57,7 +59,7 @@ def check(cmake, source, folder, chosen, here, missing):
     code, output = configure(cmake, source, folder, chosen, missing)
     if code:
         return output[-1500:]
-    found = built(output)
+    found = built(folder)
     if found != chosen & here:
         return f"builds {sorted(found)}"
     code, output = call(["ninja", "-C", folder, "-n"])  # goes through all inputs and makes nothing
@@ -81,7 +83,7 @@ def main(cmake, source, work, *options):
     code, output = configure(cmake, source, folder, set(DELIVERABLES), False)
     if code:
         sys.exit(output)
-    here, failed, begin = built(output), 0, time.time()
+    here, failed, begin = built(folder), 0, time.time()
     print("found on this machine:", ", ".join(sorted(here)))
     if "--all" in options:
         cases = [(chosen, missing) for chosen in every() for missing in (False, True)]

@@ -5,7 +5,7 @@ files and dumps are the same, on scripts of the same names.
 The environment names the engine under test:
   COHESION_LMP            program that knows `plugin load`
   COHESION_PLUGIN         plugin built for it
-  COHESION_OTHER_PLUGIN   plugin built for another version, empty when there is none
+  COHESION_OTHER_PLUGIN   plugin built for another version
   COHESION_SCRIPTS        folder of the scripts, when it is another
   COHESION_MPIEXEC        MPI launcher with the option that sets the number of ranks
 """
