@@ -46,6 +46,15 @@ def waves(fraction, state, length):
             math.log(length / (2 * math.pi * free_path(fraction)))) / viscosity
 
 
+def sampling(fraction, state, count, strain):
+    """Standard deviation of the mean temperature of `count` discs over a strain, per T. Heat is stress, whose noise is
+    2 viscosity T per area and time (Green and Kubo); it relaxes at the rate dissipation/(n T) per strain, and viscosity
+    is dissipation: T fluctuates by T/sqrt(count), as in the elastic gas, and forgets that in n T/dissipation. What is
+    left out is of the order 1 - e."""
+    memory = density(fraction) * state.temperature / state.dissipation
+    return math.sqrt(2 * memory / (count * strain))
+
+
 def nearly_elastic(fraction, restitution):
     """Granular temperature with the viscosity of elastic discs, first Sonine approximation (Gass,
     J. Chem. Phys. 54 (1971) 1898): rate^2 times viscosity = dissipation; exact in 1 - e to leading
