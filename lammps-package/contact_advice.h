@@ -28,8 +28,8 @@ class AdvisedStyle {
 };
 
 /// Sees when contacts have to be judged: in each set-up of a run, and within one, whether it was
-/// set up or not, where the step became longer, or where the list of neighbours is new and lighter
-/// or faster particles are there.
+/// set up or not, where the step became longer, or where the list of neighbours is new or fix adapt
+/// has acted, and lighter or faster particles are there.
 class ContactWatch : protected Pointers {
  public:
   explicit ContactWatch(LAMMPS* lammps) : Pointers(lammps), now_() {}
@@ -42,11 +42,14 @@ class ContactWatch : protected Pointers {
   void forget() { watch_ = {}; }
 
  private:
+  bool may_differ() const;
   void look();
+  void look_for_adapting();
   double gravity() const;
 
   Circumstances now_;
   cohesion::advice::Watch watch_;
+  std::vector<int> adapted_every_;  // so many steps, by fixes that change particles
 };
 
 /// A contact between these two; without springs when neither moves.

@@ -109,6 +109,7 @@ std::vector<AdvisedContact> PairHamaker::advised_contacts() const {
                                                   cohesion::two_spheres(a.radius, b.radius));
           },
           laws);
+      if (adhesion.force == 0.0) continue;
       contacts.push_back({fmt::format("{} - {}", i, j), a, b, {}, adhesion});
     }
   return contacts;

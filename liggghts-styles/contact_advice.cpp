@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <set>
 
@@ -86,9 +87,27 @@ void ContactWatch::look() {
   now_.lightest[0] = {infinite, infinite};
 }
 
+void ContactWatch::look_for_adapting() {
+  adapted_every_.clear();
+  for (int k = 0; k < lmp_->modify->nfix; k++) {
+    const Fix* const fix = lmp_->modify->fix[k];
+    if (std::strncmp(fix->style, "adapt", 5) == 0 && fix->nevery > 0)
+      adapted_every_.push_back(fix->nevery);
+  }
+}
+
+/// Alike on all ranks, without asking them.
+bool ContactWatch::may_differ() const {
+  if (lmp_->neighbor->ago == 0 || lmp_->update->dt > watch_.dt()) return true;
+  // Such a fix may act before or after the one that asks.
+  return std::any_of(adapted_every_.begin(), adapted_every_.end(),
+                     [this](int every) { return lmp_->update->ntimestep % every <= 1; });
+}
+
 bool ContactWatch::due(bool setup) {
   const double dt = lmp_->update->dt;
-  if (!setup && lmp_->neighbor->ago != 0 && dt <= watch_.dt()) return false;
+  if (setup) look_for_adapting();
+  if (!setup && !may_differ()) return false;
   look();
   if (!setup && !watch_.worse(now_.lightest, now_.run.fastest, dt)) return false;
   watch_.judged(now_.lightest, now_.run.fastest, dt);

@@ -22,8 +22,8 @@ namespace LIGGGHTS {
 namespace Cohesion {
 
 /// Sees when contacts have to be judged: in each set-up of a run, and within one, whether it was
-/// set up or not, where the step became longer, or where the list of neighbours is new and lighter
-/// or faster particles are there. Particles of templates count as there.
+/// set up or not, where the step became longer, or where the list of neighbours is new or fix adapt
+/// has acted, and lighter or faster particles are there. Particles of templates count as there.
 class ContactWatch {
  public:
   explicit ContactWatch(LAMMPS_NS::LAMMPS* lmp) : lmp_(lmp), now_() {}
@@ -34,11 +34,14 @@ class ContactWatch {
   const cohesion::advice::Circumstances& now() const { return now_; }
 
  private:
+  bool may_differ() const;
   void look();
+  void look_for_adapting();
 
   LAMMPS_NS::LAMMPS* lmp_;
   cohesion::advice::Circumstances now_;
   cohesion::advice::Watch watch_;
+  std::vector<int> adapted_every_;  // so many steps, by fixes that change particles
 };
 
 /// What a contact model has to say of a run before it can go wrong: the table of numbers that

@@ -135,7 +135,7 @@ inline Report report(const std::string& style, const SchemeLimits& limits,
 }
 
 /// Of an attraction alone, whose contact is another style's: all that can be judged is whether its
-/// surface cut-off is seen.
+/// surface cut-off is seen. Of contacts with adhesion alone.
 inline Report attraction_report(const std::string& style, const SchemeLimits& limits,
                                 const std::vector<AdvisedContact>& contacts,
                                 const RunNumbers& run) {
@@ -144,7 +144,7 @@ inline Report attraction_report(const std::string& style, const SchemeLimits& li
                  ": what to expect (lightest particles)\n"
                  "  contact       speed  H_cut/(v dt)\n";
   for (const AdvisedContact& c : contacts) {
-    if (!c.moves() || c.adhesion.force == 0.0) continue;
+    if (!c.moves()) continue;
     const double speed = touching_speed(run, c);
     const double steps = c.adhesion.cutoff / (speed * run.dt);
     report.table += detail::name(c) + detail::number("%9.3g", approach_speed(run, c)) +
