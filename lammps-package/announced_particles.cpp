@@ -4,7 +4,11 @@
 #include <algorithm>
 #include <cstring>
 
+#if __has_include("GRANULAR/fix_pour.h")
 #include "GRANULAR/fix_pour.h"
+#else
+#include "fix_pour.h"
+#endif
 #include "fix_deposit.h"
 #include "modify.h"
 #include "molecule.h"
