@@ -37,8 +37,11 @@ class CohesiveCoefficients : protected Pointers {
   void start() {
     given_.take();
     laws_.assign(given_.size(), cohesion_.no_law());
+    prepared_.assign(given_.size(), false);
   }
   void require_taken() const { given_.require_taken(where()); }
+  /// Whether types i and j are this style's in the run; those of other styles of a hybrid are not.
+  bool has(int i, int j) const { return prepared_[of_types(i, j)]; }
   /// Makes the law of types i and j, mixed when they were not given. Returns the gap up to which
   /// the scheme has to see particles of these radii, [length].
   double prepare(int i, int j, double radius_i, double radius_j);
@@ -96,6 +99,7 @@ class CohesiveCoefficients : protected Pointers {
   Cohesion cohesion_;
   TypePairTable<Parameters> given_;
   std::vector<typename Cohesion::Law> laws_;  // by of_types(); of a scaled adhesion, if wished
+  std::vector<bool> prepared_;                // the same
 };
 
 template <class Cohesion>
@@ -130,6 +134,7 @@ double CohesiveCoefficients<Cohesion>::prepare(int i, int j, double radius_i, do
   const Parameters scaled = cohesion_.scaled(lmp, here, given_(i, j));
   laws_[of_types(j, i)] = cohesion_.law(lmp, here, Cohesion::reversed(scaled));
   laws_[of_types(i, j)] = cohesion_.law(lmp, here, scaled);
+  prepared_[of_types(i, j)] = prepared_[of_types(j, i)] = true;
   return Cohesion::range(scheme_, scaled, radius_i, radius_j);
 }
 

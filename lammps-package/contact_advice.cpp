@@ -7,48 +7,100 @@
 #include <cmath>
 #include <limits>
 
+#include "announced_particles.h"
 #include "atom.h"
 #include "box_shear.h"
 #include "comm.h"
 #include "contact/contact_parameters.h"
+#include "domain.h"
 #include "error.h"
-#include "fix_event_step.h"
+#include "fix.h"
 #include "gravity.h"
+#include "law_from_script.h"
+#include "mobile_particles.h"
+#include "modify.h"
+#include "neighbor.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
 namespace advice = cohesion::advice;
 
-static double largest_of_all(LAMMPS* lmp, double mine) {
-  double all = 0.0;
-  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, lmp->world);
-  return all;
-}
-
-/// The largest acceleration.
-static double gravity(LAMMPS* lmp) {
-  const std::vector<double> weight = weights(lmp);
+/// The largest acceleration that the fixes of the step put on a particle; of none: that of all
+/// fixes together, for those to come.
+double ContactWatch::gravity() const {
   double g = 0.0;
-  for (int i = 0; i < lmp->atom->nlocal; i++) {
-    const double* const w = &weight[3 * i];
-    g = std::max(g, std::hypot(w[0], w[1], w[2]) / lmp->atom->rmass[i]);
+  if (atom->natoms == 0) {
+    double sum[3] = {0.0, 0.0, 0.0};
+    for (int k = 0; k < modify->nfix; k++) {
+      int dimension = 0;
+      if (!utils::strmatch(modify->fix[k]->style, "^gravity")) continue;
+      if (const auto* of_fix = static_cast<double*>(modify->fix[k]->extract("gvec", dimension)))
+        for (int d = 0; d < 3; d++) sum[d] += of_fix[d];
+    }
+    return std::hypot(sum[0], sum[1], sum[2]);
   }
-  return largest_of_all(lmp, g);
+  const std::vector<double> weight = weights(lmp);
+  for (int i = 0; i < atom->nlocal; i++) {
+    const double* const w = &weight[3 * i];
+    const double mass = atom->rmass ? atom->rmass[i] : atom->mass[atom->type[i]];
+    g = std::max(g, std::hypot(w[0], w[1], w[2]) / mass);
+  }
+  double all = 0.0;
+  MPI_Allreduce(&g, &all, 1, MPI_DOUBLE, MPI_MAX, world);
+  return all;
 }
 
-std::vector<LightestParticle> LAMMPS_NS::lightest_particles(LAMMPS* lmp, const FixEventStep& step) {
-  const Atom* atom = lmp->atom;
+/// The lightest particles, those that fixes have announced among them, and the fastest.
+void ContactWatch::look() {
   const double none = std::numeric_limits<double>::infinity();
+  // The speed with the other sign in place of a type 0: the least of all is looked for.
   std::vector<LightestParticle> mine(atom->ntypes + 1, {none, none});
+  mine[0] = {-fastest_of(atom, domain, atom->nlocal), none};
+  MobileParticles mobile;
+  mobile.look_up(modify);
+  const auto take = [&](int type, int mask, double radius, double mass) {
+    LightestParticle& lightest = mine[type];
+    lightest.radius = std::min(lightest.radius, radius);
+    if (mobile.inverse_mass(mask, mass) > 0.0) lightest.mass = std::min(lightest.mass, mass);
+  };
+  for (const AnnouncedParticle& p : announced_particles(lmp))
+    if (p.type <= atom->ntypes) take(p.type, p.mask, p.radius, p.mass);
   for (int i = 0; i < atom->nlocal; i++) {
-    LightestParticle& lightest = mine[atom->type[i]];
-    lightest.radius = std::min(lightest.radius, atom->radius[i]);
-    if (step.body(i).inverse_mass > 0.0) lightest.mass = std::min(lightest.mass, atom->rmass[i]);
+    const int type = atom->type[i];
+    take(type, atom->mask[i], atom->radius[i], atom->rmass ? atom->rmass[i] : atom->mass[type]);
   }
-  std::vector<LightestParticle> all(mine.size());
-  MPI_Allreduce(mine.data(), all.data(), 2 * static_cast<int>(mine.size()), MPI_DOUBLE, MPI_MIN,
-                lmp->world);
-  return all;
+  now_.lightest.resize(mine.size());
+  MPI_Allreduce(mine.data(), now_.lightest.data(), 2 * static_cast<int>(mine.size()), MPI_DOUBLE,
+                MPI_MIN, world);
+  now_.run.fastest = -now_.lightest[0].radius;
+  now_.lightest[0] = {none, none};
+}
+
+void ContactWatch::look_for_adapting() {
+  adapted_every_.clear();
+  for (int k = 0; k < modify->nfix; k++)
+    if (utils::strmatch(modify->fix[k]->style, "^adapt") && modify->fix[k]->nevery > 0)
+      adapted_every_.push_back(modify->fix[k]->nevery);
+}
+
+/// Alike on all ranks, without asking them.
+bool ContactWatch::may_differ() const {
+  if (neighbor->ago == 0 || update->dt > watch_.dt()) return true;
+  // Such a fix may act before or after the one that asks.
+  return std::any_of(adapted_every_.begin(), adapted_every_.end(),
+                     [this](int every) { return update->ntimestep % every <= 1; });
+}
+
+bool ContactWatch::due(bool setup) {
+  const double dt = update->dt;
+  if (setup) look_for_adapting();
+  if (!setup && !may_differ()) return false;
+  look();
+  if (!setup && !watch_.worse(now_.lightest, now_.run.fastest, dt)) return false;
+  watch_.judged(now_.lightest, now_.run.fastest, dt);
+  now_.run = {now_.run.fastest, gravity(), dt, rate_of_shear(domain).amount};
+  now_.within_run = !setup;
+  return true;
 }
 
 AdvisedContact LAMMPS_NS::advised_contact(const std::string& name, const LightestParticle& i,
@@ -66,14 +118,29 @@ AdvisedContact LAMMPS_NS::advised_contact(const std::string& name, const Lightes
   return c;
 }
 
-void LAMMPS_NS::advise(LAMMPS* lmp, const std::string& style, const advice::SchemeLimits& limits,
-                       const std::vector<AdvisedContact>& contacts) {
-  const advice::RunNumbers run{fastest_particle(lmp), gravity(lmp), lmp->update->dt,
-                               rate_of_shear(lmp->domain).amount};
-  const advice::Report report = advice::report(style, limits, contacts, run);
+static void tell(LAMMPS* lmp, const advice::Report& news) {
   if (lmp->comm->me == 0) {
-    utils::logmesg(lmp, report.table);
-    for (const std::string& warning : report.warnings) lmp->error->warning(FLERR, warning);
+    utils::logmesg(lmp, news.table);
+    for (const advice::Warning& warning : news.warnings) lmp->error->warning(FLERR, warning.text);
   }
-  if (!report.stop.empty()) lmp->error->all(FLERR, report.stop);
+  if (!news.stop.empty()) lmp->error->all(FLERR, news.stop);
+}
+
+void LAMMPS_NS::advise(LAMMPS* lmp, const std::string& style, const advice::SchemeLimits& limits,
+                       const std::vector<AdvisedContact>& contacts, const Circumstances& now,
+                       advice::Said& said) {
+  tell(lmp, from_script(lmp, style, [&] {
+         return said.news(advice::report(style, limits, contacts, now.run), contacts, now);
+       }));
+}
+
+void LAMMPS_NS::advise_of_attraction(LAMMPS* lmp, const std::string& style, std::string_view remedy,
+                                     const std::vector<AdvisedContact>& contacts,
+                                     const Circumstances& now, advice::Said& said) {
+  advice::SchemeLimits limits = advice::sampled_scheme;
+  limits.remedy = remedy;
+  tell(lmp, from_script(lmp, style, [&] {
+         return said.news(advice::attraction_report(style, limits, contacts, now.run), contacts,
+                          now);
+       }));
 }

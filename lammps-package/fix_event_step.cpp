@@ -33,6 +33,7 @@ FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
       alone(nullptr),
       shift(nullptr),
       book(),
+      watch(lammps),
       shared(ALONE),
       follows(true),
       resting(false),
@@ -99,11 +100,13 @@ void FixEventStep::init() {
                "scheme event needs the velocities of ghost particles; add 'comm_modify vel yes'");
 
   walls.clear();
+  advised.clear();
   mobile.look_up(modify);
   bool before_me = true;
   for (int i = 0; i < modify->nfix; i++) {
     Fix* const fix = modify->fix[i];
     if (auto* wall = dynamic_cast<EventContacts*>(fix)) walls.push_back(wall);
+    if (auto* one = dynamic_cast<AdvisedStyle*>(fix)) advised.push_back(one);
     if (fix == this) before_me = false;
     if (fix->rigid_flag)
       error->all(FLERR, std::string("scheme event cannot follow contacts of rigid bodies (fix ") +
@@ -114,9 +117,11 @@ void FixEventStep::init() {
                             "commands of scheme event");
   }
   follows = !walls.empty();
-  for (const PairMember& member : pair_members(force))
+  for (const PairMember& member : pair_members(force)) {
     if (const auto* pairs = dynamic_cast<const EventPairs*>(member.pair))
       follows = follows || pairs->follows();
+    if (auto* one = dynamic_cast<AdvisedStyle*>(member.pair)) advised.push_back(one);
+  }
 }
 
 /// Then a step does nothing for any particle.
@@ -179,6 +184,7 @@ void FixEventStep::setup_pre_force(int) {
   clear();
   resting = rests();
   if (resting) weighed.clear();
+  judge(true);
   if (resuming && book.kept) take_over();
   if (resuming) return;
   for (EventContacts* wall : walls) wall->follow_alone();
@@ -223,7 +229,15 @@ void FixEventStep::initial_integrate(int) {
 void FixEventStep::pre_force(int) {
   if (resting) return;
   clear();
+  judge(false);
   for (EventContacts* wall : walls) wall->follow_alone();
+}
+
+/// Forces that a run takes over from the last one excuse nothing: its step, its coefficients and
+/// its particles may be others.
+void FixEventStep::judge(bool setup) {
+  if (advised.empty() || !watch.due(setup)) return;
+  for (AdvisedStyle* one : advised) one->give_advice(watch.now());
 }
 
 void FixEventStep::clear() {

@@ -13,6 +13,7 @@ FixStyle(EVENT_STEP,FixEventStep);
 #include <vector>
 
 #include "atom.h"
+#include "contact_advice.h"
 #include "event_stepping/cohesive_contact.h"
 #include "event_stepping/flux_parts.h"
 #include "fix.h"
@@ -166,6 +167,7 @@ class FixEventStep : public Fix {
 
  private:
   void clear();
+  void judge(bool setup);
   bool rests() const;
   void look_for_readers();
   void look_round();
@@ -175,7 +177,9 @@ class FixEventStep : public Fix {
   void take_over();
   void move();
 
-  std::vector<EventContacts*> walls;  // those of this run
+  std::vector<EventContacts*> walls;   // those of this run
+  std::vector<AdvisedStyle*> advised;  // the same
+  ContactWatch watch;
 
   int shared;    // of the values of `alone`
   bool follows;  // any pair or wall, in this run

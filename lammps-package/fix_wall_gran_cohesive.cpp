@@ -8,7 +8,6 @@
 
 #include "atom.h"
 #include "comm.h"
-#include "contact_advice.h"
 #include "domain.h"
 #include "error.h"
 #include "hamaker_cohesion.h"
@@ -134,9 +133,15 @@ void FixWallGranCohesive<Cohesion>::post_force(int) {
 }
 
 template <class Cohesion>
-void FixWallGranCohesive<Cohesion>::give_advice() {
+void FixWallGranCohesive<Cohesion>::give_advice(const Circumstances& now) {
+  advise(lmp, where, limits_of(scheme),
+         from_script(lmp, where, [&] { return advised_contacts(now.lightest); }), now, said);
+}
+
+template <class Cohesion>
+std::vector<AdvisedContact> FixWallGranCohesive<Cohesion>::advised_contacts(
+    const std::vector<LightestParticle>& lightest) const {
   constexpr double infinite = std::numeric_limits<double>::infinity();
-  const std::vector<LightestParticle> lightest = lightest_particles(lmp, *step);
   std::vector<AdvisedContact> advised;
   for (int type = 1; type <= atom->ntypes; type++) {
     if (!std::isfinite(lightest[type].radius)) continue;  // no particles yet
@@ -144,7 +149,7 @@ void FixWallGranCohesive<Cohesion>::give_advice() {
         fmt::format("{} - wall", type), lightest[type], {infinite, infinite}, parameters.contact,
         Cohesion::template of_wall<cohesion::contact::Adhesion>(law, lightest[type].radius)));
   }
-  advise(lmp, where, limits_of(scheme), advised);
+  return advised;
 }
 
 /// Equal particles that come one after the other share a contact.
@@ -200,17 +205,14 @@ void FixWallGranCohesive<Cohesion>::look_at_sizes() {
 /// Every contact by itself: what it would do to its particle.
 template <class Cohesion>
 void FixWallGranCohesive<Cohesion>::follow_alone() {
-  if (update->setupflag) give_advice();
-  std::visit(
-      [this](auto& shared) {
-        if (per_wall == WITH_ROLLING)
-          follow_alone<true, true>(shared);
-        else if (per_wall == WITH_FRICTION)
-          follow_alone<true, false>(shared);
-        else
-          follow_alone<false, false>(shared);
-      },
-      contacts);
+  with_contacts([this](auto& shared) {
+    if (per_wall == WITH_ROLLING)
+      follow_alone<true, true>(shared);
+    else if (per_wall == WITH_FRICTION)
+      follow_alone<true, false>(shared);
+    else
+      follow_alone<false, false>(shared);
+  });
 }
 
 template <class Cohesion>
@@ -270,16 +272,14 @@ void FixWallGranCohesive<Cohesion>::follow_together() {
   if (step->resumes()) return;
   std::fill(mine.begin(), mine.end(), 0.0);
   summed = false;
-  std::visit(
-      [this](const auto& shared) {
-        if (per_wall == WITH_ROLLING)
-          follow_together<true, true>(shared);
-        else if (per_wall == WITH_FRICTION)
-          follow_together<true, false>(shared);
-        else
-          follow_together<false, false>(shared);
-      },
-      contacts);
+  with_contacts([this](const auto& shared) {
+    if (per_wall == WITH_ROLLING)
+      follow_together<true, true>(shared);
+    else if (per_wall == WITH_FRICTION)
+      follow_together<true, false>(shared);
+    else
+      follow_together<false, false>(shared);
+  });
 }
 
 /// Every contact again, with half of what the other contacts of its particle do, and friction.
@@ -325,25 +325,23 @@ void FixWallGranCohesive<Cohesion>::follow_together(const std::vector<Contact>& 
 template <class Cohesion>
 void FixWallGranCohesive<Cohesion>::book_standing() {
   const WallState now = state();
-  std::visit(
-      [&](auto& shared) {
-        shared.clear();
-        for (int i = 0; i < atom->nlocal; i++)
-          for (int w = 0; w < static_cast<int>(walls.size()); w++) {
-            const double* const kept = history.of(i, w);
-            if (kept[0] <= 0.0 || step->body(i).inverse_mass == 0.0) continue;
-            const WallPoint point = walls[w].nearest(vector(atom->x[i]), now, motion.rim_speed);
-            const auto& c = shared[contact(shared, i)];
-            LAMMPS_NS::book_standing(
-                step->book, 1.0,
-                c.stored({{point.separation, point.velocity - step->taken_velocity(i)},
-                          step->taken_spin(i),
-                          {}},
-                         step->half_flight(), true, memory_in(kept, per_wall, WITH_FRICTION),
-                         memory_in(kept, per_wall, WITH_ROLLING)));
-          }
-      },
-      contacts);
+  with_contacts([&](auto& shared) {
+    shared.clear();
+    for (int i = 0; i < atom->nlocal; i++)
+      for (int w = 0; w < static_cast<int>(walls.size()); w++) {
+        const double* const kept = history.of(i, w);
+        if (kept[0] <= 0.0 || step->body(i).inverse_mass == 0.0) continue;
+        const WallPoint point = walls[w].nearest(vector(atom->x[i]), now, motion.rim_speed);
+        const auto& c = shared[contact(shared, i)];
+        LAMMPS_NS::book_standing(
+            step->book, 1.0,
+            c.stored({{point.separation, point.velocity - step->taken_velocity(i)},
+                      step->taken_spin(i),
+                      {}},
+                     step->half_flight(), true, memory_in(kept, per_wall, WITH_FRICTION),
+                     memory_in(kept, per_wall, WITH_ROLLING)));
+      }
+  });
 }
 
 /* ---------------------------------------------------------------------- */

@@ -8,11 +8,13 @@
 
 #include "atom.h"
 #include "cohesive_contact_from_script.h"
+#include "contact_advice.h"
 #include "event_contact.h"
 #include "event_stepping/cohesive_contact.h"
 #include "event_stepping/wall.h"
 #include "fix.h"
 #include "fix_event_step.h"
+#include "guarded.h"
 #include "wall_history.h"
 
 namespace LAMMPS_NS {
@@ -20,7 +22,7 @@ namespace LAMMPS_NS {
 /// Walls that act on spheres as PairGranCohesive lets spheres act on each other; a wall is a
 /// partner of infinite mass and radius. `Cohesion`: as there.
 template <class Cohesion>
-class FixWallGranCohesive : public Fix, public EventContacts {
+class FixWallGranCohesive : public Fix, public EventContacts, public AdvisedStyle {
  public:
   FixWallGranCohesive(class LAMMPS*, int, char**);
   ~FixWallGranCohesive() override;
@@ -32,6 +34,7 @@ class FixWallGranCohesive : public Fix, public EventContacts {
   void follow_alone() override;
   void follow_together() override;
   void book_standing() override;
+  void give_advice(const Circumstances&) override;
 
   double compute_vector(int) override;
   double compute_array(int, int) override;
@@ -78,10 +81,15 @@ class FixWallGranCohesive : public Fix, public EventContacts {
   void follow_alone(std::vector<Contact>&);
   template <bool FRICTION, bool ROLLING, class Contact>
   void follow_together(const std::vector<Contact>&);
-  void give_advice();
+  std::vector<AdvisedContact> advised_contacts(const std::vector<LightestParticle>&) const;
+  template <class Work>
+  void with_contacts(const Work& work) {
+    guarded(lmp, where, [&] { std::visit(work, contacts); });
+  }
   void sum();
 
   std::string where;  // in front of messages
+  cohesion::advice::Said said;
   Scheme scheme;
   Cohesion attraction;
   typename Cohesion::Parameters parameters;  // with adhesion scaled, if wished

@@ -4,13 +4,17 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <string>
+#include <vector>
 
 #include "atom.h"
+#include "contact/adhesion.h"
 #include "domain.h"
 #include "error.h"
 #include "law_from_script.h"
 #include "sphere.h"
+#include "update.h"
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
@@ -23,7 +27,10 @@ static const char* const usage =
     "'asperity' with a radius";
 
 FixWallHamaker::FixWallHamaker(LAMMPS* lammps, int narg, char** arg)
-    : Fix(lammps, narg, arg), law(hamaker::forms.front().law(hamaker::none, false)), summed(false) {
+    : Fix(lammps, narg, arg),
+      law(hamaker::forms.front().law(hamaker::none, false)),
+      watch(lammps),
+      summed(false) {
   read(narg, arg);
   std::fill_n(mine, 4, 0.0);
   scalar_flag = vector_flag = 1;
@@ -102,9 +109,31 @@ void FixWallHamaker::min_post_force(int vflag) { post_force(vflag); }
 
 void FixWallHamaker::post_force(int vflag) {
   v_init(vflag);
+  if (update->whichflag == 1 && watch.due(update->setupflag)) give_advice();
   std::fill_n(mine, 4, 0.0);
   summed = false;
   std::visit([this](const auto& chosen) { attract(chosen); }, law);
+}
+
+void FixWallHamaker::give_advice() {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  const std::string where = std::string("fix ") + id + " wall/hamaker";
+  const std::vector<LightestParticle>& lightest = watch.now().lightest;
+  std::vector<AdvisedContact> contacts;
+  for (int type = 1; type <= atom->ntypes; type++) {
+    if (!std::isfinite(lightest[type].radius)) continue;  // no particles yet
+    const auto adhesion = std::visit(
+        [&](const auto& chosen) {
+          return cohesion::contact::adhesion_of(chosen,
+                                                cohesion::sphere_and_plane(lightest[type].radius));
+        },
+        law);
+    if (adhesion.force == 0.0) continue;
+    contacts.push_back(
+        {fmt::format("{} - wall", type), lightest[type], {infinite, infinite}, {}, adhesion});
+  }
+  advise_of_attraction(lmp, where, "use fix wall/gran/hamaker, which sees it at any step", contacts,
+                       watch.now(), said);
 }
 
 template <class Law>

@@ -11,6 +11,7 @@ FixStyle(wall/hamaker,FixWallHamaker);
 #include <string>
 #include <vector>
 
+#include "contact_advice.h"
 #include "fix.h"
 #include "hamaker/forms.h"
 
@@ -43,10 +44,13 @@ class FixWallHamaker : public Fix {
   void add_plane(int dimension, int side, const std::string& word, char* text);
   template <class Law>
   void attract(const Law&);
+  void give_advice();
   void sum();
 
   cohesion::hamaker::AnyLaw law;
   std::vector<Plane> planes;
+  ContactWatch watch;
+  cohesion::advice::Said said;
   double mine[4];  // energy, force on the walls
   double total[4];
   bool summed;

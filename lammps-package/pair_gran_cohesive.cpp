@@ -6,11 +6,11 @@
 #include <string>
 
 #include "atom.h"
-#include "contact_advice.h"
 #include "engine_api.h"
 #include "error.h"
 #include "fix_event_step.h"
 #include "force.h"
+#include "guarded.h"
 #include "hamaker_cohesion.h"
 #include "largest_radii.h"
 #include "memory.h"
@@ -72,6 +72,11 @@ void PairGranCohesive<Cohesion>::compute(int eflag, int vflag) {
     rested = true;
     return;
   }
+  guarded(lmp, coefficients.where(), [this] { follow_pairs(); });
+}
+
+template <class Cohesion>
+void PairGranCohesive<Cohesion>::follow_pairs() {
   if (rested) begin_where_they_are();
   if (step->resumes()) {
     if (evflag || step->book.kept) tally_standing();
@@ -79,7 +84,6 @@ void PairGranCohesive<Cohesion>::compute(int eflag, int vflag) {
   }
   std::visit(
       [this](auto& contacts) {
-        if (Cohesion::HAS_CONTACT && update->setupflag) give_advice();
         if (neighbor->ago == 0) check_radii(lmp, coefficients.where(), largest_radius);
         find_active(contacts);
         if (per_pair == WITH_ROLLING)
@@ -300,12 +304,22 @@ double PairGranCohesive<Cohesion>::init_one(int i, int j) {
 }
 
 template <class Cohesion>
-void PairGranCohesive<Cohesion>::give_advice() {
-  const std::vector<LightestParticle> lightest = lightest_particles(lmp, *step);
+void PairGranCohesive<Cohesion>::give_advice(const Circumstances& now) {
+  if (!Cohesion::HAS_CONTACT) return;
+  const std::string where = coefficients.where();
+  advise(lmp, where, limits_of(coefficients.scheme()),
+         from_script(lmp, where, [&] { return advised_contacts(now.lightest); }), now, said);
+}
+
+/// Between particles of the types that are this style's.
+template <class Cohesion>
+std::vector<AdvisedContact> PairGranCohesive<Cohesion>::advised_contacts(
+    const std::vector<LightestParticle>& lightest) const {
   std::vector<AdvisedContact> contacts;
   for (int i = 1; i <= atom->ntypes; i++)
     for (int j = i; j <= atom->ntypes; j++) {
       const LightestParticle &a = lightest[i], &b = lightest[j];
+      if (!coefficients.has(i, j)) continue;
       if (!std::isfinite(a.radius) || !std::isfinite(b.radius)) continue;  // no particles yet
       const int types = coefficients.of_types(i, j);
       contacts.push_back(
@@ -313,7 +327,7 @@ void PairGranCohesive<Cohesion>::give_advice() {
                           coefficients.template attraction<cohesion::contact::Adhesion>(
                               types, a.radius, b.radius)));
     }
-  advise(lmp, coefficients.where(), limits_of(coefficients.scheme()), contacts);
+  return contacts;
 }
 
 /* ---------------------------------------------------------------------- */

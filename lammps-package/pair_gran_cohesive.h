@@ -11,6 +11,7 @@
 #include "bound_pairs.h"
 #include "close_pairs.h"
 #include "cohesive_coefficients.h"
+#include "contact_advice.h"
 #include "event_contact.h"
 #include "event_stepping/cohesive_contact.h"
 #include "pair.h"
@@ -22,7 +23,7 @@ namespace LAMMPS_NS {
 /// sampled. `Cohesion` (hamaker_cohesion.h, square_well_cohesion.h) says what is its own: name,
 /// keywords, law, range, and which pairs of src/event_stepping follow it.
 template <class Cohesion>
-class PairGranCohesive : public Pair, public BoundPairs, public EventPairs {
+class PairGranCohesive : public Pair, public BoundPairs, public EventPairs, public AdvisedStyle {
  public:
   explicit PairGranCohesive(class LAMMPS*);
   ~PairGranCohesive() override;
@@ -45,6 +46,7 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventPairs {
   }
   void append_bound(std::vector<std::array<int, 2>>&) const override;
   bool follows() const override { return looks; }
+  void give_advice(const Circumstances&) override;
 
  private:
   template <class Pair>
@@ -99,9 +101,11 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventPairs {
   template <bool TALLY, bool FRICTION, bool ROLLING, class Contact>
   void follow_together(Contacts<Contact>&);
   void tally_standing();
-  void give_advice();
+  void follow_pairs();
+  std::vector<AdvisedContact> advised_contacts(const std::vector<LightestParticle>&) const;
 
   CohesiveCoefficients<Cohesion> coefficients;
+  cohesion::advice::Said said;
   AnyContacts any_contacts;
   std::vector<double> largest_radius;  // by type, at init
   std::vector<Active> active;

@@ -8,6 +8,7 @@
 
 #include "atom.h"
 #include "comm.h"
+#include "contact/adhesion.h"
 #include "engine_api.h"
 #include "error.h"
 #include "force.h"
@@ -18,6 +19,7 @@
 #include "neigh_list.h"
 #include "restart_format.h"
 #include "sphere.h"
+#include "update.h"
 
 using namespace LAMMPS_NS;
 namespace hamaker = cohesion::hamaker;
@@ -31,7 +33,8 @@ PairHamaker::PairHamaker(LAMMPS* lammps)
       form(hamaker::forms.data()),
       hamaker_constant(nullptr),
       parameters(lammps),
-      looks(true) {
+      looks(true),
+      watch(lammps) {
   single_enable = 1;
   restartinfo = 1;
   writedata = 1;
@@ -68,6 +71,7 @@ void PairHamaker::compute(int eflag, int vflag) {
                "the run");
   parameters.require_taken("pair_style hamaker");
   if (attract) {
+    if (update->whichflag == 1 && watch.due(update->setupflag)) give_advice();
     std::visit(
         [this](const auto& chosen) {
           if (evflag) {
@@ -81,6 +85,34 @@ void PairHamaker::compute(int eflag, int vflag) {
         laws);
   }
   if (vflag_fdotr) virial_fdotr_compute();
+}
+
+void PairHamaker::give_advice() {
+  const std::string where = "pair_style hamaker";
+  advise_of_attraction(lmp, where, "use pair_style gran/hamaker, which sees it at any step",
+                       from_script(lmp, where, [this] { return advised_contacts(); }), watch.now(),
+                       said);
+}
+
+std::vector<AdvisedContact> PairHamaker::advised_contacts() const {
+  std::vector<AdvisedContact> contacts;
+  const std::vector<LightestParticle>& lightest = watch.now().lightest;
+  for (int i = 1; i <= atom->ntypes; i++)
+    for (int j = i; j <= atom->ntypes; j++) {
+      const LightestParticle &a = lightest[i], &b = lightest[j];
+      const int types = parameters.number(i, j);
+      if (!prepared[types]) continue;
+      if (!std::isfinite(a.radius) || !std::isfinite(b.radius)) continue;  // no particles yet
+      const auto adhesion = std::visit(
+          [&](const auto& law_of) {
+            return cohesion::contact::adhesion_of(law_of[types],
+                                                  cohesion::two_spheres(a.radius, b.radius));
+          },
+          laws);
+      if (adhesion.force == 0.0) continue;
+      contacts.push_back({fmt::format("{} - {}", i, j), a, b, {}, adhesion});
+    }
+  return contacts;
 }
 
 /// Whether any types attract each other; fix adapt may change it in a run.
@@ -212,6 +244,7 @@ void PairHamaker::init_style() {
                                  [](const Parameters& p) { return p.asperity_radius > 0.0; });
   std::visit([this](const auto& law) { laws = std::vector(parameters.size(), law); },
              form->law(hamaker::none, rough));
+  prepared.assign(parameters.size(), false);
   looks = may_attract();
   if (looks)
     engine_api::request_neighbor_list(neighbor, this, instance_me);
@@ -229,6 +262,8 @@ PairHamaker::Parameters PairHamaker::of_type(int i) {
 double PairHamaker::init_one(int i, int j) {
   if (parameters.to_mix("pair_style hamaker", i, j))
     give(i, j, hamaker::mixed(of_type(i), of_type(j)));
+  prepared[parameters.number(i, j)] = true;
+  watch.forget();
   // fix adapt may have changed it.
   parameters(i, j).hamaker_constant = hamaker_constant[i][j];
   const Parameters& p = parameters(i, j);

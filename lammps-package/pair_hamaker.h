@@ -11,6 +11,7 @@ PairStyle(hamaker,PairHamaker);
 #include <string>
 #include <vector>
 
+#include "contact_advice.h"
 #include "hamaker/forms.h"
 #include "pair.h"
 #include "type_pair_table.h"
@@ -47,6 +48,8 @@ class PairHamaker : public Pair {
   template <bool TALLY, bool NEWTON, class Law>
   void compute_pairs(const std::vector<Law>&);
 
+  void give_advice();
+  std::vector<AdvisedContact> advised_contacts() const;
   bool attracts() const;
   bool may_attract() const;
   void allocate();
@@ -61,8 +64,11 @@ class PairHamaker : public Pair {
   double** hamaker_constant;  // by type pair; fix adapt writes it
   TypePairTable<Parameters> parameters;
   cohesion::hamaker::AnyLaws laws;     // by type pair, built at init
+  std::vector<bool> prepared;          // by type pair: whether it is this style's in this run
   std::vector<double> largest_radius;  // by type, at init
   bool looks;                          // whether any pair is looked at in this run
+  ContactWatch watch;
+  cohesion::advice::Said said;
 };
 
 }  // namespace LAMMPS_NS

@@ -184,7 +184,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
   PairGran* pair_;     // null for walls
   Attraction attraction_;
   std::unique_ptr<Cohesion::NormalModelProbe> normal_;
-  std::shared_ptr<const Cohesion::ContactAdvice> advice_;
+  std::shared_ptr<Cohesion::ContactAdvice> advice_;
   std::shared_ptr<Cohesion::ContactBook> book_;  // null: none is kept
   bool booked_ = false;   // all contacts are asked of their memory in this step
   bool watched_ = false;  // all that are held are asked, and listed with a force of 0, too

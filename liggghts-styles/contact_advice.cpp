@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <set>
 
@@ -17,8 +18,10 @@
 #include "fix_wall_gran.h"
 #include "force.h"
 #include "gravity_of_fixes.h"
+#include "guarded.h"
 #include "liggghts_api.h"
 #include "mobile_particles.h"
+#include "neighbor.h"
 #include "pair_gran.h"
 #include "sphere.h"
 #include "update.h"
@@ -66,46 +69,83 @@ std::set<int> types_of(const FixWallGran& wall) {
 
 }  // namespace
 
-std::vector<LightestParticle> lightest_particles(LAMMPS* lmp) {
-  const Atom* const atom = lmp->atom;
-  const MobileParticles mobile(lmp->modify);
+/// The lightest particles and the fastest.
+void ContactWatch::look() {
+  const Atom* const atom = lmp_->atom;
+  const MobileParticles mobile(lmp_->modify);
   std::vector<LightestParticle> mine(atom->ntypes + 1, {infinite, infinite});
-  count_templates(lmp->modify, mine);
+  // The speed with the other sign in place of a type 0: the least of all is looked for.
+  mine[0] = {-fastest_of(atom, lmp_->domain, atom->nlocal), infinite};
+  count_templates(lmp_->modify, mine);
   for (int i = 0; i < atom->nlocal; i++)
     take_lighter(mine[atom->type[i]], atom->radius[i],
                  mobile.moves(atom->mask[i]) ? atom->rmass[i] : infinite);
-  std::vector<LightestParticle> all(mine.size());
-  MPI_Allreduce(mine.data(), all.data(), 2 * static_cast<int>(mine.size()), MPI_DOUBLE, MPI_MIN,
-                lmp->world);
-  return all;
+  now_.lightest.resize(mine.size());
+  MPI_Allreduce(mine.data(), now_.lightest.data(), 2 * static_cast<int>(mine.size()), MPI_DOUBLE,
+                MPI_MIN, lmp_->world);
+  now_.run.fastest = -now_.lightest[0].radius;
+  now_.lightest[0] = {infinite, infinite};
+}
+
+void ContactWatch::look_for_adapting() {
+  adapted_every_.clear();
+  for (int k = 0; k < lmp_->modify->nfix; k++) {
+    const Fix* const fix = lmp_->modify->fix[k];
+    if (std::strncmp(fix->style, "adapt", 5) == 0 && fix->nevery > 0)
+      adapted_every_.push_back(fix->nevery);
+  }
+}
+
+/// Alike on all ranks, without asking them.
+bool ContactWatch::may_differ() const {
+  if (lmp_->neighbor->ago == 0 || lmp_->update->dt > watch_.dt()) return true;
+  // Such a fix may act before or after the one that asks.
+  return std::any_of(adapted_every_.begin(), adapted_every_.end(),
+                     [this](int every) { return lmp_->update->ntimestep % every <= 1; });
+}
+
+bool ContactWatch::due(bool setup) {
+  const double dt = lmp_->update->dt;
+  if (setup) look_for_adapting();
+  if (!setup && !may_differ()) return false;
+  look();
+  if (!setup && !watch_.worse(now_.lightest, now_.run.fastest, dt)) return false;
+  watch_.judged(now_.lightest, now_.run.fastest, dt);
+  now_.run = {now_.run.fastest, GravityOfFixes(lmp_->modify).largest(), dt,
+              rate_of_shear(lmp_->domain).amount};
+  now_.within_run = !setup;
+  return true;
 }
 
 ContactAdvice::ContactAdvice(LAMMPS* lmp, FixWallGran* wall, const std::string& model,
                              const NormalModelProbe& normal, Adhesion adhesion)
     : lmp_(lmp), wall_(wall), model_(model), normal_(normal), adhesion_(std::move(adhesion)) {}
 
-void ContactAdvice::give() const {
-  const advice::RunNumbers run{fastest_particle(lmp_), GravityOfFixes(lmp_->modify).largest(),
-                               lmp_->update->dt, rate_of_shear(lmp_->domain).amount};
+void ContactAdvice::give(const advice::Circumstances& now) {
   std::string who = model_ + (wall_ ? std::string(", fix wall/gran ") + wall_->id : "");
   if (normal_.exponent() != 1.0)
     who += " (" + normal_.name() + ": linear springs that an impact presses as far)";
-  const advice::Report report = advice::report(who, limits, contacts(run), run);
+  const advice::Report news = guarded(lmp_, who, [&] {
+    const std::vector<advice::AdvisedContact> all = contacts(now);
+    return said_.news(advice::report(who, limits, all, now.run), all, now);
+  });
   if (lmp_->comm->me == 0) {
-    engine_api::tell(lmp_, report.table);
-    for (const std::string& warning : report.warnings) lmp_->error->warning(FLERR, warning.c_str());
+    engine_api::tell(lmp_, news.table);
+    for (const advice::Warning& warning : news.warnings)
+      lmp_->error->warning(FLERR, warning.text.c_str());
   }
-  if (!report.stop.empty()) lmp_->error->all(FLERR, report.stop.c_str());
+  if (!news.stop.empty()) lmp_->error->all(FLERR, news.stop.c_str());
 }
 
-std::vector<advice::AdvisedContact> ContactAdvice::contacts(const advice::RunNumbers& run) const {
-  const std::vector<LightestParticle> lightest = lightest_particles(lmp_);
+std::vector<advice::AdvisedContact> ContactAdvice::contacts(
+    const advice::Circumstances& now) const {
+  const std::vector<LightestParticle>& lightest = now.lightest;
   std::vector<advice::AdvisedContact> contacts;
   const auto add = [&](const std::string& name, int i, int j, const LightestParticle& partner) {
     advice::AdvisedContact c{name, lightest[i], partner, {}, {}};
     if (!c.moves()) return;
     c.adhesion = adhesion_(i, j, c.i.radius, c.j.radius);
-    set_springs(c, i, j, run);
+    set_springs(c, i, j, now.run);
     contacts.push_back(c);
   };
   for (int i = 1; i <= lmp_->atom->ntypes; i++) {

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "advice/contact_report.h"
+#include "advice/said.h"
+#include "advice/watch.h"
 #include "contact/adhesion.h"
 #include "normal_model_probe.h"
 
@@ -19,13 +21,32 @@ class FixWallGran;
 namespace LIGGGHTS {
 namespace Cohesion {
 
-/// The smallest and lightest particle of each type, counted from 1, over all ranks; of those in
-/// particle templates as well.
-std::vector<cohesion::advice::LightestParticle> lightest_particles(LAMMPS_NS::LAMMPS* lmp);
+/// Sees when contacts have to be judged: in each set-up of a run, and within one, whether it was
+/// set up or not, where the step became longer, or where the list of neighbours is new or fix adapt
+/// has acted, and lighter or faster particles are there. Particles of templates count as there.
+class ContactWatch {
+ public:
+  explicit ContactWatch(LAMMPS_NS::LAMMPS* lmp) : lmp_(lmp), now_() {}
 
-/// What a contact model has to say before the first step of a run: the table of numbers that decide
-/// whether the run can be right, warnings, and an error where it must blow up
-/// (src/advice/contact_report.h).
+  /// Whether they have to be judged now, by now(), which is of all ranks. To be called in each
+  /// step, on all ranks, when the list of neighbours is that of the step.
+  bool due(bool setup);
+  const cohesion::advice::Circumstances& now() const { return now_; }
+
+ private:
+  bool may_differ() const;
+  void look();
+  void look_for_adapting();
+
+  LAMMPS_NS::LAMMPS* lmp_;
+  cohesion::advice::Circumstances now_;
+  cohesion::advice::Watch watch_;
+  std::vector<int> adapted_every_;  // so many steps, by fixes that change particles
+};
+
+/// What a contact model has to say of a run before it can go wrong: the table of numbers that
+/// decide whether the run can be right, warnings, and an error where it must blow up
+/// (src/advice/contact_report.h); no table and no warning twice.
 class ContactAdvice {
  public:
   /// Of a contact of these types and radii; beside a wall the second radius is without meaning.
@@ -36,11 +57,11 @@ class ContactAdvice {
   ContactAdvice(LAMMPS_NS::LAMMPS* lmp, LAMMPS_NS::FixWallGran* wall, const std::string& model,
                 const NormalModelProbe& normal, Adhesion adhesion);
 
-  void give() const;
+  void give(const cohesion::advice::Circumstances& now);
 
  private:
   std::vector<cohesion::advice::AdvisedContact> contacts(
-      const cohesion::advice::RunNumbers& run) const;
+      const cohesion::advice::Circumstances& now) const;
   void set_springs(cohesion::advice::AdvisedContact& contact, int itype, int jtype,
                    const cohesion::advice::RunNumbers& run) const;
   bool holds(const char* kind, const char* model, const char* coefficient, int itype,
@@ -51,6 +72,7 @@ class ContactAdvice {
   std::string model_;
   const NormalModelProbe& normal_;
   Adhesion adhesion_;
+  cohesion::advice::Said said_;
 };
 
 }  // namespace Cohesion

@@ -4,25 +4,26 @@
 #include <mpi.h>
 
 #include "comm.h"
-#include "contact_advice.h"
 #include "error.h"
 
 namespace LIGGGHTS {
 namespace Cohesion {
 
-void FixContactAdvice::ask(const std::shared_ptr<const ContactAdvice>& advice) {
+void FixContactAdvice::ask(const std::shared_ptr<ContactAdvice>& advice) {
   for (const auto& asked : asked_)
     if (asked.lock() == advice) return;
   asked_.push_back(advice);
 }
 
-void FixContactAdvice::setup(int) {
+void FixContactAdvice::judge(bool setup) {
+  if (asked_.empty() || !watch_.due(setup)) return;
   for (const auto& asked : asked_)
-    if (const auto advice = asked.lock()) advice->give();
+    if (const auto advice = asked.lock()) advice->give(watch_.now());
 }
 
 int FixContactAdvice::setmask() {
-  return LAMMPS_NS::FixConst::PRE_EXCHANGE | LAMMPS_NS::FixConst::POST_RUN;
+  using namespace LAMMPS_NS::FixConst;
+  return PRE_EXCHANGE | PRE_FORCE | POST_RUN;
 }
 
 void FixContactAdvice::pre_exchange() {

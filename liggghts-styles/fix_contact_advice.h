@@ -6,12 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "contact_advice.h"
 #include "fix.h"
 
 namespace LIGGGHTS {
 namespace Cohesion {
-
-class ContactAdvice;
 
 /// What a step may find wrong, on any rank and in any of the models that share it.
 struct LateWarning {
@@ -20,29 +19,33 @@ struct LateWarning {
   bool said = false;  ///< on all
 };
 
-/// Lets the contact models of pairs and walls say what to expect of a run before its first step,
-/// and once what went wrong in a step: when lists are made next, or when the run ends. Hidden
-/// (hidden_fix.h).
+/// Lets the contact models of pairs and walls say what to expect of a run before its first step and
+/// where that becomes worse, and once what went wrong in a step: when lists are made next, or when
+/// the run ends. Hidden (hidden_fix.h).
 class FixContactAdvice : public LAMMPS_NS::Fix {
  public:
   static constexpr const char* STYLE = "cohesion_advice";
 
   FixContactAdvice(LAMMPS_NS::LAMMPS* engine, int count, char** words)
-      : Fix(engine, count, words) {}
+      : Fix(engine, count, words), watch_(engine) {}
 
   int setmask() override;
-  void setup(int) override;
+  void setup(int) override { judge(true); }
+  void pre_force(int) override { judge(false); }
   void pre_exchange() override;
   void post_run() override { pre_exchange(); }
 
   /// One that is gone is asked no more.
-  void ask(const std::shared_ptr<const ContactAdvice>&);
+  void ask(const std::shared_ptr<ContactAdvice>&);
 
   /// The one of this text. To be asked for on all ranks.
   std::shared_ptr<LateWarning> late_warning(const std::string& text);
 
  private:
-  std::vector<std::weak_ptr<const ContactAdvice>> asked_;
+  void judge(bool setup);
+
+  ContactWatch watch_;
+  std::vector<std::weak_ptr<ContactAdvice>> asked_;
   std::vector<std::shared_ptr<LateWarning>> late_;
 };
 

@@ -91,14 +91,15 @@ inline Verdict stability(const ContactNumbers& n) {
           text("the time step ", dt, " makes contacts unstable: reduce it below ", limit)};
 }
 
-inline Verdict cutoff_steps(const ContactNumbers& n, const SchemeLimits& limits) {
-  const double steps = n.steps_in_cutoff();
+/// Of a pair that touches at `speed` u [length/time] and crosses `cutoff` H_cut [length] in `steps`
+/// time steps.
+inline Verdict cutoff_steps(double speed, double cutoff, double steps, const SchemeLimits& limits) {
   const std::string sentence =
-      text("a pair at ", n.entry_speed(), " crosses the surface cut-off in ", steps, " time steps");
+      text("a pair at ", speed, " crosses the surface cut-off in ", steps, " time steps");
   if (steps >= cutoff_steps_for_warning) return {Subject::cutoff_steps, Severity::ok, sentence};
   return {Subject::cutoff_steps, Severity::warning,
           sentence + text(", so that which pairs stick is left to chance: reduce the time step to ",
-                          n.parameters().adhesion.cutoff / n.entry_speed(), " or ", limits.remedy)};
+                          cutoff / speed, " or ", limits.remedy)};
 }
 
 /// What 15 steps of a lightly damped contact leave open is allowed to the others, too.
@@ -160,7 +161,9 @@ inline std::vector<Verdict> advise(const ContactNumbers& n, const SchemeLimits& 
   std::vector<Verdict> verdicts{detail::contact_steps(n, limits)};
   if (limits.samples_force) verdicts.push_back(detail::stability(n));
   if (limits.samples_force && attracts && p.adhesion.cutoff > 0.0)
-    verdicts.push_back(detail::cutoff_steps(n, limits));
+
+    verdicts.push_back(
+        detail::cutoff_steps(n.entry_speed(), p.adhesion.cutoff, n.steps_in_cutoff(), limits));
   // A force in the spring has an escape velocity of another kind.
   if (limits.samples_force && !attracts && n.well_energy() > 0.0)
     verdicts.push_back(detail::escape_velocity(n, limits));

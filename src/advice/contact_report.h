@@ -47,9 +47,15 @@ struct RunNumbers {
   double shear = 0.0;  ///< rate of a mean shear, [1/time]
 };
 
+struct Warning {
+  std::string contact;  ///< its name
+  Subject subject;
+  std::string text;
+};
+
 struct Report {
   std::string table;
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
   std::string stop;  ///< why the run must not begin; empty: it may
 };
 
@@ -85,12 +91,16 @@ inline std::string number(const char* format, double value) {
   return text;
 }
 
-inline std::string row(const std::string& name, const ContactNumbers& n) {
+/// What a row begins with.
+inline std::string name(const AdvisedContact& c) {
+  return "  " + c.name + std::string(c.name.size() < 10 ? 10 - c.name.size() : 0, ' ');
+}
+
+inline std::string row(const AdvisedContact& c, const ContactNumbers& n) {
   const bool attracts = n.parameters().adhesion.force > 0.0;
   const std::string ratio =
       attracts ? number("%.3g", n.well_energy() / n.spring_adhesion_energy()) : "none";
-  return "  " + name + std::string(name.size() < 10 ? 10 - name.size() : 0, ' ') +
-         number("%9.3g", n.parameters().speed) + number("%11.4g", n.steps_per_contact()) +
+  return name(c) + number("%9.3g", n.parameters().speed) + number("%11.4g", n.steps_per_contact()) +
          number("%14.3g", n.steps_in_cutoff()) +
          number("%10.2g", n.static_overlap_over_diameter()) +
          number("%10.2g", n.impact_overlap_over_diameter()) + number("%10.3g", n.bond_number()) +
@@ -113,12 +123,36 @@ inline Report report(const std::string& style, const SchemeLimits& limits,
   for (const AdvisedContact& c : contacts) {
     if (!c.moves()) continue;
     const ContactNumbers n = numbers(c, run);
-    report.table += detail::row(c.name, n);
+    report.table += detail::row(c, n);
     for (const Verdict& verdict : advise(n, limits)) {
       const std::string message = style + ", " + c.name + ": " + verdict.sentence;
-      if (verdict.severity == Severity::warning) report.warnings.push_back(message);
+      if (verdict.severity == Severity::warning)
+        report.warnings.push_back({c.name, verdict.subject, message});
       if (verdict.severity == Severity::error && report.stop.empty()) report.stop = message;
     }
+  }
+  return report;
+}
+
+/// Of an attraction alone, whose contact is another style's: all that can be judged is whether its
+/// surface cut-off is seen. Of contacts with adhesion alone.
+inline Report attraction_report(const std::string& style, const SchemeLimits& limits,
+                                const std::vector<AdvisedContact>& contacts,
+                                const RunNumbers& run) {
+  Report report;
+  report.table = style + ", scheme " + std::string(limits.scheme) +
+                 ": what to expect (lightest particles)\n"
+                 "  contact       speed  H_cut/(v dt)\n";
+  for (const AdvisedContact& c : contacts) {
+    if (!c.moves()) continue;
+    const double speed = touching_speed(run, c);
+    const double steps = c.adhesion.cutoff / (speed * run.dt);
+    report.table += detail::name(c) + detail::number("%9.3g", approach_speed(run, c)) +
+                    detail::number("%14.3g", steps) + "\n";
+    const Verdict verdict = detail::cutoff_steps(speed, c.adhesion.cutoff, steps, limits);
+    if (verdict.severity == Severity::warning)
+      report.warnings.push_back(
+          {c.name, verdict.subject, style + ", " + c.name + ": " + verdict.sentence});
   }
   return report;
 }

@@ -132,8 +132,13 @@ fix pdd all particledistribution/discrete 15485867 1 pts 1.0
         self.assertEqual(run.returncode, 0, run.printed[-1000:])
         self.assertIn("1 - 1", rows(run))
 
-    def test_each_run_has_one(self):
+    def test_what_was_said_is_not_said_again(self):
         run = go(LINEAR, hamaker(A, cut=CUT, out=OUT), run="run 1\nwrite_restart r.*\nrun 1\nrun 1 pre no\n")
+        self.assertEqual(run.printed.count("what to expect"), 1)
+        self.assertEqual(run.printed.count("left to chance"), 1)
+
+    def test_another_step_is_told(self):
+        run = go(LINEAR, hamaker(A, cut=CUT, out=OUT), run=f"run 1\ntimestep {DT / 2}\nrun 1\n")
         self.assertEqual(run.printed.count("what to expect"), 2)
 
 
@@ -154,6 +159,19 @@ class Judgement(unittest.TestCase):
         run = go(models, hamaker(0, cut=CUT, out=OUT), dt=0.9 * self.LIMIT, steps=1)
         self.assertEqual(run.returncode, 0, run.printed[-1000:])
         self.assertIn("the sampled scheme should have 15", run.printed)
+
+    def test_a_step_that_became_too_long_stops_a_run_that_is_not_set_up(self):
+        run = go(LINEAR + ABSOLUTE, hamaker(0, cut=CUT, out=OUT),
+                 run=f"run 1\ntimestep {1.1 * self.LIMIT:.6g}\nrun 50 pre no\n")
+        assert_refused(self, run, "makes contacts unstable: reduce it below", begun=True)
+        self.assertEqual(run.printed.count("Loop time"), 1)
+
+    def test_particles_that_become_lighter_within_a_run_stop_it(self):
+        # To half the diameter, an eighth of the mass; nothing moves, and no list is made anew.
+        shrink = "variable d equal 1e-3*(1-0.01*step)\nfix shrink all adapt 10 atom diameter v_d\n"
+        run = go(LINEAR + ABSOLUTE, hamaker(0, cut=CUT, out=OUT), [sphere((0, 0, 0)), sphere((3e-3, 0, 0))],
+                 dt=0.5 * self.LIMIT, extra=shrink, steps=60)
+        assert_refused(self, run, "makes contacts unstable: reduce it below")
 
     def test_warnings_say_what_would_be_right(self):
         run = go(LINEAR + ABSOLUTE, hamaker(A, cut=CUT, out=OUT))

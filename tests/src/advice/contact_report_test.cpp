@@ -40,7 +40,10 @@ TEST(ContactReport, RowHasTheNumbersOfTheContact) {
 TEST(ContactReport, WarnsAndStopsWithTheNameOfTheContact) {
   const Report r = report("a style", sampled_scheme, {pair()}, run());
   ASSERT_EQ(r.warnings.size(), 3u);  // steps, cut-off, spring too soft
-  for (const std::string& warning : r.warnings) EXPECT_EQ(warning.find("a style, 1 - 1: "), 0u);
+  for (const Warning& warning : r.warnings) {
+    EXPECT_EQ(warning.contact, "1 - 1");
+    EXPECT_EQ(warning.text.find("a style, 1 - 1: "), 0u);
+  }
   RunNumbers large = run();
   large.dt = 1e-3;
   EXPECT_EQ(report("a style", sampled_scheme, {pair()}, large).stop.find("a style, 1 - 1: "), 0u);

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "advice/contact_report.h"
+
+namespace cohesion::advice {
+
+/// What the contacts of a run are judged by.
+struct Circumstances {
+  std::vector<LightestParticle> lightest;  ///< by type, counted from 1
+  RunNumbers run;
+  bool within_run;  ///< after its set-up
+};
+
+/// By which particles, step and speed contacts were last judged: within a run they are judged again
+/// where these have become worse. What is better is left to the next set-up of a run.
+class Watch {
+ public:
+  /// By how much the fastest particle must have become faster.
+  static constexpr double faster = 2.0;
+
+  /// Whether contacts have to be judged again; `lightest` by type.
+  bool worse(const std::vector<LightestParticle>& lightest, double fastest, double dt) const {
+    if (dt > dt_ || fastest > faster * fastest_ || lightest.size() != lightest_.size()) return true;
+    for (std::size_t type = 0; type < lightest.size(); type++)
+      if (lightest[type].radius < lightest_[type].radius ||
+          lightest[type].mass < lightest_[type].mass)
+        return true;
+    return false;
+  }
+
+  void judged(const std::vector<LightestParticle>& lightest, double fastest, double dt) {
+    lightest_ = lightest;
+    fastest_ = fastest;
+    dt_ = dt;
+  }
+
+  /// [time]; 0: nothing was judged.
+  double dt() const { return dt_; }
+
+ private:
+  std::vector<LightestParticle> lightest_;
+  double fastest_ = 0.0;  // [length/time]
+  double dt_ = 0.0;       // [time]
+};
+
+}  // namespace cohesion::advice

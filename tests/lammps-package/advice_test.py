@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""When the advice is given and a run stopped: in every set-up and within a run, where step, particles or coefficients
+have become worse; and that nothing is said twice."""
+import unittest
+from pathlib import Path
+
+from script_test_case import ScriptTestCase
+
+CONTACT = "stiffness 800 restitution 0.9 hamaker 5e-19 cutoff 4e-10 1e-7"
+STYLE = f"pair_style gran/hamaker\npair_coeff * * {CONTACT}\n"
+BOX = """plugin load ${plugin}
+units si
+atom_style sphere
+boundary f f f
+newton off
+comm_modify vel yes
+region box block 0 0.02 0 0.02 0 0.02 units box
+create_box 2 box
+neighbor 1e-3 bin
+neigh_modify delay 0
+"""
+# Of two spheres of 1 mm and 2650 kg/m^3 a contact takes pi sqrt(m/2K) = 9.25e-5 s.
+TWO = BOX + """create_atoms 1 single 0.002 0.005 0.005 units box
+create_atoms 1 single 0.0035 0.005 0.005 units box
+set group all diameter 1e-3 density 2650
+velocity all set 0.01 0 0
+"""
+CHANGING = TWO.replace("sphere\n", "sphere 1\n", 1)
+MOVE = "fix move all nve/sphere\n"
+GOOD, WARNED, TOO_LONG = "5e-6", "3.1e-5", "4e-4"
+ADVICE = "what to expect"
+FEW_STEPS = "a contact takes"
+POURED = """region top block 0.002 0.018 0.002 0.018 0.01 0.018 units box
+fix g all gravity 9.81 vector 0 0 -1
+fix ins all pour 20 1 4711 region top vol 0.1 50 """
+
+
+class Step(ScriptTestCase):
+    def script(self, runs, first=GOOD, style=STYLE):
+        return f"{TWO}{style}{MOVE}timestep {first}\n{runs}"
+
+    def test_a_step_that_became_too_long_between_runs_stops_the_next(self):
+        wall = f"pair_style none\nfix plate all wall/gran/hamaker {CONTACT} zplane 0 NULL\n"
+        for style in (STYLE, wall, STYLE.replace("hamaker\n", "hamaker scheme sampled\n")):
+            for how in ("", " pre no"):
+                with self.subTest(style=style, how=how):
+                    output = self.stops(self.script(f"run 1\ntimestep {TOO_LONG}\nrun 50{how}\n", style=style),
+                                        "reduce", after_a_run=True)
+                    self.assertEqual(output.count("Loop time"), 1)
+
+    def test_a_warning_that_a_longer_step_brings(self):
+        output = self.goes(self.script(f"run 1\ntimestep {WARNED}\nrun 1\nrun 1\n"))
+        self.assertEqual(output.count(FEW_STEPS), 1)
+        self.assertEqual(output.count(ADVICE), 2)
+        self.assertGreater(output.index(FEW_STEPS), output.index("Loop time"))
+
+    def test_a_run_from_a_restart_file_is_judged(self):
+        self.goes(self.script("run 1\nwrite_restart r.rest\n"))
+        self.stops("plugin load ${plugin}\nnewton off\nread_restart r.rest\ncomm_modify vel yes\n"
+                   f"neighbor 1e-3 bin\n{MOVE}timestep {TOO_LONG}\nrun 10\n", FEW_STEPS)
+
+    def test_a_step_that_grows_within_a_run(self):
+        self.stops(self.script(f"fix longer all dt/reset 1 1e-9 {TOO_LONG} 4e-6\nrun 50\n", first="1e-5"), FEW_STEPS)
+
+    def test_what_was_said_is_not_said_again(self):
+        for runs in ("run 5\nrun 5\nrun 5\n", "run 20 every 5 NULL\n", 'run 20 every 5 "print again"\n',
+                     "run 5\nrun 5 pre no\n", f"run 5\nrun 5 pre no\nset group all density 2650\nrun 5\n"):
+            with self.subTest(runs):
+                output = self.goes(self.script(runs, first=WARNED))
+                self.assertEqual((output.count(ADVICE), output.count(FEW_STEPS)), (1, 1), output)
+
+    def test_other_coefficients_are_told(self):
+        output = self.goes(self.script(f"run 5\npair_coeff * * {CONTACT.replace('800', '400')}\nrun 5\n"))
+        self.assertEqual(output.count(ADVICE), 2)
+
+
+class Particles(ScriptTestCase):
+    def script(self, step, what, style=STYLE, how="pour"):
+        region = POURED if how == "pour" else POURED[:POURED.index("fix ins")]
+        return f"{BOX}{style}{what}{MOVE}{region}%s\ntimestep {step}\nrun 50\nrun 50\n"
+
+    def test_what_pour_will_bring_is_judged_before_it_comes(self):
+        for size in ("diam one 1e-3 dens 2650 2650", "diam range 1e-3 2e-3 dens 2650 3000",
+                     "diam poly 2 2e-3 0.5 1e-3 0.5 dens 2650 2650"):
+            with self.subTest(size):
+                output = self.stops(self.script(TOO_LONG, "") % size, FEW_STEPS)
+                self.assertNotIn("Step ", output)
+                # m(1 mm) at 2650 kg/m^3
+                self.assertIn(f"{FEW_STEPS} 0.231 time steps", output)
+                # A spring that a fall through the box presses by less than 1 %.
+                stiff = STYLE.replace("800", "4000")
+                output = self.goes(self.script("2e-6", "", style=stiff) % size)
+                self.assertEqual(output.count(ADVICE), 1, output)
+
+    def test_at_a_wall_too(self):
+        wall = f"fix plate all wall/gran/hamaker {CONTACT} zplane 0 NULL\n"
+        self.stops(self.script(TOO_LONG, wall, style="pair_style none\n") % "diam one 1e-3 dens 2650 2650",
+                   "1 - wall", f"{FEW_STEPS} 0.327 time steps")
+
+    def test_what_deposit_will_bring(self):
+        # Spheres of 1 m and 1 kg/m^3, where nothing says otherwise: of two a contact takes 0.0568 s.
+        deposit = "fix ins all deposit 5 1 5 4711 region top near 1e-3\n"
+        self.stops(self.script("0.1", "", how="deposit") % deposit, f"{FEW_STEPS} 0.568 time steps")
+        (Path(self.folder) / "grain.txt").write_text(
+            "a grain\n\n1 atoms\n\nCoords\n\n1 0 0 0\n\nTypes\n\n1 1\n\nDiameters\n\n1 1e-3\n\nMasses\n\n1 1.3875e-6\n")
+        molecule = "molecule grain grain.txt\nfix ins all deposit 5 0 5 4711 region top near 1e-3 mol grain\n"
+        self.stops(self.script(TOO_LONG, "", how="deposit") % molecule, f"{FEW_STEPS} 0.231 time steps")
+
+    def test_particles_that_become_lighter_within_a_run(self):
+        # Half the diameter, an eighth of the mass: a contact of 3.27e-5 s.
+        smaller = "variable d equal 1e-3*(1-0.01*step)\nfix shrink all adapt 10 atom diameter v_d\n"
+        start = f"{CHANGING}{STYLE}{smaller}{MOVE}"
+        for ranks in (1, 2):
+            with self.subTest(ranks=ranks):
+                self.stops(start + "timestep 4e-5\nrun 60\n", FEW_STEPS, ranks=ranks)
+        output = self.goes(start + "timestep 8e-6\nrun 50\n")
+        self.assertNotIn(FEW_STEPS, output)
+
+    def test_a_mass_of_zero_is_an_error_of_the_engine(self):
+        # 1e-330 kg
+        zero = "variable d equal 1e-110\nfix shrink all adapt 5 atom diameter v_d\n"
+        self.stops(f"{CHANGING}{STYLE}{zero}{MOVE}timestep {GOOD}\nrun 50\n", "gran/hamaker: reduced mass = 0")
+
+
+class AttractionAlone(ScriptTestCase):
+    SCRIPT = TWO + """pair_style hybrid/overlay gran/hooke/history 800 NULL 0.001 NULL 0.3 0 hamaker 4e-10 1e-7
+pair_coeff * * gran/hooke/history
+pair_coeff * * hamaker %s
+""" + MOVE + "timestep %s\nrun 5\nrun 5\n"
+
+    def test_a_step_that_jumps_over_the_cut_off_is_warned_of(self):
+        # F_ad R*/(6 H_cut^2) with R* = 0.25 mm, both rates of which add 0.001 to 0.01 m/s: 4e-8 s.
+        for step, said in (("4e-7", 1), ("3.9e-8", 0)):
+            output = self.goes(self.SCRIPT % ("5e-19", step))
+            self.assertEqual(output.count("which pairs stick is left to chance: reduce the time step to 3.99e-08 or "
+                                          "use pair_style gran/hamaker"), said, output)
+            self.assertEqual(output.count("pair_style hamaker, scheme sampled: what to expect"), 1)
+        self.assertNotIn(ADVICE, self.goes(self.SCRIPT % ("0", "4e-7")))
+
+    def test_beside_a_wall(self):
+        wall = TWO + f"pair_style none\nfix wall all wall/hamaker 5e-19 4e-10 1e-7 xplane 0 NULL\n{MOVE}"
+        for step, said in (("4e-7", 1), ("3.9e-8", 0)):
+            output = self.goes(f"{wall}timestep {step}\nrun 5\nrun 5\n")
+            self.assertEqual(output.count("1 - wall: a pair at 0.01"), said, output)
+
+
+if __name__ == "__main__":
+    unittest.main()

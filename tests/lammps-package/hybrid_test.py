@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The styles as parts of pair_style hybrid: pairs of types that belong to another style, or to none, are not theirs."""
+import unittest
+
+from script_test_case import ScriptTestCase
+
+HEAD = """plugin load ${plugin}
+units si
+atom_style sphere
+boundary f f f
+newton off
+comm_modify vel yes
+region box block 0 0.02 0 0.02 0 0.02 units box
+create_box 3 box
+create_atoms 1 single 0.002 0.005 0.005 units box
+create_atoms 2 single 0.0035 0.005 0.005 units box
+create_atoms 3 single 0.005 0.005 0.005 units box
+set group all diameter 1e-3 density 2650
+velocity all set 0.01 0 0
+neighbor 1e-4 bin
+"""
+CONTACT = "stiffness 800 restitution 0.9"
+STYLES = {
+    "gran/hamaker": f"{CONTACT} hamaker 5e-19 cutoff 4e-10 1e-7",
+    "gran/hamaker scheme sampled": f"{CONTACT} hamaker 5e-19 cutoff 4e-10 1e-7",
+    "gran/square_well": f"{CONTACT} well 1e-12 1.1",
+    "gran/square_well scheme sampled": f"{CONTACT} well 1e-12 1.1",
+    "hamaker 4e-10 1e-7": "5e-19",
+    "square_well": "1e-12 1.1",
+    "hard/square_well": "restitution 0.9 well 1e-12 1.1",
+}
+OTHER = "gran/hooke/history 800 NULL 0.001 NULL 0.3 0"
+
+
+class Hybrid(ScriptTestCase):
+    def output(self, style, pairs):
+        name = style.split()[0]
+        words = "".join(f"pair_coeff {types} {f'{name} {STYLES[style]}' if mine else which}\n"
+                        for types, mine, which in pairs)
+        move = "" if name.startswith("hard") else "fix move all nve/sphere\n"
+        return self.goes(f"{HEAD}pair_style hybrid {style} {OTHER}\n{words}{move}timestep 1e-6\nrun 5\n")
+
+    @staticmethod
+    def advised(output):
+        return [" ".join(line.split()[:3]) for line in output.splitlines() if line.split()[1:2] == ["-"]]
+
+    def test_pairs_of_the_other_style_are_left_to_it(self):
+        pairs = [("1 1", True, ""), ("1 2*3", False, "gran/hooke/history"), ("2 2*3", False, "gran/hooke/history"),
+                 ("3 3", False, "none")]
+        for style in STYLES:
+            with self.subTest(style):
+                advised = self.advised(self.output(style, pairs))
+                self.assertEqual(advised, [] if style.split()[0] in ("square_well", "hard/square_well") else ["1 - 1"])
+
+    def test_types_of_one_style_are_mixed(self):
+        pairs = [("1 1", True, ""), ("2 2", True, ""), ("1*2 3", False, "gran/hooke/history"),
+                 ("3 3", False, "gran/hooke/history")]
+        for style in STYLES:
+            if style.startswith(("gran", "hamaker")):
+                with self.subTest(style):
+                    self.assertEqual(self.advised(self.output(style, pairs)), ["1 - 1", "1 - 2", "2 - 2"])
+
+
+if __name__ == "__main__":
+    unittest.main()

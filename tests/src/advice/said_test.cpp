@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "advice/said.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "advice/thesis_pair.h"
+
+namespace cohesion::advice {
+namespace {
+
+AdvisedContact pair(const std::string& name = "1 - 1") {
+  const PairParameters p = thesis_pair();
+  return {
+      name, {p.radius_i, p.mass_i}, {p.radius_j, p.mass_j}, {p.stiffness, p.damping}, p.adhesion};
+}
+
+constexpr double DT = 1e-6;  // far above 15 steps per contact: only the cut-off is missed
+
+/// What is new of these contacts.
+class SaidTest : public ::testing::Test {
+ protected:
+  Report news(const std::vector<AdvisedContact>& contacts, double dt, double speed,
+              bool within_run = false) {
+    const Circumstances now{{}, {speed, 0.0, dt}, within_run};
+    return said.news(report("a style", sampled_scheme, contacts, now.run), contacts, now);
+  }
+  void expect_nothing(const Report& r) {
+    EXPECT_EQ(r.table, "");
+    EXPECT_TRUE(r.warnings.empty());
+  }
+
+  Said said;
+};
+
+}  // namespace
+
+TEST_F(SaidTest, TheSameIsNotSaidAgain) {
+  const Report first = news({pair()}, DT, 0.1);
+  EXPECT_NE(first.table, "");
+  EXPECT_EQ(first.warnings.size(), 2u);  // cut-off, spring too soft
+  expect_nothing(news({pair()}, DT, 0.1));
+}
+
+TEST_F(SaidTest, NothingIsSaidOfNoContacts) { expect_nothing(news({}, DT, 0.1)); }
+
+TEST_F(SaidTest, SpeedsThatVaryAreNotNews) {
+  news({pair()}, DT, 0.1);
+  expect_nothing(news({pair()}, DT, 0.2));
+  expect_nothing(news({pair()}, DT, 0.01));
+  EXPECT_NE(news({pair()}, DT, 1.1).table, "");  // more than ten times the first
+  expect_nothing(news({pair()}, DT, 1.1));
+}
+
+TEST_F(SaidTest, AWarningThatTheSpeedBringsComesWithTheTableAndOnce) {
+  news({pair()}, DT, 0.1);
+  // An impact that presses more than 1 % of the diameter.
+  const Report fast = news({pair()}, DT, 0.9);
+  ASSERT_EQ(fast.warnings.size(), 1u);
+  EXPECT_EQ(fast.warnings[0].subject, Subject::impact_overlap);
+  EXPECT_NE(fast.table, "");
+  expect_nothing(news({pair()}, DT, 0.1));
+  expect_nothing(news({pair()}, DT, 0.9));
+}
+
+TEST_F(SaidTest, AnotherStepIsToldButWhatItDoesNotChangeIsNot) {
+  news({pair()}, DT, 0.1);
+  const Report longer = news({pair()}, 2 * DT, 0.1);
+  EXPECT_NE(longer.table, "");
+  ASSERT_EQ(longer.warnings.size(), 1u);
+  EXPECT_EQ(longer.warnings[0].subject, Subject::cutoff_steps);
+}
+
+TEST_F(SaidTest, WithinARunOnlyWarningsAndContactsAreNews) {
+  news({pair()}, DT, 0.1);
+  expect_nothing(news({pair()}, 2 * DT, 0.1, true));
+  EXPECT_EQ(news({pair()}, 10 * DT, 0.1, true).warnings.size(), 1u);  // 9.25 steps per contact
+  const Report more = news({pair(), pair("1 - 2")}, 10 * DT, 0.1, true);
+  EXPECT_NE(more.table.find("1 - 2"), std::string::npos);
+  for (const Warning& warning : more.warnings) EXPECT_EQ(warning.contact, "1 - 2");
+}
+
+TEST_F(SaidTest, AReasonToStopIsAlwaysSaid) {
+  for (int k = 0; k < 2; k++) EXPECT_NE(news({pair()}, 1e-3, 0.1, k == 1).stop, "");
+}
+
+TEST_F(SaidTest, ASpringOfAPowerIsTheSameAtEveryOverlap) {
+  AdvisedContact hertz = pair();
+  hertz.springs.exponent = 1.5;
+  hertz.springs.overlap = 1e-7;
+  news({hertz}, DT, 0.1);
+  hertz.springs.overlap *= 4.0;  // F/x goes as its root
+  hertz.springs.stiffness *= 2.0;
+  expect_nothing(news({hertz}, DT, 0.1));
+  hertz.springs.stiffness *= 2.0;
+  EXPECT_NE(news({hertz}, DT, 0.1).table, "");
+}
+
+TEST(Watch, SeesLighterSmallerAndFasterParticlesAndLongerSteps) {
+  constexpr double none = std::numeric_limits<double>::infinity();
+  Watch watch;
+  const std::vector<LightestParticle> usual{{none, none}, {1.0, 1.0}, {none, none}};
+  EXPECT_TRUE(watch.worse(usual, 0.0, 1.0));
+  watch.judged(usual, 1.0, 1.0);
+  EXPECT_FALSE(watch.worse(usual, 2.0, 1.0));
+  EXPECT_FALSE(watch.worse({{none, none}, {2.0, 2.0}, {none, none}}, 0.0, 0.5));
+  EXPECT_TRUE(watch.worse(usual, 2.1, 1.0));
+  EXPECT_TRUE(watch.worse(usual, 1.0, 1.1));
+  EXPECT_TRUE(watch.worse({{none, none}, {1.0, 0.9}, {none, none}}, 1.0, 1.0));
+  EXPECT_TRUE(watch.worse({{none, none}, {0.9, 1.0}, {none, none}}, 1.0, 1.0));
+  EXPECT_TRUE(watch.worse({{none, none}, {1.0, 1.0}, {5.0, none}}, 1.0, 1.0));
+}
+
+}  // namespace cohesion::advice
