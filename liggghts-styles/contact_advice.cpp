@@ -40,6 +40,10 @@ constexpr advice::SchemeLimits limits{
     advice::sampled_scheme.steps_for_error, advice::sampled_scheme.samples_force,
     "use the event scheme of the LAMMPS package"};
 
+/// Where the spring is that of the types alone; no other can be told its material.
+constexpr const char* material_words =
+    "'material_stiffness on' with fix property/global materialStiffness";
+
 void take_lighter(LightestParticle& lightest, double radius, double mass) {
   lightest.radius = std::min(lightest.radius, radius);
   lightest.mass = std::min(lightest.mass, mass);
@@ -81,8 +85,13 @@ std::vector<LightestParticle> lightest_particles(LAMMPS* lmp) {
 }
 
 ContactAdvice::ContactAdvice(LAMMPS* lmp, FixWallGran* wall, const std::string& model,
-                             const NormalModelProbe& normal, Adhesion adhesion)
-    : lmp_(lmp), wall_(wall), model_(model), normal_(normal), adhesion_(std::move(adhesion)) {}
+                             const NormalModelProbe& normal, Adhesion adhesion, Material material)
+    : lmp_(lmp),
+      wall_(wall),
+      model_(model),
+      normal_(normal),
+      adhesion_(std::move(adhesion)),
+      material_(std::move(material)) {}
 
 void ContactAdvice::give() const {
   const advice::RunNumbers run{fastest_particle(lmp_), GravityOfFixes(lmp_->modify).largest(),
@@ -90,7 +99,8 @@ void ContactAdvice::give() const {
   std::string who = model_ + (wall_ ? std::string(", fix wall/gran ") + wall_->id : "");
   if (normal_.exponent() != 1.0)
     who += " (" + normal_.name() + ": linear springs that an impact presses as far)";
-  const advice::Report report = advice::report(who, limits, contacts(run), run);
+  const advice::Report report =
+      advice::report(who, limits, contacts(run), run, normal_.is_of_types() ? material_words : "");
   if (lmp_->comm->me == 0) {
     engine_api::tell(lmp_, report.table);
     for (const std::string& warning : report.warnings) lmp_->error->warning(FLERR, warning.c_str());
@@ -105,6 +115,7 @@ std::vector<advice::AdvisedContact> ContactAdvice::contacts(const advice::RunNum
     advice::AdvisedContact c{name, lightest[i], partner, {}, {}};
     if (!c.moves()) return;
     c.adhesion = adhesion_(i, j, c.i.radius, c.j.radius);
+    c.material = material_(i, j);
     set_springs(c, i, j, run);
     contacts.push_back(c);
   };

@@ -32,9 +32,12 @@ class ContactAdvice {
   using Adhesion =
       std::function<cohesion::contact::Adhesion(int itype, int jtype, double ri, double rj)>;
 
+  /// That a contact of these types stands for.
+  using Material = std::function<cohesion::advice::Material(int itype, int jtype)>;
+
   /// model: who speaks; wall: null for pairs; adhesion: of two, or of one beside the wall.
   ContactAdvice(LAMMPS_NS::LAMMPS* lmp, LAMMPS_NS::FixWallGran* wall, const std::string& model,
-                const NormalModelProbe& normal, Adhesion adhesion);
+                const NormalModelProbe& normal, Adhesion adhesion, Material material);
 
   void give() const;
 
@@ -51,6 +54,7 @@ class ContactAdvice {
   std::string model_;
   const NormalModelProbe& normal_;
   Adhesion adhesion_;
+  Material material_;
 };
 
 }  // namespace Cohesion

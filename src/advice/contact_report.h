@@ -5,10 +5,12 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "advice/contact_advice.h"
 #include "advice/power_law_spring.h"
+#include "advice/softness.h"
 
 /// What a style prints before the first step of a run.
 namespace cohesion::advice {
@@ -25,6 +27,7 @@ struct AdvisedContact {
   LightestParticle i, j;
   ContactSprings springs;
   contact::Adhesion adhesion;
+  Material material = {};  ///< whose contact it stands for
 
   bool moves() const { return inverse_mass() > 0.0; }
   double reduced_mass() const { return 1.0 / inverse_mass(); }
@@ -80,7 +83,7 @@ inline ContactNumbers numbers(const AdvisedContact& c, const RunNumbers& run) {
 namespace detail {
 
 inline std::string number(const char* format, double value) {
-  char text[32];
+  char text[64];
   std::snprintf(text, sizeof text, format, value);
   return text;
 }
@@ -98,28 +101,62 @@ inline std::string row(const std::string& name, const ContactNumbers& n) {
          std::string(14 - std::min<std::size_t>(14, ratio.size()), ' ') + ratio + "\n";
 }
 
+/// A sentence about several contacts, with their names.
+struct SharedNote {
+  std::string sentence, contacts;
+};
+
+inline void add(std::vector<SharedNote>& notes, const std::string& sentence,
+                const std::string& contact) {
+  for (SharedNote& note : notes)
+    if (note.sentence == sentence) {
+      note.contacts += ", " + contact;
+      return;
+    }
+  notes.push_back({sentence, contact});
+}
+
+inline std::string over_material_sentence(const ContactNumbers& n, const Material& material) {
+  const OverMaterial over = over_material(n.contact(), material);
+  return number("stiffness %.6g", n.parameters().stiffness) +
+         number(" for %.6g of the material", material.stiffness) +
+         number(": escape velocity %.3g", over.escape_velocity) +
+         number(", pull-off force %.3g times the material's", over.force);
+}
+
 }  // namespace detail
 
 /// The table of numbers that decide whether the run can be right, a warning for each that says that
 /// it will not be, and the first that says that it must blow up. Contacts of which neither partner
-/// moves are left out. `style`: who speaks.
+/// moves are left out. `style`: who speaks; `material_words`: softness_advice().
 inline Report report(const std::string& style, const SchemeLimits& limits,
-                     const std::vector<AdvisedContact>& contacts, const RunNumbers& run) {
+                     const std::vector<AdvisedContact>& contacts, const RunNumbers& run,
+                     std::string_view material_words = {}) {
   Report report;
   report.table = style + ", scheme " + std::string(limits.scheme) +
                  ": what to expect (lightest particles; / d: over the diameter)\n"
                  "  contact       speed  steps/t_c  H_cut/(v dt)  F_ad/K/d  impact/d"
                  "      Bond     v_esc   tail/spring\n";
+  std::vector<detail::SharedNote> scaled, soft;
   for (const AdvisedContact& c : contacts) {
     if (!c.moves()) continue;
     const ContactNumbers n = numbers(c, run);
     report.table += detail::row(c.name, n);
+    if (!c.material.told() && softness_decides(n))
+      detail::add(soft, softness_advice(material_words), c.name);
+    if (c.material.told() && c.adhesion.force > 0.0 &&
+        c.material.stiffness != n.parameters().stiffness)
+      detail::add(scaled, detail::over_material_sentence(n, c.material), c.name);
     for (const Verdict& verdict : advise(n, limits)) {
       const std::string message = style + ", " + c.name + ": " + verdict.sentence;
       if (verdict.severity == Severity::warning) report.warnings.push_back(message);
       if (verdict.severity == Severity::error && report.stop.empty()) report.stop = message;
     }
   }
+  for (const auto& note : scaled)
+    report.table += "  " + note.sentence + " (" + note.contacts + ")\n";
+  for (const auto& note : soft)
+    report.warnings.push_back(style + ", " + note.contacts + ": " + note.sentence);
   return report;
 }
 
