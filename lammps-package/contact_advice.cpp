@@ -54,9 +54,8 @@ std::vector<LightestParticle> LAMMPS_NS::lightest_particles(LAMMPS* lmp, const F
 AdvisedContact LAMMPS_NS::advised_contact(const std::string& name, const LightestParticle& i,
                                           const LightestParticle& j,
                                           const cohesion::contact::ContactParameters& contact,
-                                          const cohesion::contact::Adhesion& adhesion,
-                                          const advice::Material& material) {
-  AdvisedContact c{name, i, j, {}, adhesion, material};
+                                          const cohesion::contact::Adhesion& adhesion) {
+  AdvisedContact c{name, i, j, {}, adhesion};
   if (!c.moves()) return c;
   const auto spring = cohesion::contact::normal_contact(contact, c.reduced_mass());
   const double tangential = cohesion::contact::tangential_contact(contact, spring).stiffness;
@@ -68,11 +67,10 @@ AdvisedContact LAMMPS_NS::advised_contact(const std::string& name, const Lightes
 }
 
 void LAMMPS_NS::advise(LAMMPS* lmp, const std::string& style, const advice::SchemeLimits& limits,
-                       const std::vector<AdvisedContact>& contacts,
-                       std::string_view material_words) {
+                       const std::vector<AdvisedContact>& contacts) {
   const advice::RunNumbers run{fastest_particle(lmp), gravity(lmp), lmp->update->dt,
                                rate_of_shear(lmp->domain).amount};
-  const advice::Report report = advice::report(style, limits, contacts, run, material_words);
+  const advice::Report report = advice::report(style, limits, contacts, run);
   if (lmp->comm->me == 0) {
     utils::logmesg(lmp, report.table);
     for (const std::string& warning : report.warnings) lmp->error->warning(FLERR, warning);

@@ -3,11 +3,9 @@
 #define COHESION_CONTACT_ADVICE_H
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "advice/contact_report.h"
-#include "advice/stiffness_scaling.h"
 #include "contact/contact_parameters.h"
 #include "lammps.h"
 
@@ -23,14 +21,13 @@ std::vector<LightestParticle> lightest_particles(LAMMPS*, const class FixEventSt
 AdvisedContact advised_contact(const std::string& name, const LightestParticle& i,
                                const LightestParticle& j,
                                const cohesion::contact::ContactParameters&,
-                               const cohesion::contact::Adhesion&,
-                               const cohesion::advice::Material&);
+                               const cohesion::contact::Adhesion&);
 
 /// Prints the table of numbers that decide whether the run can be right, warns where one says that
 /// it will not be, and stops LAMMPS where one says that it must blow up (advice/contact_report.h).
-/// For the set-up of a run, when all forces are zero. `material_words`: of the style's script.
+/// For the set-up of a run, when all forces are zero.
 void advise(LAMMPS*, const std::string& style, const cohesion::advice::SchemeLimits&,
-            const std::vector<AdvisedContact>&, std::string_view material_words);
+            const std::vector<AdvisedContact>&);
 
 }  // namespace LAMMPS_NS
 

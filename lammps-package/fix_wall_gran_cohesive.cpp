@@ -142,10 +142,11 @@ void FixWallGranCohesive<Cohesion>::give_advice() {
     if (!std::isfinite(lightest[type].radius)) continue;  // no particles yet
     advised.push_back(advised_contact(
         fmt::format("{} - wall", type), lightest[type], {infinite, infinite}, parameters.contact,
-        Cohesion::template of_wall<cohesion::contact::Adhesion>(law, lightest[type].radius),
-        Cohesion::material(parameters)));
+        Cohesion::template of_wall<cohesion::contact::Adhesion>(law, lightest[type].radius)));
+    advised.back().material = Cohesion::material(parameters);
+    advised.back().material_words = Cohesion::MATERIAL_WORDS;
   }
-  advise(lmp, where, limits_of(scheme), advised, Cohesion::MATERIAL_WORDS);
+  advise(lmp, where, limits_of(scheme), advised);
 }
 
 /// Equal particles that come one after the other share a contact.

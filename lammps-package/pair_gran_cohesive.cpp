@@ -308,13 +308,14 @@ void PairGranCohesive<Cohesion>::give_advice() {
       const LightestParticle &a = lightest[i], &b = lightest[j];
       if (!std::isfinite(a.radius) || !std::isfinite(b.radius)) continue;  // no particles yet
       const int types = coefficients.of_types(i, j);
-      contacts.push_back(advised_contact(
-          fmt::format("{} - {}", i, j), a, b, coefficients.contact(types),
-          coefficients.template attraction<cohesion::contact::Adhesion>(types, a.radius, b.radius),
-          coefficients.material(types)));
+      contacts.push_back(
+          advised_contact(fmt::format("{} - {}", i, j), a, b, coefficients.contact(types),
+                          coefficients.template attraction<cohesion::contact::Adhesion>(
+                              types, a.radius, b.radius)));
+      contacts.back().material = coefficients.material(types);
+      contacts.back().material_words = Cohesion::MATERIAL_WORDS;
     }
-  advise(lmp, coefficients.where(), limits_of(coefficients.scheme()), contacts,
-         Cohesion::MATERIAL_WORDS);
+  advise(lmp, coefficients.where(), limits_of(coefficients.scheme()), contacts);
 }
 
 /* ---------------------------------------------------------------------- */

@@ -124,9 +124,10 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     normal_ = std::make_unique<Cohesion::NormalModelProbe>(
         lmp, [this](const char* model) { return has("normal", model); });
     advice_ = std::make_shared<Cohesion::ContactAdvice>(
-        lmp, wall_, name(), *normal_,
-        [this](int i, int j, double ri, double rj) { return attraction_.adhesion(i, j, ri, rj); },
-        [this](int i, int j) { return attraction_.material(i, j); });
+        lmp, wall_, name(), *normal_, [this](cohesion::advice::AdvisedContact& c, int i, int j) {
+          c.adhesion = attraction_.adhesion(i, j, c.i.radius, c.j.radius);
+          c.material = attraction_.material(i, j);
+        });
   }
 
   bool has(const char* kind, const char* model) const {

@@ -85,13 +85,8 @@ std::vector<LightestParticle> lightest_particles(LAMMPS* lmp) {
 }
 
 ContactAdvice::ContactAdvice(LAMMPS* lmp, FixWallGran* wall, const std::string& model,
-                             const NormalModelProbe& normal, Adhesion adhesion, Material material)
-    : lmp_(lmp),
-      wall_(wall),
-      model_(model),
-      normal_(normal),
-      adhesion_(std::move(adhesion)),
-      material_(std::move(material)) {}
+                             const NormalModelProbe& normal, Adhesion adhesion)
+    : lmp_(lmp), wall_(wall), model_(model), normal_(normal), adhesion_(std::move(adhesion)) {}
 
 void ContactAdvice::give() const {
   const advice::RunNumbers run{fastest_particle(lmp_), GravityOfFixes(lmp_->modify).largest(),
@@ -99,8 +94,7 @@ void ContactAdvice::give() const {
   std::string who = model_ + (wall_ ? std::string(", fix wall/gran ") + wall_->id : "");
   if (normal_.exponent() != 1.0)
     who += " (" + normal_.name() + ": linear springs that an impact presses as far)";
-  const advice::Report report =
-      advice::report(who, limits, contacts(run), run, normal_.is_of_types() ? material_words : "");
+  const advice::Report report = advice::report(who, limits, contacts(run), run);
   if (lmp_->comm->me == 0) {
     engine_api::tell(lmp_, report.table);
     for (const std::string& warning : report.warnings) lmp_->error->warning(FLERR, warning.c_str());
@@ -114,8 +108,8 @@ std::vector<advice::AdvisedContact> ContactAdvice::contacts(const advice::RunNum
   const auto add = [&](const std::string& name, int i, int j, const LightestParticle& partner) {
     advice::AdvisedContact c{name, lightest[i], partner, {}, {}};
     if (!c.moves()) return;
-    c.adhesion = adhesion_(i, j, c.i.radius, c.j.radius);
-    c.material = material_(i, j);
+    adhesion_(c, i, j);
+    if (normal_.is_of_types()) c.material_words = material_words;
     set_springs(c, i, j, run);
     contacts.push_back(c);
   };

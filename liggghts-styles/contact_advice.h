@@ -28,16 +28,13 @@ std::vector<cohesion::advice::LightestParticle> lightest_particles(LAMMPS_NS::LA
 /// (src/advice/contact_report.h).
 class ContactAdvice {
  public:
-  /// Of a contact of these types and radii; beside a wall the second radius is without meaning.
+  /// Sets adhesion and material of a contact of these types, whose radii are known.
   using Adhesion =
-      std::function<cohesion::contact::Adhesion(int itype, int jtype, double ri, double rj)>;
-
-  /// That a contact of these types stands for.
-  using Material = std::function<cohesion::advice::Material(int itype, int jtype)>;
+      std::function<void(cohesion::advice::AdvisedContact& contact, int itype, int jtype)>;
 
   /// model: who speaks; wall: null for pairs; adhesion: of two, or of one beside the wall.
   ContactAdvice(LAMMPS_NS::LAMMPS* lmp, LAMMPS_NS::FixWallGran* wall, const std::string& model,
-                const NormalModelProbe& normal, Adhesion adhesion, Material material);
+                const NormalModelProbe& normal, Adhesion adhesion);
 
   void give() const;
 
@@ -54,7 +51,6 @@ class ContactAdvice {
   std::string model_;
   const NormalModelProbe& normal_;
   Adhesion adhesion_;
-  Material material_;
 };
 
 }  // namespace Cohesion

@@ -27,7 +27,8 @@ struct AdvisedContact {
   LightestParticle i, j;
   ContactSprings springs;
   contact::Adhesion adhesion;
-  Material material = {};  ///< whose contact it stands for
+  Material material = {};                ///< whose contact it stands for
+  std::string_view material_words = {};  ///< by which a user tells it; empty: there are none
 
   bool moves() const { return inverse_mass() > 0.0; }
   double reduced_mass() const { return 1.0 / inverse_mass(); }
@@ -124,39 +125,48 @@ inline std::string over_material_sentence(const ContactNumbers& n, const Materia
          number(", pull-off force %.3g times the material's", over.force);
 }
 
+/// Under the table, what a soft spring changed where the material is told; where it is not, a
+/// warning if that matters. Each once for all contacts.
+inline void add_softness(Report& report, const std::string& style,
+                         const std::vector<AdvisedContact>& contacts, const RunNumbers& run) {
+  std::vector<SharedNote> told, soft;
+  for (const AdvisedContact& c : contacts) {
+    if (!c.moves() || c.adhesion.force == 0.0) continue;
+    const ContactNumbers n = numbers(c, run);
+    if (!c.material.told() && softness_decides(n))
+      add(soft, softness_advice(c.material_words), c.name);
+    if (c.material.told() && c.material.stiffness != n.parameters().stiffness)
+      add(told, over_material_sentence(n, c.material), c.name);
+  }
+  for (const SharedNote& note : told)
+    report.table += "  " + note.sentence + " (" + note.contacts + ")\n";
+  for (const SharedNote& note : soft)
+    report.warnings.push_back(style + ", " + note.contacts + ": " + note.sentence);
+}
+
 }  // namespace detail
 
 /// The table of numbers that decide whether the run can be right, a warning for each that says that
 /// it will not be, and the first that says that it must blow up. Contacts of which neither partner
-/// moves are left out. `style`: who speaks; `material_words`: softness_advice().
+/// moves are left out. `style`: who speaks.
 inline Report report(const std::string& style, const SchemeLimits& limits,
-                     const std::vector<AdvisedContact>& contacts, const RunNumbers& run,
-                     std::string_view material_words = {}) {
+                     const std::vector<AdvisedContact>& contacts, const RunNumbers& run) {
   Report report;
   report.table = style + ", scheme " + std::string(limits.scheme) +
                  ": what to expect (lightest particles; / d: over the diameter)\n"
                  "  contact       speed  steps/t_c  H_cut/(v dt)  F_ad/K/d  impact/d"
                  "      Bond     v_esc   tail/spring\n";
-  std::vector<detail::SharedNote> scaled, soft;
   for (const AdvisedContact& c : contacts) {
     if (!c.moves()) continue;
     const ContactNumbers n = numbers(c, run);
     report.table += detail::row(c.name, n);
-    if (!c.material.told() && softness_decides(n))
-      detail::add(soft, softness_advice(material_words), c.name);
-    if (c.material.told() && c.adhesion.force > 0.0 &&
-        c.material.stiffness != n.parameters().stiffness)
-      detail::add(scaled, detail::over_material_sentence(n, c.material), c.name);
     for (const Verdict& verdict : advise(n, limits)) {
       const std::string message = style + ", " + c.name + ": " + verdict.sentence;
       if (verdict.severity == Severity::warning) report.warnings.push_back(message);
       if (verdict.severity == Severity::error && report.stop.empty()) report.stop = message;
     }
   }
-  for (const auto& note : scaled)
-    report.table += "  " + note.sentence + " (" + note.contacts + ")\n";
-  for (const auto& note : soft)
-    report.warnings.push_back(style + ", " + note.contacts + ": " + note.sentence);
+  detail::add_softness(report, style, contacts, run);
   return report;
 }
 

@@ -51,9 +51,10 @@ TEST(ContactReport, SoftnessOfSeveralContactsIsSaidOnceWithTheirNames) {
   all[1].name = "1 - 2";
   all[2].name = "2 - 2";
   all[2].adhesion = {};
+  for (AdvisedContact& c : all) c.material_words = "'words'";
   const auto soft = [&] {
     std::vector<std::string> found;
-    for (const std::string& w : report("a style", event_scheme, all, run(), "'words'").warnings)
+    for (const std::string& w : report("a style", event_scheme, all, run()).warnings)
       if (w.find("stiffer spring") != std::string::npos) found.push_back(w);
     return found;
   };
