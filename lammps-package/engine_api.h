@@ -11,6 +11,8 @@
 #include "liggghts_api.h"
 #else
 
+#include <vector>
+
 #include "atom.h"
 #include "comm.h"
 #include "compute.h"
@@ -23,6 +25,7 @@
 #include "output.h"
 #include "pair.h"
 #include "utils.h"
+#include "vector3.h"
 
 namespace LAMMPS_NS {
 namespace engine_api {
@@ -75,6 +78,10 @@ inline bool writes_restart(Output* output, bigint step) { return output->next_re
 inline bool changes_box(const Fix* fix) {
   return fix->box_change & (Fix::BOX_CHANGE_SIZE | Fix::BOX_CHANGE_SHAPE);
 }
+
+/// The acceleration that the fixes gravity give each particle of this rank that is in the group and
+/// that an impulse can move (mobile_particles.h), [length/time^2].
+std::vector<cohesion::Vector3> gravity_of_mobile(LAMMPS* lmp, int groupbit);
 
 /// Bring values of a fix from particles to their ghosts, `size` of each; 0: as many as the fix has.
 inline void forward_comm(Comm* comm, Fix* fix, int size = 0) {

@@ -2,7 +2,8 @@
 #include "fix_gas_coupling.h"
 
 #include <algorithm>
-#include <cstring>
+#include <limits>
+#include <set>
 #include <string>
 
 #include "atom.h"
@@ -54,20 +55,38 @@ void FixGasCoupling::init() {
     error->all(FLERR,
                "fix gas/coupling acts on spheres and needs an atom style with radii and "
                "masses, for instance 'atom_style sphere'");
-  // The drag of a step depends on all other forces of that step, so they must be there already.
-  // Fixes that keep particles in a plane add none.
-  const auto adds_forces = [this](int ifix) {
-    const std::string name = modify->fix[ifix]->style;
-    return (modify->fmask[ifix] & POST_FORCE) && name != "enforce2d" && name != "planeforce";
-  };
-  bool behind = false;
-  for (int ifix = 0; ifix < modify->nfix; ifix++) {
-    if (behind && comm->me == 0 && adds_forces(ifix))
-      error->warning(FLERR, message("fix ", id, " gas/coupling stands before fix ",
-                                    modify->fix[ifix]->id, " ", modify->fix[ifix]->style,
-                                    ", whose forces it cannot see; define fix gas/coupling last")
-                                .c_str());
-    if (modify->fix[ifix] == this) behind = true;
+  const std::string fixes = unseen_fixes();
+  if (!fixes.empty() && comm->me == 0)
+    error->warning(FLERR, message("fix ", id, " gas/coupling stands before ", fixes,
+                                  ", whose forces it does not see; define fix gas/coupling behind")
+                              .c_str());
+}
+
+/// The drag of a step depends on all other forces of that step, so they must be there already:
+/// which fixes put on some afterwards, in words. Those that hold particles or keep them in a plane
+/// take forces away, the gas's too.
+std::string FixGasCoupling::unseen_fixes() const {
+  const std::set<std::string> allowed{"enforce2d", "planeforce", "lineforce",
+                                      "freeze",    "setforce",   "store/force"};
+  std::string found;
+  const int self = modify->find_fix(id);
+  for (int k = self + 1; k < modify->nfix; k++) {
+    const Fix* const fix = modify->fix[k];
+    if ((modify->fmask[k] & POST_FORCE) && allowed.count(fix->style) == 0)
+      found += message(found.empty() ? "fix " : ", fix ", fix->id, " ", fix->style);
+  }
+  return found;
+}
+
+void FixGasCoupling::find_gravity() {
+  std::fill_n(gravity, 3, std::numeric_limits<double>::max());
+  std::fill_n(gravity + 3, 3, std::numeric_limits<double>::lowest());
+  for (const cohesion::Vector3& given : engine_api::gravity_of_mobile(lmp, groupbit)) {
+    const double acceleration[3] = {given.x, given.y, given.z};
+    for (int k = 0; k < 3; k++) {
+      gravity[k] = std::min(gravity[k], acceleration[k]);
+      gravity[3 + k] = std::max(gravity[3 + k], acceleration[k]);
+    }
   }
 }
 
@@ -103,10 +122,23 @@ void FixGasCoupling::put_on_forces(bool setting_up) {
 
 /// "gas": double** [atoms], each row a GasOnParticle. "gas_impulse": double[6], the impulse of drag
 /// and of pressure on this rank's particles, summed over the steps until the caller resets it.
+/// "gravity": double[6], of the accelerations that fixes gravity give to the particles of this rank
+/// and the group that move: the lowest of each component, then the highest. "unseen_fixes": char*,
+/// fixes that put on forces after this one; null: none.
 void* FixGasCoupling::extract(const char* name, int& dimension) {
-  dimension = strcmp(name, "gas") == 0 ? 2 : 1;
-  if (dimension == 2) return rows;
-  return strcmp(name, "gas_impulse") == 0 ? impulse : nullptr;
+  const std::string asked = name;
+  dimension = asked == "gas" ? 2 : 1;
+  if (asked == "gas") return rows;
+  if (asked == "gas_impulse") return impulse;
+  if (asked == "gravity") {
+    find_gravity();
+    return gravity;
+  }
+  if (asked == "unseen_fixes") {
+    unseen = unseen_fixes();
+    return unseen.empty() ? nullptr : &unseen[0];
+  }
+  return nullptr;
 }
 
 /// Force of drag (1-3) and of the pressure gradient (4-6) on all particles.

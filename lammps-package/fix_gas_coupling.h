@@ -8,6 +8,8 @@ FixStyle(gas/coupling,FixGasCoupling);
 #ifndef LMP_FIX_GAS_COUPLING_H
 #define LMP_FIX_GAS_COUPLING_H
 
+#include <string>
+
 #include "drag/gas_on_particle.h"
 #include "fix.h"
 
@@ -45,10 +47,14 @@ class FixGasCoupling : public Fix {
     return *reinterpret_cast<cohesion::drag::GasOnParticle*>(rows[i]);
   }
   void put_on_forces(bool setting_up);
+  std::string unseen_fixes() const;
+  void find_gravity();
 
   double** rows;      // per atom, a GasOnParticle
   double impulse[6];  // of this rank since the solver reset it: drag, pressure
   double force[6];    // of this rank in this step: drag, pressure
+  double gravity[6];  // of this rank's particles, lowest and highest: extract()
+  std::string unseen;
 };
 
 }  // namespace LAMMPS_NS

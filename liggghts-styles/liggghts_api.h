@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "atom.h"
 #include "atom_vec.h"
@@ -21,6 +22,7 @@
 #include "neighbor.h"
 #include "output.h"
 #include "update.h"
+#include "vector3.h"
 
 // What lammps-package/engine_api.h has for styles of both engines, for LIGGGHTS 3.8.
 
@@ -114,6 +116,8 @@ inline void tell(LAMMPS* lmp, const std::string& message) {
 inline bool writes_restart(Output* output, bigint step) { return output->restart_requested(step); }
 
 inline bool changes_box(const Fix* fix) { return fix->box_change_size || fix->box_change_shape; }
+
+std::vector<cohesion::Vector3> gravity_of_mobile(LAMMPS* lmp, int groupbit);
 
 /// Bring values of a fix from particles to their ghosts.
 inline void forward_comm(Comm* comm, Fix* fix) { comm->forward_comm_fix(fix); }

@@ -52,8 +52,9 @@ class FoamCase:
         shutil.copytree(template, self.folder)
 
     def set(self, file, entry, value):
-        """Set a dictionary entry, for instance set("system/controlDict", "endTime", 0.1)."""
-        self._call(["foamDictionary", file, "-entry", entry, "-set", str(value)])
+        """Set a dictionary entry, for instance set("system/controlDict", "endTime", 0.1). What the file includes, and
+        its macros, stay as they are."""
+        self._call(["foamDictionary", "-disableFunctionEntries", file, "-entry", entry, "-set", str(value)])
 
     def mesh(self):
         """blockMesh, the sets and patches that have a dictionary, and the start fields."""

@@ -89,6 +89,7 @@ void Foam::gasParticleCoupling::depositParticles
         locateParticles();
     }
     setVoidFraction();
+    inlets_.look(voidFraction_, U);
     setCoefficients(U);
     setSources(gradP);
     seconds_.exchange += timer.elapsedTime();

@@ -3,6 +3,7 @@
 #include "gasParticleCoupling.H"
 
 #include "sphere.h"
+#include "void_fraction/sphere_overlap.h"
 
 using namespace cohesion;
 
@@ -49,13 +50,15 @@ void Foam::gasParticleCoupling::refuseTooDense() const
     where = mine == lowest ? where : point::max;
     reduce(where, minOp<point>());
     const scalar all = returnReduce(solidVolume(), sumOp<scalar>());
+    const std::string overlap(void_fraction::SphereOverlap::name);
 
     FatalIOErrorInFunction(dict_)
         << tooDense << " cells have a void fraction below minVoidFraction = " << minVoidFraction_
         << "; the lowest is " << lowest << ", of the cell at " << where << nl
         << "    The solid beyond the limit is " << excess << " m3, " << 100*excess/all
-        << " % of all particles; nothing is clipped. Cells of a few particle diameters cure it,"
-        << " voidFraction sphereOverlap, or a smoothingWidth" << exit(FatalIOError);
+        << " % of all particles; nothing is clipped. Cells of a few particle diameters cure it"
+        << (dict_.get<word>("voidFraction") == overlap ? "" : ", voidFraction sphereOverlap")
+        << (dict_.found("smoothingWidth") ? ", or a larger" : ", or a") << " smoothingWidth" << exit(FatalIOError);
 }
 
 

@@ -13,6 +13,8 @@
 
 #include "readPositive.H"
 #include "refusePatches.H"
+#include "requireDimensions.H"
+#include "requireSameGravity.H"
 #include "sayParticles.H"
 #include "selectRow.H"
 
@@ -52,17 +54,7 @@ Foam::gasParticleCoupling::gasParticleCoupling
 )
 :
     mesh_(mesh),
-    dict_
-    (
-        IOobject
-        (
-            "couplingProperties",
-            mesh.time().constant(),
-            mesh,
-            IOobject::MUST_READ,
-            IOobject::NO_WRITE
-        )
-    ),
+    dict_(mesh),
     density_(density),
     rho_(requirePositive(dict_, "density of the gas", density.reference().value())),
     g_(g),
@@ -85,6 +77,7 @@ Foam::gasParticleCoupling::gasParticleCoupling
         ),
         mesh
     ),
+    inlets_(voidFraction_),
     waves_(mesh, density),
     handedOnShare_
     (
@@ -112,10 +105,12 @@ Foam::gasParticleCoupling::gasParticleCoupling
         dimensionedVector(dimAcceleration, Zero)
     )
 {
+    requireDimensions(voidFraction_, dimless, "a share of the volume, and is set from the particles");
     refusePatches(mesh_, dict_);
     setDepthRatio();
     makeEngine();
     checkUnitsAndBox();
+    requireSameGravity(dict_, mesh_, *engine_, g_);
     checkContinued();
     registered_ = std::make_unique<coupledParticles>(mesh_, *engine_, g_);
     sayParticles(*registered_, rho_);

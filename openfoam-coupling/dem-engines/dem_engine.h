@@ -52,6 +52,13 @@ class DemEngine {
     std::array<double, 3> high;
   };
 
+  /// Of an acceleration in each direction, the lowest and the highest [length/time^2]; the lowest
+  /// is above the highest where there is none.
+  struct Accelerations {
+    std::array<double, 3> lowest;
+    std::array<double, 3> highest;
+  };
+
   virtual ~DemEngine() = default;
 
   virtual Particles particles() = 0;
@@ -72,13 +79,17 @@ class DemEngine {
   /// How a script reads the state that it is given, for a message: a command of the engine.
   virtual std::string how_to_continue() = 0;
 
+  /// What the script's gravity does to the particles of this rank that the gas acts on and that
+  /// the script moves.
+  virtual Accelerations gravity() = 0;
+
   virtual double time_step() = 0;
   virtual std::string units() = 0;
   virtual Box box() = 0;
 };
 
 /// Every engine library exports these two with C linkage; the number changes with this header.
-inline constexpr int dem_engine_interface = 3;
+inline constexpr int dem_engine_interface = 4;
 using DemEngineInterface = int (*)();
 using MakeDemEngine = DemEngine* (*)(const DemEngineSettings&);
 inline constexpr const char* dem_engine_interface_symbol = "cohesion_dem_engine_interface";

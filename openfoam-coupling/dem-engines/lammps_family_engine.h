@@ -113,6 +113,11 @@ class LammpsFamilyEngine : public DemEngine {
            "\" then <set up> else \"read_restart ${restart}\"";
   }
 
+  Accelerations gravity() override {
+    const auto* range = static_cast<double*>(extract("gravity"));
+    return {{range[0], range[1], range[2]}, {range[3], range[4], range[5]}};
+  }
+
   double time_step() override { return lammps_->update->dt; }
   std::string units() override { return lammps_->update->unit_style; }
 
@@ -140,6 +145,11 @@ class LammpsFamilyEngine : public DemEngine {
       throw DemEngineError("the script '" + script + "' has no fix gas/coupling, through which " +
                            "particles feel the gas; add 'fix gas all gas/coupling' as last fix");
     fix_ = *found;
+    if (const auto* fixes = static_cast<const char*>(extract("unseen_fixes")))
+      throw DemEngineError("the script '" + script + "' has fix " + fix_->id +
+                           " gas/coupling before " + fixes + ". The drag of a step follows from " +
+                           "all other forces of that step, and does not see those: put fix " +
+                           "gas/coupling behind");
   }
 
   void command(const std::string& line) { lammps_->input->one(line.c_str()); }

@@ -29,6 +29,7 @@ Usage
 
 #include "coupling/completeState.H"
 #include "coupling/gasParticleCoupling.H"
+#include "coupling/requireDimensions.H"
 
 int main(int argc, char* argv[])
 {

@@ -8,7 +8,7 @@ import subprocess
 import sys
 import time
 
-from coupled_case import COUPLING, ENGINE, SOURCE, CaseError, Expectations, column, script_file
+from coupled_case import COUPLING, ENGINE, SOURCE, CaseError, Expectations, append, column, script_file
 
 sys.path.insert(0, str(SOURCE / "tests/src/drag"))
 from closure_formulas import CLOSURES  # noqa: E402
@@ -35,6 +35,20 @@ SCRIPT_CASES = {
     "box of another size": (
         lambda c: edit(c, SCRIPT, "0 0.2", "0 0.3"),
         ["in direction z", "from 0 to 0.3 m", "the mesh from 0 to 0.2 m"]),
+    "script without gravity": (
+        lambda c: edit(c, SCRIPT, "fix weight   all gravity 9.81 vector 0 0 -1", ""),
+        ["gravity is (0 0 -9.81) m/s2 for the gas", "and (0 0 0) m/s2 for the particles",
+         "'fix ID all gravity 9.81 vector 0 0 -1'", "'particleGravity any;'", "couplingProperties"]),
+    "gravity along another axis": (
+        lambda c: edit(c, SCRIPT, "gravity 9.81 vector 0 0 -1", "gravity 9.81 vector 0 -1 0"),
+        ["gravity is (0 0 -9.81) m/s2 for the gas", "and (0 -9.81 0) m/s2 for the particles"]),
+    "gravity of other digits": (
+        lambda c: edit(c, SCRIPT, "gravity 9.81", "gravity 9.8"),
+        ["gravity is (0 0 -9.81) m/s2 for the gas", "and (0 0 -9.8) m/s2 for the particles"]),
+    "forces behind those of the gas": (
+        lambda c: edit(c, SCRIPT, "fix gas      all gas/coupling",
+                       "fix gas all gas/coupling\nfix late all addforce 0 0 1e-9"),
+        ["has fix gas gas/coupling before fix late addforce", "put fix gas/coupling behind", "couplingProperties"]),
     "gas step that is no multiple": (
         lambda c: c.set("system/controlDict", "deltaT", 1.05e-4),
         ["deltaT = 0.000105", "10.5 steps", "whole multiple"]),
@@ -127,7 +141,24 @@ CASES = {
         lambda c: c.set(COUPLING, "minVoidFraction", 1.5),
         # One sphere: all 90 cells lack 0.5 of 1.5, 3.6e-4 m3 together.
         ["90 cells have a void fraction below minVoidFraction = 1.5", "the lowest is",
-         "The solid beyond the limit is 0.00036", "nothing is clipped"]),
+         "The solid beyond the limit is 0.00036", "nothing is clipped",
+         "Cells of a few particle diameters cure it, voidFraction sphereOverlap, or a smoothingWidth"]),
+    "cell denser than allowed, with all that smooths": (
+        lambda c: append(c, COUPLING, "minVoidFraction 1.5; voidFraction sphereOverlap; smoothingWidth 0.01;"),
+        ["Cells of a few particle diameters cure it, or a larger smoothingWidth"]),
+    "pressure in Pa": (
+        lambda c: edit(c, "0/p", "[0 2 -2 0 0 0 0]", "[1 -1 -2 0 0 0 0]"),
+        ["0/p has the dimensions [1 -1 -2 0 0 0 0] and must have [0 2 -2 0 0 0 0]",
+         "kinematic pressure p/rho in m2/s2; divide one in Pa by rho"]),
+    "velocity without dimensions": (
+        lambda c: edit(c, "0/U", "[0 1 -1 0 0 0 0]", "[0 0 0 0 0 0 0]"),
+        ["0/U has the dimensions [0 0 0 0 0 0 0] and must have [0 1 -1 0 0 0 0]", "in m/s"]),
+    "void fraction as a density": (
+        lambda c: edit(c, "0/voidFraction", "[0 0 0 0 0 0 0]", "[1 -3 0 0 0 0 0]"),
+        ["0/voidFraction has the dimensions [1 -3 0 0 0 0 0] and must have [0 0 0 0 0 0 0]"]),
+    "gravity as a force": (
+        lambda c: edit(c, "constant/g", "[0 1 -2 0 0 0 0]", "[1 1 -2 0 0 0 0]"),
+        ["constant/g has the dimensions [1 1 -2 0 0 0 0] and must have [0 1 -2 0 0 0 0]"]),
     "no void fraction at all": (
         lambda c: c.set(COUPLING, "minVoidFraction", 0),
         ["minVoidFraction = 0: must be a finite number greater than zero", "couplingProperties"]),
@@ -181,6 +212,7 @@ def check(expect, case, name, spoil, parts):
     text = " ".join(case.log("cohesiveBedFoam").read_text().split())
     for part in parts:
         expect.true(f"{name}: says \"{part}\"", part in text)
+    expect.true(f"{name}: no trace of calls", "printStack" not in text)
     expect.equal(f"{name}: time folders", times(case), before)
 
 

@@ -80,7 +80,7 @@ def flight(build, work, name, velocities, end=T, periodic=False):
     """The spheres of lattice(), so heavy that nothing turns them."""
     case = make(build, work, name, "flight", lattice(), velocities, 1e12,
                 f"deltaT {GAS_STEP}; endTime {end}; writeInterval {T / 2};" + FUNCTIONS, periodic)
-    append(case, COUPLING, f"dragFactor 1e-15; lammpsCoeffs {{ variables {{ dt {STEP};"
+    append(case, COUPLING, f"particleGravity any; dragFactor 1e-15; lammpsCoeffs {{ variables {{ dt {STEP};"
                            f" period {'p' if periodic else 'f'}; }} }}")
     return case
 

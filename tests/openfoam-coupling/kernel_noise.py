@@ -61,6 +61,7 @@ def make(build, work, where, cells, courant, steps, kernel, width):
     for variable, value in (("places", "places"), ("box", BOX), ("diameter", D), ("speed", SPEED), ("dt", dt)):
         case.set(COUPLING, f"lammpsCoeffs/variables/{variable}", value)
     case.set(COUPLING, "voidFraction", kernel)
+    case.set(COUPLING, "particleGravity", "any")
     if width:
         case.set(COUPLING, "smoothingWidth", width * D)
     for entry, value in (("deltaT", dt), ("endTime", steps * dt), ("writeControl", "timeStep"),

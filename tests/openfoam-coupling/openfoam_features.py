@@ -7,11 +7,12 @@ while it runs, and on what was written.
 - A packed bed with a constant and a linear sink of momentum by fvOptions: the pressure drop it adds.
 - simulationType laminar is what there is without turbulence properties."""
 
+import re
 import sys
 
 import numpy as np
 
-from coupled_case import Expectations, column
+from coupled_case import SOURCE, CaseError, Expectations, append, column
 from drag_stiffness import BLOCK
 from packed_bed import DT, G, RHO, ROW, ROWS, STEPS, SUPERFICIAL, drop, field, solid
 
@@ -27,23 +28,48 @@ boundaryField
 {{
 {4}}}
 """
-TURBULENCE = {
-    "laminar": "simulationType laminar;",
-    "kEpsilon": "simulationType RAS;\nRAS { RASModel kEpsilon; turbulence on; printCoeffs off; }",
-}
+PAGE = SOURCE / "docs/openfoam-coupling/cohesiveBedFoam.md"
 
 
-def turbulence(case, model):
+def laminar(case):
     path = case.folder / "constant/turbulenceProperties"
-    path.write_text(FILE.format("dictionary", path.name) + TURBULENCE[model])
-    case.set("constant/transportProperties", "transportModel", "Newtonian")
-    schemes = {"divSchemes/div(((voidFraction*nuEff)*dev2(T(grad(U)))))": "Gauss linear",
-               "divSchemes/div(voidFractionPhi,k)": "Gauss upwind",
-               "divSchemes/div(voidFractionPhi,epsilon)": "Gauss upwind"}
-    for entry, value in schemes.items():
-        case.set("system/fvSchemes", entry, value)
-    solver = "{ solver PBiCGStab; preconditioner DILU; tolerance 1e-14; relTol 0; }"
-    case.set("system/fvSolution", 'solvers/"(k|epsilon).*"', solver)
+    path.write_text(FILE.format("dictionary", path.name) + "simulationType laminar;\n")
+    append(case, "constant/transportProperties", "transportModel Newtonian;")
+    append(case, "system/fvSchemes", "divSchemes { div(((voidFraction*nuEff)*dev2(T(grad(U))))) Gauss linear; }")
+
+
+def recipe():
+    """{file: text} of what the page says that k-epsilon takes."""
+    return dict(re.findall(r"^```\n// (\S+)\n(.*?)^```$", PAGE.read_text(), re.M | re.S))
+
+
+def k_epsilon(case, fields=True):
+    """As the page says."""
+    for file, text in recipe().items():
+        if (case.folder / file).exists():
+            append(case, file, text)
+        elif not file.startswith("0/"):
+            (case.folder / file).write_text(FILE.format("dictionary", file.split("/")[1]) + text)
+        elif fields:
+            name = file.split("/")[1]
+            (case.folder / "0.orig" / name).write_text(FILE.format("volScalarField", name) + text)
+
+
+def runs_as_the_page_says(expect, build, work):
+    case = column(work, "recipe", build)
+    k_epsilon(case)
+    append(case, "system/controlDict", "endTime 5e-4; writeInterval 5e-4;")
+    case.mesh()
+    try:
+        case.solve()
+    except CaseError as error:
+        print(error)
+    for name in ("k", "epsilon", "nut"):
+        file = case.folder / "0.0005" / name
+        expect.true(f"recipe: {name} written", file.exists())
+        if file.exists():
+            found = field(case, "0.0005", name)
+            expect.true(f"recipe: {name} from {found.min():.4g} to {found.max():.4g}, above zero", found.min() > 0)
 
 
 def shear_wave(build, work):
@@ -64,7 +90,7 @@ def shear_wave(build, work):
     }
     for name, (kind, dimensions, inside) in fields.items():
         (case.folder / "0.orig" / name).write_text(FIELD.format(kind, name, dimensions, inside, cyclic))
-    turbulence(case, "kEpsilon")
+    k_epsilon(case, fields=False)
     case.set("constant/g", "value", "(0 0 0)")
     case.set("constant/transportProperties", "nu", NU)
     case.set(COUPLING, "dragFactor", 1e-15)
@@ -74,7 +100,7 @@ def shear_wave(build, work):
     for variable, value in variables.items():
         case.set(COUPLING, f"lammpsCoeffs/variables/{variable}", f'"{value}"')
     for entry, value in (("PIMPLE/pRefCell", 0), ("PIMPLE/pRefValue", 0),
-                         ('solvers/"U.*"/tolerance', 1e-14)):
+                         ('solvers/"U.*"/tolerance', 1e-14), ('solvers/"(k|epsilon).*"/tolerance', 1e-14)):
         case.set("system/fvSolution", entry, value)
     for entry, value in (("deltaT", WAVE_DT), ("endTime", WAVE_STEPS * WAVE_DT),
                          ("writeControl", "timeStep"), ("writeInterval", WAVE_STEPS)):
@@ -106,7 +132,7 @@ def decay():
     return [k, epsilon, u]
 
 
-def bed(build, work, name, model=None, source="", functions=""):
+def bed(build, work, name, prepare=None, source="", functions=""):
     """The packed bed of packed_bed.py: case and log."""
     case = column(work, name, build)
     case.set(COUPLING, "lammpsCoeffs/script", '"$FOAM_CASE/packed.lmp"')
@@ -114,8 +140,8 @@ def bed(build, work, name, model=None, source="", functions=""):
     # What foamDictionary writes again has six digits.
     case.set("constant/transportProperties", "nu", 1.45e-5)
     case.set("0.orig/U", "boundaryField/bottom/superficialVelocity", f"(0 0 {SUPERFICIAL})")
-    if model:
-        turbulence(case, model)
+    if prepare:
+        prepare(case)
     if source:
         (case.folder / "constant/fvOptions").write_text(FILE.format("dictionary", "fvOptions") + source)
     with open(case.folder / "system/controlDict", "a") as control:
@@ -195,6 +221,7 @@ def function_objects(expect, case):
 def main(build, work):
     expect = Expectations()
     print("-- k-epsilon")
+    runs_as_the_page_says(expect, build, work)
     for what, found, right in zip(("k", "epsilon", "amplitude of the wave"), shear_wave(build, work),
                                   decay()):
         # Solved to 1e-14 in each of 20 steps and written with 12 digits; the wave makes k at a rate
@@ -214,8 +241,8 @@ def main(build, work):
                 1e-6 * added)
 
     print("-- laminar as a turbulence model")
-    laminar = bed(build, work, "laminar", model="laminar")
-    expect.near("pressure drop [Pa]", drop(laminar, end), drop(plain, end), 1e-9 * drop(plain, end))
+    through_model = bed(build, work, "laminar", prepare=laminar)
+    expect.near("pressure drop [Pa]", drop(through_model, end), drop(plain, end), 1e-9 * drop(plain, end))
 
     print("-- function objects")
     function_objects(expect, sink)

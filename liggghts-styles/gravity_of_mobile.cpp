@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "gravity_of_fixes.h"
+#include "liggghts_api.h"
+#include "mobile_particles.h"
+
+std::vector<cohesion::Vector3> LAMMPS_NS::engine_api::gravity_of_mobile(LAMMPS* lmp, int groupbit) {
+  const LIGGGHTS::Cohesion::GravityOfFixes gravity(lmp->modify);
+  const LIGGGHTS::Cohesion::MobileParticles mobile(lmp->modify);
+  std::vector<cohesion::Vector3> found;
+  for (int i = 0; i < lmp->atom->nlocal; i++) {
+    const int mask = lmp->atom->mask[i];
+    if ((mask & groupbit) && mobile.moves(mask)) found.push_back(gravity.on(mask));
+  }
+  return found;
+}
