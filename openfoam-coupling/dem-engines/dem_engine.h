@@ -40,6 +40,7 @@ class DemEngine {
     const double* radius;         ///< [length]
     const double* mass;           ///< [mass]
     const int* id;
+    const int* type;  ///< of 1 to the number of the script's types
   };
 
   struct Impulse {
@@ -78,7 +79,7 @@ class DemEngine {
 };
 
 /// Every engine library exports these two with C linkage; the number changes with this header.
-inline constexpr int dem_engine_interface = 3;
+inline constexpr int dem_engine_interface = 4;
 using DemEngineInterface = int (*)();
 using MakeDemEngine = DemEngine* (*)(const DemEngineSettings&);
 inline constexpr const char* dem_engine_interface_symbol = "cohesion_dem_engine_interface";
