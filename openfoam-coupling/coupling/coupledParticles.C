@@ -13,12 +13,16 @@ Foam::coupledParticles::coupledParticles
 (
     const polyMesh& mesh,
     cohesion::coupling::DemEngine& engine,
-    const vector& g
+    const vector& g,
+    const gasDensity& density,
+    const scalar depthRatio
 )
 :
     regIOobject(IOobject(typeName, mesh.time().timeName(), mesh)),
     engine_(engine),
-    g_(g)
+    g_(g),
+    density_(density),
+    depthRatio_(depthRatio)
 {}
 
 

@@ -9,7 +9,10 @@
 
 #include "completeState.H"
 #include "engineView.H"
+#include "meanGasForce.H"
 #include "writeParticleCloud.H"
+
+#include <optional>
 
 using namespace cohesion;
 
@@ -140,10 +143,18 @@ void Foam::gasParticleCoupling::advanceParticles
         }
     }
     handOver(gasVelocity, averaging_.gather(felt), chargedGradient(gradP));
-    seconds_.exchange += timer.timeIncrement();
 
     const Time& time = mesh_.time();
-    const fileName state = time.writeTime() ? completeState::engineFile(time) : fileName();
+    const bool write = time.writeTime();
+    gasForce_.clear();
+    std::optional<meanGasForce> force;
+    if (write)
+    {
+        force.emplace(*engine_);
+    }
+    seconds_.exchange += timer.timeIncrement();
+
+    const fileName state = write ? completeState::engineFile(time) : fileName();
     try
     {
         engine_->advance(step_->subSteps(), state);
@@ -154,6 +165,10 @@ void Foam::gasParticleCoupling::advanceParticles
     }
     seconds_.particles += timer.timeIncrement();
 
+    if (write)
+    {
+        gasForce_ = force->over(time.deltaTValue());
+    }
     reportBalance(U, gradP, pendingBefore);
     seconds_.exchange += timer.timeIncrement();
 }
@@ -174,14 +189,23 @@ bool Foam::gasParticleCoupling::writeParticles()
             centred.append(k);
         }
     }
+    const auto here = [&](const auto& engineField)
+    {
+        using Type = typename std::decay_t<decltype(engineField)>::value_type;
+        return List<Type>(exchange.toParts<Type>(engineField), centred);
+    };
     return writeParticleCloud
     (
         mesh_,
-        labelList(exchange.cells(), centred),
-        List<point>(exchange.positions(), centred),
-        List<vector>(exchange.toParts(engineView(particles.velocity, n)), centred),
-        List<scalar>(exchange.toParts(engineView(particles.radius, n)), centred),
-        labelList(exchange.toParts(engineView(particles.id, n)), centred)
+        {
+            labelList(exchange.cells(), centred),
+            List<point>(exchange.positions(), centred),
+            here(engineView(particles.velocity, n)),
+            here(engineView(particles.radius, n)),
+            here(engineView(particles.id, n)),
+            here(engineView(particles.type, n)),
+            here(gasForce_.size() == n ? gasForce_ : vectorField(n, Zero))
+        }
     );
 }
 

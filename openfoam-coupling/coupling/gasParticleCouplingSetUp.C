@@ -112,7 +112,7 @@ Foam::gasParticleCoupling::gasParticleCoupling
     checkUnitsAndBox();
     requireSameGravity(dict_, mesh_, *engine_, g_);
     checkContinued();
-    registered_ = std::make_unique<coupledParticles>(mesh_, *engine_, g_);
+    registered_ = std::make_unique<coupledParticles>(mesh_, *engine_, g_, density_, depthRatio_);
     sayParticles(*registered_, rho_);
     step_ = std::make_unique<gasStep>(time, engine_->time_step());
 

@@ -6,34 +6,115 @@
 #include "bed/geldart.h"
 #include "sphere.h"
 
+namespace
+{
+
+using namespace Foam;
+
+//- Smallest and largest of what all particles have
+struct Range
+{
+    scalar least = GREAT;
+    scalar most = -GREAT;
+
+    void add(const scalar value)
+    {
+        least = min(least, value);
+        most = max(most, value);
+    }
+
+    //- With those of the other ranks
+    void reduce()
+    {
+        Foam::reduce(least, minOp<scalar>());
+        Foam::reduce(most, maxOp<scalar>());
+    }
+
+    //- Beyond the rounding of masses and radii
+    bool wide() const
+    {
+        return most > (1 + 1e-9)*least;
+    }
+
+    friend Ostream& operator<<(Ostream& os, const Range& range)
+    {
+        return range.wide() ? os << range.least << " to " << range.most : os << range.most;
+    }
+};
+
+struct Particles
+{
+    label number = 0;
+    scalar mass = 0;
+    scalar volume = 0;
+    scalar squares = 0;     // of radii
+    Range diameter;
+    Range density;
+
+    explicit Particles(const coupledParticles& particles)
+    {
+        const UList<scalar> radii(particles.radii());
+        const UList<scalar> masses(particles.masses());
+        number = radii.size();
+        forAll(radii, i)
+        {
+            const scalar ofThis = cohesion::sphere_volume(radii[i]);
+            mass += masses[i];
+            volume += ofThis;
+            squares += radii[i]*radii[i];
+            diameter.add(2*radii[i]);
+            density.add(masses[i]/ofThis);
+        }
+        reduce(number, sumOp<label>());
+        reduce(mass, sumOp<scalar>());
+        reduce(volume, sumOp<scalar>());
+        reduce(squares, sumOp<scalar>());
+        diameter.reduce();
+        density.reduce();
+    }
+
+    //- Sum d^3 over sum d^2
+    scalar sauter() const
+    {
+        return 2*volume/cohesion::sphere_volume(1)/squares;
+    }
+
+    scalar meanDensity() const
+    {
+        return mass/volume;
+    }
+};
+
+} // End anonymous namespace
+
 
 void Foam::sayParticles(const coupledParticles& particles, const scalar rho)
 {
-    const UList<scalar> radii(particles.radii());
-    label n = radii.size();
-    scalar mass = sum(particles.masses());
-    scalar volume = 0;
-    scalar squares = 0;
-    for (const scalar radius : radii)
+    const Particles all(particles);
+    const bool sizes = all.diameter.wide();
+    const bool densities = all.density.wide();
+    Info<< "Particles: " << all.number << ", diameter " << all.diameter << " m";
+    if (sizes)
     {
-        volume += cohesion::sphere_volume(radius);
-        squares += radius*radius;
+        Info<< ", Sauter mean " << all.sauter() << " m";
     }
-    reduce(n, sumOp<label>());
-    reduce(mass, sumOp<scalar>());
-    reduce(volume, sumOp<scalar>());
-    reduce(squares, sumOp<scalar>());
-
-    // Sum d^3 over sum d^2
-    const scalar diameter = 2*volume/cohesion::sphere_volume(1)/squares;
-    const scalar density = mass/volume;
-    Info<< "Particles: " << n << ", Sauter mean diameter " << diameter << " m, density " << density
-        << " kg/m3";
-    // The lines between the groups are of heavier ones.
-    if (density > rho)
+    Info<< ", density " << all.density << " kg/m3";
+    if (densities)
     {
-        Info<< "; by both, in ambient air, Geldart's group "
-            << char(cohesion::bed::geldart_group(density - rho, diameter));
+        Info<< ", mean " << all.meanDensity() << " kg/m3";
+    }
+    // The lines between the groups are of heavier ones.
+    if (all.meanDensity() > rho)
+    {
+        Info<< "; by both" << (sizes || densities ? " means" : "") << ", in ambient air, Geldart's group "
+            << char(cohesion::bed::geldart_group(all.meanDensity() - rho, all.sauter()));
     }
     Info<< endl;
+    if (sizes)
+    {
+        Info<< "    A mixture, largest over smallest diameter " << all.diameter.most/all.diameter.least
+            << ": the drag of each sphere is the closure's for its own diameter and the void fraction of"
+            << " its cells. That is no law for mixtures: it may be off by a factor of about five at a size"
+            << " ratio of four" << endl;
+    }
 }

@@ -25,23 +25,17 @@ bool writeField
 } // End anonymous namespace
 
 
-bool Foam::writeParticleCloud
-(
-    const polyMesh& mesh,
-    const labelUList& cells,
-    const UList<vector>& positions,
-    const UList<vector>& velocities,
-    const UList<scalar>& radii,
-    const labelUList& ids
-)
+bool Foam::writeParticleCloud(const polyMesh& mesh, const particleRows& particles)
 {
     passiveParticleCloud cloud(mesh, "particles", IDLList<passiveParticle>());
-    forAll(cells, i)
+    forAll(particles.cells, i)
     {
-        cloud.addParticle(new passiveParticle(mesh, positions[i], cells[i]));
+        cloud.addParticle(new passiveParticle(mesh, particles.positions[i], particles.cells[i]));
     }
     bool written = cloud.write();
-    written = writeField(cloud, "U", velocities) && written;
-    written = writeField(cloud, "radius", radii) && written;
-    return writeField(cloud, "id", ids) && written;
+    written = writeField(cloud, "U", particles.velocities) && written;
+    written = writeField(cloud, "radius", particles.radii) && written;
+    written = writeField(cloud, "id", particles.ids) && written;
+    written = writeField(cloud, "type", particles.types) && written;
+    return writeField(cloud, "gasForce", particles.gasForces) && written;
 }

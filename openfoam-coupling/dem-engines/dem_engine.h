@@ -40,6 +40,7 @@ class DemEngine {
     const double* radius;         ///< [length]
     const double* mass;           ///< [mass]
     const int* id;
+    const int* type;  ///< of 1 to the number of the script's types
   };
 
   struct Impulse {

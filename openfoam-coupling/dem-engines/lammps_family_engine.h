@@ -80,7 +80,8 @@ class LammpsFamilyEngine : public DemEngine {
 
   Particles particles() override {
     const auto* atom = lammps_->atom;
-    return {atom->nlocal, rows(atom->x), rows(atom->v), atom->radius, atom->rmass, atom->tag};
+    return {atom->nlocal, rows(atom->x), rows(atom->v), atom->radius,
+            atom->rmass,  atom->tag,     atom->type};
   }
 
   drag::GasOnParticle* gas() override {

@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the log says of the particles at the start: their number, diameters and densities, with the means where they
+differ, and Geldart's group; of a mixture of sizes what the drag of each sphere is. On 1 and 2 ranks."""
+
+import re
+import sys
+
+import numpy as np
+
+from coupled_case import COUPLING, Expectations, append, column, use_script
+
+NUMBER = 40
+MIXTURE = "the drag of each sphere is the closure's for its own diameter and the void fraction of its cells."
+WARNING = "may be off by a factor of about five at a size ratio of four"
+
+
+def lines(build, work, name, kinds, ranks=1):
+    """What is said of spheres of `kinds` in turn, (diameter [m], density [kg/m3]): the line, and the one after it if
+    it belongs to it."""
+    case = column(work, name, build)
+    use_script(case, "passing")
+    atoms = "\n".join(f"{n + 1} 1 {kinds[n % len(kinds)][0]!r} {kinds[n % len(kinds)][1]!r} 0.03 0.03 "
+                      f"{0.2 * (n + 0.5) / NUMBER!r}" for n in range(NUMBER))
+    (case.folder / "spheres").write_text(
+        f"Spheres\n\n{NUMBER} atoms\n1 atom types\n\n0 0.06 xlo xhi\n0 0.06 ylo yhi\n0 0.2 zlo zhi\n\n"
+        f"Atoms\n\n{atoms}\n")
+    append(case, COUPLING, "lammpsCoeffs { variables { data spheres; } }")
+    append(case, "constant/g", "value (0 0 0);")
+    append(case, "system/controlDict", "endTime 1e-4; writePrecision 8;")
+    case.mesh()
+    log = case.solve(ranks=ranks)
+    found = re.findall(r"^Particles: (.*)\n(?: +(.*))?", log, re.M)
+    assert len(found) == 1, found
+    return found[0]
+
+
+def check(expect, what, found, line, mixture):
+    expect.equal(f"{what}: what is said", found[0], line)
+    expect.true(f"{what}: " + (f"of the mixture: {found[1]}" if mixture else f"no more: {found[1]!r}"),
+                (found[1].startswith(f"A mixture, largest over smallest diameter {mixture:g}: ") and MIXTURE in found[1]
+                 and WARNING in found[1]) if mixture else not found[1])
+
+
+def main(build, work):
+    expect = Expectations()
+    check(expect, "alike", lines(build, work, "alike", [(3e-4, 1500.0)]),
+          "40, diameter 0.0003 m, density 1500 kg/m3; by both, in ambient air, Geldart's group B", None)
+    check(expect, "densities", lines(build, work, "densities", [(3e-4, 1500.0), (3e-4, 500.0)]),
+          "40, diameter 0.0003 m, density 500 to 1500 kg/m3, mean 1000 kg/m3; by both means, in ambient air,"
+          " Geldart's group B", None)
+    kinds = [(2e-4, 2000.0), (8e-4, 1000.0), (2e-4, 1000.0), (2e-4, 1000.0)]
+    d, rho = np.array(kinds).T
+    said = (f"40, diameter 0.0002 to 0.0008 m, Sauter mean {(d**3).sum() / (d**2).sum():.8g} m, density 1000 to 2000"
+            f" kg/m3, mean {(d**3 * rho).sum() / (d**3).sum():.8g} kg/m3; by both means, in ambient air, Geldart's"
+            " group B")
+    for ranks in (1, 2):
+        check(expect, f"mixture, {ranks} ranks", lines(build, work, f"mixture-{ranks}", kinds, ranks), said, 4)
+    expect.exit()
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:3])
