@@ -33,6 +33,7 @@ void Foam::gasParticleCoupling::setVoidFraction()
     {
         volumes[i] = sphere_volume(particles.radius[i]);
     }
+    spreadVolume_ = returnReduce(sum(volumes), sumOp<scalar>());
     const scalarField solid(averaging_.spread(volumes));
 
     scalarField& voidFraction = voidFraction_.primitiveFieldRef();
@@ -139,6 +140,7 @@ void Foam::gasParticleCoupling::advanceParticles
         }
     }
     handOver(gasVelocity, averaging_.gather(felt), chargedGradient(gradP));
+    turnover_.start(*engine_, mesh_.time().deltaTValue());
     seconds_.exchange += timer.timeIncrement();
 
     const Time& time = mesh_.time();
@@ -153,6 +155,7 @@ void Foam::gasParticleCoupling::advanceParticles
     }
     seconds_.particles += timer.timeIncrement();
 
+    turnover_.end(*engine_);
     reportBalance(U, gradP, pendingBefore);
     seconds_.exchange += timer.timeIncrement();
 }
