@@ -36,6 +36,7 @@ void Foam::gasParticleCoupling::setVoidFraction()
     {
         volumes[i] = sphere_volume(particles.radius[i]);
     }
+    spreadVolume_ = returnReduce(sum(volumes), sumOp<scalar>());
     const scalarField solid(averaging_.spread(volumes));
 
     scalarField& voidFraction = voidFraction_.primitiveFieldRef();
@@ -145,6 +146,7 @@ void Foam::gasParticleCoupling::advanceParticles
     handOver(gasVelocity, averaging_.gather(felt), chargedGradient(gradP));
 
     const Time& time = mesh_.time();
+    turnover_.start(*engine_, time.deltaTValue());
     const bool write = time.writeTime();
     gasForce_.clear();
     std::optional<meanGasForce> force;
@@ -169,6 +171,7 @@ void Foam::gasParticleCoupling::advanceParticles
     {
         gasForce_ = force->over(time.deltaTValue());
     }
+    turnover_.end(*engine_);
     reportBalance(U, gradP, pendingBefore);
     seconds_.exchange += timer.timeIncrement();
 }

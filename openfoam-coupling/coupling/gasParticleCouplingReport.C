@@ -2,22 +2,9 @@
 // What the coupling says: cells that are too dense, the balance of each step, where the time went.
 #include "gasParticleCoupling.H"
 
-#include "sphere.h"
 #include "void_fraction/sphere_overlap.h"
 
 using namespace cohesion;
-
-
-Foam::scalar Foam::gasParticleCoupling::solidVolume() const
-{
-    const auto particles = engine_->particles();
-    scalar sum = 0;
-    for (label i = 0; i < particles.count; ++i)
-    {
-        sum += sphere_volume(particles.radius[i]);
-    }
-    return sum;
-}
 
 
 void Foam::gasParticleCoupling::refuseTooDense() const
@@ -49,13 +36,12 @@ void Foam::gasParticleCoupling::refuseTooDense() const
     reduce(lowest, minOp<scalar>());
     where = mine == lowest ? where : point::max;
     reduce(where, minOp<point>());
-    const scalar all = returnReduce(solidVolume(), sumOp<scalar>());
     const std::string overlap(void_fraction::SphereOverlap::name);
 
     FatalIOErrorInFunction(dict_)
         << tooDense << " cells have a void fraction below minVoidFraction = " << minVoidFraction_
         << "; the lowest is " << lowest << ", of the cell at " << where << nl
-        << "    The solid beyond the limit is " << excess << " m3, " << 100*excess/all
+        << "    The solid beyond the limit is " << excess << " m3, " << 100*excess/spreadVolume_
         << " % of all particles; nothing is clipped. Cells of a few particle diameters cure it"
         << (dict_.get<word>("voidFraction") == overlap ? "" : ", voidFraction sphereOverlap")
         << (dict_.found("smoothingWidth") ? ", or a larger" : ", or a") << " smoothingWidth" << exit(FatalIOError);
@@ -97,7 +83,6 @@ void Foam::gasParticleCoupling::reportBalance
     vector drag(felt.drag[0], felt.drag[1], felt.drag[2]);
     vector pressure(felt.pressure[0], felt.pressure[1], felt.pressure[2]);
     vector pending = sum(pendingImpulse()) - pendingBefore;
-    scalar solid = solidVolume();
 
     reduce(gasDrag, sumOp<vector>());
     reduce(gasPressure, sumOp<vector>());
@@ -105,18 +90,19 @@ void Foam::gasParticleCoupling::reportBalance
     reduce(pressure, sumOp<vector>());
     reduce(pending, sumOp<vector>());
     reduce(solidDeposited, sumOp<scalar>());
-    reduce(solid, sumOp<scalar>());
 
     const scalar size = mag(drag) + mag(pressure) + VSMALL;
     Info<< "Exchange: drag on particles " << drag/dt << " N, pressure " << pressure/dt
         << " N, not yet charged to the gas " << pending/dt
-        << " N, imbalance " << mag(gasDrag + drag - pending + gasPressure + pressure)/size
-        << ", solid volume error " << mag(solidDeposited/solid - 1) << endl;
+        << " N, imbalance "
+        << mag(gasDrag + drag - pending + gasPressure + pressure + turnover_.notFelt())/size
+        << ", solid volume error " << mag(solidDeposited - spreadVolume_)/max(spreadVolume_, VSMALL) << endl;
 }
 
 
 void Foam::gasParticleCoupling::report(const scalar total) const
 {
+    turnover_.report(*engine_);
     drag_.report();
     if (Pstream::parRun())
     {

@@ -8,6 +8,7 @@
 #include "zeroGradientFvPatchFields.H"
 
 #include "completeState.H"
+#include "engineMessages.H"
 
 #include "dem-engines/load_dem_engine.h"
 
@@ -159,6 +160,8 @@ void Foam::gasParticleCoupling::makeEngine()
         const dictionary& coeffs = dict_.subDict(name + "Coeffs");
 
         coupling::DemEngineSettings settings;
+        settings.folder = mesh_.time().globalPath();
+        settings.tell = engineMessages(name);
         settings.script = coeffs.get<fileName>("script").expand();
         settings.log = coeffs.getOrDefault<fileName>("log", "log." + name).expand();
         if (continued())
@@ -170,11 +173,13 @@ void Foam::gasParticleCoupling::makeEngine()
         {
             settings.variables[variable.keyword()] = inWords(variable.stream());
         }
-        if (!isFile(settings.script))
+        const fileName script(settings.script);
+        if (!isFile(script.isAbsolute() ? script : settings.folder/script))
         {
             FatalIOErrorInFunction(coeffs)
-                << "script '" << settings.script.c_str() << "' does not exist; name the input script of "
-                << name << ", relative to the case folder" << exit(FatalIOError);
+                << "script '" << script.c_str() << "' does not exist; name the input script of "
+                << name << ", relative to the case folder " << settings.folder.c_str()
+                << exit(FatalIOError);
         }
 
         if (!Pstream::parRun())

@@ -4,6 +4,7 @@
 #include <mpi.h>
 
 #include <array>
+#include <functional>
 #include <map>
 #include <memory>
 #include <stdexcept>
@@ -21,12 +22,18 @@ struct DemEngineError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// What an engine says while it works. A note is how far it is; the others are its own words.
+enum class Said { note, warning, error };
+
 struct DemEngineSettings {
   MPI_Comm communicator;                         ///< every rank of it takes part
+  std::string folder;                            ///< in which the engine works: of relative names
   std::string script;                            ///< input script that sets the particles up
   std::string log;                               ///< log file that the engine writes
   std::string restart;                           ///< state to continue from; empty: none
   std::map<std::string, std::string> variables;  ///< handed to the script by name
+  /// Called on the rank that has something to say, while the engine works and by one thread at a time.
+  std::function<void(Said, const std::string&)> tell;
 };
 
 /// An engine that has run its script and stands ready to advance. All arrays belong to the engine,

@@ -5,10 +5,14 @@
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
 #include "dem_engine.h"
+#include "engine_screen.h"
+#include "run_watch.h"
+#include "working_folder.h"
 // engine headers
 #include "atom.h"
 #include "comm.h"
@@ -25,17 +29,6 @@
 /// read and written in place.
 namespace cohesion::coupling {
 
-// A bad command makes the engine end the process; without this the user would not learn where to
-// look.
-inline std::string log_of_running_engine;
-
-inline void point_to_log() {
-  if (!log_of_running_engine.empty())
-    std::fprintf(stderr,
-                 "The particle engine ended the run; its reason stands at the end of '%s'\n",
-                 log_of_running_engine.c_str());
-}
-
 // The engines keep coordinates as rows of three in one block: the first row's address is all of it.
 using Rows = double (*)[3];
 inline Rows rows(double** array) { return array ? reinterpret_cast<Rows>(array[0]) : nullptr; }
@@ -49,34 +42,24 @@ struct ScriptWords {
 
 class LammpsFamilyEngine : public DemEngine {
  public:
-  LammpsFamilyEngine(const DemEngineSettings& settings, const ScriptWords& words) : words_(words) {
-    log_of_running_engine = settings.log;
-    std::atexit(point_to_log);
-    // `if` compares no file names, so whether there is one is a variable of its own.
-    const bool continued = !settings.restart.empty();
-    std::vector<std::string> line{words.engine,
-                                  "-screen",
-                                  "none",
-                                  "-log",
-                                  settings.log,
-                                  "-var",
-                                  "continued",
-                                  continued ? words.continued : words.not_continued,
-                                  "-var",
-                                  "restart",
-                                  continued ? settings.restart : "none"};
-    for (const auto& [name, value] : settings.variables)
-      line.insert(line.end(), {"-var", name, value});
-    std::vector<char*> arguments;
-    for (auto& word : line) arguments.push_back(word.data());
-    lammps_ = std::make_unique<LAMMPS_NS::LAMMPS>(static_cast<int>(arguments.size()),
-                                                  arguments.data(), settings.communicator);
-    lammps_->input->file(settings.script.c_str());
-    check(settings.script);
-    command("run 0 post no");
+  LammpsFamilyEngine(const DemEngineSettings& settings, const ScriptWords& words)
+      : words_(words),
+        log_(settings.log),
+        folder_(settings.folder),
+        tell_([this, tell = settings.tell](Said said, const std::string& text) {
+          const std::lock_guard lock(telling_);
+          tell(said, text);
+        }),
+        screen_(tell_) {
+    MPI_Comm_rank(settings.communicator, &rank_);
+    std::atexit(end_of_process);
+    work([&] {
+      start(settings);
+      run_script(settings.script);
+      check(settings.script);
+      command("run 0 post no");
+    });
   }
-
-  ~LammpsFamilyEngine() override { log_of_running_engine.clear(); }
 
   Particles particles() override {
     const auto* atom = lammps_->atom;
@@ -90,16 +73,18 @@ class LammpsFamilyEngine : public DemEngine {
   }
 
   void advance(int steps, const std::string& restart) override {
-    std::fill_n(static_cast<double*>(extract("gas_impulse")), 6, 0.0);
-    command("run " + std::to_string(steps) + " pre no post no");
-    if (restart.empty()) return;
-    // The command `restart` would write what contacts remember of the step before. `write_restart`
-    // hands particles on to other ranks, which must have been done before, together with what their
-    // contacts remember. And a run that is continued begins by computing the forces of this state
-    // anew; so does this one, to go on alike.
-    command("run 0 post no");
-    command("write_restart " + restart);
-    command("run 0 post no");
+    work([&] {
+      std::fill_n(static_cast<double*>(extract("gas_impulse")), 6, 0.0);
+      command("run " + std::to_string(steps) + " pre no post no");
+      if (restart.empty()) return;
+      // The command `restart` would write what contacts remember of the step before. `write_restart`
+      // hands particles on to other ranks, which must have been done before, together with what
+      // their contacts remember. And a run that is continued begins by computing the forces of this
+      // state anew; so does this one, to go on alike.
+      command("run 0 post no");
+      command("write_restart " + restart);
+      command("run 0 post no");
+    });
   }
 
   long steps_done() override { return static_cast<long>(lammps_->update->ntimestep); }
@@ -129,6 +114,80 @@ class LammpsFamilyEngine : public DemEngine {
   }
 
  private:
+  void start(const DemEngineSettings& settings) {
+    // `if` compares no file names, so whether there is one is a variable of its own.
+    const bool continued = !settings.restart.empty();
+    std::vector<std::string> line{words_.engine,
+                                  "-log",
+                                  settings.log,
+                                  "-var",
+                                  "continued",
+                                  continued ? words_.continued : words_.not_continued,
+                                  "-var",
+                                  "restart",
+                                  continued ? settings.restart : "none"};
+    for (const auto& [name, value] : settings.variables)
+      line.insert(line.end(), {"-var", name, value});
+    std::vector<char*> arguments;
+    for (auto& word : line) arguments.push_back(word.data());
+    const EngineScreen::AsStandardOutput screen(screen_);
+    lammps_ = std::make_unique<LAMMPS_NS::LAMMPS>(static_cast<int>(arguments.size()),
+                                                  arguments.data(), settings.communicator);
+  }
+
+  void run_script(const std::string& script) {
+    std::unique_ptr<RunWatch> watch;
+    if (rank_ == 0)
+      watch = std::make_unique<RunWatch>([this] { return steps_of_run(); },
+                                         [this, script](const std::string& how_far) {
+                                           tell_(Said::note, script + ": " + how_far);
+                                         });
+    lammps_->input->file(script.c_str());
+  }
+
+  /// By another thread than that which makes the steps: it may see one that has just ended.
+  RunWatch::Steps steps_of_run() const {
+    const auto* update = __atomic_load_n(&lammps_->update, __ATOMIC_RELAXED);
+    if (!update || __atomic_load_n(&update->whichflag, __ATOMIC_RELAXED) == 0) return {0, 0, 0};
+    const auto step = [](const LAMMPS_NS::bigint& of) {
+      return static_cast<long>(__atomic_load_n(&of, __ATOMIC_RELAXED));
+    };
+    return {step(update->firststep), step(update->ntimestep), step(update->laststep)};
+  }
+
+  /// All that lets the engine work: in its folder, and with its way to end a run told to the user.
+  template <class Work>
+  void work(Work&& work) {
+    const WorkingFolder::Visit visit(folder_);
+    at_work_ = this;
+    try {
+      work();
+    } catch (const std::exception& error) {
+      at_work_ = nullptr;
+      // In the middle of its work an engine cannot be taken down.
+      static_cast<void>(lammps_.release());
+      // The engine's own errors have been on its screen, of the rank whose they are.
+      if (std::string(error.what()).rfind("ERROR", 0) == 0) throw DemEngineError(how_it_ended(true));
+      throw DemEngineError(error.what());
+    }
+    at_work_ = nullptr;
+  }
+
+  std::string how_it_ended(bool with_error) const {
+    return std::string("The particle engine ended the run") +
+           (with_error ? ", for the reason above." : " and named no error: has its script a 'quit'?") +
+           " Its log is '" + log_ + "'";
+  }
+
+  /// Engines without exceptions end the process, after `quit` as if all had gone well.
+  static void end_of_process() {
+    if (!at_work_) return;
+    if (at_work_->rank_ == 0)
+      at_work_->tell_(Said::error, at_work_->how_it_ended(at_work_->screen_.has_shown_error()));
+    std::fflush(nullptr);
+    std::_Exit(EXIT_FAILURE);
+  }
+
   void check(const std::string& script) {
     if (!lammps_->domain->box_exist)
       throw DemEngineError("the script '" + script + "' makes no simulation box");
@@ -160,7 +219,15 @@ class LammpsFamilyEngine : public DemEngine {
     return fix_->extract(name, dimension);
   }
 
+  static inline LammpsFamilyEngine* at_work_ = nullptr;
+
   const ScriptWords words_;
+  const std::string log_;
+  WorkingFolder folder_;
+  int rank_ = 0;
+  std::mutex telling_;
+  const EngineScreen::Tell tell_;
+  EngineScreen screen_;  // which outlives the engine
   std::unique_ptr<LAMMPS_NS::LAMMPS> lammps_;
   LAMMPS_NS::Fix* fix_ = nullptr;
 };

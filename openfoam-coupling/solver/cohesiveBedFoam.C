@@ -26,6 +26,7 @@ Usage
 #include "pimpleControl.H"
 #include "progress.H"
 #include "requireEuler.H"
+#include "requireParallel.H"
 
 #include "coupling/completeState.H"
 #include "coupling/gasParticleCoupling.H"
@@ -43,6 +44,7 @@ int main(int argc, char* argv[])
     #include "postProcess.H"
 
     #include "setRootCase.H"
+    requireParallel();
     completeState::setAsideIncomplete(args);
     #include "createTime.H"
     completeState::checkStart(runTime, args.found("overwrite"));
