@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "advice/stiffness_scaling.h"
 #include "cohesive_contact_from_script.h"
 #include "comm.h"
 #include "pointers.h"
@@ -63,6 +64,9 @@ class CohesiveCoefficients : protected Pointers {
   const cohesion::contact::ContactParameters& contact(int of_types) const {
     return given_[of_types].contact;
   }
+  cohesion::advice::Material material(int of_types) const {
+    return Cohesion::material(given_[of_types]);
+  }
   /// Whether any contact resists rolling. Of the given ones: mixing adds none.
   bool any_rolls() const {
     return std::any_of(given_.begin(), given_.end(),
@@ -92,8 +96,6 @@ class CohesiveCoefficients : protected Pointers {
     given_(i, j) = p;
     given_(j, i) = Cohesion::reversed(p);
   }
-
-  static constexpr int LAYOUT = 2;  // of settings and Parameters in restart files
 
   Scheme scheme_;
   Cohesion cohesion_;
@@ -129,8 +131,11 @@ void CohesiveCoefficients<Cohesion>::read(int narg, char** arg) {
 
 template <class Cohesion>
 double CohesiveCoefficients<Cohesion>::prepare(int i, int j, double radius_i, double radius_j) {
-  if (given_.to_mix(where(), i, j)) give(i, j, Cohesion::mixed(given_(i, i), given_(j, j)));
   const std::string here = where() + ", types " + std::to_string(i) + " and " + std::to_string(j);
+  if (given_.to_mix(where(), i, j))
+    give(i, j, LAMMPS_NS::from_script(lmp, here, [&] {
+           return Cohesion::mixed(given_(i, i), given_(j, j));
+         }));
   const Parameters scaled = cohesion_.scaled(lmp, here, given_(i, j));
   laws_[of_types(j, i)] = cohesion_.law(lmp, here, Cohesion::reversed(scaled));
   laws_[of_types(i, j)] = cohesion_.law(lmp, here, scaled);
@@ -142,14 +147,14 @@ double CohesiveCoefficients<Cohesion>::prepare(int i, int j, double radius_i, do
 
 template <class Cohesion>
 void CohesiveCoefficients<Cohesion>::write_settings(FILE* fp, int per_pair) const {
-  write_layout(fp, LAYOUT);
+  write_layout(fp, Cohesion::RESTART_LAYOUT);
   const int numbers[3] = {cohesion_.settings(), static_cast<int>(scheme_), per_pair};
   fwrite(numbers, sizeof(int), 3, fp);
 }
 
 template <class Cohesion>
 int CohesiveCoefficients<Cohesion>::read_settings(FILE* fp) {
-  require_layout(lmp, fp, where(), LAYOUT);
+  require_layout(lmp, fp, where(), Cohesion::RESTART_LAYOUT);
   int numbers[3] = {0, 0, 0};
   if (comm->me == 0) utils::sfread(FLERR, numbers, sizeof(int), 3, fp, nullptr, error);
   MPI_Bcast(numbers, 3, MPI_INT, 0, world);

@@ -48,6 +48,8 @@ struct ContactKeyword {
   const char* name;
   int values;  ///< at most 2
   void (*set)(Parameters&, const double*);
+  /// In place of set() where the value is a word. Throws InvalidParameter for one that it is not.
+  void (*set_word)(Parameters&, const char*) = nullptr;
 };
 
 /// The keywords of a contact, `stiffness K [restitution e | damping eta] [tangential ratio]
@@ -109,10 +111,14 @@ typename Cohesion::Parameters cohesive_contact_from_script(LAMMPS* lmp, const st
     if (i + keyword.values >= narg)
       lmp->error->all(FLERR, where + ": keyword '" + keyword.name + "' takes " +
                                  std::to_string(keyword.values) + " value(s)");
-    double values[2] = {0.0, 0.0};
-    for (int k = 0; k < keyword.values; k++)
-      values[k] = utils::numeric(FLERR, arg[i + 1 + k], false, lmp);
-    keyword.set(p, values);
+    if (keyword.set_word) {
+      from_script(lmp, where, [&] { return keyword.set_word(p, arg[i + 1]); });
+    } else {
+      double values[2] = {0.0, 0.0};
+      for (int k = 0; k < keyword.values; k++)
+        values[k] = utils::numeric(FLERR, arg[i + 1 + k], false, lmp);
+      keyword.set(p, values);
+    }
     given.insert(keyword.name);
     i += 1 + keyword.values;
   }

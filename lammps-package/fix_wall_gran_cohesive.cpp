@@ -148,6 +148,8 @@ std::vector<AdvisedContact> FixWallGranCohesive<Cohesion>::advised_contacts(
     advised.push_back(advised_contact(
         fmt::format("{} - wall", type), lightest[type], {infinite, infinite}, parameters.contact,
         Cohesion::template of_wall<cohesion::contact::Adhesion>(law, lightest[type].radius)));
+    advised.back().material = Cohesion::material(parameters);
+    advised.back().material_words = Cohesion::MATERIAL_WORDS;
   }
   return advised;
 }

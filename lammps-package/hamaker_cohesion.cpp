@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-only
 #include "hamaker_cohesion.h"
 
-#include "advice/stiffness_scaling.h"
 #include "comm.h"
-#include "mixing.h"
+#include "named_table.h"
 
 using namespace LAMMPS_NS;
 using Parameters = HamakerCohesion::Parameters;
@@ -17,7 +16,12 @@ std::vector<ContactKeyword<Parameters> > HamakerCohesion::keywords() {
          p.hamaker.surface_cutoff = v[0];
          p.hamaker.outer_cutoff = v[1];
        }},
-      {"material_stiffness", 1, [](P& p, const double* v) { p.material_stiffness = v[0]; }},
+      {"material_stiffness", 1, [](P& p, const double* v) { p.material.stiffness = v[0]; }},
+      {"material_keep", 1, nullptr,
+       [](P& p, const char* word) {
+         p.material.keep =
+             cohesion::find_by_name(cohesion::advice::keeps, "material_keep", word).keep;
+       }},
       {"asperity", 1, [](P& p, const double* v) { p.hamaker.asperity_radius = v[0]; }},
   };
 }
@@ -27,9 +31,13 @@ void HamakerCohesion::require_valid(LAMMPS* lmp, const std::string& where, const
   if (p.hamaker.hamaker_constant != 0.0 && given.count("cutoff") == 0)
     lmp->error->all(FLERR,
                     where + ": keyword 'hamaker' needs 'cutoff H_cut H_out', both distances");
+  if (given.count("material_keep") && given.count("material_stiffness") == 0)
+    lmp->error->all(FLERR, where +
+                               ": keyword 'material_keep' needs 'material_stiffness K_m', the "
+                               "stiffness of the material");
   from_script(lmp, where, [&] {
     cohesion::hamaker::require_valid(p.hamaker);
-    cohesion::require_non_negative("material_stiffness", p.material_stiffness);
+    cohesion::require_non_negative("material_stiffness", p.material.stiffness);
     return true;
   });
 }
@@ -37,7 +45,7 @@ void HamakerCohesion::require_valid(LAMMPS* lmp, const std::string& where, const
 Parameters HamakerCohesion::mixed(const Parameters& a, const Parameters& b) {
   return {cohesion::contact::mixed(a.contact, b.contact),
           cohesion::hamaker::mixed(a.hamaker, b.hamaker),
-          cohesion::geometric_mean(a.material_stiffness, b.material_stiffness)};
+          cohesion::advice::mixed(a.material, b.material)};
 }
 
 double HamakerCohesion::range(Scheme scheme, const Parameters& p, double, double) {
@@ -52,20 +60,18 @@ void HamakerCohesion::set(LAMMPS* lmp, const std::string& where, const std::stri
 }
 
 Parameters HamakerCohesion::scaled(LAMMPS* lmp, const std::string& where, Parameters p) const {
-  if (p.material_stiffness == 0.0 || p.hamaker.hamaker_constant == 0.0) return p;
-  if (form_->name != "small_gap")
-    lmp->error->all(FLERR, where + ": material_stiffness scales the form small_gap only");
+  namespace advice = cohesion::advice;
   const cohesion::hamaker::Parameters real = p.hamaker;
-  p.hamaker = from_script(lmp, where, [&] {
-    return cohesion::advice::StiffnessScaling(p.material_stiffness, p.contact.stiffness)
-        .hamaker(real);
-  });
-  if (lmp->comm->me == 0)
-    utils::logmesg(lmp, fmt::format("{}: adhesion scaled from stiffness {:.6g} to {:.6g}, so that "
-                                    "as many stick: A {:.6g} -> {:.6g}, H_cut {:.6g} -> {:.6g}\n",
-                                    where, p.material_stiffness, p.contact.stiffness,
-                                    real.hamaker_constant, p.hamaker.hamaker_constant,
-                                    real.surface_cutoff, p.hamaker.surface_cutoff));
+  const bool scales =
+      real.hamaker_constant > 0.0 && advice::is_scaled(p.material, p.contact.stiffness);
+  if (scales && (form_->name != "small_gap" || real.asperity_radius > 0.0))
+    lmp->error->all(FLERR, where +
+                               ": material_stiffness scales the form small_gap only, without "
+                               "asperities; 'material_keep force' leaves any adhesion as it is");
+  p.hamaker = from_script(
+      lmp, where, [&] { return advice::for_stiffness(p.contact.stiffness, p.material, real); });
+  const std::string told = advice::told_scaling(p.contact.stiffness, p.material, real, p.hamaker);
+  if (!told.empty() && lmp->comm->me == 0) utils::logmesg(lmp, where + ": " + told + "\n");
   return p;
 }
 

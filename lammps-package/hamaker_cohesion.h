@@ -8,6 +8,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "advice/stiffness_scaling.h"
 #include "cohesive_contact_from_script.h"
 #include "contact/adhesion.h"
 #include "event_stepping/plane_pair.h"
@@ -27,6 +28,9 @@ class HamakerCohesion {
   static constexpr char COEFFICIENTS[] = "stiffness K ...', see its page for the other keywords";
   /// Keywords of the style besides `scheme`, one value each.
   static constexpr std::array SETTINGS{"form"};
+  /// How a script tells the material of a contact.
+  static constexpr char MATERIAL_WORDS[] = "'material_stiffness K_m'";
+  static constexpr int RESTART_LAYOUT = 3;  ///< of settings and Parameters in restart files
   /// Whether the style follows contacts, by a scheme and with advice, or lies over another's.
   static constexpr bool HAS_CONTACT = true;
 
@@ -34,7 +38,7 @@ class HamakerCohesion {
   struct Parameters {
     cohesion::contact::ContactParameters contact;
     cohesion::hamaker::Parameters hamaker = cohesion::hamaker::none;
-    double material_stiffness = 0.0;  ///< [force/length]: scale the adhesion from it; 0: do not
+    cohesion::advice::Material material;
   };
   using Law = cohesion::hamaker::AnyLaw;
   using EventPair = cohesion::event_stepping::SpherePair;
@@ -44,7 +48,7 @@ class HamakerCohesion {
   static std::vector<ContactKeyword<Parameters> > keywords();
   static void require_valid(LAMMPS*, const std::string& where, const Parameters&,
                             const std::set<std::string>& given);
-  /// Unlike materials, as contact::mixed and hamaker::mixed.
+  /// Unlike materials, as contact::mixed, hamaker::mixed and advice::mixed, and throws as the last.
   static Parameters mixed(const Parameters&, const Parameters&);
   /// The same contact seen from the other side.
   static const Parameters& reversed(const Parameters& p) { return p; }
@@ -56,8 +60,9 @@ class HamakerCohesion {
   int settings() const { return static_cast<int>(form_ - cohesion::hamaker::forms.data()); }
   void restore_settings(int number) { form_ = &cohesion::hamaker::forms[number]; }
 
-  /// The parameters of a run: with the adhesion scaled to the stiffness when that is wished, which
-  /// is then printed.
+  static cohesion::advice::Material material(const Parameters& p) { return p.material; }
+  /// The parameters of a run: with the adhesion scaled to the stiffness when that is wished; what
+  /// was done is printed.
   Parameters scaled(LAMMPS*, const std::string& where, Parameters) const;
   Law law(LAMMPS*, const std::string& where, const Parameters&) const;
   Law no_law() const { return form_->law(cohesion::hamaker::none, false); }

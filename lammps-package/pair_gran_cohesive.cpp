@@ -326,6 +326,8 @@ std::vector<AdvisedContact> PairGranCohesive<Cohesion>::advised_contacts(
           advised_contact(fmt::format("{} - {}", i, j), a, b, coefficients.contact(types),
                           coefficients.template attraction<cohesion::contact::Adhesion>(
                               types, a.radius, b.radius)));
+      contacts.back().material = coefficients.material(types);
+      contacts.back().material_words = Cohesion::MATERIAL_WORDS;
     }
   return contacts;
 }

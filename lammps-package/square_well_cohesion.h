@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "advice/stiffness_scaling.h"
 #include "cohesive_contact_from_script.h"
 #include "event_stepping/plane_pair.h"
 #include "event_stepping/sampled_well.h"
@@ -24,6 +25,8 @@ class SquareWellCohesion {
   static constexpr char HISTORY_ID[] = "NEIGH_HISTORY_GRAN_SQUARE_WELL";
   static constexpr char COEFFICIENTS[] = "stiffness K ...', see its page for the other keywords";
   static constexpr std::array<const char*, 0> SETTINGS{};
+  static constexpr char MATERIAL_WORDS[] = "";
+  static constexpr int RESTART_LAYOUT = 2;
   static constexpr bool HAS_CONTACT = true;
 
   /// What a script says about the contact of two materials.
@@ -63,6 +66,7 @@ class SquareWellCohesion {
   int settings() const { return 0; }
   void restore_settings(int) {}
 
+  static cohesion::advice::Material material(const Parameters&) { return {}; }
   const Parameters& scaled(LAMMPS*, const std::string&, const Parameters& p) const { return p; }
   Law law(LAMMPS*, const std::string&, const Parameters& p) const { return p.well; }
   Law no_law() const { return {}; }

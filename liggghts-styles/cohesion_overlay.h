@@ -22,7 +22,7 @@
 #include "mesh_contact.h"
 #include "normal_model_probe.h"
 #include "pair_gran.h"
-#include "scheme_setting.h"
+#include "word_settings.h"
 
 namespace LIGGGHTS {
 namespace ContactModels {
@@ -35,6 +35,7 @@ namespace ContactModels {
 ///   registerSettings(settings)     its keywords
 ///   connect(registry, normal)      reads the parameters; normal: of the contact
 ///   adhesion(i, j, ri, rj)         of two types and radii; rj infinite: beside a wall
+///   material(i, j)                 that a contact of two types stands for
 ///   range()                        how far it must see (contact_range.h)
 ///   acts()                         false: all types have strength 0, and nothing is remembered
 ///   rests(near, booked)            true: out of reach, so no force, and its memory stays as it is;
@@ -123,8 +124,10 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     normal_ = std::make_unique<Cohesion::NormalModelProbe>(
         lmp, [this](const char* model) { return has("normal", model); });
     advice_ = std::make_shared<Cohesion::ContactAdvice>(
-        lmp, wall_, name(), *normal_,
-        [this](int i, int j, double ri, double rj) { return attraction_.adhesion(i, j, ri, rj); });
+        lmp, wall_, name(), *normal_, [this](cohesion::advice::AdvisedContact& c, int i, int j) {
+          c.adhesion = attraction_.adhesion(i, j, c.i.radius, c.j.radius);
+          c.material = attraction_.material(i, j);
+        });
   }
 
   bool has(const char* kind, const char* model) const {

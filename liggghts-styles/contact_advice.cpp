@@ -43,6 +43,10 @@ constexpr advice::SchemeLimits limits{
     advice::sampled_scheme.steps_for_error, advice::sampled_scheme.samples_force,
     "use the event scheme of the LAMMPS package"};
 
+/// Where the spring is that of the types alone; no other can be told its material.
+constexpr const char* material_words =
+    "'material_stiffness on' with fix property/global materialStiffness";
+
 void take_lighter(LightestParticle& lightest, double radius, double mass) {
   lightest.radius = std::min(lightest.radius, radius);
   lightest.mass = std::min(lightest.mass, mass);
@@ -144,7 +148,8 @@ std::vector<advice::AdvisedContact> ContactAdvice::contacts(
   const auto add = [&](const std::string& name, int i, int j, const LightestParticle& partner) {
     advice::AdvisedContact c{name, lightest[i], partner, {}, {}};
     if (!c.moves()) return;
-    c.adhesion = adhesion_(i, j, c.i.radius, c.j.radius);
+    adhesion_(c, i, j);
+    if (normal_.is_of_types()) c.material_words = material_words;
     set_springs(c, i, j, now.run);
     contacts.push_back(c);
   };

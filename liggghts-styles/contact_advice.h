@@ -49,9 +49,9 @@ class ContactWatch {
 /// (src/advice/contact_report.h); no table and no warning twice.
 class ContactAdvice {
  public:
-  /// Of a contact of these types and radii; beside a wall the second radius is without meaning.
+  /// Sets adhesion and material of a contact of these types, whose radii are known.
   using Adhesion =
-      std::function<cohesion::contact::Adhesion(int itype, int jtype, double ri, double rj)>;
+      std::function<void(cohesion::advice::AdvisedContact& contact, int itype, int jtype)>;
 
   /// model: who speaks; wall: null for pairs; adhesion: of two, or of one beside the wall.
   ContactAdvice(LAMMPS_NS::LAMMPS* lmp, LAMMPS_NS::FixWallGran* wall, const std::string& model,

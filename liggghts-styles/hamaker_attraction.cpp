@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <mpi.h>
 // The engine's header of properties wants mpi.h before it.
-#include <sstream>
-
-#include "advice/stiffness_scaling.h"
 #include "error.h"
 #include "global_properties.h"
 #include "hamaker_attraction.h"
 #include "liggghts_api.h"
+#include "message.h"
 #include "modify.h"
 #include "property_registry.h"
+#include "word_settings.h"
 
 namespace LIGGGHTS {
 namespace Cohesion {
@@ -64,7 +63,8 @@ void require_of_types(LAMMPS_NS::LAMMPS* lmp, const NormalModelProbe& normal) {
 }  // namespace
 
 void HamakerAttraction::registerSettings(Settings& settings) {
-  settings.registerOnOff("material_stiffness", scales_, false);
+  settings.registerOnOff("material_stiffness", has_material_, false);
+  register_keep(settings, asked_for_by, keep_);
 }
 
 void HamakerAttraction::connect(PropertyRegistry& registry, const NormalModelProbe& normal) {
@@ -76,7 +76,11 @@ void HamakerAttraction::connect(PropertyRegistry& registry, const NormalModelPro
   outer_cutoff_ = registry.getScalarProperty(outer_property, asked_for_by)->data;
 
   double** material = nullptr;
-  if (!scales_) {
+  if (!has_material_ && keep_ == cohesion::advice::Keep::force)
+    lmp_->error->all(FLERR,
+                     "cohesion model hamaker: material_keep force needs 'material_stiffness on' "
+                     "and fix property/global materialStiffness");
+  if (!has_material_) {
     tell_of_unread_stiffness(lmp_);
   } else {
     require_of_types(lmp_, normal);
@@ -84,39 +88,44 @@ void HamakerAttraction::connect(PropertyRegistry& registry, const NormalModelPro
     material = registry.getMatrixProperty(stiffness_property, asked_for_by)->data;
   }
 
+  const auto given = [&](int i, int j) {
+    return shown(constant_property, constant[i][j]) + ", " + shown(surface_property, surface) +
+           ", " + shown(outer_property, outer_cutoff_) +
+           (has_material_ ? ", " + shown(stiffness_property, material[i][j]) : "");
+  };
+  materials_.fill(
+      lmp_, MODEL, registry.max_type(),
+      [&](int i, int j) {
+        if (!has_material_) return cohesion::advice::Material{};
+        cohesion::require_non_negative(stiffness_property, material[i][j]);
+        return cohesion::advice::Material{material[i][j], keep_};
+      },
+      given);
   acts_ = false;
   laws_.fill(
       lmp_, MODEL, registry.max_type(),
       [&](int i, int j) {
-        const cohesion::hamaker::Parameters given{constant[i][j], surface, outer_cutoff_};
-        acts_ = acts_ || given.hamaker_constant > 0.0;
-        cohesion::hamaker::require_valid(given);
-        return Law(scales_ ? scaled(given, material[i][j], normal, i, j) : given);
+        const cohesion::hamaker::Parameters real{constant[i][j], surface, outer_cutoff_};
+        acts_ = acts_ || real.hamaker_constant > 0.0;
+        cohesion::hamaker::require_valid(real);
+        return Law(has_material_ ? scaled(real, materials_.of(i, j), normal, i, j) : real);
       },
-      [&](int i, int j) {
-        return shown(constant_property, constant[i][j]) + ", " + shown(surface_property, surface) +
-               ", " + shown(outer_property, outer_cutoff_) +
-               (scales_ ? ", " + shown(stiffness_property, material[i][j]) : "");
-      });
+      given);
 }
 
 cohesion::hamaker::Parameters HamakerAttraction::scaled(const cohesion::hamaker::Parameters& real,
-                                                        double material,
+                                                        const cohesion::advice::Material& material,
                                                         const NormalModelProbe& normal, int itype,
                                                         int jtype) const {
-  cohesion::require_non_negative(stiffness_property, material);
-  if (material == 0.0 || real.hamaker_constant == 0.0) return real;
   // Any particles: the spring is of the types alone.
-  const double soft = normal.springs({itype, jtype, 1.0, 1.0, 1.0, 1.0, false}).stiffness;
-  const cohesion::hamaker::Parameters p =
-      cohesion::advice::StiffnessScaling(material, soft).hamaker(real);
-  std::ostringstream message;
-  message << "cohesion model " << MODEL << ", atom types " << itype << " and " << jtype
-          << ": adhesion scaled from stiffness " << material << " to " << soft
-          << ", so that as many stick: A " << real.hamaker_constant << " -> " << p.hamaker_constant
-          << ", H_cut " << real.surface_cutoff << " -> " << p.surface_cutoff << "\n";
-  if (itype <= jtype) LAMMPS_NS::engine_api::tell(lmp_, message.str());
-  return p;
+  const double stiffness = normal.springs({itype, jtype, 1.0, 1.0, 1.0, 1.0, false}).stiffness;
+  const cohesion::hamaker::Parameters used =
+      cohesion::advice::for_stiffness(stiffness, material, real);
+  const std::string told = cohesion::advice::told_scaling(stiffness, material, real, used);
+  if (!told.empty() && itype <= jtype)
+    LAMMPS_NS::engine_api::tell(lmp_, LAMMPS_NS::message("cohesion model ", MODEL, ", atom types ",
+                                                         itype, " and ", jtype, ": ", told, "\n"));
+  return used;
 }
 
 ContactRange HamakerAttraction::range() const {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "advice/stiffness_scaling.h"
 #include "contact/adhesion.h"
 #include "contact_book.h"
 #include "contact_range.h"
@@ -26,13 +27,13 @@ class HamakerAttraction : public AttractionEnergy {
   HamakerAttraction(LAMMPS_NS::LAMMPS* lmp, IContactHistorySetup*, LAMMPS_NS::FixWallGran*)
       : lmp_(lmp) {}
 
-  /// Keyword material_stiffness.
+  /// Keywords material_stiffness and material_keep.
   void registerSettings(Settings& settings);
 
   /// Reads fix property/global hamakerConstant (peratomtypepair), hamakerSurfaceCutoff and
   /// hamakerOuterCutoff (scalar), and materialStiffness (peratomtypepair) when the adhesion is to
-  /// be scaled, which is then printed. A parameter that cannot be right stops the engine with the
-  /// types and the values given.
+  /// be scaled; what was done is printed. A parameter that cannot be right stops the engine with
+  /// the types and the values given.
   void connect(PropertyRegistry& registry, const NormalModelProbe& normal);
 
   ContactRange range() const;
@@ -54,6 +55,11 @@ class HamakerAttraction : public AttractionEnergy {
                                           geometry(!std::isfinite(rj), ri, rj));
   }
 
+  /// Told where material_stiffness is on.
+  cohesion::advice::Material material(int itype, int jtype) const {
+    return materials_.of(itype, jtype);
+  }
+
   double energy(int itype, int jtype, double ri, double rj, double gap, bool) const override {
     return laws_.of(itype, jtype).energy(gap, geometry(!std::isfinite(rj), ri, rj));
   }
@@ -73,14 +79,17 @@ class HamakerAttraction : public AttractionEnergy {
   static cohesion::PairGeometry geometry(bool is_wall, double ri, double rj) {
     return is_wall ? cohesion::sphere_and_plane(ri) : cohesion::two_spheres(ri, rj);
   }
-  cohesion::hamaker::Parameters scaled(const cohesion::hamaker::Parameters&, double material,
-                                       const NormalModelProbe&, int itype, int jtype) const;
+  cohesion::hamaker::Parameters scaled(const cohesion::hamaker::Parameters&,
+                                       const cohesion::advice::Material&, const NormalModelProbe&,
+                                       int itype, int jtype) const;
 
   LAMMPS_NS::LAMMPS* lmp_;
   TableOfTypes<Law> laws_;
+  TableOfTypes<cohesion::advice::Material> materials_;
   double outer_cutoff_ = 0.0;
   bool acts_ = false;
-  bool scales_ = false;
+  bool has_material_ = false;
+  cohesion::advice::Keep keep_ = cohesion::advice::Keep::escape_velocity;
 };
 
 }  // namespace Cohesion

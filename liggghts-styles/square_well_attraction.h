@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 
+#include "advice/stiffness_scaling.h"
 #include "contact_book.h"
 #include "contact_range.h"
 #include "encounter.h"
@@ -70,6 +71,8 @@ class SquareWellAttraction final : public AttractionEnergy {
     return cohesion::square_well::adhesion_of(wells_.of(itype, jtype).well, ri,
                                               std::isfinite(rj) ? rj : 0.0);
   }
+  /// The spring has no part in it.
+  static cohesion::advice::Material material(int, int) { return {}; }
 
   double force(const Encounter& encounter);
   double energy(int itype, int jtype, double, double, double, bool inside) const override {

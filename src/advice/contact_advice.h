@@ -18,7 +18,7 @@ namespace cohesion::advice {
 struct SchemeLimits {
   std::string_view scheme;
   double steps_for_warning;  ///< steps per contact below which results suffer
-  double steps_for_error;    ///< steps per contact below which they mean nothing
+  double steps_for_error;    ///< steps per contact below which they mean nothing; 0: no such number
   bool samples_force;        ///< one force per step: leapfrog's limit holds, and gaps are skipped
   /// What else than a smaller step helps where gaps are skipped.
   std::string_view remedy = "use the event scheme";
@@ -50,7 +50,7 @@ enum class Subject {
   rounding,         ///< of places, against the way in a step (sampled force only)
   static_overlap,   ///< F_ad/K
   impact_overlap,   ///< of an impact at the given speed
-  spring_adhesion,  ///< F_ad^2/(2 K) against the well energy
+  softness,         ///< of the spring, against that of the material (softness.h)
 };
 
 struct Verdict {
@@ -75,10 +75,12 @@ inline Verdict contact_steps(const ContactNumbers& n, const SchemeLimits& limits
   if (steps >= limits.steps_for_warning) return {Subject::contact_steps, Severity::ok, sentence};
   // Half a contact time to the last digit is still half a contact time.
   const bool fatal = steps < (1.0 - 1e-6) * limits.steps_for_error;
+  const std::string least = limits.steps_for_error > 0.0
+                                ? text(" and cannot do with fewer than ", limits.steps_for_error)
+                                : "";
   return {Subject::contact_steps, fatal ? Severity::error : Severity::warning,
           sentence + text(", the ", limits.scheme, " scheme should have ", limits.steps_for_warning,
-                          " and cannot do with fewer than ", limits.steps_for_error,
-                          ": reduce the time step to ",
+                          least, ": reduce the time step to ",
                           pi / n.frequency() / limits.steps_for_warning, " or soften the spring")};
 }
 
@@ -139,19 +141,6 @@ inline Verdict overlap(Subject subject, const char* name, double over_diameter, 
                           stiffness * std::pow(over_diameter / overlap_for_warning, power))};
 }
 
-inline Verdict spring_adhesion(const ContactNumbers& n) {
-  const double spring = n.spring_adhesion_energy(), well = n.well_energy();
-  const std::string sentence =
-      text("in the spring adhesion does the work ", spring, ", on the way to contact ", well,
-           "; pairs that approach below ", n.escape_velocity(), " stick");
-  if (spring <= well) return {Subject::spring_adhesion, Severity::ok, sentence};
-  return {Subject::spring_adhesion, Severity::warning,
-          sentence +
-              ", and would stick less with a stiffer spring: if the material is stiffer "
-              "than the spring, scale the adhesion (stiffness scaling) or raise the "
-              "stiffness"};
-}
-
 }  // namespace detail
 
 /// One verdict for each subject that the scheme and the pair have, in the order of Subject.
@@ -174,7 +163,6 @@ inline std::vector<Verdict> advise(const ContactNumbers& n, const SchemeLimits& 
   // Of a fast impact, whose overlap goes as 1/w0; adhesion makes it fall faster.
   verdicts.push_back(detail::overlap(Subject::impact_overlap, "the largest overlap of an impact",
                                      n.impact_overlap_over_diameter(), p.stiffness, 2.0));
-  if (attracts) verdicts.push_back(detail::spring_adhesion(n));
   return verdicts;
 }
 

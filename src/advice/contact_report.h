@@ -5,10 +5,12 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "advice/contact_advice.h"
 #include "advice/power_law_spring.h"
+#include "advice/softness.h"
 
 /// What a style prints before the first step of a run.
 namespace cohesion::advice {
@@ -25,6 +27,8 @@ struct AdvisedContact {
   LightestParticle i, j;
   ContactSprings springs;
   contact::Adhesion adhesion;
+  Material material = {};                ///< whose contact it stands for
+  std::string_view material_words = {};  ///< by which a user tells it; empty: there are none
 
   bool moves() const { return inverse_mass() > 0.0; }
   double reduced_mass() const { return 1.0 / inverse_mass(); }
@@ -48,7 +52,7 @@ struct RunNumbers {
 };
 
 struct Warning {
-  std::string contact;  ///< its name
+  std::vector<std::string> contacts;  ///< their names
   Subject subject;
   std::string text;
 };
@@ -86,7 +90,7 @@ inline ContactNumbers numbers(const AdvisedContact& c, const RunNumbers& run) {
 namespace detail {
 
 inline std::string number(const char* format, double value) {
-  char text[32];
+  char text[64];
   std::snprintf(text, sizeof text, format, value);
   return text;
 }
@@ -108,6 +112,56 @@ inline std::string row(const AdvisedContact& c, const ContactNumbers& n) {
          std::string(14 - std::min<std::size_t>(14, ratio.size()), ' ') + ratio + "\n";
 }
 
+/// A sentence about several contacts, with their names.
+struct SharedNote {
+  std::string sentence;
+  std::vector<std::string> contacts;
+
+  std::string names() const {
+    std::string all;
+    for (const std::string& name : contacts) all += (all.empty() ? "" : ", ") + name;
+    return all;
+  }
+};
+
+inline void add(std::vector<SharedNote>& notes, const std::string& sentence,
+                const std::string& contact) {
+  for (SharedNote& note : notes)
+    if (note.sentence == sentence) {
+      note.contacts.push_back(contact);
+      return;
+    }
+  notes.push_back({sentence, {contact}});
+}
+
+inline std::string over_material_sentence(const ContactNumbers& n, const Material& material) {
+  const OverMaterial over = over_material(n.contact(), material);
+  return number("stiffness %.6g", n.parameters().stiffness) +
+         number(" for %.6g of the material", material.stiffness) +
+         number(": escape velocity %.3g", over.escape_velocity) +
+         number(", pull-off force %.3g times the material's", over.force);
+}
+
+/// Under the table, what a soft spring changed where the material is told; where it is not, a
+/// warning if that matters. Each once for all contacts.
+inline void add_softness(Report& report, const std::string& style,
+                         const std::vector<AdvisedContact>& contacts, const RunNumbers& run) {
+  std::vector<SharedNote> told, soft;
+  for (const AdvisedContact& c : contacts) {
+    if (!c.moves() || c.adhesion.force == 0.0) continue;
+    const ContactNumbers n = numbers(c, run);
+    if (!c.material.told() && softness_decides(n))
+      add(soft, softness_advice(c.material_words), c.name);
+    if (c.material.told() && c.material.stiffness != n.parameters().stiffness)
+      add(told, over_material_sentence(n, c.material), c.name);
+  }
+  for (const SharedNote& note : told)
+    report.table += "  " + note.sentence + " (" + note.names() + ")\n";
+  for (const SharedNote& note : soft)
+    report.warnings.push_back(
+        {note.contacts, Subject::softness, style + ", " + note.names() + ": " + note.sentence});
+}
+
 }  // namespace detail
 
 /// The table of numbers that decide whether the run can be right, a warning for each that says that
@@ -127,10 +181,11 @@ inline Report report(const std::string& style, const SchemeLimits& limits,
     for (const Verdict& verdict : advise(n, limits)) {
       const std::string message = style + ", " + c.name + ": " + verdict.sentence;
       if (verdict.severity == Severity::warning)
-        report.warnings.push_back({c.name, verdict.subject, message});
+        report.warnings.push_back({{c.name}, verdict.subject, message});
       if (verdict.severity == Severity::error && report.stop.empty()) report.stop = message;
     }
   }
+  detail::add_softness(report, style, contacts, run);
   return report;
 }
 
@@ -152,7 +207,7 @@ inline Report attraction_report(const std::string& style, const SchemeLimits& li
     const Verdict verdict = detail::cutoff_steps(speed, c.adhesion.cutoff, steps, limits);
     if (verdict.severity == Severity::warning)
       report.warnings.push_back(
-          {c.name, verdict.subject, style + ", " + c.name + ": " + verdict.sentence});
+          {{c.name}, verdict.subject, style + ", " + c.name + ": " + verdict.sentence});
   }
   return report;
 }

@@ -42,10 +42,15 @@ class Said {
     }
     std::vector<Warning> fresh;
     for (const Warning& warning : report.warnings) {
-      const auto [before, is_new] =
-          warnings_.try_emplace({warning.contact, warning.subject}, warning.text);
-      if (!is_new && (!other[warning.contact] || before->second == warning.text)) continue;
-      before->second = warning.text;
+      bool is_new = false;
+      for (const std::string& contact : warning.contacts) {
+        const auto before = warnings_.find({contact, warning.subject});
+        is_new = is_new || before == warnings_.end() ||
+                 (other[contact] && before->second != warning.text);
+      }
+      if (!is_new) continue;
+      for (const std::string& contact : warning.contacts)
+        warnings_[{contact, warning.subject}] = warning.text;
       fresh.push_back(warning);
     }
     report.warnings = fresh;
@@ -73,8 +78,8 @@ class Said {
             {c.i.radius, c.j.radius, c.i.mass, c.j.mass, c.springs.exponent,
              scale * c.springs.stiffness, linear ? c.springs.damping : 0.0,
              scale * c.springs.tangential_stiffness, scale * c.springs.rolling_stiffness,
-             c.adhesion.force, c.adhesion.cutoff, c.adhesion.tail_energy, run.dt, run.gravity,
-             run.shear}};
+             c.adhesion.force, c.adhesion.cutoff, c.adhesion.tail_energy, c.material.stiffness,
+             static_cast<double>(c.material.keep), run.dt, run.gravity, run.shear}};
   }
 
   static bool differs(const Known& before, const Known& after) {

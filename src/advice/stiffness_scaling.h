@@ -1,14 +1,52 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <sstream>
+#include <string>
 
 #include "contact/adhesive_contact.h"
 #include "contact/linear_spring_dashpot.h"
 #include "hamaker/parameters.h"
+#include "mixing.h"
 #include "validation.h"
 
 namespace cohesion::advice {
+
+/// What a contact softer than its material keeps of it; both it cannot, at the same restitution.
+/// As wide as a number of a restart file.
+enum class Keep : std::int64_t {
+  escape_velocity,  ///< who sticks in collisions; the adhesion is scaled (StiffnessScaling)
+  force,            ///< strength and Bond number of packings; the adhesion is left as it is
+};
+
+struct KeepName {
+  const char* name;
+  Keep keep;
+};
+inline constexpr std::array keeps{KeepName{"velocity", Keep::escape_velocity},
+                                  KeepName{"force", Keep::force}};
+
+/// The material that a contact stands for, as far as users tell it.
+struct Material {
+  double stiffness = 0.0;  ///< K, [force/length]; 0: not told
+  Keep keep = Keep::escape_velocity;
+
+  bool told() const { return stiffness > 0.0; }
+};
+
+/// Unlike materials: the geometric mean of the stiffnesses; told where both are.
+/// Throws InvalidParameter where they keep different things.
+inline Material mixed(const Material& a, const Material& b) {
+  if (!a.told() || !b.told()) return {};
+  if (a.keep != b.keep)
+    throw InvalidParameter(
+        "one of the two materials keeps the escape velocity, the other the force, and no mean of "
+        "both exists: tell the pair what to keep");
+  return {geometric_mean(a.stiffness, b.stiffness), a.keep};
+}
 
 /// Adhesion for a spring softer than the material, such that a pair sticks as the material does.
 ///
@@ -30,7 +68,8 @@ namespace cohesion::advice {
 /// which needs f > k (2 - k); for H_out -> infinity both A and H_cut grow by 1/f.
 ///
 /// What is not kept: the force that holds a resting pair falls to f F_ad, and so does its ratio to
-/// the weight; and the attraction of a pair that does not touch reaches further.
+/// the weight; and the attraction of a pair that does not touch reaches further. Where that matters
+/// more than who sticks the adhesion is not scaled (Keep::force).
 ///
 /// Source: derived here, by similarity. The purpose is that of Y. Gu, A. Ozel and S. Sundaresan
 /// (2016), whose text was not at hand: the rule has not been compared with theirs.
@@ -74,5 +113,37 @@ class StiffnessScaling {
   double soft_stiffness_;
   double factor_;
 };
+
+/// Whether a contact of `stiffness` [force/length] needs another adhesion than its material.
+inline bool is_scaled(const Material& material, double stiffness) {
+  return material.told() && material.keep == Keep::escape_velocity &&
+         material.stiffness != stiffness;
+}
+
+/// The Hamaker attraction of a contact of `stiffness` [force/length] from that of its material.
+/// Throws InvalidParameter as StiffnessScaling.
+inline hamaker::Parameters for_stiffness(double stiffness, const Material& material,
+                                         const hamaker::Parameters& real) {
+  if (real.hamaker_constant == 0.0 || !is_scaled(material, stiffness)) return real;
+  return StiffnessScaling(material.stiffness, stiffness).hamaker(real);
+}
+
+/// What for_stiffness() changed, or left on purpose, for a log; empty where the question does not
+/// arise.
+inline std::string told_scaling(double stiffness, const Material& material,
+                                const hamaker::Parameters& real, const hamaker::Parameters& used) {
+  std::ostringstream out;
+  if (!material.told() || material.stiffness == stiffness || real.hamaker_constant == 0.0)
+    return {};
+  if (is_scaled(material, stiffness))
+    out << "adhesion scaled from stiffness " << material.stiffness << " to " << stiffness
+        << ", which keeps the escape velocity: A " << real.hamaker_constant << " -> "
+        << used.hamaker_constant << ", H_cut " << real.surface_cutoff << " -> "
+        << used.surface_cutoff;
+  else
+    out << "adhesion of stiffness " << material.stiffness << " left at stiffness " << stiffness
+        << ", which keeps the pull-off force";
+  return out.str();
+}
 
 }  // namespace cohesion::advice

@@ -87,6 +87,102 @@ class Input(ScriptTestCase):
         output = self.goes(script(pair % "sampled"))
         self.assertRegex(output, "WARNING.*left to chance")
 
+    def ratios(self, output, names):
+        """Escape velocity and pull-off force over those of the material, as printed under a table."""
+        found = re.search(r"stiffness 800 for 80000 of the material: escape velocity (\S+), pull-off force (\S+) "
+                          r"times the material's \(" + re.escape(names) + r"\)", output)
+        self.assertIsNotNone(found, output)
+        return float(found[1]), float(found[2])
+
+    def both(self, words, **changes):
+        """Pairs and a wall of these words."""
+        return self.goes(script(f"pair_style gran/hamaker\npair_coeff * * {words}\n",
+                                f"fix plate all wall/gran/hamaker {words} zplane 0 NULL{MOVE}", **changes))
+
+    def test_both_ratios_to_the_material_are_printed(self):
+        scaled = self.both(CONTACT + " material_stiffness 80000")
+        for names in ("1 - 1, 1 - 2, 2 - 2", "1 - wall, 2 - wall"):
+            # f = sqrt(800/80000), exactly.
+            self.assertEqual(self.ratios(scaled, names), (1.0, 0.1))
+        self.assertNotIn("stiffer spring", scaled)
+
+    def test_the_force_can_be_kept_instead(self):
+        as_given = self.both(CONTACT)
+        kept = self.both(CONTACT + " material_stiffness 80000 material_keep force")
+        stiff = self.both(CONTACT.replace("800", "80000"), dt="5e-7")
+        for name, names in (("1 - 1", "1 - 1, 1 - 2, 2 - 2"), ("1 - wall", "1 - wall, 2 - wall")):
+            self.assertEqual(self.advised(kept, name), self.advised(as_given, name))
+            escape, force = self.ratios(kept, names)
+            self.assertEqual(force, 1.0)
+            # Three digits are printed of all three.
+            v_esc = self.advised(kept, name)[-2] / self.advised(stiff, name)[-2]
+            self.assertAlmostEqual(escape / v_esc, 1, delta=0.015)
+        self.assertIn("adhesion of stiffness 80000 left at stiffness 800, which keeps the pull-off force", kept)
+        self.assertNotIn("stiffer spring", kept)
+
+    def test_what_hangs_by_the_force_of_the_material_hangs_by_the_force_that_is_kept(self):
+        # Below a plane: F_ad = A r/(6 H_cut^2) is 2.5 weights, sqrt(800/80000) of it a quarter of one.
+        force = 5e-19 * 5e-4 / (6 * 4e-10**2)
+        hang = ("fix ceiling all wall/gran/hamaker " + CONTACT + " material_stiffness 80000 material_keep %s "
+                f"zplane NULL 0.0055\nfix g all gravity {force / MASS / 2.5} vector 0 0 -1\n"
+                "fix move all nve/sphere\nrun 400\nvariable low equal \"bound(all,zmin) < 5e-3 - 1e-5\"\n"
+                "print \"fell ${low}\"\n")
+        for keep, fell in (("velocity", 1), ("force", 0)):
+            with self.subTest(keep):
+                output = self.goes(script("pair_style gran/hamaker\npair_coeff * * stiffness 800", hang % keep)
+                                   .replace("velocity all set 0.01 0 0\n", ""))
+                self.assertIn(f"\nfell {fell}", output)
+
+    def test_softness_is_warned_of_once_with_what_to_do(self):
+        output = self.both(CONTACT)
+        for who, names in (("pair_style gran/hamaker", "1 - 1, 1 - 2, 2 - 2"),
+                           ("fix plate wall/gran/hamaker", "1 - wall, 2 - wall")):
+            warning, = re.findall(rf"WARNING: {who}, (.*?stiffer.*)", output)
+            self.assertTrue(warning.startswith(names + ": "), warning)
+            for words in ("'material_stiffness K_m'", "collisions", "'material_keep force'", "packings"):
+                self.assertIn(words, warning)
+
+    def test_softness_without_consequence_is_no_warning(self):
+        for words in (CONTACT + " material_stiffness 800",  # it is the material's
+                      CONTACT.replace("restitution 0.9487", "restitution 1"),  # nothing sticks
+                      CONTACT.replace("restitution 0.9487", "restitution 0"),  # all stick, stiff or not
+                      "stiffness 800 restitution 0.9487"):  # no attraction
+            with self.subTest(words):
+                output = self.both(words)
+                self.assertNotIn("stiffer spring", output)
+                self.assertNotIn("of the material", output)
+        # 10 m/s, 4000 times the escape velocity.
+        fast = script(tail="velocity all set 10 0 0" + MOVE, dt="1e-7")
+        self.assertNotIn("stiffer spring", self.goes(fast))
+
+    def test_what_to_keep_must_be_known_and_have_a_stiffness(self):
+        style = "pair_style gran/hamaker\npair_coeff * * " + CONTACT
+        self.stops(script(style + " material_keep force"), "'material_keep' needs 'material_stiffness K_m'")
+        self.stops(script(style + " material_stiffness 80000 material_keep adhesion"),
+                   "unknown material_keep 'adhesion'", "velocity, force")
+        self.stops(script(f"pair_style gran/hamaker\npair_coeff 1 1 {CONTACT} material_stiffness 80000\n"
+                          f"pair_coeff 2 2 {CONTACT} material_stiffness 80000 material_keep force"),
+                   "types 1 and 2", "tell the pair what to keep")
+
+    def test_any_form_keeps_its_force(self):
+        words = CONTACT + " asperity 1e-7 material_stiffness 80000"
+        style = "pair_style gran/hamaker form exact\npair_coeff * * "
+        self.stops(script(style + words), "small_gap only", "'material_keep force'")
+        self.assertIn("which keeps the pull-off force", self.goes(script(style + words + " material_keep force")))
+
+    def test_what_is_kept_is_in_restart_files(self):
+        words = CONTACT + " material_stiffness 80000 material_keep force"
+        self.goes(script("pair_style gran/hamaker\npair_coeff * * " + words,
+                         MOVE + "write_restart some.restart noinit\n"))
+        again = self.goes("plugin load ${plugin}\nunits si\natom_style sphere\nnewton off\n"
+                          "read_restart some.restart\ncomm_modify vel yes\nneighbor 1e-4 bin\ntimestep 5e-6" + MOVE)
+        self.assertEqual(again.count("which keeps the pull-off force"), 3)
+
+    def test_no_least_number_of_steps_where_there_is_none(self):
+        output = self.goes(script("pair_style gran/hamaker scheme sampled\npair_coeff * * " + CONTACT, dt="1e-5"))
+        self.assertRegex(output, "sampled scheme should have 15: reduce the time step")
+        self.assertNotIn("fewer than", output)
+
     def test_adhesion_is_scaled_with_the_stiffness_and_says_so(self):
         real = 80000.0  # 100 times that of CONTACT
         output = self.goes(script(f"pair_style gran/hamaker\npair_coeff * * {CONTACT} "

@@ -20,28 +20,29 @@ set group all diameter 1e-3 density 2650
 comm_modify vel yes
 neighbor 1e-4 bin
 """
+# Settings, coefficients, and which layout they have.
 STYLES = {
-    "hamaker": ("1e-9 1e-8", "1e-19"),
-    "gran/hamaker": ("", "stiffness 800"),
-    "gran/square_well": ("", "stiffness 800 well 1e-12 1.01"),
-    "hard/square_well": ("", "restitution 0.9"),
+    "hamaker": ("1e-9 1e-8", "1e-19", 2),
+    "gran/hamaker": ("", "stiffness 800", 3),
+    "gran/square_well": ("", "stiffness 800 well 1e-12 1.01", 2),
+    "hard/square_well": ("", "restitution 0.9", 2),
 }
-MARK = 0x436f6802  # restart_format.h, and the second layout
+MARK = 0x436f6800  # restart_format.h
 
 
 class Layout(ScriptTestCase):
     def test_another_layout_is_refused(self):
         file = Path(self.folder) / "some.restart"
-        for style, (settings, coefficients) in STYLES.items():
+        for style, (settings, coefficients, layout) in STYLES.items():
             with self.subTest(style):
                 self.goes(f"{HEAD}{MAKE}pair_style {style} {settings}\npair_coeff * * {coefficients}\n"
                           "fix move all nve/sphere\ntimestep 1e-7\nrun 1\nwrite_restart some.restart noinit\n")
                 read = (f"{HEAD}read_restart some.restart\ncomm_modify vel yes\nneighbor 1e-4 bin\n"
                         "fix move all nve/sphere\ntimestep 1e-7\nrun 1\n")
                 self.goes(read)
-                content, mark = file.read_bytes(), struct.pack("=i", MARK)
+                content, mark = file.read_bytes(), struct.pack("=i", MARK + layout)
                 self.assertEqual(content.count(mark), 1)
-                for other in (MARK - 1, 0):
+                for other in (MARK + layout - 1, 0):
                     file.write_bytes(content.replace(mark, struct.pack("=i", other)))
                     self.stops(read, f"pair_style {style}", "another version of the package", "write_data")
 

@@ -3,6 +3,7 @@
 
 import math
 import pathlib
+import re
 import sys
 import unittest
 
@@ -177,7 +178,19 @@ class Judgement(unittest.TestCase):
         run = go(LINEAR + ABSOLUTE, hamaker(A, cut=CUT, out=OUT))
         self.assertIn("which pairs stick is left to chance: reduce the time step to 4e-09 or use the event scheme of "
                       "the LAMMPS package", run.printed)
-        self.assertIn("scale the adhesion (stiffness scaling) or raise the stiffness", run.printed)
+        self.assertIn("1 - 1: pairs would stick less with a stiffer spring", run.printed)
+        self.assertIn("'material_stiffness on' with fix property/global materialStiffness keeps its escape velocity "
+                      "(collisions, who sticks), with 'material_keep force' its pull-off force (packings", run.printed)
+
+    def test_no_keyword_is_named_that_the_model_refuses(self):
+        run = go("model hertz tangential off cohesion hamaker", hamaker(A, cut=CUT, out=OUT))
+        self.assertIn("pairs would stick less with a stiffer spring", run.printed)
+        self.assertNotIn("material_", run.printed)
+
+    def test_no_least_number_of_steps_where_there_is_none(self):
+        run = go(LINEAR + ABSOLUTE, hamaker(0, cut=CUT, out=OUT), dt=1e-5)
+        self.assertIn("the sampled scheme should have 15: reduce the time step", run.printed)
+        self.assertNotIn("fewer than", run.printed)
 
     def test_nothing_to_warn_of(self):
         run = go(LINEAR + ABSOLUTE, hamaker(0, cut=CUT, out=OUT))
@@ -192,23 +205,47 @@ class StiffnessScaling(unittest.TestCase):
         return hamaker(A, cut=CUT, out=out) + (
             f"fix km all property/global materialStiffness peratomtypepair 2 {4 * (repr(material) + ' ')}\n")
 
-    def test_as_many_stick_as_of_the_material(self):
-        # The dashpot of a stiffer spring of the same restitution goes as its root.
-        factor = 4.0
+    FACTOR = 4.0
+
+    def stiff(self):
+        """A run whose springs are the material's; their dashpot of the same restitution goes as the root."""
         stiffer = contact()
-        for name, value, times in (("kn", STIFFNESS, factor), ("gamman_abs", DAMPING, math.sqrt(factor))):
+        for name, value, times in (("kn", STIFFNESS, self.FACTOR), ("gamman_abs", DAMPING, math.sqrt(self.FACTOR))):
             line = f"fix {name} all property/global {name} peratomtypepair 2 " + " ".join(4 * [repr(float(value))])
             self.assertIn(line, stiffer)
             stiffer = stiffer.replace(line, line.replace(repr(float(value)), repr(times * value)))
-        stiff = go(LINEAR + ABSOLUTE, hamaker(A, cut=CUT, out=OUT), contacts=stiffer)
-        scaled = go(self.WORDS, self.properties(factor * STIFFNESS))
+        return go(LINEAR + ABSOLUTE, hamaker(A, cut=CUT, out=OUT), contacts=stiffer)
+
+    def test_as_many_stick_as_of_the_material(self):
+        stiff = self.stiff()
+        scaled = go(self.WORDS, self.properties(self.FACTOR * STIFFNESS))
         self.assertEqual(rows(scaled)["1 - 1"]["escape"], rows(stiff)["1 - 1"]["escape"])
         self.assertNotEqual(rows(scaled)["1 - 1"]["escape"],
                             rows(go(LINEAR + ABSOLUTE, hamaker(A, cut=CUT, out=OUT)))["1 - 1"]["escape"])
         # H_cut and A grow by 1/f = 2 but for k = H_cut/H_out = 0.004 of it: h = (2 - k)/f/(1 + sqrt(1 - k (2 - k)/f)).
-        self.assertIn("atom types 1 and 1: adhesion scaled from stiffness 3200 to 800, so that as many stick: A "
-                      "7.49e-19 -> 1.50", scaled.printed)
+        self.assertIn("atom types 1 and 1: adhesion scaled from stiffness 3200 to 800, which keeps the escape "
+                      "velocity: A 7.49e-19 -> 1.50", scaled.printed)
         self.assertIn("H_cut 4e-10 -> 8.0", scaled.printed)
+        self.assertIn("stiffness 800 for 3200 of the material: escape velocity 1, pull-off force 0.5 times the "
+                      "material's (1 - 1)", scaled.printed)
+        self.assertNotIn("stiffer spring", scaled.printed)
+
+    def test_the_force_can_be_kept_instead(self):
+        as_given = go(LINEAR + ABSOLUTE, hamaker(A, cut=CUT, out=OUT))
+        kept = go(self.WORDS + " material_keep force", self.properties(3200.0))
+        self.assertEqual(rows(kept), rows(as_given))
+        self.assertIn("atom types 1 and 1: adhesion of stiffness 3200 left at stiffness 800, which keeps the pull-off "
+                      "force", kept.printed)
+        escape = rows(kept)["1 - 1"]["escape"] / rows(self.stiff())["1 - 1"]["escape"]
+        found = re.search("escape velocity (\\S+), pull-off force 1 times the material's \\(1 - 1\\)", kept.printed)
+        self.assertAlmostEqual(float(found[1]), escape, delta=3 * THREE * escape)  # of three printed numbers
+        self.assertNotIn("stiffer spring", kept.printed)
+
+    def test_the_stiffness_of_the_material_itself_is_nothing_to_scale(self):
+        run = go(self.WORDS, self.properties(STIFFNESS))
+        self.assertEqual(run.returncode, 0, run.printed[-1000:])
+        for words in ("adhesion scaled", "of the material", "stiffer spring"):
+            self.assertNotIn(words, run.printed)
 
     def test_off_and_zero_scale_nothing(self):
         for words, material in ((LINEAR + ABSOLUTE, None), (self.WORDS, 0.0)):
@@ -231,6 +268,10 @@ class StiffnessScaling(unittest.TestCase):
                  "the spring of model hooke differs"),
                 (self.WORDS, hamaker(A, cut=CUT, out=OUT), "materialStiffness"),
                 (self.WORDS, self.properties(-1.0), "materialStiffness = -1: must be"),
+                (self.WORDS + " material_keep adhesion", self.properties(3200.0),
+                 "unknown material_keep 'adhesion'", "velocity, force"),
+                (LINEAR + ABSOLUTE + " material_keep force", hamaker(A, cut=CUT, out=OUT),
+                 "material_keep force needs 'material_stiffness on'"),
                 (self.WORDS, self.properties(3200.0, out=1e-9), "too small for the softened contact")):
             with self.subTest(message=messages[0]):
                 run = go(words, properties)

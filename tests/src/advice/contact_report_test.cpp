@@ -41,12 +41,47 @@ TEST(ContactReport, WarnsAndStopsWithTheNameOfTheContact) {
   const Report r = report("a style", sampled_scheme, {pair()}, run());
   ASSERT_EQ(r.warnings.size(), 3u);  // steps, cut-off, spring too soft
   for (const Warning& warning : r.warnings) {
-    EXPECT_EQ(warning.contact, "1 - 1");
+    EXPECT_EQ(warning.contacts, std::vector<std::string>{"1 - 1"});
     EXPECT_EQ(warning.text.find("a style, 1 - 1: "), 0u);
   }
   RunNumbers large = run();
   large.dt = 1e-3;
   EXPECT_EQ(report("a style", sampled_scheme, {pair()}, large).stop.find("a style, 1 - 1: "), 0u);
+}
+
+TEST(ContactReport, SoftnessOfSeveralContactsIsSaidOnceWithTheirNames) {
+  std::vector<AdvisedContact> all(3, pair());
+  all[1].name = "1 - 2";
+  all[2].name = "2 - 2";
+  all[2].adhesion = {};
+  for (AdvisedContact& c : all) c.material_words = "'words'";
+  const auto soft = [&] {
+    std::vector<std::string> found;
+    for (const Warning& w : report("a style", event_scheme, all, run()).warnings)
+      if (w.subject == Subject::softness) found.push_back(w.text);
+    return found;
+  };
+  ASSERT_EQ(soft().size(), 1u);
+  EXPECT_EQ(soft()[0].find("a style, 1 - 1, 1 - 2: "), 0u) << soft()[0];
+  EXPECT_NE(soft()[0].find("'words' keeps its escape velocity"), std::string::npos) << soft()[0];
+  for (AdvisedContact& c : all) c.material = {c.springs.stiffness, Keep::escape_velocity};
+  EXPECT_TRUE(soft().empty());
+}
+
+TEST(ContactReport, NamesBothRatiosToTheMaterialUnderTheTable) {
+  AdvisedContact c = pair(), other = c;
+  other.name = "1 - 2";
+  c.material = other.material = {100.0 * c.springs.stiffness, Keep::escape_velocity};
+  const auto table = [&] { return report("a style", event_scheme, {c, other}, run()).table; };
+  EXPECT_NE(table().find("stiffness 800 for 80000 of the material: escape velocity 1, pull-off "
+                         "force 0.1 times the material's (1 - 1, 1 - 2)\n"),
+            std::string::npos)
+      << table();
+  c.material = other.material = {c.springs.stiffness, Keep::escape_velocity};
+  EXPECT_EQ(table().find("of the material"), std::string::npos) << table();
+  c.material.stiffness *= 100.0;
+  c.adhesion = {};
+  EXPECT_EQ(table().find("of the material"), std::string::npos) << table();
 }
 
 TEST(ContactReport, ContactOfTheImmovableIsLeftOut) {

@@ -78,7 +78,7 @@ TEST_F(SaidTest, WithinARunOnlyWarningsAndContactsAreNews) {
   EXPECT_EQ(news({pair()}, 10 * DT, 0.1, true).warnings.size(), 1u);  // 9.25 steps per contact
   const Report more = news({pair(), pair("1 - 2")}, 10 * DT, 0.1, true);
   EXPECT_NE(more.table.find("1 - 2"), std::string::npos);
-  for (const Warning& warning : more.warnings) EXPECT_EQ(warning.contact, "1 - 2");
+  for (const Warning& warning : more.warnings) EXPECT_EQ(warning.contacts.back(), "1 - 2");
 }
 
 TEST_F(SaidTest, AReasonToStopIsAlwaysSaid) {

@@ -105,4 +105,40 @@ TEST(StiffnessScaling, RefusesWhatCannotBe) {
   expect_refused([=] { scaling.hamaker({1.0, 4e-10, 5e-8}); }, "too small for the softened");
 }
 
+TEST(ForStiffness, ScalesToKeepTheEscapeVelocityAndLeavesToKeepTheForce) {
+  const hamaker::Parameters real{5e-19, 4e-10, 1e-7};
+  const auto used = [&](const Material& m) { return for_stiffness(100.0, m, real); };
+  EXPECT_EQ(used({1e4, Keep::escape_velocity}).surface_cutoff,
+            StiffnessScaling(1e4, 100.0).hamaker(real).surface_cutoff);
+  for (const Material& m :
+       {Material{}, Material{100.0, Keep::escape_velocity}, Material{1e4, Keep::force}}) {
+    EXPECT_EQ(used(m).hamaker_constant, real.hamaker_constant);
+    EXPECT_EQ(used(m).surface_cutoff, real.surface_cutoff);
+  }
+}
+
+TEST(ForStiffness, LogSaysWhatIsKept) {
+  const hamaker::Parameters real{5e-19, 4e-10, 1e-7};
+  const auto told = [&](const Material& m) {
+    return told_scaling(100.0, m, real, for_stiffness(100.0, m, real));
+  };
+  EXPECT_EQ(told({1e4, Keep::escape_velocity})
+                .find("adhesion scaled from stiffness 10000 to 100, which keeps the escape "
+                      "velocity: A 5e-19 -> "),
+            0u);
+  EXPECT_EQ(told({1e4, Keep::force}),
+            "adhesion of stiffness 10000 left at stiffness 100, which keeps the pull-off force");
+  EXPECT_EQ(told({}), "");
+  EXPECT_EQ(told({100.0, Keep::escape_velocity}), "");
+}
+
+TEST(Material, MixedIsTheGeometricMeanOfWhatBothTell) {
+  const Material a{100.0, Keep::force}, b{400.0, Keep::force};
+  EXPECT_DOUBLE_EQ(mixed(a, b).stiffness, 200.0);
+  EXPECT_EQ(mixed(a, b).keep, Keep::force);
+  EXPECT_FALSE(mixed(a, {}).told());
+  EXPECT_FALSE(mixed({}, {0.0, Keep::force}).told());
+  expect_refused([&] { mixed(a, {400.0, Keep::escape_velocity}); }, "tell the pair what to keep");
+}
+
 }  // namespace cohesion::advice

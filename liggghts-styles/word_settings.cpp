@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "scheme_setting.h"
+#include "word_settings.h"
 
 #include <mpi.h>
 // The engine's headers want mpi.h before them.
 #include <map>
 
 #include "contact_models.h"
+#include "named_table.h"
 #include "settings.h"
 
 namespace LIGGGHTS {
@@ -37,6 +38,32 @@ class SchemeSetting : public Setting {
   std::string model_;
 };
 
+class KeepSetting : public Setting {
+ public:
+  KeepSetting(const std::string& model, cohesion::advice::Keep& keep)
+      : Setting("material_keep", 1), model_(model), keep_(keep) {}
+
+  /// Number of words taken; -1 with an error_message.
+  int parseArguments(char** args) override {
+    if (name != args[0]) return 0;
+    try {
+      keep_ = cohesion::find_by_name(cohesion::advice::keeps, name, args[1]).keep;
+    } catch (const cohesion::InvalidParameter& bad) {
+      error_message = model_ + ": " + bad.what();
+      return -1;
+    }
+    return 2;
+  }
+  void print_value(FILE* out) override {
+    for (const auto& row : cohesion::advice::keeps)
+      if (row.keep == keep_) fprintf(out, "%s", row.name);
+  }
+
+ private:
+  std::string model_;
+  cohesion::advice::Keep& keep_;
+};
+
 using Table = std::map<std::string, Setting*>;
 
 /// The engine's table of settings takes words of its own kinds only; an explicit instantiation may
@@ -52,6 +79,10 @@ template struct TableOfSettings<&Settings::settings>;
 
 void register_scheme(Settings& settings, const std::string& model) {
   table_of(settings)["scheme"] = new SchemeSetting(model);  // settings owns it
+}
+
+void register_keep(Settings& settings, const std::string& model, cohesion::advice::Keep& keep) {
+  table_of(settings)["material_keep"] = new KeepSetting(model, keep);
 }
 
 }  // namespace Cohesion

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+#include <string>
+#include <string_view>
+
+#include "advice/contact_numbers.h"
+#include "advice/stiffness_scaling.h"
+#include "contact/adhesive_contact.h"
+#include "contact/linear_spring_dashpot.h"
+
+/// What the softness of a spring changes of a cohesive contact, and what to say of it.
+namespace cohesion::advice {
+
+/// Numbers of a contact over those of its material, [1].
+struct OverMaterial {
+  double escape_velocity;  ///< 1 too where both hold every pair, or none
+  double force;            ///< F_ad
+};
+
+/// `contact`: with the adhesion that it has. The material's has the same mass and restitution.
+/// Throws InvalidParameter unless the material is told.
+inline OverMaterial over_material(const contact::AdhesiveContact& contact,
+                                  const Material& material) {
+  const StiffnessScaling to_material(contact.spring().stiffness(), material.stiffness);
+  const contact::Adhesion& used = contact.adhesion();
+  const contact::Adhesion real = material.keep == Keep::force ? used : to_material.adhesion(used);
+  const double escape = contact.escape_velocity();
+  const double real_escape =
+      contact::AdhesiveContact(to_material.spring(contact.spring()), real).escape_velocity();
+  const bool both_part = escape > 0.0 && std::isfinite(escape);
+  return {both_part ? escape / real_escape : 1.0, used.force / real.force};
+}
+
+/// Below this share of the approach speed hardly an impact is as slow as the escape velocity: of
+/// impacts at random speeds v about one in (v/v_esc)^2.
+inline constexpr double escape_for_notice = 0.01;
+
+/// Whether a stiffer spring would let pairs part that stick, at the approach speed: where adhesion
+/// works more in the spring than on the way to it, unless
+///   all of them stick with a rigid one, too: two particles meet at up to twice the speed; or
+///   the escape velocity is far below the speed.
+inline bool softness_decides(const ContactNumbers& n) {
+  if (n.spring_adhesion_energy() <= n.well_energy()) return false;
+  const double speed = n.parameters().speed;
+  const double rigid =
+      contact::AdhesiveContact(n.contact().spring(), {0.0, 0.0, n.well_energy()}).escape_velocity();
+  const bool all_stick = speed > 0.0 && 2.0 * speed <= rigid;
+  return std::isfinite(rigid) && !all_stick && n.escape_velocity() > escape_for_notice * speed;
+}
+
+/// `told_by`: the words by which a user tells the material; empty: there are none.
+inline std::string softness_advice(std::string_view told_by) {
+  const std::string sentence =
+      "pairs would stick less with a stiffer spring (tail/spring below 1); if the material is "
+      "stiffer, ";
+  if (told_by.empty())
+    return sentence +
+           "its pull-off force is kept (packings, Bond number), its escape velocity is not "
+           "(collisions, who sticks)";
+  return sentence + std::string(told_by) +
+         " keeps its escape velocity (collisions, who sticks), with 'material_keep force' its "
+         "pull-off force (packings, resting beds, Bond number, tensile strength)";
+}
+
+}  // namespace cohesion::advice

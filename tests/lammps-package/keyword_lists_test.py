@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Keywords of the pair and wall styles: those that the messages about an unknown one name, those on the style's page
+and those that are read must be the same."""
+import re
+import unittest
+from pathlib import Path
+
+import lammps_engine as engine
+from script_test_case import ScriptTestCase
+
+PAGES = Path(__file__).resolve().parents[2] / "docs" / "lammps-package"
+HEAD = """
+plugin load ${plugin}
+units si
+atom_style sphere
+boundary f f f
+newton off
+comm_modify vel yes
+region box block 0 0.01 0 0.01 0 0.01 units box
+create_box 1 box
+"""
+# Commands up to their keywords, by the page that they are on.
+COMMANDS = {
+    "pair_gran_hamaker": ("pair_style gran/hamaker ", "pair_style gran/hamaker\npair_coeff 1 1 "),
+    "pair_gran_square_well": ("pair_style gran/square_well ", "pair_style gran/square_well\npair_coeff 1 1 "),
+    "pair_hard_square_well": ("pair_style hard/square_well ", "pair_style hard/square_well\npair_coeff 1 1 "),
+    "pair_hamaker": ("pair_style hamaker 4e-10 1e-7 ",),
+    "fix_wall_gran_hamaker": ("fix w all wall/gran/hamaker ",),
+    "fix_wall_gran_square_well": ("fix w all wall/gran/square_well ",),
+    "fix_wall_hamaker": ("fix w all wall/hamaker 1e-19 4e-10 1e-7 ",),
+    "fix_wall_hard_square_well": ("fix w all wall/hard/square_well ",),
+}
+# Whose messages are written beside what reads, not made of it; one of the walls shares its list with the others.
+WRITTEN_BY_HAND = ("pair_hard_square_well", "pair_hamaker", "fix_wall_hamaker", "fix_wall_hard_square_well")
+UNKNOWN = "no_such_keyword"
+
+
+def syntax(page):
+    """The part of a page that says what is typed."""
+    text = (PAGES / f"{page}.md").read_text()
+    return text[text.index("## Syntax"):text.index("## Examples")]
+
+
+def words_of_code(page):
+    """All that stands in code or is emphasised there."""
+    text = syntax(page)
+    code = re.findall(r"```(.*?)```", text, re.S) + re.findall(r"`([^`\n]+)`|\*([^*\n]+)\*", text)
+    return set(re.findall(r"[a-z_]+", str(code)))
+
+
+def described(page):
+    """Keywords that are explained there: at the start of a line of a list in code, or with their value in code."""
+    text = syntax(page)
+    heads = re.findall(r"^  ([a-z_]+ .*?)(?:  |$)", "\n".join(re.findall(r"  ```(.*?)```", text, re.S)), re.M)
+    pieces = [piece for head in heads for piece in head.split(", ")]
+    return {piece.split()[0] for piece in pieces} | set(re.findall(r"`([a-z_]+) [^`\n]+`", text))
+
+
+class KeywordLists(ScriptTestCase):
+    def error(self, command, words):
+        """Of LAMMPS at these words behind the command; none where it takes them."""
+        code, output = engine.run_text(f"{HEAD}{command}{words}\n", self.folder)
+        return "" if code == 0 else next(line for line in output.splitlines() if "ERROR" in line)
+
+    def listed(self, page):
+        """What the messages about an unknown keyword name."""
+        names = set()
+        for command in COMMANDS[page]:
+            message = self.error(command, f"{UNKNOWN} 1")
+            found = re.search(rf"'{UNKNOWN}'; valid(?: ones| names)?: ([a-z_, ]+)", message)
+            self.assertIsNotNone(found, message)
+            names |= set(found[1].strip().split(", "))
+        return names
+
+    def test_a_keyword_of_the_message_is_on_the_page_and_the_other_way_round(self):
+        for page in COMMANDS:
+            with self.subTest(page):
+                listed = self.listed(page)
+                self.assertEqual(listed - words_of_code(page), set())
+                self.assertEqual(described(page) - listed, set())
+
+    def test_a_wall_takes_what_its_pair_style_takes(self):
+        for style in ("gran_hamaker", "gran_square_well"):
+            with self.subTest(style):
+                self.assertEqual(self.listed(f"pair_{style}") - self.listed(f"fix_wall_{style}"), set())
+
+    def test_a_keyword_of_the_message_is_read(self):
+        for page in WRITTEN_BY_HAND:
+            for keyword in self.listed(page):
+                with self.subTest(page, keyword=keyword):
+                    refusals = [self.error(command, f"{keyword} {UNKNOWN}") for command in COMMANDS[page]]
+                    self.assertFalse(all("unknown keyword" in refusal for refusal in refusals), refusals)
+
+
+if __name__ == "__main__":
+    unittest.main()
