@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,41 +26,19 @@ class Said {
   /// changed, or the speed by `faster`, or a warning is new. A warning: of a subject on which
   /// nothing was said of that contact, or with other numbers where one of the contact has changed.
   ///
-  /// Within a run steps and particles may change all the time: then numbers alone bring nothing,
-  /// but contacts that there were none of do.
+  /// Within a run, where step and particles may change all the time and engines print tables of
+  /// their own, the table comes with contacts alone that there were none of, and a warning once of
+  /// each contact and subject.
   Report news(Report report, const std::vector<AdvisedContact>& contacts,
               const Circumstances& now) {
-    const RunNumbers& run = now.run;
-    bool shown = false;
-    std::map<std::string, bool> other;
-    for (const AdvisedContact& c : contacts) {
-      if (!c.moves()) continue;
-      const auto known = known_.find(c.name);
-      const bool changed =
-          known == known_.end() || (!now.within_run && differs(known->second, known_of(c, run)));
-      other[c.name] = changed;
-      shown = shown || changed;
-    }
-    std::vector<Warning> fresh;
-    for (const Warning& warning : report.warnings) {
-      bool is_new = false;
-      for (const std::string& contact : warning.contacts) {
-        const auto before = warnings_.find({contact, warning.subject});
-        is_new = is_new || before == warnings_.end() ||
-                 (other[contact] && before->second != warning.text);
-      }
-      if (!is_new) continue;
-      for (const std::string& contact : warning.contacts)
-        warnings_[{contact, warning.subject}] = warning.text;
-      fresh.push_back(warning);
-    }
-    report.warnings = fresh;
-    if (!shown && fresh.empty()) {
+    const std::set<std::string> changed = changed_since(contacts, now);
+    report.warnings = fresh(report.warnings, changed);
+    if (changed.empty() && (now.within_run || report.warnings.empty())) {
       report.table.clear();
       return report;
     }
     for (const AdvisedContact& c : contacts)
-      if (c.moves()) known_[c.name] = known_of(c, run);
+      if (c.moves()) known_[c.name] = known_of(c, now.run);
     return report;
   }
 
@@ -69,6 +48,39 @@ class Said {
     double speed;
     std::vector<double> numbers;  ///< all but the speed that the judgement depends on
   };
+
+  /// The contacts that are to be told of, by what the last table had of them.
+  std::set<std::string> changed_since(const std::vector<AdvisedContact>& contacts,
+                                      const Circumstances& now) const {
+    std::set<std::string> changed;
+    for (const AdvisedContact& c : contacts) {
+      if (!c.moves()) continue;
+      const auto known = known_.find(c.name);
+      if (known == known_.end() ||
+          (!now.within_run && differs(known->second, known_of(c, now.run))))
+        changed.insert(c.name);
+    }
+    return changed;
+  }
+
+  /// Those of `warnings` that are new; they count as said.
+  std::vector<Warning> fresh(const std::vector<Warning>& warnings,
+                             const std::set<std::string>& changed) {
+    std::vector<Warning> found;
+    for (const Warning& warning : warnings) {
+      const bool is_new =
+          std::any_of(warning.contacts.begin(), warning.contacts.end(), [&](const auto& contact) {
+            const auto before = warnings_.find({contact, warning.subject});
+            return before == warnings_.end() ||
+                   (changed.count(contact) && before->second != warning.text);
+          });
+      if (!is_new) continue;
+      for (const std::string& contact : warning.contacts)
+        warnings_[{contact, warning.subject}] = warning.text;
+      found.push_back(warning);
+    }
+    return found;
+  }
 
   static Known known_of(const AdvisedContact& c, const RunNumbers& run) {
     // Springs that are not linear are told at an overlap that depends on the speed: F/x^p does not.
