@@ -76,25 +76,21 @@ void ContactWatch::look() {
   now_.lightest[0] = {none, none};
 }
 
-void ContactWatch::look_for_adapting() {
-  adapted_every_.clear();
+/// In how many steps each fix that changes particles does so.
+std::vector<int> ContactWatch::adapted_every() const {
+  std::vector<int> steps;
   for (int k = 0; k < modify->nfix; k++)
     if (utils::strmatch(modify->fix[k]->style, "^adapt") && modify->fix[k]->nevery > 0)
-      adapted_every_.push_back(modify->fix[k]->nevery);
-}
-
-/// Alike on all ranks, without asking them.
-bool ContactWatch::may_differ() const {
-  if (neighbor->ago == 0 || update->dt > watch_.dt()) return true;
-  // Such a fix may act before or after the one that asks.
-  return std::any_of(adapted_every_.begin(), adapted_every_.end(),
-                     [this](int every) { return update->ntimestep % every <= 1; });
+      steps.push_back(modify->fix[k]->nevery);
+  return steps;
 }
 
 bool ContactWatch::due(bool setup) {
   const double dt = update->dt;
-  if (setup) look_for_adapting();
-  if (!setup && !may_differ()) return false;
+  if (setup)
+    watch_.set_up(adapted_every());
+  else if (!watch_.may_differ(neighbor->ago == 0, static_cast<long>(update->ntimestep), dt))
+    return false;
   look();
   if (!setup && !watch_.worse(now_.lightest, now_.run.fastest, dt)) return false;
   watch_.judged(now_.lightest, now_.run.fastest, dt);

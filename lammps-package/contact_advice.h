@@ -39,17 +39,15 @@ class ContactWatch : protected Pointers {
   bool due(bool setup);
   const Circumstances& now() const { return now_; }
   /// What they are judged by besides has changed.
-  void forget() { watch_ = {}; }
+  void forget() { watch_.forget(); }
 
  private:
-  bool may_differ() const;
   void look();
-  void look_for_adapting();
+  std::vector<int> adapted_every() const;
   double gravity() const;
 
   Circumstances now_;
   cohesion::advice::Watch watch_;
-  std::vector<int> adapted_every_;  // so many steps, by fixes that change particles
 };
 
 /// A contact between these two; without springs when neither moves.

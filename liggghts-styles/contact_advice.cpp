@@ -91,27 +91,23 @@ void ContactWatch::look() {
   now_.lightest[0] = {infinite, infinite};
 }
 
-void ContactWatch::look_for_adapting() {
-  adapted_every_.clear();
+/// In how many steps each fix that changes particles does so.
+std::vector<int> ContactWatch::adapted_every() const {
+  std::vector<int> steps;
   for (int k = 0; k < lmp_->modify->nfix; k++) {
     const Fix* const fix = lmp_->modify->fix[k];
-    if (std::strncmp(fix->style, "adapt", 5) == 0 && fix->nevery > 0)
-      adapted_every_.push_back(fix->nevery);
+    if (std::strncmp(fix->style, "adapt", 5) == 0 && fix->nevery > 0) steps.push_back(fix->nevery);
   }
-}
-
-/// Alike on all ranks, without asking them.
-bool ContactWatch::may_differ() const {
-  if (lmp_->neighbor->ago == 0 || lmp_->update->dt > watch_.dt()) return true;
-  // Such a fix may act before or after the one that asks.
-  return std::any_of(adapted_every_.begin(), adapted_every_.end(),
-                     [this](int every) { return lmp_->update->ntimestep % every <= 1; });
+  return steps;
 }
 
 bool ContactWatch::due(bool setup) {
   const double dt = lmp_->update->dt;
-  if (setup) look_for_adapting();
-  if (!setup && !may_differ()) return false;
+  if (setup)
+    watch_.set_up(adapted_every());
+  else if (!watch_.may_differ(lmp_->neighbor->ago == 0, static_cast<long>(lmp_->update->ntimestep),
+                              dt))
+    return false;
   look();
   if (!setup && !watch_.worse(now_.lightest, now_.run.fastest, dt)) return false;
   watch_.judged(now_.lightest, now_.run.fastest, dt);

@@ -34,14 +34,12 @@ class ContactWatch {
   const cohesion::advice::Circumstances& now() const { return now_; }
 
  private:
-  bool may_differ() const;
   void look();
-  void look_for_adapting();
+  std::vector<int> adapted_every() const;
 
   LAMMPS_NS::LAMMPS* lmp_;
   cohesion::advice::Circumstances now_;
   cohesion::advice::Watch watch_;
-  std::vector<int> adapted_every_;  // so many steps, by fixes that change particles
 };
 
 /// What a contact model has to say of a run before it can go wrong: the table of numbers that

@@ -50,6 +50,7 @@ enum class Subject {
   rounding,         ///< of places, against the way in a step (sampled force only)
   static_overlap,   ///< F_ad/K
   impact_overlap,   ///< of an impact at the given speed
+  softness,         ///< of the spring, against that of the material (softness.h)
 };
 
 struct Verdict {

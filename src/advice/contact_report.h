@@ -52,7 +52,7 @@ struct RunNumbers {
 };
 
 struct Warning {
-  std::string contact;  ///< its name
+  std::vector<std::string> contacts;  ///< their names
   Subject subject;
   std::string text;
 };
@@ -114,17 +114,24 @@ inline std::string row(const AdvisedContact& c, const ContactNumbers& n) {
 
 /// A sentence about several contacts, with their names.
 struct SharedNote {
-  std::string sentence, contacts;
+  std::string sentence;
+  std::vector<std::string> contacts;
+
+  std::string names() const {
+    std::string all;
+    for (const std::string& name : contacts) all += (all.empty() ? "" : ", ") + name;
+    return all;
+  }
 };
 
 inline void add(std::vector<SharedNote>& notes, const std::string& sentence,
                 const std::string& contact) {
   for (SharedNote& note : notes)
     if (note.sentence == sentence) {
-      note.contacts += ", " + contact;
+      note.contacts.push_back(contact);
       return;
     }
-  notes.push_back({sentence, contact});
+  notes.push_back({sentence, {contact}});
 }
 
 inline std::string over_material_sentence(const ContactNumbers& n, const Material& material) {
@@ -149,9 +156,10 @@ inline void add_softness(Report& report, const std::string& style,
       add(told, over_material_sentence(n, c.material), c.name);
   }
   for (const SharedNote& note : told)
-    report.table += "  " + note.sentence + " (" + note.contacts + ")\n";
+    report.table += "  " + note.sentence + " (" + note.names() + ")\n";
   for (const SharedNote& note : soft)
-    report.warnings.push_back(style + ", " + note.contacts + ": " + note.sentence);
+    report.warnings.push_back(
+        {note.contacts, Subject::softness, style + ", " + note.names() + ": " + note.sentence});
 }
 
 }  // namespace detail
@@ -173,7 +181,7 @@ inline Report report(const std::string& style, const SchemeLimits& limits,
     for (const Verdict& verdict : advise(n, limits)) {
       const std::string message = style + ", " + c.name + ": " + verdict.sentence;
       if (verdict.severity == Severity::warning)
-        report.warnings.push_back({c.name, verdict.subject, message});
+        report.warnings.push_back({{c.name}, verdict.subject, message});
       if (verdict.severity == Severity::error && report.stop.empty()) report.stop = message;
     }
   }
@@ -199,7 +207,7 @@ inline Report attraction_report(const std::string& style, const SchemeLimits& li
     const Verdict verdict = detail::cutoff_steps(speed, c.adhesion.cutoff, steps, limits);
     if (verdict.severity == Severity::warning)
       report.warnings.push_back(
-          {c.name, verdict.subject, style + ", " + c.name + ": " + verdict.sentence});
+          {{c.name}, verdict.subject, style + ", " + c.name + ": " + verdict.sentence});
   }
   return report;
 }

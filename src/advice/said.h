@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,36 +26,19 @@ class Said {
   /// changed, or the speed by `faster`, or a warning is new. A warning: of a subject on which
   /// nothing was said of that contact, or with other numbers where one of the contact has changed.
   ///
-  /// Within a run steps and particles may change all the time: then numbers alone bring nothing,
-  /// but contacts that there were none of do.
+  /// Within a run, where step and particles may change all the time and engines print tables of
+  /// their own, the table comes with contacts alone that there were none of, and a warning once of
+  /// each contact and subject.
   Report news(Report report, const std::vector<AdvisedContact>& contacts,
               const Circumstances& now) {
-    const RunNumbers& run = now.run;
-    bool shown = false;
-    std::map<std::string, bool> other;
-    for (const AdvisedContact& c : contacts) {
-      if (!c.moves()) continue;
-      const auto known = known_.find(c.name);
-      const bool changed =
-          known == known_.end() || (!now.within_run && differs(known->second, known_of(c, run)));
-      other[c.name] = changed;
-      shown = shown || changed;
-    }
-    std::vector<Warning> fresh;
-    for (const Warning& warning : report.warnings) {
-      const auto [before, is_new] =
-          warnings_.try_emplace({warning.contact, warning.subject}, warning.text);
-      if (!is_new && (!other[warning.contact] || before->second == warning.text)) continue;
-      before->second = warning.text;
-      fresh.push_back(warning);
-    }
-    report.warnings = fresh;
-    if (!shown && fresh.empty()) {
+    const std::set<std::string> changed = changed_since(contacts, now);
+    report.warnings = fresh(report.warnings, changed);
+    if (changed.empty() && (now.within_run || report.warnings.empty())) {
       report.table.clear();
       return report;
     }
     for (const AdvisedContact& c : contacts)
-      if (c.moves()) known_[c.name] = known_of(c, run);
+      if (c.moves()) known_[c.name] = known_of(c, now.run);
     return report;
   }
 
@@ -65,6 +49,39 @@ class Said {
     std::vector<double> numbers;  ///< all but the speed that the judgement depends on
   };
 
+  /// The contacts that are to be told of, by what the last table had of them.
+  std::set<std::string> changed_since(const std::vector<AdvisedContact>& contacts,
+                                      const Circumstances& now) const {
+    std::set<std::string> changed;
+    for (const AdvisedContact& c : contacts) {
+      if (!c.moves()) continue;
+      const auto known = known_.find(c.name);
+      if (known == known_.end() ||
+          (!now.within_run && differs(known->second, known_of(c, now.run))))
+        changed.insert(c.name);
+    }
+    return changed;
+  }
+
+  /// Those of `warnings` that are new; they count as said.
+  std::vector<Warning> fresh(const std::vector<Warning>& warnings,
+                             const std::set<std::string>& changed) {
+    std::vector<Warning> found;
+    for (const Warning& warning : warnings) {
+      const bool is_new =
+          std::any_of(warning.contacts.begin(), warning.contacts.end(), [&](const auto& contact) {
+            const auto before = warnings_.find({contact, warning.subject});
+            return before == warnings_.end() ||
+                   (changed.count(contact) && before->second != warning.text);
+          });
+      if (!is_new) continue;
+      for (const std::string& contact : warning.contacts)
+        warnings_[{contact, warning.subject}] = warning.text;
+      found.push_back(warning);
+    }
+    return found;
+  }
+
   static Known known_of(const AdvisedContact& c, const RunNumbers& run) {
     // Springs that are not linear are told at an overlap that depends on the speed: F/x^p does not.
     const double scale = std::pow(c.springs.overlap, 1.0 - c.springs.exponent);
@@ -73,8 +90,8 @@ class Said {
             {c.i.radius, c.j.radius, c.i.mass, c.j.mass, c.springs.exponent,
              scale * c.springs.stiffness, linear ? c.springs.damping : 0.0,
              scale * c.springs.tangential_stiffness, scale * c.springs.rolling_stiffness,
-             c.adhesion.force, c.adhesion.cutoff, c.adhesion.tail_energy, run.dt, run.gravity,
-             run.shear}};
+             c.adhesion.force, c.adhesion.cutoff, c.adhesion.tail_energy, c.material.stiffness,
+             static_cast<double>(c.material.keep), run.dt, run.gravity, run.shear}};
   }
 
   static bool differs(const Known& before, const Known& after) {

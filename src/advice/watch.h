@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "advice/contact_report.h"
@@ -21,6 +22,18 @@ class Watch {
   /// By how much the fastest particle must have become faster.
   static constexpr double faster = 2.0;
 
+  /// Before a run, in which fixes change particles every so many steps.
+  void set_up(const std::vector<int>& changed_every) { changed_every_ = changed_every; }
+
+  /// Whether particles or step of this one may be others than before, with a list of neighbours
+  /// that is new or not. Known without looking at particles, so alike on all ranks.
+  bool may_differ(bool new_list, long step, double dt) const {
+    // A fix that changes particles may act before or after the one that asks.
+    return new_list || dt > dt_ ||
+           std::any_of(changed_every_.begin(), changed_every_.end(),
+                       [step](int every) { return step % every <= 1; });
+  }
+
   /// Whether contacts have to be judged again; `lightest` by type.
   bool worse(const std::vector<LightestParticle>& lightest, double fastest, double dt) const {
     if (dt > dt_ || fastest > faster * fastest_ || lightest.size() != lightest_.size()) return true;
@@ -37,13 +50,14 @@ class Watch {
     dt_ = dt;
   }
 
-  /// [time]; 0: nothing was judged.
-  double dt() const { return dt_; }
+  /// Judges again, whatever is there.
+  void forget() { dt_ = 0.0; }
 
  private:
+  std::vector<int> changed_every_;
   std::vector<LightestParticle> lightest_;
   double fastest_ = 0.0;  // [length/time]
-  double dt_ = 0.0;       // [time]
+  double dt_ = 0.0;       // [time]; 0: nothing was judged
 };
 
 }  // namespace cohesion::advice

@@ -41,7 +41,7 @@ TEST(ContactReport, WarnsAndStopsWithTheNameOfTheContact) {
   const Report r = report("a style", sampled_scheme, {pair()}, run());
   ASSERT_EQ(r.warnings.size(), 3u);  // steps, cut-off, spring too soft
   for (const Warning& warning : r.warnings) {
-    EXPECT_EQ(warning.contact, "1 - 1");
+    EXPECT_EQ(warning.contacts, std::vector<std::string>{"1 - 1"});
     EXPECT_EQ(warning.text.find("a style, 1 - 1: "), 0u);
   }
   RunNumbers large = run();
@@ -57,8 +57,8 @@ TEST(ContactReport, SoftnessOfSeveralContactsIsSaidOnceWithTheirNames) {
   for (AdvisedContact& c : all) c.material_words = "'words'";
   const auto soft = [&] {
     std::vector<std::string> found;
-    for (const std::string& w : report("a style", event_scheme, all, run()).warnings)
-      if (w.find("stiffer spring") != std::string::npos) found.push_back(w);
+    for (const Warning& w : report("a style", event_scheme, all, run()).warnings)
+      if (w.subject == Subject::softness) found.push_back(w.text);
     return found;
   };
   ASSERT_EQ(soft().size(), 1u);

@@ -75,10 +75,13 @@ TEST_F(SaidTest, AnotherStepIsToldButWhatItDoesNotChangeIsNot) {
 TEST_F(SaidTest, WithinARunOnlyWarningsAndContactsAreNews) {
   news({pair()}, DT, 0.1);
   expect_nothing(news({pair()}, 2 * DT, 0.1, true));
-  EXPECT_EQ(news({pair()}, 10 * DT, 0.1, true).warnings.size(), 1u);  // 9.25 steps per contact
+  const Report few = news({pair()}, 10 * DT, 0.1, true);  // 9.25 steps per contact
+  ASSERT_EQ(few.warnings.size(), 1u);
+  EXPECT_EQ(few.warnings[0].subject, Subject::contact_steps);
+  EXPECT_EQ(few.table, "");
   const Report more = news({pair(), pair("1 - 2")}, 10 * DT, 0.1, true);
   EXPECT_NE(more.table.find("1 - 2"), std::string::npos);
-  for (const Warning& warning : more.warnings) EXPECT_EQ(warning.contact, "1 - 2");
+  for (const Warning& warning : more.warnings) EXPECT_EQ(warning.contacts.back(), "1 - 2");
 }
 
 TEST_F(SaidTest, AReasonToStopIsAlwaysSaid) {
@@ -110,6 +113,19 @@ TEST(Watch, SeesLighterSmallerAndFasterParticlesAndLongerSteps) {
   EXPECT_TRUE(watch.worse({{none, none}, {1.0, 0.9}, {none, none}}, 1.0, 1.0));
   EXPECT_TRUE(watch.worse({{none, none}, {0.9, 1.0}, {none, none}}, 1.0, 1.0));
   EXPECT_TRUE(watch.worse({{none, none}, {1.0, 1.0}, {5.0, none}}, 1.0, 1.0));
+}
+
+TEST(Watch, LooksWhereListStepOrParticlesMayBeOthers) {
+  Watch watch;
+  watch.set_up({10});
+  watch.judged({}, 0.0, 1.0);
+  EXPECT_FALSE(watch.may_differ(false, 5, 1.0));
+  EXPECT_TRUE(watch.may_differ(true, 5, 1.0));
+  EXPECT_TRUE(watch.may_differ(false, 5, 1.1));
+  EXPECT_TRUE(watch.may_differ(false, 10, 1.0));
+  EXPECT_TRUE(watch.may_differ(false, 11, 1.0));
+  watch.forget();
+  EXPECT_TRUE(watch.may_differ(false, 5, 1.0));
 }
 
 }  // namespace cohesion::advice
