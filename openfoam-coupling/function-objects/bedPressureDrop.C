@@ -185,7 +185,7 @@ Foam::scalar Foam::functionObjects::bedPressureDrop::weight() const
     }
     reduce(volume, sumOp<scalar>());
     const scalar mass = gSum(particles().masses()) - meanDensity()*volume;
-    return -mass*(particles().g() & up_)/(area_*particles().depthRatio());
+    return mass*(particles().g() & -up_)/(area_*particles().depthRatio());
 }
 
 
@@ -213,7 +213,8 @@ bool Foam::functionObjects::bedPressureDrop::write()
     const scalar pressure = drop_/over_;
     const scalar carried = weight();
     // On a horizontal axis nothing is to be carried.
-    const bool heavy = mag(carried) > VSMALL;
+    const vector& g = particles().g();
+    const bool heavy = mag(g & up_) > 1e-9*mag(g);
 
     writeCurrentTime(file());
     file() << tab << over_ << tab << velocity_/over_ << tab << pressure << tab << carried << tab;

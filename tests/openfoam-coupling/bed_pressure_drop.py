@@ -264,6 +264,18 @@ name {name}; operation areaIntegrate; fields (p); writeFields no; writePrecision
                 RHO * integrals.mean() / AREA - RHO * G * HEIGHT, RHO * 0.65**2)
 
 
+def horizontal(expect, build, work):
+    """Gravity across the axis, of a run of ten steps."""
+    case, _ = make(build, work, "horizontal", axis=(1, 0, 0), entries="direction (1 0 0); writeInterval 10;")
+    append(case, "constant/g", f"value (0 0 {-G});")
+    append(case, COUPLING, 'lammpsCoeffs { variables { down "0 0 -1"; } }')
+    append(case, "system/controlDict", f"endTime {10 * DT};")
+    case.solve()
+    row, = table(case, "drop", "bedPressureDrop")
+    expect.true(f"horizontal: drop {row[3]} Pa, weight {row[4]} Pa, drop over weight {row[5]}",
+                row[3] > 0 and row[4] == 0 and np.isnan(row[5]))
+
+
 def refused(expect, build, work):
     case, _ = make(build, work, "refused")
     control = (case.folder / "system/controlDict").read_text()
@@ -282,7 +294,7 @@ def refused(expect, build, work):
 
 def main(build, work):
     expect = Expectations()
-    for check in (held, carried, leaning_round, ideal_gas, patches, refused):
+    for check in (held, carried, leaning_round, ideal_gas, patches, horizontal, refused):
         check(expect, build, work)
     expect.exit()
 
