@@ -35,7 +35,7 @@ class Run:
         text = script if "\n" in script else (HERE / script).read_text()
         command = [program("LAUNCHER" if how == "launcher" else "STOCK"), "-in", "in.script"]
         for name, value in variables.items():
-            command += ["-var", name, repr(value) if isinstance(value, float) else str(value)]
+            command += ["-var", name, repr(float(value)) if isinstance(value, float) else str(value)]
         environment = environment_of(ranks)
         preload = "LD_PRELOAD=" + program("PRELOAD") if how == "preload" else None
         if ranks:

@@ -56,14 +56,14 @@ fix v all property/global characteristicVelocity scalar 1
 def hamaker(constant, wall=None, cut=CUT, out=OUT):
     """The properties of cohesion hamaker."""
     return (_matrix("hamakerConstant", constant, constant if wall is None else wall)
-            + f"fix cut all property/global hamakerSurfaceCutoff scalar {cut!r}\n"
-            + f"fix out all property/global hamakerOuterCutoff scalar {out!r}\n")
+            + f"fix cut all property/global hamakerSurfaceCutoff scalar {float(cut)!r}\n"
+            + f"fix out all property/global hamakerOuterCutoff scalar {float(out)!r}\n")
 
 
 def square_well(depth, wall=None, ratio=RATIO):
     """The properties of cohesion square_well."""
     return (_matrix("wellDepth", depth, 2 * depth if wall is None else wall)
-            + f"fix ratio all property/global wellRatio peratomtype {ratio!r} {ratio!r}\n")
+            + f"fix ratio all property/global wellRatio peratomtype {2 * (repr(float(ratio)) + ' ')}\n")
 
 
 def sphere(place, velocity=(0, 0, 0), spin=(0, 0, 0), radius=RADIUS):

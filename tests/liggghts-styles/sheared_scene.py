@@ -12,8 +12,9 @@ PLAIN = "model hooke tangential off"
 
 
 def sides(dimension=3, tilt=0.0):
-    low, high = (0.0, BOX[2]) if dimension == 3 else (-RADIUS, RADIUS)
-    return f"0 {BOX[0]!r} 0 {BOX[1]!r} {low!r} {high!r} {tilt!r} 0 0"
+    x, y, z = BOX.tolist()
+    low, high = (0.0, z) if dimension == 3 else (-RADIUS, RADIUS)
+    return f"0 {x!r} 0 {y!r} {low!r} {high!r} {float(tilt)!r} 0 0"
 
 
 def sheared(spheres, models, properties="", rate=RATE, profile="no", dimension=3, tilt=0.0,

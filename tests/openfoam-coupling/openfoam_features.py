@@ -79,7 +79,7 @@ def shear_wave(build, work):
     block.write_text(block.read_text().split("// A column")[0] + BLOCK.format(N * H, N, N * H, N))
     cyclic = "".join(f"    {d}{i} {{ type cyclic; }}\n" for d in "xyz" for i in "01")
     z = (np.arange(N**3) // N**2 + 0.5) / N
-    wave = "\n".join(f"({WAVE * np.sin(2 * np.pi * height)!r} 0 0)" for height in z)
+    wave = "\n".join(f"({speed!r} 0 0)" for speed in (WAVE * np.sin(2 * np.pi * z)).tolist())
     fields = {
         "U": ("volVectorField", "[0 1 -1 0 0 0 0]", f"nonuniform List<vector> {N**3}\n(\n{wave}\n)"),
         "p": ("volScalarField", "[0 2 -2 0 0 0 0]", "uniform 0"),
