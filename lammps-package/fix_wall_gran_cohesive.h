@@ -32,6 +32,8 @@ class FixWallGranCohesive : public Fix, public EventContacts {
   void follow_alone() override;
   void follow_together() override;
   void book_standing() override;
+  void take_where_they_are() override;
+  bool rubs(int) const override { return per_wall > IN_RANGE; }
 
   double compute_vector(int) override;
   double compute_array(int, int) override;
@@ -84,6 +86,7 @@ class FixWallGranCohesive : public Fix, public EventContacts {
   std::string where;  // in front of messages
   Scheme scheme;
   Cohesion attraction;
+  typename Cohesion::Parameters given_parameters;
   typename Cohesion::Parameters parameters;  // with adhesion scaled, if wished
   typename Cohesion::Law law;
   std::vector<Wall> walls;

@@ -45,6 +45,8 @@ class FixWallHamaker : public Fix {
   void attract(const Law&);
   void sum();
 
+  cohesion::hamaker::Parameters given;
+  const cohesion::hamaker::Form* form;
   cohesion::hamaker::AnyLaw law;
   std::vector<Plane> planes;
   double mine[4];  // energy, force on the walls

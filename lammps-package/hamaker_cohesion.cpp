@@ -23,8 +23,8 @@ std::vector<ContactKeyword<Parameters> > HamakerCohesion::keywords() {
 }
 
 void HamakerCohesion::require_valid(LAMMPS* lmp, const std::string& where, const Parameters& p,
-                                    const std::set<std::string>& given) {
-  if (p.hamaker.hamaker_constant != 0.0 && given.count("cutoff") == 0)
+                                    const GivenKeywords& given) {
+  if (p.hamaker.hamaker_constant != 0.0 && !given.has("cutoff"))
     lmp->error->all(FLERR,
                     where + ": keyword 'hamaker' needs 'cutoff H_cut H_out', both distances");
   from_script(lmp, where, [&] {

@@ -8,9 +8,11 @@ PairStyle(hamaker,PairHamaker);
 #ifndef LMP_PAIR_HAMAKER_H
 #define LMP_PAIR_HAMAKER_H
 
+#include <array>
 #include <string>
 #include <vector>
 
+#include "bound_pairs.h"
 #include "hamaker/forms.h"
 #include "pair.h"
 #include "type_pair_table.h"
@@ -20,7 +22,7 @@ namespace LAMMPS_NS {
 /// pair_style hamaker H_cut H_out [form name]: Hamaker attraction between spheres, laid over any
 /// contact style with hybrid/overlay. The law is src/hamaker/law.h; doc:
 /// docs/lammps-package/pair_hamaker.md
-class PairHamaker : public Pair {
+class PairHamaker : public Pair, public BoundPairs {
  public:
   explicit PairHamaker(class LAMMPS*);
   ~PairHamaker() override;
@@ -33,6 +35,7 @@ class PairHamaker : public Pair {
   double single(int, int, int, int, double, double, double, double&) override;
 
   void* extract(const char*, int&) override;
+  void append_bound(std::vector<std::array<int, 2> >&) const override;
 
   void write_restart(FILE*) override;
   void read_restart(FILE*) override;
@@ -60,9 +63,9 @@ class PairHamaker : public Pair {
   const cohesion::hamaker::Form* form;
   double** hamaker_constant;  // by type pair; fix adapt writes it
   TypePairTable<Parameters> parameters;
-  cohesion::hamaker::AnyLaws laws;     // by type pair, built at init
-  std::vector<double> largest_radius;  // by type, at init
-  bool looks;                          // whether any pair is looked at in this run
+  cohesion::hamaker::AnyLaws laws;                      // by type pair, built at init
+  std::vector<double> largest_radius, smallest_radius;  // by type, at init
+  bool looks;                                           // whether any pair is looked at in this run
 };
 
 }  // namespace LAMMPS_NS

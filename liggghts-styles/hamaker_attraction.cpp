@@ -6,6 +6,7 @@
 #include "advice/stiffness_scaling.h"
 #include "error.h"
 #include "global_properties.h"
+#include "hamaker/range_of_validity.h"
 #include "hamaker_attraction.h"
 #include "liggghts_api.h"
 #include "modify.h"
@@ -91,6 +92,9 @@ void HamakerAttraction::connect(PropertyRegistry& registry, const NormalModelPro
         const cohesion::hamaker::Parameters given{constant[i][j], surface, outer_cutoff_};
         acts_ = acts_ || given.hamaker_constant > 0.0;
         cohesion::hamaker::require_valid(given);
+        cohesion::hamaker::require_far_below_radius(
+            cohesion::hamaker::forms.front(), given,
+            cohesion::two_spheres(registry.min_radius(), registry.min_radius()));
         return Law(scales_ ? scaled(given, material[i][j], normal, i, j) : given);
       },
       [&](int i, int j) {
