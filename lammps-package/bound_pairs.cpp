@@ -14,6 +14,6 @@ std::vector<const BoundPairs*> LAMMPS_NS::bound_pairs(LAMMPS* lmp, const std::st
   if (sources.empty())
     stop(lmp, FLERR, where,
          ": no pair_style says which pairs are bound; use gran/hamaker, gran/square_well, "
-         "square_well or hard/square_well");
+         "hamaker, square_well or hard/square_well");
   return sources;
 }

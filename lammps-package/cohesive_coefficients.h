@@ -46,6 +46,10 @@ class CohesiveCoefficients : protected Pointers {
   /// Makes the law of types i and j, mixed when they were not given. Returns the gap up to which
   /// the scheme has to see particles of these radii, [length].
   double prepare(int i, int j, double radius_i, double radius_j);
+  /// Stops LAMMPS where particles of these radii are too small for what prepare() took.
+  void require_short(int i, int j, double radius_i, double radius_j) const {
+    cohesion_.require_short(lmp, where_types(i, j), given_(i, j), radius_i, radius_j);
+  }
 
   /// With `per_pair`, how many numbers the histories of that file hold for each pair; 0: there are
   /// none.
@@ -72,6 +76,16 @@ class CohesiveCoefficients : protected Pointers {
     return std::any_of(given_.begin(), given_.end(),
                        [](const Parameters& p) { return p.contact.rolling_friction > 0.0; });
   }
+  /// Whether any contact of this type has friction.
+  bool rubs(int type, int types) const {
+    const auto has_friction = [&](int other) {
+      const auto& contact = given_(type, other).contact;
+      return contact.friction > 0.0 || contact.rolling_friction > 0.0;
+    };
+    for (int other = 1; other <= types; other++)
+      if (has_friction(other)) return true;
+    return false;
+  }
   /// Whether anything can happen between particles of any types.
   bool any_acts() const {
     if constexpr (Cohesion::HAS_CONTACT)
@@ -92,6 +106,9 @@ class CohesiveCoefficients : protected Pointers {
     else
       return Cohesion::from_script(lmp, here, 2, narg, arg);
   }
+  static std::string where_types(int i, int j) {
+    return where() + ", types " + std::to_string(i) + " and " + std::to_string(j);
+  }
   void give(int i, int j, const Parameters& p) {
     given_(i, j) = p;
     given_(j, i) = Cohesion::reversed(p);
@@ -108,12 +125,14 @@ template <class Cohesion>
 void CohesiveCoefficients<Cohesion>::read_settings(int narg, char** arg) {
   if (!Cohesion::HAS_CONTACT && narg > 0)
     error->all(FLERR, where() + " takes no keywords, not '" + arg[0] + "'");
+  GivenKeywords given(lmp, where());
   for (int i = 0; i < narg; i += 2) {
     const std::string word = arg[i];
     if (word != "scheme" && !is_setting<Cohesion>(word))
       error->all(FLERR, where() + ": unknown keyword '" + word +
                             "'; valid ones: " + setting_names<Cohesion>());
     if (i + 1 == narg) error->all(FLERR, where() + ": " + word + " takes a name");
+    given.note(1, arg + i);
     if (word == "scheme")
       scheme_ = scheme_from_script(lmp, where(), arg[i + 1]);
     else
@@ -131,7 +150,7 @@ void CohesiveCoefficients<Cohesion>::read(int narg, char** arg) {
 
 template <class Cohesion>
 double CohesiveCoefficients<Cohesion>::prepare(int i, int j, double radius_i, double radius_j) {
-  const std::string here = where() + ", types " + std::to_string(i) + " and " + std::to_string(j);
+  const std::string here = where_types(i, j);
   if (given_.to_mix(where(), i, j))
     give(i, j, LAMMPS_NS::from_script(lmp, here, [&] {
            return Cohesion::mixed(given_(i, i), given_(j, j));

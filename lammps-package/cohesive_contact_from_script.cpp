@@ -7,10 +7,10 @@ using namespace LAMMPS_NS;
 using cohesion::contact::ContactParameters;
 
 void LAMMPS_NS::require_valid(LAMMPS* lmp, const std::string& where, const ContactParameters& p,
-                              const std::set<std::string>& given) {
-  if (given.count("damping") && p.damping < 0.0)
+                              const GivenKeywords& given) {
+  if (given.has("damping") && p.damping < 0.0)
     lmp->error->all(FLERR, where + ": damping eta must not be negative");
-  if (given.count("damping") && given.count("restitution"))
+  if (given.has("damping") && given.has("restitution"))
     lmp->error->all(FLERR, where + ": give restitution or damping, not both");
   from_script(lmp, where, [&] {
     require_valid(p);

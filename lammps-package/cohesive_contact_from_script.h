@@ -3,13 +3,13 @@
 #define COHESION_COHESIVE_CONTACT_FROM_SCRIPT_H
 
 #include <algorithm>
-#include <set>
 #include <string>
 #include <vector>
 
 #include "advice/contact_advice.h"
 #include "contact/contact_parameters.h"
 #include "error.h"
+#include "given_keywords.h"
 #include "lammps.h"
 #include "law_from_script.h"
 #include "utils.h"
@@ -95,7 +95,7 @@ std::string contact_keyword_names() {
 
 /// Stops LAMMPS at a contact that cannot be right; `given` are the keywords that were there.
 void require_valid(LAMMPS*, const std::string& where, const cohesion::contact::ContactParameters&,
-                   const std::set<std::string>& given);
+                   const GivenKeywords& given);
 
 /// Reads the keywords from arg[first] on; `where` stands in front of every message. Stops LAMMPS at
 /// a keyword or value that cannot be right.
@@ -103,7 +103,7 @@ template <class Cohesion>
 typename Cohesion::Parameters cohesive_contact_from_script(LAMMPS* lmp, const std::string& where,
                                                            int first, int narg, char** arg) {
   typename Cohesion::Parameters p;
-  std::set<std::string> given;
+  GivenKeywords given(lmp, where);
   for (int i = first; i < narg;) {
     const auto& keyword = *from_script(lmp, where, [&] {
       return &cohesion::find_by_name(contact_keywords<Cohesion>(), "keyword", arg[i]);
@@ -111,6 +111,7 @@ typename Cohesion::Parameters cohesive_contact_from_script(LAMMPS* lmp, const st
     if (i + keyword.values >= narg)
       lmp->error->all(FLERR, where + ": keyword '" + keyword.name + "' takes " +
                                  std::to_string(keyword.values) + " value(s)");
+    given.note(keyword.values, arg + i);
     if (keyword.set_word) {
       from_script(lmp, where, [&] { return keyword.set_word(p, arg[i + 1]); });
     } else {
@@ -119,7 +120,6 @@ typename Cohesion::Parameters cohesive_contact_from_script(LAMMPS* lmp, const st
         values[k] = utils::numeric(FLERR, arg[i + 1 + k], false, lmp);
       keyword.set(p, values);
     }
-    given.insert(keyword.name);
     i += 1 + keyword.values;
   }
   require_valid(lmp, where, p.contact, given);

@@ -40,16 +40,32 @@ void ComputeGranEnergy::init() {
 
 /// Those of this process, so far.
 void ComputeGranEnergy::add_sums(double* entries, double factor) const {
-  const FixEventStep::Book& book = step->book;
-  entries[NORMAL_DAMPING] += factor * book.normal_damping;
-  entries[TANGENTIAL_DAMPING] += factor * book.tangential_damping;
-  entries[FRICTION] += factor * book.friction;
-  entries[ROLLING] += factor * book.rolling;
-  entries[EXTERNAL_WORK] += factor * book.external_work;
+  const FixEventStep::Book& sums = step->book;
+  entries[NORMAL_DAMPING] += factor * sums.normal_damping;
+  entries[TANGENTIAL_DAMPING] += factor * sums.tangential_damping;
+  entries[FRICTION] += factor * sums.friction;
+  entries[ROLLING] += factor * sums.rolling;
+  entries[EXTERNAL_WORK] += factor * sums.external_work;
 }
 
 void ComputeGranEnergy::compute_vector() {
   invoked_vector = update->ntimestep;
+  work_out();
+  book.close(lmp, std::string("compute ") + id + " gran/energy", vector);
+}
+
+void ComputeGranEnergy::begin_run() {
+  work_out();
+  book.begin_run(lmp, std::string("compute ") + id + " gran/energy", vector);
+}
+
+void ComputeGranEnergy::end_run() {
+  work_out();
+  book.close_run(vector);
+}
+
+/// All entries but what is missing.
+void ComputeGranEnergy::work_out() {
   particles.look(lmp, std::string("compute ") + id + " gran/energy");
   double mine[ENTRIES];
   std::copy_n(before, static_cast<int>(ENTRIES), mine);
@@ -67,14 +83,12 @@ void ComputeGranEnergy::compute_vector() {
     add_body(mine, 1.0 / body.inverse_mass, 1.0 / inverse_inertia, v, step->spin_at_end(i),
              cohesion::vector(&weight[3 * i]), cohesion::vector(place) + step->half_flight() * v);
   }
-  const FixEventStep::Book& book = step->book;
-  mine[SPRING] = book.spring;
-  mine[TANGENTIAL_SPRING] = book.tangential_spring;
-  mine[ADHESION] = book.adhesion;
-  mine[ROLLING_SPRING] = book.rolling_spring;
+  const FixEventStep::Book& contacts = step->book;
+  mine[SPRING] = contacts.spring;
+  mine[TANGENTIAL_SPRING] = contacts.tangential_spring;
+  mine[ADHESION] = contacts.adhesion;
+  mine[ROLLING_SPRING] = contacts.rolling_spring;
   MPI_Allreduce(mine, vector, ENTRIES, MPI_DOUBLE, MPI_SUM, world);
-
-  opened.close(vector);
 }
 
 /// Kinetic and stored energy.

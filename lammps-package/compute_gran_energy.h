@@ -18,7 +18,7 @@ namespace LAMMPS_NS {
 
 /// compute ID all gran/energy: the energy book of the event scheme at the end of the step's motion,
 /// half a step after the grid point. Doc: docs/lammps-package/compute_gran_energy.md
-class ComputeGranEnergy : public Compute {
+class ComputeGranEnergy : public Compute, public EnergyBookKeeper {
  public:
   ComputeGranEnergy(class LAMMPS*, int, char**);
   ~ComputeGranEnergy() override;
@@ -26,14 +26,17 @@ class ComputeGranEnergy : public Compute {
   void init() override;
   void compute_vector() override;
   double compute_scalar() override;
+  void begin_run() override;
+  void end_run() override;
 
  private:
   void add_sums(double* entries, double factor) const;
+  void work_out();
 
   class FixEventStep* step;
   std::shared_ptr<const void> reader;             // while there is one the book is kept
   double before[cohesion::energy_book::ENTRIES];  // what the book had summed when this was defined
-  cohesion::energy_book::Opened opened;
+  BookOfRuns book;
   SameParticles particles;
 };
 

@@ -12,6 +12,7 @@
 #include "domain.h"
 #include "engine_api.h"
 #include "force.h"
+#include "given_keywords.h"
 #include "memory.h"
 #include "message.h"
 #include "piece_exchange.h"
@@ -62,6 +63,7 @@ FixAgglomerates::FixAgglomerates(LAMMPS* lammps, int narg, char** arg)
 
 void FixAgglomerates::read_keywords(int narg, char** arg) {
   const std::string where = std::string("fix ") + id + " agglomerates";
+  GivenKeywords given(lmp, where);
   for (int i = 4; i < narg; i += 2) {
     const std::string word = arg[i], value = i + 1 < narg ? arg[i + 1] : "";
     if (word == "sizes" && !value.empty()) {
@@ -74,6 +76,7 @@ void FixAgglomerates::read_keywords(int narg, char** arg) {
       stop(lmp, FLERR, where, ": '", word, " ", value,
            "'; after 'N' it takes 'sizes M' and 'partners bound' or 'partners held'");
     }
+    given.note(1, arg + i);
   }
 }
 

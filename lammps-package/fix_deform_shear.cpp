@@ -11,6 +11,7 @@
 #include "box_shear.h"
 #include "comm.h"
 #include "domain.h"
+#include "given_keywords.h"
 #include "group.h"
 #include "input.h"
 #include "message.h"
@@ -93,15 +94,15 @@ FixDeformShear::FixDeformShear(LAMMPS* lammps, int narg, char** arg)
 
 void FixDeformShear::read_keywords(int narg, char** arg) {
   const std::string where = std::string("fix ") + id + " deform/shear";
-  bool given = false;
+  GivenKeywords given(lmp, where);
   for (int i = 3; i < narg; i += 2) {
     const std::string word = arg[i];
     if (word != "rate" && word != "profile" && word != "rebuild")
       stop(lmp, FLERR, where, ": unknown keyword '", word, "'; valid ones: rate, profile, rebuild");
     if (i + 1 == narg) stop(lmp, FLERR, where, ": ", word, " takes a value");
+    given.note(1, arg + i);
     const std::string value = arg[i + 1];
     if (word == "rate") {
-      given = true;
       if (value.substr(0, 2) == "v_")
         rate_name = value.substr(2);
       else
@@ -118,7 +119,7 @@ void FixDeformShear::read_keywords(int narg, char** arg) {
       own_rebuild = value == "nonaffine";
     }
   }
-  if (!given)
+  if (!given.has("rate"))
     stop(lmp, FLERR, where,
          ": give 'rate R', strain per time, or 'rate v_name' of an equal-style variable");
 }

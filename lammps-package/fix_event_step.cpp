@@ -10,6 +10,7 @@
 #include "box_shear.h"
 #include "comm.h"
 #include "domain.h"
+#include "energy_companions.h"
 #include "engine_api.h"
 #include "error.h"
 #include "force.h"
@@ -40,6 +41,9 @@ FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
       resuming(false),
       starting(false),
       running(false),
+      books_begun(false),
+      other_box(false),
+      said_unturned(false),
       last_dt(0.0),
       holds_last(false),
       last(nullptr),
@@ -122,6 +126,34 @@ void FixEventStep::init() {
       follows = follows || pairs->follows();
     if (auto* one = dynamic_cast<AdvisedStyle*>(member.pair)) advised.push_back(one);
   }
+  warn_of_unturned();
+}
+
+/// Spheres with friction that a fix moves and does not turn slide as if nothing could spin.
+void FixEventStep::warn_of_unturned() {
+  if (said_unturned) return;
+  std::vector<bool> rubs(atom->ntypes + 1, false);
+  for (int type = 1; type <= atom->ntypes; type++) {
+    for (const EventContacts* wall : walls) rubs[type] = rubs[type] || wall->rubs(type);
+    for (const PairMember& member : pair_members(force))
+      if (const auto* pairs = dynamic_cast<const EventPairs*>(member.pair))
+        rubs[type] = rubs[type] || pairs->rubs(type);
+  }
+  bigint mine = 0, all = 0;
+  for (int i = 0; i < atom->nlocal; i++)
+    mine += rubs[atom->type[i]] && mobile.is_not_turned(atom->mask[i]);
+  MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+  if (all == 0) return;
+  said_unturned = true;
+  const Fix* const* const first = std::find_if(
+      modify->fix, modify->fix + modify->nfix,
+      [](const Fix* fix) { return fix->time_integrate && MobileParticles::only_translates(fix); });
+  if (comm->me == 0)
+    error->warning(
+        FLERR,
+        "friction acts on {} particles that fix {} {} moves and does not turn: their "
+        "spins stay as they are, and they slide where spheres roll; use 'fix nve/sphere'",
+        all, (*first)->id, (*first)->style);
 }
 
 /// Then a step does nothing for any particle.
@@ -181,6 +213,7 @@ Vector3 FixEventStep::spin_at_end(int i) const {
 void FixEventStep::setup_pre_force(int) {
   resuming = last_dt > 0.0;
   starting = !resuming;
+  other_box = resuming && box.changed(domain);
   clear();
   resting = rests();
   if (resting) weighed.clear();
@@ -192,6 +225,8 @@ void FixEventStep::setup_pre_force(int) {
 
 void FixEventStep::setup(int) {
   if (resuming) {
+    if (other_box)
+      for (EventContacts* wall : walls) wall->take_where_they_are();
     if (book.kept)
       for (EventContacts* wall : walls) wall->book_standing();
     return;
@@ -214,6 +249,12 @@ void FixEventStep::take_over() {
 
 void FixEventStep::initial_integrate(int) {
   running = true;  // a run without set-up begins here
+  if (book.kept && !books_begun) {
+    // They begin with what there is before this step.
+    update->ntimestep--;
+    begin_books();
+    update->ntimestep++;
+  }
   if (!resuming) return;
   // The same momentum, should the step be another now.
   const double ratio = last_dt / update->dt;
@@ -224,6 +265,12 @@ void FixEventStep::initial_integrate(int) {
     }
   resuming = false;
   hold_last(false);
+}
+
+/// The books begin when all fixes have been set up; a run of no step ends then.
+void FixEventStep::begin_books() {
+  for_each_energy_book(modify, [](EnergyBookKeeper& keeper) { keeper.begin_run(); });
+  books_begun = true;
 }
 
 void FixEventStep::pre_force(int) {
@@ -279,7 +326,13 @@ void FixEventStep::move() {
 
 void FixEventStep::post_run() {
   report_unresolved();
+  if (book.kept) {
+    if (!books_begun) begin_books();
+    for_each_energy_book(modify, [](EnergyBookKeeper& keeper) { keeper.end_run(); });
+  }
+  books_begun = false;
   running = false;
+  box.look(domain);
   if (resuming) return;  // no step was made: what was taken over is what the next run goes on from
   hold_last(true);
   for (int i = 0; i < atom->nlocal; i++) {

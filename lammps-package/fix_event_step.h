@@ -13,6 +13,7 @@ FixStyle(EVENT_STEP,FixEventStep);
 #include <vector>
 
 #include "atom.h"
+#include "box_sides.h"
 #include "contact_advice.h"
 #include "event_stepping/cohesive_contact.h"
 #include "event_stepping/flux_parts.h"
@@ -29,6 +30,11 @@ class EventContacts {
   virtual void follow_together() = 0;
   /// Books what the contacts store, where a run takes over the forces of the last one.
   virtual void book_standing() = 0;
+  /// Takes particles as in or out of range as they are, where something else than their motion has
+  /// brought them there.
+  virtual void take_where_they_are() = 0;
+  /// Whether friction turns particles of this type.
+  virtual bool rubs(int type) const = 0;
 
  protected:
   ~EventContacts() = default;
@@ -39,6 +45,7 @@ class EventPairs {
  public:
   /// Whether any pair may be followed in this run.
   virtual bool follows() const = 0;
+  virtual bool rubs(int type) const = 0;
 
  protected:
   ~EventPairs() = default;
@@ -98,6 +105,8 @@ class FixEventStep : public Fix {
 
   /// The forces of the last step are taken over: nothing may be followed.
   bool resumes() const { return resuming; }
+  /// A run that does so finds another box than the last one left, and particles elsewhere.
+  bool box_changed() const { return other_box; }
   /// The force that gives a particle the impulse 1 in this step, [1/time].
   double force_per_impulse() const;
   /// The stretch of time that this step's forces stand for.
@@ -176,6 +185,8 @@ class FixEventStep : public Fix {
   void report_unresolved();
   void take_over();
   void move();
+  void begin_books();
+  void warn_of_unturned();
 
   std::vector<EventContacts*> walls;   // those of this run
   std::vector<AdvisedStyle*> advised;  // the same
@@ -187,6 +198,10 @@ class FixEventStep : public Fix {
   bool resuming;
   bool starting;
   bool running;
+  bool books_begun;  // in this run
+  bool other_box;
+  bool said_unturned;
+  BoxSides box;     // at the end of the last run
   double last_dt;   // of the step that `last` is from; 0: there was none
   bool holds_last;  // from the end of a run to the first step of the next
   double** last;    // per atom, while it is held: force and torque at the end of the last run

@@ -11,6 +11,7 @@
 #include "domain.h"
 #include "engine_api.h"
 #include "error.h"
+#include "flight_report.h"
 #include "force.h"
 #include "memory.h"
 #include "modify.h"
@@ -315,9 +316,9 @@ void FixHardEvents::check_reach() {
              "pair_style hard/square_well: in step {} particles are up to {} away from where they "
              "were when the neighbour list was made, and could miss a partner; the list allows for "
              "{}. Use a smaller time step or 'neighbor' with a skin above {}, with 'neigh_modify "
-             "delay 0 every 1 check yes'",
+             "delay 0 every 1 check yes'. The fastest: {}",
              update->ntimestep, flown, margin,
-             neighbor->skin * (1.0 + 2.0 * (flown - margin) / extra));
+             neighbor->skin * (1.0 + 2.0 * (flown - margin) / extra), report_fastest(lmp));
 }
 
 /* ---------------------------------------------------------------------- */

@@ -10,6 +10,7 @@
 #include "arg_info.h"
 #include "comm.h"
 #include "error.h"
+#include "given_keywords.h"
 #include "group.h"
 #include "input.h"
 #include "law_from_script.h"
@@ -105,12 +106,15 @@ void FixStationary::read_keywords(int narg, char** arg) {
        }},
       {"watch", true, [&](int i) { return read_watched(i, narg, arg); }},
   };
+  GivenKeywords given(lmp, where);
   for (int i = 4; i < narg;) {
     const Keyword& keyword = *from_script(
         lmp, where, [&] { return &cohesion::find_by_name(keywords, "keyword", arg[i]); });
     i++;
     if (keyword.takes_a_value && i == narg)
       error->all(FLERR, where + ": " + keyword.name + " takes a value");
+    const bool may_come_again = strcmp(keyword.name, "watch") == 0;
+    if (!may_come_again) given.note(keyword.takes_a_value, arg + i - 1);
     i = keyword.read(i);
   }
 }

@@ -10,7 +10,9 @@
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
+#include "flight_report.h"
 #include "hamaker_cohesion.h"
+#include "largest_radii.h"
 #include "neighbor.h"
 #include "square_well_cohesion.h"
 #include "update.h"
@@ -75,6 +77,7 @@ void FixWallGranCohesive<Cohesion>::post_constructor() {
 template <class Cohesion>
 void FixWallGranCohesive<Cohesion>::read(int narg, char** arg) {
   std::vector<char*> contact_words;
+  GivenKeywords given(lmp, where);
   WallsFromScript from_words(lmp, where);
   for (int iarg = 3; iarg < narg;) {
     const std::string word = arg[iarg];
@@ -86,6 +89,7 @@ void FixWallGranCohesive<Cohesion>::read(int narg, char** arg) {
       iarg = stop;
     } else if (word == "scheme" || is_setting<Cohesion>(word)) {
       if (left < 1) error->all(FLERR, where + ": " + word + " takes a name");
+      given.note(1, arg + iarg);
       if (word == "scheme")
         scheme = scheme_from_script(lmp, where, arg[iarg + 1]);
       else
@@ -108,6 +112,7 @@ void FixWallGranCohesive<Cohesion>::read(int narg, char** arg) {
     error->all(FLERR, where +
                           ": rolling_friction does not know how fast a cylinder turns, and would "
                           "resist what rolls along with it: take it away, or shear along z only");
+  given_parameters = parameters;
   parameters = attraction.scaled(lmp, where, parameters);
   law = attraction.law(lmp, where, parameters);
   if (scheme == Scheme::sampled) contacts.template emplace<static_cast<int>(Scheme::sampled)>();
@@ -124,6 +129,10 @@ void FixWallGranCohesive<Cohesion>::init() {
     error->all(FLERR, where + " acts on spheres; use 'atom_style sphere'");
   if (update->whichflag == 2)
     error->all(FLERR, where + " follows motion in time; it cannot be minimized");
+  const std::vector<double> smallest = smallest_radii(lmp, largest_radii(lmp));
+  for (int type = 1; type <= atom->ntypes; type++)
+    attraction.require_short(lmp, where, given_parameters, smallest[type],
+                             std::numeric_limits<double>::infinity());
   sizes = {};  // not known: particles may have come since the last run
 }
 
@@ -176,7 +185,8 @@ void FixWallGranCohesive<Cohesion>::check_flight(int i, const WallPoint& point, 
   if (flight > atom->radius[i])
     error->one(FLERR, where + ": particle " + std::to_string(atom->tag[i]) + " moves " +
                           std::to_string(flight / atom->radius[i]) +
-                          " radii in one step and could miss the wall; use a smaller time step");
+                          " radii in one step and could miss the wall; use a smaller time step. " +
+                          "There " + report_flight(lmp, i));
 }
 
 template <class Cohesion>
@@ -321,6 +331,23 @@ void FixWallGranCohesive<Cohesion>::follow_together(const std::vector<Contact>& 
     Vector3 by_contact =
         impulse_by_contact(c, grid.separation, now.normal, now.sliding, now.impulse);
     add(on_wall + 3, scatter.kick(), now.impulse - by_contact);
+  }
+}
+
+template <class Cohesion>
+void FixWallGranCohesive<Cohesion>::take_where_they_are() {
+  const WallState now = state();
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    const double reach =
+        atom->radius[i] + Cohesion::range(scheme, parameters, atom->radius[i], 0.0);
+    for (int w = 0; w < static_cast<int>(walls.size()); w++) {
+      double* const kept = history.of(i, w);
+      const WallPoint point = walls[w].nearest(vector(atom->x[i]), now, motion.rim_speed);
+      const bool inside = point.distance > 0.0 && point.distance < reach;
+      if (!inside || kept[0] <= 0.0) std::fill_n(kept, per_wall, 0.0);
+      kept[0] = inside;
+    }
   }
 }
 

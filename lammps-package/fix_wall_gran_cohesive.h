@@ -35,6 +35,8 @@ class FixWallGranCohesive : public Fix, public EventContacts, public AdvisedStyl
   void follow_together() override;
   void book_standing() override;
   void give_advice(const Circumstances&) override;
+  void take_where_they_are() override;
+  bool rubs(int) const override { return per_wall > IN_RANGE; }
 
   double compute_vector(int) override;
   double compute_array(int, int) override;
@@ -92,6 +94,7 @@ class FixWallGranCohesive : public Fix, public EventContacts, public AdvisedStyl
   cohesion::advice::Said said;
   Scheme scheme;
   Cohesion attraction;
+  typename Cohesion::Parameters given_parameters;
   typename Cohesion::Parameters parameters;  // with adhesion scaled, if wished
   typename Cohesion::Law law;
   std::vector<Wall> walls;

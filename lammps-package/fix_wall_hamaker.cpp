@@ -12,6 +12,8 @@
 #include "contact/adhesion.h"
 #include "domain.h"
 #include "error.h"
+#include "given_keywords.h"
+#include "largest_radii.h"
 #include "law_from_script.h"
 #include "sphere.h"
 #include "update.h"
@@ -28,7 +30,9 @@ static const char* const usage =
 
 FixWallHamaker::FixWallHamaker(LAMMPS* lammps, int narg, char** arg)
     : Fix(lammps, narg, arg),
-      law(hamaker::forms.front().law(hamaker::none, false)),
+      given(hamaker::none),
+      form(hamaker::forms.data()),
+      law(form->law(given, false)),
       watch(lammps),
       summed(false) {
   read(narg, arg);
@@ -47,15 +51,17 @@ void FixWallHamaker::read(int narg, char** arg) {
   hamaker::Parameters p{utils::numeric(FLERR, arg[3], false, lmp),
                         utils::numeric(FLERR, arg[4], false, lmp),
                         utils::numeric(FLERR, arg[5], false, lmp), 0.0};
-  const hamaker::Form* form = hamaker::forms.data();
+  GivenKeywords keywords(lmp, where);
   for (int iarg = 6; iarg < narg;) {
     const std::string word = arg[iarg++];
     const int values = narg - iarg;
     if (word == "form") {
       if (values < 1) error->all(FLERR, "fix wall/hamaker: form takes a name");
+      keywords.note(1, arg + iarg - 1);
       form = hamaker_form_from_script(lmp, where, arg[iarg++]);
     } else if (word == "asperity") {
       if (values < 1) error->all(FLERR, "fix wall/hamaker: asperity takes a radius");
+      keywords.note(1, arg + iarg - 1);
       p.asperity_radius = utils::numeric(FLERR, arg[iarg++], false, lmp);
     } else if (word == "xplane" || word == "yplane" || word == "zplane") {
       if (values < 2)
@@ -68,6 +74,7 @@ void FixWallHamaker::read(int narg, char** arg) {
     }
   }
   if (planes.empty()) error->all(FLERR, usage);
+  given = p;
   law = from_script(lmp, where, [&] { return form->law(p, p.asperity_radius != 0.0); });
 }
 
@@ -101,6 +108,10 @@ void FixWallHamaker::init() {
     error->all(FLERR,
                "fix wall/hamaker acts on spheres and needs an atom style with radii, for "
                "instance 'atom_style sphere'");
+  const std::vector<double> smallest = smallest_radii(lmp, largest_radii(lmp));
+  for (int type = 1; type <= atom->ntypes; type++)
+    require_far_below_radius(lmp, std::string("fix ") + id + " wall/hamaker", *form, given,
+                             smallest[type], std::numeric_limits<double>::infinity());
 }
 
 void FixWallHamaker::setup(int vflag) { post_force(vflag); }

@@ -47,6 +47,8 @@ class FixWallHamaker : public Fix {
   void give_advice();
   void sum();
 
+  cohesion::hamaker::Parameters given;
+  const cohesion::hamaker::Form* form;
   cohesion::hamaker::AnyLaw law;
   std::vector<Plane> planes;
   ContactWatch watch;

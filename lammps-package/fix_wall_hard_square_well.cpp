@@ -43,14 +43,14 @@ FixWallHardSquareWell::~FixWallHardSquareWell() {
 
 void FixWallHardSquareWell::read(int narg, char** arg) {
   WallsFromScript from_words(lmp, where_);
-  bool has_restitution = false;
+  GivenKeywords given(lmp, where_);
   for (int at = 3; at < narg;) {
     const std::string word = arg[at];
     if (word == "well" && at + 1 < narg && strcmp(arg[at + 1], "off") == 0) {
+      given.note(1, arg + at);
       given_.well_given = true;
       at += 2;
-    } else if (const int taken =
-                   read_hard_keyword(lmp, where_, at, narg, arg, given_, has_restitution)) {
+    } else if (const int taken = read_hard_keyword(lmp, where_, at, narg, arg, given_, given)) {
       at += taken;
     } else if (const int wall = from_words.read(narg - at, arg + at)) {
       at += wall;
@@ -61,7 +61,7 @@ void FixWallHardSquareWell::read(int narg, char** arg) {
     }
   }
   from_words.finish();
-  require_valid(lmp, where_, given_, has_restitution);
+  require_valid(lmp, where_, given_, given);
   walls_ = from_words.walls;
   motion_ = from_words.motion;
 }

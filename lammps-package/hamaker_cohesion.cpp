@@ -27,11 +27,11 @@ std::vector<ContactKeyword<Parameters> > HamakerCohesion::keywords() {
 }
 
 void HamakerCohesion::require_valid(LAMMPS* lmp, const std::string& where, const Parameters& p,
-                                    const std::set<std::string>& given) {
-  if (p.hamaker.hamaker_constant != 0.0 && given.count("cutoff") == 0)
+                                    const GivenKeywords& given) {
+  if (p.hamaker.hamaker_constant != 0.0 && !given.has("cutoff"))
     lmp->error->all(FLERR,
                     where + ": keyword 'hamaker' needs 'cutoff H_cut H_out', both distances");
-  if (given.count("material_keep") && given.count("material_stiffness") == 0)
+  if (given.has("material_keep") && !given.has("material_stiffness"))
     lmp->error->all(FLERR, where +
                                ": keyword 'material_keep' needs 'material_stiffness K_m', the "
                                "stiffness of the material");

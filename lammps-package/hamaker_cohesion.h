@@ -3,7 +3,6 @@
 #define COHESION_HAMAKER_COHESION_H
 
 #include <array>
-#include <set>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -47,13 +46,19 @@ class HamakerCohesion {
 
   static std::vector<ContactKeyword<Parameters> > keywords();
   static void require_valid(LAMMPS*, const std::string& where, const Parameters&,
-                            const std::set<std::string>& given);
+                            const GivenKeywords& given);
   /// Unlike materials, as contact::mixed, hamaker::mixed and advice::mixed, and throws as the last.
   static Parameters mixed(const Parameters&, const Parameters&);
   /// The same contact seen from the other side.
   static const Parameters& reversed(const Parameters& p) { return p; }
   /// Gap up to which the scheme has to see a pair, [length].
   static double range(Scheme, const Parameters&, double radius_i, double radius_j);
+
+  /// Stops LAMMPS at a range that is not far below the radii [length]; radius_j infinite: a wall.
+  void require_short(LAMMPS* lmp, const std::string& where, const Parameters& p, double radius_i,
+                     double radius_j) const {
+    require_far_below_radius(lmp, where, *form_, p.hamaker, radius_i, radius_j);
+  }
 
   void set(LAMMPS*, const std::string& where, const std::string& word, const char* value);
   /// The settings as a number, for restart files.

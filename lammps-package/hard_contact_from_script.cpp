@@ -7,17 +7,17 @@
 using namespace LAMMPS_NS;
 
 int LAMMPS_NS::read_hard_keyword(LAMMPS* lmp, const std::string& where, int at, int narg,
-                                 char** arg, HardContact& c, bool& has_restitution) {
+                                 char** arg, HardContact& c, GivenKeywords& given) {
   const std::string word = arg[at];
   const bool well = word == "well";
   if (!well && word != "restitution" && word != "friction") return 0;
   if (at + 1 + well >= narg)
     lmp->error->all(FLERR, where + ": " + word +
                                (well ? " takes a depth and a ratio r_out/r" : " takes a number"));
+  given.note(1 + well, arg + at);
   const auto number = [&](int n) { return utils::numeric(FLERR, arg[at + n], false, lmp); };
   if (word == "restitution") {
     c.restitution = number(1);
-    has_restitution = true;
   } else if (word == "friction") {
     c.friction = number(1);
   } else {
@@ -28,8 +28,8 @@ int LAMMPS_NS::read_hard_keyword(LAMMPS* lmp, const std::string& where, int at, 
 }
 
 void LAMMPS_NS::require_valid(LAMMPS* lmp, const std::string& where, const HardContact& c,
-                              bool has_restitution) {
-  if (!has_restitution) lmp->error->all(FLERR, where + ": give 'restitution e'");
+                              const GivenKeywords& given) {
+  if (!given.has("restitution")) lmp->error->all(FLERR, where + ": give 'restitution e'");
   from_script(lmp, where, [&] {
     cohesion::hard_sphere::require_valid(c);
     return 0;

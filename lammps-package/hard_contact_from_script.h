@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "given_keywords.h"
 #include "hard_sphere/contact_parameters.h"
 #include "lammps.h"
 
@@ -17,10 +18,10 @@ struct HardContact : cohesion::hard_sphere::ContactParameters {
 /// Reads one keyword of `restitution e [friction mu] [well D ratio]` at arg[at]; gives the number
 /// of words it took, 0 when it is none of these.
 int read_hard_keyword(LAMMPS*, const std::string& where, int at, int narg, char** arg, HardContact&,
-                      bool& has_restitution);
+                      GivenKeywords&);
 
 /// Stops LAMMPS when the contact cannot be right.
-void require_valid(LAMMPS*, const std::string& where, const HardContact&, bool has_restitution);
+void require_valid(LAMMPS*, const std::string& where, const HardContact&, const GivenKeywords&);
 
 }  // namespace LAMMPS_NS
 

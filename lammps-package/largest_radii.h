@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,22 @@ inline std::vector<double> largest_radii(LAMMPS* lmp) {
   std::vector<double> all(mine.size());
   MPI_Allreduce(mine.data(), all.data(), static_cast<int>(mine.size()), MPI_DOUBLE, MPI_MAX,
                 lmp->world);
+  return all;
+}
+
+/// The smallest radius of each type [length], index 0 unused, over all ranks; of a type without
+/// particles the `largest` that are to come, 0 where none are.
+inline std::vector<double> smallest_radii(LAMMPS* lmp, const std::vector<double>& largest) {
+  const Atom* atom = lmp->atom;
+  constexpr double none = std::numeric_limits<double>::infinity();
+  std::vector<double> mine(atom->ntypes + 1, none);
+  for (int i = 0; i < atom->nlocal; i++)
+    mine[atom->type[i]] = std::min(mine[atom->type[i]], atom->radius[i]);
+  std::vector<double> all(mine.size());
+  MPI_Allreduce(mine.data(), all.data(), static_cast<int>(mine.size()), MPI_DOUBLE, MPI_MIN,
+                lmp->world);
+  for (std::size_t type = 0; type < all.size(); type++)
+    if (all[type] == none) all[type] = largest[type];
   return all;
 }
 

@@ -2,7 +2,9 @@
 #ifndef COHESION_MOBILE_PARTICLES_H
 #define COHESION_MOBILE_PARTICLES_H
 
+#include <algorithm>
 #include <cstring>
+#include <iterator>
 
 #include "fix.h"
 #include "fix_nve_sphere.h"
@@ -20,12 +22,21 @@ class MobileParticles {
     return fix->time_integrate && !utils::strmatch(fix->style, "^move");
   }
 
+  /// Whether that leaves spins as they are. Of a style that is not known here none is said to.
+  static bool only_translates(const Fix* fix) {
+    static constexpr const char* styles[] = {"nve", "nve/limit", "nve/noforce", "nvt",
+                                             "npt", "nph",       "nvt/sllod"};
+    return std::any_of(std::begin(styles), std::end(styles),
+                       [fix](const char* style) { return strcmp(fix->style, style) == 0; });
+  }
+
   void look_up(const Modify* modify) {
-    mobile_ = frozen_ = discs_ = 0;
+    mobile_ = frozen_ = discs_ = turned_ = 0;
     for (int i = 0; i < modify->nfix; i++) {
       Fix* const fix = modify->fix[i];
       if (strcmp(fix->style, "freeze") == 0) frozen_ |= fix->groupbit;
       if (integrates(fix)) mobile_ |= fix->groupbit;
+      if (fix->time_integrate && !only_translates(fix)) turned_ |= fix->groupbit;
       if (const auto* turning = dynamic_cast<FixNVESphere*>(fix))
         if (Turning::factor(*turning) == disc) discs_ |= fix->groupbit;
     }
@@ -33,6 +44,11 @@ class MobileParticles {
 
   double inverse_mass(int mask, double mass) const {
     return (mask & mobile_) && !(mask & frozen_) ? 1.0 / mass : 0.0;
+  }
+
+  /// Whether a particle moves and nothing turns it.
+  bool is_not_turned(int mask) const {
+    return (mask & mobile_) && !(mask & frozen_) && !(mask & turned_);
   }
 
   /// Moment of inertia over mass and square of the radius: as fix nve/sphere turns the particle.
@@ -49,6 +65,7 @@ class MobileParticles {
   int mobile_ = 0;
   int frozen_ = 0;
   int discs_ = 0;
+  int turned_ = 0;
 };
 
 }  // namespace LAMMPS_NS

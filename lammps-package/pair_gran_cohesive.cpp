@@ -9,6 +9,7 @@
 #include "engine_api.h"
 #include "error.h"
 #include "fix_event_step.h"
+#include "flight_report.h"
 #include "force.h"
 #include "guarded.h"
 #include "hamaker_cohesion.h"
@@ -16,6 +17,7 @@
 #include "memory.h"
 #include "modify.h"
 #include "neigh_list.h"
+#include "plausible_sizes.h"
 #include "square_well_cohesion.h"
 #include "update.h"
 
@@ -77,8 +79,9 @@ void PairGranCohesive<Cohesion>::compute(int eflag, int vflag) {
 
 template <class Cohesion>
 void PairGranCohesive<Cohesion>::follow_pairs() {
-  if (rested) begin_where_they_are();
+  if (rested) begin_where_they_are(true);
   if (step->resumes()) {
+    if (step->box_changed()) begin_where_they_are(false);
     if (evflag || step->book.kept) tally_standing();
     return;
   }
@@ -122,9 +125,9 @@ void PairGranCohesive<Cohesion>::find_active(Contacts<Contact>& contacts) {
     error->one(FLERR,
                "{}: particles fly up to {} in half a step and could miss a "
                "contact, the neighbour list allows for {}: use a smaller time step or a skin above "
-               "{}",
+               "{}. The fastest: {}",
                coefficients.where(), step->flight(), (close.allowed() - largest_range) / flights,
-               10.0 * flights * step->flight());
+               10.0 * flights * step->flight(), report_fastest(lmp));
   close.update(*list, reach, history->firstflag);
 
   int* const* const flags = history->firstflag;
@@ -246,7 +249,9 @@ void PairGranCohesive<Cohesion>::init_style() {
   if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag || !atom->torque_flag)
     error->all(FLERR, coefficients.where() + " acts between spheres; use 'atom_style sphere'");
   step = FixEventStep::of(lmp);
+  require_plausible_radii(lmp, coefficients.where());
   largest_radius = largest_radii(lmp);
+  smallest_radius = smallest_radii(lmp, largest_radius);
   coefficients.start();
   acts = coefficients.any_acts();
   if (coefficients.scheme() == Scheme::event)
@@ -295,6 +300,8 @@ double PairGranCohesive<Cohesion>::for_flight() const {
 template <class Cohesion>
 double PairGranCohesive<Cohesion>::init_one(int i, int j) {
   const double range = coefficients.prepare(i, j, largest_radius[i], largest_radius[j]);
+  coefficients.require_short(i, j, smallest_radius[i], smallest_radius[j]);
+  require_plausible_range(lmp, coefficients.where(), largest_radius[i] + largest_radius[j] + range);
   const auto& contact = coefficients.contact(coefficients.of_types(i, j));
   friction = friction || contact.friction > 0.0;
   if (!looks) return largest_radius[i] + largest_radius[j];

@@ -47,6 +47,7 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventPairs, publ
   void append_bound(std::vector<std::array<int, 2>>&) const override;
   bool follows() const override { return looks; }
   void give_advice(const Circumstances&) override;
+  bool rubs(int type) const override { return coefficients.rubs(type, atom->ntypes); }
 
  private:
   template <class Pair>
@@ -93,7 +94,7 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventPairs, publ
   bool moves(int i, int j) const;
   template <class What>
   void for_each_listed(const What&) const;
-  void begin_where_they_are();
+  void begin_where_they_are(bool afresh);
   template <class Contact>
   void find_active(Contacts<Contact>&);
   template <bool FRICTION, bool ROLLING, class Contact>
@@ -107,7 +108,7 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventPairs, publ
   CohesiveCoefficients<Cohesion> coefficients;
   cohesion::advice::Said said;
   AnyContacts any_contacts;
-  std::vector<double> largest_radius;  // by type, at init
+  std::vector<double> largest_radius, smallest_radius;  // by type, at init
   std::vector<Active> active;
   /// What each active pair would do without the others; of one that is their only one: nothing.
   std::vector<cohesion::event_stepping::PairMotion> changes;

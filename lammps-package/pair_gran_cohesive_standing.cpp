@@ -25,19 +25,20 @@ void PairGranCohesive<Cohesion>::for_each_listed(const What& what) const {
   }
 }
 
-/// After steps in which no pair was followed.
+/// After steps in which no pair was followed (`afresh`), or something else than their motion
+/// brought particles where they are; those that are still in range remember what they did.
 template <class Cohesion>
-void PairGranCohesive<Cohesion>::begin_where_they_are() {
+void PairGranCohesive<Cohesion>::begin_where_they_are(bool afresh) {
   rested = false;
   std::visit(
-      [this](auto& contacts) {
+      [this, afresh](auto& contacts) {
         contacts.clear();
         for_each_listed([&](int i, int j, int& kept, double* values) {
           // Contacts are made for those only that some contact could reach.
-          kept = moves(i, j) && closer(largest_range, i, j) &&
-                 closer(contacts.all[contact(contacts, i, j)].range(), i, j);
-          std::fill_n(values, per_pair, 0.0);
-          values[0] = kept;
+          const bool near = moves(i, j) && closer(largest_range, i, j) &&
+                            closer(contacts.all[contact(contacts, i, j)].range(), i, j);
+          if (afresh || !near || !kept) std::fill_n(values, per_pair, 0.0);
+          values[0] = kept = near;
         });
       },
       any_contacts);
@@ -83,15 +84,15 @@ void PairGranCohesive<Cohesion>::append_bound(std::vector<std::array<int, 2>>& p
   });
 }
 
-template void PairGranCohesive<HamakerCohesion>::begin_where_they_are();
+template void PairGranCohesive<HamakerCohesion>::begin_where_they_are(bool);
 template void PairGranCohesive<HamakerCohesion>::tally_standing();
 template void PairGranCohesive<HamakerCohesion>::append_bound(
     std::vector<std::array<int, 2>>&) const;
-template void PairGranCohesive<SquareWellCohesion>::begin_where_they_are();
+template void PairGranCohesive<SquareWellCohesion>::begin_where_they_are(bool);
 template void PairGranCohesive<SquareWellCohesion>::tally_standing();
 template void PairGranCohesive<SquareWellCohesion>::append_bound(
     std::vector<std::array<int, 2>>&) const;
-template void PairGranCohesive<SquareWellOverlay>::begin_where_they_are();
+template void PairGranCohesive<SquareWellOverlay>::begin_where_they_are(bool);
 template void PairGranCohesive<SquareWellOverlay>::tally_standing();
 template void PairGranCohesive<SquareWellOverlay>::append_bound(
     std::vector<std::array<int, 2>>&) const;

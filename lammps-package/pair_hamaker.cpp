@@ -15,14 +15,18 @@
 #include "largest_radii.h"
 #include "law_from_script.h"
 #include "memory.h"
+#include "mobile_particles.h"
 #include "modify.h"
 #include "neigh_list.h"
 #include "restart_format.h"
 #include "sphere.h"
 #include "update.h"
+#include "vector3.h"
 
 using namespace LAMMPS_NS;
 namespace hamaker = cohesion::hamaker;
+using cohesion::vector;
+using cohesion::Vector3;
 
 static constexpr int LAYOUT = 2;  // of settings and Parameters in restart files
 
@@ -239,7 +243,9 @@ void PairHamaker::init_style() {
                "pair_style hamaker acts between spheres and needs an atom style with radii, "
                "for instance 'atom_style sphere'");
   parameters.take();
+  require_plausible_radii(lmp, "pair_style hamaker");
   largest_radius = largest_radii(lmp);
+  smallest_radius = smallest_radii(lmp, largest_radius);
   const bool rough = std::any_of(parameters.begin(), parameters.end(),
                                  [](const Parameters& p) { return p.asperity_radius > 0.0; });
   std::visit([this](const auto& law) { laws = std::vector(parameters.size(), law); },
@@ -267,8 +273,11 @@ double PairHamaker::init_one(int i, int j) {
   // fix adapt may have changed it.
   parameters(i, j).hamaker_constant = hamaker_constant[i][j];
   const Parameters& p = parameters(i, j);
-  check_parameters("pair_style hamaker, types " + std::to_string(i) + " and " + std::to_string(j),
-                   p);
+  const std::string here =
+      "pair_style hamaker, types " + std::to_string(i) + " and " + std::to_string(j);
+  check_parameters(here, p);
+  require_far_below_radius(lmp, here, *form, p, smallest_radius[i], smallest_radius[j]);
+  require_plausible_range(lmp, here, largest_radius[i] + largest_radius[j] + p.outer_cutoff);
   std::visit(
       [&](auto& law_of) {
         using Law = typename std::decay_t<decltype(law_of)>::value_type;
@@ -283,6 +292,25 @@ double PairHamaker::init_one(int i, int j) {
 void PairHamaker::give(int i, int j, const Parameters& p) {
   parameters(i, j) = parameters(j, i) = p;
   hamaker_constant[i][j] = hamaker_constant[j][i] = p.hamaker_constant;
+}
+
+/// Bound are the pairs that attract each other where they are, of which something moves one.
+void PairHamaker::append_bound(std::vector<std::array<int, 2> >& pairs) const {
+  if (!looks) return;
+  MobileParticles mobile;
+  mobile.look_up(modify);
+  const auto led = [&](int i) { return mobile.inverse_mass(atom->mask[i], 1.0) == 0.0; };
+  for (int ii = 0; ii < list->inum; ii++) {
+    const int i = list->ilist[ii];
+    for (int jj = 0; jj < list->numneigh[i]; jj++) {
+      const int j = list->firstneigh[i][jj] & NEIGHMASK;
+      const Parameters& p = parameters(atom->type[i], atom->type[j]);
+      if (p.hamaker_constant == 0.0 || (led(i) && led(j))) continue;
+      const Vector3 d = vector(atom->x[j]) - vector(atom->x[i]);
+      const double reach = atom->radius[i] + atom->radius[j] + p.outer_cutoff;
+      if (dot(d, d) < reach * reach) pairs.push_back({i, j});
+    }
+  }
 }
 
 /// "A": double** by type pair, for fix adapt.

@@ -8,9 +8,11 @@ PairStyle(hamaker,PairHamaker);
 #ifndef LMP_PAIR_HAMAKER_H
 #define LMP_PAIR_HAMAKER_H
 
+#include <array>
 #include <string>
 #include <vector>
 
+#include "bound_pairs.h"
 #include "contact_advice.h"
 #include "hamaker/forms.h"
 #include "pair.h"
@@ -21,7 +23,7 @@ namespace LAMMPS_NS {
 /// pair_style hamaker H_cut H_out [form name]: Hamaker attraction between spheres, laid over any
 /// contact style with hybrid/overlay. The law is src/hamaker/law.h; doc:
 /// docs/lammps-package/pair_hamaker.md
-class PairHamaker : public Pair {
+class PairHamaker : public Pair, public BoundPairs {
  public:
   explicit PairHamaker(class LAMMPS*);
   ~PairHamaker() override;
@@ -34,6 +36,7 @@ class PairHamaker : public Pair {
   double single(int, int, int, int, double, double, double, double&) override;
 
   void* extract(const char*, int&) override;
+  void append_bound(std::vector<std::array<int, 2> >&) const override;
 
   void write_restart(FILE*) override;
   void read_restart(FILE*) override;
@@ -63,10 +66,10 @@ class PairHamaker : public Pair {
   const cohesion::hamaker::Form* form;
   double** hamaker_constant;  // by type pair; fix adapt writes it
   TypePairTable<Parameters> parameters;
-  cohesion::hamaker::AnyLaws laws;     // by type pair, built at init
-  std::vector<bool> prepared;          // by type pair: whether it is this style's in this run
-  std::vector<double> largest_radius;  // by type, at init
-  bool looks;                          // whether any pair is looked at in this run
+  cohesion::hamaker::AnyLaws laws;  // by type pair, built at init
+  std::vector<bool> prepared;       // by type pair: whether it is this style's in this run
+  std::vector<double> largest_radius, smallest_radius;  // by type, at init
+  bool looks;                                           // whether any pair is looked at in this run
   ContactWatch watch;
   cohesion::advice::Said said;
 };

@@ -15,6 +15,7 @@
 #include "memory.h"
 #include "modify.h"
 #include "neigh_list.h"
+#include "plausible_sizes.h"
 #include "restart_format.h"
 #include "square_well/held.h"
 #include "update.h"
@@ -134,6 +135,7 @@ void PairHardSquareWell::give(int i, int j, const HardContact& c) {
 
 void PairHardSquareWell::settings(int narg, char** arg) {
   const std::string where = "pair_style hard/square_well";
+  GivenKeywords given(lmp, where);
   for (int i = 0; i < narg; i += 2) {
     const std::string word = arg[i];
     if (word != "collapse" && word != "contact_time" && word != "limit" && word != "record")
@@ -142,6 +144,7 @@ void PairHardSquareWell::settings(int narg, char** arg) {
     if (i + 1 == narg)
       error->all(FLERR, where + ": " + word +
                             (word == "record" ? " takes a file name" : " takes a number"));
+    given.note(1, arg + i);
     const std::string value = arg[i + 1];
     if (word == "record") {
       record_file_ = value;
@@ -171,15 +174,15 @@ void PairHardSquareWell::coeff(int narg, char** arg) {
   const std::string where =
       std::string("pair_coeff ") + arg[0] + " " + arg[1] + " of hard/square_well";
   HardContact c;
-  bool has_restitution = false;
+  GivenKeywords given(lmp, where);
   for (int at = 2; at < narg;) {
-    const int words = read_hard_keyword(lmp, where, at, narg, arg, c, has_restitution);
+    const int words = read_hard_keyword(lmp, where, at, narg, arg, c, given);
     if (words == 0)
       error->all(FLERR, where + ": unknown keyword '" + arg[at] +
                             "'; valid ones: restitution, friction, well");
     at += words;
   }
-  require_valid(lmp, where, c, has_restitution);
+  require_valid(lmp, where, c, given);
   given_.assign(where, arg, [&](int i, int j) { give(i, j, c); });
 }
 
@@ -190,6 +193,7 @@ void PairHardSquareWell::init_style() {
     error->all(FLERR, "pair_style hard/square_well follows motion in time; it cannot be minimized");
   events_ = FixHardEvents::of(lmp);
   given_.take();
+  require_plausible_radii(lmp, "pair_style hard/square_well");
   largest_radius_ = largest_radii(lmp);
   engine_api::request_history_list(neighbor, this, instance_me);
   history_.init(this, 1);
@@ -198,8 +202,10 @@ void PairHardSquareWell::init_style() {
 double PairHardSquareWell::init_one(int i, int j) {
   if (given_.to_mix("pair_style hard/square_well", i, j))
     give(i, j, {mixed(given_(i, i), given_(j, j))});
-  return cohesion::square_well::edge(given_(i, j).well, largest_radius_[i], largest_radius_[j]) +
-         list_reach();
+  const double edge =
+      cohesion::square_well::edge(given_(i, j).well, largest_radius_[i], largest_radius_[j]);
+  require_plausible_range(lmp, "pair_style hard/square_well", edge);
+  return edge + list_reach();
 }
 
 /* ---------------------------------------------------------------------- */

@@ -3,7 +3,6 @@
 #define COHESION_SQUARE_WELL_COHESION_H
 
 #include <array>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -45,7 +44,7 @@ class SquareWellCohesion {
              }}};
   }
   static void require_valid(LAMMPS* lmp, const std::string& where, const Parameters& p,
-                            const std::set<std::string>&) {
+                            const GivenKeywords&) {
     from_script(lmp, where, [&] {
       cohesion::square_well::require_valid(p.well);
       return true;
@@ -61,6 +60,9 @@ class SquareWellCohesion {
   static double range(Scheme, const Parameters& p, double radius_i, double radius_j) {
     return cohesion::square_well::adhesion_of(p.well, radius_i, radius_j).cutoff;
   }
+
+  /// The ratio of a well has no unit, and was asked for when it was read.
+  void require_short(LAMMPS*, const std::string&, const Parameters&, double, double) const {}
 
   void set(LAMMPS*, const std::string&, const std::string&, const char*) {}
   int settings() const { return 0; }
@@ -101,7 +103,7 @@ class SquareWellOverlay : public SquareWellCohesion {
     p.contact.stiffness = 1.0;  // of no contact: no spring is ever asked
     p.well = cohesion::square_well::well(utils::numeric(FLERR, arg[first], false, lmp),
                                          utils::numeric(FLERR, arg[first + 1], false, lmp));
-    require_valid(lmp, where, p, {});
+    require_valid(lmp, where, p, GivenKeywords(lmp, where));
     return p;
   }
 };

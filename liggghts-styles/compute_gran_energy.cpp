@@ -49,6 +49,22 @@ void ComputeGranEnergy::init() {
 
 void ComputeGranEnergy::compute_vector() {
   invoked_vector = update->ntimestep;
+  work_out();
+  book_.close(lmp, std::string("compute ") + id + " gran/energy", vector);
+}
+
+void ComputeGranEnergy::begin_run() {
+  work_out();
+  book_.begin_run(lmp, std::string("compute ") + id + " gran/energy", vector);
+}
+
+void ComputeGranEnergy::end_run() {
+  work_out();
+  book_.close_run(vector);
+}
+
+/// All entries but what is missing.
+void ComputeGranEnergy::work_out() {
   particles_.look(lmp, std::string("compute ") + id + " gran/energy");
   double mine[ENTRIES] = {};
   const MobileParticles mobile(modify);
@@ -79,7 +95,6 @@ void ComputeGranEnergy::compute_vector() {
   mine[ROLLING] = book.rolling();
   mine[EXTERNAL_WORK] = book.external_work();
   MPI_Allreduce(mine, vector, ENTRIES, MPI_DOUBLE, MPI_SUM, world);
-  opened_.close(vector);
 }
 
 /// Kinetic and stored energy.

@@ -11,7 +11,8 @@ namespace Cohesion {
 
 /// compute ID all gran/energy: the energy book half a step after the grid point.
 /// Doc: docs/liggghts-styles/compute_gran_energy.md
-class ComputeGranEnergy : public LAMMPS_NS::engine_api::StyleCompute {
+class ComputeGranEnergy : public LAMMPS_NS::engine_api::StyleCompute,
+                          public LAMMPS_NS::EnergyBookKeeper {
  public:
   ComputeGranEnergy(LAMMPS_NS::LAMMPS* engine, int count, char** words);
   ~ComputeGranEnergy() override;
@@ -20,9 +21,13 @@ class ComputeGranEnergy : public LAMMPS_NS::engine_api::StyleCompute {
   void init() override;
   void compute_vector() override;
   double compute_scalar() override;
+  void begin_run() override;
+  void end_run() override;
 
  private:
-  cohesion::energy_book::Opened opened_;
+  void work_out();
+
+  LAMMPS_NS::BookOfRuns book_;
   LAMMPS_NS::SameParticles particles_;
 };
 

@@ -8,6 +8,7 @@
 #include "error.h"
 #include "fix_wall_gran.h"
 #include "neighbor.h"
+#include "plausible_sizes.h"
 #include "property_registry.h"
 
 namespace LIGGGHTS {
@@ -15,6 +16,10 @@ namespace Cohesion {
 
 void require_range(LAMMPS* lmp, PropertyRegistry& registry, FixWallGran* wall,
                    const std::string& model, const ContactRange& range) {
+  const double most = 2.0 * registry.max_radius();
+  require_plausible_radii(lmp, model);
+  require_plausible_range(lmp, model, most * (1.0 + range.ratio) + range.gap);
+
   // The engine looks for pairs up to (f - 1)(r_i + r_j) and for walls up to (f - 1) r: the wall
   // seen by the smallest particle asks for most. The last factor keeps rounding from cutting the
   // last bit of the range off.

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "cohesive_pairs.h"
+#include "energy_companions.h"
 #include "error.h"
 #include "fix_wall_gran.h"
 #include "force.h"
@@ -52,6 +53,15 @@ void FixContactBook::to_the_end(LAMMPS* lmp) {
   const auto book = static_cast<FixContactBook*>(lmp->modify->fix[place])->book_;
   lmp->modify->delete_fix(STYLE);
   hidden_fix<FixContactBook>(lmp).book_ = book;
+}
+
+void FixContactBook::setup(int) {
+  book_->close_step(true);
+  for_each_energy_book(modify, [](EnergyBookKeeper& keeper) { keeper.begin_run(); });
+}
+
+void FixContactBook::post_run() {
+  for_each_energy_book(modify, [](EnergyBookKeeper& keeper) { keeper.end_run(); });
 }
 
 void FixContactBook::init() {

@@ -20,8 +20,9 @@ class FixContactBook : public LAMMPS_NS::Fix {
 
   int setmask() override;
   void init() override;
-  void setup(int) override { book_->close_step(true); }
+  void setup(int) override;
   void end_of_step() override { book_->close_step(false); }
+  void post_run() override;
 
   const std::shared_ptr<ContactBook>& book() const { return book_; }
   /// The book that is kept, null when there is none.

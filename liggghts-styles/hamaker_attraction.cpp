@@ -3,6 +3,7 @@
 // The engine's header of properties wants mpi.h before it.
 #include "error.h"
 #include "global_properties.h"
+#include "hamaker/range_of_validity.h"
 #include "hamaker_attraction.h"
 #include "liggghts_api.h"
 #include "message.h"
@@ -108,6 +109,9 @@ void HamakerAttraction::connect(PropertyRegistry& registry, const NormalModelPro
         const cohesion::hamaker::Parameters real{constant[i][j], surface, outer_cutoff_};
         acts_ = acts_ || real.hamaker_constant > 0.0;
         cohesion::hamaker::require_valid(real);
+        cohesion::hamaker::require_far_below_radius(
+            cohesion::hamaker::forms.front(), real,
+            cohesion::two_spheres(registry.min_radius(), registry.min_radius()));
         return Law(has_material_ ? scaled(real, materials_.of(i, j), normal, i, j) : real);
       },
       given);

@@ -62,17 +62,35 @@ inline double balance(const double* entries) {
 /// The book of one script: what is missing in it since it was opened.
 class Opened {
  public:
-  /// Sets entries[RESIDUAL]; the first time is the opening.
+  bool is_open() const { return opened_; }
+  /// Adds to entries[EXTERNAL_WORK] what was put in between runs, and sets entries[RESIDUAL]; the
+  /// first time is the opening.
   void close(double* entries) {
+    entries[EXTERNAL_WORK] += put_in_;
     const double now = balance(entries);
     if (!opened_) at_opening_ = now;
     opened_ = true;
     entries[RESIDUAL] = now - at_opening_;
   }
+  /// The same at the end of a run.
+  void close_run(double* entries) {
+    close(entries);
+    at_end_ = balance(entries);
+  }
+  /// The same where something other than motion has changed what there is since the last run: that
+  /// is work which was put in. Returns it, [energy].
+  double close_after_change(double* entries) {
+    const double came = balance(entries) - put_in_ - at_end_;
+    put_in_ += came;
+    close(entries);
+    return came;
+  }
 
  private:
   bool opened_ = false;
   double at_opening_ = 0.0;
+  double at_end_ = 0.0;  // of the last run
+  double put_in_ = 0.0;  // between runs, [energy]
 };
 
 }  // namespace cohesion::energy_book

@@ -30,6 +30,9 @@ struct Form {
   std::string_view name;
   /// The law of this form; throws InvalidParameter. rough: one that knows asperities.
   AnyLaw (*law)(const Parameters&, bool rough);
+  /// Up to which H_cut and H_out are let pass, over the reduced radius R*, [1]: see `forms`.
+  double largest_surface_cutoff;
+  double largest_outer_cutoff;
 };
 
 template <class Smooth>
@@ -38,9 +41,13 @@ AnyLaw law_of(const Parameters& p, bool rough) {
   return Law<Smooth>(p);
 }
 
+/// The form of small gaps is too strong by H/R* of itself, to first order: a tenth in the force of
+/// contact, and at H_out as much again as there is. The exact form is right at any gap; from H_cut
+/// on inwards the force is that of contact, which is one at a gap far below the radius, and beyond
+/// ten radii there is none.
 inline constexpr std::array forms{
-    Form{"small_gap", &law_of<SmallGap>},
-    Form{"exact", &law_of<Exact>},
+    Form{"small_gap", &law_of<SmallGap>, 0.1, 1.0},
+    Form{"exact", &law_of<Exact>, 1.0, 10.0},
 };
 
 }  // namespace cohesion::hamaker

@@ -21,12 +21,19 @@ struct Parameters {
 /// `well D ratio`: one ratio for both.
 inline Parameters well(double depth, double ratio) { return {depth, ratio, ratio}; }
 
-/// Throws InvalidParameter unless D >= 0 and both ratios are at least 1, all finite.
+/// Above, another sphere of the same size fits between two that attract each other.
+inline constexpr double largest_ratio = 2.0;
+
+/// Throws InvalidParameter unless D >= 0 and both ratios are from 1 to largest_ratio, all finite.
 inline void require_valid(const Parameters& p) {
   require_non_negative("depth D of the well", p.depth);
-  for (const double ratio : {p.ratio_i, p.ratio_j})
+  for (const double ratio : {p.ratio_i, p.ratio_j}) {
     require(std::isfinite(ratio) && ratio >= 1.0, "ratio r_out/r of the well", ratio,
             "must be a finite number not below 1: the well is outside the core");
+    require(ratio <= largest_ratio, "ratio r_out/r of the well", ratio,
+            "must not be above 2: a third sphere would fit between two that attract each other; it "
+            "is no length, but the radius of the edge over that of the particle");
+  }
 }
 
 /// Unlike materials: the geometric mean of the depths; each its own ratio.

@@ -50,6 +50,38 @@ def oblique():
             sphere((2 * RADIUS + 2e-6, 0, 0), (-0.05, 0, 0.01), (0, 10, 5))]
 
 
+class Runs(unittest.TestCase):
+    """The book over runs: opened with the first, whoever looks and when."""
+
+    def end(self, how):
+        """The last line, asked for when all is over."""
+        run = Run(script(oblique(), SLIDING + "hamaker", hamaker(1e-14), dt=DT,
+                         run=how + PRINT.format(every=1) + "run 0\n",
+                         extra=BOOK + "thermo_style custom step\nthermo 1000\n"))
+        return books(run)[-1]
+
+    def test_what_is_missing_does_not_depend_on_who_looks(self):
+        first = self.end(PRINT.format(every=1) + "run 400\n")
+        self.assertGreater(abs(entry(first, RESIDUAL)), 1e-9 * first[1])
+        self.assertEqual(self.end("run 400\n"), first)
+        self.assertEqual(self.end("run 0\nrun 400\n"), first)
+
+    def test_box_that_presses_two_spheres_into_each_other(self):
+        apart, shrunk = 1.05 * 2 * RADIUS, 0.875
+        run = Run(script([sphere((0, 0, 0)), sphere((apart, 0, 0))], "model hooke/stiffness tangential off "
+                         "cohesion hamaker", hamaker(0), dt=DT, extra=BOOK + PRINT.format(every=1000),
+                         run=f"run 10\nchange_box all x final -0.01 {0.02 * shrunk - 0.01!r} remap units box\n"
+                         "run 400\n"))
+        work = 0.5 * STIFFNESS * (2 * RADIUS - apart * shrunk)**2
+        rows = books(run)
+        self.assertEqual(len(rows), 4)
+        self.assertEqual([entry(row, k) for row in rows[:2] for k in (WORK, RESIDUAL)], 4 * [0.0])
+        for row in rows[2:]:
+            self.assertAlmostEqual(entry(row, WORK) / work, 1, delta=STEP_ERROR)
+            self.assertAlmostEqual(entry(row, RESIDUAL) / work, 0, delta=STEP_ERROR)
+        self.assertEqual(run.printed.count("the box was changed between two runs"), 1)
+
+
 class Balance(unittest.TestCase):
     def closes(self, rows, allowed, energy=None):
         energy = energy or entry(rows[0], KINETIC) + entry(rows[0], ROTATIONAL)

@@ -44,6 +44,24 @@ class BadInput(unittest.TestCase):
                 self.refused("in.two_spheres", "must be a finite number greater than zero",
                              "hamakerOuterCutoff = " + shown, **{**PAIR, "out": bad})
 
+    def test_cutoffs_that_are_not_far_below_the_radius(self):
+        # Radii of 0.5 mm: R* = 0.25 mm.
+        self.refused("in.two_spheres", "surface cut-off H_cut = 0.4: must not be above 2.5e-05",
+                     "hamakerOuterCutoff = 100", **{**PAIR, "cut": 0.4, "out": 100.0})
+        self.refused("in.two_spheres", "outer cut-off H_out = 0.0003: must not be above 0.00025",
+                     "hamakerOuterCutoff = 0.0003", **{**PAIR, "out": 3e-4})
+        self.assertEqual(Run("in.two_spheres", **{**PAIR, "out": 2.4e-4}).returncode, 0)
+
+    def test_spheres_of_the_size_they_were_created_with(self):
+        created = "create_atoms 1 single 0.002 0.002 0.002 units box\npair_style"
+        script = (HERE / "in.two_spheres").read_text().replace("pair_style", created, 1)
+        self.refused(script, "cohesion model hamaker: particle 4 has the diameter 1, others as little as 0.001",
+                     "lengths are those of 'units si', m", "until 'set ... diameter'", **PAIR)
+
+    def test_particles_larger_than_the_box(self):
+        self.refused("in.two_spheres", "radius of a particle = ", "must not be above the longest side of the box",
+                     **{**PAIR, "radius1": 5.0, "radius2": 5.0})
+
     def test_missing_property(self):
         for name in ("hamakerConstant", "hamakerSurfaceCutoff", "hamakerOuterCutoff"):
             with self.subTest(name=name):

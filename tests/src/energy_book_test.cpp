@@ -29,6 +29,25 @@ TEST(EnergyBook, ResidualIsWhatIsMissingSinceItWasOpened) {
   EXPECT_EQ(entries[RESIDUAL], -1.5);
 }
 
+TEST(EnergyBook, WhatCameBetweenRunsWasPutIn) {
+  double entries[ENTRIES] = {};
+  entries[KINETIC] = 5.0;
+  Opened book;
+  book.close(entries);
+  entries[KINETIC] = 4.5;
+  book.close_run(entries);
+  for (const double put_in : {2.0, 0.5}) {
+    entries[EXTERNAL_WORK] = 0.0;
+    entries[SPRING] += put_in;
+    EXPECT_EQ(book.close_after_change(entries), put_in);
+    EXPECT_EQ(entries[EXTERNAL_WORK], entries[SPRING]);
+    EXPECT_EQ(entries[RESIDUAL], -0.5);
+    entries[EXTERNAL_WORK] = 0.0;
+    book.close_run(entries);
+    EXPECT_EQ(entries[RESIDUAL], -0.5);
+  }
+}
+
 TEST(EnergyBook, ABodyHasItsMotionAndItsWeight) {
   double entries[ENTRIES] = {};
   for (int bodies = 1; bodies <= 2; bodies++) {

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <mpi.h>
+// LIGGGHTS' headers want mpi.h before them.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "advice/box_limits.h"
+#include "atom.h"
+#include "domain.h"
+#include "engine_api.h"
+#include "message.h"
+#include "plausible_sizes.h"
+#include "sphere.h"
+#include "update.h"
+
+using namespace LAMMPS_NS;
+
+namespace {
+
+// Of atoms that create_atoms makes.
+constexpr double CREATED_RADIUS = 0.5, CREATED_DENSITY = 1.0;
+// So much smaller are others that one as created was not meant.
+constexpr double MUCH_SMALLER = 0.1;
+
+cohesion::advice::BoxSize size_of(const Domain* d) {
+  const bool flat = d->dimension == 2;
+  return {{d->prd[0], d->prd[1], flat ? 0.0 : d->prd[2]},
+          {d->periodicity[0] != 0, d->periodicity[1] != 0, d->periodicity[2] != 0 && !flat}};
+}
+
+bool is_as_created(const Atom* atom, int i) {
+  if (atom->radius[i] != CREATED_RADIUS || !atom->rmass) return false;
+  const double mass = CREATED_DENSITY * cohesion::sphere_volume(CREATED_RADIUS);
+  return std::abs(atom->rmass[i] - mass) <= 1e-12 * mass;
+}
+
+template <class Check>
+void or_stop(LAMMPS* lmp, const std::string& where, const std::string& reason, Check check) {
+  try {
+    check();
+  } catch (const cohesion::InvalidParameter& bad) {
+    stop(lmp, FLERR, where, ": ", bad.what(), units_of_lengths(lmp), reason);
+  }
+}
+
+}  // namespace
+
+std::string LAMMPS_NS::units_of_lengths(const LAMMPS* lmp) {
+  const std::string units = lmp->update->unit_style;
+  const std::string length = units == "si" ? ", m" : units == "cgs" ? ", cm" : "";
+  return "; lengths are those of 'units " + units + "'" + length;
+}
+
+void LAMMPS_NS::require_plausible_radii(LAMMPS* lmp, const std::string& where) {
+  const Atom* const atom = lmp->atom;
+  // Largest radius, minus the smallest, the largest tag of one that is as it was created.
+  std::array<double, 3> mine{0.0, -std::numeric_limits<double>::infinity(), 0.0}, all{};
+  for (int i = 0; i < atom->nlocal; i++) {
+    mine[0] = std::max(mine[0], atom->radius[i]);
+    mine[1] = std::max(mine[1], -atom->radius[i]);
+    if (is_as_created(atom, i))
+      mine[2] = std::max(mine[2], static_cast<double>(atom->tag_enable ? atom->tag[i] : 1));
+  }
+  MPI_Allreduce(mine.data(), all.data(), 3, MPI_DOUBLE, MPI_MAX, lmp->world);
+  const double largest = all[0], smallest = -all[1], created = all[2];
+  const std::string as_created =
+      ". Spheres of create_atoms have the diameter 1 until 'set ... diameter', which changes those "
+      "alone that are there before it";
+  if (created > 0.0 && smallest < MUCH_SMALLER * CREATED_RADIUS)
+    stop(lmp, FLERR, where, ": particle ", created, " has the diameter 1, others as little as ",
+         2.0 * smallest, units_of_lengths(lmp), as_created);
+  or_stop(lmp, where, created > 0.0 ? as_created : "",
+          [&] { cohesion::advice::require_radius_in_box(largest, size_of(lmp->domain)); });
+}
+
+void LAMMPS_NS::require_plausible_range(LAMMPS* lmp, const std::string& where, double range) {
+  or_stop(lmp, where, "",
+          [&] { cohesion::advice::require_range_in_box(range, size_of(lmp->domain)); });
+}

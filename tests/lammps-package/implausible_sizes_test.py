@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Ranges that are not far below the radii, and sizes that no box of the script could hold, are refused before the
+engine makes lists with them: mostly they are lengths in other units, or spheres that no `set` reached."""
+import unittest
+
+from script_test_case import ScriptTestCase
+
+HEAD = """
+plugin load ${plugin}
+units si
+atom_style sphere
+boundary %(boundary)s
+newton off
+comm_modify vel yes
+region box block 0 0.01 0 0.01 0 0.01 units box
+create_box 1 box
+create_atoms 1 single 0.002 0.005 0.005 units box
+create_atoms 1 single 0.008 0.005 0.005 units box
+set group all diameter %(diameter)s density 2650
+%(then)s
+neighbor 1e-3 bin
+timestep 1e-8
+"""
+CONTACT = "stiffness 800 restitution 0.9"
+TAIL = "\nfix move all nve/sphere\nrun 1\n"
+UNITS = "lengths are those of 'units si', m"
+
+
+def script(pair, boundary="p p p", diameter="75e-6", then=""):
+    return HEAD % dict(boundary=boundary, diameter=diameter, then=then) + pair + TAIL
+
+
+def gran(cut, out, form=""):
+    return f"pair_style gran/hamaker {form}\npair_coeff * * {CONTACT} hamaker 5e-19 cutoff {cut} {out}"
+
+
+def overlay(cut, out, form=""):
+    return f"pair_style hamaker {cut} {out} {form}\npair_coeff * * 5e-19"
+
+
+NONE = f"pair_style gran/hamaker\npair_coeff * * {CONTACT}\n"
+WALLS = (lambda cut, out, form="": NONE + f"fix w all wall/gran/hamaker {form} {CONTACT} hamaker 5e-19 "
+         f"cutoff {cut} {out} zplane 0 NULL",
+         lambda cut, out, form="": NONE + f"fix w all wall/hamaker 5e-19 {cut} {out} zplane 0 NULL {form}")
+
+
+class Sizes(ScriptTestCase):
+    def refuses(self, *words, ranks=(1,), **changes):
+        for number in ranks:
+            with self.subTest(words, ranks=number, **changes):
+                self.stops(script(**changes), *words, timeout=20, ranks=number)
+
+    def test_cutoffs_in_nanometres(self):
+        for law, where in ((gran, "pair_style gran/hamaker, types 1 and 1"),
+                           (overlay, "pair_style hamaker, types 1 and 1")):
+            self.refuses(where, "surface cut-off H_cut = 0.4: must not be above 1.875e-06", UNITS,
+                         pair=law("0.4", "100"), ranks=(1, 2) if law is gran else (1,))
+            self.refuses(where, "H_cut = 0.4", "form exact", pair=law("0.4", "100", "form exact"))
+        for law in WALLS:
+            self.refuses("fix w wall/", "H_cut = 0.4: must not be above 3.75e-06", UNITS, pair=law("0.4", "100"),
+                         boundary="p p f")
+
+    def test_range_that_is_not_far_below_the_radius(self):
+        for law in (gran, overlay):
+            self.refuses("outer cut-off H_out = 4e-05: must not be above 1.875e-05", "(form small_gap)",
+                         UNITS, pair=law("4e-10", "4e-5"))
+            self.goes(script(law("4e-10", "1.8e-5")))
+            self.goes(script(law("4e-10", "4e-5", "form exact")))
+            self.refuses("H_out = 0.0004", "form exact", pair=law("4e-10", "4e-4", "form exact"))
+        for law in WALLS:
+            self.refuses("fix w wall/", "H_out = 4e-05: must not be above 3.75e-05", pair=law("4e-10", "4e-5"),
+                         boundary="p p f")
+            self.goes(script(law("4e-10", "3.7e-5"), boundary="p p f"))
+
+    def test_the_smallest_of_a_mixture_counts(self):
+        self.refuses("H_out = 1e-05: must not be above 5e-06", pair=gran("4e-10", "1e-5"),
+                     then="set atom 2 diameter 20e-6", ranks=(1, 2))
+
+    def test_wells_are_ratios(self):
+        for style, contact in (("gran/square_well", CONTACT + " well 1e-12"), ("square_well", "1e-12"),
+                               ("hard/square_well", "restitution 0.9 well 1e-12")):
+            self.refuses("pair_coeff * * of " + style, "ratio r_out/r of the well = 2.5: must not be above 2",
+                         pair=f"pair_style {style}\npair_coeff * * {contact} 2.5")
+        self.refuses("fix w wall/gran/square_well", "= 40: must not be above 2", boundary="p p f",
+                     pair=NONE + f"fix w all wall/gran/square_well {CONTACT} well 1e-12 40 zplane 0 NULL")
+
+    def test_spheres_of_the_size_they_were_created_with(self):
+        for pair, style in ((gran("4e-10", "1e-7"), "gran/hamaker"), (overlay("4e-10", "1e-7"), "hamaker"),
+                            ("pair_style hard/square_well\npair_coeff * * restitution 0.9", "hard/square_well")):
+            self.refuses("pair_style " + style, "particle 3 has the diameter 1, others as little as 7.5e-05", UNITS,
+                         "until 'set ... diameter'", pair=pair, ranks=(1, 2) if "hard" in style else (1,),
+                         then="create_atoms 1 single 0.005 0.005 0.005 units box")
+            self.refuses("radius of a particle = 0.5: must not be above the longest side of the box, 0.01",
+                         "until 'set ... diameter'", pair=pair, then="set group all diameter 1 density 1")
+
+    def test_particles_larger_than_the_box(self):
+        self.refuses("radius of a particle = 0.0375: must not be above the longest side of the box, 0.01", UNITS,
+                     pair=gran("4e-10", "1e-7"), diameter="75e-3", boundary="f f f")
+
+    def test_range_of_very_many_images(self):
+        self.refuses("range of radii and attraction = 0.051", "would find 2197 images of each particle", UNITS,
+                     pair=gran("4e-10", "0.036", "form exact scheme sampled"), diameter="15e-3")
+
+    def test_thin_boxes_are_right(self):
+        thin = script(gran("4e-10", "1e-7"), diameter="8e-4").replace("0 0.01 units", "0 8e-4 units").replace(
+            "0.005 units", "0.0004 units")
+        self.goes(thin)
+
+
+if __name__ == "__main__":
+    unittest.main()

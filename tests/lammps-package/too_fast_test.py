@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Where particles fly too far in a step the message names who, where and how fast, and into whom it was put when that
+is why."""
+import unittest
+
+from script_test_case import ScriptTestCase
+
+HEAD = """
+plugin load ${plugin}
+units si
+atom_style sphere
+boundary p p f
+newton off
+comm_modify vel yes
+region box block 0 0.01 0 0.01 0 0.01 units box
+create_box 1 box
+create_atoms 1 single 0.002 0.002 0.005 units box
+create_atoms 1 single 0.007 0.002 0.005 units box
+create_atoms 1 single %s 0.002 0.005 units box
+set group all diameter 1e-3 density 2650
+%s
+neighbor %s bin
+neigh_modify delay 0
+timestep %s
+"""
+GRAN = "pair_style gran/hamaker\npair_coeff * * stiffness 8000 restitution 0.9\n"
+HARD = "pair_style hard/square_well\npair_coeff * * restitution 0.9\n"
+TAIL = "fix move all nve/sphere\nrun 50\n"
+APART = "place them apart from each other"
+
+
+class TooFast(ScriptTestCase):
+    def test_spheres_within_each_other(self):
+        """0.2 mm apart: they overlap by 0.8 of the diameter."""
+        for ranks in (1, 2):
+            output = self.stops(HEAD % (0.0072, "", 1e-4, 2e-6) + GRAN + TAIL, "particles fly up to",
+                                  "The fastest: particle ", "has the speed ", "of the smaller diameter",
+                                APART, ranks=ranks)
+            self.assertRegex(output, r"particle (2 at \(0.0069.* overlaps particle 3|"
+                                     r"3 at \(0.0072.* overlaps particle 2) by 0.7")
+
+    def test_a_sphere_that_is_only_fast(self):
+        for pair in (GRAN, HARD):
+            for ranks in (1, 2):
+                fast = HEAD % (0.005, "set atom 1 vx 10", 1e-5, 2e-6)
+                output = self.stops(fast + pair + TAIL, "The fastest: particle 1 at (0.002",
+                                      " 0.002 0.005) has the speed 10", ranks=ranks)
+                self.assertNotIn("overlaps", output)
+
+    def test_at_a_wall(self):
+        wall = "fix w all wall/gran/hamaker stiffness 8000 restitution 0.9 zplane 0 NULL\n"
+        quiet = "pair_style square_well\npair_coeff * * 0 1\n"
+        self.stops(HEAD % (0.005, "set atom 2 vz -36", 1e-4, 1.5e-5) + quiet + wall + TAIL, "fix w wall/gran/hamaker",
+                     "could miss the wall", "particle 2 at (0.007", "has the speed 36", ranks=1)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Spheres with friction that a fix moves and does not turn get a warning, once; all others none."""
+import unittest
+
+from script_test_case import ScriptTestCase
+
+HEAD = """
+plugin load ${plugin}
+units si
+atom_style sphere
+boundary p p f
+newton off
+comm_modify vel yes
+region box block 0 0.01 0 0.01 0 0.01 units box
+create_box 2 box
+create_atoms 1 single 0.002 0.002 0.005 units box
+create_atoms 1 single 0.005 0.002 0.005 units box
+create_atoms 2 single 0.007 0.002 0.005 units box
+set group all diameter 1e-3 density 2650
+group first type 1
+group second type 2
+neighbor 1e-4 bin
+timestep 1e-6
+"""
+CONTACT = "stiffness 800 restitution 0.9 "
+RUN = "\nrun 1\nrun 1\n"
+
+
+def pairs(friction, style="gran/hamaker"):
+    return f"pair_style {style}\npair_coeff * * {CONTACT}{friction}\n"
+
+
+class Unturned(ScriptTestCase):
+    def warns(self, script, number, fix, ranks=1):
+        output = self.goes(HEAD + script + RUN, ranks=ranks)
+        self.assertEqual(output.count("does not turn"), 1, output)
+        self.assertRegex(output, f"WARNING: friction acts on {number} particles that fix {fix} moves and does not "
+                                 "turn.*use 'fix nve/sphere'")
+
+    def passes(self, script):
+        self.assertNotIn("does not turn", self.goes(HEAD + script + RUN))
+
+    def test_warned(self):
+        for ranks in (1, 2):
+            self.warns(pairs("friction 0.3") + "fix move all nve", 3, "move nve", ranks)
+        self.warns(pairs("rolling_friction 0.1", "gran/square_well scheme sampled") + "fix move all nve/limit 1", 3,
+                   "move nve/limit")
+        self.warns(pairs("friction 0.3") + "fix a first nve/sphere\nfix b second nve", 1, "b nve")
+        self.warns(pairs("") + f"fix w all wall/gran/hamaker {CONTACT} friction 0.3 zplane 0 NULL\n"
+                   "fix move all nve", 3, "move nve")
+
+    def test_right_ones(self):
+        for friction, move in (("", "fix move all nve"), ("friction 0.3", "fix move all nve/sphere"),
+                               ("friction 0.3", "fix move all nve\nfix still all freeze"),
+                               ("friction 0.3", "fix a first nve/sphere\nfix b second move linear 0 0 1"),
+                               ("", "pair_coeff 2 2 " + CONTACT + "friction 0.3\npair_coeff 1 2 " + CONTACT +
+                                "\nfix a first nve\nfix b second nve/sphere")):
+            with self.subTest(friction=friction, move=move):
+                self.passes(pairs(friction) + move)
+
+
+if __name__ == "__main__":
+    unittest.main()

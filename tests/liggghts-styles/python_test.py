@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The script of liggghts-styles/README.md for Python: the stock library has the styles by the preload library."""
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+from engine import HERE, environment_of, program
+from readme_python import python_blocks
+from scene import hamaker, script, sphere
+
+README = HERE.parents[1] / "liggghts-styles" / "README.md"
+SCENE = script([sphere((0, 0, 0), (0.05, 0, 0)), sphere((1.001e-3, 0, 0))],
+               "model hooke/stiffness tangential off cohesion hamaker", hamaker(1e-14), steps=10)
+
+
+class FromPython(unittest.TestCase):
+    def run_readme(self, **more):
+        block, = python_blocks(README)
+        with tempfile.TemporaryDirectory() as name:
+            (pathlib.Path(name) / "in.script").write_text(SCENE)
+            done = subprocess.run([sys.executable, "-c", block], cwd=name, timeout=100, text=True, errors="replace",
+                                  env={**environment_of(0), **more}, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        return done
+
+    def test_script_of_the_readme(self):
+        done = self.run_readme(LD_PRELOAD=program("PRELOAD"))
+        self.assertEqual(done.returncode, 0, done.stdout)
+        self.assertEqual(done.stdout.count("Loop time"), 2, done.stdout)
+        self.assertIn("Invalid model specified", self.run_readme().stdout)
+
+
+if __name__ == "__main__":
+    unittest.main()
