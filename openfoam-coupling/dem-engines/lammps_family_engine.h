@@ -179,7 +179,10 @@ class LammpsFamilyEngine : public DemEngine {
     if (at_work_->rank_ == 0)
       at_work_->tell_(Said::error, at_work_->how_it_ended(at_work_->screen_.has_shown_error()));
     std::fflush(nullptr);
-    std::_Exit(EXIT_FAILURE);
+    // With the first rank that fails a launcher ends all: let it be the one that has spoken.
+    int finalized = 0;
+    MPI_Finalized(&finalized);
+    std::_Exit(at_work_->rank_ == 0 || !finalized ? EXIT_FAILURE : EXIT_SUCCESS);
   }
 
   void check(const std::string& script) {
