@@ -32,7 +32,7 @@ struct DemEngineSettings {
   std::string log;                               ///< log file that the engine writes
   std::string restart;                           ///< state to continue from; empty: none
   std::map<std::string, std::string> variables;  ///< handed to the script by name
-  /// Called on the rank that has something to say, while the engine works and by one thread at a time.
+  /// Called on the rank that has something to say, while the engine works; never twice at a time.
   std::function<void(Said, const std::string&)> tell;
 };
 

@@ -12,8 +12,8 @@
 namespace cohesion::coupling {
 
 /// What an engine prints on its screen. Of that its errors and warnings are handed on when they are
-/// printed, also those of an engine that ends the process with them, and each text once. The rest is
-/// in the engine's log.
+/// printed, also those of an engine that ends the process with them, and each text once. The rest
+/// is in the engine's log.
 class EngineScreen {
  public:
   using Tell = std::function<void(Said, const std::string&)>;
@@ -25,8 +25,8 @@ class EngineScreen {
 
   bool has_shown_error() const { return has_shown_error_; }
 
-  /// While this lives the screen is the standard output, which an engine takes for its screen on all
-  /// ranks; of a file that it is given the name of it would do so on the first rank alone.
+  /// While this lives the screen is the standard output, which an engine takes for its screen on
+  /// all ranks; of a file that it is given the name of it would do so on the first rank alone.
   class AsStandardOutput {
    public:
     explicit AsStandardOutput(EngineScreen& screen) { stdout = screen.stream(); }

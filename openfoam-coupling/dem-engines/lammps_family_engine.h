@@ -77,10 +77,10 @@ class LammpsFamilyEngine : public DemEngine {
       std::fill_n(static_cast<double*>(extract("gas_impulse")), 6, 0.0);
       command("run " + std::to_string(steps) + " pre no post no");
       if (restart.empty()) return;
-      // The command `restart` would write what contacts remember of the step before. `write_restart`
-      // hands particles on to other ranks, which must have been done before, together with what
-      // their contacts remember. And a run that is continued begins by computing the forces of this
-      // state anew; so does this one, to go on alike.
+      // The command `restart` would write what contacts remember of the step before.
+      // `write_restart` hands particles on to other ranks, which must have been done before,
+      // together with what their contacts remember. And a run that is continued begins by computing
+      // the forces of this state anew; so does this one, to go on alike.
       command("run 0 post no");
       command("write_restart " + restart);
       command("run 0 post no");
@@ -117,15 +117,10 @@ class LammpsFamilyEngine : public DemEngine {
   void start(const DemEngineSettings& settings) {
     // `if` compares no file names, so whether there is one is a variable of its own.
     const bool continued = !settings.restart.empty();
-    std::vector<std::string> line{words_.engine,
-                                  "-log",
-                                  settings.log,
-                                  "-var",
-                                  "continued",
-                                  continued ? words_.continued : words_.not_continued,
-                                  "-var",
-                                  "restart",
-                                  continued ? settings.restart : "none"};
+    std::vector<std::string> line{
+        words_.engine, "-log",      settings.log,
+        "-var",        "continued", continued ? words_.continued : words_.not_continued,
+        "-var",        "restart",   continued ? settings.restart : "none"};
     for (const auto& [name, value] : settings.variables)
       line.insert(line.end(), {"-var", name, value});
     std::vector<char*> arguments;
@@ -167,7 +162,8 @@ class LammpsFamilyEngine : public DemEngine {
       // In the middle of its work an engine cannot be taken down.
       static_cast<void>(lammps_.release());
       // The engine's own errors have been on its screen, of the rank whose they are.
-      if (std::string(error.what()).rfind("ERROR", 0) == 0) throw DemEngineError(how_it_ended(true));
+      if (std::string(error.what()).rfind("ERROR", 0) == 0)
+        throw DemEngineError(how_it_ended(true));
       throw DemEngineError(error.what());
     }
     at_work_ = nullptr;
@@ -175,7 +171,8 @@ class LammpsFamilyEngine : public DemEngine {
 
   std::string how_it_ended(bool with_error) const {
     return std::string("The particle engine ended the run") +
-           (with_error ? ", for the reason above." : " and named no error: has its script a 'quit'?") +
+           (with_error ? ", for the reason above."
+                       : " and named no error: has its script a 'quit'?") +
            " Its log is '" + log_ + "'";
   }
 
@@ -185,7 +182,10 @@ class LammpsFamilyEngine : public DemEngine {
     if (at_work_->rank_ == 0)
       at_work_->tell_(Said::error, at_work_->how_it_ended(at_work_->screen_.has_shown_error()));
     std::fflush(nullptr);
-    std::_Exit(EXIT_FAILURE);
+    // With the first rank that fails a launcher ends all: let it be the one that has spoken.
+    int finalized = 0;
+    MPI_Finalized(&finalized);
+    std::_Exit(at_work_->rank_ == 0 || !finalized ? EXIT_FAILURE : EXIT_SUCCESS);
   }
 
   void check(const std::string& script) {

@@ -27,7 +27,8 @@ struct SeenRun {
     text.precision(3);
     text << "step " << steps.at - steps.first << " of " << steps.last - steps.first << " of a run";
     if (const long done = steps.at - start.at; done > 0)
-      text << ", about " << seconds(time - since) * static_cast<double>(steps.last - steps.at) / done
+      text << ", about "
+           << seconds(time - since) * static_cast<double>(steps.last - steps.at) / done
            << " s left of it";
     return text.str();
   }

@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Particles that come and go while the gas flows, on 1 and 2 ranks: in each gas step the solid volume on the
+mesh is that of the particles, what the gas gave is what they felt or took along, and the log counts them as the
+engine does, to the last one."""
+
+import re
+import sys
+
+import numpy as np
+
+from coupled_case import COUPLING, ENGINE, SOURCE, Expectations, append, column, exchange_lines, script_file
+
+sys.path.insert(0, str(SOURCE / "tests/liggghts-styles"))
+from mesh import rectangle, stl  # noqa: E402
+
+STEPS, DT = 120, 1e-4
+FIRST = 2000 * 4 / 3 * np.pi * 2e-3**3  # the sphere that is there from the start [kg]
+SOME = r"(\d+) {} \((\S+) kg\)"
+
+
+def run(build, work, ranks):
+    case = column(work, str(ranks), build)
+    (case.folder / "outlet.stl").write_text(stl(rectangle((0, 0, 0.13), (0.06, 0, 0), (0, 0.06, 0))))
+    append(case, COUPLING, f'{ENGINE}Coeffs {{ script "{script_file("inserted")}"; }}')
+    append(case, "system/controlDict", f"endTime {STEPS * DT}; writeInterval {STEPS * DT}; writePrecision 15;")
+    # Across the ranks of the engine, which cut along z
+    append(case, "system/decomposeParDict", "coeffs { n (2 1 1); }")
+    case.mesh()
+    return case, case.solve(ranks=ranks)
+
+
+def counted(log):
+    """Per gas step: number and mass of those that came, and of those that went."""
+    rows = []
+    for step in log.split("\nTime = ")[1:]:
+        said = re.search(r"^Particles,.*", step, re.M)
+        found = [re.search(SOME.format(word), said[0]) if said else None for word in ("came", "went")]
+        rows.append([float(f[k]) if f else 0.0 for f in found for k in (1, 2)])
+    return np.array(rows)
+
+
+def total(log, word):
+    found = re.search(rf"Particles in this run\n(?:.*\n)*? +{word} +(\d+), (\S+) kg", log)
+    return (float(found[1]), float(found[2])) if found else (float("nan"),) * 2
+
+
+def check(expect, build, work, ranks):
+    case, log = run(build, work, ranks)
+    lines = exchange_lines(log)
+    expect.equal(f"{ranks} ranks: gas steps", len(lines), STEPS)
+    # As in conservation.py
+    expect.below("largest imbalance of the forces", max(x["imbalance"] for x in lines), 1e-12)
+    expect.below("largest error of the solid volume", max(x["volume"] for x in lines), 1e-12)
+
+    steps = counted(log)
+    trace = np.loadtxt(case.folder / "trace.dat")
+    trace = trace[trace[:, 0] > 0]
+    came, came_mass, went, went_mass = steps.T
+    expect.true("some come while the gas flows", came.sum() > 20)
+    expect.true("some go, too", went.sum() > 0)
+    expect.equal("steps that the engine reports", len(trace), STEPS)
+    expect.equal("largest difference of the numbers of particles by the log and by the engine",
+                 np.abs(1 + np.cumsum(came - went) - trace[:, 1]).max(), 0)
+    # The engine prints six digits.
+    mass = FIRST + np.cumsum(came_mass - went_mass)
+    expect.below("mass, by the log less by the engine / largest mass",
+                 np.abs(mass - trace[:, 2]).max() / trace[:, 2].max(), 5e-6)
+    expect.equal("number that went, by the log and by the engine", went.sum(), trace[-1, 3])
+    for word, number, of_mass in (("came", came.sum(), came_mass.sum()), ("went", went.sum(), went_mass.sum()),
+                                  ("at end", trace[-1, 1], mass[-1])):
+        found = total(log, word)
+        expect.equal(f"at the end of the log: {word}", found[0], number)
+        expect.near("mass [kg]", found[1], of_mass, 1e-12 * (FIRST + came_mass.sum()))
+    if ENGINE == "lammps":
+        expect.equal("particles at the end", trace[-1, 1], 0)
+
+
+def main(build, work):
+    expect = Expectations()
+    for ranks in (1, 2):
+        check(expect, build, work, ranks)
+    expect.exit()
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:3])
