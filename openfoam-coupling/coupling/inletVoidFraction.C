@@ -8,8 +8,8 @@
 namespace
 {
 
-//- The resistance between cell and patch goes with 1/eps^2 or 1/eps (pEqn.H): where both void fractions differ by
-//  less, by less than a tenth in dilute flow, where a patch without particles is meant
+//- Dilute flow that comes in without particles: the resistance between cell and patch, which goes with 1/eps^2 in
+//  form A and 1/eps in B (pEqn.H), is less than a tenth off
 constexpr Foam::scalar worthSaying = 0.05;
 
 bool jets(const Foam::fvPatchVectorField& U)
@@ -38,8 +38,7 @@ Foam::inletVoidFraction::inletVoidFraction(const volScalarField& voidFraction)
 void Foam::inletVoidFraction::look(const volScalarField& voidFraction, const volVectorField& U)
 {
     DynamicList<label> left;
-    DynamicList<word> names;
-    DynamicList<scalar> differences;
+    OStringStream said;
     for (const label patchi : patches_)
     {
         const auto& values = voidFraction.boundaryField()[patchi];
@@ -59,8 +58,7 @@ void Foam::inletVoidFraction::look(const volScalarField& voidFraction, const vol
         const scalar off = sums[1]/max(sums[0], VSMALL);
         if (sums[2] > 0 && off > worthSaying)
         {
-            names.append(values.patch().name());
-            differences.append(off);
+            said<< (said.str().empty() ? "" : ", ") << values.patch().name() << " (" << off << ')';
         }
         else
         {
@@ -68,14 +66,15 @@ void Foam::inletVoidFraction::look(const volScalarField& voidFraction, const vol
         }
     }
     patches_.transfer(left);
-    if (names.size())
+    if (said.str().size())
     {
         WarningInFunction
-            << "the case fixes the void fraction of the patches " << flatOutput(names) << ", and that of the cells"
-            << " at them differs by " << flatOutput(differences) << " in the mean: particles are there. The last"
-            << " half cell resists as with the void fraction of the patch, and the pressure on the patch is off by"
-            << " that. It is meant for jets in a plate that is closed between them (superficialVelocity with a"
-            << " share below 1). Where gas comes through all of a patch, take 'type zeroGradient;' in the file"
-            << " voidFraction, and superficialVelocity in U. This is said once for each patch" << endl;
+            << "particles are at patches where the case fixes another void fraction than that of the cells beside"
+            << " them; by how much, in the mean: " << said.str().c_str() << nl
+            << "    On its last half cell the gas then resists and accelerates as with the void fraction of the patch,"
+            << " and the pressure on the patch, with a pressure drop that is taken from there, is off. That is meant"
+            << " for jets in a plate that is closed between them (superficialVelocity with a share below 1). Where"
+            << " gas comes through all of a patch take 'type zeroGradient;' in the file voidFraction, and"
+            << " superficialVelocity in U; this is said once for each patch" << endl;
     }
 }

@@ -260,6 +260,54 @@ TEST(FixGasCoupling, OnlyItsGroupFeelsTheGas) {
   }
 }
 
+/// What extract() says of gravity along z, of all ranks.
+std::array<double, 2> gravity_along_z(Engine& engine) {
+  const auto* range = static_cast<double*>(engine.extract("gravity"));
+  if (range == nullptr) return {0.0, 0.0};
+  std::array<double, 2> low_and_minus_high{range[2], -range[5]}, all{};
+  MPI_Allreduce(low_and_minus_high.data(), all.data(), 2, MPI_DOUBLE, MPI_MIN, MPI_COMM_WORLD);
+  return {all[0], -all[1]};
+}
+
+TEST(FixGasCoupling, TellsTheGravityOfTheParticlesThatMove) {
+  Engine engine;
+  engine.fill(6, 1e-5, true);
+  mark_rows(engine, 1e-6);
+  engine.command("run 0");
+  std::vector<double> before;
+  for (int i = 0; i < 3 * engine.atom().nlocal; i++) before.push_back(engine.atom().f[0][i]);
+  // A weight over a mass rounds twice.
+  for (const double found : gravity_along_z(engine))
+    EXPECT_NEAR(found, -gravity, 2 * rounding * gravity);
+  for (std::size_t i = 0; i < before.size(); i++) EXPECT_EQ(engine.atom().f[0][i], before[i]);
+
+  engine.command("group some id 2 3");
+  engine.command("fix more some gravity 2 vector 0 0 1");
+  engine.command("run 0");
+  EXPECT_NEAR(gravity_along_z(engine)[1], 2 - gravity, 3 * rounding * gravity);
+  // Those that have more of it are held.
+  engine.command("fix hold some freeze");
+  engine.command("run 0");
+  EXPECT_NEAR(gravity_along_z(engine)[1], -gravity, 2 * rounding * gravity);
+  engine.command("unfix move");
+  engine.command("run 0");
+  const auto none = gravity_along_z(engine);
+  EXPECT_GT(none[0], none[1]);
+}
+
+TEST(FixGasCoupling, NamesTheFixesWhoseForcesItDoesNotSee) {
+  Engine engine;
+  engine.fill(2, 1e-5, true);
+  EXPECT_EQ(engine.extract("unseen_fixes"), nullptr);
+  engine.command("fix flat all planeforce 0 0 1");
+  EXPECT_EQ(engine.extract("unseen_fixes"), nullptr);
+  engine.command("fix late all addforce 0 0 1");
+  engine.command("fix later all gravity 1 vector 0 0 1");
+  const auto* fixes = static_cast<char*>(engine.extract("unseen_fixes"));
+  ASSERT_NE(fixes, nullptr);
+  EXPECT_STREQ(fixes, "fix late addforce, fix later gravity");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {

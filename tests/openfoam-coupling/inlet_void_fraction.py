@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A patch whose void fraction the case fixes, while the cells at it hold particles: said once, where gas flows through
+all of it."""
+
+import re
+import sys
+
+from bad_input import edit
+from coupled_case import COUPLING, Expectations, append, column
+
+DIAMETER, CELL, SPEED = 16e-3, 20e-3, 0.5  # m, m, m/s
+SOLID = 3.141592653589793 / 6 * (DIAMETER / CELL) ** 3
+SAID = "particles are at patches where the case fixes another void fraction"
+OPEN = f"superficialVelocity (0 0 {SPEED});"
+FIXED = "{ type fixedValue; value uniform 1; }"
+
+
+def make(build, work, name, blown=OPEN, inlet=FIXED, row=0, steps=3):
+    """A sphere held in the middle of each cell of a row of the column."""
+    case = column(work, name, build)
+    (case.folder / "places").write_text("".join(
+        f"create_atoms 1 single {(i + 0.5) * CELL} {(j + 0.5) * CELL} {(row + 0.5) * CELL}\n"
+        for i in range(3) for j in range(3)))
+    append(case, COUPLING, f'lammpsCoeffs {{ script "$FOAM_CASE/few.lmp"; variables {{ places places; period f;'
+                           f' diameter {DIAMETER}; }} }}')
+    append(case, "system/controlDict", f"endTime {steps * 1e-4}; writeInterval {steps * 1e-4};")
+    edit(case, "0.orig/U", "superficialVelocity (0 0 0);", blown)
+    edit(case, "0.orig/voidFraction", "bottom  { type zeroGradient; }", f"bottom  {inlet}")
+    case.mesh()
+    return case
+
+
+def quiet(expect, build, work):
+    for number, (what, words) in enumerate({
+            "zero gradient": {"inlet": "{ type zeroGradient; }"},
+            "jets": {"blown": OPEN + " share 0.5;"},
+            "no flow": {"blown": "superficialVelocity (0 0 0);"},
+            "no particles at it": {"row": 3},
+            "the void fraction of the cells": {"inlet": f"{{ type fixedValue; value uniform {1 - SOLID}; }}"},
+    }.items()):
+        log = make(build, work, f"quiet-{number}", **words).solve()
+        expect.equal(f"{what}: warnings", log.count(SAID), 0)
+
+
+def loud(expect, build, work, ranks):
+    what = f"particles at it, {ranks} ranks"
+    log = make(build, work, f"loud-{ranks}").solve(ranks=ranks)
+    expect.equal(f"{what}: warnings", log.count(SAID), 1)
+    found = re.search(rf"{SAID} .*, in the mean: (\S+) \((\S+)\)\n", log)
+    expect.true(f"{what}: says where and by how much", bool(found))
+    if found:
+        expect.equal(f"{what}: patch", found[1], "bottom")
+        # Six digits are printed.
+        expect.near(f"{what}: difference", float(found[2]), SOLID, 1e-6)
+    for part in ("type zeroGradient", "superficialVelocity"):
+        expect.true(f"{what}: says {part}", part in log.split(SAID)[-1].split("Time =")[0])
+
+
+def arriving(expect, build, work):
+    """From the second row they come into the first at 1e-3 s."""
+    case = make(build, work, "arriving", row=1, steps=15)
+    script = case.folder / "few.lmp"
+    script.write_text(script.read_text() + "fix down all move linear 0 0 -10\n")
+    log = case.solve()
+    expect.equal("arriving: warnings", log.count(SAID), 1)
+    times = [float(time) for time in re.findall(r"^Time = (\S+)", log.split(SAID)[0], re.M)]
+    # They are there at the end of the step to 1e-3 s or one later, by round-off; the next step sees them.
+    expect.near("arriving: time of the warning [s]", times[-1], 1.15e-3, 0.6e-4)
+
+
+def main(build, work):
+    expect = Expectations()
+    quiet(expect, build, work)
+    for ranks in (1, 2):
+        loud(expect, build, work, ranks)
+    arriving(expect, build, work)
+    expect.exit()
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:3])
