@@ -44,6 +44,7 @@ class LammpsFamilyEngine : public DemEngine {
  public:
   LammpsFamilyEngine(const DemEngineSettings& settings, const ScriptWords& words)
       : words_(words),
+        communicator_(settings.communicator),
         log_(settings.log),
         folder_(settings.folder),
         tell_([this, tell = settings.tell](Said said, const std::string& text) {
@@ -51,7 +52,7 @@ class LammpsFamilyEngine : public DemEngine {
           tell(said, text);
         }),
         screen_(tell_) {
-    MPI_Comm_rank(settings.communicator, &rank_);
+    MPI_Comm_rank(communicator_, &rank_);
     std::atexit(end_of_process);
     work([&] {
       start(settings);
@@ -127,7 +128,7 @@ class LammpsFamilyEngine : public DemEngine {
     for (auto& word : line) arguments.push_back(word.data());
     const EngineScreen::AsStandardOutput screen(screen_);
     lammps_ = std::make_unique<LAMMPS_NS::LAMMPS>(static_cast<int>(arguments.size()),
-                                                  arguments.data(), settings.communicator);
+                                                  arguments.data(), communicator_);
   }
 
   void run_script(const std::string& script) {
@@ -140,7 +141,7 @@ class LammpsFamilyEngine : public DemEngine {
     lammps_->input->file(script.c_str());
   }
 
-  /// By another thread than that which makes the steps: it may see one that has just ended.
+  /// Asked for by another thread than that which makes the steps: one that is just over will do.
   RunWatch::Steps steps_of_run() const {
     const auto* update = __atomic_load_n(&lammps_->update, __ATOMIC_RELAXED);
     if (!update || __atomic_load_n(&update->whichflag, __ATOMIC_RELAXED) == 0) return {0, 0, 0};
@@ -151,20 +152,22 @@ class LammpsFamilyEngine : public DemEngine {
   }
 
   /// All that lets the engine work: in its folder, and with its way to end a run told to the user.
-  template <class Work>
-  void work(Work&& work) {
+  template <class Task>
+  void work(Task&& task) {
     const WorkingFolder::Visit visit(folder_);
     at_work_ = this;
     try {
-      work();
+      task();
     } catch (const std::exception& error) {
       at_work_ = nullptr;
       // In the middle of its work an engine cannot be taken down.
       static_cast<void>(lammps_.release());
-      // The engine's own errors have been on its screen, of the rank whose they are.
-      if (std::string(error.what()).rfind("ERROR", 0) == 0)
-        throw DemEngineError(how_it_ended(true));
-      throw DemEngineError(error.what());
+      const std::string text = error.what();
+      // For an error of all ranks the first speaks, and ends the others, which wait for that.
+      if (text.rfind("ERROR:", 0) == 0 && rank_ != 0) MPI_Barrier(communicator_);
+      // The engine has shown its own errors, each on the rank that speaks.
+      if (text.rfind("ERROR", 0) == 0) throw DemEngineError(how_it_ended(true));
+      throw DemEngineError(text);
     }
     at_work_ = nullptr;
   }
@@ -222,6 +225,7 @@ class LammpsFamilyEngine : public DemEngine {
   static inline LammpsFamilyEngine* at_work_ = nullptr;
 
   const ScriptWords words_;
+  const MPI_Comm communicator_;
   const std::string log_;
   WorkingFolder folder_;
   int rank_ = 0;
