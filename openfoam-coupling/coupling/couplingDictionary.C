@@ -150,11 +150,13 @@ Foam::couplingDictionary::couplingDictionary(const objectRegistry& mesh)
 
 void Foam::couplingDictionary::refuseUnknown() const
 {
+    // On all ranks: some of OpenFOAM's file handlers ask each other.
+    const fileName file(filePath());
     dictionary written;
     OStringStream text;
     if (Pstream::master())
     {
-        written = asWritten(time().globalPath()/instance()/name());
+        written = asWritten(file);
         written.write(text, false);
     }
     const auto refuseOther = [&](const dictionary& dict, const dictionary& writtenDict, const Words& table)

@@ -109,9 +109,14 @@ Foam::gasParticleCoupling::gasParticleCoupling
     requireDimensions(voidFraction_, dimless, "a share of the volume, and is set from the particles");
     refusePatches(mesh_, dict_);
     setDepthRatio();
+    // The script, which may take long, runs when the dictionary has been read.
+    const bool sameGravity = asksForSameGravity(dict_);
     makeEngine();
     checkUnitsAndBox();
-    requireSameGravity(dict_, mesh_, *engine_, g_);
+    if (sameGravity)
+    {
+        requireSameGravity(dict_, mesh_, *engine_, g_);
+    }
     checkContinued();
     registered_ = std::make_unique<coupledParticles>(mesh_, *engine_, g_, density_, depthRatio_);
     sayParticles(*registered_, rho_);

@@ -19,6 +19,12 @@ constexpr std::array particleGravities{ParticleGravity{"same", false}, ParticleG
 } // End anonymous namespace
 
 
+bool Foam::asksForSameGravity(const dictionary& dict)
+{
+    return !selectRow(dict, "particleGravity", particleGravities, "same").any;
+}
+
+
 void Foam::requireSameGravity
 (
     const dictionary& dict,
@@ -27,10 +33,6 @@ void Foam::requireSameGravity
     const vector& g
 )
 {
-    if (selectRow(dict, "particleGravity", particleGravities, "same").any)
-    {
-        return;
-    }
     const auto ofParticles = engine.gravity();
     vector lowest(ofParticles.lowest[0], ofParticles.lowest[1], ofParticles.lowest[2]);
     vector highest(ofParticles.highest[0], ofParticles.highest[1], ofParticles.highest[2]);

@@ -89,6 +89,9 @@ CASES = {
     "misspelt slip": (
         lambda c: c.set(COUPLING, "slip", "cellMean"),
         ["unknown slip 'cellMean'", "valid names: cell, interpolated"]),
+    "misspelt gravity": (
+        lambda c: append(c, COUPLING, "particleGravity some;"),
+        ["unknown particleGravity 'some'", "valid names: same, any", "couplingProperties"]),
     "misspelt response": (
         lambda c: c.set(COUPLING, "response", "stiff"),
         ["unknown response 'stiff'", "valid names: held, free", "couplingProperties"]),

@@ -19,7 +19,7 @@ import numpy as np
 from scipy.optimize import brentq
 
 from coupled_case import COUPLING, Expectations, append, column, disturb, exchange_lines, use_script
-from openfoam_features import FILE, TURBULENCE
+from openfoam_features import FILE, LAMINAR
 from packed_bed import field
 
 PRESSURE, TEMPERATURE, MOLAR_MASS = 1e5, 300.0, 28.9
@@ -148,7 +148,7 @@ def packed(build, work, cells, model=False, u=6.0, dt=1e-5, steps=400):
         append(case, "constant/transportProperties", "transportModel Newtonian;")
         append(case, "system/fvSchemes", "divSchemes { div(((gasContent*nuEff)*dev2(T(grad(U))))) Gauss linear; }")
         path = case.folder / "constant/turbulenceProperties"
-        path.write_text(FILE.format("dictionary", path.name) + TURBULENCE["laminar"])
+        path.write_text(FILE.format("dictionary", path.name) + LAMINAR)
     append(case, COUPLING, "drag ergunWenYu;")
     edit(case, "0.orig/U", (r"superficialVelocity \(0 0 0\)", f"superficialVelocity (0 0 {u})"))
     control(case, dt, steps, steps)

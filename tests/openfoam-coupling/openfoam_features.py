@@ -28,12 +28,13 @@ boundaryField
 {{
 {4}}}
 """
+LAMINAR = "simulationType laminar;\n"
 PAGE = SOURCE / "docs/openfoam-coupling/cohesiveBedFoam.md"
 
 
 def laminar(case):
     path = case.folder / "constant/turbulenceProperties"
-    path.write_text(FILE.format("dictionary", path.name) + "simulationType laminar;\n")
+    path.write_text(FILE.format("dictionary", path.name) + LAMINAR)
     append(case, "constant/transportProperties", "transportModel Newtonian;")
     append(case, "system/fvSchemes", "divSchemes { div(((voidFraction*nuEff)*dev2(T(grad(U))))) Gauss linear; }")
 

@@ -27,7 +27,8 @@ def plane(case):
 
 
 RUN = {
-    "two fixes gravity": lambda c: gravity(c, "fix one all gravity 8 vector 0 0 -3\nfix two all gravity 1.81 vector 0 0 -1"),
+    "two fixes gravity": lambda c: gravity(
+        c, "fix one all gravity 8 vector 0 0 -3\nfix two all gravity 1.81 vector 0 0 -1"),
     # To four digits
     "chute": lambda c: gravity(c, "fix weight all gravity 9.81 chute 30", "(4.905 0 -8.496)"),
     "spherical": lambda c: gravity(c, "fix weight all gravity 9.81 spherical 90 120", "(0 8.4957 -4.905)"),

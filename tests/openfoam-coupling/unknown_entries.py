@@ -46,8 +46,11 @@ ALLOWED = {
         '\ndragFactor $:bed.factor;'),
     "own entries of an included file": '#include "mine"\nlammpsCoeffs { variables { dt $step; } }',
     "all that is known": (
-        "form A; dragFactor 1; response held; slip cell; smoothingWidth 0.02; minVoidFraction 0.2; particleGravity same;"
-        "\ndrag ergunWenYu; dragExponent 3.7;\nliggghtsCoeffs { library \"none\"; }"),
+        'form A; dragFactor 1; response held; slip cell; smoothingWidth 0.02; minVoidFraction 0.2;\n'
+        'drag ergunWenYu; dragExponent 3.7; particleGravity same;\nliggghtsCoeffs { library "none"; }'),
+    "directives": (
+        'theForm A;\n#ifeq $theForm A\nslip cell;\n#else\nslip interpolated;\n#endif\n#remove theForm\n'
+        '#includeIfPresent "mine"'),
 }
 
 
