@@ -6,8 +6,6 @@
 // Debian 13, stops at the first function object with an error in IOstream "sha1". The dynamic linker
 // finds the definition here before that of libOpenFOAM.
 
-#if OPENFOAM <= 2106
-
 #include "OStringStream.H"
 #include "SHA1.H"
 #include "dictionary.H"
@@ -22,5 +20,3 @@ Foam::SHA1Digest Foam::dictionary::digest() const
     }
     return SHA1(entries.str()).digest();
 }
-
-#endif
