@@ -31,9 +31,10 @@ inline void require_valid(const Parameters& p) {
   for (const double ratio : {p.ratio_i, p.ratio_j}) {
     require(std::isfinite(ratio) && ratio >= 1.0, "ratio r_out/r of the well", ratio,
             "must be a finite number not below 1: the well is outside the core");
-    require(ratio <= largest_ratio, "ratio r_out/r of the well", ratio,
-            "must not be above 3: other spheres would fit between those that attract each other; it "
-            "is no length, but the radius of the edge over that of the particle");
+    require(
+        ratio <= largest_ratio, "ratio r_out/r of the well", ratio,
+        "must not be above 3: other spheres would fit between those that attract each other; it "
+        "is no length, but the radius of the edge over that of the particle");
   }
 }
 
