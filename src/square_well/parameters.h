@@ -21,8 +21,9 @@ struct Parameters {
 /// `well D ratio`: one ratio for both.
 inline Parameters well(double depth, double ratio) { return {depth, ratio, ratio}; }
 
-/// Above, another sphere of the same size fits between two that attract each other.
-inline constexpr double largest_ratio = 2.0;
+/// Above, another sphere of the same size fits between a wall and one that it attracts, and two
+/// between two that attract each other.
+inline constexpr double largest_ratio = 3.0;
 
 /// Throws InvalidParameter unless D >= 0 and both ratios are from 1 to largest_ratio, all finite.
 inline void require_valid(const Parameters& p) {
@@ -30,9 +31,10 @@ inline void require_valid(const Parameters& p) {
   for (const double ratio : {p.ratio_i, p.ratio_j}) {
     require(std::isfinite(ratio) && ratio >= 1.0, "ratio r_out/r of the well", ratio,
             "must be a finite number not below 1: the well is outside the core");
-    require(ratio <= largest_ratio, "ratio r_out/r of the well", ratio,
-            "must not be above 2: a third sphere would fit between two that attract each other; it "
-            "is no length, but the radius of the edge over that of the particle");
+    require(
+        ratio <= largest_ratio, "ratio r_out/r of the well", ratio,
+        "must not be above 3: other spheres would fit between those that attract each other; it "
+        "is no length, but the radius of the edge over that of the particle");
   }
 }
 

@@ -84,11 +84,11 @@ run {steps}
         self.assertGreater((numpy.diff(numpy.sign(way[:, :, 2]), axis=0) != 0).sum(), 2 * 8 - 1)
 
     def test_wells_wider_than_particles(self):
-        """The edge is at five radii: two of them, the reach of contacts, are not enough."""
+        """The edge is at three radii: two of them, the reach of contacts, are not enough."""
         speed, depth = 0.1 * R / DT, 0.5 * MASS * (0.1 * R / DT)**2
-        heights = [0.006 + k / 8 * speed * DT for k in range(8)]
+        heights = [0.005 + k / 8 * speed * DT for k in range(8)]
         way = self.same(heights, [-speed] * 8,
-                        f"square_well stiffness {STIFFNESS} well {depth} 5 zplane 0 NULL", "", steps=100)
+                        f"square_well stiffness {STIFFNESS} well {depth} 3 zplane 0 NULL", "", steps=100)
         # Faster in the well, and back.
         self.assertGreater(abs(way[:, :, 2]).max() / speed, 1.2)
 

@@ -79,9 +79,9 @@ class Sizes(ScriptTestCase):
     def test_wells_are_ratios(self):
         for style, contact in (("gran/square_well", CONTACT + " well 1e-12"), ("square_well", "1e-12"),
                                ("hard/square_well", "restitution 0.9 well 1e-12")):
-            self.refuses("pair_coeff * * of " + style, "ratio r_out/r of the well = 2.5: must not be above 2",
-                         pair=f"pair_style {style}\npair_coeff * * {contact} 2.5")
-        self.refuses("fix w wall/gran/square_well", "= 40: must not be above 2", boundary="p p f",
+            self.refuses("pair_coeff * * of " + style, "ratio r_out/r of the well = 3.5: must not be above 3",
+                         pair=f"pair_style {style}\npair_coeff * * {contact} 3.5")
+        self.refuses("fix w wall/gran/square_well", "= 40: must not be above 3", boundary="p p f",
                      pair=NONE + f"fix w all wall/gran/square_well {CONTACT} well 1e-12 40 zplane 0 NULL")
 
     def test_spheres_of_the_size_they_were_created_with(self):

@@ -33,8 +33,8 @@ class BadInput(unittest.TestCase):
                 self.refused(square_well(1e-11, ratio=1.5).replace("1.5", bad), "ratio r_out/r of the well",
                              "must be a finite number not below 1: the well is outside the core",
                              "wellRatio = " + shown)
-        self.refused(square_well(1e-11, ratio=2.5), "ratio r_out/r of the well = 2.5", "must not be above 2",
-                     "wellRatio = 2.5")
+        self.refused(square_well(1e-11, ratio=3.5), "ratio r_out/r of the well = 3.5", "must not be above 3",
+                     "wellRatio = 3.5")
 
     def test_scheme(self):
         for scheme, messages in (("event", ["LIGGGHTS asks a contact model for one force per contact",

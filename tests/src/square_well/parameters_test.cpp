@@ -53,8 +53,8 @@ TEST(WellParameters, RefuseWhatIsNoWell) {
   expect_refused([&] { require_valid(well(-1e-11, 1.01)); }, "depth D");
   expect_refused([&] { require_valid(well(nan, 1.01)); }, "depth D");
   expect_refused([&] { require_valid(well(1e-11, 0.99)); }, "ratio r_out/r");
-  EXPECT_NO_THROW(require_valid(well(1e-11, 2.0)));
-  expect_refused([&] { require_valid(well(1e-11, 2.01)); }, "must not be above 2");
+  EXPECT_NO_THROW(require_valid(well(1e-11, 3.0)));
+  expect_refused([&] { require_valid(well(1e-11, 3.01)); }, "must not be above 3");
   expect_refused([&] { require_valid(well(1e-11, nan)); }, "ratio r_out/r");
   require_valid(well(1e-11, 1.0));
 }
