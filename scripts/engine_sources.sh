@@ -69,8 +69,8 @@ Run them in a container or a chroot of one of the two, for instance made by 'deb
 the engines and their headers yourself and build with CMake: docs/building.md"
 }
 
-# Upstream version of the package that has an installed library. Packages of libraries change their names from one Debian
-# to the next, and of a name that it has heard of dpkg-query prints an empty version and calls that a success.
+# Upstream version of the package that has an installed library. Packages of libraries change their names from one
+# Debian to the next, and of a name that it has heard of dpkg-query prints an empty version and calls that a success.
 installed() {
   local owner version
   owner=$(dpkg-query -S "*/$1" | sed -n '1s/: .*//p')

@@ -26,8 +26,8 @@ class LeftOut(unittest.TestCase):
                                   stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
             self.assertNotEqual(done.returncode, 0)
             part, reason = summary.split(": left out, ")
-            self.assertEqual(done.stdout.strip(), f"{Path(program).name}: the {part} was left out of '{build.resolve()}': "
-                                                  f"{reason}")
+            self.assertEqual(done.stdout.strip(),
+                             f"{Path(program).name}: the {part} was left out of '{build.resolve()}': {reason}")
 
     def test_coupling(self):
         self.stops("fluidised-bed/run.py", COUPLING)

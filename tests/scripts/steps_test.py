@@ -81,7 +81,10 @@ class InstalledVersion(Steps):
         self.fails("step headers '1 s' fetch_lammps_headers", "liblammps", "FAILED: headers")
 
     def test_of_a_library_that_no_package_has(self):
-        self.program("dpkg-query", "[ \"$1\" = -S ] || exit 0; echo \"no path found matching pattern $2\" >&2; exit 1\n")
+        self.program("dpkg-query", """[ "$1" = -S ] || exit 0
+echo "no path found matching pattern $2" >&2
+exit 1
+""")
         for library, work in (("liblammps.so", "fetch_lammps_headers"), ("libOpenFOAM.so", "fetch_openfoam_headers")):
             self.fails(f"step headers '1 s' {work}", library, "FAILED: headers")
 
@@ -111,9 +114,9 @@ class OtherSystems(Steps):
 
 class LeftOut(Steps):
     def test_is_a_failure(self):
-        (self.folder / "summary.txt").write_text(SUMMARY.format(coupling="left out, OpenFOAM was not found: no headers"))
-        self.fails("step build '1 s' require_complete", "OpenFOAM coupling: OpenFOAM was not found: no headers",
-                   "FAILED: build")
+        reason = "OpenFOAM was not found: no headers"
+        (self.folder / "summary.txt").write_text(SUMMARY.format(coupling="left out, " + reason))
+        self.fails("step build '1 s' require_complete", "OpenFOAM coupling: " + reason, "FAILED: build")
 
     def test_on_purpose_is_none(self):
         (self.folder / "summary.txt").write_text(SUMMARY.format(coupling="for OpenFOAM v1912"))
