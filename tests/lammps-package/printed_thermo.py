@@ -3,7 +3,8 @@
 
 
 def thermo_lines(output):
-    """Names of the columns of the last run's thermo output, and its lines of numbers."""
+    """Names of the columns of the last run's thermo output, and its lines of numbers. What another rank printed comes
+    between them at any place."""
     lines = output.splitlines()
     header = max(i for i, line in enumerate(lines) if line.split()[:1] == ["Step"])
     names, values = lines[header].split(), []
@@ -11,12 +12,14 @@ def thermo_lines(output):
         if line.startswith("WARNING"):
             continue
         words = line.split()
-        if len(words) != len(names):
+        if words[:2] == ["Loop", "time"]:
             break
+        if len(words) != len(names):
+            continue
         try:
             values.append([float(word) for word in words])
         except ValueError:
-            break
+            continue
     return names, values
 
 

@@ -232,7 +232,7 @@ def sound(expect, build, work, form, cells=32, h=0.01, dt=2e-5, steps=110):
     mode = np.cos(k * h * (np.arange(cells) + 0.5))
     size = 1e-6 / PSI
     edit(case, "0.orig/p", (r"internalField +uniform 0;", f"internalField nonuniform List<scalar> {cells}"
-                            f"({' '.join(repr(size * x) for x in mode)});"))
+                            f"({' '.join(repr(float(size * x)) for x in mode)});"))
     case.mesh()
     case.solve()
     times = [f"{n * dt:.8g}" for n in range(1, steps + 1)]
