@@ -19,6 +19,7 @@
 #include "modify.h"
 #include "pair_members.h"
 #include "shear/flight.h"
+#include "unturned_spheres.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -126,11 +127,11 @@ void FixEventStep::init() {
       follows = follows || pairs->follows();
     if (auto* one = dynamic_cast<AdvisedStyle*>(member.pair)) advised.push_back(one);
   }
-  warn_of_unturned();
+  look_for_unturned();
 }
 
-/// Spheres with friction that a fix moves and does not turn slide as if nothing could spin.
-void FixEventStep::warn_of_unturned() {
+/// A warning that was given is not given again.
+void FixEventStep::look_for_unturned() {
   if (said_unturned) return;
   std::vector<bool> rubs(atom->ntypes + 1, false);
   for (int type = 1; type <= atom->ntypes; type++) {
@@ -139,21 +140,7 @@ void FixEventStep::warn_of_unturned() {
       if (const auto* pairs = dynamic_cast<const EventPairs*>(member.pair))
         rubs[type] = rubs[type] || pairs->rubs(type);
   }
-  bigint mine = 0, all = 0;
-  for (int i = 0; i < atom->nlocal; i++)
-    mine += rubs[atom->type[i]] && mobile.is_not_turned(atom->mask[i]);
-  MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
-  if (all == 0) return;
-  said_unturned = true;
-  const Fix* const* const first = std::find_if(
-      modify->fix, modify->fix + modify->nfix,
-      [](const Fix* fix) { return fix->time_integrate && MobileParticles::only_translates(fix); });
-  if (comm->me == 0)
-    error->warning(
-        FLERR,
-        "friction acts on {} particles that fix {} {} moves and does not turn: their "
-        "spins stay as they are, and they slide where spheres roll; use 'fix nve/sphere'",
-        all, (*first)->id, (*first)->style);
+  said_unturned = warn_of_unturned(lmp, mobile, rubs);
 }
 
 /// Then a step does nothing for any particle.

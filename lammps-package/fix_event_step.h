@@ -186,7 +186,7 @@ class FixEventStep : public Fix {
   void take_over();
   void move();
   void begin_books();
-  void warn_of_unturned();
+  void look_for_unturned();
 
   std::vector<EventContacts*> walls;   // those of this run
   std::vector<AdvisedStyle*> advised;  // the same

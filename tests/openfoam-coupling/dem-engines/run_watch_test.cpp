@@ -39,11 +39,8 @@ std::vector<std::string> said(std::size_t times, const std::function<RunWatch::S
 TEST(RunWatch, SaysNothingOfWhatIsSoonOver) {
   bool any = false;
   {
-    const RunWatch watch(
-        [] {
-          return RunWatch::Steps{0, 1, 2};
-        },
-        [&](const std::string&) { any = true; });
+    const RunWatch watch([] { return RunWatch::Steps{0, 1, 2}; },
+                         [&](const std::string&) { any = true; });
   }
   EXPECT_FALSE(any);
 }

@@ -24,16 +24,10 @@ TEST(RangeOfValidity, SmallGapIsTooStrongByGapOverReducedRadius) {
 TEST(RangeOfValidity, CutOffsFarBelowTheRadius) {
   const PairGeometry g = two_spheres(2.0, 2.0);  // R* = 1
   EXPECT_NO_THROW(require_far_below_radius(small_gap, {1.0, 0.1, 1.0}, g));
-  expect_refused(
-      [&] {
-        require_far_below_radius(small_gap, {1.0, 0.11, 1.0}, g);
-      },
-      "surface cut-off H_cut = 0.11: must not be above 0.1");
-  expect_refused(
-      [&] {
-        require_far_below_radius(small_gap, {1.0, 0.1, 1.1}, g);
-      },
-      "outer cut-off H_out = 1.1: must not be above 1");
+  expect_refused([&] { require_far_below_radius(small_gap, {1.0, 0.11, 1.0}, g); },
+                 "surface cut-off H_cut = 0.11: must not be above 0.1");
+  expect_refused([&] { require_far_below_radius(small_gap, {1.0, 0.1, 1.1}, g); },
+                 "outer cut-off H_out = 1.1: must not be above 1");
   EXPECT_NO_THROW(require_far_below_radius(exact, {1.0, 1.0, 10.0}, g));
   expect_refused([&] { require_far_below_radius(exact, {1.0, 1.1, 10.0}, g); }, "form exact");
   expect_refused([&] { require_far_below_radius(exact, {1.0, 1.0, 11.0}, g); }, "H_out = 11");

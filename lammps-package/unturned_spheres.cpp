@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#include "unturned_spheres.h"
+
+#include <mpi.h>
+
+#include <algorithm>
+
+#include "atom.h"
+#include "comm.h"
+#include "error.h"
+#include "mobile_particles.h"
+
+using namespace LAMMPS_NS;
+
+bool LAMMPS_NS::warn_of_unturned(LAMMPS* lmp, const MobileParticles& mobile,
+                                 const std::vector<bool>& rubs) {
+  const Atom* const atom = lmp->atom;
+  bigint mine = 0, all = 0;
+  for (int i = 0; i < atom->nlocal; i++)
+    mine += rubs[atom->type[i]] && mobile.is_not_turned(atom->mask[i]);
+  MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, lmp->world);
+  if (all == 0) return false;
+  const Modify* const modify = lmp->modify;
+  const Fix* const mover = *std::find_if(
+      modify->fix, modify->fix + modify->nfix,
+      [](const Fix* fix) { return fix->time_integrate && MobileParticles::only_translates(fix); });
+  if (lmp->comm->me == 0)
+    lmp->error->warning(FLERR,
+                        "friction acts on {} particles that fix {} {} moves and does not turn: "
+                        "their spins stay as they are, and they slide where spheres roll; use "
+                        "'fix nve/sphere'",
+                        all, mover->id, mover->style);
+  return true;
+}
