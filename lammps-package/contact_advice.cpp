@@ -25,55 +25,84 @@
 using namespace LAMMPS_NS;
 namespace advice = cohesion::advice;
 
-/// The largest acceleration that the fixes of the step put on a particle; of none: that of all
-/// fixes together, for those to come.
-double ContactWatch::gravity() const {
-  double g = 0.0;
-  if (atom->natoms == 0) {
-    double sum[3] = {0.0, 0.0, 0.0};
-    for (int k = 0; k < modify->nfix; k++) {
-      int dimension = 0;
-      if (!utils::strmatch(modify->fix[k]->style, "^gravity")) continue;
-      if (const auto* of_fix = static_cast<double*>(modify->fix[k]->extract("gvec", dimension)))
-        for (int d = 0; d < 3; d++) sum[d] += of_fix[d];
-    }
-    return std::hypot(sum[0], sum[1], sum[2]);
+namespace {
+
+constexpr int ALL = 1, ANY_GROUP = ~0;  // bits of masks
+
+/// What the fixes gravity of these groups put on a particle together, [length/time^2].
+double gravity_of_fixes(const Modify* modify, int mask) {
+  double sum[3] = {0.0, 0.0, 0.0};
+  for (int k = 0; k < modify->nfix; k++) {
+    Fix* const fix = modify->fix[k];
+    int dimension = 0;
+    if (!utils::strmatch(fix->style, "^gravity") || !(fix->groupbit & mask)) continue;
+    if (const auto* of_fix = static_cast<double*>(fix->extract("gvec", dimension)))
+      for (int d = 0; d < 3; d++) sum[d] += of_fix[d];
   }
+  return std::hypot(sum[0], sum[1], sum[2]);
+}
+
+/// The largest acceleration that the fixes of the step put on a particle of the group, or will on
+/// one that is announced; where there is none yet, that of all fixes together.
+double gravity(LAMMPS* lmp, int groupbit) {
+  const Atom* const atom = lmp->atom;
+  double g = atom->natoms == 0 ? gravity_of_fixes(lmp->modify, ANY_GROUP) : 0.0;
   const std::vector<double> weight = weights(lmp);
   for (int i = 0; i < atom->nlocal; i++) {
+    if (!(atom->mask[i] & groupbit)) continue;
     const double* const w = &weight[3 * i];
     const double mass = atom->rmass ? atom->rmass[i] : atom->mass[atom->type[i]];
     g = std::max(g, std::hypot(w[0], w[1], w[2]) / mass);
   }
+  for (const AnnouncedParticle& p : announced_particles(lmp))
+    if (p.mask & groupbit) g = std::max(g, gravity_of_fixes(lmp->modify, p.mask));
   double all = 0.0;
-  MPI_Allreduce(&g, &all, 1, MPI_DOUBLE, MPI_MAX, world);
+  MPI_Allreduce(&g, &all, 1, MPI_DOUBLE, MPI_MAX, lmp->world);
   return all;
 }
 
-/// The lightest particles, those that fixes have announced among them, and the fastest.
-void ContactWatch::look() {
+/// The lightest particles of the group, those that fixes have announced among them, and the
+/// fastest.
+void look(LAMMPS* lmp, int groupbit, Circumstances& now) {
+  const Atom* const atom = lmp->atom;
   const double none = std::numeric_limits<double>::infinity();
-  // The speed with the other sign in place of a type 0: the least of all is looked for.
   std::vector<LightestParticle> mine(atom->ntypes + 1, {none, none});
-  mine[0] = {-fastest_of(atom, domain, atom->nlocal), none};
   MobileParticles mobile;
-  mobile.look_up(modify);
+  mobile.look_up(lmp->modify);
   const auto take = [&](int type, int mask, double radius, double mass) {
+    if (!(mask & groupbit)) return;
     LightestParticle& lightest = mine[type];
     lightest.radius = std::min(lightest.radius, radius);
     if (mobile.inverse_mass(mask, mass) > 0.0) lightest.mass = std::min(lightest.mass, mass);
   };
   for (const AnnouncedParticle& p : announced_particles(lmp))
     if (p.type <= atom->ntypes) take(p.type, p.mask, p.radius, p.mass);
+  const cohesion::shear::BoxShear flow = rate_of_shear(lmp->domain);
+  double fastest = 0.0;
   for (int i = 0; i < atom->nlocal; i++) {
+    if (!(atom->mask[i] & groupbit)) continue;
     const int type = atom->type[i];
+    const double* const v = atom->v[i];
+    fastest = std::max(fastest, std::hypot(flow.beyond(v[0], atom->x[i][1]), v[1], v[2]));
     take(type, atom->mask[i], atom->radius[i], atom->rmass ? atom->rmass[i] : atom->mass[type]);
   }
-  now_.lightest.resize(mine.size());
-  MPI_Allreduce(mine.data(), now_.lightest.data(), 2 * static_cast<int>(mine.size()), MPI_DOUBLE,
-                MPI_MIN, world);
-  now_.run.fastest = -now_.lightest[0].radius;
-  now_.lightest[0] = {none, none};
+  // The speed with the other sign in place of a type 0: the least of all is looked for.
+  mine[0] = {-fastest, none};
+  now.lightest.resize(mine.size());
+  MPI_Allreduce(mine.data(), now.lightest.data(), 2 * static_cast<int>(mine.size()), MPI_DOUBLE,
+                MPI_MIN, lmp->world);
+  now.run.fastest = -now.lightest[0].radius;
+  now.lightest[0] = {none, none};
+}
+
+}  // namespace
+
+Circumstances LAMMPS_NS::of_group(LAMMPS* lmp, const Circumstances& now, int groupbit) {
+  Circumstances of_group = now;
+  if (groupbit == ALL) return of_group;
+  look(lmp, groupbit, of_group);
+  of_group.run.gravity = gravity(lmp, groupbit);
+  return of_group;
 }
 
 /// In how many steps each fix that changes particles does so.
@@ -91,10 +120,10 @@ bool ContactWatch::due(bool setup) {
     watch_.set_up(adapted_every());
   else if (!watch_.may_differ(neighbor->ago == 0, static_cast<long>(update->ntimestep), dt))
     return false;
-  look();
+  look(lmp, ALL, now_);
   if (!setup && !watch_.worse(now_.lightest, now_.run.fastest, dt)) return false;
   watch_.judged(now_.lightest, now_.run.fastest, dt);
-  now_.run = {now_.run.fastest, gravity(), dt, rate_of_shear(domain).amount};
+  now_.run = {now_.run.fastest, gravity(lmp, ALL), dt, rate_of_shear(domain).amount};
   now_.within_run = !setup;
   return true;
 }

@@ -42,13 +42,15 @@ class ContactWatch : protected Pointers {
   void forget() { watch_.forget(); }
 
  private:
-  void look();
   std::vector<int> adapted_every() const;
-  double gravity() const;
 
   Circumstances now_;
   cohesion::advice::Watch watch_;
 };
+
+/// `now` as far as the particles of a group go, of which some may be still to come. All ranks call
+/// it.
+Circumstances of_group(LAMMPS*, const Circumstances& now, int groupbit);
 
 /// A contact between these two; without springs when neither moves.
 AdvisedContact advised_contact(const std::string& name, const LightestParticle& i,

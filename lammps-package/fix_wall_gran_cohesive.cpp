@@ -129,7 +129,7 @@ void FixWallGranCohesive<Cohesion>::init() {
     error->all(FLERR, where + " acts on spheres; use 'atom_style sphere'");
   if (update->whichflag == 2)
     error->all(FLERR, where + " follows motion in time; it cannot be minimized");
-  const std::vector<double> smallest = smallest_radii(lmp, largest_radii(lmp));
+  const std::vector<double> smallest = smallest_radii(lmp, largest_radii(lmp, groupbit), groupbit);
   for (int type = 1; type <= atom->ntypes; type++)
     attraction.require_short(lmp, where, given_parameters, smallest[type],
                              std::numeric_limits<double>::infinity());
@@ -142,7 +142,8 @@ void FixWallGranCohesive<Cohesion>::post_force(int) {
 }
 
 template <class Cohesion>
-void FixWallGranCohesive<Cohesion>::give_advice(const Circumstances& now) {
+void FixWallGranCohesive<Cohesion>::give_advice(const Circumstances& of_all) {
+  const Circumstances now = of_group(lmp, of_all, groupbit);
   advise(lmp, where, limits_of(scheme),
          from_script(lmp, where, [&] { return advised_contacts(now.lightest); }), now, said);
 }

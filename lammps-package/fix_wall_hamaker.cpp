@@ -108,7 +108,7 @@ void FixWallHamaker::init() {
     error->all(FLERR,
                "fix wall/hamaker acts on spheres and needs an atom style with radii, for "
                "instance 'atom_style sphere'");
-  const std::vector<double> smallest = smallest_radii(lmp, largest_radii(lmp));
+  const std::vector<double> smallest = smallest_radii(lmp, largest_radii(lmp, groupbit), groupbit);
   for (int type = 1; type <= atom->ntypes; type++)
     require_far_below_radius(lmp, std::string("fix ") + id + " wall/hamaker", *form, given,
                              smallest[type], std::numeric_limits<double>::infinity());
@@ -129,7 +129,8 @@ void FixWallHamaker::post_force(int vflag) {
 void FixWallHamaker::give_advice() {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   const std::string where = std::string("fix ") + id + " wall/hamaker";
-  const std::vector<LightestParticle>& lightest = watch.now().lightest;
+  const Circumstances now = of_group(lmp, watch.now(), groupbit);
+  const std::vector<LightestParticle>& lightest = now.lightest;
   std::vector<AdvisedContact> contacts;
   for (int type = 1; type <= atom->ntypes; type++) {
     if (!std::isfinite(lightest[type].radius)) continue;  // no particles yet
@@ -144,7 +145,7 @@ void FixWallHamaker::give_advice() {
         {fmt::format("{} - wall", type), lightest[type], {infinite, infinite}, {}, adhesion});
   }
   advise_of_attraction(lmp, where, "use fix wall/gran/hamaker, which sees it at any step", contacts,
-                       watch.now(), said);
+                       now, said);
 }
 
 template <class Law>

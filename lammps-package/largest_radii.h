@@ -19,15 +19,18 @@
 namespace LAMMPS_NS {
 
 /// The largest radius of each type [length], index 0 unused, over all ranks. The neighbour range is
-/// fixed at init, so particles that fix pour or fix deposit will insert later count too.
-inline std::vector<double> largest_radii(LAMMPS* lmp) {
+/// fixed at init, so particles that fix pour or fix deposit will insert later count too. Of a group
+/// alone, if given.
+inline std::vector<double> largest_radii(LAMMPS* lmp, int groupbit = 1) {
   const Atom* atom = lmp->atom;
   std::vector<double> mine(atom->ntypes + 1, 0.0);
   for (int i = 0; i < atom->nlocal; i++)
-    mine[atom->type[i]] = std::max(mine[atom->type[i]], atom->radius[i]);
+    if (atom->mask[i] & groupbit)
+      mine[atom->type[i]] = std::max(mine[atom->type[i]], atom->radius[i]);
   for (int ifix = 0; ifix < lmp->modify->nfix; ifix++) {
     Fix* fix = lmp->modify->fix[ifix];
     if (strcmp(fix->style, "pour") != 0 && strcmp(fix->style, "deposit") != 0) continue;
+    if (!((1 | fix->groupbit) & groupbit)) continue;
     for (int type = 1; type <= atom->ntypes; type++) {
       int itype = type;
       if (const auto* radius = static_cast<double*>(fix->extract("radius", itype)))
@@ -41,13 +44,15 @@ inline std::vector<double> largest_radii(LAMMPS* lmp) {
 }
 
 /// The smallest radius of each type [length], index 0 unused, over all ranks; of a type without
-/// particles the `largest` that are to come, 0 where none are.
-inline std::vector<double> smallest_radii(LAMMPS* lmp, const std::vector<double>& largest) {
+/// particles the `largest` that are to come, 0 where none are. Of a group alone, if given.
+inline std::vector<double> smallest_radii(LAMMPS* lmp, const std::vector<double>& largest,
+                                          int groupbit = 1) {
   const Atom* atom = lmp->atom;
   constexpr double none = std::numeric_limits<double>::infinity();
   std::vector<double> mine(atom->ntypes + 1, none);
   for (int i = 0; i < atom->nlocal; i++)
-    mine[atom->type[i]] = std::min(mine[atom->type[i]], atom->radius[i]);
+    if (atom->mask[i] & groupbit)
+      mine[atom->type[i]] = std::min(mine[atom->type[i]], atom->radius[i]);
   std::vector<double> all(mine.size());
   MPI_Allreduce(mine.data(), all.data(), static_cast<int>(mine.size()), MPI_DOUBLE, MPI_MIN,
                 lmp->world);
