@@ -8,6 +8,7 @@
 
 #include "advice/box_limits.h"
 #include "atom.h"
+#include "comm.h"
 #include "domain.h"
 #include "engine_api.h"
 #include "message.h"
@@ -24,16 +25,36 @@ constexpr double CREATED_RADIUS = 0.5, CREATED_DENSITY = 1.0;
 // So much smaller are others that one as created was not meant.
 constexpr double MUCH_SMALLER = 0.1;
 
+bool is_shrink_wrapped(const Domain* d) {
+  constexpr int SHRINK = 2;  // and above
+  return std::any_of(&d->boundary[0][0], &d->boundary[0][0] + 6,
+                     [](int kind) { return kind >= SHRINK; });
+}
+
 cohesion::advice::BoxSize size_of(const Domain* d) {
   const bool flat = d->dimension == 2;
   return {{d->prd[0], d->prd[1], flat ? 0.0 : d->prd[2]},
-          {d->periodicity[0] != 0, d->periodicity[1] != 0, d->periodicity[2] != 0 && !flat}};
+          {d->periodicity[0] != 0, d->periodicity[1] != 0, d->periodicity[2] != 0 && !flat},
+          is_shrink_wrapped(d)};
 }
 
 bool is_as_created(const Atom* atom, int i) {
   if (atom->radius[i] != CREATED_RADIUS || !atom->rmass) return false;
   const double mass = CREATED_DENSITY * cohesion::sphere_volume(CREATED_RADIUS);
   return std::abs(atom->rmass[i] - mass) <= 1e-12 * mass;
+}
+
+/// Once in a session.
+void warn(LAMMPS* lmp, const std::string& text) {
+  static const LAMMPS* warned = nullptr;
+  if (warned != lmp && lmp->comm->me == 0) lmp->error->warning(FLERR, text.c_str());
+  warned = lmp;
+}
+
+/// In SI units a sphere of 1 m and 1 kg/m^3 is not meant; in others it may be.
+void refuse_as_created(LAMMPS* lmp, const std::string& text) {
+  if (std::string(lmp->update->unit_style) == "si") stop(lmp, FLERR, text);
+  warn(lmp, text);
 }
 
 template <class Check>
@@ -69,8 +90,9 @@ void LAMMPS_NS::require_plausible_radii(LAMMPS* lmp, const std::string& where) {
       ". Spheres of create_atoms have the diameter 1 until 'set ... diameter', which changes those "
       "alone that are there before it";
   if (created > 0.0 && smallest < MUCH_SMALLER * CREATED_RADIUS)
-    stop(lmp, FLERR, where, ": particle ", created, " has the diameter 1, others as little as ",
-         2.0 * smallest, units_of_lengths(lmp), as_created);
+    refuse_as_created(
+        lmp, message(where, ": particle ", created, " has the diameter 1, others as little as ",
+                     2.0 * smallest, units_of_lengths(lmp), as_created));
   or_stop(lmp, where, created > 0.0 ? as_created : "",
           [&] { cohesion::advice::require_radius_in_box(largest, size_of(lmp->domain)); });
 }

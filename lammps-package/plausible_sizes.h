@@ -12,8 +12,9 @@ namespace LAMMPS_NS {
 /// "; lengths are those of 'units si'", behind a message about one.
 std::string units_of_lengths(const class LAMMPS*);
 
-/// Stops at particles that the box cannot hold, and at those that still have the size they were
-/// created with beside much smaller ones.
+/// Stops at particles that the box cannot hold, and in SI units at those that still have the size
+/// and density they were created with beside much smaller ones; in others, where they may be meant,
+/// it warns once.
 void require_plausible_radii(class LAMMPS*, const std::string& where);
 
 /// Stops where partners up to this distance of the centres would be found in very many images.

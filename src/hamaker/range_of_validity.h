@@ -22,7 +22,8 @@ inline void require_far_below_radius(const Form& form, const Parameters& p, cons
               "far "
               "below the radius (form "
            << form.name << ")";
-    require(value <= share * g.reduced_radius, name, value, remedy.str());
+    // The limit to the last digit is still the limit.
+    require(value <= (1.0 + 1e-6) * share * g.reduced_radius, name, value, remedy.str());
   };
   require_below("surface cut-off H_cut", p.surface_cutoff, form.largest_surface_cutoff);
   require_below("outer cut-off H_out", p.outer_cutoff, form.largest_outer_cutoff);

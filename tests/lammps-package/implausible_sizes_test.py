@@ -65,6 +65,7 @@ class Sizes(ScriptTestCase):
             self.refuses("outer cut-off H_out = 4e-05: must not be above 1.875e-05", "(form small_gap)",
                          UNITS, pair=law("4e-10", "4e-5"))
             self.goes(script(law("4e-10", "1.8e-5")))
+            self.goes(script(law("4e-10", "1.5e-5"), diameter="60e-6"))
             self.goes(script(law("4e-10", "4e-5", "form exact")))
             self.refuses("H_out = 0.0004", "form exact", pair=law("4e-10", "4e-4", "form exact"))
         for law in WALLS:
@@ -92,6 +93,17 @@ class Sizes(ScriptTestCase):
                          then="create_atoms 1 single 0.005 0.005 0.005 units box")
             self.refuses("radius of a particle = 0.5: must not be above the longest side of the box, 0.01",
                          "until 'set ... diameter'", pair=pair, then="set group all diameter 1 density 1")
+
+    def test_spheres_of_diameter_1_may_be_meant_in_other_units(self):
+        for units in ("lj", "cgs"):
+            text = script(NONE, then="create_atoms 1 single 5 5 5 units box") + "run 1\n"
+            output = self.goes(text.replace("units si", f"units {units}").replace("0 0.01", "0 10"))
+            self.assertEqual(output.count("WARNING: pair_style gran/hamaker: particle 3 has the diameter 1"), 1, output)
+
+    def test_shrink_wrapped_boxes_follow_the_centres(self):
+        alone = "group other id 2\ndelete_atoms group other"
+        text = script(NONE, boundary="s s s", diameter="1e-3", then=alone).replace("1e-3 bin", "1e-3 nsq")
+        self.goes(text + "run 1\n")
 
     def test_particles_larger_than_the_box(self):
         self.refuses("radius of a particle = 0.0375: must not be above the longest side of the box, 0.01", UNITS,

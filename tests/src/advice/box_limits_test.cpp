@@ -10,6 +10,7 @@ namespace cohesion::advice {
 TEST(BoxLimits, RadiusUpToTheLongestSide) {
   const BoxSize box{{1.0, 4.0, 2.0}, {true, false, false}};
   EXPECT_NO_THROW(require_radius_in_box(4.0, box));
+  EXPECT_NO_THROW(require_radius_in_box(4.5, {{1.0, 4.0, 2.0}, {true, false, false}, true}));
   expect_refused([&] { require_radius_in_box(4.5, box); },
                  "radius of a particle = 4.5: must not be above the longest side of the box, 4");
 }

@@ -31,6 +31,9 @@ TEST(RangeOfValidity, CutOffsFarBelowTheRadius) {
   EXPECT_NO_THROW(require_far_below_radius(exact, {1.0, 1.0, 10.0}, g));
   expect_refused([&] { require_far_below_radius(exact, {1.0, 1.1, 10.0}, g); }, "form exact");
   expect_refused([&] { require_far_below_radius(exact, {1.0, 1.0, 11.0}, g); }, "H_out = 11");
+  // 1.5e-5 in the last digit above the reduced radius, as it comes out.
+  const PairGeometry of_60_um = two_spheres(0.5 * 60e-6, 0.5 * 60e-6);
+  EXPECT_NO_THROW(require_far_below_radius(small_gap, {5e-19, 4e-10, 1.5e-5}, of_60_um));
   EXPECT_NO_THROW(require_far_below_radius(small_gap, {0.0, 0.4, 100.0}, g));
   EXPECT_NO_THROW(require_far_below_radius(small_gap, {1.0, 0.1, 1.9}, sphere_and_plane(2.0)));
 }
