@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
+#include <vector>
 
 #include "atom.h"
 #include "box_shear.h"
@@ -16,23 +18,43 @@ using cohesion::Vector3;
 
 namespace {
 
-// Over the smaller diameter: no contact that a linear spring stands for is so deep.
-constexpr double TOO_DEEP = 0.1;
+// Over the smaller diameter: what the law of a spring is meant for stays below.
+constexpr double DEEP = 0.01;
 
 struct DeepestContact {
-  int partner = -1;
+  int i = -1, partner = -1;
   double overlap = -std::numeric_limits<double>::infinity();  // over the smaller diameter
+
+  void look_at(const Atom* atom, int a, int b) {
+    const double distance = norm(vector(atom->x[b]) - vector(atom->x[a]));
+    const double ra = atom->radius[a], rb = atom->radius[b];
+    const double found = (ra + rb - distance) / (2.0 * std::min(ra, rb));
+    if (found > overlap) *this = {a, b, found};
+  }
 };
 
-DeepestContact deepest_contact(const Atom* atom, int i) {
+DeepestContact deepest_contact_of(const Atom* atom, int i) {
   DeepestContact deepest;
-  for (int j = 0; j < atom->nlocal + atom->nghost; j++) {
-    if (j == i) continue;
-    const double distance = norm(vector(atom->x[j]) - vector(atom->x[i]));
-    const double ri = atom->radius[i], rj = atom->radius[j];
-    const double overlap = (ri + rj - distance) / (2.0 * std::min(ri, rj));
-    if (overlap > deepest.overlap) deepest = {j, overlap};
-  }
+  for (int j = 0; j < atom->nlocal + atom->nghost; j++)
+    if (j != i) deepest.look_at(atom, i, j);
+  return deepest;
+}
+
+/// Of all, sorted along x: those further apart there than two radii do not touch.
+DeepestContact deepest_contact(const Atom* atom) {
+  std::vector<int> sorted(atom->nlocal + atom->nghost);
+  std::iota(sorted.begin(), sorted.end(), 0);
+  std::sort(sorted.begin(), sorted.end(),
+            [atom](int a, int b) { return atom->x[a][0] < atom->x[b][0]; });
+  double largest = 0.0;
+  for (int i : sorted) largest = std::max(largest, atom->radius[i]);
+  DeepestContact deepest;
+  for (std::size_t a = 0; a < sorted.size(); a++)
+    for (std::size_t b = a + 1; b < sorted.size(); b++) {
+      const int i = sorted[a], j = sorted[b];
+      if (atom->x[j][0] - atom->x[i][0] > atom->radius[i] + largest) break;
+      deepest.look_at(atom, i, j);
+    }
   return deepest;
 }
 
@@ -43,12 +65,18 @@ std::string LAMMPS_NS::report_flight(const LAMMPS* lmp, int i) {
   const double* const x = atom->x[i];
   const std::string flight = message("particle ", atom->tag[i], " at (", x[0], " ", x[1], " ", x[2],
                                      ") has the speed ", norm(vector(atom->v[i])));
-  const DeepestContact deepest = deepest_contact(atom, i);
-  if (deepest.overlap < TOO_DEEP) return flight;
-  return message(flight, " and overlaps particle ", atom->tag[deepest.partner], " by ",
-                 deepest.overlap,
-                 " of the smaller diameter: spheres that are made or put within each other fly "
-                 "apart; place them apart from each other");
+  const char* const why =
+      " of the smaller diameter: spheres that are made or put within each other fly apart; if they "
+      "were, place them apart from each other";
+  const DeepestContact own = deepest_contact_of(atom, i);
+  if (own.overlap > DEEP)
+    return message(flight, " and overlaps particle ", atom->tag[own.partner], " by ", own.overlap,
+                   why);
+  const DeepestContact other = deepest_contact(atom);
+  if (other.overlap <= DEEP) return flight;
+  return message(flight, "; particles ", std::min(atom->tag[other.i], atom->tag[other.partner]),
+                 " and ", std::max(atom->tag[other.i], atom->tag[other.partner]), " overlap by ",
+                 other.overlap, why);
 }
 
 std::string LAMMPS_NS::report_fastest(const LAMMPS* lmp) {

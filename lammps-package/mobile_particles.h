@@ -22,10 +22,10 @@ class MobileParticles {
     return fix->time_integrate && !utils::strmatch(fix->style, "^move");
   }
 
-  /// Whether that leaves spins as they are. Of a style that is not known here none is said to.
+  /// Whether that leaves spins as they are. Of a style that is not known here none is said to; nor
+  /// of nve/noforce, whose particles are led.
   static bool only_translates(const Fix* fix) {
-    static constexpr const char* styles[] = {"nve", "nve/limit", "nve/noforce", "nvt",
-                                             "npt", "nph",       "nvt/sllod"};
+    static constexpr const char* styles[] = {"nve", "nve/limit", "nvt", "npt", "nph", "nvt/sllod"};
     return std::any_of(std::begin(styles), std::end(styles),
                        [fix](const char* style) { return strcmp(fix->style, style) == 0; });
   }

@@ -39,6 +39,17 @@ class TooFast(ScriptTestCase):
             self.assertRegex(output, r"particle (2 at \(0.0069.* overlaps particle 3|"
                                      r"3 at \(0.0072.* overlaps particle 2) by 0.7")
 
+    def test_spheres_a_little_within_each_other(self):
+        """0.87 mm apart: of an overlap of 0.13 of the diameter half is left where they are too fast."""
+        for ranks in (1, 2):
+            self.stops(HEAD % (0.00787, "", 1.2e-4, 2e-6) + GRAN + TAIL, "particles fly up to", "overlap",
+                       "of the smaller diameter", APART, ranks=ranks)
+
+    def test_the_fastest_is_not_the_one_that_overlaps(self):
+        fast = HEAD % (0.00787, "set atom 1 vz 10", 1e-5, 2e-6)
+        output = self.stops(fast + GRAN + TAIL, "The fastest: particle 1 at (0.002", APART, ranks=1)
+        self.assertRegex(output, r"has the speed 10; particles 2 and 3 overlap by 0\.1[23]")
+
     def test_a_sphere_that_is_only_fast(self):
         for pair in (GRAN, HARD):
             for ranks in (1, 2):

@@ -23,6 +23,7 @@ neighbor 1e-4 bin
 timestep 1e-6
 """
 CONTACT = "stiffness 800 restitution 0.9 "
+RUBBING_SECOND = f"pair_coeff 2 2 {CONTACT}friction 0.3\npair_coeff 1 2 {CONTACT}\n"
 RUN = "\nrun 1\nrun 1\n"
 
 
@@ -48,13 +49,14 @@ class Unturned(ScriptTestCase):
         self.warns(pairs("friction 0.3") + "fix a first nve/sphere\nfix b second nve", 1, "b nve")
         self.warns(pairs("") + f"fix w all wall/gran/hamaker {CONTACT} friction 0.3 zplane 0 NULL\n"
                    "fix move all nve", 3, "move nve")
+        self.warns(pairs("") + RUBBING_SECOND + "fix a first nve\nfix b second nve", 1, "b nve", ranks=2)
 
     def test_right_ones(self):
         for friction, move in (("", "fix move all nve"), ("friction 0.3", "fix move all nve/sphere"),
                                ("friction 0.3", "fix move all nve\nfix still all freeze"),
                                ("friction 0.3", "fix a first nve/sphere\nfix b second move linear 0 0 1"),
-                               ("", "pair_coeff 2 2 " + CONTACT + "friction 0.3\npair_coeff 1 2 " + CONTACT +
-                                "\nfix a first nve\nfix b second nve/sphere")):
+                               ("friction 0.3", "fix a first nve/sphere\nfix b second nve/noforce"),
+                               ("", RUBBING_SECOND + "fix a first nve\nfix b second nve/sphere")):
             with self.subTest(friction=friction, move=move):
                 self.passes(pairs(friction) + move)
 
