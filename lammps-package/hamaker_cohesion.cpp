@@ -59,7 +59,7 @@ void HamakerCohesion::set(LAMMPS* lmp, const std::string& where, const std::stri
   form_ = hamaker_form_from_script(lmp, where, value);
 }
 
-Parameters HamakerCohesion::scaled(LAMMPS* lmp, const std::string& where, Parameters p) const {
+Parameters HamakerCohesion::scaled(LAMMPS* lmp, const std::string& where, Parameters p) {
   namespace advice = cohesion::advice;
   const cohesion::hamaker::Parameters real = p.hamaker;
   const bool scales =
@@ -71,7 +71,9 @@ Parameters HamakerCohesion::scaled(LAMMPS* lmp, const std::string& where, Parame
   p.hamaker = from_script(
       lmp, where, [&] { return advice::for_stiffness(p.contact.stiffness, p.material, real); });
   const std::string told = advice::told_scaling(p.contact.stiffness, p.material, real, p.hamaker);
-  if (!told.empty() && lmp->comm->me == 0) utils::logmesg(lmp, where + ": " + told + "\n");
+  if (told_[where] != told && !told.empty() && lmp->comm->me == 0)
+    utils::logmesg(lmp, where + ": " + told + "\n");
+  told_[where] = told;
   return p;
 }
 

@@ -3,6 +3,7 @@
 #define COHESION_HAMAKER_COHESION_H
 
 #include <array>
+#include <map>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -67,8 +68,8 @@ class HamakerCohesion {
 
   static cohesion::advice::Material material(const Parameters& p) { return p.material; }
   /// The parameters of a run: with the adhesion scaled to the stiffness when that is wished; what
-  /// was done is printed.
-  Parameters scaled(LAMMPS*, const std::string& where, Parameters) const;
+  /// was done is printed, where it is not what was printed last of `where`.
+  Parameters scaled(LAMMPS*, const std::string& where, Parameters);
   Law law(LAMMPS*, const std::string& where, const Parameters&) const;
   Law no_law() const { return form_->law(cohesion::hamaker::none, false); }
 
@@ -92,6 +93,7 @@ class HamakerCohesion {
       return {law, geometry};
   }
 
+  std::map<std::string, std::string> told_;  // what scaled() has printed, by `where`
   const cohesion::hamaker::Form* form_ = cohesion::hamaker::forms.data();
 };
 

@@ -21,10 +21,13 @@ class Said {
   /// By how much speeds must have grown for the table to be worth another look. Where the speed
   /// decides, a warning that was not said before brings the table at any speed.
   static constexpr double faster = 10.0;
+  /// By how much particles must have become larger or heavier, or the step shorter.
+  static constexpr double better = 2.0;
 
   /// What is new in `report`. The table: where a number of a contact other than its speed has
-  /// changed, or the speed by `faster`, or a warning is new. A warning: of a subject on which
-  /// nothing was said of that contact, or with other numbers where one of the contact has changed.
+  /// changed, to the better by more than `better`, or the speed by `faster`, or a warning is new. A
+  /// warning: of a subject on which nothing was said of that contact, or with other numbers where
+  /// one of the contact has changed.
   ///
   /// Within a run, where step and particles may change all the time and engines print tables of
   /// their own, the table comes with contacts alone that there were none of, and a warning once of
@@ -46,7 +49,10 @@ class Said {
   /// Of a contact, when the table was last printed.
   struct Known {
     double speed;
-    std::vector<double> numbers;  ///< all but the speed that the judgement depends on
+    double dt;
+    std::vector<double> sizes;    ///< radii and masses
+    std::vector<double> of_size;  ///< what grows with them, as they do at most
+    std::vector<double> others;   ///< that the judgement depends on
   };
 
   /// The contacts that are to be told of, by what the last table had of them.
@@ -87,18 +93,34 @@ class Said {
     const double scale = std::pow(c.springs.overlap, 1.0 - c.springs.exponent);
     const bool linear = c.springs.exponent == 1.0;
     return {approach_speed(run, c),
-            {c.i.radius, c.j.radius, c.i.mass, c.j.mass, c.springs.exponent,
-             scale * c.springs.stiffness, linear ? c.springs.damping : 0.0,
+            run.dt,
+            {c.i.radius, c.j.radius, c.i.mass, c.j.mass},
+            {scale * c.springs.stiffness, linear ? c.springs.damping : 0.0,
              scale * c.springs.tangential_stiffness, scale * c.springs.rolling_stiffness,
-             c.adhesion.force, c.adhesion.cutoff, c.adhesion.tail_energy, c.material.stiffness,
-             static_cast<double>(c.material.keep), run.dt, run.gravity, run.shear}};
+             c.adhesion.force, c.adhesion.cutoff, c.adhesion.tail_energy},
+            {c.springs.exponent, c.material.stiffness, static_cast<double>(c.material.keep),
+             run.gravity, run.shear}};
   }
 
   static bool differs(const Known& before, const Known& after) {
     if (after.speed > faster * before.speed) return true;
-    for (std::size_t k = 0; k < after.numbers.size(); k++)
-      if (!alike(before.numbers[k], after.numbers[k])) return true;
+    if (!grown(after.dt, before.dt, better)) return true;
+    double growth = 1.0;
+    for (std::size_t k = 0; k < after.sizes.size(); k++) {
+      if (!grown(before.sizes[k], after.sizes[k], better)) return true;
+      if (before.sizes[k] < after.sizes[k])
+        growth = std::max(growth, after.sizes[k] / before.sizes[k]);
+    }
+    for (std::size_t k = 0; k < after.of_size.size(); k++)
+      if (!grown(before.of_size[k], after.of_size[k], growth)) return true;
+    for (std::size_t k = 0; k < after.others.size(); k++)
+      if (!alike(before.others[k], after.others[k])) return true;
     return false;
+  }
+
+  /// Whether b is a, or larger by up to a factor.
+  static bool grown(double a, double b, double factor) {
+    return alike(a, b) || (a < b && b <= factor * a);
   }
 
   /// To the three digits that are printed.

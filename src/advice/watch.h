@@ -21,6 +21,9 @@ class Watch {
  public:
   /// By how much the fastest particle must have become faster.
   static constexpr double faster = 2.0;
+  /// By how much, relative to what was judged, particles must have become smaller or lighter or the
+  /// step longer: what changes in every step by little is judged once in a while, and in time.
+  static constexpr double change = 1e-3;
 
   /// Before a run, in which fixes change particles every so many steps.
   void set_up(const std::vector<int>& changed_every) { changed_every_ = changed_every; }
@@ -29,17 +32,18 @@ class Watch {
   /// that is new or not. Known without looking at particles, so alike on all ranks.
   bool may_differ(bool new_list, long step, double dt) const {
     // A fix that changes particles may act before or after the one that asks.
-    return new_list || dt > dt_ ||
+    return new_list || longer(dt) ||
            std::any_of(changed_every_.begin(), changed_every_.end(),
                        [step](int every) { return step % every <= 1; });
   }
 
   /// Whether contacts have to be judged again; `lightest` by type.
   bool worse(const std::vector<LightestParticle>& lightest, double fastest, double dt) const {
-    if (dt > dt_ || fastest > faster * fastest_ || lightest.size() != lightest_.size()) return true;
+    if (longer(dt) || fastest > faster * fastest_ || lightest.size() != lightest_.size())
+      return true;
     for (std::size_t type = 0; type < lightest.size(); type++)
-      if (lightest[type].radius < lightest_[type].radius ||
-          lightest[type].mass < lightest_[type].mass)
+      if (less(lightest[type].radius, lightest_[type].radius) ||
+          less(lightest[type].mass, lightest_[type].mass))
         return true;
     return false;
   }
@@ -54,6 +58,9 @@ class Watch {
   void forget() { dt_ = 0.0; }
 
  private:
+  bool longer(double dt) const { return dt > (1.0 + change) * dt_; }
+  static bool less(double value, double judged) { return value < (1.0 - change) * judged; }
+
   std::vector<int> changed_every_;
   std::vector<LightestParticle> lightest_;
   double fastest_ = 0.0;  // [length/time]

@@ -27,6 +27,7 @@ velocity all set 0.01 0 0
 """
 CHANGING = TWO.replace("sphere\n", "sphere 1\n", 1)
 MOVE = "fix move all nve/sphere\n"
+PAIRS_OF_TYPES = 3
 GOOD, WARNED, TOO_LONG = "5e-6", "3.1e-5", "4e-4"
 ADVICE = "what to expect"
 FEW_STEPS = "a contact takes"
@@ -69,6 +70,23 @@ class Step(ScriptTestCase):
                 output = self.goes(self.script(runs, first=WARNED))
                 self.assertEqual((output.count(ADVICE), output.count(FEW_STEPS)), (1, 1), output)
 
+    def test_how_adhesion_was_scaled_is_told_once(self):
+        for told, keep in (("adhesion scaled from", "velocity"), ("adhesion of stiffness", "force")):
+            style = f"{STYLE.strip()} material_stiffness 8000 material_keep {keep}\n"
+            output = self.goes(self.script("run 1\nrun 1\npair_coeff * * " +
+                                           style.split("* *")[1].replace("800 ", "400 ", 1) + "run 1\nrun 1\n",
+                                           style=style))
+            self.assertEqual(output.count(told), 2 * PAIRS_OF_TYPES, output)
+
+    def test_extremes_that_leave_a_mixture_are_not_news(self):
+        rows = "".join(f"create_atoms 1 single {0.001 * k} 0.01 0.01 units box\n"
+                       f"set atom {k + 2} diameter {0.5e-3 + 2e-5 * k} density 2650\n" for k in range(1, 11))
+        fewer = "".join(f"group out{k} id {k + 2}\ndelete_atoms group out{k} compress no\nrun 1\n"
+                        for k in range(1, 11))
+        output = self.goes(TWO + rows + STYLE + MOVE + f"timestep {GOOD}\nrun 1\n" + fewer)
+        # Heavier by (1/0.52)^3, two times a factor above 2.
+        self.assertLessEqual(output.count(ADVICE), 3)
+
     def test_other_coefficients_are_told(self):
         output = self.goes(self.script(f"run 5\npair_coeff * * {CONTACT.replace('800', '400')}\nrun 5\n"))
         self.assertEqual(output.count(ADVICE), 2)
@@ -91,6 +109,16 @@ class Particles(ScriptTestCase):
                 stiff = STYLE.replace("800", "4000")
                 output = self.goes(self.script("2e-6", "", style=stiff) % size)
                 self.assertEqual(output.count(ADVICE), 1, output)
+
+    def test_the_weight_of_what_will_come_among_held_particles(self):
+        held = "create_atoms 2 single 0.001 0.001 0.001 units box\nset type 2 diameter 1e-3 density 2650\n"
+        script = (self.script("2e-6", "", style=STYLE.replace("800", "4000")) % "diam one 1e-3 dens 2650 2650")
+        for name in ("fix move", "fix g", "fix ins"):
+            script = script.replace(f"{name} all", f"{name} free")
+        script = script.replace("neighbor", held + "group free type 1\nneighbor", 1)
+        for ranks in (1, 2):
+            # sqrt(2 g d)
+            self.assertRegex(self.goes(script, ranks=ranks), r"1 - 1 +0\.14 ")
 
     def test_at_a_wall_too(self):
         wall = f"fix plate all wall/gran/hamaker {CONTACT} zplane 0 NULL\n"

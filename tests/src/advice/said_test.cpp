@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "advice/thesis_pair.h"
@@ -72,6 +73,27 @@ TEST_F(SaidTest, AnotherStepIsToldButWhatItDoesNotChangeIsNot) {
   EXPECT_EQ(longer.warnings[0].subject, Subject::cutoff_steps);
 }
 
+TEST_F(SaidTest, ALittleBetterIsNotNews) {
+  const auto larger = [](double factor) {
+    AdvisedContact c = pair();
+    c.i = {factor * c.i.radius, factor * c.i.mass};
+    c.j = {factor * c.j.radius, factor * c.j.mass};
+    c.springs.damping *= std::sqrt(factor);
+    c.adhesion.force *= factor;
+    c.adhesion.tail_energy *= factor;
+    return c;
+  };
+  news({pair()}, DT, 0.1);
+  expect_nothing(news({larger(1.9)}, DT, 0.1));
+  expect_nothing(news({larger(1.9)}, DT / 1.9, 0.1));
+  EXPECT_NE(news({larger(0.99)}, DT, 0.1).table, "");
+  EXPECT_NE(news({larger(2.1)}, DT, 0.1).table, "");
+  EXPECT_NE(news({larger(2.1)}, DT / 2.1, 0.1).table, "");
+  AdvisedContact stronger = larger(2.1);
+  stronger.adhesion.force *= 1.01;
+  EXPECT_NE(news({stronger}, DT / 2.1, 0.1).table, "");
+}
+
 TEST_F(SaidTest, WithinARunOnlyWarningsAndContactsAreNews) {
   news({pair()}, DT, 0.1);
   expect_nothing(news({pair()}, 2 * DT, 0.1, true));
@@ -110,6 +132,9 @@ TEST(Watch, SeesLighterSmallerAndFasterParticlesAndLongerSteps) {
   EXPECT_FALSE(watch.worse({{none, none}, {2.0, 2.0}, {none, none}}, 0.0, 0.5));
   EXPECT_TRUE(watch.worse(usual, 2.1, 1.0));
   EXPECT_TRUE(watch.worse(usual, 1.0, 1.1));
+  EXPECT_FALSE(watch.worse({{none, none}, {0.9995, 0.9995}, {none, none}}, 1.0, 1.0005));
+  EXPECT_TRUE(watch.worse({{none, none}, {0.998, 1.0}, {none, none}}, 1.0, 1.0));
+  EXPECT_TRUE(watch.worse(usual, 1.0, 1.002));
   EXPECT_TRUE(watch.worse({{none, none}, {1.0, 0.9}, {none, none}}, 1.0, 1.0));
   EXPECT_TRUE(watch.worse({{none, none}, {0.9, 1.0}, {none, none}}, 1.0, 1.0));
   EXPECT_TRUE(watch.worse({{none, none}, {1.0, 1.0}, {5.0, none}}, 1.0, 1.0));
@@ -122,6 +147,7 @@ TEST(Watch, LooksWhereListStepOrParticlesMayBeOthers) {
   EXPECT_FALSE(watch.may_differ(false, 5, 1.0));
   EXPECT_TRUE(watch.may_differ(true, 5, 1.0));
   EXPECT_TRUE(watch.may_differ(false, 5, 1.1));
+  EXPECT_FALSE(watch.may_differ(false, 5, 1.0005));
   EXPECT_TRUE(watch.may_differ(false, 10, 1.0));
   EXPECT_TRUE(watch.may_differ(false, 11, 1.0));
   watch.forget();
