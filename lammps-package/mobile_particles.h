@@ -2,14 +2,13 @@
 #ifndef COHESION_MOBILE_PARTICLES_H
 #define COHESION_MOBILE_PARTICLES_H
 
-#include <algorithm>
 #include <cstring>
-#include <iterator>
 
 #include "fix.h"
 #include "fix_nve_sphere.h"
 #include "lammps.h"
 #include "modify.h"
+#include "unturned_spheres.h"
 #include "utils.h"
 
 namespace LAMMPS_NS {
@@ -20,14 +19,6 @@ class MobileParticles {
  public:
   static bool integrates(const Fix* fix) {
     return fix->time_integrate && !utils::strmatch(fix->style, "^move");
-  }
-
-  /// Whether that leaves spins as they are. Of a style that is not known here none is said to.
-  static bool only_translates(const Fix* fix) {
-    static constexpr const char* styles[] = {"nve", "nve/limit", "nve/noforce", "nvt",
-                                             "npt", "nph",       "nvt/sllod"};
-    return std::any_of(std::begin(styles), std::end(styles),
-                       [fix](const char* style) { return strcmp(fix->style, style) == 0; });
   }
 
   void look_up(const Modify* modify) {
