@@ -94,6 +94,7 @@ class BookOfRuns {
 
  private:
   void tell(LAMMPS* lmp, const std::string& where, double work) {
+    if (work == 0.0) return;
     if (!said_ && lmp->comm->me == 0)
       lmp->error->warning(
           FLERR, message(where, ": the box was changed between two runs; the energy ", work,

@@ -2,14 +2,13 @@
 #ifndef COHESION_MOBILE_PARTICLES_H
 #define COHESION_MOBILE_PARTICLES_H
 
-#include <algorithm>
 #include <cstring>
-#include <iterator>
 
 #include "fix.h"
 #include "fix_nve_sphere.h"
 #include "lammps.h"
 #include "modify.h"
+#include "unturned_spheres.h"
 #include "utils.h"
 
 namespace LAMMPS_NS {
@@ -22,6 +21,7 @@ class MobileParticles {
     return fix->time_integrate && !utils::strmatch(fix->style, "^move");
   }
 
+<<<<<<< HEAD
   /// Whether that leaves spins as they are. Of a style that is not known here none is said to; nor
   /// of nve/noforce, whose particles are led.
   static bool only_translates(const Fix* fix) {
@@ -30,6 +30,8 @@ class MobileParticles {
                        [fix](const char* style) { return strcmp(fix->style, style) == 0; });
   }
 
+=======
+>>>>>>> w-fixb
   void look_up(const Modify* modify) {
     mobile_ = frozen_ = discs_ = turned_ = 0;
     for (int i = 0; i < modify->nfix; i++) {

@@ -181,21 +181,33 @@ void ContactAdvice::set_springs(advice::AdvisedContact& c, int itype, int jtype,
     c.springs =
         normal_.springs(pair, advice::largest_overlap(c.springs, c.reduced_mass(), c.adhesion.force,
                                                       advice::touching_speed(run, c)));
-  if (!holds("tangential", "history", "coeffFrict", itype, jtype))
+  if (!has("tangential", "history") || coefficient("coeffFrict", itype, jtype) == 0.0)
     c.springs.tangential_stiffness = 0.0;
   // The spring of rolling model epsd2 is the tangential one, with the reduced radius as lever.
-  if (!holds("rolling_friction", "epsd2", "coeffRollFrict", itype, jtype))
+  if (!has("rolling_friction", "epsd2") || coefficient("coeffRollFrict", itype, jtype) == 0.0)
     c.springs.rolling_stiffness = 0.0;
 }
 
-/// Whether the contact model has this model of a kind, and a coefficient other than zero for it.
-bool ContactAdvice::holds(const char* kind, const char* model, const char* coefficient, int itype,
-                          int jtype) const {
-  const bool has = wall_ ? wall_->contact_match(kind, model)
-                         : static_cast<PairGran*>(lmp_->force->pair)->contact_match(kind, model);
-  if (!has) return false;
-  return lmp_->force->registry.getMatrixProperty(coefficient, model_.c_str())->data[itype][jtype] >
-         0.0;
+bool ContactAdvice::rubs(int type) const {
+  const bool slides = has("tangential", "history") || has("tangential", "no_history");
+  const bool rolls = has("rolling_friction", "epsd2") || has("rolling_friction", "cdt");
+  // The properties end at the last type that there is.
+  const int types = lmp_->force->registry.max_type();
+  for (int other = 1; type <= types && other <= types; other++)
+    if ((slides && coefficient("coeffFrict", type, other) > 0.0) ||
+        (rolls && coefficient("coeffRollFrict", type, other) > 0.0))
+      return true;
+  return false;
+}
+
+bool ContactAdvice::has(const char* kind, const char* model) const {
+  return wall_ ? wall_->contact_match(kind, model)
+               : static_cast<PairGran*>(lmp_->force->pair)->contact_match(kind, model);
+}
+
+/// Of a model that the contact has.
+double ContactAdvice::coefficient(const char* name, int itype, int jtype) const {
+  return lmp_->force->registry.getMatrixProperty(name, model_.c_str())->data[itype][jtype];
 }
 
 }  // namespace Cohesion

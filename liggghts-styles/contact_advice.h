@@ -57,13 +57,16 @@ class ContactAdvice {
 
   void give(const cohesion::advice::Circumstances& now);
 
+  /// Whether friction, sliding or rolling, may act on a particle of this type.
+  bool rubs(int type) const;
+
  private:
   std::vector<cohesion::advice::AdvisedContact> contacts(
       const cohesion::advice::Circumstances& now) const;
   void set_springs(cohesion::advice::AdvisedContact& contact, int itype, int jtype,
                    const cohesion::advice::RunNumbers& run) const;
-  bool holds(const char* kind, const char* model, const char* coefficient, int itype,
-             int jtype) const;
+  bool has(const char* kind, const char* model) const;
+  double coefficient(const char* name, int itype, int jtype) const;
 
   LAMMPS_NS::LAMMPS* lmp_;
   LAMMPS_NS::FixWallGran* wall_;

@@ -3,8 +3,11 @@
 
 #include <mpi.h>
 
+#include "atom.h"
 #include "comm.h"
 #include "error.h"
+#include "mobile_particles.h"
+#include "unturned_spheres.h"
 
 namespace LIGGGHTS {
 namespace Cohesion {
@@ -19,6 +22,17 @@ void FixContactAdvice::judge(bool setup) {
   if (asked_.empty() || !watch_.due(setup)) return;
   for (const auto& asked : asked_)
     if (const auto advice = asked.lock()) advice->give(watch_.now());
+}
+
+/// A warning that was given is not given again.
+void FixContactAdvice::look_for_unturned() {
+  if (said_unturned_) return;
+  std::vector<bool> rubs(atom->ntypes + 1, false);
+  for (const auto& asked : asked_)
+    if (const auto advice = asked.lock())
+      for (int type = 1; type <= atom->ntypes; type++)
+        rubs[type] = rubs[type] || advice->rubs(type);
+  said_unturned_ = LAMMPS_NS::warn_of_unturned(lmp, MobileParticles(modify), rubs);
 }
 
 int FixContactAdvice::setmask() {

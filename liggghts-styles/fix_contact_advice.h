@@ -30,7 +30,10 @@ class FixContactAdvice : public LAMMPS_NS::Fix {
       : Fix(engine, count, words), watch_(engine) {}
 
   int setmask() override;
-  void setup(int) override { judge(true); }
+  void setup(int) override {
+    judge(true);
+    look_for_unturned();
+  }
   void pre_force(int) override { judge(false); }
   void pre_exchange() override;
   void post_run() override { pre_exchange(); }
@@ -43,10 +46,12 @@ class FixContactAdvice : public LAMMPS_NS::Fix {
 
  private:
   void judge(bool setup);
+  void look_for_unturned();
 
   ContactWatch watch_;
   std::vector<std::weak_ptr<ContactAdvice>> asked_;
   std::vector<std::shared_ptr<LateWarning>> late_;
+  bool said_unturned_ = false;
 };
 
 }  // namespace Cohesion

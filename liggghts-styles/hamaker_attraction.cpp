@@ -1,10 +1,18 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include "hamaker_attraction.h"
+
 #include <mpi.h>
 // The engine's header of properties wants mpi.h before it.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "atom.h"
 #include "error.h"
+#include "fix.h"
 #include "global_properties.h"
 #include "hamaker/range_of_validity.h"
-#include "hamaker_attraction.h"
 #include "liggghts_api.h"
 #include "message.h"
 #include "modify.h"
@@ -61,6 +69,23 @@ void require_of_types(LAMMPS_NS::LAMMPS* lmp, const NormalModelProbe& normal) {
   lmp->error->all(FLERR, message.c_str());
 }
 
+/// By type, of all particles and of those still to be inserted, [length]; infinite: there are none.
+std::vector<double> smallest_radii(const LAMMPS_NS::LAMMPS* lmp) {
+  const LAMMPS_NS::Atom* const atom = lmp->atom;
+  std::vector<double> mine(atom->ntypes + 1, std::numeric_limits<double>::infinity());
+  const auto take = [&](int type, double radius) { mine[type] = std::min(mine[type], radius); };
+  for (int i = 0; i < atom->nlocal; i++) take(atom->type[i], atom->radius[i]);
+  for (int k = 0; k < lmp->modify->nfix; k++)
+    for (int type = 1; type <= atom->ntypes; type++) {
+      const double inserted = lmp->modify->fix[k]->min_rad(type);
+      if (inserted > 0.0) take(type, inserted);
+    }
+  std::vector<double> all(mine.size());
+  MPI_Allreduce(mine.data(), all.data(), static_cast<int>(mine.size()), MPI_DOUBLE, MPI_MIN,
+                lmp->world);
+  return all;
+}
+
 }  // namespace
 
 void HamakerAttraction::registerSettings(Settings& settings) {
@@ -103,15 +128,16 @@ void HamakerAttraction::connect(PropertyRegistry& registry, const NormalModelPro
       },
       given);
   acts_ = false;
+  const std::vector<double> radii = smallest_radii(lmp_);
   laws_.fill(
       lmp_, MODEL, registry.max_type(),
       [&](int i, int j) {
         const cohesion::hamaker::Parameters real{constant[i][j], surface, outer_cutoff_};
         acts_ = acts_ || real.hamaker_constant > 0.0;
         cohesion::hamaker::require_valid(real);
-        cohesion::hamaker::require_far_below_radius(
-            cohesion::hamaker::forms.front(), real,
-            cohesion::two_spheres(registry.min_radius(), registry.min_radius()));
+        if (std::isfinite(radii[i]) && (is_wall_ || std::isfinite(radii[j])))
+          cohesion::hamaker::require_far_below_radius(cohesion::hamaker::forms.front(), real,
+                                                      geometry(is_wall_, radii[i], radii[j]));
         return Law(has_material_ ? scaled(real, materials_.of(i, j), normal, i, j) : real);
       },
       given);

@@ -24,8 +24,8 @@ class HamakerAttraction : public AttractionEnergy {
  public:
   static constexpr const char* MODEL = "hamaker";
 
-  HamakerAttraction(LAMMPS_NS::LAMMPS* lmp, IContactHistorySetup*, LAMMPS_NS::FixWallGran*)
-      : lmp_(lmp) {}
+  HamakerAttraction(LAMMPS_NS::LAMMPS* lmp, IContactHistorySetup*, LAMMPS_NS::FixWallGran* wall)
+      : lmp_(lmp), is_wall_(wall != nullptr) {}
 
   /// Keywords material_stiffness and material_keep.
   void registerSettings(Settings& settings);
@@ -84,6 +84,7 @@ class HamakerAttraction : public AttractionEnergy {
                                        int itype, int jtype) const;
 
   LAMMPS_NS::LAMMPS* lmp_;
+  bool is_wall_;
   TableOfTypes<Law> laws_;
   TableOfTypes<cohesion::advice::Material> materials_;
   double outer_cutoff_ = 0.0;

@@ -6,6 +6,7 @@
 
 #include "fix.h"
 #include "modify.h"
+#include "unturned_spheres.h"
 
 namespace LIGGGHTS {
 namespace Cohesion {
@@ -19,6 +20,7 @@ class MobileParticles {
       const LAMMPS_NS::Fix* const fix = modify->fix[k];
       if (std::strcmp(fix->style, "freeze") == 0) frozen_ |= fix->groupbit;
       if (fix->time_integrate && std::strcmp(fix->style, "move") != 0) mobile_ |= fix->groupbit;
+      if (fix->time_integrate && !LAMMPS_NS::only_translates(fix)) turned_ |= fix->groupbit;
     }
   }
 
@@ -26,10 +28,13 @@ class MobileParticles {
   static double inertia_factor(int dimension) { return dimension == 2 ? 0.5 : 0.4; }
 
   bool moves(int mask) const { return (mask & mobile_) && !(mask & frozen_); }
+  /// Whether a particle moves and nothing turns it.
+  bool is_not_turned(int mask) const { return moves(mask) && !(mask & turned_); }
 
  private:
   int mobile_ = 0;
   int frozen_ = 0;
+  int turned_ = 0;
 };
 
 }  // namespace Cohesion

@@ -150,7 +150,6 @@ inline std::vector<Verdict> advise(const ContactNumbers& n, const SchemeLimits& 
   std::vector<Verdict> verdicts{detail::contact_steps(n, limits)};
   if (limits.samples_force) verdicts.push_back(detail::stability(n));
   if (limits.samples_force && attracts && p.adhesion.cutoff > 0.0)
-
     verdicts.push_back(
         detail::cutoff_steps(n.entry_speed(), p.adhesion.cutoff, n.steps_in_cutoff(), limits));
   // A force in the spring has an escape velocity of another kind.

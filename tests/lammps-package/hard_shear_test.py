@@ -24,13 +24,13 @@ class Theory(unittest.TestCase):
 
 class Discs(SteadyShear, unittest.TestCase):
     def test_damping(self):
-        self.sheared(32, 0.2, 0.9, 0.03, 10000)
+        self.sheared(16, 0.2, 0.9, 0.03, 20000)
 
     def test_little_damping(self):
         self.sheared(16, 0.2, 0.97, 0.02, 20000)
 
     def test_little_damping_dilute(self):
-        self.sheared(32, 0.05, 0.97, 0.012, 9000, skin=5.0)
+        self.sheared(16, 0.05, 0.97, 0.012, 27000, skin=5.0)
 
     def test_elastic_discs_heat_as_they_are_sheared(self):
         """Without a steady state: nothing is lost, and all the work becomes energy of their own."""

@@ -9,8 +9,6 @@ def thermo_lines(output):
     header = max(i for i, line in enumerate(lines) if line.split()[:1] == ["Step"])
     names, values = lines[header].split(), []
     for line in lines[header + 1:]:
-        if line.startswith("WARNING"):
-            continue
         words = line.split()
         if words[:2] == ["Loop", "time"]:
             break

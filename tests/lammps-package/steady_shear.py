@@ -5,6 +5,7 @@ import math
 import sys
 
 import numpy
+from scipy.stats import chi2, norm
 
 import hard_spheres as hard
 import lammps_engine as engine
@@ -33,7 +34,7 @@ class SteadyShear:
                                      every=every, **options)
         if every == 1:
             self.power(table, area, dt, side**2, -(table["c_events[5]"][-1] - table["c_events[5]"][0]))
-        self.kinetic_theory(table, area, dt * every, expected, fraction)
+        self.kinetic_theory(table, area, dt * every, expected, fraction, restitution)
 
     def power(self, table, area, dt, count, scale):
         """The energy of the particles' own motion about the flow as it is driven changes by
@@ -60,21 +61,29 @@ class SteadyShear:
         self.assertLess(abs(rest), room + 2 / count * kinetic)
         self.assertLess(abs(rest), 0.01 * scale)
 
-    def kinetic_theory(self, table, area, interval, expected, fraction):
+    def scatter(self, T, error, length):
+        """The mean of T is known within `error`, then means of blocks scatter by it: chi-square, beyond which it is as
+        seldom as a normal number beyond four standard deviations. length: of the run, over the memory of T."""
+        blocks = T[:len(T) // BLOCKS * BLOCKS].reshape(BLOCKS, -1).mean(axis=1)
+        share = theory.scatter_of_blocks(length / BLOCKS, BLOCKS)
+        found = (BLOCKS - 1) * blocks.var(ddof=1) / BLOCKS / (error**2 * share)
+        self.assertGreater(found, chi2.ppf(norm.sf(4), BLOCKS - 1))
+        self.assertLess(found, chi2.isf(norm.sf(4), BLOCKS - 1))
+
+    def kinetic_theory(self, table, area, interval, expected, fraction, restitution):
         """T goes as the viscosity. What the theory leaves out of it makes that larger: velocities that are
         no Gaussian, 2.2 % in the dilute elastic gas (sheared_discs.nearly_elastic) and less where
         collisions carry most; waves of the flow (sheared_discs.waves), more in a larger box: at fraction
         0.2, e 0.97, runs of a strain of 400 and 200 gave T 2.8 +- 0.6 % above the theory with 256 discs,
-        6.5 +- 0.6 % with 1024. Sampling: blocks, four standard errors."""
+        6.5 +- 0.6 % with 1024. Sampling: four standard errors."""
         T = table["c_flow[3]"][1:]
-        blocks = T[:len(T) // BLOCKS * BLOCKS].reshape(BLOCKS, -1).mean(axis=1)
-        sampling = 4 * blocks.std(ddof=1) / math.sqrt(BLOCKS) / expected.temperature
         ratio = T.mean() / expected.temperature
         waves = theory.waves(fraction, expected, math.sqrt(area))
-        # Ten blocks know it within a factor of 2.
-        known = 4 * theory.sampling(fraction, expected, theory.density(fraction) * area, interval * len(T))
-        self.assertLess(known, 0.07)  # the run is long enough
-        self.assertLess(sampling, 2 * known)
+        strain = interval * len(T)
+        error = theory.sampling(fraction, restitution, expected, theory.density(fraction) * area, strain)
+        sampling = 4 * error
+        self.assertLess(sampling, 0.08)  # the run is long enough
+        self.scatter(T / expected.temperature, error, strain / theory.memory(fraction, expected))
         self.assertGreater(ratio, 1 - sampling)
         self.assertLess(ratio, 1 + 0.022 + waves + sampling)
         # The mean square speed of approach goes with T whatever the shape of the distribution; partners

@@ -66,16 +66,26 @@ class Runs(unittest.TestCase):
         self.assertEqual(self.end("run 400\n"), first)
         self.assertEqual(self.end("run 0\nrun 400\n"), first)
 
+    def change_box(self, spheres, sides):
+        """Between two runs; one more sphere, which meets nothing, has energy before."""
+        return Run(script([*spheres, sphere((0, 5e-3, 0), (0, 0, 0.5))], "model hooke/stiffness tangential off "
+                          "cohesion hamaker", hamaker(0), dt=DT, extra=BOOK + PRINT.format(every=1000),
+                          run=f"run 10\nchange_box all x final {sides} units box\nrun 400\n"))
+
+    def test_box_that_changes_nothing_but_itself(self):
+        run = self.change_box([], "-0.01 0.011")
+        self.assertEqual([entry(row, k) for row in books(run) for k in (WORK, RESIDUAL)], 8 * [0.0])
+        self.assertNotIn("the box was changed", run.printed)
+
     def test_box_that_presses_two_spheres_into_each_other(self):
         apart, shrunk = 1.05 * 2 * RADIUS, 0.875
-        run = Run(script([sphere((0, 0, 0)), sphere((apart, 0, 0))], "model hooke/stiffness tangential off "
-                         "cohesion hamaker", hamaker(0), dt=DT, extra=BOOK + PRINT.format(every=1000),
-                         run=f"run 10\nchange_box all x final -0.01 {0.02 * shrunk - 0.01!r} remap units box\n"
-                         "run 400\n"))
+        run = self.change_box([sphere((0, 0, 0)), sphere((apart, 0, 0))],
+                              f"-0.01 {0.02 * shrunk - 0.01!r} remap")
         work = 0.5 * STIFFNESS * (2 * RADIUS - apart * shrunk)**2
         rows = books(run)
         self.assertEqual(len(rows), 4)
         self.assertEqual([entry(row, k) for row in rows[:2] for k in (WORK, RESIDUAL)], 4 * [0.0])
+        self.assertGreater(entry(rows[1], KINETIC), 0.01 * work)
         for row in rows[2:]:
             self.assertAlmostEqual(entry(row, WORK) / work, 1, delta=STEP_ERROR)
             self.assertAlmostEqual(entry(row, RESIDUAL) / work, 0, delta=STEP_ERROR)

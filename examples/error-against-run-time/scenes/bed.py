@@ -35,7 +35,7 @@ def schedule(duration):
 
 
 def main(build, step, kernel, smoothing, duration):
-    case = FoamCase(BED / "case", "case", environment(build))
+    case = FoamCase(BED / "case", "case", environment(build, ["lammps"]))
     (case.folder / "constant/schedule").write_text(schedule(float(duration)))
     case.set("system/controlDict", "deltaT", step)
     case.set("system/controlDict", "writeControl", "adjustableRunTime")
