@@ -21,17 +21,6 @@ class MobileParticles {
     return fix->time_integrate && !utils::strmatch(fix->style, "^move");
   }
 
-<<<<<<< HEAD
-  /// Whether that leaves spins as they are. Of a style that is not known here none is said to; nor
-  /// of nve/noforce, whose particles are led.
-  static bool only_translates(const Fix* fix) {
-    static constexpr const char* styles[] = {"nve", "nve/limit", "nvt", "npt", "nph", "nvt/sllod"};
-    return std::any_of(std::begin(styles), std::end(styles),
-                       [fix](const char* style) { return strcmp(fix->style, style) == 0; });
-  }
-
-=======
->>>>>>> w-fixb
   void look_up(const Modify* modify) {
     mobile_ = frozen_ = discs_ = turned_ = 0;
     for (int i = 0; i < modify->nfix; i++) {

@@ -36,14 +36,20 @@ template <class Mobile>
 bool warn_of_unturned(const LAMMPS* lmp, const Mobile& mobile, const std::vector<bool>& rubs) {
   const Atom* const atom = lmp->atom;
   bigint mine = 0, all = 0;
-  for (int i = 0; i < atom->nlocal; i++)
-    mine += rubs[atom->type[i]] && mobile.is_not_turned(atom->mask[i]);
+  int my_groups = 0, groups = 0;
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!rubs[atom->type[i]] || !mobile.is_not_turned(atom->mask[i])) continue;
+    mine++;
+    my_groups |= atom->mask[i];
+  }
   MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, lmp->world);
+  MPI_Allreduce(&my_groups, &groups, 1, MPI_INT, MPI_BOR, lmp->world);
   if (all == 0) return false;
   const Modify* const modify = lmp->modify;
   const Fix* const mover =
-      *std::find_if(modify->fix, modify->fix + modify->nfix,
-                    [](const Fix* fix) { return fix->time_integrate && only_translates(fix); });
+      *std::find_if(modify->fix, modify->fix + modify->nfix, [groups](const Fix* fix) {
+        return fix->time_integrate && only_translates(fix) && (fix->groupbit & groups);
+      });
   if (lmp->comm->me == 0)
     lmp->error->warning(
         FLERR,
