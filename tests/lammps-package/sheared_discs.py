@@ -52,8 +52,9 @@ def memory(fraction, state):
     return density(fraction) * state.temperature / state.dissipation
 
 
-# Mean square of the scatter found over that of sampling(): at fraction 0.2, e 0.9, where it is largest, 2.0 +- 0.6 in
-# three runs of 1024 discs over a strain of 300, 1.8 +- 0.4 in four of 256 over 600; 1 within the error at fraction 0.3.
+# Mean square of the scatter found over that of sampling(), at most: of 256 discs, five or six runs each, 1.5 +- 0.3 at
+# e 0.9 and fractions 0.2 and 0.3, 1.1 +- 0.2 and 0.8 +- 0.2 at e 0.97 and fractions 0.2 and 0.05; of 1024 discs at
+# e 0.9 and fraction 0.2, three runs, 2.0 +- 0.6.
 LEFT_OUT = 2.0
 
 

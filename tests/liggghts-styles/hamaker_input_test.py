@@ -67,7 +67,8 @@ class BadInput(unittest.TestCase):
         assert_refused(self, go(1e-18), "atom types 2 and 2: outer cut-off H_out = 3e-05: must not be above 2.5")
         # Still to come: as small, of a type that attracts.
         template = ("fix pts all particletemplate/sphere 15485863 atom_type {} volume_limit 1e-14 density "
-                    "constant 2650 radius constant 0.05e-3\nfix pdd all particledistribution/discrete 15485867 1 pts 1.0\n")
+                    "constant 2650 radius constant 0.05e-3\n"
+                    "fix pdd all particledistribution/discrete 15485867 1 pts 1.0\n")
         assert_refused(self, go(0.0, 0.5e-3, template.format(1)), "atom types 1 and 1: outer cut-off H_out = 3e-05")
         done = go(0.0, 0.5e-3, template.format(2))
         self.assertEqual(done.returncode, 0, done.printed[-2000:])
