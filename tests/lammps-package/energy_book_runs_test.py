@@ -94,7 +94,8 @@ class Runs(FolderTestCase):
 
     def test_box_that_presses_two_spheres_into_each_other(self):
         side, shrunk, apart = 8e-3, 7e-3, 1.05e-3
-        self.write([((2e-3, 2e-3, 2e-3), (0, 0, 0)), ((2e-3 + apart, 2e-3, 2e-3), (0, 0, 0)), PASSER], (side, 5e-3, 5e-3))
+        self.write([((2e-3, 2e-3, 2e-3), (0, 0, 0)), ((2e-3 + apart, 2e-3, 2e-3), (0, 0, 0)), PASSER],
+                   (side, 5e-3, 5e-3))
         work = 0.5 * STIFFNESS * (DIAMETER - apart * shrunk / side)**2
         for ranks in (1, 2):
             with self.subTest(ranks=ranks):

@@ -11,6 +11,8 @@ PAIR = dict(radius1=0.5e-3, radius2=0.5e-3, type1=1, type2=2, gap=1e-9, A=1e-18,
 WALL = dict(radius=0.5e-3, gap=1e-9, A=1e-18, cut=4e-10, out=1e-7, model="hertz",
             tangential="history", skin=1e-4, wall="primitive type 2 zplane 0")
 
+LINEAR = "model hooke/stiffness tangential off cohesion hamaker"
+
 
 class BadInput(unittest.TestCase):
     def refused(self, script, *messages, **variables):
@@ -56,26 +58,27 @@ class BadInput(unittest.TestCase):
     def test_cutoffs_are_judged_by_the_radii_of_their_types(self):
         # Type 1, 1 mm: A > 0 and H_out = 3e-5 m, beyond the 2.5e-5 m of the 0.1 mm of type 2.
         def go(a22, radius2=0.05e-3, extra=""):
-            text = script([sphere((0, 0, 0)), sphere((3e-3, 0, 0), radius=radius2)],
-                          "model hooke/stiffness tangential off cohesion hamaker", hamaker(1e-18, 0, 1e-9, 3e-5), dt=1e-7,
-                          steps=1, extra=extra).replace("set atom 2", "set atom 2 type 2\nset atom 2")
+            text = script([sphere((0, 0, 0)), sphere((3e-3, 0, 0), radius=radius2)], LINEAR,
+                          hamaker(1e-18, 0, 1e-9, 3e-5), dt=1e-7, steps=1, extra=extra)
+            text = text.replace("set atom 2", "set atom 2 type 2\nset atom 2")
             return Run(text.replace("0.0 0.0 1e-18\nfix cut", f"0.0 0.0 {a22}\nfix cut"))
         done = go(0.0)
         self.assertEqual(done.returncode, 0, done.printed[-2000:])
-        assert_refused(self, go(1e-18), "atom types 2 and 2: outer cut-off H_out = 3e-05: must not be above 2.5e-05")
+        assert_refused(self, go(1e-18), "atom types 2 and 2: outer cut-off H_out = 3e-05: must not be above 2.5")
         # Still to come: as small, of a type that attracts.
         template = ("fix pts all particletemplate/sphere 15485863 atom_type {} volume_limit 1e-14 density "
-                    "constant 2650 radius constant 0.05e-3\nfix pdd all particledistribution/discrete 15485867 1 pts 1.0\n")
+                    "constant 2650 radius constant 0.05e-3\n"
+                    "fix pdd all particledistribution/discrete 15485867 1 pts 1.0\n")
         assert_refused(self, go(0.0, 0.5e-3, template.format(1)), "atom types 1 and 1: outer cut-off H_out = 3e-05")
         done = go(0.0, 0.5e-3, template.format(2))
         self.assertEqual(done.returncode, 0, done.printed[-2000:])
 
     def test_beside_a_wall_the_radius_counts(self):
-        # 0.08 mm beside a wall of type 2: H_out = 6e-5 m is beyond R* of two of them, 4e-5 m, and below that of the wall.
+        # Wall of type 2, radius 0.08 mm: H_out = 6e-5 m is beyond R* of two, 4e-5 m, and below that with the wall.
         def go(out, pairs=0.0):
             properties = hamaker(pairs, 1e-18, 1e-9, out)
-            return Run(script([sphere((0, 0, 0), radius=0.08e-3)], "model hooke/stiffness tangential off cohesion hamaker",
-                              properties, dt=1e-7, steps=1, skin=3e-4, walls=["primitive type 2 zplane -5e-3"]))
+            return Run(script([sphere((0, 0, 0), radius=0.08e-3)], LINEAR, properties, dt=1e-7, steps=1, skin=3e-4,
+                              walls=["primitive type 2 zplane -5e-3"]))
         done = go(6e-5)
         self.assertEqual(done.returncode, 0, done.printed[-2000:])
         assert_refused(self, go(6e-5, 1e-18), "outer cut-off H_out = 6e-05: must not be above 4e-05")

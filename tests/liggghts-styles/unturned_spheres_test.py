@@ -14,7 +14,8 @@ class Unturned(unittest.TestCase):
     def run_moved(self, models, move, ranks=0, **options):
         spheres = [sphere((x, 0, 0)) for x in (-4e-3, 0.0, 4e-3)]
         text = script(spheres, models, hamaker(0), run=RUN, **options)
-        run = Run(text.replace("fix move all nve/sphere", "group first id 1\ngroup second id 2 3\n" + move), ranks=ranks)
+        groups = "group first id 1\ngroup second id 2 3\n"
+        run = Run(text.replace("fix move all nve/sphere", groups + move), ranks=ranks)
         self.assertEqual(run.returncode, 0, run.printed[-2000:])
         return run.printed
 
