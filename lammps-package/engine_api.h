@@ -11,6 +11,7 @@
 #include "liggghts_api.h"
 #else
 
+#include <utility>
 #include <vector>
 
 #include "atom.h"
@@ -80,8 +81,8 @@ inline bool changes_box(const Fix* fix) {
 }
 
 /// The acceleration that the fixes gravity give each particle of this rank that is in the group and
-/// that an impulse can move (mobile_particles.h), [length/time^2].
-std::vector<cohesion::Vector3> gravity_of_mobile(LAMMPS* lmp, int groupbit);
+/// that forces move (mobile_particles.h), [length/time^2], with its place in the arrays.
+std::vector<std::pair<int, cohesion::Vector3> > gravity_of_mobile(LAMMPS* lmp, int groupbit);
 
 /// Bring values of a fix from particles to their ghosts, `size` of each; 0: as many as the fix has.
 inline void forward_comm(Comm* comm, Fix* fix, int size = 0) {

@@ -64,10 +64,11 @@ void FixGasCoupling::init() {
 
 /// The drag of a step depends on all other forces of that step, so they must be there already:
 /// which fixes put on some afterwards, in words. Those that hold particles or keep them in a plane
-/// take forces away, the gas's too.
+/// take forces away, the gas's too; those of heat put on none.
 std::string FixGasCoupling::unseen_fixes() const {
-  const std::set<std::string> allowed{"enforce2d", "planeforce", "lineforce",
-                                      "freeze",    "setforce",   "store/force"};
+  const std::set<std::string> allowed{
+      "enforce2d", "planeforce",  "lineforce", "freeze",
+      "setforce",  "store/force", "heat/gran", "heat/gran/conduction"};
   std::string found;
   const int self = modify->find_fix(id);
   for (int k = self + 1; k < modify->nfix; k++) {
@@ -78,12 +79,30 @@ std::string FixGasCoupling::unseen_fixes() const {
   return found;
 }
 
+/// Which components of the force of which particles fixes setforce behind this one set: neither
+/// gravity nor gas acts along them. Told by letting the fixes act on a force that nobody sets.
+std::vector<bool> FixGasCoupling::set_behind() {
+  constexpr double untouched = std::numeric_limits<double>::min();
+  std::vector<double> forces(3 * atom->nlocal, untouched);
+  double* const f = forces.empty() ? nullptr : atom->f[0];
+  std::swap_ranges(forces.begin(), forces.end(), f);
+  for (int k = modify->find_fix(id) + 1; k < modify->nfix; k++)
+    if (std::string(modify->fix[k]->style) == "setforce") modify->fix[k]->post_force(0);
+  std::swap_ranges(forces.begin(), forces.end(), f);
+  std::vector<bool> set(forces.size());
+  std::transform(forces.begin(), forces.end(), set.begin(),
+                 [](double value) { return value != untouched; });
+  return set;
+}
+
 void FixGasCoupling::find_gravity() {
   std::fill_n(gravity, 3, std::numeric_limits<double>::max());
   std::fill_n(gravity + 3, 3, std::numeric_limits<double>::lowest());
-  for (const cohesion::Vector3& given : engine_api::gravity_of_mobile(lmp, groupbit)) {
+  const std::vector<bool> set = set_behind();
+  for (const auto& [i, given] : engine_api::gravity_of_mobile(lmp, groupbit)) {
     const double acceleration[3] = {given.x, given.y, given.z};
     for (int k = 0; k < 3; k++) {
+      if (set[3 * i + k]) continue;
       gravity[k] = std::min(gravity[k], acceleration[k]);
       gravity[3 + k] = std::max(gravity[3 + k], acceleration[k]);
     }
@@ -123,8 +142,9 @@ void FixGasCoupling::put_on_forces(bool setting_up) {
 /// "gas": double** [atoms], each row a GasOnParticle. "gas_impulse": double[6], the impulse of drag
 /// and of pressure on this rank's particles, summed over the steps until the caller resets it.
 /// "gravity": double[6], of the accelerations that fixes gravity give to the particles of this rank
-/// and the group that move: the lowest of each component, then the highest. "unseen_fixes": char*,
-/// fixes that put on forces after this one; null: none.
+/// and the group that forces move, along axes on which no fix setforce behind it sets the force:
+/// the lowest of each component, then the highest. "unseen_fixes": char*, fixes that put on forces
+/// after this one; null: none.
 void* FixGasCoupling::extract(const char* name, int& dimension) {
   const std::string asked = name;
   dimension = asked == "gas" ? 2 : 1;

@@ -9,6 +9,7 @@ FixStyle(gas/coupling,FixGasCoupling);
 #define LMP_FIX_GAS_COUPLING_H
 
 #include <string>
+#include <vector>
 
 #include "drag/gas_on_particle.h"
 #include "fix.h"
@@ -48,6 +49,7 @@ class FixGasCoupling : public Fix {
   }
   void put_on_forces(bool setting_up);
   std::string unseen_fixes() const;
+  std::vector<bool> set_behind();
   void find_gravity();
 
   double** rows;      // per atom, a GasOnParticle

@@ -50,16 +50,17 @@ std::vector<double> LAMMPS_NS::weights(LAMMPS* lmp) {
   return weight;
 }
 
-std::vector<cohesion::Vector3> LAMMPS_NS::engine_api::gravity_of_mobile(LAMMPS* lmp, int groupbit) {
+std::vector<std::pair<int, cohesion::Vector3>> LAMMPS_NS::engine_api::gravity_of_mobile(
+    LAMMPS* lmp, int groupbit) {
   const Atom* const atom = lmp->atom;
   const std::vector<double> weight = weights(lmp);
   MobileParticles mobile;
   mobile.look_up(lmp->modify);
-  std::vector<cohesion::Vector3> found;
+  std::vector<std::pair<int, cohesion::Vector3>> found;
   for (int i = 0; i < atom->nlocal; i++) {
     const double per_mass = mobile.inverse_mass(atom->mask[i], atom->rmass[i]);
-    if ((atom->mask[i] & groupbit) && per_mass > 0.0)
-      found.push_back(per_mass * cohesion::vector(&weight[3 * i]));
+    if ((atom->mask[i] & groupbit) && per_mass > 0.0 && mobile.feels_forces(atom->mask[i]))
+      found.emplace_back(i, per_mass * cohesion::vector(&weight[3 * i]));
   }
   return found;
 }

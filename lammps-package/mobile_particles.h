@@ -22,11 +22,12 @@ class MobileParticles {
   }
 
   void look_up(const Modify* modify) {
-    mobile_ = frozen_ = discs_ = turned_ = 0;
+    mobile_ = forced_ = frozen_ = discs_ = turned_ = 0;
     for (int i = 0; i < modify->nfix; i++) {
       Fix* const fix = modify->fix[i];
       if (strcmp(fix->style, "freeze") == 0) frozen_ |= fix->groupbit;
       if (integrates(fix)) mobile_ |= fix->groupbit;
+      if (integrates(fix) && strcmp(fix->style, "nve/noforce") != 0) forced_ |= fix->groupbit;
       if (fix->time_integrate && !only_translates(fix)) turned_ |= fix->groupbit;
       if (const auto* turning = dynamic_cast<FixNVESphere*>(fix))
         if (Turning::factor(*turning) == disc) discs_ |= fix->groupbit;
@@ -36,6 +37,9 @@ class MobileParticles {
   double inverse_mass(int mask, double mass) const {
     return (mask & mobile_) && !(mask & frozen_) ? 1.0 / mass : 0.0;
   }
+
+  /// Whether forces change the velocity of a particle that moves: nve/noforce leaves it as it is.
+  bool feels_forces(int mask) const { return mask & forced_; }
 
   /// Whether a particle moves and nothing turns it.
   bool is_not_turned(int mask) const {
@@ -54,6 +58,7 @@ class MobileParticles {
   };
 
   int mobile_ = 0;
+  int forced_ = 0;
   int frozen_ = 0;
   int discs_ = 0;
   int turned_ = 0;

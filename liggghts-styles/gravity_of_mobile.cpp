@@ -3,13 +3,14 @@
 #include "liggghts_api.h"
 #include "mobile_particles.h"
 
-std::vector<cohesion::Vector3> LAMMPS_NS::engine_api::gravity_of_mobile(LAMMPS* lmp, int groupbit) {
+std::vector<std::pair<int, cohesion::Vector3>> LAMMPS_NS::engine_api::gravity_of_mobile(
+    LAMMPS* lmp, int groupbit) {
   const LIGGGHTS::Cohesion::GravityOfFixes gravity(lmp->modify);
   const LIGGGHTS::Cohesion::MobileParticles mobile(lmp->modify);
-  std::vector<cohesion::Vector3> found;
+  std::vector<std::pair<int, cohesion::Vector3>> found;
   for (int i = 0; i < lmp->atom->nlocal; i++) {
     const int mask = lmp->atom->mask[i];
-    if ((mask & groupbit) && mobile.moves(mask)) found.push_back(gravity.on(mask));
+    if ((mask & groupbit) && mobile.moves(mask)) found.emplace_back(i, gravity.on(mask));
   }
   return found;
 }

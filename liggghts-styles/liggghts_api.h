@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "atom.h"
@@ -117,7 +118,7 @@ inline bool writes_restart(Output* output, bigint step) { return output->restart
 
 inline bool changes_box(const Fix* fix) { return fix->box_change_size || fix->box_change_shape; }
 
-std::vector<cohesion::Vector3> gravity_of_mobile(LAMMPS* lmp, int groupbit);
+std::vector<std::pair<int, cohesion::Vector3>> gravity_of_mobile(LAMMPS* lmp, int groupbit);
 
 /// Bring values of a fix from particles to their ghosts.
 inline void forward_comm(Comm* comm, Fix* fix) { comm->forward_comm_fix(fix); }

@@ -12,14 +12,16 @@ namespace LIGGGHTS {
 namespace Cohesion {
 
 /// Which particles a force can move: those that a fix integrates, unless fix freeze holds them or
-/// fix move leads them.
+/// fix move or nve/noforce leads them.
 class MobileParticles {
  public:
   explicit MobileParticles(const LAMMPS_NS::Modify* modify) {
     for (int k = 0; k < modify->nfix; k++) {
       const LAMMPS_NS::Fix* const fix = modify->fix[k];
       if (std::strcmp(fix->style, "freeze") == 0) frozen_ |= fix->groupbit;
-      if (fix->time_integrate && std::strcmp(fix->style, "move") != 0) mobile_ |= fix->groupbit;
+      const bool leads =
+          std::strcmp(fix->style, "move") == 0 || std::strcmp(fix->style, "nve/noforce") == 0;
+      if (fix->time_integrate && !leads) mobile_ |= fix->groupbit;
       if (fix->time_integrate && !LAMMPS_NS::only_translates(fix)) turned_ |= fix->groupbit;
     }
   }

@@ -61,6 +61,19 @@ Foam::UList<int> Foam::coupledParticles::ids() const
 }
 
 
+Foam::List<bool> Foam::coupledParticles::fresh() const
+{
+    const auto* gas = engine_.gas();
+    List<bool> fresh(engine_.particles().count);
+    forAll(fresh, i)
+    {
+        // One that was there at the beginning of the step has been handed a coefficient, which is never 0.
+        fresh[i] = gas[i].drag_coefficient == 0;
+    }
+    return fresh;
+}
+
+
 Foam::coupledParticles::Impulse Foam::coupledParticles::gasImpulse() const
 {
     const auto felt = engine_.gas_impulse();

@@ -72,35 +72,55 @@ bool known(const Words& table, const std::string& name)
 }
 
 
-//- What is unknown in a dictionary of the file, in words; nothing if all is known
-std::string unknown
-(
-    const Foam::dictionary& dict,
-    const Foam::dictionary& written,
-    const std::string& text,
-    const Words& table
-)
+//- Whether a pattern, "(lammps|liggghts)Coeffs", is for a known word
+bool matches(const Foam::keyType& pattern, const Words& table)
 {
-    std::string refused;
-    for (const Foam::entry& entry : dict)
+    return std::any_of(table.begin(), table.end(), [&](const Word& word) { return pattern.match(word.name); });
+}
+
+
+//- Whether a name is one letter off a known one, or its case; of a long one two letters. Short words that mean
+//  something else are as near as that: 'step' and 'slip'.
+bool misspelt(const std::string& name, const std::string& nearest)
+{
+    return cohesion::letters_apart(name, nearest) <= (nearest.size() < 6 ? 1 : 2);
+}
+
+
+//- What is unknown in a dictionary of the file, in words
+struct Unknown
+{
+    std::string misspelt;
+    std::string unread;     // of the file itself, and not taken up in it
+
+    Unknown() = default;
+
+    Unknown
+    (
+        const Foam::dictionary& dict,
+        const Foam::dictionary& written,
+        const std::string& text,
+        const Words& table
+    )
     {
-        const std::string name = entry.keyword();
-        if (known(table, name))
+        for (const Foam::entry& entry : dict)
         {
-            continue;
-        }
-        const std::string nearest(cohesion::nearest_name(table, name));
-        const bool ours =
-            written.found(name, Foam::keyType::LITERAL)
-          ? takenUp(text, name)
-          : cohesion::letters_apart(name, nearest) > 1;
-        if (!ours)
-        {
-            refused += (refused.empty() ? "'" : ", '") + name + "' (the nearest known one is '" + nearest + "')";
+            const Foam::keyType& key = entry.keyword();
+            const bool here = written.found(key, Foam::keyType::LITERAL);
+            if (known(table, key) || (key.isPattern() && matches(key, table)) || (here && takenUp(text, key)))
+            {
+                continue;
+            }
+            const std::string nearest(cohesion::nearest_name(table, key));
+            const bool wrong = ::misspelt(key, nearest);
+            if (wrong || here)
+            {
+                std::string& names = wrong ? misspelt : unread;
+                names += (names.empty() ? "'" : ", '") + key + "' (the nearest known one is '" + nearest + "')";
+            }
         }
     }
-    return refused;
-}
+};
 
 
 std::string list(const Words& table)
@@ -114,16 +134,23 @@ std::string list(const Words& table)
 }
 
 
-void refuse(const Foam::dictionary& dict, Foam::string refused, const Words& table)
+void refuse(const Foam::dictionary& dict, const Unknown& unknown, const Words& table)
 {
-    Foam::Pstream::scatter(refused);
-    if (refused.size())
+    Foam::string misspelt(unknown.misspelt);
+    Foam::Pstream::scatter(misspelt);
+    if (misspelt.size())
     {
         FatalIOErrorInFunction(dict)
-            << "unknown entry " << refused.c_str() << Foam::nl
+            << "unknown entry " << misspelt.c_str() << Foam::nl
             << "    Known are " << list(table).c_str() << Foam::nl
-            << "    Entries of your own may stand here if a $ takes them up here, or in a file that is included"
+            << "    Entries of your own may have such names here if a $ takes them up here"
             << Foam::exit(Foam::FatalIOError);
+    }
+    if (unknown.unread.size())
+    {
+        IOWarningInFunction(dict)
+            << "unknown entry " << unknown.unread.c_str() << ": nothing reads it, and no $ takes it up here"
+            << Foam::nl << "    Known are " << list(table).c_str() << Foam::endl;
     }
 }
 
@@ -161,7 +188,7 @@ void Foam::couplingDictionary::refuseUnknown() const
     }
     const auto refuseOther = [&](const dictionary& dict, const dictionary& writtenDict, const Words& table)
     {
-        refuse(dict, Pstream::master() ? unknown(dict, writtenDict, text.str(), table) : "", table);
+        refuse(dict, Pstream::master() ? Unknown(dict, writtenDict, text.str(), table) : Unknown(), table);
     };
 
     Words all(words);

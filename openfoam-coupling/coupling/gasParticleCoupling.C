@@ -23,7 +23,8 @@ void Foam::gasParticleCoupling::locateParticles()
     averaging_.exchange().locate
     (
         engineView(particles.position, particles.count),
-        engineView(particles.radius, particles.count)
+        engineView(particles.radius, particles.count),
+        engineView(particles.id, particles.count)
     );
 }
 

@@ -4,6 +4,8 @@
 
 #include "void_fraction/sphere_overlap.h"
 
+#include "sixDigits.H"
+
 using namespace cohesion;
 
 
@@ -116,7 +118,8 @@ void Foam::gasParticleCoupling::report(const scalar total) const
 
     const auto row = [total](const char* name, const scalar seconds)
     {
-        Info<< "    " << name << seconds << " s, " << 100*seconds/total << " %" << nl;
+        Info<< "    " << name << sixDigits(seconds).c_str() << " s, " << sixDigits(100*seconds/total).c_str() << " %"
+            << nl;
     };
     Info<< nl << "Where the time went (" << Pstream::nProcs() << " ranks)" << nl;
     row("particles  ", particles);

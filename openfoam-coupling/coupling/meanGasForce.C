@@ -40,6 +40,12 @@ Foam::vectorField Foam::meanGasForce::over(const scalar dt)
     DynamicList<label> arrived;
     forAll(force, i)
     {
+        // One that came within the step may have the number of one that went.
+        if (gas[i].drag_coefficient == 0)
+        {
+            force[i] = Zero;
+            continue;
+        }
         force[i] = dragImpulse(gas[i])/dt;
         const auto before = before_.find(particles.id[i]);
         if (before.found())

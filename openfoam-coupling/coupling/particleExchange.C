@@ -35,25 +35,35 @@ Foam::particleExchange::particleExchange
 void Foam::particleExchange::reportOutside
 (
     const UList<point>& positions,
+    const UList<int>& ids,
     const scalarList& sums
 ) const
 {
     label nOutside = 0;
+    label lowest = labelMax;
     point example = point::max;
     forAll(sums, i)
     {
         if (sums[i] == 0)
         {
             ++nOutside;
-            example = min(example, positions[i]);
+            if (ids[i] < lowest)
+            {
+                lowest = ids[i];
+                example = positions[i];
+            }
         }
     }
+    const label mine = lowest;
     reduce(nOutside, sumOp<label>());
+    reduce(lowest, minOp<label>());
+    example = mine == lowest ? example : point::max;
     reduce(example, minOp<point>());
 
     FatalErrorInFunction
-        << nOutside << " particles are outside the mesh " << mesh_.bounds()
-        << "; the lowest of their coordinates are " << example << nl
+        << nOutside << (nOutside > 1 ? " particles are" : " particle is") << " outside the mesh " << mesh_.bounds()
+        << (nOutside > 1 ? "; the one of the lowest number is " : "; it is ") << "particle " << lowest << " at "
+        << example << nl
         << "    Make the mesh as large as the box of the particles, or give the"
         << " particle script walls that keep them inside"
         << exit(FatalError);
@@ -309,7 +319,12 @@ void Foam::particleExchange::forget()
 }
 
 
-void Foam::particleExchange::locate(const UList<point>& positions, const UList<scalar>& radii)
+void Foam::particleExchange::locate
+(
+    const UList<point>& positions,
+    const UList<scalar>& radii,
+    const UList<int>& ids
+)
 {
     forget();
 
@@ -328,7 +343,7 @@ void Foam::particleExchange::locate(const UList<point>& positions, const UList<s
     );
     if (returnReduce(sums.found(0), orOp<bool>()))
     {
-        reportOutside(positions, sums);
+        reportOutside(positions, ids, sums);
     }
     verdicts = exchangeLists(std::move(verdicts), asked, traffic_);
     map_.set(positions.size(), std::move(particles), setParts(questions, verdicts));

@@ -7,6 +7,8 @@
 #include "drag/particle_drag.h"
 #include "sphere.h"
 
+#include "sixDigits.H"
+
 using cohesion::coupling::DemEngine;
 
 namespace
@@ -95,7 +97,7 @@ void Foam::particleTurnover::end(DemEngine& engine)
     if (came.x() > 0)
     {
         came_ += came;
-        Info<< ", " << came.x() << " came (" << came.y() << " kg)";
+        Info<< ", " << came.x() << " came (" << sixDigits(came.y()).c_str() << " kg)";
     }
     if (went.x() > 0)
     {
@@ -107,8 +109,8 @@ void Foam::particleTurnover::end(DemEngine& engine)
         }
         notFelt_ += pendingImpulse(engine);
         reduce(notFelt_, sumOp<vector>());
-        Info<< ", " << went.x() << " went (" << went.y() << " kg) before they had felt " << notFelt_
-            << " N s of what the gas gave them";
+        Info<< ", " << went.x() << " went (" << sixDigits(went.y()).c_str() << " kg) before they had felt "
+            << sixDigits(notFelt_).c_str() << " N s of what the gas gave them";
     }
     Info<< endl;
 }
@@ -120,8 +122,8 @@ void Foam::particleTurnover::report(DemEngine& engine) const
     {
         const Amount all(returnReduce(Present(engine).all, sumOp<Amount>()));
         Info<< nl << "Particles in this run" << nl
-            << "    came    " << came_.x() << ", " << came_.y() << " kg" << nl
-            << "    went    " << went_.x() << ", " << went_.y() << " kg" << nl
-            << "    at end  " << all.x() << ", " << all.y() << " kg" << endl;
+            << "    came    " << came_.x() << ", " << sixDigits(came_.y()).c_str() << " kg" << nl
+            << "    went    " << went_.x() << ", " << sixDigits(went_.y()).c_str() << " kg" << nl
+            << "    at end  " << all.x() << ", " << sixDigits(all.y()).c_str() << " kg" << endl;
     }
 }

@@ -2,6 +2,7 @@
 #include "requireSameGravity.H"
 
 #include "selectRow.H"
+#include "sixDigits.H"
 
 #include <array>
 
@@ -38,9 +39,13 @@ void Foam::requireSameGravity
     vector highest(ofParticles.highest[0], ofParticles.highest[1], ofParticles.highest[2]);
     reduce(lowest, minOp<vector>());
     reduce(highest, maxOp<vector>());
-    if (lowest[0] > highest[0])
+    for (direction d = 0; d < 3; ++d)
     {
-        return;
+        // Of no particle
+        if (lowest[d] > highest[d])
+        {
+            lowest[d] = highest[d] = g[d];
+        }
     }
 
     // Three components that were each rounded to four digits
@@ -49,18 +54,18 @@ void Foam::requireSameGravity
     {
         if (mesh.geometricD()[d] > 0 && max(g[d] - lowest[d], highest[d] - g[d]) > tolerance)
         {
-            OStringStream found;
-            found << lowest;
+            std::string found(sixDigits(lowest));
             if (mag(highest - lowest) > tolerance)
             {
-                found << " to " << highest;
+                found += " to " + sixDigits(highest);
             }
             const vector down(mag(g) > 0 ? g/mag(g) : g);
             FatalIOErrorInFunction(dict)
-                << "gravity is " << g << " m/s2 for the gas, in constant/g, and " << found.str().c_str()
+                << "gravity is " << sixDigits(g).c_str() << " m/s2 for the gas, in constant/g, and " << found.c_str()
                 << " m/s2 for the particles that the script moves, by its fixes gravity" << nl
-                << "    Make them the same, in the script by 'fix ID all gravity " << mag(g) << " vector "
-                << down.x() << ' ' << down.y() << ' ' << down.z() << "' alone; where they are meant to"
+                << "    Make them the same, in the script by 'fix ID all gravity " << sixDigits(mag(g)).c_str() << " vector "
+                << sixDigits(down.x()).c_str() << ' ' << sixDigits(down.y()).c_str() << ' '
+                << sixDigits(down.z()).c_str() << "' alone; where they are meant to"
                 << " differ, say so by 'particleGravity any;'" << exit(FatalIOError);
         }
     }

@@ -2,6 +2,7 @@
 #include "sayParticles.H"
 
 #include "coupledParticles.H"
+#include "sixDigits.H"
 
 #include "bed/geldart.h"
 #include "sphere.h"
@@ -10,6 +11,9 @@ namespace
 {
 
 using namespace Foam;
+
+//- Largest over smallest diameter from which on spheres are a mixture of sizes: sieves sort no finer
+constexpr scalar mixtureFrom = 1.05;
 
 //- Smallest and largest of what all particles have
 struct Range
@@ -30,15 +34,19 @@ struct Range
         Foam::reduce(most, maxOp<scalar>());
     }
 
-    //- Beyond the rounding of masses and radii
+    //- So that it shows in six digits
     bool wide() const
     {
-        return most > (1 + 1e-9)*least;
+        return most > (1 + 1e-5)*least;
     }
 
     friend Ostream& operator<<(Ostream& os, const Range& range)
     {
-        return range.wide() ? os << range.least << " to " << range.most : os << range.most;
+        if (range.wide())
+        {
+            os  << sixDigits(range.least).c_str() << " to ";
+        }
+        return os << sixDigits(range.most).c_str();
     }
 };
 
@@ -96,12 +104,12 @@ void Foam::sayParticles(const coupledParticles& particles, const scalar rho)
     Info<< "Particles: " << all.number << ", diameter " << all.diameter << " m";
     if (sizes)
     {
-        Info<< ", Sauter mean " << all.sauter() << " m";
+        Info<< ", Sauter mean " << sixDigits(all.sauter()).c_str() << " m";
     }
     Info<< ", density " << all.density << " kg/m3";
     if (densities)
     {
-        Info<< ", mean " << all.meanDensity() << " kg/m3";
+        Info<< ", mean " << sixDigits(all.meanDensity()).c_str() << " kg/m3";
     }
     // The lines between the groups are of heavier ones.
     if (all.meanDensity() > rho)
@@ -110,9 +118,9 @@ void Foam::sayParticles(const coupledParticles& particles, const scalar rho)
             << char(cohesion::bed::geldart_group(all.meanDensity() - rho, all.sauter()));
     }
     Info<< endl;
-    if (sizes)
+    if (all.diameter.most > mixtureFrom*all.diameter.least)
     {
-        Info<< "    A mixture, largest over smallest diameter " << all.diameter.most/all.diameter.least
+        Info<< "    A mixture, largest over smallest diameter " << sixDigits(all.diameter.most/all.diameter.least).c_str()
             << ": the drag of each sphere is the closure's for its own diameter and the void fraction of"
             << " its cells. That is no law for mixtures: it may be off by a factor of about five at a size"
             << " ratio of four" << endl;

@@ -2,6 +2,8 @@
 #include "forceBudget.H"
 
 #include "addToRunTimeSelectionTable.H"
+#include "Map.H"
+#include "Pstream.H"
 #include "fvMesh.H"
 
 namespace Foam
@@ -25,6 +27,9 @@ Foam::functionObjects::forceBudget::forceBudget
     before_(0),
     momentumBefore_(Zero),
     impulse_{Zero, Zero},
+    weight_(Zero),
+    brought_(Zero),
+    number_(0),
     lastStep_(0)
 {
     read(dict);
@@ -42,36 +47,104 @@ Foam::functionObjects::forceBudget::forceBudget
 }
 
 
-Foam::vector Foam::functionObjects::forceBudget::momentum() const
+Foam::vectorField Foam::functionObjects::forceBudget::momenta() const
 {
     const UList<vector> velocities(particles().velocities());
     const UList<scalar> masses(particles().masses());
-    vector sum = Zero;
-    forAll(masses, i)
+    vectorField momenta(masses.size());
+    forAll(momenta, i)
     {
-        sum += masses[i]*velocities[i];
+        momenta[i] = masses[i]*velocities[i];
     }
-    return returnReduce(sum, sumOp<vector>());
+    return momenta;
 }
 
 
-Foam::scalar Foam::functionObjects::forceBudget::mass() const
+Foam::vector Foam::functionObjects::forceBudget::wentWith() const
 {
-    return gSum(particles().masses());
+    Map<vector> gone(2*ids_.size());
+    forAll(ids_, i)
+    {
+        gone.insert(ids_[i], momenta_[i]);
+    }
+    const UList<int> ids(particles().ids());
+    const List<bool> fresh(particles().fresh());
+    DynamicList<label> elsewhere;
+    forAll(ids, i)
+    {
+        if (!fresh[i] && !gone.erase(ids[i]))
+        {
+            elsewhere.append(ids[i]);
+        }
+    }
+    // What is left has gone to other ranks, or is no more.
+    Pstream::mapCombineGather(gone, plusEqOp<vector>());
+    Pstream::mapCombineScatter(gone);
+    vector sum = Zero;
+    for (const label id : elsewhere)
+    {
+        sum -= gone[id];
+    }
+    reduce(sum, sumOp<vector>());
+    forAllConstIters(gone, one)
+    {
+        sum += one.val();
+    }
+    return sum;
+}
+
+
+void Foam::functionObjects::forceBudget::addTurnover()
+{
+    const List<bool> fresh(particles().fresh());
+    const UList<scalar> masses(particles().masses());
+    const vectorField now(momenta());
+    vector came = Zero;
+    scalar stayed = 0;
+    label nCame = 0;
+    forAll(fresh, i)
+    {
+        if (fresh[i])
+        {
+            ++nCame;
+            came += now[i];
+        }
+        else
+        {
+            stayed += masses[i];
+        }
+    }
+    reduce(nCame, sumOp<label>());
+    weight_ += returnReduce(stayed, sumOp<scalar>())*particles().g()*time_.deltaTValue();
+    brought_ += returnReduce(came, sumOp<vector>());
+    if (number_ + nCame > returnReduce(fresh.size(), sumOp<label>()))
+    {
+        brought_ -= wentWith();
+    }
+}
+
+
+void Foam::functionObjects::forceBudget::keep()
+{
+    ids_ = labelList(particles().ids());
+    momenta_ = momenta();
+    number_ = returnReduce(ids_.size(), sumOp<label>());
 }
 
 
 void Foam::functionObjects::forceBudget::restart()
 {
     before_ = time_.value();
-    momentumBefore_ = momentum();
+    momentumBefore_ = gSum(momenta());
     impulse_ = {Zero, Zero};
+    weight_ = brought_ = Zero;
 }
 
 
 void Foam::functionObjects::forceBudget::begin()
 {
     restart();
+    keep();
     lastStep_ = time_.timeIndex();
 }
 
@@ -94,6 +167,8 @@ bool Foam::functionObjects::forceBudget::execute()
     const auto felt = particles().gasImpulse();
     impulse_.drag += felt.drag;
     impulse_.pressure += felt.pressure;
+    addTurnover();
+    keep();
     return true;
 }
 
@@ -105,10 +180,10 @@ bool Foam::functionObjects::forceBudget::write()
     {
         return true;
     }
-    const vector gravity = mass()*particles().g();
+    const vector gravity = weight_/over;
     const vector drag = returnReduce(impulse_.drag, sumOp<vector>())/over;
     const vector pressure = returnReduce(impulse_.pressure, sumOp<vector>())/over;
-    const vector gain = (momentum() - momentumBefore_)/over;
+    const vector gain = (gSum(momenta()) - momentumBefore_ - brought_)/over;
     const vector others = gain - gravity - drag - pressure;
 
     writeCurrentTime(file());

@@ -18,7 +18,7 @@ def ideal_gas(case, pressure=1e5, temperature=300, weight=28.9):
 CASES = {
     "particle outside the mesh": (
         lambda c: cut_mesh(c),
-        ["1 particles are outside the mesh", "(0.031 0.029 0.19)"]),
+        ["1 particle is outside the mesh", "it is particle 1 at (0.031 0.029 0.19)"]),
     "depth on a 3-D mesh": (
         lambda c: c.set(COUPLING, "depth", 1e-3),
         ["depth = 0.001", "2-D mesh", "3 dimensions"]),

@@ -22,7 +22,8 @@ def run(build, work, ranks):
     case = column(work, str(ranks), build)
     (case.folder / "outlet.stl").write_text(stl(rectangle((0, 0, 0.13), (0.06, 0, 0), (0, 0.06, 0))))
     append(case, COUPLING, f'{ENGINE}Coeffs {{ script "{script_file("inserted")}"; }}')
-    append(case, "system/controlDict", f"endTime {STEPS * DT}; writeInterval {STEPS * DT}; writePrecision 15;")
+    append(case, "system/controlDict", f"""endTime {STEPS * DT}; writeInterval {STEPS * DT}; writePrecision 15;
+functions {{ forces {{ type forceBudget; libs (cohesionFunctionObjects); }} }}""")
     # Across the ranks of the engine, which cut along z
     append(case, "system/decomposeParDict", "coeffs { n (2 1 1); }")
     case.mesh()
@@ -44,6 +45,20 @@ def total(log, word):
     return (float(found[1]), float(found[2])) if found else (float("nan"),) * 2
 
 
+def forces(expect, case, mass, went_mass):
+    """Nothing touches a wall, nor do spheres each other: beside weight and gas only what the gas gave to spheres in
+    the step in which they went, less than their weight."""
+    rows = np.loadtxt(case.folder / "postProcessing/forces/0/forceBudget.dat", ndmin=2)
+    expect.equal("rows of forces", len(rows), STEPS)
+    gravity, others = (rows[:, 2 + 3 * k:5 + 3 * k] for k in (0, 3))
+    # That of the step's first to its last particle, by six digits of the masses
+    expect.below("gravity beyond that of the particles / g [kg]", (np.abs(gravity[:, 2]) / 9.81 - mass).max(),
+                 1e-5 * mass.max())
+    # At both ends of the row half of one of ten particle steps, of the gas's force
+    bound = 9.81 * (went_mass + 0.1 * mass + 1e-6 * FIRST)[:, None]
+    expect.below("others / bound", (np.abs(others) / bound).max(), 1)
+
+
 def check(expect, build, work, ranks):
     case, log = run(build, work, ranks)
     lines = exchange_lines(log)
@@ -61,16 +76,18 @@ def check(expect, build, work, ranks):
     expect.equal("steps that the engine reports", len(trace), STEPS)
     expect.equal("largest difference of the numbers of particles by the log and by the engine",
                  np.abs(1 + np.cumsum(came - went) - trace[:, 1]).max(), 0)
-    # The engine prints six digits.
+    # Both print six digits, the log those of each step.
     mass = FIRST + np.cumsum(came_mass - went_mass)
     expect.below("mass, by the log less by the engine / largest mass",
-                 np.abs(mass - trace[:, 2]).max() / trace[:, 2].max(), 5e-6)
+                 np.abs(mass - trace[:, 2]).max() / trace[:, 2].max(), 5e-6 * (2 + STEPS))
     expect.equal("number that went, by the log and by the engine", went.sum(), trace[-1, 3])
     for word, number, of_mass in (("came", came.sum(), came_mass.sum()), ("went", went.sum(), went_mass.sum()),
                                   ("at end", trace[-1, 1], mass[-1])):
         found = total(log, word)
         expect.equal(f"at the end of the log: {word}", found[0], number)
-        expect.near("mass [kg]", found[1], of_mass, 1e-12 * (FIRST + came_mass.sum()))
+        # Six digits are printed.
+        expect.near("mass [kg]", found[1], of_mass, 5e-6 * (FIRST + came_mass.sum() + went_mass.sum()))
+    forces(expect, case, mass, went_mass)
     if ENGINE == "lammps":
         expect.equal("particles at the end", trace[-1, 1], 0)
 

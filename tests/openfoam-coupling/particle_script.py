@@ -37,9 +37,20 @@ RUN = {
     "none for a held particle": lambda c: (gravity(c, ""), edit(c, SCRIPT, "fix move     all nve/sphere", "")),
     "none for a frozen particle, frozen behind": lambda c: (
         gravity(c, ""), edit(c, SCRIPT, GAS, GAS + "\nfix hold all freeze")),
+    "another for a particle whose force is set behind": lambda c: (
+        gravity(c, ""), edit(c, SCRIPT, GAS, GAS + "\nfix hold all setforce 0 0 0")),
+    "another along the one axis whose force is set behind": lambda c: (
+        gravity(c, ""), edit(c, SCRIPT, GAS, GAS + "\nfix hold all setforce NULL NULL 0")),
+    "none for a particle that nve/noforce leads": lambda c: (
+        gravity(c, ""), edit(c, SCRIPT, "nve/sphere", "nve/noforce")),
     "not where the mesh ends": plane,
     "kept in a plane behind": lambda c: edit(c, SCRIPT, GAS, GAS + "\nfix flat all planeforce 0 1 0"),
 }
+if ENGINE == "liggghts":
+    RUN["heat between particles behind"] = lambda c: edit(c, SCRIPT, GAS, f"""{GAS}
+fix conduct all property/global thermalConductivity peratomtype 0.3
+fix capacity all property/global thermalCapacity peratomtype 800
+fix heat all heat/gran initial_temperature 300""")
 if ENGINE == "lammps":
     RUN["a variable"] = lambda c: gravity(c, "variable g equal 9+0.81\nfix weight all gravity v_g vector 0 0 -1")
 
