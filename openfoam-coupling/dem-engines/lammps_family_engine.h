@@ -141,9 +141,9 @@ class LammpsFamilyEngine : public DemEngine {
     lammps_->input->file(script.c_str());
   }
 
-  /// Asked for by another thread than that which makes the steps: one that is just over will do. The
-  /// command `clear` of a script replaces `update`; a look at that very moment, four in a second,
-  /// would read what has just been freed, since engines offer no lock.
+  /// Asked for by another thread than that which makes the steps: one that is just over will do.
+  /// The command `clear` of a script replaces `update`; a look at that very moment, four in a
+  /// second, would read what has just been freed, since engines offer no lock.
   RunWatch::Steps steps_of_run() const {
     const auto* update = __atomic_load_n(&lammps_->update, __ATOMIC_RELAXED);
     if (!update || __atomic_load_n(&update->whichflag, __ATOMIC_RELAXED) == 0) return {0, 0, 0};
