@@ -116,8 +116,8 @@ void Foam::inletVoidFraction::look(const volScalarField& voidFraction, const vol
             << " them; by how much, in the mean: " << said.str().c_str() << nl
             << "    On its last half cell the gas then resists and accelerates as with the void fraction of the patch,"
             << " and the pressure on the patch, with a pressure drop that is taken from there, is off. That is meant"
-            << " for jets in a plate that is closed between them, on a patch of their own or by superficialVelocity with a share"
-            << " below 1. Where gas comes through all of a patch take 'type zeroGradient;' in the file voidFraction, and"
-            << " superficialVelocity in U; this is said once for each patch" << endl;
+            << " for jets in a plate that is closed between them, on a patch of their own or by superficialVelocity"
+            << " with a share below 1. Where gas comes through all of a patch take 'type zeroGradient;' in the file"
+            << " voidFraction, and superficialVelocity in U; this is said once for each patch" << endl;
     }
 }

@@ -63,8 +63,8 @@ void Foam::requireSameGravity
             FatalIOErrorInFunction(dict)
                 << "gravity is " << sixDigits(g).c_str() << " m/s2 for the gas, in constant/g, and " << found.c_str()
                 << " m/s2 for the particles that the script moves, by its fixes gravity" << nl
-                << "    Make them the same, in the script by 'fix ID all gravity " << sixDigits(mag(g)).c_str() << " vector "
-                << sixDigits(down.x()).c_str() << ' ' << sixDigits(down.y()).c_str() << ' '
+                << "    Make them the same, in the script by 'fix ID all gravity " << sixDigits(mag(g)).c_str()
+                << " vector " << sixDigits(down.x()).c_str() << ' ' << sixDigits(down.y()).c_str() << ' '
                 << sixDigits(down.z()).c_str() << "' alone; where they are meant to"
                 << " differ, say so by 'particleGravity any;'" << exit(FatalIOError);
         }

@@ -120,7 +120,8 @@ void Foam::sayParticles(const coupledParticles& particles, const scalar rho)
     Info<< endl;
     if (all.diameter.most > mixtureFrom*all.diameter.least)
     {
-        Info<< "    A mixture, largest over smallest diameter " << sixDigits(all.diameter.most/all.diameter.least).c_str()
+        Info<< "    A mixture, largest over smallest diameter "
+            << sixDigits(all.diameter.most/all.diameter.least).c_str()
             << ": the drag of each sphere is the closure's for its own diameter and the void fraction of"
             << " its cells. That is no law for mixtures: it may be off by a factor of about five at a size"
             << " ratio of four" << endl;

@@ -90,13 +90,14 @@ def overlap(expect, build, work):
     """Two spheres, one in the other, of a style that says why they fly apart."""
     case = make(build, work, "overlap", "set          group",
                 "create_atoms 1 single 0.031 0.029 0.190001\nset          group")
-    # A contact takes many of these steps: nothing else stops the run.
-    append(case, COUPLING, 'lammpsCoeffs { script "particles.lmp"; variables { dt 1e-8; } }')
+    # A contact takes many of these steps: nothing else stops the run. The skin is one that the spheres soon cross.
+    append(case, COUPLING, 'lammpsCoeffs { script "particles.lmp"; variables { dt 1e-7; } }')
     append(case, "system/controlDict", "deltaT 1e-6; endTime 1e-4; writeInterval 1e-4;")
     script = case.folder / SCRIPT
     coefficients = "stiffness 100 restitution 0.9 friction 0.1 hamaker 1e-19 cutoff 4e-10 1e-7"
     script.write_text(script.read_text()
                       .replace("gran/hooke/history 100 NULL 0 NULL 0 0", "gran/hamaker")
+                      .replace("neighbor     1e-3 bin", "atom_modify sort 0 0\nneighbor 1e-7 nsq")
                       .replace("pair_coeff   * *", f"pair_coeff * * {coefficients}"))
     failed, log = outcome(case, 1)
     expect.true("overlap: fails", failed)

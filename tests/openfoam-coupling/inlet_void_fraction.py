@@ -14,8 +14,27 @@ SAID = "particles are at patches where the case fixes another void fraction"
 OPEN = f"superficialVelocity (0 0 {SPEED});"
 FIXED = "{ type fixedValue; value uniform 1; }"
 
+THIRD = """vertices
+(
+    (0 0 0) (20 0 0) (60 0 0) (0 60 0) (20 60 0) (60 60 0)
+    (0 0 200) (20 0 200) (60 0 200) (0 60 200) (20 60 200) (60 60 200)
+);
+blocks
+(
+    hex (0 1 4 3 6 7 10 9) (1 3 10) simpleGrading (1 1 1)
+    hex (1 2 5 4 7 8 11 10) (2 3 10) simpleGrading (1 1 1)
+);
+boundary
+(
+    jet     { type patch; faces ((0 3 4 1)); }
+    bottom  { type patch; faces ((1 4 5 2)); }
+    top     { type patch; faces ((6 7 10 9) (7 8 11 10)); }
+    sides   { type wall; faces ((0 1 7 6) (1 2 8 7) (2 5 11 8) (5 4 10 11) (4 3 9 10) (3 0 6 9)); }
+);
+"""
 
-def make(build, work, name, blown=OPEN, inlet=FIXED, row=0, steps=3):
+
+def make(build, work, name, blown=OPEN, inlet=FIXED, row=0, steps=3, mesh=True):
     """A sphere held in the middle of each cell of a row of the column."""
     case = column(work, name, build)
     (case.folder / "places").write_text("".join(
@@ -26,7 +45,8 @@ def make(build, work, name, blown=OPEN, inlet=FIXED, row=0, steps=3):
     append(case, "system/controlDict", f"endTime {steps * 1e-4}; writeInterval {steps * 1e-4};")
     edit(case, "0.orig/U", "superficialVelocity (0 0 0);", blown)
     edit(case, "0.orig/voidFraction", "bottom  { type zeroGradient; }", f"bottom  {inlet}")
-    case.mesh()
+    if mesh:
+        case.mesh()
     return case
 
 
@@ -56,6 +76,21 @@ def loud(expect, build, work, ranks):
         expect.true(f"{what}: says {part}", part in log.split(SAID)[-1].split("Time =")[0])
 
 
+def part_of_the_bottom(expect, build, work, beside, warnings):
+    """A third of the bottom is a patch of its own and blows; `beside`, the velocity of the gas in the rest [m/s]."""
+    name = f"part-{warnings}"
+    case = make(build, work, name, blown=f"superficialVelocity (0 0 {beside});", inlet="{ type zeroGradient; }",
+                mesh=False)
+    dictionary = case.folder / "system/blockMeshDict"
+    dictionary.write_text(dictionary.read_text().split("vertices")[0] + THIRD)
+    for field, words in (("U", f"type superficialVelocity; {OPEN}"), ("p", "type fixedFluxPressure; value uniform 0;"),
+                         ("voidFraction", FIXED.strip("{}"))):
+        edit(case, f"0.orig/{field}", "bottom  {", f"jet {{ {words} }}\n    bottom  {{")
+    case.mesh()
+    log = case.solve()
+    expect.equal(f"{beside} m/s beside a third that blows {SPEED} m/s: warnings", log.count(SAID), warnings)
+
+
 def arriving(expect, build, work):
     """From the second row they come into the first at 1e-3 s."""
     case = make(build, work, "arriving", row=1, steps=15)
@@ -73,6 +108,8 @@ def main(build, work):
     quiet(expect, build, work)
     for ranks in (1, 2):
         loud(expect, build, work, ranks)
+    part_of_the_bottom(expect, build, work, beside=0, warnings=0)
+    part_of_the_bottom(expect, build, work, beside=SPEED, warnings=1)
     arriving(expect, build, work)
     expect.exit()
 
