@@ -120,7 +120,7 @@ def write_places(case, shape, turn, density):
     points = np.array(re.findall(r"\((\S+) (\S+) (\S+)\)", points), float)
     box = "\n".join(f"{low!r} {high!r} {d}lo {d}hi"
                     for d, low, high in zip("xyz", points.min(axis=0).tolist(), points.max(axis=0).tolist()))
-    atoms = "\n".join(f"{i} 1 {BED[1]!r} {density!r} {words(place)}" for i, place in enumerate(at, 1))
+    atoms = "\n".join(f"{i} 1 {BED[1]!r} {float(density)!r} {words(place)}" for i, place in enumerate(at, 1))
     (case.folder / "places").write_text(f"Spheres\n\n{len(at)} atoms\n1 atom types\n\n{box}\n\nAtoms\n\n{atoms}\n")
     return len(at)
 
