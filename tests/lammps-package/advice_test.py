@@ -5,26 +5,15 @@ import unittest
 from pathlib import Path
 
 from script_test_case import ScriptTestCase
+from small_box import box, spheres
 
 CONTACT = "stiffness 800 restitution 0.9 hamaker 5e-19 cutoff 4e-10 1e-7"
 STYLE = f"pair_style gran/hamaker\npair_coeff * * {CONTACT}\n"
-BOX = """plugin load ${plugin}
-units si
-atom_style sphere
-boundary f f f
-newton off
-comm_modify vel yes
-region box block 0 0.02 0 0.02 0 0.02 units box
-create_box 2 box
-neighbor 1e-3 bin
+BOX = box(types=2, size=(0.02, 0.02, 0.02)) + """neighbor 1e-3 bin
 neigh_modify delay 0
 """
 # Of two spheres of 1 mm and 2650 kg/m^3 a contact takes pi sqrt(m/2K) = 9.25e-5 s.
-TWO = BOX + """create_atoms 1 single 0.002 0.005 0.005 units box
-create_atoms 1 single 0.0035 0.005 0.005 units box
-set group all diameter 1e-3 density 2650
-velocity all set 0.01 0 0
-"""
+TWO = BOX + spheres((1, 0.002, 0.005, 0.005), (1, 0.0035, 0.005, 0.005)) + "velocity all set 0.01 0 0\n"
 CHANGING = TWO.replace("sphere\n", "sphere 1\n", 1)
 MOVE = "fix move all nve/sphere\n"
 PAIRS_OF_TYPES = 3

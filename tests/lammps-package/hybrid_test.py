@@ -3,20 +3,10 @@
 import unittest
 
 from script_test_case import ScriptTestCase
+from small_box import box, spheres
 
-HEAD = """plugin load ${plugin}
-units si
-atom_style sphere
-boundary f f f
-newton off
-comm_modify vel yes
-region box block 0 0.02 0 0.02 0 0.02 units box
-create_box 3 box
-create_atoms 1 single 0.002 0.005 0.005 units box
-create_atoms 2 single 0.0035 0.005 0.005 units box
-create_atoms 3 single 0.005 0.005 0.005 units box
-set group all diameter 1e-3 density 2650
-velocity all set 0.01 0 0
+HEAD = box(types=3, size=(0.02, 0.02, 0.02)) + spheres(
+    (1, 0.002, 0.005, 0.005), (2, 0.0035, 0.005, 0.005), (3, 0.005, 0.005, 0.005)) + """velocity all set 0.01 0 0
 neighbor 1e-4 bin
 """
 CONTACT = "stiffness 800 restitution 0.9"

@@ -7,18 +7,10 @@ from pathlib import Path
 
 import lammps_engine as engine
 from script_test_case import ScriptTestCase
+from small_box import box
 
 PAGES = Path(__file__).resolve().parents[2] / "docs" / "lammps-package"
-HEAD = """
-plugin load ${plugin}
-units si
-atom_style sphere
-boundary f f f
-newton off
-comm_modify vel yes
-region box block 0 0.01 0 0.01 0 0.01 units box
-create_box 1 box
-"""
+HEAD = box()
 # Commands up to their keywords, by the page that they are on.
 COMMANDS = {
     "pair_gran_hamaker": ("pair_style gran/hamaker ", "pair_style gran/hamaker\npair_coeff 1 1 "),

@@ -3,19 +3,9 @@
 import unittest
 
 from script_test_case import ScriptTestCase
+from small_box import box, spheres
 
-HEAD = """
-plugin load ${plugin}
-units si
-atom_style sphere
-boundary f f f
-newton off
-comm_modify vel yes
-region box block 0 0.01 0 0.01 0 0.01 units box
-create_box 1 box
-create_atoms 1 single 0.002 0.005 0.005 units box
-set group all diameter 1e-3 density 2650
-"""
+HEAD = box() + spheres((1, 0.002, 0.005, 0.005))
 CONTACT = "stiffness 200 restitution 0.9"
 SOFT = "pair_style gran/hamaker\npair_coeff * * " + CONTACT + "\n"
 HARD = "pair_style hard/square_well\npair_coeff * * restitution 0.9\n"

@@ -4,21 +4,10 @@ is why."""
 import unittest
 
 from script_test_case import ScriptTestCase
+from small_box import box, spheres
 
-HEAD = """
-plugin load ${plugin}
-units si
-atom_style sphere
-boundary p p f
-newton off
-comm_modify vel yes
-region box block 0 0.01 0 0.01 0 0.01 units box
-create_box 1 box
-create_atoms 1 single 0.002 0.002 0.005 units box
-create_atoms 1 single 0.007 0.002 0.005 units box
-create_atoms 1 single %s 0.002 0.005 units box
-set group all diameter 1e-3 density 2650
-%s
+HEAD = box(boundary="p p f") + spheres((1, 0.002, 0.002, 0.005), (1, 0.007, 0.002, 0.005),
+                                       (1, "%s", 0.002, 0.005)) + """%s
 neighbor %s bin
 neigh_modify delay 0
 timestep %s

@@ -3,21 +3,10 @@
 import unittest
 
 from script_test_case import ScriptTestCase
+from small_box import box, spheres
 
-HEAD = """
-plugin load ${plugin}
-units si
-atom_style sphere
-boundary p p f
-newton off
-comm_modify vel yes
-region box block 0 0.01 0 0.01 0 0.01 units box
-create_box 2 box
-create_atoms 1 single 0.002 0.002 0.005 units box
-create_atoms 1 single 0.005 0.002 0.005 units box
-create_atoms 2 single 0.007 0.002 0.005 units box
-set group all diameter 1e-3 density 2650
-group first type 1
+HEAD = box(types=2, boundary="p p f") + spheres((1, 0.002, 0.002, 0.005), (1, 0.005, 0.002, 0.005),
+                                                (2, 0.007, 0.002, 0.005)) + """group first type 1
 group second type 2
 neighbor 1e-4 bin
 timestep 1e-6

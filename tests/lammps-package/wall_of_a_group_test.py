@@ -3,16 +3,9 @@
 import unittest
 
 from script_test_case import ScriptTestCase
+from small_box import box
 
-HEAD = """
-plugin load ${plugin}
-units si
-atom_style sphere
-boundary f f f
-newton off
-comm_modify vel yes cutoff 2e-3
-region box block 0 0.01 0 0.01 0 0.02 units box
-create_box 2 box
+HEAD = box(types=2, size=(0.01, 0.01, 0.02), ghosts="vel yes cutoff 2e-3") + """
 create_atoms 1 single 0.002 0.005 0.005 units box
 create_atoms 2 single 0.007 0.005 0.005 units box
 set type 1 diameter 1e-3 density 2650
