@@ -179,10 +179,12 @@ void Foam::gasParticleCoupling::makeEngine()
             settings.variables[variable.keyword()] = inWords(variable.stream());
         }
         const fileName script(settings.script);
-        if (!isFile(script.isAbsolute() ? script : settings.folder/script))
+        const fileName path(script.isAbsolute() ? script : settings.folder/script);
+        if (!isFile(path))
         {
             FatalIOErrorInFunction(coeffs)
-                << "script '" << script.c_str() << "' does not exist; name the input script of "
+                << "script '" << script.c_str() << "' "
+                << (isDir(path) ? "is a folder" : "does not exist") << "; name the input script of "
                 << name << ", relative to the case folder " << settings.folder.c_str()
                 << exit(FatalIOError);
         }

@@ -114,6 +114,9 @@ CASES = {
     "script that does not exist": (
         lambda c: c.set(COUPLING, "lammpsCoeffs/script", '"missing.lmp"'),
         ["script 'missing.lmp'", "does not exist"]),
+    "script that is a folder": (
+        lambda c: c.set(COUPLING, "lammpsCoeffs/script", '"system"'),
+        ["script 'system' is a folder", "relative to the case folder"]),
     "script with points instead of spheres": (
         lambda c: (edit(c, SCRIPT, "atom_style   sphere", "atom_style   atomic"),
                    edit(c, SCRIPT, "set          group all diameter 1e-4 density 2000",
