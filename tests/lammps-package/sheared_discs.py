@@ -52,17 +52,11 @@ def memory(fraction, state):
     return density(fraction) * state.temperature / state.dissipation
 
 
-# Mean square of the scatter found over that of sampling(), at most: of 256 discs, five or six runs each, 1.5 +- 0.3 at
-# e 0.9 and fractions 0.2 and 0.3, 1.1 +- 0.2 and 0.8 +- 0.2 at e 0.97 and fractions 0.2 and 0.05; of 1024 discs at
-# e 0.9 and fraction 0.2, three runs, 2.0 +- 0.6.
-LEFT_OUT = 2.0
-
-
 def sampling(fraction, restitution, state, count, strain):
     """Standard deviation of the mean temperature of `count` discs over a strain, per T. Heat is stress, whose noise
     is 2 viscosity T per area and time (Green and Kubo), viscosity being dissipation D. Collisions, independent, take
     (1 - e^2) g^2/4 each, g the normal speed, <g^4>/<g^2> = 8 T of colliding pairs: a noise of 2 (1 - e^2) T D. With the
-    first alone T fluctuates by T/sqrt(count), as in the elastic gas. Waves of the flow are left out (LEFT_OUT)."""
+    first alone T fluctuates by T/sqrt(count), as in the elastic gas. Waves of the flow, which add to it, are left out."""
     return math.sqrt(2 * memory(fraction, state) * (2 - restitution**2) / (count * strain))
 
 
