@@ -13,6 +13,13 @@ struct Overlap {
   double v;
 };
 
+/// Spring and dashpot whose force at grid points, from the position there and the velocity of the
+/// half step before, makes a particle on the grid follow a damped oscillator exactly.
+struct GridSpring {
+  double stiffness;  ///< K', [force/length]
+  double damping;    ///< eta', [mass/time]
+};
+
 /// Closed-form motion of an overlap under a linear spring-dashpot and a constant drive:
 ///
 ///   x'' = c - 2 alpha x' - w0^2 x
@@ -59,6 +66,23 @@ class DampedOscillator {
     const double c = oscillates_ ? decay * std::cos(q_ * t) : decay;
     const double s = oscillates_ ? decay * std::sin(q_ * t) / q_ : decay * t;
     return {t, c + alpha_ * s, s, -w0_squared_ * s, c - alpha_ * s};
+  }
+
+  /// K' = m (1 + d - 2 c)/t^2 and eta' = m (1 - d)/t of x_(n+1) = 2 c x_n - d x_(n-1) on a grid of
+  /// step t [time]; 2 c is the sum of what a step leaves of the two modes, d their product. `mass`:
+  /// that w0 and alpha are of.
+  GridSpring on_grid(double t, double mass) const {
+    const double lost = -std::expm1(-2.0 * alpha_ * t);
+    double curvature;  // 1 + d - 2 c
+    if (creeps_) {
+      const double slow = w0_squared_ / (alpha_ + q_);
+      curvature = std::expm1(-slow * t) * std::expm1(-(alpha_ + q_) * t);
+    } else {
+      const double faded = std::expm1(-alpha_ * t);
+      const double turned = oscillates_ ? std::sin(0.5 * q_ * t) : 0.0;
+      curvature = faded * faded + 4.0 * std::exp(-alpha_ * t) * turned * turned;
+    }
+    return {mass * curvature / (t * t), mass * lost / t};
   }
 
   Overlap after(const Propagator& p, Overlap start, double drive) const {
@@ -137,5 +161,13 @@ class DampedOscillator {
   bool oscillates_;
   bool creeps_;
 };
+
+/// K' and eta' on a grid of step t [time] of a spring and dashpot that act on `mass`; the spring
+/// may be missing.
+inline GridSpring spring_on_grid(double stiffness, double damping, double mass, double t) {
+  if (stiffness > 0.0)
+    return DampedOscillator(stiffness / mass, 0.5 * damping / mass).on_grid(t, mass);
+  return {0.0, -std::expm1(-damping * t / mass) * mass / t};
+}
 
 }  // namespace cohesion::event_stepping

@@ -8,6 +8,7 @@
 #include "contact/adhesion.h"
 #include "contact/linear_spring_dashpot.h"
 #include "event_stepping/damped_oscillator.h"
+#include "event_stepping/first_root.h"
 
 namespace cohesion::event_stepping {
 
@@ -190,25 +191,6 @@ class NormalMotion {
       s = at_edge ? Overlap{gap.low, std::min(s.v, 0.0)} : Overlap{gap.high, std::max(s.v, 0.0)};
     }
     return t;
-  }
-
-  /// The first t > 0 at which distance + v t + a t^2/2 = 0; infinity if there is none.
-  static double first_root(double distance, double v, double a) {
-    const double discriminant = v * v - 2.0 * a * distance;
-    if (discriminant < 0.0) return std::numeric_limits<double>::infinity();
-    const double q = -(v + std::copysign(std::sqrt(discriminant), v));
-    double first = std::numeric_limits<double>::infinity();
-    for (const double t : {positive_ratio(2.0 * distance, q), positive_ratio(q, a)})
-      if (t < first) first = t;
-    return first;
-  }
-
-  /// a/b, infinity unless it is a positive number: solvers trap divisions by zero.
-  static double positive_ratio(double a, double b) {
-    const bool one_sign = (a > 0.0 && b > 0.0) || (a < 0.0 && b < 0.0);
-    if (!one_sign || std::abs(a) * 1e-300 >= std::abs(b))
-      return std::numeric_limits<double>::infinity();
-    return a / b;
   }
 
   DampedOscillator contact_;

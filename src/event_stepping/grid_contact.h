@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/adhesion.h"
+#include "contact/linear_spring_dashpot.h"
+#include "event_stepping/damped_oscillator.h"
+#include "event_stepping/first_root.h"
+#include "event_stepping/normal_motion.h"
+
+namespace cohesion::event_stepping {
+
+/// A pair along its normal at a grid point, as engines know it when they ask for forces: positions
+/// there, velocities of the half step before. Beside a wall `distance` is from the wall.
+struct GridPoint {
+  double distance;  ///< of the centres, [length]
+  double radial;    ///< rate of it along the normal of this grid point, [length/time]
+  double sideways;  ///< speed across the normal, 0 beside a wall, [length/time]
+};
+
+/// What is remembered of a pair from one grid point to the next.
+struct GridMemory {
+  /// `beyond`: outside the range, known by the grid. `lasting`: in contact all through the last
+  /// step. `entered`, `left`: inside or outside after a step with an event.
+  enum Phase { beyond, lasting, entered, left };
+  Phase phase = beyond;
+  double ahead = 0.0;  ///< after an event: true radial velocity over the grid's, [length/time]
+
+  bool inside() const { return phase == lasting || phase == entered; }
+};
+
+/// What a contact does from one grid point to the next.
+struct GridStep {
+  double force = 0.0;      ///< on j away from i, mean over the step, all of the contact, [force]
+  double repulsion = 0.0;  ///< the part of spring and dashpot: on average, [force]
+  NormalRecord normal{};
+};
+
+/// Normal motion of one pair whose grid points are exact samples of it: positions x_n at t_n are
+/// the true ones, and the velocity of a half step is (x_(n+1) - x_n)/dt.
+///
+/// In a contact that lasts, the motion about its equilibrium x_e obeys
+///
+///   x_(n+1) = 2 c x_n - d x_(n-1)    c = exp(-alpha dt) cos(q dt)    d = exp(-2 alpha dt)
+///
+/// so that one force of the usual form, from what the engine knows at n, is exact at any step:
+///
+///   f = -K' (x_n - x_e) - eta' v_(n-1/2)    K' = mu (1 + d - 2 c)/dt^2    eta' = mu (1 - d)/dt
+///
+/// A step in which the pair enters or leaves the range, is captured or turns round in the gap is
+/// followed in closed form from the true state at n, under the constant acceleration that others
+/// cause, and the force is the one that puts the pair where it is at n+1. Only the true velocity
+/// there is not the grid's, and is remembered for one step.
+///
+/// Forces are central at grid points: angular momentum is kept to rounding. What others do within
+/// the step is exact where it is constant; in a lasting contact a load F gives the overlap F/K' in
+/// the place of F/K.
+class GridContact {
+ public:
+  /// contact_distance [length]: of the centres at touch, or the radius beside a wall; step [time].
+  GridContact(const contact::LinearSpringDashpot& spring, const contact::Adhesion& adhesion,
+              double contact_distance, double step)
+      : motion_(spring, adhesion, step),
+        oscillator_(spring.stiffness() / spring.reduced_mass(),
+                    0.5 * spring.damping() / spring.reduced_mass()),
+        propagator_(oscillator_.propagator(step)),
+        contact_distance_(contact_distance),
+        reduced_mass_(spring.reduced_mass()),
+        pull_(adhesion.force / spring.reduced_mass()),
+        step_(step),
+        spring_(oscillator_.on_grid(step, spring.reduced_mass())),
+        weight_(spring.stiffness() / spring_.stiffness) {}
+
+  double range() const { return motion_.range(); }
+  double step() const { return step_; }
+  /// K' and eta'.
+  const GridSpring& spring() const { return spring_; }
+
+  /// Whether anything can happen to a pair in the step that begins here. `others` [length/time^2]:
+  /// acceleration of the distance by others.
+  bool within_reach(const GridPoint& at, double others) const {
+    const double inwards = std::max(-at.radial, 0.0) + std::max(-others, 0.0) * step_;
+    return at.distance <= contact_distance_ + motion_.range() + step_ * inwards;
+  }
+
+  /// A contact that certainly lasts until the next grid point whatever others do that it could
+  /// bear: its force needs to know nothing of them. False, and nothing done, where that is not
+  /// certain.
+  bool follow_lasting(const GridPoint& at, const GridMemory& memory, GridStep& step) const {
+    if (memory.phase != GridMemory::lasting) return false;
+    const double overlap = contact_distance_ - at.distance;
+    const double approach = -at.radial;
+    const double repulsion = spring_.stiffness * overlap + spring_.damping * approach;
+    const double attraction = spring_.stiffness * pull_ / oscillator_.w0_squared();
+    const double next = approach + step_ * (attraction - repulsion) / reduced_mass_;
+    // Between two grid points it may dip below both, most where what pulls is constant.
+    const double dip = 0.125 * step_ * std::max(next - approach, 0.0);
+    const double least = certain * step_ * std::abs(approach) + 2.0 * dip;
+    if (!(overlap > least && overlap + step_ * next > least)) return false;
+    step = {};
+    step.repulsion = repulsion;
+    step.force = repulsion - attraction;
+    step.normal.contact_time = step_;
+    step.normal.repulsion_impulse = step_ * repulsion;
+    step.normal.repulsion_at_end = repulsion;
+    return true;
+  }
+
+  /// Any step. `others` as above, constant in the step; `kick` [time]: what a force acts on the
+  /// velocity that flies to the next grid point: step(), but half of it in the first step of a run,
+  /// whose velocity is that of the grid point itself.
+  GridStep follow(const GridPoint& at, double others, double kick, GridMemory& memory) const {
+    GridStep step;
+    const bool first = kick < step_;
+    const bool comes_from_beyond = memory.phase == GridMemory::beyond;
+    bool inside = memory.inside();
+    // A pair that a run starts with is where it is; it did not fall into the range.
+    if (first && comes_from_beyond) inside = at.distance < contact_distance_ + motion_.range();
+    Flight now{at.distance, first ? at.radial : true_radial(at, others, memory), at.sideways};
+    const Flight start = now;
+    const bool lasting = inside && lasts(now, others, step.normal);
+    const bool event = !lasting && move(now, others, inside, step.normal);
+    memory.ahead = 0.0;
+    if (!inside && !event) {
+      memory.phase = GridMemory::beyond;
+      if (comes_from_beyond) return step;  // not to carry the rounding of no change into the force
+    }
+    // The distance is the pair's; direction and flight across it are the grid's.
+    const double across = step_ * at.sideways;
+    const double along = std::sqrt(std::max(now.distance * now.distance - across * across, 0.0));
+    const double flown = (along - at.distance) / step_;
+    step.force = reduced_mass_ * ((flown - at.radial) / kick - others);
+    // What the grid does later or earlier than the pair counts as the spring's.
+    const double true_force =
+        reduced_mass_ * ((now.radial - start.radial) / step_ - outward(start, others));
+    step.repulsion = step.normal.repulsion_impulse / step_ + step.force - true_force;
+    if (lasting) {
+      memory.phase = GridMemory::lasting;
+    } else if (inside || event) {
+      memory.phase = inside ? GridMemory::entered : GridMemory::left;
+      const double on_grid = (along * flown + across * at.sideways) / now.distance;
+      memory.ahead = now.radial - on_grid - 0.5 * step_ * others;
+    }
+    return step;
+  }
+
+  double spring_energy(double overlap) const { return motion_.spring_energy(overlap); }
+  double adhesion_energy(double overlap) const { return motion_.adhesion_energy(overlap); }
+
+ private:
+  /// Of the way of a step: how far from its end a contact must be to last for certain.
+  static constexpr double certain = 0.1;
+  /// A pair flies in, turns and flies out again; more often only by rounding at a grazed edge.
+  static constexpr int max_stretches = 100;
+
+  /// The true motion within a step; the sideways speed follows from the angular momentum.
+  struct Flight {
+    double distance, radial, sideways;
+  };
+
+  double outer_distance() const { return contact_distance_ + motion_.range(); }
+
+  /// At the grid point: the grid's over the half step before, what others do in half a step and
+  /// what was remembered; in a lasting contact the closed form through the last two grid points.
+  double true_radial(const GridPoint& at, double others, const GridMemory& memory) const {
+    if (memory.phase != GridMemory::lasting) return at.radial + memory.ahead + 0.5 * step_ * others;
+    const double before = std::hypot(at.distance - step_ * at.radial, step_ * at.sideways);
+    const double drive = pull_ - load({at.distance, at.radial, at.sideways}, others);
+    const double equilibrium = drive / oscillator_.w0_squared();
+    const double was = contact_distance_ - before - equilibrium;
+    const double is = contact_distance_ - at.distance - equilibrium;
+    const double rate = (is - propagator_.xx * was) / propagator_.xv;
+    return -(propagator_.vx * was + propagator_.vv * rate);
+  }
+
+  /// Centrifugal acceleration of a turning pair and that by others.
+  double outward(const Flight& now, double others) const {
+    const double turning = now.distance / contact_distance_ * now.sideways;
+    return turning * turning / contact_distance_ + others;
+  }
+  /// The same in contact, as it acts in one that lasts: a load F gives the overlap F/K'. Were it
+  /// another in steps with an event, spheres that bounce under their weight would gain energy.
+  double load(const Flight& now, double others) const { return weight_ * outward(now, others); }
+
+  bool lasts(Flight& now, double others, NormalRecord& record) const {
+    Overlap s{contact_distance_ - now.distance, -now.radial};
+    double integral = 0.0;
+    if (!motion_.advance_lasting(s, step_, load(now, others), integral, record)) return false;
+    put(now, s);
+    return true;
+  }
+
+  void put(Flight& now, const Overlap& s) const {
+    const double distance = contact_distance_ - s.x;
+    now = {distance, -s.v, now.sideways * now.distance / distance};
+  }
+
+  /// Everything that can happen to a pair in a step; whether anything did.
+  bool move(Flight& now, double others, bool& inside, NormalRecord& record) const {
+    bool event = inside;
+    if (!inside) inside = event = starts_inside(now);
+    double left = step_;
+    for (int stretches = 0; left > 0.0; stretches++) {
+      if (stretches == max_stretches) {
+        record.unresolved = true;
+        break;
+      }
+      if (!inside) {
+        left -= fly(now, left, others, inside);
+        event = event || inside;
+        continue;
+      }
+      Overlap s{contact_distance_ - now.distance, -now.radial};
+      double integral = 0.0;
+      left -= motion_.advance(s, left, load(now, others), inside, integral, record);
+      put(now, s);
+      if (record.unresolved) break;
+    }
+    return event;
+  }
+
+  /// A pair that counts as outside but was pushed inside enters where it is, if it approaches or
+  /// already overlaps.
+  bool starts_inside(Flight& now) const {
+    if (now.distance >= outer_distance()) return false;
+    if (now.radial >= 0.0 && now.distance >= contact_distance_) return false;
+    enter(now);
+    return true;
+  }
+
+  void enter(Flight& now) const {
+    now.radial = -motion_.enter({contact_distance_ - now.distance, -now.radial}).v;
+  }
+
+  /// Flight outside the range until its edge is met or the time is over. Across the normal it is
+  /// straight; along it `others` act.
+  double fly(Flight& now, double time, double others, bool& inside) const {
+    const double outer = outer_distance();
+    const Flight start = now;
+    double t = time;
+    if (start.distance >= outer) {
+      const double meet = first_root(start.distance - outer, start.radial,
+                                     others + start.sideways * start.sideways / start.distance);
+      if (meet < time) {
+        t = meet;
+        inside = true;
+      }
+    }
+    now = after(start, t, others);
+    if (!inside) return t;
+    // The parabola leaves out how the pair turns on its way.
+    for (int k = 0; k < 2; k++) {
+      if (!(now.radial < 0.0)) break;
+      t = std::min(std::max(t + (outer - now.distance) / now.radial, 0.0), time);
+      now = after(start, t, others);
+    }
+    enter(now);
+    return t;
+  }
+
+  static Flight after(const Flight& start, double t, double others) {
+    const double along = start.distance + t * (start.radial + 0.5 * t * others);
+    const double speed = start.radial + t * others;
+    const double across = t * start.sideways;
+    const double distance = std::sqrt(along * along + across * across);
+    return {distance, (along * speed + across * start.sideways) / distance,
+            (along * start.sideways - across * speed) / distance};
+  }
+
+  NormalMotion motion_;
+  DampedOscillator oscillator_;
+  DampedOscillator::Propagator propagator_;
+  double contact_distance_;
+  double reduced_mass_;
+  double pull_;
+  double step_;
+  GridSpring spring_;
+  double weight_;  // K/K'
+};
+
+}  // namespace cohesion::event_stepping
