@@ -14,6 +14,7 @@
 #include "contact_range.h"
 #include "encounter.h"
 #include "error.h"
+#include "event_contacts.h"
 #include "fix_contact_advice.h"
 #include "fix_contact_book.h"
 #include "fix_wall_gran.h"
@@ -31,6 +32,7 @@ namespace ContactModels {
 /// `Attraction` says what is its own:
 ///
 ///   MODEL                          name in a script
+///   NO_EVENTS                      why it has no scheme event; null: it has one
 ///   Attraction(lmp, owner, wall)   wall: null for pairs
 ///   registerSettings(settings)     its keywords
 ///   connect(registry, normal)      reads the parameters; normal: of the contact
@@ -60,12 +62,15 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
   }
 
   void registerSettings(Settings& settings) override {
-    Cohesion::register_scheme(settings, name());
+    Cohesion::register_scheme(settings, name(), Attraction::NO_EVENTS, of_events_);
     attraction_.registerSettings(settings);
     make_probe();
     normal_->registerSettings(settings);
   }
-  void postSettings(IContactHistorySetup*, ContactModelBase*) override {}
+  void postSettings(IContactHistorySetup* owner, ContactModelBase*) override {
+    if (of_events_) events_ = std::make_unique<Cohesion::EventContacts>(lmp, owner, wall_, name());
+    advice_->of_events(of_events_);
+  }
 
   void connectToProperties(PropertyRegistry& registry) override {
     if (!atom->sphere_flag)
@@ -76,16 +81,27 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     attraction_.connect(registry, *normal_);
     Cohesion::hidden_fix<Cohesion::FixContactAdvice>(lmp).ask(advice_);
     connect_book();
-    Cohesion::require_range(lmp, registry, wall_, name(), attraction_.range());
+    Cohesion::ContactRange range = attraction_.range();
+    if (events_) {
+      connect_events(registry);
+      range.margin = Cohesion::EventContacts::MARGIN;
+    }
+    Cohesion::require_range(lmp, registry, wall_, name(), range);
   }
 
   void surfacesIntersect(SurfacesIntersectData& contact, ForceData& on_i,
                          ForceData& on_j) override {
-    if (attraction_.acts() && (watched_ || !attraction_.idles_in_contact(contact)))
+    if (events_)
+      follow(contact, on_i, on_j);
+    else if (attraction_.acts() && (watched_ || !attraction_.idles_in_contact(contact)))
       attract(contact, contact.r, contact.en, on_i, on_j);
   }
 
   void surfacesClose(SurfacesCloseData& near, ForceData& on_i, ForceData& on_j) override {
+    if (events_) {
+      follow_near(near, on_i, on_j);
+      return;
+    }
     if (!attraction_.acts() || attraction_.rests(near, booked_)) return;
     if (watched_ || !attraction_.idles(near)) attract_near(near, on_i, on_j);
   }
@@ -113,6 +129,46 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     if (!attract(near, r, normal, on_i, on_j)) return;
     near.has_force_update = true;
     if (book_) write_attraction(near, normal, r - near.radsum, on_i);
+  }
+
+  /// A contact of scheme event: in the place of what the engine's normal model made of it. Friction
+  /// sees its spring and dashpot, as under scheme sampled.
+  [[gnu::noinline]] void follow(SurfacesIntersectData& contact, ForceData& on_i, ForceData& on_j) {
+    cohesion::event_stepping::GridStep step;
+    if (!carries(contact)) return;
+    if (!events_->follow(contact, contact.r, contact.en, step)) step = {};
+    events_->rub(contact, step, slides_ ? contact.contact_history + others_history_ : nullptr);
+    for (int d = 0; d < 3; d++) {
+      on_i.delta_F[d] = step.force * contact.en[d];
+      on_j.delta_F[d] = -step.force * contact.en[d];  // of a wall the engine ignores it
+    }
+  }
+
+  [[gnu::noinline]] void follow_near(SurfacesCloseData& near, ForceData& on_i, ForceData& on_j) {
+    const double r = std::sqrt(near.rsq);
+    const double inverse = 1.0 / r;
+    const double normal[3] = {inverse * near.delta[0], inverse * near.delta[1],
+                              inverse * near.delta[2]};
+    cohesion::event_stepping::GridStep step;
+    if (!carries(near) || !events_->follow(near, r, normal, step) || step.force == 0.0) return;
+    for (int d = 0; d < 3; d++) {
+      on_i.delta_F[d] = step.force * normal[d];
+      on_j.delta_F[d] = -step.force * normal[d];
+    }
+    near.has_force_update = true;
+  }
+
+  void connect_events(PropertyRegistry& registry) {
+    slides_ = has("tangential", "history");
+    if (book_)
+      error->all(FLERR,
+                 (name() + ", scheme event: compute gran/energy knows no contacts of it; use "
+                           "'scheme sampled' with the compute")
+                     .c_str());
+    events_->connect(
+        *normal_,
+        [this](int i, int j, double ri, double rj) { return attraction_.adhesion(i, j, ri, rj); },
+        registry.max_type());
   }
 
   bool binds(int itype, int jtype, double ri, double rj, double gap,
@@ -186,6 +242,9 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
   FixWallGran* wall_;  // null for pairs
   PairGran* pair_;     // null for walls
   Attraction attraction_;
+  bool of_events_ = false;
+  bool slides_ = false;                              // over a spring
+  std::unique_ptr<Cohesion::EventContacts> events_;  // null: scheme sampled
   std::unique_ptr<Cohesion::NormalModelProbe> normal_;
   std::shared_ptr<Cohesion::ContactAdvice> advice_;
   std::shared_ptr<Cohesion::ContactBook> book_;  // null: none is kept

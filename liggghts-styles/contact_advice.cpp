@@ -37,12 +37,6 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// One force per contact and step is what the engine asks for.
-constexpr advice::SchemeLimits limits{
-    advice::sampled_scheme.scheme, advice::sampled_scheme.steps_for_warning,
-    advice::sampled_scheme.steps_for_error, advice::sampled_scheme.samples_force,
-    "use the event scheme of the LAMMPS package"};
-
 /// Where the spring is that of the types alone; no other can be told its material.
 constexpr const char* material_words =
     "'material_stiffness on' with fix property/global materialStiffness";
@@ -127,6 +121,8 @@ void ContactAdvice::give(const advice::Circumstances& now) {
     who += " (" + normal_.name() + ": linear springs that an impact presses as far)";
   const advice::Report news = guarded(lmp_, who, [&] {
     const std::vector<advice::AdvisedContact> all = contacts(now);
+    const advice::SchemeLimits& limits =
+        event_ ? advice::event_scheme_one_pass : advice::sampled_scheme;
     return said_.news(advice::report(who, limits, all, now.run), all, now);
   });
   if (lmp_->comm->me == 0) {

@@ -56,6 +56,8 @@ class ContactAdvice {
                 const NormalModelProbe& normal, Adhesion adhesion);
 
   void give(const cohesion::advice::Circumstances& now);
+  /// Under scheme event; else sampled.
+  void of_events(bool event) { event_ = event; }
 
   /// Whether friction, sliding or rolling, may act on a particle of this type.
   bool rubs(int type) const;
@@ -73,6 +75,7 @@ class ContactAdvice {
   std::string model_;
   const NormalModelProbe& normal_;
   Adhesion adhesion_;
+  bool event_ = false;
   cohesion::advice::Said said_;
 };
 

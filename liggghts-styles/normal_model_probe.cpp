@@ -78,7 +78,8 @@ void NormalModelProbe::connect(PropertyRegistry& registry) {
 
 double NormalModelProbe::exponent() const { return model_->stressStrainExponent(); }
 
-cohesion::advice::ContactSprings NormalModelProbe::springs(const Pair& pair, double overlap) const {
+/// What the model makes of a contact.
+SurfacesIntersectData NormalModelProbe::asked(const Pair& pair, double overlap) const {
   SurfacesIntersectData contact;
   contact.is_wall = pair.is_wall;
   contact.itype = pair.itype;
@@ -96,11 +97,36 @@ cohesion::advice::ContactSprings NormalModelProbe::springs(const Pair& pair, dou
   ForceData on_i, on_j;
   model_->surfacesIntersect(contact, on_i, on_j);
 
+  return contact;
+}
+
+cohesion::advice::ContactSprings NormalModelProbe::springs(const Pair& pair, double overlap) const {
+  const SurfacesIntersectData contact = asked(pair, overlap);
   cohesion::advice::ContactSprings springs{contact.kn, contact.gamman};
   springs.tangential_stiffness = springs.rolling_stiffness = contact.kt;
   springs.exponent = exponent();
   springs.overlap = contact.deltan;
   return springs;
+}
+
+double NormalModelProbe::tangential_damping(const Pair& pair) const {
+  return asked(pair, 0.0).gammat;
+}
+
+bool NormalModelProbe::dashpot_varies(int itype, int jtype) const {
+  const auto damping = [&](double speed) {
+    return springs({itype, jtype, 1.0, 1.0, 1.0, speed, false}).damping;
+  };
+  return damping(1.0) != damping(2.0);
+}
+
+bool NormalModelProbe::limits_force(int itype, int jtype) const {
+  Pair parting{itype, jtype, 1.0, 1.0, 1.0, 0.0, false};
+  const double overlap = 1e-9;
+  const auto springs_of = springs(parting, overlap);
+  if (springs_of.damping == 0.0) return false;
+  parting.speed = -2.0 * springs_of.stiffness * overlap / springs_of.damping;
+  return asked(parting, overlap).Fn >= 0.0;
 }
 
 }  // namespace Cohesion

@@ -13,6 +13,7 @@
 namespace LIGGGHTS {
 namespace ContactModels {
 class NormalModelBase;
+struct SurfacesIntersectData;
 }  // namespace ContactModels
 
 namespace Cohesion {
@@ -45,11 +46,20 @@ class NormalModelProbe {
   /// p of the force F ~ overlap^p.
   double exponent() const;
 
+  /// Whether the dashpot between two types is one of several, by the speed.
+  bool dashpot_varies(int itype, int jtype) const;
+  /// Whether the force of two that part ends where their dashpot would pull.
+  bool limits_force(int itype, int jtype) const;
+
   /// At `overlap` [length], 0: a small one; and how the force changes with it.
   cohesion::advice::ContactSprings springs(const Pair& pair, double overlap = 0.0) const;
+  /// eta_t, [mass/time].
+  double tangential_damping(const Pair& pair) const;
 
  private:
   class Quiet;
+  ContactModels::SurfacesIntersectData asked(const Pair& pair, double overlap) const;
+
   std::unique_ptr<Quiet> quiet_;
   std::unique_ptr<ContactModels::NormalModelBase> model_;
   std::string name_;

@@ -22,6 +22,7 @@
 #include "fix_contact_book.h"
 #include "fix_deform_shear.h"
 #include "fix_gas_coupling.h"
+#include "fix_others.h"
 #include "lammps.h"
 #include "modify.h"
 
@@ -64,6 +65,7 @@ void register_styles(LAMMPS* lmp) {
   fixes["gas/coupling"] = &make_fix<FixGasCoupling>;
   fixes[FixContactAdvice::STYLE] = &make_fix<FixContactAdvice>;
   fixes[FixContactBook::STYLE] = &make_fix<FixContactBook>;
+  fixes[FixOthers::STYLE] = &make_fix<FixOthers>;
   Computes& computes = *computes_of(*lmp->modify);
   computes["gran/energy"] = &make_compute<ComputeGranEnergy>;
   computes["shear/profile"] = &make_compute<ComputeShearProfile>;

@@ -14,28 +14,29 @@ namespace Cohesion {
 
 namespace {
 
-constexpr const char* why_no_events =
-    "LIGGGHTS asks a contact model for one force per contact and step. The event scheme must also "
-    "move particles within the step, and follow each contact a second time with what the others of "
-    "its particles do. Use 'scheme sampled' and a small time step, or the LAMMPS package";
-
 class SchemeSetting : public Setting {
  public:
-  explicit SchemeSetting(const std::string& model) : Setting("scheme", 1), model_(model) {}
+  SchemeSetting(const std::string& model, const char* why_no_events, bool& event)
+      : Setting("scheme", 1), model_(model), why_no_events_(why_no_events), event_(event) {}
 
   /// Number of words taken; -1 with an error_message.
   int parseArguments(char** args) override {
     if (name != args[0]) return 0;
     const std::string scheme = args[1];
-    if (scheme == "sampled") return 2;
+    event_ = scheme == "event";
+    if (scheme == "sampled" || (event_ && !why_no_events_)) return 2;
     error_message = model_ + ", scheme " + scheme + ": ";
-    error_message += scheme == "event" ? why_no_events : "must be sampled";
+    error_message += event_           ? why_no_events_
+                     : why_no_events_ ? "must be sampled"
+                                      : "must be event or sampled";
     return -1;
   }
-  void print_value(FILE* out) override { fprintf(out, "sampled"); }
+  void print_value(FILE* out) override { fprintf(out, event_ ? "event" : "sampled"); }
 
  private:
   std::string model_;
+  const char* why_no_events_;
+  bool& event_;
 };
 
 class KeepSetting : public Setting {
@@ -77,8 +78,10 @@ template struct TableOfSettings<&Settings::settings>;
 
 }  // namespace
 
-void register_scheme(Settings& settings, const std::string& model) {
-  table_of(settings)["scheme"] = new SchemeSetting(model);  // settings owns it
+void register_scheme(Settings& settings, const std::string& model, const char* why_no_events,
+                     bool& event) {
+  table_of(settings)["scheme"] =
+      new SchemeSetting(model, why_no_events, event);  // settings owns it
 }
 
 void register_keep(Settings& settings, const std::string& model, cohesion::advice::Keep& keep) {

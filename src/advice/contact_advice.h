@@ -30,6 +30,10 @@ inline constexpr SchemeLimits sampled_scheme{"sampled", 15.0, 0.0, true};
 /// (event_stepping/damped_oscillator.h, first_zero). Of many, a dense elastic gas keeps its energy
 /// to 5e-4 at 4 steps per contact; a packing with friction rattles at half of that.
 inline constexpr SchemeLimits event_scheme{"event", 4.0, 1.0, false};
+/// The same where a contact knows of the others of its particles what they did in the step before:
+/// a dense elastic gas loses 0.7 % of its energy in 100 collisions at 10 steps per contact, 16 % at
+/// 4.
+inline constexpr SchemeLimits event_scheme_one_pass{"event", 10.0, 1.0, false};
 
 /// Overlap over diameter above which spheres are no longer almost rigid.
 inline constexpr double overlap_for_warning = 0.01;

@@ -37,8 +37,8 @@ class BadInput(unittest.TestCase):
                      "wellRatio = 3.5")
 
     def test_scheme(self):
-        for scheme, messages in (("event", ["LIGGGHTS asks a contact model for one force per contact",
-                                            "Use 'scheme sampled'"]),
+        for scheme, messages in (("event", ["its well is followed by scheme sampled alone",
+                                            "use 'scheme sampled'"]),
                                  ("exact", ["must be sampled"])):
             for where in ("pair", "wall"):
                 with self.subTest(scheme=scheme, where=where):

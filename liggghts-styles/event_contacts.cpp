@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <mpi.h>
+// The engine's headers want mpi.h before them.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "contact_models.h"
+#include "domain.h"
+#include "error.h"
+#include "event_contacts.h"
+#include "fix_contact_advice.h"
+#include "fix_mesh_surface.h"
+#include "fix_wall_gran.h"
+#include "guarded.h"
+#include "hidden_fix.h"
+#include "mesh_contact.h"
+#include "update.h"
+#include "vector3.h"
+
+namespace LIGGGHTS {
+namespace Cohesion {
+
+using namespace LAMMPS_NS;
+using namespace cohesion::event_stepping;
+
+namespace {
+
+constexpr const char* seen_too_late =
+    ", scheme event: a pair came nearer by more than 0.01 of its radii in one step, from beyond "
+    "what is seen, and when it touched is not known exactly: use a smaller time step";
+
+/// Without this flag the engine forgets the contact when it makes a new list.
+void remember(const ContactModels::SurfacesCloseData& d, bool something) {
+  if (!d.contact_flags) return;
+  if (something)
+    *d.contact_flags |= ContactModels::CONTACT_COHESION_MODEL;
+  else
+    *d.contact_flags &= ~ContactModels::CONTACT_COHESION_MODEL;
+}
+
+}  // namespace
+
+EventContacts::EventContacts(LAMMPS* lmp, IContactHistorySetup* owner, FixWallGran* wall,
+                             const std::string& who)
+    : lmp_(lmp), atom_(lmp->atom), wall_(wall), who_(who), mobile_(lmp->modify) {
+  // "0": the same seen from the other particle.
+  offset_ = owner->add_history_value("eventPhase", "0");
+  for (const char* const name :
+       {"eventAhead", "eventForce", "eventRepulsion", "eventTouch", "eventStep"})
+    owner->add_history_value(name, "0");
+}
+
+void EventContacts::connect(const NormalModelProbe& normal, Adhesion adhesion, int types) {
+  normal_ = &normal;
+  adhesion_ = std::move(adhesion);
+  types_ = types;
+  known_.clear();
+  known_.resize((types + 1) * (types + 1));
+  mobile_ = MobileParticles(lmp_->modify);
+  // A fix that is made while fixes are set up, as walls are, is called in the next run only.
+  others_ = wall_ ? find_hidden_fix<FixOthers>(lmp_) : &hidden_fix<FixOthers>(lmp_);
+  if (!others_)
+    lmp_->error->all(FLERR, (who_ + ", scheme event, fix wall/gran " + wall_->id +
+                             ": needs a pair_style gran of scheme event, too; without attraction "
+                             "between particles, use 'cohesion hamaker scheme event' with "
+                             "hamakerConstant 0")
+                                .c_str());
+  late_ = hidden_fix<FixContactAdvice>(lmp_).late_warning(who_ + seen_too_late);
+  const auto refuse = [&](const std::string& why) {
+    lmp_->error->all(FLERR, (who_ + ", scheme event: model " + normal.name() + " " + why +
+                             ": use 'scheme sampled', or model hooke or hooke/stiffness as it is "
+                             "by default")
+                                .c_str());
+  };
+  if (normal.exponent() != 1.0) refuse("has a spring whose motion has no closed form");
+  for (int i = 1; i <= types; i++)
+    for (int j = 1; j <= types; j++) {
+      if (normal.dashpot_varies(i, j)) refuse("has a dashpot that depends on the speed (viscous)");
+      if (normal.limits_force(i, j))
+        refuse("cuts the force off where the dashpot pulls (limitForce)");
+    }
+}
+
+EventContacts::Known* EventContacts::known(const ContactModels::SurfacesCloseData& d) {
+  Known& k = known_[d.itype * (types_ + 1) + d.jtype];
+  const double rj = d.is_wall ? std::numeric_limits<double>::infinity() : d.radj;
+  const double mass_i = mass(d.i), mass_j = d.is_wall ? 0.0 : mass(d.j);
+  if (k.law && k.ri == d.radi && k.rj == rj && k.mass_i == mass_i && k.mass_j == mass_j &&
+      k.law->step() == lmp_->update->dt)
+    return &k;
+  if (mass_i == 0.0 && mass_j == 0.0) return nullptr;
+  k = {};
+  k.ri = d.radi;
+  k.rj = rj;
+  k.mass_i = mass_i;
+  k.mass_j = mass_j;
+  make_law(k, d);
+  return &k;
+}
+
+void EventContacts::make_law(Known& k, const ContactModels::SurfacesCloseData& d) const {
+  const auto inverse = [](double mass) { return mass > 0.0 ? 1.0 / mass : 0.0; };
+  k.inverse_mass = inverse(k.mass_i) + inverse(k.mass_j);
+  const double reduced_mass = 1.0 / k.inverse_mass, dt = lmp_->update->dt;
+  guarded(lmp_, who_, [&] {
+    const NormalModelProbe::Pair pair{d.itype,      d.jtype, d.radi,   d.is_wall ? d.radi : d.radj,
+                                      reduced_mass, 0.0,     d.is_wall};
+    const auto springs = normal_->springs(pair);
+    k.law = std::make_unique<GridContact>(
+        cohesion::contact::LinearSpringDashpot(springs.stiffness, springs.damping, reduced_mass),
+        adhesion_(d.itype, d.jtype, d.radi, k.rj), d.radsum, dt);
+    // That answers at the surface of solid spheres, which turn: 1/m + r^2/I of each.
+    const double tangential_mass =
+        reduced_mass / (1.0 + 1.0 / MobileParticles::inertia_factor(lmp_->domain->dimension));
+    k.tangential = spring_on_grid(springs.tangential_stiffness, normal_->tangential_damping(pair),
+                                  tangential_mass, dt);
+  });
+}
+
+/// Acceleration of the distance by all forces of the step before, [length/time^2].
+double EventContacts::others(const ContactModels::SurfacesCloseData& d,
+                             const cohesion::Vector3& n) const {
+  double by_all = 0.0;
+  if (mobile_.moves(atom_->mask[d.i])) by_all += dot(others_->acceleration(d.i), n);
+  if (!d.is_wall && mobile_.moves(atom_->mask[d.j])) by_all -= dot(others_->acceleration(d.j), n);
+  return by_all;
+}
+
+/// What the step before has left of the contact, or of one with the triangle of the mesh that it
+/// has come from; nullptr: nothing.
+const double* EventContacts::written_last(const ContactModels::SurfacesCloseData& d) const {
+  const double* const history = d.contact_history + offset_;
+  const auto now = static_cast<double>(lmp_->update->ntimestep);
+  if (history[STEP] == now) return history;
+  if (!d.mesh) return nullptr;
+  const double* const before =
+      history_before(*d.fix_mesh, d.j, d.i, atom_->x[d.i], d.radi, offset_ + STEP, now);
+  return before ? before + offset_ : nullptr;
+}
+
+bool EventContacts::follow(const ContactModels::SurfacesCloseData& d, double r,
+                           const double* normal, GridStep& step) {
+  const bool first = d.computeflag && !d.shearupdate;
+  Known* const k = known(d);
+  followed_ = k;
+  apart_ = 0.0;
+  if (!k) return false;
+  if (!d.computeflag || (first && others_->last_step() == lmp_->update->dt)) {
+    if (repeat(d, step)) return true;
+    if (!d.computeflag) return false;
+  }
+  const double* const last = first ? nullptr : written_last(d);
+  GridMemory memory;
+  if (last) {
+    memory.phase = static_cast<GridMemory::Phase>(static_cast<int>(last[PHASE]));
+    memory.ahead = last[AHEAD];
+  }
+  apart_ = k->law->step() - (last ? last[TOUCH] : 0.0);
+  const cohesion::Vector3 n = cohesion::vector(normal);
+  const cohesion::Vector3 w = cohesion::vector(d.v_i) - cohesion::vector(d.v_j);
+  GridPoint at{r, dot(w, n), 0.0};
+  if (!k->law->follow_lasting(at, memory, step)) {
+    if (!d.is_wall) at.sideways = norm(w - at.radial * n);
+    double by_others = 0.0;
+    if (!first) by_others = others(d, n);
+    if (last) by_others -= last[FORCE] * k->inverse_mass;
+    if (memory.phase == GridMemory::beyond) {
+      if (!k->law->within_reach(at, by_others)) {
+        remember(d, false);
+        return false;
+      }
+      if (!first && r - k->law->step() * at.radial > (1.0 + MARGIN) * d.radsum) late_->due = true;
+    }
+    step = k->law->follow(at, by_others, first ? 0.5 * k->law->step() : k->law->step(), memory);
+  }
+  write(d, memory, step);
+  return true;
+}
+
+/// A step that is computed again, as each run does with the last one, repeats its force.
+bool EventContacts::repeat(const ContactModels::SurfacesCloseData& d, GridStep& step) const {
+  const double* const history = d.contact_history + offset_;
+  if (history[STEP] != static_cast<double>(lmp_->update->ntimestep) + 1.0) return false;
+  step = {};
+  step.force = history[FORCE];
+  step.repulsion = history[REPULSION];
+  return true;
+}
+
+void EventContacts::write(const ContactModels::SurfacesCloseData& d, const GridMemory& memory,
+                          const GridStep& step) const {
+  double* const history = d.contact_history + offset_;
+  history[PHASE] = memory.phase;
+  history[AHEAD] = memory.ahead;
+  history[FORCE] = step.force;
+  history[REPULSION] = step.repulsion;
+  history[TOUCH] = step.normal.contact_time;
+  history[STEP] = static_cast<double>(lmp_->update->ntimestep) + 1.0;
+  remember(d, memory.phase != GridMemory::beyond || step.force != 0.0);
+}
+
+void EventContacts::rub(ContactModels::SurfacesIntersectData& contact, const GridStep& step,
+                        double* spring) const {
+  contact.Fn = std::max(step.repulsion, 0.0);
+  if (!followed_) return;
+  contact.kt = followed_->tangential.stiffness;
+  contact.gammat = followed_->tangential.damping;
+  if (!spring || !contact.shearupdate || apart_ == 0.0) return;
+  const double slip[3] = {contact.vtr1, contact.vtr2, contact.vtr3};
+  for (int d = 0; d < 3; d++) spring[d] -= apart_ * slip[d];
+}
+
+}  // namespace Cohesion
+}  // namespace LIGGGHTS

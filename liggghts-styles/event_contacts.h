@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef COHESION_EVENT_CONTACTS_H
+#define COHESION_EVENT_CONTACTS_H
+
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "atom.h"
+#include "contact/adhesion.h"
+#include "contact_interface.h"
+#include "event_stepping/grid_contact.h"
+#include "fix_others.h"
+#include "mobile_particles.h"
+#include "normal_model_probe.h"
+
+namespace LAMMPS_NS {
+class FixWallGran;
+class LAMMPS;
+}  // namespace LAMMPS_NS
+
+namespace LIGGGHTS {
+namespace Cohesion {
+
+struct LateWarning;
+
+/// The contacts of one pair style or wall under scheme event: brings what the engine knows of a
+/// contact to event_stepping/grid_contact.h and keeps its memory in the engine's contact history,
+/// with which it goes through exchange and restart. Others act as in the step before.
+class EventContacts {
+ public:
+  using Adhesion =
+      std::function<cohesion::contact::Adhesion(int itype, int jtype, double ri, double rj)>;
+
+  /// How far beyond the range the model sees, over the sum of the radii: a pair must not come
+  /// nearer by more in a step.
+  static constexpr double MARGIN = 0.01;
+
+  /// who: in messages; wall: null for pairs. Adds to the history of contacts.
+  EventContacts(LAMMPS_NS::LAMMPS* lmp, IContactHistorySetup* owner, LAMMPS_NS::FixWallGran* wall,
+                const std::string& who);
+
+  /// `adhesion`: of two types and radii; rj infinite: beside a wall. Stops where the normal model
+  /// is none that the scheme can follow.
+  void connect(const NormalModelProbe& normal, Adhesion adhesion, int types);
+
+  /// r: distance of the centres, or from the wall; normal: from j, or the wall, to i. False, and
+  /// `step` of no meaning: the contact does nothing.
+  bool follow(const ContactModels::SurfacesCloseData& d, double r, const double* normal,
+              cohesion::event_stepping::GridStep& step);
+
+  /// Lets the engine's friction act in `step` with the repulsion of the contact, and with the K_t
+  /// and eta_t that make the grid follow its spring exactly (grid_contact.h). `spring`: its
+  /// displacement, which the engine will let grow through all of the step before, also where there
+  /// was no contact; null: it has none.
+  void rub(ContactModels::SurfacesIntersectData& contact,
+           const cohesion::event_stepping::GridStep& step, double* spring) const;
+
+ private:
+  // What is remembered of a contact. TOUCH: how long it was in contact in the last step; STEP: the
+  // one in which this was written, and 1.
+  enum { PHASE, AHEAD, FORCE, REPULSION, TOUCH, STEP };
+
+  using GridContact = cohesion::event_stepping::GridContact;
+  using GridMemory = cohesion::event_stepping::GridMemory;
+
+  /// Bodies, and the law of their contact.
+  struct Known {
+    double ri = 0.0, rj = 0.0, mass_i = 0.0, mass_j = 0.0;
+    double inverse_mass = 0.0;  // of both
+    std::unique_ptr<GridContact> law;
+    cohesion::event_stepping::GridSpring tangential{};
+  };
+
+  /// The law of a contact; null: nothing that a force could move.
+  Known* known(const ContactModels::SurfacesCloseData& d);
+  /// 0: no force moves it.
+  double mass(int particle) const {
+    return mobile_.moves(atom_->mask[particle]) ? atom_->rmass[particle] : 0.0;
+  }
+  double others(const ContactModels::SurfacesCloseData& d, const cohesion::Vector3& normal) const;
+  bool repeat(const ContactModels::SurfacesCloseData& d,
+              cohesion::event_stepping::GridStep& step) const;
+  const double* written_last(const ContactModels::SurfacesCloseData& d) const;
+  void write(const ContactModels::SurfacesCloseData& d, const GridMemory& memory,
+             const cohesion::event_stepping::GridStep& step) const;
+  void make_law(Known& k, const ContactModels::SurfacesCloseData& d) const;
+
+  LAMMPS_NS::LAMMPS* lmp_;
+  LAMMPS_NS::Atom* atom_;
+  LAMMPS_NS::FixWallGran* wall_;
+  std::string who_;
+  int offset_;
+  const NormalModelProbe* normal_ = nullptr;
+  Adhesion adhesion_;
+  FixOthers* others_ = nullptr;
+  MobileParticles mobile_;
+  std::vector<Known> known_;  // the last of each two types
+  const Known* followed_ = nullptr;
+  double apart_ = 0.0;  // of the step before, the time that the contact just followed had none
+  int types_ = 0;
+  std::shared_ptr<LateWarning> late_;
+};
+
+}  // namespace Cohesion
+}  // namespace LIGGGHTS
+
+#endif

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "fix_others.h"
+
+#include <mpi.h>
+// The engine's headers want mpi.h before them.
+#include <algorithm>
+#include <cstring>
+#include <string>
+
+#include "atom.h"
+#include "comm.h"
+#include "error.h"
+#include "liggghts_api.h"
+#include "memory.h"
+#include "modify.h"
+#include "update.h"
+
+namespace LIGGGHTS {
+namespace Cohesion {
+
+using namespace LAMMPS_NS;
+
+FixOthers::FixOthers(LAMMPS* engine, int count, char** words) : Fix(engine, count, words) {
+  comm_forward = 3;
+  restart_global = 1;
+  grow_arrays(atom->nmax);
+  for (int i = 0; i < atom->nlocal; i++) set_arrays(i);
+  atom->add_callback(engine_api::GROW);
+}
+
+FixOthers::~FixOthers() {
+  atom->delete_callback(id, engine_api::GROW);
+  memory->destroy(acceleration_);
+}
+
+int FixOthers::setmask() { return FixConst::INITIAL_INTEGRATE | FixConst::PRE_FORCE; }
+
+void FixOthers::init() {
+  for (int k = 0; k < modify->nfix; k++)
+    for (const char* const bodies : {"multisphere", "rigid"})
+      if (std::strncmp(modify->fix[k]->style, bodies, std::strlen(bodies)) == 0)
+        error->all(FLERR, (std::string("cohesion, scheme event: follows spheres that move each by "
+                                       "itself, and fix ") +
+                           modify->fix[k]->style + " " + modify->fix[k]->id +
+                           " moves bodies of several: use 'scheme sampled'")
+                              .c_str());
+}
+
+/// Forces of a run that is set up are those of before or act on where all is.
+void FixOthers::setup_pre_force(int) {
+  const int all = atom->nlocal + atom->nghost;
+  for (int i = 0; i < all; i++) set_arrays(i);
+}
+
+void FixOthers::initial_integrate(int) {
+  last_step_ = update->dt;
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int k = 0; k < 3; k++) acceleration_[i][k] = atom->f[i][k] / atom->rmass[i];
+}
+
+void FixOthers::pre_force(int) { comm->forward_comm_fix(this); }
+
+void FixOthers::grow_arrays(int most) {
+  memory->grow(acceleration_, most, 3, "others:acceleration");
+}
+
+void FixOthers::copy_arrays(int i, int j, int) {
+  std::copy_n(acceleration_[i], 3, acceleration_[j]);
+}
+
+void FixOthers::set_arrays(int i) { std::fill_n(acceleration_[i], 3, 0.0); }
+
+int FixOthers::pack_exchange(int i, double* buffer) {
+  std::copy_n(acceleration_[i], 3, buffer);
+  return 3;
+}
+
+int FixOthers::unpack_exchange(int i, double* buffer) {
+  std::copy_n(buffer, 3, acceleration_[i]);
+  return 3;
+}
+
+int FixOthers::pack_comm(int count, int* list, double* buffer, int, int*) {
+  for (int k = 0; k < count; k++) std::copy_n(acceleration_[list[k]], 3, buffer + 3 * k);
+  return comm_forward;
+}
+
+void FixOthers::unpack_comm(int count, int first, double* buffer) {
+  for (int k = 0; k < count; k++) std::copy_n(buffer + 3 * k, 3, acceleration_[first + k]);
+}
+
+void FixOthers::write_restart(FILE* file) {
+  if (comm->me != 0) return;
+  const int size = sizeof(double);
+  fwrite(&size, sizeof(int), 1, file);
+  fwrite(&last_step_, sizeof(double), 1, file);
+}
+
+void FixOthers::restart(char* buffer) { std::memcpy(&last_step_, buffer, sizeof(double)); }
+
+double FixOthers::memory_usage() { return 3.0 * sizeof(double) * atom->nmax; }
+
+}  // namespace Cohesion
+}  // namespace LIGGGHTS

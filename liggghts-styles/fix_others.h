@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef COHESION_FIX_OTHERS_H
+#define COHESION_FIX_OTHERS_H
+
+#include "fix.h"
+#include "vector3.h"
+
+namespace LIGGGHTS {
+namespace Cohesion {
+
+/// How all forces of the step before accelerated each particle, ghosts included: what contacts of
+/// the scheme event know of the others of their particles. Hidden (hidden_fix.h).
+class FixOthers : public LAMMPS_NS::Fix {
+ public:
+  static constexpr const char* STYLE = "cohesion_others";
+
+  FixOthers(LAMMPS_NS::LAMMPS* engine, int count, char** words);
+  ~FixOthers() override;
+
+  int setmask() override;
+  void init() override;
+  void setup_pre_force(int) override;
+  void initial_integrate(int) override;
+  void pre_force(int) override;
+
+  void grow_arrays(int) override;
+  void copy_arrays(int, int, int) override;
+  void set_arrays(int) override;
+  int pack_exchange(int, double*) override;
+  int unpack_exchange(int, double*) override;
+  int pack_comm(int, int*, double*, int, int*) override;
+  void unpack_comm(int, int, double*) override;
+  void write_restart(FILE*) override;
+  void restart(char*) override;
+  double memory_usage() override;
+
+  /// Of particle or ghost i; nothing while a run is set up, [length/time^2].
+  cohesion::Vector3 acceleration(int i) const { return cohesion::vector(acceleration_[i]); }
+  /// The step of the last forces, also those from a restart file; 0: there were none, [time].
+  double last_step() const { return last_step_; }
+
+ private:
+  double** acceleration_ = nullptr;
+  double last_step_ = 0.0;
+};
+
+}  // namespace Cohesion
+}  // namespace LIGGGHTS
+
+#endif
