@@ -3,9 +3,9 @@
 """A pair that sticks, struck by a third sphere: error of Hamaker adhesion against the step.
 
   struck-pairs.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--scheme event|sampled] [--finest N]
-  struck-pairs.py LIGGGHTS_COHESION [--finest N]         sampled
+  struck-pairs.py LIGGGHTS_COHESION [--scheme event|sampled] [--finest N]
 
-Sampled, as in in.head_on: without friction, of which the engines have different laws.
+Sampled, and in LIGGGHTS, as in in.head_on: without friction, of which the engines have different laws.
 
 100 triples (struck_pairs.py) against t_c/N, 1000 unless said otherwise, after 30 t_c. Printed: how many end
 otherwise (who sticks to whom), and, of the others, the root mean square of the error of the velocities over the
@@ -22,13 +22,13 @@ def main():
     words = measuring_program.words(
         __doc__, ("--scheme", {"choices": tuple(DIVISIONS), "default": "event"}),
         ("--finest", {"type": int, "default": 1000}), liggghts=True)
-    scheme = words.scheme if words.plugin else "sampled"
+    scheme = words.scheme
     import lammps_engine as engine
     import struck_pairs
 
     with engine.temporary_folder() as folder:
         struck_pairs.write(folder)
-        for friction in (0.0, 0.3) if scheme == "event" else (0.0,):
+        for friction in (0.0, 0.3) if scheme == "event" and words.plugin else (0.0,):
             exact, stuck, _ = struck_pairs.outcome(folder, words.finest, friction, scheme)
             print(f"friction {friction:g}")
             for division in DIVISIONS[scheme]:

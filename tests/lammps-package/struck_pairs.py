@@ -2,6 +2,7 @@
 """Two spheres that stick, at rest, and a third that strikes them: 100 such triples, from 0.003 to
 0.1 m/s. Also where adhesion decides: F_ad/sqrt(mu K) = 0.022 m/s."""
 import math
+import os
 
 import numpy
 
@@ -44,21 +45,23 @@ def write(folder):
     engine.write_spheres(folder, spheres, [(0, 0.04), (0, 0.04), (0, 4e-3)], 1)
 
 
-def follow_sampled(folder, division):
-    """By forces on the grid, without friction."""
+def follow_without_friction(folder, division, **scheme):
+    """By in.head_on: sampled forces, or in LIGGGHTS the scheme that is named."""
     dt = T_C / division
-    engine.run("in.head_on", folder, dt=dt, steps=round(DURATION / dt), K=gas.STIFFNESS,
+    engine.run("in.head_on", folder, **scheme, dt=dt, steps=round(DURATION / dt), K=gas.STIFFNESS,
                gamma=-2 * math.log(RESTITUTION) / math.hypot(math.pi, math.log(RESTITUTION))
                * math.sqrt(2 * gas.STIFFNESS / gas.MASS),
                A=A, cut=settling.CUT, out=1e-7)
 
 
 def outcome(folder, division, friction, scheme="event"):
-    """At t_c/division, after 30 t_c, followed by `scheme`, the sampled one without friction: velocities
+    """At t_c/division, after 30 t_c, followed by `scheme`, the sampled one and LIGGGHTS without friction: velocities
     (triple, sphere, axis), which of the three pairs stick (pair, triple), and the slowest speed at which two
     have parted (triple)."""
-    if scheme == "sampled":
-        follow_sampled(folder, division)
+    if not os.environ.get("COHESION_PLUGIN"):
+        follow_without_friction(folder, division, scheme=scheme)
+    elif scheme == "sampled":
+        follow_without_friction(folder, division)
     else:
         gas.follow(folder, division, DURATION, 2, A=A, e=RESTITUTION, mu=friction,
                    skin=4e-4 if division < 4 else 2e-4)

@@ -15,6 +15,7 @@ import unittest
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "lammps-package"))
 
 from pair_motion import ALPHA, CONTACT_TIME, DIAMETER, MU, OUT, CUT, Pair
+from mesh import rectangle, stl
 from scene import RADIUS, contact, frames, hamaker, sphere, square_well
 
 A, DEPTH, RATIO = 7.49e-19, 5e-11, 1.01
@@ -22,6 +23,7 @@ RESTITUTION = math.exp(-ALPHA * CONTACT_TIME)
 MODELS = "model hooke/stiffness tangential off cohesion "
 SETTINGS = " absolute_damping on tangential_damping off"
 POSITIONS = 4  # of the contact within the step
+PLANE = ("primitive type 2 xplane -8.5e-3", (), {})
 
 
 def escape_velocity(cohesion):
@@ -30,13 +32,14 @@ def escape_velocity(cohesion):
     return math.sqrt(2 * DEPTH / MU * (1 / RESTITUTION**2 - 1))
 
 
-def parted(cohesion, factors, dt, steps, wall):
+def parted(cohesion, factors, dt, steps, wall, scheme="sampled", positions=POSITIONS):
     """By factor of the escape velocity, whether spheres that approach so fast come out of the
-    attraction again: one answer for each position of the contact within the step."""
+    attraction again: one answer for each position of the contact within the step. wall: False, or what stands behind
+    the models in the line of a wall at x = -8.5 mm, and lines before that."""
     range_of_pair = OUT if cohesion == "hamaker" else (RATIO - 1) * DIAMETER
     edge = range_of_pair if cohesion == "hamaker" or not wall else range_of_pair / 2
-    speeds = [(f * escape_velocity(cohesion), p / POSITIONS) for f in factors
-              for p in range(POSITIONS)]
+    speeds = [(f * escape_velocity(cohesion), p / positions) for f in factors
+              for p in range(positions)]
     spheres = []
     for n, (speed, late) in enumerate(speeds):
         gap = 1.001 * edge + speed * dt * late
@@ -47,22 +50,31 @@ def parted(cohesion, factors, dt, steps, wall):
             spheres += [sphere((-8.5e-3, *place[1:]), (speed / 2, 0, 0)),
                         sphere((-8.5e-3 + DIAMETER + gap, *place[1:]), (-speed / 2, 0, 0))]
     models = MODELS + cohesion
+    settings = f"{SETTINGS} scheme {scheme}"
     properties = (hamaker(A, cut=CUT, out=OUT) if cohesion == "hamaker"
                   else square_well(DEPTH, ratio=RATIO))
-    end = frames(spheres, models + (" " if wall else SETTINGS), properties, dt=dt, steps=steps,
-                 every=steps, contacts=contact(wall=2.0), skin=2e-4,
-                 walls=["primitive type 2 xplane -8.5e-3" + SETTINGS] if wall else [])[-1]
+    shape, before, inputs = wall or ("", (), {})
+    walls = [*before, f"fix plate all wall/gran {models} {shape} {settings}"] if wall else []
+    end = frames(spheres, models + settings, properties, dt=dt, steps=steps, every=steps,
+                 contacts=contact(wall=2.0), skin=2e-4, walls=walls, inputs=inputs)[-1]
     if wall:
         gaps = [end[n][0] + 8.5e-3 - RADIUS for n in range(1, len(speeds) + 1)]
     else:
         gaps = [end[2 * n][0] - end[2 * n - 1][0] - DIAMETER for n in range(1, len(speeds) + 1)]
     out = [gap > 1.0005 * edge for gap in gaps]
-    return {f: out[k * POSITIONS:(k + 1) * POSITIONS] for k, f in enumerate(factors)}
+    return {f: out[k * positions:(k + 1) * positions] for k, f in enumerate(factors)}
 
 
-def limits(cohesion, factors, dt, steps, wall):
+def mesh(cells):
+    """A square plate of 2 cells^2 triangles."""
+    plate = rectangle((-8.5e-3, -9.5e-3, -9.5e-3), (0, 1.9e-2, 0), (0, 0, 1.9e-2), cells)
+    return ("mesh n_meshes 1 meshes square", ["fix square all mesh/surface file square.stl type 2"],
+            {"square.stl": stl(plate)})
+
+
+def limits(cohesion, factors, dt, steps, wall, **how):
     """The slowest factor at which one parted, and the fastest at which one stayed."""
-    answers = parted(cohesion, factors, dt, steps, wall)
+    answers = parted(cohesion, factors, dt, steps, wall, **how)
     return (min((f for f, out in answers.items() if any(out)), default=math.inf),
             max((f for f, out in answers.items() if not all(out)), default=0.0))
 
@@ -76,11 +88,21 @@ class HeadOn(unittest.TestCase):
     def test_hamaker_at_a_small_step(self):
         # dt = 1e-8 s, as in lammps-package/two_particles_head_on_test.py, where the tolerance of 0.001
         # is derived. 90,000 steps: in, contact, and out again through H_out at 2e-4 m/s.
-        for wall in (False, True):
+        for wall in (False, PLANE):
             with self.subTest(wall=wall):
                 low, high = limits("hamaker", self.FINE, 1e-8, 90000, wall)
                 self.assertAlmostEqual(low, 1.0, delta=0.00101)
                 self.assertAlmostEqual(high, 1.0, delta=0.00101)
+
+    def test_event_at_any_step(self):
+        # The closed form of a pair: nothing but rounding errs. The slowest takes up to 9e-4 s, as above.
+        for wall, divisions in ((False, (4, 8, 16, 50)), (PLANE, (4, 8, 16, 50)), (mesh(1), (4, 50)),
+                                (mesh(10), (4, 8))):
+            for steps in divisions:
+                with self.subTest(wall=wall and wall[0], steps_per_contact=steps):
+                    low, high = limits("hamaker", [0.99, 0.999, 1.001, 1.01], CONTACT_TIME / steps, 10 * steps, wall,
+                                       scheme="event", positions=8)
+                    self.assertEqual((low, high), (1.001, 0.999))
 
     def test_square_well_at_a_small_step(self):
         # The impulses are exact. What errs is the sampled contact: at entry and at exit the spring acts up
@@ -89,7 +111,7 @@ class HeadOn(unittest.TestCase):
         # 1/(2 (1 - e^2)) = 5. At t_c/1000, w0 dt = 3.1e-3: 4 times 5e-6 times 5 = 1e-4. Graded at twice
         # that: what is 1e-4 above v_esc leaves the edge with e sqrt(2e-4) v_esc = 5e-5 m/s, and is the
         # 5e-9 m beyond that parted() asks for in 1e-4 s. In the well it takes 2 ms, the run 5.5 ms.
-        for wall in (False, True):
+        for wall in (False, PLANE):
             with self.subTest(wall=wall):
                 low, high = limits("square_well", self.FINEST, CONTACT_TIME / 1000, 60000, wall)
                 self.assertAlmostEqual(low, 1.0, delta=0.00021)

@@ -1,0 +1,257 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Cohesion hamaker with scheme event among many spheres: ranks, runs and restarts, meshes, energy, rest, friction; what
+it cannot follow is refused. Escape velocities are in head_on_test.py."""
+import math
+import random
+import unittest
+
+from engine import EPSILON, Run, assert_refused
+from mesh import rectangle, stl
+from scene import MASS, RADIUS, STIFFNESS, contact, frames, hamaker, script, sphere
+
+CONTACT_TIME = math.pi * math.sqrt(0.5 * MASS / STIFFNESS)
+CUT, OUT = 4e-10, 1e-7
+EVENT = " absolute_damping on tangential_damping off scheme event"
+COLUMNS = ("x", "y", "z", "vx", "vy", "vz", "omegax", "omegay", "omegaz")
+END = f"""
+dump end all custom 1 end.txt id {' '.join(COLUMNS)}
+dump_modify end format "%d{' %.17g' * len(COLUMNS)}" sort id
+run 0
+"""
+
+
+def models(tangential="off"):
+    return f"model hooke/stiffness tangential {tangential} cohesion hamaker"
+
+
+def elastic():
+    text = contact()
+    line = next(line for line in text.splitlines() if " gamman_abs " in line)
+    return text.replace(line, "fix gamman_abs all property/global gamman_abs peratomtypepair 2 0 0 0 0")
+
+
+def gas(edge, fraction, seed=1):
+    """edge^3 spheres that fly at 0.1 m/s, and the side of their periodic box."""
+    numbers = random.Random(seed)
+    cell = 2 * RADIUS * (math.pi / 6 / fraction)**(1 / 3)
+    room = 0.4 * (cell - 2 * RADIUS)
+    sites = [(i, j, k) for i in range(edge) for j in range(edge) for k in range(edge)]
+    speeds = [[numbers.gauss(0, 0.1) for _ in range(3)] for _ in sites]
+    mean = [sum(v[d] for v in speeds) / len(speeds) for d in range(3)]
+    return [sphere([cell * (n + 0.5) + numbers.uniform(-room, room) for n in site],
+                   [v - m for v, m in zip(speed, mean)])
+            for site, speed in zip(sites, speeds)], cell * edge
+
+
+def gas_script(run, tangential="off", edge=6, fraction=0.45, constant=2e-18, part=10, contacts=contact(), **options):
+    """run: with DT for the step."""
+    spheres, side = gas(edge, fraction)
+    dt = CONTACT_TIME / part
+    return script(spheres, models(tangential) + EVENT, hamaker(constant, cut=CUT, out=OUT), dt=dt, every=10**8,
+                  contacts=contacts, boundary="p p p", box=f"0 {side} 0 {side} 0 {side}",
+                  run=run.replace("DT", repr(dt)), **options), side
+
+
+def end_of(run, tangential="off", ranks=0):
+    done = Run(gas_script(run + END, tangential)[0], ranks=ranks)
+    return done.frames("end.txt")[-1]
+
+
+class Many(unittest.TestCase):
+    def assert_same(self, one, other, steps):
+        """But for rounding: in each step half an epsilon of the speed of 0.3 m/s and of a place of 7 mm over the
+        step, which a collision may amplify by diameter over overlap, about 100; each sphere has about one in a run."""
+        self.assertEqual(one.keys(), other.keys())
+        room = 100 * steps * EPSILON * (0.3 + 7e-3 / (CONTACT_TIME / 10) * EPSILON)
+        for k in one:
+            for mine, theirs in zip(one[k][3:6], other[k][3:6]):
+                self.assertAlmostEqual(mine, theirs, delta=room)
+
+    def test_ranks_and_runs_do_not_matter(self):
+        # A run goes on with the forces that the last one ended with.
+        for tangential in ("off", "history"):
+            whole = end_of("run 120", tangential)
+            for what, how in {"2 ranks": ("run 120", 2), "parts": ("run 37\nrun 0\nrun 83", 0),
+                              "a restart file written": ("run 60\nwrite_restart a.rest\nrun 60", 0)}.items():
+                with self.subTest(what, tangential=tangential):
+                    self.assert_same(whole, end_of(how[0], tangential, how[1]), 120)
+
+    def test_a_restart_file_goes_on(self):
+        begin, side = gas_script("run 60\nwrite_restart a.rest\nrun 60" + END)
+        whole = Run(begin).frames("end.txt")[-1]
+        again = begin[begin.index("fix E all"):begin.index("run 60")]
+        head = ("units si\natom_style granular\natom_modify map array\nboundary p p p\nnewton off\n"
+                "communicate single vel yes\n")
+        text = (begin[:begin.index("run 60\nwrite")] + "run 60\nwrite_restart a.rest\nclear\n" + head +
+                "read_restart a.rest\nneighbor 1e-4 bin\nneigh_modify delay 0\n" +
+                again.replace("dump out all custom 100000000 out.txt", "dump out all custom 100000000 more.txt") +
+                "run 60" + END)
+        self.assert_same(whole, Run(text).frames("end.txt")[-1], 120)
+
+    def test_a_changed_step(self):
+        # Spheres that touch with 1.1 and 0.9 of the escape velocity, the step changed while they fly and twice in a
+        # contact that lasts: a run that takes another step begins with the state there, so that a contact is off by a
+        # fraction of (w0 dt)^2/12 of the speed at t_c/16 and less: 0.3 %.
+        constant = 7.49e-19
+        for tangent in ("run 10\ntimestep TWICE\nrun 400\n", "run 16\ntimestep HALF\nrun 8\ntimestep TWICE\nrun 400\n"):
+            for factor in (0.9, 1.1):
+                dt = CONTACT_TIME / 16
+                speed = factor * 4.00121e-3  # of tests/src/event_stepping: the closed form
+                gap = OUT + 8.3 * speed * dt
+                spheres = [sphere((0, 0, 0), (speed / 2, 0, 0)),
+                           sphere((2 * RADIUS + gap, 0, 0), (-speed / 2, 0, 0))]
+                text = tangent.replace("TWICE", repr(2 * dt)).replace("HALF", repr(dt / 2))
+                end = Run(script(spheres, models() + EVENT, hamaker(constant, cut=CUT, out=1e-4), dt=dt, every=10**8,
+                                 run=text + END, skin=2e-4)).frames("end.txt")[-1]
+                apart = end[2][0] - end[1][0] > 2 * RADIUS + 1e-7
+                with self.subTest(text=text, factor=factor):
+                    self.assertEqual(apart, factor > 1)
+
+
+class Mesh(unittest.TestCase):
+    def test_a_plane_of_triangles_is_a_plane(self):
+        """Spheres that stick to a plate, and one that bounces, slide over borders and nodes. The engine takes the
+        plane from nodes, rounded at the size of the mesh; a contact amplifies by the velocity over the step."""
+        corner, sides = (-9e-3, -9e-3, 0), ((18e-3, 0, 0), (0, 18e-3, 0))
+        dt = 0.53 * CONTACT_TIME / 8
+        for tangential in ("off", "history"):
+            words = models(tangential)
+
+            def slid(walls, inputs):
+                spheres = [sphere((-4e-3, -4e-3, RADIUS + 1e-8), (0.5, 0.3, -0.004)),
+                           sphere((-4e-3, 0, RADIUS + 3e-7), (0.5, 0.3, -0.05)),
+                           sphere((-5.2e-3, 3.6e-3 + 1e-7, RADIUS + 1e-7), (0.5, 0.3, -0.003))]
+                return frames(spheres, words + EVENT, hamaker(2e-18, cut=CUT, out=OUT), dt=dt, steps=int(8e-3 / dt),
+                              every=20, walls=walls, inputs=inputs, skin=2e-4)
+
+            plane = slid([f"fix plate all wall/gran {words} primitive type 2 zplane 0 {EVENT}"], {})
+            self.assertLess(plane[-1][1][2], RADIUS)  # stuck
+            self.assertGreater(plane[-1][2][2], RADIUS + 1e-4)
+            for cells in (1, 10):
+                walls = ["fix plate all mesh/surface file plate.stl type 2",
+                         f"fix plates all wall/gran {words} mesh n_meshes 1 meshes plate {EVENT}"]
+                mesh = slid(walls, {"plate.stl": stl(rectangle(corner, *sides, cells))})
+                with self.subTest(tangential=tangential, triangles=2 * cells**2):
+                    for found, right in zip(mesh, plane):
+                        for k in right:
+                            for one, other in zip(found[k][3:6], right[k][3:6]):
+                                self.assertAlmostEqual(one, other, delta=100 * 8 * EPSILON * 0.03 / dt)
+
+
+class Energy(unittest.TestCase):
+    def test_an_elastic_gas_gains_none(self):
+        """216 spheres at a volume fraction of 0.45 that collide some thirty times each. A grid shows speeds off by up
+        to half of what a force does in a step: of the spheres in contact, a tenth, by (w0 dt)^2/8 of their energy. Lost
+        is less than in 100 collisions at a fraction of 0.5, by a program that knew neither engine."""
+        for part, most_lost in ((10, 7.7e-3), (20, 2.9e-4)):
+            with self.subTest(part=part):
+                steps = int(0.01 / CONTACT_TIME * part)
+                text, side = gas_script(f"run {steps}", constant=0, part=part, contacts=elastic())
+                text = text.replace("custom 100000000", f"custom {steps // 8}")
+                energies = []
+                for frame in Run(text).frames("out.txt"):
+                    places = [row[0:3] for row in frame.values()]
+                    energy = sum(0.5 * MASS * sum(v * v for v in row[3:6]) for row in frame.values())
+                    for i, one in enumerate(places):
+                        for other in places[:i]:
+                            d = [a - b - side * round((a - b) / side) for a, b in zip(one, other)]
+                            overlap = 2 * RADIUS - math.sqrt(sum(c * c for c in d))
+                            energy += 0.5 * STIFFNESS * max(overlap, 0)**2
+                    energies.append(energy)
+                seen = 0.1 * (math.pi / part)**2 / 8
+                change = energies[-1] / energies[0] - 1
+                print(f"t_c/{part}: {change:.1e} of the energy")
+                self.assertLess(change, seen)
+                self.assertGreater(change, -most_lost - seen)
+
+    def test_momentum_is_kept(self):
+        end = end_of("run 200", "history")
+        for d in (3, 4, 5):
+            self.assertAlmostEqual(sum(row[d] for row in end.values()), 0.0, delta=200 * 216 * EPSILON * 0.3)
+
+    def test_a_heap_comes_to_rest(self):
+        """Spheres fall on a plate, with friction: at the end less than a millionth of the energy of one that falls by
+        its own diameter is left to each."""
+        for weights, part in ((0, 10), (20, 10), (20, 4)):
+            with self.subTest(weights=weights, part=part):
+                numbers = random.Random(3)
+                edge, cell = 5, 1.15e-3
+                spheres = [sphere([cell * (n + 0.5) + numbers.uniform(-6e-5, 6e-5) for n in (i, j, k)],
+                                  [numbers.uniform(-0.05, 0.05) for _ in range(3)])
+                           for i in range(edge) for j in range(edge) for k in range(edge)]
+                constant = weights * MASS * 9.81 * 12 * CUT**2 / RADIUS
+                plate = f"fix plate all wall/gran {models('history')} primitive type 2 zplane 0.0 {EVENT}"
+                dt = 0.53 * CONTACT_TIME / part  # the spring of friction makes contacts so much shorter
+                end = frames(spheres, models("history") + EVENT, hamaker(constant, cut=CUT, out=OUT), dt=dt,
+                             steps=int(0.6 / dt), every=int(0.6 / dt), boundary="p p f",
+                             box=f"0 {edge * cell} 0 {edge * cell} -1e-3 2e-2", skin=2e-4, walls=[plate],
+                             extra="fix g all gravity 9.81 vector 0 0 -1\n")[-1]
+                left = sum(0.5 * MASS * sum(v * v for v in row[3:6]) for row in end.values())
+                self.assertLess(left, 1e-6 * len(end) * MASS * 9.81 * 2 * RADIUS)
+
+
+class Friction(unittest.TestCase):
+    """Oblique impacts with friction against a sampled run at t_c/2000."""
+
+    @staticmethod
+    def impact(part, scheme, late, friction, slip):
+        """Velocity and speed of the surface by spinning, over the speed at which surfaces slip at touch."""
+        dt, speed = CONTACT_TIME / part, 0.05
+        flight = (CUT + speed * dt * (2 + late)) / speed
+        x, y = RADIUS + speed * flight / 2, slip * flight / 2
+        spheres = [sphere((-x, -y, 0), (speed / 2, slip / 2, 0)), sphere((x, y, 0), (-speed / 2, -slip / 2, 0))]
+        steps = int((flight + 3 * CONTACT_TIME) / dt)
+        rows = contact().splitlines()
+        rows = [" ".join(line.split()[:7]) + f" {friction}" * 4 if "coefficientFriction" in line else line
+                for line in rows]
+        end = frames(spheres, f"{models('history')} absolute_damping on scheme {scheme}",
+                     hamaker(0, cut=CUT, out=OUT), dt=dt, steps=steps, every=steps, contacts="\n".join(rows) + "\n")[-1]
+        change = [(a - b) / slip for a, b in zip(end[2][3:5], end[1][3:5])]
+        return [*change, end[1][8] * RADIUS / slip]
+
+    def test_beside_a_small_step(self):
+        # The force of friction begins and ends on the grid: each up to half a step too early or late. In the shorter of
+        # its spring's and the contact's time it can change the slip as a whole; a spring of K_t = K that turns solid
+        # spheres has the frequency sqrt(3.5) w0.
+        for friction, slip in ((5.0, 0.03), (0.3, 0.03), (0.3, 0.2)):
+            exact = self.impact(2000, "sampled", 0.3, friction, slip)
+            for part in (20, 40):
+                room = 0.5 * math.sqrt(3.5) * math.pi / part
+                for late in (0.1, 0.35, 0.6, 0.85):
+                    with self.subTest(friction=friction, slip=slip, part=part, late=late):
+                        for found, right in zip(self.impact(part, "event", late, friction, slip), exact):
+                            self.assertAlmostEqual(found, right, delta=room)
+
+
+class Input(unittest.TestCase):
+    def refused(self, models, *messages, extra="", walls=(), end=""):
+        with self.subTest(messages[0]):
+            run = Run(script([sphere((0, 0, 0))], models, hamaker(1e-19, cut=CUT, out=OUT), walls=walls, extra=extra,
+                             run=f"{end}run 1\n"))
+            assert_refused(self, run, *messages)
+
+    def test_what_it_cannot_follow(self):
+        start = "model {} tangential off cohesion hamaker{}"
+        self.refused(start.format("hertz", " scheme event"), "model hertz has a spring whose motion has no closed form",
+                     "use 'scheme sampled'")
+        viscous = ("fix mu all property/global FluidViscosity peratomtypepair 2 1e-3 1e-3 1e-3 1e-3\n"
+                   "fix st all property/global CriticalStokes peratomtypepair 2 10 10 10 10\n"
+                   "fix em all property/global MaximumRestitution peratomtypepair 2 0.9 0.9 0.9 0.9\n")
+        self.refused(start.format("hooke", " viscous on scheme event"), "depends on the speed", extra=viscous)
+        self.refused(start.format("hooke", " limitForce on scheme event"), "cuts the force off")
+        self.refused(start.format("hooke", " scheme exact"), "scheme exact: must be event or sampled")
+        self.refused(start.format("hooke", " scheme event"), "compute gran/energy knows no contacts of it",
+                     extra="compute book all gran/energy\n")
+        self.refused(start.format("hooke", " scheme sampled"), "needs a pair_style gran of scheme event, too",
+                     walls=["fix plate all wall/gran " + start.format("hooke", "") +
+                            " primitive type 2 zplane -0.009 scheme event"])
+
+    def test_a_pair_that_comes_from_out_of_sight(self):
+        spheres = [sphere((0, 0, 0), (2.0, 0, 0)), sphere((2 * RADIUS + 1.2e-4, 0, 0), (-2.0, 0, 0))]
+        run = Run(script(spheres, models() + EVENT, hamaker(0, cut=CUT, out=OUT), dt=1.1e-5, steps=20))
+        self.assertEqual(run.returncode, 0, run.printed)
+        self.assertEqual(run.printed.count("from beyond what is seen"), 1, run.printed)
+
+
+if __name__ == "__main__":
+    unittest.main()
