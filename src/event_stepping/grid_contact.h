@@ -8,35 +8,10 @@
 #include "contact/linear_spring_dashpot.h"
 #include "event_stepping/damped_oscillator.h"
 #include "event_stepping/first_root.h"
+#include "event_stepping/grid_point.h"
 #include "event_stepping/normal_motion.h"
 
 namespace cohesion::event_stepping {
-
-/// A pair along its normal at a grid point, as engines know it when they ask for forces: positions
-/// there, velocities of the half step before. Beside a wall `distance` is from the wall.
-struct GridPoint {
-  double distance;  ///< of the centres, [length]
-  double radial;    ///< rate of it along the normal of this grid point, [length/time]
-  double sideways;  ///< speed across the normal, 0 beside a wall, [length/time]
-};
-
-/// What is remembered of a pair from one grid point to the next.
-struct GridMemory {
-  /// `beyond`: outside the range, known by the grid. `lasting`: in contact all through the last
-  /// step. `entered`, `left`: inside or outside after a step with an event.
-  enum Phase { beyond, lasting, entered, left };
-  Phase phase = beyond;
-  double ahead = 0.0;  ///< after an event: true radial velocity over the grid's, [length/time]
-
-  bool inside() const { return phase == lasting || phase == entered; }
-};
-
-/// What a contact does from one grid point to the next.
-struct GridStep {
-  double force = 0.0;      ///< on j away from i, mean over the step, all of the contact, [force]
-  double repulsion = 0.0;  ///< the part of spring and dashpot: on average, [force]
-  NormalRecord normal{};
-};
 
 /// Normal motion of one pair whose grid points are exact samples of it: positions x_n at t_n are
 /// the true ones, and the velocity of a half step is (x_(n+1) - x_n)/dt.
@@ -62,18 +37,10 @@ class GridContact {
   /// contact_distance [length]: of the centres at touch, or the radius beside a wall; step [time].
   GridContact(const contact::LinearSpringDashpot& spring, const contact::Adhesion& adhesion,
               double contact_distance, double step)
-      : motion_(spring, adhesion, step),
-        oscillator_(spring.stiffness() / spring.reduced_mass(),
-                    0.5 * spring.damping() / spring.reduced_mass()),
-        propagator_(oscillator_.propagator(step)),
-        contact_distance_(contact_distance),
-        reduced_mass_(spring.reduced_mass()),
-        pull_(adhesion.force / spring.reduced_mass()),
-        step_(step),
-        spring_(oscillator_.on_grid(step, spring.reduced_mass())),
-        weight_(spring.stiffness() / spring_.stiffness) {}
+      : GridContact(spring, adhesion, contact_distance, step, adhesion.cutoff) {}
+  virtual ~GridContact() = default;
 
-  double range() const { return motion_.range(); }
+  double range() const { return range_; }
   double step() const { return step_; }
   /// K' and eta'.
   const GridSpring& spring() const { return spring_; }
@@ -82,7 +49,7 @@ class GridContact {
   /// acceleration of the distance by others.
   bool within_reach(const GridPoint& at, double others) const {
     const double inwards = std::max(-at.radial, 0.0) + std::max(-others, 0.0) * step_;
-    return at.distance <= contact_distance_ + motion_.range() + step_ * inwards;
+    return at.distance <= outer_distance() + step_ * inwards;
   }
 
   /// A contact that certainly lasts until the next grid point whatever others do that it could
@@ -111,21 +78,62 @@ class GridContact {
   /// Any step. `others` as above, constant in the step; `kick` [time]: what a force acts on the
   /// velocity that flies to the next grid point: step(), but half of it in the first step of a run,
   /// whose velocity is that of the grid point itself.
-  GridStep follow(const GridPoint& at, double others, double kick, GridMemory& memory) const {
+  virtual GridStep follow(const GridPoint& at, double others, double kick,
+                          GridMemory& memory) const {
+    return follow_by(at, others, kick, memory,
+                     [&](Flight& now, bool& inside, NormalRecord& record) {
+                       return move(now, others, inside, record);
+                     });
+  }
+
+  double spring_energy(double overlap) const { return motion_.spring_energy(overlap); }
+  virtual double adhesion_energy(double overlap) const { return motion_.adhesion_energy(overlap); }
+
+ protected:
+  /// range [length]: gap at which a pair is inside, the adhesion's or that of a derived law.
+  GridContact(const contact::LinearSpringDashpot& spring, const contact::Adhesion& adhesion,
+              double contact_distance, double step, double range)
+      : motion_(spring, adhesion, step),
+        oscillator_(spring.stiffness() / spring.reduced_mass(),
+                    0.5 * spring.damping() / spring.reduced_mass()),
+        propagator_(oscillator_.propagator(step)),
+        contact_distance_(contact_distance),
+        range_(range),
+        reduced_mass_(spring.reduced_mass()),
+        pull_(adhesion.force / spring.reduced_mass()),
+        step_(step),
+        spring_(oscillator_.on_grid(step, spring.reduced_mass())),
+        weight_(spring.stiffness() / spring_.stiffness) {}
+
+  /// A pair flies in, turns and flies out again; more often only by rounding at a grazed edge.
+  static constexpr int max_stretches = 100;
+
+  /// The true motion within a step; the sideways speed follows from the angular momentum.
+  struct Flight {
+    double distance, radial, sideways;
+  };
+
+  double contact_distance() const { return contact_distance_; }
+  double outer_distance() const { return contact_distance_ + range_; }
+
+  /// A step in which `move` (true: there was an event) does what no lasting contact does.
+  template <class Move>
+  GridStep follow_by(const GridPoint& at, double others, double kick, GridMemory& memory,
+                     Move move) const {
     GridStep step;
     const bool first = kick < step_;
-    const bool comes_from_beyond = memory.phase == GridMemory::beyond;
+    const bool known_by_grid = memory.known_by_grid();
     bool inside = memory.inside();
     // A pair that a run starts with is where it is; it did not fall into the range.
-    if (first && comes_from_beyond) inside = at.distance < contact_distance_ + motion_.range();
+    if (first && memory.phase == GridMemory::beyond) inside = at.distance < outer_distance();
     Flight now{at.distance, first ? at.radial : true_radial(at, others, memory), at.sideways};
     const Flight start = now;
     const bool lasting = inside && lasts(now, others, step.normal);
-    const bool event = !lasting && move(now, others, inside, step.normal);
+    const bool event = !lasting && move(now, inside, step.normal);
     memory.ahead = 0.0;
-    if (!inside && !event) {
-      memory.phase = GridMemory::beyond;
-      if (comes_from_beyond) return step;  // not to carry the rounding of no change into the force
+    if (!lasting && !event) {
+      memory.phase = inside ? GridMemory::within : GridMemory::beyond;
+      if (known_by_grid) return step;  // not to carry the rounding of no change into the force
     }
     // The distance is the pair's; direction and flight across it are the grid's.
     const double across = step_ * at.sideways;
@@ -138,29 +146,13 @@ class GridContact {
     step.repulsion = step.normal.repulsion_impulse / step_ + step.force - true_force;
     if (lasting) {
       memory.phase = GridMemory::lasting;
-    } else if (inside || event) {
+    } else if (event) {
       memory.phase = inside ? GridMemory::entered : GridMemory::left;
       const double on_grid = (along * flown + across * at.sideways) / now.distance;
       memory.ahead = now.radial - on_grid - 0.5 * step_ * others;
     }
     return step;
   }
-
-  double spring_energy(double overlap) const { return motion_.spring_energy(overlap); }
-  double adhesion_energy(double overlap) const { return motion_.adhesion_energy(overlap); }
-
- private:
-  /// Of the way of a step: how far from its end a contact must be to last for certain.
-  static constexpr double certain = 0.1;
-  /// A pair flies in, turns and flies out again; more often only by rounding at a grazed edge.
-  static constexpr int max_stretches = 100;
-
-  /// The true motion within a step; the sideways speed follows from the angular momentum.
-  struct Flight {
-    double distance, radial, sideways;
-  };
-
-  double outer_distance() const { return contact_distance_ + motion_.range(); }
 
   /// At the grid point: the grid's over the half step before, what others do in half a step and
   /// what was remembered; in a lasting contact the closed form through the last two grid points.
@@ -212,13 +204,19 @@ class GridContact {
         event = event || inside;
         continue;
       }
-      Overlap s{contact_distance_ - now.distance, -now.radial};
-      double integral = 0.0;
-      left -= motion_.advance(s, left, load(now, others), inside, integral, record);
-      put(now, s);
+      left -= stay(now, left, others, inside, record);
       if (record.unresolved) break;
     }
     return event;
+  }
+
+  /// In the range of the adhesion, until it is left or the time is over; returns the time it took.
+  double stay(Flight& now, double time, double others, bool& inside, NormalRecord& record) const {
+    Overlap s{contact_distance_ - now.distance, -now.radial};
+    double integral = 0.0;
+    const double taken = motion_.advance(s, time, load(now, others), inside, integral, record);
+    put(now, s);
+    return taken;
   }
 
   /// A pair that counts as outside but was pushed inside enters where it is, if it approaches or
@@ -241,23 +239,34 @@ class GridContact {
     const Flight start = now;
     double t = time;
     if (start.distance >= outer) {
-      const double meet = first_root(start.distance - outer, start.radial,
-                                     others + start.sideways * start.sideways / start.distance);
+      const double meet =
+          first_root(start.distance - outer, start.radial, outward_in_flight(start, others));
       if (meet < time) {
         t = meet;
         inside = true;
       }
     }
-    now = after(start, t, others);
-    if (!inside) return t;
-    // The parabola leaves out how the pair turns on its way.
-    for (int k = 0; k < 2; k++) {
-      if (!(now.radial < 0.0)) break;
-      t = std::min(std::max(t + (outer - now.distance) / now.radial, 0.0), time);
+    now = inside ? at_meeting(start, t, time, others, outer) : after(start, t, others);
+    if (inside) enter(now);
+    return t;
+  }
+
+  /// Acceleration of the distance as a flight begins.
+  static double outward_in_flight(const Flight& start, double others) {
+    return others + start.sideways * start.sideways / start.distance;
+  }
+
+  /// A flight at `distance`, which it meets after `t`, at most `time`, on a parabola; that leaves
+  /// out how the pair turns on its way. Corrects t.
+  static Flight at_meeting(const Flight& start, double& t, double time, double others,
+                           double distance) {
+    Flight now = after(start, t, others);
+    const bool in = now.radial < 0.0;
+    for (int k = 0; k < 2 && now.radial != 0.0 && in == (now.radial < 0.0); k++) {
+      t = std::min(std::max(t + (distance - now.distance) / now.radial, 0.0), time);
       now = after(start, t, others);
     }
-    enter(now);
-    return t;
+    return now;
   }
 
   static Flight after(const Flight& start, double t, double others) {
@@ -269,10 +278,15 @@ class GridContact {
             (along * start.sideways - across * speed) / distance};
   }
 
+ private:
+  /// Of the way of a step: how far from its end a contact must be to last for certain.
+  static constexpr double certain = 0.1;
+
   NormalMotion motion_;
   DampedOscillator oscillator_;
   DampedOscillator::Propagator propagator_;
   double contact_distance_;
+  double range_;
   double reduced_mass_;
   double pull_;
   double step_;

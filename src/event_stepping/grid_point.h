@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "event_stepping/normal_motion.h"
+
+namespace cohesion::event_stepping {
+
+/// A pair along its normal at a grid point, as engines know it when they ask for forces: positions
+/// there, velocities of the half step before. Beside a wall `distance` is from the wall.
+struct GridPoint {
+  double distance;  ///< of the centres, [length]
+  double radial;    ///< rate of it along the normal of this grid point, [length/time]
+  double sideways;  ///< speed across the normal, 0 beside a wall, [length/time]
+};
+
+/// What is remembered of a pair from one grid point to the next.
+struct GridMemory {
+  /// `beyond`: outside the range, known by the grid. `lasting`: in contact all through the last
+  /// step. `entered`, `left`: inside or outside after a step with an event. `within`: inside
+  /// without contact or force, known by the grid. Engines keep the numbers.
+  enum Phase { beyond, lasting, entered, left, within };
+  Phase phase = beyond;
+  double ahead = 0.0;  ///< after an event: true radial velocity over the grid's, [length/time]
+
+  bool inside() const { return phase != beyond && phase != left; }
+  /// Whether what the grid shows at a grid point is all that there is to know.
+  bool known_by_grid() const { return phase == beyond || phase == within; }
+};
+
+/// What a contact does from one grid point to the next.
+struct GridStep {
+  double force = 0.0;      ///< on j away from i, mean over the step, all of the contact, [force]
+  double repulsion = 0.0;  ///< the part of spring and dashpot: on average, [force]
+  NormalRecord normal{};
+};
+
+}  // namespace cohesion::event_stepping
