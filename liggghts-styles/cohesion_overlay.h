@@ -32,7 +32,7 @@ namespace ContactModels {
 /// `Attraction` says what is its own:
 ///
 ///   MODEL                          name in a script
-///   NO_EVENTS                      why it has no scheme event; null: it has one
+///   BINDS_WHAT_ENTERED             true: what entered is bound, wherever it stands
 ///   Attraction(lmp, owner, wall)   wall: null for pairs
 ///   registerSettings(settings)     its keywords
 ///   connect(registry, normal)      reads the parameters; normal: of the contact
@@ -62,7 +62,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
   }
 
   void registerSettings(Settings& settings) override {
-    Cohesion::register_scheme(settings, name(), Attraction::NO_EVENTS, of_events_);
+    Cohesion::register_scheme(settings, name(), of_events_);
     attraction_.registerSettings(settings);
     make_probe();
     normal_->registerSettings(settings);
@@ -173,6 +173,8 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
 
   bool binds(int itype, int jtype, double ri, double rj, double gap,
              const double* history) const override {
+    if (Attraction::BINDS_WHAT_ENTERED && events_ && attraction_.acts())
+      return events_->holds(history);
     return attraction_.binds(itype, jtype, ri, rj, gap, history);
   }
 

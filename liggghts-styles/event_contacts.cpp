@@ -9,6 +9,8 @@
 #include "domain.h"
 #include "error.h"
 #include "event_contacts.h"
+#include "event_stepping/grid_contact.h"
+#include "event_stepping/grid_well.h"
 #include "fix_contact_advice.h"
 #include "fix_mesh_surface.h"
 #include "fix_wall_gran.h"
@@ -41,6 +43,13 @@ void remember(const ContactModels::SurfacesCloseData& d, bool something) {
 
 }  // namespace
 
+struct EventContacts::Known {
+  double ri = 0.0, rj = 0.0, mass_i = 0.0, mass_j = 0.0;
+  double inverse_mass = 0.0;  // of both
+  std::unique_ptr<GridContact> law;
+  GridSpring tangential{};
+};
+
 EventContacts::EventContacts(LAMMPS* lmp, IContactHistorySetup* owner, FixWallGran* wall,
                              const std::string& who)
     : lmp_(lmp), atom_(lmp->atom), wall_(wall), who_(who), mobile_(lmp->modify) {
@@ -50,6 +59,8 @@ EventContacts::EventContacts(LAMMPS* lmp, IContactHistorySetup* owner, FixWallGr
        {"eventAhead", "eventForce", "eventRepulsion", "eventTouch", "eventStep"})
     owner->add_history_value(name, "0");
 }
+
+EventContacts::~EventContacts() = default;
 
 void EventContacts::connect(const NormalModelProbe& normal, Adhesion adhesion, int types) {
   normal_ = &normal;
@@ -107,9 +118,13 @@ void EventContacts::make_law(Known& k, const ContactModels::SurfacesCloseData& d
     const NormalModelProbe::Pair pair{d.itype,      d.jtype, d.radi,   d.is_wall ? d.radi : d.radj,
                                       reduced_mass, 0.0,     d.is_wall};
     const auto springs = normal_->springs(pair);
-    k.law = std::make_unique<GridContact>(
-        cohesion::contact::LinearSpringDashpot(springs.stiffness, springs.damping, reduced_mass),
-        adhesion_(d.itype, d.jtype, d.radi, k.rj), d.radsum, dt);
+    const cohesion::contact::LinearSpringDashpot spring(springs.stiffness, springs.damping,
+                                                        reduced_mass);
+    const auto adhesion = adhesion_(d.itype, d.jtype, d.radi, k.rj);
+    if (adhesion.force == 0.0)
+      k.law = std::make_unique<GridWell>(spring, adhesion, d.radsum, dt);
+    else
+      k.law = std::make_unique<GridContact>(spring, adhesion, d.radsum, dt);
     // That answers at the surface of solid spheres, which turn: 1/m + r^2/I of each.
     const double tangential_mass =
         reduced_mass / (1.0 + 1.0 / MobileParticles::inertia_factor(lmp_->domain->dimension));
@@ -176,6 +191,12 @@ bool EventContacts::follow(const ContactModels::SurfacesCloseData& d, double r,
   }
   write(d, memory, step);
   return true;
+}
+
+bool EventContacts::holds(const double* history) const {
+  GridMemory memory;
+  if (history) memory.phase = static_cast<GridMemory::Phase>(static_cast<int>(history[offset_]));
+  return memory.inside();
 }
 
 /// A step that is computed again, as each run does with the last one, repeats its force.

@@ -11,7 +11,7 @@
 #include "atom.h"
 #include "contact/adhesion.h"
 #include "contact_interface.h"
-#include "event_stepping/grid_contact.h"
+#include "event_stepping/grid_point.h"
 #include "fix_others.h"
 #include "mobile_particles.h"
 #include "normal_model_probe.h"
@@ -27,8 +27,9 @@ namespace Cohesion {
 struct LateWarning;
 
 /// The contacts of one pair style or wall under scheme event: brings what the engine knows of a
-/// contact to event_stepping/grid_contact.h and keeps its memory in the engine's contact history,
-/// with which it goes through exchange and restart. Others act as in the step before.
+/// contact to event_stepping/grid_contact.h, or grid_well.h where what attracts is a square well,
+/// and keeps its memory in the engine's contact history, with which it goes through exchange and
+/// restart. Others act as in the step before.
 class EventContacts {
  public:
   using Adhesion =
@@ -41,6 +42,7 @@ class EventContacts {
   /// who: in messages; wall: null for pairs. Adds to the history of contacts.
   EventContacts(LAMMPS_NS::LAMMPS* lmp, IContactHistorySetup* owner, LAMMPS_NS::FixWallGran* wall,
                 const std::string& who);
+  ~EventContacts();
 
   /// `adhesion`: of two types and radii; rj infinite: beside a wall. Stops where the normal model
   /// is none that the scheme can follow.
@@ -50,6 +52,9 @@ class EventContacts {
   /// `step` of no meaning: the contact does nothing.
   bool follow(const ContactModels::SurfacesCloseData& d, double r, const double* normal,
               cohesion::event_stepping::GridStep& step);
+
+  /// Whether the grid has a contact with this history in the range of its attraction.
+  bool holds(const double* history) const;
 
   /// Lets the engine's friction act in `step` with the repulsion of the contact, and with the K_t
   /// and eta_t that make the grid follow its spring exactly (grid_contact.h). `spring`: its
@@ -63,16 +68,10 @@ class EventContacts {
   // one in which this was written, and 1.
   enum { PHASE, AHEAD, FORCE, REPULSION, TOUCH, STEP };
 
-  using GridContact = cohesion::event_stepping::GridContact;
   using GridMemory = cohesion::event_stepping::GridMemory;
 
   /// Bodies, and the law of their contact.
-  struct Known {
-    double ri = 0.0, rj = 0.0, mass_i = 0.0, mass_j = 0.0;
-    double inverse_mass = 0.0;  // of both
-    std::unique_ptr<GridContact> law;
-    cohesion::event_stepping::GridSpring tangential{};
-  };
+  struct Known;
 
   /// The law of a contact; null: nothing that a force could move.
   Known* known(const ContactModels::SurfacesCloseData& d);

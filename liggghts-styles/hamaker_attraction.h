@@ -23,7 +23,7 @@ namespace Cohesion {
 class HamakerAttraction : public AttractionEnergy {
  public:
   static constexpr const char* MODEL = "hamaker";
-  static constexpr const char* NO_EVENTS = nullptr;
+  static constexpr bool BINDS_WHAT_ENTERED = false;
 
   HamakerAttraction(LAMMPS_NS::LAMMPS* lmp, IContactHistorySetup*, LAMMPS_NS::FixWallGran* wall)
       : lmp_(lmp), is_wall_(wall != nullptr) {}

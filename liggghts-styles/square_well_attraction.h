@@ -31,11 +31,7 @@ struct LateWarning;
 class SquareWellAttraction final : public AttractionEnergy {
  public:
   static constexpr const char* MODEL = "square_well";
-  static constexpr const char* NO_EVENTS =
-      "its well is followed by scheme sampled alone, with the impulse of each edge exact but for "
-      "the "
-      "place on the grid; cohesion hamaker has scheme event, and so has gran/square_well of the "
-      "LAMMPS package: use 'scheme sampled'";
+  static constexpr bool BINDS_WHAT_ENTERED = true;
 
   SquareWellAttraction(LAMMPS_NS::LAMMPS* lmp, IContactHistorySetup* owner,
                        LAMMPS_NS::FixWallGran* wall);

@@ -16,26 +16,22 @@ namespace {
 
 class SchemeSetting : public Setting {
  public:
-  SchemeSetting(const std::string& model, const char* why_no_events, bool& event)
-      : Setting("scheme", 1), model_(model), why_no_events_(why_no_events), event_(event) {}
+  SchemeSetting(const std::string& model, bool& event)
+      : Setting("scheme", 1), model_(model), event_(event) {}
 
   /// Number of words taken; -1 with an error_message.
   int parseArguments(char** args) override {
     if (name != args[0]) return 0;
     const std::string scheme = args[1];
     event_ = scheme == "event";
-    if (scheme == "sampled" || (event_ && !why_no_events_)) return 2;
-    error_message = model_ + ", scheme " + scheme + ": ";
-    error_message += event_           ? why_no_events_
-                     : why_no_events_ ? "must be sampled"
-                                      : "must be event or sampled";
+    if (event_ || scheme == "sampled") return 2;
+    error_message = model_ + ", scheme " + scheme + ": must be event or sampled";
     return -1;
   }
   void print_value(FILE* out) override { fprintf(out, event_ ? "event" : "sampled"); }
 
  private:
   std::string model_;
-  const char* why_no_events_;
   bool& event_;
 };
 
@@ -78,10 +74,8 @@ template struct TableOfSettings<&Settings::settings>;
 
 }  // namespace
 
-void register_scheme(Settings& settings, const std::string& model, const char* why_no_events,
-                     bool& event) {
-  table_of(settings)["scheme"] =
-      new SchemeSetting(model, why_no_events, event);  // settings owns it
+void register_scheme(Settings& settings, const std::string& model, bool& event) {
+  table_of(settings)["scheme"] = new SchemeSetting(model, event);  // settings owns it
 }
 
 void register_keep(Settings& settings, const std::string& model, cohesion::advice::Keep& keep) {

@@ -12,11 +12,9 @@ namespace LIGGGHTS {
 namespace Cohesion {
 
 /// Adds the keyword `scheme`, event or sampled, to the settings of a cohesion model, as pair_style
-/// gran/hamaker and gran/square_well of the LAMMPS package have it. model: who asks; why_no_events:
-/// with which `event` is refused, null: it is not; event: what was chosen. `settings` must not
-/// outlive it.
-void register_scheme(Settings& settings, const std::string& model, const char* why_no_events,
-                     bool& event);
+/// gran/hamaker and gran/square_well of the LAMMPS package have it. model: who asks; event: what
+/// was chosen. `settings` must not outlive it.
+void register_scheme(Settings& settings, const std::string& model, bool& event);
 
 /// Adds the keyword `material_keep`, whose value goes to `keep`. `settings` must not outlive it.
 void register_keep(Settings& settings, const std::string& model, cohesion::advice::Keep& keep);

@@ -18,6 +18,11 @@ class BadInput(unittest.TestCase):
     def refused(self, properties, *messages, **options):
         assert_refused(self, self.run_with(properties, **options), *messages)
 
+    def refused_words(self, models, message):
+        with self.subTest(message):
+            run = Run(script([sphere((0, 0, 0))], models, square_well(1e-11), run="run 1\n"))
+            assert_refused(self, run, message)
+
     def test_depth(self):
         for bad, shown in (("-1e-11", "-1e-11"), ("1e999", "inf")):
             with self.subTest(bad=bad):
@@ -37,22 +42,14 @@ class BadInput(unittest.TestCase):
                      "wellRatio = 3.5")
 
     def test_scheme(self):
-        for scheme, messages in (("event", ["its well is followed by scheme sampled alone",
-                                            "use 'scheme sampled'"]),
-                                 ("exact", ["must be sampled"])):
-            for where in ("pair", "wall"):
-                with self.subTest(scheme=scheme, where=where):
-                    words = MODELS + (f" scheme {scheme}" if where == "pair" else "")
-                    walls = [FLOOR[0] + (f" scheme {scheme}" if where == "wall" else "")]
-                    text = script([sphere((0, 0, 0))], words, square_well(1e-11), walls=walls)
-                    if where == "pair":  # the keywords of a wall come behind its shape
-                        text = text.replace(f"wall/gran {words}", f"wall/gran {MODELS}")
-                    run = Run(text)
-                    self.assertNotEqual(run.returncode, 0)
-                    for message in [f"cohesion model square_well, scheme {scheme}: ", *messages]:
-                        self.assertIn(message, run.printed)
-        text = script([sphere((0, 0, 0))], MODELS + " scheme sampled", square_well(1e-11))
-        self.assertEqual(Run(text).returncode, 0)
+        for scheme, message in (("event", "scheme event: model hertz has a spring whose motion has no closed form"),
+                                ("exact", "scheme exact: must be event or sampled")):
+            self.refused_words(MODELS + f" scheme {scheme}", f"cohesion model square_well, {message}")
+        linear = MODELS.replace("hertz", "hooke")
+        self.refused_words(linear + " scheme event limitForce on", "cuts the force off where the dashpot pulls")
+        for scheme in ("sampled", "event"):
+            text = script([sphere((0, 0, 0))], f"{linear} scheme {scheme}", square_well(1e-11))
+            self.assertEqual(Run(text).returncode, 0)
 
     def test_missing_property(self):
         for missing in ("wellDepth", "wellRatio"):
