@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Cohesion hamaker with scheme event among many spheres: ranks, runs and restarts, meshes, energy, rest, friction; what
+"""Cohesion hamaker and square_well with scheme event among many spheres: ranks, runs and restarts, meshes, energy, rest, friction; what
 it cannot follow is refused. Escape velocities are in head_on_test.py."""
 import math
 import random
@@ -7,7 +7,7 @@ import unittest
 
 from engine import EPSILON, Run, assert_refused
 from mesh import rectangle, stl
-from scene import MASS, RADIUS, STIFFNESS, contact, frames, hamaker, script, sphere
+from scene import MASS, RADIUS, STIFFNESS, contact, frames, hamaker, script, sphere, square_well
 
 CONTACT_TIME = math.pi * math.sqrt(0.5 * MASS / STIFFNESS)
 CUT, OUT = 4e-10, 1e-7
@@ -106,6 +106,63 @@ class Many(unittest.TestCase):
                 apart = end[2][0] - end[1][0] > 2 * RADIUS + 1e-7
                 with self.subTest(text=text, factor=factor):
                     self.assertEqual(apart, factor > 1)
+
+
+class Wells(unittest.TestCase):
+    """A cluster in wells of twice the radius of the particles, and of a thin one, cut into ranks, runs and files."""
+    assert_same = Many.assert_same
+
+    @staticmethod
+    def end_of(run, ratio, ranks=0, inputs=None):
+        spheres, side = gas(5, 0.3)
+        dt = CONTACT_TIME / 10
+        text = script(spheres, "model hooke/stiffness tangential off cohesion square_well" + EVENT,
+                      square_well(5e-9, ratio=ratio), dt=dt, every=10**8, boundary="p p p",
+                      box=f"0 {side} 0 {side} 0 {side}", run=run + END)
+        return Run(text, ranks=ranks).frames("end.txt")[-1]
+
+    def test_ranks_and_runs_do_not_matter(self):
+        for ratio in (1.05, 2.0):
+            whole = self.end_of("run 120", ratio)
+            for what, how in {"2 ranks": ("run 120", 2), "parts": ("run 37\nrun 0\nrun 83", 0),
+                              "a restart file written": ("run 60\nwrite_restart a.rest\nrun 60", 0)}.items():
+                with self.subTest(what, ratio=ratio):
+                    self.assert_same(whole, self.end_of(how[0], ratio, how[1]), 120)
+
+    def test_a_restart_file_goes_on(self):
+        spheres, side = gas(5, 0.3)
+        words = "model hooke/stiffness tangential off cohesion square_well" + EVENT
+        begin = script(spheres, words, square_well(5e-9, ratio=2.0), dt=CONTACT_TIME / 10, every=10**8,
+                       boundary="p p p", box=f"0 {side} 0 {side} 0 {side}", run="")
+        again = begin[begin.index("fix E all"):].replace("out.txt", "more.txt")
+        head = ("clear\nunits si\natom_style granular\natom_modify map array\nboundary p p p\nnewton off\n"
+                "communicate single vel yes\nread_restart a.rest\nneighbor 1e-4 bin\nneigh_modify delay 0\n")
+        text = begin + "run 60\nwrite_restart a.rest\n" + head + again + "run 60" + END
+        self.assert_same(self.end_of("run 120", 2.0), Run(text).frames("end.txt")[-1], 120)
+
+    def test_a_plane_of_triangles_is_a_plane(self):
+        """One sphere that is bound and bounces in its well, and one that leaves, over borders and nodes."""
+        words, dt = "model hooke/stiffness tangential off cohesion square_well", CONTACT_TIME / 8
+
+        def slid(walls, inputs):
+            spheres = [sphere((-4e-3, -4e-3, 1.005 * RADIUS), (0.5, 0.3, -0.004)),
+                       sphere((-4e-3, 0, 1.02 * RADIUS), (0.5, 0.3, -0.05))]
+            return frames(spheres, words + EVENT, square_well(5e-11, ratio=1.01), dt=dt, steps=int(8e-3 / dt), every=20,
+                          walls=walls, inputs=inputs, skin=2e-4)
+
+        plane = slid([f"fix plate all wall/gran {words} primitive type 2 zplane 0 {EVENT}"], {})
+        self.assertLess(plane[-1][1][2], 1.01 * RADIUS)
+        self.assertGreater(plane[-1][2][2], 1.1 * RADIUS)
+        for cells in (1, 10):
+            walls = ["fix plate all mesh/surface file plate.stl type 2",
+                     f"fix plates all wall/gran {words} mesh n_meshes 1 meshes plate {EVENT}"]
+            corner, sides = (-9e-3, -9e-3, 0), ((18e-3, 0, 0), (0, 18e-3, 0))
+            mesh = slid(walls, {"plate.stl": stl(rectangle(corner, *sides, cells))})
+            with self.subTest(triangles=2 * cells**2):
+                for found, right in zip(mesh, plane):
+                    for k in right:
+                        for one, other in zip(found[k][3:6], right[k][3:6]):
+                            self.assertAlmostEqual(one, other, delta=100 * 8 * EPSILON * 0.03 / dt)
 
 
 class Mesh(unittest.TestCase):

@@ -110,8 +110,8 @@ class HeadOn(unittest.TestCase):
         for wall, divisions in ((False, (4, 8, 16, 50)), (PLANE, (4, 16)), (mesh(1), (4,)), (mesh(10), (8,))):
             for steps in divisions:
                 with self.subTest(wall=wall and wall[0], steps_per_contact=steps):
-                    low, high = limits("square_well", [0.99, 0.999, 1.001, 1.01], CONTACT_TIME / steps, 40 * steps, wall,
-                                       scheme="event", positions=8)
+                    low, high = limits("square_well", [0.99, 0.999, 1.001, 1.01], CONTACT_TIME / steps, 40 * steps,
+                                       wall, scheme="event", positions=8)
                     self.assertEqual((low, high), (1.001, 0.999))
 
     def test_square_well_at_a_small_step(self):
