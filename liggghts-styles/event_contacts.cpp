@@ -185,7 +185,8 @@ bool EventContacts::follow(const ContactModels::SurfacesCloseData& d, double r,
         remember(d, false);
         return false;
       }
-      if (!first && r - k->law->step() * at.radial > (1.0 + MARGIN) * d.radsum) late_->due = true;
+      const double seen = (1.0 + MARGIN) * d.radsum + k->law->range();
+      if (!first && r - k->law->step() * at.radial > seen) late_->due = true;
     }
     step = k->law->follow(at, by_others, first ? 0.5 * k->law->step() : k->law->step(), memory);
   }

@@ -119,7 +119,9 @@ class Wells(unittest.TestCase):
         text = script(spheres, "model hooke/stiffness tangential off cohesion square_well" + EVENT,
                       square_well(5e-9, ratio=ratio), dt=dt, every=10**8, boundary="p p p",
                       box=f"0 {side} 0 {side} 0 {side}", run=run + END)
-        return Run(text, ranks=ranks).frames("end.txt")[-1]
+        done = Run(text, ranks=ranks)
+        assert "from beyond what is seen" not in done.printed, done.printed
+        return done.frames("end.txt")[-1]
 
     def test_ranks_and_runs_do_not_matter(self):
         for ratio in (1.05, 2.0):
