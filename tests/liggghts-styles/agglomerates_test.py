@@ -151,15 +151,16 @@ class Durations(unittest.TestCase):
     def test_in_a_well(self):
         """Through the gap of the well, a half swing of the spring, and out again, faster inside."""
         stiffness, ratio = 8e6, 1.2
-        models = "model hooke/stiffness tangential off cohesion square_well absolute_damping on"
+        words = "model hooke/stiffness tangential off cohesion square_well absolute_damping on scheme "
         x = numpy.array([[3.0, 4.0, 3.0], [4.5, 4.0, 3.0]])
         v = numpy.array([[1.0, 0.0, 0.0], [0.0, 0.0, 0.0]])
         reduced = DENSITY * numpy.pi / 12
-        for depth in (100.0, 0.0):  # without depth no edge is followed
-            with self.subTest(depth):
+        # Without depth no edge is followed.
+        for depth, scheme in ((100.0, "sampled"), (100.0, "event"), (0.0, "sampled"), (0.0, "event")):
+            with self.subTest(depth=depth, scheme=scheme):
                 duration = (2 * (ratio - 1) / numpy.sqrt(1 + 2 * depth / reduced)
                             + numpy.pi * numpy.sqrt(reduced / stiffness))
-                final = rows(scene(x, v, models=models, properties=square_well(depth, ratio=ratio),
+                final = rows(scene(x, v, models=words + scheme, properties=square_well(depth, ratio=ratio),
                                    contacts=contact().replace(repr(STIFFNESS), repr(stiffness)),
                                    run="run 1000\n", every=1000))[0][-1]
                 self.assertEqual((final[1], final[6]), (0, 2))
