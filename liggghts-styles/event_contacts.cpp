@@ -47,6 +47,7 @@ struct EventContacts::Known {
   double ri = 0.0, rj = 0.0, mass_i = 0.0, mass_j = 0.0;
   double inverse_mass = 0.0;  // of both
   std::unique_ptr<GridContact> law;
+  bool well = false;  // attracts by impulses alone
   GridSpring tangential{};
 };
 
@@ -121,7 +122,8 @@ void EventContacts::make_law(Known& k, const ContactModels::SurfacesCloseData& d
     const cohesion::contact::LinearSpringDashpot spring(springs.stiffness, springs.damping,
                                                         reduced_mass);
     const auto adhesion = adhesion_(d.itype, d.jtype, d.radi, k.rj);
-    if (adhesion.force == 0.0)
+    k.well = adhesion.force == 0.0;
+    if (k.well)
       k.law = std::make_unique<GridWell>(spring, adhesion, d.radsum, dt);
     else
       k.law = std::make_unique<GridContact>(spring, adhesion, d.radsum, dt);
@@ -162,7 +164,10 @@ bool EventContacts::follow(const ContactModels::SurfacesCloseData& d, double r,
   apart_ = 0.0;
   if (!k) return false;
   if (!d.computeflag || (first && others_->last_step() == lmp_->update->dt)) {
-    if (repeat(d, step)) return true;
+    if (repeat(d, step)) {
+      hand_on(*k, d, normal, step);
+      return true;
+    }
     if (!d.computeflag) return false;
   }
   const double* const last = first ? nullptr : written_last(d);
@@ -179,7 +184,7 @@ bool EventContacts::follow(const ContactModels::SurfacesCloseData& d, double r,
     if (!d.is_wall) at.sideways = norm(w - at.radial * n);
     double by_others = 0.0;
     if (!first) by_others = others(d, n);
-    if (last) by_others -= last[FORCE] * k->inverse_mass;
+    if (last && !passes(*k, last[TOUCH])) by_others -= last[FORCE] * k->inverse_mass;
     if (memory.phase == GridMemory::beyond) {
       if (!k->law->within_reach(at, by_others)) {
         remember(d, false);
@@ -191,7 +196,22 @@ bool EventContacts::follow(const ContactModels::SurfacesCloseData& d, double r,
     step = k->law->follow(at, by_others, first ? 0.5 * k->law->step() : k->law->step(), memory);
   }
   write(d, memory, step);
+  hand_on(*k, d, normal, step);
   return true;
+}
+
+/// Whether the force of a step was that of an impulse, over when the step was: at a well's edge.
+bool EventContacts::passes(const Known& k, double contact_time) {
+  return k.well && contact_time == 0.0;
+}
+
+/// What others of the particles must not take for a force that lasts.
+void EventContacts::hand_on(const Known& k, const ContactModels::SurfacesCloseData& d,
+                            const double* normal, const GridStep& step) {
+  if (step.force == 0.0 || !passes(k, step.normal.contact_time)) return;
+  const cohesion::Vector3 on_i = step.force * cohesion::vector(normal);
+  others_->leave_out(d.i, on_i);
+  if (!d.is_wall) others_->leave_out(d.j, -on_i);
 }
 
 bool EventContacts::holds(const double* history) const {
@@ -207,6 +227,7 @@ bool EventContacts::repeat(const ContactModels::SurfacesCloseData& d, GridStep& 
   step = {};
   step.force = history[FORCE];
   step.repulsion = history[REPULSION];
+  step.normal.contact_time = history[TOUCH];
   return true;
 }
 

@@ -73,6 +73,9 @@ class EventContacts {
   /// Bodies, and the law of their contact.
   struct Known;
 
+  static bool passes(const Known&, double contact_time);
+  void hand_on(const Known&, const ContactModels::SurfacesCloseData& d, const double* normal,
+               const cohesion::event_stepping::GridStep&);
   /// The law of a contact; null: nothing that a force could move.
   Known* known(const ContactModels::SurfacesCloseData& d);
   /// 0: no force moves it.

@@ -31,6 +31,7 @@ FixOthers::FixOthers(LAMMPS* engine, int count, char** words) : Fix(engine, coun
 FixOthers::~FixOthers() {
   atom->delete_callback(id, engine_api::GROW);
   memory->destroy(acceleration_);
+  memory->destroy(passing_);
 }
 
 int FixOthers::setmask() { return FixConst::INITIAL_INTEGRATE | FixConst::PRE_FORCE; }
@@ -50,34 +51,50 @@ void FixOthers::init() {
 void FixOthers::setup_pre_force(int) {
   const int all = atom->nlocal + atom->nghost;
   for (int i = 0; i < all; i++) set_arrays(i);
+  begin_step();
 }
 
 void FixOthers::initial_integrate(int) {
   last_step_ = update->dt;
   for (int i = 0; i < atom->nlocal; i++)
-    for (int k = 0; k < 3; k++) acceleration_[i][k] = atom->f[i][k] / atom->rmass[i];
+    for (int k = 0; k < 3; k++)
+      acceleration_[i][k] = (atom->f[i][k] - passing_[i][k]) / atom->rmass[i];
 }
 
-void FixOthers::pre_force(int) { comm->forward_comm_fix(this); }
+void FixOthers::pre_force(int) {
+  comm->forward_comm_fix(this);
+  begin_step();
+}
+
+void FixOthers::begin_step() {
+  for (int i = 0; i < atom->nlocal; i++) std::fill_n(passing_[i], 3, 0.0);
+}
 
 void FixOthers::grow_arrays(int most) {
   memory->grow(acceleration_, most, 3, "others:acceleration");
+  memory->grow(passing_, most, 3, "others:passing");
 }
 
 void FixOthers::copy_arrays(int i, int j, int) {
   std::copy_n(acceleration_[i], 3, acceleration_[j]);
+  std::copy_n(passing_[i], 3, passing_[j]);
 }
 
-void FixOthers::set_arrays(int i) { std::fill_n(acceleration_[i], 3, 0.0); }
+void FixOthers::set_arrays(int i) {
+  std::fill_n(acceleration_[i], 3, 0.0);
+  std::fill_n(passing_[i], 3, 0.0);
+}
 
 int FixOthers::pack_exchange(int i, double* buffer) {
   std::copy_n(acceleration_[i], 3, buffer);
-  return 3;
+  std::copy_n(passing_[i], 3, buffer + 3);
+  return 6;
 }
 
 int FixOthers::unpack_exchange(int i, double* buffer) {
   std::copy_n(buffer, 3, acceleration_[i]);
-  return 3;
+  std::copy_n(buffer + 3, 3, passing_[i]);
+  return 6;
 }
 
 int FixOthers::pack_comm(int count, int* list, double* buffer, int, int*) {
@@ -98,7 +115,7 @@ void FixOthers::write_restart(FILE* file) {
 
 void FixOthers::restart(char* buffer) { std::memcpy(&last_step_, buffer, sizeof(double)); }
 
-double FixOthers::memory_usage() { return 3.0 * sizeof(double) * atom->nmax; }
+double FixOthers::memory_usage() { return 6.0 * sizeof(double) * atom->nmax; }
 
 }  // namespace Cohesion
 }  // namespace LIGGGHTS

@@ -2,14 +2,16 @@
 #ifndef COHESION_FIX_OTHERS_H
 #define COHESION_FIX_OTHERS_H
 
+#include "atom.h"
 #include "fix.h"
 #include "vector3.h"
 
 namespace LIGGGHTS {
 namespace Cohesion {
 
-/// How all forces of the step before accelerated each particle, ghosts included: what contacts of
-/// the scheme event know of the others of their particles. Hidden (hidden_fix.h).
+/// How the forces of the step before accelerated each particle, ghosts included: what contacts of
+/// the scheme event know of the others of their particles. Impulses that were over within it are
+/// left out. Hidden (hidden_fix.h).
 class FixOthers : public LAMMPS_NS::Fix {
  public:
   static constexpr const char* STYLE = "cohesion_others";
@@ -36,11 +38,21 @@ class FixOthers : public LAMMPS_NS::Fix {
 
   /// Of particle or ghost i; nothing while a run is set up, [length/time^2].
   cohesion::Vector3 acceleration(int i) const { return cohesion::vector(acceleration_[i]); }
+  /// Of the forces on particle i in this step, `passing` is one that the next step does not have, [force].
+  void leave_out(int i, const cohesion::Vector3& passing) {
+    if (i >= atom->nlocal) return;
+    passing_[i][0] += passing.x;
+    passing_[i][1] += passing.y;
+    passing_[i][2] += passing.z;
+  }
   /// The step of the last forces, also those from a restart file; 0: there were none, [time].
   double last_step() const { return last_step_; }
 
  private:
+  void begin_step();
+
   double** acceleration_ = nullptr;
+  double** passing_ = nullptr;  // per particle, from the forces of a step to the next
   double last_step_ = 0.0;
 };
 

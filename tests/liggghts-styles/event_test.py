@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Cohesion hamaker and square_well with scheme event among many spheres: ranks, runs and restarts, meshes, energy, rest, friction; what
-it cannot follow is refused. Escape velocities are in head_on_test.py."""
+"""Cohesion hamaker and square_well with scheme event among many spheres: ranks, runs and restarts, meshes, energy,
+rest, friction; what it cannot follow is refused. Escape velocities are in head_on_test.py."""
 import math
 import random
 import unittest
@@ -165,6 +165,34 @@ class Wells(unittest.TestCase):
                     for k in right:
                         for one, other in zip(found[k][3:6], right[k][3:6]):
                             self.assertAlmostEqual(one, other, delta=100 * 8 * EPSILON * 0.03 / dt)
+
+
+    def test_a_dense_elastic_gas_gains_none(self):
+        """216 spheres at a volume fraction of 0.3, 40 collisions each. The velocities of a grid point are off by up to
+        half of what an impulse at an edge does in its step, up to a depth for a pair. By Enskog's rate a sphere meets
+        others a thousand times in a second, each time with two edges: four pairs in a step of t_c/5, so that what is
+        seen scatters by two depths."""
+        depth, ratio, part = 5e-9, 1.05, 5
+        spheres, side = gas(6, 0.3)
+        steps = int(0.04 / CONTACT_TIME * part)
+        text = script(spheres, "model hooke/stiffness tangential off cohesion square_well" + EVENT,
+                      square_well(depth, ratio=ratio), dt=CONTACT_TIME / part, every=steps // 8, contacts=elastic(),
+                      boundary="p p p", box=f"0 {side} 0 {side} 0 {side}", run=f"run {steps}\n")
+        energies = []
+        for frame in Run(text).frames("out.txt"):
+            places = [row[0:3] for row in frame.values()]
+            energy = sum(0.5 * MASS * sum(v * v for v in row[3:6]) for row in frame.values())
+            wells = 0
+            for i, one in enumerate(places):
+                for other in places[:i]:
+                    r = math.sqrt(sum((a - b - side * round((a - b) / side))**2 for a, b in zip(one, other)))
+                    energy += 0.5 * STIFFNESS * max(2 * RADIUS - r, 0)**2
+                    wells += r < ratio * 2 * RADIUS
+            energies.append(energy - wells * depth)
+        self.assertGreater(wells, 50)
+        change = (energies[-1] - energies[0]) / depth
+        print(f"wells, t_c/{part}: {change:.1f} depths")
+        self.assertLess(change, 3 * 2)
 
 
 class Mesh(unittest.TestCase):
