@@ -38,7 +38,8 @@ class FixOthers : public LAMMPS_NS::Fix {
 
   /// Of particle or ghost i; nothing while a run is set up, [length/time^2].
   cohesion::Vector3 acceleration(int i) const { return cohesion::vector(acceleration_[i]); }
-  /// Of the forces on particle i in this step, `passing` is one that the next step does not have, [force].
+  /// Of the forces on particle i in this step, `passing` [force] is one that the next step does not
+  /// have.
   void leave_out(int i, const cohesion::Vector3& passing) {
     if (i >= atom->nlocal) return;
     passing_[i][0] += passing.x;
