@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "constants.h"
+#include "event_stepping/contact_on_grid.h"
+#include "event_stepping/pair_run.h"
+
+/// Equal spheres in a periodic cube, stepped as an engine would: kicks and flights by leapfrog.
+namespace cohesion::event_stepping {
+
+class ManySpheres {
+ public:
+  using Contact = ContactOnGrid<SpherePair>;
+  struct Sums {
+    double energy;
+    Vector3 momentum, angular_momentum;
+  };
+
+  ManySpheres(const contact::ContactParameters& parameters, const contact::Adhesion& adhesion,
+              double dt, double side)
+      : contact_(parameters, adhesion, body(), body(), dt),
+        dt_(dt),
+        side_(side),
+        friction_(parameters.friction > 0.0) {}
+
+  static Body body() { return {thesis::radius, 1.0 / thesis::mass}; }
+
+  void add(const Vector3& x, const Vector3& v) {
+    x_.push_back(x);
+    v_.push_back(v);
+    w_.push_back({});
+  }
+  int size() const { return static_cast<int>(x_.size()); }
+
+  void step() {
+    if (!first_)
+      for (int i = 0; i < size(); i++) x_[i] += dt_ * v_[i];
+    look();
+    friction_ ? act<true>() : act<false>();
+    first_ = false;
+  }
+
+  /// Of the true motion at the next grid point.
+  Sums sums() {
+    std::vector<Vector3> x = x_, u = v_, w = w_;
+    Sums s{0.0, {}, {}};
+    for (int i = 0; i < size(); i++) x[i] += dt_ * v_[i];
+    for (const Near& p : near_) {
+      const RelativeState grid{apart(x[p.j] - x[p.i]), v_[p.j] - v_[p.i]};
+      const Action owed = contact_.owed(grid, p.memory);
+      give(p, owed, u, w);
+      if (p.memory.in_range()) {
+        const double overlap = 2.0 * thesis::radius - norm(grid.separation);
+        s.energy +=
+            contact_.pair().spring_energy(overlap) + contact_.pair().adhesion_energy(overlap);
+      }
+    }
+    for (int i = 0; i < size(); i++) {
+      const double inertia = 1.0 / inverse_inertia(body());
+      s.energy += 0.5 * thesis::mass * dot(u[i], u[i]) + 0.5 * inertia * dot(w[i], w[i]);
+      s.momentum += thesis::mass * u[i];
+      s.angular_momentum += thesis::mass * cross(x[i], u[i]) + inertia * w[i];
+    }
+    return s;
+  }
+  const Vector3& v(int i) const { return v_[i]; }
+  const Vector3& w(int i) const { return w_[i]; }
+  long lasting = 0, followed = 0, collisions = 0;
+  Contact contact_;
+
+ private:
+  struct Near {
+    int i, j;
+    ContactMemory memory;
+  };
+  struct Followed {
+    int pair;
+    PairMotion grid, truth, others;
+    Vector3 stretch;
+    FollowedStep step;
+  };
+  struct Beside {
+    int pair;
+    Action action, owed;
+    PairMotion grid;
+  };
+
+  Vector3 apart(Vector3 s) const {
+    if (side_ > 0.0) {
+      s.x -= side_ * std::round(s.x / side_);
+      s.y -= side_ * std::round(s.y / side_);
+      s.z -= side_ * std::round(s.z / side_);
+    }
+    return s;
+  }
+
+  void look() {
+    double moved = 0.0, fastest = 0.0;
+    for (int i = 0; i < size(); i++) {
+      fastest = std::max(fastest, norm(v_[i]));
+      if (!listed_.empty()) moved = std::max(moved, norm(x_[i] - listed_[i]));
+    }
+    if (!listed_.empty() && 2.0 * moved + 4.0 * dt_ * fastest < skin) return;
+    listed_ = x_;
+    std::vector<Near> old;
+    for (const Near& p : near_)
+      if (p.memory.phase != ContactMemory::beyond) old.push_back(p);
+    near_.clear();
+    std::size_t k = 0;
+    for (int i = 0; i < size(); i++)
+      for (int j = i + 1; j < size(); j++) {
+        const Vector3 s = apart(x_[j] - x_[i]);
+        const double reach = 2.0 * thesis::radius + skin;
+        if (dot(s, s) > reach * reach) continue;
+        while (k < old.size() && (old[k].i < i || (old[k].i == i && old[k].j < j))) k++;
+        const bool known = k < old.size() && old[k].i == i && old[k].j == j;
+        near_.push_back({i, j, known ? old[k].memory : ContactMemory{}});
+      }
+  }
+
+  PairMotion motion(const Near& p, const std::vector<Vector3>& v,
+                    const std::vector<Vector3>& w) const {
+    return {{apart(x_[p.j] - x_[p.i]), v[p.j] - v[p.i]}, w[p.i], w[p.j]};
+  }
+  void give(const Near& p, const Action& a, std::vector<Vector3>& v,
+            std::vector<Vector3>& w) const {
+    v[p.i] -= (1.0 / thesis::mass) * a.impulse;
+    v[p.j] += (1.0 / thesis::mass) * a.impulse;
+    w[p.i] += inverse_inertia(body()) * a.torque_i;
+    w[p.j] += inverse_inertia(body()) * a.torque_j;
+  }
+
+  template <bool FRICTION>
+  void act() {
+    const int n = size();
+    const double kick = first_ ? 1.0 : 1.0;
+    std::vector<Vector3> dv(n), dw(n), v = v_, w = w_;
+    std::vector<char> marked(n, 0);
+    std::vector<Beside> old;
+    std::vector<Followed> follow;
+    for (std::size_t k = 0; k < near_.size(); k++) {
+      Near& p = near_[k];
+      const PairMotion grid = motion(p, v_, w_);
+      if (p.memory.phase == ContactMemory::beyond && !contact_.within_reach(grid.relative))
+        continue;
+      if (first_ && norm(grid.relative.separation) < 2.0 * thesis::radius)
+        p.memory.phase = ContactMemory::inside;
+      Beside b{static_cast<int>(k), {}, contact_.owed(grid.relative, p.memory), grid};
+      if (contact_.follow_lasting<FRICTION>(grid, p.memory, b.action)) {
+        give(p, b.action, dv, dw);
+        old.push_back(b);
+        lasting++;
+        continue;
+      }
+      follow.push_back(
+          {static_cast<int>(k), grid, {}, {}, contact_.stretch(grid, p.memory.spring), {}});
+      marked[p.i] = marked[p.j] = 1;
+      give(p, b.owed, v, w);
+      followed++;
+    }
+    std::vector<Vector3> D(n), V(n), W(n);
+    const auto add = [&](const Near& p, const PairMotion& c) {
+      D[p.i] -= 0.5 * c.relative.separation;
+      D[p.j] += 0.5 * c.relative.separation;
+      V[p.i] -= 0.5 * c.relative.velocity;
+      V[p.j] += 0.5 * c.relative.velocity;
+      W[p.i] += c.spin_i;
+      W[p.j] += c.spin_j;
+    };
+    for (const Beside& b : old) {
+      const Near& p = near_[b.pair];
+      if (!marked[p.i] && !marked[p.j]) continue;
+      give(p, b.owed, v, w);
+      add(p, contact_.done(b.grid, b.action, b.owed, p.memory));
+    }
+    for (Followed& f : follow) {
+      const Near& p = near_[f.pair];
+      f.truth = motion(p, v, w);
+      f.step = contact_.follow<FRICTION>(f.truth, {}, p.memory, f.stretch);
+    }
+    for (const Followed& f : follow) add(near_[f.pair], f.step.change);
+    for (Followed& f : follow) {
+      Near& p = near_[f.pair];
+      f.others = {{D[p.j] - D[p.i] - f.step.change.relative.separation,
+                   V[p.j] - V[p.i] - f.step.change.relative.velocity},
+                  W[p.i] - f.step.change.spin_i,
+                  W[p.j] - f.step.change.spin_j};
+      const bool in = p.memory.in_range();
+      f.step = contact_.follow<FRICTION>(f.truth, f.others, p.memory, f.stretch);
+      give(p, contact_.close<FRICTION>(f.grid, f.truth, f.others, f.step, p.memory), dv, dw);
+      collisions += !in && p.memory.in_range();
+    }
+    for (int i = 0; i < n; i++) {
+      v_[i] += kick * dv[i];
+      w_[i] += kick * dw[i];
+    }
+  }
+
+  static constexpr double skin = 0.1 * 2.0 * thesis::radius;
+  double dt_;
+  double side_;
+  bool friction_;
+  bool first_ = true;
+  std::vector<Vector3> x_, v_, w_, listed_;
+  std::vector<Near> near_;
+};
+
+}  // namespace cohesion::event_stepping
