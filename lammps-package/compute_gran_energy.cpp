@@ -8,7 +8,7 @@
 #include "domain.h"
 #include "energy_book.h"
 #include "error.h"
-#include "event_stepping/cohesive_contact.h"
+#include "event_stepping/pair_motion.h"
 #include "fix_event_step.h"
 #include "gravity.h"
 #include "update.h"
@@ -71,17 +71,15 @@ void ComputeGranEnergy::work_out() {
   std::copy_n(before, static_cast<int>(ENTRIES), mine);
   add_sums(mine, 1.0);
   const std::vector<double> weight = weights(lmp);
-  // The motion of the step ends with the velocities the next half kick leads to, at the places half
-  // a step of flight away.
+  // Of the true motion at the grid point.
   for (int i = 0; i < atom->nlocal; i++) {
     const auto body = step->body(i);
     if (body.inverse_mass == 0.0) continue;
     const double inverse_inertia = cohesion::event_stepping::inverse_inertia(body);
-    const Vector3 v = step->velocity_at_end(i);
     double place[3];
     domain->unmap(atom->x[i], atom->image[i], place);
-    add_body(mine, 1.0 / body.inverse_mass, 1.0 / inverse_inertia, v, step->spin_at_end(i),
-             cohesion::vector(&weight[3 * i]), cohesion::vector(place) + step->half_flight() * v);
+    add_body(mine, 1.0 / body.inverse_mass, 1.0 / inverse_inertia, step->true_velocity(i),
+             step->true_spin(i), cohesion::vector(&weight[3 * i]), cohesion::vector(place));
   }
   const FixEventStep::Book& contacts = step->book;
   mine[SPRING] = contacts.spring;

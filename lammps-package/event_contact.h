@@ -2,8 +2,11 @@
 #ifndef COHESION_EVENT_CONTACT_H
 #define COHESION_EVENT_CONTACT_H
 
+#include <vector>
+
 #include "atom.h"
 #include "event_stepping/cohesive_contact.h"
+#include "event_stepping/contact_on_grid.h"
 #include "fix_event_step.h"
 
 // What pairs and walls of the event scheme share: following a contact the second time, and handing
@@ -22,199 +25,280 @@ inline void add(double* to, double factor, const cohesion::Vector3& a) {
   to[2] += factor * a.z;
 }
 
-/// What a contact does in a step, with the others and friction.
-struct FollowedContact {
-  cohesion::event_stepping::PairStep normal;
-  cohesion::event_stepping::FrictionStep sliding;
-  cohesion::Vector3 impulse;  // on j
-};
+/// `history` of a contact: what ContactMemory keeps, of its sizes; a sampled one has the in-range
+/// flag in the place of the phase, and the stretch of its springs.
+using HistorySize = cohesion::event_stepping::ContactMemory::Size;
 
-/// `history` of a contact: the in-range flag; with friction or rolling friction, the memory of the
-/// tangential spring; with rolling friction, that of the rolling spring.
-enum HistorySize { IN_RANGE = 1, WITH_FRICTION = 4, WITH_ROLLING = 7 };
-
-template <bool FRICTION>
-cohesion::Vector3 spring_memory(const double* history) {
-  return FRICTION ? vector(history + 1) : cohesion::Vector3{};
-}
-
-/// The first pass: adds what a contact does alone, `change`, to its particle i (side -1) or j
-/// (side 1).
-template <bool FRICTION>
-void add_alone(double* to, double side, double share,
-               const cohesion::event_stepping::PairMotion& change) {
-  add(to, side * share, change.relative.separation);
-  add(to + 3, side * share, change.relative.velocity);
-  if (FRICTION) add(to + 6, 1.0, side < 0.0 ? change.spin_i : change.spin_j);
+/// Relative motion of i and j, and their spins (j < 0: none), changed by what `of_i` and `of_j`
+/// say: three numbers of velocity and three of spin.
+inline void change(cohesion::event_stepping::PairMotion& motion, const double* of_i,
+                   const double* of_j) {
+  motion.relative.velocity -= vector(of_i);
+  motion.spin_i += vector(of_i + 3);
+  if (!of_j) return;
+  motion.relative.velocity += vector(of_j);
+  motion.spin_j += vector(of_j + 3);
 }
 
 /// What all contacts but this one do to its particles; nullptr: a wall.
-template <bool FRICTION>
-cohesion::event_stepping::PairMotion others_of(const double* all_i, const double* all_j,
-                                               const cohesion::event_stepping::PairMotion& own) {
+inline cohesion::event_stepping::PairMotion others_of(
+    const double* all_i, const double* all_j, const cohesion::event_stepping::PairMotion& own) {
   const auto of_j = [&](int k) { return all_j ? vector(all_j + k) : cohesion::Vector3{}; };
   cohesion::event_stepping::PairMotion others;
   others.relative = {of_j(0) - vector(all_i) - own.relative.separation,
                      of_j(3) - vector(all_i + 3) - own.relative.velocity};
-  if (FRICTION) {
-    others.spin_i = vector(all_i + 6) - own.spin_i;
-    others.spin_j = of_j(6) - own.spin_j;
-  }
+  others.spin_i = vector(all_i + 6) - own.spin_i;
+  others.spin_j = of_j(6) - own.spin_j;
   return others;
 }
 
-/// `others` and the contact's own rolling spring, without what that does, `own`.
-inline cohesion::event_stepping::PairMotion without(
-    cohesion::event_stepping::PairMotion others, const cohesion::event_stepping::PairSpins& own) {
-  others.spin_i -= own.i;
-  others.spin_j -= own.j;
-  return others;
-}
+/// A contact that needed one force, and what it remembered before.
+struct LastingContact {
+  int i, j;  // j < 0: a wall
+  int contact;
+  cohesion::event_stepping::PairMotion grid;
+  cohesion::event_stepping::Action action;
+  cohesion::event_stepping::ContactMemory before, after;
+};
 
-/// The second pass: with half of what the other contacts of its particles do, `others` (nullptr:
-/// nothing within the step), and what the contact's own rolling spring does (nullptr: it has none).
-template <bool FRICTION, class Contact>
-FollowedContact follow_with_others(const Contact& c,
-                                   const cohesion::event_stepping::PairMotion& grid,
-                                   const cohesion::event_stepping::PairMotion* others,
-                                   const cohesion::event_stepping::PairSpins* by_rolling,
-                                   double* history) {
-  cohesion::event_stepping::RelativeState middle = grid.relative;
-  if (others) {
-    middle.separation += 0.5 * others->relative.separation;
-    middle.velocity += 0.5 * others->relative.velocity;
-  }
-  cohesion::event_stepping::PairStep normal = c.advance(middle, history[0] != 0.0);
-  cohesion::event_stepping::FrictionStep sliding;
-  cohesion::Vector3 impulse = c.reduced_mass() * normal.change.velocity;
-  if (FRICTION) {
-    if (normal.normal.contact_time > 0.0) {
-      sliding = c.friction(grid, others, normal, vector(history + 1), by_rolling);
-      impulse += sliding.spring.impulse;
-    }
-    history[1] = sliding.memory.x;
-    history[2] = sliding.memory.y;
-    history[3] = sliding.memory.z;
-  }
-  history[0] = normal.inside;
-  return {normal, sliding, impulse};
-}
+/// A contact that is followed.
+struct FollowedContact {
+  int i, j;  // j < 0: a wall
+  int contact;
+  bool only;  // neither particle has another contact
+  double* history;
+  cohesion::event_stepping::PairMotion grid, truth;
+  cohesion::event_stepping::ContactMemory memory;
+  cohesion::event_stepping::FollowedStep step;
+};
 
-/// The first pass of what resists rolling: with half of what the rest of the contact does, `own`.
-/// Adds what it does to both particles (all_j nullptr: a wall) and returns it, as angular impulse
-/// on i.
-template <class Contact>
-cohesion::Vector3 roll_alone(const Contact& c, const cohesion::event_stepping::PairMotion& grid,
-                             const cohesion::event_stepping::PairMotion& own,
-                             const cohesion::event_stepping::PairStep& normal,
-                             const double* history, double* all_i, double* all_j) {
-  if (normal.normal.contact_time == 0.0) return {};
-  const cohesion::Vector3 torque =
-      c.rolling(grid, {}, normal, vector(history + WITH_FRICTION), {own.spin_i, own.spin_j})
-          .torque_i;
-  const cohesion::event_stepping::PairSpins change = c.rolled(torque);
-  add(all_i + 6, 1.0, change.i);
-  if (all_j) add(all_j + 6, 1.0, change.j);
-  return torque;
-}
-
-/// The second pass of what resists rolling. `now`: what the rest of the contact does.
-template <class Contact>
-cohesion::event_stepping::RollingStep roll_with_others(
-    const Contact& c, const cohesion::event_stepping::PairMotion& grid,
-    const cohesion::event_stepping::PairMotion& others, const FollowedContact& now,
-    double* history) {
-  double* const left = history + WITH_FRICTION;
-  cohesion::event_stepping::RollingStep step;
-  if (now.normal.normal.contact_time > 0.0)
-    step = c.rolling(
-        grid, others, now.normal, vector(left),
-        {c.spin_share_i() * now.sliding.torque_i, c.spin_share_j() * now.sliding.torque_j});
-  left[0] = step.memory.x;
-  left[1] = step.memory.y;
-  left[2] = step.memory.z;
-  return step;
-}
-
-/// Books what a contact stores that no step has followed since the run began.
-inline void book_standing(FixEventStep::Book& book, double part,
-                          const cohesion::event_stepping::StoredEnergies& stored) {
-  book.spring += part * stored.spring;
-  book.tangential_spring += part * stored.tangential_spring;
-  book.rolling_spring += part * stored.rolling_spring;
-  book.adhesion += part * stored.adhesion;
-}
-
-/// What a spring of a contact remembers, the tangential one (WITH_FRICTION) or the rolling one
-/// (WITH_ROLLING); nothing, where its `values` numbers of history do not reach so far.
-inline cohesion::Vector3 memory_in(const double* history, int values, HistorySize with) {
-  return values >= with ? vector(history + with - 3) : cohesion::Vector3{};
-}
-
-/// Forces, torques, changes of position and the energy book of one step.
-class ContactScatter {
+/// What contacts do to particles in a step: of one process, and of one kind of contact.
+template <class Contact, int SIZE>
+class ContactsOfStep {
  public:
-  ContactScatter(Atom* atom, FixEventStep* step)
-      : step_(step), f_(atom->f), torque_(atom->torque), kick_(step->force_per_impulse()) {}
+  using Action = cohesion::event_stepping::Action;
+  using PairMotion = cohesion::event_stepping::PairMotion;
+
+  ContactsOfStep(Atom* atom, FixEventStep* step)
+      : step_(step), f_(atom->f), torque_(atom->torque), kick_(step->force_per_impulse()),
+        nlocal_(atom->nlocal) {}
 
   /// Force that stands for an impulse.
   double kick() const { return kick_; }
 
-  template <bool FRICTION, class Contact>
-  void on_i(int i, const Contact& contact, const FollowedContact& c) const {
-    act<Contact::acts_within_step>(i, -1.0, contact.share_i(), c);
-    if (FRICTION) add(torque_[i], kick_, c.sliding.torque_i);
-  }
-  template <bool FRICTION, class Contact>
-  void on_j(int j, const Contact& contact, const FollowedContact& c) const {
-    act<Contact::acts_within_step>(j, 1.0, contact.share_j(), c);
-    if (FRICTION) add(torque_[j], kick_, c.sliding.torque_j);
-  }
-
-  void roll_i(int i, const cohesion::event_stepping::RollingStep& r) const {
-    add(torque_[i], kick_, r.torque_i);
-  }
-  void roll_j(int j, const cohesion::event_stepping::RollingStep& r) const {
-    add(torque_[j], -kick_, r.torque_i);
+  /// Force and torque on the particles of this process; `part` of the contact is its own.
+  void act(int i, int j, const Action& a) const {
+    add(f_[i], -kick_, a.impulse);
+    if (SIZE > 3) add(torque_[i], kick_, a.torque_i);
+    const bool both = j >= 0 && j < nlocal_;
+    if (both) {
+      add(f_[j], kick_, a.impulse);
+      if (SIZE > 3) add(torque_[j], kick_, a.torque_j);
+    }
+    if (!step_->book.kept) return;
+    step_->note_force(i, -kick_ * a.impulse, kick_ * a.torque_i);
+    if (both) step_->note_force(j, kick_ * a.impulse, kick_ * a.torque_j);
   }
 
-  /// `part`: of the contact that this process accounts for.
-  template <class Contact>
-  void book(const Contact& contact, double part, const FollowedContact& c) const {
-    FixEventStep::Book& book = step_->book;
-    if (c.normal.normal.unresolved) book.unresolved += part;
-    if (!book.kept) return;
-    book.spring += part * contact.spring_energy(c.normal);
-    book.adhesion += part * contact.adhesion_energy(c.normal);
-    book.tangential_spring += part * contact.friction_energy(c.sliding.spring.displacement);
-    book.normal_damping += part * c.normal.normal.dissipated;
-    book.tangential_damping += part * c.sliding.spring.damped;
-    book.friction += part * c.sliding.spring.friction;
+  /// Adds what `a` changes of the motion of both particles to `to`.
+  void change(double* const* to, int i, int j, const Action& a) const {
+    change_i(to, i, a);
+    if (j >= 0) change_j(to, j, a);
   }
-  template <class Contact>
-  void book(const Contact& contact, double part,
-            const cohesion::event_stepping::RollingStep& r) const {
-    FixEventStep::Book& book = step_->book;
-    if (!book.kept) return;
-    book.rolling_spring += part * contact.friction_energy(r.spring.displacement);
-    book.rolling += part * (r.spring.damped + r.spring.friction);
+  void change_i(double* const* to, int i, const Action& a) const {
+    const auto body = step_->body(i);
+    add(to[i], -body.inverse_mass, a.impulse);
+    if (SIZE > 3) add(to[i] + 3, cohesion::event_stepping::inverse_inertia(body), a.torque_i);
   }
+  void change_j(double* const* to, int j, const Action& a) const {
+    const auto body = step_->body(j);
+    add(to[j], body.inverse_mass, a.impulse);
+    if (SIZE > 3) add(to[j] + 3, cohesion::event_stepping::inverse_inertia(body), a.torque_j);
+  }
+
+  /// Adds D, V and changes of spins to `alone`.
+  void share(int i, int j, const Contact& c, const PairMotion& change) const {
+    share_i(i, c, change);
+    if (j >= 0) share_j(j, c, change);
+  }
+  void share_i(int i, const Contact& c, const PairMotion& change) const {
+    half(step_->alone[i], -c.share_i(), change, change.spin_i);
+  }
+  void share_j(int j, const Contact& c, const PairMotion& change) const {
+    half(step_->alone[j], c.share_j(), change, change.spin_j);
+  }
+
+  double part(int j) const { return j < 0 || j < nlocal_ ? 1.0 : 0.5; }
 
  private:
-  /// What is sampled changes velocities alone: no particle is announced for it, and none shifted.
-  template <bool SHIFTS>
-  void act(int i, double side, double share, const FollowedContact& c) const {
-    const double kick = side * kick_;
-    add(f_[i], kick, c.impulse);
-    if (SHIFTS) add(step_->shift[i], side * share, c.normal.change.separation);
-    if (step_->book.kept)
-      step_->note_force(i, kick * c.impulse.x, kick * c.impulse.y, kick * c.impulse.z);
+  static void half(double* to, double share, const PairMotion& change,
+                   const cohesion::Vector3& spin) {
+    add(to, share, change.relative.separation);
+    add(to + 3, share, change.relative.velocity);
+    if (SIZE > 3) add(to + 6, 1.0, spin);
   }
 
   FixEventStep* step_;
   double** f_;
   double** torque_;
   double kick_;
+  int nlocal_;
+};
+
+/// What a sampled contact does in a step.
+struct SampledForce {
+  cohesion::event_stepping::PairStep normal;
+  cohesion::event_stepping::FrictionStep sliding;
+  cohesion::event_stepping::Action action;
+};
+
+/// A sampled contact: the forces where it stands on the grid.
+template <int SIZE, class Contact>
+SampledForce sample(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
+                    const Contact& c, int i, int j,
+                    const cohesion::event_stepping::PairMotion& grid, double* history) {
+  using namespace cohesion::event_stepping;
+  if (step->book.kept)
+    step->book_stored(scatter.part(j), c.stored(grid, ContactMemory::from(history, SIZE)));
+  ContactMemory memory = ContactMemory::from(history, SIZE);
+  SampledForce now{};
+  now.normal = c.advance(grid.relative, memory.in_range());
+  now.action.impulse = c.reduced_mass() * now.normal.change.velocity;
+  memory.phase = now.normal.inside ? ContactMemory::inside : ContactMemory::beyond;
+  ContactLosses lost{now.normal.normal.dissipated, 0.0, 0.0, 0.0};
+  const bool touches = now.normal.normal.contact_time > 0.0;
+  PairSpins turned{};
+  if constexpr (SIZE >= HistorySize::with_friction) {
+    if (touches) now.sliding = c.friction(grid, now.normal, memory.sliding.stretch);
+    memory.sliding = {now.sliding.memory, {}};
+    now.action.impulse += now.sliding.spring.impulse;
+    now.action.torque_i = now.sliding.torque_i;
+    now.action.torque_j = now.sliding.torque_j;
+    turned = {c.spin_share_i() * now.sliding.torque_i, c.spin_share_j() * now.sliding.torque_j};
+    lost.tangential_damping = now.sliding.spring.damped;
+    lost.friction = now.sliding.spring.friction;
+  }
+  if constexpr (SIZE >= HistorySize::with_rolling) {
+    RollingStep rolling;
+    if (touches) rolling = c.rolling(grid, now.normal, memory.rolling.stretch, turned);
+    memory.rolling = {rolling.memory, {}};
+    now.action.torque_i += rolling.torque_i;
+    now.action.torque_j -= rolling.torque_i;
+    lost.rolling = rolling.spring.damped + rolling.spring.friction;
+  }
+  memory.to(history, SIZE);
+  scatter.act(i, j, now.action);
+  if (step->book.kept) {
+    step->book_losses(scatter.part(j), lost, 0.5);
+    const Action half{0.5 * now.action.impulse, 0.5 * now.action.torque_i,
+                      0.5 * now.action.torque_j};
+    scatter.change(step->all_owed(), i, j, half);
+  }
+  return now;
+}
+
+/// Contacts of one style in one step: those that last, and those that are followed.
+struct StepContacts {
+  std::vector<LastingContact> lasting;
+  std::vector<FollowedContact> followed;
+
+  void clear() {
+    lasting.clear();
+    followed.clear();
+  }
+
+  /// One contact from its motion on the grid: acts if it lasts, is announced if it is to be
+  /// followed. `values`: its history.
+  template <int SIZE, class Contact>
+  void take(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step, const Contact& c,
+            int contact, int i, int j,
+            const cohesion::event_stepping::PairMotion& grid,
+            const cohesion::event_stepping::ContactMemory& memory, double* values) {
+    using namespace cohesion::event_stepping;
+    if (step->book.kept) book_standing<SIZE>(scatter, step, c, i, j, grid, memory);
+    LastingContact now{i, j, contact, grid, {}, memory, memory};
+    ContactLosses lost;
+    if (c.template follow_lasting<SIZE>(grid, now.after, now.action, lost)) {
+      scatter.act(i, j, now.action);
+      now.after.to(values, SIZE);
+      step->book_losses(scatter.part(j), lost, 0.5);
+      lasting.push_back(now);
+      return;
+    }
+    followed.push_back({i, j, contact, false, values, grid, grid, memory, {}});
+    step->announce(i);
+    if (j >= 0) step->announce(j);
+    scatter.change(step->owed, i, j, c.template owed<SIZE>(grid.relative, memory));
+  }
+
+  /// Lasting contacts beside followed ones: what they owe, and do.
+  template <int SIZE, class Contact>
+  void join(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
+            const std::vector<Contact>& all) {
+    for (const LastingContact& p : lasting) {
+      const bool beside_i = step->is_followed(p.i), beside_j = p.j >= 0 && step->is_followed(p.j);
+      if (!beside_i && !beside_j) continue;
+      const Contact& c = all[p.contact];
+      const auto owed = c.template owed<SIZE>(p.grid.relative, p.before);
+      const auto done = c.template done<SIZE>(p.grid, p.action, owed, p.after);
+      if (beside_i) {
+        step->joins(p.i);
+        scatter.change_i(step->owed, p.i, owed);
+        scatter.share_i(p.i, c, done);
+      }
+      if (beside_j) {
+        step->joins(p.j);
+        scatter.change_j(step->owed, p.j, owed);
+        scatter.share_j(p.j, c, done);
+      }
+    }
+  }
+
+  /// The first pass: every followed contact by itself.
+  template <int SIZE, class Contact>
+  void follow_alone(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
+                    const std::vector<Contact>& all) {
+    for (FollowedContact& p : followed) {
+      LAMMPS_NS::change(p.truth, step->owed[p.i], p.j >= 0 ? step->owed[p.j] : nullptr);
+      p.only = SIZE < HistorySize::with_rolling && step->has_one_contact(p.i) &&
+               (p.j < 0 || step->has_one_contact(p.j));
+      if (p.only) continue;
+      const Contact& c = all[p.contact];
+      p.step = c.template follow<SIZE>(p.grid, p.truth, {}, {}, p.memory);
+      scatter.share(p.i, p.j, c, p.step.change);
+    }
+  }
+
+  /// The second pass: every followed contact with half of what the others do before and after it.
+  template <int SIZE, class Contact, class Done>
+  void follow_together(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
+                       const std::vector<Contact>& all, const Done& done) {
+    using namespace cohesion::event_stepping;
+    for (FollowedContact& p : followed) {
+      const Contact& c = all[p.contact];
+      PairMotion others;
+      if (!p.only)
+        others = others_of(step->alone[p.i], p.j >= 0 ? step->alone[p.j] : nullptr, p.step.change);
+      p.step = c.template follow<SIZE>(p.grid, p.truth, others, p.step.rolled, p.memory);
+      const Action action = c.template close<SIZE>(p.grid, p.truth, others, p.step, p.memory);
+      p.memory.to(p.history, SIZE);
+      scatter.act(p.i, p.j, action);
+      const double part = scatter.part(p.j);
+      if (p.step.normal.normal.unresolved) step->book.unresolved += part;
+      step->book_losses(part, Contact::losses(p.step), 1.0);
+      done(p, c, action);
+    }
+  }
+
+  /// Books what a contact stores at the grid point, and what leads to the true motion there.
+  template <int SIZE, class Contact>
+  static void book_standing(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
+                            const Contact& c, int i, int j,
+                            const cohesion::event_stepping::PairMotion& grid,
+                            const cohesion::event_stepping::ContactMemory& memory) {
+    step->book_stored(scatter.part(j), c.stored(grid, memory));
+    scatter.change(step->all_owed(), i, j, c.template owed<SIZE>(grid.relative, memory));
+  }
 };
 
 }  // namespace LAMMPS_NS

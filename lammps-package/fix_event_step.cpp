@@ -25,18 +25,21 @@
 using namespace LAMMPS_NS;
 using cohesion::vector;
 using cohesion::Vector3;
-using cohesion::event_stepping::StepWindow;
 
 static constexpr char ID[] = "COHESION_EVENT_STEP";
 static constexpr char PLACE[] = "COHESION_EVENT_STEP_PLACE";
 
 FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
     : Fix(lammps, narg, arg),
+      owed(nullptr),
       alone(nullptr),
-      shift(nullptr),
       book(),
       watch(lammps),
-      shared(ALONE),
+      next(),
+      shared(nullptr),
+      shared_each(ALONE),
+      booked_owed(nullptr),
+      to_truth(nullptr),
       follows(true),
       resting(false),
       resuming(false),
@@ -59,7 +62,6 @@ FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
   restart_peratom = 1;
   restart_global = 1;
   create_attribute = 1;
-  restart_pbc = 1;  // `shift` may move particles out of the box after the engine put them back
   FixEventStep::grow_arrays(atom->nmax);
   atom->add_callback(Atom::GROW);
   atom->add_callback(Atom::RESTART);
@@ -68,8 +70,10 @@ FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
 FixEventStep::~FixEventStep() {
   atom->delete_callback(id, Atom::GROW);
   atom->delete_callback(id, Atom::RESTART);
+  memory->destroy(owed);
   memory->destroy(alone);
-  memory->destroy(shift);
+  memory->destroy(booked_owed);
+  memory->destroy(to_truth);
   memory->destroy(last);
   memory->destroy(contacts);
   memory->destroy(inverse_mass);
@@ -104,13 +108,17 @@ void FixEventStep::init() {
     error->all(FLERR,
                "scheme event needs the velocities of ghost particles; add 'comm_modify vel yes'");
 
+  styles.clear();
   walls.clear();
   advised.clear();
   mobile.look_up(modify);
   bool before_me = true;
   for (int i = 0; i < modify->nfix; i++) {
     Fix* const fix = modify->fix[i];
-    if (auto* wall = dynamic_cast<EventContacts*>(fix)) walls.push_back(wall);
+    if (auto* wall = dynamic_cast<EventWalls*>(fix)) {
+      walls.push_back(wall);
+      styles.push_back(wall);
+    }
     if (auto* one = dynamic_cast<AdvisedStyle*>(fix)) advised.push_back(one);
     if (fix == this) before_me = false;
     if (fix->rigid_flag)
@@ -121,12 +129,12 @@ void FixEventStep::init() {
                             " integrates the motion: put it behind the pair_style and wall "
                             "commands of scheme event");
   }
-  follows = !walls.empty();
   for (const PairMember& member : pair_members(force)) {
-    if (const auto* pairs = dynamic_cast<const EventPairs*>(member.pair))
-      follows = follows || pairs->follows();
+    if (auto* pairs = dynamic_cast<EventContacts*>(member.pair)) styles.push_back(pairs);
     if (auto* one = dynamic_cast<AdvisedStyle*>(member.pair)) advised.push_back(one);
   }
+  follows = std::any_of(styles.begin(), styles.end(),
+                        [](const EventContacts* some) { return some->follows(); });
   look_for_unturned();
 }
 
@@ -134,12 +142,8 @@ void FixEventStep::init() {
 void FixEventStep::look_for_unturned() {
   if (said_unturned) return;
   std::vector<bool> rubs(atom->ntypes + 1, false);
-  for (int type = 1; type <= atom->ntypes; type++) {
-    for (const EventContacts* wall : walls) rubs[type] = rubs[type] || wall->rubs(type);
-    for (const PairMember& member : pair_members(force))
-      if (const auto* pairs = dynamic_cast<const EventPairs*>(member.pair))
-        rubs[type] = rubs[type] || pairs->rubs(type);
-  }
+  for (int type = 1; type <= atom->ntypes; type++)
+    for (const EventContacts* some : styles) rubs[type] = rubs[type] || some->rubs(type);
   said_unturned = warn_of_unturned(lmp, mobile, rubs);
 }
 
@@ -175,24 +179,14 @@ void FixEventStep::weigh(int all) {
 /// for the first step, which has no half before it.
 double FixEventStep::force_per_impulse() const { return (starting ? 2.0 : 1.0) / update->dt; }
 
-StepWindow FixEventStep::window() const {
-  const double half = 0.5 * update->dt;
-  return {starting ? 0.0 : half, half};
-}
-
 double FixEventStep::half_kick() const { return 0.5 * update->dt; }
 
-/// A run that takes over the forces of the last one has them in `last`, with the step they are of.
-Vector3 FixEventStep::velocity_at_end(int i) const {
-  const Vector3 kick =
-      resuming ? 0.5 * last_dt * vector(last[i]) : half_kick() * vector(atom->f[i]);
-  return vector(atom->v[i]) + inverse_mass[i] * kick;
+Vector3 FixEventStep::true_velocity(int i) const {
+  return vector(atom->v[i]) + vector(to_truth[i]);
 }
 
-Vector3 FixEventStep::spin_at_end(int i) const {
-  const Vector3 kick =
-      resuming ? 0.5 * last_dt * vector(last[i] + 3) : half_kick() * vector(atom->torque[i]);
-  return vector(atom->omega[i]) + cohesion::event_stepping::inverse_inertia(body(i)) * kick;
+Vector3 FixEventStep::true_spin(int i) const {
+  return vector(atom->omega[i]) + vector(to_truth[i] + 3);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -205,37 +199,35 @@ void FixEventStep::setup_pre_force(int) {
   resting = rests();
   if (resting) weighed.clear();
   judge(true);
-  if (resuming && book.kept) take_over();
-  if (resuming) return;
-  for (EventContacts* wall : walls) wall->follow_alone();
-}
-
-void FixEventStep::setup(int) {
-  if (resuming) {
-    if (other_box)
-      for (EventContacts* wall : walls) wall->take_where_they_are();
-    if (book.kept)
-      for (EventContacts* wall : walls) wall->book_standing();
+  if (!resuming) {
+    follow();
     return;
   }
-  for (EventContacts* wall : walls) wall->follow_together();
-  move();
-  starting = false;
+  if (other_box)
+    for (EventWalls* wall : walls) wall->take_where_they_are();
+  if (!book.kept) return;
+  for (int i = 0; i < atom->nlocal; i++) std::copy_n(last[i] + 6, 6, to_truth[i]);
+  for (EventContacts* some : styles) some->book_standing();
 }
 
-/// Tells the ghosts with which motion the last step ended; nothing else is in `alone` then.
-void FixEventStep::take_over() {
-  for (int i = 0; i < atom->nlocal; i++) {
-    announce(i);
-    const Vector3 v = velocity_at_end(i), spin = spin_at_end(i);
-    const double motion[] = {v.x, v.y, v.z, spin.x, spin.y, spin.z};
-    std::copy_n(motion, 6, alone[i] + 3);
-  }
-  share(ALONE);
+/// All that comes before the forces.
+void FixEventStep::follow() {
+  for (EventContacts* some : styles) some->gather();
+  for (EventContacts* some : styles) some->join();
+  share(owed, OWED);
+  for (EventContacts* some : styles) some->follow_alone();
+  share(alone, ALONE);
+}
+
+/// The first step has no half kick before it: what its velocities are, they truly are.
+void FixEventStep::setup(int) {
+  if (book.kept && starting)
+    for (int i = 0; i < atom->nlocal; i++) std::fill_n(to_truth[i], 6, 0.0);
 }
 
 void FixEventStep::initial_integrate(int) {
   running = true;  // a run without set-up begins here
+  starting = false;
   if (book.kept && !books_begun) {
     // They begin with what there is before this step.
     update->ntimestep--;
@@ -264,7 +256,7 @@ void FixEventStep::pre_force(int) {
   if (resting) return;
   clear();
   judge(false);
-  for (EventContacts* wall : walls) wall->follow_alone();
+  follow();
 }
 
 /// Forces that a run takes over from the last one excuse nothing: its step, its coefficients and
@@ -280,35 +272,52 @@ void FixEventStep::clear() {
   look_round();
   look_for_readers();
   if (!book.kept) return;
-  contact_force.assign(3 * all, 0.0);
+  add_next();
+  contact_force.assign(6 * all, 0.0);
+  for (int i = 0; i < all; i++) std::fill_n(booked_owed[i], OWED, 0.0);
   book.spring = book.tangential_spring = book.rolling_spring = book.adhesion = 0.0;
+}
+
+/// What was lost after the last grid point was lost before this one.
+void FixEventStep::add_next() {
+  book.normal_damping += next.normal_damping;
+  book.tangential_damping += next.tangential_damping;
+  book.friction += next.friction;
+  book.rolling += next.rolling;
+  book.external_work += next.external_work;
+  next = {};
 }
 
 void FixEventStep::look_for_readers() {
   book.kept = book_readers.use_count() > 1;
-  if (!book.kept) contact_force = std::vector<double>();
+  if (!book.kept) {
+    contact_force = std::vector<double>();
+  } else {
+    memory->grow(booked_owed, atom->nmax, OWED, "event_step:booked_owed");
+    memory->grow(to_truth, atom->nmax, 6, "event_step:to_truth");
+  }
   flux_wanted = flux_readers.use_count() > 1;
 }
 
 void FixEventStep::end_of_step() {
-  if (resting) return;
-  move();
-  if (!book.kept) return;
+  if (resting || !book.kept) return;
   const std::vector<double> weight = weights(lmp);
   double work = 0.0;
   for (int i = 0; i < atom->nlocal; i++) {
+    std::fill_n(to_truth[i], 6, 0.0);
     if (inverse_mass[i] == 0.0) continue;
-    for (int k = 0; k < 3; k++)
-      work += (atom->f[i][k] - contact_force[3 * i + k] - weight[3 * i + k]) * atom->v[i][k];
+    const double by_force = half_kick() * inverse_mass[i];
+    const double by_torque =
+        half_kick() * cohesion::event_stepping::inverse_inertia(body(i));
+    for (int k = 0; k < 3; k++) {
+      const double contact = contact_force[6 * i + k];
+      to_truth[i][k] = booked_owed[i][k] - by_force * contact;
+      to_truth[i][3 + k] = booked_owed[i][3 + k] - by_torque * contact_force[6 * i + 3 + k];
+      work += (atom->f[i][k] - contact - weight[3 * i + k]) * (atom->v[i][k] + to_truth[i][k]);
+    }
   }
-  book.external_work += update->dt * work;
-}
-
-void FixEventStep::move() {
-  for (int i = 0; i < atom->nlocal; i++) {
-    if (contacts[i] == 0) continue;
-    for (int k = 0; k < 3; k++) atom->x[i][k] += shift[i][k];
-  }
+  book.external_work += half_kick() * work;
+  next.external_work += half_kick() * work;
 }
 
 void FixEventStep::post_run() {
@@ -325,6 +334,10 @@ void FixEventStep::post_run() {
   for (int i = 0; i < atom->nlocal; i++) {
     std::copy_n(atom->f[i], 3, last[i]);
     std::copy_n(atom->torque[i], 3, last[i] + 3);
+    if (book.kept)
+      std::copy_n(to_truth[i], 6, last[i] + 6);
+    else
+      std::fill_n(last[i] + 6, 6, 0.0);
   }
   last_dt = update->dt;
 }
@@ -333,7 +346,7 @@ void FixEventStep::post_run() {
 void FixEventStep::hold_last(bool holds) {
   holds_last = holds;
   if (holds)
-    memory->grow(last, atom->nmax, 6, "event_step:last");
+    memory->grow(last, atom->nmax, LAST, "event_step:last");
   else
     memory->destroy(last);
 }
@@ -353,51 +366,56 @@ void FixEventStep::report_unresolved() {
 
 /* ---------------------------------------------------------------------- */
 
-void FixEventStep::share(int values) {
+/// Brings `each` values of particles to their ghosts.
+void FixEventStep::share(double** values, int each) {
   shared = values;
-  engine_api::forward_comm(comm, this, values);
+  shared_each = each;
+  engine_api::forward_comm(comm, this, each);
 }
 
 int FixEventStep::pack_forward_comm(int n, int* list, double* buf, int, int*) {
-  for (int i = 0; i < n; i++, buf += shared) {
+  for (int i = 0; i < n; i++, buf += shared_each) {
     // A ghost that is passed on has what its owner sent.
     const int from = list[i];
-    const bool none = from < atom->nlocal && contacts[from] == 0;
-    for (int k = 0; k < shared; k++) buf[k] = none ? 0.0 : alone[from][k];
+    if (from < atom->nlocal && contacts[from] == 0)
+      std::fill_n(buf, shared_each, 0.0);
+    else
+      std::copy_n(shared[from], shared_each, buf);
   }
-  return shared * n;
+  return shared_each * n;
 }
 
 void FixEventStep::unpack_forward_comm(int n, int first, double* buf) {
-  for (int i = first; i < first + n; i++, buf += shared) std::copy_n(buf, shared, alone[i]);
+  for (int i = first; i < first + n; i++, buf += shared_each)
+    std::copy_n(buf, shared_each, shared[i]);
 }
 
 void FixEventStep::grow_arrays(int nmax) {
+  memory->grow(owed, nmax, OWED, "event_step:owed");
   memory->grow(alone, nmax, ALONE, "event_step:alone");
   memory->grow(contacts, nmax, "event_step:contacts");
-  memory->grow(shift, nmax, 3, "event_step:shift");
-  if (holds_last) memory->grow(last, nmax, 6, "event_step:last");
+  if (holds_last) memory->grow(last, nmax, LAST, "event_step:last");
   memory->grow(inverse_mass, nmax, "event_step:inverse_mass");
 }
 
 void FixEventStep::copy_arrays(int i, int j, int) {
-  if (holds_last) std::copy_n(last[i], 6, last[j]);
+  if (holds_last) std::copy_n(last[i], LAST, last[j]);
 }
 
 void FixEventStep::set_arrays(int i) {
-  if (holds_last) std::fill_n(last[i], 6, 0.0);
+  if (holds_last) std::fill_n(last[i], LAST, 0.0);
 }
 
 int FixEventStep::pack_exchange(int i, double* buf) {
   if (!holds_last) return 0;
-  std::copy_n(last[i], 6, buf);
-  return 6;
+  std::copy_n(last[i], LAST, buf);
+  return LAST;
 }
 
 int FixEventStep::unpack_exchange(int i, double* buf) {
   if (!holds_last) return 0;
-  std::copy_n(buf, 6, last[i]);
-  return 6;
+  std::copy_n(buf, LAST, last[i]);
+  return LAST;
 }
 
 void FixEventStep::write_restart(FILE* fp) {
@@ -413,30 +431,32 @@ void FixEventStep::restart(char* buf) {
 }
 
 int FixEventStep::pack_restart(int i, double* buf) {
-  buf[0] = 7;
-  std::fill_n(buf + 1, 6, 0.0);  // before the first run
+  buf[0] = 1 + LAST;
+  std::fill_n(buf + 1, LAST, 0.0);  // before the first run
   if (running) {
     std::copy_n(atom->f[i], 3, buf + 1);
     std::copy_n(atom->torque[i], 3, buf + 4);
+    if (book.kept) std::copy_n(to_truth[i], 6, buf + 7);
   } else if (holds_last) {
     // The engine's own forces may have stayed behind when particles changed rank.
-    std::copy_n(last[i], 6, buf + 1);
+    std::copy_n(last[i], LAST, buf + 1);
   }
-  return 7;
+  return 1 + LAST;
 }
 
 void FixEventStep::unpack_restart(int i, int nth) {
   double* const values = atom->extra[i];
   int m = 0;
   for (int n = 0; n < nth; n++) m += static_cast<int>(values[m]);
-  if (holds_last) std::copy_n(values + m + 1, 6, last[i]);
+  if (holds_last) std::copy_n(values + m + 1, LAST, last[i]);
 }
 
-int FixEventStep::maxsize_restart() { return 7; }
-int FixEventStep::size_restart(int) { return 7; }
+int FixEventStep::maxsize_restart() { return 1 + LAST; }
+int FixEventStep::size_restart(int) { return 1 + LAST; }
 
 double FixEventStep::memory_usage() {
-  const double numbers = ALONE + 3 + 1 + (holds_last ? 6 : 0);
+  const double numbers =
+      OWED + ALONE + 1 + (holds_last ? LAST : 0) + (booked_owed ? OWED + 6 : 0);
   return (numbers * sizeof(double) + sizeof(int)) * atom->nmax +
          sizeof(double) * (contact_force.capacity() + weighed.capacity());
 }

@@ -10,55 +10,59 @@ FixStyle(EVENT_STEP,FixEventStep);
 
 #include <algorithm>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "atom.h"
 #include "box_sides.h"
 #include "contact_advice.h"
-#include "event_stepping/cohesive_contact.h"
+#include "event_stepping/contact_on_grid.h"
 #include "event_stepping/flux_parts.h"
 #include "fix.h"
 #include "mobile_particles.h"
 
 namespace LAMMPS_NS {
 
-/// A fix that follows contacts in the event scheme: walls. Its style calls neither pass itself in
-/// the setup of a run; FixEventStep does, in the order of the scheme.
+/// What follows contacts in the event scheme: pair styles and walls. FixEventStep calls it, before
+/// the forces of a step; the second pass is with those: Pair::compute, Fix::post_force.
 class EventContacts {
  public:
+  /// Lets contacts that last act, and announces the others, with what leads to the true motion of
+  /// their particles.
+  virtual void gather() = 0;
+  /// The same for lasting contacts whose particles have been announced.
+  virtual void join() = 0;
+  /// The first pass.
   virtual void follow_alone() = 0;
-  virtual void follow_together() = 0;
-  /// Books what the contacts store, where a run takes over the forces of the last one.
-  virtual void book_standing() = 0;
-  /// Takes particles as in or out of range as they are, where something else than their motion has
-  /// brought them there.
-  virtual void take_where_they_are() = 0;
   /// Whether friction turns particles of this type.
   virtual bool rubs(int type) const = 0;
+  /// Whether any contact may be followed in this run.
+  virtual bool follows() const { return true; }
+  /// Books what the contacts store, where a run takes over the forces of the last one.
+  virtual void book_standing() = 0;
 
  protected:
   ~EventContacts() = default;
 };
 
-/// A pair style of the event scheme: what its pairs carry is in FixEventStep::flux.
-class EventPairs {
+/// Those of walls.
+class EventWalls : public EventContacts {
  public:
-  /// Whether any pair may be followed in this run.
-  virtual bool follows() const = 0;
-  virtual bool rubs(int type) const = 0;
+  /// Takes particles as in or out of range as they are, where something else than their motion has
+  /// brought them there.
+  virtual void take_where_they_are() = 0;
 
  protected:
-  ~EventPairs() = default;
+  ~EventWalls() = default;
 };
 
-/// What all styles of the event scheme share, made by the first of them. Contacts of one particle
-/// act on each other within a step: each is first followed alone, and its change of position,
-/// velocity and spin added to `alone`; then it is followed again with half of what the others did.
+/// What all styles of the event scheme share, made by the first of them. A contact that lasts needs
+/// one force. The others are followed in closed form from the true motion at the grid point, to
+/// which `owed` leads, and which needs all contacts of a particle; first alone, what they do added
+/// to `alone`, then with half of what the others do.
 ///
-/// Order within a step: this fix lets the walls (pre_force), then the pair style adds to `alone`;
-/// share() brings it to the ghosts; the pair style and then the walls (post_force) follow each
-/// contact the second time and add force, torque and `shift`, the change of position that goes with
-/// the force.
+/// Order within a step, before the forces: all styles gather(), join(); share_owed(); follow_alone();
+/// share_alone(). With the forces: their second pass.
 ///
 /// A fix cannot make another one in its constructor: those that need this one call of() in
 /// post_constructor(); the order above does not depend on the order of the fixes.
@@ -109,43 +113,50 @@ class FixEventStep : public Fix {
   bool box_changed() const { return other_box; }
   /// The force that gives a particle the impulse 1 in this step, [1/time].
   double force_per_impulse() const;
-  /// The stretch of time that this step's forces stand for.
-  cohesion::event_stepping::StepWindow window() const;
+  /// The first step of a run that takes over nothing.
+  bool starts() const { return starting; }
   /// Particle or ghost i; a particle that nothing integrates has inverse mass 0.
   cohesion::event_stepping::Body body(int i) const { return {atom->radius[i], inverse_mass[i]}; }
+  /// A contact of the event scheme, or a sampled one, in this step.
+  template <class Contact>
+  Contact contact(const cohesion::contact::ContactParameters& parameters,
+                  const typename Contact::Attraction& attraction,
+                  const cohesion::event_stepping::Body& i,
+                  const cohesion::event_stepping::Body& j) const {
+    if constexpr (Contact::on_grid)
+      return {parameters, attraction, i, j, 2.0 * half_kick()};
+    else
+      return {parameters, attraction, i, j, {starting ? 0.0 : half_kick(), half_kick()}};
+  }
   /// What force times this adds to the momentum until the motion of the step ends, [time].
   double half_kick() const;
-  /// How long particles fly from the grid point to the end of the step, [time].
-  double half_flight() const { return window().after; }
+  /// True velocity and spin of a particle at the grid point, while the book is kept.
+  cohesion::Vector3 true_velocity(int i) const;
+  cohesion::Vector3 true_spin(int i) const;
 
-  /// Velocity and spin of a particle at the end of the step's motion.
-  cohesion::Vector3 velocity_at_end(int i) const;
-  cohesion::Vector3 spin_at_end(int i) const;
-  /// The same, of a particle or ghost, where a run takes over the forces of the last one and the
-  /// book is kept.
-  cohesion::Vector3 taken_velocity(int i) const { return cohesion::vector(alone[i] + 3); }
-  cohesion::Vector3 taken_spin(int i) const { return cohesion::vector(alone[i] + 6); }
-
-  /// How far a particle or ghost of this rank may fly until the end of the step, [length].
+  /// How far a particle or ghost of this rank may fly in half a step, [length].
   double flight() const { return longest_flight; }
 
-  /// Announces a contact of particle or ghost i in this step, before it adds to `alone` or `shift`.
+  /// Announces a contact of particle or ghost i in this step, before it adds to `owed` or `alone`.
   void announce(int i) {
     if (contacts[i]++ != 0) return;
+    std::fill_n(owed[i], OWED, 0.0);
     std::fill_n(alone[i], ALONE, 0.0);
-    std::fill_n(shift[i], 3, 0.0);
   }
+  /// One more contact of a particle that has been announced.
+  void joins(int i) { contacts[i]++; }
+  /// Whether a contact of particle or ghost i has been announced.
+  bool is_followed(int i) const { return contacts[i] != 0; }
   /// Whether i is a particle of this rank with one contact only.
   bool has_one_contact(int i) const { return i < atom->nlocal && contacts[i] == 1; }
 
-  /// Brings the first `values` of `alone` to the ghosts.
-  void share(int values);
-
-  /// Per atom and ghost that has a contact: change of position, velocity and spin, each contact
-  /// alone.
-  static constexpr int ALONE = 9;
+  /// Per atom and ghost that has been announced: what leads from the velocity and spin on the grid
+  /// to the true ones; change of position, velocity and spin, each contact alone.
+  static constexpr int OWED = 6, ALONE = 9;
+  double** owed;
   double** alone;
-  double** shift;  ///< per atom that has a contact: change of position of this step
+  /// Per atom and ghost, while the book is kept: as `owed`, of all contacts.
+  double** all_owed() const { return booked_owed; }
 
   /// What somebody holds as long as something is to be summed for him.
   using Reader = std::shared_ptr<const void>;
@@ -154,12 +165,30 @@ class FixEventStep : public Fix {
   /// there before.
   struct Book {
     bool kept = false;
-    double spring, tangential_spring, rolling_spring, adhesion;  ///< at the end of the step
+    double spring, tangential_spring, rolling_spring, adhesion;  ///< at the grid point
     double normal_damping, tangential_damping, friction;         ///< lost so far
     double rolling;        ///< lost so far in rolling springs, dashpots and sliders
     double external_work;  ///< of other forces but gravity, and moving walls; so far
     double unresolved;     ///< steps of contacts that were cut short, in this run
   } book;
+  /// Adds what `part` of a contact stores at the grid point.
+  void book_stored(double part, const cohesion::event_stepping::StoredEnergies& stored) {
+    book.spring += part * stored.spring;
+    book.tangential_spring += part * stored.tangential_spring;
+    book.rolling_spring += part * stored.rolling_spring;
+    book.adhesion += part * stored.adhesion;
+  }
+  /// Adds losses of `part` of a contact in the step, of which `later` is after the grid point that
+  /// the book is of.
+  void book_losses(double part, const cohesion::event_stepping::ContactLosses& lost, double later) {
+    if (!book.kept) return;
+    for (const auto& [into, factor] : {std::pair{&book, 1.0 - later}, std::pair{&next, later}}) {
+      into->normal_damping += factor * part * lost.normal_damping;
+      into->tangential_damping += factor * part * lost.tangential_damping;
+      into->friction += factor * part * lost.friction;
+      into->rolling += factor * part * lost.rolling;
+    }
+  }
   [[nodiscard]] Reader keep_book() const { return book_readers; }
 
   /// Of the contacts of pairs so far; summed as the book is kept.
@@ -167,11 +196,17 @@ class FixEventStep : public Fix {
   [[nodiscard]] Reader sum_flux() const { return flux_readers; }
   bool sums_flux() const { return flux_wanted; }
 
-  /// A force of a contact on particle i, for the book.
-  void note_force(int i, double fx, double fy, double fz) {
-    contact_force[3 * i] += fx;
-    contact_force[3 * i + 1] += fy;
-    contact_force[3 * i + 2] += fz;
+  /// Work of others after the grid point that the book is of.
+  void next_work(double work) { next.external_work += work; }
+  /// Force and torque of a contact on particle i, for the book.
+  void note_force(int i, const cohesion::Vector3& push, const cohesion::Vector3& turn) {
+    double* const of = &contact_force[6 * i];
+    of[0] += push.x;
+    of[1] += push.y;
+    of[2] += push.z;
+    of[3] += turn.x;
+    of[4] += turn.y;
+    of[5] += turn.z;
   }
 
  private:
@@ -183,16 +218,22 @@ class FixEventStep : public Fix {
   void weigh(int all);
   void hold_last(bool);
   void report_unresolved();
-  void take_over();
-  void move();
+  void follow();
+  void add_next();
+  void share(double** values, int each);
   void begin_books();
   void look_for_unturned();
 
-  std::vector<EventContacts*> walls;   // those of this run
+  std::vector<EventContacts*> styles;  // those of this run
+  std::vector<EventWalls*> walls;      // of them
   std::vector<AdvisedStyle*> advised;  // the same
   ContactWatch watch;
 
-  int shared;    // of the values of `alone`
+  Book next;                // what is lost after the grid point that `book` is of
+  double** shared;          // that go to the ghosts now
+  int shared_each;          // of each
+  double** booked_owed;     // see all_owed()
+  double** to_truth;        // per atom: from the motion at the end of the step to the true one
   bool follows;  // any pair or wall, in this run
   bool resting;  // nothing is followed, and nobody reads the books
   bool resuming;
@@ -204,7 +245,9 @@ class FixEventStep : public Fix {
   BoxSides box;     // at the end of the last run
   double last_dt;   // of the step that `last` is from; 0: there was none
   bool holds_last;  // from the end of a run to the first step of the next
-  double** last;    // per atom, while it is held: force and torque at the end of the last run
+  /// Per atom, while it is held: force and torque at the end of the last run, and `to_truth`.
+  static constexpr int LAST = 12;
+  double** last;
   std::vector<double> contact_force;  // per atom and ghost, while the book is kept
   int* contacts;                      // per atom and ghost, this step
   double* inverse_mass;               // per atom and ghost

@@ -26,6 +26,8 @@ using cohesion::Vector3;
 static constexpr int HEAD = 3;
 // On each wall, three numbers of all and three of adhesion alone.
 static constexpr int FORCES = 6;
+// In the place of a second particle.
+static constexpr int WALL = -1;
 
 template <class Cohesion>
 FixWallGranCohesive<Cohesion>::FixWallGranCohesive(LAMMPS* lammps, int narg, char** arg)
@@ -34,14 +36,14 @@ FixWallGranCohesive<Cohesion>::FixWallGranCohesive(LAMMPS* lammps, int narg, cha
       scheme(Scheme::event),
       law(attraction.no_law()),
       time_origin(update->ntimestep),
-      per_wall(IN_RANGE),
+      per_wall(HistorySize::normal_only),
       history(lammps),
       sizes(),
       step(nullptr),
       summed(false) {
   read(narg, arg);
-  if (parameters.contact.friction > 0.0) per_wall = WITH_FRICTION;
-  if (parameters.contact.rolling_friction > 0.0) per_wall = WITH_ROLLING;
+  if (parameters.contact.friction > 0.0) per_wall = HistorySize::with_friction;
+  if (parameters.contact.rolling_friction > 0.0) per_wall = HistorySize::with_rolling;
   history.start(static_cast<int>(walls.size()), per_wall);
   mine.assign(FORCES * walls.size(), 0.0);
   total = mine;
@@ -137,8 +139,16 @@ void FixWallGranCohesive<Cohesion>::init() {
 }
 
 template <class Cohesion>
+void FixWallGranCohesive<Cohesion>::setup(int) {
+  post_force(0);
+}
+
+template <class Cohesion>
 void FixWallGranCohesive<Cohesion>::post_force(int) {
-  follow_together();
+  if (step->resumes()) return;
+  std::fill(mine.begin(), mine.end(), 0.0);
+  summed = false;
+  with_contacts([this](auto& shared, auto size) { follow_together<size>(shared); });
 }
 
 template <class Cohesion>
@@ -167,14 +177,14 @@ std::vector<AdvisedContact> FixWallGranCohesive<Cohesion>::advised_contacts(
 /// Equal particles that come one after the other share a contact.
 template <class Cohesion>
 template <class Contact>
-std::size_t FixWallGranCohesive<Cohesion>::contact(std::vector<Contact>& shared, int i) {
+int FixWallGranCohesive<Cohesion>::contact(std::vector<Contact>& shared, int i) {
   const Body particle = step->body(i), wall{0.0, 0.0};
   if (shared.empty() || !shared.back().joins(particle, wall))
-    shared.emplace_back(
+    shared.push_back(step->contact<Contact>(
         parameters.contact,
         Cohesion::template of_wall<typename Contact::Attraction>(law, particle.radius), particle,
-        wall, step->window());
-  return shared.size() - 1;
+        wall));
+  return static_cast<int>(shared.size()) - 1;
 }
 
 template <class Cohesion>
@@ -193,7 +203,8 @@ void FixWallGranCohesive<Cohesion>::check_flight(int i, const WallPoint& point, 
 template <class Cohesion>
 WallState FixWallGranCohesive<Cohesion>::state() const {
   const double time = static_cast<double>(update->ntimestep - time_origin) * update->dt;
-  return motion.over(time, step->window());
+  const double half = 0.5 * update->dt;
+  return motion.over(time, {step->starts() ? 0.0 : half, half});
 }
 
 /// In a step, [length]; in a sheared box the mean flow, which step->flight() leaves out, may carry
@@ -215,31 +226,16 @@ void FixWallGranCohesive<Cohesion>::look_at_sizes() {
   }
 }
 
-/// Every contact by itself: what it would do to its particle.
+/// Calls what(i, wall, contact, point, history) for the particles that may touch a wall in this step.
 template <class Cohesion>
-void FixWallGranCohesive<Cohesion>::follow_alone() {
-  with_contacts([this](auto& shared) {
-    if (per_wall == WITH_ROLLING)
-      follow_alone<true, true>(shared);
-    else if (per_wall == WITH_FRICTION)
-      follow_alone<true, false>(shared);
-    else
-      follow_alone<false, false>(shared);
-  });
-}
-
-template <class Cohesion>
-template <bool FRICTION, bool ROLLING, class Contact>
-void FixWallGranCohesive<Cohesion>::follow_alone(std::vector<Contact>& shared) {
-  active.clear();
-  rolled.clear();
+template <class Contact, class What>
+void FixWallGranCohesive<Cohesion>::for_each_near(std::vector<Contact>& shared, const What& what) {
   shared.clear();
-  const bool first = step->window().before == 0.0;
   const WallState now = state();
   // What moves less than a radius in a step cannot matter beyond two. Each is asked when particles
   // may be new, or faster than that.
   const double flight = 2.0 * step->flight() + way_of_walls(now);
-  const bool ask_each = first || neighbor->ago == 0 || flight > sizes.smallest_radius;
+  const bool ask_each = step->starts() || neighbor->ago == 0 || flight > sizes.smallest_radius;
   if (ask_each) look_at_sizes();
   const FarFromWalls far(walls, now.displacement, 2.0 * sizes.largest_radius + sizes.largest_range);
 
@@ -249,89 +245,122 @@ void FixWallGranCohesive<Cohesion>::follow_alone(std::vector<Contact>& shared) {
     const Vector3 centre = vector(atom->x[i]);
     const double range = Cohesion::range(scheme, parameters, atom->radius[i], 0.0);
     for (int w = 0; w < static_cast<int>(walls.size()); w++) {
-      double& inside = *history.of(i, w);
+      double& phase = *history.of(i, w);
       const WallPoint point = walls[w].nearest(centre, now, motion.rim_speed);
       // A particle that the wall meets for the first time is where it is; it did not fall into the
       // range.
-      if (inside < 0.0 || (first && inside == 0.0))
-        inside = point.distance > 0.0 && point.distance < atom->radius[i] + range;
+      if (phase < 0.0 || (step->starts() && phase == 0.0))
+        phase = point.distance > 0.0 && point.distance < atom->radius[i] + range;
       // No particle is faster than the step's fastest.
-      if (inside != 0.0 || flight > atom->radius[i]) check_flight(i, point, inside != 0.0);
+      if (phase != 0.0 || flight > atom->radius[i]) check_flight(i, point, phase != 0.0);
       if (point.distance <= 0.0 || point.distance > 2.0 * atom->radius[i] + range) continue;
       if (step->body(i).inverse_mass == 0.0) continue;
-
-      const std::size_t c = contact(shared, i);
-      const RelativeState grid{point.separation, point.velocity - vector(atom->v[i])};
-      if (inside == 0.0 && !shared[c].within_reach(grid)) continue;
-      active.push_back({i, w, c, point, {}});
-      if constexpr (Contact::acts_within_step) {
-        step->announce(i);
-        PairMotion& alone = active.back().alone;
-        PairMotion turning{grid, vector(atom->omega[i]), {}};
-        PairStep normal = shared[c].advance(grid, inside != 0.0);
-        alone =
-            shared[c].template alone<FRICTION>(turning, normal, spring_memory<FRICTION>(&inside));
-        add_alone<FRICTION>(step->alone[i], -1.0, shared[c].share_i(), alone);
-        if (ROLLING)
-          rolled.push_back(
-              roll_alone(shared[c], turning, alone, normal, &inside, step->alone[i], nullptr));
-      }
+      what(i, w, contact(shared, i), point, &phase);
     }
   }
 }
 
 template <class Cohesion>
-void FixWallGranCohesive<Cohesion>::follow_together() {
-  if (step->resumes()) return;
-  std::fill(mine.begin(), mine.end(), 0.0);
-  summed = false;
-  with_contacts([this](const auto& shared) {
-    if (per_wall == WITH_ROLLING)
-      follow_together<true, true>(shared);
-    else if (per_wall == WITH_FRICTION)
-      follow_together<true, false>(shared);
-    else
-      follow_together<false, false>(shared);
+void FixWallGranCohesive<Cohesion>::gather() {
+  with_contacts([this](auto& shared, auto size) { gather<size>(shared); });
+}
+
+template <class Cohesion>
+template <int SIZE>
+void FixWallGranCohesive<Cohesion>::gather(std::vector<EventContact>& shared) {
+  contacts_now.clear();
+  lasting_at.clear();
+  followed_at.clear();
+  const ContactsOfStep<EventContact, SIZE> scatter(atom, step);
+  for_each_near(shared, [&](int i, int w, int c, const WallPoint& point, double* values) {
+    const PairMotion grid{{point.separation, point.velocity - vector(atom->v[i])},
+                          vector(atom->omega[i]),
+                          {}};
+    const ContactMemory known = ContactMemory::from(values, SIZE);
+    if (known.phase == ContactMemory::beyond &&
+        !shared[c].within_reach(grid.relative, step->flight()))
+      return;
+    const std::size_t before = contacts_now.lasting.size();
+    contacts_now.take<SIZE>(scatter, step, shared[c], c, i, WALL, grid, known, values);
+    const bool lasts = contacts_now.lasting.size() > before;
+    (lasts ? lasting_at : followed_at).emplace_back(w, point.velocity);
   });
 }
 
-/// Every contact again, with half of what the other contacts of its particle do, and friction.
 template <class Cohesion>
-template <bool FRICTION, bool ROLLING, class Contact>
-void FixWallGranCohesive<Cohesion>::follow_together(const std::vector<Contact>& shared) {
-  const ContactScatter scatter(atom, step);
-  for (const Active& near : active) {
+template <int SIZE>
+void FixWallGranCohesive<Cohesion>::gather(std::vector<SampledContact>& shared) {
+  sampled_now.clear();
+  for_each_near(shared, [&](int i, int w, int c, const WallPoint& point, double* values) {
+    const RelativeState grid{point.separation, point.velocity - vector(atom->v[i])};
+    if (values[0] == 0.0 && !shared[c].within_reach(grid)) return;
+    sampled_now.push_back({i, w, c, point});
+  });
+}
+
+template <class Cohesion>
+void FixWallGranCohesive<Cohesion>::join() {
+  with_contacts([this](auto& shared, auto size) {
+    using Contact = typename std::decay_t<decltype(shared)>::value_type;
+    if constexpr (Contact::on_grid)
+      contacts_now.join(ContactsOfStep<Contact, size>(atom, step), step, shared);
+  });
+}
+
+template <class Cohesion>
+void FixWallGranCohesive<Cohesion>::follow_alone() {
+  with_contacts([this](auto& shared, auto size) {
+    using Contact = typename std::decay_t<decltype(shared)>::value_type;
+    if constexpr (Contact::on_grid)
+      contacts_now.follow_alone(ContactsOfStep<Contact, size>(atom, step), step, shared);
+  });
+}
+
+/// Books the force on a wall that moves with `velocity`.
+template <class Cohesion>
+template <class Contact, int SIZE>
+void FixWallGranCohesive<Cohesion>::push(const ContactsOfStep<Contact, SIZE>& scatter, int wall,
+                                         const Vector3& velocity, const Vector3& impulse,
+                                         const Vector3& by_contact) {
+  step->book.external_work -= 0.5 * dot(velocity, impulse);
+  step->next_work(-0.5 * dot(velocity, impulse));
+  double* const on_wall = &mine[FORCES * wall];
+  add(on_wall, scatter.kick(), impulse);
+  add(on_wall + 3, scatter.kick(), impulse - by_contact);
+}
+
+template <class Cohesion>
+template <int SIZE>
+void FixWallGranCohesive<Cohesion>::follow_together(std::vector<EventContact>& shared) {
+  const ContactsOfStep<EventContact, SIZE> scatter(atom, step);
+  for (std::size_t k = 0; k < contacts_now.lasting.size(); k++) {
+    const LastingContact& p = contacts_now.lasting[k];
+    push(scatter, lasting_at[k].first, lasting_at[k].second, p.action.impulse,
+         shared[p.contact].by_contact(p.grid, p.action));
+  }
+  contacts_now.follow_together(
+      scatter, step, shared,
+      [&](const FollowedContact& p, const EventContact& c, const Action& action) {
+        const auto& at = followed_at[&p - contacts_now.followed.data()];
+        push(scatter, at.first, at.second, action.impulse, c.by_contact(p.grid, p.step, action));
+      });
+}
+
+template <class Cohesion>
+template <int SIZE>
+void FixWallGranCohesive<Cohesion>::follow_together(std::vector<SampledContact>& shared) {
+  const ContactsOfStep<SampledContact, SIZE> scatter(atom, step);
+  for (const SampledActive& near : sampled_now) {
     const int i = near.i;
-    const Contact& c = shared[near.contact];
-    const RelativeState grid{near.point.separation, near.point.velocity - vector(atom->v[i])};
-    PairMotion turning{grid, vector(atom->omega[i]), {}};
-    double* const kept = history.of(i, near.wall);
-    PairMotion others;
-    if (Contact::acts_within_step)
-      others =
-          beside_wall(others_of<FRICTION>(step->alone[i], nullptr, near.alone), grid.separation);
-    PairSpins by_rolling;
-    if (ROLLING && Contact::acts_within_step) {
-      by_rolling = c.rolled(rolled[&near - active.data()]);
-      others = without(others, by_rolling);
-    }
-    constexpr bool among_others = Contact::acts_within_step;
-    FollowedContact now =
-        follow_with_others<FRICTION>(c, turning, among_others ? &others : nullptr,
-                                     ROLLING && among_others ? &by_rolling : nullptr, kept);
-    scatter.on_i<FRICTION>(i, c, now);
-    scatter.book(c, 1.0, now);
-    if (ROLLING) {
-      RollingStep rolling = roll_with_others(c, turning, others, now, kept);
-      scatter.roll_i(i, rolling);
-      scatter.book(c, 1.0, rolling);
-    }
-    step->book.external_work -= dot(near.point.velocity, now.impulse);
-    double* const on_wall = &mine[FORCES * near.wall];
-    add(on_wall, scatter.kick(), now.impulse);
-    Vector3 by_contact =
-        impulse_by_contact(c, grid.separation, now.normal, now.sliding, now.impulse);
-    add(on_wall + 3, scatter.kick(), now.impulse - by_contact);
+    const SampledContact& c = shared[near.contact];
+    const PairMotion grid{{near.point.separation, near.point.velocity - vector(atom->v[i])},
+                          vector(atom->omega[i]),
+                          {}};
+    const SampledForce now =
+        sample<SIZE>(scatter, step, c, i, WALL, grid, history.of(i, near.wall));
+    push(scatter, near.wall, near.point.velocity, now.action.impulse,
+         impulse_by_contact(c, near.point.separation, now.normal, now.sliding,
+                            now.action.impulse));
   }
 }
 
@@ -355,21 +384,18 @@ void FixWallGranCohesive<Cohesion>::take_where_they_are() {
 template <class Cohesion>
 void FixWallGranCohesive<Cohesion>::book_standing() {
   const WallState now = state();
-  with_contacts([&](auto& shared) {
+  with_contacts([&](auto& shared, auto size) {
     shared.clear();
     for (int i = 0; i < atom->nlocal; i++)
       for (int w = 0; w < static_cast<int>(walls.size()); w++) {
         const double* const kept = history.of(i, w);
         if (kept[0] <= 0.0 || step->body(i).inverse_mass == 0.0) continue;
         const WallPoint point = walls[w].nearest(vector(atom->x[i]), now, motion.rim_speed);
-        const auto& c = shared[contact(shared, i)];
-        LAMMPS_NS::book_standing(
-            step->book, 1.0,
-            c.stored({{point.separation, point.velocity - step->taken_velocity(i)},
-                      step->taken_spin(i),
-                      {}},
-                     step->half_flight(), true, memory_in(kept, per_wall, WITH_FRICTION),
-                     memory_in(kept, per_wall, WITH_ROLLING)));
+        const PairMotion grid{{point.separation, point.velocity - vector(atom->v[i])},
+                              vector(atom->omega[i]),
+                              {}};
+        step->book_stored(
+            1.0, shared[contact(shared, i)].stored(grid, ContactMemory::from(kept, size)));
       }
   });
 }

@@ -22,7 +22,7 @@ namespace LAMMPS_NS {
 /// Walls that act on spheres as PairGranCohesive lets spheres act on each other; a wall is a
 /// partner of infinite mass and radius. `Cohesion`: as there.
 template <class Cohesion>
-class FixWallGranCohesive : public Fix, public EventContacts, public AdvisedStyle {
+class FixWallGranCohesive : public Fix, public EventWalls, public AdvisedStyle {
  public:
   FixWallGranCohesive(class LAMMPS*, int, char**);
   ~FixWallGranCohesive() override;
@@ -30,13 +30,15 @@ class FixWallGranCohesive : public Fix, public EventContacts, public AdvisedStyl
   void post_constructor() override;
   int setmask() override;
   void init() override;
+  void setup(int) override;
   void post_force(int) override;
+  void gather() override;
+  void join() override;
   void follow_alone() override;
-  void follow_together() override;
   void book_standing() override;
   void give_advice(const Circumstances&) override;
   void take_where_they_are() override;
-  bool rubs(int) const override { return per_wall > IN_RANGE; }
+  bool rubs(int) const override { return per_wall > HistorySize::normal_only; }
 
   double compute_vector(int) override;
   double compute_array(int, int) override;
@@ -55,38 +57,56 @@ class FixWallGranCohesive : public Fix, public EventContacts, public AdvisedStyl
   double memory_usage() override { return history.bytes(atom->nmax); }
 
  private:
-  template <class Pair>
-  using ContactsOf = std::vector<cohesion::event_stepping::CohesiveContact<Pair> >;
+  using EventContact = cohesion::event_stepping::ContactOnGrid<typename Cohesion::EventWall>;
+  using SampledContact = cohesion::event_stepping::CohesiveContact<typename Cohesion::Sampled>;
   /// Those of the particles near a wall, equal neighbours shared. One alternative per scheme, in
   /// the order of Scheme.
-  using AnyContacts = std::variant<ContactsOf<typename Cohesion::EventWall>,
-                                   ContactsOf<typename Cohesion::Sampled> >;
+  using AnyContacts = std::variant<std::vector<EventContact>, std::vector<SampledContact> >;
   using Wall = cohesion::event_stepping::Wall;
 
-  /// A particle that may touch a wall in this step.
-  struct Active {
+  /// A sampled particle that may touch a wall in this step.
+  struct SampledActive {
     int i;
     int wall;
-    std::size_t contact;
+    int contact;
     cohesion::event_stepping::WallPoint point;
-    cohesion::event_stepping::PairMotion alone;  // what it does without the others
   };
 
   void read(int, char**);
   template <class Contact>
-  std::size_t contact(std::vector<Contact>&, int i);
+  int contact(std::vector<Contact>&, int i);
   void check_flight(int i, const cohesion::event_stepping::WallPoint&, bool inside);
   cohesion::event_stepping::WallState state() const;
   double way_of_walls(const cohesion::event_stepping::WallState&) const;
   void look_at_sizes();
-  template <bool FRICTION, bool ROLLING, class Contact>
-  void follow_alone(std::vector<Contact>&);
-  template <bool FRICTION, bool ROLLING, class Contact>
-  void follow_together(const std::vector<Contact>&);
+  template <class Contact, class What>
+  void for_each_near(std::vector<Contact>&, const What&);
+  template <int SIZE>
+  void gather(std::vector<EventContact>&);
+  template <int SIZE>
+  void gather(std::vector<SampledContact>&);
+  template <int SIZE>
+  void follow_together(std::vector<EventContact>&);
+  template <int SIZE>
+  void follow_together(std::vector<SampledContact>&);
+  template <class Contact, int SIZE>
+  void push(const ContactsOfStep<Contact, SIZE>&, int wall, const cohesion::Vector3& velocity,
+            const cohesion::Vector3& impulse, const cohesion::Vector3& by_contact);
   std::vector<AdvisedContact> advised_contacts(const std::vector<LightestParticle>&) const;
-  template <class Work>
-  void with_contacts(const Work& work) {
-    guarded(lmp, where, [&] { std::visit(work, contacts); });
+  template <class What>
+  void with_contacts(const What& what) {
+    guarded(lmp, where, [&] {
+      std::visit(
+          [&](auto& shared) {
+            if (per_wall == HistorySize::with_rolling)
+              what(shared, std::integral_constant<int, HistorySize::with_rolling>());
+            else if (per_wall == HistorySize::with_friction)
+              what(shared, std::integral_constant<int, HistorySize::with_friction>());
+            else
+              what(shared, std::integral_constant<int, HistorySize::normal_only>());
+          },
+          contacts);
+    });
   }
   void sum();
 
@@ -104,12 +124,13 @@ class FixWallGranCohesive : public Fix, public EventContacts, public AdvisedStyl
   int per_wall;  // values of history (HistorySize)
   WallHistory history;
   AnyContacts contacts;
-  std::vector<Active> active;
+  StepContacts contacts_now;                                   // event scheme: those of this step
+  std::vector<std::pair<int, cohesion::Vector3> > lasting_at, followed_at;  // their walls and those's velocities
+  std::vector<SampledActive> sampled_now;
   /// Of the particles, when the list of neighbours was new.
   struct Sizes {
     double smallest_radius, largest_radius, largest_range;
   } sizes;
-  std::vector<cohesion::Vector3> rolled;  // with rolling friction, of each: from roll_alone()
   FixEventStep* step;
 
   std::vector<double> mine;   // forces on each wall

@@ -74,163 +74,181 @@ void PairGranCohesive<Cohesion>::compute(int eflag, int vflag) {
     rested = true;
     return;
   }
-  guarded(lmp, coefficients.where(), [this] { follow_pairs(); });
-}
-
-template <class Cohesion>
-void PairGranCohesive<Cohesion>::follow_pairs() {
-  if (rested) begin_where_they_are(true);
   if (step->resumes()) {
-    if (step->box_changed()) begin_where_they_are(false);
-    if (evflag || step->book.kept) tally_standing();
+    if (evflag) tally_standing();
     return;
   }
-  std::visit(
-      [this](auto& contacts) {
-        if (neighbor->ago == 0) check_radii(lmp, coefficients.where(), largest_radius);
-        find_active(contacts);
-        if (per_pair == WITH_ROLLING)
-          follow<true, true>(contacts);
-        else
-          friction ? follow<true, false>(contacts) : follow<false, false>(contacts);
-      },
-      any_contacts);
+  with_contacts([this](auto& contacts, auto size) { follow_together<size>(contacts); });
+}
+
+/// Calls what(contacts, size of their history).
+template <class Cohesion>
+template <class What>
+void PairGranCohesive<Cohesion>::with_contacts(const What& what) {
+  guarded(lmp, coefficients.where(), [&] {
+    std::visit(
+        [&](auto& contacts) {
+          if (per_pair == HistorySize::with_rolling)
+            what(contacts, std::integral_constant<int, HistorySize::with_rolling>());
+          else if (friction)
+            what(contacts, std::integral_constant<int, HistorySize::with_friction>());
+          else
+            what(contacts, std::integral_constant<int, HistorySize::normal_only>());
+        },
+        any_contacts);
+  });
 }
 
 template <class Cohesion>
-inline PairMotion PairGranCohesive<Cohesion>::with_spins(const RelativeState& grid, int i,
-                                                         int j) const {
-  return {grid, vector(atom->omega[i]), vector(atom->omega[j])};
+void PairGranCohesive<Cohesion>::gather() {
+  if (!acts) return;
+  if (rested) begin_where_they_are(true);
+  if (neighbor->ago == 0) check_radii(lmp, coefficients.where(), largest_radius);
+  with_contacts([this](auto& contacts, auto size) { gather<size>(contacts); });
 }
 
 template <class Cohesion>
-template <bool FRICTION, bool ROLLING, class Contact>
-void PairGranCohesive<Cohesion>::follow(Contacts<Contact>& contacts) {
-  if constexpr (Contact::acts_within_step) follow_alone<FRICTION, ROLLING>(contacts);
-  evflag || step->sums_flux() ? follow_together<true, FRICTION, ROLLING>(contacts)
-                              : follow_together<false, FRICTION, ROLLING>(contacts);
+void PairGranCohesive<Cohesion>::join() {
+  if (acts) with_contacts([this](auto& contacts, auto size) { join<size>(contacts); });
 }
 
-/// The pairs that may touch in this step.
 template <class Cohesion>
-template <class Contact>
-void PairGranCohesive<Cohesion>::find_active(Contacts<Contact>& contacts) {
-  active.clear();
-  contacts.clear();
-  const bool first = step->window().before == 0.0;
-  // Both fly half a step from the grid point, or, sampled, are found a whole one beyond the edge.
-  const double flights = coefficients.scheme() == Scheme::sampled ? 4.0 : 2.0;
-  const double reach = largest_range + flights * step->flight();
+void PairGranCohesive<Cohesion>::follow_alone() {
+  if (acts) with_contacts([this](auto& contacts, auto size) { follow_alone<size>(contacts); });
+}
+
+/// Calls what(i, j, kept, history) for the pairs that may touch in this step.
+template <class Cohesion>
+template <class What>
+void PairGranCohesive<Cohesion>::for_each_close(const What& what) {
+  // Both fly a whole step from the grid point, or, sampled, are found that far beyond the edge.
+  const double reach = largest_range + 4.0 * step->flight();
   if (reach > close.allowed())
     error->one(FLERR,
                "{}: particles fly up to {} in half a step and could miss a "
                "contact, the neighbour list allows for {}: use a smaller time step or a skin above "
                "{}. The fastest: {}",
-               coefficients.where(), step->flight(), (close.allowed() - largest_range) / flights,
-               10.0 * flights * step->flight(), report_fastest(lmp));
+               coefficients.where(), step->flight(), 0.25 * (close.allowed() - largest_range),
+               (coefficients.scheme() == Scheme::event ? 20.0 : 40.0) * step->flight(), report_fastest(lmp));
   close.update(*list, reach, history->firstflag);
-
   int* const* const flags = history->firstflag;
   double* const* const values_of = history->firstvalue;
   for (const ClosePair& pair : close) {
-    const int i = pair.i, j = pair.j;
-    if (!moves(i, j)) continue;
-    int& kept = flags[i][pair.place];
-    double* const values = values_of[i] + per_pair * pair.place;
+    if (!moves(pair.i, pair.j)) continue;
+    what(pair.i, pair.j, flags[pair.i][pair.place], values_of[pair.i] + per_pair * pair.place);
+  }
+}
+
+template <class Cohesion>
+template <int SIZE>
+void PairGranCohesive<Cohesion>::gather(Contacts<EventContact>& contacts) {
+  contacts_now.clear();
+  contacts.clear();
+  const ContactsOfStep<EventContact, SIZE> scatter(atom, step);
+  for_each_close([&](int i, int j, int& kept, double* values) {
     const int c = contact(contacts, i, j);
-    if (!kept) {
-      if (!contacts.all[c].within_reach(on_grid(i, j))) continue;
+    const EventContact& law = contacts.all[c];
+    ContactMemory known;
+    if (kept) known = ContactMemory::from(values, SIZE);
+    if (known.phase == ContactMemory::beyond) {
+      kept = 0;
+      if (!law.within_reach(on_grid(i, j), step->flight())) return;
       std::fill_n(values, per_pair, 0.0);
       // A pair that a run starts with is where it is; it did not fall into the range.
-      if (first) values[0] = closer(contacts.all[c].range(), i, j);
+      if (step->starts() && closer(law.range(), i, j)) known.phase = ContactMemory::inside;
     }
-    active.push_back({i, j, c, false, &kept, values});
-    if (!Contact::acts_within_step) continue;
-    step->announce(i);
-    step->announce(j);
-  }
+    kept = 1;
+    contacts_now.take<SIZE>(scatter, step, law, c, i, j, on_grid_with_spins(i, j), known, values);
+  });
 }
 
-/// Every contact by itself: what it would do to its two particles, where that matters to others.
-/// Flattened, as the next one: the laws are many small functions, and calls cost a packing a
-/// quarter.
 template <class Cohesion>
-template <bool FRICTION, bool ROLLING, class Contact>
-[[gnu::flatten]] void PairGranCohesive<Cohesion>::follow_alone(Contacts<Contact>& contacts) {
-  if (ROLLING) rolled.assign(active.size(), {});
-  changes.resize(active.size());
-  PairMotion* next = changes.data();
-  for (Active& pair : active) {
-    PairMotion& change = *next++;
-    const int i = pair.i, j = pair.j;
-    pair.only = !ROLLING && step->has_one_contact(i) && step->has_one_contact(j);
-    if (pair.only) continue;
-    const Contact& c = contacts.all[pair.contact];
-    PairMotion motion = with_spins(on_grid(i, j), i, j);
-    PairStep normal = c.advance(motion.relative, pair.history[0] != 0.0);
-    if (!normal.acts) {
-      change = {};
-      continue;
-    }
-    change = c.template alone<FRICTION>(motion, normal, spring_memory<FRICTION>(pair.history));
-    add_alone<FRICTION>(step->alone[i], -1.0, c.share_i(), change);
-    add_alone<FRICTION>(step->alone[j], 1.0, c.share_j(), change);
-    if (ROLLING)
-      rolled[&pair - active.data()] =
-          roll_alone(c, motion, change, normal, pair.history, step->alone[i], step->alone[j]);
-  }
-  step->share(FRICTION ? 9 : 6);
+template <int SIZE>
+void PairGranCohesive<Cohesion>::join(Contacts<EventContact>& contacts) {
+  contacts_now.join(ContactsOfStep<EventContact, SIZE>(atom, step), step, contacts.all);
 }
 
-/// Every contact again, with half of what the other contacts of its particles do, and friction.
 template <class Cohesion>
-template <bool TALLY, bool FRICTION, bool ROLLING, class Contact>
-[[gnu::flatten]] void PairGranCohesive<Cohesion>::follow_together(Contacts<Contact>& contacts) {
-  const int nlocal = atom->nlocal;
-  const ContactScatter scatter(atom, step);
-  const PairMotion* next = changes.data();
+template <int SIZE>
+void PairGranCohesive<Cohesion>::follow_alone(Contacts<EventContact>& contacts) {
+  contacts_now.follow_alone(ContactsOfStep<EventContact, SIZE>(atom, step), step, contacts.all);
+}
 
-  for (Active& pair : active) {
-    const int i = pair.i, j = pair.j;
-    const Contact& c = contacts.all[pair.contact];
-    PairMotion others;
-    if constexpr (Contact::acts_within_step) {
-      const PairMotion& change = *next++;
-      if (!pair.only) others = others_of<FRICTION>(step->alone[i], step->alone[j], change);
+template <class Cohesion>
+template <int SIZE>
+void PairGranCohesive<Cohesion>::follow_together(Contacts<EventContact>& contacts) {
+  const ContactsOfStep<EventContact, SIZE> scatter(atom, step);
+  const bool tallies = evflag || step->sums_flux();
+  const auto tally_one = [&](int i, int j, const EventContact& c, const PairMotion& grid,
+                             const ContactMemory& before, const Vector3& impulse,
+                             const Vector3& by_contact) {
+    const StoredEnergies stored = c.stored(grid, before);
+    tally(c, i, j, grid.relative.separation, stored.spring + stored.adhesion, impulse, by_contact);
+  };
+  if (tallies)
+    for (const LastingContact& p : contacts_now.lasting) {
+      const EventContact& c = contacts.all[p.contact];
+      tally_one(p.i, p.j, c, p.grid, p.before, p.action.impulse, c.by_contact(p.grid, p.action));
     }
-    PairSpins by_rolling;
-    if (ROLLING && Contact::acts_within_step) {
-      by_rolling = c.rolled(rolled[&pair - active.data()]);
-      others = without(others, by_rolling);
+  // What a contact remembers is new after its second pass.
+  std::vector<ContactMemory> before;
+  if (tallies)
+    for (const FollowedContact& p : contacts_now.followed) before.push_back(p.memory);
+  contacts_now.follow_together(
+      scatter, step, contacts.all,
+      [&](const FollowedContact& p, const EventContact& c, const Action& action) {
+        if (!tallies) return;
+        tally_one(p.i, p.j, c, p.grid, before[&p - contacts_now.followed.data()], action.impulse,
+                  c.by_contact(p.grid, p.step, action));
+      });
+}
+
+template <class Cohesion>
+template <int SIZE>
+void PairGranCohesive<Cohesion>::gather(Contacts<SampledContact>& contacts) {
+  sampled_now.clear();
+  contacts.clear();
+  for_each_close([&](int i, int j, int& kept, double* values) {
+    const int c = contact(contacts, i, j);
+    if (!kept) {
+      if (!contacts.all[c].within_reach(on_grid(i, j))) return;
+      std::fill_n(values, per_pair, 0.0);
+      if (step->starts()) values[0] = closer(contacts.all[c].range(), i, j);
     }
-    PairMotion motion = with_spins(on_grid(i, j), i, j);
-    constexpr bool among_others = Contact::acts_within_step;
-    FollowedContact now =
-        follow_with_others<FRICTION>(c, motion, among_others ? &others : nullptr,
-                                     ROLLING && among_others ? &by_rolling : nullptr, pair.history);
+    sampled_now.push_back({i, j, c, &kept, values});
+  });
+}
+
+template <class Cohesion>
+template <int SIZE>
+void PairGranCohesive<Cohesion>::follow_together(Contacts<SampledContact>& contacts) {
+  const ContactsOfStep<SampledContact, SIZE> scatter(atom, step);
+  for (const SampledActive& pair : sampled_now) {
+    const SampledContact& c = contacts.all[pair.contact];
+    const PairMotion grid = on_grid_with_spins(pair.i, pair.j);
+    const SampledForce now = sample<SIZE>(scatter, step, c, pair.i, pair.j, grid, pair.history);
     *pair.kept = now.normal.inside;
-
-    if (now.normal.acts) {
-      scatter.on_i<FRICTION>(i, c, now);
-      if (j < nlocal) scatter.on_j<FRICTION>(j, c, now);
-    }
-    scatter.book(c, j < nlocal ? 1.0 : 0.5, now);
-    if (ROLLING) {
-      RollingStep rolling = roll_with_others(c, motion, others, now, pair.history);
-      scatter.roll_i(i, rolling);
-      if (j < nlocal) scatter.roll_j(j, rolling);
-      scatter.book(c, j < nlocal ? 1.0 : 0.5, rolling);
-    }
-    if (TALLY) {
-      const Vector3 d = on_grid(i, j).separation;
-      const Vector3 on_i = -scatter.kick() * now.impulse;
-      if (step->sums_flux())
-        step->flux.add(j < nlocal ? 1.0 : 0.5, c, d, now.normal, now.sliding, now.impulse);
-      if (evflag)
-        ev_tally_xyz(i, j, nlocal, 0, c.spring_energy(now.normal) + c.adhesion_energy(now.normal),
-                     0.0, on_i.x, on_i.y, on_i.z, -d.x, -d.y, -d.z);
-    }
+    if (!evflag && !step->sums_flux()) continue;
+    const Vector3& d = grid.relative.separation;
+    tally(c, pair.i, pair.j, d, c.spring_energy(now.normal) + c.adhesion_energy(now.normal),
+          now.action.impulse,
+          impulse_by_contact(c, d, now.normal, now.sliding, now.action.impulse));
   }
+}
+
+/// `impulse` on j, and the part of it that is not adhesion's.
+template <class Cohesion>
+template <class Contact>
+void PairGranCohesive<Cohesion>::tally(const Contact&, int i, int j, const Vector3& separation,
+                                       double energy, const Vector3& impulse,
+                                       const Vector3& by_contact) {
+  const int nlocal = atom->nlocal;
+  if (step->sums_flux())
+    step->flux.add(j < nlocal ? 1.0 : 0.5, separation, impulse, by_contact);
+  if (!evflag) return;
+  const Vector3 on_i = -step->force_per_impulse() * impulse;
+  ev_tally_xyz(i, j, nlocal, 0, energy, 0.0, on_i.x, on_i.y, on_i.z, -separation.x, -separation.y,
+               -separation.z);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -287,14 +305,14 @@ bool PairGranCohesive<Cohesion>::bound_pairs_are_read() const {
 
 template <class Cohesion>
 int PairGranCohesive<Cohesion>::values_per_pair() const {
-  return coefficients.any_rolls() ? WITH_ROLLING : WITH_FRICTION;
+  return coefficients.any_rolls() ? HistorySize::with_rolling : HistorySize::with_friction;
 }
 
-/// A tenth of the skin for the flight of both within half a step: it is far less where the engine's
-/// own check of the list holds at all.
+/// For the flight of both within a step a tenth, or a fifth, of the skin: it is far less where the
+/// engine's own check of the list holds at all.
 template <class Cohesion>
 double PairGranCohesive<Cohesion>::for_flight() const {
-  return 0.1 * neighbor->skin;
+  return (coefficients.scheme() == Scheme::event ? 0.2 : 0.1) * neighbor->skin;
 }
 
 template <class Cohesion>

@@ -23,7 +23,10 @@ namespace LAMMPS_NS {
 /// sampled. `Cohesion` (hamaker_cohesion.h, square_well_cohesion.h) says what is its own: name,
 /// keywords, law, range, and which pairs of src/event_stepping follow it.
 template <class Cohesion>
-class PairGranCohesive : public Pair, public BoundPairs, public EventPairs, public AdvisedStyle {
+class PairGranCohesive : public Pair,
+                         public BoundPairs,
+                         public EventContacts,
+                         public AdvisedStyle {
  public:
   explicit PairGranCohesive(class LAMMPS*);
   ~PairGranCohesive() override;
@@ -46,12 +49,14 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventPairs, publ
   }
   void append_bound(std::vector<std::array<int, 2>>&) const override;
   bool follows() const override { return looks; }
+  void gather() override;
+  void join() override;
+  void follow_alone() override;
+  void book_standing() override;
   void give_advice(const Circumstances&) override;
   bool rubs(int type) const override { return coefficients.rubs(type, atom->ntypes); }
 
  private:
-  template <class Pair>
-  using ContactOf = cohesion::event_stepping::CohesiveContact<Pair>;
   /// The contacts of a step, and by type pair which of them was used last.
   template <class Contact>
   struct Contacts {
@@ -65,14 +70,14 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventPairs, publ
     }
   };
   /// One alternative per scheme, in the order of Scheme.
-  using AnyContacts = std::variant<Contacts<ContactOf<typename Cohesion::EventPair>>,
-                                   Contacts<ContactOf<typename Cohesion::Sampled>>>;
+  using EventContact = cohesion::event_stepping::ContactOnGrid<typename Cohesion::EventPair>;
+  using SampledContact = cohesion::event_stepping::CohesiveContact<typename Cohesion::Sampled>;
+  using AnyContacts = std::variant<Contacts<EventContact>, Contacts<SampledContact>>;
 
-  /// A pair that may touch in this step.
-  struct Active {
+  /// A sampled pair that may touch in this step.
+  struct SampledActive {
     int i, j;
     int contact;      // of those of this step
-    bool only;        // neither particle has another contact
     int* kept;        // 1 while the pair has a history
     double* history;  // HistorySize
   };
@@ -86,40 +91,55 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventPairs, publ
   template <class Contact>
   int new_contact(Contacts<Contact>&, int of_types, int i, int j);
   cohesion::event_stepping::RelativeState on_grid(int i, int j) const;
+  cohesion::event_stepping::PairMotion on_grid_with_spins(int i, int j) const;
   cohesion::event_stepping::PairMotion with_spins(const cohesion::event_stepping::RelativeState&,
                                                   int i, int j) const;
-  template <bool FRICTION, bool ROLLING, class Contact>
-  void follow(Contacts<Contact>&);
   bool closer(double gap, int i, int j) const;
   bool moves(int i, int j) const;
   template <class What>
   void for_each_listed(const What&) const;
   void begin_where_they_are(bool afresh);
+  template <class What>
+  void for_each_close(const What&);
+  template <int SIZE>
+  void gather(Contacts<EventContact>&);
+  template <int SIZE>
+  void gather(Contacts<SampledContact>&);
+  template <int SIZE>
+  void join(Contacts<EventContact>&);
+  template <int SIZE>
+  void join(Contacts<SampledContact>&) {}
+  template <int SIZE>
+  void follow_alone(Contacts<EventContact>&);
+  template <int SIZE>
+  void follow_alone(Contacts<SampledContact>&) {}
+  template <int SIZE>
+  void follow_together(Contacts<EventContact>&);
+  template <int SIZE>
+  void follow_together(Contacts<SampledContact>&);
   template <class Contact>
-  void find_active(Contacts<Contact>&);
-  template <bool FRICTION, bool ROLLING, class Contact>
-  void follow_alone(Contacts<Contact>&);
-  template <bool TALLY, bool FRICTION, bool ROLLING, class Contact>
-  void follow_together(Contacts<Contact>&);
+  void tally(const Contact&, int i, int j, const cohesion::Vector3& separation, double energy,
+             const cohesion::Vector3& impulse, const cohesion::Vector3& by_contact);
+  template <class What>
+  void with_contacts(const What&);
   void tally_standing();
-  void follow_pairs();
+  template <class What>
+  void for_each_standing(const What&);
   std::vector<AdvisedContact> advised_contacts(const std::vector<LightestParticle>&) const;
 
   CohesiveCoefficients<Cohesion> coefficients;
   cohesion::advice::Said said;
   AnyContacts any_contacts;
   std::vector<double> largest_radius, smallest_radius;  // by type, at init
-  std::vector<Active> active;
-  /// What each active pair would do without the others; of one that is their only one: nothing.
-  std::vector<cohesion::event_stepping::PairMotion> changes;
-  std::vector<cohesion::Vector3> rolled;  // with rolling friction, of each: from roll_alone()
-  ClosePairs close;                       // those that may become active
-  double largest_range;                   // up to which the scheme has to see a pair
-  bool friction;                          // whether any contact has friction
-  bool acts;                              // whether anything can happen in this run
-  bool looks;                             // whether any pair is looked at in it
-  bool rested;                            // nothing acted, and no pair was followed
-  int per_pair;                           // values of history (HistorySize); 0: there is none yet
+  StepContacts contacts_now;   // event scheme: those of this step
+  std::vector<SampledActive> sampled_now;
+  ClosePairs close;            // those that may touch in a step
+  double largest_range;        // up to which the scheme has to see a pair
+  bool friction;               // whether any contact has friction
+  bool acts;                   // whether anything can happen in this run
+  bool looks;                  // whether any pair is looked at in it
+  bool rested;                 // nothing acted, and no pair was followed
+  int per_pair;                // values of history (HistorySize); 0: there is none yet
   class FixEventStep* step;
   PairHistory history;
 };
@@ -146,16 +166,22 @@ template <class Contact>
 int PairGranCohesive<Cohesion>::new_contact(Contacts<Contact>& contacts, int of_types, int i,
                                             int j) {
   const cohesion::event_stepping::Body a = step->body(i), b = step->body(j);
-  contacts.all.emplace_back(
+  contacts.all.push_back(step->contact<Contact>(
       coefficients.contact(of_types),
       coefficients.template attraction<typename Contact::Attraction>(of_types, a.radius, b.radius),
-      a, b, step->window());
+      a, b));
   return contacts.last[of_types] = static_cast<int>(contacts.all.size()) - 1;
 }
 
 template <class Cohesion>
 bool PairGranCohesive<Cohesion>::closer(double gap, int i, int j) const {
   return norm(on_grid(i, j).separation) < atom->radius[i] + atom->radius[j] + gap;
+}
+
+template <class Cohesion>
+inline cohesion::event_stepping::PairMotion PairGranCohesive<Cohesion>::on_grid_with_spins(
+    int i, int j) const {
+  return {on_grid(i, j), vector(atom->omega[i]), vector(atom->omega[j])};
 }
 
 /// Pairs of which neither is moved by anything are not followed.

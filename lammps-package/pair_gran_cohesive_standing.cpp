@@ -46,32 +46,44 @@ void PairGranCohesive<Cohesion>::begin_where_they_are(bool afresh) {
 
 /// Energies of the pairs where they stand, for a run that takes over the forces of the last one.
 template <class Cohesion>
+void PairGranCohesive<Cohesion>::book_standing() {
+  if (!acts) return;
+  if (rested) begin_where_they_are(true);
+  if (step->box_changed()) begin_where_they_are(false);
+  if (!step->book.kept) return;
+  for_each_standing([this](int i, int j, const StoredEnergies& stored) {
+    step->book_stored(j < atom->nlocal ? 1.0 : 0.5, stored);
+    (void)i;
+  });
+}
+
+template <class Cohesion>
 void PairGranCohesive<Cohesion>::tally_standing() {
+  for_each_standing([this](int i, int j, const StoredEnergies& stored) {
+    const Vector3 d = on_grid(i, j).separation;
+    ev_tally_xyz(i, j, atom->nlocal, 0, stored.spring + stored.adhesion, 0.0, 0.0, 0.0, 0.0, -d.x,
+                 -d.y, -d.z);
+  });
+}
+
+/// Calls what(i, j, energies) for each pair with a history.
+template <class Cohesion>
+template <class What>
+void PairGranCohesive<Cohesion>::for_each_standing(const What& what) {
   std::visit(
-      [this](auto& contacts) {
+      [&](auto& contacts) {
         contacts.clear();
         for_each_listed([&](int i, int j, int kept, const double* values) {
           if (!kept || !moves(i, j)) return;
           const auto& c = contacts.all[contact(contacts, i, j)];
-          const Vector3 d = on_grid(i, j).separation;
-          PairStep standing;
-          standing.overlap_at_end = atom->radius[i] + atom->radius[j] - norm(d);
-          standing.inside = values[0] != 0.0;
-          if (step->book.kept)
-            book_standing(step->book, j < atom->nlocal ? 1.0 : 0.5,
-                          c.stored({{d, step->taken_velocity(j) - step->taken_velocity(i)},
-                                    step->taken_spin(i),
-                                    step->taken_spin(j)},
-                                   step->half_flight(), standing.inside,
-                                   memory_in(values, per_pair, WITH_FRICTION),
-                                   memory_in(values, per_pair, WITH_ROLLING)));
-          if (evflag)
-            ev_tally_xyz(i, j, atom->nlocal, 0,
-                         c.spring_energy(standing) + c.adhesion_energy(standing), 0.0, 0.0, 0.0,
-                         0.0, -d.x, -d.y, -d.z);
+          what(i, j, c.stored(on_grid_with_spins(i, j), ContactMemory::from(values, per_pair)));
         });
       },
       any_contacts);
+}
+
+static bool is_inside(int kept, const double* values) {
+  return kept && ContactMemory::from(values, HistorySize::normal_only).in_range();
 }
 
 /// Bound are the pairs within the range of contact and adhesion, of those that are followed or,
@@ -79,20 +91,23 @@ void PairGranCohesive<Cohesion>::tally_standing() {
 template <class Cohesion>
 void PairGranCohesive<Cohesion>::append_bound(std::vector<std::array<int, 2>>& pairs) const {
   for_each_listed([&](int i, int j, int kept, const double* values) {
-    if (rested ? moves(i, j) && closer(0.0, i, j) : kept && values[0] != 0.0)
+    if (rested ? moves(i, j) && closer(0.0, i, j) : is_inside(kept, values))
       pairs.push_back({i, j});
   });
 }
 
 template void PairGranCohesive<HamakerCohesion>::begin_where_they_are(bool);
 template void PairGranCohesive<HamakerCohesion>::tally_standing();
+template void PairGranCohesive<HamakerCohesion>::book_standing();
 template void PairGranCohesive<HamakerCohesion>::append_bound(
     std::vector<std::array<int, 2>>&) const;
 template void PairGranCohesive<SquareWellCohesion>::begin_where_they_are(bool);
 template void PairGranCohesive<SquareWellCohesion>::tally_standing();
+template void PairGranCohesive<SquareWellCohesion>::book_standing();
 template void PairGranCohesive<SquareWellCohesion>::append_bound(
     std::vector<std::array<int, 2>>&) const;
 template void PairGranCohesive<SquareWellOverlay>::begin_where_they_are(bool);
 template void PairGranCohesive<SquareWellOverlay>::tally_standing();
+template void PairGranCohesive<SquareWellOverlay>::book_standing();
 template void PairGranCohesive<SquareWellOverlay>::append_bound(
     std::vector<std::array<int, 2>>&) const;

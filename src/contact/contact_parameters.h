@@ -53,12 +53,19 @@ inline LinearSpringDashpot normal_contact(const ContactParameters& p, double red
   return LinearSpringDashpot::from_restitution(p.stiffness, p.restitution, reduced_mass);
 }
 
-/// The tangential contact that belongs to it. The rolling contact has the same spring and dashpot,
-/// and mu_R in place of mu_f.
+/// The tangential contact that belongs to it.
 inline TangentialParameters tangential_contact(const ContactParameters& p,
                                                const LinearSpringDashpot& normal) {
   return {p.tangential_ratio * p.stiffness, p.tangential_damping_ratio * normal.damping(),
           p.friction};
+}
+
+/// The rolling contact has the same spring and dashpot, and mu_R in place of mu_f.
+inline TangentialParameters rolling_contact(const ContactParameters& p,
+                                            const LinearSpringDashpot& normal) {
+  TangentialParameters rolling = tangential_contact(p, normal);
+  rolling.friction = p.rolling_friction;
+  return rolling;
 }
 
 }  // namespace cohesion::contact

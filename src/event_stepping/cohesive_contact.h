@@ -5,40 +5,14 @@
 
 #include "contact/contact_parameters.h"
 #include "event_stepping/pair_step.h"
+#include "event_stepping/contact_memory.h"
+#include "event_stepping/pair_motion.h"
 #include "event_stepping/plane_pair.h"
 #include "event_stepping/sphere_pair.h"
 #include "event_stepping/spring_memory.h"
 #include "sphere.h"
 
 namespace cohesion::event_stepping {
-
-/// What a contact must know of a particle; a wall has inverse mass 0 and radius 0.
-struct Body {
-  double radius;        ///< [length]
-  double inverse_mass;  ///< [1/mass]; 0: moves as it is told
-
-  bool operator==(const Body& other) const {
-    return radius == other.radius && inverse_mass == other.inverse_mass;
-  }
-};
-
-/// 1/I of a solid sphere, [1/(mass length^2)]; 0 for a wall.
-inline double inverse_inertia(const Body& body) {
-  return body.inverse_mass > 0.0 ? 2.5 * body.inverse_mass / (body.radius * body.radius) : 0.0;
-}
-
-/// Relative motion and spins of a pair, or changes of them.
-struct PairMotion {
-  RelativeState relative{};
-  Vector3 spin_i{};  ///< [1/time]
-  Vector3 spin_j{};
-};
-
-/// Changes of the spins of a pair, [1/time].
-struct PairSpins {
-  Vector3 i{};
-  Vector3 j{};
-};
 
 /// What others do to a sphere, `others`, as its contact with a wall sees it. `separation`: to the
 /// foot of the normal. What moves the centre along the wall leaves the distance and the normal as
@@ -64,14 +38,6 @@ struct RollingStep {
   Vector3 torque_i;                ///< angular impulse on i, its reverse on j, [momentum length]
 };
 
-/// What a contact stores, [energy].
-struct StoredEnergies {
-  double spring;
-  double tangential_spring;
-  double rolling_spring;
-  double adhesion;  ///< zero for particles far from each other
-};
-
 /// One pair in contact: normal motion by Pair, tangential and rolling spring over the time in
 /// contact. Pair is SpherePair, PlanePair or WellPair, which follow the motion exactly, or
 /// SampledPair or SampledWell. Everything that does not change from step to step is worked out
@@ -81,6 +47,7 @@ class CohesiveContact {
  public:
   using Attraction = typename Pair::Attraction;
   static constexpr bool acts_within_step = Pair::acts_within_step;
+  static constexpr bool on_grid = false;
 
   CohesiveContact(const contact::ContactParameters& parameters, const Attraction& attraction,
                   const Body& i, const Body& j, const StepWindow& window)
@@ -123,49 +90,22 @@ class CohesiveContact {
     return pair_.advance(grid, window_, inside);
   }
 
-  /// What the contact does to its particles by itself in the step that `normal` describes, but for
-  /// rolling.
-  template <bool FRICTION>
-  PairMotion alone(const PairMotion& grid, const PairStep& normal, const Vector3& memory) const {
-    PairMotion change{normal.change, {}, {}};
-    if (!FRICTION || normal.normal.contact_time == 0.0) return change;
-    FrictionStep sliding = friction(grid, nullptr, normal, memory);
-    change.relative.velocity += inverse_mass_ * sliding.spring.impulse;
-    change.spin_i = spin_share_i_ * sliding.torque_i;
-    change.spin_j = spin_share_j_ * sliding.torque_j;
-    return change;
-  }
-
-  /// Friction in the step that `normal` describes, followed from `grid` with half of what the other
-  /// contacts of its particles do, `others` (nullptr: it has none). `memory` is what the last step
-  /// left (FrictionStep.memory); `by_rolling` what the contact's rolling spring does beside others
-  /// (nullptr: it has none).
+  /// Friction in the step that `normal` describes. `memory`: what the last step left
+  /// (FrictionStep.memory).
   ///
   /// The lever arms of two spheres share the distance of their centres in proportion to the radii,
   /// so that angular momentum is kept exactly; beside a wall, the limit of a large sphere, the arm
   /// is the radius.
-  FrictionStep friction(const PairMotion& grid, const PairMotion* others, const PairStep& normal,
-                        const Vector3& memory, const PairSpins* by_rolling = nullptr) const {
-    Vector3 r = grid.relative.separation;
-    if (acts_within_step) r += normal.change.separation;
-    if (others) r += 0.5 * others->relative.separation;
+  FrictionStep friction(const PairMotion& grid, const PairStep& normal,
+                        const Vector3& memory) const {
+    const Vector3& r = grid.relative.separation;
     const double square = dot(r, r);
     const contact::Plane plane{r, 1.0 / square};
     const double lever_i = this->lever_i(square);
     const double lever_j = 1.0 - lever_i;
-    const auto surface_velocity = [&](const Vector3& velocity, const PairMotion& of) {
-      return CohesiveContact::surface_velocity(plane, lever_i, velocity, of.spin_i, of.spin_j);
-    };
-    SpringVelocity u(surface_velocity(grid.relative.velocity + 0.5 * normal.change.velocity, grid));
-    if (others) {
-      const Vector3 by_others = surface_velocity(others->relative.velocity, *others);
-      if (by_rolling) {
-        const Vector3 by_partner = surface_velocity({}, {{}, by_rolling->i, by_rolling->j});
-        u.add(by_others, &by_partner);
-      } else {
-        u.add(by_others, nullptr);
-      }
-    }
+    const SpringVelocity u(surface_velocity(plane, lever_i,
+                                            grid.relative.velocity + 0.5 * normal.change.velocity,
+                                            grid.spin_i, grid.spin_j));
     const double answer = inverse_mass_ + square * (lever_i * lever_i * spin_share_i_ +
                                                     lever_j * lever_j * spin_share_j_);
     SpringStep step = follow_spring(tangential_, normal, window_, plane, memory, u, answer);
@@ -187,18 +127,14 @@ class CohesiveContact {
   ///
   /// Source: S. Luding, Granular Matter 10 (2008) 235; Y. Wang, F. Alonso-Marroquin, W. W. Guo,
   /// Particuology 23 (2015) 49.
-  RollingStep rolling(const PairMotion& grid, const PairMotion& others, const PairStep& normal,
-                      const Vector3& memory, const PairSpins& by_friction = {}) const {
-    const Vector3 r =
-        grid.relative.separation + 0.5 * others.relative.separation + normal.change.separation;
+  RollingStep rolling(const PairMotion& grid, const PairStep& normal, const Vector3& memory,
+                      const PairSpins& by_friction = {}) const {
+    const Vector3& r = grid.relative.separation;
     const contact::Plane plane{r, 1.0 / dot(r, r)};
     const double radius = rolling_radius();
-    const auto rolling_velocity = [&](const Vector3& spin_i, const Vector3& spin_j) {
-      return CohesiveContact::rolling_velocity(plane, spin_i, spin_j);
-    };
-    SpringVelocity u(rolling_velocity(grid.spin_i, grid.spin_j));
-    const Vector3 by_partner = rolling_velocity(by_friction.i, by_friction.j);
-    u.add(rolling_velocity(others.spin_i, others.spin_j), &by_partner);
+    SpringVelocity u(rolling_velocity(plane, grid.spin_i, grid.spin_j));
+    const Vector3 by_partner = rolling_velocity(plane, by_friction.i, by_friction.j);
+    u.add({}, &by_partner);
     SpringStep step = follow_spring(tangential_.with_friction(rolling_friction_), normal, window_,
                                     plane, memory, u, inverse_rolling_mass());
     return {step.spring, step.memory, radius * step.spring.impulse};
@@ -229,33 +165,24 @@ class CohesiveContact {
     return step.inside ? pair_.adhesion_energy(step.overlap_at_end) : 0.0;
   }
 
-  /// What is stored at the end of a step that left the pair with `motion`, its separation that of
-  /// the grid and all else that of the end, and on the grid `sliding` and `rolling` in the springs
-  /// (FrictionStep.memory, RollingStep.memory). `after` [time]: from the grid to the end, in which
-  /// the springs go on with their ends, as they are carried over it (spring_memory.h).
-  StoredEnergies stored(const PairMotion& motion, double after, bool inside, const Vector3& sliding,
-                        const Vector3& rolling) const {
-    const RelativeState& grid = motion.relative;
-    const contact::Plane on_grid{grid.separation, 1.0 / dot(grid.separation, grid.separation)};
-    // A wall is met along its normal; what is sampled, is where the grid is.
-    const Vector3 flight =
-        (acts_within_step ? after : 0.0) *
-        (j_.radius > 0.0 ? grid.velocity : grid.velocity - on_grid.part_in(grid.velocity));
-    const Vector3 r = grid.separation + flight;
+  /// What is stored at the grid point. `memory` holds the in-range flag as its phase.
+  StoredEnergies stored(const PairMotion& grid, const ContactMemory& memory) const {
+    const Vector3& r = grid.relative.separation;
     const double square = dot(r, r);
     const contact::Plane plane{r, 1.0 / square};
-    PairStep end;
-    end.overlap_at_end = i_.radius + j_.radius - std::sqrt(square);
-    end.inside = inside;
-    const auto spring = [&](const Vector3& memory, const Vector3& velocity) {
-      if (dot(memory, memory) == 0.0) return 0.0;
-      return friction_energy(plane.turned_into(memory) + after * velocity);
+    PairStep now;
+    now.overlap_at_end = i_.radius + j_.radius - std::sqrt(square);
+    now.inside = memory.in_range();
+    const auto spring = [&](const Vector3& stretch, const Vector3& rate) {
+      if (dot(stretch, stretch) == 0.0) return 0.0;
+      return friction_energy(plane.turned_into(stretch) + 2.0 * window_.before * rate);
     };
-    return {spring_energy(end),
-            spring(sliding, surface_velocity(plane, lever_i(square), grid.velocity, motion.spin_i,
-                                             motion.spin_j)),
-            spring(rolling, rolling_velocity(plane, motion.spin_i, motion.spin_j)),
-            adhesion_energy(end)};
+    return {spring_energy(now),
+            spring(memory.sliding.stretch,
+                   surface_velocity(plane, lever_i(square), grid.relative.velocity, grid.spin_i,
+                                    grid.spin_j)),
+            spring(memory.rolling.stretch, rolling_velocity(plane, grid.spin_i, grid.spin_j)),
+            adhesion_energy(now)};
   }
 
  private:

@@ -4,39 +4,23 @@
 #include <algorithm>
 #include <cmath>
 
-#include "event_stepping/cohesive_contact.h"
+#include "contact/contact_parameters.h"
+#include "event_stepping/contact_memory.h"
 #include "event_stepping/damped_oscillator.h"
+#include "event_stepping/pair_motion.h"
+#include "event_stepping/plane_pair.h"
+#include "event_stepping/sphere_pair.h"
+#include "event_stepping/spring_on_grid.h"
 
 namespace cohesion::event_stepping {
 
-/// What is remembered of a contact from one grid point to the next.
-struct ContactMemory {
-  /// `beyond`: out of range, known by the grid. `inside`, `left`: in range or out of it after a
-  /// step that was followed. `lasting`: in contact after a step of one force, known by the grid.
-  enum Phase { beyond, inside, left, lasting };
-  Phase phase = beyond;
-  double age = 0.0;  ///< steps since anything but lasting contact happened to it
-  double ahead =
-      0.0;           ///< true radial velocity over the grid's, after a followed step, [length/time]
-  Vector3 spring{};  ///< of friction: stretch at the grid point before, [length]
-  Vector3 carried{};  ///< impulse of friction that acted already, its force not, [momentum]
-
-  bool in_range() const { return phase == inside || phase == lasting; }
-};
-
-/// What a contact does to its particles: the impulse acts on j, its reverse on i.
-struct Action {
-  Vector3 impulse{};   ///< [momentum]
-  Vector3 torque_i{};  ///< angular impulses, [momentum length]
-  Vector3 torque_j{};
-};
-
 /// What a followed contact does from one grid point to the next.
 struct FollowedStep {
-  PairStep normal;  ///< along the normal
-  contact::TangentialStep sliding;
-  Vector3 mean;       ///< velocity of the surfaces in contact, [length/time]
-  PairMotion change;  ///< D, V and changes of the spins
+  PairStep normal;                          ///< along the normal
+  contact::TangentialStep sliding, rolling;
+  Vector3 sliding_rate, rolling_rate;       ///< of the ends of both springs, [length/time]
+  PairSpins rolled;                         ///< what the rolling spring changes of the spins
+  PairMotion change;                        ///< D, V and changes of the spins, of all
 };
 
 /// One contact among others, with grid points as exact samples of the motion: positions x_n are the
@@ -47,12 +31,20 @@ struct FollowedStep {
 /// first alone, then with half of what the others of both particles do before it and half after.
 /// Of what the contact does in the step, D to the separation and V to its rate, the force at t_n
 /// does D; what V is more than D/dt is remembered and leads to the true velocity at t_(n+1).
+/// Friction, whose force changes little within a step, does half of its impulse at t_n and half at
+/// t_(n+1).
 ///
-/// Pair: SpherePair, PlanePair or WellPair.
+/// All forces are central, or act at the point of contact, at grid points: momentum and angular
+/// momentum are kept to rounding.
+///
+/// Pair: SpherePair, PlanePair, WellPair or WellEdge. SIZE: what is remembered, and so whether there
+/// is friction, and rolling friction.
 template <class Pair>
 class ContactOnGrid {
  public:
   using Attraction = typename Pair::Attraction;
+  using Size = ContactMemory::Size;
+  static constexpr bool on_grid = true;
 
   /// step [time].
   ContactOnGrid(const contact::ContactParameters& parameters, const Attraction& attraction,
@@ -63,6 +55,7 @@ class ContactOnGrid {
         inverse_mass_(i.inverse_mass + j.inverse_mass),
         reduced_mass_(1.0 / inverse_mass_),
         lever_i_(j.radius > 0.0 ? i.radius / (i.radius + j.radius) : 0.0),
+        rolling_radius_(j.radius > 0.0 ? lever_i_ * j.radius : i.radius),
         spin_share_i_(inverse_inertia(i)),
         spin_share_j_(inverse_inertia(j)),
         contact_distance_(i.radius + j.radius),
@@ -73,36 +66,40 @@ class ContactOnGrid {
         propagator_(oscillator_.propagator(step)),
         spring_(oscillator_.on_grid(step, reduced_mass_)),
         pull_(attraction.force),
-        tangential_parameters_(contact::tangential_contact(parameters, normal_contact_)),
-        tangential_(tangential_parameters_),
-        youth_(std::ceil(2.5 * normal_contact_.contact_time() / step)) {
-    const double answer = this->answer(contact_distance_ * contact_distance_);
-    tangential_spring_ = spring_on_grid(tangential_parameters_.stiffness,
-                                        tangential_parameters_.damping, 1.0 / answer, step);
-  }
+        sliding_(contact::tangential_contact(parameters, normal_contact_), step,
+                 answer(contact_distance_ * contact_distance_)),
+        rolling_(contact::rolling_contact(parameters, normal_contact_), step,
+                 rolling_radius_ * rolling_radius_ * (spin_share_i_ + spin_share_j_)),
+        youth_(2.5 * normal_contact_.contact_time() / step) {}
 
   bool joins(const Body& i, const Body& j) const { return i == i_ && j == j_; }
+  const contact::LinearSpringDashpot& normal_contact() const { return normal_contact_; }
+  /// Gap up to which the pair attracts in this scheme, [length].
+  double range() const { return pair_.range(); }
+  /// Whether there is any adhesion; at a well as wide as the contact it has no range.
+  bool attracts() const { return pair_.range() > 0.0 || pair_.adhesion_energy(0.0) < 0.0; }
   double reduced_mass() const { return reduced_mass_; }
+  /// The part of a relative change that falls to particle i (with a minus sign) and j.
   double share_i() const { return reduced_mass_ * i_.inverse_mass; }
   double share_j() const { return reduced_mass_ * j_.inverse_mass; }
-  double spin_share_i() const { return spin_share_i_; }
-  double spin_share_j() const { return spin_share_j_; }
-  const Pair& pair() const { return pair_; }
 
-  bool within_reach(const RelativeState& grid) const {
-    return pair_.within_reach(grid, {0.0, 2.0 * step_});
+  /// `flown` [length]: what a pair can fly in a step more than its velocity on the grid says.
+  bool within_reach(const RelativeState& grid, double flown) const {
+    const double reach =
+        contact_distance_ + pair_.range() + step_ * norm(grid.velocity) + flown;
+    return dot(grid.separation, grid.separation) <= reach * reach;
   }
 
   /// The force times dt of a contact that is old enough and certainly lasts. False, and nothing
   /// done, where that is not certain.
-  template <bool FRICTION>
-  bool follow_lasting(const PairMotion& grid, ContactMemory& memory, Action& action) const {
+  template <int SIZE>
+  bool follow_lasting(const PairMotion& grid, ContactMemory& memory, Action& action,
+                      ContactLosses& losses) const {
     if (!memory.in_range() || memory.age < youth_) return false;
     const Sample at(*this, grid.relative);
     const double overlap = contact_distance_ - at.distance;
     if (!(overlap > 0.0)) return false;
-    const double before = at.straight + 0.5 * at.turning / at.straight;
-    const double next = at.next(*this, before);
+    const double next = at.next(*this);
     const double change = (next - 0.5 * at.turning / next - at.distance) / step_ - at.radial;
     const double closing = -at.radial - change - at.turning / (step_ * at.distance);
     const double end = overlap + step_ * closing;
@@ -110,40 +107,48 @@ class ContactOnGrid {
     if (!(end > margin && overlap - step_ * std::max(at.radial, 0.0) > 0.0 &&
           end - step_ * std::max(closing, 0.0) > 0.0))
       return false;
-    const Vector3 normal = (1.0 / at.distance) * grid.relative.separation;
     const double repulsion = reduced_mass_ * change / step_ + pull_;
-    action = {(reduced_mass_ * change) * normal, {}, {}};
+    action = {(reduced_mass_ * change / at.distance) * grid.relative.separation, {}, {}};
+    losses.normal_damping = 0.5 * normal_contact_.stiffness() / spring_.stiffness *
+                            spring_.damping * step_ * at.radial * (2.0 * at.radial + change);
     memory.phase = ContactMemory::lasting;
     memory.age += 1.0;
-    if (FRICTION) {
-      memory.carried = rub(grid, repulsion, memory.spring);
-      act(grid.relative.separation, memory.carried, action);
+    if constexpr (SIZE >= ContactMemory::with_friction) {
+      const Touch touch(*this, grid.relative.separation);
+      double damped = 0.0;
+      sliding_.rub(touch.plane, touch.slides(grid.relative.velocity, grid.spin_i, grid.spin_j),
+                   repulsion, memory.sliding, losses.tangential_damping, losses.friction);
+      slide(touch, memory.sliding.impulse, action);
+      if constexpr (SIZE >= ContactMemory::with_rolling) {
+        rolling_.rub(touch.plane, touch.rolls(grid.spin_i, grid.spin_j), repulsion, memory.rolling,
+                     damped, losses.rolling);
+        losses.rolling += damped;
+        roll(memory.rolling.impulse, action);
+      }
     }
     return true;
   }
 
-  /// Radial velocity of the true motion over that of the grid.
-  double ahead(const RelativeState& grid, const ContactMemory& memory) const {
-    if (memory.phase != ContactMemory::lasting) return memory.ahead;
-    const Sample at(*this, grid);
-    return at.true_rate(*this) - at.radial;
-  }
-
   /// What leads from the motion on the grid to the true one at this grid point.
+  template <int SIZE>
   Action owed(const RelativeState& grid, const ContactMemory& memory) const {
     const double radial = ahead(grid, memory);
     Action owed{(radial * reduced_mass_ / norm(grid.separation)) * grid.separation, {}, {}};
-    act(grid.separation, 0.5 * memory.carried, owed);
+    if constexpr (SIZE >= ContactMemory::with_friction)
+      slide(Touch(*this, grid.separation), 0.5 * memory.sliding.impulse, owed);
+    if constexpr (SIZE >= ContactMemory::with_rolling) roll(0.5 * memory.rolling.impulse, owed);
     return owed;
   }
 
-  /// What a contact of one force does in the step, for those beside it.
+  /// What `action`, of a contact of one force, does in the step, for those beside it. `owed`: before
+  /// the step; `memory`: after it.
+  template <int SIZE>
   PairMotion done(const PairMotion& grid, const Action& action, const Action& owed,
                   const ContactMemory& memory) const {
-    PairMotion next = grid;
-    next.relative.velocity += inverse_mass_ * action.impulse;
-    next.relative.separation += step_ * next.relative.velocity;
-    const Action later = this->owed(next.relative, memory);
+    RelativeState next = grid.relative;
+    next.velocity += inverse_mass_ * action.impulse;
+    next.separation += step_ * normal_part(grid.relative.separation, next.velocity);
+    const Action later = this->owed<SIZE>(next, memory);
     PairMotion change;
     change.relative.separation = (step_ * inverse_mass_) * (action.impulse - owed.impulse);
     change.relative.velocity = inverse_mass_ * (action.impulse - owed.impulse + later.impulse);
@@ -152,95 +157,125 @@ class ContactOnGrid {
     return change;
   }
 
-  /// A step of any kind from the true motion at the grid point. `others`: D, V and spins of all
-  /// other contacts of both particles (zero in the first pass). `stretch`: stretch() of the grid.
-  template <bool FRICTION>
-  FollowedStep follow(const PairMotion& truth, const PairMotion& others,
-                      const ContactMemory& memory, const Vector3& stretch) const {
-    const Vector3 v = truth.relative.velocity, by_others = others.relative.velocity;
-    const Vector3 shift = others.relative.separation - 0.5 * step_ * by_others;
-    const RelativeState middle{truth.relative.separation + 0.5 * step_ * v + 0.5 * shift,
-                               v + 0.5 * by_others};
+  /// A step of any kind from the true motion at the grid point, known on the grid as `grid`.
+  /// `others`: D, V and spins of all other contacts of both particles (none in the first pass);
+  /// `rolled`: what the contact's own rolling spring did in the first pass.
+  template <int SIZE>
+  FollowedStep follow(const PairMotion& grid, const PairMotion& truth, const PairMotion& others,
+                      const PairSpins& rolled, const ContactMemory& memory) const {
+    const Vector3 &s = truth.relative.separation, &v = truth.relative.velocity;
     const double half = 0.5 * step_;
-    FollowedStep f;
+    const Vector3 by_others = others.relative.velocity;
+    const Vector3 shift = half * v + 0.5 * (others.relative.separation - half * by_others);
+    const RelativeState middle{s + normal_part(s, shift), v + 0.5 * by_others};
+    FollowedStep f{};
     f.normal = pair_.advance(middle, {half, half}, memory.in_range());
     const RelativeState& did = f.normal.change;
     f.change.relative = {did.separation + half * did.velocity, did.velocity};
-    if (!FRICTION || f.normal.normal.contact_time == 0.0) return f;
-    const Vector3 r = middle.separation + did.separation;
-    const double square = dot(r, r);
-    const contact::Plane plane{r, 1.0 / square};
-    const double lever_i = this->lever_i(square);
-    const Vector3 u =
-        surface_velocity(plane, lever_i, middle.velocity + 0.5 * did.velocity,
-                         truth.spin_i + 0.5 * others.spin_i, truth.spin_j + 0.5 * others.spin_j);
-    const double answer = this->answer(square);
-    const Vector3 start = dot(stretch, stretch) > 0.0 ? plane.turned_into(stretch) : Vector3{};
-    f.sliding =
-        tangential_.advance(start, u, f.normal.normal.contact_time, answer,
-                            f.normal.normal.repulsion_impulse, f.normal.normal.repulsion_at_end);
-    f.mean = u + (0.5 * answer) * f.sliding.impulse;
-    const Vector3& impulse = f.sliding.impulse;
-    f.change.relative.separation += (half * inverse_mass_) * impulse;
-    f.change.relative.velocity += inverse_mass_ * impulse;
-    const Vector3 turn = cross(r, impulse);
-    f.change.spin_i = (-lever_i * spin_share_i_) * turn;
-    f.change.spin_j = (-(1.0 - lever_i) * spin_share_j_) * turn;
+    if constexpr (SIZE >= ContactMemory::with_friction) {
+      if (f.normal.normal.contact_time == 0.0) return f;
+      const Touch touch(*this, middle.separation + did.separation);
+      const Vector3 spin_i = truth.spin_i + 0.5 * others.spin_i;
+      const Vector3 spin_j = truth.spin_j + 0.5 * others.spin_j;
+      const Vector3 slides = touch.slides(middle.velocity + 0.5 * did.velocity,
+                                          spin_i + 0.5 * rolled.i, spin_j + 0.5 * rolled.j);
+      f.sliding = sliding_.follow(touch.plane, stretch(grid, memory).sliding, slides, f.normal,
+                                  f.sliding_rate);
+      const Vector3& impulse = f.sliding.impulse;
+      f.change.relative.separation += (half * inverse_mass_) * impulse;
+      f.change.relative.velocity += inverse_mass_ * impulse;
+      Action turning;
+      slide(touch, impulse, turning);
+      f.change.spin_i = spin_share_i_ * turning.torque_i;
+      f.change.spin_j = spin_share_j_ * turning.torque_j;
+      if constexpr (SIZE >= ContactMemory::with_rolling) {
+        const Vector3 rolls =
+            touch.rolls(spin_i + 0.5 * f.change.spin_i, spin_j + 0.5 * f.change.spin_j);
+        f.rolling = rolling_.follow(touch.plane, stretch(grid, memory).rolling, rolls, f.normal,
+                                    f.rolling_rate);
+        const Vector3 turn = rolling_radius_ * f.rolling.impulse;
+        f.rolled = {spin_share_i_ * turn, -spin_share_j_ * turn};
+        f.change.spin_i += f.rolled.i;
+        f.change.spin_j += f.rolled.j;
+      }
+    }
     return f;
   }
 
   /// The force times dt that does what `f`, followed with `others`, does; remembers the rest.
-  template <bool FRICTION>
+  template <int SIZE>
   Action close(const PairMotion& grid, const PairMotion& truth, const PairMotion& others,
                const FollowedStep& f, ContactMemory& memory) const {
-    const double ahead = this->ahead(grid.relative, memory);
+    const double owed = ahead(grid.relative, memory);
     const RelativeState& did = f.normal.change;
-    const Vector3 along_normal = did.separation + (0.5 * step_) * did.velocity;
-    const Vector3 sliding = inverse_mass_ * f.sliding.impulse;
     const Vector3& s = truth.relative.separation;
     const double distance = norm(s);
     const Vector3 k = (1.0 / distance) * s;
-    const Vector3 far =
-        s + step_ * truth.relative.velocity + others.relative.separation + (0.5 * step_) * sliding;
-    const Vector3 end = far + along_normal;
+    const Vector3 slid = inverse_mass_ * f.sliding.impulse;
+    const Vector3 flight =
+        step_ * truth.relative.velocity + others.relative.separation + (0.5 * step_) * slid;
+    const Vector3 far = s + normal_part(s, flight);
+    const Vector3 end = far + did.separation + (0.5 * step_) * did.velocity;
     const double along = dot(far, k);
     const Vector3 across = far - along * k;
     const double square = dot(end, end);
     const double push = std::sqrt(std::max(square - dot(across, across), 0.0)) - along;
     const bool event = eventful(memory, f.normal);
-    Action action{(reduced_mass_ * (push / step_ + ahead)) * k, {}, {}};
-    if (!event && memory.phase == ContactMemory::beyond) action.impulse = {};
-    if (FRICTION) {
-      act(s, 0.5 * (f.sliding.impulse + memory.carried), action);
-      memory.carried = f.sliding.impulse;
-      memory.spring = {};
-      if (f.normal.overlap_at_end > 0.0) memory.spring = f.sliding.displacement - step_ * f.mean;
+    Action action;
+    // Not to carry the rounding of no change into the force.
+    if (f.normal.acts || owed != 0.0)
+      if (event || memory.phase != ContactMemory::beyond)
+        action.impulse = (reduced_mass_ * (push / step_ + owed)) * k;
+    if constexpr (SIZE >= ContactMemory::with_friction) {
+      slide(Touch(*this, s), 0.5 * (f.sliding.impulse + memory.sliding.impulse), action);
+      memory.sliding = left(f, f.sliding, f.sliding_rate);
     }
-    const bool was_in = memory.in_range();
+    if constexpr (SIZE >= ContactMemory::with_rolling) {
+      roll(0.5 * (f.rolling.impulse + memory.rolling.impulse), action);
+      memory.rolling = left(f, f.rolling, f.rolling_rate);
+    }
+    memory.age = event || !memory.in_range() ? 0.0 : memory.age + 1.0;
     memory.ahead = 0.0;
-    if (event || f.normal.inside) {
+    if ((event || f.normal.inside) && (f.normal.acts || owed != 0.0)) {
       const double reached = std::sqrt(square);
       const Vector3 k_end = (1.0 / reached) * (far + push * k);
-      const Vector3 without = truth.relative.velocity + others.relative.velocity + sliding;
+      const Vector3 without = truth.relative.velocity + others.relative.velocity + slid;
       memory.ahead = dot(end, without + did.velocity) / reached - dot(k_end, without) -
                      push / step_ * dot(k_end, k);
     }
-    memory.age = event || !was_in ? 0.0 : memory.age + 1.0;
     memory.phase = f.normal.inside ? ContactMemory::inside
                    : event         ? ContactMemory::left
                                    : ContactMemory::beyond;
     return action;
   }
 
-  /// Stretch of the spring of friction at this grid point, in its plane, [length].
-  Vector3 stretch(const PairMotion& grid, const Vector3& spring) const {
-    if (dot(spring, spring) == 0.0) return {};
-    const Vector3& r = grid.relative.separation;
-    const double square = dot(r, r);
-    const contact::Plane plane{r, 1.0 / square};
-    return plane.turned_into(spring) + step_ * surface_velocity(plane, lever_i(square),
-                                                                grid.relative.velocity, grid.spin_i,
-                                                                grid.spin_j);
+  static ContactLosses losses(const FollowedStep& f) {
+    return {f.normal.normal.dissipated, f.sliding.damped, f.sliding.friction,
+            f.rolling.damped + f.rolling.friction};
+  }
+
+  /// The part of the impulse on j that spring, dashpot and friction give; the rest is adhesion.
+  Vector3 by_contact(const PairMotion& grid, const Action& action) const {
+    if (!attracts()) return action.impulse;
+    const Vector3& s = grid.relative.separation;
+    return action.impulse + (step_ * pull_ / norm(s)) * s;
+  }
+  Vector3 by_contact(const PairMotion& grid, const FollowedStep& f, const Action& action) const {
+    if (!attracts()) return action.impulse;
+    const Vector3& s = grid.relative.separation;
+    const double attraction =
+        f.normal.normal.repulsion_impulse -
+        reduced_mass_ * dot(f.normal.change.velocity, s) / norm(s);
+    return action.impulse + (attraction / norm(s)) * s;
+  }
+
+  /// What is stored at the grid point.
+  StoredEnergies stored(const PairMotion& grid, const ContactMemory& memory) const {
+    if (!memory.in_range()) return {};
+    const double overlap = contact_distance_ - norm(grid.relative.separation);
+    const Stretches now = stretch(grid, memory);
+    return {pair_.spring_energy(overlap), sliding_.stored_energy(now.sliding),
+            rolling_.stored_energy(now.rolling), pair_.adhesion_energy(overlap)};
   }
 
  private:
@@ -248,7 +283,7 @@ class ContactOnGrid {
   static constexpr double certain = 0.1;
   static constexpr double rounding = 1e-9;
 
-  /// The grid point as the recursion needs it.
+  /// Along the normal as the recursion needs it.
   struct Sample {
     double distance, radial;
     double turning;   // dt^2 times the square of the speed across
@@ -267,11 +302,13 @@ class ContactOnGrid {
              c.oscillator_.w0_squared();
     }
 
-    double next(const ContactOnGrid& c, double before) const {
+    /// Distance one step later.
+    double next(const ContactOnGrid& c) const {
       const double trace = c.propagator_.xx + c.propagator_.vv;
-      const double lost = 1.0 - c.spring_.damping * c.step_ * c.inverse_mass_;
+      const double kept = 1.0 - c.spring_.damping * c.step_ * c.inverse_mass_;
       const double contact = c.contact_distance_ - rest;
-      return contact - trace * (contact - distance) + lost * (contact - before);
+      const double before = straight + 0.5 * turning / straight;
+      return contact - trace * (contact - distance) + kept * (contact - before);
     }
 
     double true_rate(const ContactOnGrid& c) const {
@@ -282,54 +319,86 @@ class ContactOnGrid {
     }
   };
 
+  /// Where the surfaces touch.
+  struct Touch {
+    const ContactOnGrid& of;
+    contact::Plane plane;
+    double lever_i;  // of i, as a part of the distance
+
+    Touch(const ContactOnGrid& c, const Vector3& r)
+        : of(c),
+          plane{r, 1.0 / dot(r, r)},
+          lever_i(c.j_.radius > 0.0 ? c.lever_i_ : c.i_.radius * std::sqrt(plane.inverse_square)) {}
+
+    /// How fast the surfaces part in the plane of contact.
+    Vector3 slides(const Vector3& velocity, const Vector3& spin_i, const Vector3& spin_j) const {
+      return plane.part_in(velocity -
+                           cross(lever_i * spin_i + (1.0 - lever_i) * spin_j, plane.normal));
+    }
+    Vector3 rolls(const Vector3& spin_i, const Vector3& spin_j) const {
+      return of.rolling_radius_ * plane.part_in(spin_i - spin_j);
+    }
+  };
+
+  struct Stretches {
+    Vector3 sliding{}, rolling{};
+  };
+
+  /// Of the springs at this grid point, in its plane, [length].
+  Stretches stretch(const PairMotion& grid, const ContactMemory& memory) const {
+    Stretches now;
+    const Touch touch(*this, grid.relative.separation);
+    const auto grown = [&](const Vector3& before, const Vector3& rate) {
+      return touch.plane.turned_into(before) + step_ * rate;
+    };
+    if (dot(memory.sliding.stretch, memory.sliding.stretch) > 0.0)
+      now.sliding = grown(memory.sliding.stretch,
+                          touch.slides(grid.relative.velocity, grid.spin_i, grid.spin_j));
+    if (dot(memory.rolling.stretch, memory.rolling.stretch) > 0.0)
+      now.rolling = grown(memory.rolling.stretch, touch.rolls(grid.spin_i, grid.spin_j));
+    return now;
+  }
+
+  /// What is remembered of a spring after a followed step: as if it had grown evenly.
+  ContactMemory::Spring left(const FollowedStep& f, const contact::TangentialStep& step,
+                             const Vector3& rate) const {
+    if (!(f.normal.overlap_at_end > 0.0)) return {{}, step.impulse};
+    return {step.displacement - step_ * rate, step.impulse};
+  }
+
+  double ahead(const RelativeState& grid, const ContactMemory& memory) const {
+    if (memory.phase != ContactMemory::lasting) return memory.ahead;
+    const Sample at(*this, grid);
+    return at.true_rate(*this) - at.radial;
+  }
+
   /// Whether anything but lasting contact, or flight out of range, happened in a step.
   bool eventful(const ContactMemory& memory, const PairStep& normal) const {
     if (memory.in_range()) return normal.normal.contact_time < (1.0 - rounding) * step_;
     return normal.inside || dot(normal.change.velocity, normal.change.velocity) > 0.0;
   }
 
-  /// Friction of a contact of one force, [momentum]; `spring` as remembered, before and after.
-  Vector3 rub(const PairMotion& grid, double repulsion, Vector3& spring) const {
-    const Vector3& r = grid.relative.separation;
-    const double square = dot(r, r);
-    const contact::Plane plane{r, 1.0 / square};
-    const Vector3 u =
-        surface_velocity(plane, lever_i(square), grid.relative.velocity, grid.spin_i, grid.spin_j);
-    spring = (dot(spring, spring) > 0.0 ? plane.turned_into(spring) : Vector3{}) + step_ * u;
-    Vector3 force = -tangential_spring_.stiffness * spring - tangential_spring_.damping * u;
-    const double limit = tangential_parameters_.friction * std::max(repulsion, 0.0);
-    const double held = norm(force);
-    if (held > limit) {
-      force = (limit / held) * force;
-      if (tangential_spring_.stiffness > 0.0)
-        spring = (-1.0 / tangential_spring_.stiffness) * (force + tangential_spring_.damping * u);
-    }
-    return step_ * force;
+  /// A sphere meets a wall along the normal, wherever it goes across.
+  Vector3 normal_part(const Vector3& separation, const Vector3& a) const {
+    if (j_.radius > 0.0) return a;
+    return (dot(a, separation) / dot(separation, separation)) * separation;
   }
 
-  /// Adds a tangential impulse on j at the point of contact.
-  void act(const Vector3& separation, const Vector3& impulse, Action& action) const {
-    const double lever_i = this->lever_i(dot(separation, separation));
-    const Vector3 turn = cross(separation, impulse);
+  void slide(const Touch& touch, const Vector3& impulse, Action& action) const {
+    const Vector3 turn = cross(touch.plane.normal, impulse);
     action.impulse += impulse;
-    action.torque_i -= lever_i * turn;
-    action.torque_j -= (1.0 - lever_i) * turn;
+    action.torque_i -= touch.lever_i * turn;
+    action.torque_j -= (1.0 - touch.lever_i) * turn;
+  }
+  void roll(const Vector3& impulse, Action& action) const {
+    action.torque_i += rolling_radius_ * impulse;
+    action.torque_j -= rolling_radius_ * impulse;
   }
 
-  /// Inverse mass that answers a tangential impulse.
+  /// Inverse mass that answers an impulse in the plane of contact.
   double answer(double square) const {
-    const double i = lever_i(square), j = 1.0 - i;
+    const double i = j_.radius > 0.0 ? lever_i_ : i_.radius / std::sqrt(square), j = 1.0 - i;
     return inverse_mass_ + square * (i * i * spin_share_i_ + j * j * spin_share_j_);
-  }
-
-  static Vector3 surface_velocity(const contact::Plane& plane, double lever_i,
-                                  const Vector3& velocity, const Vector3& spin_i,
-                                  const Vector3& spin_j) {
-    return plane.part_in(velocity -
-                         cross(lever_i * spin_i + (1.0 - lever_i) * spin_j, plane.normal));
-  }
-  double lever_i(double square) const {
-    return j_.radius > 0.0 ? lever_i_ : i_.radius / std::sqrt(square);
   }
 
   Body i_;
@@ -337,7 +406,8 @@ class ContactOnGrid {
   double step_;
   double inverse_mass_;
   double reduced_mass_;
-  double lever_i_;
+  double lever_i_;  // of two spheres: i's part of the distance
+  double rolling_radius_;
   double spin_share_i_;
   double spin_share_j_;
   double contact_distance_;
@@ -347,9 +417,8 @@ class ContactOnGrid {
   DampedOscillator::Propagator propagator_;
   GridSpring spring_;
   double pull_;
-  contact::TangentialParameters tangential_parameters_;
-  contact::TangentialSpring tangential_;
-  GridSpring tangential_spring_;
+  SpringOnGrid sliding_;
+  SpringOnGrid rolling_;
   double youth_;
 };
 

@@ -28,11 +28,9 @@ struct FluxParts {
   std::array<MomentumFlux, parts> of{};
 
   /// One step of a pair that stands at `separation` on the grid: `share` of it. `on_j` is all of
-  /// the impulse on j [momentum], friction included.
-  template <class Contact>
-  void add(double share, const Contact& c, const Vector3& separation, const PairStep& step,
-           const FrictionStep& sliding, const Vector3& on_j) {
-    const Vector3 by_contact = impulse_by_contact(c, separation, step, sliding, on_j);
+  /// the impulse on j [momentum], friction included, `by_contact` what is not adhesion's.
+  void add(double share, const Vector3& separation, const Vector3& on_j,
+           const Vector3& by_contact) {
     add(contact, share, momentum_flux(separation, by_contact));
     add(adhesion, share, momentum_flux(separation, on_j - by_contact));
   }

@@ -40,7 +40,7 @@ class ManySpheres {
     if (!first_)
       for (int i = 0; i < size(); i++) x_[i] += dt_ * v_[i];
     look();
-    friction_ ? act<true>() : act<false>();
+    friction_ ? act<ContactMemory::with_rolling>() : act<ContactMemory::normal_only>();
     first_ = false;
   }
 
@@ -50,14 +50,10 @@ class ManySpheres {
     Sums s{0.0, {}, {}};
     for (int i = 0; i < size(); i++) x[i] += dt_ * v_[i];
     for (const Near& p : near_) {
-      const RelativeState grid{apart(x[p.j] - x[p.i]), v_[p.j] - v_[p.i]};
-      const Action owed = contact_.owed(grid, p.memory);
-      give(p, owed, u, w);
-      if (p.memory.in_range()) {
-        const double overlap = 2.0 * thesis::radius - norm(grid.separation);
-        s.energy +=
-            contact_.pair().spring_energy(overlap) + contact_.pair().adhesion_energy(overlap);
-      }
+      const PairMotion grid{{apart(x[p.j] - x[p.i]), v_[p.j] - v_[p.i]}, w_[p.i], w_[p.j]};
+      give(p, contact_.owed<ContactMemory::with_rolling>(grid.relative, p.memory), u, w);
+      const StoredEnergies now = contact_.stored(grid, p.memory);
+      s.energy += now.spring + now.adhesion + now.tangential_spring + now.rolling_spring;
     }
     for (int i = 0; i < size(); i++) {
       const double inertia = 1.0 / inverse_inertia(body());
@@ -80,7 +76,6 @@ class ManySpheres {
   struct Followed {
     int pair;
     PairMotion grid, truth, others;
-    Vector3 stretch;
     FollowedStep step;
   };
   struct Beside {
@@ -100,8 +95,9 @@ class ManySpheres {
 
   void look() {
     double moved = 0.0, fastest = 0.0;
+    fastest_ = 0.0;
     for (int i = 0; i < size(); i++) {
-      fastest = std::max(fastest, norm(v_[i]));
+      fastest = fastest_ = std::max(fastest, norm(v_[i]));
       if (!listed_.empty()) moved = std::max(moved, norm(x_[i] - listed_[i]));
     }
     if (!listed_.empty() && 2.0 * moved + 4.0 * dt_ * fastest < skin) return;
@@ -134,7 +130,7 @@ class ManySpheres {
     w[p.j] += inverse_inertia(body()) * a.torque_j;
   }
 
-  template <bool FRICTION>
+  template <int SIZE>
   void act() {
     const int n = size();
     const double kick = first_ ? 1.0 : 1.0;
@@ -145,19 +141,19 @@ class ManySpheres {
     for (std::size_t k = 0; k < near_.size(); k++) {
       Near& p = near_[k];
       const PairMotion grid = motion(p, v_, w_);
-      if (p.memory.phase == ContactMemory::beyond && !contact_.within_reach(grid.relative))
+      if (p.memory.phase == ContactMemory::beyond && !contact_.within_reach(grid.relative, dt_ * fastest_))
         continue;
       if (first_ && norm(grid.relative.separation) < 2.0 * thesis::radius)
         p.memory.phase = ContactMemory::inside;
-      Beside b{static_cast<int>(k), {}, contact_.owed(grid.relative, p.memory), grid};
-      if (contact_.follow_lasting<FRICTION>(grid, p.memory, b.action)) {
+      ContactLosses lost;
+      Beside b{static_cast<int>(k), {}, contact_.owed<SIZE>(grid.relative, p.memory), grid};
+      if (contact_.follow_lasting<SIZE>(grid, p.memory, b.action, lost)) {
         give(p, b.action, dv, dw);
         old.push_back(b);
         lasting++;
         continue;
       }
-      follow.push_back(
-          {static_cast<int>(k), grid, {}, {}, contact_.stretch(grid, p.memory.spring), {}});
+      follow.push_back({static_cast<int>(k), grid, {}, {}, {}});
       marked[p.i] = marked[p.j] = 1;
       give(p, b.owed, v, w);
       followed++;
@@ -175,12 +171,12 @@ class ManySpheres {
       const Near& p = near_[b.pair];
       if (!marked[p.i] && !marked[p.j]) continue;
       give(p, b.owed, v, w);
-      add(p, contact_.done(b.grid, b.action, b.owed, p.memory));
+      add(p, contact_.done<SIZE>(b.grid, b.action, b.owed, p.memory));
     }
     for (Followed& f : follow) {
       const Near& p = near_[f.pair];
       f.truth = motion(p, v, w);
-      f.step = contact_.follow<FRICTION>(f.truth, {}, p.memory, f.stretch);
+      f.step = contact_.follow<SIZE>(f.grid, f.truth, {}, {}, p.memory);
     }
     for (const Followed& f : follow) add(near_[f.pair], f.step.change);
     for (Followed& f : follow) {
@@ -190,8 +186,8 @@ class ManySpheres {
                   W[p.i] - f.step.change.spin_i,
                   W[p.j] - f.step.change.spin_j};
       const bool in = p.memory.in_range();
-      f.step = contact_.follow<FRICTION>(f.truth, f.others, p.memory, f.stretch);
-      give(p, contact_.close<FRICTION>(f.grid, f.truth, f.others, f.step, p.memory), dv, dw);
+      f.step = contact_.follow<SIZE>(f.grid, f.truth, f.others, f.step.rolled, p.memory);
+      give(p, contact_.close<SIZE>(f.grid, f.truth, f.others, f.step, p.memory), dv, dw);
       collisions += !in && p.memory.in_range();
     }
     for (int i = 0; i < n; i++) {
@@ -205,6 +201,7 @@ class ManySpheres {
   double side_;
   bool friction_;
   bool first_ = true;
+  double fastest_ = 0.0;
   std::vector<Vector3> x_, v_, w_, listed_;
   std::vector<Near> near_;
 };

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "event_stepping/spring_on_grid.h"
+#include "vector3.h"
+
+namespace cohesion::event_stepping {
+
+/// What is remembered of a contact from one grid point to the next.
+struct ContactMemory {
+  /// `beyond`: out of range, known by the grid. `inside`, `left`: in range or out of it after a
+  /// step that was followed. `lasting`: in contact after a step of one force, known by the grid.
+  enum Phase { beyond, inside, lasting, left };
+  Phase phase = beyond;
+  double age = 0.0;    ///< steps since anything but lasting contact happened to it
+  double ahead = 0.0;  ///< after a followed step: true radial velocity over the grid's, [length/time]
+  using Spring = SpringOnGrid::Memory;
+  Spring sliding{}, rolling{};
+
+  bool in_range() const { return phase == inside || phase == lasting; }
+
+  /// Numbers that an engine keeps: without friction, with it, and with rolling friction.
+  enum Size { normal_only = 3, with_friction = 9, with_rolling = 15 };
+
+  /// An engine that exchanges i and j changes the sign of all numbers.
+  static ContactMemory from(const double* values, int size) {
+    const double sign = values[0] < 0.0 ? -1.0 : 1.0;
+    ContactMemory m;
+    m.phase = static_cast<Phase>(static_cast<int>(sign * values[0]));
+    m.age = sign * values[1];
+    m.ahead = sign * values[2];
+    if (size >= with_friction) m.sliding = {vector(values + 3), vector(values + 6)};
+    if (size >= with_rolling) m.rolling = {vector(values + 9), vector(values + 12)};
+    return m;
+  }
+  void to(double* values, int size) const {
+    values[0] = phase;
+    values[1] = age;
+    values[2] = ahead;
+    if (size >= with_friction) put(sliding, values + 3);
+    if (size >= with_rolling) put(rolling, values + 9);
+  }
+
+ private:
+  static void put(const Spring& spring, double* values) {
+    for (const Vector3& a : {spring.stretch, spring.impulse}) {
+      *values++ = a.x;
+      *values++ = a.y;
+      *values++ = a.z;
+    }
+  }
+};
+
+}  // namespace cohesion::event_stepping

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "event_stepping/pair_step.h"
+#include "sphere.h"
+
+namespace cohesion::event_stepping {
+
+/// What a contact must know of a particle; a wall has inverse mass 0 and radius 0.
+struct Body {
+  double radius;        ///< [length]
+  double inverse_mass;  ///< [1/mass]; 0: moves as it is told
+
+  bool operator==(const Body& other) const {
+    return radius == other.radius && inverse_mass == other.inverse_mass;
+  }
+};
+
+/// 1/I of a solid sphere, [1/(mass length^2)]; 0 for a wall.
+inline double inverse_inertia(const Body& body) {
+  return body.inverse_mass > 0.0 ? 2.5 * body.inverse_mass / (body.radius * body.radius) : 0.0;
+}
+
+/// Relative motion and spins of a pair, or changes of them.
+struct PairMotion {
+  RelativeState relative{};
+  Vector3 spin_i{};  ///< [1/time]
+  Vector3 spin_j{};
+};
+
+/// Changes of the spins of a pair, [1/time].
+struct PairSpins {
+  Vector3 i{};
+  Vector3 j{};
+};
+
+/// What a contact stores, [energy].
+struct StoredEnergies {
+  double spring;
+  double tangential_spring;
+  double rolling_spring;
+  double adhesion;  ///< zero for particles far from each other
+};
+
+/// What a contact does to its particles: the impulse acts on j, its reverse on i.
+struct Action {
+  Vector3 impulse{};   ///< [momentum]
+  Vector3 torque_i{};  ///< angular impulses, [momentum length]
+  Vector3 torque_j{};
+};
+
+/// What a contact loses in a step, [energy].
+struct ContactLosses {
+  double normal_damping = 0.0;
+  double tangential_damping = 0.0;
+  double friction = 0.0;
+  double rolling = 0.0;  ///< in the dashpot and slider of the rolling spring
+};
+
+}  // namespace cohesion::event_stepping
