@@ -80,7 +80,10 @@ class ContactsOfStep {
   using PairMotion = cohesion::event_stepping::PairMotion;
 
   ContactsOfStep(Atom* atom, FixEventStep* step)
-      : step_(step), f_(atom->f), torque_(atom->torque), kick_(step->force_per_impulse()),
+      : step_(step),
+        f_(atom->f),
+        torque_(atom->torque),
+        kick_(step->force_per_impulse()),
         nlocal_(atom->nlocal) {}
 
   /// Force that stands for an impulse.
@@ -211,8 +214,7 @@ struct StepContacts {
   /// followed. `values`: its history.
   template <int SIZE, class Contact>
   void take(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step, const Contact& c,
-            int contact, int i, int j,
-            const cohesion::event_stepping::PairMotion& grid,
+            int contact, int i, int j, const cohesion::event_stepping::PairMotion& grid,
             const cohesion::event_stepping::ContactMemory& memory, double* values) {
     using namespace cohesion::event_stepping;
     if (step->book.kept) book_standing<SIZE>(scatter, step, c, i, j, grid, memory);

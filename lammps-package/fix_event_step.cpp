@@ -307,8 +307,7 @@ void FixEventStep::end_of_step() {
     std::fill_n(to_truth[i], 6, 0.0);
     if (inverse_mass[i] == 0.0) continue;
     const double by_force = half_kick() * inverse_mass[i];
-    const double by_torque =
-        half_kick() * cohesion::event_stepping::inverse_inertia(body(i));
+    const double by_torque = half_kick() * cohesion::event_stepping::inverse_inertia(body(i));
     for (int k = 0; k < 3; k++) {
       const double contact = contact_force[6 * i + k];
       to_truth[i][k] = booked_owed[i][k] - by_force * contact;
@@ -455,8 +454,7 @@ int FixEventStep::maxsize_restart() { return 1 + LAST; }
 int FixEventStep::size_restart(int) { return 1 + LAST; }
 
 double FixEventStep::memory_usage() {
-  const double numbers =
-      OWED + ALONE + 1 + (holds_last ? LAST : 0) + (booked_owed ? OWED + 6 : 0);
+  const double numbers = OWED + ALONE + 1 + (holds_last ? LAST : 0) + (booked_owed ? OWED + 6 : 0);
   return (numbers * sizeof(double) + sizeof(int)) * atom->nmax +
          sizeof(double) * (contact_force.capacity() + weighed.capacity());
 }

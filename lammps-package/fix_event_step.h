@@ -61,8 +61,8 @@ class EventWalls : public EventContacts {
 /// which `owed` leads, and which needs all contacts of a particle; first alone, what they do added
 /// to `alone`, then with half of what the others do.
 ///
-/// Order within a step, before the forces: all styles gather(), join(); share_owed(); follow_alone();
-/// share_alone(). With the forces: their second pass.
+/// Order within a step, before the forces: all styles gather(), join(); share_owed();
+/// follow_alone(); share_alone(). With the forces: their second pass.
 ///
 /// A fix cannot make another one in its constructor: those that need this one call of() in
 /// post_constructor(); the order above does not depend on the order of the fixes.
@@ -229,13 +229,13 @@ class FixEventStep : public Fix {
   std::vector<AdvisedStyle*> advised;  // the same
   ContactWatch watch;
 
-  Book next;                // what is lost after the grid point that `book` is of
-  double** shared;          // that go to the ghosts now
-  int shared_each;          // of each
-  double** booked_owed;     // see all_owed()
-  double** to_truth;        // per atom: from the motion at the end of the step to the true one
-  bool follows;  // any pair or wall, in this run
-  bool resting;  // nothing is followed, and nobody reads the books
+  Book next;             // what is lost after the grid point that `book` is of
+  double** shared;       // that go to the ghosts now
+  int shared_each;       // of each
+  double** booked_owed;  // see all_owed()
+  double** to_truth;     // per atom: from the motion at the end of the step to the true one
+  bool follows;          // any pair or wall, in this run
+  bool resting;          // nothing is followed, and nobody reads the books
   bool resuming;
   bool starting;
   bool running;

@@ -226,7 +226,8 @@ void FixWallGranCohesive<Cohesion>::look_at_sizes() {
   }
 }
 
-/// Calls what(i, wall, contact, point, history) for the particles that may touch a wall in this step.
+/// Calls what(i, wall, contact, point, history) for the particles that may touch a wall in this
+/// step.
 template <class Cohesion>
 template <class Contact, class What>
 void FixWallGranCohesive<Cohesion>::for_each_near(std::vector<Contact>& shared, const What& what) {
@@ -249,8 +250,11 @@ void FixWallGranCohesive<Cohesion>::for_each_near(std::vector<Contact>& shared, 
       const WallPoint point = walls[w].nearest(centre, now, motion.rim_speed);
       // A particle that the wall meets for the first time is where it is; it did not fall into the
       // range.
-      if (phase < 0.0 || (step->starts() && phase == 0.0))
-        phase = point.distance > 0.0 && point.distance < atom->radius[i] + range;
+      if (phase < 0.0 || (step->starts() && phase == 0.0)) {
+        phase = 0.0;
+        if (point.distance > 0.0 && point.distance < atom->radius[i] + range)
+          ContactMemory::seen_inside().to(&phase, per_wall);
+      }
       // No particle is faster than the step's fastest.
       if (phase != 0.0 || flight > atom->radius[i]) check_flight(i, point, phase != 0.0);
       if (point.distance <= 0.0 || point.distance > 2.0 * atom->radius[i] + range) continue;
@@ -273,9 +277,8 @@ void FixWallGranCohesive<Cohesion>::gather(std::vector<EventContact>& shared) {
   followed_at.clear();
   const ContactsOfStep<EventContact, SIZE> scatter(atom, step);
   for_each_near(shared, [&](int i, int w, int c, const WallPoint& point, double* values) {
-    const PairMotion grid{{point.separation, point.velocity - vector(atom->v[i])},
-                          vector(atom->omega[i]),
-                          {}};
+    const PairMotion grid{
+        {point.separation, point.velocity - vector(atom->v[i])}, vector(atom->omega[i]), {}};
     const ContactMemory known = ContactMemory::from(values, SIZE);
     if (known.phase == ContactMemory::beyond &&
         !shared[c].within_reach(grid.relative, step->flight()))
@@ -359,8 +362,7 @@ void FixWallGranCohesive<Cohesion>::follow_together(std::vector<SampledContact>&
     const SampledForce now =
         sample<SIZE>(scatter, step, c, i, WALL, grid, history.of(i, near.wall));
     push(scatter, near.wall, near.point.velocity, now.action.impulse,
-         impulse_by_contact(c, near.point.separation, now.normal, now.sliding,
-                            now.action.impulse));
+         impulse_by_contact(c, near.point.separation, now.normal, now.sliding, now.action.impulse));
   }
 }
 
@@ -375,8 +377,8 @@ void FixWallGranCohesive<Cohesion>::take_where_they_are() {
       double* const kept = history.of(i, w);
       const WallPoint point = walls[w].nearest(vector(atom->x[i]), now, motion.rim_speed);
       const bool inside = point.distance > 0.0 && point.distance < reach;
-      if (!inside || kept[0] <= 0.0) std::fill_n(kept, per_wall, 0.0);
-      kept[0] = inside;
+      if (inside && kept[0] > 0.0) continue;
+      (inside ? ContactMemory::seen_inside() : ContactMemory()).to(kept, per_wall);
     }
   }
 }
@@ -391,11 +393,10 @@ void FixWallGranCohesive<Cohesion>::book_standing() {
         const double* const kept = history.of(i, w);
         if (kept[0] <= 0.0 || step->body(i).inverse_mass == 0.0) continue;
         const WallPoint point = walls[w].nearest(vector(atom->x[i]), now, motion.rim_speed);
-        const PairMotion grid{{point.separation, point.velocity - vector(atom->v[i])},
-                              vector(atom->omega[i]),
-                              {}};
-        step->book_stored(
-            1.0, shared[contact(shared, i)].stored(grid, ContactMemory::from(kept, size)));
+        const PairMotion grid{
+            {point.separation, point.velocity - vector(atom->v[i])}, vector(atom->omega[i]), {}};
+        step->book_stored(1.0,
+                          shared[contact(shared, i)].stored(grid, ContactMemory::from(kept, size)));
       }
   });
 }

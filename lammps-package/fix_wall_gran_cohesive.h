@@ -124,8 +124,9 @@ class FixWallGranCohesive : public Fix, public EventWalls, public AdvisedStyle {
   int per_wall;  // values of history (HistorySize)
   WallHistory history;
   AnyContacts contacts;
-  StepContacts contacts_now;                                   // event scheme: those of this step
-  std::vector<std::pair<int, cohesion::Vector3> > lasting_at, followed_at;  // their walls and those's velocities
+  StepContacts contacts_now;  // event scheme: those of this step
+  std::vector<std::pair<int, cohesion::Vector3> > lasting_at,
+      followed_at;  // their walls and those's velocities
   std::vector<SampledActive> sampled_now;
   /// Of the particles, when the list of neighbours was new.
   struct Sizes {

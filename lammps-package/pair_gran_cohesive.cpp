@@ -129,7 +129,8 @@ void PairGranCohesive<Cohesion>::for_each_close(const What& what) {
                "contact, the neighbour list allows for {}: use a smaller time step or a skin above "
                "{}. The fastest: {}",
                coefficients.where(), step->flight(), 0.25 * (close.allowed() - largest_range),
-               (coefficients.scheme() == Scheme::event ? 20.0 : 40.0) * step->flight(), report_fastest(lmp));
+               (coefficients.scheme() == Scheme::event ? 20.0 : 40.0) * step->flight(),
+               report_fastest(lmp));
   close.update(*list, reach, history->firstflag);
   int* const* const flags = history->firstflag;
   double* const* const values_of = history->firstvalue;
@@ -155,7 +156,7 @@ void PairGranCohesive<Cohesion>::gather(Contacts<EventContact>& contacts) {
       if (!law.within_reach(on_grid(i, j), step->flight())) return;
       std::fill_n(values, per_pair, 0.0);
       // A pair that a run starts with is where it is; it did not fall into the range.
-      if (step->starts() && closer(law.range(), i, j)) known.phase = ContactMemory::inside;
+      if (step->starts() && closer(law.range(), i, j)) known = ContactMemory::seen_inside();
     }
     kept = 1;
     contacts_now.take<SIZE>(scatter, step, law, c, i, j, on_grid_with_spins(i, j), known, values);
@@ -243,8 +244,7 @@ void PairGranCohesive<Cohesion>::tally(const Contact&, int i, int j, const Vecto
                                        double energy, const Vector3& impulse,
                                        const Vector3& by_contact) {
   const int nlocal = atom->nlocal;
-  if (step->sums_flux())
-    step->flux.add(j < nlocal ? 1.0 : 0.5, separation, impulse, by_contact);
+  if (step->sums_flux()) step->flux.add(j < nlocal ? 1.0 : 0.5, separation, impulse, by_contact);
   if (!evflag) return;
   const Vector3 on_i = -step->force_per_impulse() * impulse;
   ev_tally_xyz(i, j, nlocal, 0, energy, 0.0, on_i.x, on_i.y, on_i.z, -separation.x, -separation.y,

@@ -23,10 +23,7 @@ namespace LAMMPS_NS {
 /// sampled. `Cohesion` (hamaker_cohesion.h, square_well_cohesion.h) says what is its own: name,
 /// keywords, law, range, and which pairs of src/event_stepping follow it.
 template <class Cohesion>
-class PairGranCohesive : public Pair,
-                         public BoundPairs,
-                         public EventContacts,
-                         public AdvisedStyle {
+class PairGranCohesive : public Pair, public BoundPairs, public EventContacts, public AdvisedStyle {
  public:
   explicit PairGranCohesive(class LAMMPS*);
   ~PairGranCohesive() override;
@@ -131,15 +128,15 @@ class PairGranCohesive : public Pair,
   cohesion::advice::Said said;
   AnyContacts any_contacts;
   std::vector<double> largest_radius, smallest_radius;  // by type, at init
-  StepContacts contacts_now;   // event scheme: those of this step
+  StepContacts contacts_now;                            // event scheme: those of this step
   std::vector<SampledActive> sampled_now;
-  ClosePairs close;            // those that may touch in a step
-  double largest_range;        // up to which the scheme has to see a pair
-  bool friction;               // whether any contact has friction
-  bool acts;                   // whether anything can happen in this run
-  bool looks;                  // whether any pair is looked at in it
-  bool rested;                 // nothing acted, and no pair was followed
-  int per_pair;                // values of history (HistorySize); 0: there is none yet
+  ClosePairs close;      // those that may touch in a step
+  double largest_range;  // up to which the scheme has to see a pair
+  bool friction;         // whether any contact has friction
+  bool acts;             // whether anything can happen in this run
+  bool looks;            // whether any pair is looked at in it
+  bool rested;           // nothing acted, and no pair was followed
+  int per_pair;          // values of history (HistorySize); 0: there is none yet
   class FixEventStep* step;
   PairHistory history;
 };

@@ -37,8 +37,9 @@ void PairGranCohesive<Cohesion>::begin_where_they_are(bool afresh) {
           // Contacts are made for those only that some contact could reach.
           const bool near = moves(i, j) && closer(largest_range, i, j) &&
                             closer(contacts.all[contact(contacts, i, j)].range(), i, j);
-          if (afresh || !near || !kept) std::fill_n(values, per_pair, 0.0);
-          values[0] = kept = near;
+          if (near && kept && !afresh) return;
+          (near ? ContactMemory::seen_inside() : ContactMemory()).to(values, per_pair);
+          kept = near;
         });
       },
       any_contacts);

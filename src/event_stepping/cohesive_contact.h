@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "contact/contact_parameters.h"
-#include "event_stepping/pair_step.h"
 #include "event_stepping/contact_memory.h"
 #include "event_stepping/pair_motion.h"
+#include "event_stepping/pair_step.h"
 #include "event_stepping/plane_pair.h"
 #include "event_stepping/sphere_pair.h"
 #include "event_stepping/spring_memory.h"

@@ -12,11 +12,15 @@ struct ContactMemory {
   /// step that was followed. `lasting`: in contact after a step of one force, known by the grid.
   enum Phase { beyond, inside, lasting, left };
   Phase phase = beyond;
-  double age = 0.0;    ///< steps since anything but lasting contact happened to it
-  double ahead = 0.0;  ///< after a followed step: true radial velocity over the grid's, [length/time]
+  /// Steps since anything but lasting contact happened to it; -1: what went before is not known.
+  double age = 0.0;
+  double ahead =
+      0.0;  ///< after a followed step: true radial velocity over the grid's, [length/time]
   using Spring = SpringOnGrid::Memory;
   Spring sliding{}, rolling{};
 
+  /// Of a pair that is first seen in range.
+  static ContactMemory seen_inside() { return {inside, -1.0, 0.0, {}, {}}; }
   bool in_range() const { return phase == inside || phase == lasting; }
 
   /// Numbers that an engine keeps: without friction, with it, and with rolling friction.

@@ -16,11 +16,11 @@ namespace cohesion::event_stepping {
 
 /// What a followed contact does from one grid point to the next.
 struct FollowedStep {
-  PairStep normal;                          ///< along the normal
+  PairStep normal;  ///< along the normal
   contact::TangentialStep sliding, rolling;
-  Vector3 sliding_rate, rolling_rate;       ///< of the ends of both springs, [length/time]
-  PairSpins rolled;                         ///< what the rolling spring changes of the spins
-  PairMotion change;                        ///< D, V and changes of the spins, of all
+  Vector3 sliding_rate, rolling_rate;  ///< of the ends of both springs, [length/time]
+  PairSpins rolled;                    ///< what the rolling spring changes of the spins
+  PairMotion change;                   ///< D, V and changes of the spins, of all
 };
 
 /// One contact among others, with grid points as exact samples of the motion: positions x_n are the
@@ -37,8 +37,8 @@ struct FollowedStep {
 /// All forces are central, or act at the point of contact, at grid points: momentum and angular
 /// momentum are kept to rounding.
 ///
-/// Pair: SpherePair, PlanePair, WellPair or WellEdge. SIZE: what is remembered, and so whether there
-/// is friction, and rolling friction.
+/// Pair: SpherePair, PlanePair, WellPair or WellEdge. SIZE: what is remembered, and so whether
+/// there is friction, and rolling friction.
 template <class Pair>
 class ContactOnGrid {
  public:
@@ -85,8 +85,7 @@ class ContactOnGrid {
 
   /// `flown` [length]: what a pair can fly in a step more than its velocity on the grid says.
   bool within_reach(const RelativeState& grid, double flown) const {
-    const double reach =
-        contact_distance_ + pair_.range() + step_ * norm(grid.velocity) + flown;
+    const double reach = contact_distance_ + pair_.range() + step_ * norm(grid.velocity) + flown;
     return dot(grid.separation, grid.separation) <= reach * reach;
   }
 
@@ -140,8 +139,8 @@ class ContactOnGrid {
     return owed;
   }
 
-  /// What `action`, of a contact of one force, does in the step, for those beside it. `owed`: before
-  /// the step; `memory`: after it.
+  /// What `action`, of a contact of one force, does in the step, for those beside it. `owed`:
+  /// before the step; `memory`: after it.
   template <int SIZE>
   PairMotion done(const PairMotion& grid, const Action& action, const Action& owed,
                   const ContactMemory& memory) const {
@@ -234,7 +233,7 @@ class ContactOnGrid {
       roll(0.5 * (f.rolling.impulse + memory.rolling.impulse), action);
       memory.rolling = left(f, f.rolling, f.rolling_rate);
     }
-    memory.age = event || !memory.in_range() ? 0.0 : memory.age + 1.0;
+    memory.age = event || !memory.in_range() ? 0.0 : std::max(memory.age, 0.0) + 1.0;
     memory.ahead = 0.0;
     if ((event || f.normal.inside) && (f.normal.acts || owed != 0.0)) {
       const double reached = std::sqrt(square);
@@ -263,9 +262,8 @@ class ContactOnGrid {
   Vector3 by_contact(const PairMotion& grid, const FollowedStep& f, const Action& action) const {
     if (!attracts()) return action.impulse;
     const Vector3& s = grid.relative.separation;
-    const double attraction =
-        f.normal.normal.repulsion_impulse -
-        reduced_mass_ * dot(f.normal.change.velocity, s) / norm(s);
+    const double attraction = f.normal.normal.repulsion_impulse -
+                              reduced_mass_ * dot(f.normal.change.velocity, s) / norm(s);
     return action.impulse + (attraction / norm(s)) * s;
   }
 
@@ -348,14 +346,13 @@ class ContactOnGrid {
   Stretches stretch(const PairMotion& grid, const ContactMemory& memory) const {
     Stretches now;
     const Touch touch(*this, grid.relative.separation);
-    const auto grown = [&](const Vector3& before, const Vector3& rate) {
-      return touch.plane.turned_into(before) + step_ * rate;
-    };
-    if (dot(memory.sliding.stretch, memory.sliding.stretch) > 0.0)
-      now.sliding = grown(memory.sliding.stretch,
-                          touch.slides(grid.relative.velocity, grid.spin_i, grid.spin_j));
-    if (dot(memory.rolling.stretch, memory.rolling.stretch) > 0.0)
-      now.rolling = grown(memory.rolling.stretch, touch.rolls(grid.spin_i, grid.spin_j));
+    const bool touched = memory.in_range() && memory.age >= 0.0 &&
+                         touch.plane.inverse_square * contact_distance_ * contact_distance_ > 1.0;
+    if (!touched) return now;
+    now.sliding = touch.plane.turned_into(memory.sliding.stretch) +
+                  step_ * touch.slides(grid.relative.velocity, grid.spin_i, grid.spin_j);
+    now.rolling = touch.plane.turned_into(memory.rolling.stretch) +
+                  step_ * touch.rolls(grid.spin_i, grid.spin_j);
     return now;
   }
 

@@ -28,19 +28,26 @@ class SpringOnGrid {
   /// [length/time], and the force of normal spring and dashpot. Adds to both losses [energy].
   void rub(const contact::Plane& plane, const Vector3& rate, double repulsion, Memory& memory,
            double& damped, double& lost) const {
-    Vector3 s = step_ * rate;
-    if (dot(memory.stretch, memory.stretch) > 0.0) s += plane.turned_into(memory.stretch);
+    const Vector3 before = plane.turned_into(memory.stretch);
+    Vector3 s = before + step_ * rate;
     Vector3 force = -constants_.stiffness * s - constants_.damping * rate;
     const double limit = friction_ * std::max(repulsion, 0.0);
     const double square = dot(force, force);
     if (square > limit * limit) {
+      // Spring and dashpot stretch as far as they carry the Coulomb force.
       force = (limit / std::sqrt(square)) * force;
-      const Vector3 trial = s;
-      if (constants_.stiffness > 0.0)
-        s = (-1.0 / constants_.stiffness) * (force + constants_.damping * rate);
-      lost += dot(force, s - trial);
+      const double drag = constants_.damping / step_;
+      if (constants_.stiffness + drag > 0.0)
+        s = (1.0 / (constants_.stiffness + drag)) * (drag * before - force);
+      const Vector3 stretched = s - before;
+      const double dragged = drag * dot(stretched, stretched);
+      const Vector3 mean = rate + (0.5 * answer_ * step_) * force;
+      damped += dragged;
+      lost +=
+          law_.stored_energy(before) - law_.stored_energy(s) - dragged - step_ * dot(force, mean);
+    } else {
+      damped += step_ * constants_.damping * dot(rate, rate + (0.5 * answer_ * step_) * force);
     }
-    damped += step_ * constants_.damping * dot(rate, rate);
     memory = {s, step_ * force};
   }
 
@@ -48,9 +55,8 @@ class SpringOnGrid {
   /// ends without the spring itself; `mean`: with it.
   contact::TangentialStep follow(const contact::Plane& plane, const Vector3& stretch,
                                  const Vector3& rate, const PairStep& normal, Vector3& mean) const {
-    const Vector3 start = dot(stretch, stretch) > 0.0 ? plane.turned_into(stretch) : Vector3{};
     contact::TangentialStep step =
-        law_.advance(start, rate, normal.normal.contact_time, answer_,
+        law_.advance(plane.turned_into(stretch), rate, normal.normal.contact_time, answer_,
                      normal.normal.repulsion_impulse, normal.normal.repulsion_at_end);
     mean = rate + (0.5 * answer_) * step.impulse;
     if (normal.overlap_at_end <= 0.0) {  // parted: what the spring still held is lost

@@ -141,10 +141,11 @@ class ManySpheres {
     for (std::size_t k = 0; k < near_.size(); k++) {
       Near& p = near_[k];
       const PairMotion grid = motion(p, v_, w_);
-      if (p.memory.phase == ContactMemory::beyond && !contact_.within_reach(grid.relative, dt_ * fastest_))
+      if (p.memory.phase == ContactMemory::beyond &&
+          !contact_.within_reach(grid.relative, dt_ * fastest_))
         continue;
       if (first_ && norm(grid.relative.separation) < 2.0 * thesis::radius)
-        p.memory.phase = ContactMemory::inside;
+        p.memory = ContactMemory::seen_inside();
       ContactLosses lost;
       Beside b{static_cast<int>(k), {}, contact_.owed<SIZE>(grid.relative, p.memory), grid};
       if (contact_.follow_lasting<SIZE>(grid, p.memory, b.action, lost)) {
