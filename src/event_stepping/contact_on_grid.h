@@ -349,10 +349,12 @@ class ContactOnGrid {
     const bool touched = memory.in_range() && memory.age >= 0.0 &&
                          touch.plane.inverse_square * contact_distance_ * contact_distance_ > 1.0;
     if (!touched) return now;
-    now.sliding = touch.plane.turned_into(memory.sliding.stretch) +
-                  step_ * touch.slides(grid.relative.velocity, grid.spin_i, grid.spin_j);
-    now.rolling = touch.plane.turned_into(memory.rolling.stretch) +
-                  step_ * touch.rolls(grid.spin_i, grid.spin_j);
+    if (sliding_.acts())
+      now.sliding = touch.plane.turned_into(memory.sliding.stretch) +
+                    step_ * touch.slides(grid.relative.velocity, grid.spin_i, grid.spin_j);
+    if (rolling_.acts())
+      now.rolling = touch.plane.turned_into(memory.rolling.stretch) +
+                    step_ * touch.rolls(grid.spin_i, grid.spin_j);
     return now;
   }
 

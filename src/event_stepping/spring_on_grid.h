@@ -66,6 +66,8 @@ class SpringOnGrid {
     return step;
   }
 
+  /// Without a slider that holds there is no force.
+  bool acts() const { return friction_ > 0.0; }
   double stored_energy(const Vector3& stretch) const { return law_.stored_energy(stretch); }
 
  private:
