@@ -110,17 +110,18 @@ class ContactOnGrid {
     action = {(reduced_mass_ * change / at.distance) * grid.relative.separation, {}, {}};
     losses.normal_damping = 0.5 * normal_contact_.stiffness() / spring_.stiffness *
                             spring_.damping * step_ * at.radial * (2.0 * at.radial + change);
+    const bool lasted = memory.phase == ContactMemory::lasting;
     memory.phase = ContactMemory::lasting;
     memory.age += 1.0;
     if constexpr (SIZE >= ContactMemory::with_friction) {
       const Touch touch(*this, grid.relative.separation);
       double damped = 0.0;
       sliding_.rub(touch.plane, touch.slides(grid.relative.velocity, grid.spin_i, grid.spin_j),
-                   repulsion, memory.sliding, losses.tangential_damping, losses.friction);
+                   repulsion, lasted, memory.sliding, losses.tangential_damping, losses.friction);
       slide(touch, memory.sliding.impulse, action);
       if constexpr (SIZE >= ContactMemory::with_rolling) {
-        rolling_.rub(touch.plane, touch.rolls(grid.spin_i, grid.spin_j), repulsion, memory.rolling,
-                     damped, losses.rolling);
+        rolling_.rub(touch.plane, touch.rolls(grid.spin_i, grid.spin_j), repulsion, lasted,
+                     memory.rolling, damped, losses.rolling);
         losses.rolling += damped;
         roll(memory.rolling.impulse, action);
       }

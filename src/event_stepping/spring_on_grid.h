@@ -25,30 +25,32 @@ class SpringOnGrid {
         answer_(answer) {}
 
   /// One force in a contact that lasts, from the velocity of the half step before, `rate`
-  /// [length/time], and the force of normal spring and dashpot. Adds to both losses [energy].
-  void rub(const contact::Plane& plane, const Vector3& rate, double repulsion, Memory& memory,
-           double& damped, double& lost) const {
+  /// [length/time], and the force of normal spring and dashpot. `lasted`: through the last step,
+  /// too, whose losses [energy] are added to both.
+  void rub(const contact::Plane& plane, const Vector3& rate, double repulsion, bool lasted,
+           Memory& memory, double& damped, double& lost) const {
     const Vector3 before = plane.turned_into(memory.stretch);
     Vector3 s = before + step_ * rate;
     Vector3 force = -constants_.stiffness * s - constants_.damping * rate;
     const double limit = friction_ * std::max(repulsion, 0.0);
     const double square = dot(force, force);
-    if (square > limit * limit) {
+    const bool slips = square > limit * limit;
+    const double drag = constants_.damping / step_;
+    if (slips) {
       // Spring and dashpot stretch as far as they carry the Coulomb force.
       force = (limit / std::sqrt(square)) * force;
-      const double drag = constants_.damping / step_;
       if (constants_.stiffness + drag > 0.0)
         s = (1.0 / (constants_.stiffness + drag)) * (drag * before - force);
-      const Vector3 stretched = s - before;
-      const double dragged = drag * dot(stretched, stretched);
-      const Vector3 mean = rate + (0.5 * answer_ * step_) * force;
-      damped += dragged;
-      lost +=
-          law_.stored_energy(before) - law_.stored_energy(s) - dragged - step_ * dot(force, mean);
-    } else {
-      damped += step_ * constants_.damping * dot(rate, rate + (0.5 * answer_ * step_) * force);
     }
-    memory = {s, step_ * force};
+    const Vector3 impulse = step_ * force;
+    if (lasted) {
+      const double work = -0.5 * dot(memory.impulse + impulse, rate);
+      const double taken = work - (law_.stored_energy(s) - law_.stored_energy(before));
+      const double dragged = slips ? drag * dot(s - before, s - before) : taken;
+      damped += dragged;
+      lost += taken - dragged;
+    }
+    memory = {s, impulse};
   }
 
   /// A followed step, from `stretch` at the grid point, or of a contact that begins. `rate`: of the
