@@ -223,7 +223,10 @@ struct StepContacts {
     if (c.template follow_lasting<SIZE>(grid, now.after, now.action, lost)) {
       scatter.act(i, j, now.action);
       now.after.to(values, SIZE);
-      step->book_losses(scatter.part(j), lost, 0.5);
+      // Springs in the plane of contact: of the step that has ended; the dashpot: around now.
+      step->book_losses(scatter.part(j), {lost.normal_damping, 0.0, 0.0, 0.0}, 0.5);
+      lost.normal_damping = 0.0;
+      step->book_losses(scatter.part(j), lost, 0.0);
       lasting.push_back(now);
       return;
     }
