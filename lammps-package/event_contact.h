@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "atom.h"
-#include "event_stepping/cohesive_contact.h"
 #include "event_stepping/contact_on_grid.h"
+#include "event_stepping/sampled_contact.h"
 #include "fix_event_step.h"
 
 // What pairs and walls of the event scheme share: following a contact the second time, and handing
@@ -65,7 +65,6 @@ struct LastingContact {
 struct FollowedContact {
   int i, j;  // j < 0: a wall
   int contact;
-  bool only;  // neither particle has another contact
   double* history;
   cohesion::event_stepping::PairMotion grid, truth;
   cohesion::event_stepping::ContactMemory memory;
@@ -98,7 +97,6 @@ class ContactsOfStep {
       add(f_[j], kick_, a.impulse);
       if (SIZE > 3) add(torque_[j], kick_, a.torque_j);
     }
-    if (!step_->book.kept) return;
     step_->note_force(i, -kick_ * a.impulse, kick_ * a.torque_i);
     if (both) step_->note_force(j, kick_ * a.impulse, kick_ * a.torque_j);
   }
@@ -125,10 +123,10 @@ class ContactsOfStep {
     if (j >= 0) share_j(j, c, change);
   }
   void share_i(int i, const Contact& c, const PairMotion& change) const {
-    half(step_->alone[i], -c.share_i(), change, change.spin_i);
+    half(step_->alone[i], -c.bodies().share_i(), change, change.spin_i);
   }
   void share_j(int j, const Contact& c, const PairMotion& change) const {
-    half(step_->alone[j], c.share_j(), change, change.spin_j);
+    half(step_->alone[j], c.bodies().share_j(), change, change.spin_j);
   }
 
   double part(int j) const { return j < 0 || j < nlocal_ ? 1.0 : 0.5; }
@@ -148,51 +146,23 @@ class ContactsOfStep {
   int nlocal_;
 };
 
-/// What a sampled contact does in a step.
-struct SampledForce {
-  cohesion::event_stepping::PairStep normal;
-  cohesion::event_stepping::FrictionStep sliding;
-  cohesion::event_stepping::Action action;
-};
-
-/// A sampled contact: the forces where it stands on the grid.
+/// A sampled contact acts; gives what it does.
 template <int SIZE, class Contact>
-SampledForce sample(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
-                    const Contact& c, int i, int j,
-                    const cohesion::event_stepping::PairMotion& grid, double* history) {
+cohesion::event_stepping::SampledStep sample(const ContactsOfStep<Contact, SIZE>& scatter,
+                                             FixEventStep* step, const Contact& c, int i, int j,
+                                             const cohesion::event_stepping::PairMotion& grid,
+                                             double* history) {
   using namespace cohesion::event_stepping;
-  if (step->book.kept)
-    step->book_stored(scatter.part(j), c.stored(grid, ContactMemory::from(history, SIZE)));
   ContactMemory memory = ContactMemory::from(history, SIZE);
-  SampledForce now{};
-  now.normal = c.advance(grid.relative, memory.in_range());
-  now.action.impulse = c.reduced_mass() * now.normal.change.velocity;
-  memory.phase = now.normal.inside ? ContactMemory::inside : ContactMemory::beyond;
-  ContactLosses lost{now.normal.normal.dissipated, 0.0, 0.0, 0.0};
-  const bool touches = now.normal.normal.contact_time > 0.0;
-  PairSpins turned{};
-  if constexpr (SIZE >= HistorySize::with_friction) {
-    if (touches) now.sliding = c.friction(grid, now.normal, memory.sliding.stretch);
-    memory.sliding = {now.sliding.memory, {}};
-    now.action.impulse += now.sliding.spring.impulse;
-    now.action.torque_i = now.sliding.torque_i;
-    now.action.torque_j = now.sliding.torque_j;
-    turned = {c.spin_share_i() * now.sliding.torque_i, c.spin_share_j() * now.sliding.torque_j};
-    lost.tangential_damping = now.sliding.spring.damped;
-    lost.friction = now.sliding.spring.friction;
-  }
-  if constexpr (SIZE >= HistorySize::with_rolling) {
-    RollingStep rolling;
-    if (touches) rolling = c.rolling(grid, now.normal, memory.rolling.stretch, turned);
-    memory.rolling = {rolling.memory, {}};
-    now.action.torque_i += rolling.torque_i;
-    now.action.torque_j -= rolling.torque_i;
-    lost.rolling = rolling.spring.damped + rolling.spring.friction;
-  }
+  ContactLosses lost;
+  SampledStep now = c.template act<SIZE>(grid, memory, lost);
   memory.to(history, SIZE);
   scatter.act(i, j, now.action);
   if (step->book.kept) {
-    step->book_losses(scatter.part(j), lost, 0.5);
+    const double part = scatter.part(j);
+    step->book_stored(part, c.stored(grid, memory));
+    step->book_losses(part, {lost.normal_damping, 0.0, 0.0, 0.0}, 0.5);
+    step->book_losses(part, {0.0, lost.tangential_damping, lost.friction, lost.rolling}, 0.0);
     const Action half{0.5 * now.action.impulse, 0.5 * now.action.torque_i,
                       0.5 * now.action.torque_j};
     scatter.change(step->all_owed(), i, j, half);
@@ -217,10 +187,20 @@ struct StepContacts {
             int contact, int i, int j, const cohesion::event_stepping::PairMotion& grid,
             const cohesion::event_stepping::ContactMemory& memory, double* values) {
     using namespace cohesion::event_stepping;
-    if (step->book.kept) book_standing<SIZE>(scatter, step, c, i, j, grid, memory);
     LastingContact now{i, j, contact, grid, {}, memory, memory};
     ContactLosses lost;
-    if (c.template follow_lasting<SIZE>(grid, now.after, now.action, lost)) {
+    const bool lasts = c.template follow_lasting<SIZE>(grid, now.after, now.action, lost);
+    if (step->book.kept) {
+      // What friction owes is half of the impulse around the grid point.
+      const bool lasted = lasts && memory.phase == ContactMemory::lasting;
+      step->book_stored(scatter.part(j),
+                        lasts ? c.stored_after(grid, now.after) : c.stored(grid, memory));
+      scatter.change(step->all_owed(), i, j,
+                     c.template owed<SIZE>(grid.relative, lasted ? now.after : memory));
+      if (!lasts)
+        step->book_losses(scatter.part(j), c.template lost_before<SIZE>(grid, memory), 0.0);
+    }
+    if (lasts) {
       scatter.act(i, j, now.action);
       now.after.to(values, SIZE);
       // Springs in the plane of contact: of the step that has ended; the dashpot: around now.
@@ -230,7 +210,7 @@ struct StepContacts {
       lasting.push_back(now);
       return;
     }
-    followed.push_back({i, j, contact, false, values, grid, grid, memory, {}});
+    followed.push_back({i, j, contact, values, grid, grid, memory, {}});
     step->announce(i);
     if (j >= 0) step->announce(j);
     scatter.change(step->owed, i, j, c.template owed<SIZE>(grid.relative, memory));
@@ -265,9 +245,9 @@ struct StepContacts {
                     const std::vector<Contact>& all) {
     for (FollowedContact& p : followed) {
       LAMMPS_NS::change(p.truth, step->owed[p.i], p.j >= 0 ? step->owed[p.j] : nullptr);
-      p.only = SIZE < HistorySize::with_rolling && step->has_one_contact(p.i) &&
-               (p.j < 0 || step->has_one_contact(p.j));
-      if (p.only) continue;
+      const bool only = SIZE < HistorySize::with_rolling && step->has_one_contact(p.i) &&
+                        (p.j < 0 || step->has_one_contact(p.j));
+      if (only) continue;
       const Contact& c = all[p.contact];
       p.step = c.template follow<SIZE>(p.grid, p.truth, {}, {}, p.memory);
       scatter.share(p.i, p.j, c, p.step.change);
@@ -281,9 +261,8 @@ struct StepContacts {
     using namespace cohesion::event_stepping;
     for (FollowedContact& p : followed) {
       const Contact& c = all[p.contact];
-      PairMotion others;
-      if (!p.only)
-        others = others_of(step->alone[p.i], p.j >= 0 ? step->alone[p.j] : nullptr, p.step.change);
+      const PairMotion others =
+          others_of(step->alone[p.i], p.j >= 0 ? step->alone[p.j] : nullptr, p.step.change);
       p.step = c.template follow<SIZE>(p.grid, p.truth, others, p.step.rolled, p.memory);
       const Action action = c.template close<SIZE>(p.grid, p.truth, others, p.step, p.memory);
       p.memory.to(p.history, SIZE);
@@ -293,16 +272,6 @@ struct StepContacts {
       step->book_losses(part, Contact::losses(p.step), 1.0);
       done(p, c, action);
     }
-  }
-
-  /// Books what a contact stores at the grid point, and what leads to the true motion there.
-  template <int SIZE, class Contact>
-  static void book_standing(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
-                            const Contact& c, int i, int j,
-                            const cohesion::event_stepping::PairMotion& grid,
-                            const cohesion::event_stepping::ContactMemory& memory) {
-    step->book_stored(scatter.part(j), c.stored(grid, memory));
-    scatter.change(step->all_owed(), i, j, c.template owed<SIZE>(grid.relative, memory));
   }
 };
 

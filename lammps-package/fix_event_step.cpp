@@ -17,6 +17,7 @@
 #include "gravity.h"
 #include "memory.h"
 #include "modify.h"
+#include "output.h"
 #include "pair_members.h"
 #include "shear/flight.h"
 #include "unturned_spheres.h"
@@ -28,6 +29,12 @@ using cohesion::Vector3;
 
 static constexpr char ID[] = "COHESION_EVENT_STEP";
 static constexpr char PLACE[] = "COHESION_EVENT_STEP_PLACE";
+
+static void put(const Vector3& a, double* values) {
+  values[0] = a.x;
+  values[1] = a.y;
+  values[2] = a.z;
+}
 
 FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
     : Fix(lammps, narg, arg),
@@ -51,6 +58,7 @@ FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
       last_dt(0.0),
       holds_last(false),
       last(nullptr),
+      outer(nullptr),
       contacts(nullptr),
       inverse_mass(nullptr),
       longest_flight(0.0),
@@ -75,6 +83,7 @@ FixEventStep::~FixEventStep() {
   memory->destroy(booked_owed);
   memory->destroy(to_truth);
   memory->destroy(last);
+  memory->destroy(outer);
   memory->destroy(contacts);
   memory->destroy(inverse_mass);
 }
@@ -195,18 +204,28 @@ void FixEventStep::setup_pre_force(int) {
   resuming = last_dt > 0.0;
   starting = !resuming;
   other_box = resuming && box.changed(domain);
-  clear();
   resting = rests();
-  if (resting) weighed.clear();
-  judge(true);
+  if (resting) {
+    weighed.clear();
+    contact_force.clear();
+  }
   if (!resuming) {
+    const std::vector<double> weight = weights(lmp);
+    for (int i = 0; i < atom->nlocal; i++) std::copy_n(&weight[OUTER * i], OUTER, outer[i]);
+    clear();
+    judge(true);
     follow();
+    if (resting) contact_force.clear();
     return;
   }
+  look_round();
+  look_for_readers();
+  judge(true);
   if (other_box)
     for (EventWalls* wall : walls) wall->take_where_they_are();
   if (!book.kept) return;
   for (int i = 0; i < atom->nlocal; i++) std::copy_n(last[i] + 6, 6, to_truth[i]);
+  book.spring = book.adhesion = 0.0;
   for (EventContacts* some : styles) some->book_standing();
 }
 
@@ -234,16 +253,30 @@ void FixEventStep::initial_integrate(int) {
     begin_books();
     update->ntimestep++;
   }
-  if (!resuming) return;
+  if (!resuming) {
+    look_for_outer();
+    return;
+  }
   // The same momentum, should the step be another now.
   const double ratio = last_dt / update->dt;
   for (int i = 0; i < atom->nlocal; i++)
     for (int k = 0; k < 3; k++) {
       atom->f[i][k] = ratio * last[i][k];
       atom->torque[i][k] = ratio * last[i][3 + k];
+      outer[i][k] = last[i][12 + k];
     }
   resuming = false;
   hold_last(false);
+}
+
+/// Forces are all there when the next step begins.
+void FixEventStep::look_for_outer() {
+  if (resting) return;
+  for (int i = 0; i < atom->nlocal; i++) put(outer_now(i), outer[i]);
+}
+
+Vector3 FixEventStep::outer_now(int i) const {
+  return contact_force.empty() ? vector(atom->f[i]) : vector(atom->f[i]) - contact_force[i];
 }
 
 /// The books begin when all fixes have been set up; a run of no step ends then.
@@ -271,9 +304,10 @@ void FixEventStep::clear() {
   std::fill_n(contacts, all, 0);
   look_round();
   look_for_readers();
+  contact_force.assign(atom->nlocal, {});
   if (!book.kept) return;
   add_next();
-  contact_force.assign(6 * all, 0.0);
+  contact_torque.assign(atom->nlocal, {});
   for (int i = 0; i < all; i++) std::fill_n(booked_owed[i], OWED, 0.0);
   book.spring = book.tangential_spring = book.rolling_spring = book.adhesion = 0.0;
 }
@@ -288,11 +322,12 @@ void FixEventStep::add_next() {
   next = {};
 }
 
+/// The book is kept, too, in steps that a run may be gone on from.
 void FixEventStep::look_for_readers() {
-  book.kept = book_readers.use_count() > 1;
-  if (!book.kept) {
-    contact_force = std::vector<double>();
-  } else {
+  const bool ends = update->ntimestep == update->laststep ||
+                    (output->restart_flag && update->ntimestep == output->next_restart);
+  book.kept = ends || book_readers.use_count() > 1;
+  if (book.kept) {
     memory->grow(booked_owed, atom->nmax, OWED, "event_step:booked_owed");
     memory->grow(to_truth, atom->nmax, 6, "event_step:to_truth");
   }
@@ -306,13 +341,14 @@ void FixEventStep::end_of_step() {
   for (int i = 0; i < atom->nlocal; i++) {
     std::fill_n(to_truth[i], 6, 0.0);
     if (inverse_mass[i] == 0.0) continue;
+    const Vector3 &push = contact_force[i], &turn = contact_torque[i];
+    const double pushed[] = {push.x, push.y, push.z}, turned[] = {turn.x, turn.y, turn.z};
     const double by_force = half_kick() * inverse_mass[i];
     const double by_torque = half_kick() * cohesion::event_stepping::inverse_inertia(body(i));
     for (int k = 0; k < 3; k++) {
-      const double contact = contact_force[6 * i + k];
-      to_truth[i][k] = booked_owed[i][k] - by_force * contact;
-      to_truth[i][3 + k] = booked_owed[i][3 + k] - by_torque * contact_force[6 * i + 3 + k];
-      work += (atom->f[i][k] - contact - weight[3 * i + k]) * (atom->v[i][k] + to_truth[i][k]);
+      to_truth[i][k] = booked_owed[i][k] - by_force * pushed[k];
+      to_truth[i][3 + k] = booked_owed[i][3 + k] - by_torque * turned[k];
+      work += (atom->f[i][k] - pushed[k] - weight[3 * i + k]) * (atom->v[i][k] + to_truth[i][k]);
     }
   }
   book.external_work += half_kick() * work;
@@ -330,15 +366,19 @@ void FixEventStep::post_run() {
   box.look(domain);
   if (resuming) return;  // no step was made: what was taken over is what the next run goes on from
   hold_last(true);
-  for (int i = 0; i < atom->nlocal; i++) {
-    std::copy_n(atom->f[i], 3, last[i]);
-    std::copy_n(atom->torque[i], 3, last[i] + 3);
-    if (book.kept)
-      std::copy_n(to_truth[i], 6, last[i] + 6);
-    else
-      std::fill_n(last[i] + 6, 6, 0.0);
-  }
+  for (int i = 0; i < atom->nlocal; i++) note_last(i, last[i]);
   last_dt = update->dt;
+}
+
+/// What the next run needs of a particle.
+void FixEventStep::note_last(int i, double* values) const {
+  std::copy_n(atom->f[i], 3, values);
+  std::copy_n(atom->torque[i], 3, values + 3);
+  if (book.kept)
+    std::copy_n(to_truth[i], 6, values + 6);
+  else
+    std::fill_n(values + 6, 6, 0.0);
+  put(outer_now(i), values + 12);
 }
 
 /// Alike on all ranks: particles bring what is held when they change rank.
@@ -394,48 +434,72 @@ void FixEventStep::grow_arrays(int nmax) {
   memory->grow(alone, nmax, ALONE, "event_step:alone");
   memory->grow(contacts, nmax, "event_step:contacts");
   if (holds_last) memory->grow(last, nmax, LAST, "event_step:last");
+  memory->grow(outer, nmax, OUTER, "event_step:outer");
   memory->grow(inverse_mass, nmax, "event_step:inverse_mass");
 }
 
 void FixEventStep::copy_arrays(int i, int j, int) {
+  std::copy_n(outer[i], OUTER, outer[j]);
   if (holds_last) std::copy_n(last[i], LAST, last[j]);
 }
 
 void FixEventStep::set_arrays(int i) {
+  std::fill_n(outer[i], OUTER, 0.0);
   if (holds_last) std::fill_n(last[i], LAST, 0.0);
 }
 
 int FixEventStep::pack_exchange(int i, double* buf) {
-  if (!holds_last) return 0;
-  std::copy_n(last[i], LAST, buf);
-  return LAST;
+  std::copy_n(outer[i], OUTER, buf);
+  if (!holds_last) return OUTER;
+  std::copy_n(last[i], LAST, buf + OUTER);
+  return OUTER + LAST;
 }
 
 int FixEventStep::unpack_exchange(int i, double* buf) {
-  if (!holds_last) return 0;
-  std::copy_n(buf, LAST, last[i]);
-  return LAST;
+  std::copy_n(buf, OUTER, outer[i]);
+  if (!holds_last) return OUTER;
+  std::copy_n(buf + OUTER, LAST, last[i]);
+  return OUTER + LAST;
+}
+
+/// What a book needs to go on: what tangential and rolling springs store, and what is lost after
+/// the grid point.
+std::array<double, 7> FixEventStep::kept_sums() const {
+  return {book.tangential_spring, book.rolling_spring, next.normal_damping, next.tangential_damping,
+          next.friction,          next.rolling,        next.external_work};
 }
 
 void FixEventStep::write_restart(FILE* fp) {
+  const auto mine = kept_sums();
+  auto all = mine;
+  MPI_Reduce(mine.data(), all.data(), static_cast<int>(mine.size()), MPI_DOUBLE, MPI_SUM, 0, world);
   if (comm->me != 0) return;
-  const int size = sizeof(double);
+  const int size = static_cast<int>((1 + all.size()) * sizeof(double));
   fwrite(&size, sizeof(int), 1, fp);
   fwrite(running ? &update->dt : &last_dt, sizeof(double), 1, fp);
+  fwrite(all.data(), sizeof(double), all.size(), fp);
 }
 
 void FixEventStep::restart(char* buf) {
   memcpy(&last_dt, buf, sizeof(double));
   hold_last(last_dt > 0.0);
+  if (comm->me != 0) return;
+  auto all = kept_sums();
+  memcpy(all.data(), buf + sizeof(double), sizeof(all));
+  book.tangential_spring = all[0];
+  book.rolling_spring = all[1];
+  next.normal_damping = all[2];
+  next.tangential_damping = all[3];
+  next.friction = all[4];
+  next.rolling = all[5];
+  next.external_work = all[6];
 }
 
 int FixEventStep::pack_restart(int i, double* buf) {
   buf[0] = 1 + LAST;
   std::fill_n(buf + 1, LAST, 0.0);  // before the first run
   if (running) {
-    std::copy_n(atom->f[i], 3, buf + 1);
-    std::copy_n(atom->torque[i], 3, buf + 4);
-    if (book.kept) std::copy_n(to_truth[i], 6, buf + 7);
+    note_last(i, buf + 1);
   } else if (holds_last) {
     // The engine's own forces may have stayed behind when particles changed rank.
     std::copy_n(last[i], LAST, buf + 1);
@@ -454,7 +518,9 @@ int FixEventStep::maxsize_restart() { return 1 + LAST; }
 int FixEventStep::size_restart(int) { return 1 + LAST; }
 
 double FixEventStep::memory_usage() {
-  const double numbers = OWED + ALONE + 1 + (holds_last ? LAST : 0) + (booked_owed ? OWED + 6 : 0);
+  const double numbers =
+      OWED + ALONE + OUTER + 1 + (holds_last ? LAST : 0) + (booked_owed ? OWED + 6 : 0);
   return (numbers * sizeof(double) + sizeof(int)) * atom->nmax +
-         sizeof(double) * (contact_force.capacity() + weighed.capacity());
+         sizeof(Vector3) * (contact_force.capacity() + contact_torque.capacity()) +
+         sizeof(double) * weighed.capacity();
 }

@@ -9,6 +9,7 @@ FixStyle(EVENT_STEP,FixEventStep);
 #define LMP_FIX_EVENT_STEP_H
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -138,10 +139,18 @@ class FixEventStep : public Fix {
   double flight() const { return longest_flight; }
 
   /// Announces a contact of particle or ghost i in this step, before it adds to `owed` or `alone`.
+  /// What forces that are no contacts' do is the first entry; ghosts have it from their owners.
   void announce(int i) {
     if (contacts[i]++ != 0) return;
     std::fill_n(owed[i], OWED, 0.0);
     std::fill_n(alone[i], ALONE, 0.0);
+    if (i >= atom->nlocal) return;
+    for (int k = 0; k < 3; k++) {
+      const double kick = half_kick() * inverse_mass[i] * outer[i][k];
+      owed[i][k] = starting ? 0.0 : kick;
+      alone[i][k] = 2.0 * half_kick() * kick;
+      alone[i][3 + k] = 2.0 * kick;
+    }
   }
   /// One more contact of a particle that has been announced.
   void joins(int i) { contacts[i]++; }
@@ -178,6 +187,12 @@ class FixEventStep : public Fix {
     book.rolling_spring += part * stored.rolling_spring;
     book.adhesion += part * stored.adhesion;
   }
+  /// The same where a run goes on from the forces of the last one: what springs in the plane of
+  /// contact store is known from that.
+  void book_again(double part, const cohesion::event_stepping::StoredEnergies& stored) {
+    book.spring += part * stored.spring;
+    book.adhesion += part * stored.adhesion;
+  }
   /// Adds losses of `part` of a contact in the step, of which `later` is after the grid point that
   /// the book is of.
   void book_losses(double part, const cohesion::event_stepping::ContactLosses& lost, double later) {
@@ -198,19 +213,19 @@ class FixEventStep : public Fix {
 
   /// Work of others after the grid point that the book is of.
   void next_work(double work) { next.external_work += work; }
-  /// Force and torque of a contact on particle i, for the book.
+  /// Adds force and torque of a contact on particle i to the sums of contacts; the torque, while
+  /// the book is kept.
   void note_force(int i, const cohesion::Vector3& push, const cohesion::Vector3& turn) {
-    double* const of = &contact_force[6 * i];
-    of[0] += push.x;
-    of[1] += push.y;
-    of[2] += push.z;
-    of[3] += turn.x;
-    of[4] += turn.y;
-    of[5] += turn.z;
+    contact_force[i] += push;
+    if (book.kept) contact_torque[i] += turn;
   }
 
  private:
   void clear();
+  void look_for_outer();
+  cohesion::Vector3 outer_now(int i) const;
+  std::array<double, 7> kept_sums() const;
+  void note_last(int i, double* values) const;
   void judge(bool setup);
   bool rests() const;
   void look_for_readers();
@@ -245,13 +260,16 @@ class FixEventStep : public Fix {
   BoxSides box;     // at the end of the last run
   double last_dt;   // of the step that `last` is from; 0: there was none
   bool holds_last;  // from the end of a run to the first step of the next
-  /// Per atom, while it is held: force and torque at the end of the last run, and `to_truth`.
-  static constexpr int LAST = 12;
+  /// Per atom, while it is held: force and torque at the end of the last run, `to_truth`, `outer`.
+  static constexpr int LAST = 15;
   double** last;
-  std::vector<double> contact_force;  // per atom and ghost, while the book is kept
-  int* contacts;                      // per atom and ghost, this step
-  double* inverse_mass;               // per atom and ghost
-  std::vector<double> weighed;        // the masses inverse_mass is of; empty: of none
+  /// Per atom: force of all but contacts at the last grid point.
+  static constexpr int OUTER = 3;
+  double** outer;
+  std::vector<cohesion::Vector3> contact_force, contact_torque;  // per atom, of this step
+  int* contacts;                                                 // per atom and ghost, this step
+  double* inverse_mass;                                          // per atom and ghost
+  std::vector<double> weighed;  // the masses inverse_mass is of; empty: of none
   double longest_flight;
   Reader book_readers, flux_readers;  // copies of these are out
   bool flux_wanted;

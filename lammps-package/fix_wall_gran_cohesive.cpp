@@ -359,10 +359,8 @@ void FixWallGranCohesive<Cohesion>::follow_together(std::vector<SampledContact>&
     const PairMotion grid{{near.point.separation, near.point.velocity - vector(atom->v[i])},
                           vector(atom->omega[i]),
                           {}};
-    const SampledForce now =
-        sample<SIZE>(scatter, step, c, i, WALL, grid, history.of(i, near.wall));
-    push(scatter, near.wall, near.point.velocity, now.action.impulse,
-         impulse_by_contact(c, near.point.separation, now.normal, now.sliding, now.action.impulse));
+    const SampledStep now = sample<SIZE>(scatter, step, c, i, WALL, grid, history.of(i, near.wall));
+    push(scatter, near.wall, near.point.velocity, now.action.impulse, now.by_contact);
   }
 }
 
@@ -395,8 +393,8 @@ void FixWallGranCohesive<Cohesion>::book_standing() {
         const WallPoint point = walls[w].nearest(vector(atom->x[i]), now, motion.rim_speed);
         const PairMotion grid{
             {point.separation, point.velocity - vector(atom->v[i])}, vector(atom->omega[i]), {}};
-        step->book_stored(1.0,
-                          shared[contact(shared, i)].stored(grid, ContactMemory::from(kept, size)));
+        step->book_again(1.0,
+                         shared[contact(shared, i)].stored(grid, ContactMemory::from(kept, size)));
       }
   });
 }

@@ -10,7 +10,7 @@
 #include "cohesive_contact_from_script.h"
 #include "contact_advice.h"
 #include "event_contact.h"
-#include "event_stepping/cohesive_contact.h"
+#include "event_stepping/sampled_contact.h"
 #include "event_stepping/wall.h"
 #include "fix.h"
 #include "fix_event_step.h"
@@ -58,7 +58,7 @@ class FixWallGranCohesive : public Fix, public EventWalls, public AdvisedStyle {
 
  private:
   using EventContact = cohesion::event_stepping::ContactOnGrid<typename Cohesion::EventWall>;
-  using SampledContact = cohesion::event_stepping::CohesiveContact<typename Cohesion::Sampled>;
+  using SampledContact = cohesion::event_stepping::SampledContact<typename Cohesion::Sampled>;
   /// Those of the particles near a wall, equal neighbours shared. One alternative per scheme, in
   /// the order of Scheme.
   using AnyContacts = std::variant<std::vector<EventContact>, std::vector<SampledContact> >;

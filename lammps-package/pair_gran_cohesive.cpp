@@ -184,7 +184,7 @@ void PairGranCohesive<Cohesion>::follow_together(Contacts<EventContact>& contact
                              const ContactMemory& before, const Vector3& impulse,
                              const Vector3& by_contact) {
     const StoredEnergies stored = c.stored(grid, before);
-    tally(c, i, j, grid.relative.separation, stored.spring + stored.adhesion, impulse, by_contact);
+    tally(i, j, grid.relative.separation, stored.spring + stored.adhesion, impulse, by_contact);
   };
   if (tallies)
     for (const LastingContact& p : contacts_now.lasting) {
@@ -227,22 +227,20 @@ void PairGranCohesive<Cohesion>::follow_together(Contacts<SampledContact>& conta
   for (const SampledActive& pair : sampled_now) {
     const SampledContact& c = contacts.all[pair.contact];
     const PairMotion grid = on_grid_with_spins(pair.i, pair.j);
-    const SampledForce now = sample<SIZE>(scatter, step, c, pair.i, pair.j, grid, pair.history);
-    *pair.kept = now.normal.inside;
+    const SampledStep now = sample<SIZE>(scatter, step, c, pair.i, pair.j, grid, pair.history);
+    const ContactMemory known = ContactMemory::from(pair.history, SIZE);
+    *pair.kept = known.in_range();
     if (!evflag && !step->sums_flux()) continue;
-    const Vector3& d = grid.relative.separation;
-    tally(c, pair.i, pair.j, d, c.spring_energy(now.normal) + c.adhesion_energy(now.normal),
-          now.action.impulse,
-          impulse_by_contact(c, d, now.normal, now.sliding, now.action.impulse));
+    const StoredEnergies stored = c.stored(grid, known);
+    tally(pair.i, pair.j, grid.relative.separation, stored.spring + stored.adhesion,
+          now.action.impulse, now.by_contact);
   }
 }
 
 /// `impulse` on j, and the part of it that is not adhesion's.
 template <class Cohesion>
-template <class Contact>
-void PairGranCohesive<Cohesion>::tally(const Contact&, int i, int j, const Vector3& separation,
-                                       double energy, const Vector3& impulse,
-                                       const Vector3& by_contact) {
+void PairGranCohesive<Cohesion>::tally(int i, int j, const Vector3& separation, double energy,
+                                       const Vector3& impulse, const Vector3& by_contact) {
   const int nlocal = atom->nlocal;
   if (step->sums_flux()) step->flux.add(j < nlocal ? 1.0 : 0.5, separation, impulse, by_contact);
   if (!evflag) return;

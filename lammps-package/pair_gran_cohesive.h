@@ -13,7 +13,7 @@
 #include "cohesive_coefficients.h"
 #include "contact_advice.h"
 #include "event_contact.h"
-#include "event_stepping/cohesive_contact.h"
+#include "event_stepping/sampled_contact.h"
 #include "pair.h"
 #include "pair_history.h"
 
@@ -68,7 +68,7 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventContacts, p
   };
   /// One alternative per scheme, in the order of Scheme.
   using EventContact = cohesion::event_stepping::ContactOnGrid<typename Cohesion::EventPair>;
-  using SampledContact = cohesion::event_stepping::CohesiveContact<typename Cohesion::Sampled>;
+  using SampledContact = cohesion::event_stepping::SampledContact<typename Cohesion::Sampled>;
   using AnyContacts = std::variant<Contacts<EventContact>, Contacts<SampledContact>>;
 
   /// A sampled pair that may touch in this step.
@@ -114,8 +114,7 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventContacts, p
   void follow_together(Contacts<EventContact>&);
   template <int SIZE>
   void follow_together(Contacts<SampledContact>&);
-  template <class Contact>
-  void tally(const Contact&, int i, int j, const cohesion::Vector3& separation, double energy,
+  void tally(int i, int j, const cohesion::Vector3& separation, double energy,
              const cohesion::Vector3& impulse, const cohesion::Vector3& by_contact);
   template <class What>
   void with_contacts(const What&);

@@ -53,7 +53,7 @@ void PairGranCohesive<Cohesion>::book_standing() {
   if (step->box_changed()) begin_where_they_are(false);
   if (!step->book.kept) return;
   for_each_standing([this](int i, int j, const StoredEnergies& stored) {
-    step->book_stored(j < atom->nlocal ? 1.0 : 0.5, stored);
+    step->book_again(j < atom->nlocal ? 1.0 : 0.5, stored);
     (void)i;
   });
 }

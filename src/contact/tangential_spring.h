@@ -56,7 +56,7 @@ struct Plane {
 /// ends.
 ///
 /// The same law resists rolling, elastic-plastic, with m_r that answers in place of m_t
-/// (event_stepping/cohesive_contact.h).
+/// (event_stepping/contact_bodies.h).
 ///
 /// Source: P. A. Cundall and O. D. L. Strack, Geotechnique 29 (1979) 47; van der Hoef et al.,
 /// Adv. Chem. Eng. 31 (2006) 65, eq. 27-29. Rolling: S. Luding, Granular Matter 10 (2008) 235;

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "contact/contact_parameters.h"
+#include "event_stepping/contact_bodies.h"
 #include "event_stepping/contact_memory.h"
 #include "event_stepping/damped_oscillator.h"
-#include "event_stepping/pair_motion.h"
 #include "event_stepping/plane_pair.h"
 #include "event_stepping/sphere_pair.h"
 #include "event_stepping/spring_on_grid.h"
@@ -49,16 +49,11 @@ class ContactOnGrid {
   /// step [time].
   ContactOnGrid(const contact::ContactParameters& parameters, const Attraction& attraction,
                 const Body& i, const Body& j, double step)
-      : i_(i),
-        j_(j),
+      : bodies_(i, j),
         step_(step),
-        inverse_mass_(i.inverse_mass + j.inverse_mass),
-        reduced_mass_(1.0 / inverse_mass_),
-        lever_i_(j.radius > 0.0 ? i.radius / (i.radius + j.radius) : 0.0),
-        rolling_radius_(j.radius > 0.0 ? lever_i_ * j.radius : i.radius),
-        spin_share_i_(inverse_inertia(i)),
-        spin_share_j_(inverse_inertia(j)),
-        contact_distance_(i.radius + j.radius),
+        inverse_mass_(bodies_.inverse_mass()),
+        reduced_mass_(bodies_.reduced_mass()),
+        contact_distance_(bodies_.distance()),
         normal_contact_(contact::normal_contact(parameters, reduced_mass_)),
         pair_(normal_contact_, attraction, contact_distance_, step),
         oscillator_(normal_contact_.stiffness() * inverse_mass_,
@@ -67,21 +62,18 @@ class ContactOnGrid {
         spring_(oscillator_.on_grid(step, reduced_mass_)),
         pull_(attraction.force),
         sliding_(contact::tangential_contact(parameters, normal_contact_), step,
-                 answer(contact_distance_ * contact_distance_)),
+                 bodies_.sliding_answer()),
         rolling_(contact::rolling_contact(parameters, normal_contact_), step,
-                 rolling_radius_ * rolling_radius_ * (spin_share_i_ + spin_share_j_)),
+                 bodies_.rolling_answer()),
         youth_(2.5 * normal_contact_.contact_time() / step) {}
 
-  bool joins(const Body& i, const Body& j) const { return i == i_ && j == j_; }
+  bool joins(const Body& i, const Body& j) const { return bodies_.are(i, j); }
+  const ContactBodies& bodies() const { return bodies_; }
   const contact::LinearSpringDashpot& normal_contact() const { return normal_contact_; }
   /// Gap up to which the pair attracts in this scheme, [length].
   double range() const { return pair_.range(); }
   /// Whether there is any adhesion; at a well as wide as the contact it has no range.
   bool attracts() const { return pair_.range() > 0.0 || pair_.adhesion_energy(0.0) < 0.0; }
-  double reduced_mass() const { return reduced_mass_; }
-  /// The part of a relative change that falls to particle i (with a minus sign) and j.
-  double share_i() const { return reduced_mass_ * i_.inverse_mass; }
-  double share_j() const { return reduced_mass_ * j_.inverse_mass; }
 
   /// `flown` [length]: what a pair can fly in a step more than its velocity on the grid says.
   bool within_reach(const RelativeState& grid, double flown) const {
@@ -114,19 +106,39 @@ class ContactOnGrid {
     memory.phase = ContactMemory::lasting;
     memory.age += 1.0;
     if constexpr (SIZE >= ContactMemory::with_friction) {
-      const Touch touch(*this, grid.relative.separation);
-      double damped = 0.0;
-      sliding_.rub(touch.plane, touch.slides(grid.relative.velocity, grid.spin_i, grid.spin_j),
-                   repulsion, lasted, memory.sliding, losses.tangential_damping, losses.friction);
-      slide(touch, memory.sliding.impulse, action);
+      const Touch touch(bodies_, grid.relative.separation);
+      SpringOnGrid::Losses lost;
+      const Vector3 slides = touch.slides(grid.relative.velocity, grid.spin_i, grid.spin_j);
+      touch.slide(sliding_.rub(touch.plane(), slides, repulsion, lasted, memory.sliding, lost),
+                  action);
+      losses.tangential_damping = lost.damped;
+      losses.friction = lost.friction;
       if constexpr (SIZE >= ContactMemory::with_rolling) {
-        rolling_.rub(touch.plane, touch.rolls(grid.spin_i, grid.spin_j), repulsion, lasted,
-                     memory.rolling, damped, losses.rolling);
-        losses.rolling += damped;
-        roll(memory.rolling.impulse, action);
+        const Vector3 rolls = touch.rolls(grid.spin_i, grid.spin_j);
+        lost = {};
+        touch.roll(rolling_.rub(touch.plane(), rolls, repulsion, lasted, memory.rolling, lost),
+                   action);
+        losses.rolling = lost.damped + lost.friction;
       }
     }
     return true;
+  }
+
+  /// What springs in the plane of contact lost in a last step of one force, where the next is
+  /// followed.
+  template <int SIZE>
+  ContactLosses lost_before(const PairMotion& grid, const ContactMemory& memory) const {
+    ContactLosses losses;
+    if (SIZE < ContactMemory::with_friction || memory.phase != ContactMemory::lasting)
+      return losses;
+    const Touch touch(bodies_, grid.relative.separation);
+    losses.tangential_damping = sliding_.lost_before(
+        touch.plane(), touch.slides(grid.relative.velocity, grid.spin_i, grid.spin_j),
+        memory.sliding);
+    if (SIZE >= ContactMemory::with_rolling)
+      losses.rolling = rolling_.lost_before(touch.plane(), touch.rolls(grid.spin_i, grid.spin_j),
+                                            memory.rolling);
+    return losses;
   }
 
   /// What leads from the motion on the grid to the true one at this grid point.
@@ -135,8 +147,9 @@ class ContactOnGrid {
     const double radial = ahead(grid, memory);
     Action owed{(radial * reduced_mass_ / norm(grid.separation)) * grid.separation, {}, {}};
     if constexpr (SIZE >= ContactMemory::with_friction)
-      slide(Touch(*this, grid.separation), 0.5 * memory.sliding.impulse, owed);
-    if constexpr (SIZE >= ContactMemory::with_rolling) roll(0.5 * memory.rolling.impulse, owed);
+      Touch(bodies_, grid.separation).slide(0.5 * memory.sliding.impulse, owed);
+    if constexpr (SIZE >= ContactMemory::with_rolling)
+      Touch(bodies_, grid.separation).roll(0.5 * memory.rolling.impulse, owed);
     return owed;
   }
 
@@ -152,8 +165,8 @@ class ContactOnGrid {
     PairMotion change;
     change.relative.separation = (step_ * inverse_mass_) * (action.impulse - owed.impulse);
     change.relative.velocity = inverse_mass_ * (action.impulse - owed.impulse + later.impulse);
-    change.spin_i = spin_share_i_ * (action.torque_i - owed.torque_i + later.torque_i);
-    change.spin_j = spin_share_j_ * (action.torque_j - owed.torque_j + later.torque_j);
+    change.spin_i = bodies_.spin_share_i() * (action.torque_i - owed.torque_i + later.torque_i);
+    change.spin_j = bodies_.spin_share_j() * (action.torque_j - owed.torque_j + later.torque_j);
     return change;
   }
 
@@ -174,27 +187,27 @@ class ContactOnGrid {
     f.change.relative = {did.separation + half * did.velocity, did.velocity};
     if constexpr (SIZE >= ContactMemory::with_friction) {
       if (f.normal.normal.contact_time == 0.0) return f;
-      const Touch touch(*this, middle.separation + did.separation);
+      const Touch touch(bodies_, middle.separation + did.separation);
       const Vector3 spin_i = truth.spin_i + 0.5 * others.spin_i;
       const Vector3 spin_j = truth.spin_j + 0.5 * others.spin_j;
       const Vector3 slides = touch.slides(middle.velocity + 0.5 * did.velocity,
                                           spin_i + 0.5 * rolled.i, spin_j + 0.5 * rolled.j);
-      f.sliding = sliding_.follow(touch.plane, stretch(grid, memory).sliding, slides, f.normal,
+      f.sliding = sliding_.follow(touch.plane(), stretch(grid, memory).sliding, slides, f.normal,
                                   f.sliding_rate);
       const Vector3& impulse = f.sliding.impulse;
       f.change.relative.separation += (half * inverse_mass_) * impulse;
       f.change.relative.velocity += inverse_mass_ * impulse;
       Action turning;
-      slide(touch, impulse, turning);
-      f.change.spin_i = spin_share_i_ * turning.torque_i;
-      f.change.spin_j = spin_share_j_ * turning.torque_j;
+      touch.slide(impulse, turning);
+      f.change.spin_i = bodies_.spin_share_i() * turning.torque_i;
+      f.change.spin_j = bodies_.spin_share_j() * turning.torque_j;
       if constexpr (SIZE >= ContactMemory::with_rolling) {
         const Vector3 rolls =
             touch.rolls(spin_i + 0.5 * f.change.spin_i, spin_j + 0.5 * f.change.spin_j);
-        f.rolling = rolling_.follow(touch.plane, stretch(grid, memory).rolling, rolls, f.normal,
+        f.rolling = rolling_.follow(touch.plane(), stretch(grid, memory).rolling, rolls, f.normal,
                                     f.rolling_rate);
-        const Vector3 turn = rolling_radius_ * f.rolling.impulse;
-        f.rolled = {spin_share_i_ * turn, -spin_share_j_ * turn};
+        const Vector3 turn = bodies_.rolling_radius() * f.rolling.impulse;
+        f.rolled = {bodies_.spin_share_i() * turn, -bodies_.spin_share_j() * turn};
         f.change.spin_i += f.rolled.i;
         f.change.spin_j += f.rolled.j;
       }
@@ -227,11 +240,11 @@ class ContactOnGrid {
       if (event || memory.phase != ContactMemory::beyond)
         action.impulse = (reduced_mass_ * (push / step_ + owed)) * k;
     if constexpr (SIZE >= ContactMemory::with_friction) {
-      slide(Touch(*this, s), 0.5 * (f.sliding.impulse + memory.sliding.impulse), action);
+      Touch(bodies_, s).slide(0.5 * (f.sliding.impulse + memory.sliding.impulse), action);
       memory.sliding = left(f, f.sliding, f.sliding_rate);
     }
     if constexpr (SIZE >= ContactMemory::with_rolling) {
-      roll(0.5 * (f.rolling.impulse + memory.rolling.impulse), action);
+      Touch(bodies_, s).roll(0.5 * (f.rolling.impulse + memory.rolling.impulse), action);
       memory.rolling = left(f, f.rolling, f.rolling_rate);
     }
     memory.age = event || !memory.in_range() ? 0.0 : std::max(memory.age, 0.0) + 1.0;
@@ -268,16 +281,19 @@ class ContactOnGrid {
     return action.impulse + (attraction / norm(s)) * s;
   }
 
-  /// What is stored at the grid point.
+  /// What is stored at the grid point, before its force.
   StoredEnergies stored(const PairMotion& grid, const ContactMemory& memory) const {
-    if (!memory.in_range()) return {};
-    const double overlap = contact_distance_ - norm(grid.relative.separation);
     const Stretches now = stretch(grid, memory);
-    return {pair_.spring_energy(overlap), sliding_.stored_energy(now.sliding),
-            rolling_.stored_energy(now.rolling), pair_.adhesion_energy(overlap)};
+    return stored(grid, memory, now.sliding, now.rolling);
+  }
+  /// The same after one force: springs in the plane of contact have slipped.
+  StoredEnergies stored_after(const PairMotion& grid, const ContactMemory& after) const {
+    return stored(grid, after, after.sliding.stretch, after.rolling.stretch);
   }
 
  private:
+  using Touch = ContactBodies::Touch;
+
   /// Of the way of a step that the predicted overlap must be more than.
   static constexpr double certain = 0.1;
   static constexpr double rounding = 1e-9;
@@ -293,7 +309,7 @@ class ContactOnGrid {
       distance = norm(grid.separation);
       radial = dot(grid.separation, grid.velocity) / distance;
       const double square = dot(grid.velocity, grid.velocity) - radial * radial;
-      const double side = c.j_.radius > 0.0 ? std::max(square, 0.0) : 0.0;
+      const double side = c.bodies_.is_wall() ? 0.0 : std::max(square, 0.0);
       turning = side * c.step_ * c.step_;
       straight = distance - c.step_ * radial;
       const double leverage = distance / c.contact_distance_;
@@ -318,43 +334,30 @@ class ContactOnGrid {
     }
   };
 
-  /// Where the surfaces touch.
-  struct Touch {
-    const ContactOnGrid& of;
-    contact::Plane plane;
-    double lever_i;  // of i, as a part of the distance
-
-    Touch(const ContactOnGrid& c, const Vector3& r)
-        : of(c),
-          plane{r, 1.0 / dot(r, r)},
-          lever_i(c.j_.radius > 0.0 ? c.lever_i_ : c.i_.radius * std::sqrt(plane.inverse_square)) {}
-
-    /// How fast the surfaces part in the plane of contact.
-    Vector3 slides(const Vector3& velocity, const Vector3& spin_i, const Vector3& spin_j) const {
-      return plane.part_in(velocity -
-                           cross(lever_i * spin_i + (1.0 - lever_i) * spin_j, plane.normal));
-    }
-    Vector3 rolls(const Vector3& spin_i, const Vector3& spin_j) const {
-      return of.rolling_radius_ * plane.part_in(spin_i - spin_j);
-    }
-  };
-
   struct Stretches {
     Vector3 sliding{}, rolling{};
   };
 
+  StoredEnergies stored(const PairMotion& grid, const ContactMemory& memory, const Vector3& slid,
+                        const Vector3& rolled) const {
+    if (!memory.in_range()) return {};
+    const double overlap = contact_distance_ - norm(grid.relative.separation);
+    return {pair_.spring_energy(overlap), sliding_.stored_energy(slid),
+            rolling_.stored_energy(rolled), pair_.adhesion_energy(overlap)};
+  }
+
   /// Of the springs at this grid point, in its plane, [length].
   Stretches stretch(const PairMotion& grid, const ContactMemory& memory) const {
     Stretches now;
-    const Touch touch(*this, grid.relative.separation);
+    const Touch touch(bodies_, grid.relative.separation);
     const bool touched = memory.in_range() && memory.age >= 0.0 &&
-                         touch.plane.inverse_square * contact_distance_ * contact_distance_ > 1.0;
+                         touch.plane().inverse_square * contact_distance_ * contact_distance_ > 1.0;
     if (!touched) return now;
     if (sliding_.acts())
-      now.sliding = touch.plane.turned_into(memory.sliding.stretch) +
+      now.sliding = touch.plane().turned_into(memory.sliding.stretch) +
                     step_ * touch.slides(grid.relative.velocity, grid.spin_i, grid.spin_j);
     if (rolling_.acts())
-      now.rolling = touch.plane.turned_into(memory.rolling.stretch) +
+      now.rolling = touch.plane().turned_into(memory.rolling.stretch) +
                     step_ * touch.rolls(grid.spin_i, grid.spin_j);
     return now;
   }
@@ -374,42 +377,21 @@ class ContactOnGrid {
 
   /// Whether anything but lasting contact, or flight out of range, happened in a step.
   bool eventful(const ContactMemory& memory, const PairStep& normal) const {
-    if (memory.in_range()) return normal.normal.contact_time < (1.0 - rounding) * step_;
+    if (memory.in_range())
+      return !normal.inside || normal.normal.contact_time < (1.0 - rounding) * step_;
     return normal.inside || dot(normal.change.velocity, normal.change.velocity) > 0.0;
   }
 
   /// A sphere meets a wall along the normal, wherever it goes across.
   Vector3 normal_part(const Vector3& separation, const Vector3& a) const {
-    if (j_.radius > 0.0) return a;
+    if (!bodies_.is_wall()) return a;
     return (dot(a, separation) / dot(separation, separation)) * separation;
   }
 
-  void slide(const Touch& touch, const Vector3& impulse, Action& action) const {
-    const Vector3 turn = cross(touch.plane.normal, impulse);
-    action.impulse += impulse;
-    action.torque_i -= touch.lever_i * turn;
-    action.torque_j -= (1.0 - touch.lever_i) * turn;
-  }
-  void roll(const Vector3& impulse, Action& action) const {
-    action.torque_i += rolling_radius_ * impulse;
-    action.torque_j -= rolling_radius_ * impulse;
-  }
-
-  /// Inverse mass that answers an impulse in the plane of contact.
-  double answer(double square) const {
-    const double i = j_.radius > 0.0 ? lever_i_ : i_.radius / std::sqrt(square), j = 1.0 - i;
-    return inverse_mass_ + square * (i * i * spin_share_i_ + j * j * spin_share_j_);
-  }
-
-  Body i_;
-  Body j_;
+  ContactBodies bodies_;
   double step_;
   double inverse_mass_;
   double reduced_mass_;
-  double lever_i_;  // of two spheres: i's part of the distance
-  double rolling_radius_;
-  double spin_share_i_;
-  double spin_share_j_;
   double contact_distance_;
   contact::LinearSpringDashpot normal_contact_;
   Pair pair_;

@@ -24,13 +24,23 @@ class SpringOnGrid {
         step_(step),
         answer_(answer) {}
 
+  /// What a spring, dashpot and slider lose, [energy].
+  struct Losses {
+    double damped = 0.0;
+    double friction = 0.0;
+  };
+
   /// One force in a contact that lasts, from the velocity of the half step before, `rate`
-  /// [length/time], and the force of normal spring and dashpot. `lasted`: through the last step,
-  /// too, whose losses [energy] are added to both.
-  void rub(const contact::Plane& plane, const Vector3& rate, double repulsion, bool lasted,
-           Memory& memory, double& damped, double& lost) const {
-    const Vector3 before = plane.turned_into(memory.stretch);
-    Vector3 s = before + step_ * rate;
+  /// [length/time], and the force of normal spring and dashpot. Gives the impulse at the grid
+  /// point. `lasted`: through the last step, too; its losses are added. A step that was followed
+  /// has half of its impulse still to do.
+  Vector3 rub(const contact::Plane& plane, const Vector3& rate, double repulsion, bool lasted,
+              Memory& memory, Losses& losses) const {
+    const Vector3 turned = plane.turned_into(memory.stretch);
+    const Vector3 stretched = turned + step_ * rate;
+    // What was followed has slipped already, and does not stretch by the whole rate.
+    const Vector3 before = lasted ? turned : stretched;
+    Vector3 s = stretched;
     Vector3 force = -constants_.stiffness * s - constants_.damping * rate;
     const double limit = friction_ * std::max(repulsion, 0.0);
     const double square = dot(force, force);
@@ -43,14 +53,26 @@ class SpringOnGrid {
         s = (1.0 / (constants_.stiffness + drag)) * (drag * before - force);
     }
     const Vector3 impulse = step_ * force;
-    if (lasted) {
-      const double work = -0.5 * dot(memory.impulse + impulse, rate);
-      const double taken = work - (law_.stored_energy(s) - law_.stored_energy(before));
-      const double dragged = slips ? drag * dot(s - before, s - before) : taken;
-      damped += dragged;
-      lost += taken - dragged;
-    }
+    const Vector3 mean = 0.5 * (memory.impulse + impulse);
+    const double work = lasted ? -dot(mean, rate) : 0.0;
+    const double lost = work + law_.stored_energy(before) - law_.stored_energy(s);
+    const double damped = slips ? drag * dot(s - before, s - before) : lost;
+    losses.damped += damped;
+    losses.friction += lost - damped;
     memory = {s, impulse};
+    return lasted ? impulse : mean;
+  }
+
+  /// What the last step of one force lost, where the next is followed.
+  double lost_before(const contact::Plane& plane, const Vector3& rate, const Memory& memory) const {
+    const Vector3 before = plane.turned_into(memory.stretch);
+    return law_.stored_energy(before) - law_.stored_energy(before + step_ * rate) -
+           dot(memory.impulse, rate);
+  }
+
+  /// What is lost when a contact of one force has ended, with what the spring held.
+  double lost_at_end(const Vector3& rate, const Memory& memory) const {
+    return law_.stored_energy(memory.stretch) - 0.5 * dot(memory.impulse, rate);
   }
 
   /// A followed step, from `stretch` at the grid point, or of a contact that begins. `rate`: of the

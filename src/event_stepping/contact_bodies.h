@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+
+#include "contact/tangential_spring.h"
+#include "event_stepping/pair_motion.h"
+
+namespace cohesion::event_stepping {
+
+/// Two spheres that touch, or a sphere and a wall: how they answer, and how their surfaces move.
+///
+/// The lever arms of two spheres share the distance of their centres in proportion to the radii, so
+/// that angular momentum is kept exactly; beside a wall, the limit of a large sphere, the arm is
+/// the radius.
+class ContactBodies {
+ public:
+  ContactBodies(const Body& i, const Body& j)
+      : i_(i),
+        j_(j),
+        inverse_mass_(i.inverse_mass + j.inverse_mass),
+        reduced_mass_(1.0 / inverse_mass_),
+        lever_i_(j.radius > 0.0 ? i.radius / (i.radius + j.radius) : 0.0),
+        rolling_radius_(j.radius > 0.0 ? lever_i_ * j.radius : i.radius),
+        spin_share_i_(inverse_inertia(i)),
+        spin_share_j_(inverse_inertia(j)) {}
+
+  bool are(const Body& i, const Body& j) const { return i == i_ && j == j_; }
+  bool is_wall() const { return !(j_.radius > 0.0); }
+  /// Of the centres of spheres that touch, [length].
+  double distance() const { return i_.radius + j_.radius; }
+  double inverse_mass() const { return inverse_mass_; }
+  double reduced_mass() const { return reduced_mass_; }
+  /// The part of a relative change that falls to particle i (with a minus sign) and j.
+  double share_i() const { return reduced_mass_ * i_.inverse_mass; }
+  double share_j() const { return reduced_mass_ * j_.inverse_mass; }
+  /// What an angular impulse changes of the spins, [1/(mass length^2)].
+  double spin_share_i() const { return spin_share_i_; }
+  double spin_share_j() const { return spin_share_j_; }
+
+  /// R = R_i R_j/(R_i + R_j), beside a wall R_i, [length].
+  double rolling_radius() const { return rolling_radius_; }
+  /// 1/m_t that answers an impulse in the plane of contact, [1/mass].
+  double sliding_answer() const {
+    const double square = distance() * distance();
+    const double i = is_wall() ? 1.0 : lever_i_, j = 1.0 - i;
+    return inverse_mass_ + square * (i * i * spin_share_i_ + j * j * spin_share_j_);
+  }
+  /// 1/m_r = R^2 (1/I_i + 1/I_j), [1/mass].
+  double rolling_answer() const {
+    return rolling_radius_ * rolling_radius_ * (spin_share_i_ + spin_share_j_);
+  }
+
+  /// Where the surfaces touch, for a separation of the centres (to the foot of the normal).
+  class Touch {
+   public:
+    Touch(const ContactBodies& bodies, const Vector3& separation)
+        : bodies_(bodies),
+          plane_{separation, 1.0 / dot(separation, separation)},
+          lever_i_(bodies.is_wall() ? bodies.i_.radius * std::sqrt(plane_.inverse_square)
+                                    : bodies.lever_i_) {}
+
+    const contact::Plane& plane() const { return plane_; }
+
+    /// How fast the surfaces part in the plane of contact, [length/time].
+    Vector3 slides(const Vector3& velocity, const Vector3& spin_i, const Vector3& spin_j) const {
+      return plane_.part_in(velocity -
+                            cross(lever_i_ * spin_i + (1.0 - lever_i_) * spin_j, plane_.normal));
+    }
+    /// How fast they roll on each other, [length/time]:
+    ///
+    ///   v_r = R (w_i - w_j), the part across n
+    ///
+    /// which is the same for every observer, also one that turns. The source has v_r = R (w_i -
+    /// w_j) x n and the torque R n x F: the same, a quarter turn about n away. Here all changes
+    /// sign with the exchange of i and j, as engines expect of what they remember for a pair.
+    ///
+    /// Source: S. Luding, Granular Matter 10 (2008) 235; Y. Wang, F. Alonso-Marroquin, W. W. Guo,
+    /// Particuology 23 (2015) 49.
+    Vector3 rolls(const Vector3& spin_i, const Vector3& spin_j) const {
+      return bodies_.rolling_radius_ * plane_.part_in(spin_i - spin_j);
+    }
+
+    /// Adds what an impulse on j's surface does.
+    void slide(const Vector3& impulse, Action& action) const {
+      const Vector3 turn = cross(plane_.normal, impulse);
+      action.impulse += impulse;
+      action.torque_i -= lever_i_ * turn;
+      action.torque_j -= (1.0 - lever_i_) * turn;
+    }
+    /// Adds what the rolling spring does: no force, but the torques R F and -R F.
+    void roll(const Vector3& impulse, Action& action) const {
+      action.torque_i += bodies_.rolling_radius_ * impulse;
+      action.torque_j -= bodies_.rolling_radius_ * impulse;
+    }
+
+   private:
+    const ContactBodies& bodies_;
+    contact::Plane plane_;
+    double lever_i_;  // of i, as a part of the distance
+  };
+
+ private:
+  Body i_;
+  Body j_;
+  double inverse_mass_;
+  double reduced_mass_;
+  double lever_i_;  // of two spheres: i's part of the distance
+  double rolling_radius_;
+  double spin_share_i_;
+  double spin_share_j_;
+};
+
+}  // namespace cohesion::event_stepping

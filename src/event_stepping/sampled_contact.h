@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "contact/contact_parameters.h"
+#include "event_stepping/contact_bodies.h"
+#include "event_stepping/contact_memory.h"
+#include "event_stepping/pair_step.h"
+#include "event_stepping/spring_on_grid.h"
+
+namespace cohesion::event_stepping {
+
+/// What a sampled contact does in a step.
+struct SampledStep {
+  Action action;
+  Vector3 by_contact;  ///< part of the impulse that spring, dashpot and friction give, [momentum]
+};
+
+/// One contact whose forces are taken where it stands on the grid: the scheme to compare with.
+/// Pair: SampledPair or SampledWell. Everything that does not change from step to step is worked
+/// out once; pairs of equal bodies can share it.
+template <class Pair>
+class SampledContact {
+ public:
+  using Attraction = typename Pair::Attraction;
+  static constexpr bool on_grid = false;
+
+  SampledContact(const contact::ContactParameters& parameters, const Attraction& attraction,
+                 const Body& i, const Body& j, const StepWindow& window)
+      : bodies_(i, j),
+        window_(window),
+        normal_contact_(contact::normal_contact(parameters, bodies_.reduced_mass())),
+        pair_(normal_contact_, attraction, bodies_.distance(), window.length()),
+        sliding_(contact::tangential_contact(parameters, normal_contact_), window.length(),
+                 bodies_.sliding_answer()),
+        rolling_(contact::rolling_contact(parameters, normal_contact_), window.length(),
+                 bodies_.rolling_answer()) {}
+
+  bool joins(const Body& i, const Body& j) const { return bodies_.are(i, j); }
+  const ContactBodies& bodies() const { return bodies_; }
+  /// Gap up to which the pair attracts in this scheme, [length].
+  double range() const { return pair_.range(); }
+  /// Whether there is any adhesion; at a well as wide as the contact it has no range.
+  bool attracts() const { return pair_.range() > 0.0 || pair_.adhesion_energy(0.0) < 0.0; }
+
+  bool within_reach(const RelativeState& grid) const { return pair_.within_reach(grid, window_); }
+
+  /// `memory`, of which the phase says whether the pair is in range, and the losses of the step
+  /// around the grid point (of springs in the plane of contact: the one before it) are changed.
+  template <int SIZE>
+  SampledStep act(const PairMotion& grid, ContactMemory& memory, ContactLosses& losses) const {
+    const Vector3& s = grid.relative.separation;
+    const PairStep normal = pair_.advance(grid.relative, window_, memory.in_range());
+    memory.phase = normal.inside ? ContactMemory::inside : ContactMemory::beyond;
+    losses.normal_damping = normal.normal.dissipated;
+    SampledStep step;
+    step.action.impulse = bodies_.reduced_mass() * normal.change.velocity;
+    step.by_contact = step.action.impulse;
+    if (attracts()) step.by_contact = (normal.normal.repulsion_impulse / norm(s)) * s;
+    if constexpr (SIZE >= ContactMemory::with_friction) {
+      const ContactBodies::Touch touch(bodies_, s);
+      SpringOnGrid::Losses lost;
+      const Vector3 friction =
+          rub(sliding_, touch, touch.slides(grid.relative.velocity, grid.spin_i, grid.spin_j),
+              normal, memory.sliding, lost);
+      touch.slide(friction, step.action);
+      step.by_contact += friction;
+      losses.tangential_damping = lost.damped;
+      losses.friction = lost.friction;
+      if constexpr (SIZE >= ContactMemory::with_rolling) {
+        lost = {};
+        touch.roll(rub(rolling_, touch, touch.rolls(grid.spin_i, grid.spin_j), normal,
+                       memory.rolling, lost),
+                   step.action);
+        losses.rolling = lost.damped + lost.friction;
+      }
+    }
+    return step;
+  }
+
+  /// What is stored at the grid point. `memory`: after act().
+  StoredEnergies stored(const PairMotion& grid, const ContactMemory& memory) const {
+    const double overlap = bodies_.distance() - norm(grid.relative.separation);
+    return {pair_.spring_energy(overlap), sliding_.stored_energy(memory.sliding.stretch),
+            rolling_.stored_energy(memory.rolling.stretch),
+            memory.in_range() ? pair_.adhesion_energy(overlap) : 0.0};
+  }
+
+ private:
+  static Vector3 rub(const SpringOnGrid& spring, const ContactBodies::Touch& touch,
+                     const Vector3& rate, const PairStep& normal, SpringOnGrid::Memory& memory,
+                     SpringOnGrid::Losses& lost) {
+    if (normal.normal.contact_time > 0.0)
+      return spring.rub(touch.plane(), rate, normal.normal.repulsion_at_end, true, memory, lost);
+    lost.friction += spring.lost_at_end(rate, memory);
+    memory = {};
+    return {};
+  }
+
+  ContactBodies bodies_;
+  StepWindow window_;
+  contact::LinearSpringDashpot normal_contact_;
+  Pair pair_;
+  SpringOnGrid sliding_;
+  SpringOnGrid rolling_;
+};
+
+}  // namespace cohesion::event_stepping
