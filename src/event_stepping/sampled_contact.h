@@ -30,9 +30,9 @@ class SampledContact {
         window_(window),
         normal_contact_(contact::normal_contact(parameters, bodies_.reduced_mass())),
         pair_(normal_contact_, attraction, bodies_.distance(), window.length()),
-        sliding_(contact::tangential_contact(parameters, normal_contact_), window.length(),
+        sliding_(contact::tangential_contact(parameters, normal_contact_), 2.0 * window.after,
                  bodies_.sliding_answer()),
-        rolling_(contact::rolling_contact(parameters, normal_contact_), window.length(),
+        rolling_(contact::rolling_contact(parameters, normal_contact_), 2.0 * window.after,
                  bodies_.rolling_answer()) {}
 
   bool joins(const Body& i, const Body& j) const { return bodies_.are(i, j); }
@@ -86,11 +86,14 @@ class SampledContact {
   }
 
  private:
-  static Vector3 rub(const SpringOnGrid& spring, const ContactBodies::Touch& touch,
-                     const Vector3& rate, const PairStep& normal, SpringOnGrid::Memory& memory,
-                     SpringOnGrid::Losses& lost) {
+  Vector3 rub(const SpringOnGrid& spring, const ContactBodies::Touch& touch, const Vector3& rate,
+              const PairStep& normal, SpringOnGrid::Memory& memory,
+              SpringOnGrid::Losses& lost) const {
+    // The first step of a run is half of one, from the grid point on.
+    const double part = window_.length() / (2.0 * window_.after);
     if (normal.normal.contact_time > 0.0)
-      return spring.rub(touch.plane(), rate, normal.normal.repulsion_at_end, true, memory, lost);
+      return part *
+             spring.rub(touch.plane(), rate, normal.normal.repulsion_at_end, true, memory, lost);
     lost.friction += spring.lost_at_end(rate, memory);
     memory = {};
     return {};
