@@ -52,13 +52,11 @@ inline cohesion::event_stepping::PairMotion others_of(
   return others;
 }
 
-/// A contact that needed one force, and what it remembered before.
-struct LastingContact {
+/// A young contact that can last from now on.
+struct LastingCandidate {
   int i, j;  // j < 0: a wall
   int contact;
-  cohesion::event_stepping::PairMotion grid;
-  cohesion::event_stepping::Action action;
-  cohesion::event_stepping::ContactMemory before, after;
+  double* history;
 };
 
 /// A contact that is followed.
@@ -79,26 +77,18 @@ class ContactsOfStep {
   using PairMotion = cohesion::event_stepping::PairMotion;
 
   ContactsOfStep(Atom* atom, FixEventStep* step)
-      : step_(step),
-        f_(atom->f),
-        torque_(atom->torque),
-        kick_(step->force_per_impulse()),
-        nlocal_(atom->nlocal) {}
+      : step_(step), kick_(step->force_per_impulse()), nlocal_(atom->nlocal) {}
 
   /// Force that stands for an impulse.
   double kick() const { return kick_; }
 
-  /// Force and torque on the particles of this process; `part` of the contact is its own.
+  /// Force and torque on the particles of this process.
   void act(int i, int j, const Action& a) const {
-    add(f_[i], -kick_, a.impulse);
-    if (SIZE > 3) add(torque_[i], kick_, a.torque_i);
-    const bool both = j >= 0 && j < nlocal_;
-    if (both) {
-      add(f_[j], kick_, a.impulse);
-      if (SIZE > 3) add(torque_[j], kick_, a.torque_j);
-    }
-    step_->note_force(i, -kick_ * a.impulse, kick_ * a.torque_i);
-    if (both) step_->note_force(j, kick_ * a.impulse, kick_ * a.torque_j);
+    step_->push<SIZE>(i, -kick_ * a.impulse, kick_ * a.torque_i);
+    if (j >= 0 && j < nlocal_) step_->push<SIZE>(j, kick_ * a.impulse, kick_ * a.torque_j);
+  }
+  void act_not(int i, int j, const Action& a) const {
+    act(i, j, {-a.impulse, -a.torque_i, -a.torque_j});
   }
 
   /// Adds what `a` changes of the motion of both particles to `to`.
@@ -140,8 +130,6 @@ class ContactsOfStep {
   }
 
   FixEventStep* step_;
-  double** f_;
-  double** torque_;
   double kick_;
   int nlocal_;
 };
@@ -170,72 +158,91 @@ cohesion::event_stepping::SampledStep sample(const ContactsOfStep<Contact, SIZE>
   return now;
 }
 
-/// Contacts of one style in one step: those that last, and those that are followed.
+/// Contacts of one style in one step. `done(i, j, contact, grid, impulse, by_contact, factor)`
+/// hears what each of them does, with factor -1 where it is taken back.
 struct StepContacts {
-  std::vector<LastingContact> lasting;
+  std::vector<LastingCandidate> candidates;
   std::vector<FollowedContact> followed;
 
   void clear() {
-    lasting.clear();
+    candidates.clear();
     followed.clear();
   }
 
   /// One contact from its motion on the grid: acts if it lasts, is announced if it is to be
-  /// followed. `values`: its history.
-  template <int SIZE, class Contact>
+  /// followed, which makes both particles restless.
+  template <int SIZE, class Contact, class Done>
   void take(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step, const Contact& c,
             int contact, int i, int j, const cohesion::event_stepping::PairMotion& grid,
-            const cohesion::event_stepping::ContactMemory& memory, double* values) {
+            cohesion::event_stepping::ContactMemory memory, double* history, const Done& done) {
     using namespace cohesion::event_stepping;
-    LastingContact now{i, j, contact, grid, {}, memory, memory};
-    ContactLosses lost;
-    const bool lasts = c.template follow_lasting<SIZE>(grid, now.after, now.action, lost);
+    const bool lasted = memory.phase == ContactMemory::lasting;
+    if (!lasted && c.can_last(grid.relative, memory)) {
+      candidates.push_back({i, j, contact, history});
+    } else if (!lasted || !hold<SIZE>(scatter, step, c, i, j, grid, memory, history, done)) {
+      // Not of those that only the fastest particle of this rank could bring together.
+      if (memory.phase != ContactMemory::beyond || c.within_reach(grid.relative, 0.0)) {
+        step->unsettle(i);
+        if (j >= 0) step->unsettle(j);
+      }
+      announce<SIZE>(scatter, step, c, contact, i, j, grid, memory, history);
+    }
     if (step->book.kept) {
-      // What friction owes is half of the impulse around the grid point.
-      const bool lasted = lasts && memory.phase == ContactMemory::lasting;
-      step->book_stored(scatter.part(j),
-                        lasts ? c.stored_after(grid, now.after) : c.stored(grid, memory));
-      scatter.change(step->all_owed(), i, j,
-                     c.template owed<SIZE>(grid.relative, lasted ? now.after : memory));
-      if (!lasts)
-        step->book_losses(scatter.part(j), c.template lost_before<SIZE>(grid, memory), 0.0);
+      step->book_stored(scatter.part(j), c.stored(grid, memory));
+      scatter.change(step->all_owed(), i, j, c.template owed<SIZE>(grid.relative, memory));
     }
-    if (lasts) {
-      scatter.act(i, j, now.action);
-      now.after.to(values, SIZE);
-      // Springs in the plane of contact: of the step that has ended; the dashpot: around now.
-      step->book_losses(scatter.part(j), {lost.normal_damping, 0.0, 0.0, 0.0}, 0.5);
-      lost.normal_damping = 0.0;
-      step->book_losses(scatter.part(j), lost, 0.0);
-      lasting.push_back(now);
-      return;
-    }
-    followed.push_back({i, j, contact, values, grid, grid, memory, {}});
-    step->announce(i);
-    if (j >= 0) step->announce(j);
-    scatter.change(step->owed, i, j, c.template owed<SIZE>(grid.relative, memory));
   }
 
-  /// Lasting contacts beside followed ones: what they owe, and do.
+  /// A lasting contact beside a restless one is followed, too: one force among such drains energy.
+  template <int SIZE, class Contact, class Done>
+  void unsettle(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step, const Contact& c,
+                int contact, int i, int j, const cohesion::event_stepping::PairMotion& grid,
+                double* history, const Done& done) {
+    using namespace cohesion::event_stepping;
+    ContactMemory memory = ContactMemory::from(history, SIZE);
+    if (memory.phase != ContactMemory::lasting) return;
+    const Action action = c.template held<SIZE>(grid, memory);
+    scatter.act_not(i, j, action);
+    step->book_losses(scatter.part(j), {-0.5 * c.damped(grid.relative), 0.0, 0.0, 0.0}, 1.0);
+    done(i, j, c, grid, action.impulse, c.by_contact(grid, action), -1.0);
+    memory.phase = ContactMemory::leaving;
+    memory.to(history, SIZE);
+    announce<SIZE>(scatter, step, c, contact, i, j, grid, memory, history);
+  }
+
+  /// A candidate lasts from now on, if nothing beside it is restless.
+  template <int SIZE, class Contact, class Done>
+  void settle(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step, const Contact& c,
+              const LastingCandidate& p, const cohesion::event_stepping::PairMotion& grid,
+              const Done& done) {
+    using namespace cohesion::event_stepping;
+    ContactMemory memory = ContactMemory::from(p.history, SIZE);
+    if (step->is_restless(p.i) || (p.j >= 0 && step->is_restless(p.j)))
+      announce<SIZE>(scatter, step, c, p.contact, p.i, p.j, grid, memory, p.history);
+    else
+      hold<SIZE>(scatter, step, c, p.i, p.j, grid, memory, p.history, done);
+  }
+
+  /// What a lasting contact beside a followed one owes, and does.
   template <int SIZE, class Contact>
-  void join(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
-            const std::vector<Contact>& all) {
-    for (const LastingContact& p : lasting) {
-      const bool beside_i = step->is_followed(p.i), beside_j = p.j >= 0 && step->is_followed(p.j);
-      if (!beside_i && !beside_j) continue;
-      const Contact& c = all[p.contact];
-      const auto owed = c.template owed<SIZE>(p.grid.relative, p.before);
-      const auto done = c.template done<SIZE>(p.grid, p.action, owed, p.after);
-      if (beside_i) {
-        step->joins(p.i);
-        scatter.change_i(step->owed, p.i, owed);
-        scatter.share_i(p.i, c, done);
-      }
-      if (beside_j) {
-        step->joins(p.j);
-        scatter.change_j(step->owed, p.j, owed);
-        scatter.share_j(p.j, c, done);
-      }
+  static void join(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
+                   const Contact& c, int i, int j, const cohesion::event_stepping::PairMotion& grid,
+                   const double* history) {
+    using namespace cohesion::event_stepping;
+    const ContactMemory memory = ContactMemory::from(history, SIZE);
+    if (memory.phase != ContactMemory::lasting) return;
+    const Action owed = c.template owed<SIZE>(grid.relative, memory);
+    const PairMotion does =
+        c.template done<SIZE>(grid, c.template held<SIZE>(grid, memory), owed, memory);
+    if (step->is_followed(i)) {
+      step->joins(i);
+      scatter.change_i(step->owed, i, owed);
+      scatter.share_i(i, c, does);
+    }
+    if (j >= 0 && step->is_followed(j)) {
+      step->joins(j);
+      scatter.change_j(step->owed, j, owed);
+      scatter.share_j(j, c, does);
     }
   }
 
@@ -270,8 +277,41 @@ struct StepContacts {
       const double part = scatter.part(p.j);
       if (p.step.normal.normal.unresolved) step->book.unresolved += part;
       step->book_losses(part, Contact::losses(p.step), 1.0);
-      done(p, c, action);
+      done(p.i, p.j, c, p.grid, action.impulse, c.by_contact(p.grid, p.step, action), 1.0);
     }
+  }
+
+ private:
+  template <int SIZE, class Contact, class Done>
+  static bool hold(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
+                   const Contact& c, int i, int j, const cohesion::event_stepping::PairMotion& grid,
+                   cohesion::event_stepping::ContactMemory& memory, double* history,
+                   const Done& done) {
+    using namespace cohesion::event_stepping;
+    const bool lasted = memory.phase == ContactMemory::lasting;
+    Action action;
+    ContactLosses lost;
+    const bool lasts = c.template hold<SIZE>(grid, memory, action, lost);
+    memory.to(history, SIZE);
+    // Of the dashpot along the normal, half before the grid point and half after.
+    const double part = scatter.part(j), half = 0.5 * lost.normal_damping;
+    step->book_losses(
+        part, {lasted ? half : 0.0, lost.tangential_damping, lost.friction, lost.rolling}, 0.0);
+    if (!lasts) return false;
+    step->book_losses(part, {half, 0.0, 0.0, 0.0}, 1.0);
+    scatter.act(i, j, action);
+    done(i, j, c, grid, action.impulse, c.by_contact(grid, action), 1.0);
+    return true;
+  }
+
+  template <int SIZE, class Contact>
+  void announce(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step, const Contact& c,
+                int contact, int i, int j, const cohesion::event_stepping::PairMotion& grid,
+                const cohesion::event_stepping::ContactMemory& memory, double* history) {
+    followed.push_back({i, j, contact, history, grid, grid, memory, {}});
+    step->announce(i);
+    if (j >= 0) step->announce(j);
+    scatter.change(step->owed, i, j, c.template owed<SIZE>(grid.relative, memory));
   }
 };
 

@@ -38,6 +38,7 @@ static void put(const Vector3& a, double* values) {
 
 FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
     : Fix(lammps, narg, arg),
+      restless(nullptr),
       owed(nullptr),
       alone(nullptr),
       book(),
@@ -78,6 +79,7 @@ FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
 FixEventStep::~FixEventStep() {
   atom->delete_callback(id, Atom::GROW);
   atom->delete_callback(id, Atom::RESTART);
+  memory->destroy(restless);
   memory->destroy(owed);
   memory->destroy(alone);
   memory->destroy(booked_owed);
@@ -232,6 +234,8 @@ void FixEventStep::setup_pre_force(int) {
 /// All that comes before the forces.
 void FixEventStep::follow() {
   for (EventContacts* some : styles) some->gather();
+  share(restless, RESTLESS);
+  for (EventContacts* some : styles) some->unsettle();
   for (EventContacts* some : styles) some->join();
   share(owed, OWED);
   for (EventContacts* some : styles) some->follow_alone();
@@ -305,9 +309,11 @@ void FixEventStep::clear() {
   look_round();
   look_for_readers();
   contact_force.assign(atom->nlocal, {});
+  contact_torque.assign(atom->nlocal, {});
+  handed_over = false;
+  if (all > 0) std::fill_n(restless[0], all, 0.0);
   if (!book.kept) return;
   add_next();
-  contact_torque.assign(atom->nlocal, {});
   for (int i = 0; i < all; i++) std::fill_n(booked_owed[i], OWED, 0.0);
   book.spring = book.tangential_spring = book.rolling_spring = book.adhesion = 0.0;
 }
@@ -405,6 +411,15 @@ void FixEventStep::report_unresolved() {
 
 /* ---------------------------------------------------------------------- */
 
+void FixEventStep::hand_over() {
+  if (handed_over) return;
+  handed_over = true;
+  for (int i = 0; i < atom->nlocal; i++) {
+    add(atom->f[i], contact_force[i]);
+    add(atom->torque[i], contact_torque[i]);
+  }
+}
+
 /// Brings `each` values of particles to their ghosts.
 void FixEventStep::share(double** values, int each) {
   shared = values;
@@ -416,7 +431,7 @@ int FixEventStep::pack_forward_comm(int n, int* list, double* buf, int, int*) {
   for (int i = 0; i < n; i++, buf += shared_each) {
     // A ghost that is passed on has what its owner sent.
     const int from = list[i];
-    if (from < atom->nlocal && contacts[from] == 0)
+    if (shared != restless && from < atom->nlocal && contacts[from] == 0)
       std::fill_n(buf, shared_each, 0.0);
     else
       std::copy_n(shared[from], shared_each, buf);
@@ -430,6 +445,7 @@ void FixEventStep::unpack_forward_comm(int n, int first, double* buf) {
 }
 
 void FixEventStep::grow_arrays(int nmax) {
+  memory->grow(restless, nmax, RESTLESS, "event_step:restless");
   memory->grow(owed, nmax, OWED, "event_step:owed");
   memory->grow(alone, nmax, ALONE, "event_step:alone");
   memory->grow(contacts, nmax, "event_step:contacts");
@@ -519,7 +535,7 @@ int FixEventStep::size_restart(int) { return 1 + LAST; }
 
 double FixEventStep::memory_usage() {
   const double numbers =
-      OWED + ALONE + OUTER + 1 + (holds_last ? LAST : 0) + (booked_owed ? OWED + 6 : 0);
+      RESTLESS + OWED + ALONE + OUTER + 1 + (holds_last ? LAST : 0) + (booked_owed ? OWED + 6 : 0);
   return (numbers * sizeof(double) + sizeof(int)) * atom->nmax +
          sizeof(Vector3) * (contact_force.capacity() + contact_torque.capacity()) +
          sizeof(double) * weighed.capacity();

@@ -29,9 +29,11 @@ namespace LAMMPS_NS {
 class EventContacts {
  public:
   /// Lets contacts that last act, and announces the others, with what leads to the true motion of
-  /// their particles.
+  /// their particles, which are restless.
   virtual void gather() = 0;
-  /// The same for lasting contacts whose particles have been announced.
+  /// Announces lasting contacts of restless particles, too, and takes back what they did.
+  virtual void unsettle() = 0;
+  /// What leads to the true motion of announced particles, of lasting contacts.
   virtual void join() = 0;
   /// The first pass.
   virtual void follow_alone() = 0;
@@ -62,8 +64,11 @@ class EventWalls : public EventContacts {
 /// which `owed` leads, and which needs all contacts of a particle; first alone, what they do added
 /// to `alone`, then with half of what the others do.
 ///
-/// Order within a step, before the forces: all styles gather(), join(); share_owed();
-/// follow_alone(); share_alone(). With the forces: their second pass.
+/// Contacts beside those are followed, too.
+///
+/// Order within a step, before the forces: all styles gather(); share(restless); unsettle();
+/// join(); share(owed); follow_alone(); share(alone). With the forces: hand_over(), and their
+/// second pass.
 ///
 /// A fix cannot make another one in its constructor: those that need this one call of() in
 /// post_constructor(); the order above does not depend on the order of the fixes.
@@ -152,6 +157,9 @@ class FixEventStep : public Fix {
       alone[i][3 + k] = 2.0 * kick;
     }
   }
+  /// Particle or ghost i has a contact with an event, or a young one.
+  void unsettle(int i) { restless[i][0] = 1.0; }
+  bool is_restless(int i) const { return restless[i][0] != 0.0; }
   /// One more contact of a particle that has been announced.
   void joins(int i) { contacts[i]++; }
   /// Whether a contact of particle or ghost i has been announced.
@@ -161,7 +169,8 @@ class FixEventStep : public Fix {
 
   /// Per atom and ghost that has been announced: what leads from the velocity and spin on the grid
   /// to the true ones; change of position, velocity and spin, each contact alone.
-  static constexpr int OWED = 6, ALONE = 9;
+  static constexpr int RESTLESS = 1, OWED = 6, ALONE = 9;
+  double** restless;
   double** owed;
   double** alone;
   /// Per atom and ghost, while the book is kept: as `owed`, of all contacts.
@@ -213,12 +222,18 @@ class FixEventStep : public Fix {
 
   /// Work of others after the grid point that the book is of.
   void next_work(double work) { next.external_work += work; }
-  /// Adds force and torque of a contact on particle i to the sums of contacts; the torque, while
-  /// the book is kept.
-  void note_force(int i, const cohesion::Vector3& push, const cohesion::Vector3& turn) {
-    contact_force[i] += push;
-    if (book.kept) contact_torque[i] += turn;
+  /// Adds force and torque of a contact on particle i of this rank.
+  template <int SIZE>
+  void push(int i, const cohesion::Vector3& pushed, const cohesion::Vector3& turned) {
+    contact_force[i] += pushed;
+    if (SIZE > 3) contact_torque[i] += turned;
+    if (!handed_over) return;
+    add(atom->f[i], pushed);
+    if (SIZE > 3) add(atom->torque[i], turned);
   }
+  /// Adds what contacts have done so far in this step to the engine's forces, if that has not been
+  /// done: before the second pass.
+  void hand_over();
 
  private:
   void clear();
@@ -238,6 +253,12 @@ class FixEventStep : public Fix {
   void share(double** values, int each);
   void begin_books();
   void look_for_unturned();
+
+  static void add(double* to, const cohesion::Vector3& a) {
+    to[0] += a.x;
+    to[1] += a.y;
+    to[2] += a.z;
+  }
 
   std::vector<EventContacts*> styles;  // those of this run
   std::vector<EventWalls*> walls;      // of them
@@ -267,8 +288,9 @@ class FixEventStep : public Fix {
   static constexpr int OUTER = 3;
   double** outer;
   std::vector<cohesion::Vector3> contact_force, contact_torque;  // per atom, of this step
-  int* contacts;                                                 // per atom and ghost, this step
-  double* inverse_mass;                                          // per atom and ghost
+  bool handed_over;             // to the engine; what comes later goes there at once
+  int* contacts;                // per atom and ghost, this step
+  double* inverse_mass;         // per atom and ghost
   std::vector<double> weighed;  // the masses inverse_mass is of; empty: of none
   double longest_flight;
   Reader book_readers, flux_readers;  // copies of these are out

@@ -26,8 +26,6 @@ using cohesion::Vector3;
 static constexpr int HEAD = 3;
 // On each wall, three numbers of all and three of adhesion alone.
 static constexpr int FORCES = 6;
-// In the place of a second particle.
-static constexpr int WALL = -1;
 
 template <class Cohesion>
 FixWallGranCohesive<Cohesion>::FixWallGranCohesive(LAMMPS* lammps, int narg, char** arg)
@@ -146,8 +144,7 @@ void FixWallGranCohesive<Cohesion>::setup(int) {
 template <class Cohesion>
 void FixWallGranCohesive<Cohesion>::post_force(int) {
   if (step->resumes()) return;
-  std::fill(mine.begin(), mine.end(), 0.0);
-  summed = false;
+  step->hand_over();
   with_contacts([this](auto& shared, auto size) { follow_together<size>(shared); });
 }
 
@@ -266,47 +263,93 @@ void FixWallGranCohesive<Cohesion>::for_each_near(std::vector<Contact>& shared, 
 
 template <class Cohesion>
 void FixWallGranCohesive<Cohesion>::gather() {
+  std::fill(mine.begin(), mine.end(), 0.0);
+  summed = false;
+  near_now.clear();
   with_contacts([this](auto& shared, auto size) { gather<size>(shared); });
+}
+
+template <class Cohesion>
+PairMotion FixWallGranCohesive<Cohesion>::on_grid(const Near& near) const {
+  return {{near.point.separation, near.point.velocity - vector(atom->v[near.i])},
+          vector(atom->omega[near.i]),
+          {}};
+}
+
+static int partner(std::size_t near) { return -1 - static_cast<int>(near); }
+
+/// What contacts do to the walls.
+template <class Cohesion>
+template <int SIZE>
+auto FixWallGranCohesive<Cohesion>::pushes(const ContactsOfStep<EventContact, SIZE>& scatter) {
+  return [&scatter, this](int, int j, const EventContact&, const PairMotion&,
+                          const Vector3& impulse, const Vector3& by_contact, double factor) {
+    push(scatter, near_now[-1 - j], impulse, by_contact, factor);
+  };
 }
 
 template <class Cohesion>
 template <int SIZE>
 void FixWallGranCohesive<Cohesion>::gather(std::vector<EventContact>& shared) {
   contacts_now.clear();
-  lasting_at.clear();
-  followed_at.clear();
   const ContactsOfStep<EventContact, SIZE> scatter(atom, step);
   for_each_near(shared, [&](int i, int w, int c, const WallPoint& point, double* values) {
-    const PairMotion grid{
-        {point.separation, point.velocity - vector(atom->v[i])}, vector(atom->omega[i]), {}};
+    const Near near{i, w, c, point, values};
+    const PairMotion grid = on_grid(near);
     const ContactMemory known = ContactMemory::from(values, SIZE);
     if (known.phase == ContactMemory::beyond &&
         !shared[c].within_reach(grid.relative, step->flight()))
       return;
-    const std::size_t before = contacts_now.lasting.size();
-    contacts_now.take<SIZE>(scatter, step, shared[c], c, i, WALL, grid, known, values);
-    const bool lasts = contacts_now.lasting.size() > before;
-    (lasts ? lasting_at : followed_at).emplace_back(w, point.velocity);
+    near_now.push_back(near);
+    contacts_now.take<SIZE>(scatter, step, shared[c], c, i, partner(near_now.size() - 1), grid,
+                            known, values, pushes<SIZE>(scatter));
   });
 }
 
 template <class Cohesion>
 template <int SIZE>
 void FixWallGranCohesive<Cohesion>::gather(std::vector<SampledContact>& shared) {
-  sampled_now.clear();
   for_each_near(shared, [&](int i, int w, int c, const WallPoint& point, double* values) {
-    const RelativeState grid{point.separation, point.velocity - vector(atom->v[i])};
-    if (values[0] == 0.0 && !shared[c].within_reach(grid)) return;
-    sampled_now.push_back({i, w, c, point});
+    const Near near{i, w, c, point, values};
+    if (values[0] == 0.0 && !shared[c].within_reach(on_grid(near).relative)) return;
+    near_now.push_back(near);
   });
+}
+
+template <class Cohesion>
+void FixWallGranCohesive<Cohesion>::unsettle() {
+  with_contacts([this](auto& shared, auto size) { unsettle<size>(shared); });
+}
+
+template <class Cohesion>
+template <int SIZE>
+void FixWallGranCohesive<Cohesion>::unsettle(std::vector<EventContact>& shared) {
+  const ContactsOfStep<EventContact, SIZE> scatter(atom, step);
+  const auto done = pushes<SIZE>(scatter);
+  for (std::size_t k = 0; k < near_now.size(); k++) {
+    const Near& near = near_now[k];
+    if (!step->is_restless(near.i)) continue;
+    contacts_now.unsettle<SIZE>(scatter, step, shared[near.contact], near.contact, near.i,
+                                partner(k), on_grid(near), near.history, done);
+  }
+  for (const LastingCandidate& p : contacts_now.candidates)
+    contacts_now.settle<SIZE>(scatter, step, shared[p.contact], p, on_grid(near_now[-1 - p.j]),
+                              done);
 }
 
 template <class Cohesion>
 void FixWallGranCohesive<Cohesion>::join() {
   with_contacts([this](auto& shared, auto size) {
     using Contact = typename std::decay_t<decltype(shared)>::value_type;
-    if constexpr (Contact::on_grid)
-      contacts_now.join(ContactsOfStep<Contact, size>(atom, step), step, shared);
+    if constexpr (Contact::on_grid) {
+      const ContactsOfStep<Contact, size> scatter(atom, step);
+      for (std::size_t k = 0; k < near_now.size(); k++) {
+        const Near& near = near_now[k];
+        if (step->is_followed(near.i))
+          contacts_now.join<size>(scatter, step, shared[near.contact], near.i, partner(k),
+                                  on_grid(near), near.history);
+      }
+    }
   });
 }
 
@@ -319,48 +362,36 @@ void FixWallGranCohesive<Cohesion>::follow_alone() {
   });
 }
 
-/// Books the force on a wall that moves with `velocity`.
+/// Books the force on the wall; with factor -1 takes it back.
 template <class Cohesion>
 template <class Contact, int SIZE>
-void FixWallGranCohesive<Cohesion>::push(const ContactsOfStep<Contact, SIZE>& scatter, int wall,
-                                         const Vector3& velocity, const Vector3& impulse,
-                                         const Vector3& by_contact) {
-  step->book.external_work -= 0.5 * dot(velocity, impulse);
-  step->next_work(-0.5 * dot(velocity, impulse));
-  double* const on_wall = &mine[FORCES * wall];
-  add(on_wall, scatter.kick(), impulse);
-  add(on_wall + 3, scatter.kick(), impulse - by_contact);
+void FixWallGranCohesive<Cohesion>::push(const ContactsOfStep<Contact, SIZE>& scatter,
+                                         const Near& near, const Vector3& impulse,
+                                         const Vector3& by_contact, double factor) {
+  const double work = -0.5 * factor * dot(near.point.velocity, impulse);
+  step->book.external_work += work;
+  step->next_work(work);
+  double* const on_wall = &mine[FORCES * near.wall];
+  add(on_wall, factor * scatter.kick(), impulse);
+  add(on_wall + 3, factor * scatter.kick(), impulse - by_contact);
 }
 
 template <class Cohesion>
 template <int SIZE>
 void FixWallGranCohesive<Cohesion>::follow_together(std::vector<EventContact>& shared) {
   const ContactsOfStep<EventContact, SIZE> scatter(atom, step);
-  for (std::size_t k = 0; k < contacts_now.lasting.size(); k++) {
-    const LastingContact& p = contacts_now.lasting[k];
-    push(scatter, lasting_at[k].first, lasting_at[k].second, p.action.impulse,
-         shared[p.contact].by_contact(p.grid, p.action));
-  }
-  contacts_now.follow_together(
-      scatter, step, shared,
-      [&](const FollowedContact& p, const EventContact& c, const Action& action) {
-        const auto& at = followed_at[&p - contacts_now.followed.data()];
-        push(scatter, at.first, at.second, action.impulse, c.by_contact(p.grid, p.step, action));
-      });
+  contacts_now.follow_together(scatter, step, shared, pushes<SIZE>(scatter));
 }
 
 template <class Cohesion>
 template <int SIZE>
 void FixWallGranCohesive<Cohesion>::follow_together(std::vector<SampledContact>& shared) {
   const ContactsOfStep<SampledContact, SIZE> scatter(atom, step);
-  for (const SampledActive& near : sampled_now) {
-    const int i = near.i;
-    const SampledContact& c = shared[near.contact];
-    const PairMotion grid{{near.point.separation, near.point.velocity - vector(atom->v[i])},
-                          vector(atom->omega[i]),
-                          {}};
-    const SampledStep now = sample<SIZE>(scatter, step, c, i, WALL, grid, history.of(i, near.wall));
-    push(scatter, near.wall, near.point.velocity, now.action.impulse, now.by_contact);
+  for (std::size_t k = 0; k < near_now.size(); k++) {
+    const Near& near = near_now[k];
+    const SampledStep now = sample<SIZE>(scatter, step, shared[near.contact], near.i, partner(k),
+                                         on_grid(near), near.history);
+    push(scatter, near, now.action.impulse, now.by_contact, 1.0);
   }
 }
 

@@ -33,6 +33,7 @@ class FixWallGranCohesive : public Fix, public EventWalls, public AdvisedStyle {
   void setup(int) override;
   void post_force(int) override;
   void gather() override;
+  void unsettle() override;
   void join() override;
   void follow_alone() override;
   void book_standing() override;
@@ -64,12 +65,13 @@ class FixWallGranCohesive : public Fix, public EventWalls, public AdvisedStyle {
   using AnyContacts = std::variant<std::vector<EventContact>, std::vector<SampledContact> >;
   using Wall = cohesion::event_stepping::Wall;
 
-  /// A sampled particle that may touch a wall in this step.
-  struct SampledActive {
+  /// A particle that may touch a wall in this step. The k-th is the contact of i with j = -1 - k.
+  struct Near {
     int i;
     int wall;
     int contact;
     cohesion::event_stepping::WallPoint point;
+    double* history;
   };
 
   void read(int, char**);
@@ -90,8 +92,15 @@ class FixWallGranCohesive : public Fix, public EventWalls, public AdvisedStyle {
   template <int SIZE>
   void follow_together(std::vector<SampledContact>&);
   template <class Contact, int SIZE>
-  void push(const ContactsOfStep<Contact, SIZE>&, int wall, const cohesion::Vector3& velocity,
-            const cohesion::Vector3& impulse, const cohesion::Vector3& by_contact);
+  void push(const ContactsOfStep<Contact, SIZE>&, const Near&, const cohesion::Vector3& impulse,
+            const cohesion::Vector3& by_contact, double factor);
+  template <int SIZE>
+  auto pushes(const ContactsOfStep<EventContact, SIZE>&);
+  cohesion::event_stepping::PairMotion on_grid(const Near&) const;
+  template <int SIZE>
+  void unsettle(std::vector<EventContact>&);
+  template <int SIZE>
+  void unsettle(std::vector<SampledContact>&) {}
   std::vector<AdvisedContact> advised_contacts(const std::vector<LightestParticle>&) const;
   template <class What>
   void with_contacts(const What& what) {
@@ -125,9 +134,7 @@ class FixWallGranCohesive : public Fix, public EventWalls, public AdvisedStyle {
   WallHistory history;
   AnyContacts contacts;
   StepContacts contacts_now;  // event scheme: those of this step
-  std::vector<std::pair<int, cohesion::Vector3> > lasting_at,
-      followed_at;  // their walls and those's velocities
-  std::vector<SampledActive> sampled_now;
+  std::vector<Near> near_now;
   /// Of the particles, when the list of neighbours was new.
   struct Sizes {
     double smallest_radius, largest_radius, largest_range;

@@ -78,6 +78,7 @@ void PairGranCohesive<Cohesion>::compute(int eflag, int vflag) {
     if (evflag) tally_standing();
     return;
   }
+  step->hand_over();
   with_contacts([this](auto& contacts, auto size) { follow_together<size>(contacts); });
 }
 
@@ -108,6 +109,11 @@ void PairGranCohesive<Cohesion>::gather() {
 }
 
 template <class Cohesion>
+void PairGranCohesive<Cohesion>::unsettle() {
+  if (acts) with_contacts([this](auto& contacts, auto size) { unsettle<size>(contacts); });
+}
+
+template <class Cohesion>
 void PairGranCohesive<Cohesion>::join() {
   if (acts) with_contacts([this](auto& contacts, auto size) { join<size>(contacts); });
 }
@@ -116,6 +122,9 @@ template <class Cohesion>
 void PairGranCohesive<Cohesion>::follow_alone() {
   if (acts) with_contacts([this](auto& contacts, auto size) { follow_alone<size>(contacts); });
 }
+
+/// Energy of spring and adhesion.
+static double energy(const StoredEnergies& stored) { return stored.spring + stored.adhesion; }
 
 /// Calls what(i, j, kept, history) for the pairs that may touch in this step.
 template <class Cohesion>
@@ -140,12 +149,34 @@ void PairGranCohesive<Cohesion>::for_each_close(const What& what) {
   }
 }
 
+/// The same, after gather(), as what(i, j, history) for those of them that have a history.
+template <class Cohesion>
+template <class What>
+void PairGranCohesive<Cohesion>::for_each_kept(const What& what) {
+  for (const ClosePair& pair : close)
+    if (history->firstflag[pair.i][pair.place])
+      what(pair.i, pair.j, history->firstvalue[pair.i] + per_pair * pair.place);
+}
+
+/// Adds what a contact does to the sums of momentum flux, if somebody reads them.
+template <class Cohesion>
+auto PairGranCohesive<Cohesion>::flux_sum() {
+  return [sums = step->sums_flux(), this](int, int j, const auto&, const PairMotion& grid,
+                                          const Vector3& impulse, const Vector3& by_contact,
+                                          double factor) {
+    if (sums)
+      step->flux.add(factor * (j < atom->nlocal ? 1.0 : 0.5), grid.relative.separation, impulse,
+                     by_contact);
+  };
+}
+
 template <class Cohesion>
 template <int SIZE>
 void PairGranCohesive<Cohesion>::gather(Contacts<EventContact>& contacts) {
   contacts_now.clear();
   contacts.clear();
   const ContactsOfStep<EventContact, SIZE> scatter(atom, step);
+  const auto sum = flux_sum();
   for_each_close([&](int i, int j, int& kept, double* values) {
     const int c = contact(contacts, i, j);
     const EventContact& law = contacts.all[c];
@@ -159,14 +190,36 @@ void PairGranCohesive<Cohesion>::gather(Contacts<EventContact>& contacts) {
       if (step->starts() && closer(law.range(), i, j)) known = ContactMemory::seen_inside();
     }
     kept = 1;
-    contacts_now.take<SIZE>(scatter, step, law, c, i, j, on_grid_with_spins(i, j), known, values);
+    contacts_now.take<SIZE>(scatter, step, law, c, i, j, on_grid_with_spins(i, j), known, values,
+                            sum);
   });
 }
 
 template <class Cohesion>
 template <int SIZE>
+void PairGranCohesive<Cohesion>::unsettle(Contacts<EventContact>& contacts) {
+  const ContactsOfStep<EventContact, SIZE> scatter(atom, step);
+  const auto sum = flux_sum();
+  for_each_kept([&](int i, int j, double* values) {
+    if (!step->is_restless(i) && !step->is_restless(j)) return;
+    const int c = contact(contacts, i, j);
+    contacts_now.unsettle<SIZE>(scatter, step, contacts.all[c], c, i, j, on_grid_with_spins(i, j),
+                                values, sum);
+  });
+  for (const LastingCandidate& p : contacts_now.candidates)
+    contacts_now.settle<SIZE>(scatter, step, contacts.all[p.contact], p,
+                              on_grid_with_spins(p.i, p.j), sum);
+}
+
+template <class Cohesion>
+template <int SIZE>
 void PairGranCohesive<Cohesion>::join(Contacts<EventContact>& contacts) {
-  contacts_now.join(ContactsOfStep<EventContact, SIZE>(atom, step), step, contacts.all);
+  const ContactsOfStep<EventContact, SIZE> scatter(atom, step);
+  for_each_kept([&](int i, int j, double* values) {
+    if (!step->is_followed(i) && !step->is_followed(j)) return;
+    contacts_now.join<SIZE>(scatter, step, contacts.all[contact(contacts, i, j)], i, j,
+                            on_grid_with_spins(i, j), values);
+  });
 }
 
 template <class Cohesion>
@@ -179,28 +232,28 @@ template <class Cohesion>
 template <int SIZE>
 void PairGranCohesive<Cohesion>::follow_together(Contacts<EventContact>& contacts) {
   const ContactsOfStep<EventContact, SIZE> scatter(atom, step);
-  const bool tallies = evflag || step->sums_flux();
-  const auto tally_one = [&](int i, int j, const EventContact& c, const PairMotion& grid,
-                             const ContactMemory& before, const Vector3& impulse,
-                             const Vector3& by_contact) {
-    const StoredEnergies stored = c.stored(grid, before);
-    tally(i, j, grid.relative.separation, stored.spring + stored.adhesion, impulse, by_contact);
-  };
-  if (tallies)
-    for (const LastingContact& p : contacts_now.lasting) {
-      const EventContact& c = contacts.all[p.contact];
-      tally_one(p.i, p.j, c, p.grid, p.before, p.action.impulse, c.by_contact(p.grid, p.action));
-    }
+  if (evflag)
+    for_each_kept([&](int i, int j, const double* values) {
+      const ContactMemory known = ContactMemory::from(values, SIZE);
+      if (known.phase != ContactMemory::lasting) return;
+      const EventContact& c = contacts.all[contact(contacts, i, j)];
+      const PairMotion grid = on_grid_with_spins(i, j);
+      tally(i, j, grid.relative.separation, energy(c.stored(grid, known)),
+            c.template held<SIZE>(grid, known).impulse);
+    });
   // What a contact remembers is new after its second pass.
-  std::vector<ContactMemory> before;
-  if (tallies)
-    for (const FollowedContact& p : contacts_now.followed) before.push_back(p.memory);
+  std::vector<double> before;
+  if (evflag)
+    for (const FollowedContact& p : contacts_now.followed)
+      before.push_back(energy(contacts.all[p.contact].stored(p.grid, p.memory)));
+  std::size_t next = 0;
+  const auto sum = flux_sum();
   contacts_now.follow_together(
       scatter, step, contacts.all,
-      [&](const FollowedContact& p, const EventContact& c, const Action& action) {
-        if (!tallies) return;
-        tally_one(p.i, p.j, c, p.grid, before[&p - contacts_now.followed.data()], action.impulse,
-                  c.by_contact(p.grid, p.step, action));
+      [&](int i, int j, const EventContact& c, const PairMotion& grid, const Vector3& impulse,
+          const Vector3& by_contact, double factor) {
+        sum(i, j, c, grid, impulse, by_contact, factor);
+        if (evflag) tally(i, j, grid.relative.separation, before[next++], impulse);
       });
 }
 
@@ -224,29 +277,27 @@ template <class Cohesion>
 template <int SIZE>
 void PairGranCohesive<Cohesion>::follow_together(Contacts<SampledContact>& contacts) {
   const ContactsOfStep<SampledContact, SIZE> scatter(atom, step);
+  const auto sum = flux_sum();
   for (const SampledActive& pair : sampled_now) {
     const SampledContact& c = contacts.all[pair.contact];
     const PairMotion grid = on_grid_with_spins(pair.i, pair.j);
     const SampledStep now = sample<SIZE>(scatter, step, c, pair.i, pair.j, grid, pair.history);
     const ContactMemory known = ContactMemory::from(pair.history, SIZE);
     *pair.kept = known.in_range();
-    if (!evflag && !step->sums_flux()) continue;
-    const StoredEnergies stored = c.stored(grid, known);
-    tally(pair.i, pair.j, grid.relative.separation, stored.spring + stored.adhesion,
-          now.action.impulse, now.by_contact);
+    sum(pair.i, pair.j, c, grid, now.action.impulse, now.by_contact, 1.0);
+    if (evflag)
+      tally(pair.i, pair.j, grid.relative.separation, energy(c.stored(grid, known)),
+            now.action.impulse);
   }
 }
 
-/// `impulse` on j, and the part of it that is not adhesion's.
+/// Energy and virial, of an impulse on j.
 template <class Cohesion>
 void PairGranCohesive<Cohesion>::tally(int i, int j, const Vector3& separation, double energy,
-                                       const Vector3& impulse, const Vector3& by_contact) {
-  const int nlocal = atom->nlocal;
-  if (step->sums_flux()) step->flux.add(j < nlocal ? 1.0 : 0.5, separation, impulse, by_contact);
-  if (!evflag) return;
+                                       const Vector3& impulse) {
   const Vector3 on_i = -step->force_per_impulse() * impulse;
-  ev_tally_xyz(i, j, nlocal, 0, energy, 0.0, on_i.x, on_i.y, on_i.z, -separation.x, -separation.y,
-               -separation.z);
+  ev_tally_xyz(i, j, atom->nlocal, 0, energy, 0.0, on_i.x, on_i.y, on_i.z, -separation.x,
+               -separation.y, -separation.z);
 }
 
 /* ---------------------------------------------------------------------- */

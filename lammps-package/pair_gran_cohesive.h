@@ -47,6 +47,7 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventContacts, p
   void append_bound(std::vector<std::array<int, 2>>&) const override;
   bool follows() const override { return looks; }
   void gather() override;
+  void unsettle() override;
   void join() override;
   void follow_alone() override;
   void book_standing() override;
@@ -103,6 +104,10 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventContacts, p
   template <int SIZE>
   void gather(Contacts<SampledContact>&);
   template <int SIZE>
+  void unsettle(Contacts<EventContact>&);
+  template <int SIZE>
+  void unsettle(Contacts<SampledContact>&) {}
+  template <int SIZE>
   void join(Contacts<EventContact>&);
   template <int SIZE>
   void join(Contacts<SampledContact>&) {}
@@ -115,7 +120,10 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventContacts, p
   template <int SIZE>
   void follow_together(Contacts<SampledContact>&);
   void tally(int i, int j, const cohesion::Vector3& separation, double energy,
-             const cohesion::Vector3& impulse, const cohesion::Vector3& by_contact);
+             const cohesion::Vector3& impulse);
+  auto flux_sum();
+  template <class What>
+  void for_each_kept(const What&);
   template <class What>
   void with_contacts(const What&);
   void tally_standing();

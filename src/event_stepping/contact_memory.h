@@ -9,8 +9,9 @@ namespace cohesion::event_stepping {
 /// What is remembered of a contact from one grid point to the next.
 struct ContactMemory {
   /// `beyond`: out of range, known by the grid. `inside`, `left`: in range or out of it after a
-  /// step that was followed. `lasting`: in contact after a step of one force, known by the grid.
-  enum Phase { beyond, inside, lasting, left };
+  /// step that was followed. `lasting`: in contact after a step of one force, known by the grid;
+  /// `leaving`: so far, and to be followed from this grid point.
+  enum Phase { beyond, inside, lasting, left, leaving };
   Phase phase = beyond;
   /// Steps since anything but lasting contact happened to it; -1: what went before is not known.
   double age = 0.0;
@@ -21,7 +22,10 @@ struct ContactMemory {
 
   /// Of a pair that is first seen in range.
   static ContactMemory seen_inside() { return {inside, -1.0, 0.0, {}, {}}; }
-  bool in_range() const { return phase == inside || phase == lasting; }
+  bool in_range() const { return phase == inside || lasted(); }
+  /// Through a step of one force: springs and impulses are of this grid point after
+  /// ContactOnGrid::hold().
+  bool lasted() const { return phase == lasting || phase == leaving; }
 
   /// Numbers that an engine keeps: without friction, with it, and with rolling friction.
   enum Size { normal_only = 3, with_friction = 9, with_rolling = 15 };

@@ -81,32 +81,27 @@ class ContactOnGrid {
     return dot(grid.separation, grid.separation) <= reach * reach;
   }
 
-  /// The force times dt of a contact that is old enough and certainly lasts. False, and nothing
-  /// done, where that is not certain.
+  /// Whether a contact is old enough for one force, and certainly lasts for the step.
+  bool can_last(const RelativeState& grid, const ContactMemory& memory) const {
+    return memory.phase == ContactMemory::inside && memory.age >= youth_ && Hold(*this, grid).lasts;
+  }
+
+  /// A contact that has lasted, or can: the force times dt that it needs if it goes on. Settles the
+  /// springs in the plane of contact, and what they lost since the last grid point; of what the
+  /// dashpot along the normal loses around this one, `losses` has all. False: it does not certainly
+  /// last for this step, and is to be followed.
   template <int SIZE>
-  bool follow_lasting(const PairMotion& grid, ContactMemory& memory, Action& action,
-                      ContactLosses& losses) const {
-    if (!memory.in_range() || memory.age < youth_) return false;
-    const Sample at(*this, grid.relative);
-    const double overlap = contact_distance_ - at.distance;
-    if (!(overlap > 0.0)) return false;
-    const double next = at.next(*this);
-    const double change = (next - 0.5 * at.turning / next - at.distance) / step_ - at.radial;
-    const double closing = -at.radial - change - at.turning / (step_ * at.distance);
-    const double end = overlap + step_ * closing;
-    const double margin = certain * step_ * std::abs(at.radial);
-    if (!(end > margin && overlap - step_ * std::max(at.radial, 0.0) > 0.0 &&
-          end - step_ * std::max(closing, 0.0) > 0.0))
-      return false;
-    const double repulsion = reduced_mass_ * change / step_ + pull_;
-    action = {(reduced_mass_ * change / at.distance) * grid.relative.separation, {}, {}};
-    losses.normal_damping = 0.5 * normal_contact_.stiffness() / spring_.stiffness *
-                            spring_.damping * step_ * at.radial * (2.0 * at.radial + change);
+  bool hold(const PairMotion& grid, ContactMemory& memory, Action& action,
+            ContactLosses& losses) const {
+    const Hold normal(*this, grid.relative);
     const bool lasted = memory.phase == ContactMemory::lasting;
-    memory.phase = ContactMemory::lasting;
+    action = {normal.impulse * grid.relative.separation, {}, {}};
+    losses.normal_damping = normal.damped(*this);
+    memory.phase = normal.lasts ? ContactMemory::lasting : ContactMemory::leaving;
     memory.age += 1.0;
     if constexpr (SIZE >= ContactMemory::with_friction) {
       const Touch touch(bodies_, grid.relative.separation);
+      const double repulsion = normal.force(*this) + pull_;
       SpringOnGrid::Losses lost;
       const Vector3 slides = touch.slides(grid.relative.velocity, grid.spin_i, grid.spin_j);
       touch.slide(sliding_.rub(touch.plane(), slides, repulsion, lasted, memory.sliding, lost),
@@ -121,25 +116,22 @@ class ContactOnGrid {
         losses.rolling = lost.damped + lost.friction;
       }
     }
-    return true;
+    return normal.lasts;
   }
 
-  /// What springs in the plane of contact lost in a last step of one force, where the next is
-  /// followed.
+  /// The same again of a contact that has been settled.
   template <int SIZE>
-  ContactLosses lost_before(const PairMotion& grid, const ContactMemory& memory) const {
-    ContactLosses losses;
-    if (SIZE < ContactMemory::with_friction || memory.phase != ContactMemory::lasting)
-      return losses;
-    const Touch touch(bodies_, grid.relative.separation);
-    losses.tangential_damping = sliding_.lost_before(
-        touch.plane(), touch.slides(grid.relative.velocity, grid.spin_i, grid.spin_j),
-        memory.sliding);
-    if (SIZE >= ContactMemory::with_rolling)
-      losses.rolling = rolling_.lost_before(touch.plane(), touch.rolls(grid.spin_i, grid.spin_j),
-                                            memory.rolling);
-    return losses;
+  Action held(const PairMotion& grid, const ContactMemory& memory) const {
+    const Vector3& s = grid.relative.separation;
+    Action action{Hold(*this, grid.relative).impulse * s, {}, {}};
+    if constexpr (SIZE >= ContactMemory::with_friction)
+      Touch(bodies_, s).slide(memory.sliding.impulse, action);
+    if constexpr (SIZE >= ContactMemory::with_rolling)
+      Touch(bodies_, s).roll(memory.rolling.impulse, action);
+    return action;
   }
+  /// What the dashpot along the normal of such a contact loses around the grid point, [energy].
+  double damped(const RelativeState& grid) const { return Hold(*this, grid).damped(*this); }
 
   /// What leads from the motion on the grid to the true one at this grid point.
   template <int SIZE>
@@ -247,7 +239,10 @@ class ContactOnGrid {
       Touch(bodies_, s).roll(0.5 * (f.rolling.impulse + memory.rolling.impulse), action);
       memory.rolling = left(f, f.rolling, f.rolling_rate);
     }
-    memory.age = event || !memory.in_range() ? 0.0 : std::max(memory.age, 0.0) + 1.0;
+    if (event || !memory.in_range())
+      memory.age = 0.0;
+    else if (!memory.lasted())
+      memory.age = std::max(memory.age, 0.0) + 1.0;
     memory.ahead = 0.0;
     if ((event || f.normal.inside) && (f.normal.acts || owed != 0.0)) {
       const double reached = std::sqrt(square);
@@ -281,14 +276,13 @@ class ContactOnGrid {
     return action.impulse + (attraction / norm(s)) * s;
   }
 
-  /// What is stored at the grid point, before its force.
+  /// What is stored at the grid point.
   StoredEnergies stored(const PairMotion& grid, const ContactMemory& memory) const {
+    if (!memory.in_range()) return {};
+    const double overlap = contact_distance_ - norm(grid.relative.separation);
     const Stretches now = stretch(grid, memory);
-    return stored(grid, memory, now.sliding, now.rolling);
-  }
-  /// The same after one force: springs in the plane of contact have slipped.
-  StoredEnergies stored_after(const PairMotion& grid, const ContactMemory& after) const {
-    return stored(grid, after, after.sliding.stretch, after.rolling.stretch);
+    return {pair_.spring_energy(overlap), sliding_.stored_energy(now.sliding),
+            rolling_.stored_energy(now.rolling), pair_.adhesion_energy(overlap)};
   }
 
  private:
@@ -334,17 +328,34 @@ class ContactOnGrid {
     }
   };
 
+  /// One force of a contact, along the normal.
+  struct Hold {
+    Sample at;
+    double change;   // of the radial velocity
+    double impulse;  // over the distance
+    bool lasts;
+
+    Hold(const ContactOnGrid& c, const RelativeState& grid) : at(c, grid) {
+      const double overlap = c.contact_distance_ - at.distance;
+      const double next = at.next(c);
+      change = (next - 0.5 * at.turning / next - at.distance) / c.step_ - at.radial;
+      impulse = c.reduced_mass_ * change / at.distance;
+      const double closing = -at.radial - change - at.turning / (c.step_ * at.distance);
+      const double end = overlap + c.step_ * closing;
+      lasts = overlap > 0.0 && end > certain * c.step_ * std::abs(at.radial) &&
+              overlap - c.step_ * std::max(at.radial, 0.0) > 0.0 &&
+              end - c.step_ * std::max(closing, 0.0) > 0.0;
+    }
+    double force(const ContactOnGrid& c) const { return c.reduced_mass_ * change / c.step_; }
+    double damped(const ContactOnGrid& c) const {
+      return 0.5 * c.normal_contact_.stiffness() / c.spring_.stiffness * c.spring_.damping *
+             c.step_ * at.radial * (2.0 * at.radial + change);
+    }
+  };
+
   struct Stretches {
     Vector3 sliding{}, rolling{};
   };
-
-  StoredEnergies stored(const PairMotion& grid, const ContactMemory& memory, const Vector3& slid,
-                        const Vector3& rolled) const {
-    if (!memory.in_range()) return {};
-    const double overlap = contact_distance_ - norm(grid.relative.separation);
-    return {pair_.spring_energy(overlap), sliding_.stored_energy(slid),
-            rolling_.stored_energy(rolled), pair_.adhesion_energy(overlap)};
-  }
 
   /// Of the springs at this grid point, in its plane, [length].
   Stretches stretch(const PairMotion& grid, const ContactMemory& memory) const {
@@ -353,6 +364,7 @@ class ContactOnGrid {
     const bool touched = memory.in_range() && memory.age >= 0.0 &&
                          touch.plane().inverse_square * contact_distance_ * contact_distance_ > 1.0;
     if (!touched) return now;
+    if (memory.lasted()) return {memory.sliding.stretch, memory.rolling.stretch};
     if (sliding_.acts())
       now.sliding = touch.plane().turned_into(memory.sliding.stretch) +
                     step_ * touch.slides(grid.relative.velocity, grid.spin_i, grid.spin_j);
@@ -370,7 +382,7 @@ class ContactOnGrid {
   }
 
   double ahead(const RelativeState& grid, const ContactMemory& memory) const {
-    if (memory.phase != ContactMemory::lasting) return memory.ahead;
+    if (!memory.lasted()) return memory.ahead;
     const Sample at(*this, grid);
     return at.true_rate(*this) - at.radial;
   }

@@ -63,13 +63,6 @@ class SpringOnGrid {
     return lasted ? impulse : mean;
   }
 
-  /// What the last step of one force lost, where the next is followed.
-  double lost_before(const contact::Plane& plane, const Vector3& rate, const Memory& memory) const {
-    const Vector3 before = plane.turned_into(memory.stretch);
-    return law_.stored_energy(before) - law_.stored_energy(before + step_ * rate) -
-           dot(memory.impulse, rate);
-  }
-
   /// What is lost when a contact of one force has ended, with what the spring held.
   double lost_at_end(const Vector3& rate, const Memory& memory) const {
     return law_.stored_energy(memory.stretch) - 0.5 * dot(memory.impulse, rate);
