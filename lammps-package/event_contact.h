@@ -83,7 +83,7 @@ class ContactsOfStep {
   double kick() const { return kick_; }
 
   /// Force and torque on the particles of this process.
-  void act(int i, int j, const Action& a) const {
+  [[gnu::always_inline]] void act(int i, int j, const Action& a) const {
     step_->push<SIZE>(i, -kick_ * a.impulse, kick_ * a.torque_i);
     if (j >= 0 && j < nlocal_) step_->push<SIZE>(j, kick_ * a.impulse, kick_ * a.torque_j);
   }
@@ -172,9 +172,11 @@ struct StepContacts {
   /// One contact from its motion on the grid: acts if it lasts, is announced if it is to be
   /// followed, which makes both particles restless.
   template <int SIZE, class Contact, class Done>
-  void take(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step, const Contact& c,
-            int contact, int i, int j, const cohesion::event_stepping::PairMotion& grid,
-            cohesion::event_stepping::ContactMemory memory, double* history, const Done& done) {
+  [[gnu::always_inline]] void take(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
+                                   const Contact& c, int contact, int i, int j,
+                                   const cohesion::event_stepping::PairMotion& grid,
+                                   cohesion::event_stepping::ContactMemory memory, double* history,
+                                   const Done& done) {
     using namespace cohesion::event_stepping;
     const bool lasted = memory.phase == ContactMemory::lasting;
     if (!lasted && c.can_last(grid.relative, memory)) {
@@ -204,7 +206,7 @@ struct StepContacts {
     const Action action = c.template held<SIZE>(grid, memory);
     scatter.act_not(i, j, action);
     step->book_losses(scatter.part(j), {-0.5 * c.damped(grid.relative), 0.0, 0.0, 0.0}, 1.0);
-    done(i, j, c, grid, action.impulse, c.by_contact(grid, action), -1.0);
+    done(i, j, c, grid, action.impulse, [&] { return c.by_contact(grid, action); }, -1.0);
     memory.phase = ContactMemory::leaving;
     memory.to(history, SIZE);
     announce<SIZE>(scatter, step, c, contact, i, j, grid, memory, history);
@@ -277,30 +279,36 @@ struct StepContacts {
       const double part = scatter.part(p.j);
       if (p.step.normal.normal.unresolved) step->book.unresolved += part;
       step->book_losses(part, Contact::losses(p.step), 1.0);
-      done(p.i, p.j, c, p.grid, action.impulse, c.by_contact(p.grid, p.step, action), 1.0);
+      done(
+          p.i, p.j, c, p.grid, action.impulse, [&] { return c.by_contact(p.grid, p.step, action); },
+          1.0);
     }
   }
 
  private:
   template <int SIZE, class Contact, class Done>
-  static bool hold(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
-                   const Contact& c, int i, int j, const cohesion::event_stepping::PairMotion& grid,
-                   cohesion::event_stepping::ContactMemory& memory, double* history,
-                   const Done& done) {
+  [[gnu::always_inline]] static bool hold(const ContactsOfStep<Contact, SIZE>& scatter,
+                                          FixEventStep* step, const Contact& c, int i, int j,
+                                          const cohesion::event_stepping::PairMotion& grid,
+                                          cohesion::event_stepping::ContactMemory& memory,
+                                          double* history, const Done& done) {
     using namespace cohesion::event_stepping;
     const bool lasted = memory.phase == ContactMemory::lasting;
     Action action;
     ContactLosses lost;
-    const bool lasts = c.template hold<SIZE>(grid, memory, action, lost);
+    const bool lasts =
+        c.template hold<SIZE>(grid, memory, action, step->book.kept ? &lost : nullptr);
     memory.to(history, SIZE);
-    // Of the dashpot along the normal, half before the grid point and half after.
-    const double part = scatter.part(j), half = 0.5 * lost.normal_damping;
-    step->book_losses(
-        part, {lasted ? half : 0.0, lost.tangential_damping, lost.friction, lost.rolling}, 0.0);
+    if (step->book.kept) {
+      // Of the dashpot along the normal, half before the grid point and half after.
+      const double part = scatter.part(j), half = 0.5 * lost.normal_damping;
+      step->book_losses(
+          part, {lasted ? half : 0.0, lost.tangential_damping, lost.friction, lost.rolling}, 0.0);
+      if (lasts) step->book_losses(part, {half, 0.0, 0.0, 0.0}, 1.0);
+    }
     if (!lasts) return false;
-    step->book_losses(part, {half, 0.0, 0.0, 0.0}, 1.0);
     scatter.act(i, j, action);
-    done(i, j, c, grid, action.impulse, c.by_contact(grid, action), 1.0);
+    done(i, j, c, grid, action.impulse, [&] { return c.by_contact(grid, action); }, 1.0);
     return true;
   }
 

@@ -224,7 +224,8 @@ class FixEventStep : public Fix {
   void next_work(double work) { next.external_work += work; }
   /// Adds force and torque of a contact on particle i of this rank.
   template <int SIZE>
-  void push(int i, const cohesion::Vector3& pushed, const cohesion::Vector3& turned) {
+  [[gnu::always_inline]] void push(int i, const cohesion::Vector3& pushed,
+                                   const cohesion::Vector3& turned) {
     contact_force[i] += pushed;
     if (SIZE > 3) contact_torque[i] += turned;
     if (!handed_over) return;

@@ -283,8 +283,8 @@ template <class Cohesion>
 template <int SIZE>
 auto FixWallGranCohesive<Cohesion>::pushes(const ContactsOfStep<EventContact, SIZE>& scatter) {
   return [&scatter, this](int, int j, const EventContact&, const PairMotion&,
-                          const Vector3& impulse, const Vector3& by_contact, double factor) {
-    push(scatter, near_now[-1 - j], impulse, by_contact, factor);
+                          const Vector3& impulse, const auto& by_contact, double factor) {
+    push(scatter, near_now[-1 - j], impulse, by_contact(), factor);
   };
 }
 

@@ -162,11 +162,11 @@ void PairGranCohesive<Cohesion>::for_each_kept(const What& what) {
 template <class Cohesion>
 auto PairGranCohesive<Cohesion>::flux_sum() {
   return [sums = step->sums_flux(), this](int, int j, const auto&, const PairMotion& grid,
-                                          const Vector3& impulse, const Vector3& by_contact,
+                                          const Vector3& impulse, const auto& by_contact,
                                           double factor) {
     if (sums)
       step->flux.add(factor * (j < atom->nlocal ? 1.0 : 0.5), grid.relative.separation, impulse,
-                     by_contact);
+                     by_contact());
   };
 }
 
@@ -248,13 +248,13 @@ void PairGranCohesive<Cohesion>::follow_together(Contacts<EventContact>& contact
       before.push_back(energy(contacts.all[p.contact].stored(p.grid, p.memory)));
   std::size_t next = 0;
   const auto sum = flux_sum();
-  contacts_now.follow_together(
-      scatter, step, contacts.all,
-      [&](int i, int j, const EventContact& c, const PairMotion& grid, const Vector3& impulse,
-          const Vector3& by_contact, double factor) {
-        sum(i, j, c, grid, impulse, by_contact, factor);
-        if (evflag) tally(i, j, grid.relative.separation, before[next++], impulse);
-      });
+  contacts_now.follow_together(scatter, step, contacts.all,
+                               [&](int i, int j, const EventContact& c, const PairMotion& grid,
+                                   const Vector3& impulse, const auto& by_contact, double factor) {
+                                 sum(i, j, c, grid, impulse, by_contact, factor);
+                                 if (evflag)
+                                   tally(i, j, grid.relative.separation, before[next++], impulse);
+                               });
 }
 
 template <class Cohesion>
@@ -284,7 +284,7 @@ void PairGranCohesive<Cohesion>::follow_together(Contacts<SampledContact>& conta
     const SampledStep now = sample<SIZE>(scatter, step, c, pair.i, pair.j, grid, pair.history);
     const ContactMemory known = ContactMemory::from(pair.history, SIZE);
     *pair.kept = known.in_range();
-    sum(pair.i, pair.j, c, grid, now.action.impulse, now.by_contact, 1.0);
+    sum(pair.i, pair.j, c, grid, now.action.impulse, [&] { return now.by_contact; }, 1.0);
     if (evflag)
       tally(pair.i, pair.j, grid.relative.separation, energy(c.stored(grid, known)),
             now.action.impulse);

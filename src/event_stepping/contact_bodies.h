@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cmath>
-
 #include "contact/tangential_spring.h"
 #include "event_stepping/pair_motion.h"
 
@@ -55,15 +53,18 @@ class ContactBodies {
   class Touch {
    public:
     Touch(const ContactBodies& bodies, const Vector3& separation)
+        : Touch(bodies, separation, 1.0 / norm(separation)) {}
+    /// `inverse`: of the length of the separation.
+    Touch(const ContactBodies& bodies, const Vector3& separation, double inverse)
         : bodies_(bodies),
-          plane_{separation, 1.0 / dot(separation, separation)},
-          lever_i_(bodies.is_wall() ? bodies.i_.radius * std::sqrt(plane_.inverse_square)
-                                    : bodies.lever_i_) {}
+          plane_{separation, inverse * inverse},
+          lever_i_(bodies.is_wall() ? bodies.i_.radius * inverse : bodies.lever_i_) {}
 
     const contact::Plane& plane() const { return plane_; }
 
     /// How fast the surfaces part in the plane of contact, [length/time].
-    Vector3 slides(const Vector3& velocity, const Vector3& spin_i, const Vector3& spin_j) const {
+    [[gnu::always_inline]] Vector3 slides(const Vector3& velocity, const Vector3& spin_i,
+                                          const Vector3& spin_j) const {
       return plane_.part_in(velocity -
                             cross(lever_i_ * spin_i + (1.0 - lever_i_) * spin_j, plane_.normal));
     }
@@ -77,19 +78,19 @@ class ContactBodies {
     ///
     /// Source: S. Luding, Granular Matter 10 (2008) 235; Y. Wang, F. Alonso-Marroquin, W. W. Guo,
     /// Particuology 23 (2015) 49.
-    Vector3 rolls(const Vector3& spin_i, const Vector3& spin_j) const {
+    [[gnu::always_inline]] Vector3 rolls(const Vector3& spin_i, const Vector3& spin_j) const {
       return bodies_.rolling_radius_ * plane_.part_in(spin_i - spin_j);
     }
 
     /// Adds what an impulse on j's surface does.
-    void slide(const Vector3& impulse, Action& action) const {
+    [[gnu::always_inline]] void slide(const Vector3& impulse, Action& action) const {
       const Vector3 turn = cross(plane_.normal, impulse);
       action.impulse += impulse;
       action.torque_i -= lever_i_ * turn;
       action.torque_j -= (1.0 - lever_i_) * turn;
     }
     /// Adds what the rolling spring does: no force, but the torques R F and -R F.
-    void roll(const Vector3& impulse, Action& action) const {
+    [[gnu::always_inline]] void roll(const Vector3& impulse, Action& action) const {
       action.torque_i += bodies_.rolling_radius_ * impulse;
       action.torque_j -= bodies_.rolling_radius_ * impulse;
     }

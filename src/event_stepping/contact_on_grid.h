@@ -53,13 +53,18 @@ class ContactOnGrid {
         step_(step),
         inverse_mass_(bodies_.inverse_mass()),
         reduced_mass_(bodies_.reduced_mass()),
+        inverse_step_(1.0 / step),
         contact_distance_(bodies_.distance()),
+        inverse_distance_(1.0 / contact_distance_),
         normal_contact_(contact::normal_contact(parameters, reduced_mass_)),
         pair_(normal_contact_, attraction, contact_distance_, step),
         oscillator_(normal_contact_.stiffness() * inverse_mass_,
                     0.5 * normal_contact_.damping() * inverse_mass_),
         propagator_(oscillator_.propagator(step)),
+        trace_(propagator_.xx + propagator_.vv),
         spring_(oscillator_.on_grid(step, reduced_mass_)),
+        kept_(1.0 - spring_.damping * step * inverse_mass_),
+        inverse_w0_squared_(1.0 / oscillator_.w0_squared()),
         pull_(attraction.force),
         sliding_(contact::tangential_contact(parameters, normal_contact_), step,
                  bodies_.sliding_answer()),
@@ -88,32 +93,35 @@ class ContactOnGrid {
 
   /// A contact that has lasted, or can: the force times dt that it needs if it goes on. Settles the
   /// springs in the plane of contact, and what they lost since the last grid point; of what the
-  /// dashpot along the normal loses around this one, `losses` has all. False: it does not certainly
-  /// last for this step, and is to be followed.
+  /// dashpot along the normal loses around this one, `losses` (nullptr: nobody asks) has all.
+  /// False: it does not certainly last for this step, and is to be followed.
   template <int SIZE>
-  bool hold(const PairMotion& grid, ContactMemory& memory, Action& action,
-            ContactLosses& losses) const {
+  [[gnu::always_inline]] bool hold(const PairMotion& grid, ContactMemory& memory, Action& action,
+                                   ContactLosses* losses) const {
     const Hold normal(*this, grid.relative);
     const bool lasted = memory.phase == ContactMemory::lasting;
     action = {normal.impulse * grid.relative.separation, {}, {}};
-    losses.normal_damping = normal.damped(*this);
+    if (losses) losses->normal_damping = normal.damped(*this);
     memory.phase = normal.lasts ? ContactMemory::lasting : ContactMemory::leaving;
     memory.age += 1.0;
     if constexpr (SIZE >= ContactMemory::with_friction) {
-      const Touch touch(bodies_, grid.relative.separation);
+      const Touch touch(bodies_, grid.relative.separation, normal.at.inverse);
       const double repulsion = normal.force(*this) + pull_;
-      SpringOnGrid::Losses lost;
+      SpringOnGrid::Losses of_sliding, of_rolling;
       const Vector3 slides = touch.slides(grid.relative.velocity, grid.spin_i, grid.spin_j);
-      touch.slide(sliding_.rub(touch.plane(), slides, repulsion, lasted, memory.sliding, lost),
+      touch.slide(sliding_.rub(touch.plane(), slides, repulsion, lasted, memory.sliding,
+                               losses ? &of_sliding : nullptr),
                   action);
-      losses.tangential_damping = lost.damped;
-      losses.friction = lost.friction;
       if constexpr (SIZE >= ContactMemory::with_rolling) {
         const Vector3 rolls = touch.rolls(grid.spin_i, grid.spin_j);
-        lost = {};
-        touch.roll(rolling_.rub(touch.plane(), rolls, repulsion, lasted, memory.rolling, lost),
+        touch.roll(rolling_.rub(touch.plane(), rolls, repulsion, lasted, memory.rolling,
+                                losses ? &of_rolling : nullptr),
                    action);
-        losses.rolling = lost.damped + lost.friction;
+      }
+      if (losses) {
+        losses->tangential_damping = of_sliding.damped;
+        losses->friction = of_sliding.friction;
+        losses->rolling = of_rolling.damped + of_rolling.friction;
       }
     }
     return normal.lasts;
@@ -292,39 +300,38 @@ class ContactOnGrid {
   static constexpr double certain = 0.1;
   static constexpr double rounding = 1e-9;
 
-  /// Along the normal as the recursion needs it.
+  /// Along the normal as the recursion needs it. Distances one step before and after are right to
+  /// (speed across times dt)^2/R times the change of R over R.
   struct Sample {
-    double distance, radial;
-    double turning;   // dt^2 times the square of the speed across
-    double straight;  // distance one step before, but for the way across
-    double rest;      // overlap at which spring, adhesion and turning balance
+    double distance, inverse, radial;
+    double bent;    // what a straight flight across adds to the distance in a step
+    double before;  // distance one step before
+    double rest;    // overlap at which spring, adhesion and turning balance
 
-    Sample(const ContactOnGrid& c, const RelativeState& grid) {
+    [[gnu::always_inline]] Sample(const ContactOnGrid& c, const RelativeState& grid) {
       distance = norm(grid.separation);
-      radial = dot(grid.separation, grid.velocity) / distance;
+      inverse = 1.0 / distance;
+      radial = inverse * dot(grid.separation, grid.velocity);
       const double square = dot(grid.velocity, grid.velocity) - radial * radial;
       const double side = c.bodies_.is_wall() ? 0.0 : std::max(square, 0.0);
-      turning = side * c.step_ * c.step_;
-      straight = distance - c.step_ * radial;
-      const double leverage = distance / c.contact_distance_;
-      rest = (c.pull_ * c.inverse_mass_ - leverage * leverage * side / c.contact_distance_) /
-             c.oscillator_.w0_squared();
+      bent = 0.5 * side * c.step_ * c.step_ * inverse;
+      before = distance - c.step_ * radial + bent;
+      const double leverage = distance * c.inverse_distance_;
+      rest = (c.pull_ * c.inverse_mass_ - leverage * leverage * side * c.inverse_distance_) *
+             c.inverse_w0_squared_;
     }
 
     /// Distance one step later.
     double next(const ContactOnGrid& c) const {
-      const double trace = c.propagator_.xx + c.propagator_.vv;
-      const double kept = 1.0 - c.spring_.damping * c.step_ * c.inverse_mass_;
       const double contact = c.contact_distance_ - rest;
-      const double before = straight + 0.5 * turning / straight;
-      return contact - trace * (contact - distance) + kept * (contact - before);
+      return contact - c.trace_ * (contact - distance) + c.kept_ * (contact - before);
     }
 
     double true_rate(const ContactOnGrid& c) const {
       const double contact = c.contact_distance_ - rest;
-      const double before = contact - std::sqrt(straight * straight + turning);
-      const double rate = (contact - distance - c.propagator_.xx * before) / c.propagator_.xv;
-      return -(c.propagator_.vx * before + c.propagator_.vv * rate);
+      const double rate =
+          (contact - distance - c.propagator_.xx * (contact - before)) / c.propagator_.xv;
+      return -(c.propagator_.vx * (contact - before) + c.propagator_.vv * rate);
     }
   };
 
@@ -335,21 +342,23 @@ class ContactOnGrid {
     double impulse;  // over the distance
     bool lasts;
 
-    Hold(const ContactOnGrid& c, const RelativeState& grid) : at(c, grid) {
+    [[gnu::always_inline]] Hold(const ContactOnGrid& c, const RelativeState& grid) : at(c, grid) {
       const double overlap = c.contact_distance_ - at.distance;
-      const double next = at.next(c);
-      change = (next - 0.5 * at.turning / next - at.distance) / c.step_ - at.radial;
-      impulse = c.reduced_mass_ * change / at.distance;
-      const double closing = -at.radial - change - at.turning / (c.step_ * at.distance);
+      change = (at.next(c) - at.bent - at.distance) * c.inverse_step_ - at.radial;
+      impulse = c.reduced_mass_ * change * at.inverse;
+      const double closing = -at.radial - change - 2.0 * at.bent * c.inverse_step_;
       const double end = overlap + c.step_ * closing;
       lasts = overlap > 0.0 && end > certain * c.step_ * std::abs(at.radial) &&
               overlap - c.step_ * std::max(at.radial, 0.0) > 0.0 &&
               end - c.step_ * std::max(closing, 0.0) > 0.0;
     }
-    double force(const ContactOnGrid& c) const { return c.reduced_mass_ * change / c.step_; }
+    double force(const ContactOnGrid& c) const {
+      return c.reduced_mass_ * change * c.inverse_step_;
+    }
     double damped(const ContactOnGrid& c) const {
+      const double after = at.radial + change;
       return 0.5 * c.normal_contact_.stiffness() / c.spring_.stiffness * c.spring_.damping *
-             c.step_ * at.radial * (2.0 * at.radial + change);
+             c.step_ * (at.radial * at.radial + after * after);
     }
   };
 
@@ -404,12 +413,17 @@ class ContactOnGrid {
   double step_;
   double inverse_mass_;
   double reduced_mass_;
+  double inverse_step_;
   double contact_distance_;
+  double inverse_distance_;
   contact::LinearSpringDashpot normal_contact_;
   Pair pair_;
   DampedOscillator oscillator_;
   DampedOscillator::Propagator propagator_;
+  double trace_;
   GridSpring spring_;
+  double kept_;
+  double inverse_w0_squared_;
   double pull_;
   SpringOnGrid sliding_;
   SpringOnGrid rolling_;

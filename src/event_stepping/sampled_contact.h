@@ -93,7 +93,7 @@ class SampledContact {
     const double part = window_.length() / (2.0 * window_.after);
     if (normal.normal.contact_time > 0.0)
       return part *
-             spring.rub(touch.plane(), rate, normal.normal.repulsion_at_end, true, memory, lost);
+             spring.rub(touch.plane(), rate, normal.normal.repulsion_at_end, true, memory, &lost);
     lost.friction += spring.lost_at_end(rate, memory);
     memory = {};
     return {};

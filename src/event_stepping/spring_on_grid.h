@@ -32,10 +32,11 @@ class SpringOnGrid {
 
   /// One force in a contact that lasts, from the velocity of the half step before, `rate`
   /// [length/time], and the force of normal spring and dashpot. Gives the impulse at the grid
-  /// point. `lasted`: through the last step, too; its losses are added. A step that was followed
-  /// has half of its impulse still to do.
-  Vector3 rub(const contact::Plane& plane, const Vector3& rate, double repulsion, bool lasted,
-              Memory& memory, Losses& losses) const {
+  /// point. `lasted`: through the last step, too, whose losses are told, if asked for. A step that
+  /// was followed has half of its impulse still to do.
+  [[gnu::always_inline]] Vector3 rub(const contact::Plane& plane, const Vector3& rate,
+                                     double repulsion, bool lasted, Memory& memory,
+                                     Losses* losses) const {
     const Vector3 turned = plane.turned_into(memory.stretch);
     const Vector3 stretched = turned + step_ * rate;
     // What was followed has slipped already, and does not stretch by the whole rate.
@@ -45,20 +46,15 @@ class SpringOnGrid {
     const double limit = friction_ * std::max(repulsion, 0.0);
     const double square = dot(force, force);
     const bool slips = square > limit * limit;
-    const double drag = constants_.damping / step_;
-    if (slips) {
-      // Spring and dashpot stretch as far as they carry the Coulomb force.
-      force = (limit / std::sqrt(square)) * force;
-      if (constants_.stiffness + drag > 0.0)
-        s = (1.0 / (constants_.stiffness + drag)) * (drag * before - force);
-    }
+    if (slips) yield(before, limit / std::sqrt(square), s, force);
     const Vector3 impulse = step_ * force;
     const Vector3 mean = 0.5 * (memory.impulse + impulse);
-    const double work = lasted ? -dot(mean, rate) : 0.0;
-    const double lost = work + law_.stored_energy(before) - law_.stored_energy(s);
-    const double damped = slips ? drag * dot(s - before, s - before) : lost;
-    losses.damped += damped;
-    losses.friction += lost - damped;
+    if (losses) {
+      const double work = lasted ? -dot(mean, rate) : 0.0;
+      const double lost = work + law_.stored_energy(before) - law_.stored_energy(s);
+      losses->damped = slips ? constants_.damping / step_ * dot(s - before, s - before) : lost;
+      losses->friction = lost - losses->damped;
+    }
     memory = {s, impulse};
     return lasted ? impulse : mean;
   }
@@ -88,6 +84,14 @@ class SpringOnGrid {
   double stored_energy(const Vector3& stretch) const { return law_.stored_energy(stretch); }
 
  private:
+  /// Spring and dashpot stretch as far as they carry the Coulomb force.
+  void yield(const Vector3& before, double part, Vector3& s, Vector3& force) const {
+    force = part * force;
+    const double drag = constants_.damping / step_;
+    if (constants_.stiffness + drag > 0.0)
+      s = (1.0 / (constants_.stiffness + drag)) * (drag * before - force);
+  }
+
   contact::TangentialSpring law_;
   GridSpring constants_;
   double friction_;
