@@ -89,9 +89,7 @@ class PairRun {
 
   double distance() const { return norm(true_.separation); }
   double approach() const { return -dot(true_.separation, true_.velocity) / distance(); }
-  double kinetic() const {
-    return 0.5 * reduced_mass_ * dot(true_.velocity, true_.velocity);
-  }
+  double kinetic() const { return 0.5 * reduced_mass_ * dot(true_.velocity, true_.velocity); }
   double stored() const { return stored_at(last_.overlap_at_end); }
   /// What spring and adhesion would store at another overlap, [energy].
   double stored_at(double overlap) const {
