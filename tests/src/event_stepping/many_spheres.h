@@ -10,8 +10,8 @@
 
 namespace cohesion::event_stepping {
 
-/// Equal spheres in a periodic cube, or free (side 0), stepped as an engine would: kicks and flights
-/// by leapfrog. Velocities are those of the half step before.
+/// Equal spheres in a periodic cube, or free (side 0), stepped as an engine would: kicks and
+/// flights by leapfrog. Velocities are those of the half step before.
 class ManySpheres {
  public:
   struct Sums {

@@ -22,7 +22,8 @@ std::vector<Vector3> lattice(int cells, double edge) {
   for (int x = 0; x < 2 * cells; x++)
     for (int y = 0; y < 2 * cells; y++)
       for (int z = 0; z < 2 * cells; z++)
-        if ((x + y + z) % 2 == 0) places.push_back((0.5 * edge) * Vector3{1.0 * x, 1.0 * y, 1.0 * z});
+        if ((x + y + z) % 2 == 0)
+          places.push_back((0.5 * edge) * Vector3{1.0 * x, 1.0 * y, 1.0 * z});
   return places;
 }
 
@@ -77,17 +78,17 @@ ManySpheres cluster(const contact::ContactParameters& p, double part) {
 }  // namespace
 
 TEST(ManySpheres, AnElasticGasKeepsItsEnergy) {
-  // The bound for 100 collisions is 1e-4 at t_c/10; two contacts of one particle act on each other
-  // by halves before and after, of second order.
+  // The published bounds are for twice the collisions. Only contacts of one particle at the same
+  // time err, half of what the others do before and half after, at random.
   for (const double hamaker : {0.0, 2e-18}) {
     const Gas fine = gas(hamaker, 10.0, 40.0);
     EXPECT_LT(std::abs(fine.energy), 2e-4) << hamaker;
     const Gas coarse = gas(hamaker, 4.0, 40.0);
     EXPECT_LT(std::abs(coarse.energy), 1e-2) << hamaker;
-    // 108 spheres, some thousand steps, at random.
-    EXPECT_LT(fine.momentum, 1e-14);
-    EXPECT_LT(coarse.momentum, 1e-14);
-    printf("gas A %g: %.2e %.2e p %.1e %.1e\n", hamaker, fine.energy, coarse.energy, fine.momentum, coarse.momentum);
+    // Some thousand steps at t_c/10, in each a rounding of every velocity, at random, and of as
+    // many spheres.
+    EXPECT_LT(fine.momentum, 100 * eps);
+    EXPECT_LT(coarse.momentum, 100 * eps);
   }
 }
 
@@ -119,7 +120,9 @@ TEST(ManySpheres, AFreeClusterKeepsItsAngularMomentum) {
         const int steps = static_cast<int>(100.0 * part);
         for (int n = 0; n < steps; n++) spheres.step();
         const auto end = spheres.sums();
-        EXPECT_GT(2 * spheres.contacts(), 4 * number);
+        if (!apart) {
+          EXPECT_GT(2 * spheres.contacts(), 6 * number);
+        }
         EXPECT_GT(spheres.lasting, 10 * number);
         EXPECT_GT(spheres.followed, 10 * number);
         // Each step rounds positions, and velocities by some contacts each, at random.
@@ -127,7 +130,6 @@ TEST(ManySpheres, AFreeClusterKeepsItsAngularMomentum) {
                   4.0 * std::sqrt(steps) * eps);
         EXPECT_LT(norm(end.momentum - start.momentum) / (number * thesis::mass * 3e-3),
                   4.0 * std::sqrt(steps) * eps);
-    printf("cluster rough %d part %g: L %.2e  of %.2e  contacts %ld, lasting %ld followed %ld E %.3e\n", rough, part, norm(end.angular_momentum - start.angular_momentum) / scale, norm(start.angular_momentum)/scale, spheres.contacts(), spheres.lasting, spheres.followed, end.energy/start.energy-1);
       }
 }
 
@@ -161,7 +163,6 @@ TEST(ManySpheres, ADampedClusterUnderAdhesionComesToRest) {
     for (int k = 0; k < 4; k++) {
       const double now = most();
       EXPECT_LT(now, 0.1 * last) << part;
-      printf("rest part %g: %d %.3e followed %ld contacts %ld\n", part, k, now/start, spheres.followed-followed, spheres.contacts());
       last = now;
     }
     EXPECT_LT(last, 1e-10 * start);
@@ -193,7 +194,7 @@ TEST(ManySpheres, ARowOfThreeErrsBySecondOrderInTheStep) {
   ASSERT_GT(expected[1], 0.02 * speed);
   ASSERT_GT(expected[2], 0.9 * speed);
   // The others' part of a step is half done before the contact's own and half after: its error is
-  // (w0 dt)^2/12 and /24 of what the others do, and the whole contact takes a few units of time.
+  // (w0 dt)^2/12 or less of what the others do in each unit of time 1/w0, and an impact takes pi.
   const auto error = [&](double part) {
     double worst = 0.0;
     for (int phase = 0; phase < 8; phase++) {
@@ -209,8 +210,7 @@ TEST(ManySpheres, ARowOfThreeErrsBySecondOrderInTheStep) {
     return worst / speed;
   };
   const double coarse = error(10.0), fine = error(20.0), finest = error(40.0);
-  printf("row %.3e %.3e %.3e, t_c/4 %.3e\n", coarse, fine, finest, error(4.0));
-  EXPECT_LT(coarse, std::pow(pi / 10.0, 2) / 12.0);
+  EXPECT_LT(coarse, pi * std::pow(pi / 10.0, 2) / 12.0);
   EXPECT_GT(coarse / fine, 3.0);
   EXPECT_GT(fine / finest, 3.0);
 }

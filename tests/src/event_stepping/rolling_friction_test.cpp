@@ -38,10 +38,10 @@ struct Pressed : PairOnGrid<Pair, size> {
   using PairOnGrid<Pair, size>::body;
 
   Pressed(const contact::ContactParameters& p, const Body& i, const Body& j,
-          const ContactMemory& memory)
+          const ContactMemory& before)
       : PairOnGrid<Pair, size>(p, {pull, thesis::range, pull * thesis::range}, i, j, dt) {
     this->x[1].x = i.radius + j.radius - pull / p.stiffness;
-    this->memory = memory;
+    this->memory = before;
   }
   double radius() const { return this->contact.bodies().rolling_radius(); }
   double answer() const { return this->contact.bodies().rolling_answer(); }
