@@ -97,6 +97,39 @@ TEST(ContactOnGrid, FrictionBalancesTheEnergy) {
   }
 }
 
+TEST(ContactOnGrid, TheDashpotOfALastingContactTakesTheEnergyOfItsSwing) {
+  // A bound pair that swings about its rest, x = a exp(-alpha t) (cos q t + alpha/q sin q t), as it
+  // does exactly on the grid: all of the energy K a^2/2 is lost in the end. The book begins in the
+  // middle of what the first step loses, 2 alpha dt of the energy, of which it knows the share to
+  // second order in w0 dt and alpha dt.
+  contact::ContactParameters p = thesis::elastic();
+  p.restitution = 0.95;
+  p.damping = -1.0;
+  const auto law = contact::normal_contact(p, thesis::reduced_mass);
+  const double w0_squared = 800.0 / thesis::reduced_mass;
+  const double alpha = 0.5 * law.damping() / thesis::reduced_mass;
+  const DampedOscillator oscillator(w0_squared, alpha);
+  const contact::Adhesion a = thesis::adhesion(2e-18);
+  for (const double part : {4.0, 10.0, 40.0}) {
+    const double dt = thesis::contact_time / part;
+    PairOnGrid<SpherePair, ContactMemory::normal_only> s(p, a, particle, particle, dt);
+    const Overlap start{0.5 * a.force / 800.0, 0.0}, next = oscillator.after(dt, start, 0.0);
+    s.x[1].x = 2.0 * thesis::radius - a.force / 800.0 - next.x;
+    s.v[1].x = -(next.x - start.x) / dt;
+    s.memory = {ContactMemory::lasting, 1e6, 0.0, {}, {}};
+    s.step();
+    const double begin = s.energy;
+    const double swing = 400.0 * next.x * next.x + 0.5 * thesis::reduced_mass * next.v * next.v;
+    const int steps = static_cast<int>(12.0 / alpha / dt);
+    for (int n = 0; n < steps; n++) {
+      s.step();
+      ASSERT_TRUE(s.lasted);
+    }
+    const double few = w0_squared * dt * dt + alpha * dt;
+    EXPECT_NEAR((s.energy - begin) / swing, 0.0, 2.0 * alpha * dt * few + 1e-8) << part;
+  }
+}
+
 TEST(ContactOnGrid, SlidingImpactsObeyTheHardSphereLaw) {
   // Walton: tangential impulse mu_f times the normal one, which is mu (1 + e) v_n.
   const double angle = 80.0 * pi / 180.0, speed = 0.01, friction = 0.1;

@@ -172,6 +172,52 @@ TEST(ManySpheres, ADampedClusterUnderAdhesionComesToRest) {
   }
 }
 
+TEST(ManySpheres, AStronglyDampedClusterComesToRest) {
+  // The dashpots of up to nine contacts act on one sphere at the same time.
+  for (const double restitution : {0.5, 0.3, 0.1})
+    for (const double part : {10.0, 4.0}) {
+      contact::ContactParameters p;
+      p.stiffness = 800.0;
+      p.restitution = restitution;
+      ManySpheres spheres = cluster(p, part);
+      const auto places = block();
+      const auto off = spread(static_cast<int>(places.size()), 1e-7, 3);
+      for (std::size_t i = 0; i < places.size(); i++) {
+        const Vector3 x = (1.0 - 5e-4) * places[i] + off[i];
+        spheres.add(x, -1.0 * x);
+      }
+      spheres.step();
+      const double start = spheres.sums().kinetic;
+      for (int n = 0; n < static_cast<int>(500.0 * part); n++) spheres.step();
+      EXPECT_LT(spheres.sums().kinetic, 1e-8 * start) << restitution << " t_c/" << part;
+    }
+}
+
+TEST(ManySpheres, AFrictionalClusterAtRestHasNoKineticEnergy) {
+  // Springs in the plane of contact go on to hold; nothing moves on the grid, nor truly.
+  for (const double part : {10.0, 4.0}) {
+    contact::ContactParameters p;
+    p.stiffness = 800.0;
+    p.restitution = 0.8;
+    p.friction = 0.3;
+    ManySpheres spheres = cluster(p, part);
+    const auto places = block();
+    const int number = static_cast<int>(places.size());
+    const auto off = spread(number, 1e-7, 3);
+    for (int i = 0; i < number; i++) {
+      const Vector3 x = (1.0 - 5e-4) * places[i] + off[i];
+      spheres.add(x, -1.0 * x);
+    }
+    spheres.step();
+    const double start = spheres.sums().kinetic;
+    for (int n = 0; n < static_cast<int>(1000.0 * part); n++) spheres.step();
+    double grid = 0.0;
+    for (int i = 0; i < number; i++) grid += 0.5 * thesis::mass * dot(spheres.v(i), spheres.v(i));
+    EXPECT_LT(grid, 1e-10 * start) << part;
+    EXPECT_LT(spheres.sums().kinetic, 1e-10 * start) << part;
+  }
+}
+
 TEST(ManySpheres, ARowOfThreeErrsBySecondOrderInTheStep) {
   // The middle one of three is in two contacts at once: one sphere meets two that touch. The same
   // two springs by leapfrog at t_c/20000, which errs by (w0 dt)^2/24 = 1e-9.
