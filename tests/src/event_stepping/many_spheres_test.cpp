@@ -173,7 +173,7 @@ TEST(ManySpheres, ADampedClusterUnderAdhesionComesToRest) {
 }
 
 TEST(ManySpheres, AStronglyDampedClusterComesToRest) {
-  // The dashpots of up to nine contacts act on one sphere at the same time.
+  // The dashpots of up to twelve contacts act on one sphere at the same time.
   for (const double restitution : {0.5, 0.3, 0.1})
     for (const double part : {10.0, 4.0}) {
       contact::ContactParameters p;
