@@ -66,7 +66,6 @@ class ManySpheres {
     return std::count_if(near_.begin(), near_.end(),
                          [](const Near& p) { return p.memory.in_range(); });
   }
-  const Vector3& x(int i) const { return x_[i]; }
   const Vector3& v(int i) const { return v_[i]; }
   long lasting = 0, followed = 0, collisions = 0;  ///< of contacts in all steps
 
