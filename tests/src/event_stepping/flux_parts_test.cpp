@@ -5,34 +5,27 @@
 
 #include <limits>
 
+#include "constants.h"
+#include "event_stepping/pair_on_grid.h"
+#include "event_stepping/sampled_contact.h"
+#include "event_stepping/sampled_well.h"
+
 namespace cohesion::event_stepping {
 namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-struct Law {
-  bool pulls;
-  bool attracts() const { return pulls; }
-};
+constexpr double core = 2.0 * thesis::radius;
+const Body particle{thesis::radius, 1.0 / thesis::mass};
 
 constexpr double repulsion = 3.0, pull = 2.0;
 const Vector3 place{0.6, 0.8, 0.0}, friction{-0.4, 0.3, 0.0};
 
-FluxParts one_step(bool attracts, double share) {
-  PairStep step;
-  step.normal.repulsion_impulse = repulsion;
-  FrictionStep sliding{};
-  sliding.spring.impulse = friction;
-  const double normal = attracts ? repulsion - pull : repulsion;
-  FluxParts parts;
-  parts.add(share, Law{attracts}, place, step, sliding, normal * place + friction);
-  return parts;
-}
-
 }  // namespace
 
-TEST(FluxParts, SpringAndFrictionAreOfContactTheRestIsOfAdhesion) {
-  const FluxParts parts = one_step(true, 0.5);
+TEST(FluxParts, WhatIsNotOfContactIsOfAdhesion) {
+  FluxParts parts;
+  parts.add(0.5, place, (repulsion - pull) * place + friction, repulsion * place + friction);
   const MomentumFlux contact = momentum_flux(place, repulsion * place + friction);
   const MomentumFlux adhesion = momentum_flux(place, -pull * place);
   for (std::size_t k = 0; k < contact.size(); k++) {
@@ -41,11 +34,70 @@ TEST(FluxParts, SpringAndFrictionAreOfContactTheRestIsOfAdhesion) {
   }
 }
 
-TEST(FluxParts, NothingIsOfAdhesionWhereNothingAttracts) {
-  const FluxParts parts = one_step(false, 1.0);
-  for (const double a : parts.of[FluxParts::adhesion]) EXPECT_EQ(a, 0.0);
+TEST(FluxParts, OfASampledContactTheSpringAndFrictionAreOfContact) {
+  contact::ContactParameters p = thesis::contact();
+  p.friction = 0.3;
+  const double dt = 1e-5, overlap = 1e-6, rate = 0.01;
+  const PairMotion grid{{{core - overlap, 0.0, 0.0}, {-rate, 0.02, 0.0}}, {}, {}};
+  const double normal = dt * (800.0 * overlap + 0.79e-3 * rate);
+  for (const double depth : {0.0, 5e-11}) {
+    const double range = depth > 0.0 ? 0.01 * core : 0.0;
+    const SampledContact<SampledWell> c(p, {0.0, range, depth}, particle, particle,
+                                        {0.5 * dt, 0.5 * dt});
+    // A pair that flew into the contact from outside of the well gets the impulse of its edge, too.
+    ContactMemory memory;
+    ContactLosses lost;
+    const SampledStep step = c.act<ContactMemory::with_friction>(grid, memory, lost);
+    // The overlap is a difference of numbers a thousand times larger.
+    EXPECT_NEAR(step.by_contact.x / normal, 1.0, 1e-12);
+    EXPECT_NEAR(step.by_contact.y, step.action.impulse.y, 4 * eps * normal);
+    EXPECT_LT(step.by_contact.y, -1e-3 * normal);
+    const double gain = std::sqrt(rate * rate + 2.0 * depth / thesis::reduced_mass) - rate;
+    EXPECT_NEAR(step.action.impulse.x, normal - thesis::reduced_mass * gain, 1e-12 * normal);
+  }
 }
 
+TEST(FluxParts, InALastingContactAtRestTheSpringBearsTheAdhesion) {
+  const contact::Adhesion a = thesis::adhesion(2e-18);
+  const double dt = thesis::contact_time / 10.0;
+  PairOnGrid<SpherePair, ContactMemory::normal_only> s(thesis::contact(), a, particle, particle,
+                                                       dt);
+  s.x[1].x = core - a.force / 800.0;
+  s.memory = {ContactMemory::lasting, 1000.0, 0.0, {}, {}};
+  s.step();
+  ASSERT_TRUE(s.lasted);
+  // A few roundings of the distance in a step.
+  const double rounding = 16 * eps * thesis::reduced_mass * core / dt;
+  EXPECT_NEAR(s.by_contact.x, a.force * dt, rounding);
+  EXPECT_NEAR(s.v[1].x, 0.0, rounding / thesis::mass);
+}
+
+TEST(FluxParts, InAFollowedImpactTheSpringGivesWhatItDoesInContact) {
+  // Head-on, elastic: the spring meets at v_c^2 = v^2 + 2 W/mu, and repels for the time T of
+  // x = x_e (1 - cos w0 t) + v_c/w0 sin w0 t > 0, x_e = F/K: 2 mu v_c + F T in all.
+  const double speed = 0.02;
+  for (const double hamaker : {0.0, 2e-18}) {
+    const contact::Adhesion a = hamaker > 0.0 ? thesis::adhesion(hamaker) : contact::Adhesion{};
+    const double w0 = std::sqrt(800.0 / thesis::reduced_mass);
+    const double met = std::sqrt(speed * speed + 2.0 * a.well_energy() / thesis::reduced_mass);
+    const double time = 2.0 / w0 * (pi - std::atan2(met / w0, a.force / 800.0));
+    const double expected = 2.0 * thesis::reduced_mass * met + a.force * time;
+    for (const double part : {4.0, 30.0}) {
+      const double dt = thesis::contact_time / part;
+      PairOnGrid<SpherePair, ContactMemory::normal_only> s(thesis::elastic(), a, particle, particle,
+                                                           dt);
+      s.x[1].x = core + a.cutoff + 0.3 * dt * speed;
+      s.v[1].x = -speed;
+      const int steps = static_cast<int>(2.5 * part);
+      s.steps(steps);
+      ASSERT_EQ(s.memory.phase, ContactMemory::beyond);
+      // A few roundings of the distance of 1e-3 m in each step, at w0 over the speed; the way
+      // through the range of 4e-10 m is known to 3e-10 of itself, and so is its energy.
+      EXPECT_NEAR(s.by_contact.x / expected, 1.0, 4.0 * steps * core * eps * w0 / speed + 1e-9);
+      EXPECT_EQ(s.by_contact.y, 0.0);
+    }
+  }
+}
 TEST(MomentumFlux, IsPositiveInCompressionAndNotSymmetricWithFriction) {
   const MomentumFlux flux = momentum_flux({1.0, 2.0, 3.0}, {4.0, 5.0, 6.0});
   EXPECT_EQ(flux, (MomentumFlux{4.0, 10.0, 18.0, 5.0, 6.0, 12.0}));

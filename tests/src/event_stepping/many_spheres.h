@@ -1,22 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cmath>
-#include <random>
 #include <vector>
 
-#include "constants.h"
 #include "event_stepping/contact_on_grid.h"
 #include "event_stepping/pair_run.h"
 
-/// Equal spheres in a periodic cube, stepped as an engine would: kicks and flights by leapfrog.
 namespace cohesion::event_stepping {
 
+/// Equal spheres in a periodic cube, or free (side 0), stepped as an engine would: kicks and
+/// flights by leapfrog. Velocities are those of the half step before.
 class ManySpheres {
  public:
-  using Contact = ContactOnGrid<SpherePair>;
   struct Sums {
-    double energy;
+    double energy, kinetic;
     Vector3 momentum, angular_momentum;
   };
 
@@ -25,7 +24,7 @@ class ManySpheres {
       : contact_(parameters, adhesion, body(), body(), dt),
         dt_(dt),
         side_(side),
-        friction_(parameters.friction > 0.0) {}
+        friction_(parameters.friction > 0.0 || parameters.rolling_friction > 0.0) {}
 
   static Body body() { return {thesis::radius, 1.0 / thesis::mass}; }
 
@@ -37,45 +36,48 @@ class ManySpheres {
   int size() const { return static_cast<int>(x_.size()); }
 
   void step() {
-    if (!first_)
-      for (int i = 0; i < size(); i++) x_[i] += dt_ * v_[i];
     look();
     friction_ ? act<ContactMemory::with_rolling>() : act<ContactMemory::normal_only>();
+    for (int i = 0; i < size(); i++) x_[i] += dt_ * v_[i];
     first_ = false;
   }
 
-  /// Of the true motion at the next grid point.
-  Sums sums() {
-    std::vector<Vector3> x = x_, u = v_, w = w_;
-    Sums s{0.0, {}, {}};
-    for (int i = 0; i < size(); i++) x[i] += dt_ * v_[i];
+  /// Of the true motion at the grid point that the last step has led to.
+  Sums sums() const {
+    std::vector<Vector3> u = v_, w = w_;
+    Sums s{};
     for (const Near& p : near_) {
-      const PairMotion grid{{apart(x[p.j] - x[p.i]), v_[p.j] - v_[p.i]}, w_[p.i], w_[p.j]};
+      const PairMotion grid = motion(p, v_, w_);
       give(p, contact_.owed<ContactMemory::with_rolling>(grid.relative, p.memory), u, w);
       const StoredEnergies now = contact_.stored(grid, p.memory);
       s.energy += now.spring + now.adhesion + now.tangential_spring + now.rolling_spring;
     }
     for (int i = 0; i < size(); i++) {
       const double inertia = 1.0 / inverse_inertia(body());
-      s.energy += 0.5 * thesis::mass * dot(u[i], u[i]) + 0.5 * inertia * dot(w[i], w[i]);
+      s.kinetic += 0.5 * thesis::mass * dot(u[i], u[i]) + 0.5 * inertia * dot(w[i], w[i]);
       s.momentum += thesis::mass * u[i];
-      s.angular_momentum += thesis::mass * cross(x[i], u[i]) + inertia * w[i];
+      s.angular_momentum += thesis::mass * cross(x_[i], u[i]) + inertia * w[i];
     }
+    s.energy += s.kinetic;
     return s;
   }
+  /// Pairs in range of each other.
+  long contacts() const {
+    return std::count_if(near_.begin(), near_.end(),
+                         [](const Near& p) { return p.memory.in_range(); });
+  }
   const Vector3& v(int i) const { return v_[i]; }
-  const Vector3& w(int i) const { return w_[i]; }
-  long lasting = 0, followed = 0, collisions = 0;
-  Contact contact_;
+  long lasting = 0, followed = 0, collisions = 0;  ///< of contacts in all steps
 
  private:
+  using Contact = ContactOnGrid<SpherePair>;
   struct Near {
     int i, j;
     ContactMemory memory;
   };
   struct Followed {
     int pair;
-    PairMotion grid, truth, others;
+    PairMotion grid, truth;
     FollowedStep step;
   };
   struct Beside {
@@ -94,13 +96,13 @@ class ManySpheres {
   }
 
   void look() {
-    double moved = 0.0, fastest = 0.0;
+    double moved = 0.0;
     fastest_ = 0.0;
     for (int i = 0; i < size(); i++) {
-      fastest = fastest_ = std::max(fastest, norm(v_[i]));
+      fastest_ = std::max(fastest_, norm(v_[i]));
       if (!listed_.empty()) moved = std::max(moved, norm(x_[i] - listed_[i]));
     }
-    if (!listed_.empty() && 2.0 * moved + 4.0 * dt_ * fastest < skin) return;
+    if (!listed_.empty() && 2.0 * moved + 4.0 * dt_ * fastest_ < skin) return;
     listed_ = x_;
     std::vector<Near> old;
     for (const Near& p : near_)
@@ -133,7 +135,6 @@ class ManySpheres {
   template <int SIZE>
   void act() {
     const int n = size();
-    const double kick = first_ ? 1.0 : 1.0;
     std::vector<Vector3> dv(n), dw(n), v = v_, w = w_;
     std::vector<char> marked(n, 0);
     std::vector<Beside> old;
@@ -154,19 +155,19 @@ class ManySpheres {
         lasting++;
         continue;
       }
-      follow.push_back({static_cast<int>(k), grid, {}, {}, {}});
+      follow.push_back({static_cast<int>(k), grid, {}, {}});
       marked[p.i] = marked[p.j] = 1;
       give(p, b.owed, v, w);
       followed++;
     }
-    std::vector<Vector3> D(n), V(n), W(n);
+    std::vector<Vector3> moved(n), changed(n), spun(n);
     const auto add = [&](const Near& p, const PairMotion& c) {
-      D[p.i] -= 0.5 * c.relative.separation;
-      D[p.j] += 0.5 * c.relative.separation;
-      V[p.i] -= 0.5 * c.relative.velocity;
-      V[p.j] += 0.5 * c.relative.velocity;
-      W[p.i] += c.spin_i;
-      W[p.j] += c.spin_j;
+      moved[p.i] -= 0.5 * c.relative.separation;
+      moved[p.j] += 0.5 * c.relative.separation;
+      changed[p.i] -= 0.5 * c.relative.velocity;
+      changed[p.j] += 0.5 * c.relative.velocity;
+      spun[p.i] += c.spin_i;
+      spun[p.j] += c.spin_j;
     };
     for (const Beside& b : old) {
       const Near& p = near_[b.pair];
@@ -182,22 +183,24 @@ class ManySpheres {
     for (const Followed& f : follow) add(near_[f.pair], f.step.change);
     for (Followed& f : follow) {
       Near& p = near_[f.pair];
-      f.others = {{D[p.j] - D[p.i] - f.step.change.relative.separation,
-                   V[p.j] - V[p.i] - f.step.change.relative.velocity},
-                  W[p.i] - f.step.change.spin_i,
-                  W[p.j] - f.step.change.spin_j};
+      const PairMotion& own = f.step.change;
+      const PairMotion others{{moved[p.j] - moved[p.i] - own.relative.separation,
+                               changed[p.j] - changed[p.i] - own.relative.velocity},
+                              spun[p.i] - own.spin_i,
+                              spun[p.j] - own.spin_j};
       const bool in = p.memory.in_range();
-      f.step = contact_.follow<SIZE>(f.grid, f.truth, f.others, f.step.rolled, p.memory);
-      give(p, contact_.close<SIZE>(f.grid, f.truth, f.others, f.step, p.memory), dv, dw);
+      f.step = contact_.follow<SIZE>(f.grid, f.truth, others, f.step.rolled, p.memory);
+      give(p, contact_.close<SIZE>(f.grid, f.truth, others, f.step, p.memory), dv, dw);
       collisions += !in && p.memory.in_range();
     }
     for (int i = 0; i < n; i++) {
-      v_[i] += kick * dv[i];
-      w_[i] += kick * dw[i];
+      v_[i] += dv[i];
+      w_[i] += dw[i];
     }
   }
 
   static constexpr double skin = 0.1 * 2.0 * thesis::radius;
+  Contact contact_;
   double dt_;
   double side_;
   bool friction_;

@@ -4,7 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "event_stepping/cohesive_contact.h"
+#include "constants.h"
+#include "contact/contact_parameters.h"
+#include "event_stepping/pair_motion.h"
+#include "event_stepping/plane_pair.h"
+#include "event_stepping/sphere_pair.h"
 
 /// Runs of one pair as an engine would run them, for the tests of the event scheme.
 namespace cohesion::event_stepping {
@@ -44,11 +48,15 @@ class PairRun {
   /// `state` is the true one, half a step before the first grid point.
   PairRun(const contact::ContactParameters& parameters, const contact::Adhesion& adhesion,
           const Body& i, const Body& j, double dt, const RelativeState& state)
-      : contact_(parameters, adhesion, i, j, {0.5 * dt, 0.5 * dt}), dt_(dt), true_(state) {}
+      : reduced_mass_(1.0 / (i.inverse_mass + j.inverse_mass)),
+        geometry_(contact::normal_contact(parameters, reduced_mass_), adhesion, i.radius + j.radius,
+                  dt),
+        dt_(dt),
+        true_(state) {}
 
   void step() {
     const RelativeState grid{true_.separation + 0.5 * dt_ * true_.velocity, true_.velocity};
-    last_ = contact_.advance(grid, last_.inside);
+    last_ = geometry_.advance(grid, {0.5 * dt_, 0.5 * dt_}, last_.inside);
     const Vector3 velocity = grid.velocity + last_.change.velocity;
     true_ = {grid.separation + last_.change.separation + 0.5 * dt_ * velocity, velocity};
     dissipated_ += last_.normal.dissipated;
@@ -73,7 +81,6 @@ class PairRun {
     last_.overlap_at_end = overlap;
   }
 
-  const CohesiveContact<Geometry>& contact() const { return contact_; }
   const RelativeState& state() const { return true_; }
   const PairStep& last() const { return last_; }
   double dissipated() const { return dissipated_; }
@@ -82,15 +89,19 @@ class PairRun {
 
   double distance() const { return norm(true_.separation); }
   double approach() const { return -dot(true_.separation, true_.velocity) / distance(); }
-  double kinetic() const {
-    return 0.5 * contact_.reduced_mass() * dot(true_.velocity, true_.velocity);
+  double kinetic() const { return 0.5 * reduced_mass_ * dot(true_.velocity, true_.velocity); }
+  double stored() const { return stored_at(last_.overlap_at_end); }
+  /// What spring and adhesion would store at another overlap, [energy].
+  double stored_at(double overlap) const {
+    const double adhesion = last_.inside ? geometry_.adhesion_energy(overlap) : 0.0;
+    return geometry_.spring_energy(overlap) + adhesion;
   }
-  double stored() const { return contact_.spring_energy(last_) + contact_.adhesion_energy(last_); }
   double energy() const { return kinetic() + stored() + dissipated_; }
   Vector3 angular_momentum() const { return cross(true_.separation, true_.velocity); }
 
  private:
-  CohesiveContact<Geometry> contact_;
+  double reduced_mass_;
+  Geometry geometry_;
   double dt_;
   RelativeState true_;
   PairStep last_{};

@@ -3,22 +3,26 @@
 
 #include <gtest/gtest.h>
 
-#include "event_stepping/cohesive_contact.h"
 #include "event_stepping/pair_run.h"
 
 namespace cohesion::event_stepping {
 namespace {
 
 constexpr double core = 2.0 * thesis::radius, edge = 1.01 * core, depth = 5e-11;
-const Body particle{thesis::radius, 1.0 / thesis::mass};
 constexpr double dt = 1e-5;
+const StepWindow window{0.5 * dt, 0.5 * dt};
 const double well_speed = std::sqrt(2.0 * depth / thesis::reduced_mass);
+
+SampledWell pair() {
+  return {contact::normal_contact(thesis::contact(), thesis::reduced_mass),
+          {0.0, edge - core, depth},
+          core,
+          dt};
+}
 
 /// Change of energy over D and flag after a step from the grid point.
 std::pair<double, bool> step(double distance, double velocity, bool inside) {
-  const CohesiveContact<SampledWell> pair(thesis::contact(), {0.0, edge - core, depth}, particle,
-                                          particle, {0.5 * dt, 0.5 * dt});
-  const PairStep now = pair.advance({{distance, 0, 0}, {velocity, 3e-3, 0}}, inside);
+  const PairStep now = pair().advance({{distance, 0, 0}, {velocity, 3e-3, 0}}, window, inside);
   const double after = velocity + now.change.velocity.x;
   EXPECT_EQ(now.change.velocity.y, 0.0);
   if (inside && velocity < 0.0) {
@@ -51,16 +55,14 @@ TEST(SampledWell, GivesTheImpulseWhereThePairIsFoundBeyondTheEdge) {
 }
 
 TEST(SampledWell, InContactItIsTheSampledSpring) {
-  const CohesiveContact<SampledWell> pair(thesis::contact(), {0.0, edge - core, depth}, particle,
-                                          particle, {0.5 * dt, 0.5 * dt});
   const double overlap = 1e-6, rate = 0.01;
-  const PairStep now = pair.advance({{core - overlap, 0, 0}, {-rate, 0, 0}}, true);
+  const PairStep now = pair().advance({{core - overlap, 0, 0}, {-rate, 0, 0}}, window, true);
   const double force = 800.0 * overlap + 0.79e-3 * rate;
   // The overlap is a difference of numbers a thousand times larger.
   EXPECT_NEAR(now.change.velocity.x, force * dt / thesis::reduced_mass,
               1e-12 * force * dt / thesis::reduced_mass);
-  EXPECT_NEAR(pair.spring_energy(now), 400.0 * overlap * overlap, 1e-12 * 4e-10);
-  EXPECT_EQ(pair.adhesion_energy(now), -depth);
+  EXPECT_NEAR(pair().spring_energy(now.overlap_at_end), 400.0 * overlap * overlap, 1e-12 * 4e-10);
+  EXPECT_EQ(pair().adhesion_energy(now.overlap_at_end), -depth);
 }
 
 }  // namespace cohesion::event_stepping

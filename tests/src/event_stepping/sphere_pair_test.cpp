@@ -255,11 +255,8 @@ TEST(SpherePair, JitterBetweenStepsDoesNotLeakEnergyFromTheBooks) {
         // A pair that jitter has driven out is sent back.
         if (!run.last().inside && run.approach() < 0.0 && run.distance() > contact_distance + 1e-7)
           run.reverse();
-        PairStep shifted = run.last();
         run.shift({(run.state().separation.x > 0.0 ? 1.0 : -1.0) * shift(random), 0.0, 0.0});
-        shifted.overlap_at_end = contact_distance - run.distance();
-        const double after =
-            run.contact().spring_energy(shifted) + run.contact().adhesion_energy(shifted);
+        const double after = run.stored_at(contact_distance - run.distance());
         const double balance = run.kinetic() + after;
         run.step();
         const double change = run.kinetic() + run.stored() - balance;
@@ -279,15 +276,16 @@ TEST(SpherePair, ReachCoversAllThatCanHappenWithinTheWindow) {
   int met = 0;
   for (int n = 0; n < 20000; n++) {
     const double dt = 1e-5;
-    const CohesiveContact<SpherePair> c(thesis::contact(), a, particle, particle,
-                                        {0.5 * dt, 0.5 * dt});
+    const StepWindow window{0.5 * dt, 0.5 * dt};
+    const SpherePair pair(contact::normal_contact(thesis::contact(), thesis::reduced_mass), a,
+                          contact_distance, dt);
     const Vector3 v{uniform(random), uniform(random), uniform(random)};
     const Vector3 x{contact_distance * (1.0 + 0.01 * uniform(random)), 0.0, 0.0};
-    const PairStep step = c.advance({x, v}, false);
+    const PairStep step = pair.advance({x, v}, window, false);
     const bool happens = norm(step.change.velocity) > 0.0;
     met += happens;
     if (happens) {
-      EXPECT_TRUE(c.within_reach({x, v}));
+      EXPECT_TRUE(pair.within_reach({x, v}, window));
     }
   }
   EXPECT_GT(met, 1000);

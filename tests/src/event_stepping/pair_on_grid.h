@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "event_stepping/contact_on_grid.h"
+#include "event_stepping/pair_run.h"
+
+namespace cohesion::event_stepping {
+
+/// One contact with spins on a grid, as an engine moves it, and its book of energies.
+template <class Pair, int SIZE>
+class PairOnGrid {
+ public:
+  ContactOnGrid<Pair> contact;
+  Body body[2];
+  double dt;
+  Vector3 x[2]{}, v[2]{}, spin[2]{};
+  ContactMemory memory{};
+  FollowedStep followed{};  ///< the last step that was followed
+  bool lasted = false;      ///< the last step was of one force
+  ContactLosses now{};      ///< of the last step
+  double lost = 0.0;
+  double energy = 0.0;  ///< true and stored at the grid point of the last step, and lost before it
+  double normal_impulse = 0.0;
+  Vector3 tangential_impulse{}, by_contact{};
+
+  PairOnGrid(const contact::ContactParameters& p, const contact::Adhesion& adhesion, const Body& i,
+             const Body& j, double step)
+      : contact(p, adhesion, i, j, step), body{i, j}, dt(step) {}
+
+  PairMotion grid() const { return {{x[1] - x[0], v[1] - v[0]}, spin[0], spin[1]}; }
+  PairMotion truth() const {
+    const Action owed = contact.template owed<SIZE>(grid().relative, memory);
+    PairOnGrid at = *this;
+    at.give(owed);
+    return at.grid();
+  }
+
+  void step() {
+    const PairMotion grid = this->grid();
+    const ContactMemory before = memory;
+    const ContactLosses last = now;
+    Action action;
+    now = {};
+    lasted = contact.template follow_lasting<SIZE>(grid, memory, action, now);
+    if (lasted) {
+      // Half of the dashpot's loss is before the grid point, unless that step was followed, and all
+      // of that of springs in the plane of contact.
+      const bool goes_on = before.phase == ContactMemory::lasting;
+      lost += now.tangential_damping + now.friction + now.rolling;
+      if (goes_on) lost += 0.5 * now.normal_damping;
+      energy =
+          true_kinetic(goes_on ? memory : before) + sum(contact.stored_after(grid, memory)) + lost;
+      lost += 0.5 * now.normal_damping;
+      by_contact += contact.by_contact(grid, action);
+    } else {
+      lost += sum(contact.template lost_before<SIZE>(grid, memory));
+      if (memory.phase == ContactMemory::lasting) lost += 0.5 * last.normal_damping;
+      energy = true_kinetic(memory) + sum(contact.stored(grid, memory)) + lost;
+      const PairMotion truth = this->truth();
+      followed = contact.template follow<SIZE>(grid, truth, {}, {}, memory);
+      followed = contact.template follow<SIZE>(grid, truth, {}, followed.rolled, memory);
+      action = contact.template close<SIZE>(grid, truth, {}, followed, memory);
+      now = contact.losses(followed);
+      lost += sum(now);
+      normal_impulse += followed.normal.normal.repulsion_impulse;
+      tangential_impulse += followed.sliding.impulse;
+      by_contact += contact.by_contact(grid, followed, action);
+    }
+    give(action);
+    for (int k = 0; k < 2; k++) x[k] += dt * v[k];
+  }
+  void steps(int number) {
+    for (int n = 0; n < number; n++) step();
+  }
+
+  Vector3 momentum() const {
+    return (1.0 / body[0].inverse_mass) * v[0] + (1.0 / body[1].inverse_mass) * v[1];
+  }
+  Vector3 angular_momentum() const {
+    Vector3 sum;
+    for (int k = 0; k < 2; k++)
+      sum += (1.0 / body[k].inverse_mass) * cross(x[k], v[k]) +
+             (1.0 / inverse_inertia(body[k])) * spin[k];
+    return sum;
+  }
+  double kinetic() const {
+    double sum = 0.0;
+    for (int k = 0; k < 2; k++)
+      if (body[k].inverse_mass > 0.0)
+        sum += 0.5 / body[k].inverse_mass * dot(v[k], v[k]) +
+               0.5 / inverse_inertia(body[k]) * dot(spin[k], spin[k]);
+    return sum;
+  }
+
+ private:
+  static double sum(const ContactLosses& a) {
+    return a.normal_damping + a.tangential_damping + a.friction + a.rolling;
+  }
+  static double sum(const StoredEnergies& a) {
+    return a.spring + a.tangential_spring + a.rolling_spring + a.adhesion;
+  }
+  double true_kinetic(const ContactMemory& owing) const {
+    PairOnGrid at = *this;
+    at.give(contact.template owed<SIZE>(grid().relative, owing));
+    return at.kinetic();
+  }
+  void give(const Action& a) {
+    v[0] -= body[0].inverse_mass * a.impulse;
+    v[1] += body[1].inverse_mass * a.impulse;
+    spin[0] += inverse_inertia(body[0]) * a.torque_i;
+    spin[1] += inverse_inertia(body[1]) * a.torque_j;
+  }
+};
+
+}  // namespace cohesion::event_stepping
