@@ -80,11 +80,6 @@ class ManySpheres {
     PairMotion grid, truth;
     FollowedStep step;
   };
-  struct Beside {
-    int pair;
-    Action action, owed;
-    PairMotion grid;
-  };
 
   Vector3 apart(Vector3 s) const {
     if (side_ > 0.0) {
@@ -136,29 +131,56 @@ class ManySpheres {
   void act() {
     const int n = size();
     std::vector<Vector3> dv(n), dw(n), v = v_, w = w_;
-    std::vector<char> marked(n, 0);
-    std::vector<Beside> old;
+    std::vector<char> restless(n, 0), marked(n, 0);
     std::vector<Followed> follow;
+    const auto announce = [&](std::size_t k, const PairMotion& grid) {
+      const Near& p = near_[k];
+      follow.push_back({static_cast<int>(k), grid, {}, {}});
+      marked[p.i] = marked[p.j] = 1;
+      give(p, contact_.owed<SIZE>(grid.relative, p.memory), v, w);
+      followed++;
+    };
+    std::vector<std::size_t> candidates;
     for (std::size_t k = 0; k < near_.size(); k++) {
       Near& p = near_[k];
       const PairMotion grid = motion(p, v_, w_);
-      if (p.memory.phase == ContactMemory::beyond &&
-          !contact_.within_reach(grid.relative, dt_ * fastest_))
-        continue;
+      const bool beyond = p.memory.phase == ContactMemory::beyond;
+      if (beyond && !contact_.within_reach(grid.relative, dt_ * fastest_)) continue;
       if (first_ && norm(grid.relative.separation) < 2.0 * thesis::radius)
         p.memory = ContactMemory::seen_inside();
-      ContactLosses lost;
-      Beside b{static_cast<int>(k), {}, contact_.owed<SIZE>(grid.relative, p.memory), grid};
-      if (contact_.follow_lasting<SIZE>(grid, p.memory, b.action, lost)) {
-        give(p, b.action, dv, dw);
-        old.push_back(b);
+      const bool lasted = p.memory.phase == ContactMemory::lasting;
+      Action action;
+      if (!lasted && contact_.can_last(grid.relative, p.memory)) {
+        candidates.push_back(k);
+      } else if (lasted && contact_.hold<SIZE>(grid, p.memory, action, nullptr)) {
+        give(p, action, dv, dw);
         lasting++;
-        continue;
+      } else {
+        if (!beyond || contact_.within_reach(grid.relative, 0.0)) restless[p.i] = restless[p.j] = 1;
+        announce(k, grid);
       }
-      follow.push_back({static_cast<int>(k), grid, {}, {}});
-      marked[p.i] = marked[p.j] = 1;
-      give(p, b.owed, v, w);
-      followed++;
+    }
+    for (std::size_t k = 0; k < near_.size(); k++) {
+      Near& p = near_[k];
+      if (p.memory.phase != ContactMemory::lasting || !(restless[p.i] || restless[p.j])) continue;
+      const PairMotion grid = motion(p, v_, w_);
+      const Action a = contact_.held<SIZE>(grid, p.memory);
+      give(p, {-a.impulse, -a.torque_i, -a.torque_j}, dv, dw);
+      lasting--;
+      p.memory.phase = ContactMemory::leaving;
+      announce(k, grid);
+    }
+    for (const std::size_t k : candidates) {
+      Near& p = near_[k];
+      const PairMotion grid = motion(p, v_, w_);
+      Action action;
+      if (restless[p.i] || restless[p.j]) {
+        announce(k, grid);
+      } else {
+        contact_.hold<SIZE>(grid, p.memory, action, nullptr);
+        give(p, action, dv, dw);
+        lasting++;
+      }
     }
     std::vector<Vector3> moved(n), changed(n), spun(n);
     const auto add = [&](const Near& p, const PairMotion& c) {
@@ -169,11 +191,12 @@ class ManySpheres {
       spun[p.i] += c.spin_i;
       spun[p.j] += c.spin_j;
     };
-    for (const Beside& b : old) {
-      const Near& p = near_[b.pair];
-      if (!marked[p.i] && !marked[p.j]) continue;
-      give(p, b.owed, v, w);
-      add(p, contact_.done<SIZE>(b.grid, b.action, b.owed, p.memory));
+    for (const Near& p : near_) {
+      if (p.memory.phase != ContactMemory::lasting || !(marked[p.i] || marked[p.j])) continue;
+      const PairMotion grid = motion(p, v_, w_);
+      const Action owed = contact_.owed<SIZE>(grid.relative, p.memory);
+      give(p, owed, v, w);
+      add(p, contact_.done<SIZE>(grid, contact_.held<SIZE>(grid, p.memory), owed, p.memory));
     }
     for (Followed& f : follow) {
       const Near& p = near_[f.pair];

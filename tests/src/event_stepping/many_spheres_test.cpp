@@ -193,8 +193,11 @@ TEST(ManySpheres, AStronglyDampedClusterComesToRest) {
     }
 }
 
-TEST(ManySpheres, AFrictionalClusterAtRestHasNoKineticEnergy) {
-  // Springs in the plane of contact go on to hold; nothing moves on the grid, nor truly.
+TEST(ManySpheres, AFrictionalClusterAtRestMovesNoMore) {
+  // Springs in the plane of contact go on to hold; nothing moves on the grid. The true motion at
+  // grid points is known as of contacts that swing freely: under a load from outside, here of
+  // friction, the normal springs owe (w dt)/sin(w dt) of half an impulse, friction half. What is
+  // left is below that part of the impulse of friction in twelve contacts that bear 2 F_ad.
   for (const double part : {10.0, 4.0}) {
     contact::ContactParameters p;
     p.stiffness = 800.0;
@@ -214,7 +217,10 @@ TEST(ManySpheres, AFrictionalClusterAtRestHasNoKineticEnergy) {
     double grid = 0.0;
     for (int i = 0; i < number; i++) grid += 0.5 * thesis::mass * dot(spheres.v(i), spheres.v(i));
     EXPECT_LT(grid, 1e-10 * start) << part;
-    EXPECT_LT(spheres.sums().kinetic, 1e-10 * start) << part;
+    const double phase = pi / part, dt = contact_time / part;
+    const double left = (phase / std::sin(phase) - 1.0) * 0.5 * dt / thesis::mass * 12.0 * 0.3 *
+                        2.0 * thesis::adhesion(2e-18).force;
+    EXPECT_LT(spheres.sums().kinetic, 0.5 * number * thesis::mass * left * left) << part;
   }
 }
 

@@ -37,25 +37,21 @@ class PairOnGrid {
 
   void step() {
     const PairMotion grid = this->grid();
-    const ContactMemory before = memory;
-    const ContactLosses last = now;
+    const bool goes_on = memory.phase == ContactMemory::lasting;
+    const bool begins = !goes_on && contact.can_last(grid.relative, memory);
     Action action;
     now = {};
-    lasted = contact.template follow_lasting<SIZE>(grid, memory, action, now);
+    if (begins) energy = true_kinetic(memory) + sum(contact.stored(grid, memory)) + lost;
+    lasted = (goes_on || begins) && contact.template hold<SIZE>(grid, memory, action, &now);
+    // Half of the dashpot's loss is before the grid point, unless that step was followed, and all
+    // of that of springs in the plane of contact.
+    if (goes_on || begins) lost += now.tangential_damping + now.friction + now.rolling;
+    if (goes_on) lost += 0.5 * now.normal_damping;
+    if (!begins) energy = true_kinetic(memory) + sum(contact.stored(grid, memory)) + lost;
     if (lasted) {
-      // Half of the dashpot's loss is before the grid point, unless that step was followed, and all
-      // of that of springs in the plane of contact.
-      const bool goes_on = before.phase == ContactMemory::lasting;
-      lost += now.tangential_damping + now.friction + now.rolling;
-      if (goes_on) lost += 0.5 * now.normal_damping;
-      energy =
-          true_kinetic(goes_on ? memory : before) + sum(contact.stored_after(grid, memory)) + lost;
       lost += 0.5 * now.normal_damping;
       by_contact += contact.by_contact(grid, action);
     } else {
-      lost += sum(contact.template lost_before<SIZE>(grid, memory));
-      if (memory.phase == ContactMemory::lasting) lost += 0.5 * last.normal_damping;
-      energy = true_kinetic(memory) + sum(contact.stored(grid, memory)) + lost;
       const PairMotion truth = this->truth();
       followed = contact.template follow<SIZE>(grid, truth, {}, {}, memory);
       followed = contact.template follow<SIZE>(grid, truth, {}, followed.rolled, memory);

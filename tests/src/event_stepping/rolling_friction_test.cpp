@@ -242,10 +242,10 @@ TEST(RollingFriction, ChangesSignWithTheExchangeOfTheParticles) {
       one.rolling.stretch = {0.0, length, -length};
       two.rolling.stretch = -one.rolling.stretch;
       Action from_there, from_back;
-      ContactLosses lost;
       const auto act = [&](const ContactOnGrid<SpherePair>& c, const PairMotion& at,
                            const PairMotion& beside, ContactMemory& memory, Action& action) {
-        if (c.follow_lasting<size>(at, memory, action, lost)) return true;
+        if (memory.phase == ContactMemory::lasting)
+          return c.hold<size>(at, memory, action, nullptr);
         const FollowedStep alone = c.follow<size>(at, at, {}, {}, memory);
         const FollowedStep f = c.follow<size>(at, at, beside, alone.rolled, memory);
         action = c.close<size>(at, at, beside, f, memory);
