@@ -104,8 +104,8 @@ FixEventStep* FixEventStep::of(LAMMPS* lmp) {
 }
 
 int FixEventStep::setmask() {
-  return FixConst::INITIAL_INTEGRATE | FixConst::PRE_FORCE | FixConst::END_OF_STEP |
-         FixConst::POST_RUN;
+  return FixConst::INITIAL_INTEGRATE | FixConst::PRE_FORCE | FixConst::POST_FORCE |
+         FixConst::END_OF_STEP | FixConst::POST_RUN;
 }
 
 void FixEventStep::init() {
@@ -206,6 +206,7 @@ void FixEventStep::setup_pre_force(int) {
   resuming = last_dt > 0.0;
   starting = !resuming;
   other_box = resuming && box.changed(domain);
+  pending = false;
   resting = rests();
   if (resting) {
     weighed.clear();
@@ -214,10 +215,8 @@ void FixEventStep::setup_pre_force(int) {
   if (!resuming) {
     const std::vector<double> weight = weights(lmp);
     for (int i = 0; i < atom->nlocal; i++) std::copy_n(&weight[OUTER * i], OUTER, outer[i]);
-    clear();
     judge(true);
-    follow();
-    if (resting) contact_force.clear();
+    pending = true;
     return;
   }
   look_round();
@@ -231,8 +230,11 @@ void FixEventStep::setup_pre_force(int) {
   for (EventContacts* some : styles) some->book_standing();
 }
 
-/// All that comes before the forces.
-void FixEventStep::follow() {
+/// With the first forces of a step, when fixes have changed what they change before.
+void FixEventStep::work_out() {
+  if (!pending) return;
+  pending = false;
+  clear();
   for (EventContacts* some : styles) some->gather();
   share(restless, RESTLESS);
   for (EventContacts* some : styles) some->unsettle();
@@ -240,10 +242,17 @@ void FixEventStep::follow() {
   share(owed, OWED);
   for (EventContacts* some : styles) some->follow_alone();
   share(alone, ALONE);
+  handed_over = true;
+  for (int i = 0; i < atom->nlocal; i++) {
+    add(atom->f[i], contact_force[i]);
+    add(atom->torque[i], contact_torque[i]);
+  }
 }
 
 /// The first step has no half kick before it: what its velocities are, they truly are.
 void FixEventStep::setup(int) {
+  work_out();
+  if (resting) contact_force.clear();
   if (book.kept && starting)
     for (int i = 0; i < atom->nlocal; i++) std::fill_n(to_truth[i], 6, 0.0);
 }
@@ -291,10 +300,11 @@ void FixEventStep::begin_books() {
 
 void FixEventStep::pre_force(int) {
   if (resting) return;
-  clear();
   judge(false);
-  follow();
+  pending = true;
 }
+
+void FixEventStep::post_force(int) { work_out(); }
 
 /// Forces that a run takes over from the last one excuse nothing: its step, its coefficients and
 /// its particles may be others.
@@ -410,15 +420,6 @@ void FixEventStep::report_unresolved() {
 }
 
 /* ---------------------------------------------------------------------- */
-
-void FixEventStep::hand_over() {
-  if (handed_over) return;
-  handed_over = true;
-  for (int i = 0; i < atom->nlocal; i++) {
-    add(atom->f[i], contact_force[i]);
-    add(atom->torque[i], contact_torque[i]);
-  }
-}
 
 /// Brings `each` values of particles to their ghosts.
 void FixEventStep::share(double** values, int each) {

@@ -24,8 +24,9 @@ FixStyle(EVENT_STEP,FixEventStep);
 
 namespace LAMMPS_NS {
 
-/// What follows contacts in the event scheme: pair styles and walls. FixEventStep calls it, before
-/// the forces of a step; the second pass is with those: Pair::compute, Fix::post_force.
+/// What follows contacts in the event scheme: pair styles and walls. FixEventStep::work_out() calls
+/// it, with the first forces of a step; the second pass is each one's own: Pair::compute,
+/// Fix::post_force.
 class EventContacts {
  public:
   /// Lets contacts that last act, and announces the others, with what leads to the true motion of
@@ -66,9 +67,8 @@ class EventWalls : public EventContacts {
 ///
 /// Contacts beside those are followed, too.
 ///
-/// Order within a step, before the forces: all styles gather(); share(restless); unsettle();
-/// join(); share(owed); follow_alone(); share(alone). With the forces: hand_over(), and their
-/// second pass.
+/// Order within a step, with its first forces: all styles gather(); share(restless); unsettle();
+/// join(); share(owed); follow_alone(); share(alone). Then the second pass of each.
 ///
 /// A fix cannot make another one in its constructor: those that need this one call of() in
 /// post_constructor(); the order above does not depend on the order of the fixes.
@@ -95,6 +95,7 @@ class FixEventStep : public Fix {
   void setup(int) override;
   void initial_integrate(int) override;
   void pre_force(int) override;
+  void post_force(int) override;
   void end_of_step() override;
   void post_run() override;
 
@@ -232,9 +233,8 @@ class FixEventStep : public Fix {
     add(atom->f[i], pushed);
     if (SIZE > 3) add(atom->torque[i], turned);
   }
-  /// Adds what contacts have done so far in this step to the engine's forces, if that has not been
-  /// done: before the second pass.
-  void hand_over();
+  /// All that comes before the second pass, if it has not been done in this step.
+  void work_out();
 
  private:
   void clear();
@@ -249,7 +249,6 @@ class FixEventStep : public Fix {
   void weigh(int all);
   void hold_last(bool);
   void report_unresolved();
-  void follow();
   void add_next();
   void share(double** values, int each);
   void begin_books();
@@ -289,7 +288,8 @@ class FixEventStep : public Fix {
   static constexpr int OUTER = 3;
   double** outer;
   std::vector<cohesion::Vector3> contact_force, contact_torque;  // per atom, of this step
-  bool handed_over;             // to the engine; what comes later goes there at once
+  bool handed_over = false;     // to the engine; what comes later goes there at once
+  bool pending = false;         // in this step: work_out()
   int* contacts;                // per atom and ghost, this step
   double* inverse_mass;         // per atom and ghost
   std::vector<double> weighed;  // the masses inverse_mass is of; empty: of none

@@ -144,7 +144,7 @@ void FixWallGranCohesive<Cohesion>::setup(int) {
 template <class Cohesion>
 void FixWallGranCohesive<Cohesion>::post_force(int) {
   if (step->resumes()) return;
-  step->hand_over();
+  step->work_out();
   with_contacts([this](auto& shared, auto size) { follow_together<size>(shared); });
 }
 

@@ -78,7 +78,7 @@ void PairGranCohesive<Cohesion>::compute(int eflag, int vflag) {
     if (evflag) tally_standing();
     return;
   }
-  step->hand_over();
+  step->work_out();
   with_contacts([this](auto& contacts, auto size) { follow_together<size>(contacts); });
 }
 

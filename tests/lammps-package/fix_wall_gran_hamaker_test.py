@@ -51,8 +51,8 @@ class Impact(EventWall):
         self.assertLessEqual(worst, ROUNDING)
 
     def test_oblique_impact_in_a_cylinder(self):
-        # The tangent plane turns from step to step only: energy and the angular momentum about the
-        # axis are kept at second order in the step.
+        # The tangent plane turns from step to step only: the angular momentum about the axis is kept,
+        # the energy at second order in the step.
         radius, slide, errors = 5e-3, 0.2, []
         start = radius - RADIUS - 5e-7
         for parts in (10, 20, 40):
@@ -66,19 +66,21 @@ class Impact(EventWall):
             errors.append((abs(energy - 1), abs(momentum - 1)))
         say("oblique in a cylinder: relative errors of energy and angular momentum at t_c/10, /20, "
             "/40: " + ", ".join(f"{e:.1e} {m:.1e}" for e, m in errors))
-        # The normal turns by slide dt/R = 6e-4 a step at t_c/10: the square of it.
-        self.assertLessEqual(max(errors[0]), 1e-6)
-        self.assertLessEqual(max(errors[2]), 1e-7)
+        # Within a step the contact does not see slide^2/start, the turning: where it begins and ends
+        # the normal speed is off by up to that times dt, which cancels but for the square of it.
+        for parts, (energy, momentum) in zip((10, 20, 40), errors):
+            turned = slide**2 / start * contact_time() / parts / SPEED
+            self.assertLessEqual(energy, 2 * turned**2)
+            self.assertLessEqual(momentum, ROUNDING)
 
     def test_force_on_the_wall_is_the_momentum(self):
         dt = contact_time() / 10
         self.write([[2e-3, 2e-3, 0.01 + RADIUS + 1e-9]], [(0.0, 0.0, -SPEED)])
         self.run_wall(f"stiffness {STIFFNESS} zplane 0.01 0.03", dt, 5)
         values = engine.thermo(self.output)
-        # The force of a step is the mean over it: of K x = m v w0 sin(w0 t), from n-1/2 to n+1/2.
-        start = 1e-9 / SPEED
-        mean = -MASS * SPEED / dt * (math.cos(W0 * (5.5 * dt - start)) -
-                                     math.cos(W0 * (4.5 * dt - start)))
+        # The force of a step leads from one place to the next, which are those of v/w0 sin(w0 t).
+        places = [SPEED / W0 * math.sin(W0 * (n * dt - 1e-9 / SPEED)) for n in (4, 5, 6)]
+        mean = -MASS * (places[0] - 2 * places[1] + places[2]) / dt**2
         self.assertAlmostEqual(-values["f_walls[3]"] / mean, 1.0, delta=1e-9)
         self.assertEqual(values["f_walls[3]"], values["f_walls[1][3]"])
         self.assertEqual(values["f_walls[1]"], 0.0)

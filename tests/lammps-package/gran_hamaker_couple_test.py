@@ -151,16 +151,22 @@ class Oblique(unittest.TestCase):
         numbers = numpy.concatenate([relative(end)[:, 3:6], end[:, 0, 6:9] * DIAMETER / 2], axis=1)
         return numbers.reshape(len(self.ANGLES), POSITIONS, 6) / self.SPEED
 
-    def test_without_friction_no_step_matters(self):
-        # Everything is followed in closed form. Rounding moves each couple by 3e-17 m a step, some
-        # 400 steps of contact at most; w0 times that is 4e-10 m/s, over the speed 1e-8.
+    def test_without_friction_only_the_turning_sees_the_step(self):
+        # Distances are followed in closed form. Rounding moves each couple by 3e-17 m a step, some
+        # 400 steps of contact at most; w0 times that is 4e-10 m/s, over the speed 1e-8. The line of
+        # centres turns as on a straight flight between grid points: an impulse mu J within a step puts
+        # the distance up to J dt/4 off, the angle by u dt/d times that over d, u the speed across. In
+        # all below u V dt^2/d^2: V, the speed in contact, is gained, turned round and lost.
         for pair in (Pair(), Pair(7.49e-19)):
             fine = self.results(pair, 0.0, 200).mean(axis=1, keepdims=True)
+            fastest = (math.hypot(self.SPEED, math.sqrt(-2 * pair.adhesion_energy(0.0) / MU))
+                       + pair.adhesion / math.sqrt(MU * couples.STIFFNESS))
             for division in (4, 10):
                 error = numpy.abs(self.results(pair, 0.0, division) - fine).max()
+                turned = self.SPEED * fastest * (T_C / division / DIAMETER)**2
                 report(f"oblique, A {pair.A:g} J, no friction: t_c/{division} against t_c/200 "
-                       f"differ by {error:.1e} of the speed")
-                self.assertLess(error, 1e-8)
+                       f"differ by {error:.1e} of the speed, {error / turned:.2f} of the bound")
+                self.assertLess(error, turned + 1e-8)
 
     def test_without_friction_against_an_integration_in_the_plane(self):
         # The integration follows tail and centrifugal force along the whole path. Against it the
@@ -239,8 +245,8 @@ class Oblique(unittest.TestCase):
 
 class Box:
     """40 couples of unlike spheres followed step by step; unless `apart`, some are overlapped from
-    the start. At n+1/2 the grid has positions x + v' dt/2 and velocities v' = v + f dt/(2 m): there
-    the books close."""
+    the start. Books close at grid points; momentum at n+1/2, where the grid has positions
+    x + v' dt/2 and velocities v' = v + f dt/(2 m)."""
     DIAMETERS, DENSITIES = numpy.array((1e-3, 0.6e-3)), numpy.array((2650.0, 5300.0))
     MASSES = math.pi / 6 * DENSITIES * DIAMETERS**3
     INERTIAS = 0.1 * MASSES * DIAMETERS**2
@@ -271,7 +277,8 @@ class Box:
         # Forces of step 0, too, are those of the half step that follows.
         self.v = path[..., 3:6] + 0.5 * dt * path[..., 9:12] / self.MASSES[:, None]
         self.spin = self.INERTIAS[:, None] * path[..., 6:9] + 0.5 * dt * path[..., 12:15]
-        self.x = path[..., 0:3] + 0.5 * dt * self.v
+        self.places = path[..., 0:3]
+        self.x = self.places + 0.5 * dt * self.v
         names, lines = couples.engine.thermo_lines(output)
         self.thermo = dict(zip(names, numpy.array(lines).T))
         self.book = {k: self.thermo[f"c_book[{k}]"] for k in range(1, 14)}
@@ -351,9 +358,10 @@ class Conservation(unittest.TestCase):
         self.assertLess(residuals[3], residuals[0] / 4)
 
     def test_energies_are_those_of_the_laws(self):
-        # From the positions at n+1/2 and the laws as the manual pages state them.
+        # From the positions and the laws as the manual pages state them.
         box = Box(0.0, 6)
-        gap = numpy.linalg.norm(box.x[:, :, 1] - box.x[:, :, 0], axis=2) - 0.5 * box.DIAMETERS.sum()
+        gap = (numpy.linalg.norm(box.places[:, :, 1] - box.places[:, :, 0], axis=2)
+               - 0.5 * box.DIAMETERS.sum())
         spring = 0.5 * couples.STIFFNESS * numpy.minimum(gap, 0.0)**2
         law = numpy.vectorize(lambda h: 0.0 if h >= CUT else hamaker_reference.energy(
             "small_gap", h, *(0.5 * box.DIAMETERS), box.A, CUT, OUT))
@@ -365,26 +373,26 @@ class Conservation(unittest.TestCase):
             numpy.testing.assert_allclose(found[1:], expected[1:], rtol=1e-12, atol=10 * box.rounding)
 
     def test_force_is_the_slope_of_the_energy(self):
-        # Without dashpot, head-on: the mean force of a step over time against the mean over the way,
-        # -dE/dr. Within a stretch they differ by (w0 dt)^2/12 of the force that accelerates the
-        # pair, to lowest order in dt times force over momentum, here below a quarter.
+        # Without dashpot, head-on: the force of a step against -dE/dr between the places before and
+        # after it. With x = a sin(w0 t) the one is (w0 dt)^2/12 below K x, the other (w0 dt)^2/2, to
+        # lowest order in dt times force over momentum, here below a quarter.
         pair, dt = Pair(7.49e-19, damping=0.0), T_C / 200
         atoms = couples.couple(0, 1e-7, (0.0, 0.05, 0.0))
         path, output = couples.run(atoms, ["* * " + pair.words()], dt, 250, every=1)
         names, lines = couples.engine.thermo_lines(output)
         thermo = dict(zip(names, numpy.array(lines).T))
         potential = thermo["c_book[3]"] + thermo["c_book[5]"]
-        force = path[1:, 0, 1, 10]
-        state = relative(path[:, 0].reshape(-1, 2, 15))
-        velocity = state[:, 4] + 0.5 * dt * state[:, 10] / MASS
-        distance = state[:, 1] + 0.5 * dt * velocity
-        slope = -numpy.diff(potential) / numpy.diff(distance)
-        within = (distance[1:] < DIAMETER) & (distance[:-1] < DIAMETER) \
-            & (numpy.abs(force) * dt < 0.25 * MU * numpy.abs(velocity[1:]))
+        force = path[1:-1, 0, 1, 10]
+        distance = relative(path[:, 0].reshape(-1, 2, 15))[:, 1]
+        way = distance[2:] - distance[:-2]
+        touches = distance < DIAMETER
+        within = touches[2:] & touches[1:-1] & touches[:-2] \
+            & (numpy.abs(force) * dt < 0.25 * MU * numpy.abs(way) / (2 * dt))
+        slope = -(potential[2:] - potential[:-2])[within] / way[within]
         self.assertGreater(within.sum(), 150)
-        error = numpy.abs(force - slope)[within] / numpy.abs(force)[within].max()
+        error = numpy.abs(force[within] - slope) / numpy.abs(force[within]).max()
         report(f"force against -dE/dr at t_c/200: {error.max():.1e} of the largest force")
-        self.assertLess(error.max(), 1.2 * (W0 * dt)**2 / 12)
+        self.assertLess(error.max(), 1.2 * 5 * (W0 * dt)**2 / 12)
 
 
 if __name__ == "__main__":
