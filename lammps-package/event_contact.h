@@ -205,7 +205,6 @@ struct StepContacts {
     if (memory.phase != ContactMemory::lasting) return;
     const Action action = c.template held<SIZE>(grid, memory);
     scatter.act_not(i, j, action);
-    step->book_losses(scatter.part(j), {-0.5 * c.damped(grid.relative), 0.0, 0.0, 0.0}, 1.0);
     done(i, j, c, grid, action.impulse, [&] { return c.by_contact(grid, action); }, -1.0);
     memory.phase = ContactMemory::leaving;
     memory.to(history, SIZE);
@@ -293,19 +292,12 @@ struct StepContacts {
                                           cohesion::event_stepping::ContactMemory& memory,
                                           double* history, const Done& done) {
     using namespace cohesion::event_stepping;
-    const bool lasted = memory.phase == ContactMemory::lasting;
     Action action;
     ContactLosses lost;
     const bool lasts =
         c.template hold<SIZE>(grid, memory, action, step->book.kept ? &lost : nullptr);
     memory.to(history, SIZE);
-    if (step->book.kept) {
-      // Of the dashpot along the normal, half before the grid point and half after.
-      const double part = scatter.part(j), half = 0.5 * lost.normal_damping;
-      step->book_losses(
-          part, {lasted ? half : 0.0, lost.tangential_damping, lost.friction, lost.rolling}, 0.0);
-      if (lasts) step->book_losses(part, {half, 0.0, 0.0, 0.0}, 1.0);
-    }
+    step->book_losses(scatter.part(j), lost, 0.0);
     if (!lasts) return false;
     scatter.act(i, j, action);
     done(i, j, c, grid, action.impulse, [&] { return c.by_contact(grid, action); }, 1.0);

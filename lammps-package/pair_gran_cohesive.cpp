@@ -130,16 +130,16 @@ static double energy(const StoredEnergies& stored) { return stored.spring + stor
 template <class Cohesion>
 template <class What>
 void PairGranCohesive<Cohesion>::for_each_close(const What& what) {
-  // Both fly a whole step from the grid point, or, sampled, are found that far beyond the edge.
-  const double reach = largest_range + 4.0 * step->flight();
+  // Both fly a whole step from the grid point; sampled, they may be half a step beyond the edge.
+  const double flights = coefficients.scheme() == Scheme::event ? 4.0 : 2.0;
+  const double reach = largest_range + flights * step->flight();
   if (reach > close.allowed())
     error->one(FLERR,
                "{}: particles fly up to {} in half a step and could miss a "
                "contact, the neighbour list allows for {}: use a smaller time step or a skin above "
                "{}. The fastest: {}",
-               coefficients.where(), step->flight(), 0.25 * (close.allowed() - largest_range),
-               (coefficients.scheme() == Scheme::event ? 20.0 : 40.0) * step->flight(),
-               report_fastest(lmp));
+               coefficients.where(), step->flight(), (close.allowed() - largest_range) / flights,
+               20.0 * step->flight(), report_fastest(lmp));
   close.update(*list, reach, history->firstflag);
   int* const* const flags = history->firstflag;
   double* const* const values_of = history->firstvalue;

@@ -94,16 +94,15 @@ class ContactOnGrid {
   }
 
   /// A contact that has lasted, or can: the force times dt that it needs if it goes on. Settles the
-  /// springs in the plane of contact, and what they lost since the last grid point; of what the
-  /// dashpot along the normal loses around this one, `losses` (nullptr: nobody asks) has all.
-  /// False: it does not certainly last for this step, and is to be followed.
+  /// springs in the plane of contact, and what was lost since the last grid point, if somebody asks
+  /// for `losses`. False: it does not certainly last for this step, and is to be followed.
   template <int SIZE>
   [[gnu::always_inline]] bool hold(const PairMotion& grid, ContactMemory& memory, Action& action,
                                    ContactLosses* losses) const {
     const Hold normal(*this, grid.relative);
     const bool lasted = memory.phase == ContactMemory::lasting;
     action = {normal.impulse * grid.relative.separation, {}, {}};
-    if (losses) losses->normal_damping = normal.damped(*this);
+    if (losses && lasted) losses->normal_damping = normal.damped(*this);
     memory.phase = normal.lasts ? ContactMemory::lasting : ContactMemory::leaving;
     memory.age += 1.0;
     if constexpr (SIZE >= ContactMemory::with_friction) {
@@ -140,8 +139,6 @@ class ContactOnGrid {
       Touch(bodies_, s).roll(memory.rolling.impulse, action);
     return action;
   }
-  /// What the dashpot along the normal of such a contact loses around the grid point, [energy].
-  double damped(const RelativeState& grid) const { return Hold(*this, grid).damped(*this); }
 
   /// What leads from the motion on the grid to the true one at this grid point.
   template <int SIZE>
@@ -194,8 +191,10 @@ class ContactOnGrid {
       const Vector3 spin_j = truth.spin_j + 0.5 * others.spin_j;
       const Vector3 slides = touch.slides(middle.velocity + 0.5 * did.velocity,
                                           spin_i + 0.5 * rolled.i, spin_j + 0.5 * rolled.j);
-      f.sliding = sliding_.follow(touch.plane(), stretch(grid, memory).sliding, slides, f.normal,
-                                  f.sliding_rate);
+      const Vector3 shifted =
+          touch.plane().part_in(others.relative.separation - half * others.relative.velocity);
+      f.sliding = sliding_.follow(touch.plane(), stretch(grid, memory).sliding, 0.5 * shifted,
+                                  slides, f.normal, f.sliding_rate);
       const Vector3& impulse = f.sliding.impulse;
       f.change.relative.separation += (half * inverse_mass_) * impulse;
       f.change.relative.velocity += inverse_mass_ * impulse;
@@ -206,8 +205,8 @@ class ContactOnGrid {
       if constexpr (SIZE >= ContactMemory::with_rolling) {
         const Vector3 rolls =
             touch.rolls(spin_i + 0.5 * f.change.spin_i, spin_j + 0.5 * f.change.spin_j);
-        f.rolling = rolling_.follow(touch.plane(), stretch(grid, memory).rolling, rolls, f.normal,
-                                    f.rolling_rate);
+        f.rolling = rolling_.follow(touch.plane(), stretch(grid, memory).rolling, {}, rolls,
+                                    f.normal, f.rolling_rate);
         const Vector3 turn = bodies_.rolling_radius() * f.rolling.impulse;
         f.rolled = {bodies_.spin_share_i() * turn, -bodies_.spin_share_j() * turn};
         f.change.spin_i += f.rolled.i;
@@ -357,10 +356,9 @@ class ContactOnGrid {
     double force(const ContactOnGrid& c) const {
       return c.reduced_mass_ * change * c.inverse_step_;
     }
+    /// In the dashpot since the last grid point.
     double damped(const ContactOnGrid& c) const {
-      const double after = at.radial + change;
-      return 0.5 * c.normal_contact_.stiffness() / c.spring_.stiffness * c.spring_.damping *
-             c.step_ * (at.radial * at.radial + after * after);
+      return c.normal_contact_.damping() * c.step_ * at.radial * at.radial / c.seen();
     }
   };
 
@@ -383,6 +381,14 @@ class ContactOnGrid {
       now.rolling = touch.plane().turned_into(memory.rolling.stretch) +
                     step_ * touch.rolls(grid.spin_i, grid.spin_j);
     return now;
+  }
+
+  /// Of the square of the speed of a swing, what the grid sees: (sin(q dt/2)/(q dt/2))^2.
+  double seen() const {
+    const double alpha = oscillator_.alpha();
+    const double square = (oscillator_.w0_squared() - alpha * alpha) * step_ * step_;
+    const double cosine = 0.5 * trace_ * std::exp(alpha * step_);
+    return square != 0.0 ? 2.0 * (1.0 - cosine) / square : 1.0;
   }
 
   /// The dashpot of one force takes the velocity of half a step before. Spheres in many contacts

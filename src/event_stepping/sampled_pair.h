@@ -38,9 +38,6 @@ class SampledPair {
     PairGeometry geometry;
   };
 
-  /// Contacts act on each other only through the grid.
-  static constexpr bool acts_within_step = false;
-
   SampledPair(const contact::LinearSpringDashpot& spring, const Attraction& attraction,
               double contact_distance, double /*step*/)
       : spring_(spring), attraction_(attraction), contact_distance_(contact_distance) {

@@ -37,7 +37,6 @@ class SampledWell {
  public:
   /// No force; `cutoff` the gap at the edge, `tail_energy` the depth.
   using Attraction = contact::Adhesion;
-  static constexpr bool acts_within_step = false;
 
   SampledWell(const contact::LinearSpringDashpot& spring, const contact::Adhesion& well,
               double contact_distance, double /*step*/)

@@ -18,8 +18,6 @@ namespace cohesion::event_stepping {
 class SpherePair {
  public:
   using Attraction = contact::Adhesion;
-  /// What a contact does in a step changes the step of its particles' other contacts.
-  static constexpr bool acts_within_step = true;
 
   /// `step` [time]: the usual length of a step.
   SpherePair(const contact::LinearSpringDashpot& spring, const contact::Adhesion& adhesion,

@@ -65,13 +65,16 @@ class SpringOnGrid {
   }
 
   /// A followed step, from `stretch` at the grid point, or of a contact that begins. `rate`: of the
-  /// ends without the spring itself; `mean`: with it.
+  /// ends without the spring itself; `mean`: with it, as the grid moves. `shift` [length]: what the
+  /// others do to the ends beyond their velocity, before the step and once more after it.
   contact::TangentialStep follow(const contact::Plane& plane, const Vector3& stretch,
-                                 const Vector3& rate, const PairStep& normal, Vector3& mean) const {
+                                 const Vector3& shift, const Vector3& rate, const PairStep& normal,
+                                 Vector3& mean) const {
     contact::TangentialStep step =
-        law_.advance(plane.turned_into(stretch), rate, normal.normal.contact_time, answer_,
+        law_.advance(plane.turned_into(stretch) + shift, rate, normal.normal.contact_time, answer_,
                      normal.normal.repulsion_impulse, normal.normal.repulsion_at_end);
-    mean = rate + (0.5 * answer_) * step.impulse;
+    step.displacement += shift;
+    mean = rate + (0.5 * answer_) * step.impulse + (2.0 / step_) * shift;
     if (normal.overlap_at_end <= 0.0) {  // parted: what the spring still held is lost
       step.friction += law_.stored_energy(step.displacement);
       step.displacement = {};

@@ -26,7 +26,6 @@ class WellPair {
  public:
   /// No force; `cutoff` the gap at the edge, `tail_energy` the depth.
   using Attraction = contact::Adhesion;
-  static constexpr bool acts_within_step = true;
 
   /// `step` [time]: the usual length of a step.
   WellPair(const contact::LinearSpringDashpot& spring, const contact::Adhesion& well,

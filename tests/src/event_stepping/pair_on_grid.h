@@ -43,13 +43,10 @@ class PairOnGrid {
     now = {};
     if (begins) energy = true_kinetic(memory) + sum(contact.stored(grid, memory)) + lost;
     lasted = (goes_on || begins) && contact.template hold<SIZE>(grid, memory, action, &now);
-    // Half of the dashpot's loss is before the grid point, unless that step was followed, and all
-    // of that of springs in the plane of contact.
-    if (goes_on || begins) lost += now.tangential_damping + now.friction + now.rolling;
-    if (goes_on) lost += 0.5 * now.normal_damping;
+    // Since the last grid point.
+    if (goes_on || begins) lost += sum(now);
     if (!begins) energy = true_kinetic(memory) + sum(contact.stored(grid, memory)) + lost;
     if (lasted) {
-      lost += 0.5 * now.normal_damping;
       by_contact += contact.by_contact(grid, action);
     } else {
       const PairMotion truth = this->truth();
