@@ -207,10 +207,14 @@ class Settling(unittest.TestCase):
     without adhesion: what is left of the ringing falls by a factor of ten in 0.1 s, and which bed it is
     in, round-off decides."""
 
-    def comes_to_rest(self, ratio, division=10, duration=0.4, of_start=0.0):
-        """Below `of_start` of the kinetic energy at the start; 0: of what is stored."""
+    def comes_to_rest(self, ratio, division=10, duration=0.4, of_start=0.0, seeds=(2,)):
+        """Below `of_start` of the kinetic energy at the start; 0: of what is stored. Of several beds, half."""
+        over = [self.kinetic_over_limit(ratio, division, duration, of_start, seed) for seed in seeds]
+        self.assertLess(numpy.median(over), 1.0)
+
+    def kinetic_over_limit(self, ratio, division, duration, of_start, seed):
         with engine.temporary_folder() as folder:
-            settling.write(folder, 5, 5, seed=2)
+            settling.write(folder, 5, 5, seed=seed)
             table, _ = settling.follow(folder, division, duration,
                                        A=settling.hamaker_constant(ratio))
         self.assertEqual(len(table), 51)
@@ -218,7 +222,7 @@ class Settling(unittest.TestCase):
         rest = of_start * table[0, 1] or 1e-3 * 125 * load**2 / (2 * gas.STIFFNESS)
         self.assertGreater(table[:10, 1].max(), 1.5 * table[0, 1])  # they fell
         # The last fifth: 1000 contact times and more.
-        self.assertLess(table[-10:, 1].max(), rest)
+        return table[-10:, 1].max() / rest
 
     def test_without_adhesion(self):
         self.comes_to_rest(0)
@@ -230,7 +234,7 @@ class Settling(unittest.TestCase):
         self.comes_to_rest(1)
 
     def test_adhesion_of_twenty_weights(self):
-        self.comes_to_rest(20, duration=0.8)
+        self.comes_to_rest(20, duration=0.8, seeds=(1, 2, 3))
 
 
 if __name__ == "__main__":
