@@ -163,10 +163,12 @@ cohesion::event_stepping::SampledStep sample(const ContactsOfStep<Contact, SIZE>
 struct StepContacts {
   std::vector<LastingCandidate> candidates;
   std::vector<FollowedContact> followed;
+  int lasting = 0;  // those that act by one force, and are not taken back
 
   void clear() {
     candidates.clear();
     followed.clear();
+    lasting = 0;
   }
 
   /// One contact from its motion on the grid: acts if it lasts, is announced if it is to be
@@ -208,6 +210,7 @@ struct StepContacts {
     done(i, j, c, grid, action.impulse, [&] { return c.by_contact(grid, action); }, -1.0);
     memory.phase = ContactMemory::leaving;
     memory.to(history, SIZE);
+    lasting--;
     announce<SIZE>(scatter, step, c, contact, i, j, grid, memory, history);
   }
 
@@ -286,11 +289,11 @@ struct StepContacts {
 
  private:
   template <int SIZE, class Contact, class Done>
-  [[gnu::always_inline]] static bool hold(const ContactsOfStep<Contact, SIZE>& scatter,
-                                          FixEventStep* step, const Contact& c, int i, int j,
-                                          const cohesion::event_stepping::PairMotion& grid,
-                                          cohesion::event_stepping::ContactMemory& memory,
-                                          double* history, const Done& done) {
+  [[gnu::always_inline]] bool hold(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
+                                   const Contact& c, int i, int j,
+                                   const cohesion::event_stepping::PairMotion& grid,
+                                   cohesion::event_stepping::ContactMemory& memory, double* history,
+                                   const Done& done) {
     using namespace cohesion::event_stepping;
     Action action;
     ContactLosses lost;
@@ -299,6 +302,7 @@ struct StepContacts {
     memory.to(history, SIZE);
     step->book_losses(scatter.part(j), lost, 0.0);
     if (!lasts) return false;
+    lasting++;
     scatter.act(i, j, action);
     done(i, j, c, grid, action.impulse, [&] { return c.by_contact(grid, action); }, 1.0);
     return true;
@@ -308,7 +312,14 @@ struct StepContacts {
   void announce(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step, const Contact& c,
                 int contact, int i, int j, const cohesion::event_stepping::PairMotion& grid,
                 const cohesion::event_stepping::ContactMemory& memory, double* history) {
-    followed.push_back({i, j, contact, history, grid, grid, memory, {}});
+    followed.emplace_back();
+    FollowedContact& f = followed.back();
+    f.i = i;
+    f.j = j;
+    f.contact = contact;
+    f.history = history;
+    f.grid = f.truth = grid;
+    f.memory = memory;
     step->announce(i);
     if (j >= 0) step->announce(j);
     scatter.change(step->owed, i, j, c.template owed<SIZE>(grid.relative, memory));

@@ -200,12 +200,13 @@ template <int SIZE>
 void PairGranCohesive<Cohesion>::unsettle(Contacts<EventContact>& contacts) {
   const ContactsOfStep<EventContact, SIZE> scatter(atom, step);
   const auto sum = flux_sum();
-  for_each_kept([&](int i, int j, double* values) {
-    if (!step->is_restless(i) && !step->is_restless(j)) return;
-    const int c = contact(contacts, i, j);
-    contacts_now.unsettle<SIZE>(scatter, step, contacts.all[c], c, i, j, on_grid_with_spins(i, j),
-                                values, sum);
-  });
+  if (contacts_now.lasting > 0)
+    for_each_kept([&](int i, int j, double* values) {
+      if (!step->is_restless(i) && !step->is_restless(j)) return;
+      const int c = contact(contacts, i, j);
+      contacts_now.unsettle<SIZE>(scatter, step, contacts.all[c], c, i, j, on_grid_with_spins(i, j),
+                                  values, sum);
+    });
   for (const LastingCandidate& p : contacts_now.candidates)
     contacts_now.settle<SIZE>(scatter, step, contacts.all[p.contact], p,
                               on_grid_with_spins(p.i, p.j), sum);
@@ -214,6 +215,7 @@ void PairGranCohesive<Cohesion>::unsettle(Contacts<EventContact>& contacts) {
 template <class Cohesion>
 template <int SIZE>
 void PairGranCohesive<Cohesion>::join(Contacts<EventContact>& contacts) {
+  if (contacts_now.lasting == 0) return;
   const ContactsOfStep<EventContact, SIZE> scatter(atom, step);
   for_each_kept([&](int i, int j, double* values) {
     if (!step->is_followed(i) && !step->is_followed(j)) return;
@@ -232,7 +234,7 @@ template <class Cohesion>
 template <int SIZE>
 void PairGranCohesive<Cohesion>::follow_together(Contacts<EventContact>& contacts) {
   const ContactsOfStep<EventContact, SIZE> scatter(atom, step);
-  if (evflag)
+  if (evflag && contacts_now.lasting > 0)
     for_each_kept([&](int i, int j, const double* values) {
       const ContactMemory known = ContactMemory::from(values, SIZE);
       if (known.phase != ContactMemory::lasting) return;
