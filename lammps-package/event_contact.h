@@ -143,7 +143,7 @@ cohesion::event_stepping::SampledStep sample(const ContactsOfStep<Contact, SIZE>
   using namespace cohesion::event_stepping;
   ContactMemory memory = ContactMemory::from(history, SIZE);
   ContactLosses lost;
-  SampledStep now = c.template act<SIZE>(grid, memory, lost);
+  SampledStep now = c.template act<SIZE>(grid, memory, step->book.kept ? &lost : nullptr);
   memory.to(history, SIZE);
   scatter.act(i, j, now.action);
   if (step->book.kept) {

@@ -146,6 +146,8 @@ void FixEventStep::init() {
   }
   follows = std::any_of(styles.begin(), styles.end(),
                         [](const EventContacts* some) { return some->follows(); });
+  within_step = std::any_of(styles.begin(), styles.end(),
+                            [](const EventContacts* some) { return some->within_step(); });
   look_for_unturned();
 }
 
@@ -210,7 +212,7 @@ void FixEventStep::setup_pre_force(int) {
   resting = rests();
   if (resting) {
     weighed.clear();
-    contact_force.clear();
+    sums_contacts = false;
   }
   if (!resuming) {
     const std::vector<double> weight = weights(lmp);
@@ -236,23 +238,25 @@ void FixEventStep::work_out() {
   pending = false;
   clear();
   for (EventContacts* some : styles) some->gather();
-  share(restless, RESTLESS);
-  for (EventContacts* some : styles) some->unsettle();
-  for (EventContacts* some : styles) some->join();
-  share(owed, OWED);
-  for (EventContacts* some : styles) some->follow_alone();
-  share(alone, ALONE);
-  handed_over = true;
-  for (int i = 0; i < atom->nlocal; i++) {
-    add(atom->f[i], contact_force[i]);
-    add(atom->torque[i], contact_torque[i]);
+  if (within_step) {
+    share(restless, RESTLESS);
+    for (EventContacts* some : styles) some->unsettle();
+    for (EventContacts* some : styles) some->join();
+    share(owed, OWED);
+    for (EventContacts* some : styles) some->follow_alone();
+    share(alone, ALONE);
+    for (int i = 0; i < atom->nlocal; i++) {
+      add(atom->f[i], contact_force[i]);
+      add(atom->torque[i], contact_torque[i]);
+    }
   }
+  handed_over = true;
 }
 
 /// The first step has no half kick before it: what its velocities are, they truly are.
 void FixEventStep::setup(int) {
   work_out();
-  if (resting) contact_force.clear();
+  if (resting) sums_contacts = false;
   if (book.kept && starting)
     for (int i = 0; i < atom->nlocal; i++) std::fill_n(to_truth[i], 6, 0.0);
 }
@@ -284,12 +288,12 @@ void FixEventStep::initial_integrate(int) {
 
 /// Forces are all there when the next step begins.
 void FixEventStep::look_for_outer() {
-  if (resting) return;
+  if (resting || !within_step) return;
   for (int i = 0; i < atom->nlocal; i++) put(outer_now(i), outer[i]);
 }
 
 Vector3 FixEventStep::outer_now(int i) const {
-  return contact_force.empty() ? vector(atom->f[i]) : vector(atom->f[i]) - contact_force[i];
+  return sums_contacts ? vector(atom->f[i]) - contact_force[i] : Vector3{};
 }
 
 /// The books begin when all fixes have been set up; a run of no step ends then.
@@ -315,13 +319,18 @@ void FixEventStep::judge(bool setup) {
 
 void FixEventStep::clear() {
   const int all = atom->nlocal + atom->nghost;
-  std::fill_n(contacts, all, 0);
   look_round();
   look_for_readers();
-  contact_force.assign(atom->nlocal, {});
-  contact_torque.assign(atom->nlocal, {});
   handed_over = false;
-  if (all > 0) std::fill_n(restless[0], all, 0.0);
+  sums_contacts = within_step || book.kept;
+  if (sums_contacts) {
+    contact_force.assign(atom->nlocal, {});
+    contact_torque.assign(atom->nlocal, {});
+  }
+  if (within_step) {
+    std::fill_n(contacts, all, 0);
+    if (all > 0) std::fill_n(restless[0], all, 0.0);
+  }
   if (!book.kept) return;
   add_next();
   for (int i = 0; i < all; i++) std::fill_n(booked_owed[i], OWED, 0.0);

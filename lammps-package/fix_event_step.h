@@ -42,6 +42,8 @@ class EventContacts {
   virtual bool rubs(int type) const = 0;
   /// Whether any contact may be followed in this run.
   virtual bool follows() const { return true; }
+  /// Whether what contacts do to each other within a step counts: scheme event.
+  virtual bool within_step() const = 0;
   /// Books what the contacts store, where a run takes over the forces of the last one.
   virtual void book_standing() = 0;
 
@@ -227,8 +229,10 @@ class FixEventStep : public Fix {
   template <int SIZE>
   [[gnu::always_inline]] void push(int i, const cohesion::Vector3& pushed,
                                    const cohesion::Vector3& turned) {
-    contact_force[i] += pushed;
-    if (SIZE > 3) contact_torque[i] += turned;
+    if (sums_contacts) {
+      contact_force[i] += pushed;
+      if (SIZE > 3) contact_torque[i] += turned;
+    }
     if (!handed_over) return;
     add(atom->f[i], pushed);
     if (SIZE > 3) add(atom->torque[i], turned);

@@ -46,6 +46,7 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventContacts, p
   }
   void append_bound(std::vector<std::array<int, 2>>&) const override;
   bool follows() const override { return looks; }
+  bool within_step() const override { return acts && coefficients.scheme() == Scheme::event; }
   void gather() override;
   void unsettle() override;
   void join() override;

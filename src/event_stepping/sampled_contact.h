@@ -47,11 +47,12 @@ class SampledContact {
   /// `memory`, of which the phase says whether the pair is in range, and the losses of the step
   /// around the grid point (of springs in the plane of contact: the one before it) are changed.
   template <int SIZE>
-  SampledStep act(const PairMotion& grid, ContactMemory& memory, ContactLosses& losses) const {
+  [[gnu::always_inline]] SampledStep act(const PairMotion& grid, ContactMemory& memory,
+                                         ContactLosses* losses) const {
     const Vector3& s = grid.relative.separation;
     const PairStep normal = pair_.advance(grid.relative, window_, memory.in_range());
     memory.phase = normal.inside ? ContactMemory::inside : ContactMemory::beyond;
-    losses.normal_damping = normal.normal.dissipated;
+    if (losses) losses->normal_damping = normal.normal.dissipated;
     SampledStep step;
     step.action.impulse = bodies_.reduced_mass() * normal.change.velocity;
     step.by_contact = step.action.impulse;
@@ -61,17 +62,19 @@ class SampledContact {
       SpringOnGrid::Losses lost;
       const Vector3 friction =
           rub(sliding_, touch, touch.slides(grid.relative.velocity, grid.spin_i, grid.spin_j),
-              normal, memory.sliding, lost);
+              normal, memory.sliding, losses ? &lost : nullptr);
       touch.slide(friction, step.action);
       step.by_contact += friction;
-      losses.tangential_damping = lost.damped;
-      losses.friction = lost.friction;
+      if (losses) {
+        losses->tangential_damping = lost.damped;
+        losses->friction = lost.friction;
+      }
       if constexpr (SIZE >= ContactMemory::with_rolling) {
         lost = {};
         touch.roll(rub(rolling_, touch, touch.rolls(grid.spin_i, grid.spin_j), normal,
-                       memory.rolling, lost),
+                       memory.rolling, losses ? &lost : nullptr),
                    step.action);
-        losses.rolling = lost.damped + lost.friction;
+        if (losses) losses->rolling = lost.damped + lost.friction;
       }
     }
     return step;
@@ -86,15 +89,16 @@ class SampledContact {
   }
 
  private:
-  Vector3 rub(const SpringOnGrid& spring, const ContactBodies::Touch& touch, const Vector3& rate,
-              const PairStep& normal, SpringOnGrid::Memory& memory,
-              SpringOnGrid::Losses& lost) const {
+  [[gnu::always_inline]] Vector3 rub(const SpringOnGrid& spring, const ContactBodies::Touch& touch,
+                                     const Vector3& rate, const PairStep& normal,
+                                     SpringOnGrid::Memory& memory,
+                                     SpringOnGrid::Losses* lost) const {
     // The first step of a run is half of one, from the grid point on.
     const double part = window_.length() / (2.0 * window_.after);
     if (normal.normal.contact_time > 0.0)
       return part *
-             spring.rub(touch.plane(), rate, normal.normal.repulsion_at_end, true, memory, &lost);
-    lost.friction += spring.lost_at_end(rate, memory);
+             spring.rub(touch.plane(), rate, normal.normal.repulsion_at_end, true, memory, lost);
+    if (lost) *lost = {0.0, spring.lost_at_end(rate, memory)};
     memory = {};
     return {};
   }

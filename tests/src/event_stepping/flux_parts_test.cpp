@@ -47,7 +47,7 @@ TEST(FluxParts, OfASampledContactTheSpringAndFrictionAreOfContact) {
     // A pair that flew into the contact from outside of the well gets the impulse of its edge, too.
     ContactMemory memory;
     ContactLosses lost;
-    const SampledStep step = c.act<ContactMemory::with_friction>(grid, memory, lost);
+    const SampledStep step = c.act<ContactMemory::with_friction>(grid, memory, &lost);
     // The overlap is a difference of numbers a thousand times larger.
     EXPECT_NEAR(step.by_contact.x / normal, 1.0, 1e-12);
     EXPECT_NEAR(step.by_contact.y, step.action.impulse.y, 4 * eps * normal);
