@@ -294,6 +294,8 @@ class FixEventStep : public Fix {
   std::vector<cohesion::Vector3> contact_force, contact_torque;  // per atom, of this step
   bool handed_over = false;     // to the engine; what comes later goes there at once
   bool pending = false;         // in this step: work_out()
+  bool within_step = false;     // any style, in this run
+  bool sums_contacts = false;   // contact_force and contact_torque, in this step
   int* contacts;                // per atom and ghost, this step
   double* inverse_mass;         // per atom and ghost
   std::vector<double> weighed;  // the masses inverse_mass is of; empty: of none
