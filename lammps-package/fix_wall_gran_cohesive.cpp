@@ -389,9 +389,10 @@ void FixWallGranCohesive<Cohesion>::follow_together(std::vector<SampledContact>&
   const ContactsOfStep<SampledContact, SIZE> scatter(atom, step);
   for (std::size_t k = 0; k < near_now.size(); k++) {
     const Near& near = near_now[k];
-    const SampledStep now = sample<SIZE>(scatter, step, shared[near.contact], near.i, partner(k),
-                                         on_grid(near), near.history);
-    push(scatter, near, now.action.impulse, now.by_contact, 1.0);
+    const SampledContact& c = shared[near.contact];
+    const PairMotion grid = on_grid(near);
+    const SampledStep now = sample<SIZE>(scatter, step, c, near.i, partner(k), grid, near.history);
+    push(scatter, near, now.action.impulse, c.by_contact(grid, now), 1.0);
   }
 }
 

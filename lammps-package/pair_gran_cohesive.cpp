@@ -286,7 +286,7 @@ void PairGranCohesive<Cohesion>::follow_together(Contacts<SampledContact>& conta
     const SampledStep now = sample<SIZE>(scatter, step, c, pair.i, pair.j, grid, pair.history);
     const ContactMemory known = ContactMemory::from(pair.history, SIZE);
     *pair.kept = known.in_range();
-    sum(pair.i, pair.j, c, grid, now.action.impulse, [&] { return now.by_contact; }, 1.0);
+    sum(pair.i, pair.j, c, grid, now.action.impulse, [&] { return c.by_contact(grid, now); }, 1.0);
     if (evflag)
       tally(pair.i, pair.j, grid.relative.separation, energy(c.stored(grid, known)),
             now.action.impulse);

@@ -12,7 +12,8 @@ namespace cohesion::event_stepping {
 /// What a sampled contact does in a step.
 struct SampledStep {
   Action action;
-  Vector3 by_contact;  ///< part of the impulse that spring, dashpot and friction give, [momentum]
+  double repulsion = 0.0;  ///< impulse of spring and dashpot, [momentum]
+  Vector3 friction{};      ///< impulse on j, [momentum]
 };
 
 /// One contact whose forces are taken where it stands on the grid: the scheme to compare with.
@@ -55,16 +56,14 @@ class SampledContact {
     if (losses) losses->normal_damping = normal.normal.dissipated;
     SampledStep step;
     step.action.impulse = bodies_.reduced_mass() * normal.change.velocity;
-    step.by_contact = step.action.impulse;
-    if (attracts()) step.by_contact = (normal.normal.repulsion_impulse / norm(s)) * s;
+    step.repulsion = normal.normal.repulsion_impulse;
     if constexpr (SIZE >= ContactMemory::with_friction) {
       const ContactBodies::Touch touch(bodies_, s);
       SpringOnGrid::Losses lost;
-      const Vector3 friction =
+      step.friction =
           rub(sliding_, touch, touch.slides(grid.relative.velocity, grid.spin_i, grid.spin_j),
               normal, memory.sliding, losses ? &lost : nullptr);
-      touch.slide(friction, step.action);
-      step.by_contact += friction;
+      touch.slide(step.friction, step.action);
       if (losses) {
         losses->tangential_damping = lost.damped;
         losses->friction = lost.friction;
@@ -78,6 +77,13 @@ class SampledContact {
       }
     }
     return step;
+  }
+
+  /// The part of the impulse on j that spring, dashpot and friction give; the rest is adhesion.
+  Vector3 by_contact(const PairMotion& grid, const SampledStep& step) const {
+    if (!attracts()) return step.action.impulse;
+    const Vector3& s = grid.relative.separation;
+    return (step.repulsion / norm(s)) * s + step.friction;
   }
 
   /// What is stored at the grid point. `memory`: after act().
