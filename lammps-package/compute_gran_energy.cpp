@@ -26,7 +26,7 @@ ComputeGranEnergy::ComputeGranEnergy(LAMMPS* lammps, int narg, char** arg)
   extscalar = extvector = 1;
   size_vector = ENTRIES;
   vector = new double[ENTRIES];
-  reader = step->keep_book();
+  reader = step->book.keep();
   add_sums(before, -1.0);
 }
 
@@ -40,11 +40,11 @@ void ComputeGranEnergy::init() {
 
 /// Those of this process, so far.
 void ComputeGranEnergy::add_sums(double* entries, double factor) const {
-  const FixEventStep::Book& sums = step->book;
-  entries[NORMAL_DAMPING] += factor * sums.normal_damping;
-  entries[TANGENTIAL_DAMPING] += factor * sums.tangential_damping;
-  entries[FRICTION] += factor * sums.friction;
-  entries[ROLLING] += factor * sums.rolling;
+  const ContactBook::Sums& sums = step->book.sums();
+  entries[NORMAL_DAMPING] += factor * sums.lost.normal_damping;
+  entries[TANGENTIAL_DAMPING] += factor * sums.lost.tangential_damping;
+  entries[FRICTION] += factor * sums.lost.friction;
+  entries[ROLLING] += factor * sums.lost.rolling;
   entries[EXTERNAL_WORK] += factor * sums.external_work;
 }
 
@@ -78,10 +78,10 @@ void ComputeGranEnergy::work_out() {
     const double inverse_inertia = cohesion::event_stepping::inverse_inertia(body);
     double place[3];
     domain->unmap(atom->x[i], atom->image[i], place);
-    add_body(mine, 1.0 / body.inverse_mass, 1.0 / inverse_inertia, step->true_velocity(i),
-             step->true_spin(i), cohesion::vector(&weight[3 * i]), cohesion::vector(place));
+    add_body(mine, 1.0 / body.inverse_mass, 1.0 / inverse_inertia, step->book.true_velocity(i),
+             step->book.true_spin(i), cohesion::vector(&weight[3 * i]), cohesion::vector(place));
   }
-  const FixEventStep::Book& contacts = step->book;
+  const cohesion::event_stepping::StoredEnergies& contacts = step->book.sums().stored;
   mine[SPRING] = contacts.spring;
   mine[TANGENTIAL_SPRING] = contacts.tangential_spring;
   mine[ADHESION] = contacts.adhesion;

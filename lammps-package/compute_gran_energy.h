@@ -16,8 +16,8 @@ ComputeStyle(gran/energy,ComputeGranEnergy);
 
 namespace LAMMPS_NS {
 
-/// compute ID all gran/energy: the energy book of the event scheme at the end of the step's motion,
-/// half a step after the grid point. Doc: docs/lammps-package/compute_gran_energy.md
+/// compute ID all gran/energy: the energy book of the event scheme at the grid point, with the true
+/// motion there. Doc: docs/lammps-package/compute_gran_energy.md
 class ComputeGranEnergy : public Compute, public EnergyBookKeeper {
  public:
   ComputeGranEnergy(class LAMMPS*, int, char**);

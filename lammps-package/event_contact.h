@@ -143,17 +143,17 @@ cohesion::event_stepping::SampledStep sample(const ContactsOfStep<Contact, SIZE>
   using namespace cohesion::event_stepping;
   ContactMemory memory = ContactMemory::from(history, SIZE);
   ContactLosses lost;
-  SampledStep now = c.template act<SIZE>(grid, memory, step->book.kept ? &lost : nullptr);
+  SampledStep now = c.template act<SIZE>(grid, memory, step->book.is_kept() ? &lost : nullptr);
   memory.to(history, SIZE);
   scatter.act(i, j, now.action);
-  if (step->book.kept) {
+  if (step->book.is_kept()) {
     const double part = scatter.part(j);
-    step->book_stored(part, c.stored(grid, memory));
-    step->book_losses(part, {lost.normal_damping, 0.0, 0.0, 0.0}, 0.5);
-    step->book_losses(part, {0.0, lost.tangential_damping, lost.friction, lost.rolling}, 0.0);
+    step->book.store(part, c.stored(grid, memory));
+    step->book.lose(part, {lost.normal_damping, 0.0, 0.0, 0.0}, 0.5);
+    step->book.lose(part, {0.0, lost.tangential_damping, lost.friction, lost.rolling}, 0.0);
     const Action half{0.5 * now.action.impulse, 0.5 * now.action.torque_i,
                       0.5 * now.action.torque_j};
-    scatter.change(step->all_owed(), i, j, half);
+    scatter.change(step->book.owed(), i, j, half);
   }
   return now;
 }
@@ -191,9 +191,9 @@ struct StepContacts {
       }
       announce<SIZE>(scatter, step, c, contact, i, j, grid, memory, history);
     }
-    if (step->book.kept) {
-      step->book_stored(scatter.part(j), c.stored(grid, memory));
-      scatter.change(step->all_owed(), i, j, c.template owed<SIZE>(grid.relative, memory));
+    if (step->book.is_kept()) {
+      step->book.store(scatter.part(j), c.stored(grid, memory));
+      scatter.change(step->book.owed(), i, j, c.template owed<SIZE>(grid.relative, memory));
     }
   }
 
@@ -279,8 +279,8 @@ struct StepContacts {
       p.memory.to(p.history, SIZE);
       scatter.act(p.i, p.j, action);
       const double part = scatter.part(p.j);
-      if (p.step.normal.normal.unresolved) step->book.unresolved += part;
-      step->book_losses(part, Contact::losses(p.step), 1.0);
+      if (p.step.normal.normal.unresolved) step->note_unresolved(part);
+      step->book.lose(part, Contact::losses(p.step), 1.0);
       done(
           p.i, p.j, c, p.grid, action.impulse, [&] { return c.by_contact(p.grid, p.step, action); },
           1.0);
@@ -298,9 +298,9 @@ struct StepContacts {
     Action action;
     ContactLosses lost;
     const bool lasts =
-        c.template hold<SIZE>(grid, memory, action, step->book.kept ? &lost : nullptr);
+        c.template hold<SIZE>(grid, memory, action, step->book.is_kept() ? &lost : nullptr);
     memory.to(history, SIZE);
-    step->book_losses(scatter.part(j), lost, 0.0);
+    step->book.lose(scatter.part(j), lost, 0.0);
     if (!lasts) return false;
     lasting++;
     scatter.act(i, j, action);

@@ -41,13 +41,10 @@ FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
       restless(nullptr),
       owed(nullptr),
       alone(nullptr),
-      book(),
+      book(lammps),
       watch(lammps),
-      next(),
       shared(nullptr),
       shared_each(ALONE),
-      booked_owed(nullptr),
-      to_truth(nullptr),
       follows(true),
       resting(false),
       resuming(false),
@@ -63,7 +60,7 @@ FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
       contacts(nullptr),
       inverse_mass(nullptr),
       longest_flight(0.0),
-      book_readers(std::make_shared<char>()),
+      unresolved(0.0),
       flux_readers(std::make_shared<char>()),
       flux_wanted(false) {
   nevery = 1;
@@ -82,8 +79,6 @@ FixEventStep::~FixEventStep() {
   memory->destroy(restless);
   memory->destroy(owed);
   memory->destroy(alone);
-  memory->destroy(booked_owed);
-  memory->destroy(to_truth);
   memory->destroy(last);
   memory->destroy(outer);
   memory->destroy(contacts);
@@ -162,7 +157,7 @@ void FixEventStep::look_for_unturned() {
 
 /// Then a step does nothing for any particle.
 bool FixEventStep::rests() const {
-  return !follows && book_readers.use_count() == 1 && flux_readers.use_count() == 1;
+  return !follows && !book.is_read() && flux_readers.use_count() == 1;
 }
 
 /// The fastest particle or ghost, and what each weighs.
@@ -194,14 +189,6 @@ double FixEventStep::force_per_impulse() const { return (starting ? 2.0 : 1.0) /
 
 double FixEventStep::half_kick() const { return 0.5 * update->dt; }
 
-Vector3 FixEventStep::true_velocity(int i) const {
-  return vector(atom->v[i]) + vector(to_truth[i]);
-}
-
-Vector3 FixEventStep::true_spin(int i) const {
-  return vector(atom->omega[i]) + vector(to_truth[i] + 3);
-}
-
 /* ---------------------------------------------------------------------- */
 
 void FixEventStep::setup_pre_force(int) {
@@ -226,9 +213,9 @@ void FixEventStep::setup_pre_force(int) {
   judge(true);
   if (other_box)
     for (EventWalls* wall : walls) wall->take_where_they_are();
-  if (!book.kept) return;
-  for (int i = 0; i < atom->nlocal; i++) std::copy_n(last[i] + 6, 6, to_truth[i]);
-  book.spring = book.adhesion = 0.0;
+  if (!book.is_kept()) return;
+  for (int i = 0; i < atom->nlocal; i++) book.take_motion(i, last[i] + 6);
+  book.begin_again();
   for (EventContacts* some : styles) some->book_standing();
 }
 
@@ -257,14 +244,15 @@ void FixEventStep::work_out() {
 void FixEventStep::setup(int) {
   work_out();
   if (resting) sums_contacts = false;
-  if (book.kept && starting)
-    for (int i = 0; i < atom->nlocal; i++) std::fill_n(to_truth[i], 6, 0.0);
+  constexpr double none[ContactBook::OF_PARTICLE] = {};
+  if (book.is_kept() && starting)
+    for (int i = 0; i < atom->nlocal; i++) book.take_motion(i, none);
 }
 
 void FixEventStep::initial_integrate(int) {
   running = true;  // a run without set-up begins here
   starting = false;
-  if (book.kept && !books_begun) {
+  if (book.is_kept() && !books_begun) {
     // They begin with what there is before this step.
     update->ntimestep--;
     begin_books();
@@ -322,7 +310,7 @@ void FixEventStep::clear() {
   look_round();
   look_for_readers();
   handed_over = false;
-  sums_contacts = within_step || book.kept;
+  sums_contacts = within_step || book.is_kept();
   if (sums_contacts) {
     contact_force.assign(atom->nlocal, {});
     contact_torque.assign(atom->nlocal, {});
@@ -331,58 +319,29 @@ void FixEventStep::clear() {
     std::fill_n(contacts, all, 0);
     if (all > 0) std::fill_n(restless[0], all, 0.0);
   }
-  if (!book.kept) return;
-  add_next();
-  for (int i = 0; i < all; i++) std::fill_n(booked_owed[i], OWED, 0.0);
-  book.spring = book.tangential_spring = book.rolling_spring = book.adhesion = 0.0;
+  book.begin_step();
 }
 
-/// What was lost after the last grid point was lost before this one.
-void FixEventStep::add_next() {
-  book.normal_damping += next.normal_damping;
-  book.tangential_damping += next.tangential_damping;
-  book.friction += next.friction;
-  book.rolling += next.rolling;
-  book.external_work += next.external_work;
-  next = {};
-}
-
-/// The book is kept, too, in steps that a run may be gone on from.
 void FixEventStep::look_for_readers() {
-  const bool ends = update->ntimestep == update->laststep ||
-                    (output->restart_flag && update->ntimestep == output->next_restart);
-  book.kept = ends || book_readers.use_count() > 1;
-  if (book.kept) {
-    memory->grow(booked_owed, atom->nmax, OWED, "event_step:booked_owed");
-    memory->grow(to_truth, atom->nmax, 6, "event_step:to_truth");
-  }
+  book.look_for_readers();
   flux_wanted = flux_readers.use_count() > 1;
 }
 
 void FixEventStep::end_of_step() {
-  if (resting || !book.kept) return;
+  if (resting || !book.is_kept()) return;
+  book.end_step(contact_force, contact_torque, half_kick(), [this](int i) { return body(i); });
   const std::vector<double> weight = weights(lmp);
-  double work = 0.0;
-  for (int i = 0; i < atom->nlocal; i++) {
-    std::fill_n(to_truth[i], 6, 0.0);
-    if (inverse_mass[i] == 0.0) continue;
-    const Vector3 &push = contact_force[i], &turn = contact_torque[i];
-    const double pushed[] = {push.x, push.y, push.z}, turned[] = {turn.x, turn.y, turn.z};
-    const double by_force = half_kick() * inverse_mass[i];
-    const double by_torque = half_kick() * cohesion::event_stepping::inverse_inertia(body(i));
-    for (int k = 0; k < 3; k++) {
-      to_truth[i][k] = booked_owed[i][k] - by_force * pushed[k];
-      to_truth[i][3 + k] = booked_owed[i][3 + k] - by_torque * turned[k];
-      work += (atom->f[i][k] - pushed[k] - weight[3 * i + k]) * (atom->v[i][k] + to_truth[i][k]);
-    }
-  }
-  book.external_work += half_kick() * work;
-  next.external_work += half_kick() * work;
+  double power = 0.0;  // of all forces but those of contacts, and gravity
+  for (int i = 0; i < atom->nlocal; i++)
+    if (inverse_mass[i] != 0.0)
+      power += dot(vector(atom->f[i]) - contact_force[i] - vector(&weight[3 * i]),
+                   book.true_velocity(i));
+  book.work(2.0 * half_kick() * power);
 }
 
 void FixEventStep::post_run() {
   report_unresolved();
-  if (book.kept) {
+  if (book.is_kept()) {
     if (!books_begun) begin_books();
     for_each_energy_book(modify, [](EnergyBookKeeper& keeper) { keeper.end_run(); });
   }
@@ -399,10 +358,7 @@ void FixEventStep::post_run() {
 void FixEventStep::note_last(int i, double* values) const {
   std::copy_n(atom->f[i], 3, values);
   std::copy_n(atom->torque[i], 3, values + 3);
-  if (book.kept)
-    std::copy_n(to_truth[i], 6, values + 6);
-  else
-    std::fill_n(values + 6, 6, 0.0);
+  book.note_motion(i, values + 6);
   put(outer_now(i), values + 12);
 }
 
@@ -417,8 +373,8 @@ void FixEventStep::hold_last(bool holds) {
 
 void FixEventStep::report_unresolved() {
   double all = 0.0;
-  MPI_Allreduce(&book.unresolved, &all, 1, MPI_DOUBLE, MPI_SUM, world);
-  book.unresolved = 0.0;
+  MPI_Allreduce(&unresolved, &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  unresolved = 0.0;
   if (all > 0.0 && comm->me == 0)
     error->warning(FLERR,
                    "scheme event: {} times in this run a pair, or a particle and a wall, turned "
@@ -488,16 +444,9 @@ int FixEventStep::unpack_exchange(int i, double* buf) {
   return OUTER + LAST;
 }
 
-/// What a book needs to go on: what tangential and rolling springs store, and what is lost after
-/// the grid point.
-std::array<double, 7> FixEventStep::kept_sums() const {
-  return {book.tangential_spring, book.rolling_spring, next.normal_damping, next.tangential_damping,
-          next.friction,          next.rolling,        next.external_work};
-}
-
 void FixEventStep::write_restart(FILE* fp) {
-  const auto mine = kept_sums();
-  auto all = mine;
+  const ContactBook::OfAll mine = book.of_all();
+  ContactBook::OfAll all = mine;
   MPI_Reduce(mine.data(), all.data(), static_cast<int>(mine.size()), MPI_DOUBLE, MPI_SUM, 0, world);
   if (comm->me != 0) return;
   const int size = static_cast<int>((1 + all.size()) * sizeof(double));
@@ -510,15 +459,9 @@ void FixEventStep::restart(char* buf) {
   memcpy(&last_dt, buf, sizeof(double));
   hold_last(last_dt > 0.0);
   if (comm->me != 0) return;
-  auto all = kept_sums();
+  ContactBook::OfAll all;
   memcpy(all.data(), buf + sizeof(double), sizeof(all));
-  book.tangential_spring = all[0];
-  book.rolling_spring = all[1];
-  next.normal_damping = all[2];
-  next.tangential_damping = all[3];
-  next.friction = all[4];
-  next.rolling = all[5];
-  next.external_work = all[6];
+  book.take_of_all(all);
 }
 
 int FixEventStep::pack_restart(int i, double* buf) {
@@ -544,9 +487,8 @@ int FixEventStep::maxsize_restart() { return 1 + LAST; }
 int FixEventStep::size_restart(int) { return 1 + LAST; }
 
 double FixEventStep::memory_usage() {
-  const double numbers =
-      RESTLESS + OWED + ALONE + OUTER + 1 + (holds_last ? LAST : 0) + (booked_owed ? OWED + 6 : 0);
+  const double numbers = RESTLESS + OWED + ALONE + OUTER + 1 + (holds_last ? LAST : 0);
   return (numbers * sizeof(double) + sizeof(int)) * atom->nmax +
          sizeof(Vector3) * (contact_force.capacity() + contact_torque.capacity()) +
-         sizeof(double) * weighed.capacity();
+         sizeof(double) * weighed.capacity() + book.bytes();
 }

@@ -9,14 +9,13 @@ FixStyle(EVENT_STEP,FixEventStep);
 #define LMP_FIX_EVENT_STEP_H
 
 #include <algorithm>
-#include <array>
 #include <memory>
-#include <utility>
 #include <vector>
 
 #include "atom.h"
 #include "box_sides.h"
 #include "contact_advice.h"
+#include "contact_book.h"
 #include "event_stepping/contact_on_grid.h"
 #include "event_stepping/flux_parts.h"
 #include "fix.h"
@@ -139,10 +138,6 @@ class FixEventStep : public Fix {
   }
   /// What force times this adds to the momentum until the motion of the step ends, [time].
   double half_kick() const;
-  /// True velocity and spin of a particle at the grid point, while the book is kept.
-  cohesion::Vector3 true_velocity(int i) const;
-  cohesion::Vector3 true_spin(int i) const;
-
   /// How far a particle or ghost of this rank may fly in half a step, [length].
   double flight() const { return longest_flight; }
 
@@ -176,55 +171,16 @@ class FixEventStep : public Fix {
   double** restless;
   double** owed;
   double** alone;
-  /// Per atom and ghost, while the book is kept: as `owed`, of all contacts.
-  double** all_owed() const { return booked_owed; }
+  /// The energy of contacts.
+  ContactBook book;
 
-  /// What somebody holds as long as something is to be summed for him.
-  using Reader = std::shared_ptr<const void>;
-
-  /// The energy of contacts; kept only while a compute asks for it, which itself takes off what was
-  /// there before.
-  struct Book {
-    bool kept = false;
-    double spring, tangential_spring, rolling_spring, adhesion;  ///< at the grid point
-    double normal_damping, tangential_damping, friction;         ///< lost so far
-    double rolling;        ///< lost so far in rolling springs, dashpots and sliders
-    double external_work;  ///< of other forces but gravity, and moving walls; so far
-    double unresolved;     ///< steps of contacts that were cut short, in this run
-  } book;
-  /// Adds what `part` of a contact stores at the grid point.
-  void book_stored(double part, const cohesion::event_stepping::StoredEnergies& stored) {
-    book.spring += part * stored.spring;
-    book.tangential_spring += part * stored.tangential_spring;
-    book.rolling_spring += part * stored.rolling_spring;
-    book.adhesion += part * stored.adhesion;
-  }
-  /// The same where a run goes on from the forces of the last one: what springs in the plane of
-  /// contact store is known from that.
-  void book_again(double part, const cohesion::event_stepping::StoredEnergies& stored) {
-    book.spring += part * stored.spring;
-    book.adhesion += part * stored.adhesion;
-  }
-  /// Adds losses of `part` of a contact in the step, of which `later` is after the grid point that
-  /// the book is of.
-  void book_losses(double part, const cohesion::event_stepping::ContactLosses& lost, double later) {
-    if (!book.kept) return;
-    for (const auto& [into, factor] : {std::pair{&book, 1.0 - later}, std::pair{&next, later}}) {
-      into->normal_damping += factor * part * lost.normal_damping;
-      into->tangential_damping += factor * part * lost.tangential_damping;
-      into->friction += factor * part * lost.friction;
-      into->rolling += factor * part * lost.rolling;
-    }
-  }
-  [[nodiscard]] Reader keep_book() const { return book_readers; }
-
-  /// Of the contacts of pairs so far; summed as the book is kept.
+  /// Of the contacts of pairs so far; summed while somebody holds what sum_flux() gives.
   cohesion::event_stepping::FluxParts flux;
-  [[nodiscard]] Reader sum_flux() const { return flux_readers; }
+  [[nodiscard]] ContactBook::Reader sum_flux() const { return flux_readers; }
   bool sums_flux() const { return flux_wanted; }
 
-  /// Work of others after the grid point that the book is of.
-  void next_work(double work) { next.external_work += work; }
+  /// Counts a contact whose step was cut short.
+  void note_unresolved(double part) { unresolved += part; }
   /// Adds force and torque of a contact on particle i of this rank.
   template <int SIZE>
   [[gnu::always_inline]] void push(int i, const cohesion::Vector3& pushed,
@@ -244,7 +200,6 @@ class FixEventStep : public Fix {
   void clear();
   void look_for_outer();
   cohesion::Vector3 outer_now(int i) const;
-  std::array<double, 7> kept_sums() const;
   void note_last(int i, double* values) const;
   void judge(bool setup);
   bool rests() const;
@@ -253,7 +208,6 @@ class FixEventStep : public Fix {
   void weigh(int all);
   void hold_last(bool);
   void report_unresolved();
-  void add_next();
   void share(double** values, int each);
   void begin_books();
   void look_for_unturned();
@@ -269,13 +223,10 @@ class FixEventStep : public Fix {
   std::vector<AdvisedStyle*> advised;  // the same
   ContactWatch watch;
 
-  Book next;             // what is lost after the grid point that `book` is of
-  double** shared;       // that go to the ghosts now
-  int shared_each;       // of each
-  double** booked_owed;  // see all_owed()
-  double** to_truth;     // per atom: from the motion at the end of the step to the true one
-  bool follows;          // any pair or wall, in this run
-  bool resting;          // nothing is followed, and nobody reads the books
+  double** shared;  // that go to the ghosts now
+  int shared_each;  // of each
+  bool follows;     // any pair or wall, in this run
+  bool resting;     // nothing is followed, and nobody reads the books
   bool resuming;
   bool starting;
   bool running;
@@ -285,7 +236,8 @@ class FixEventStep : public Fix {
   BoxSides box;     // at the end of the last run
   double last_dt;   // of the step that `last` is from; 0: there was none
   bool holds_last;  // from the end of a run to the first step of the next
-  /// Per atom, while it is held: force and torque at the end of the last run, `to_truth`, `outer`.
+  /// Per atom, while it is held: force and torque at the end of the last run, what the book notes,
+  /// `outer`.
   static constexpr int LAST = 15;
   double** last;
   /// Per atom: force of all but contacts at the last grid point.
@@ -300,7 +252,8 @@ class FixEventStep : public Fix {
   double* inverse_mass;         // per atom and ghost
   std::vector<double> weighed;  // the masses inverse_mass is of; empty: of none
   double longest_flight;
-  Reader book_readers, flux_readers;  // copies of these are out
+  double unresolved;                 // steps of contacts that were cut short, in this run
+  ContactBook::Reader flux_readers;  // copies of this are out
   bool flux_wanted;
   MobileParticles mobile;
 };

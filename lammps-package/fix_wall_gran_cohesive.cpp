@@ -368,9 +368,7 @@ template <class Contact, int SIZE>
 void FixWallGranCohesive<Cohesion>::push(const ContactsOfStep<Contact, SIZE>& scatter,
                                          const Near& near, const Vector3& impulse,
                                          const Vector3& by_contact, double factor) {
-  const double work = -0.5 * factor * dot(near.point.velocity, impulse);
-  step->book.external_work += work;
-  step->next_work(work);
+  step->book.work(-factor * dot(near.point.velocity, impulse));
   double* const on_wall = &mine[FORCES * near.wall];
   add(on_wall, factor * scatter.kick(), impulse);
   add(on_wall + 3, factor * scatter.kick(), impulse - by_contact);
@@ -425,8 +423,8 @@ void FixWallGranCohesive<Cohesion>::book_standing() {
         const WallPoint point = walls[w].nearest(vector(atom->x[i]), now, motion.rim_speed);
         const PairMotion grid{
             {point.separation, point.velocity - vector(atom->v[i])}, vector(atom->omega[i]), {}};
-        step->book_again(1.0,
-                         shared[contact(shared, i)].stored(grid, ContactMemory::from(kept, size)));
+        step->book.store_again(
+            1.0, shared[contact(shared, i)].stored(grid, ContactMemory::from(kept, size)));
       }
   });
 }

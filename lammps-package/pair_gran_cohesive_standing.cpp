@@ -51,10 +51,9 @@ void PairGranCohesive<Cohesion>::book_standing() {
   if (!acts) return;
   if (rested) begin_where_they_are(true);
   if (step->box_changed()) begin_where_they_are(false);
-  if (!step->book.kept) return;
-  for_each_standing([this](int i, int j, const StoredEnergies& stored) {
-    step->book_again(j < atom->nlocal ? 1.0 : 0.5, stored);
-    (void)i;
+  if (!step->book.is_kept()) return;
+  for_each_standing([this](int, int j, const StoredEnergies& stored) {
+    step->book.store_again(j < atom->nlocal ? 1.0 : 0.5, stored);
   });
 }
 

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#ifndef COHESION_CONTACT_BOOK_H
+#define COHESION_CONTACT_BOOK_H
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "event_stepping/pair_motion.h"
+#include "pointers.h"
+
+namespace LAMMPS_NS {
+
+/// What contacts store at the grid point, what was lost before it, and the true motion there: of
+/// one process. Kept while somebody reads it, who takes off what was there before, and in steps
+/// that a run may be gone on from.
+class ContactBook : protected Pointers {
+ public:
+  using Reader = std::shared_ptr<const void>;
+  /// All [energy].
+  struct Sums {
+    cohesion::event_stepping::StoredEnergies stored{};
+    cohesion::event_stepping::ContactLosses lost{};  ///< so far
+    double external_work = 0.0;  ///< of other forces but gravity, and moving walls; so far
+  };
+
+  explicit ContactBook(LAMMPS*);
+  ~ContactBook() override;
+  ContactBook(const ContactBook&) = delete;
+  ContactBook& operator=(const ContactBook&) = delete;
+
+  /// To be held as long as the book is to be kept.
+  [[nodiscard]] Reader keep() const { return readers_; }
+  bool is_read() const { return readers_.use_count() > 1; }
+  bool is_kept() const { return kept_; }
+  const Sums& sums() const { return now_; }
+
+  /// Whether it is kept in this step.
+  void look_for_readers();
+  /// A new grid point: what was lost after the last one was lost before this one.
+  void begin_step();
+  /// What `part` of a contact stores.
+  void store(double part, const cohesion::event_stepping::StoredEnergies&);
+  /// Where a run goes on from the forces of the last one, what springs in the plane of contact
+  /// store is known: all else is stored again.
+  void begin_again();
+  void store_again(double part, const cohesion::event_stepping::StoredEnergies&);
+  /// What `part` of a contact loses, of which `later` is after the grid point.
+  void lose(double part, const cohesion::event_stepping::ContactLosses&, double later);
+  /// Work of others around the grid point.
+  void work(double done);
+
+  /// Per atom and ghost: six numbers that lead from velocity and spin on the grid to the true ones,
+  /// of all contacts.
+  double** owed() const { return owed_; }
+  /// The end of the step: forces and torques of contacts on the particles, half of which the
+  /// engine's velocities have; `body` gives that of a particle.
+  template <class BodyOf>
+  void end_step(const std::vector<cohesion::Vector3>& forces,
+                const std::vector<cohesion::Vector3>& torques, double half_kick,
+                const BodyOf& body);
+  /// Then, of a particle.
+  cohesion::Vector3 true_velocity(int i) const;
+  cohesion::Vector3 true_spin(int i) const;
+
+  /// What a later run needs to go on: of a particle, six numbers; of all particles, seven.
+  static constexpr int OF_PARTICLE = 6;
+  using OfAll = std::array<double, 7>;
+  void note_motion(int i, double* values) const;
+  void take_motion(int i, const double* values);
+  OfAll of_all() const;
+  void take_of_all(const OfAll&);
+
+  double bytes() const;
+
+ private:
+  void end_step_of(int i, const cohesion::event_stepping::Body&, const cohesion::Vector3& pushed,
+                   const cohesion::Vector3& turned, double half_kick);
+
+  bool kept_ = false;
+  Sums now_, later_;  // later_: after the grid point
+  double** owed_ = nullptr;
+  double** to_truth_ = nullptr;  // from the engine's velocity and spin at the end of the step
+  Reader readers_;
+};
+
+template <class BodyOf>
+void ContactBook::end_step(const std::vector<cohesion::Vector3>& forces,
+                           const std::vector<cohesion::Vector3>& torques, double half_kick,
+                           const BodyOf& body) {
+  for (std::size_t i = 0; i < forces.size(); i++)
+    end_step_of(static_cast<int>(i), body(static_cast<int>(i)), forces[i], torques[i], half_kick);
+}
+
+}  // namespace LAMMPS_NS
+
+#endif
