@@ -39,7 +39,8 @@ void ContactBook::look_for_readers() {
   const bool ends = update->ntimestep == update->laststep ||
                     (output->restart_flag && update->ntimestep == output->next_restart);
   kept_ = ends || is_read();
-  if (!kept_) return;
+  if (!kept_ || room_ == atom->nmax) return;
+  room_ = atom->nmax;
   memory->grow(owed_, atom->nmax, MOTION, "contact_book:owed");
   memory->grow(to_truth_, atom->nmax, MOTION, "contact_book:to_truth");
 }
@@ -123,6 +124,4 @@ void ContactBook::take_of_all(const OfAll& all) {
   later_.external_work = all[6];
 }
 
-double ContactBook::bytes() const {
-  return owed_ ? 2.0 * MOTION * sizeof(double) * atom->nmax : 0.0;
-}
+double ContactBook::bytes() const { return 2.0 * MOTION * sizeof(double) * room_; }

@@ -79,6 +79,7 @@ class ContactBook : protected Pointers {
 
   bool kept_ = false;
   Sums now_, later_;  // later_: after the grid point
+  int room_ = 0;      // of both arrays, in particles
   double** owed_ = nullptr;
   double** to_truth_ = nullptr;  // from the engine's velocity and spin at the end of the step
   Reader readers_;

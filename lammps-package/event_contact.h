@@ -9,8 +9,8 @@
 #include "event_stepping/sampled_contact.h"
 #include "fix_event_step.h"
 
-// What pairs and walls of the event scheme share: following a contact the second time, and handing
-// what it does on to the engine.
+// What pairs and walls of the event scheme share: which of their contacts last and which are
+// followed, both passes of those, and handing what contacts do on to the engine.
 //
 // Here, and where the laws of a step are, local variables of a struct type are not `const`: GCC 12
 // keeps such in memory, the others in registers, which costs a sampled contact a tenth.
@@ -139,12 +139,10 @@ template <int SIZE, class Contact>
 cohesion::event_stepping::SampledStep sample(const ContactsOfStep<Contact, SIZE>& scatter,
                                              FixEventStep* step, const Contact& c, int i, int j,
                                              const cohesion::event_stepping::PairMotion& grid,
-                                             double* history) {
+                                             cohesion::event_stepping::ContactMemory& memory) {
   using namespace cohesion::event_stepping;
-  ContactMemory memory = ContactMemory::from(history, SIZE);
   ContactLosses lost;
   SampledStep now = c.template act<SIZE>(grid, memory, step->book.is_kept() ? &lost : nullptr);
-  memory.to(history, SIZE);
   scatter.act(i, j, now.action);
   if (step->book.is_kept()) {
     const double part = scatter.part(j);
@@ -158,8 +156,9 @@ cohesion::event_stepping::SampledStep sample(const ContactsOfStep<Contact, SIZE>
   return now;
 }
 
-/// Contacts of one style in one step. `done(i, j, contact, grid, impulse, by_contact, factor)`
-/// hears what each of them does, with factor -1 where it is taken back.
+/// Contacts of one style in one step. `done(j, grid, impulse, by_contact, factor)` hears what each
+/// of them does, with factor -1 where it is taken back; by_contact() is the part of spring, dashpot
+/// and friction.
 struct StepContacts {
   std::vector<LastingCandidate> candidates;
   std::vector<FollowedContact> followed;
@@ -207,7 +206,7 @@ struct StepContacts {
     if (memory.phase != ContactMemory::lasting) return;
     const Action action = c.template held<SIZE>(grid, memory);
     scatter.act_not(i, j, action);
-    done(i, j, c, grid, action.impulse, [&] { return c.by_contact(grid, action); }, -1.0);
+    done(j, grid, action.impulse, [&] { return c.by_contact(grid, action); }, -1.0);
     memory.phase = ContactMemory::leaving;
     memory.to(history, SIZE);
     lasting--;
@@ -281,9 +280,7 @@ struct StepContacts {
       const double part = scatter.part(p.j);
       if (p.step.normal.normal.unresolved) step->note_unresolved(part);
       step->book.lose(part, Contact::losses(p.step), 1.0);
-      done(
-          p.i, p.j, c, p.grid, action.impulse, [&] { return c.by_contact(p.grid, p.step, action); },
-          1.0);
+      done(p.j, p.grid, action.impulse, [&] { return c.by_contact(p.grid, p.step, action); }, 1.0);
     }
   }
 
@@ -304,7 +301,7 @@ struct StepContacts {
     if (!lasts) return false;
     lasting++;
     scatter.act(i, j, action);
-    done(i, j, c, grid, action.impulse, [&] { return c.by_contact(grid, action); }, 1.0);
+    done(j, grid, action.impulse, [&] { return c.by_contact(grid, action); }, 1.0);
     return true;
   }
 

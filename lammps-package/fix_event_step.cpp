@@ -30,6 +30,11 @@ using cohesion::Vector3;
 static constexpr char ID[] = "COHESION_EVENT_STEP";
 static constexpr char PLACE[] = "COHESION_EVENT_STEP_PLACE";
 
+// What the next run needs of a particle: forces, torques, what the book notes, and forces of all
+// but contacts, where they begin.
+static constexpr int TORQUE = 3, NOTED = 6, FROM_OTHERS = NOTED + ContactBook::OF_PARTICLE,
+                     LAST = FROM_OTHERS + 3;
+
 static void put(const Vector3& a, double* values) {
   values[0] = a.x;
   values[1] = a.y;
@@ -45,6 +50,7 @@ FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
       watch(lammps),
       shared(nullptr),
       shared_each(ALONE),
+      shared_announced(true),
       follows(true),
       resting(false),
       resuming(false),
@@ -54,9 +60,8 @@ FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
       other_box(false),
       said_unturned(false),
       last_dt(0.0),
-      holds_last(false),
-      last(nullptr),
-      outer(nullptr),
+      last(lammps, LAST),
+      outer(lammps, 3),
       contacts(nullptr),
       inverse_mass(nullptr),
       longest_flight(0.0),
@@ -79,8 +84,6 @@ FixEventStep::~FixEventStep() {
   memory->destroy(restless);
   memory->destroy(owed);
   memory->destroy(alone);
-  memory->destroy(last);
-  memory->destroy(outer);
   memory->destroy(contacts);
   memory->destroy(inverse_mass);
 }
@@ -203,7 +206,7 @@ void FixEventStep::setup_pre_force(int) {
   }
   if (!resuming) {
     const std::vector<double> weight = weights(lmp);
-    for (int i = 0; i < atom->nlocal; i++) std::copy_n(&weight[OUTER * i], OUTER, outer[i]);
+    for (int i = 0; i < atom->nlocal; i++) std::copy_n(&weight[3 * i], 3, outer.of(i));
     judge(true);
     pending = true;
     return;
@@ -214,7 +217,7 @@ void FixEventStep::setup_pre_force(int) {
   if (other_box)
     for (EventWalls* wall : walls) wall->take_where_they_are();
   if (!book.is_kept()) return;
-  for (int i = 0; i < atom->nlocal; i++) book.take_motion(i, last[i] + 6);
+  for (int i = 0; i < atom->nlocal; i++) book.take_motion(i, last.of(i) + NOTED);
   book.begin_again();
   for (EventContacts* some : styles) some->book_standing();
 }
@@ -226,12 +229,12 @@ void FixEventStep::work_out() {
   clear();
   for (EventContacts* some : styles) some->gather();
   if (within_step) {
-    share(restless, RESTLESS);
+    share(restless, RESTLESS, false);
     for (EventContacts* some : styles) some->unsettle();
     for (EventContacts* some : styles) some->join();
-    share(owed, OWED);
+    share(owed, OWED, true);
     for (EventContacts* some : styles) some->follow_alone();
-    share(alone, ALONE);
+    share(alone, ALONE, true);
     for (int i = 0; i < atom->nlocal; i++) {
       add(atom->f[i], contact_force[i]);
       add(atom->torque[i], contact_torque[i]);
@@ -264,20 +267,20 @@ void FixEventStep::initial_integrate(int) {
   }
   // The same momentum, should the step be another now.
   const double ratio = last_dt / update->dt;
-  for (int i = 0; i < atom->nlocal; i++)
-    for (int k = 0; k < 3; k++) {
-      atom->f[i][k] = ratio * last[i][k];
-      atom->torque[i][k] = ratio * last[i][3 + k];
-      outer[i][k] = last[i][12 + k];
-    }
+  for (int i = 0; i < atom->nlocal; i++) {
+    const double* const then = last.of(i);
+    put(ratio * vector(then), atom->f[i]);
+    put(ratio * vector(then + TORQUE), atom->torque[i]);
+    std::copy_n(then + FROM_OTHERS, 3, outer.of(i));
+  }
   resuming = false;
-  hold_last(false);
+  last.free();
 }
 
 /// Forces are all there when the next step begins.
 void FixEventStep::look_for_outer() {
   if (resting || !within_step) return;
-  for (int i = 0; i < atom->nlocal; i++) put(outer_now(i), outer[i]);
+  for (int i = 0; i < atom->nlocal; i++) put(outer_now(i), outer.of(i));
 }
 
 Vector3 FixEventStep::outer_now(int i) const {
@@ -349,26 +352,17 @@ void FixEventStep::post_run() {
   running = false;
   box.look(domain);
   if (resuming) return;  // no step was made: what was taken over is what the next run goes on from
-  hold_last(true);
-  for (int i = 0; i < atom->nlocal; i++) note_last(i, last[i]);
+  last.grow(atom->nmax);
+  for (int i = 0; i < atom->nlocal; i++) note_last(i, last.of(i));
   last_dt = update->dt;
 }
 
 /// What the next run needs of a particle.
 void FixEventStep::note_last(int i, double* values) const {
   std::copy_n(atom->f[i], 3, values);
-  std::copy_n(atom->torque[i], 3, values + 3);
-  book.note_motion(i, values + 6);
-  put(outer_now(i), values + 12);
-}
-
-/// Alike on all ranks: particles bring what is held when they change rank.
-void FixEventStep::hold_last(bool holds) {
-  holds_last = holds;
-  if (holds)
-    memory->grow(last, atom->nmax, LAST, "event_step:last");
-  else
-    memory->destroy(last);
+  std::copy_n(atom->torque[i], 3, values + TORQUE);
+  book.note_motion(i, values + NOTED);
+  put(outer_now(i), values + FROM_OTHERS);
 }
 
 void FixEventStep::report_unresolved() {
@@ -387,9 +381,10 @@ void FixEventStep::report_unresolved() {
 /* ---------------------------------------------------------------------- */
 
 /// Brings `each` values of particles to their ghosts.
-void FixEventStep::share(double** values, int each) {
+void FixEventStep::share(double** values, int each, bool of_announced) {
   shared = values;
   shared_each = each;
+  shared_announced = of_announced;
   engine_api::forward_comm(comm, this, each);
 }
 
@@ -397,7 +392,7 @@ int FixEventStep::pack_forward_comm(int n, int* list, double* buf, int, int*) {
   for (int i = 0; i < n; i++, buf += shared_each) {
     // A ghost that is passed on has what its owner sent.
     const int from = list[i];
-    if (shared != restless && from < atom->nlocal && contacts[from] == 0)
+    if (shared_announced && from < atom->nlocal && contacts[from] == 0)
       std::fill_n(buf, shared_each, 0.0);
     else
       std::copy_n(shared[from], shared_each, buf);
@@ -415,33 +410,29 @@ void FixEventStep::grow_arrays(int nmax) {
   memory->grow(owed, nmax, OWED, "event_step:owed");
   memory->grow(alone, nmax, ALONE, "event_step:alone");
   memory->grow(contacts, nmax, "event_step:contacts");
-  if (holds_last) memory->grow(last, nmax, LAST, "event_step:last");
-  memory->grow(outer, nmax, OUTER, "event_step:outer");
+  if (last.has_room()) last.grow(nmax);
+  outer.grow(nmax);
   memory->grow(inverse_mass, nmax, "event_step:inverse_mass");
 }
 
 void FixEventStep::copy_arrays(int i, int j, int) {
-  std::copy_n(outer[i], OUTER, outer[j]);
-  if (holds_last) std::copy_n(last[i], LAST, last[j]);
+  outer.copy(i, j);
+  if (last.has_room()) last.copy(i, j);
 }
 
 void FixEventStep::set_arrays(int i) {
-  std::fill_n(outer[i], OUTER, 0.0);
-  if (holds_last) std::fill_n(last[i], LAST, 0.0);
+  outer.clear(i);
+  if (last.has_room()) last.clear(i);
 }
 
 int FixEventStep::pack_exchange(int i, double* buf) {
-  std::copy_n(outer[i], OUTER, buf);
-  if (!holds_last) return OUTER;
-  std::copy_n(last[i], LAST, buf + OUTER);
-  return OUTER + LAST;
+  const int taken = outer.pack(i, buf);
+  return last.has_room() ? taken + last.pack(i, buf + taken) : taken;
 }
 
 int FixEventStep::unpack_exchange(int i, double* buf) {
-  std::copy_n(buf, OUTER, outer[i]);
-  if (!holds_last) return OUTER;
-  std::copy_n(buf + OUTER, LAST, last[i]);
-  return OUTER + LAST;
+  const int taken = outer.unpack(i, buf);
+  return last.has_room() ? taken + last.unpack(i, buf + taken) : taken;
 }
 
 void FixEventStep::write_restart(FILE* fp) {
@@ -457,7 +448,7 @@ void FixEventStep::write_restart(FILE* fp) {
 
 void FixEventStep::restart(char* buf) {
   memcpy(&last_dt, buf, sizeof(double));
-  hold_last(last_dt > 0.0);
+  if (last_dt > 0.0) last.grow(atom->nmax);
   if (comm->me != 0) return;
   ContactBook::OfAll all;
   memcpy(all.data(), buf + sizeof(double), sizeof(all));
@@ -465,30 +456,24 @@ void FixEventStep::restart(char* buf) {
 }
 
 int FixEventStep::pack_restart(int i, double* buf) {
-  buf[0] = 1 + LAST;
+  // The engine's own forces may have stayed behind when particles changed rank.
+  if (!running && last.has_room()) return last.pack_restart(i, buf);
+  buf[0] = last.size_restart();
   std::fill_n(buf + 1, LAST, 0.0);  // before the first run
-  if (running) {
-    note_last(i, buf + 1);
-  } else if (holds_last) {
-    // The engine's own forces may have stayed behind when particles changed rank.
-    std::copy_n(last[i], LAST, buf + 1);
-  }
-  return 1 + LAST;
+  if (running) note_last(i, buf + 1);
+  return last.size_restart();
 }
 
 void FixEventStep::unpack_restart(int i, int nth) {
-  double* const values = atom->extra[i];
-  int m = 0;
-  for (int n = 0; n < nth; n++) m += static_cast<int>(values[m]);
-  if (holds_last) std::copy_n(values + m + 1, LAST, last[i]);
+  if (last.has_room()) last.unpack_restart(i, atom->extra[i], nth);
 }
 
-int FixEventStep::maxsize_restart() { return 1 + LAST; }
-int FixEventStep::size_restart(int) { return 1 + LAST; }
+int FixEventStep::maxsize_restart() { return last.size_restart(); }
+int FixEventStep::size_restart(int) { return last.size_restart(); }
 
 double FixEventStep::memory_usage() {
-  const double numbers = RESTLESS + OWED + ALONE + OUTER + 1 + (holds_last ? LAST : 0);
+  const double numbers = RESTLESS + OWED + ALONE + 1;
   return (numbers * sizeof(double) + sizeof(int)) * atom->nmax +
          sizeof(Vector3) * (contact_force.capacity() + contact_torque.capacity()) +
-         sizeof(double) * weighed.capacity() + book.bytes();
+         sizeof(double) * weighed.capacity() + outer.bytes() + last.bytes() + book.bytes();
 }

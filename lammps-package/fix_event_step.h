@@ -13,6 +13,7 @@ FixStyle(EVENT_STEP,FixEventStep);
 #include <vector>
 
 #include "atom.h"
+#include "atom_numbers.h"
 #include "box_sides.h"
 #include "contact_advice.h"
 #include "contact_book.h"
@@ -148,12 +149,11 @@ class FixEventStep : public Fix {
     std::fill_n(owed[i], OWED, 0.0);
     std::fill_n(alone[i], ALONE, 0.0);
     if (i >= atom->nlocal) return;
-    for (int k = 0; k < 3; k++) {
-      const double kick = half_kick() * inverse_mass[i] * outer[i][k];
-      owed[i][k] = starting ? 0.0 : kick;
-      alone[i][k] = 2.0 * half_kick() * kick;
-      alone[i][3 + k] = 2.0 * kick;
-    }
+    const auto does = cohesion::event_stepping::by_acceleration(
+        inverse_mass[i] * cohesion::vector(outer.of(i)), 2.0 * half_kick());
+    if (!starting) add(owed[i], 0.5 * does.velocity);
+    add(alone[i], does.separation);
+    add(alone[i] + 3, does.velocity);
   }
   /// Particle or ghost i has a contact with an event, or a young one.
   void unsettle(int i) { restless[i][0] = 1.0; }
@@ -206,9 +206,8 @@ class FixEventStep : public Fix {
   void look_for_readers();
   void look_round();
   void weigh(int all);
-  void hold_last(bool);
   void report_unresolved();
-  void share(double** values, int each);
+  void share(double** values, int each, bool of_announced);
   void begin_books();
   void look_for_unturned();
 
@@ -223,26 +222,21 @@ class FixEventStep : public Fix {
   std::vector<AdvisedStyle*> advised;  // the same
   ContactWatch watch;
 
-  double** shared;  // that go to the ghosts now
-  int shared_each;  // of each
-  bool follows;     // any pair or wall, in this run
-  bool resting;     // nothing is followed, and nobody reads the books
+  double** shared;        // that go to the ghosts now
+  int shared_each;        // of each
+  bool shared_announced;  // of particles that have been announced; of others they are zero
+  bool follows;           // any pair or wall, in this run
+  bool resting;           // nothing is followed, and nobody reads the books
   bool resuming;
   bool starting;
   bool running;
   bool books_begun;  // in this run
   bool other_box;
   bool said_unturned;
-  BoxSides box;     // at the end of the last run
-  double last_dt;   // of the step that `last` is from; 0: there was none
-  bool holds_last;  // from the end of a run to the first step of the next
-  /// Per atom, while it is held: force and torque at the end of the last run, what the book notes,
-  /// `outer`.
-  static constexpr int LAST = 15;
-  double** last;
-  /// Per atom: force of all but contacts at the last grid point.
-  static constexpr int OUTER = 3;
-  double** outer;
+  BoxSides box;       // at the end of the last run
+  double last_dt;     // of the step that `last` is from; 0: there was none
+  AtomNumbers last;   // from the end of a run to the first step of the next: note_last()
+  AtomNumbers outer;  // force of all but contacts at the last grid point
   std::vector<cohesion::Vector3> contact_force, contact_torque;  // per atom, of this step
   bool handed_over = false;     // to the engine; what comes later goes there at once
   bool pending = false;         // in this step: work_out()

@@ -24,8 +24,6 @@ using cohesion::Vector3;
 
 // Numbers of a restart file in front of the forces: time origin, walls, numbers of history each.
 static constexpr int HEAD = 3;
-// On each wall, three numbers of all and three of adhesion alone.
-static constexpr int FORCES = 6;
 
 template <class Cohesion>
 FixWallGranCohesive<Cohesion>::FixWallGranCohesive(LAMMPS* lammps, int narg, char** arg)
@@ -37,19 +35,17 @@ FixWallGranCohesive<Cohesion>::FixWallGranCohesive(LAMMPS* lammps, int narg, cha
       per_wall(HistorySize::normal_only),
       history(lammps),
       sizes(),
-      step(nullptr),
-      summed(false) {
+      step(nullptr) {
   read(narg, arg);
   if (parameters.contact.friction > 0.0) per_wall = HistorySize::with_friction;
   if (parameters.contact.rolling_friction > 0.0) per_wall = HistorySize::with_rolling;
   history.start(static_cast<int>(walls.size()), per_wall);
-  mine.assign(FORCES * walls.size(), 0.0);
-  total = mine;
+  forces.start(static_cast<int>(walls.size()));
 
   vector_flag = array_flag = 1;
-  size_vector = FORCES;
+  size_vector = WallForces::EACH;
   size_array_rows = static_cast<int>(walls.size());
-  size_array_cols = FORCES;
+  size_array_cols = WallForces::EACH;
   extvector = extarray = 1;
   global_freq = 1;
   restart_peratom = restart_global = 1;
@@ -171,19 +167,6 @@ std::vector<AdvisedContact> FixWallGranCohesive<Cohesion>::advised_contacts(
   return advised;
 }
 
-/// Equal particles that come one after the other share a contact.
-template <class Cohesion>
-template <class Contact>
-int FixWallGranCohesive<Cohesion>::contact(std::vector<Contact>& shared, int i) {
-  const Body particle = step->body(i), wall{0.0, 0.0};
-  if (shared.empty() || !shared.back().joins(particle, wall))
-    shared.push_back(step->contact<Contact>(
-        parameters.contact,
-        Cohesion::template of_wall<typename Contact::Attraction>(law, particle.radius), particle,
-        wall));
-  return static_cast<int>(shared.size()) - 1;
-}
-
 template <class Cohesion>
 void FixWallGranCohesive<Cohesion>::check_flight(int i, const WallPoint& point, bool inside) {
   if (point.distance <= 0.0 && inside)
@@ -195,13 +178,6 @@ void FixWallGranCohesive<Cohesion>::check_flight(int i, const WallPoint& point, 
                           std::to_string(flight / atom->radius[i]) +
                           " radii in one step and could miss the wall; use a smaller time step. " +
                           "There " + report_flight(lmp, i));
-}
-
-template <class Cohesion>
-WallState FixWallGranCohesive<Cohesion>::state() const {
-  const double time = static_cast<double>(update->ntimestep - time_origin) * update->dt;
-  const double half = 0.5 * update->dt;
-  return motion.over(time, {step->starts() ? 0.0 : half, half});
 }
 
 /// In a step, [length]; in a sheared box the mean flow, which step->flight() leaves out, may carry
@@ -263,17 +239,9 @@ void FixWallGranCohesive<Cohesion>::for_each_near(std::vector<Contact>& shared, 
 
 template <class Cohesion>
 void FixWallGranCohesive<Cohesion>::gather() {
-  std::fill(mine.begin(), mine.end(), 0.0);
-  summed = false;
+  forces.clear();
   near_now.clear();
   with_contacts([this](auto& shared, auto size) { gather<size>(shared); });
-}
-
-template <class Cohesion>
-PairMotion FixWallGranCohesive<Cohesion>::on_grid(const Near& near) const {
-  return {{near.point.separation, near.point.velocity - vector(atom->v[near.i])},
-          vector(atom->omega[near.i]),
-          {}};
 }
 
 static int partner(std::size_t near) { return -1 - static_cast<int>(near); }
@@ -282,8 +250,8 @@ static int partner(std::size_t near) { return -1 - static_cast<int>(near); }
 template <class Cohesion>
 template <int SIZE>
 auto FixWallGranCohesive<Cohesion>::pushes(const ContactsOfStep<EventContact, SIZE>& scatter) {
-  return [&scatter, this](int, int j, const EventContact&, const PairMotion&,
-                          const Vector3& impulse, const auto& by_contact, double factor) {
+  return [&scatter, this](int j, const PairMotion&, const Vector3& impulse, const auto& by_contact,
+                          double factor) {
     push(scatter, near_now[-1 - j], impulse, by_contact(), factor);
   };
 }
@@ -318,7 +286,19 @@ void FixWallGranCohesive<Cohesion>::gather(std::vector<SampledContact>& shared) 
 
 template <class Cohesion>
 void FixWallGranCohesive<Cohesion>::unsettle() {
-  with_contacts([this](auto& shared, auto size) { unsettle<size>(shared); });
+  with_event_contacts([this](auto& shared, auto size) { unsettle<size>(shared); });
+}
+
+template <class Cohesion>
+void FixWallGranCohesive<Cohesion>::join() {
+  with_event_contacts([this](auto& shared, auto size) { join<size>(shared); });
+}
+
+template <class Cohesion>
+void FixWallGranCohesive<Cohesion>::follow_alone() {
+  with_event_contacts([this](auto& shared, auto size) {
+    contacts_now.follow_alone(ContactsOfStep<EventContact, size>(atom, step), step, shared);
+  });
 }
 
 template <class Cohesion>
@@ -338,28 +318,15 @@ void FixWallGranCohesive<Cohesion>::unsettle(std::vector<EventContact>& shared) 
 }
 
 template <class Cohesion>
-void FixWallGranCohesive<Cohesion>::join() {
-  with_contacts([this](auto& shared, auto size) {
-    using Contact = typename std::decay_t<decltype(shared)>::value_type;
-    if constexpr (Contact::on_grid) {
-      const ContactsOfStep<Contact, size> scatter(atom, step);
-      for (std::size_t k = 0; k < near_now.size(); k++) {
-        const Near& near = near_now[k];
-        if (step->is_followed(near.i))
-          contacts_now.join<size>(scatter, step, shared[near.contact], near.i, partner(k),
-                                  on_grid(near), near.history);
-      }
-    }
-  });
-}
-
-template <class Cohesion>
-void FixWallGranCohesive<Cohesion>::follow_alone() {
-  with_contacts([this](auto& shared, auto size) {
-    using Contact = typename std::decay_t<decltype(shared)>::value_type;
-    if constexpr (Contact::on_grid)
-      contacts_now.follow_alone(ContactsOfStep<Contact, size>(atom, step), step, shared);
-  });
+template <int SIZE>
+void FixWallGranCohesive<Cohesion>::join(std::vector<EventContact>& shared) {
+  const ContactsOfStep<EventContact, SIZE> scatter(atom, step);
+  for (std::size_t k = 0; k < near_now.size(); k++) {
+    const Near& near = near_now[k];
+    if (step->is_followed(near.i))
+      contacts_now.join<SIZE>(scatter, step, shared[near.contact], near.i, partner(k),
+                              on_grid(near), near.history);
+  }
 }
 
 /// Books the force on the wall; with factor -1 takes it back.
@@ -369,9 +336,8 @@ void FixWallGranCohesive<Cohesion>::push(const ContactsOfStep<Contact, SIZE>& sc
                                          const Near& near, const Vector3& impulse,
                                          const Vector3& by_contact, double factor) {
   step->book.work(-factor * dot(near.point.velocity, impulse));
-  double* const on_wall = &mine[FORCES * near.wall];
-  add(on_wall, factor * scatter.kick(), impulse);
-  add(on_wall + 3, factor * scatter.kick(), impulse - by_contact);
+  const double kick = factor * scatter.kick();
+  forces.add(near.wall, kick * impulse, kick * (impulse - by_contact));
 }
 
 template <class Cohesion>
@@ -389,61 +355,19 @@ void FixWallGranCohesive<Cohesion>::follow_together(std::vector<SampledContact>&
     const Near& near = near_now[k];
     const SampledContact& c = shared[near.contact];
     const PairMotion grid = on_grid(near);
-    const SampledStep now = sample<SIZE>(scatter, step, c, near.i, partner(k), grid, near.history);
+    ContactMemory known = ContactMemory::from(near.history, SIZE);
+    const SampledStep now = sample(scatter, step, c, near.i, partner(k), grid, known);
+    known.to(near.history, SIZE);
     push(scatter, near, now.action.impulse, c.by_contact(grid, now), 1.0);
   }
 }
 
-template <class Cohesion>
-void FixWallGranCohesive<Cohesion>::take_where_they_are() {
-  const WallState now = state();
-  for (int i = 0; i < atom->nlocal; i++) {
-    if (!(atom->mask[i] & groupbit)) continue;
-    const double reach =
-        atom->radius[i] + Cohesion::range(scheme, parameters, atom->radius[i], 0.0);
-    for (int w = 0; w < static_cast<int>(walls.size()); w++) {
-      double* const kept = history.of(i, w);
-      const WallPoint point = walls[w].nearest(vector(atom->x[i]), now, motion.rim_speed);
-      const bool inside = point.distance > 0.0 && point.distance < reach;
-      if (inside && kept[0] > 0.0) continue;
-      (inside ? ContactMemory::seen_inside() : ContactMemory()).to(kept, per_wall);
-    }
-  }
-}
-
-template <class Cohesion>
-void FixWallGranCohesive<Cohesion>::book_standing() {
-  const WallState now = state();
-  with_contacts([&](auto& shared, auto size) {
-    shared.clear();
-    for (int i = 0; i < atom->nlocal; i++)
-      for (int w = 0; w < static_cast<int>(walls.size()); w++) {
-        const double* const kept = history.of(i, w);
-        if (kept[0] <= 0.0 || step->body(i).inverse_mass == 0.0) continue;
-        const WallPoint point = walls[w].nearest(vector(atom->x[i]), now, motion.rim_speed);
-        const PairMotion grid{
-            {point.separation, point.velocity - vector(atom->v[i])}, vector(atom->omega[i]), {}};
-        step->book.store_again(
-            1.0, shared[contact(shared, i)].stored(grid, ContactMemory::from(kept, size)));
-      }
-  });
-}
-
 /* ---------------------------------------------------------------------- */
-
-template <class Cohesion>
-void FixWallGranCohesive<Cohesion>::sum() {
-  if (!summed)
-    MPI_Allreduce(mine.data(), total.data(), static_cast<int>(mine.size()), MPI_DOUBLE, MPI_SUM,
-                  world);
-  summed = true;
-}
 
 /// Force on one wall: along three axes all of it, along the same three that of adhesion.
 template <class Cohesion>
 double FixWallGranCohesive<Cohesion>::compute_array(int wall, int which) {
-  sum();
-  return total[FORCES * wall + which];
+  return forces.all(world)[WallForces::EACH * wall + which];
 }
 
 /// Force on all of them.
@@ -460,7 +384,7 @@ double FixWallGranCohesive<Cohesion>::compute_vector(int which) {
 /// not work out again.
 template <class Cohesion>
 void FixWallGranCohesive<Cohesion>::write_restart(FILE* fp) {
-  sum();
+  const std::vector<double>& total = forces.all(world);
   if (comm->me != 0) return;
   const double head[HEAD] = {static_cast<double>(time_origin), static_cast<double>(walls.size()),
                              static_cast<double>(per_wall)};
@@ -481,7 +405,7 @@ void FixWallGranCohesive<Cohesion>::restart(char* buf) {
                    "friction in one of them only: {} walls with {} numbers of history each "
                    "there, {} with {} here; give the fix another ID",
                static_cast<int>(values[1]), static_cast<int>(values[2]), walls.size(), per_wall);
-  if (comm->me == 0) std::copy_n(values + HEAD, mine.size(), mine.begin());
+  if (comm->me == 0) forces.put_back(values + HEAD);
 }
 
 template class LAMMPS_NS::FixWallGranCohesive<HamakerCohesion>;

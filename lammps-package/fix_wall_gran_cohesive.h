@@ -15,6 +15,8 @@
 #include "fix.h"
 #include "fix_event_step.h"
 #include "guarded.h"
+#include "update.h"
+#include "wall_forces.h"
 #include "wall_history.h"
 
 namespace LAMMPS_NS {
@@ -56,7 +58,7 @@ class FixWallGranCohesive : public Fix, public EventWalls, public AdvisedStyle {
   void unpack_restart(int i, int nth) override { history.unpack_restart(i, atom->extra[i], nth); }
   int maxsize_restart() override { return history.size_restart(); }
   int size_restart(int) override { return history.size_restart(); }
-  double memory_usage() override { return history.bytes(atom->nmax); }
+  double memory_usage() override { return history.bytes(); }
 
  private:
   using EventContact = cohesion::event_stepping::ContactOnGrid<typename Cohesion::EventWall>;
@@ -101,7 +103,7 @@ class FixWallGranCohesive : public Fix, public EventWalls, public AdvisedStyle {
   template <int SIZE>
   void unsettle(std::vector<EventContact>&);
   template <int SIZE>
-  void unsettle(std::vector<SampledContact>&) {}
+  void join(std::vector<EventContact>&);
   std::vector<AdvisedContact> advised_contacts(const std::vector<LightestParticle>&) const;
   template <class What>
   void with_contacts(const What& what) {
@@ -118,7 +120,13 @@ class FixWallGranCohesive : public Fix, public EventWalls, public AdvisedStyle {
           contacts);
     });
   }
-  void sum();
+  /// The same, in scheme event only.
+  template <class What>
+  void with_event_contacts(const What& what) {
+    with_contacts([&](auto& shared, auto size) {
+      if constexpr (std::decay_t<decltype(shared)>::value_type::on_grid) what(shared, size);
+    });
+  }
 
   std::string where;  // in front of messages
   cohesion::advice::Said said;
@@ -142,10 +150,36 @@ class FixWallGranCohesive : public Fix, public EventWalls, public AdvisedStyle {
   } sizes;
   FixEventStep* step;
 
-  std::vector<double> mine;   // forces on each wall
-  std::vector<double> total;  // of all processes
-  bool summed;
+  WallForces forces;
 };
+
+/// Equal particles that come one after the other share a contact.
+template <class Cohesion>
+template <class Contact>
+inline int FixWallGranCohesive<Cohesion>::contact(std::vector<Contact>& shared, int i) {
+  const cohesion::event_stepping::Body particle = step->body(i), wall{0.0, 0.0};
+  if (shared.empty() || !shared.back().joins(particle, wall))
+    shared.push_back(step->contact<Contact>(
+        parameters.contact,
+        Cohesion::template of_wall<typename Contact::Attraction>(law, particle.radius), particle,
+        wall));
+  return static_cast<int>(shared.size()) - 1;
+}
+
+template <class Cohesion>
+cohesion::event_stepping::WallState FixWallGranCohesive<Cohesion>::state() const {
+  const double time = static_cast<double>(update->ntimestep - time_origin) * update->dt;
+  const double half = 0.5 * update->dt;
+  return motion.over(time, {step->starts() ? 0.0 : half, half});
+}
+
+template <class Cohesion>
+cohesion::event_stepping::PairMotion FixWallGranCohesive<Cohesion>::on_grid(
+    const Near& near) const {
+  return {{near.point.separation, near.point.velocity - vector(atom->v[near.i])},
+          vector(atom->omega[near.i]),
+          {}};
+}
 
 }  // namespace LAMMPS_NS
 

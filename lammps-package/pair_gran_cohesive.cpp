@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <type_traits>
 
 #include "atom.h"
 #include "engine_api.h"
@@ -108,19 +109,32 @@ void PairGranCohesive<Cohesion>::gather() {
   with_contacts([this](auto& contacts, auto size) { gather<size>(contacts); });
 }
 
+/// The same, in scheme event only.
+template <class Cohesion>
+template <class What>
+void PairGranCohesive<Cohesion>::with_event_contacts(const What& what) {
+  if (acts)
+    with_contacts([&](auto& contacts, auto size) {
+      if constexpr (std::is_same_v<std::decay_t<decltype(contacts)>, Contacts<EventContact>>)
+        what(contacts, size);
+    });
+}
+
 template <class Cohesion>
 void PairGranCohesive<Cohesion>::unsettle() {
-  if (acts) with_contacts([this](auto& contacts, auto size) { unsettle<size>(contacts); });
+  with_event_contacts([this](auto& contacts, auto size) { unsettle<size>(contacts); });
 }
 
 template <class Cohesion>
 void PairGranCohesive<Cohesion>::join() {
-  if (acts) with_contacts([this](auto& contacts, auto size) { join<size>(contacts); });
+  with_event_contacts([this](auto& contacts, auto size) { join<size>(contacts); });
 }
 
 template <class Cohesion>
 void PairGranCohesive<Cohesion>::follow_alone() {
-  if (acts) with_contacts([this](auto& contacts, auto size) { follow_alone<size>(contacts); });
+  with_event_contacts([this](auto& contacts, auto size) {
+    contacts_now.follow_alone(ContactsOfStep<EventContact, size>(atom, step), step, contacts.all);
+  });
 }
 
 /// Energy of spring and adhesion.
@@ -161,9 +175,8 @@ void PairGranCohesive<Cohesion>::for_each_kept(const What& what) {
 /// Adds what a contact does to the sums of momentum flux, if somebody reads them.
 template <class Cohesion>
 auto PairGranCohesive<Cohesion>::flux_sum() {
-  return [sums = step->sums_flux(), this](int, int j, const auto&, const PairMotion& grid,
-                                          const Vector3& impulse, const auto& by_contact,
-                                          double factor) {
+  return [sums = step->sums_flux(), this](int j, const PairMotion& grid, const Vector3& impulse,
+                                          const auto& by_contact, double factor) {
     if (sums)
       step->flux.add(factor * (j < atom->nlocal ? 1.0 : 0.5), grid.relative.separation, impulse,
                      by_contact());
@@ -226,12 +239,6 @@ void PairGranCohesive<Cohesion>::join(Contacts<EventContact>& contacts) {
 
 template <class Cohesion>
 template <int SIZE>
-void PairGranCohesive<Cohesion>::follow_alone(Contacts<EventContact>& contacts) {
-  contacts_now.follow_alone(ContactsOfStep<EventContact, SIZE>(atom, step), step, contacts.all);
-}
-
-template <class Cohesion>
-template <int SIZE>
 void PairGranCohesive<Cohesion>::follow_together(Contacts<EventContact>& contacts) {
   const ContactsOfStep<EventContact, SIZE> scatter(atom, step);
   if (evflag && contacts_now.lasting > 0)
@@ -251,11 +258,13 @@ void PairGranCohesive<Cohesion>::follow_together(Contacts<EventContact>& contact
   std::size_t next = 0;
   const auto sum = flux_sum();
   contacts_now.follow_together(scatter, step, contacts.all,
-                               [&](int i, int j, const EventContact& c, const PairMotion& grid,
-                                   const Vector3& impulse, const auto& by_contact, double factor) {
-                                 sum(i, j, c, grid, impulse, by_contact, factor);
-                                 if (evflag)
-                                   tally(i, j, grid.relative.separation, before[next++], impulse);
+                               [&](int j, const PairMotion& grid, const Vector3& impulse,
+                                   const auto& by_contact, double factor) {
+                                 sum(j, grid, impulse, by_contact, factor);
+                                 if (!evflag) return;
+                                 tally(contacts_now.followed[next].i, j, grid.relative.separation,
+                                       before[next], impulse);
+                                 next++;
                                });
 }
 
@@ -283,10 +292,11 @@ void PairGranCohesive<Cohesion>::follow_together(Contacts<SampledContact>& conta
   for (const SampledActive& pair : sampled_now) {
     const SampledContact& c = contacts.all[pair.contact];
     const PairMotion grid = on_grid_with_spins(pair.i, pair.j);
-    const SampledStep now = sample<SIZE>(scatter, step, c, pair.i, pair.j, grid, pair.history);
-    const ContactMemory known = ContactMemory::from(pair.history, SIZE);
+    ContactMemory known = ContactMemory::from(pair.history, SIZE);
+    const SampledStep now = sample(scatter, step, c, pair.i, pair.j, grid, known);
+    known.to(pair.history, SIZE);
     *pair.kept = known.in_range();
-    sum(pair.i, pair.j, c, grid, now.action.impulse, [&] { return c.by_contact(grid, now); }, 1.0);
+    sum(pair.j, grid, now.action.impulse, [&] { return c.by_contact(grid, now); }, 1.0);
     if (evflag)
       tally(pair.i, pair.j, grid.relative.separation, energy(c.stored(grid, known)),
             now.action.impulse);

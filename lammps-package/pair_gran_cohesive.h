@@ -91,8 +91,6 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventContacts, p
   int new_contact(Contacts<Contact>&, int of_types, int i, int j);
   cohesion::event_stepping::RelativeState on_grid(int i, int j) const;
   cohesion::event_stepping::PairMotion on_grid_with_spins(int i, int j) const;
-  cohesion::event_stepping::PairMotion with_spins(const cohesion::event_stepping::RelativeState&,
-                                                  int i, int j) const;
   bool closer(double gap, int i, int j) const;
   bool moves(int i, int j) const;
   template <class What>
@@ -107,15 +105,7 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventContacts, p
   template <int SIZE>
   void unsettle(Contacts<EventContact>&);
   template <int SIZE>
-  void unsettle(Contacts<SampledContact>&) {}
-  template <int SIZE>
   void join(Contacts<EventContact>&);
-  template <int SIZE>
-  void join(Contacts<SampledContact>&) {}
-  template <int SIZE>
-  void follow_alone(Contacts<EventContact>&);
-  template <int SIZE>
-  void follow_alone(Contacts<SampledContact>&) {}
   template <int SIZE>
   void follow_together(Contacts<EventContact>&);
   template <int SIZE>
@@ -127,6 +117,8 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventContacts, p
   void for_each_kept(const What&);
   template <class What>
   void with_contacts(const What&);
+  template <class What>
+  void with_event_contacts(const What&);
   void tally_standing();
   template <class What>
   void for_each_standing(const What&);

@@ -44,7 +44,6 @@ template <class Pair>
 class ContactOnGrid {
  public:
   using Attraction = typename Pair::Attraction;
-  using Size = ContactMemory::Size;
   static constexpr bool on_grid = true;
 
   /// step [time].
@@ -177,9 +176,10 @@ class ContactOnGrid {
                       const PairSpins& rolled, const ContactMemory& memory) const {
     const Vector3 &s = truth.relative.separation, &v = truth.relative.velocity;
     const double half = 0.5 * step_;
-    const Vector3 by_others = others.relative.velocity;
-    const Vector3 shift = half * v + 0.5 * (others.relative.separation - half * by_others);
-    const RelativeState middle{s + normal_part(s, shift), v + 0.5 * by_others};
+    const Vector3& by_others = others.relative.velocity;
+    // What the others do to the place beyond what a kick in the middle of the step would.
+    const Vector3 shift = others.relative.separation - half * by_others;
+    const RelativeState middle{s + normal_part(s, half * v + 0.5 * shift), v + 0.5 * by_others};
     FollowedStep f{};
     f.normal = pair_.advance(middle, {half, half}, memory.in_range());
     const RelativeState& did = f.normal.change;
@@ -191,9 +191,8 @@ class ContactOnGrid {
       const Vector3 spin_j = truth.spin_j + 0.5 * others.spin_j;
       const Vector3 slides = touch.slides(middle.velocity + 0.5 * did.velocity,
                                           spin_i + 0.5 * rolled.i, spin_j + 0.5 * rolled.j);
-      const Vector3 shifted =
-          touch.plane().part_in(others.relative.separation - half * others.relative.velocity);
-      f.sliding = sliding_.follow(touch.plane(), stretch(grid, memory).sliding, 0.5 * shifted,
+      const Stretches now = stretch(grid, memory);
+      f.sliding = sliding_.follow(touch.plane(), now.sliding, 0.5 * touch.plane().part_in(shift),
                                   slides, f.normal, f.sliding_rate);
       const Vector3& impulse = f.sliding.impulse;
       f.change.relative.separation += (half * inverse_mass_) * impulse;
@@ -205,8 +204,8 @@ class ContactOnGrid {
       if constexpr (SIZE >= ContactMemory::with_rolling) {
         const Vector3 rolls =
             touch.rolls(spin_i + 0.5 * f.change.spin_i, spin_j + 0.5 * f.change.spin_j);
-        f.rolling = rolling_.follow(touch.plane(), stretch(grid, memory).rolling, {}, rolls,
-                                    f.normal, f.rolling_rate);
+        f.rolling =
+            rolling_.follow(touch.plane(), now.rolling, {}, rolls, f.normal, f.rolling_rate);
         const Vector3 turn = bodies_.rolling_radius() * f.rolling.impulse;
         f.rolled = {bodies_.spin_share_i() * turn, -bodies_.spin_share_j() * turn};
         f.change.spin_i += f.rolled.i;

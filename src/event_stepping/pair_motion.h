@@ -34,6 +34,11 @@ struct PairSpins {
   Vector3 j{};
 };
 
+/// D and V of a constant acceleration in a step [time] from the grid point on.
+inline RelativeState by_acceleration(const Vector3& acceleration, double step) {
+  return {(0.5 * step * step) * acceleration, step * acceleration};
+}
+
 /// What a contact stores, [energy].
 struct StoredEnergies {
   double spring;

@@ -75,6 +75,17 @@ ManySpheres cluster(const contact::ContactParameters& p, double part) {
   return {p, thesis::adhesion(2e-18), contact_time / part, 0.0};
 }
 
+/// The block, overlapping a little, moves towards its centre: no momentum, and no angular momentum.
+void press_together(ManySpheres& spheres) {
+  const auto places = block();
+  const auto off = spread(static_cast<int>(places.size()), 1e-7, 3);
+  for (std::size_t i = 0; i < places.size(); i++) {
+    const Vector3 x = (1.0 - 5e-4) * places[i] + off[i];
+    spheres.add(x, -1.0 * x);
+  }
+  spheres.step();
+}
+
 }  // namespace
 
 TEST(ManySpheres, AnElasticGasKeepsItsEnergy) {
@@ -139,15 +150,8 @@ TEST(ManySpheres, ADampedClusterUnderAdhesionComesToRest) {
     p.stiffness = 800.0;
     p.restitution = 0.8;
     ManySpheres spheres = cluster(p, part);
-    const auto places = block();
-    const int number = static_cast<int>(places.size());
-    const auto off = spread(number, 1e-7, 3);
-    for (int i = 0; i < number; i++) {
-      // Towards the centre: no momentum, and no angular momentum.
-      const Vector3 x = (1.0 - 5e-4) * places[i] + off[i];
-      spheres.add(x, -1.0 * x);
-    }
-    spheres.step();
+    press_together(spheres);
+    const int number = spheres.size();
     const double start = spheres.sums().kinetic;
     const auto most = [&] {
       double kinetic = 0.0;
@@ -180,13 +184,7 @@ TEST(ManySpheres, AStronglyDampedClusterComesToRest) {
       p.stiffness = 800.0;
       p.restitution = restitution;
       ManySpheres spheres = cluster(p, part);
-      const auto places = block();
-      const auto off = spread(static_cast<int>(places.size()), 1e-7, 3);
-      for (std::size_t i = 0; i < places.size(); i++) {
-        const Vector3 x = (1.0 - 5e-4) * places[i] + off[i];
-        spheres.add(x, -1.0 * x);
-      }
-      spheres.step();
+      press_together(spheres);
       const double start = spheres.sums().kinetic;
       for (int n = 0; n < static_cast<int>(500.0 * part); n++) spheres.step();
       EXPECT_LT(spheres.sums().kinetic, 1e-8 * start) << restitution << " t_c/" << part;
@@ -204,14 +202,8 @@ TEST(ManySpheres, AFrictionalClusterAtRestMovesNoMore) {
     p.restitution = 0.8;
     p.friction = 0.3;
     ManySpheres spheres = cluster(p, part);
-    const auto places = block();
-    const int number = static_cast<int>(places.size());
-    const auto off = spread(number, 1e-7, 3);
-    for (int i = 0; i < number; i++) {
-      const Vector3 x = (1.0 - 5e-4) * places[i] + off[i];
-      spheres.add(x, -1.0 * x);
-    }
-    spheres.step();
+    press_together(spheres);
+    const int number = spheres.size();
     const double start = spheres.sums().kinetic;
     for (int n = 0; n < static_cast<int>(1000.0 * part); n++) spheres.step();
     double grid = 0.0;
