@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <string>
+#include <tuple>
 
 #include "atom.h"
 #include "box_shear.h"
@@ -19,6 +19,7 @@
 #include "modify.h"
 #include "output.h"
 #include "pair_members.h"
+#include "restart_format.h"
 #include "shear/flight.h"
 #include "unturned_spheres.h"
 #include "update.h"
@@ -435,23 +436,29 @@ int FixEventStep::unpack_exchange(int i, double* buf) {
   return last.has_room() ? taken + last.unpack(i, buf + taken) : taken;
 }
 
+// Numbers of a restart file in front of the book's: its layout, and the step.
+static constexpr int LAYOUT = 2, HEAD = 2;
+static constexpr int OF_RESTART = HEAD + static_cast<int>(std::tuple_size_v<ContactBook::OfAll>);
+
 void FixEventStep::write_restart(FILE* fp) {
   const ContactBook::OfAll mine = book.of_all();
-  ContactBook::OfAll all = mine;
-  MPI_Reduce(mine.data(), all.data(), static_cast<int>(mine.size()), MPI_DOUBLE, MPI_SUM, 0, world);
+  double values[OF_RESTART] = {RESTART_MARK + LAYOUT, running ? update->dt : last_dt};
+  MPI_Reduce(mine.data(), values + HEAD, static_cast<int>(mine.size()), MPI_DOUBLE, MPI_SUM, 0,
+             world);
   if (comm->me != 0) return;
-  const int size = static_cast<int>((1 + all.size()) * sizeof(double));
+  constexpr int size = sizeof(values);
   fwrite(&size, sizeof(int), 1, fp);
-  fwrite(running ? &update->dt : &last_dt, sizeof(double), 1, fp);
-  fwrite(all.data(), sizeof(double), all.size(), fp);
+  fwrite(values, size, 1, fp);
 }
 
 void FixEventStep::restart(char* buf) {
-  memcpy(&last_dt, buf, sizeof(double));
+  const auto* values = reinterpret_cast<const double*>(buf);
+  require_layout(lmp, values[0], "scheme event", LAYOUT);
+  last_dt = values[1];
   if (last_dt > 0.0) last.grow(atom->nmax);
   if (comm->me != 0) return;
   ContactBook::OfAll all;
-  memcpy(all.data(), buf + sizeof(double), sizeof(all));
+  std::copy_n(values + HEAD, all.size(), all.begin());
   book.take_of_all(all);
 }
 

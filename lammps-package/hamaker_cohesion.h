@@ -30,7 +30,7 @@ class HamakerCohesion {
   static constexpr std::array SETTINGS{"form"};
   /// How a script tells the material of a contact.
   static constexpr char MATERIAL_WORDS[] = "'material_stiffness K_m'";
-  static constexpr int RESTART_LAYOUT = 3;  ///< of settings and Parameters in restart files
+  static constexpr int RESTART_LAYOUT = 4;  ///< of settings and Parameters in restart files
   /// Whether the style follows contacts, by a scheme and with advice, or lies over another's.
   static constexpr bool HAS_CONTACT = true;
 

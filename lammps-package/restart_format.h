@@ -10,8 +10,9 @@
 #include "lammps.h"
 #include "utils.h"
 
-// Pair styles write plain numbers to restart files, which tell nothing of their order. So each
-// begins with a mark and the number of its layout, to be raised when the order changes.
+// Styles write plain numbers to restart files, which tell nothing of their order. So each begins
+// with a mark and the number of its layout, to be raised when the order, or the history of a
+// contact, changes.
 
 namespace LAMMPS_NS {
 
@@ -22,18 +23,23 @@ inline void write_layout(FILE* fp, int layout) {
   fwrite(&number, sizeof(int), 1, fp);
 }
 
-/// Stops LAMMPS where the next number of the file is another than write_layout() wrote; `where`
-/// stands in front of the message.
-inline void require_layout(LAMMPS* lmp, FILE* fp, const std::string& where, int layout) {
-  int number = 0;
-  if (lmp->comm->me == 0) utils::sfread(FLERR, &number, sizeof(int), 1, fp, nullptr, lmp->error);
-  MPI_Bcast(&number, 1, MPI_INT, 0, lmp->world);
+/// Stops LAMMPS where `number`, which a file has in front, is another than RESTART_MARK + layout;
+/// `where` stands in front of the message.
+inline void require_layout(LAMMPS* lmp, double number, const std::string& where, int layout) {
   if (number != RESTART_MARK + layout)
     lmp->error->all(FLERR,
                     where +
                         ": the restart file was written by another version of the package, with "
                         "other numbers; read it with that one, and carry places and velocities "
                         "over by 'write_data'");
+}
+
+/// The same for the next number of the file, which write_layout() wrote.
+inline void require_layout(LAMMPS* lmp, FILE* fp, const std::string& where, int layout) {
+  int number = 0;
+  if (lmp->comm->me == 0) utils::sfread(FLERR, &number, sizeof(int), 1, fp, nullptr, lmp->error);
+  MPI_Bcast(&number, 1, MPI_INT, 0, lmp->world);
+  require_layout(lmp, static_cast<double>(number), where, layout);
 }
 
 }  // namespace LAMMPS_NS

@@ -25,7 +25,7 @@ class SquareWellCohesion {
   static constexpr char COEFFICIENTS[] = "stiffness K ...', see its page for the other keywords";
   static constexpr std::array<const char*, 0> SETTINGS{};
   static constexpr char MATERIAL_WORDS[] = "";
-  static constexpr int RESTART_LAYOUT = 2;
+  static constexpr int RESTART_LAYOUT = 3;
   static constexpr bool HAS_CONTACT = true;
 
   /// What a script says about the contact of two materials.

@@ -23,8 +23,8 @@ neighbor 1e-4 bin
 # Settings, coefficients, and which layout they have.
 STYLES = {
     "hamaker": ("1e-9 1e-8", "1e-19", 2),
-    "gran/hamaker": ("", "stiffness 800", 3),
-    "gran/square_well": ("", "stiffness 800 well 1e-12 1.01", 2),
+    "gran/hamaker": ("", "stiffness 800", 4),
+    "gran/square_well": ("", "stiffness 800 well 1e-12 1.01", 3),
     "hard/square_well": ("", "restitution 0.9", 2),
 }
 MARK = 0x436f6800  # restart_format.h
@@ -45,6 +45,18 @@ class Layout(ScriptTestCase):
                 for other in (MARK + layout - 1, 0):
                     file.write_bytes(content.replace(mark, struct.pack("=i", other)))
                     self.stops(read, f"pair_style {style}", "another version of the package", "write_data")
+
+    def test_another_layout_of_the_forces_of_walls_alone_is_refused(self):
+        file = Path(self.folder) / "some.restart"
+        run = ("pair_style none\ncomm_modify cutoff 2e-3\nfix w all wall/gran/hamaker stiffness 800 xplane 0 NULL\n"
+               "fix move all nve/sphere\ntimestep 1e-7\nrun 1\n")
+        self.goes(f"{HEAD}boundary f p p\n{MAKE}{run}write_restart some.restart noinit\n")
+        read = f"{HEAD}read_restart some.restart\ncomm_modify vel yes\nneighbor 1e-4 bin\n{run}"
+        self.goes(read)
+        content, mark = file.read_bytes(), struct.pack("=d", MARK + 2)
+        self.assertEqual(content.count(mark), 1)
+        file.write_bytes(content.replace(mark, struct.pack("=d", MARK + 1)))
+        self.stops(read, "scheme event", "another version of the package", "write_data")
 
 
 if __name__ == "__main__":
