@@ -144,8 +144,8 @@ static double energy(const StoredEnergies& stored) { return stored.spring + stor
 template <class Cohesion>
 template <class What>
 void PairGranCohesive<Cohesion>::for_each_close(const What& what) {
-  // Both fly a whole step from the grid point; sampled, they may be half a step beyond the edge.
-  const double flights = coefficients.scheme() == Scheme::event ? 4.0 : 2.0;
+  // Both fly a whole step from the grid point; sampled, they are found as far beyond the edge.
+  constexpr double flights = 4.0;
   const double reach = largest_range + flights * step->flight();
   if (reach > close.allowed())
     error->one(FLERR,
@@ -369,11 +369,11 @@ int PairGranCohesive<Cohesion>::values_per_pair() const {
   return coefficients.any_rolls() ? HistorySize::with_rolling : HistorySize::with_friction;
 }
 
-/// For the flight of both within a step a tenth, or a fifth, of the skin: it is far less where the
-/// engine's own check of the list holds at all.
+/// A fifth of the skin for the flight of both within a step: it is far less where the engine's own
+/// check of the list holds at all.
 template <class Cohesion>
 double PairGranCohesive<Cohesion>::for_flight() const {
-  return (coefficients.scheme() == Scheme::event ? 0.2 : 0.1) * neighbor->skin;
+  return 0.2 * neighbor->skin;
 }
 
 template <class Cohesion>
