@@ -207,7 +207,9 @@ struct StepContacts {
     const Action action = c.template held<SIZE>(grid, memory);
     scatter.act_not(i, j, action);
     done(j, grid, action.impulse, [&] { return c.by_contact(grid, action); }, -1.0);
-    memory.phase = ContactMemory::leaving;
+    ContactLosses lost;
+    c.template leave<SIZE>(grid, memory, step->book.is_kept() ? &lost : nullptr);
+    step->book.lose(scatter.part(j), lost, 0.0);
     memory.to(history, SIZE);
     lasting--;
     announce<SIZE>(scatter, step, c, contact, i, j, grid, memory, history);

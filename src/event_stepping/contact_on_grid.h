@@ -3,12 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "contact/contact_parameters.h"
 #include "event_stepping/contact_bodies.h"
 #include "event_stepping/contact_memory.h"
-#include "event_stepping/damped_oscillator.h"
+#include "event_stepping/lasting_normal.h"
 #include "event_stepping/plane_pair.h"
 #include "event_stepping/sphere_pair.h"
 #include "event_stepping/spring_on_grid.h"
@@ -53,25 +52,19 @@ class ContactOnGrid {
         step_(step),
         inverse_mass_(bodies_.inverse_mass()),
         reduced_mass_(bodies_.reduced_mass()),
-        inverse_step_(1.0 / step),
         contact_distance_(bodies_.distance()),
-        inverse_distance_(1.0 / contact_distance_),
         normal_contact_(contact::normal_contact(parameters, reduced_mass_)),
         pair_(normal_contact_, attraction, contact_distance_, step),
-        oscillator_(normal_contact_.stiffness() * inverse_mass_,
-                    0.5 * normal_contact_.damping() * inverse_mass_),
-        propagator_(oscillator_.propagator(step)),
-        trace_(propagator_.xx + propagator_.vv),
-        spring_(oscillator_.on_grid(step, reduced_mass_)),
-        kept_(1.0 - spring_.damping * step * inverse_mass_),
-        inverse_w0_squared_(1.0 / oscillator_.w0_squared()),
+        lasting_(normal_contact_, reduced_mass_, contact_distance_, attraction.force, step,
+                 bodies_.is_wall()),
         pull_(attraction.force),
         sliding_(contact::tangential_contact(parameters, normal_contact_), step,
                  bodies_.sliding_answer()),
         rolling_(contact::rolling_contact(parameters, normal_contact_), step,
                  bodies_.rolling_answer()),
-        youth_(steady() ? 2.5 * normal_contact_.contact_time() / step
-                        : std::numeric_limits<double>::infinity()) {}
+        steady_(steady()),
+        youth_(2.5 * normal_contact_.contact_time() / step),
+        holds_from_(youth_ < 20.0 ? youth_ : 1.0) {}
 
   bool joins(const Body& i, const Body& j) const { return bodies_.are(i, j); }
   const ContactBodies& bodies() const { return bodies_; }
@@ -87,10 +80,14 @@ class ContactOnGrid {
     return dot(grid.separation, grid.separation) <= reach * reach;
   }
 
-  /// Whether a contact is old enough for one force, and certainly lasts for the step.
+  /// Whether one force will do for a contact that was in contact through all of its last step, and
+  /// certainly is through this one.
   bool can_last(const RelativeState& grid, const ContactMemory& memory) const {
-    return memory.phase == ContactMemory::inside && memory.age >= youth_ && Hold(*this, grid).lasts;
+    return memory.phase == ContactMemory::inside && memory.age >= holds_from_ && steady_ &&
+           lasting_.force(lasting_.at(grid)).lasts;
   }
+  /// Whether it does beside others, too; of a young contact only where it is alone.
+  bool is_old(const ContactMemory& memory) const { return memory.age >= youth_; }
 
   /// A contact that has lasted, or can: the force times dt that it needs if it goes on. Settles the
   /// springs in the plane of contact, and what was lost since the last grid point, if somebody asks
@@ -98,23 +95,27 @@ class ContactOnGrid {
   template <int SIZE>
   [[gnu::always_inline]] bool hold(const PairMotion& grid, ContactMemory& memory, Action& action,
                                    ContactLosses* losses) const {
-    const Hold normal(*this, grid.relative);
+    const LastingNormal::Sample now = lasting_.at(grid.relative);
+    const LastingNormal::Force normal = lasting_.force(now);
     const bool lasted = memory.phase == ContactMemory::lasting;
-    action = {normal.impulse * grid.relative.separation, {}, {}};
-    if (losses && lasted) losses->normal_damping = normal.damped(*this);
-    memory.phase = normal.lasts ? ContactMemory::lasting : ContactMemory::leaving;
+    action = {(reduced_mass_ * normal.change * now.inverse) * grid.relative.separation, {}, {}};
+    if (losses && lasted) losses->normal_damping = lasting_.damped(now);
+    memory.phase = ContactMemory::lasting;
     memory.age += 1.0;
     if constexpr (SIZE >= ContactMemory::with_friction) {
-      const Touch touch(bodies_, grid.relative.separation, normal.at.inverse);
-      const double repulsion = normal.force(*this) + pull_;
+      const Touch touch(bodies_, grid.relative.separation, now.inverse);
+      const double repulsion = lasting_.repulsion(normal.change);
+      // The half of a step that its first one is to do begins with the true velocity.
+      const double limiting =
+          lasted ? repulsion : lasting_.repulsion(2.0 * (normal.change - memory.ahead));
       SpringOnGrid::Losses of_sliding, of_rolling;
       const Vector3 slides = touch.slides(grid.relative.velocity, grid.spin_i, grid.spin_j);
-      touch.slide(sliding_.rub(touch.plane(), slides, repulsion, lasted, memory.sliding,
+      touch.slide(sliding_.rub(touch.plane(), slides, limiting, lasted, memory.sliding,
                                losses ? &of_sliding : nullptr),
                   action);
       if constexpr (SIZE >= ContactMemory::with_rolling) {
         const Vector3 rolls = touch.rolls(grid.spin_i, grid.spin_j);
-        touch.roll(rolling_.rub(touch.plane(), rolls, repulsion, lasted, memory.rolling,
+        touch.roll(rolling_.rub(touch.plane(), rolls, limiting, lasted, memory.rolling,
                                 losses ? &of_rolling : nullptr),
                    action);
       }
@@ -124,14 +125,39 @@ class ContactOnGrid {
         losses->rolling = of_rolling.damped + of_rolling.friction;
       }
     }
+    if (!normal.lasts) leave<SIZE>(grid, memory, losses);
     return normal.lasts;
+  }
+
+  /// A contact that has been settled is followed from this grid point on; adds to `losses`, if
+  /// somebody asks.
+  template <int SIZE>
+  void leave(const PairMotion& grid, ContactMemory& memory, ContactLosses* losses) const {
+    memory.phase = ContactMemory::leaving;
+    if constexpr (SIZE >= ContactMemory::with_friction) {
+      const LastingNormal::Sample now = lasting_.at(grid.relative);
+      const double repulsion = lasting_.repulsion(lasting_.force(now).change);
+      const double last = lasting_.repulsion(2.0 * lasting_.ahead(now));
+      const Touch touch(bodies_, grid.relative.separation, now.inverse);
+      SpringOnGrid::Losses lost;
+      sliding_.leave(touch.slides(grid.relative.velocity, grid.spin_i, grid.spin_j), repulsion,
+                     last, memory.sliding, losses ? &lost : nullptr);
+      if (losses) losses->friction += lost.friction;
+      if constexpr (SIZE >= ContactMemory::with_rolling) {
+        lost = {};
+        rolling_.leave(touch.rolls(grid.spin_i, grid.spin_j), repulsion, last, memory.rolling,
+                       losses ? &lost : nullptr);
+        if (losses) losses->rolling += lost.friction;
+      }
+    }
   }
 
   /// The same again of a contact that has been settled.
   template <int SIZE>
   Action held(const PairMotion& grid, const ContactMemory& memory) const {
     const Vector3& s = grid.relative.separation;
-    Action action{Hold(*this, grid.relative).impulse * s, {}, {}};
+    const LastingNormal::Sample now = lasting_.at(grid.relative);
+    Action action{(reduced_mass_ * lasting_.force(now).change * now.inverse) * s, {}, {}};
     if constexpr (SIZE >= ContactMemory::with_friction)
       Touch(bodies_, s).slide(memory.sliding.impulse, action);
     if constexpr (SIZE >= ContactMemory::with_rolling)
@@ -296,70 +322,7 @@ class ContactOnGrid {
  private:
   using Touch = ContactBodies::Touch;
 
-  /// Of the way of a step that the predicted overlap must be more than.
-  static constexpr double certain = 0.1;
   static constexpr double rounding = 1e-9;
-
-  /// Along the normal as the recursion needs it. Distances one step before and after are right to
-  /// (speed across times dt)^2/R times the change of R over R.
-  struct Sample {
-    double distance, inverse, radial;
-    double bent;    // what a straight flight across adds to the distance in a step
-    double before;  // distance one step before
-    double rest;    // overlap at which spring, adhesion and turning balance
-
-    [[gnu::always_inline]] Sample(const ContactOnGrid& c, const RelativeState& grid) {
-      distance = norm(grid.separation);
-      inverse = 1.0 / distance;
-      radial = inverse * dot(grid.separation, grid.velocity);
-      const double square = dot(grid.velocity, grid.velocity) - radial * radial;
-      const double side = c.bodies_.is_wall() ? 0.0 : std::max(square, 0.0);
-      bent = 0.5 * side * c.step_ * c.step_ * inverse;
-      before = distance - c.step_ * radial + bent;
-      const double leverage = distance * c.inverse_distance_;
-      rest = (c.pull_ * c.inverse_mass_ - leverage * leverage * side * c.inverse_distance_) *
-             c.inverse_w0_squared_;
-    }
-
-    /// Distance one step later.
-    double next(const ContactOnGrid& c) const {
-      const double contact = c.contact_distance_ - rest;
-      return contact - c.trace_ * (contact - distance) + c.kept_ * (contact - before);
-    }
-
-    double true_rate(const ContactOnGrid& c) const {
-      const double contact = c.contact_distance_ - rest;
-      const double rate =
-          (contact - distance - c.propagator_.xx * (contact - before)) / c.propagator_.xv;
-      return -(c.propagator_.vx * (contact - before) + c.propagator_.vv * rate);
-    }
-  };
-
-  /// One force of a contact, along the normal.
-  struct Hold {
-    Sample at;
-    double change;   // of the radial velocity
-    double impulse;  // over the distance
-    bool lasts;
-
-    [[gnu::always_inline]] Hold(const ContactOnGrid& c, const RelativeState& grid) : at(c, grid) {
-      const double overlap = c.contact_distance_ - at.distance;
-      change = (at.next(c) - at.bent - at.distance) * c.inverse_step_ - at.radial;
-      impulse = c.reduced_mass_ * change * at.inverse;
-      const double closing = -at.radial - change - 2.0 * at.bent * c.inverse_step_;
-      const double end = overlap + c.step_ * closing;
-      lasts = overlap > 0.0 && end > certain * c.step_ * std::abs(at.radial) &&
-              overlap - c.step_ * std::max(at.radial, 0.0) > 0.0 &&
-              end - c.step_ * std::max(closing, 0.0) > 0.0;
-    }
-    double force(const ContactOnGrid& c) const {
-      return c.reduced_mass_ * change * c.inverse_step_;
-    }
-    /// In the dashpot since the last grid point.
-    double damped(const ContactOnGrid& c) const {
-      return c.normal_contact_.damping() * c.step_ * at.radial * at.radial / c.seen();
-    }
-  };
 
   struct Stretches {
     Vector3 sliding{}, rolling{};
@@ -382,20 +345,12 @@ class ContactOnGrid {
     return now;
   }
 
-  /// Of the square of the speed of a swing, what the grid sees: (sin(q dt/2)/(q dt/2))^2.
-  double seen() const {
-    const double alpha = oscillator_.alpha();
-    const double square = (oscillator_.w0_squared() - alpha * alpha) * step_ * step_;
-    const double cosine = 0.5 * trace_ * std::exp(alpha * step_);
-    return square != 0.0 ? 2.0 * (1.0 - cosine) / square : 1.0;
-  }
-
   /// The dashpot of one force takes the velocity of half a step before. Spheres in many contacts
   /// swing at up to twice the frequency of a pair, w^2 = 4 K/mu, and with strong dashpots at long
   /// steps that would grow: contacts are followed there.
   bool steady() const {
-    return (spring_.stiffness + 2.0 * spring_.damping / step_) * step_ * step_ * inverse_mass_ <
-           1.0;
+    const GridSpring& spring = lasting_.constants();
+    return (spring.stiffness + 2.0 * spring.damping / step_) * step_ * step_ * inverse_mass_ < 1.0;
   }
 
   /// What is remembered of a spring after a followed step: as if it had grown evenly.
@@ -407,8 +362,7 @@ class ContactOnGrid {
 
   double ahead(const RelativeState& grid, const ContactMemory& memory) const {
     if (!memory.lasted()) return memory.ahead;
-    const Sample at(*this, grid);
-    return at.true_rate(*this) - at.radial;
+    return lasting_.ahead(lasting_.at(grid));
   }
 
   /// Whether anything but lasting contact, or flight out of range, happened in a step.
@@ -428,21 +382,16 @@ class ContactOnGrid {
   double step_;
   double inverse_mass_;
   double reduced_mass_;
-  double inverse_step_;
   double contact_distance_;
-  double inverse_distance_;
   contact::LinearSpringDashpot normal_contact_;
   Pair pair_;
-  DampedOscillator oscillator_;
-  DampedOscillator::Propagator propagator_;
-  double trace_;
-  GridSpring spring_;
-  double kept_;
-  double inverse_w0_squared_;
+  LastingNormal lasting_;
   double pull_;
   SpringOnGrid sliding_;
   SpringOnGrid rolling_;
-  double youth_;
+  bool steady_;
+  double youth_;       // steps
+  double holds_from_;  // steps; few save little and rub coarsely
 };
 
 }  // namespace cohesion::event_stepping

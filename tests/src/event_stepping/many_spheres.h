@@ -7,6 +7,7 @@
 
 #include "event_stepping/contact_on_grid.h"
 #include "event_stepping/pair_run.h"
+#include "event_stepping/unrest.h"
 
 namespace cohesion::event_stepping {
 
@@ -131,8 +132,19 @@ class ManySpheres {
   void act() {
     const int n = size();
     std::vector<Vector3> dv(n), dw(n), v = v_, w = w_;
-    std::vector<char> restless(n, 0), marked(n, 0);
+    std::vector<double> sums(n, 0.0);
+    std::vector<char> marked(n, 0);
     std::vector<Followed> follow;
+    const auto disturb = [&](const Near& p, double part) {
+      sums[p.i] += part;
+      sums[p.j] += part;
+    };
+    const auto disturb_as_it_lasts = [&](const Near& p) {
+      disturb(p, contact_.is_old(p.memory) ? unrest::of_old : unrest::of_young);
+    };
+    const auto is_restless = [&](const Near& p) {
+      return unrest::is_restless(sums[p.i]) || unrest::is_restless(sums[p.j]);
+    };
     const auto announce = [&](std::size_t k, const PairMotion& grid) {
       const Near& p = near_[k];
       follow.push_back({static_cast<int>(k), grid, {}, {}});
@@ -152,29 +164,31 @@ class ManySpheres {
       Action action;
       if (!lasted && contact_.can_last(grid.relative, p.memory)) {
         candidates.push_back(k);
+        disturb_as_it_lasts(p);
       } else if (lasted && contact_.hold<SIZE>(grid, p.memory, action, nullptr)) {
         give(p, action, dv, dw);
         lasting++;
+        disturb_as_it_lasts(p);
       } else {
-        if (!beyond || contact_.within_reach(grid.relative, 0.0)) restless[p.i] = restless[p.j] = 1;
+        if (!beyond || contact_.within_reach(grid.relative, 0.0)) disturb(p, unrest::of_event);
         announce(k, grid);
       }
     }
     for (std::size_t k = 0; k < near_.size(); k++) {
       Near& p = near_[k];
-      if (p.memory.phase != ContactMemory::lasting || !(restless[p.i] || restless[p.j])) continue;
+      if (p.memory.phase != ContactMemory::lasting || !is_restless(p)) continue;
       const PairMotion grid = motion(p, v_, w_);
       const Action a = contact_.held<SIZE>(grid, p.memory);
       give(p, {-a.impulse, -a.torque_i, -a.torque_j}, dv, dw);
       lasting--;
-      p.memory.phase = ContactMemory::leaving;
+      contact_.leave<SIZE>(grid, p.memory, nullptr);
       announce(k, grid);
     }
     for (const std::size_t k : candidates) {
       Near& p = near_[k];
       const PairMotion grid = motion(p, v_, w_);
       Action action;
-      if (restless[p.i] || restless[p.j]) {
+      if (is_restless(p)) {
         announce(k, grid);
       } else {
         contact_.hold<SIZE>(grid, p.memory, action, nullptr);

@@ -46,8 +46,9 @@ class PairOnGrid {
     // Since the last grid point.
     if (goes_on || begins) lost += sum(now);
     if (!begins) energy = true_kinetic(memory) + sum(contact.stored(grid, memory)) + lost;
+    Vector3 by_this;
     if (lasted) {
-      by_contact += contact.by_contact(grid, action);
+      by_this = contact.by_contact(grid, action);
     } else {
       const PairMotion truth = this->truth();
       followed = contact.template follow<SIZE>(grid, truth, {}, {}, memory);
@@ -55,10 +56,12 @@ class PairOnGrid {
       action = contact.template close<SIZE>(grid, truth, {}, followed, memory);
       now = contact.losses(followed);
       lost += sum(now);
-      normal_impulse += followed.normal.normal.repulsion_impulse;
-      tangential_impulse += followed.sliding.impulse;
-      by_contact += contact.by_contact(grid, followed, action);
+      by_this = contact.by_contact(grid, followed, action);
     }
+    const Vector3 normal = (1.0 / norm(grid.relative.separation)) * grid.relative.separation;
+    by_contact += by_this;
+    normal_impulse += dot(by_this, normal);
+    tangential_impulse += by_this - dot(by_this, normal) * normal;
     give(action);
     for (int k = 0; k < 2; k++) x[k] += dt * v[k];
   }

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/linear_spring_dashpot.h"
+#include "event_stepping/damped_oscillator.h"
+#include "event_stepping/pair_step.h"
+
+namespace cohesion::event_stepping {
+
+/// One force of a contact that lasts, along the normal, from the places of two grid points:
+///
+///   x_(n+1) = x_e + 2 c (x_n - x_e) - d (x_(n-1) - x_e)
+///
+/// which a damped overlap x obeys exactly, whatever the step (GridSpring). x_e is where the spring
+/// balances the pull of the adhesion and the turning of the line of centres, L^2/D^3 with the L of
+/// the grid, which central forces keep.
+class LastingNormal {
+ public:
+  /// distance [length]: of the centres of bodies that touch; pull [force]; step [time]; wall: does
+  /// not turn about its particle.
+  LastingNormal(const contact::LinearSpringDashpot& spring, double reduced_mass, double distance,
+                double pull, double step, bool wall)
+      : step_(step),
+        inverse_step_(1.0 / step),
+        reduced_mass_(reduced_mass),
+        distance_(distance),
+        pull_(pull),
+        turns_(wall ? 0.0 : 1.0),
+        damping_(spring.damping()) {
+    const DampedOscillator swing(spring.stiffness() / reduced_mass,
+                                 0.5 * spring.damping() / reduced_mass);
+    const double inverse_square = 1.0 / swing.w0_squared();
+    propagator_ = swing.propagator(step);
+    constants_ = swing.on_grid(step, reduced_mass);
+    curvature_ = constants_.stiffness * step * step / reduced_mass;
+    kept_ = 1.0 - constants_.damping * step / reduced_mass;
+    rest_ = pull / reduced_mass * inverse_square;
+    lifted_ = inverse_square / (distance * distance * distance);
+    const double alpha = swing.alpha();
+    const double square = (swing.w0_squared() - alpha * alpha) * step * step;
+    const double cosine = 0.5 * (propagator_.xx + propagator_.vv) * std::exp(alpha * step);
+    seen_ = square != 0.0 ? 2.0 * (1.0 - cosine) / square : 1.0;
+  }
+
+  const GridSpring& constants() const { return constants_; }
+
+  /// What the grid shows. The way across bends the distance by what is right to the fourth order of
+  /// its angle.
+  struct Sample {
+    double inverse;  // of the distance
+    double overlap;
+    double radial;   // velocity of the half step before
+    double bent;     // what a straight flight across adds to the distance in a step
+    double gone;     // by how much the distance has grown since one step before
+    double stretch;  // overlap over that of rest
+  };
+  [[gnu::always_inline]] Sample at(const RelativeState& grid) const {
+    Sample s;
+    const double square = dot(grid.separation, grid.separation);
+    const double distance = std::sqrt(square);
+    s.inverse = 1.0 / distance;
+    s.overlap = distance_ - distance;
+    s.radial = s.inverse * dot(grid.separation, grid.velocity);
+    const double across =
+        turns_ * std::max(dot(grid.velocity, grid.velocity) - s.radial * s.radial, 0.0);
+    s.bent = 0.5 * step_ * step_ * across * s.inverse;
+    s.gone = step_ * s.radial - s.bent * (1.0 + step_ * s.radial * s.inverse);
+    s.stretch = s.overlap - rest_ + lifted_ * across * square;
+    return s;
+  }
+
+  struct Force {
+    double change;  ///< of the radial velocity
+    bool lasts;     ///< whether the contact certainly lasts for the step
+  };
+  [[gnu::always_inline]] Force force(const Sample& s) const {
+    const double grows = curvature_ * s.stretch + kept_ * s.gone;
+    const double change =
+        (grows - s.bent * (1.0 - grows * s.inverse)) * inverse_step_ - s.radial;
+    const double closing = -s.radial - change - 2.0 * s.bent * inverse_step_;
+    const double end = s.overlap + step_ * closing;
+    const bool lasts = (s.overlap - step_ * std::max(s.radial, 0.0) > 0.0) &
+                       (end - step_ * std::max(closing, 0.0) > 0.0) & (s.overlap > 0.0) &
+                       (end > certain * step_ * std::abs(s.radial));
+    return {change, lasts};
+  }
+  /// Of spring and dashpot, that change the radial velocity by `change` in a step, [force].
+  double repulsion(double change) const { return reduced_mass_ * change * inverse_step_ + pull_; }
+
+  /// The true radial velocity at the grid point, less that of the half step before.
+  double ahead(const Sample& s) const {
+    const double before = s.stretch + s.gone;
+    const double rate = (s.stretch - propagator_.xx * before) / propagator_.xv;
+    return -(propagator_.vx * before + propagator_.vv * rate) - s.radial;
+  }
+
+  /// Lost in the dashpot since the last grid point: of the square of the speed of a swing the grid
+  /// sees (sin(q dt/2)/(q dt/2))^2.
+  double damped(const Sample& s) const { return damping_ * step_ * s.radial * s.radial / seen_; }
+
+ private:
+  /// Of the way of a step that the predicted overlap must be more than.
+  static constexpr double certain = 0.1;
+
+  double step_;
+  double inverse_step_;
+  double reduced_mass_;
+  double distance_;
+  double pull_;
+  double turns_;
+  double damping_;
+  DampedOscillator::Propagator propagator_;
+  GridSpring constants_;
+  double curvature_;  // 1 + d - 2 c
+  double kept_;       // d
+  double rest_;       // overlap at which spring and pull balance
+  double lifted_;     // of that, by the square of the speed across, over the distance squared
+  double seen_;
+};
+
+}  // namespace cohesion::event_stepping
