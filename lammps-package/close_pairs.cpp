@@ -19,7 +19,7 @@ void ClosePairs::update(const NeighList& list, double reach, int** kept) {
   const bool new_list = neighbor->ago == 0;
   if (new_list || positions_.empty() || reach + come_closer() > allowed_)
     find(list, new_list ? kept : nullptr);
-  sift(reach);
+  reach_ = reach;
 }
 
 /// By how much the gap of a pair may have shrunk since the pairs were found, [length].
@@ -70,25 +70,6 @@ void ClosePairs::find(const NeighList& list, int** kept) {
     count_ = last - pairs_.data();
     if (kept) forget_others(kept[i], count, first, last);
   }
-}
-
-void ClosePairs::sift(double reach) {
-  if (near_.size() < count_) near_.resize(pairs_.size());
-  ClosePair* last = near_.data();
-  if (count_ > 0) {
-    const double* const x = atom->x[0];
-    const double* const radius = atom->radius;
-    for (std::size_t k = 0; k < count_; k++) {
-      const ClosePair pair = pairs_[k];
-      const double* const xi = x + 3 * pair.i;
-      const double* const xj = x + 3 * pair.j;
-      const double dx = xj[0] - xi[0], dy = xj[1] - xi[1], dz = xj[2] - xi[2];
-      const double near = radius[pair.i] + radius[pair.j] + reach;
-      *last = pair;  // no branch, as in find()
-      last += dx * dx + dy * dy + dz * dz <= 1.0002 * near * near;
-    }
-  }
-  near_end_ = last;
 }
 
 /// Only a particle that was put elsewhere can have left a partner that is not near any more.

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "atom.h"
 #include "pointers.h"
 
 namespace LAMMPS_NS {
@@ -20,31 +21,53 @@ struct ClosePair {
 class ClosePairs : protected Pointers {
  public:
   explicit ClosePairs(LAMMPS* lammps)
-      : Pointers(lammps), allowed_(0.0), count_(0), near_end_(nullptr) {}
+      : Pointers(lammps), allowed_(0.0), reach_(0.0), count_(0) {}
 
   /// Before a run: the engine's list has every pair with a gap up to `allowed` [length].
   void start(double allowed);
   double allowed() const { return allowed_; }
 
-  /// Finds the pairs of `list` whose gap is below `reach` [length], which is at most allowed(), in
-  /// the order of the list. When the engine's list is new, pairs that are not close lose the mark
+  /// Sees to it that the pairs of `list` whose gap is below `reach` [length], which is at most
+  /// allowed(), are known. When the engine's list is new, pairs that are not close lose the mark
   /// `kept` (by particle and place in its list of neighbours) that they have a history.
   void update(const class NeighList& list, double reach, int** kept);
 
-  const ClosePair* begin() const { return near_.data(); }
-  const ClosePair* end() const { return near_end_; }
+  /// Calls what(pair, kept) for the pairs that are kept or have a gap below `reach`, in the order
+  /// of the list.
+  template <class What>
+  [[gnu::always_inline]] void for_each_near(int* const* kept, const What& what) const {
+    const double* const x = atom->x[0];
+    const double* const radius = atom->radius;
+    const ClosePair* const end = pairs_.data() + count_;
+    for (const ClosePair* p = pairs_.data(); p != end; p++) {
+      const int i = p->i, j = p->j;
+      int& is_kept = kept[i][p->place];
+      if (!is_kept) {
+        const double dx = x[3 * j] - x[3 * i], dy = x[3 * j + 1] - x[3 * i + 1],
+                     dz = x[3 * j + 2] - x[3 * i + 2];
+        const double near = radius[i] + radius[j] + reach_;
+        if (dx * dx + dy * dy + dz * dz > 1.0002 * near * near) continue;
+      }
+      what(*p, is_kept);
+    }
+  }
+  /// The same for those that are kept.
+  template <class What>
+  void for_each_kept(int* const* kept, const What& what) const {
+    const ClosePair* const end = pairs_.data() + count_;
+    for (const ClosePair* p = pairs_.data(); p != end; p++)
+      if (kept[p->i][p->place]) what(*p);
+  }
 
  private:
   double come_closer() const;
   void find(const NeighList&, int** kept);
-  void sift(double reach);
   static void forget_others(int* kept, int count, const ClosePair* near, const ClosePair* end);
 
   double allowed_;
+  double reach_;
   std::size_t count_;
   std::vector<ClosePair> pairs_;  // the first `count_` of these
-  std::vector<ClosePair> near_;   // those whose gap is below `reach` now
-  const ClosePair* near_end_;
   std::vector<double> radii_;      // per atom and ghost, when the pairs were found
   std::vector<double> positions_;  // the same; empty: not found yet
 };

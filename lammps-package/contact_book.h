@@ -53,12 +53,11 @@ class ContactBook : protected Pointers {
   /// Per atom and ghost: six numbers that lead from velocity and spin on the grid to the true ones,
   /// of all contacts.
   double** owed() const { return owed_; }
-  /// The end of the step: forces and torques of contacts on the particles, half of which the
-  /// engine's velocities have; `body` gives that of a particle.
+  /// The end of the step: impulses and angular impulses of contacts on the particles, `part` of
+  /// which the engine's velocities have; `body` gives that of a particle.
   template <class BodyOf>
-  void end_step(const std::vector<cohesion::Vector3>& forces,
-                const std::vector<cohesion::Vector3>& torques, double half_kick,
-                const BodyOf& body);
+  void end_step(const std::vector<cohesion::Vector3>& impulses,
+                const std::vector<cohesion::Vector3>& turns, double part, const BodyOf& body);
   /// Then, of a particle.
   cohesion::Vector3 true_velocity(int i) const;
   cohesion::Vector3 true_spin(int i) const;
@@ -75,7 +74,7 @@ class ContactBook : protected Pointers {
 
  private:
   void end_step_of(int i, const cohesion::event_stepping::Body&, const cohesion::Vector3& pushed,
-                   const cohesion::Vector3& turned, double half_kick);
+                   const cohesion::Vector3& turned, double part);
 
   bool kept_ = false;
   Sums now_, later_;  // later_: after the grid point
@@ -86,11 +85,11 @@ class ContactBook : protected Pointers {
 };
 
 template <class BodyOf>
-void ContactBook::end_step(const std::vector<cohesion::Vector3>& forces,
-                           const std::vector<cohesion::Vector3>& torques, double half_kick,
+void ContactBook::end_step(const std::vector<cohesion::Vector3>& impulses,
+                           const std::vector<cohesion::Vector3>& turns, double part,
                            const BodyOf& body) {
-  for (std::size_t i = 0; i < forces.size(); i++)
-    end_step_of(static_cast<int>(i), body(static_cast<int>(i)), forces[i], torques[i], half_kick);
+  for (std::size_t i = 0; i < impulses.size(); i++)
+    end_step_of(static_cast<int>(i), body(static_cast<int>(i)), impulses[i], turns[i], part);
 }
 
 }  // namespace LAMMPS_NS

@@ -7,6 +7,7 @@
 #include "atom.h"
 #include "event_stepping/contact_on_grid.h"
 #include "event_stepping/sampled_contact.h"
+#include "event_stepping/unrest.h"
 #include "fix_event_step.h"
 
 // What pairs and walls of the event scheme share: which of their contacts last and which are
@@ -84,8 +85,8 @@ class ContactsOfStep {
 
   /// Force and torque on the particles of this process.
   [[gnu::always_inline]] void act(int i, int j, const Action& a) const {
-    step_->push<SIZE>(i, -kick_ * a.impulse, kick_ * a.torque_i);
-    if (j >= 0 && j < nlocal_) step_->push<SIZE>(j, kick_ * a.impulse, kick_ * a.torque_j);
+    step_->push<SIZE>(i, -a.impulse, a.torque_i);
+    if (j >= 0 && j < nlocal_) step_->push<SIZE>(j, a.impulse, a.torque_j);
   }
   void act_not(int i, int j, const Action& a) const {
     act(i, j, {-a.impulse, -a.torque_i, -a.torque_j});
@@ -134,6 +135,46 @@ class ContactsOfStep {
   int nlocal_;
 };
 
+/// Contacts that have lasted and go on to last, where nobody asks what they do: what most contacts
+/// of a bed need, and only that, so that memory and motion stay in registers.
+template <class Contact, int SIZE>
+class LastingContacts {
+ public:
+  LastingContacts(Atom* atom, FixEventStep* step)
+      : impulses_(step->impulses()),
+        turns_(step->turns()),
+        disturbances_(step->disturbances()),
+        nlocal_(atom->nlocal) {}
+
+  /// False: nothing is done, the contact is to be taken in another way.
+  [[gnu::always_inline]] bool act(const Contact& c, int i, int j,
+                                  const cohesion::event_stepping::PairMotion& grid,
+                                  double* history) const {
+    using namespace cohesion::event_stepping;
+    if (history[0] != ContactMemory::lasting) return false;
+    ContactMemory memory = ContactMemory::as_stored(history, SIZE);
+    memory.phase = ContactMemory::lasting;
+    Action action;
+    if (!c.template hold<SIZE>(grid, memory, action, nullptr)) return false;
+    memory.to(history, SIZE);
+    const double part = c.is_old(memory) ? unrest::of_old : unrest::of_young;
+    impulses_[i] -= action.impulse;
+    if (SIZE >= ContactMemory::with_friction) turns_[i] += action.torque_i;
+    disturbances_[i] += part;
+    disturbances_[j] += part;
+    if (j >= nlocal_) return true;
+    impulses_[j] += action.impulse;
+    if (SIZE >= ContactMemory::with_friction) turns_[j] += action.torque_j;
+    return true;
+  }
+
+ private:
+  cohesion::Vector3* impulses_;
+  cohesion::Vector3* turns_;
+  double* disturbances_;
+  int nlocal_;
+};
+
 /// A sampled contact acts; gives what it does.
 template <int SIZE, class Contact>
 cohesion::event_stepping::SampledStep sample(const ContactsOfStep<Contact, SIZE>& scatter,
@@ -171,23 +212,24 @@ struct StepContacts {
   }
 
   /// One contact from its motion on the grid: acts if it lasts, is announced if it is to be
-  /// followed, which makes both particles restless.
+  /// followed.
   template <int SIZE, class Contact, class Done>
-  [[gnu::always_inline]] void take(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
-                                   const Contact& c, int contact, int i, int j,
-                                   const cohesion::event_stepping::PairMotion& grid,
-                                   cohesion::event_stepping::ContactMemory memory, double* history,
-                                   const Done& done) {
+  [[gnu::noinline]] void take(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
+                              const Contact& c, int contact, int i, int j,
+                              const cohesion::event_stepping::PairMotion& grid, double* history,
+                              const Done& done) {
     using namespace cohesion::event_stepping;
+    ContactMemory memory = ContactMemory::from(history, SIZE);
     const bool lasted = memory.phase == ContactMemory::lasting;
-    if (!lasted && c.can_last(grid.relative, memory)) {
-      candidates.push_back({i, j, contact, history});
-    } else if (!lasted || !hold<SIZE>(scatter, step, c, i, j, grid, memory, history, done)) {
-      // Not of those that only the fastest particle of this rank could bring together.
-      if (memory.phase != ContactMemory::beyond || c.within_reach(grid.relative, 0.0)) {
-        step->unsettle(i);
-        if (j >= 0) step->unsettle(j);
-      }
+    const bool can_last = !lasted && c.can_last(grid.relative, memory);
+    if (can_last) candidates.push_back({i, j, contact, history});
+    const bool lasts = lasted && hold<SIZE>(scatter, step, c, i, j, grid, memory, history, done);
+    if (lasts || can_last) {
+      step->disturb(i, j, c.is_old(memory) ? unrest::of_old : unrest::of_young);
+    } else {
+      // Not by those that only the fastest particle of this rank could bring together.
+      if (memory.phase != ContactMemory::beyond || c.within_reach(grid.relative, 0.0))
+        step->disturb(i, j, unrest::of_event);
       announce<SIZE>(scatter, step, c, contact, i, j, grid, memory, history);
     }
     if (step->book.is_kept()) {
@@ -288,7 +330,7 @@ struct StepContacts {
 
  private:
   template <int SIZE, class Contact, class Done>
-  [[gnu::always_inline]] bool hold(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
+  bool hold(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
                                    const Contact& c, int i, int j,
                                    const cohesion::event_stepping::PairMotion& grid,
                                    cohesion::event_stepping::ContactMemory& memory, double* history,
@@ -296,8 +338,9 @@ struct StepContacts {
     using namespace cohesion::event_stepping;
     Action action;
     ContactLosses lost;
-    const bool lasts =
-        c.template hold<SIZE>(grid, memory, action, step->book.is_kept() ? &lost : nullptr);
+    ContactLosses* const losses = step->book.is_kept() ? &lost : nullptr;
+    const bool lasts = c.template hold<SIZE>(grid, memory, action, losses);
+    if (!lasts) c.template leave<SIZE>(grid, memory, losses);
     memory.to(history, SIZE);
     step->book.lose(scatter.part(j), lost, 0.0);
     if (!lasts) return false;

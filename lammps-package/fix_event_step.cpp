@@ -44,14 +44,12 @@ static void put(const Vector3& a, double* values) {
 
 FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
     : Fix(lammps, narg, arg),
-      restless(nullptr),
       owed(nullptr),
       alone(nullptr),
       book(lammps),
       watch(lammps),
       shared(nullptr),
       shared_each(ALONE),
-      shared_announced(true),
       follows(true),
       resting(false),
       resuming(false),
@@ -64,6 +62,7 @@ FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
       last(lammps, LAST),
       outer(lammps, 3),
       contacts(nullptr),
+      disturbed(nullptr),
       inverse_mass(nullptr),
       longest_flight(0.0),
       unresolved(0.0),
@@ -82,10 +81,10 @@ FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
 FixEventStep::~FixEventStep() {
   atom->delete_callback(id, Atom::GROW);
   atom->delete_callback(id, Atom::RESTART);
-  memory->destroy(restless);
   memory->destroy(owed);
   memory->destroy(alone);
   memory->destroy(contacts);
+  memory->destroy(disturbed);
   memory->destroy(inverse_mass);
 }
 
@@ -187,10 +186,6 @@ void FixEventStep::weigh(int all) {
   weighed.assign(mass, mass + all);
 }
 
-/// The engine's half kick makes of a force f the momentum f dt/2; the other half went before, but
-/// for the first step, which has no half before it.
-double FixEventStep::force_per_impulse() const { return (starting ? 2.0 : 1.0) / update->dt; }
-
 double FixEventStep::half_kick() const { return 0.5 * update->dt; }
 
 /* ---------------------------------------------------------------------- */
@@ -230,18 +225,32 @@ void FixEventStep::work_out() {
   clear();
   for (EventContacts* some : styles) some->gather();
   if (within_step) {
-    share(restless, RESTLESS, false);
+    share(nullptr, 1);
+    const int all = atom->nlocal + atom->nghost;
+    some_restless =
+        std::any_of(disturbed, disturbed + all, cohesion::event_stepping::unrest::is_restless);
     for (EventContacts* some : styles) some->unsettle();
     for (EventContacts* some : styles) some->join();
-    share(owed, OWED, true);
-    for (EventContacts* some : styles) some->follow_alone();
-    share(alone, ALONE, true);
-    for (int i = 0; i < atom->nlocal; i++) {
-      add(atom->f[i], contact_force[i]);
-      add(atom->torque[i], contact_torque[i]);
+    if (some_announced || comm->nprocs > 1) {
+      share(owed, OWED);
+      for (EventContacts* some : styles) some->follow_alone();
+      share(alone, ALONE);
     }
+    hand_over();
   }
   handed_over = true;
+}
+
+/// What contacts have done so far, to the engine.
+void FixEventStep::hand_over() {
+  const int n = 3 * atom->nlocal;
+  if (n == 0) return;
+  double* const f = atom->f[0];
+  double* const torque = atom->torque[0];
+  const double* const pushed = &contact_impulse[0].x;
+  const double* const turned = &contact_turn[0].x;
+  for (int k = 0; k < n; k++) f[k] += kick * pushed[k];
+  for (int k = 0; k < n; k++) torque[k] += kick * turned[k];
 }
 
 /// The first step has no half kick before it: what its velocities are, they truly are.
@@ -280,12 +289,16 @@ void FixEventStep::initial_integrate(int) {
 
 /// Forces are all there when the next step begins.
 void FixEventStep::look_for_outer() {
-  if (resting || !within_step) return;
-  for (int i = 0; i < atom->nlocal; i++) put(outer_now(i), outer.of(i));
+  if (resting || !within_step || atom->nlocal == 0) return;
+  const double* const f = atom->f[0];
+  const double* const pushed = &contact_impulse[0].x;
+  double* const rest = outer.of(0);
+  const int n = 3 * atom->nlocal;
+  for (int k = 0; k < n; k++) rest[k] = f[k] - kick * pushed[k];
 }
 
 Vector3 FixEventStep::outer_now(int i) const {
-  return sums_contacts ? vector(atom->f[i]) - contact_force[i] : Vector3{};
+  return sums_contacts ? vector(atom->f[i]) - kick * contact_impulse[i] : Vector3{};
 }
 
 /// The books begin when all fixes have been set up; a run of no step ends then.
@@ -314,14 +327,16 @@ void FixEventStep::clear() {
   look_round();
   look_for_readers();
   handed_over = false;
+  kick = (starting ? 2.0 : 1.0) / update->dt;
   sums_contacts = within_step || book.is_kept();
   if (sums_contacts) {
-    contact_force.assign(atom->nlocal, {});
-    contact_torque.assign(atom->nlocal, {});
+    contact_impulse.assign(atom->nlocal, {});
+    contact_turn.assign(atom->nlocal, {});
   }
   if (within_step) {
     std::fill_n(contacts, all, 0);
-    if (all > 0) std::fill_n(restless[0], all, 0.0);
+    std::fill_n(disturbed, all, 0.0);
+    some_announced = false;
   }
   book.begin_step();
 }
@@ -333,12 +348,12 @@ void FixEventStep::look_for_readers() {
 
 void FixEventStep::end_of_step() {
   if (resting || !book.is_kept()) return;
-  book.end_step(contact_force, contact_torque, half_kick(), [this](int i) { return body(i); });
+  book.end_step(contact_impulse, contact_turn, half_kick() * kick, [this](int i) { return body(i); });
   const std::vector<double> weight = weights(lmp);
   double power = 0.0;  // of all forces but those of contacts, and gravity
   for (int i = 0; i < atom->nlocal; i++)
     if (inverse_mass[i] != 0.0)
-      power += dot(vector(atom->f[i]) - contact_force[i] - vector(&weight[3 * i]),
+      power += dot(outer_now(i) - vector(&weight[3 * i]),
                    book.true_velocity(i));
   book.work(2.0 * half_kick() * power);
 }
@@ -381,19 +396,23 @@ void FixEventStep::report_unresolved() {
 
 /* ---------------------------------------------------------------------- */
 
-/// Brings `each` values of particles to their ghosts.
-void FixEventStep::share(double** values, int each, bool of_announced) {
+/// Brings `each` values of particles that have been announced to their ghosts; nullptr: what
+/// disturbs particles.
+void FixEventStep::share(double** values, int each) {
   shared = values;
   shared_each = each;
-  shared_announced = of_announced;
   engine_api::forward_comm(comm, this, each);
 }
 
 int FixEventStep::pack_forward_comm(int n, int* list, double* buf, int, int*) {
+  if (shared == nullptr) {
+    for (int i = 0; i < n; i++) buf[i] = disturbed[list[i]];
+    return n;
+  }
   for (int i = 0; i < n; i++, buf += shared_each) {
     // A ghost that is passed on has what its owner sent.
     const int from = list[i];
-    if (shared_announced && from < atom->nlocal && contacts[from] == 0)
+    if (from < atom->nlocal && contacts[from] == 0)
       std::fill_n(buf, shared_each, 0.0);
     else
       std::copy_n(shared[from], shared_each, buf);
@@ -402,15 +421,17 @@ int FixEventStep::pack_forward_comm(int n, int* list, double* buf, int, int*) {
 }
 
 void FixEventStep::unpack_forward_comm(int n, int first, double* buf) {
-  for (int i = first; i < first + n; i++, buf += shared_each)
-    std::copy_n(buf, shared_each, shared[i]);
+  if (shared == nullptr)
+    std::copy_n(buf, n, disturbed + first);
+  else
+    std::copy_n(buf, shared_each * n, shared[first]);
 }
 
 void FixEventStep::grow_arrays(int nmax) {
-  memory->grow(restless, nmax, RESTLESS, "event_step:restless");
   memory->grow(owed, nmax, OWED, "event_step:owed");
   memory->grow(alone, nmax, ALONE, "event_step:alone");
   memory->grow(contacts, nmax, "event_step:contacts");
+  memory->grow(disturbed, nmax, "event_step:disturbed");
   if (last.has_room()) last.grow(nmax);
   outer.grow(nmax);
   memory->grow(inverse_mass, nmax, "event_step:inverse_mass");
@@ -479,8 +500,8 @@ int FixEventStep::maxsize_restart() { return last.size_restart(); }
 int FixEventStep::size_restart(int) { return last.size_restart(); }
 
 double FixEventStep::memory_usage() {
-  const double numbers = RESTLESS + OWED + ALONE + 1;
+  const double numbers = OWED + ALONE + 2;
   return (numbers * sizeof(double) + sizeof(int)) * atom->nmax +
-         sizeof(Vector3) * (contact_force.capacity() + contact_torque.capacity()) +
+         sizeof(Vector3) * (contact_impulse.capacity() + contact_turn.capacity()) +
          sizeof(double) * weighed.capacity() + outer.bytes() + last.bytes() + book.bytes();
 }

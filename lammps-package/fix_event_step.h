@@ -19,6 +19,7 @@ FixStyle(EVENT_STEP,FixEventStep);
 #include "contact_book.h"
 #include "event_stepping/contact_on_grid.h"
 #include "event_stepping/flux_parts.h"
+#include "event_stepping/unrest.h"
 #include "fix.h"
 #include "mobile_particles.h"
 
@@ -60,6 +61,14 @@ class EventWalls : public EventContacts {
 
  protected:
   ~EventWalls() = default;
+};
+
+/// What contacts must know of each particle and ghost.
+struct Bodies {
+  const double* radius;
+  const double* inverse_mass;
+
+  cohesion::event_stepping::Body operator[](int i) const { return {radius[i], inverse_mass[i]}; }
 };
 
 /// What all styles of the event scheme share, made by the first of them. A contact that lasts needs
@@ -120,12 +129,15 @@ class FixEventStep : public Fix {
   bool resumes() const { return resuming; }
   /// A run that does so finds another box than the last one left, and particles elsewhere.
   bool box_changed() const { return other_box; }
-  /// The force that gives a particle the impulse 1 in this step, [1/time].
-  double force_per_impulse() const;
+  /// The force that gives a particle the impulse 1 in this step, [1/time]. The engine's half kick
+  /// makes of a force f the momentum f dt/2; the other half went before, but for the first step,
+  /// which has no half before it.
+  double force_per_impulse() const { return kick; }
   /// The first step of a run that takes over nothing.
   bool starts() const { return starting; }
   /// Particle or ghost i; a particle that nothing integrates has inverse mass 0.
-  cohesion::event_stepping::Body body(int i) const { return {atom->radius[i], inverse_mass[i]}; }
+  cohesion::event_stepping::Body body(int i) const { return bodies()[i]; }
+  Bodies bodies() const { return {atom->radius, inverse_mass}; }
   /// A contact of the event scheme, or a sampled one, in this step.
   template <class Contact>
   Contact contact(const cohesion::contact::ContactParameters& parameters,
@@ -145,6 +157,7 @@ class FixEventStep : public Fix {
   /// Announces a contact of particle or ghost i in this step, before it adds to `owed` or `alone`.
   /// What forces that are no contacts' do is the first entry; ghosts have it from their owners.
   void announce(int i) {
+    some_announced = true;
     if (contacts[i]++ != 0) return;
     std::fill_n(owed[i], OWED, 0.0);
     std::fill_n(alone[i], ALONE, 0.0);
@@ -155,11 +168,19 @@ class FixEventStep : public Fix {
     add(alone[i], does.separation);
     add(alone[i] + 3, does.velocity);
   }
-  /// Particle or ghost i has a contact with an event, or a young one.
-  void unsettle(int i) { restless[i][0] = 1.0; }
-  bool is_restless(int i) const { return restless[i][0] != 0.0; }
+  /// A contact of i and j (below 0: a wall) disturbs its particles by `part` (unrest).
+  void disturb(int i, int j, double part) {
+    disturbed[i] += part;
+    if (j >= 0) disturbed[j] += part;
+  }
+  bool is_restless(int i) const {
+    return cohesion::event_stepping::unrest::is_restless(disturbed[i]);
+  }
+  /// Whether any particle or ghost is.
+  bool any_restless() const { return some_restless; }
   /// One more contact of a particle that has been announced.
   void joins(int i) { contacts[i]++; }
+  bool any_announced() const { return some_announced; }
   /// Whether a contact of particle or ghost i has been announced.
   bool is_followed(int i) const { return contacts[i] != 0; }
   /// Whether i is a particle of this rank with one contact only.
@@ -167,8 +188,7 @@ class FixEventStep : public Fix {
 
   /// Per atom and ghost that has been announced: what leads from the velocity and spin on the grid
   /// to the true ones; change of position, velocity and spin, each contact alone.
-  static constexpr int RESTLESS = 1, OWED = 6, ALONE = 9;
-  double** restless;
+  static constexpr int OWED = 6, ALONE = 9;
   double** owed;
   double** alone;
   /// The energy of contacts.
@@ -181,24 +201,29 @@ class FixEventStep : public Fix {
 
   /// Counts a contact whose step was cut short.
   void note_unresolved(double part) { unresolved += part; }
-  /// Adds force and torque of a contact on particle i of this rank.
+  /// Adds what a contact does to particle i of this rank: impulse and angular impulse.
   template <int SIZE>
   [[gnu::always_inline]] void push(int i, const cohesion::Vector3& pushed,
                                    const cohesion::Vector3& turned) {
     if (sums_contacts) {
-      contact_force[i] += pushed;
-      if (SIZE > 3) contact_torque[i] += turned;
+      contact_impulse[i] += pushed;
+      if (SIZE > 3) contact_turn[i] += turned;
     }
     if (!handed_over) return;
-    add(atom->f[i], pushed);
-    if (SIZE > 3) add(atom->torque[i], turned);
+    add(atom->f[i], kick * pushed);
+    if (SIZE > 3) add(atom->torque[i], kick * turned);
   }
+  /// Where contacts may add the same before the second pass, in scheme event; per particle.
+  cohesion::Vector3* impulses() { return contact_impulse.data(); }
+  cohesion::Vector3* turns() { return contact_turn.data(); }
+  double* disturbances() { return disturbed; }
   /// All that comes before the second pass, if it has not been done in this step.
   void work_out();
 
  private:
   void clear();
   void look_for_outer();
+  void hand_over();
   cohesion::Vector3 outer_now(int i) const;
   void note_last(int i, double* values) const;
   void judge(bool setup);
@@ -207,7 +232,7 @@ class FixEventStep : public Fix {
   void look_round();
   void weigh(int all);
   void report_unresolved();
-  void share(double** values, int each, bool of_announced);
+  void share(double** values, int each);
   void begin_books();
   void look_for_unturned();
 
@@ -222,9 +247,8 @@ class FixEventStep : public Fix {
   std::vector<AdvisedStyle*> advised;  // the same
   ContactWatch watch;
 
-  double** shared;        // that go to the ghosts now
-  int shared_each;        // of each
-  bool shared_announced;  // of particles that have been announced; of others they are zero
+  double** shared;        // that go to the ghosts now, of particles that have been announced; of
+  int shared_each;        // others they are zero. nullptr: what disturbs them
   bool follows;           // any pair or wall, in this run
   bool resting;           // nothing is followed, and nobody reads the books
   bool resuming;
@@ -237,12 +261,16 @@ class FixEventStep : public Fix {
   double last_dt;     // of the step that `last` is from; 0: there was none
   AtomNumbers last;   // from the end of a run to the first step of the next: note_last()
   AtomNumbers outer;  // force of all but contacts at the last grid point
-  std::vector<cohesion::Vector3> contact_force, contact_torque;  // per atom, of this step
+  std::vector<cohesion::Vector3> contact_impulse, contact_turn;  // per atom, of this step
+  double kick = 0.0;  // force that stands for an impulse in this step
   bool handed_over = false;     // to the engine; what comes later goes there at once
   bool pending = false;         // in this step: work_out()
   bool within_step = false;     // any style, in this run
-  bool sums_contacts = false;   // contact_force and contact_torque, in this step
+  bool sums_contacts = false;   // contact_impulse and contact_turn, in this step
   int* contacts;                // per atom and ghost, this step
+  double* disturbed;            // the same: sums of unrest
+  bool some_restless = false;   // of those
+  bool some_announced = false;  // the same
   double* inverse_mass;         // per atom and ghost
   std::vector<double> weighed;  // the masses inverse_mass is of; empty: of none
   double longest_flight;

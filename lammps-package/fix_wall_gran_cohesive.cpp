@@ -264,13 +264,12 @@ void FixWallGranCohesive<Cohesion>::gather(std::vector<EventContact>& shared) {
   for_each_near(shared, [&](int i, int w, int c, const WallPoint& point, double* values) {
     const Near near{i, w, c, point, values};
     const PairMotion grid = on_grid(near);
-    const ContactMemory known = ContactMemory::from(values, SIZE);
-    if (known.phase == ContactMemory::beyond &&
+    if (values[0] == ContactMemory::beyond &&
         !shared[c].within_reach(grid.relative, step->flight()))
       return;
     near_now.push_back(near);
     contacts_now.take<SIZE>(scatter, step, shared[c], c, i, partner(near_now.size() - 1), grid,
-                            known, values, pushes<SIZE>(scatter));
+                            values, pushes<SIZE>(scatter));
   });
 }
 

@@ -140,10 +140,9 @@ void PairGranCohesive<Cohesion>::follow_alone() {
 /// Energy of spring and adhesion.
 static double energy(const StoredEnergies& stored) { return stored.spring + stored.adhesion; }
 
-/// Calls what(i, j, kept, history) for the pairs that may touch in this step.
+/// Finds the pairs that may touch in this step.
 template <class Cohesion>
-template <class What>
-void PairGranCohesive<Cohesion>::for_each_close(const What& what) {
+void PairGranCohesive<Cohesion>::find_close() {
   // Both fly a whole step from the grid point; sampled, they are found as far beyond the edge.
   constexpr double flights = 4.0;
   const double reach = largest_range + flights * step->flight();
@@ -155,21 +154,27 @@ void PairGranCohesive<Cohesion>::for_each_close(const What& what) {
                coefficients.where(), step->flight(), (close.allowed() - largest_range) / flights,
                20.0 * step->flight(), report_fastest(lmp));
   close.update(*list, reach, history->firstflag);
-  int* const* const flags = history->firstflag;
+}
+
+/// Calls what(i, j, kept, history) for them.
+template <class Cohesion>
+template <class What>
+[[gnu::always_inline]] inline void PairGranCohesive<Cohesion>::for_each_close(const What& what) {
   double* const* const values_of = history->firstvalue;
-  for (const ClosePair& pair : close) {
-    if (!moves(pair.i, pair.j)) continue;
-    what(pair.i, pair.j, flags[pair.i][pair.place], values_of[pair.i] + per_pair * pair.place);
-  }
+  const int each = per_pair;
+  close.for_each_near(history->firstflag, [&](const ClosePair& pair, int& kept) __attribute__((always_inline)) {
+    what(pair.i, pair.j, kept, values_of[pair.i] + each * pair.place);
+  });
 }
 
 /// The same, after gather(), as what(i, j, history) for those of them that have a history.
 template <class Cohesion>
 template <class What>
 void PairGranCohesive<Cohesion>::for_each_kept(const What& what) {
-  for (const ClosePair& pair : close)
-    if (history->firstflag[pair.i][pair.place])
-      what(pair.i, pair.j, history->firstvalue[pair.i] + per_pair * pair.place);
+  double* const* const values_of = history->firstvalue;
+  close.for_each_kept(history->firstflag, [&](const ClosePair& pair) {
+    what(pair.i, pair.j, values_of[pair.i] + per_pair * pair.place);
+  });
 }
 
 /// Adds what a contact does to the sums of momentum flux, if somebody reads them.
@@ -189,23 +194,47 @@ void PairGranCohesive<Cohesion>::gather(Contacts<EventContact>& contacts) {
   contacts_now.clear();
   contacts.clear();
   const ContactsOfStep<EventContact, SIZE> scatter(atom, step);
-  const auto sum = flux_sum();
-  for_each_close([&](int i, int j, int& kept, double* values) {
-    const int c = contact(contacts, i, j);
-    const EventContact& law = contacts.all[c];
-    ContactMemory known;
-    if (kept) known = ContactMemory::from(values, SIZE);
-    if (known.phase == ContactMemory::beyond) {
-      kept = 0;
-      if (!law.within_reach(on_grid(i, j), step->flight())) return;
-      std::fill_n(values, per_pair, 0.0);
-      // A pair that a run starts with is where it is; it did not fall into the range.
-      if (step->starts() && closer(law.range(), i, j)) known = ContactMemory::seen_inside();
-    }
-    kept = 1;
-    contacts_now.take<SIZE>(scatter, step, law, c, i, j, on_grid_with_spins(i, j), known, values,
-                            sum);
+  find_close();
+  const LastingContacts<EventContact, SIZE> lasting(atom, step);
+  const bool asked = step->book.is_kept() || step->sums_flux();
+  const double* const x = atom->x[0];
+  const double* const v = atom->v[0];
+  const double* const spin = atom->omega[0];
+  const int* const type = atom->type;
+  const Bodies bodies = step->bodies();
+  int lasts = 0;
+  for_each_close([&](int i, int j, int& kept, double* values) __attribute__((always_inline)) {
+    const int c = contact(contacts, type, bodies, i, j);
+    if (c == contacts.NONE) return;
+    if (kept && !asked &&
+        lasting.act(contacts.all[c], i, j,
+                    {{vector(x + 3 * j) - vector(x + 3 * i), vector(v + 3 * j) - vector(v + 3 * i)},
+                     vector(spin + 3 * i),
+                     vector(spin + 3 * j)},
+                    values))
+      lasts++;
+    else
+      take<SIZE>(scatter, contacts.all[c], c, i, j, kept, values);
   });
+  contacts_now.lasting += lasts;
+}
+
+template <class Cohesion>
+template <int SIZE>
+void PairGranCohesive<Cohesion>::take(const ContactsOfStep<EventContact, SIZE>& scatter,
+                                      const EventContact& law, int contact, int i, int j, int& kept,
+                                      double* values) {
+  if (!kept || values[0] == ContactMemory::beyond) {
+    kept = 0;
+    if (!law.within_reach(on_grid(i, j), step->flight())) return;
+    std::fill_n(values, per_pair, 0.0);
+    // A pair that a run starts with is where it is; it did not fall into the range.
+    if (step->starts() && closer(law.range(), i, j))
+      ContactMemory::seen_inside().to(values, per_pair);
+  }
+  kept = 1;
+  contacts_now.take<SIZE>(scatter, step, law, contact, i, j, on_grid_with_spins(i, j), values,
+                          flux_sum());
 }
 
 template <class Cohesion>
@@ -213,7 +242,7 @@ template <int SIZE>
 void PairGranCohesive<Cohesion>::unsettle(Contacts<EventContact>& contacts) {
   const ContactsOfStep<EventContact, SIZE> scatter(atom, step);
   const auto sum = flux_sum();
-  if (contacts_now.lasting > 0)
+  if (contacts_now.lasting > 0 && step->any_restless())
     for_each_kept([&](int i, int j, double* values) {
       if (!step->is_restless(i) && !step->is_restless(j)) return;
       const int c = contact(contacts, i, j);
@@ -228,7 +257,7 @@ void PairGranCohesive<Cohesion>::unsettle(Contacts<EventContact>& contacts) {
 template <class Cohesion>
 template <int SIZE>
 void PairGranCohesive<Cohesion>::join(Contacts<EventContact>& contacts) {
-  if (contacts_now.lasting == 0) return;
+  if (contacts_now.lasting == 0 || !step->any_announced()) return;
   const ContactsOfStep<EventContact, SIZE> scatter(atom, step);
   for_each_kept([&](int i, int j, double* values) {
     if (!step->is_followed(i) && !step->is_followed(j)) return;
@@ -273,8 +302,10 @@ template <int SIZE>
 void PairGranCohesive<Cohesion>::gather(Contacts<SampledContact>& contacts) {
   sampled_now.clear();
   contacts.clear();
+  find_close();
   for_each_close([&](int i, int j, int& kept, double* values) {
     const int c = contact(contacts, i, j);
+    if (c == contacts.NONE) return;
     if (!kept) {
       if (!contacts.all[c].within_reach(on_grid(i, j))) return;
       std::fill_n(values, per_pair, 0.0);

@@ -88,6 +88,8 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventContacts, p
   template <class Contact>
   int contact(Contacts<Contact>&, int i, int j);
   template <class Contact>
+  int contact(Contacts<Contact>&, const int* type, const Bodies&, int i, int j);
+  template <class Contact>
   int new_contact(Contacts<Contact>&, int of_types, int i, int j);
   cohesion::event_stepping::RelativeState on_grid(int i, int j) const;
   cohesion::event_stepping::PairMotion on_grid_with_spins(int i, int j) const;
@@ -96,12 +98,16 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventContacts, p
   template <class What>
   void for_each_listed(const What&) const;
   void begin_where_they_are(bool afresh);
+  void find_close();
   template <class What>
   void for_each_close(const What&);
   template <int SIZE>
   void gather(Contacts<EventContact>&);
   template <int SIZE>
   void gather(Contacts<SampledContact>&);
+  template <int SIZE>
+  void take(const ContactsOfStep<EventContact, SIZE>&, const EventContact&, int contact, int i,
+            int j, int& kept, double* values);
   template <int SIZE>
   void unsettle(Contacts<EventContact>&);
   template <int SIZE>
@@ -142,26 +148,39 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventContacts, p
 };
 
 template <class Cohesion>
-inline cohesion::event_stepping::RelativeState PairGranCohesive<Cohesion>::on_grid(int i,
-                                                                                   int j) const {
-  return {vector(atom->x[j]) - vector(atom->x[i]), vector(atom->v[j]) - vector(atom->v[i])};
+[[gnu::always_inline]] inline cohesion::event_stepping::RelativeState
+PairGranCohesive<Cohesion>::on_grid(int i, int j) const {
+  const double* const x = atom->x[0];
+  const double* const v = atom->v[0];
+  return {vector(x + 3 * j) - vector(x + 3 * i), vector(v + 3 * j) - vector(v + 3 * i)};
 }
 
-/// Pairs of equal particles that come one after the other share a contact.
+/// Pairs of equal particles that come one after the other share a contact. NONE: neither is moved by
+/// anything.
 template <class Cohesion>
 template <class Contact>
-inline int PairGranCohesive<Cohesion>::contact(Contacts<Contact>& contacts, int i, int j) {
-  const int types = coefficients.of_types(atom->type[i], atom->type[j]);
+[[gnu::always_inline]] inline int PairGranCohesive<Cohesion>::contact(Contacts<Contact>& contacts,
+                                                                      int i, int j) {
+  return contact(contacts, atom->type, step->bodies(), i, j);
+}
+template <class Cohesion>
+template <class Contact>
+[[gnu::always_inline]] inline int PairGranCohesive<Cohesion>::contact(Contacts<Contact>& contacts,
+                                                                      const int* type,
+                                                                      const Bodies& bodies, int i,
+                                                                      int j) {
+  const int types = coefficients.of_types(type[i], type[j]);
   const int last = contacts.last[types];
-  if (last != Contacts<Contact>::NONE && contacts.all[last].joins(step->body(i), step->body(j)))
+  if (last != Contacts<Contact>::NONE && contacts.all[last].joins(bodies[i], bodies[j]))
     return last;
   return new_contact(contacts, types, i, j);
 }
 
 template <class Cohesion>
 template <class Contact>
-int PairGranCohesive<Cohesion>::new_contact(Contacts<Contact>& contacts, int of_types, int i,
-                                            int j) {
+[[gnu::noinline]] int PairGranCohesive<Cohesion>::new_contact(Contacts<Contact>& contacts,
+                                                              int of_types, int i, int j) {
+  if (!moves(i, j)) return Contacts<Contact>::NONE;
   const cohesion::event_stepping::Body a = step->body(i), b = step->body(j);
   contacts.all.push_back(step->contact<Contact>(
       coefficients.contact(of_types),
@@ -176,9 +195,10 @@ bool PairGranCohesive<Cohesion>::closer(double gap, int i, int j) const {
 }
 
 template <class Cohesion>
-inline cohesion::event_stepping::PairMotion PairGranCohesive<Cohesion>::on_grid_with_spins(
-    int i, int j) const {
-  return {on_grid(i, j), vector(atom->omega[i]), vector(atom->omega[j])};
+[[gnu::always_inline]] inline cohesion::event_stepping::PairMotion
+PairGranCohesive<Cohesion>::on_grid_with_spins(int i, int j) const {
+  const double* const spin = atom->omega[0];
+  return {on_grid(i, j), vector(spin + 3 * i), vector(spin + 3 * j)};
 }
 
 /// Pairs of which neither is moved by anything are not followed.

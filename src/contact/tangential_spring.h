@@ -30,10 +30,11 @@ struct Plane {
   Vector3 part_in(const Vector3& a) const { return a - (inverse_square * dot(a, normal)) * normal; }
 
   /// A vector in the plane of another contact turned into this one, its length kept.
-  Vector3 turned_into(const Vector3& a) const {
-    const Vector3 part = part_in(a);
-    const double square = dot(part, part);
-    return square > 0.0 ? std::sqrt(dot(a, a) / square) * part : Vector3{};
+  [[gnu::always_inline]] Vector3 turned_into(const Vector3& a) const {
+    const double along = dot(a, normal), whole = dot(a, a);
+    const double square = whole - inverse_square * along * along;
+    if (!(square > 0.0)) return {};
+    return std::sqrt(whole / square) * (a - (inverse_square * along) * normal);
   }
 };
 

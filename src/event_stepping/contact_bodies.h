@@ -65,8 +65,12 @@ class ContactBodies {
     /// How fast the surfaces part in the plane of contact, [length/time].
     [[gnu::always_inline]] Vector3 slides(const Vector3& velocity, const Vector3& spin_i,
                                           const Vector3& spin_j) const {
-      return plane_.part_in(velocity -
-                            cross(lever_i_ * spin_i + (1.0 - lever_i_) * spin_j, plane_.normal));
+      return slides_across(plane_.part_in(velocity), spin_i, spin_j);
+    }
+    /// `across`: the velocity's part in the plane.
+    [[gnu::always_inline]] Vector3 slides_across(const Vector3& across, const Vector3& spin_i,
+                                                 const Vector3& spin_j) const {
+      return across - cross(lever_i_ * spin_i + (1.0 - lever_i_) * spin_j, plane_.normal);
     }
     /// How fast they roll on each other, [length/time]:
     ///

@@ -30,18 +30,26 @@ struct ContactMemory {
   /// Numbers that an engine keeps: without friction, with it, and with rolling friction.
   enum Size { normal_only = 3, with_friction = 9, with_rolling = 15 };
 
-  /// An engine that exchanges i and j changes the sign of all numbers.
   static ContactMemory from(const double* values, int size) {
-    const double sign = values[0] < 0.0 ? -1.0 : 1.0;
+    ContactMemory m = as_stored(values, size);
+    if (values[0] >= 0.0) return m;
+    // An engine that exchanges i and j changes the sign of all numbers.
+    m.phase = static_cast<Phase>(static_cast<int>(-values[0]));
+    m.age = -m.age;
+    m.ahead = -m.ahead;
+    return m;
+  }
+  /// The same where i and j have not been exchanged since to().
+  [[gnu::always_inline]] static ContactMemory as_stored(const double* values, int size) {
     ContactMemory m;
-    m.phase = static_cast<Phase>(static_cast<int>(sign * values[0]));
-    m.age = sign * values[1];
-    m.ahead = sign * values[2];
+    m.phase = static_cast<Phase>(static_cast<int>(values[0]));
+    m.age = values[1];
+    m.ahead = values[2];
     if (size >= with_friction) m.sliding = {vector(values + 3), vector(values + 6)};
     if (size >= with_rolling) m.rolling = {vector(values + 9), vector(values + 12)};
     return m;
   }
-  void to(double* values, int size) const {
+  [[gnu::always_inline]] void to(double* values, int size) const {
     values[0] = phase;
     values[1] = age;
     values[2] = ahead;
@@ -51,11 +59,13 @@ struct ContactMemory {
 
  private:
   static void put(const Spring& spring, double* values) {
-    for (const Vector3& a : {spring.stretch, spring.impulse}) {
-      *values++ = a.x;
-      *values++ = a.y;
-      *values++ = a.z;
-    }
+    put(spring.stretch, values);
+    put(spring.impulse, values + 3);
+  }
+  static void put(const Vector3& a, double* values) {
+    values[0] = a.x;
+    values[1] = a.y;
+    values[2] = a.z;
   }
 };
 

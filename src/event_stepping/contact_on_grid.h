@@ -91,7 +91,7 @@ class ContactOnGrid {
 
   /// A contact that has lasted, or can: the force times dt that it needs if it goes on. Settles the
   /// springs in the plane of contact, and what was lost since the last grid point, if somebody asks
-  /// for `losses`. False: it does not certainly last for this step, and is to be followed.
+  /// for `losses`. False: it does not certainly last for this step, and is to leave().
   template <int SIZE>
   [[gnu::always_inline]] bool hold(const PairMotion& grid, ContactMemory& memory, Action& action,
                                    ContactLosses* losses) const {
@@ -109,7 +109,9 @@ class ContactOnGrid {
       const double limiting =
           lasted ? repulsion : lasting_.repulsion(2.0 * (normal.change - memory.ahead));
       SpringOnGrid::Losses of_sliding, of_rolling;
-      const Vector3 slides = touch.slides(grid.relative.velocity, grid.spin_i, grid.spin_j);
+      const Vector3 across =
+          grid.relative.velocity - (now.radial * now.inverse) * grid.relative.separation;
+      const Vector3 slides = touch.slides_across(across, grid.spin_i, grid.spin_j);
       touch.slide(sliding_.rub(touch.plane(), slides, limiting, lasted, memory.sliding,
                                losses ? &of_sliding : nullptr),
                   action);
@@ -125,11 +127,10 @@ class ContactOnGrid {
         losses->rolling = of_rolling.damped + of_rolling.friction;
       }
     }
-    if (!normal.lasts) leave<SIZE>(grid, memory, losses);
     return normal.lasts;
   }
 
-  /// A contact that has been settled is followed from this grid point on; adds to `losses`, if
+  /// A contact that hold() has settled is followed from this grid point on. Adds to `losses`, if
   /// somebody asks.
   template <int SIZE>
   void leave(const PairMotion& grid, ContactMemory& memory, ContactLosses* losses) const {

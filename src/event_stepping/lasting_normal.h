@@ -25,6 +25,7 @@ class LastingNormal {
                 double pull, double step, bool wall)
       : step_(step),
         inverse_step_(1.0 / step),
+        half_square_(0.5 * step * step),
         reduced_mass_(reduced_mass),
         distance_(distance),
         pull_(pull),
@@ -53,6 +54,7 @@ class LastingNormal {
     double inverse;  // of the distance
     double overlap;
     double radial;   // velocity of the half step before
+    double way;      // along the normal, in a step of that velocity
     double bent;     // what a straight flight across adds to the distance in a step
     double gone;     // by how much the distance has grown since one step before
     double stretch;  // overlap over that of rest
@@ -64,10 +66,10 @@ class LastingNormal {
     s.inverse = 1.0 / distance;
     s.overlap = distance_ - distance;
     s.radial = s.inverse * dot(grid.separation, grid.velocity);
-    const double across =
-        turns_ * std::max(dot(grid.velocity, grid.velocity) - s.radial * s.radial, 0.0);
-    s.bent = 0.5 * step_ * step_ * across * s.inverse;
-    s.gone = step_ * s.radial - s.bent * (1.0 + step_ * s.radial * s.inverse);
+    s.way = step_ * s.radial;
+    const double across = turns_ * (dot(grid.velocity, grid.velocity) - s.radial * s.radial);
+    s.bent = half_square_ * across * s.inverse;
+    s.gone = s.way - s.bent * (1.0 + s.way * s.inverse);
     s.stretch = s.overlap - rest_ + lifted_ * across * square;
     return s;
   }
@@ -78,14 +80,10 @@ class LastingNormal {
   };
   [[gnu::always_inline]] Force force(const Sample& s) const {
     const double grows = curvature_ * s.stretch + kept_ * s.gone;
-    const double change =
-        (grows - s.bent * (1.0 - grows * s.inverse)) * inverse_step_ - s.radial;
-    const double closing = -s.radial - change - 2.0 * s.bent * inverse_step_;
-    const double end = s.overlap + step_ * closing;
-    const bool lasts = (s.overlap - step_ * std::max(s.radial, 0.0) > 0.0) &
-                       (end - step_ * std::max(closing, 0.0) > 0.0) & (s.overlap > 0.0) &
-                       (end > certain * step_ * std::abs(s.radial));
-    return {change, lasts};
+    const double next = grows - s.bent * (1.0 - grows * s.inverse);  // way along the normal
+    const double end = s.overlap - next - 2.0 * s.bent;              // overlap, predicted
+    return {next * inverse_step_ - s.radial,
+            s.overlap > 0.0 && s.overlap > s.way && end > certain * std::abs(s.way)};
   }
   /// Of spring and dashpot, that change the radial velocity by `change` in a step, [force].
   double repulsion(double change) const { return reduced_mass_ * change * inverse_step_ + pull_; }
@@ -107,6 +105,7 @@ class LastingNormal {
 
   double step_;
   double inverse_step_;
+  double half_square_;
   double reduced_mass_;
   double distance_;
   double pull_;

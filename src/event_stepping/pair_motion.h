@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
+#include <cstring>
+
 #include "event_stepping/pair_step.h"
 #include "sphere.h"
 
@@ -11,8 +14,12 @@ struct Body {
   double radius;        ///< [length]
   double inverse_mass;  ///< [1/mass]; 0: moves as it is told
 
+  /// The same bits, which is quicker than the same numbers.
   bool operator==(const Body& other) const {
-    return radius == other.radius && inverse_mass == other.inverse_mass;
+    std::uint64_t mine[2], others[2];
+    std::memcpy(mine, this, sizeof mine);
+    std::memcpy(others, &other, sizeof others);
+    return ((mine[0] ^ others[0]) | (mine[1] ^ others[1])) == 0;
   }
 };
 

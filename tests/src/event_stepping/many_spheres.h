@@ -170,6 +170,7 @@ class ManySpheres {
         lasting++;
         disturb_as_it_lasts(p);
       } else {
+        if (lasted) contact_.leave<SIZE>(grid, p.memory, nullptr);
         if (!beyond || contact_.within_reach(grid.relative, 0.0)) disturb(p, unrest::of_event);
         announce(k, grid);
       }
