@@ -51,13 +51,6 @@ class ClosePairs : protected Pointers {
       what(*p, is_kept);
     }
   }
-  /// The same for those that are kept.
-  template <class What>
-  void for_each_kept(int* const* kept, const What& what) const {
-    const ClosePair* const end = pairs_.data() + count_;
-    for (const ClosePair* p = pairs_.data(); p != end; p++)
-      if (kept[p->i][p->place]) what(*p);
-  }
 
  private:
   double come_closer() const;

@@ -19,6 +19,7 @@
 namespace LAMMPS_NS {
 
 using cohesion::vector;
+using cohesion::Vector3;
 
 inline void add(double* to, double factor, const cohesion::Vector3& a) {
   to[0] += factor * a.x;
@@ -53,8 +54,8 @@ inline cohesion::event_stepping::PairMotion others_of(
   return others;
 }
 
-/// A young contact that can last from now on.
-struct LastingCandidate {
+/// A contact that acts by one force.
+struct LastingContact {
   int i, j;  // j < 0: a wall
   int contact;
   double* history;
@@ -65,9 +66,10 @@ struct FollowedContact {
   int i, j;  // j < 0: a wall
   int contact;
   double* history;
-  cohesion::event_stepping::PairMotion grid, truth;
-  cohesion::event_stepping::ContactMemory memory;
-  cohesion::event_stepping::FollowedStep step;
+  bool in_range;
+  cohesion::event_stepping::FollowedStart start;
+  cohesion::event_stepping::PairMotion change;  // by itself, in the first pass
+  cohesion::event_stepping::PairSpins rolled;   // the same
 };
 
 /// What contacts do to particles in a step: of one process, and of one kind of contact.
@@ -199,16 +201,16 @@ cohesion::event_stepping::SampledStep sample(const ContactsOfStep<Contact, SIZE>
 
 /// Contacts of one style in one step. `done(j, grid, impulse, by_contact, factor)` hears what each
 /// of them does, with factor -1 where it is taken back; by_contact() is the part of spring, dashpot
-/// and friction.
+/// and friction. `grid_of(contact)`: the motion of a LastingContact on the grid.
 struct StepContacts {
-  std::vector<LastingCandidate> candidates;
+  std::vector<LastingContact> candidates;  // can last from now on
+  std::vector<LastingContact> lasting;     // act, but those that are taken back
   std::vector<FollowedContact> followed;
-  int lasting = 0;  // those that act by one force, and are not taken back
 
   void clear() {
     candidates.clear();
+    lasting.clear();
     followed.clear();
-    lasting = 0;
   }
 
   /// One contact from its motion on the grid: acts if it lasts, is announced if it is to be
@@ -223,14 +225,15 @@ struct StepContacts {
     const bool lasted = memory.phase == ContactMemory::lasting;
     const bool can_last = !lasted && c.can_last(grid.relative, memory);
     if (can_last) candidates.push_back({i, j, contact, history});
-    const bool lasts = lasted && hold<SIZE>(scatter, step, c, i, j, grid, memory, history, done);
+    const bool lasts =
+        lasted && hold<SIZE>(scatter, step, c, {i, j, contact, history}, grid, memory, done);
     if (lasts || can_last) {
       step->disturb(i, j, c.is_old(memory) ? unrest::of_old : unrest::of_young);
     } else {
       // Not by those that only the fastest particle of this rank could bring together.
       if (memory.phase != ContactMemory::beyond || c.within_reach(grid.relative, 0.0))
         step->disturb(i, j, unrest::of_event);
-      announce<SIZE>(scatter, step, c, contact, i, j, grid, memory, history);
+      announce<SIZE>(scatter, step, c, {i, j, contact, history}, grid, memory);
     }
     if (step->book.is_kept()) {
       step->book.store(scatter.part(j), c.stored(grid, memory));
@@ -238,58 +241,53 @@ struct StepContacts {
     }
   }
 
-  /// A lasting contact beside a restless one is followed, too: one force among such drains energy.
-  template <int SIZE, class Contact, class Done>
-  void unsettle(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step, const Contact& c,
-                int contact, int i, int j, const cohesion::event_stepping::PairMotion& grid,
-                double* history, const Done& done) {
+  /// Lasting contacts beside restless ones are followed, too: one force among such drains energy.
+  /// Candidates last from now on, if nothing beside them is restless.
+  template <int SIZE, class Contact, class GridOf, class Done>
+  void unsettle(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
+                const std::vector<Contact>& all, const GridOf& grid_of, const Done& done) {
     using namespace cohesion::event_stepping;
-    ContactMemory memory = ContactMemory::from(history, SIZE);
-    if (memory.phase != ContactMemory::lasting) return;
-    const Action action = c.template held<SIZE>(grid, memory);
-    scatter.act_not(i, j, action);
-    done(j, grid, action.impulse, [&] { return c.by_contact(grid, action); }, -1.0);
-    ContactLosses lost;
-    c.template leave<SIZE>(grid, memory, step->book.is_kept() ? &lost : nullptr);
-    step->book.lose(scatter.part(j), lost, 0.0);
-    memory.to(history, SIZE);
-    lasting--;
-    announce<SIZE>(scatter, step, c, contact, i, j, grid, memory, history);
-  }
-
-  /// A candidate lasts from now on, if nothing beside it is restless.
-  template <int SIZE, class Contact, class Done>
-  void settle(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step, const Contact& c,
-              const LastingCandidate& p, const cohesion::event_stepping::PairMotion& grid,
-              const Done& done) {
-    using namespace cohesion::event_stepping;
-    ContactMemory memory = ContactMemory::from(p.history, SIZE);
-    if (step->is_restless(p.i) || (p.j >= 0 && step->is_restless(p.j)))
-      announce<SIZE>(scatter, step, c, p.contact, p.i, p.j, grid, memory, p.history);
-    else
-      hold<SIZE>(scatter, step, c, p.i, p.j, grid, memory, p.history, done);
-  }
-
-  /// What a lasting contact beside a followed one owes, and does.
-  template <int SIZE, class Contact>
-  static void join(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
-                   const Contact& c, int i, int j, const cohesion::event_stepping::PairMotion& grid,
-                   const double* history) {
-    using namespace cohesion::event_stepping;
-    const ContactMemory memory = ContactMemory::from(history, SIZE);
-    if (memory.phase != ContactMemory::lasting) return;
-    const Action owed = c.template owed<SIZE>(grid.relative, memory);
-    const PairMotion does =
-        c.template done<SIZE>(grid, c.template held<SIZE>(grid, memory), owed, memory);
-    if (step->is_followed(i)) {
-      step->joins(i);
-      scatter.change_i(step->owed, i, owed);
-      scatter.share_i(i, c, does);
+    if (step->any_restless())
+      for (const LastingContact& p : lasting)
+        if (step->is_restless(p.i, p.j))
+          take_back<SIZE>(scatter, step, all[p.contact], p, grid_of(p), done);
+    for (const LastingContact& p : candidates) {
+      const Contact& c = all[p.contact];
+      ContactMemory memory = ContactMemory::from(p.history, SIZE);
+      const PairMotion grid = grid_of(p);
+      if (step->is_restless(p.i, p.j))
+        announce<SIZE>(scatter, step, c, p, grid, memory);
+      else
+        hold<SIZE>(scatter, step, c, p, grid, memory, done);
     }
-    if (j >= 0 && step->is_followed(j)) {
-      step->joins(j);
-      scatter.change_j(step->owed, j, owed);
-      scatter.share_j(j, c, does);
+  }
+
+  /// What lasting contacts beside followed ones owe, and do.
+  template <int SIZE, class Contact, class GridOf>
+  void join(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
+            const std::vector<Contact>& all, const GridOf& grid_of) const {
+    using namespace cohesion::event_stepping;
+    if (!step->any_announced()) return;
+    for (const LastingContact& p : lasting) {
+      const bool i = step->is_followed(p.i), j = p.j >= 0 && step->is_followed(p.j);
+      if (!i && !j) continue;
+      const ContactMemory memory = ContactMemory::as_stored(p.history, SIZE);
+      if (memory.phase != ContactMemory::lasting) continue;
+      const Contact& c = all[p.contact];
+      const PairMotion grid = grid_of(p);
+      const Action owed = c.template owed<SIZE>(grid.relative, memory);
+      const PairMotion does =
+          c.template done<SIZE>(grid, c.template held<SIZE>(grid, memory), owed, memory);
+      if (i) {
+        step->joins(p.i);
+        scatter.change_i(step->owed, p.i, owed);
+        scatter.share_i(p.i, c, does);
+      }
+      if (j) {
+        step->joins(p.j);
+        scatter.change_j(step->owed, p.j, owed);
+        scatter.share_j(p.j, c, does);
+      }
     }
   }
 
@@ -298,13 +296,16 @@ struct StepContacts {
   void follow_alone(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
                     const std::vector<Contact>& all) {
     for (FollowedContact& p : followed) {
-      LAMMPS_NS::change(p.truth, step->owed[p.i], p.j >= 0 ? step->owed[p.j] : nullptr);
+      LAMMPS_NS::change(p.start.truth, step->owed[p.i], p.j >= 0 ? step->owed[p.j] : nullptr);
       const bool only = SIZE < HistorySize::with_rolling && step->has_one_contact(p.i) &&
                         (p.j < 0 || step->has_one_contact(p.j));
       if (only) continue;
       const Contact& c = all[p.contact];
-      p.step = c.template follow<SIZE>(p.grid, p.truth, {}, {}, p.memory);
-      scatter.share(p.i, p.j, c, p.step.change);
+      const auto f = c.template follow<SIZE>(p.start, {}, {}, p.in_range);
+      if (!f.normal.acts) continue;
+      p.change = f.change;
+      p.rolled = f.rolled;
+      scatter.share(p.i, p.j, c, p.change);
     }
   }
 
@@ -316,55 +317,67 @@ struct StepContacts {
     for (FollowedContact& p : followed) {
       const Contact& c = all[p.contact];
       const PairMotion others =
-          others_of(step->alone[p.i], p.j >= 0 ? step->alone[p.j] : nullptr, p.step.change);
-      p.step = c.template follow<SIZE>(p.grid, p.truth, others, p.step.rolled, p.memory);
-      const Action action = c.template close<SIZE>(p.grid, p.truth, others, p.step, p.memory);
-      p.memory.to(p.history, SIZE);
+          others_of(step->alone[p.i], p.j >= 0 ? step->alone[p.j] : nullptr, p.change);
+      ContactMemory memory = ContactMemory::as_stored(p.history, SIZE);
+      const FollowedStep f = c.template follow<SIZE>(p.start, others, p.rolled, p.in_range);
+      const Action action = c.template close<SIZE>(p.start, others, f, memory);
+      memory.to(p.history, SIZE);
       scatter.act(p.i, p.j, action);
       const double part = scatter.part(p.j);
-      if (p.step.normal.normal.unresolved) step->note_unresolved(part);
-      step->book.lose(part, Contact::losses(p.step), 1.0);
-      done(p.j, p.grid, action.impulse, [&] { return c.by_contact(p.grid, p.step, action); }, 1.0);
+      if (f.normal.normal.unresolved) step->note_unresolved(part);
+      step->book.lose(part, Contact::losses(f), 1.0);
+      done(p.j, p.start.truth, action.impulse, [&] { return c.by_contact(p.start, f, action); },
+           1.0);
     }
   }
 
  private:
+  using ContactMemory = cohesion::event_stepping::ContactMemory;
+  using PairMotion = cohesion::event_stepping::PairMotion;
+
   template <int SIZE, class Contact, class Done>
-  bool hold(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
-                                   const Contact& c, int i, int j,
-                                   const cohesion::event_stepping::PairMotion& grid,
-                                   cohesion::event_stepping::ContactMemory& memory, double* history,
-                                   const Done& done) {
+  bool hold(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step, const Contact& c,
+            const LastingContact& p, const PairMotion& grid, ContactMemory& memory,
+            const Done& done) {
     using namespace cohesion::event_stepping;
     Action action;
     ContactLosses lost;
     ContactLosses* const losses = step->book.is_kept() ? &lost : nullptr;
     const bool lasts = c.template hold<SIZE>(grid, memory, action, losses);
     if (!lasts) c.template leave<SIZE>(grid, memory, losses);
-    memory.to(history, SIZE);
-    step->book.lose(scatter.part(j), lost, 0.0);
+    memory.to(p.history, SIZE);
+    step->book.lose(scatter.part(p.j), lost, 0.0);
     if (!lasts) return false;
-    lasting++;
-    scatter.act(i, j, action);
-    done(j, grid, action.impulse, [&] { return c.by_contact(grid, action); }, 1.0);
+    lasting.push_back(p);
+    scatter.act(p.i, p.j, action);
+    done(p.j, grid, action.impulse, [&] { return c.by_contact(grid, action); }, 1.0);
     return true;
+  }
+
+  template <int SIZE, class Contact, class Done>
+  void take_back(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step, const Contact& c,
+                 const LastingContact& p, const PairMotion& grid, const Done& done) {
+    using namespace cohesion::event_stepping;
+    ContactMemory memory = ContactMemory::as_stored(p.history, SIZE);
+    const Action action = c.template held<SIZE>(grid, memory);
+    scatter.act_not(p.i, p.j, action);
+    done(p.j, grid, action.impulse, [&] { return c.by_contact(grid, action); }, -1.0);
+    ContactLosses lost;
+    c.template leave<SIZE>(grid, memory, step->book.is_kept() ? &lost : nullptr);
+    step->book.lose(scatter.part(p.j), lost, 0.0);
+    announce<SIZE>(scatter, step, c, p, grid, memory);
   }
 
   template <int SIZE, class Contact>
   void announce(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step, const Contact& c,
-                int contact, int i, int j, const cohesion::event_stepping::PairMotion& grid,
-                const cohesion::event_stepping::ContactMemory& memory, double* history) {
-    followed.emplace_back();
-    FollowedContact& f = followed.back();
-    f.i = i;
-    f.j = j;
-    f.contact = contact;
-    f.history = history;
-    f.grid = f.truth = grid;
-    f.memory = memory;
-    step->announce(i);
-    if (j >= 0) step->announce(j);
-    scatter.change(step->owed, i, j, c.template owed<SIZE>(grid.relative, memory));
+                const LastingContact& p, const PairMotion& grid, const ContactMemory& memory) {
+    const auto start = c.template start<SIZE>(grid, grid, memory);
+    followed.push_back({p.i, p.j, p.contact, p.history, memory.in_range(), start, {}, {}});
+    memory.to(p.history, SIZE);
+    step->announce(p.i);
+    if (p.j >= 0) step->announce(p.j);
+    scatter.change(step->owed, p.i, p.j,
+                   c.template owed<SIZE>(grid.relative.separation, start.ahead, memory));
   }
 };
 

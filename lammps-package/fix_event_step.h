@@ -176,6 +176,8 @@ class FixEventStep : public Fix {
   bool is_restless(int i) const {
     return cohesion::event_stepping::unrest::is_restless(disturbed[i]);
   }
+  /// Whether i is, or j (below 0: a wall).
+  bool is_restless(int i, int j) const { return is_restless(i) || (j >= 0 && is_restless(j)); }
   /// Whether any particle or ghost is.
   bool any_restless() const { return some_restless; }
   /// One more contact of a particle that has been announced.

@@ -304,28 +304,17 @@ template <class Cohesion>
 template <int SIZE>
 void FixWallGranCohesive<Cohesion>::unsettle(std::vector<EventContact>& shared) {
   const ContactsOfStep<EventContact, SIZE> scatter(atom, step);
-  const auto done = pushes<SIZE>(scatter);
-  for (std::size_t k = 0; k < near_now.size(); k++) {
-    const Near& near = near_now[k];
-    if (!step->is_restless(near.i)) continue;
-    contacts_now.unsettle<SIZE>(scatter, step, shared[near.contact], near.contact, near.i,
-                                partner(k), on_grid(near), near.history, done);
-  }
-  for (const LastingCandidate& p : contacts_now.candidates)
-    contacts_now.settle<SIZE>(scatter, step, shared[p.contact], p, on_grid(near_now[-1 - p.j]),
-                              done);
+  contacts_now.unsettle<SIZE>(
+      scatter, step, shared,
+      [this](const LastingContact& p) { return on_grid(near_now[-1 - p.j]); },
+      pushes<SIZE>(scatter));
 }
 
 template <class Cohesion>
 template <int SIZE>
 void FixWallGranCohesive<Cohesion>::join(std::vector<EventContact>& shared) {
-  const ContactsOfStep<EventContact, SIZE> scatter(atom, step);
-  for (std::size_t k = 0; k < near_now.size(); k++) {
-    const Near& near = near_now[k];
-    if (step->is_followed(near.i))
-      contacts_now.join<SIZE>(scatter, step, shared[near.contact], near.i, partner(k),
-                              on_grid(near), near.history);
-  }
+  contacts_now.join<SIZE>(ContactsOfStep<EventContact, SIZE>(atom, step), step, shared,
+                          [this](const LastingContact& p) { return on_grid(near_now[-1 - p.j]); });
 }
 
 /// Books the force on the wall; with factor -1 takes it back.

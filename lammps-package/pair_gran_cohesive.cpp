@@ -167,16 +167,6 @@ template <class What>
   });
 }
 
-/// The same, after gather(), as what(i, j, history) for those of them that have a history.
-template <class Cohesion>
-template <class What>
-void PairGranCohesive<Cohesion>::for_each_kept(const What& what) {
-  double* const* const values_of = history->firstvalue;
-  close.for_each_kept(history->firstflag, [&](const ClosePair& pair) {
-    what(pair.i, pair.j, values_of[pair.i] + per_pair * pair.place);
-  });
-}
-
 /// Adds what a contact does to the sums of momentum flux, if somebody reads them.
 template <class Cohesion>
 auto PairGranCohesive<Cohesion>::flux_sum() {
@@ -202,7 +192,6 @@ void PairGranCohesive<Cohesion>::gather(Contacts<EventContact>& contacts) {
   const double* const spin = atom->omega[0];
   const int* const type = atom->type;
   const Bodies bodies = step->bodies();
-  int lasts = 0;
   for_each_close([&](int i, int j, int& kept, double* values) __attribute__((always_inline)) {
     const int c = contact(contacts, type, bodies, i, j);
     if (c == contacts.NONE) return;
@@ -212,11 +201,10 @@ void PairGranCohesive<Cohesion>::gather(Contacts<EventContact>& contacts) {
                      vector(spin + 3 * i),
                      vector(spin + 3 * j)},
                     values))
-      lasts++;
+      contacts_now.lasting.push_back({i, j, c, values});
     else
       take<SIZE>(scatter, contacts.all[c], c, i, j, kept, values);
   });
-  contacts_now.lasting += lasts;
 }
 
 template <class Cohesion>
@@ -241,49 +229,38 @@ template <class Cohesion>
 template <int SIZE>
 void PairGranCohesive<Cohesion>::unsettle(Contacts<EventContact>& contacts) {
   const ContactsOfStep<EventContact, SIZE> scatter(atom, step);
-  const auto sum = flux_sum();
-  if (contacts_now.lasting > 0 && step->any_restless())
-    for_each_kept([&](int i, int j, double* values) {
-      if (!step->is_restless(i) && !step->is_restless(j)) return;
-      const int c = contact(contacts, i, j);
-      contacts_now.unsettle<SIZE>(scatter, step, contacts.all[c], c, i, j, on_grid_with_spins(i, j),
-                                  values, sum);
-    });
-  for (const LastingCandidate& p : contacts_now.candidates)
-    contacts_now.settle<SIZE>(scatter, step, contacts.all[p.contact], p,
-                              on_grid_with_spins(p.i, p.j), sum);
+  contacts_now.unsettle<SIZE>(
+      scatter, step, contacts.all,
+      [this](const LastingContact& p) { return on_grid_with_spins(p.i, p.j); }, flux_sum());
 }
 
 template <class Cohesion>
 template <int SIZE>
 void PairGranCohesive<Cohesion>::join(Contacts<EventContact>& contacts) {
-  if (contacts_now.lasting == 0 || !step->any_announced()) return;
-  const ContactsOfStep<EventContact, SIZE> scatter(atom, step);
-  for_each_kept([&](int i, int j, double* values) {
-    if (!step->is_followed(i) && !step->is_followed(j)) return;
-    contacts_now.join<SIZE>(scatter, step, contacts.all[contact(contacts, i, j)], i, j,
-                            on_grid_with_spins(i, j), values);
-  });
+  contacts_now.join<SIZE>(
+      ContactsOfStep<EventContact, SIZE>(atom, step), step, contacts.all,
+      [this](const LastingContact& p) { return on_grid_with_spins(p.i, p.j); });
 }
 
 template <class Cohesion>
 template <int SIZE>
 void PairGranCohesive<Cohesion>::follow_together(Contacts<EventContact>& contacts) {
   const ContactsOfStep<EventContact, SIZE> scatter(atom, step);
-  if (evflag && contacts_now.lasting > 0)
-    for_each_kept([&](int i, int j, const double* values) {
-      const ContactMemory known = ContactMemory::from(values, SIZE);
-      if (known.phase != ContactMemory::lasting) return;
-      const EventContact& c = contacts.all[contact(contacts, i, j)];
-      const PairMotion grid = on_grid_with_spins(i, j);
-      tally(i, j, grid.relative.separation, energy(c.stored(grid, known)),
+  if (evflag)
+    for (const LastingContact& p : contacts_now.lasting) {
+      const ContactMemory known = ContactMemory::as_stored(p.history, SIZE);
+      if (known.phase != ContactMemory::lasting) continue;
+      const EventContact& c = contacts.all[p.contact];
+      const PairMotion grid = on_grid_with_spins(p.i, p.j);
+      tally(p.i, p.j, grid.relative.separation, energy(c.stored(grid, known)),
             c.template held<SIZE>(grid, known).impulse);
-    });
+    }
   // What a contact remembers is new after its second pass.
   std::vector<double> before;
   if (evflag)
     for (const FollowedContact& p : contacts_now.followed)
-      before.push_back(energy(contacts.all[p.contact].stored(p.grid, p.memory)));
+      before.push_back(energy(contacts.all[p.contact].stored(
+          on_grid_with_spins(p.i, p.j), ContactMemory::as_stored(p.history, SIZE))));
   std::size_t next = 0;
   const auto sum = flux_sum();
   contacts_now.follow_together(scatter, step, contacts.all,

@@ -120,8 +120,6 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventContacts, p
              const cohesion::Vector3& impulse);
   auto flux_sum();
   template <class What>
-  void for_each_kept(const What&);
-  template <class What>
   void with_contacts(const What&);
   template <class What>
   void with_event_contacts(const What&);

@@ -14,6 +14,13 @@
 
 namespace cohesion::event_stepping {
 
+/// Where a followed step begins.
+struct FollowedStart {
+  PairMotion truth;            ///< at the grid point
+  Vector3 sliding{}, rolling{};  ///< stretch of both springs, [length]
+  double ahead = 0.0;          ///< true radial velocity over the grid's, [length/time]
+};
+
 /// What a followed contact does from one grid point to the next.
 struct FollowedStep {
   PairStep normal;  ///< along the normal
@@ -169,12 +176,16 @@ class ContactOnGrid {
   /// What leads from the motion on the grid to the true one at this grid point.
   template <int SIZE>
   Action owed(const RelativeState& grid, const ContactMemory& memory) const {
-    const double radial = ahead(grid, memory);
-    Action owed{(radial * reduced_mass_ / norm(grid.separation)) * grid.separation, {}, {}};
+    return owed<SIZE>(grid.separation, ahead(grid, memory), memory);
+  }
+  template <int SIZE>
+  Action owed(const Vector3& separation, double ahead, const ContactMemory& memory) const {
+    Action owed;
+    if (ahead != 0.0) owed.impulse = (ahead * reduced_mass_ / norm(separation)) * separation;
     if constexpr (SIZE >= ContactMemory::with_friction)
-      Touch(bodies_, grid.separation).slide(0.5 * memory.sliding.impulse, owed);
+      Touch(bodies_, separation).slide(0.5 * memory.sliding.impulse, owed);
     if constexpr (SIZE >= ContactMemory::with_rolling)
-      Touch(bodies_, grid.separation).roll(0.5 * memory.rolling.impulse, owed);
+      Touch(bodies_, separation).roll(0.5 * memory.rolling.impulse, owed);
     return owed;
   }
 
@@ -195,12 +206,26 @@ class ContactOnGrid {
     return change;
   }
 
-  /// A step of any kind from the true motion at the grid point, known on the grid as `grid`.
-  /// `others`: D, V and spins of all other contacts of both particles (none in the first pass);
+  /// Where a step begins of a contact that the grid knows as `grid`; `truth`: what all that is owed
+  /// has led to.
+  template <int SIZE>
+  FollowedStart start(const PairMotion& grid, const PairMotion& truth,
+                      const ContactMemory& memory) const {
+    FollowedStart start{truth, {}, {}, ahead(grid.relative, memory)};
+    if constexpr (SIZE >= ContactMemory::with_friction) {
+      const Stretches now = stretch(grid, memory);
+      start.sliding = now.sliding;
+      start.rolling = now.rolling;
+    }
+    return start;
+  }
+
+  /// A step of any kind. `others`: D, V and spins of all other contacts of both particles (none in the first pass);
   /// `rolled`: what the contact's own rolling spring did in the first pass.
   template <int SIZE>
-  FollowedStep follow(const PairMotion& grid, const PairMotion& truth, const PairMotion& others,
-                      const PairSpins& rolled, const ContactMemory& memory) const {
+  FollowedStep follow(const FollowedStart& start, const PairMotion& others, const PairSpins& rolled,
+                      bool in_range) const {
+    const PairMotion& truth = start.truth;
     const Vector3 &s = truth.relative.separation, &v = truth.relative.velocity;
     const double half = 0.5 * step_;
     const Vector3& by_others = others.relative.velocity;
@@ -208,7 +233,8 @@ class ContactOnGrid {
     const Vector3 shift = others.relative.separation - half * by_others;
     const RelativeState middle{s + normal_part(s, half * v + 0.5 * shift), v + 0.5 * by_others};
     FollowedStep f{};
-    f.normal = pair_.advance(middle, {half, half}, memory.in_range());
+    f.normal = pair_.advance(middle, {half, half}, in_range);
+    if (!f.normal.acts) return f;
     const RelativeState& did = f.normal.change;
     f.change.relative = {did.separation + half * did.velocity, did.velocity};
     if constexpr (SIZE >= ContactMemory::with_friction) {
@@ -218,8 +244,7 @@ class ContactOnGrid {
       const Vector3 spin_j = truth.spin_j + 0.5 * others.spin_j;
       const Vector3 slides = touch.slides(middle.velocity + 0.5 * did.velocity,
                                           spin_i + 0.5 * rolled.i, spin_j + 0.5 * rolled.j);
-      const Stretches now = stretch(grid, memory);
-      f.sliding = sliding_.follow(touch.plane(), now.sliding, 0.5 * touch.plane().part_in(shift),
+      f.sliding = sliding_.follow(touch.plane(), start.sliding, 0.5 * touch.plane().part_in(shift),
                                   slides, f.normal, f.sliding_rate);
       const Vector3& impulse = f.sliding.impulse;
       f.change.relative.separation += (half * inverse_mass_) * impulse;
@@ -232,7 +257,7 @@ class ContactOnGrid {
         const Vector3 rolls =
             touch.rolls(spin_i + 0.5 * f.change.spin_i, spin_j + 0.5 * f.change.spin_j);
         f.rolling =
-            rolling_.follow(touch.plane(), now.rolling, {}, rolls, f.normal, f.rolling_rate);
+            rolling_.follow(touch.plane(), start.rolling, {}, rolls, f.normal, f.rolling_rate);
         const Vector3 turn = bodies_.rolling_radius() * f.rolling.impulse;
         f.rolled = {bodies_.spin_share_i() * turn, -bodies_.spin_share_j() * turn};
         f.change.spin_i += f.rolled.i;
@@ -244,9 +269,11 @@ class ContactOnGrid {
 
   /// The force times dt that does what `f`, followed with `others`, does; remembers the rest.
   template <int SIZE>
-  Action close(const PairMotion& grid, const PairMotion& truth, const PairMotion& others,
-               const FollowedStep& f, ContactMemory& memory) const {
-    const double owed = ahead(grid.relative, memory);
+  Action close(const FollowedStart& start, const PairMotion& others, const FollowedStep& f,
+               ContactMemory& memory) const {
+    if (!f.normal.acts && memory.phase == ContactMemory::beyond) return {};
+    const PairMotion& truth = start.truth;
+    const double owed = start.ahead;
     const RelativeState& did = f.normal.change;
     const Vector3& s = truth.relative.separation;
     const double distance = norm(s);
@@ -303,9 +330,10 @@ class ContactOnGrid {
     const Vector3& s = grid.relative.separation;
     return action.impulse + (step_ * pull_ / norm(s)) * s;
   }
-  Vector3 by_contact(const PairMotion& grid, const FollowedStep& f, const Action& action) const {
+  Vector3 by_contact(const FollowedStart& start, const FollowedStep& f,
+                     const Action& action) const {
     if (!attracts()) return action.impulse;
-    const Vector3& s = grid.relative.separation;
+    const Vector3& s = start.truth.relative.separation;
     const double attraction = f.normal.normal.repulsion_impulse -
                               reduced_mass_ * dot(f.normal.change.velocity, s) / norm(s);
     return action.impulse + (attraction / norm(s)) * s;

@@ -193,8 +193,9 @@ TEST(ContactOnGrid, WhatOthersDoAlongAWallIsNotSeenAlongItsNormal) {
     ContactMemory before;
     if (in) before = {ContactMemory::inside, 3.0, 0.0, {}, {}};
     const PairMotion grid{{(distance * thesis::radius) * normal, rate * normal}, {}, {}};
-    const auto alone = contact.follow<ContactMemory::normal_only>(grid, grid, {}, {}, before);
-    const auto with = contact.follow<ContactMemory::normal_only>(grid, grid, others, {}, before);
+    const auto begins = contact.start<ContactMemory::with_friction>(grid, grid, before);
+    const auto alone = contact.follow<ContactMemory::normal_only>(begins, {}, {}, in);
+    const auto with = contact.follow<ContactMemory::normal_only>(begins, others, {}, in);
     ASSERT_GT(alone.normal.normal.contact_time, 0.0);
     // Rounding: an eps of the speed along the wall, and of the distance in a step.
     const double speed = 8 * eps * (2.0 + 2.0 * thesis::radius / dt);
@@ -203,16 +204,16 @@ TEST(ContactOnGrid, WhatOthersDoAlongAWallIsNotSeenAlongItsNormal) {
     EXPECT_NEAR(norm(with.change.relative.separation - alone.change.relative.separation), 0.0,
                 4.0 * speed * dt);
     ContactMemory one = before, two = before;
-    const Action pushed = contact.close<ContactMemory::normal_only>(grid, grid, {}, alone, one);
-    const Action same = contact.close<ContactMemory::normal_only>(grid, grid, others, with, two);
+    const Action pushed = contact.close<ContactMemory::normal_only>(begins, {}, alone, one);
+    const Action same = contact.close<ContactMemory::normal_only>(begins, others, with, two);
     ASSERT_GT(norm(pushed.impulse), 0.0);
     EXPECT_NEAR(norm(same.impulse - pushed.impulse), 0.0, 4.0 * thesis::mass * speed);
     EXPECT_EQ(one.phase, two.phase);
     EXPECT_NEAR(one.ahead, two.ahead, 4.0 * speed);
     // Friction sees it.
-    const auto still = contact.follow<ContactMemory::with_friction>(grid, grid, {}, {}, before);
+    const auto still = contact.follow<ContactMemory::with_friction>(begins, {}, {}, in);
     const auto rubbed =
-        contact.follow<ContactMemory::with_friction>(grid, grid, others, {}, before);
+        contact.follow<ContactMemory::with_friction>(begins, others, {}, in);
     EXPECT_NEAR(norm(still.sliding.impulse), 0.0, thesis::mass * speed);
     EXPECT_GT(norm(rubbed.sliding.impulse), 0.1 * 0.3 * alone.normal.normal.repulsion_impulse);
   }

@@ -78,7 +78,7 @@ class ManySpheres {
   };
   struct Followed {
     int pair;
-    PairMotion grid, truth;
+    FollowedStart start;
     FollowedStep step;
   };
 
@@ -147,7 +147,7 @@ class ManySpheres {
     };
     const auto announce = [&](std::size_t k, const PairMotion& grid) {
       const Near& p = near_[k];
-      follow.push_back({static_cast<int>(k), grid, {}, {}});
+      follow.push_back({static_cast<int>(k), contact_.start<SIZE>(grid, {}, p.memory), {}});
       marked[p.i] = marked[p.j] = 1;
       give(p, contact_.owed<SIZE>(grid.relative, p.memory), v, w);
       followed++;
@@ -215,8 +215,8 @@ class ManySpheres {
     }
     for (Followed& f : follow) {
       const Near& p = near_[f.pair];
-      f.truth = motion(p, v, w);
-      f.step = contact_.follow<SIZE>(f.grid, f.truth, {}, {}, p.memory);
+      f.start.truth = motion(p, v, w);
+      f.step = contact_.follow<SIZE>(f.start, {}, {}, p.memory.in_range());
     }
     for (const Followed& f : follow) add(near_[f.pair], f.step.change);
     for (Followed& f : follow) {
@@ -227,8 +227,8 @@ class ManySpheres {
                               spun[p.i] - own.spin_i,
                               spun[p.j] - own.spin_j};
       const bool in = p.memory.in_range();
-      f.step = contact_.follow<SIZE>(f.grid, f.truth, others, f.step.rolled, p.memory);
-      give(p, contact_.close<SIZE>(f.grid, f.truth, others, f.step, p.memory), dv, dw);
+      f.step = contact_.follow<SIZE>(f.start, others, f.step.rolled, in);
+      give(p, contact_.close<SIZE>(f.start, others, f.step, p.memory), dv, dw);
       collisions += !in && p.memory.in_range();
     }
     for (int i = 0; i < n; i++) {

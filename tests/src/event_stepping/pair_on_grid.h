@@ -51,13 +51,14 @@ class PairOnGrid {
     if (lasted) {
       by_this = contact.by_contact(grid, action);
     } else {
-      const PairMotion truth = this->truth();
-      followed = contact.template follow<SIZE>(grid, truth, {}, {}, memory);
-      followed = contact.template follow<SIZE>(grid, truth, {}, followed.rolled, memory);
-      action = contact.template close<SIZE>(grid, truth, {}, followed, memory);
+      const bool in_range = memory.in_range();
+      const FollowedStart begin = contact.template start<SIZE>(grid, truth(), memory);
+      followed = contact.template follow<SIZE>(begin, {}, {}, in_range);
+      followed = contact.template follow<SIZE>(begin, {}, followed.rolled, in_range);
+      action = contact.template close<SIZE>(begin, {}, followed, memory);
       now = contact.losses(followed);
       lost += sum(now);
-      by_this = contact.by_contact(grid, followed, action);
+      by_this = contact.by_contact(begin, followed, action);
     }
     const Vector3 normal = (1.0 / norm(grid.relative.separation)) * grid.relative.separation;
     by_contact += by_this;

@@ -211,9 +211,10 @@ TEST(RollingFriction, FollowedItHoldsAgainstWhatOthersDoInTheStep) {
     const Action owed = pair.contact.owed<size>(grid.relative, memory);
     truth.spin_i += inverse_inertia(small) * owed.torque_i;
     if (n > 0) truth.spin_i += 0.5 * others.spin_i;
-    const FollowedStep alone = pair.contact.follow<size>(grid, truth, {}, {}, memory);
-    const FollowedStep f = pair.contact.follow<size>(grid, truth, others, alone.rolled, memory);
-    const Action action = pair.contact.close<size>(grid, truth, others, f, memory);
+    const FollowedStart begins = pair.contact.start<size>(grid, truth, memory);
+    const FollowedStep alone = pair.contact.follow<size>(begins, {}, {}, memory.in_range());
+    const FollowedStep f = pair.contact.follow<size>(begins, others, alone.rolled, memory.in_range());
+    const Action action = pair.contact.close<size>(begins, others, f, memory);
     grid.spin_i += inverse_inertia(small) * action.torque_i;
     grid.spin_i += (n > 0 ? 1.0 : 0.5) * others.spin_i;
     EXPECT_EQ(f.rolling.friction, 0.0);
@@ -246,9 +247,10 @@ TEST(RollingFriction, ChangesSignWithTheExchangeOfTheParticles) {
                            const PairMotion& beside, ContactMemory& memory, Action& action) {
         if (memory.phase == ContactMemory::lasting)
           return c.hold<size>(at, memory, action, nullptr);
-        const FollowedStep alone = c.follow<size>(at, at, {}, {}, memory);
-        const FollowedStep f = c.follow<size>(at, at, beside, alone.rolled, memory);
-        action = c.close<size>(at, at, beside, f, memory);
+        const FollowedStart begins = c.start<size>(at, at, memory);
+        const FollowedStep alone = c.follow<size>(begins, {}, {}, memory.in_range());
+        const FollowedStep f = c.follow<size>(begins, beside, alone.rolled, memory.in_range());
+        action = c.close<size>(begins, beside, f, memory);
         return false;
       };
       const bool lasts = kind.phase == ContactMemory::lasting;
