@@ -20,8 +20,7 @@ struct ClosePair {
 /// grown so far that others could come as near as is asked for.
 class ClosePairs : protected Pointers {
  public:
-  explicit ClosePairs(LAMMPS* lammps)
-      : Pointers(lammps), allowed_(0.0), reach_(0.0), count_(0) {}
+  explicit ClosePairs(LAMMPS* lammps) : Pointers(lammps), allowed_(0.0), reach_(0.0), count_(0) {}
 
   /// Before a run: the engine's list has every pair with a gap up to `allowed` [length].
   void start(double allowed);
@@ -60,7 +59,7 @@ class ClosePairs : protected Pointers {
   double allowed_;
   double reach_;
   std::size_t count_;
-  std::vector<ClosePair> pairs_;  // the first `count_` of these
+  std::vector<ClosePair> pairs_;   // the first `count_` of these
   std::vector<double> radii_;      // per atom and ghost, when the pairs were found
   std::vector<double> positions_;  // the same; empty: not found yet
 };

@@ -61,6 +61,13 @@ struct LastingContact {
   double* history;
 };
 
+/// One that begins to, whose springs in the plane of contact have another impulse then than held()
+/// tells.
+struct BegunContact {
+  LastingContact contact;
+  cohesion::event_stepping::Action action;
+};
+
 /// A contact that is followed.
 struct FollowedContact {
   int i, j;  // j < 0: a wall
@@ -205,11 +212,13 @@ cohesion::event_stepping::SampledStep sample(const ContactsOfStep<Contact, SIZE>
 struct StepContacts {
   std::vector<LastingContact> candidates;  // can last from now on
   std::vector<LastingContact> lasting;     // act, but those that are taken back
+  std::vector<BegunContact> begun;
   std::vector<FollowedContact> followed;
 
   void clear() {
     candidates.clear();
     lasting.clear();
+    begun.clear();
     followed.clear();
   }
 
@@ -268,27 +277,43 @@ struct StepContacts {
             const std::vector<Contact>& all, const GridOf& grid_of) const {
     using namespace cohesion::event_stepping;
     if (!step->any_announced()) return;
+    for_each_lasting<SIZE>(
+        all, grid_of,
+        [&](const LastingContact& p, const ContactMemory& memory, const PairMotion& grid,
+            const auto& action) {
+          const bool i = step->is_followed(p.i), j = p.j >= 0 && step->is_followed(p.j);
+          if (!i && !j) return;
+          const Contact& c = all[p.contact];
+          const Action owed = c.template owed<SIZE>(grid.relative, memory);
+          const PairMotion does = c.template done<SIZE>(grid, action(), owed, memory);
+          if (i) {
+            step->joins(p.i);
+            scatter.change_i(step->owed, p.i, owed);
+            scatter.share_i(p.i, c, does);
+          }
+          if (j) {
+            step->joins(p.j);
+            scatter.change_j(step->owed, p.j, owed);
+            scatter.share_j(p.j, c, does);
+          }
+        });
+  }
+
+  /// Calls what(contact, memory, grid, action) for all contacts that act by one force; action():
+  /// what they do.
+  template <int SIZE, class Contact, class GridOf, class What>
+  void for_each_lasting(const std::vector<Contact>& all, const GridOf& grid_of,
+                        const What& what) const {
+    using namespace cohesion::event_stepping;
     for (const LastingContact& p : lasting) {
-      const bool i = step->is_followed(p.i), j = p.j >= 0 && step->is_followed(p.j);
-      if (!i && !j) continue;
       const ContactMemory memory = ContactMemory::as_stored(p.history, SIZE);
       if (memory.phase != ContactMemory::lasting) continue;
-      const Contact& c = all[p.contact];
       const PairMotion grid = grid_of(p);
-      const Action owed = c.template owed<SIZE>(grid.relative, memory);
-      const PairMotion does =
-          c.template done<SIZE>(grid, c.template held<SIZE>(grid, memory), owed, memory);
-      if (i) {
-        step->joins(p.i);
-        scatter.change_i(step->owed, p.i, owed);
-        scatter.share_i(p.i, c, does);
-      }
-      if (j) {
-        step->joins(p.j);
-        scatter.change_j(step->owed, p.j, owed);
-        scatter.share_j(p.j, c, does);
-      }
+      what(p, memory, grid, [&] { return all[p.contact].template held<SIZE>(grid, memory); });
     }
+    for (const BegunContact& b : begun)
+      what(b.contact, ContactMemory::as_stored(b.contact.history, SIZE), grid_of(b.contact),
+           [&] { return b.action; });
   }
 
   /// The first pass: every followed contact by itself.
@@ -326,8 +351,9 @@ struct StepContacts {
       const double part = scatter.part(p.j);
       if (f.normal.normal.unresolved) step->note_unresolved(part);
       step->book.lose(part, Contact::losses(f), 1.0);
-      done(p.j, p.start.truth, action.impulse, [&] { return c.by_contact(p.start, f, action); },
-           1.0);
+      done(
+          p.j, p.start.truth, action.impulse, [&] { return c.by_contact(p.start, f, action); },
+          1.0);
     }
   }
 
@@ -340,6 +366,7 @@ struct StepContacts {
             const LastingContact& p, const PairMotion& grid, ContactMemory& memory,
             const Done& done) {
     using namespace cohesion::event_stepping;
+    const bool lasted = memory.phase == ContactMemory::lasting;
     Action action;
     ContactLosses lost;
     ContactLosses* const losses = step->book.is_kept() ? &lost : nullptr;
@@ -348,7 +375,10 @@ struct StepContacts {
     memory.to(p.history, SIZE);
     step->book.lose(scatter.part(p.j), lost, 0.0);
     if (!lasts) return false;
-    lasting.push_back(p);
+    if (lasted)
+      lasting.push_back(p);
+    else
+      begun.push_back({p, action});
     scatter.act(p.i, p.j, action);
     done(p.j, grid, action.impulse, [&] { return c.by_contact(grid, action); }, 1.0);
     return true;

@@ -348,13 +348,13 @@ void FixEventStep::look_for_readers() {
 
 void FixEventStep::end_of_step() {
   if (resting || !book.is_kept()) return;
-  book.end_step(contact_impulse, contact_turn, half_kick() * kick, [this](int i) { return body(i); });
+  book.end_step(contact_impulse, contact_turn, half_kick() * kick,
+                [this](int i) { return body(i); });
   const std::vector<double> weight = weights(lmp);
   double power = 0.0;  // of all forces but those of contacts, and gravity
   for (int i = 0; i < atom->nlocal; i++)
     if (inverse_mass[i] != 0.0)
-      power += dot(outer_now(i) - vector(&weight[3 * i]),
-                   book.true_velocity(i));
+      power += dot(outer_now(i) - vector(&weight[3 * i]), book.true_velocity(i));
   book.work(2.0 * half_kick() * power);
 }
 

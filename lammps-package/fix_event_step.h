@@ -249,10 +249,10 @@ class FixEventStep : public Fix {
   std::vector<AdvisedStyle*> advised;  // the same
   ContactWatch watch;
 
-  double** shared;        // that go to the ghosts now, of particles that have been announced; of
-  int shared_each;        // others they are zero. nullptr: what disturbs them
-  bool follows;           // any pair or wall, in this run
-  bool resting;           // nothing is followed, and nobody reads the books
+  double** shared;  // that go to the ghosts now, of particles that have been announced; of
+  int shared_each;  // others they are zero. nullptr: what disturbs them
+  bool follows;     // any pair or wall, in this run
+  bool resting;     // nothing is followed, and nobody reads the books
   bool resuming;
   bool starting;
   bool running;
@@ -264,7 +264,7 @@ class FixEventStep : public Fix {
   AtomNumbers last;   // from the end of a run to the first step of the next: note_last()
   AtomNumbers outer;  // force of all but contacts at the last grid point
   std::vector<cohesion::Vector3> contact_impulse, contact_turn;  // per atom, of this step
-  double kick = 0.0;  // force that stands for an impulse in this step
+  double kick = 0.0;            // force that stands for an impulse in this step
   bool handed_over = false;     // to the engine; what comes later goes there at once
   bool pending = false;         // in this step: work_out()
   bool within_step = false;     // any style, in this run

@@ -162,9 +162,10 @@ template <class What>
 [[gnu::always_inline]] inline void PairGranCohesive<Cohesion>::for_each_close(const What& what) {
   double* const* const values_of = history->firstvalue;
   const int each = per_pair;
-  close.for_each_near(history->firstflag, [&](const ClosePair& pair, int& kept) __attribute__((always_inline)) {
-    what(pair.i, pair.j, kept, values_of[pair.i] + each * pair.place);
-  });
+  close.for_each_near(history->firstflag,
+                      [&](const ClosePair& pair, int& kept) __attribute__((always_inline)) {
+                        what(pair.i, pair.j, kept, values_of[pair.i] + each * pair.place);
+                      });
 }
 
 /// Adds what a contact does to the sums of momentum flux, if somebody reads them.
@@ -237,9 +238,8 @@ void PairGranCohesive<Cohesion>::unsettle(Contacts<EventContact>& contacts) {
 template <class Cohesion>
 template <int SIZE>
 void PairGranCohesive<Cohesion>::join(Contacts<EventContact>& contacts) {
-  contacts_now.join<SIZE>(
-      ContactsOfStep<EventContact, SIZE>(atom, step), step, contacts.all,
-      [this](const LastingContact& p) { return on_grid_with_spins(p.i, p.j); });
+  contacts_now.join<SIZE>(ContactsOfStep<EventContact, SIZE>(atom, step), step, contacts.all,
+                          [this](const LastingContact& p) { return on_grid_with_spins(p.i, p.j); });
 }
 
 template <class Cohesion>
@@ -247,14 +247,13 @@ template <int SIZE>
 void PairGranCohesive<Cohesion>::follow_together(Contacts<EventContact>& contacts) {
   const ContactsOfStep<EventContact, SIZE> scatter(atom, step);
   if (evflag)
-    for (const LastingContact& p : contacts_now.lasting) {
-      const ContactMemory known = ContactMemory::as_stored(p.history, SIZE);
-      if (known.phase != ContactMemory::lasting) continue;
-      const EventContact& c = contacts.all[p.contact];
-      const PairMotion grid = on_grid_with_spins(p.i, p.j);
-      tally(p.i, p.j, grid.relative.separation, energy(c.stored(grid, known)),
-            c.template held<SIZE>(grid, known).impulse);
-    }
+    contacts_now.for_each_lasting<SIZE>(
+        contacts.all, [this](const LastingContact& p) { return on_grid_with_spins(p.i, p.j); },
+        [&](const LastingContact& p, const ContactMemory& known, const PairMotion& grid,
+            const auto& action) {
+          tally(p.i, p.j, grid.relative.separation,
+                energy(contacts.all[p.contact].stored(grid, known)), action().impulse);
+        });
   // What a contact remembers is new after its second pass.
   std::vector<double> before;
   if (evflag)

@@ -153,8 +153,8 @@ PairGranCohesive<Cohesion>::on_grid(int i, int j) const {
   return {vector(x + 3 * j) - vector(x + 3 * i), vector(v + 3 * j) - vector(v + 3 * i)};
 }
 
-/// Pairs of equal particles that come one after the other share a contact. NONE: neither is moved by
-/// anything.
+/// Pairs of equal particles that come one after the other share a contact. NONE: neither is moved
+/// by anything.
 template <class Cohesion>
 template <class Contact>
 [[gnu::always_inline]] inline int PairGranCohesive<Cohesion>::contact(Contacts<Contact>& contacts,

@@ -16,9 +16,9 @@ namespace cohesion::event_stepping {
 
 /// Where a followed step begins.
 struct FollowedStart {
-  PairMotion truth;            ///< at the grid point
+  PairMotion truth;              ///< at the grid point
   Vector3 sliding{}, rolling{};  ///< stretch of both springs, [length]
-  double ahead = 0.0;          ///< true radial velocity over the grid's, [length/time]
+  double ahead = 0.0;            ///< true radial velocity over the grid's, [length/time]
 };
 
 /// What a followed contact does from one grid point to the next.
@@ -71,7 +71,7 @@ class ContactOnGrid {
                  bodies_.rolling_answer()),
         steady_(steady()),
         youth_(2.5 * normal_contact_.contact_time() / step),
-        holds_from_(youth_ < 20.0 ? youth_ : 1.0) {}
+        holds_from_(sliding_.acts() || rolling_.acts() || bodies_.is_wall() ? youth_ : 1.0) {}
 
   bool joins(const Body& i, const Body& j) const { return bodies_.are(i, j); }
   const ContactBodies& bodies() const { return bodies_; }
@@ -106,7 +106,7 @@ class ContactOnGrid {
     const LastingNormal::Force normal = lasting_.force(now);
     const bool lasted = memory.phase == ContactMemory::lasting;
     action = {(reduced_mass_ * normal.change * now.inverse) * grid.relative.separation, {}, {}};
-    if (losses && lasted) losses->normal_damping = lasting_.damped(now);
+    if (losses && lasted) losses->normal_damping = lasting_.damped(now, !is_old(memory));
     memory.phase = ContactMemory::lasting;
     memory.age += 1.0;
     if constexpr (SIZE >= ContactMemory::with_friction) {
@@ -220,8 +220,8 @@ class ContactOnGrid {
     return start;
   }
 
-  /// A step of any kind. `others`: D, V and spins of all other contacts of both particles (none in the first pass);
-  /// `rolled`: what the contact's own rolling spring did in the first pass.
+  /// A step of any kind. `others`: D, V and spins of all other contacts of both particles (none in
+  /// the first pass); `rolled`: what the contact's own rolling spring did in the first pass.
   template <int SIZE>
   FollowedStep follow(const FollowedStart& start, const PairMotion& others, const PairSpins& rolled,
                       bool in_range) const {
@@ -419,8 +419,9 @@ class ContactOnGrid {
   SpringOnGrid sliding_;
   SpringOnGrid rolling_;
   bool steady_;
-  double youth_;       // steps
-  double holds_from_;  // steps; few save little and rub coarsely
+  double youth_;  // steps
+  // Friction in an impact, and walls that turn unseen, err by more in one force than followed.
+  double holds_from_;  // steps; youth_ but for pairs without friction
 };
 
 }  // namespace cohesion::event_stepping

@@ -78,8 +78,8 @@ class SpringOnGrid {
     const double limit = step_ * friction_ * std::max(last, 0.0), size = norm(memory.impulse);
     if (size > 0.0 && (slips || size > limit)) memory.impulse = (limit / size) * memory.impulse;
     if (losses)
-      losses->friction += 0.5 * dot(planned - memory.impulse,
-                                    rate + (0.25 * answer_) * (planned + memory.impulse));
+      losses->friction +=
+          0.5 * dot(planned - memory.impulse, rate + (0.25 * answer_) * (planned + memory.impulse));
   }
 
   /// What is lost when a contact of one force has ended, with what the spring held.

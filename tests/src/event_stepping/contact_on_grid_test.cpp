@@ -212,8 +212,7 @@ TEST(ContactOnGrid, WhatOthersDoAlongAWallIsNotSeenAlongItsNormal) {
     EXPECT_NEAR(one.ahead, two.ahead, 4.0 * speed);
     // Friction sees it.
     const auto still = contact.follow<ContactMemory::with_friction>(begins, {}, {}, in);
-    const auto rubbed =
-        contact.follow<ContactMemory::with_friction>(begins, others, {}, in);
+    const auto rubbed = contact.follow<ContactMemory::with_friction>(begins, others, {}, in);
     EXPECT_NEAR(norm(still.sliding.impulse), 0.0, thesis::mass * speed);
     EXPECT_GT(norm(rubbed.sliding.impulse), 0.1 * 0.3 * alone.normal.normal.repulsion_impulse);
   }

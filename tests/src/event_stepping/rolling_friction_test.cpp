@@ -213,7 +213,8 @@ TEST(RollingFriction, FollowedItHoldsAgainstWhatOthersDoInTheStep) {
     if (n > 0) truth.spin_i += 0.5 * others.spin_i;
     const FollowedStart begins = pair.contact.start<size>(grid, truth, memory);
     const FollowedStep alone = pair.contact.follow<size>(begins, {}, {}, memory.in_range());
-    const FollowedStep f = pair.contact.follow<size>(begins, others, alone.rolled, memory.in_range());
+    const FollowedStep f =
+        pair.contact.follow<size>(begins, others, alone.rolled, memory.in_range());
     const Action action = pair.contact.close<size>(begins, others, f, memory);
     grid.spin_i += inverse_inertia(small) * action.torque_i;
     grid.spin_i += (n > 0 ? 1.0 : 0.5) * others.spin_i;
