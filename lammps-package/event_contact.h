@@ -7,7 +7,6 @@
 #include "atom.h"
 #include "event_stepping/contact_on_grid.h"
 #include "event_stepping/sampled_contact.h"
-#include "event_stepping/unrest.h"
 #include "fix_event_step.h"
 
 // What pairs and walls of the event scheme share: which of their contacts last and which are
@@ -150,10 +149,7 @@ template <class Contact, int SIZE>
 class LastingContacts {
  public:
   LastingContacts(Atom* atom, FixEventStep* step)
-      : impulses_(step->impulses()),
-        turns_(step->turns()),
-        disturbances_(step->disturbances()),
-        nlocal_(atom->nlocal) {}
+      : impulses_(step->impulses()), turns_(step->turns()), nlocal_(atom->nlocal) {}
 
   /// False: nothing is done, the contact is to be taken in another way.
   [[gnu::always_inline]] bool act(const Contact& c, int i, int j,
@@ -166,11 +162,8 @@ class LastingContacts {
     Action action;
     if (!c.template hold<SIZE>(grid, memory, action, nullptr)) return false;
     memory.to(history, SIZE);
-    const double part = c.is_old(memory) ? unrest::of_old : unrest::of_young;
     impulses_[i] -= action.impulse;
     if (SIZE >= ContactMemory::with_friction) turns_[i] += action.torque_i;
-    disturbances_[i] += part;
-    disturbances_[j] += part;
     if (j >= nlocal_) return true;
     impulses_[j] += action.impulse;
     if (SIZE >= ContactMemory::with_friction) turns_[j] += action.torque_j;
@@ -180,7 +173,39 @@ class LastingContacts {
  private:
   cohesion::Vector3* impulses_;
   cohesion::Vector3* turns_;
-  double* disturbances_;
+  int nlocal_;
+};
+
+/// Sampled contacts of which nobody asks what they do, likewise.
+template <class Contact, int SIZE>
+class SampledForces {
+ public:
+  SampledForces(Atom* atom, FixEventStep* step)
+      : forces_(atom->f),
+        torques_(atom->torque),
+        kick_(step->force_per_impulse()),
+        nlocal_(atom->nlocal) {}
+
+  /// Gives whether the contact remembers anything.
+  [[gnu::always_inline]] bool act(const Contact& c, int i, int j,
+                                  const cohesion::event_stepping::PairMotion& grid,
+                                  double* history) const {
+    using namespace cohesion::event_stepping;
+    ContactMemory memory = ContactMemory::as_stored(history, SIZE);
+    const Action action = c.template act<SIZE>(grid, memory, nullptr).action;
+    memory.to(history, SIZE);
+    add(forces_[i], -kick_, action.impulse);
+    if (SIZE >= ContactMemory::with_friction) add(torques_[i], kick_, action.torque_i);
+    if (j >= nlocal_) return memory.in_range();
+    add(forces_[j], kick_, action.impulse);
+    if (SIZE >= ContactMemory::with_friction) add(torques_[j], kick_, action.torque_j);
+    return memory.in_range();
+  }
+
+ private:
+  double* const* forces_;
+  double* const* torques_;
+  double kick_;
   int nlocal_;
 };
 
@@ -223,7 +248,7 @@ struct StepContacts {
   }
 
   /// One contact from its motion on the grid: acts if it lasts, is announced if it is to be
-  /// followed.
+  /// followed, which makes both particles restless.
   template <int SIZE, class Contact, class Done>
   [[gnu::noinline]] void take(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
                               const Contact& c, int contact, int i, int j,
@@ -232,16 +257,13 @@ struct StepContacts {
     using namespace cohesion::event_stepping;
     ContactMemory memory = ContactMemory::from(history, SIZE);
     const bool lasted = memory.phase == ContactMemory::lasting;
-    const bool can_last = !lasted && c.can_last(grid.relative, memory);
-    if (can_last) candidates.push_back({i, j, contact, history});
-    const bool lasts =
-        lasted && hold<SIZE>(scatter, step, c, {i, j, contact, history}, grid, memory, done);
-    if (lasts || can_last) {
-      step->disturb(i, j, c.is_old(memory) ? unrest::of_old : unrest::of_young);
-    } else {
+    if (!lasted && c.can_last(grid.relative, memory)) {
+      candidates.push_back({i, j, contact, history});
+    } else if (!lasted ||
+               !hold<SIZE>(scatter, step, c, {i, j, contact, history}, grid, memory, done)) {
       // Not by those that only the fastest particle of this rank could bring together.
       if (memory.phase != ContactMemory::beyond || c.within_reach(grid.relative, 0.0))
-        step->disturb(i, j, unrest::of_event);
+        step->unsettle(i, j);
       announce<SIZE>(scatter, step, c, {i, j, contact, history}, grid, memory);
     }
     if (step->book.is_kept()) {

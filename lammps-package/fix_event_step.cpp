@@ -62,7 +62,7 @@ FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
       last(lammps, LAST),
       outer(lammps, 3),
       contacts(nullptr),
-      disturbed(nullptr),
+      restless(nullptr),
       inverse_mass(nullptr),
       longest_flight(0.0),
       unresolved(0.0),
@@ -84,7 +84,7 @@ FixEventStep::~FixEventStep() {
   memory->destroy(owed);
   memory->destroy(alone);
   memory->destroy(contacts);
-  memory->destroy(disturbed);
+  memory->destroy(restless);
   memory->destroy(inverse_mass);
 }
 
@@ -227,8 +227,7 @@ void FixEventStep::work_out() {
   if (within_step) {
     share(nullptr, 1);
     const int all = atom->nlocal + atom->nghost;
-    some_restless =
-        std::any_of(disturbed, disturbed + all, cohesion::event_stepping::unrest::is_restless);
+    some_restless = std::any_of(restless, restless + all, [](double is) { return is != 0.0; });
     for (EventContacts* some : styles) some->unsettle();
     for (EventContacts* some : styles) some->join();
     if (some_announced || comm->nprocs > 1) {
@@ -335,7 +334,7 @@ void FixEventStep::clear() {
   }
   if (within_step) {
     std::fill_n(contacts, all, 0);
-    std::fill_n(disturbed, all, 0.0);
+    std::fill_n(restless, all, 0.0);
     some_announced = false;
   }
   book.begin_step();
@@ -396,8 +395,8 @@ void FixEventStep::report_unresolved() {
 
 /* ---------------------------------------------------------------------- */
 
-/// Brings `each` values of particles that have been announced to their ghosts; nullptr: what
-/// disturbs particles.
+/// Brings `each` values of particles that have been announced to their ghosts; nullptr:
+/// whether particles are restless.
 void FixEventStep::share(double** values, int each) {
   shared = values;
   shared_each = each;
@@ -406,7 +405,7 @@ void FixEventStep::share(double** values, int each) {
 
 int FixEventStep::pack_forward_comm(int n, int* list, double* buf, int, int*) {
   if (shared == nullptr) {
-    for (int i = 0; i < n; i++) buf[i] = disturbed[list[i]];
+    for (int i = 0; i < n; i++) buf[i] = restless[list[i]];
     return n;
   }
   for (int i = 0; i < n; i++, buf += shared_each) {
@@ -422,7 +421,7 @@ int FixEventStep::pack_forward_comm(int n, int* list, double* buf, int, int*) {
 
 void FixEventStep::unpack_forward_comm(int n, int first, double* buf) {
   if (shared == nullptr)
-    std::copy_n(buf, n, disturbed + first);
+    std::copy_n(buf, n, restless + first);
   else
     std::copy_n(buf, shared_each * n, shared[first]);
 }
@@ -431,7 +430,7 @@ void FixEventStep::grow_arrays(int nmax) {
   memory->grow(owed, nmax, OWED, "event_step:owed");
   memory->grow(alone, nmax, ALONE, "event_step:alone");
   memory->grow(contacts, nmax, "event_step:contacts");
-  memory->grow(disturbed, nmax, "event_step:disturbed");
+  memory->grow(restless, nmax, "event_step:restless");
   if (last.has_room()) last.grow(nmax);
   outer.grow(nmax);
   memory->grow(inverse_mass, nmax, "event_step:inverse_mass");

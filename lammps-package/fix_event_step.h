@@ -19,7 +19,6 @@ FixStyle(EVENT_STEP,FixEventStep);
 #include "contact_book.h"
 #include "event_stepping/contact_on_grid.h"
 #include "event_stepping/flux_parts.h"
-#include "event_stepping/unrest.h"
 #include "fix.h"
 #include "mobile_particles.h"
 
@@ -168,14 +167,12 @@ class FixEventStep : public Fix {
     add(alone[i], does.separation);
     add(alone[i] + 3, does.velocity);
   }
-  /// A contact of i and j (below 0: a wall) disturbs its particles by `part` (unrest).
-  void disturb(int i, int j, double part) {
-    disturbed[i] += part;
-    if (j >= 0) disturbed[j] += part;
+  /// A contact of i and j (below 0: a wall) has an event, or is young.
+  void unsettle(int i, int j) {
+    restless[i] = 1.0;
+    if (j >= 0) restless[j] = 1.0;
   }
-  bool is_restless(int i) const {
-    return cohesion::event_stepping::unrest::is_restless(disturbed[i]);
-  }
+  bool is_restless(int i) const { return restless[i] != 0.0; }
   /// Whether i is, or j (below 0: a wall).
   bool is_restless(int i, int j) const { return is_restless(i) || (j >= 0 && is_restless(j)); }
   /// Whether any particle or ghost is.
@@ -218,7 +215,6 @@ class FixEventStep : public Fix {
   /// Where contacts may add the same before the second pass, in scheme event; per particle.
   cohesion::Vector3* impulses() { return contact_impulse.data(); }
   cohesion::Vector3* turns() { return contact_turn.data(); }
-  double* disturbances() { return disturbed; }
   /// All that comes before the second pass, if it has not been done in this step.
   void work_out();
 
@@ -250,7 +246,7 @@ class FixEventStep : public Fix {
   ContactWatch watch;
 
   double** shared;  // that go to the ghosts now, of particles that have been announced; of
-  int shared_each;  // others they are zero. nullptr: what disturbs them
+  int shared_each;  // others they are zero. nullptr: whether they are restless
   bool follows;     // any pair or wall, in this run
   bool resting;     // nothing is followed, and nobody reads the books
   bool resuming;
@@ -270,7 +266,7 @@ class FixEventStep : public Fix {
   bool within_step = false;     // any style, in this run
   bool sums_contacts = false;   // contact_impulse and contact_turn, in this step
   int* contacts;                // per atom and ghost, this step
-  double* disturbed;            // the same: sums of unrest
+  double* restless;             // the same: 1 with an event or a young contact, or 0
   bool some_restless = false;   // of those
   bool some_announced = false;  // the same
   double* inverse_mass;         // per atom and ghost

@@ -273,41 +273,57 @@ void PairGranCohesive<Cohesion>::follow_together(Contacts<EventContact>& contact
                                });
 }
 
+/// Sampled contacts do not wait for each other.
 template <class Cohesion>
 template <int SIZE>
-void PairGranCohesive<Cohesion>::gather(Contacts<SampledContact>& contacts) {
-  sampled_now.clear();
-  contacts.clear();
+void PairGranCohesive<Cohesion>::gather(Contacts<SampledContact>&) {
   find_close();
-  for_each_close([&](int i, int j, int& kept, double* values) {
-    const int c = contact(contacts, i, j);
-    if (c == contacts.NONE) return;
-    if (!kept) {
-      if (!contacts.all[c].within_reach(on_grid(i, j))) return;
-      std::fill_n(values, per_pair, 0.0);
-      if (step->starts()) values[0] = closer(contacts.all[c].range(), i, j);
-    }
-    sampled_now.push_back({i, j, c, &kept, values});
-  });
 }
 
 template <class Cohesion>
 template <int SIZE>
 void PairGranCohesive<Cohesion>::follow_together(Contacts<SampledContact>& contacts) {
+  contacts.clear();
   const ContactsOfStep<SampledContact, SIZE> scatter(atom, step);
-  const auto sum = flux_sum();
-  for (const SampledActive& pair : sampled_now) {
-    const SampledContact& c = contacts.all[pair.contact];
-    const PairMotion grid = on_grid_with_spins(pair.i, pair.j);
-    ContactMemory known = ContactMemory::from(pair.history, SIZE);
-    const SampledStep now = sample(scatter, step, c, pair.i, pair.j, grid, known);
-    known.to(pair.history, SIZE);
-    *pair.kept = known.in_range();
-    sum(pair.j, grid, now.action.impulse, [&] { return c.by_contact(grid, now); }, 1.0);
-    if (evflag)
-      tally(pair.i, pair.j, grid.relative.separation, energy(c.stored(grid, known)),
-            now.action.impulse);
-  }
+  const SampledForces<SampledContact, SIZE> forces(atom, step);
+  const bool asked = step->book.is_kept() || step->sums_flux() || evflag;
+  const double* const x = atom->x[0];
+  const double* const v = atom->v[0];
+  const double* const spin = atom->omega[0];
+  const int* const type = atom->type;
+  const Bodies bodies = step->bodies();
+  for_each_close([&](int i, int j, int& kept, double* values) __attribute__((always_inline)) {
+    const int c = contact(contacts, type, bodies, i, j);
+    if (c == contacts.NONE) return;
+    const SampledContact& law = contacts.all[c];
+    const RelativeState apart{vector(x + 3 * j) - vector(x + 3 * i),
+                              vector(v + 3 * j) - vector(v + 3 * i)};
+    if (!kept) {
+      if (!law.within_reach(apart)) return;
+      std::fill_n(values, per_pair, 0.0);
+      if (step->starts()) values[0] = closer(law.range(), i, j);
+    }
+    if (asked || values[0] < 0.0)
+      kept = sample<SIZE>(scatter, law, i, j, values);
+    else
+      kept = forces.act(law, i, j, {apart, vector(spin + 3 * i), vector(spin + 3 * j)}, values);
+  });
+}
+
+/// A sampled contact of which somebody asks what it does. Gives whether it remembers anything.
+template <class Cohesion>
+template <int SIZE>
+[[gnu::noinline]] bool PairGranCohesive<Cohesion>::sample(
+    const ContactsOfStep<SampledContact, SIZE>& scatter, const SampledContact& c, int i, int j,
+    double* values) {
+  const PairMotion grid = on_grid_with_spins(i, j);
+  ContactMemory known = ContactMemory::from(values, SIZE);
+  const SampledStep now = LAMMPS_NS::sample(scatter, step, c, i, j, grid, known);
+  known.to(values, SIZE);
+  flux_sum()(j, grid, now.action.impulse, [&] { return c.by_contact(grid, now); }, 1.0);
+  if (evflag)
+    tally(i, j, grid.relative.separation, energy(c.stored(grid, known)), now.action.impulse);
+  return known.in_range();
 }
 
 /// Energy and virial, of an impulse on j.

@@ -73,14 +73,6 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventContacts, p
   using SampledContact = cohesion::event_stepping::SampledContact<typename Cohesion::Sampled>;
   using AnyContacts = std::variant<Contacts<EventContact>, Contacts<SampledContact>>;
 
-  /// A sampled pair that may touch in this step.
-  struct SampledActive {
-    int i, j;
-    int contact;      // of those of this step
-    int* kept;        // 1 while the pair has a history
-    double* history;  // HistorySize
-  };
-
   void allocate();
   double for_flight() const;
   int values_per_pair() const;
@@ -116,6 +108,9 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventContacts, p
   void follow_together(Contacts<EventContact>&);
   template <int SIZE>
   void follow_together(Contacts<SampledContact>&);
+  template <int SIZE>
+  bool sample(const ContactsOfStep<SampledContact, SIZE>&, const SampledContact&, int i, int j,
+              double* values);
   void tally(int i, int j, const cohesion::Vector3& separation, double energy,
              const cohesion::Vector3& impulse);
   auto flux_sum();
@@ -133,14 +128,13 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventContacts, p
   AnyContacts any_contacts;
   std::vector<double> largest_radius, smallest_radius;  // by type, at init
   StepContacts contacts_now;                            // event scheme: those of this step
-  std::vector<SampledActive> sampled_now;
-  ClosePairs close;      // those that may touch in a step
-  double largest_range;  // up to which the scheme has to see a pair
-  bool friction;         // whether any contact has friction
-  bool acts;             // whether anything can happen in this run
-  bool looks;            // whether any pair is looked at in it
-  bool rested;           // nothing acted, and no pair was followed
-  int per_pair;          // values of history (HistorySize); 0: there is none yet
+  ClosePairs close;                                     // those that may touch in a step
+  double largest_range;                                 // up to which the scheme has to see a pair
+  bool friction;                                        // whether any contact has friction
+  bool acts;                                            // whether anything can happen in this run
+  bool looks;                                           // whether any pair is looked at in it
+  bool rested;                                          // nothing acted, and no pair was followed
+  int per_pair;  // values of history (HistorySize); 0: there is none yet
   class FixEventStep* step;
   PairHistory history;
 };

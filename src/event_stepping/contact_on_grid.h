@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "contact/contact_parameters.h"
 #include "event_stepping/contact_bodies.h"
@@ -69,9 +70,8 @@ class ContactOnGrid {
                  bodies_.sliding_answer()),
         rolling_(contact::rolling_contact(parameters, normal_contact_), step,
                  bodies_.rolling_answer()),
-        steady_(steady()),
-        youth_(2.5 * normal_contact_.contact_time() / step),
-        holds_from_(sliding_.acts() || rolling_.acts() || bodies_.is_wall() ? youth_ : 1.0) {}
+        youth_(steady() ? 2.5 * normal_contact_.contact_time() / step
+                        : std::numeric_limits<double>::infinity()) {}
 
   bool joins(const Body& i, const Body& j) const { return bodies_.are(i, j); }
   const ContactBodies& bodies() const { return bodies_; }
@@ -83,18 +83,21 @@ class ContactOnGrid {
 
   /// `flown` [length]: what a pair can fly in a step more than its velocity on the grid says.
   bool within_reach(const RelativeState& grid, double flown) const {
-    const double reach = contact_distance_ + pair_.range() + step_ * norm(grid.velocity) + flown;
-    return dot(grid.separation, grid.separation) <= reach * reach;
+    const double range = contact_distance_ + pair_.range() + flown;
+    const double square = dot(grid.separation, grid.separation);
+    const double closing = -step_ * dot(grid.separation, grid.velocity);
+    const double reach = range + std::max(closing, 0.0) / range;
+    if (square > reach * reach) return false;
+    // No part of a straight flight is nearer than its part along the line of centres.
+    const double distance = std::sqrt(square);
+    return distance * (distance - range) <= std::max(closing, 0.0);
   }
 
-  /// Whether one force will do for a contact that was in contact through all of its last step, and
-  /// certainly is through this one.
+  /// Whether a contact is old enough for one force, and certainly lasts for the step.
   bool can_last(const RelativeState& grid, const ContactMemory& memory) const {
-    return memory.phase == ContactMemory::inside && memory.age >= holds_from_ && steady_ &&
+    return memory.phase == ContactMemory::inside && memory.age >= youth_ &&
            lasting_.force(lasting_.at(grid)).lasts;
   }
-  /// Whether it does beside others, too; of a young contact only where it is alone.
-  bool is_old(const ContactMemory& memory) const { return memory.age >= youth_; }
 
   /// A contact that has lasted, or can: the force times dt that it needs if it goes on. Settles the
   /// springs in the plane of contact, and what was lost since the last grid point, if somebody asks
@@ -106,7 +109,7 @@ class ContactOnGrid {
     const LastingNormal::Force normal = lasting_.force(now);
     const bool lasted = memory.phase == ContactMemory::lasting;
     action = {(reduced_mass_ * normal.change * now.inverse) * grid.relative.separation, {}, {}};
-    if (losses && lasted) losses->normal_damping = lasting_.damped(now, !is_old(memory));
+    if (losses && lasted) losses->normal_damping = lasting_.damped(now);
     memory.phase = ContactMemory::lasting;
     memory.age += 1.0;
     if constexpr (SIZE >= ContactMemory::with_friction) {
@@ -418,10 +421,7 @@ class ContactOnGrid {
   double pull_;
   SpringOnGrid sliding_;
   SpringOnGrid rolling_;
-  bool steady_;
   double youth_;  // steps
-  // Friction in an impact, and walls that turn unseen, err by more in one force than followed.
-  double holds_from_;  // steps; youth_ but for pairs without friction
 };
 
 }  // namespace cohesion::event_stepping

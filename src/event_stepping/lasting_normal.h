@@ -30,7 +30,6 @@ class LastingNormal {
         distance_(distance),
         pull_(pull),
         turns_(wall ? 0.0 : 1.0),
-        stiffness_(spring.stiffness()),
         damping_(spring.damping()) {
     const DampedOscillator swing(spring.stiffness() / reduced_mass,
                                  0.5 * spring.damping() / reduced_mass);
@@ -90,29 +89,17 @@ class LastingNormal {
   double repulsion(double change) const { return reduced_mass_ * change * inverse_step_ + pull_; }
 
   /// The true radial velocity at the grid point, less that of the half step before.
-  double ahead(const Sample& s) const { return -swings(s).now - s.radial; }
-
-  /// Lost in the dashpot since the last grid point. Beside others: of the square of the speed of a
-  /// swing the grid sees (sin(q dt/2)/(q dt/2))^2. Alone, what the swing has lost.
-  double damped(const Sample& s, bool alone) const {
-    if (!alone) return damping_ * step_ * s.radial * s.radial / seen_;
-    const Rates v = swings(s);
-    const double before = s.stretch + s.gone;
-    return 0.5 * (reduced_mass_ * (v.before * v.before - v.now * v.now) +
-                  stiffness_ * (before * before - s.stretch * s.stretch));
-  }
-
- private:
-  /// True rates of the overlap at the last grid point and at this one.
-  struct Rates {
-    double before, now;
-  };
-  Rates swings(const Sample& s) const {
+  double ahead(const Sample& s) const {
     const double before = s.stretch + s.gone;
     const double rate = (s.stretch - propagator_.xx * before) / propagator_.xv;
-    return {rate, propagator_.vx * before + propagator_.vv * rate};
+    return -(propagator_.vx * before + propagator_.vv * rate) - s.radial;
   }
 
+  /// Lost in the dashpot since the last grid point: of the square of the speed of a swing the grid
+  /// sees (sin(q dt/2)/(q dt/2))^2.
+  double damped(const Sample& s) const { return damping_ * step_ * s.radial * s.radial / seen_; }
+
+ private:
   /// Of the way of a step that the predicted overlap must be more than.
   static constexpr double certain = 0.1;
 
@@ -123,7 +110,6 @@ class LastingNormal {
   double distance_;
   double pull_;
   double turns_;
-  double stiffness_;
   double damping_;
   DampedOscillator::Propagator propagator_;
   GridSpring constants_;

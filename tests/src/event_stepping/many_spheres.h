@@ -7,7 +7,6 @@
 
 #include "event_stepping/contact_on_grid.h"
 #include "event_stepping/pair_run.h"
-#include "event_stepping/unrest.h"
 
 namespace cohesion::event_stepping {
 
@@ -132,19 +131,9 @@ class ManySpheres {
   void act() {
     const int n = size();
     std::vector<Vector3> dv(n), dw(n), v = v_, w = w_;
-    std::vector<double> sums(n, 0.0);
-    std::vector<char> marked(n, 0);
+    std::vector<char> restless(n, 0), marked(n, 0);
     std::vector<Followed> follow;
-    const auto disturb = [&](const Near& p, double part) {
-      sums[p.i] += part;
-      sums[p.j] += part;
-    };
-    const auto disturb_as_it_lasts = [&](const Near& p) {
-      disturb(p, contact_.is_old(p.memory) ? unrest::of_old : unrest::of_young);
-    };
-    const auto is_restless = [&](const Near& p) {
-      return unrest::is_restless(sums[p.i]) || unrest::is_restless(sums[p.j]);
-    };
+    const auto is_restless = [&](const Near& p) { return restless[p.i] || restless[p.j]; };
     const auto announce = [&](std::size_t k, const PairMotion& grid) {
       const Near& p = near_[k];
       follow.push_back({static_cast<int>(k), contact_.start<SIZE>(grid, {}, p.memory), {}});
@@ -164,14 +153,12 @@ class ManySpheres {
       Action action;
       if (!lasted && contact_.can_last(grid.relative, p.memory)) {
         candidates.push_back(k);
-        disturb_as_it_lasts(p);
       } else if (lasted && contact_.hold<SIZE>(grid, p.memory, action, nullptr)) {
         give(p, action, dv, dw);
         lasting++;
-        disturb_as_it_lasts(p);
       } else {
         if (lasted) contact_.leave<SIZE>(grid, p.memory, nullptr);
-        if (!beyond || contact_.within_reach(grid.relative, 0.0)) disturb(p, unrest::of_event);
+        if (!beyond || contact_.within_reach(grid.relative, 0.0)) restless[p.i] = restless[p.j] = 1;
         announce(k, grid);
       }
     }
