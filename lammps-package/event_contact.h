@@ -238,12 +238,14 @@ struct StepContacts {
   std::vector<LastingContact> candidates;  // can last from now on
   std::vector<LastingContact> lasting;     // act, but those that are taken back
   std::vector<BegunContact> begun;
+  std::vector<LastingContact> idle;  // in their wells, where nothing acts
   std::vector<FollowedContact> followed;
 
   void clear() {
     candidates.clear();
     lasting.clear();
     begun.clear();
+    idle.clear();
     followed.clear();
   }
 
@@ -257,12 +259,15 @@ struct StepContacts {
     using namespace cohesion::event_stepping;
     ContactMemory memory = ContactMemory::from(history, SIZE);
     const bool lasted = memory.phase == ContactMemory::lasting;
-    if (!lasted && c.can_last(grid.relative, memory)) {
+    if (c.idles(grid.relative, memory, step->flight())) {
+      idle.push_back({i, j, contact, history});
+    } else if (!lasted && c.can_last(grid.relative, memory)) {
       candidates.push_back({i, j, contact, history});
     } else if (!lasted ||
                !hold<SIZE>(scatter, step, c, {i, j, contact, history}, grid, memory, done)) {
       // Not by those that only the fastest particle of this rank could bring together.
-      if (memory.phase != ContactMemory::beyond || c.within_reach(grid.relative, 0.0))
+      if (memory.phase != ContactMemory::beyond ? !c.idles(grid.relative, memory, 0.0)
+                                                : c.within_reach(grid.relative, 0.0))
         step->unsettle(i, j);
       announce<SIZE>(scatter, step, c, {i, j, contact, history}, grid, memory);
     }

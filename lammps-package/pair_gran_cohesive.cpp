@@ -254,6 +254,13 @@ void PairGranCohesive<Cohesion>::follow_together(Contacts<EventContact>& contact
           tally(p.i, p.j, grid.relative.separation,
                 energy(contacts.all[p.contact].stored(grid, known)), action().impulse);
         });
+  if (evflag)
+    for (const LastingContact& p : contacts_now.idle) {
+      const PairMotion grid = on_grid_with_spins(p.i, p.j);
+      const ContactMemory known = ContactMemory::as_stored(p.history, SIZE);
+      tally(p.i, p.j, grid.relative.separation, energy(contacts.all[p.contact].stored(grid, known)),
+            {});
+    }
   // What a contact remembers is new after its second pass.
   std::vector<double> before;
   if (evflag)

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include "contact/contact_parameters.h"
 #include "event_stepping/contact_bodies.h"
@@ -12,6 +13,7 @@
 #include "event_stepping/plane_pair.h"
 #include "event_stepping/sphere_pair.h"
 #include "event_stepping/spring_on_grid.h"
+#include "event_stepping/well_pair.h"
 
 namespace cohesion::event_stepping {
 
@@ -91,6 +93,21 @@ class ContactOnGrid {
     // No part of a straight flight is nearer than its part along the line of centres.
     const double distance = std::sqrt(square);
     return distance * (distance - range) <= std::max(closing, 0.0);
+  }
+
+  /// Whether a pair that is in its well and owes nothing certainly meets neither contact nor edge
+  /// in this step: nothing acts on it. `flown`: as above.
+  bool idles(const RelativeState& grid, const ContactMemory& memory, double flown) const {
+    if constexpr (std::is_base_of_v<WellPair, Pair>) {
+      const auto owes = [](const ContactMemory::Spring& s) {
+        return dot(s.impulse, s.impulse) > 0.0;
+      };
+      return memory.phase == ContactMemory::inside && memory.ahead == 0.0 &&
+             !owes(memory.sliding) && !owes(memory.rolling) &&
+             pair_.is_clear_by(step_ * norm(grid.velocity) + flown, grid.separation);
+    } else {
+      return false;
+    }
   }
 
   /// Whether a contact is old enough for one force, and certainly lasts for the step.

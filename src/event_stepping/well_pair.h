@@ -43,6 +43,13 @@ class WellPair {
     return dot(grid.separation, grid.separation) <= reach * reach;
   }
 
+  /// Whether a pair in its well is farther from contact and edge than `way` [length].
+  bool is_clear_by(double way, const Vector3& separation) const {
+    const double inner = core_ + way, outer = edge_ - way;
+    const double square = dot(separation, separation);
+    return outer > 0.0 && square > inner * inner && square < outer * outer;
+  }
+
   PairStep advance(const RelativeState& grid, const StepWindow& window, bool inside) const {
     if (edge_ == core_) return contact_.advance(grid, window, inside);
     PairStep step;
@@ -120,10 +127,8 @@ class WellPair {
 
   /// Certain for most pairs within their well: farther from contact and edge than they can fly.
   bool meets_nothing(const RelativeState& grid, const StepWindow& window) const {
-    const double way = std::max(window.before, window.after) * norm(grid.velocity);
-    const double inner = core_ + way, outer = edge_ - way;
-    const double square = dot(grid.separation, grid.separation);
-    return outer > 0.0 && square > inner * inner && square < outer * outer;
+    return is_clear_by(std::max(window.before, window.after) * norm(grid.velocity),
+                       grid.separation);
   }
 
   Meeting next_meeting(const Motion& m) const {
