@@ -257,7 +257,7 @@ void PairGranCohesive<Cohesion>::follow_together(Contacts<EventContact>& contact
   if (evflag)
     for (const LastingContact& p : contacts_now.idle) {
       const PairMotion grid = on_grid_with_spins(p.i, p.j);
-      const ContactMemory known = ContactMemory::as_stored(p.history, SIZE);
+      const ContactMemory known = ContactMemory::from(p.history, SIZE);
       tally(p.i, p.j, grid.relative.separation, energy(contacts.all[p.contact].stored(grid, known)),
             {});
     }
