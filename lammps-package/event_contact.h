@@ -396,9 +396,8 @@ struct StepContacts {
     const bool lasted = memory.phase == ContactMemory::lasting;
     Action action;
     ContactLosses lost;
-    ContactLosses* const losses = step->book.is_kept() ? &lost : nullptr;
-    const bool lasts = c.template hold<SIZE>(grid, memory, action, losses);
-    if (!lasts) c.template leave<SIZE>(grid, memory, losses);
+    const bool lasts =
+        c.template hold<SIZE>(grid, memory, action, step->book.is_kept() ? &lost : nullptr);
     memory.to(p.history, SIZE);
     step->book.lose(scatter.part(p.j), lost, 0.0);
     if (!lasts) return false;
@@ -419,9 +418,7 @@ struct StepContacts {
     const Action action = c.template held<SIZE>(grid, memory);
     scatter.act_not(p.i, p.j, action);
     done(p.j, grid, action.impulse, [&] { return c.by_contact(grid, action); }, -1.0);
-    ContactLosses lost;
-    c.template leave<SIZE>(grid, memory, step->book.is_kept() ? &lost : nullptr);
-    step->book.lose(scatter.part(p.j), lost, 0.0);
+    memory.phase = ContactMemory::leaving;
     announce<SIZE>(scatter, step, c, p, grid, memory);
   }
 

@@ -118,7 +118,7 @@ class ContactOnGrid {
 
   /// A contact that has lasted, or can: the force times dt that it needs if it goes on. Settles the
   /// springs in the plane of contact, and what was lost since the last grid point, if somebody asks
-  /// for `losses`. False: it does not certainly last for this step, and is to leave().
+  /// for `losses`. False: it does not certainly last for this step, and is to be followed.
   template <int SIZE>
   [[gnu::always_inline]] bool hold(const PairMotion& grid, ContactMemory& memory, Action& action,
                                    ContactLosses* losses) const {
@@ -127,24 +127,21 @@ class ContactOnGrid {
     const bool lasted = memory.phase == ContactMemory::lasting;
     action = {(reduced_mass_ * normal.change * now.inverse) * grid.relative.separation, {}, {}};
     if (losses && lasted) losses->normal_damping = lasting_.damped(now);
-    memory.phase = ContactMemory::lasting;
+    memory.phase = normal.lasts ? ContactMemory::lasting : ContactMemory::leaving;
     memory.age += 1.0;
     if constexpr (SIZE >= ContactMemory::with_friction) {
       const Touch touch(bodies_, grid.relative.separation, now.inverse);
       const double repulsion = lasting_.repulsion(normal.change);
-      // The half of a step that its first one is to do begins with the true velocity.
-      const double limiting =
-          lasted ? repulsion : lasting_.repulsion(2.0 * (normal.change - memory.ahead));
       SpringOnGrid::Losses of_sliding, of_rolling;
       const Vector3 across =
           grid.relative.velocity - (now.radial * now.inverse) * grid.relative.separation;
       const Vector3 slides = touch.slides_across(across, grid.spin_i, grid.spin_j);
-      touch.slide(sliding_.rub(touch.plane(), slides, limiting, lasted, memory.sliding,
+      touch.slide(sliding_.rub(touch.plane(), slides, repulsion, lasted, memory.sliding,
                                losses ? &of_sliding : nullptr),
                   action);
       if constexpr (SIZE >= ContactMemory::with_rolling) {
         const Vector3 rolls = touch.rolls(grid.spin_i, grid.spin_j);
-        touch.roll(rolling_.rub(touch.plane(), rolls, limiting, lasted, memory.rolling,
+        touch.roll(rolling_.rub(touch.plane(), rolls, repulsion, lasted, memory.rolling,
                                 losses ? &of_rolling : nullptr),
                    action);
       }
@@ -155,29 +152,6 @@ class ContactOnGrid {
       }
     }
     return normal.lasts;
-  }
-
-  /// A contact that hold() has settled is followed from this grid point on. Adds to `losses`, if
-  /// somebody asks.
-  template <int SIZE>
-  void leave(const PairMotion& grid, ContactMemory& memory, ContactLosses* losses) const {
-    memory.phase = ContactMemory::leaving;
-    if constexpr (SIZE >= ContactMemory::with_friction) {
-      const LastingNormal::Sample now = lasting_.at(grid.relative);
-      const double repulsion = lasting_.repulsion(lasting_.force(now).change);
-      const double last = lasting_.repulsion(2.0 * lasting_.ahead(now));
-      const Touch touch(bodies_, grid.relative.separation, now.inverse);
-      SpringOnGrid::Losses lost;
-      sliding_.leave(touch.slides(grid.relative.velocity, grid.spin_i, grid.spin_j), repulsion,
-                     last, memory.sliding, losses ? &lost : nullptr);
-      if (losses) losses->friction += lost.friction;
-      if constexpr (SIZE >= ContactMemory::with_rolling) {
-        lost = {};
-        rolling_.leave(touch.rolls(grid.spin_i, grid.spin_j), repulsion, last, memory.rolling,
-                       losses ? &lost : nullptr);
-        if (losses) losses->rolling += lost.friction;
-      }
-    }
   }
 
   /// The same again of a contact that has been settled.

@@ -157,7 +157,6 @@ class ManySpheres {
         give(p, action, dv, dw);
         lasting++;
       } else {
-        if (lasted) contact_.leave<SIZE>(grid, p.memory, nullptr);
         if (!beyond || contact_.within_reach(grid.relative, 0.0)) restless[p.i] = restless[p.j] = 1;
         announce(k, grid);
       }
@@ -169,7 +168,7 @@ class ManySpheres {
       const Action a = contact_.held<SIZE>(grid, p.memory);
       give(p, {-a.impulse, -a.torque_i, -a.torque_j}, dv, dw);
       lasting--;
-      contact_.leave<SIZE>(grid, p.memory, nullptr);
+      p.memory.phase = ContactMemory::leaving;
       announce(k, grid);
     }
     for (const std::size_t k : candidates) {

@@ -205,7 +205,7 @@ TEST(ManySpheres, AFrictionalClusterAtRestMovesNoMore) {
     press_together(spheres);
     const int number = spheres.size();
     const double start = spheres.sums().kinetic;
-    for (int n = 0; n < static_cast<int>(2000.0 * part); n++) spheres.step();
+    for (int n = 0; n < static_cast<int>(1000.0 * part); n++) spheres.step();
     double grid = 0.0;
     for (int i = 0; i < number; i++) grid += 0.5 * thesis::mass * dot(spheres.v(i), spheres.v(i));
     EXPECT_LT(grid, 1e-10 * start) << part;
