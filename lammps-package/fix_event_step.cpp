@@ -4,14 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <tuple>
 
 #include "atom.h"
 #include "box_shear.h"
 #include "comm.h"
 #include "domain.h"
 #include "energy_companions.h"
-#include "engine_api.h"
 #include "error.h"
 #include "force.h"
 #include "gravity.h"
@@ -19,7 +17,6 @@
 #include "modify.h"
 #include "output.h"
 #include "pair_members.h"
-#include "restart_format.h"
 #include "shear/flight.h"
 #include "unturned_spheres.h"
 #include "update.h"
@@ -46,6 +43,7 @@ FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
     : Fix(lammps, narg, arg),
       owed(nullptr),
       alone(nullptr),
+      impulses(lammps),
       book(lammps),
       watch(lammps),
       shared(nullptr),
@@ -198,7 +196,7 @@ void FixEventStep::setup_pre_force(int) {
   resting = rests();
   if (resting) {
     weighed.clear();
-    sums_contacts = false;
+    impulses.rest();
   }
   if (!resuming) {
     const std::vector<double> weight = weights(lmp);
@@ -235,27 +233,14 @@ void FixEventStep::work_out() {
       for (EventContacts* some : styles) some->follow_alone();
       share(alone, ALONE);
     }
-    hand_over();
   }
-  handed_over = true;
-}
-
-/// What contacts have done so far, to the engine.
-void FixEventStep::hand_over() {
-  const int n = 3 * atom->nlocal;
-  if (n == 0) return;
-  double* const f = atom->f[0];
-  double* const torque = atom->torque[0];
-  const double* const pushed = &contact_impulse[0].x;
-  const double* const turned = &contact_turn[0].x;
-  for (int k = 0; k < n; k++) f[k] += kick * pushed[k];
-  for (int k = 0; k < n; k++) torque[k] += kick * turned[k];
+  impulses.hand_over(within_step);
 }
 
 /// The first step has no half kick before it: what its velocities are, they truly are.
 void FixEventStep::setup(int) {
   work_out();
-  if (resting) sums_contacts = false;
+  if (resting) impulses.rest();
   constexpr double none[ContactBook::OF_PARTICLE] = {};
   if (book.is_kept() && starting)
     for (int i = 0; i < atom->nlocal; i++) book.take_motion(i, none);
@@ -271,7 +256,8 @@ void FixEventStep::initial_integrate(int) {
     update->ntimestep++;
   }
   if (!resuming) {
-    look_for_outer();
+    // Forces are all there when the next step begins.
+    if (!resting && within_step) impulses.note_others(outer.of(0));
     return;
   }
   // The same momentum, should the step be another now.
@@ -284,20 +270,6 @@ void FixEventStep::initial_integrate(int) {
   }
   resuming = false;
   last.free();
-}
-
-/// Forces are all there when the next step begins.
-void FixEventStep::look_for_outer() {
-  if (resting || !within_step || atom->nlocal == 0) return;
-  const double* const f = atom->f[0];
-  const double* const pushed = &contact_impulse[0].x;
-  double* const rest = outer.of(0);
-  const int n = 3 * atom->nlocal;
-  for (int k = 0; k < n; k++) rest[k] = f[k] - kick * pushed[k];
-}
-
-Vector3 FixEventStep::outer_now(int i) const {
-  return sums_contacts ? vector(atom->f[i]) - kick * contact_impulse[i] : Vector3{};
 }
 
 /// The books begin when all fixes have been set up; a run of no step ends then.
@@ -325,13 +297,9 @@ void FixEventStep::clear() {
   const int all = atom->nlocal + atom->nghost;
   look_round();
   look_for_readers();
-  handed_over = false;
-  kick = (starting ? 2.0 : 1.0) / update->dt;
-  sums_contacts = within_step || book.is_kept();
-  if (sums_contacts) {
-    contact_impulse.assign(atom->nlocal, {});
-    contact_turn.assign(atom->nlocal, {});
-  }
+  // The engine's half kick makes of a force f the momentum f dt/2; the other half went before, but
+  // for the first step, which has no half before it.
+  impulses.begin_step((starting ? 2.0 : 1.0) / update->dt, within_step || book.is_kept());
   if (within_step) {
     std::fill_n(contacts, all, 0);
     std::fill_n(restless, all, 0.0);
@@ -347,13 +315,13 @@ void FixEventStep::look_for_readers() {
 
 void FixEventStep::end_of_step() {
   if (resting || !book.is_kept()) return;
-  book.end_step(contact_impulse, contact_turn, half_kick() * kick,
+  book.end_step(impulses.impulses(), impulses.turns(), half_kick() * impulses.kick(),
                 [this](int i) { return body(i); });
   const std::vector<double> weight = weights(lmp);
   double power = 0.0;  // of all forces but those of contacts, and gravity
   for (int i = 0; i < atom->nlocal; i++)
     if (inverse_mass[i] != 0.0)
-      power += dot(outer_now(i) - vector(&weight[3 * i]), book.true_velocity(i));
+      power += dot(impulses.others(i) - vector(&weight[3 * i]), book.true_velocity(i));
   book.work(2.0 * half_kick() * power);
 }
 
@@ -377,7 +345,7 @@ void FixEventStep::note_last(int i, double* values) const {
   std::copy_n(atom->f[i], 3, values);
   std::copy_n(atom->torque[i], 3, values + TORQUE);
   book.note_motion(i, values + NOTED);
-  put(outer_now(i), values + FROM_OTHERS);
+  put(impulses.others(i), values + FROM_OTHERS);
 }
 
 void FixEventStep::report_unresolved() {
@@ -391,116 +359,4 @@ void FixEventStep::report_unresolved() {
                    "adhesion or along that edge, and was not followed to the end of that step: use "
                    "a smaller time step",
                    all);
-}
-
-/* ---------------------------------------------------------------------- */
-
-/// Brings `each` values of particles that have been announced to their ghosts; nullptr:
-/// whether particles are restless.
-void FixEventStep::share(double** values, int each) {
-  shared = values;
-  shared_each = each;
-  engine_api::forward_comm(comm, this, each);
-}
-
-int FixEventStep::pack_forward_comm(int n, int* list, double* buf, int, int*) {
-  if (shared == nullptr) {
-    for (int i = 0; i < n; i++) buf[i] = restless[list[i]];
-    return n;
-  }
-  for (int i = 0; i < n; i++, buf += shared_each) {
-    // A ghost that is passed on has what its owner sent.
-    const int from = list[i];
-    if (from < atom->nlocal && contacts[from] == 0)
-      std::fill_n(buf, shared_each, 0.0);
-    else
-      std::copy_n(shared[from], shared_each, buf);
-  }
-  return shared_each * n;
-}
-
-void FixEventStep::unpack_forward_comm(int n, int first, double* buf) {
-  if (shared == nullptr)
-    std::copy_n(buf, n, restless + first);
-  else
-    std::copy_n(buf, shared_each * n, shared[first]);
-}
-
-void FixEventStep::grow_arrays(int nmax) {
-  memory->grow(owed, nmax, OWED, "event_step:owed");
-  memory->grow(alone, nmax, ALONE, "event_step:alone");
-  memory->grow(contacts, nmax, "event_step:contacts");
-  memory->grow(restless, nmax, "event_step:restless");
-  if (last.has_room()) last.grow(nmax);
-  outer.grow(nmax);
-  memory->grow(inverse_mass, nmax, "event_step:inverse_mass");
-}
-
-void FixEventStep::copy_arrays(int i, int j, int) {
-  outer.copy(i, j);
-  if (last.has_room()) last.copy(i, j);
-}
-
-void FixEventStep::set_arrays(int i) {
-  outer.clear(i);
-  if (last.has_room()) last.clear(i);
-}
-
-int FixEventStep::pack_exchange(int i, double* buf) {
-  const int taken = outer.pack(i, buf);
-  return last.has_room() ? taken + last.pack(i, buf + taken) : taken;
-}
-
-int FixEventStep::unpack_exchange(int i, double* buf) {
-  const int taken = outer.unpack(i, buf);
-  return last.has_room() ? taken + last.unpack(i, buf + taken) : taken;
-}
-
-// Numbers of a restart file in front of the book's: its layout, and the step.
-static constexpr int LAYOUT = 2, HEAD = 2;
-static constexpr int OF_RESTART = HEAD + static_cast<int>(std::tuple_size_v<ContactBook::OfAll>);
-
-void FixEventStep::write_restart(FILE* fp) {
-  const ContactBook::OfAll mine = book.of_all();
-  double values[OF_RESTART] = {RESTART_MARK + LAYOUT, running ? update->dt : last_dt};
-  MPI_Reduce(mine.data(), values + HEAD, static_cast<int>(mine.size()), MPI_DOUBLE, MPI_SUM, 0,
-             world);
-  if (comm->me != 0) return;
-  constexpr int size = sizeof(values);
-  fwrite(&size, sizeof(int), 1, fp);
-  fwrite(values, size, 1, fp);
-}
-
-void FixEventStep::restart(char* buf) {
-  const auto* values = reinterpret_cast<const double*>(buf);
-  require_layout(lmp, values[0], "scheme event", LAYOUT);
-  last_dt = values[1];
-  if (last_dt > 0.0) last.grow(atom->nmax);
-  if (comm->me != 0) return;
-  ContactBook::OfAll all;
-  std::copy_n(values + HEAD, all.size(), all.begin());
-  book.take_of_all(all);
-}
-
-int FixEventStep::pack_restart(int i, double* buf) {
-  // The engine's own forces may have stayed behind when particles changed rank.
-  if (!running && last.has_room()) return last.pack_restart(i, buf);
-  buf[0] = last.size_restart();
-  std::fill_n(buf + 1, LAST, 0.0);  // before the first run
-  if (running) note_last(i, buf + 1);
-  return last.size_restart();
-}
-
-void FixEventStep::unpack_restart(int i, int nth) {
-  if (last.has_room()) last.unpack_restart(i, atom->extra[i], nth);
-}
-
-int FixEventStep::maxsize_restart() { return last.size_restart(); }
-int FixEventStep::size_restart(int) { return last.size_restart(); }
-
-double FixEventStep::memory_usage() {
-  const double numbers = OWED + ALONE + 2;
-  return (numbers * sizeof(double) + sizeof(int)) * atom->nmax +
-         sizeof(Vector3) * (contact_impulse.capacity() + contact_turn.capacity()) +
-         sizeof(double) * weighed.capacity() + outer.bytes() + last.bytes() + book.bytes();
 }

@@ -17,6 +17,7 @@ FixStyle(EVENT_STEP,FixEventStep);
 #include "box_sides.h"
 #include "contact_advice.h"
 #include "contact_book.h"
+#include "contact_impulses.h"
 #include "event_stepping/contact_on_grid.h"
 #include "event_stepping/flux_parts.h"
 #include "fix.h"
@@ -128,10 +129,6 @@ class FixEventStep : public Fix {
   bool resumes() const { return resuming; }
   /// A run that does so finds another box than the last one left, and particles elsewhere.
   bool box_changed() const { return other_box; }
-  /// The force that gives a particle the impulse 1 in this step, [1/time]. The engine's half kick
-  /// makes of a force f the momentum f dt/2; the other half went before, but for the first step,
-  /// which has no half before it.
-  double force_per_impulse() const { return kick; }
   /// The first step of a run that takes over nothing.
   bool starts() const { return starting; }
   /// Particle or ghost i; a particle that nothing integrates has inverse mass 0.
@@ -190,6 +187,8 @@ class FixEventStep : public Fix {
   static constexpr int OWED = 6, ALONE = 9;
   double** owed;
   double** alone;
+  /// What contacts do in this step.
+  ContactImpulses impulses;
   /// The energy of contacts.
   ContactBook book;
 
@@ -200,29 +199,11 @@ class FixEventStep : public Fix {
 
   /// Counts a contact whose step was cut short.
   void note_unresolved(double part) { unresolved += part; }
-  /// Adds what a contact does to particle i of this rank: impulse and angular impulse.
-  template <int SIZE>
-  [[gnu::always_inline]] void push(int i, const cohesion::Vector3& pushed,
-                                   const cohesion::Vector3& turned) {
-    if (sums_contacts) {
-      contact_impulse[i] += pushed;
-      if (SIZE > 3) contact_turn[i] += turned;
-    }
-    if (!handed_over) return;
-    add(atom->f[i], kick * pushed);
-    if (SIZE > 3) add(atom->torque[i], kick * turned);
-  }
-  /// Where contacts may add the same before the second pass, in scheme event; per particle.
-  cohesion::Vector3* impulses() { return contact_impulse.data(); }
-  cohesion::Vector3* turns() { return contact_turn.data(); }
   /// All that comes before the second pass, if it has not been done in this step.
   void work_out();
 
  private:
   void clear();
-  void look_for_outer();
-  void hand_over();
-  cohesion::Vector3 outer_now(int i) const;
   void note_last(int i, double* values) const;
   void judge(bool setup);
   bool rests() const;
@@ -255,16 +236,12 @@ class FixEventStep : public Fix {
   bool books_begun;  // in this run
   bool other_box;
   bool said_unturned;
-  BoxSides box;       // at the end of the last run
-  double last_dt;     // of the step that `last` is from; 0: there was none
-  AtomNumbers last;   // from the end of a run to the first step of the next: note_last()
-  AtomNumbers outer;  // force of all but contacts at the last grid point
-  std::vector<cohesion::Vector3> contact_impulse, contact_turn;  // per atom, of this step
-  double kick = 0.0;            // force that stands for an impulse in this step
-  bool handed_over = false;     // to the engine; what comes later goes there at once
+  BoxSides box;                 // at the end of the last run
+  double last_dt;               // of the step that `last` is from; 0: there was none
+  AtomNumbers last;             // from the end of a run to the first step of the next: note_last()
+  AtomNumbers outer;            // force of all but contacts at the last grid point
   bool pending = false;         // in this step: work_out()
   bool within_step = false;     // any style, in this run
-  bool sums_contacts = false;   // contact_impulse and contact_turn, in this step
   int* contacts;                // per atom and ghost, this step
   double* restless;             // the same: 1 with an event or a young contact, or 0
   bool some_restless = false;   // of those

@@ -19,6 +19,20 @@
 
 namespace LAMMPS_NS {
 
+/// Particles and ghosts as the grid has them: places, velocities of the half step before.
+struct ParticlesOnGrid {
+  const double *x, *v, *spin;  // three numbers of each
+  const int* type;
+  Bodies bodies;
+
+  [[gnu::always_inline]] cohesion::event_stepping::RelativeState apart(int i, int j) const {
+    return {vector(x + 3 * j) - vector(x + 3 * i), vector(v + 3 * j) - vector(v + 3 * i)};
+  }
+  [[gnu::always_inline]] cohesion::event_stepping::PairMotion motion(int i, int j) const {
+    return {apart(i, j), vector(spin + 3 * i), vector(spin + 3 * j)};
+  }
+};
+
 /// Spheres with a linear spring-dashpot contact, friction and a cohesion, in the event scheme or
 /// sampled. `Cohesion` (hamaker_cohesion.h, square_well_cohesion.h) says what is its own: name,
 /// keywords, law, range, and which pairs of src/event_stepping follow it.
@@ -78,13 +92,10 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventContacts, p
   int values_per_pair() const;
   bool bound_pairs_are_read() const;
   template <class Contact>
-  int contact(Contacts<Contact>&, int i, int j);
-  template <class Contact>
-  int contact(Contacts<Contact>&, const int* type, const Bodies&, int i, int j);
+  int contact(Contacts<Contact>&, const ParticlesOnGrid&, int i, int j);
   template <class Contact>
   int new_contact(Contacts<Contact>&, int of_types, int i, int j);
-  cohesion::event_stepping::RelativeState on_grid(int i, int j) const;
-  cohesion::event_stepping::PairMotion on_grid_with_spins(int i, int j) const;
+  ParticlesOnGrid particles() const;
   bool closer(double gap, int i, int j) const;
   bool moves(int i, int j) const;
   template <class What>
@@ -140,30 +151,20 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventContacts, p
 };
 
 template <class Cohesion>
-[[gnu::always_inline]] inline cohesion::event_stepping::RelativeState
-PairGranCohesive<Cohesion>::on_grid(int i, int j) const {
-  const double* const x = atom->x[0];
-  const double* const v = atom->v[0];
-  return {vector(x + 3 * j) - vector(x + 3 * i), vector(v + 3 * j) - vector(v + 3 * i)};
+inline ParticlesOnGrid PairGranCohesive<Cohesion>::particles() const {
+  return {atom->x[0], atom->v[0], atom->omega[0], atom->type, step->bodies()};
 }
 
 /// Pairs of equal particles that come one after the other share a contact. NONE: neither is moved
 /// by anything.
 template <class Cohesion>
 template <class Contact>
-[[gnu::always_inline]] inline int PairGranCohesive<Cohesion>::contact(Contacts<Contact>& contacts,
-                                                                      int i, int j) {
-  return contact(contacts, atom->type, step->bodies(), i, j);
-}
-template <class Cohesion>
-template <class Contact>
-[[gnu::always_inline]] inline int PairGranCohesive<Cohesion>::contact(Contacts<Contact>& contacts,
-                                                                      const int* type,
-                                                                      const Bodies& bodies, int i,
-                                                                      int j) {
-  const int types = coefficients.of_types(type[i], type[j]);
+[[gnu::always_inline]] inline int PairGranCohesive<Cohesion>::contact(
+    Contacts<Contact>& contacts, const ParticlesOnGrid& particles, int i, int j) {
+  const int types = coefficients.of_types(particles.type[i], particles.type[j]);
   const int last = contacts.last[types];
-  if (last != Contacts<Contact>::NONE && contacts.all[last].joins(bodies[i], bodies[j]))
+  if (last != Contacts<Contact>::NONE &&
+      contacts.all[last].joins(particles.bodies[i], particles.bodies[j]))
     return last;
   return new_contact(contacts, types, i, j);
 }
@@ -183,14 +184,7 @@ template <class Contact>
 
 template <class Cohesion>
 bool PairGranCohesive<Cohesion>::closer(double gap, int i, int j) const {
-  return norm(on_grid(i, j).separation) < atom->radius[i] + atom->radius[j] + gap;
-}
-
-template <class Cohesion>
-[[gnu::always_inline]] inline cohesion::event_stepping::PairMotion
-PairGranCohesive<Cohesion>::on_grid_with_spins(int i, int j) const {
-  const double* const spin = atom->omega[0];
-  return {on_grid(i, j), vector(spin + 3 * i), vector(spin + 3 * j)};
+  return norm(particles().apart(i, j).separation) < atom->radius[i] + atom->radius[j] + gap;
 }
 
 /// Pairs of which neither is moved by anything are not followed.

@@ -35,8 +35,9 @@ void PairGranCohesive<Cohesion>::begin_where_they_are(bool afresh) {
         contacts.clear();
         for_each_listed([&](int i, int j, int& kept, double* values) {
           // Contacts are made for those only that some contact could reach.
-          const bool near = moves(i, j) && closer(largest_range, i, j) &&
-                            closer(contacts.all[contact(contacts, i, j)].range(), i, j);
+          const bool near =
+              moves(i, j) && closer(largest_range, i, j) &&
+              closer(contacts.all[contact(contacts, particles(), i, j)].range(), i, j);
           if (near && kept && !afresh) return;
           (near ? ContactMemory::seen_inside() : ContactMemory()).to(values, per_pair);
           kept = near;
@@ -60,7 +61,7 @@ void PairGranCohesive<Cohesion>::book_standing() {
 template <class Cohesion>
 void PairGranCohesive<Cohesion>::tally_standing() {
   for_each_standing([this](int i, int j, const StoredEnergies& stored) {
-    const Vector3 d = on_grid(i, j).separation;
+    const Vector3 d = particles().apart(i, j).separation;
     ev_tally_xyz(i, j, atom->nlocal, 0, stored.spring + stored.adhesion, 0.0, 0.0, 0.0, 0.0, -d.x,
                  -d.y, -d.z);
   });
@@ -75,8 +76,8 @@ void PairGranCohesive<Cohesion>::for_each_standing(const What& what) {
         contacts.clear();
         for_each_listed([&](int i, int j, int kept, const double* values) {
           if (!kept || !moves(i, j)) return;
-          const auto& c = contacts.all[contact(contacts, i, j)];
-          what(i, j, c.stored(on_grid_with_spins(i, j), ContactMemory::from(values, per_pair)));
+          const auto& c = contacts.all[contact(contacts, particles(), i, j)];
+          what(i, j, c.stored(particles().motion(i, j), ContactMemory::from(values, per_pair)));
         });
       },
       any_contacts);

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#ifndef COHESION_CONTACT_SCATTER_H
+#define COHESION_CONTACT_SCATTER_H
+
+#include "atom.h"
+#include "event_stepping/contact_on_grid.h"
+#include "event_stepping/sampled_contact.h"
+#include "fix_event_step.h"
+
+// How what contacts do reaches the particles, from pairs and walls alike.
+//
+// Here, and where the laws of a step are, local variables of a struct type are not `const`: GCC 12
+// keeps such in memory, the others in registers, which costs a sampled contact a tenth.
+
+namespace LAMMPS_NS {
+
+using cohesion::vector;
+using cohesion::Vector3;
+
+inline void add(double* to, double factor, const cohesion::Vector3& a) {
+  to[0] += factor * a.x;
+  to[1] += factor * a.y;
+  to[2] += factor * a.z;
+}
+
+/// `history` of a contact: what ContactMemory keeps, of its sizes; a sampled one has the in-range
+/// flag in the place of the phase, and the stretch of its springs.
+using HistorySize = cohesion::event_stepping::ContactMemory::Size;
+
+/// What contacts do to particles in a step: of one process, and of one kind of contact.
+template <class Contact, int SIZE>
+class ContactsOfStep {
+ public:
+  using Action = cohesion::event_stepping::Action;
+  using PairMotion = cohesion::event_stepping::PairMotion;
+
+  ContactsOfStep(Atom* atom, FixEventStep* step)
+      : step_(step), kick_(step->impulses.kick()), nlocal_(atom->nlocal) {}
+
+  /// Force that stands for an impulse.
+  double kick() const { return kick_; }
+
+  /// Force and torque on the particles of this process.
+  [[gnu::always_inline]] void act(int i, int j, const Action& a) const {
+    step_->impulses.push<SIZE>(i, -a.impulse, a.torque_i);
+    if (j >= 0 && j < nlocal_) step_->impulses.push<SIZE>(j, a.impulse, a.torque_j);
+  }
+  void act_not(int i, int j, const Action& a) const {
+    act(i, j, {-a.impulse, -a.torque_i, -a.torque_j});
+  }
+
+  /// Adds what `a` changes of the motion of both particles to `to`.
+  void change(double* const* to, int i, int j, const Action& a) const {
+    change_i(to, i, a);
+    if (j >= 0) change_j(to, j, a);
+  }
+  void change_i(double* const* to, int i, const Action& a) const {
+    const auto body = step_->body(i);
+    add(to[i], -body.inverse_mass, a.impulse);
+    if (SIZE > 3) add(to[i] + 3, cohesion::event_stepping::inverse_inertia(body), a.torque_i);
+  }
+  void change_j(double* const* to, int j, const Action& a) const {
+    const auto body = step_->body(j);
+    add(to[j], body.inverse_mass, a.impulse);
+    if (SIZE > 3) add(to[j] + 3, cohesion::event_stepping::inverse_inertia(body), a.torque_j);
+  }
+
+  /// Adds D, V and changes of spins to `alone`.
+  void share(int i, int j, const Contact& c, const PairMotion& change) const {
+    share_i(i, c, change);
+    if (j >= 0) share_j(j, c, change);
+  }
+  void share_i(int i, const Contact& c, const PairMotion& change) const {
+    half(step_->alone[i], -c.bodies().share_i(), change, change.spin_i);
+  }
+  void share_j(int j, const Contact& c, const PairMotion& change) const {
+    half(step_->alone[j], c.bodies().share_j(), change, change.spin_j);
+  }
+
+  double part(int j) const { return j < 0 || j < nlocal_ ? 1.0 : 0.5; }
+
+ private:
+  static void half(double* to, double share, const PairMotion& change,
+                   const cohesion::Vector3& spin) {
+    add(to, share, change.relative.separation);
+    add(to + 3, share, change.relative.velocity);
+    if (SIZE > 3) add(to + 6, 1.0, spin);
+  }
+
+  FixEventStep* step_;
+  double kick_;
+  int nlocal_;
+};
+
+/// Contacts that have lasted and go on to last, where nobody asks what they do: what most contacts
+/// of a bed need, and only that, so that memory and motion stay in registers.
+template <class Contact, int SIZE>
+class LastingForces {
+ public:
+  LastingForces(Atom* atom, FixEventStep* step)
+      : impulses_(step->impulses.impulses().data()),
+        turns_(step->impulses.turns().data()),
+        nlocal_(atom->nlocal) {}
+
+  /// False: nothing is done, the contact is to be taken in another way.
+  [[gnu::always_inline]] bool act(const Contact& c, int i, int j,
+                                  const cohesion::event_stepping::PairMotion& grid,
+                                  double* history) const {
+    using namespace cohesion::event_stepping;
+    if (history[0] != ContactMemory::lasting) return false;
+    ContactMemory memory = ContactMemory::as_stored(history, SIZE);
+    memory.phase = ContactMemory::lasting;
+    Action action;
+    if (!c.template hold<SIZE>(grid, memory, action, nullptr)) return false;
+    memory.to(history, SIZE);
+    impulses_[i] -= action.impulse;
+    if (SIZE >= ContactMemory::with_friction) turns_[i] += action.torque_i;
+    if (j >= nlocal_) return true;
+    impulses_[j] += action.impulse;
+    if (SIZE >= ContactMemory::with_friction) turns_[j] += action.torque_j;
+    return true;
+  }
+
+ private:
+  cohesion::Vector3* impulses_;
+  cohesion::Vector3* turns_;
+  int nlocal_;
+};
+
+/// Sampled contacts of which nobody asks what they do, likewise.
+template <class Contact, int SIZE>
+class SampledForces {
+ public:
+  SampledForces(Atom* atom, FixEventStep* step)
+      : forces_(atom->f),
+        torques_(atom->torque),
+        kick_(step->impulses.kick()),
+        nlocal_(atom->nlocal) {}
+
+  /// Gives whether the contact remembers anything.
+  [[gnu::always_inline]] bool act(const Contact& c, int i, int j,
+                                  const cohesion::event_stepping::PairMotion& grid,
+                                  double* history) const {
+    using namespace cohesion::event_stepping;
+    ContactMemory memory = ContactMemory::as_stored(history, SIZE);
+    const Action action = c.template act<SIZE>(grid, memory, nullptr).action;
+    memory.to(history, SIZE);
+    add(forces_[i], -kick_, action.impulse);
+    if (SIZE >= ContactMemory::with_friction) add(torques_[i], kick_, action.torque_i);
+    if (j >= nlocal_) return memory.in_range();
+    add(forces_[j], kick_, action.impulse);
+    if (SIZE >= ContactMemory::with_friction) add(torques_[j], kick_, action.torque_j);
+    return memory.in_range();
+  }
+
+ private:
+  double* const* forces_;
+  double* const* torques_;
+  double kick_;
+  int nlocal_;
+};
+
+/// A sampled contact acts; gives what it does.
+template <int SIZE, class Contact>
+cohesion::event_stepping::SampledStep sample(const ContactsOfStep<Contact, SIZE>& scatter,
+                                             FixEventStep* step, const Contact& c, int i, int j,
+                                             const cohesion::event_stepping::PairMotion& grid,
+                                             cohesion::event_stepping::ContactMemory& memory) {
+  using namespace cohesion::event_stepping;
+  ContactLosses lost;
+  SampledStep now = c.template act<SIZE>(grid, memory, step->book.is_kept() ? &lost : nullptr);
+  scatter.act(i, j, now.action);
+  if (step->book.is_kept()) {
+    const double part = scatter.part(j);
+    step->book.store(part, c.stored(grid, memory));
+    step->book.lose(part, {lost.normal_damping, 0.0, 0.0, 0.0}, 0.5);
+    step->book.lose(part, {0.0, lost.tangential_damping, lost.friction, lost.rolling}, 0.0);
+    const Action half{0.5 * now.action.impulse, 0.5 * now.action.torque_i,
+                      0.5 * now.action.torque_j};
+    scatter.change(step->book.owed(), i, j, half);
+  }
+  return now;
+}
+
+}  // namespace LAMMPS_NS
+
+#endif

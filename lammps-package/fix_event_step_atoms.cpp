@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// The part of FixEventStep that keeps numbers of particles: for their ghosts, for the process they
+// go to, and for restart files.
+#include <algorithm>
+#include <tuple>
+
+#include "atom.h"
+#include "comm.h"
+#include "engine_api.h"
+#include "fix_event_step.h"
+#include "memory.h"
+#include "restart_format.h"
+#include "update.h"
+
+using namespace LAMMPS_NS;
+
+/// Brings `each` values of particles that have been announced to their ghosts; nullptr:
+/// whether particles are restless.
+void FixEventStep::share(double** values, int each) {
+  shared = values;
+  shared_each = each;
+  engine_api::forward_comm(comm, this, each);
+}
+
+int FixEventStep::pack_forward_comm(int n, int* list, double* buf, int, int*) {
+  if (shared == nullptr) {
+    for (int i = 0; i < n; i++) buf[i] = restless[list[i]];
+    return n;
+  }
+  for (int i = 0; i < n; i++, buf += shared_each) {
+    // A ghost that is passed on has what its owner sent.
+    const int from = list[i];
+    if (from < atom->nlocal && contacts[from] == 0)
+      std::fill_n(buf, shared_each, 0.0);
+    else
+      std::copy_n(shared[from], shared_each, buf);
+  }
+  return shared_each * n;
+}
+
+void FixEventStep::unpack_forward_comm(int n, int first, double* buf) {
+  if (shared == nullptr)
+    std::copy_n(buf, n, restless + first);
+  else
+    std::copy_n(buf, shared_each * n, shared[first]);
+}
+
+void FixEventStep::grow_arrays(int nmax) {
+  memory->grow(owed, nmax, OWED, "event_step:owed");
+  memory->grow(alone, nmax, ALONE, "event_step:alone");
+  memory->grow(contacts, nmax, "event_step:contacts");
+  memory->grow(restless, nmax, "event_step:restless");
+  if (last.has_room()) last.grow(nmax);
+  outer.grow(nmax);
+  memory->grow(inverse_mass, nmax, "event_step:inverse_mass");
+}
+
+void FixEventStep::copy_arrays(int i, int j, int) {
+  outer.copy(i, j);
+  if (last.has_room()) last.copy(i, j);
+}
+
+void FixEventStep::set_arrays(int i) {
+  outer.clear(i);
+  if (last.has_room()) last.clear(i);
+}
+
+int FixEventStep::pack_exchange(int i, double* buf) {
+  const int taken = outer.pack(i, buf);
+  return last.has_room() ? taken + last.pack(i, buf + taken) : taken;
+}
+
+int FixEventStep::unpack_exchange(int i, double* buf) {
+  const int taken = outer.unpack(i, buf);
+  return last.has_room() ? taken + last.unpack(i, buf + taken) : taken;
+}
+
+// Numbers of a restart file in front of the book's: its layout, and the step.
+static constexpr int LAYOUT = 2, HEAD = 2;
+static constexpr int OF_RESTART = HEAD + static_cast<int>(std::tuple_size_v<ContactBook::OfAll>);
+
+void FixEventStep::write_restart(FILE* fp) {
+  const ContactBook::OfAll mine = book.of_all();
+  double values[OF_RESTART] = {RESTART_MARK + LAYOUT, running ? update->dt : last_dt};
+  MPI_Reduce(mine.data(), values + HEAD, static_cast<int>(mine.size()), MPI_DOUBLE, MPI_SUM, 0,
+             world);
+  if (comm->me != 0) return;
+  constexpr int size = sizeof(values);
+  fwrite(&size, sizeof(int), 1, fp);
+  fwrite(values, size, 1, fp);
+}
+
+void FixEventStep::restart(char* buf) {
+  const auto* values = reinterpret_cast<const double*>(buf);
+  require_layout(lmp, values[0], "scheme event", LAYOUT);
+  last_dt = values[1];
+  if (last_dt > 0.0) last.grow(atom->nmax);
+  if (comm->me != 0) return;
+  ContactBook::OfAll all;
+  std::copy_n(values + HEAD, all.size(), all.begin());
+  book.take_of_all(all);
+}
+
+int FixEventStep::pack_restart(int i, double* buf) {
+  // The engine's own forces may have stayed behind when particles changed rank.
+  if (!running && last.has_room()) return last.pack_restart(i, buf);
+  buf[0] = last.size_restart();
+  std::fill_n(buf + 1, last.size(), 0.0);  // before the first run
+  if (running) note_last(i, buf + 1);
+  return last.size_restart();
+}
+
+void FixEventStep::unpack_restart(int i, int nth) {
+  if (last.has_room()) last.unpack_restart(i, atom->extra[i], nth);
+}
+
+int FixEventStep::maxsize_restart() { return last.size_restart(); }
+int FixEventStep::size_restart(int) { return last.size_restart(); }
+
+double FixEventStep::memory_usage() {
+  const double numbers = OWED + ALONE + 2;
+  return (numbers * sizeof(double) + sizeof(int)) * atom->nmax + impulses.bytes() +
+         sizeof(double) * weighed.capacity() + outer.bytes() + last.bytes() + book.bytes();
+}
