@@ -224,8 +224,9 @@ struct StepContacts {
     const bool lasted = memory.phase == ContactMemory::lasting;
     Action action;
     ContactLosses lost;
-    const bool lasts =
-        c.template hold<SIZE>(grid, memory, action, step->book.is_kept() ? &lost : nullptr);
+    ContactLosses* const losses = step->book.is_kept() ? &lost : nullptr;
+    const bool lasts = c.template hold<SIZE>(grid, memory, action, losses);
+    if (!lasts) c.template leave<SIZE>(grid, memory, losses);
     memory.to(p.history, SIZE);
     step->book.lose(scatter.part(p.j), lost, 0.0);
     if (!lasts) return false;
@@ -246,7 +247,9 @@ struct StepContacts {
     const Action action = c.template held<SIZE>(grid, memory);
     scatter.act_not(p.i, p.j, action);
     done(p.j, grid, action.impulse, [&] { return c.by_contact(grid, action); }, -1.0);
-    memory.phase = ContactMemory::leaving;
+    ContactLosses lost;
+    c.template leave<SIZE>(grid, memory, step->book.is_kept() ? &lost : nullptr);
+    step->book.lose(scatter.part(p.j), lost, 0.0);
     announce<SIZE>(scatter, step, c, p, grid, memory);
   }
 

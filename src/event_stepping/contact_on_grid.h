@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <type_traits>
 
 #include "contact/contact_parameters.h"
@@ -72,8 +71,8 @@ class ContactOnGrid {
                  bodies_.sliding_answer()),
         rolling_(contact::rolling_contact(parameters, normal_contact_), step,
                  bodies_.rolling_answer()),
-        youth_(steady() ? 2.5 * normal_contact_.contact_time() / step
-                        : std::numeric_limits<double>::infinity()) {}
+        one_force_(steady()),
+        youth_(2.5 * normal_contact_.contact_time() / step) {}
 
   bool joins(const Body& i, const Body& j) const { return bodies_.are(i, j); }
   const ContactBodies& bodies() const { return bodies_; }
@@ -112,13 +111,13 @@ class ContactOnGrid {
 
   /// Whether a contact is old enough for one force, and certainly lasts for the step.
   bool can_last(const RelativeState& grid, const ContactMemory& memory) const {
-    return memory.phase == ContactMemory::inside && memory.age >= youth_ &&
+    return one_force_ && memory.phase == ContactMemory::inside && memory.age >= youth_ &&
            lasting_.force(lasting_.at(grid)).lasts;
   }
 
   /// A contact that has lasted, or can: the force times dt that it needs if it goes on. Settles the
   /// springs in the plane of contact, and what was lost since the last grid point, if somebody asks
-  /// for `losses`. False: it does not certainly last for this step, and is to be followed.
+  /// for `losses`. False: it does not certainly last for this step, and is to leave().
   template <int SIZE>
   [[gnu::always_inline]] bool hold(const PairMotion& grid, ContactMemory& memory, Action& action,
                                    ContactLosses* losses) const {
@@ -127,21 +126,24 @@ class ContactOnGrid {
     const bool lasted = memory.phase == ContactMemory::lasting;
     action = {(reduced_mass_ * normal.change * now.inverse) * grid.relative.separation, {}, {}};
     if (losses && lasted) losses->normal_damping = lasting_.damped(now);
-    memory.phase = normal.lasts ? ContactMemory::lasting : ContactMemory::leaving;
+    memory.phase = ContactMemory::lasting;
     memory.age += 1.0;
     if constexpr (SIZE >= ContactMemory::with_friction) {
       const Touch touch(bodies_, grid.relative.separation, now.inverse);
       const double repulsion = lasting_.repulsion(normal.change);
+      // The half of a step that its first one is to do begins with the true velocity.
+      const double limiting =
+          lasted ? repulsion : lasting_.repulsion(2.0 * (normal.change - memory.ahead));
       SpringOnGrid::Losses of_sliding, of_rolling;
       const Vector3 across =
           grid.relative.velocity - (now.radial * now.inverse) * grid.relative.separation;
       const Vector3 slides = touch.slides_across(across, grid.spin_i, grid.spin_j);
-      touch.slide(sliding_.rub(touch.plane(), slides, repulsion, lasted, memory.sliding,
+      touch.slide(sliding_.rub(touch.plane(), slides, limiting, lasted, memory.sliding,
                                losses ? &of_sliding : nullptr),
                   action);
       if constexpr (SIZE >= ContactMemory::with_rolling) {
         const Vector3 rolls = touch.rolls(grid.spin_i, grid.spin_j);
-        touch.roll(rolling_.rub(touch.plane(), rolls, repulsion, lasted, memory.rolling,
+        touch.roll(rolling_.rub(touch.plane(), rolls, limiting, lasted, memory.rolling,
                                 losses ? &of_rolling : nullptr),
                    action);
       }
@@ -151,7 +153,30 @@ class ContactOnGrid {
         losses->rolling = of_rolling.damped + of_rolling.friction;
       }
     }
-    return normal.lasts;
+    return one_force_ && normal.lasts;
+  }
+
+  /// A contact that hold() has settled is followed from this grid point on. Adds to `losses`, if
+  /// somebody asks.
+  template <int SIZE>
+  void leave(const PairMotion& grid, ContactMemory& memory, ContactLosses* losses) const {
+    memory.phase = ContactMemory::leaving;
+    if constexpr (SIZE >= ContactMemory::with_friction) {
+      const LastingNormal::Sample now = lasting_.at(grid.relative);
+      const double repulsion = lasting_.repulsion(lasting_.force(now).change);
+      const double last = lasting_.repulsion(2.0 * lasting_.ahead(now));
+      const Touch touch(bodies_, grid.relative.separation, now.inverse);
+      SpringOnGrid::Losses lost;
+      sliding_.leave(touch.slides(grid.relative.velocity, grid.spin_i, grid.spin_j), repulsion,
+                     last, memory.sliding, losses ? &lost : nullptr);
+      if (losses) losses->friction += lost.friction;
+      if constexpr (SIZE >= ContactMemory::with_rolling) {
+        lost = {};
+        rolling_.leave(touch.rolls(grid.spin_i, grid.spin_j), repulsion, last, memory.rolling,
+                       losses ? &lost : nullptr);
+        if (losses) losses->rolling += lost.friction;
+      }
+    }
   }
 
   /// The same again of a contact that has been settled.
@@ -368,12 +393,19 @@ class ContactOnGrid {
     return now;
   }
 
-  /// The dashpot of one force takes the velocity of half a step before. Spheres in many contacts
-  /// swing at up to twice the frequency of a pair, w^2 = 4 K/mu, and with strong dashpots at long
-  /// steps that would grow: contacts are followed there.
+  /// Whether springs and dashpots of one force, which take the velocity of half a step before, stay
+  /// steady where each sphere has many of them; else all contacts are followed.
+  ///
+  /// Each spring adds to w^2 of its sphere, and (w dt)^2 must stay below 4. In the closest packing,
+  /// twelve contacts, the fastest swing against all neighbours has 4 times the w^2 of a pair along
+  /// the normals: 2 sum cos^2 = 8 springs on one sphere's mass, 2 on that of a pair. Spheres that
+  /// all spin alike, each surface sliding twice, have 2 sum sin^2 (5/2)/7 = 40/7 times that of a
+  /// pair's sliding; spheres that roll against all their neighbours 8 times.
   bool steady() const {
     const GridSpring& spring = lasting_.constants();
-    return (spring.stiffness + 2.0 * spring.damping / step_) * step_ * step_ * inverse_mass_ < 1.0;
+    const double normal =
+        (spring.stiffness + 2.0 * spring.damping / step_) * step_ * step_ * inverse_mass_;
+    return 4.0 * normal < 4.0 && 40.0 / 7.0 * sliding_.swing() + 8.0 * rolling_.swing() < 4.0;
   }
 
   /// What is remembered of a spring after a followed step: as if it had grown evenly.
@@ -412,7 +444,8 @@ class ContactOnGrid {
   double pull_;
   SpringOnGrid sliding_;
   SpringOnGrid rolling_;
-  double youth_;  // steps
+  bool one_force_;  // for those that last
+  double youth_;    // steps
 };
 
 }  // namespace cohesion::event_stepping

@@ -170,4 +170,27 @@ inline GridSpring spring_on_grid(double stiffness, double damping, double mass, 
   return {0.0, -std::expm1(-damping * t / mass) * mass / t};
 }
 
+/// The forces, for half a step each, between which a run of such steps stands: `first` from the
+/// true velocity at its first grid point to that of the first half step, `last` from the velocity
+/// of the last half step to the true one at its last grid point.
+struct GridEnds {
+  GridSpring first, last;
+};
+
+inline GridEnds ends_on_grid(double stiffness, double damping, double mass, double t) {
+  const GridSpring plain = spring_on_grid(stiffness, damping, mass, t);
+  if (!(stiffness > 0.0)) {
+    const double rate = damping / mass * t;
+    const double way = rate > 0.0 ? -std::expm1(-rate) / rate : 1.0;
+    const double m = 2.0 * mass / t;
+    return {{0.0, m * (1.0 - way)}, {0.0, m * (1.0 - std::exp(-rate) / way)}};
+  }
+  const auto p = DampedOscillator(stiffness / mass, 0.5 * damping / mass).propagator(t);
+  // A velocity cannot be told from two places half a swing apart.
+  if (!(p.xv > 0.1 * t * (p.xx + p.vv > 0.0 ? p.vv : 1.0))) return {plain, plain};
+  const double m = 2.0 * mass / t, kept = p.xx * p.vv - p.xv * p.vx;
+  return {{m / t * (1.0 - p.xx), m * (1.0 - p.xv / t)},
+          {m * (kept - p.vv) / p.xv, m * (1.0 - t * kept / p.xv)}};
+}
+
 }  // namespace cohesion::event_stepping

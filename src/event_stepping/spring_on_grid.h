@@ -20,6 +20,7 @@ class SpringOnGrid {
   SpringOnGrid(const contact::TangentialParameters& p, double step, double answer)
       : law_(p),
         constants_(spring_on_grid(p.stiffness, p.damping, 1.0 / answer, step)),
+        ends_(ends_on_grid(p.stiffness, p.damping, 1.0 / answer, step)),
         friction_(p.friction),
         step_(step),
         answer_(answer) {}
@@ -42,14 +43,15 @@ class SpringOnGrid {
     // What was followed has slipped already, and does not stretch by the whole rate.
     const Vector3 before = lasted ? turned : stretched;
     Vector3 s = stretched;
-    Vector3 force = -constants_.stiffness * s - constants_.damping * rate;
+    Vector3 force = lasted ? held(constants_, s, rate)
+                           : held(ends_.first, s, rate + (0.5 * answer_) * memory.impulse);
     const double limit = friction_ * std::max(repulsion, 0.0);
     const double square = dot(force, force);
     const bool slips = square > limit * limit;
     if (slips) {  // spring and dashpot stretch as far as they carry the Coulomb force
       force = (limit / std::sqrt(square)) * force;
       const double drag = constants_.damping / step_;
-      if (constants_.stiffness + drag > 0.0)
+      if (lasted && constants_.stiffness + drag > 0.0)
         s = (1.0 / (constants_.stiffness + drag)) * (drag * before - force);
     }
     const Vector3 impulse = step_ * force;
@@ -62,6 +64,22 @@ class SpringOnGrid {
     }
     memory = {s, impulse};
     return lasted ? impulse : mean;
+  }
+
+  /// After rub() with the same `rate` and `repulsion`: the impulse of which half is left to do up
+  /// to the true velocity, with the normal force `last` in that. What it takes less of the motion
+  /// than the half that was to come is lost.
+  void leave(const Vector3& rate, double repulsion, double last, Memory& memory,
+             Losses* losses) const {
+    const Vector3 planned = memory.impulse;
+    const bool slips =
+        norm(planned) >= (1.0 - rounding) * step_ * friction_ * std::max(repulsion, 0.0);
+    if (!slips) memory.impulse = step_ * held(ends_.last, memory.stretch, rate);
+    const double limit = step_ * friction_ * std::max(last, 0.0), size = norm(memory.impulse);
+    if (size > 0.0 && (slips || size > limit)) memory.impulse = (limit / size) * memory.impulse;
+    if (losses)
+      losses->friction +=
+          0.5 * dot(planned - memory.impulse, rate + (0.25 * answer_) * (planned + memory.impulse));
   }
 
   /// What is lost when a contact of one force has ended, with what the spring held.
@@ -87,13 +105,26 @@ class SpringOnGrid {
     return step;
   }
 
+  /// (w dt)^2 of one force by itself, and what its dashpot is as good as.
+  double swing() const {
+    if (!acts()) return 0.0;
+    return (constants_.stiffness + 2.0 * constants_.damping / step_) * step_ * step_ * answer_;
+  }
+
   /// Without a slider that holds there is no force.
   bool acts() const { return friction_ > 0.0; }
   double stored_energy(const Vector3& stretch) const { return law_.stored_energy(stretch); }
 
  private:
+  static constexpr double rounding = 1e-12;
+
+  static Vector3 held(const GridSpring& spring, const Vector3& s, const Vector3& rate) {
+    return -spring.stiffness * s - spring.damping * rate;
+  }
+
   contact::TangentialSpring law_;
   GridSpring constants_;
+  GridEnds ends_;
   double friction_;
   double step_;
   double answer_;

@@ -28,10 +28,10 @@ class ManySpheres {
 
   static Body body() { return {thesis::radius, 1.0 / thesis::mass}; }
 
-  void add(const Vector3& x, const Vector3& v) {
+  void add(const Vector3& x, const Vector3& v, const Vector3& spin = {}) {
     x_.push_back(x);
     v_.push_back(v);
-    w_.push_back({});
+    w_.push_back(spin);
   }
   int size() const { return static_cast<int>(x_.size()); }
 
@@ -157,6 +157,7 @@ class ManySpheres {
         give(p, action, dv, dw);
         lasting++;
       } else {
+        if (lasted) contact_.leave<SIZE>(grid, p.memory, nullptr);
         if (!beyond || contact_.within_reach(grid.relative, 0.0)) restless[p.i] = restless[p.j] = 1;
         announce(k, grid);
       }
@@ -168,7 +169,7 @@ class ManySpheres {
       const Action a = contact_.held<SIZE>(grid, p.memory);
       give(p, {-a.impulse, -a.torque_i, -a.torque_j}, dv, dw);
       lasting--;
-      p.memory.phase = ContactMemory::leaving;
+      contact_.leave<SIZE>(grid, p.memory, nullptr);
       announce(k, grid);
     }
     for (const std::size_t k : candidates) {

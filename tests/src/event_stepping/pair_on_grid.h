@@ -43,6 +43,7 @@ class PairOnGrid {
     now = {};
     if (begins) energy = true_kinetic(memory) + sum(contact.stored(grid, memory)) + lost;
     lasted = (goes_on || begins) && contact.template hold<SIZE>(grid, memory, action, &now);
+    if (goes_on && !lasted) contact.template leave<SIZE>(grid, memory, &now);
     // Since the last grid point.
     if (goes_on || begins) lost += sum(now);
     if (!begins) energy = true_kinetic(memory) + sum(contact.stored(grid, memory)) + lost;
