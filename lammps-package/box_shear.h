@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "atom.h"
+#include "comm.h"
 #include "domain.h"
 #include "lammps.h"
 #include "shear/since_list.h"
@@ -25,6 +26,13 @@ inline double middle_height(const Domain* domain) {
 /// As a rate, [1/time].
 inline cohesion::shear::BoxShear rate_of_shear(const Domain* domain) {
   return {domain->deform_vremap ? domain->h_rate[5] / domain->yprd : 0.0, middle_height(domain)};
+}
+
+/// How many particles and ghosts of this rank, the first ones, move as no other of them does: on
+/// one rank ghosts move as their owners do while the box stays as it is.
+inline int number_of_movers(const LAMMPS* lmp) {
+  const bool alone = lmp->comm->nprocs == 1 && !lmp->domain->box_change;
+  return alone ? lmp->atom->nlocal : lmp->atom->nlocal + lmp->atom->nghost;
 }
 
 /// Speed of the fastest of the first `count` particles, beyond the mean flow of a sheared box,

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "atom.h"
+#include "box_shear.h"
 #include "neigh_list.h"
 #include "neighbor.h"
 
@@ -42,10 +43,10 @@ double ClosePairs::come_closer() const {
 void ClosePairs::find(const NeighList& list, int** kept) {
   count_ = 0;
   positions_.clear();
-  const int all = atom->nlocal + atom->nghost;
-  if (all == 0) return;
-  positions_.assign(atom->x[0], atom->x[0] + 3 * all);
-  radii_.assign(atom->radius, atom->radius + all);
+  if (atom->nlocal + atom->nghost == 0) return;
+  const int movers = number_of_movers(lmp);
+  positions_.assign(atom->x[0], atom->x[0] + 3 * movers);
+  radii_.assign(atom->radius, atom->radius + movers);
   const double* const x = atom->x[0];
   const double* const radius = atom->radius;
   for (int ii = 0; ii < list.inum; ii++) {

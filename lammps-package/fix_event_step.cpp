@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <string>
 
 #include "atom.h"
@@ -60,14 +61,13 @@ FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
       last(lammps, LAST),
       outer(lammps, 3),
       contacts(nullptr),
-      restless(nullptr),
       inverse_mass(nullptr),
       longest_flight(0.0),
       unresolved(0.0),
       flux_readers(std::make_shared<char>()),
       flux_wanted(false) {
   nevery = 1;
-  comm_forward = ALONE;
+  comm_forward = 1 + ALONE;
   restart_peratom = 1;
   restart_global = 1;
   create_attribute = 1;
@@ -82,7 +82,6 @@ FixEventStep::~FixEventStep() {
   memory->destroy(owed);
   memory->destroy(alone);
   memory->destroy(contacts);
-  memory->destroy(restless);
   memory->destroy(inverse_mass);
 }
 
@@ -164,9 +163,9 @@ bool FixEventStep::rests() const {
 /// The fastest particle or ghost, and what each weighs.
 void FixEventStep::look_round() {
   const int all = atom->nlocal + atom->nghost;
-  longest_flight =
-      cohesion::shear::longest_flight(fastest_of(atom, domain, all), rate_of_shear(domain).amount,
-                                      neighbor->cutneighmax, 0.5 * update->dt);
+  longest_flight = cohesion::shear::longest_flight(fastest_of(atom, domain, number_of_movers(lmp)),
+                                                   rate_of_shear(domain).amount,
+                                                   neighbor->cutneighmax, 0.5 * update->dt);
   weigh(all);
 }
 
@@ -177,7 +176,7 @@ void FixEventStep::weigh(int all) {
   if (neighbor->ago == 0 || weighed.empty()) {
     for (int i = 0; i < all; i++) inverse_mass[i] = mobile.inverse_mass(atom->mask[i], mass[i]);
   } else {
-    if (std::equal(weighed.begin(), weighed.end(), mass, mass + all)) return;
+    if (std::memcmp(weighed.data(), mass, all * sizeof(double)) == 0) return;
     for (int i = 0; i < all; i++)
       if (inverse_mass[i] != 0.0) inverse_mass[i] = 1.0 / mass[i];
   }
@@ -223,9 +222,10 @@ void FixEventStep::work_out() {
   clear();
   for (EventContacts* some : styles) some->gather();
   if (within_step) {
-    share(nullptr, 1);
+    share(nullptr, 0);
     const int all = atom->nlocal + atom->nghost;
-    some_restless = std::any_of(restless, restless + all, [](double is) { return is != 0.0; });
+    some_restless =
+        std::any_of(restless.begin(), restless.begin() + all, [](char is) { return is != 0; });
     for (EventContacts* some : styles) some->unsettle();
     for (EventContacts* some : styles) some->join();
     if (some_announced || comm->nprocs > 1) {
@@ -302,7 +302,7 @@ void FixEventStep::clear() {
   impulses.begin_step((starting ? 2.0 : 1.0) / update->dt, within_step || book.is_kept());
   if (within_step) {
     std::fill_n(contacts, all, 0);
-    std::fill_n(restless, all, 0.0);
+    restless.assign(all, 0);
     some_announced = false;
   }
   book.begin_step();

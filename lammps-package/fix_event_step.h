@@ -166,10 +166,10 @@ class FixEventStep : public Fix {
   }
   /// A contact of i and j (below 0: a wall) has an event, or is young.
   void unsettle(int i, int j) {
-    restless[i] = 1.0;
-    if (j >= 0) restless[j] = 1.0;
+    restless[i] = 1;
+    if (j >= 0) restless[j] = 1;
   }
-  bool is_restless(int i) const { return restless[i] != 0.0; }
+  bool is_restless(int i) const { return restless[i] != 0; }
   /// Whether i is, or j (below 0: a wall).
   bool is_restless(int i, int j) const { return is_restless(i) || (j >= 0 && is_restless(j)); }
   /// Whether any particle or ghost is.
@@ -226,10 +226,11 @@ class FixEventStep : public Fix {
   std::vector<AdvisedStyle*> advised;  // the same
   ContactWatch watch;
 
-  double** shared;  // that go to the ghosts now, of particles that have been announced; of
-  int shared_each;  // others they are zero. nullptr: whether they are restless
-  bool follows;     // any pair or wall, in this run
-  bool resting;     // nothing is followed, and nobody reads the books
+  double** shared;  // that go to the ghosts now; nullptr: none, but whether they are restless
+  int shared_each;
+  std::vector<char> heard;  // per atom and ghost: that has come to it
+  bool follows;             // any pair or wall, in this run
+  bool resting;             // nothing is followed, and nobody reads the books
   bool resuming;
   bool starting;
   bool running;
@@ -243,7 +244,7 @@ class FixEventStep : public Fix {
   bool pending = false;         // in this step: work_out()
   bool within_step = false;     // any style, in this run
   int* contacts;                // per atom and ghost, this step
-  double* restless;             // the same: 1 with an event or a young contact, or 0
+  std::vector<char> restless;   // the same: 1 with an event or a young contact, or 0
   bool some_restless = false;   // of those
   bool some_announced = false;  // the same
   double* inverse_mass;         // per atom and ghost

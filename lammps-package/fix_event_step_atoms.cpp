@@ -14,42 +14,54 @@
 
 using namespace LAMMPS_NS;
 
-/// Brings `each` values of particles that have been announced to their ghosts; nullptr:
-/// whether particles are restless.
+/// Brings `each` values of particles that have been announced to their ghosts, 0 to the ghosts of
+/// others that have; of none, nullptr: whether they are restless.
 void FixEventStep::share(double** values, int each) {
   shared = values;
   shared_each = each;
-  engine_api::forward_comm(comm, this, each);
+  const int all = atom->nlocal + atom->nghost;
+  heard.assign(all, 0);
+  if (shared == nullptr)
+    std::fill(restless.begin() + atom->nlocal, restless.begin() + all, 0);
+  else
+    for (int i = atom->nlocal; i < all; i++)
+      if (contacts[i] != 0) std::fill_n(shared[i], shared_each, 0.0);
+  engine_api::forward_comm(comm, this, 1 + each);
 }
 
+/// Of those of which there is anything to tell: their places in the list, and their values; -1
+/// after the last one, where the list does not end with it.
 int FixEventStep::pack_forward_comm(int n, int* list, double* buf, int, int*) {
-  if (shared == nullptr) {
-    for (int i = 0; i < n; i++) buf[i] = restless[list[i]];
-    return n;
+  const int own = atom->nlocal;
+  double* end = buf;
+  for (int k = 0; k < n; k++) {
+    const int i = list[k];
+    // A ghost that is passed on has what its owner told.
+    if (i >= own ? heard[i] == 0 : shared == nullptr ? restless[i] == 0 : contacts[i] == 0)
+      continue;
+    *end++ = k;
+    if (shared != nullptr) end = std::copy_n(shared[i], shared_each, end);
   }
-  for (int i = 0; i < n; i++, buf += shared_each) {
-    // A ghost that is passed on has what its owner sent.
-    const int from = list[i];
-    if (from < atom->nlocal && contacts[from] == 0)
-      std::fill_n(buf, shared_each, 0.0);
-    else
-      std::copy_n(shared[from], shared_each, buf);
-  }
-  return shared_each * n;
+  if (end - buf < (1 + shared_each) * n) *end++ = -1.0;
+  return static_cast<int>(end - buf);
 }
 
 void FixEventStep::unpack_forward_comm(int n, int first, double* buf) {
-  if (shared == nullptr)
-    std::copy_n(buf, n, restless + first);
-  else
-    std::copy_n(buf, shared_each * n, shared[first]);
+  for (int told = 0; told < n && *buf >= 0.0; told++) {
+    const int i = first + static_cast<int>(*buf++);
+    heard[i] = 1;
+    if (shared == nullptr)
+      restless[i] = 1;
+    else
+      std::copy_n(buf, shared_each, shared[i]);
+    buf += shared_each;
+  }
 }
 
 void FixEventStep::grow_arrays(int nmax) {
   memory->grow(owed, nmax, OWED, "event_step:owed");
   memory->grow(alone, nmax, ALONE, "event_step:alone");
   memory->grow(contacts, nmax, "event_step:contacts");
-  memory->grow(restless, nmax, "event_step:restless");
   if (last.has_room()) last.grow(nmax);
   outer.grow(nmax);
   memory->grow(inverse_mass, nmax, "event_step:inverse_mass");
@@ -118,7 +130,8 @@ int FixEventStep::maxsize_restart() { return last.size_restart(); }
 int FixEventStep::size_restart(int) { return last.size_restart(); }
 
 double FixEventStep::memory_usage() {
-  const double numbers = OWED + ALONE + 2;
+  const double numbers = OWED + ALONE + 1;
   return (numbers * sizeof(double) + sizeof(int)) * atom->nmax + impulses.bytes() +
+         static_cast<double>(restless.capacity() + heard.capacity()) +
          sizeof(double) * weighed.capacity() + outer.bytes() + last.bytes() + book.bytes();
 }
