@@ -30,7 +30,7 @@ def escape_velocity(build, row, place):
     share, well = factor(row[f"cohesion_{place}"]), row.get("law") == "square_well"
     doubled = 2 if well and place != "particles" else 1  # as in bed.lmp
     strength = share * doubled * float(row["D" if well else "A"])
-    law, scheme = "well" if well else "hamaker", row.get("scheme", "sampled")
+    law, scheme = "well" if well else "hamaker", row["scheme"]
     if strength == 0:
         return 0.0
     words = [f"--{law}-scheme", scheme, "--ratio", row.get("ratio", 1.01)]

@@ -97,7 +97,7 @@ class Mechanisms(unittest.TestCase):
             with self.subTest(given):
                 # What is not said is on.
                 off = {f"cohesion_{name}": 0 for name, on in zip(MECHANISMS, given) if not on}
-                self.check(bed(**off), *map(bool, given))
+                self.check(bed(scheme="sampled", **off), *map(bool, given))
 
     def test_square_wells_each_by_itself(self):
         """The energy is D for each pair of particles that is nearer than the edge of its well and 2 D for each particle
@@ -130,7 +130,7 @@ class Mechanisms(unittest.TestCase):
                 bed(**given)
 
     def test_words_for_on_and_off(self):
-        self.check(bed(cohesion_plate="off", cohesion_particles="on"), True, True, False)
+        self.check(bed(scheme="sampled", cohesion_plate="off", cohesion_particles="on"), True, True, False)
         with self.assertRaisesRegex(RuntimeError, "ERROR.*formula"):
             bed(cohesion_side="perhaps")
 

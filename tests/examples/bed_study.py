@@ -25,9 +25,10 @@ from foam_case import CaseError, environment
 from job_pool import RunError, carry_out, require_ours
 from lammps_run import launcher
 
-TABLE = "name, A, cohesion_side, settle\nnone, 0, , 0.01\nno-side, 7.49e-19, 0, 0.01\n"
+TABLE = ("name, A, cohesion_side, settle, scheme\n"
+         "none, 0, , 0.01, sampled\nno-side, 7.49e-19, 0, 0.01, sampled\n")
 OTHERS = ("name, A, settle, voidFraction, smoothingWidth, scheme, law, D, ratio\n"
-          "smooth, 0, 0.01, sphereOverlap, 1e-3, , , ,\nevent, 7.49e-19, 0.01, , , event, , ,\n"
+          "smooth, 0, 0.01, sphereOverlap, 1e-3, sampled, , ,\nevent, 7.49e-19, 0.01, , , , , ,\n"
           "well, , 0.01, , , event, square_well, 5e-11, 1.02\n")
 
 
@@ -107,8 +108,8 @@ class Beds(SmallBeds):
         for seed in (4711, 9973, 10008, -10007):
             with self.assertRaisesRegex(study.TableError, f"primes above 10000, and {seed}"):
                 self.call(study, table, "--seeds", seed, "--out", self.folder / "out")
-        table.write_text("name, engine, scheme\na, lammps, event\nb, liggghts, event\n")
-        with self.assertRaisesRegex(study.TableError, "'b'.*'scheme'.*'liggghts'"):
+        table.write_text("name, engine, law\na, lammps, hamaker\nb, liggghts, hamaker\n")
+        with self.assertRaisesRegex(study.TableError, "'b'.*'law'.*'liggghts'"):
             self.call(study, table, "--out", self.folder / "out")
         table.write_text("name, engine\na, yade\n")
         with self.assertRaisesRegex(study.TableError, "'a'.*'yade'; there are lammps, liggghts"):

@@ -10,7 +10,8 @@ SHORT = (("the overlap of a resting pair is ([^ ]*) %", r"resting overlap \1 %")
          ("crosses the surface cut-off in ([^ ]*) time steps", r"\1 steps in the cut-off"),
          ("the speed below which pairs stick, [^ ]*, open by ([^ ]*) %", r"escape open by \1 %"),
          ("rounded places leave .* open by up to ([^ ]*) %", r"rounded places, \1 %"),
-         ("leaves its well by more than ([^ ]*) of the radii", r"leaves its well by \1 radii in a step"))
+         ("leaves its well by more than ([^ ]*) of the radii", r"leaves its well by \1 radii in a step"),
+         ("came nearer by more than ([^ ]*) of its radii", r"came nearer by \1 radii in a step"))
 # About the material, or the engine's own: no warning that a number is wrong.
 NO_WARNING = ("would stick less with a stiffer spring", "thermo_modify", "thermo_style")
 ROUNDED = "rounded places"
@@ -18,7 +19,7 @@ CONTACT = r"\d+ - (?:\d+|wall)"
 # What says that a number may be wrong: a step too long or too short, or a rule that acted. An overlap tells of the
 # material.
 FITS = ("steps per contact", "steps in the cut-off", "escape open by", ROUNDED, "leaves its well by",
-        "inelastic collapse")
+        "came nearer by", "inelastic collapse")
 
 
 def short(message):

@@ -3,7 +3,7 @@
 """The cohesion models at the ends of their parameters, through LIGGGHTS: two spheres that meet head-on, a sphere and
 a wall, and a sphere that strikes two that touch.
 
-  extremes.py LIGGGHTS_COHESION [--table FILE] [--points N] [--seed N] [--jobs N]
+  extremes.py LIGGGHTS_COHESION [--table FILE] [--points N] [--seed N] [--jobs N] [--scheme NAME]
 
 hooke/stiffness without friction, six contact times (of the undamped spring) and the flight through a well, or into
 contact: a cut-off that takes longer than a contact time to fly through is entered on the way. Pair and wall are
@@ -16,8 +16,9 @@ Three spheres may turn round or part a little later than in the reference, and d
 are compared at two times, the end and half a contact time later, and are wrong where they are so at both. The page
 counts those that are right at one of the two alone.
 
-Verdicts: `right` below 0.1, what sampled forces are used for; `wrong, warned`: other, and the run said of a contact
-that occurs that the step is too large for the contact, the cut-off or the well, or too small for rounded places;
+Points are the same in both schemes. Verdicts: `right` below 0.1, what sampled forces are used for; `wrong, warned`:
+other, and the run said of a contact that occurs that the step is too large for the contact, the cut-off or the well, or
+too small for rounded places;
 `wrong, other types warned`: it said so only of contacts that do not occur, named in brackets;
 `wrong, silent`: it did not; `refused`; `crashed` or `hangs`; `not set up`: of an overlap at the start, or where two
 that touch would overlap by half a radius; `no reference`; `reference` with what became of it. Of an overlap at the
@@ -44,6 +45,7 @@ from progress import Progress
 AIM, FINER, SECONDS = 0.1, 16, 30
 # From the end to where triples are looked at again, in contact times.
 LATER = 0.5
+SCHEMES = ("event", "sampled")
 CASES = ("pair", "wall", "three spheres")
 HEAD = ("| changed | pair | wall | three spheres | said |", "|---|---|---|---|---|")
 # Right at the end, and later.
@@ -63,7 +65,7 @@ neighbor {skin:.17g} nsq
 neigh_modify delay 0
 {spheres}{properties}
 fix e all property/global coefficientFriction peratomtypepair 2 0 0 0 0
-pair_style gran model hooke/stiffness tangential off cohesion {law}
+pair_style gran model hooke/stiffness tangential off cohesion {law} scheme {scheme}
 pair_coeff * *
 {wall}fix move all nve/sphere
 timestep {dt:.17g}
@@ -81,7 +83,7 @@ def matrix(name, *values):
             f"{other:.17g}\n")
 
 
-def run(launcher, law, partners, dampings, spheres, finer=1, wall=False, times=(0.0,)):
+def run(launcher, law, scheme, partners, dampings, spheres, finer=1, wall=False, times=(0.0,)):
     """State, what was said, and for each of `times`, contact times after the end, rows of id, place, velocity.
     spheres: type, radius, density, place, velocity."""
     p, dt = partners.values, partners.dt / finer
@@ -100,13 +102,14 @@ def run(launcher, law, partners, dampings, spheres, finer=1, wall=False, times=(
     text = "".join(f"create_atoms {kind} single {x[0]:.17g} {x[1]:.17g} {x[2]:.17g} units box\n"
                    f"set atom {n} diameter {2 * r:.17g} density {d:.17g} vx {v[0]:.17g} vy {v[1]:.17g} vz {v[2]:.17g}\n"
                    for n, (kind, r, d, x, v) in enumerate(spheres, 1))
-    line = (f"fix w all wall/gran model hooke/stiffness tangential off cohesion {law} primitive type 2 xplane 0\n"
+    line = (f"fix w all wall/gran model hooke/stiffness tangential off cohesion {law} primitive type 2 xplane 0 "
+            f"scheme {scheme}\n"
             if wall else "")
     end = math.ceil(partners.duration / partners.dt)
     # A dump comes at all multiples of its step: the last of them is wanted, which is none of the other's.
     dumped = {f"at{n}": (end + math.ceil(time * p["steps"])) * finer for n, time in enumerate(times)}
-    script = SCRIPT.format(box=" ".join(3 * [f"{-far:.17g} {far:.17g}"]), skin=skin, spheres=text, law=law, wall=line,
-                           properties=properties, dt=dt, last=max(dumped.values()),
+    script = SCRIPT.format(box=" ".join(3 * [f"{-far:.17g} {far:.17g}"]), skin=skin, spheres=text, law=law,
+                           scheme=scheme, wall=line, properties=properties, dt=dt, last=max(dumped.values()),
                            dumps="".join(DUMP.format(name=name, step=step) for name, step in dumped.items()))
     with tempfile.TemporaryDirectory() as folder:
         try:
@@ -139,7 +142,7 @@ def verdict(said, right):
     return "right" if right else WRONG[fits(said)]
 
 
-def judge_two(launcher, law, values, start, wall):
+def judge_two(launcher, law, scheme, values, start, wall):
     p = {**LAWS[law], **values}
     small = RADIUS / p["ratio"]
     density = DENSITY * p["weight"]
@@ -151,7 +154,7 @@ def judge_two(launcher, law, values, start, wall):
                 (-share[0] * p["speed"], 0, 0))]
     if not wall:
         spheres.append((2, RADIUS, DENSITY, (0, 0, 0), (-share[1] * p["speed"], 0, 0)))
-    state, said, end = run(launcher, law, pair, (0.0, pair.gamman, 0.0), spheres, wall=wall)
+    state, said, end = run(launcher, law, scheme, pair, (0.0, pair.gamman, 0.0), spheres, wall=wall)
     if state != "ran":
         return state, None, said
     end = end[0]
@@ -167,7 +170,7 @@ def judge_two(launcher, law, values, start, wall):
     return verdict(said, error < AIM), error, said
 
 
-def judge_three(launcher, law, values, start):
+def judge_three(launcher, law, scheme, values, start):
     p = {**LAWS[law], **values}
     if p["overlap"]:
         return "not set up", None, ""
@@ -182,10 +185,11 @@ def judge_three(launcher, law, values, start):
     spheres = [(2, RADIUS, DENSITY, (0, 0, 0), (0, 0, 0)), (2, RADIUS, DENSITY, (0, deep - 2 * RADIUS, 0), (0, 0, 0)),
                (1, small, density, (one.reach + one.gap) * numpy.array([1.0, 0, 0]), -p["speed"] * way)]
     dampings = (0.0, one.gamman, equal.gamman)
-    state, said, ends = run(launcher, law, one, dampings, spheres, times=(0.0, LATER))
+    state, said, ends = run(launcher, law, scheme, one, dampings, spheres, times=(0.0, LATER))
     if state != "ran":
         return state, None, said
-    fine_state, fine_said, fines = run(launcher, law, one, dampings, spheres, finer=FINER, times=(0.0, LATER))
+    fine_state, fine_said, fines = run(launcher, law, scheme, one, dampings, spheres, finer=FINER,
+                                       times=(0.0, LATER))
     if fine_state != "ran":
         return f"reference {fine_state}", None, fine_said
     if fits(fine_said, (ROUNDED,)) == "warned":
@@ -228,22 +232,25 @@ def main():
     words.add_argument("--points", type=int, default=100, help="random ones of each law")
     words.add_argument("--seed", type=int, default=4711)
     words.add_argument("--jobs", type=int, default=1, help="runs at a time")
+    words.add_argument("--scheme", choices=SCHEMES, action="append", help="both, if not given")
     words = words.parse_args()
     random = numpy.random.default_rng(words.seed)
-    points = [(law, values, corner) for law in LAWS
-              for values, corner in [(c, True) for c in CORNERS[law]]
-              + [(random_point(law, random), False) for _ in range(words.points)]]
-    starts = [random.uniform(0.2, 1.2) for _ in points]
+    of_laws = [(law, values, corner) for law in LAWS
+               for values, corner in [(c, True) for c in CORNERS[law]]
+               + [(random_point(law, random), False) for _ in range(words.points)]]
+    schemes = words.scheme or SCHEMES
+    starts = [random.uniform(0.2, 1.2) for _ in of_laws] * len(schemes)
+    points = [(law, scheme, values, corner) for scheme in schemes for law, values, corner in of_laws]
 
     def judge(point, start):
-        law, values, _ = point
-        results = [judge_two(words.launcher, law, values, start, wall) for wall in (False, True)]
-        return results + [judge_three(words.launcher, law, values, start)]
+        law, scheme, values, _ = point
+        results = [judge_two(words.launcher, law, scheme, values, start, wall) for wall in (False, True)]
+        return results + [judge_three(words.launcher, law, scheme, values, start)]
 
     progress, rows = Progress(len(points)), []
     pool = concurrent.futures.ThreadPoolExecutor(words.jobs)
-    for (law, values, corner), results in zip(points, pool.map(judge, points, starts)):
-        rows.append((law, values, corner, results))
+    for (law, scheme, values, corner), results in zip(points, pool.map(judge, points, starts)):
+        rows.append((f"{law}, {scheme}", values, corner, results))
         progress.add(1)
     print(file=sys.stderr)
     text = report(rows)
@@ -258,6 +265,8 @@ def silent(verdict):
 
 
 def report(rows):
+    """Rows: name of the model, values, whether they are a corner, results."""
+    models = dict.fromkeys(row[0] for row in rows)
     kinds = ("right", *WRONG.values(), "refused", "crashed", "hangs")
     lines = ["# LIGGGHTS cohesion models at the ends of their parameters", "",
              "Written by `tests/liggghts-styles/extremes.py`, which says what was done and what the verdicts mean.",
@@ -266,22 +275,23 @@ def report(rows):
              "two times; *later alone*, *later not*: right at the second alone, or at the first; counted as right.", "",
              "| model | case | points | " + " | ".join(kinds) + " | not set up | no reference |",
              "|---|---|---|" + (len(kinds) + 2) * "---|"]
-    for law in LAWS:
+    for model in models:
         for k, case in enumerate(CASES):
             count = collections.Counter("right" if r[k][0].startswith("right") else r[k][0]
-                                        for name, _, _, r in rows if name == law)
+                                        for name, _, _, r in rows if name == model)
             known = [count[kind] for kind in (*kinds, "not set up")]
-            lines.append(f"| {law} | {case} | {sum(count.values())} | " + " | ".join(map(str, known))
+            lines.append(f"| {model} | {case} | {sum(count.values())} | " + " | ".join(map(str, known))
                          + f" | {sum(count.values()) - sum(known)} |")
     once = collections.Counter(r[2][0] for _, _, _, r in rows)
     now, later = (once["right" + words] for words in ONCE.values())
     lines += ["", f"Of the three spheres that are right {now} are so at the first time alone, {later} at the second "
               "alone."]
-    for law in LAWS:
-        lines += ["", f"## {law}", "", "Base point: " + name_of(LAWS[law]) + ". One parameter at a time:", "", *HEAD]
+    for model in models:
+        base = LAWS[model.split(",")[0]]
+        lines += ["", f"## {model}", "", f"Base point: {name_of(base)}. One parameter at a time:", "", *HEAD]
         lines += [f"| {name_of(v)} | " + " | ".join(map(cell, r)) + f" | {said_of(r)} |"
-                  for name, v, corner, r in rows if name == law and corner]
-        found = [(v, r) for name, v, corner, r in rows if name == law and not corner
+                  for name, v, corner, r in rows if name == model and corner]
+        found = [(v, r) for name, v, corner, r in rows if name == model and not corner
                  and any(silent(x[0]) for x in r)]
         lines += ["", "Random points of which a case is wrong in silence, crashed or hangs, or whose reference did not "
                   f"run: {len(found)}"]

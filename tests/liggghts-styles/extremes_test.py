@@ -27,9 +27,10 @@ class Times(unittest.TestCase):
         one = pair()
         spheres = [(1, RADIUS, DENSITY, (one.reach + one.gap, 0, 0), (-SPEED, 0, 0)),
                    (2, RADIUS, DENSITY, (0, 0, 0), (0, 0, 0))]
-        _, _, both = extremes.run(LAUNCHER, "square_well", one, 3 * [one.gamman], spheres, times=(0.0, 0.5))
+        _, _, both = extremes.run(LAUNCHER, "square_well", "sampled", one, 3 * [one.gamman], spheres, times=(0.0, 0.5))
         for n, time in enumerate((0.0, 0.5)):
-            _, _, alone = extremes.run(LAUNCHER, "square_well", one, 3 * [one.gamman], spheres, times=(time,))
+            _, _, alone = extremes.run(LAUNCHER, "square_well", "sampled", one, 3 * [one.gamman], spheres,
+                                       times=(time,))
             self.assertTrue(numpy.array_equal(both[n], alone[0]))
         self.assertFalse(numpy.array_equal(*both))
 
@@ -37,8 +38,8 @@ class Times(unittest.TestCase):
 class Warned(unittest.TestCase):
     def test_of_contacts_that_occur(self):
         """Two such spheres, of half the reduced mass, would have 14/sqrt(2) = 9.9 steps."""
-        found, _, said = extremes.judge_two(LAUNCHER, "square_well", dict(LAWS["square_well"], steps=14.0, e=1.0), 0.5,
-                                            True)
+        values = dict(LAWS["square_well"], steps=14.0, e=1.0)
+        found, _, said = extremes.judge_two(LAUNCHER, "square_well", "sampled", values, 0.5, True)
         self.assertEqual(found, "right")
         self.assertEqual(said, "14 steps per contact; 9.9 steps per contact (1 - 1)")
 
