@@ -111,7 +111,7 @@ class LastingForces {
     ContactMemory memory = ContactMemory::as_stored(history, SIZE);
     memory.phase = ContactMemory::lasting;
     Action action;
-    if (!c.template hold<SIZE>(grid, memory, action, nullptr)) return false;
+    if (!c.one_force().template hold<SIZE>(grid, memory, action, nullptr)) return false;
     memory.to(history, SIZE);
     impulses_[i] -= action.impulse;
     if (SIZE >= ContactMemory::with_friction) turns_[i] += action.torque_i;

@@ -164,7 +164,8 @@ struct StepContacts {
       const ContactMemory memory = ContactMemory::as_stored(p.history, SIZE);
       if (memory.phase != ContactMemory::lasting) continue;
       const PairMotion grid = grid_of(p);
-      what(p, memory, grid, [&] { return all[p.contact].template held<SIZE>(grid, memory); });
+      what(p, memory, grid,
+           [&] { return all[p.contact].one_force().template held<SIZE>(grid, memory); });
     }
     for (const BegunContact& b : begun)
       what(b.contact, ContactMemory::as_stored(b.contact.history, SIZE), grid_of(b.contact),
@@ -225,8 +226,8 @@ struct StepContacts {
     Action action;
     ContactLosses lost;
     ContactLosses* const losses = step->book.is_kept() ? &lost : nullptr;
-    const bool lasts = c.template hold<SIZE>(grid, memory, action, losses);
-    if (!lasts) c.template leave<SIZE>(grid, memory, losses);
+    const bool lasts = c.one_force().template hold<SIZE>(grid, memory, action, losses);
+    if (!lasts) c.one_force().template leave<SIZE>(grid, memory, losses);
     memory.to(p.history, SIZE);
     step->book.lose(scatter.part(p.j), lost, 0.0);
     if (!lasts) return false;
@@ -244,11 +245,11 @@ struct StepContacts {
                  const LastingContact& p, const PairMotion& grid, const Done& done) {
     using namespace cohesion::event_stepping;
     ContactMemory memory = ContactMemory::as_stored(p.history, SIZE);
-    const Action action = c.template held<SIZE>(grid, memory);
+    const Action action = c.one_force().template held<SIZE>(grid, memory);
     scatter.act_not(p.i, p.j, action);
     done(p.j, grid, action.impulse, [&] { return c.by_contact(grid, action); }, -1.0);
     ContactLosses lost;
-    c.template leave<SIZE>(grid, memory, step->book.is_kept() ? &lost : nullptr);
+    c.one_force().template leave<SIZE>(grid, memory, step->book.is_kept() ? &lost : nullptr);
     step->book.lose(scatter.part(p.j), lost, 0.0);
     announce<SIZE>(scatter, step, c, p, grid, memory);
   }

@@ -222,7 +222,7 @@ void FixEventStep::work_out() {
   clear();
   for (EventContacts* some : styles) some->gather();
   if (within_step) {
-    share(nullptr, 0);
+    share_restless();
     const int all = atom->nlocal + atom->nghost;
     some_restless =
         std::any_of(restless.begin(), restless.begin() + all, [](char is) { return is != 0; });

@@ -78,7 +78,7 @@ struct Bodies {
 ///
 /// Contacts beside those are followed, too.
 ///
-/// Order within a step, with its first forces: all styles gather(); share(restless); unsettle();
+/// Order within a step, with its first forces: all styles gather(); share_restless(); unsettle();
 /// join(); share(owed); follow_alone(); share(alone). Then the second pass of each.
 ///
 /// A fix cannot make another one in its constructor: those that need this one call of() in
@@ -211,7 +211,9 @@ class FixEventStep : public Fix {
   void look_round();
   void weigh(int all);
   void report_unresolved();
+  void share_restless();
   void share(double** values, int each);
+  void tell(double** values, int each);
   void begin_books();
   void look_for_unturned();
 
@@ -226,11 +228,11 @@ class FixEventStep : public Fix {
   std::vector<AdvisedStyle*> advised;  // the same
   ContactWatch watch;
 
-  double** shared;  // that go to the ghosts now; nullptr: none, but whether they are restless
+  std::vector<char> told;  // per atom and ghost: of which there is something to tell
+  double** shared;         // what goes to the ghosts now
   int shared_each;
-  std::vector<char> heard;  // per atom and ghost: that has come to it
-  bool follows;             // any pair or wall, in this run
-  bool resting;             // nothing is followed, and nobody reads the books
+  bool follows;  // any pair or wall, in this run
+  bool resting;  // nothing is followed, and nobody reads the books
   bool resuming;
   bool starting;
   bool running;

@@ -14,46 +14,50 @@
 
 using namespace LAMMPS_NS;
 
-/// Brings `each` values of particles that have been announced to their ghosts, 0 to the ghosts of
-/// others that have; of none, nullptr: whether they are restless.
+/// Tells ghosts whether their owners are restless.
+void FixEventStep::share_restless() {
+  told = restless;
+  tell(nullptr, 0);
+  restless = told;
+}
+
+/// Brings `each` values of announced particles to their ghosts, 0 to announced ghosts of others.
 void FixEventStep::share(double** values, int each) {
+  const int own = atom->nlocal, all = own + atom->nghost;
+  told.resize(all);
+  for (int i = 0; i < own; i++) told[i] = contacts[i] != 0;
+  for (int i = own; i < all; i++)
+    if (contacts[i] != 0) std::fill_n(values[i], each, 0.0);
+  tell(values, each);
+}
+
+/// Marks the ghosts of `told` particles as told, too, and brings `each` of their values to them.
+void FixEventStep::tell(double** values, int each) {
+  std::fill(told.begin() + atom->nlocal, told.end(), 0);
   shared = values;
   shared_each = each;
-  const int all = atom->nlocal + atom->nghost;
-  heard.assign(all, 0);
-  if (shared == nullptr)
-    std::fill(restless.begin() + atom->nlocal, restless.begin() + all, 0);
-  else
-    for (int i = atom->nlocal; i < all; i++)
-      if (contacts[i] != 0) std::fill_n(shared[i], shared_each, 0.0);
   engine_api::forward_comm(comm, this, 1 + each);
 }
 
 /// Of those of which there is anything to tell: their places in the list, and their values; -1
-/// after the last one, where the list does not end with it.
+/// after the last one, where the list does not end with it. A ghost that is passed on has what its
+/// owner told.
 int FixEventStep::pack_forward_comm(int n, int* list, double* buf, int, int*) {
-  const int own = atom->nlocal;
   double* end = buf;
   for (int k = 0; k < n; k++) {
-    const int i = list[k];
-    // A ghost that is passed on has what its owner told.
-    if (i >= own ? heard[i] == 0 : shared == nullptr ? restless[i] == 0 : contacts[i] == 0)
-      continue;
+    if (!told[list[k]]) continue;
     *end++ = k;
-    if (shared != nullptr) end = std::copy_n(shared[i], shared_each, end);
+    if (shared_each > 0) end = std::copy_n(shared[list[k]], shared_each, end);
   }
   if (end - buf < (1 + shared_each) * n) *end++ = -1.0;
   return static_cast<int>(end - buf);
 }
 
 void FixEventStep::unpack_forward_comm(int n, int first, double* buf) {
-  for (int told = 0; told < n && *buf >= 0.0; told++) {
+  for (int k = 0; k < n && *buf >= 0.0; k++) {
     const int i = first + static_cast<int>(*buf++);
-    heard[i] = 1;
-    if (shared == nullptr)
-      restless[i] = 1;
-    else
-      std::copy_n(buf, shared_each, shared[i]);
+    told[i] = 1;
+    if (shared_each > 0) std::copy_n(buf, shared_each, shared[i]);
     buf += shared_each;
   }
 }
@@ -132,6 +136,6 @@ int FixEventStep::size_restart(int) { return last.size_restart(); }
 double FixEventStep::memory_usage() {
   const double numbers = OWED + ALONE + 1;
   return (numbers * sizeof(double) + sizeof(int)) * atom->nmax + impulses.bytes() +
-         static_cast<double>(restless.capacity() + heard.capacity()) +
+         static_cast<double>(restless.capacity() + told.capacity()) +
          sizeof(double) * weighed.capacity() + outer.bytes() + last.bytes() + book.bytes();
 }

@@ -8,10 +8,9 @@
 #include "contact/contact_parameters.h"
 #include "event_stepping/contact_bodies.h"
 #include "event_stepping/contact_memory.h"
-#include "event_stepping/lasting_normal.h"
+#include "event_stepping/one_force.h"
 #include "event_stepping/plane_pair.h"
 #include "event_stepping/sphere_pair.h"
-#include "event_stepping/spring_on_grid.h"
 #include "event_stepping/well_pair.h"
 
 namespace cohesion::event_stepping {
@@ -64,18 +63,13 @@ class ContactOnGrid {
         contact_distance_(bodies_.distance()),
         normal_contact_(contact::normal_contact(parameters, reduced_mass_)),
         pair_(normal_contact_, attraction, contact_distance_, step),
-        lasting_(normal_contact_, reduced_mass_, contact_distance_, attraction.force, step,
-                 bodies_.is_wall()),
+        one_force_(parameters, normal_contact_, attraction.force, bodies_, step),
         pull_(attraction.force),
-        sliding_(contact::tangential_contact(parameters, normal_contact_), step,
-                 bodies_.sliding_answer()),
-        rolling_(contact::rolling_contact(parameters, normal_contact_), step,
-                 bodies_.rolling_answer()),
-        one_force_(steady()),
         youth_(2.5 * normal_contact_.contact_time() / step) {}
 
   bool joins(const Body& i, const Body& j) const { return bodies_.are(i, j); }
   const ContactBodies& bodies() const { return bodies_; }
+  const OneForce& one_force() const { return one_force_; }
   const contact::LinearSpringDashpot& normal_contact() const { return normal_contact_; }
   /// Gap up to which the pair attracts in this scheme, [length].
   double range() const { return pair_.range(); }
@@ -111,85 +105,7 @@ class ContactOnGrid {
 
   /// Whether a contact is old enough for one force, and certainly lasts for the step.
   bool can_last(const RelativeState& grid, const ContactMemory& memory) const {
-    return one_force_ && memory.phase == ContactMemory::inside && memory.age >= youth_ &&
-           lasting_.force(lasting_.at(grid)).lasts;
-  }
-
-  /// A contact that has lasted, or can: the force times dt that it needs if it goes on. Settles the
-  /// springs in the plane of contact, and what was lost since the last grid point, if somebody asks
-  /// for `losses`. False: it does not certainly last for this step, and is to leave().
-  template <int SIZE>
-  [[gnu::always_inline]] bool hold(const PairMotion& grid, ContactMemory& memory, Action& action,
-                                   ContactLosses* losses) const {
-    const LastingNormal::Sample now = lasting_.at(grid.relative);
-    const LastingNormal::Force normal = lasting_.force(now);
-    const bool lasted = memory.phase == ContactMemory::lasting;
-    action = {(reduced_mass_ * normal.change * now.inverse) * grid.relative.separation, {}, {}};
-    if (losses && lasted) losses->normal_damping = lasting_.damped(now);
-    memory.phase = ContactMemory::lasting;
-    memory.age += 1.0;
-    if constexpr (SIZE >= ContactMemory::with_friction) {
-      const Touch touch(bodies_, grid.relative.separation, now.inverse);
-      const double repulsion = lasting_.repulsion(normal.change);
-      // The half of a step that its first one is to do begins with the true velocity.
-      const double limiting =
-          lasted ? repulsion : lasting_.repulsion(2.0 * (normal.change - memory.ahead));
-      SpringOnGrid::Losses of_sliding, of_rolling;
-      const Vector3 across =
-          grid.relative.velocity - (now.radial * now.inverse) * grid.relative.separation;
-      const Vector3 slides = touch.slides_across(across, grid.spin_i, grid.spin_j);
-      touch.slide(sliding_.rub(touch.plane(), slides, limiting, lasted, memory.sliding,
-                               losses ? &of_sliding : nullptr),
-                  action);
-      if constexpr (SIZE >= ContactMemory::with_rolling) {
-        const Vector3 rolls = touch.rolls(grid.spin_i, grid.spin_j);
-        touch.roll(rolling_.rub(touch.plane(), rolls, limiting, lasted, memory.rolling,
-                                losses ? &of_rolling : nullptr),
-                   action);
-      }
-      if (losses) {
-        losses->tangential_damping = of_sliding.damped;
-        losses->friction = of_sliding.friction;
-        losses->rolling = of_rolling.damped + of_rolling.friction;
-      }
-    }
-    return one_force_ && normal.lasts;
-  }
-
-  /// A contact that hold() has settled is followed from this grid point on. Adds to `losses`, if
-  /// somebody asks.
-  template <int SIZE>
-  void leave(const PairMotion& grid, ContactMemory& memory, ContactLosses* losses) const {
-    memory.phase = ContactMemory::leaving;
-    if constexpr (SIZE >= ContactMemory::with_friction) {
-      const LastingNormal::Sample now = lasting_.at(grid.relative);
-      const double repulsion = lasting_.repulsion(lasting_.force(now).change);
-      const double last = lasting_.repulsion(2.0 * lasting_.ahead(now));
-      const Touch touch(bodies_, grid.relative.separation, now.inverse);
-      SpringOnGrid::Losses lost;
-      sliding_.leave(touch.slides(grid.relative.velocity, grid.spin_i, grid.spin_j), repulsion,
-                     last, memory.sliding, losses ? &lost : nullptr);
-      if (losses) losses->friction += lost.friction;
-      if constexpr (SIZE >= ContactMemory::with_rolling) {
-        lost = {};
-        rolling_.leave(touch.rolls(grid.spin_i, grid.spin_j), repulsion, last, memory.rolling,
-                       losses ? &lost : nullptr);
-        if (losses) losses->rolling += lost.friction;
-      }
-    }
-  }
-
-  /// The same again of a contact that has been settled.
-  template <int SIZE>
-  Action held(const PairMotion& grid, const ContactMemory& memory) const {
-    const Vector3& s = grid.relative.separation;
-    const LastingNormal::Sample now = lasting_.at(grid.relative);
-    Action action{(reduced_mass_ * lasting_.force(now).change * now.inverse) * s, {}, {}};
-    if constexpr (SIZE >= ContactMemory::with_friction)
-      Touch(bodies_, s).slide(memory.sliding.impulse, action);
-    if constexpr (SIZE >= ContactMemory::with_rolling)
-      Touch(bodies_, s).roll(memory.rolling.impulse, action);
-    return action;
+    return memory.phase == ContactMemory::inside && memory.age >= youth_ && one_force_.lasts(grid);
   }
 
   /// What leads from the motion on the grid to the true one at this grid point.
@@ -263,8 +179,9 @@ class ContactOnGrid {
       const Vector3 spin_j = truth.spin_j + 0.5 * others.spin_j;
       const Vector3 slides = touch.slides(middle.velocity + 0.5 * did.velocity,
                                           spin_i + 0.5 * rolled.i, spin_j + 0.5 * rolled.j);
-      f.sliding = sliding_.follow(touch.plane(), start.sliding, 0.5 * touch.plane().part_in(shift),
-                                  slides, f.normal, f.sliding_rate);
+      f.sliding = one_force_.sliding().follow(touch.plane(), start.sliding,
+                                              0.5 * touch.plane().part_in(shift), slides, f.normal,
+                                              f.sliding_rate);
       const Vector3& impulse = f.sliding.impulse;
       f.change.relative.separation += (half * inverse_mass_) * impulse;
       f.change.relative.velocity += inverse_mass_ * impulse;
@@ -275,8 +192,8 @@ class ContactOnGrid {
       if constexpr (SIZE >= ContactMemory::with_rolling) {
         const Vector3 rolls =
             touch.rolls(spin_i + 0.5 * f.change.spin_i, spin_j + 0.5 * f.change.spin_j);
-        f.rolling =
-            rolling_.follow(touch.plane(), start.rolling, {}, rolls, f.normal, f.rolling_rate);
+        f.rolling = one_force_.rolling().follow(touch.plane(), start.rolling, {}, rolls, f.normal,
+                                                f.rolling_rate);
         const Vector3 turn = bodies_.rolling_radius() * f.rolling.impulse;
         f.rolled = {bodies_.spin_share_i() * turn, -bodies_.spin_share_j() * turn};
         f.change.spin_i += f.rolled.i;
@@ -363,8 +280,8 @@ class ContactOnGrid {
     if (!memory.in_range()) return {};
     const double overlap = contact_distance_ - norm(grid.relative.separation);
     const Stretches now = stretch(grid, memory);
-    return {pair_.spring_energy(overlap), sliding_.stored_energy(now.sliding),
-            rolling_.stored_energy(now.rolling), pair_.adhesion_energy(overlap)};
+    return {pair_.spring_energy(overlap), one_force_.sliding().stored_energy(now.sliding),
+            one_force_.rolling().stored_energy(now.rolling), pair_.adhesion_energy(overlap)};
   }
 
  private:
@@ -384,28 +301,13 @@ class ContactOnGrid {
                          touch.plane().inverse_square * contact_distance_ * contact_distance_ > 1.0;
     if (!touched) return now;
     if (memory.lasted()) return {memory.sliding.stretch, memory.rolling.stretch};
-    if (sliding_.acts())
+    if (one_force_.sliding().acts())
       now.sliding = touch.plane().turned_into(memory.sliding.stretch) +
                     step_ * touch.slides(grid.relative.velocity, grid.spin_i, grid.spin_j);
-    if (rolling_.acts())
+    if (one_force_.rolling().acts())
       now.rolling = touch.plane().turned_into(memory.rolling.stretch) +
                     step_ * touch.rolls(grid.spin_i, grid.spin_j);
     return now;
-  }
-
-  /// Whether springs and dashpots of one force, which take the velocity of half a step before, stay
-  /// steady where each sphere has many of them; else all contacts are followed.
-  ///
-  /// Each spring adds to w^2 of its sphere, and (w dt)^2 must stay below 4. In the closest packing,
-  /// twelve contacts, the fastest swing against all neighbours has 4 times the w^2 of a pair along
-  /// the normals: 2 sum cos^2 = 8 springs on one sphere's mass, 2 on that of a pair. Spheres that
-  /// all spin alike, each surface sliding twice, have 2 sum sin^2 (5/2)/7 = 40/7 times that of a
-  /// pair's sliding; spheres that roll against all their neighbours 8 times.
-  bool steady() const {
-    const GridSpring& spring = lasting_.constants();
-    const double normal =
-        (spring.stiffness + 2.0 * spring.damping / step_) * step_ * step_ * inverse_mass_;
-    return 4.0 * normal < 4.0 && 40.0 / 7.0 * sliding_.swing() + 8.0 * rolling_.swing() < 4.0;
   }
 
   /// What is remembered of a spring after a followed step: as if it had grown evenly.
@@ -417,7 +319,7 @@ class ContactOnGrid {
 
   double ahead(const RelativeState& grid, const ContactMemory& memory) const {
     if (!memory.lasted()) return memory.ahead;
-    return lasting_.ahead(lasting_.at(grid));
+    return one_force_.ahead(grid);
   }
 
   /// Whether anything but lasting contact, or flight out of range, happened in a step.
@@ -440,12 +342,9 @@ class ContactOnGrid {
   double contact_distance_;
   contact::LinearSpringDashpot normal_contact_;
   Pair pair_;
-  LastingNormal lasting_;
+  OneForce one_force_;
   double pull_;
-  SpringOnGrid sliding_;
-  SpringOnGrid rolling_;
-  bool one_force_;  // for those that last
-  double youth_;    // steps
+  double youth_;  // steps
 };
 
 }  // namespace cohesion::event_stepping

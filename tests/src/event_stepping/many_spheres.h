@@ -153,11 +153,11 @@ class ManySpheres {
       Action action;
       if (!lasted && contact_.can_last(grid.relative, p.memory)) {
         candidates.push_back(k);
-      } else if (lasted && contact_.hold<SIZE>(grid, p.memory, action, nullptr)) {
+      } else if (lasted && contact_.one_force().hold<SIZE>(grid, p.memory, action, nullptr)) {
         give(p, action, dv, dw);
         lasting++;
       } else {
-        if (lasted) contact_.leave<SIZE>(grid, p.memory, nullptr);
+        if (lasted) contact_.one_force().leave<SIZE>(grid, p.memory, nullptr);
         if (!beyond || contact_.within_reach(grid.relative, 0.0)) restless[p.i] = restless[p.j] = 1;
         announce(k, grid);
       }
@@ -166,10 +166,10 @@ class ManySpheres {
       Near& p = near_[k];
       if (p.memory.phase != ContactMemory::lasting || !is_restless(p)) continue;
       const PairMotion grid = motion(p, v_, w_);
-      const Action a = contact_.held<SIZE>(grid, p.memory);
+      const Action a = contact_.one_force().held<SIZE>(grid, p.memory);
       give(p, {-a.impulse, -a.torque_i, -a.torque_j}, dv, dw);
       lasting--;
-      contact_.leave<SIZE>(grid, p.memory, nullptr);
+      contact_.one_force().leave<SIZE>(grid, p.memory, nullptr);
       announce(k, grid);
     }
     for (const std::size_t k : candidates) {
@@ -179,7 +179,7 @@ class ManySpheres {
       if (is_restless(p)) {
         announce(k, grid);
       } else {
-        contact_.hold<SIZE>(grid, p.memory, action, nullptr);
+        contact_.one_force().hold<SIZE>(grid, p.memory, action, nullptr);
         give(p, action, dv, dw);
         lasting++;
       }
@@ -198,7 +198,8 @@ class ManySpheres {
       const PairMotion grid = motion(p, v_, w_);
       const Action owed = contact_.owed<SIZE>(grid.relative, p.memory);
       give(p, owed, v, w);
-      add(p, contact_.done<SIZE>(grid, contact_.held<SIZE>(grid, p.memory), owed, p.memory));
+      add(p, contact_.done<SIZE>(grid, contact_.one_force().held<SIZE>(grid, p.memory), owed,
+                                 p.memory));
     }
     for (Followed& f : follow) {
       const Near& p = near_[f.pair];

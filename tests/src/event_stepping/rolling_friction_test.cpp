@@ -247,7 +247,7 @@ TEST(RollingFriction, ChangesSignWithTheExchangeOfTheParticles) {
       const auto act = [&](const ContactOnGrid<SpherePair>& c, const PairMotion& at,
                            const PairMotion& beside, ContactMemory& memory, Action& action) {
         if (memory.phase == ContactMemory::lasting)
-          return c.hold<size>(at, memory, action, nullptr);
+          return c.one_force().hold<size>(at, memory, action, nullptr);
         const FollowedStart begins = c.start<size>(at, at, memory);
         const FollowedStep alone = c.follow<size>(begins, {}, {}, memory.in_range());
         const FollowedStep f = c.follow<size>(begins, beside, alone.rolled, memory.in_range());
