@@ -20,20 +20,22 @@ struct SchemeLimits {
   double steps_for_warning;  ///< steps per contact below which results suffer
   double steps_for_error;    ///< steps per contact below which they mean nothing; 0: no such number
   bool samples_force;        ///< one force per step: leapfrog's limit holds, and gaps are skipped
+  /// How often a contact takes a speed from two places a step apart: where it begins and ends.
+  double speeds_of_places;
   /// What else than a smaller step helps where gaps are skipped.
   std::string_view remedy = "use the event scheme";
 };
 
 /// Force sampled once per step: 15 to 50 steps per contact are usual; the error is leapfrog's own.
-inline constexpr SchemeLimits sampled_scheme{"sampled", 15.0, 0.0, true};
+inline constexpr SchemeLimits sampled_scheme{"sampled", 15.0, 0.0, true, 0.0};
 /// Closed-form pair motion, exact for one pair while a step is no longer than a contact
 /// (event_stepping/damped_oscillator.h, first_zero). Of many, a dense elastic gas keeps its energy
 /// to 5e-4 at 4 steps per contact; a packing with friction rattles at half of that.
-inline constexpr SchemeLimits event_scheme{"event", 4.0, 1.0, false};
+inline constexpr SchemeLimits event_scheme{"event", 4.0, 1.0, false, 2.0};
 /// The same where a contact knows of the others of its particles what they did in the step before:
 /// a dense elastic gas loses 0.7 % of its energy in 100 collisions at 10 steps per contact, 16 % at
 /// 4.
-inline constexpr SchemeLimits event_scheme_one_pass{"event", 10.0, 1.0, false};
+inline constexpr SchemeLimits event_scheme_one_pass{"event", 10.0, 1.0, false, 2.0};
 
 /// Overlap over diameter above which spheres are no longer almost rigid.
 inline constexpr double overlap_for_warning = 0.01;
@@ -42,6 +44,9 @@ inline constexpr double overlap_for_warning = 0.01;
 inline constexpr double overlap_for_error = 0.5;
 /// Steps in the surface cut-off below which a sampled force gets the work of the adhesion wrong.
 inline constexpr double cutoff_steps_for_warning = 1.0;
+/// Share of the speed of an impact that rounding may leave open: what 15 steps leave open of the
+/// escape velocity where a force is sampled.
+inline constexpr double rounding_for_warning = 1.0 / 15.0;
 
 enum class Severity { ok, warning, error };
 
@@ -51,7 +56,7 @@ enum class Subject {
   stability,        ///< leapfrog's limit (sampled force only)
   cutoff_steps,     ///< steps in the surface cut-off (sampled force only)
   escape_velocity,  ///< of a square well, as far as the step decides it (sampled force only)
-  rounding,         ///< of places, against the way in a step (sampled force only)
+  rounding,         ///< of places, against the way in a step
   static_overlap,   ///< F_ad/K
   impact_overlap,   ///< of an impact at the given speed
   softness,         ///< of the spring, against that of the material (softness.h)
@@ -124,7 +129,8 @@ inline Verdict escape_velocity(const ContactNumbers& n, const SchemeLimits& limi
 }
 
 inline Verdict rounding(const ContactNumbers& n, const SchemeLimits& limits) {
-  const double error = n.rounding_error(), allowed = 1.0 / limits.steps_for_warning;
+  const double error = n.rounding_error(limits.speeds_of_places);
+  const double allowed = rounding_for_warning;
   const std::string sentence = text("rounded places leave the speed of an impact at ",
                                     n.entry_speed(), " open by up to ", 100.0 * error, " %");
   if (error <= allowed) return {Subject::rounding, Severity::ok, sentence};
@@ -159,7 +165,7 @@ inline std::vector<Verdict> advise(const ContactNumbers& n, const SchemeLimits& 
   // A force in the spring has an escape velocity of another kind.
   if (limits.samples_force && !attracts && n.well_energy() > 0.0)
     verdicts.push_back(detail::escape_velocity(n, limits));
-  if (limits.samples_force) verdicts.push_back(detail::rounding(n, limits));
+  verdicts.push_back(detail::rounding(n, limits));
   if (attracts)
     verdicts.push_back(detail::overlap(Subject::static_overlap, "the overlap of a resting pair",
                                        n.static_overlap_over_diameter(), p.stiffness, 1.0));

@@ -114,13 +114,15 @@ class ContactNumbers {
 
   /// Share of the speed of an impact that rounded places may add or take away, whatever the force:
   /// each of the pi/(w0 dt) steps shifts the pair by up to half a spacing of numbers as large as
-  /// the distance of the centres, and a shift s changes the speed of the swing by up to w0 s. Far
-  /// from the origin places are rounded more.
-  double rounding_error() const {
+  /// the distance of the centres, and a shift s changes the speed of the swing by up to w0 s. A
+  /// speed that is taken from two places a step apart, `speeds_of_places` times in a contact, is
+  /// off by up to a spacing over the step. Far from the origin places are rounded more.
+  double rounding_error(double speeds_of_places) const {
     if (entry_speed_ == 0.0) return 0.0;
     const double sum = p_.radius_i + p_.radius_j;
     const double place = std::isfinite(sum) ? sum : 0.5 * diameter_;
-    return 0.5 * pi * std::numeric_limits<double>::epsilon() * place / (entry_speed_ * p_.dt);
+    return (0.5 * pi + speeds_of_places) * std::numeric_limits<double>::epsilon() * place /
+           (entry_speed_ * p_.dt);
   }
 
   double static_overlap_over_diameter() const { return contact_.static_overlap() / diameter_; }

@@ -102,7 +102,7 @@ TEST(ContactAdvice, EscapeVelocityIsOpenByAStepOfTheContactWithHardlyADashpot) {
   EXPECT_NEAR(ContactNumbers(p).sampled_escape_error(), 1.0 / 20.0, 1e-15);
 }
 
-TEST(ContactAdvice, WayOfARoundingInAStepIsAWarningWhereTheForceIsSampled) {
+TEST(ContactAdvice, WayOfARoundingInAStepIsAWarning) {
   PairParameters p = without_adhesion();
   p.dt = 1e-6;
   // pi/2 2^-52 1 mm/(u dt) = 1/15: 5.23e-12 m/s.
@@ -110,9 +110,16 @@ TEST(ContactAdvice, WayOfARoundingInAStepIsAWarningWhereTheForceIsSampled) {
   expect_verdict(p, sampled_scheme, Subject::rounding, Severity::ok, "6.58 %");
   p.speed = 5.1e-12;
   expect_verdict(p, sampled_scheme, Subject::rounding, Severity::warning, "6.84 %");
-  EXPECT_EQ(find(advise(ContactNumbers(p), event_scheme), Subject::rounding), nullptr);
+  // (pi/2 + 2) 2^-52 1 mm/(u dt) = 1/15: 1.189e-11 m/s.
+  for (const SchemeLimits& scheme : {event_scheme, event_scheme_one_pass}) {
+    p.speed = 1.2e-11;
+    expect_verdict(p, scheme, Subject::rounding, Severity::ok, "6.61 %");
+    p.speed = 1.18e-11;
+    expect_verdict(p, scheme, Subject::rounding, Severity::warning, "6.72 %");
+  }
   p.speed = 0.0;
   expect_verdict(p, sampled_scheme, Subject::rounding, Severity::ok, "");
+  expect_verdict(p, event_scheme, Subject::rounding, Severity::ok, "");
 }
 
 TEST(ContactAdvice, LargeOverlapIsAWarningAndAnErrorOnceItPassesWalls) {
