@@ -37,7 +37,7 @@ impact; *width*: of the well, over the flight within it in a contact time (hard:
 Soft laws are compared with *scheme event* at a sixteenth of the step and, head-on, with the closed form; hard ones
 with an event-driven program without steps. An error is that of the velocities at the end over the largest speed s of
 the point, while together that of the places over s/w, w the frequency of a contact. *right*: one contact without
-friction below 1e-6, of spheres and u V dt^2/d^2, by which their line of centres may turn wrongly in a contact; with
+friction below 1e-6, for spheres plus u V dt^2/d^2, by which their line of centres may turn wrongly in a contact; with
 friction or several contacts below (w dt)^2 (both with what a place on the grid may differ from the motion while
 together, and with rounding), none above 0.1; sampled forces below 0.1; hard spheres below 1e-9
 or 100 times what the last digits of the start do. *marginal*: wrong, but the reference is as far off when its speeds

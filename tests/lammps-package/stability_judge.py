@@ -15,8 +15,8 @@ far off; or of other outcome, and one of the two has the same; `not judged`: no 
 alone decides (rounding_decides) or where references of half and of twice the step do not agree with each other;
 `reference crashed` (hangs, refused): one that would be needed to say. What is not a number is always `wrong`.
 Aims: one contact without friction 1e-6 once parted, and of spheres by what angle their line of centres is off in a
-contact, up to u V dt^2/d^2 (docs/lammps-package/pair_gran_hamaker.md); with friction or several contacts second order, (w dt)^2, at most
-0.1; while together also what the place on the grid may differ from that of the motion, (w dt)^2/8, in wells w dt; and
+contact, up to u V dt^2/d^2 (docs/lammps-package/pair_gran_hamaker.md); with friction or several contacts second order,
+(w dt)^2, at most 0.1; while together also what the place on the grid may differ from that of the motion, (w dt)^2/8, in wells w dt; and
 what the last digit of the largest place is of s/w, times the number of steps. Where that is more than 0.1 the aim is
 0.1, and what is off by more, but by no more than that, is `not judged: coarse`. Where a sphere flies less than four
 such digits in a fine step nothing is judged. Sampled forces 0.1: what they are used for. Hard 1e-9, or 100 times what
@@ -207,6 +207,7 @@ def fine_run(point, engine):
     # What no engine can move on the fine grid.
     if 0 < p["speed"] * math.cos(math.radians(p["angle"])) * point.dt / REFERENCE < 4 * digit:
         return state, {}
+    # What the line of centres of two spheres may be off by after a contact; that of a wall stays.
     across = p["speed"] * math.sin(math.radians(p["angle"]))
     turning = 0.0 if point.law.wall else point.scale * across * (point.dt / point.reach)**2
     roundoff = digit * point.w0 / point.scale * point.duration / point.dt * REFERENCE
