@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "atom.h"
 #include "box_shear.h"
@@ -34,7 +35,9 @@ double ClosePairs::come_closer() const {
                  dz = now[k + 2] - then[k + 2];
     furthest = std::max(furthest, dx * dx + dy * dy + dz * dz);
   }
-  for (std::size_t i = 0; i < radii_.size(); i++) growth = std::max(growth, radius[i] - radii_[i]);
+  if (std::memcmp(radius, radii_.data(), radii_.size() * sizeof(double)) != 0)
+    for (std::size_t i = 0; i < radii_.size(); i++)
+      growth = std::max(growth, radius[i] - radii_[i]);
   return 2.0 * (std::sqrt(furthest) + growth);
 }
 

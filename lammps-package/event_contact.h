@@ -34,6 +34,39 @@ inline cohesion::event_stepping::PairMotion others_of(
   return others;
 }
 
+/// Things of a step, one after the other, that are made anew in the next one.
+template <class Thing>
+class OfStep {
+ public:
+  OfStep() = default;
+  OfStep(const OfStep&) = delete;
+  OfStep& operator=(const OfStep&) = delete;
+
+  void clear() { end_ = things_.data(); }
+  /// Room for one more, which still holds what another step put there.
+  [[gnu::always_inline]] Thing& add() {
+    if (end_ == full_) grow();
+    return *end_++;
+  }
+  const Thing& operator[](std::size_t k) const { return things_[k]; }
+  const Thing* begin() const { return things_.data(); }
+  const Thing* end() const { return end_; }
+  Thing* begin() { return things_.data(); }
+  Thing* end() { return end_; }
+
+ private:
+  [[gnu::noinline]] void grow() {
+    const std::size_t count = things_.size();
+    things_.resize(2 * count + 64);
+    end_ = things_.data() + count;
+    full_ = things_.data() + things_.size();
+  }
+
+  std::vector<Thing> things_;
+  Thing* end_ = nullptr;
+  Thing* full_ = nullptr;
+};
+
 /// A contact that acts by one force.
 struct LastingContact {
   int i, j;  // j < 0: a wall
@@ -64,10 +97,10 @@ struct FollowedContact {
 /// and friction. `grid_of(contact)`: the motion of a LastingContact on the grid.
 struct StepContacts {
   std::vector<LastingContact> candidates;  // can last from now on
-  std::vector<LastingContact> lasting;     // act, but those that are taken back
+  OfStep<LastingContact> lasting;          // act, but those that are taken back
   std::vector<BegunContact> begun;
   std::vector<LastingContact> idle;  // in their wells, where nothing acts
-  std::vector<FollowedContact> followed;
+  OfStep<FollowedContact> followed;
 
   void clear() {
     candidates.clear();
@@ -232,7 +265,7 @@ struct StepContacts {
     step->book.lose(scatter.part(p.j), lost, 0.0);
     if (!lasts) return false;
     if (lasted)
-      lasting.push_back(p);
+      lasting.add() = p;
     else
       begun.push_back({p, action});
     scatter.act(p.i, p.j, action);
@@ -257,13 +290,20 @@ struct StepContacts {
   template <int SIZE, class Contact>
   void announce(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step, const Contact& c,
                 const LastingContact& p, const PairMotion& grid, const ContactMemory& memory) {
-    const auto start = c.template start<SIZE>(grid, grid, memory);
-    followed.push_back({p.i, p.j, p.contact, p.history, memory.in_range(), start, {}, {}});
+    FollowedContact& now = followed.add();
+    now.i = p.i;
+    now.j = p.j;
+    now.contact = p.contact;
+    now.history = p.history;
+    now.in_range = memory.in_range();
+    now.start = c.template start<SIZE>(grid, grid, memory);
+    now.change = {};
+    now.rolled = {};
     memory.to(p.history, SIZE);
     step->announce(p.i);
     if (p.j >= 0) step->announce(p.j);
     scatter.change(step->owed, p.i, p.j,
-                   c.template owed<SIZE>(grid.relative.separation, start.ahead, memory));
+                   c.template owed<SIZE>(grid.relative.separation, now.start.ahead, memory));
   }
 };
 

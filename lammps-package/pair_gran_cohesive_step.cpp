@@ -149,7 +149,7 @@ void PairGranCohesive<Cohesion>::gather(Contacts<EventContact>& contacts) {
     const int c = contact(contacts, grid, i, j);
     if (c == contacts.NONE) return;
     if (kept && !asked && lasting.act(contacts.all[c], i, j, grid.motion(i, j), values))
-      contacts_now.lasting.push_back({i, j, c, values});
+      contacts_now.lasting.add() = {i, j, c, values};
     else
       take<SIZE>(scatter, contacts.all[c], c, i, j, kept, values);
   });

@@ -86,12 +86,12 @@ class ContactBodies {
       return bodies_.rolling_radius_ * plane_.part_in(spin_i - spin_j);
     }
 
-    /// Adds what an impulse on j's surface does.
+    /// Adds an impulse on j's surface to what has no torques yet.
     [[gnu::always_inline]] void slide(const Vector3& impulse, Action& action) const {
       const Vector3 turn = cross(plane_.normal, impulse);
       action.impulse += impulse;
-      action.torque_i -= lever_i_ * turn;
-      action.torque_j -= (1.0 - lever_i_) * turn;
+      action.torque_i = -lever_i_ * turn;
+      action.torque_j = (lever_i_ - 1.0) * turn;
     }
     /// Adds what the rolling spring does: no force, but the torques R F and -R F.
     [[gnu::always_inline]] void roll(const Vector3& impulse, Action& action) const {

@@ -25,9 +25,12 @@ WAYS = {
         "hooke/stiffness (stock)": ("liggghts", gran()),
         "hooke/stiffness, sjkr (stock, cohesive)": (
             "liggghts", gran(LIGGGHTS_CONTACT + " cohesion sjkr", scenes.SJKR_PROPERTIES)),
-        "cohesion hamaker": ("liggghts+", scenes.LIGGGHTS_HAMAKER),
-        "cohesion square_well": (
+        "cohesion hamaker *sampled*": ("liggghts+", scenes.LIGGGHTS_HAMAKER),
+        "cohesion hamaker *event*": ("liggghts+", scenes.LIGGGHTS_EVENT),
+        "cohesion square_well *sampled*": (
             "liggghts+", gran(LIGGGHTS_CONTACT + " cohesion square_well", scenes.well_properties())),
+        "cohesion square_well *event*": (
+            "liggghts+", gran(LIGGGHTS_CONTACT + " cohesion square_well scheme event", scenes.well_properties())),
     },
 }
 

@@ -142,6 +142,7 @@ def well_properties(depth=DEPTH):
 
 SJKR_PROPERTIES = "fix k all property/global cohesionEnergyDensity peratomtypepair 1 1e4\n"
 LIGGGHTS_HAMAKER = gran(LIGGGHTS_CONTACT + " cohesion hamaker", hamaker_properties())
+LIGGGHTS_EVENT = gran(LIGGGHTS_CONTACT + " cohesion hamaker scheme event", hamaker_properties())
 
 # --- what growth and scaling compare -----------------------------------------------------------
 
