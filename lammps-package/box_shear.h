@@ -42,10 +42,13 @@ inline double fastest_of(const Atom* atom, const Domain* domain, int count) {
   const double* const v = count > 0 ? atom->v[0] : nullptr;
   const cohesion::shear::BoxShear flow = rate_of_shear(domain);
   double squared = 0.0;
-  for (int i = 0; i < 3 * count; i += 3) {
-    const double u = flow.beyond(v[i], x[i + 1]);
-    squared = std::max(squared, u * u + v[i + 1] * v[i + 1] + v[i + 2] * v[i + 2]);
-  }
+  const auto look = [&squared](double along, double up, double across) {
+    squared = std::max(squared, along * along + up * up + across * across);
+  };
+  if (flow.amount == 0.0)
+    for (int i = 0; i < 3 * count; i += 3) look(v[i], v[i + 1], v[i + 2]);
+  else
+    for (int i = 0; i < 3 * count; i += 3) look(flow.beyond(v[i], x[i + 1]), v[i + 1], v[i + 2]);
   return std::sqrt(squared);
 }
 

@@ -79,12 +79,11 @@ void ContactBook::work(double done) {
   later_.external_work += 0.5 * done;
 }
 
-void ContactBook::end_step_of(int i, const Body& body, const Vector3& pushed, const Vector3& turned,
-                              double part) {
+void ContactBook::end_step(int i, const Body& body, const Vector3& pushed, const Vector3& turned) {
   std::fill_n(to_truth_[i], MOTION, 0.0);
   if (body.inverse_mass == 0.0) return;
-  put(vector(owed_[i]) - (part * body.inverse_mass) * pushed, to_truth_[i]);
-  put(vector(owed_[i] + 3) - (part * inverse_inertia(body)) * turned, to_truth_[i] + 3);
+  put(vector(owed_[i]) - body.inverse_mass * pushed, to_truth_[i]);
+  put(vector(owed_[i] + 3) - inverse_inertia(body) * turned, to_truth_[i] + 3);
 }
 
 Vector3 ContactBook::true_velocity(int i) const {

@@ -53,11 +53,10 @@ class ContactBook : protected Pointers {
   /// Per atom and ghost: six numbers that lead from velocity and spin on the grid to the true ones,
   /// of all contacts.
   double** owed() const { return owed_; }
-  /// The end of the step: impulses and angular impulses of contacts on the particles, `part` of
-  /// which the engine's velocities have; `body` gives that of a particle.
-  template <class BodyOf>
-  void end_step(const std::vector<cohesion::Vector3>& impulses,
-                const std::vector<cohesion::Vector3>& turns, double part, const BodyOf& body);
+  /// The end of the step, of a particle: the impulse and angular impulse of contacts that are in
+  /// the engine's velocities by then.
+  void end_step(int i, const cohesion::event_stepping::Body&, const cohesion::Vector3& pushed,
+                const cohesion::Vector3& turned);
   /// Then, of a particle.
   cohesion::Vector3 true_velocity(int i) const;
   cohesion::Vector3 true_spin(int i) const;
@@ -73,9 +72,6 @@ class ContactBook : protected Pointers {
   double bytes() const;
 
  private:
-  void end_step_of(int i, const cohesion::event_stepping::Body&, const cohesion::Vector3& pushed,
-                   const cohesion::Vector3& turned, double part);
-
   bool kept_ = false;
   Sums now_, later_;  // later_: after the grid point
   int room_ = 0;      // of both arrays, in particles
@@ -83,14 +79,6 @@ class ContactBook : protected Pointers {
   double** to_truth_ = nullptr;  // from the engine's velocity and spin at the end of the step
   Reader readers_;
 };
-
-template <class BodyOf>
-void ContactBook::end_step(const std::vector<cohesion::Vector3>& impulses,
-                           const std::vector<cohesion::Vector3>& turns, double part,
-                           const BodyOf& body) {
-  for (std::size_t i = 0; i < impulses.size(); i++)
-    end_step_of(static_cast<int>(i), body(static_cast<int>(i)), impulses[i], turns[i], part);
-}
 
 }  // namespace LAMMPS_NS
 

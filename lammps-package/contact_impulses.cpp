@@ -1,33 +1,50 @@
 // SPDX-License-Identifier: GPL-2.0-only
 #include "contact_impulses.h"
 
+#include <cstring>
+
 using namespace LAMMPS_NS;
 
-void ContactImpulses::begin_step(double kick, bool summed) {
+void ContactImpulses::begin_step(double kick, Known known) {
   kick_ = kick;
-  summed_ = summed;
-  handed_over_ = false;
-  if (!summed) return;
-  impulses_.assign(atom->nlocal, {});
-  turns_.assign(atom->nlocal, {});
+  known_ = known;
+  closed_ = false;
 }
 
-void ContactImpulses::hand_over(bool what_was_summed) {
-  handed_over_ = true;
-  const int n = 3 * atom->nlocal;
-  if (!what_was_summed || n == 0) return;
-  double* const f = atom->f[0];
-  double* const torque = atom->torque[0];
-  const double* const pushed = &impulses_[0].x;
-  const double* const turned = &turns_[0].x;
-  for (int k = 0; k < n; k++) f[k] += kick_ * pushed[k];
-  for (int k = 0; k < n; k++) torque[k] += kick_ * turned[k];
+static bool all_zero(const double* numbers, int count) {
+  return numbers[0] == 0.0 && std::memcmp(numbers, numbers + 1, (count - 1) * sizeof(double)) == 0;
+}
+
+void ContactImpulses::open(Numbers& before, const double* const* now, int particles) {
+  const int n = 3 * particles;
+  before.clear();
+  if (n > 0 && !all_zero(now[0], n)) before.assign(now[0], now[0] + n);
+}
+
+void ContactImpulses::close(Numbers& before, const double* const* now, int particles) {
+  const int n = 3 * particles;
+  if (n > 0 && before.empty())
+    before.assign(now[0], now[0] + n);
+  else
+    for (int k = 0; k < n; k++) before[k] = now[0][k] - before[k];
+}
+
+void ContactImpulses::open() {
+  if (known_ == Known::nobody) return;
+  open(forces_, atom->f, atom->nlocal);
+  if (known_ == Known::forces_and_torques) open(torques_, atom->torque, atom->nlocal);
+}
+
+void ContactImpulses::close() {
+  if (known_ == Known::nobody) return;
+  close(forces_, atom->f, atom->nlocal);
+  if (known_ == Known::forces_and_torques) close(torques_, atom->torque, atom->nlocal);
+  closed_ = true;
 }
 
 void ContactImpulses::note_others(double* forces) const {
   const int n = 3 * atom->nlocal;
   if (n == 0) return;
-  const double* const f = atom->f[0];
-  const double* const pushed = &impulses_[0].x;
-  for (int k = 0; k < n; k++) forces[k] = f[k] - kick_ * pushed[k];
+  const double* const all = atom->f[0];
+  for (int k = 0; k < n; k++) forces[k] = all[k] - forces_[k];
 }

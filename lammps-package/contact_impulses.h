@@ -11,15 +11,23 @@
 namespace LAMMPS_NS {
 
 /// What the contacts of a step do to the particles of this process: impulses and angular impulses,
-/// which reach the engine as forces and torques.
+/// which reach the engine as forces and torques. Where somebody asks which part of the engine's
+/// forces is theirs, it is what came to be between open() and close(), and what push() adds after
+/// that: nothing needs to be added up twice.
 class ContactImpulses : protected Pointers {
  public:
   explicit ContactImpulses(LAMMPS* lammps) : Pointers(lammps) {}
 
-  /// A step in which an impulse 1 is the force `kick` [1/time]; `summed`: somebody needs the sums.
-  void begin_step(double kick, bool summed);
+  /// Of whom the part of contacts is known.
+  enum class Known { nobody, forces, forces_and_torques };
+  /// A step in which an impulse 1 is the force `kick` [1/time].
+  void begin_step(double kick, Known known);
   /// Nothing acts until the next step begins.
-  void rest() { summed_ = false; }
+  void rest() { known_ = Known::nobody; }
+
+  /// From now on to close() nothing but contacts adds to the engine's forces.
+  void open();
+  void close();
 
   /// Force that gives a particle the impulse 1 in this step, [1/time].
   double kick() const { return kick_; }
@@ -27,31 +35,27 @@ class ContactImpulses : protected Pointers {
   template <int SIZE>
   [[gnu::always_inline]] void push(int i, const cohesion::Vector3& pushed,
                                    const cohesion::Vector3& turned) {
-    if (summed_) {
-      impulses_[i] += pushed;
-      if (SIZE > 3) turns_[i] += turned;
-    }
-    if (!handed_over_) return;
     add(atom->f[i], pushed);
     if (SIZE > 3) add(atom->torque[i], turned);
+    if (!closed_) return;
+    add(&forces_[3 * i], pushed);
+    if (SIZE > 3 && known_ == Known::forces_and_torques) add(&torques_[3 * i], turned);
   }
-  /// The sums, per particle; hand_over() brings to the engine what was added to them before it.
-  std::vector<cohesion::Vector3>& impulses() { return impulses_; }
-  std::vector<cohesion::Vector3>& turns() { return turns_; }
-  /// What contacts do from now on goes to the engine at once.
-  void hand_over(bool what_was_summed);
 
+  /// The force and torque of contacts on particle i, after close().
+  cohesion::Vector3 force(int i) const { return cohesion::vector(&forces_[3 * i]); }
+  cohesion::Vector3 torque(int i) const { return cohesion::vector(&torques_[3 * i]); }
   /// The force of all but contacts on particle i, once the engine has all forces of the step; 0
-  /// where nothing was summed.
+  /// where nobody asks.
   cohesion::Vector3 others(int i) const {
-    return summed_ ? cohesion::vector(atom->f[i]) - kick_ * impulses_[i] : cohesion::Vector3{};
+    return known_ == Known::nobody ? cohesion::Vector3{} : cohesion::vector(atom->f[i]) - force(i);
   }
   /// The same for all particles, three numbers each.
   void note_others(double* forces) const;
 
   double bytes() const {
-    return static_cast<double>(sizeof(cohesion::Vector3)) *
-           static_cast<double>(impulses_.capacity() + turns_.capacity());
+    return static_cast<double>(sizeof(double)) *
+           static_cast<double>(forces_.capacity() + torques_.capacity());
   }
 
  private:
@@ -61,10 +65,16 @@ class ContactImpulses : protected Pointers {
     to[2] += kick_ * a.z;
   }
 
-  std::vector<cohesion::Vector3> impulses_, turns_;
+  using Numbers = std::vector<double>;  // three of each particle
+  static void open(Numbers& before, const double* const* now, int particles);
+  static void close(Numbers& before, const double* const* now, int particles);
+
+  // After close() those of contacts; between open() and close() the engine's at open(), or none
+  // where those were 0.
+  Numbers forces_, torques_;
   double kick_ = 0.0;
-  bool summed_ = false;
-  bool handed_over_ = false;
+  Known known_ = Known::nobody;
+  bool closed_ = false;  // and known to somebody
 };
 
 }  // namespace LAMMPS_NS

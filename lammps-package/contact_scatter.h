@@ -98,8 +98,9 @@ template <class Contact, int SIZE>
 class LastingForces {
  public:
   LastingForces(Atom* atom, FixEventStep* step)
-      : impulses_(step->impulses.impulses().data()),
-        turns_(step->impulses.turns().data()),
+      : forces_(atom->f[0]),
+        torques_(atom->torque[0]),
+        kick_(step->impulses.kick()),
         nlocal_(atom->nlocal) {}
 
   /// False: nothing is done, the contact is to be taken in another way.
@@ -113,17 +114,19 @@ class LastingForces {
     Action action;
     if (!c.one_force().template hold<SIZE>(grid, memory, action, nullptr)) return false;
     memory.to(history, SIZE);
-    impulses_[i] -= action.impulse;
-    if (SIZE >= ContactMemory::with_friction) turns_[i] += action.torque_i;
+    const Vector3 pushed = kick_ * action.impulse;
+    add(forces_ + 3 * i, -1.0, pushed);
+    if (SIZE >= ContactMemory::with_friction) add(torques_ + 3 * i, kick_, action.torque_i);
     if (j >= nlocal_) return true;
-    impulses_[j] += action.impulse;
-    if (SIZE >= ContactMemory::with_friction) turns_[j] += action.torque_j;
+    add(forces_ + 3 * j, 1.0, pushed);
+    if (SIZE >= ContactMemory::with_friction) add(torques_ + 3 * j, kick_, action.torque_j);
     return true;
   }
 
  private:
-  cohesion::Vector3* impulses_;
-  cohesion::Vector3* turns_;
+  double* forces_;
+  double* torques_;
+  double kick_;
   int nlocal_;
 };
 

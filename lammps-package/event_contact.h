@@ -218,7 +218,7 @@ struct StepContacts {
       const auto f = c.template follow<SIZE>(p.start, {}, {}, p.in_range);
       if (!f.normal.acts) continue;
       p.change = f.change;
-      p.rolled = f.rolled;
+      if constexpr (SIZE >= HistorySize::with_rolling) p.rolled = f.rolled();
       scatter.share(p.i, p.j, c, p.change);
     }
   }
@@ -233,16 +233,16 @@ struct StepContacts {
       const PairMotion others =
           others_of(step->alone[p.i], p.j >= 0 ? step->alone[p.j] : nullptr, p.change);
       ContactMemory memory = ContactMemory::as_stored(p.history, SIZE);
-      const FollowedStep f = c.template follow<SIZE>(p.start, others, p.rolled, p.in_range);
+      const FollowedStep<SIZE> f = c.template follow<SIZE>(p.start, others, p.rolled, p.in_range);
       const Action action = c.template close<SIZE>(p.start, others, f, memory);
       memory.to(p.history, SIZE);
       scatter.act(p.i, p.j, action);
       const double part = scatter.part(p.j);
       if (f.normal.normal.unresolved) step->note_unresolved(part);
-      step->book.lose(part, Contact::losses(f), 1.0);
+      step->book.lose(part, Contact::template losses<SIZE>(f), 1.0);
       done(
-          p.j, p.start.truth, action.impulse, [&] { return c.by_contact(p.start, f, action); },
-          1.0);
+          p.j, p.start.truth, action.impulse,
+          [&] { return c.by_contact(p.start, f.normal, action); }, 1.0);
     }
   }
 

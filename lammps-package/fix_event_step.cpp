@@ -47,6 +47,7 @@ FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
       impulses(lammps),
       book(lammps),
       watch(lammps),
+      told(nullptr),
       shared(nullptr),
       shared_each(ALONE),
       follows(true),
@@ -143,7 +144,23 @@ void FixEventStep::init() {
                         [](const EventContacts* some) { return some->follows(); });
   within_step = std::any_of(styles.begin(), styles.end(),
                             [](const EventContacts* some) { return some->within_step(); });
+  others_act = within_step && others_may_act();
   look_for_unturned();
+}
+
+/// Whether anything but contacts may act on a particle.
+bool FixEventStep::others_may_act() const {
+  if (force->bond || force->angle || force->dihedral || force->improper || force->kspace)
+    return true;
+  for (const PairMember& member : pair_members(force))
+    if (!dynamic_cast<EventContacts*>(member.pair)) return true;
+  constexpr int acts = FixConst::PRE_FORCE | FixConst::PRE_REVERSE | FixConst::POST_FORCE;
+  for (int i = 0; i < modify->nfix; i++) {
+    Fix* const fix = modify->fix[i];
+    const bool of_contacts = fix == this || dynamic_cast<EventWalls*>(fix);
+    if (!of_contacts && (modify->fmask[i] & acts)) return true;
+  }
+  return false;
 }
 
 /// A warning that was given is not given again.
@@ -200,6 +217,7 @@ void FixEventStep::setup_pre_force(int) {
   if (!resuming) {
     const std::vector<double> weight = weights(lmp);
     for (int i = 0; i < atom->nlocal; i++) std::copy_n(&weight[3 * i], 3, outer.of(i));
+    others_noted = true;
     judge(true);
     pending = true;
     return;
@@ -216,10 +234,11 @@ void FixEventStep::setup_pre_force(int) {
 }
 
 /// With the first forces of a step, when fixes have changed what they change before.
-void FixEventStep::work_out() {
-  if (!pending) return;
+bool FixEventStep::work_out() {
+  if (!pending) return false;
   pending = false;
   clear();
+  impulses.open();
   for (EventContacts* some : styles) some->gather();
   if (within_step) {
     share_restless();
@@ -234,12 +253,12 @@ void FixEventStep::work_out() {
       share(alone, ALONE);
     }
   }
-  impulses.hand_over(within_step);
+  return true;
 }
 
 /// The first step has no half kick before it: what its velocities are, they truly are.
 void FixEventStep::setup(int) {
-  work_out();
+  post_force(0);
   if (resting) impulses.rest();
   constexpr double none[ContactBook::OF_PARTICLE] = {};
   if (book.is_kept() && starting)
@@ -257,7 +276,7 @@ void FixEventStep::initial_integrate(int) {
   }
   if (!resuming) {
     // Forces are all there when the next step begins.
-    if (!resting && within_step) impulses.note_others(outer.of(0));
+    if (!resting && within_step) note_others();
     return;
   }
   // The same momentum, should the step be another now.
@@ -269,7 +288,17 @@ void FixEventStep::initial_integrate(int) {
     std::copy_n(then + FROM_OTHERS, 3, outer.of(i));
   }
   resuming = false;
+  others_noted = true;
   last.free();
+}
+
+/// What forces that are no contacts' have done in the step that ends.
+void FixEventStep::note_others() {
+  if (others_act)
+    impulses.note_others(outer.of(0));
+  else if (others_noted)
+    for (int i = 0; i < atom->nlocal; i++) outer.clear(i);
+  others_noted = others_act;
 }
 
 /// The books begin when all fixes have been set up; a run of no step ends then.
@@ -284,7 +313,9 @@ void FixEventStep::pre_force(int) {
   pending = true;
 }
 
-void FixEventStep::post_force(int) { work_out(); }
+void FixEventStep::post_force(int) {
+  second_pass([] {});
+}
 
 /// Forces that a run takes over from the last one excuse nothing: its step, its coefficients and
 /// its particles may be others.
@@ -299,10 +330,16 @@ void FixEventStep::clear() {
   look_for_readers();
   // The engine's half kick makes of a force f the momentum f dt/2; the other half went before, but
   // for the first step, which has no half before it.
-  impulses.begin_step((starting ? 2.0 : 1.0) / update->dt, within_step || book.is_kept());
+  using Known = ContactImpulses::Known;
+  impulses.begin_step((starting ? 2.0 : 1.0) / update->dt, book.is_kept()
+                                                               ? Known::forces_and_torques
+                                                           : others_act ? Known::forces
+                                                                        : Known::nobody);
   if (within_step) {
     std::fill_n(contacts, all, 0);
     restless.assign(all, 0);
+    announced.assign(all, 0);
+    announced_ghosts.clear();
     some_announced = false;
   }
   book.begin_step();
@@ -315,8 +352,8 @@ void FixEventStep::look_for_readers() {
 
 void FixEventStep::end_of_step() {
   if (resting || !book.is_kept()) return;
-  book.end_step(impulses.impulses(), impulses.turns(), half_kick() * impulses.kick(),
-                [this](int i) { return body(i); });
+  for (int i = 0; i < atom->nlocal; i++)
+    book.end_step(i, body(i), half_kick() * impulses.force(i), half_kick() * impulses.torque(i));
   const std::vector<double> weight = weights(lmp);
   double power = 0.0;  // of all forces but those of contacts, and gravity
   for (int i = 0; i < atom->nlocal; i++)

@@ -25,8 +25,8 @@ FixStyle(EVENT_STEP,FixEventStep);
 
 namespace LAMMPS_NS {
 
-/// What follows contacts in the event scheme: pair styles and walls. FixEventStep::work_out() calls
-/// it, with the first forces of a step; the second pass is each one's own: Pair::compute,
+/// What follows contacts in the event scheme: pair styles and walls. FixEventStep::second_pass()
+/// calls it, with the first forces of a step; the second pass is each one's own: Pair::compute,
 /// Fix::post_force.
 class EventContacts {
  public:
@@ -153,11 +153,16 @@ class FixEventStep : public Fix {
   /// Announces a contact of particle or ghost i in this step, before it adds to `owed` or `alone`.
   /// What forces that are no contacts' do is the first entry; ghosts have it from their owners.
   void announce(int i) {
-    some_announced = true;
     if (contacts[i]++ != 0) return;
+    some_announced = true;
     std::fill_n(owed[i], OWED, 0.0);
     std::fill_n(alone[i], ALONE, 0.0);
-    if (i >= atom->nlocal) return;
+    if (i >= atom->nlocal) {
+      announced_ghosts.push_back(i);
+      return;
+    }
+    announced[i] = 1;
+    if (!others_noted) return;
     const auto does = cohesion::event_stepping::by_acceleration(
         inverse_mass[i] * cohesion::vector(outer.of(i)), 2.0 * half_kick());
     if (!starting) add(owed[i], 0.5 * does.velocity);
@@ -199,10 +204,17 @@ class FixEventStep : public Fix {
 
   /// Counts a contact whose step was cut short.
   void note_unresolved(double part) { unresolved += part; }
-  /// All that comes before the second pass, if it has not been done in this step.
-  void work_out();
+  /// All that comes before the second pass, if it has not been done in this step; then what the
+  /// caller's second pass does.
+  template <class Pass>
+  void second_pass(const Pass& pass) {
+    const bool first = work_out();
+    pass();
+    if (first) impulses.close();
+  }
 
  private:
+  bool work_out();
   void clear();
   void note_last(int i, double* values) const;
   void judge(bool setup);
@@ -213,9 +225,11 @@ class FixEventStep : public Fix {
   void report_unresolved();
   void share_restless();
   void share(double** values, int each);
-  void tell(double** values, int each);
+  void tell(std::vector<char>& flags, double** values, int each);
   void begin_books();
   void look_for_unturned();
+  bool others_may_act() const;
+  void note_others();
 
   static void add(double* to, const cohesion::Vector3& a) {
     to[0] += a.x;
@@ -228,8 +242,8 @@ class FixEventStep : public Fix {
   std::vector<AdvisedStyle*> advised;  // the same
   ContactWatch watch;
 
-  std::vector<char> told;  // per atom and ghost: of which there is something to tell
-  double** shared;         // what goes to the ghosts now
+  char* told;       // per atom and ghost: of which there is something to tell now
+  double** shared;  // what goes to the ghosts then
   int shared_each;
   bool follows;  // any pair or wall, in this run
   bool resting;  // nothing is followed, and nobody reads the books
@@ -243,10 +257,14 @@ class FixEventStep : public Fix {
   double last_dt;               // of the step that `last` is from; 0: there was none
   AtomNumbers last;             // from the end of a run to the first step of the next: note_last()
   AtomNumbers outer;            // force of all but contacts at the last grid point
-  bool pending = false;         // in this step: work_out()
+  bool pending = false;         // in this step: second_pass()
   bool within_step = false;     // any style, in this run
+  bool others_act = false;      // anything but contacts, likewise, where that matters
+  bool others_noted = false;    // in `outer`, which is 0 otherwise
   int* contacts;                // per atom and ghost, this step
-  std::vector<char> restless;   // the same: 1 with an event or a young contact, or 0
+  std::vector<char> announced;  // per atom: 1 if it is, or 0; of ghosts what their owners told
+  std::vector<int> announced_ghosts;
+  std::vector<char> restless;   // per atom and ghost: 1 with an event or a young contact, or 0
   bool some_restless = false;   // of those
   bool some_announced = false;  // the same
   double* inverse_mass;         // per atom and ghost

@@ -15,25 +15,18 @@
 using namespace LAMMPS_NS;
 
 /// Tells ghosts whether their owners are restless.
-void FixEventStep::share_restless() {
-  told = restless;
-  tell(nullptr, 0);
-  restless = told;
-}
+void FixEventStep::share_restless() { tell(restless, nullptr, 0); }
 
 /// Brings `each` values of announced particles to their ghosts, 0 to announced ghosts of others.
 void FixEventStep::share(double** values, int each) {
-  const int own = atom->nlocal, all = own + atom->nghost;
-  told.resize(all);
-  for (int i = 0; i < own; i++) told[i] = contacts[i] != 0;
-  for (int i = own; i < all; i++)
-    if (contacts[i] != 0) std::fill_n(values[i], each, 0.0);
-  tell(values, each);
+  for (int i : announced_ghosts) std::fill_n(values[i], each, 0.0);
+  tell(announced, values, each);
 }
 
-/// Marks the ghosts of `told` particles as told, too, and brings `each` of their values to them.
-void FixEventStep::tell(double** values, int each) {
-  std::fill(told.begin() + atom->nlocal, told.end(), 0);
+/// Gives ghosts the flags of their owners, and those that are flagged `each` of their values.
+void FixEventStep::tell(std::vector<char>& flags, double** values, int each) {
+  std::fill(flags.begin() + atom->nlocal, flags.end(), 0);
+  told = flags.data();
   shared = values;
   shared_each = each;
   engine_api::forward_comm(comm, this, 1 + each);
@@ -136,6 +129,7 @@ int FixEventStep::size_restart(int) { return last.size_restart(); }
 double FixEventStep::memory_usage() {
   const double numbers = OWED + ALONE + 1;
   return (numbers * sizeof(double) + sizeof(int)) * atom->nmax + impulses.bytes() +
-         static_cast<double>(restless.capacity() + told.capacity()) +
+         static_cast<double>(restless.capacity() + announced.capacity()) +
+         static_cast<double>(sizeof(int)) * announced_ghosts.capacity() +
          sizeof(double) * weighed.capacity() + outer.bytes() + last.bytes() + book.bytes();
 }

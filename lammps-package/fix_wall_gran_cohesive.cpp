@@ -140,8 +140,9 @@ void FixWallGranCohesive<Cohesion>::setup(int) {
 template <class Cohesion>
 void FixWallGranCohesive<Cohesion>::post_force(int) {
   if (step->resumes()) return;
-  step->work_out();
-  with_contacts([this](auto& shared, auto size) { follow_together<size>(shared); });
+  step->second_pass([this] {
+    with_contacts([this](auto& shared, auto size) { follow_together<size>(shared); });
+  });
 }
 
 template <class Cohesion>

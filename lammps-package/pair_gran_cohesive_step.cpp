@@ -35,8 +35,9 @@ void PairGranCohesive<Cohesion>::compute(int eflag, int vflag) {
     if (evflag) tally_standing();
     return;
   }
-  step->work_out();
-  with_contacts([this](auto& contacts, auto size) { follow_together<size>(contacts); });
+  step->second_pass([this] {
+    with_contacts([this](auto& contacts, auto size) { follow_together<size>(contacts); });
+  });
 }
 
 /// Calls what(contacts, size of their history).

@@ -68,9 +68,10 @@ class TangentialSpring {
 
   /// displacement [length] and velocity [length/time] of j's surface against i's, both in the plane
   /// of contact, at the start; time T; 1/m_t; P [momentum]; N at the end [force].
-  TangentialStep advance(const Vector3& displacement, const Vector3& velocity, double time,
-                         double inverse_mass, double normal_impulse,
-                         double normal_force_at_end) const {
+  [[gnu::always_inline]] TangentialStep advance(const Vector3& displacement,
+                                                const Vector3& velocity, double time,
+                                                double inverse_mass, double normal_impulse,
+                                                double normal_force_at_end) const {
     const Vector3 held = sticking(displacement, velocity, time, inverse_mass);
     const double limit = p_.friction * std::max(normal_impulse, 0.0);
     TangentialStep step;

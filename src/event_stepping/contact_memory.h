@@ -41,13 +41,11 @@ struct ContactMemory {
   }
   /// The same where i and j have not been exchanged since to().
   [[gnu::always_inline]] static ContactMemory as_stored(const double* values, int size) {
-    ContactMemory m;
-    m.phase = static_cast<Phase>(static_cast<int>(values[0]));
-    m.age = values[1];
-    m.ahead = values[2];
-    if (size >= with_friction) m.sliding = {vector(values + 3), vector(values + 6)};
-    if (size >= with_rolling) m.rolling = {vector(values + 9), vector(values + 12)};
-    return m;
+    const auto spring = [values, size](int first, Size least) {
+      return size >= least ? Spring{vector(values + first), vector(values + first + 3)} : Spring{};
+    };
+    return {static_cast<Phase>(static_cast<int>(values[0])), values[1], values[2],
+            spring(3, with_friction), spring(9, with_rolling)};
   }
   [[gnu::always_inline]] void to(double* values, int size) const {
     values[0] = phase;

@@ -22,14 +22,30 @@ struct FollowedStart {
   double ahead = 0.0;            ///< true radial velocity over the grid's, [length/time]
 };
 
-/// What a followed contact does from one grid point to the next.
-struct FollowedStep {
-  PairStep normal;  ///< along the normal
-  contact::TangentialStep sliding, rolling;
-  Vector3 sliding_rate, rolling_rate;  ///< of the ends of both springs, [length/time]
-  PairSpins rolled;                    ///< what the rolling spring changes of the spins
-  PairMotion change;                   ///< D, V and changes of the spins, of all
+/// What a followed contact does from one grid point to the next, along the normal.
+struct FollowedNormal {
+  PairStep normal;
+  PairMotion change;  ///< D, V and changes of the spins, of all
+  /// What a rolling spring changes of the spins.
+  PairSpins rolled() const { return {}; }
 };
+/// The same with friction.
+struct FollowedSliding : FollowedNormal {
+  contact::TangentialStep sliding;
+  Vector3 sliding_rate;  ///< of the ends of the spring, [length/time]
+};
+/// The same with rolling friction.
+struct FollowedRolling : FollowedSliding {
+  contact::TangentialStep rolling;
+  Vector3 rolling_rate;  ///< of the ends of the spring, [length/time]
+  PairSpins turned;
+  PairSpins rolled() const { return turned; }
+};
+/// What a contact that remembers so many numbers needs of these.
+template <int SIZE>
+using FollowedStep = std::conditional_t<
+    (SIZE >= ContactMemory::with_rolling), FollowedRolling,
+    std::conditional_t<(SIZE >= ContactMemory::with_friction), FollowedSliding, FollowedNormal>>;
 
 /// One contact among others, with grid points as exact samples of the motion: positions x_n are the
 /// true ones at t_n, velocities of a half step are (x_(n+1) - x_n)/dt.
@@ -114,7 +130,8 @@ class ContactOnGrid {
     return owed<SIZE>(grid.separation, ahead(grid, memory), memory);
   }
   template <int SIZE>
-  Action owed(const Vector3& separation, double ahead, const ContactMemory& memory) const {
+  [[gnu::always_inline]] Action owed(const Vector3& separation, double ahead,
+                                     const ContactMemory& memory) const {
     Action owed;
     if (ahead != 0.0) owed.impulse = (ahead * reduced_mass_ / norm(separation)) * separation;
     if constexpr (SIZE >= ContactMemory::with_friction)
@@ -144,8 +161,8 @@ class ContactOnGrid {
   /// Where a step begins of a contact that the grid knows as `grid`; `truth`: what all that is owed
   /// has led to.
   template <int SIZE>
-  FollowedStart start(const PairMotion& grid, const PairMotion& truth,
-                      const ContactMemory& memory) const {
+  [[gnu::always_inline]] FollowedStart start(const PairMotion& grid, const PairMotion& truth,
+                                             const ContactMemory& memory) const {
     FollowedStart start{truth, {}, {}, ahead(grid.relative, memory)};
     if constexpr (SIZE >= ContactMemory::with_friction) {
       const Stretches now = stretch(grid, memory);
@@ -158,8 +175,8 @@ class ContactOnGrid {
   /// A step of any kind. `others`: D, V and spins of all other contacts of both particles (none in
   /// the first pass); `rolled`: what the contact's own rolling spring did in the first pass.
   template <int SIZE>
-  FollowedStep follow(const FollowedStart& start, const PairMotion& others, const PairSpins& rolled,
-                      bool in_range) const {
+  FollowedStep<SIZE> follow(const FollowedStart& start, const PairMotion& others,
+                            const PairSpins& rolled, bool in_range) const {
     const PairMotion& truth = start.truth;
     const Vector3 &s = truth.relative.separation, &v = truth.relative.velocity;
     const double half = 0.5 * step_;
@@ -167,7 +184,7 @@ class ContactOnGrid {
     // What the others do to the place beyond what a kick in the middle of the step would.
     const Vector3 shift = others.relative.separation - half * by_others;
     const RelativeState middle{s + normal_part(s, half * v + 0.5 * shift), v + 0.5 * by_others};
-    FollowedStep f{};
+    FollowedStep<SIZE> f{};
     f.normal = pair_.advance(middle, {half, half}, in_range);
     if (!f.normal.acts) return f;
     const RelativeState& did = f.normal.change;
@@ -195,9 +212,9 @@ class ContactOnGrid {
         f.rolling = one_force_.rolling().follow(touch.plane(), start.rolling, {}, rolls, f.normal,
                                                 f.rolling_rate);
         const Vector3 turn = bodies_.rolling_radius() * f.rolling.impulse;
-        f.rolled = {bodies_.spin_share_i() * turn, -bodies_.spin_share_j() * turn};
-        f.change.spin_i += f.rolled.i;
-        f.change.spin_j += f.rolled.j;
+        f.turned = {bodies_.spin_share_i() * turn, -bodies_.spin_share_j() * turn};
+        f.change.spin_i += f.turned.i;
+        f.change.spin_j += f.turned.j;
       }
     }
     return f;
@@ -205,8 +222,8 @@ class ContactOnGrid {
 
   /// The force times dt that does what `f`, followed with `others`, does; remembers the rest.
   template <int SIZE>
-  Action close(const FollowedStart& start, const PairMotion& others, const FollowedStep& f,
-               ContactMemory& memory) const {
+  [[gnu::always_inline]] Action close(const FollowedStart& start, const PairMotion& others,
+                                      const FollowedStep<SIZE>& f, ContactMemory& memory) const {
     if (!f.normal.acts && memory.phase == ContactMemory::beyond) return {};
     const PairMotion& truth = start.truth;
     const double owed = start.ahead;
@@ -214,7 +231,8 @@ class ContactOnGrid {
     const Vector3& s = truth.relative.separation;
     const double distance = norm(s);
     const Vector3 k = (1.0 / distance) * s;
-    const Vector3 slid = inverse_mass_ * f.sliding.impulse;
+    Vector3 slid;
+    if constexpr (SIZE >= ContactMemory::with_friction) slid = inverse_mass_ * f.sliding.impulse;
     const Vector3 flight =
         step_ * truth.relative.velocity + others.relative.separation + (0.5 * step_) * slid;
     const Vector3 far = s + normal_part(s, flight);
@@ -231,11 +249,11 @@ class ContactOnGrid {
         action.impulse = (reduced_mass_ * (push / step_ + owed)) * k;
     if constexpr (SIZE >= ContactMemory::with_friction) {
       Touch(bodies_, s).slide(0.5 * (f.sliding.impulse + memory.sliding.impulse), action);
-      memory.sliding = left(f, f.sliding, f.sliding_rate);
+      memory.sliding = left(f.normal, f.sliding, f.sliding_rate);
     }
     if constexpr (SIZE >= ContactMemory::with_rolling) {
       Touch(bodies_, s).roll(0.5 * (f.rolling.impulse + memory.rolling.impulse), action);
-      memory.rolling = left(f, f.rolling, f.rolling_rate);
+      memory.rolling = left(f.normal, f.rolling, f.rolling_rate);
     }
     if (event || !memory.in_range())
       memory.age = 0.0;
@@ -255,9 +273,17 @@ class ContactOnGrid {
     return action;
   }
 
-  static ContactLosses losses(const FollowedStep& f) {
-    return {f.normal.normal.dissipated, f.sliding.damped, f.sliding.friction,
-            f.rolling.damped + f.rolling.friction};
+  template <int SIZE>
+  static ContactLosses losses(const FollowedStep<SIZE>& f) {
+    ContactLosses lost;
+    lost.normal_damping = f.normal.normal.dissipated;
+    if constexpr (SIZE >= ContactMemory::with_friction) {
+      lost.tangential_damping = f.sliding.damped;
+      lost.friction = f.sliding.friction;
+    }
+    if constexpr (SIZE >= ContactMemory::with_rolling)
+      lost.rolling = f.rolling.damped + f.rolling.friction;
+    return lost;
   }
 
   /// The part of the impulse on j that spring, dashpot and friction give; the rest is adhesion.
@@ -266,12 +292,12 @@ class ContactOnGrid {
     const Vector3& s = grid.relative.separation;
     return action.impulse + (step_ * pull_ / norm(s)) * s;
   }
-  Vector3 by_contact(const FollowedStart& start, const FollowedStep& f,
+  Vector3 by_contact(const FollowedStart& start, const PairStep& normal,
                      const Action& action) const {
     if (!attracts()) return action.impulse;
     const Vector3& s = start.truth.relative.separation;
-    const double attraction = f.normal.normal.repulsion_impulse -
-                              reduced_mass_ * dot(f.normal.change.velocity, s) / norm(s);
+    const double attraction =
+        normal.normal.repulsion_impulse - reduced_mass_ * dot(normal.change.velocity, s) / norm(s);
     return action.impulse + (attraction / norm(s)) * s;
   }
 
@@ -294,7 +320,8 @@ class ContactOnGrid {
   };
 
   /// Of the springs at this grid point, in its plane, [length].
-  Stretches stretch(const PairMotion& grid, const ContactMemory& memory) const {
+  [[gnu::always_inline]] Stretches stretch(const PairMotion& grid,
+                                           const ContactMemory& memory) const {
     Stretches now;
     const Touch touch(bodies_, grid.relative.separation);
     const bool touched = memory.in_range() && memory.age >= 0.0 &&
@@ -311,9 +338,9 @@ class ContactOnGrid {
   }
 
   /// What is remembered of a spring after a followed step: as if it had grown evenly.
-  ContactMemory::Spring left(const FollowedStep& f, const contact::TangentialStep& step,
+  ContactMemory::Spring left(const PairStep& normal, const contact::TangentialStep& step,
                              const Vector3& rate) const {
-    if (!(f.normal.overlap_at_end > 0.0)) return {{}, step.impulse};
+    if (!(normal.overlap_at_end > 0.0)) return {{}, step.impulse};
     return {step.displacement - step_ * rate, step.impulse};
   }
 

@@ -37,7 +37,8 @@ class SpherePair {
     return dot(grid.separation, grid.separation) <= reach * reach;
   }
 
-  PairStep advance(const RelativeState& grid, const StepWindow& window, bool inside) const {
+  [[gnu::always_inline]] PairStep advance(const RelativeState& grid, const StepWindow& window,
+                                          bool inside) const {
     PairStep step;
     RelativeState now{grid.separation - window.before * grid.velocity, grid.velocity};
     if (inside && turn_in_contact(now, window.length(), step.overlap_at_end, step.normal)) {

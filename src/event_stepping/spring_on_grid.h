@@ -90,9 +90,11 @@ class SpringOnGrid {
   /// A followed step, from `stretch` at the grid point, or of a contact that begins. `rate`: of the
   /// ends without the spring itself; `mean`: with it, as the grid moves. `shift` [length]: what the
   /// others do to the ends beyond their velocity, before the step and once more after it.
-  contact::TangentialStep follow(const contact::Plane& plane, const Vector3& stretch,
-                                 const Vector3& shift, const Vector3& rate, const PairStep& normal,
-                                 Vector3& mean) const {
+  [[gnu::always_inline]] contact::TangentialStep follow(const contact::Plane& plane,
+                                                        const Vector3& stretch,
+                                                        const Vector3& shift, const Vector3& rate,
+                                                        const PairStep& normal,
+                                                        Vector3& mean) const {
     contact::TangentialStep step =
         law_.advance(plane.turned_into(stretch) + shift, rate, normal.normal.contact_time, answer_,
                      normal.normal.repulsion_impulse, normal.normal.repulsion_at_end);

@@ -12,6 +12,8 @@ class Progress:
 
     def add(self, work):
         self.done += work
+        if not self.done:
+            return  # how long work takes is not known before some is done
         used = time.time() - self.start
         left = used * max(self.work - self.done, 0.0) / self.done
         print(f"\r{100 * min(self.done / self.work, 1.0):3.0f} % done, about {left:.0f} s left   ",

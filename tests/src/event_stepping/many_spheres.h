@@ -75,10 +75,11 @@ class ManySpheres {
     int i, j;
     ContactMemory memory;
   };
+  template <int SIZE>
   struct Followed {
     int pair;
     FollowedStart start;
-    FollowedStep step;
+    FollowedStep<SIZE> step;
   };
 
   Vector3 apart(Vector3 s) const {
@@ -132,7 +133,7 @@ class ManySpheres {
     const int n = size();
     std::vector<Vector3> dv(n), dw(n), v = v_, w = w_;
     std::vector<char> restless(n, 0), marked(n, 0);
-    std::vector<Followed> follow;
+    std::vector<Followed<SIZE>> follow;
     const auto is_restless = [&](const Near& p) { return restless[p.i] || restless[p.j]; };
     const auto announce = [&](std::size_t k, const PairMotion& grid) {
       const Near& p = near_[k];
@@ -201,13 +202,13 @@ class ManySpheres {
       add(p, contact_.done<SIZE>(grid, contact_.one_force().held<SIZE>(grid, p.memory), owed,
                                  p.memory));
     }
-    for (Followed& f : follow) {
+    for (Followed<SIZE>& f : follow) {
       const Near& p = near_[f.pair];
       f.start.truth = motion(p, v, w);
       f.step = contact_.follow<SIZE>(f.start, {}, {}, p.memory.in_range());
     }
-    for (const Followed& f : follow) add(near_[f.pair], f.step.change);
-    for (Followed& f : follow) {
+    for (const Followed<SIZE>& f : follow) add(near_[f.pair], f.step.change);
+    for (Followed<SIZE>& f : follow) {
       Near& p = near_[f.pair];
       const PairMotion& own = f.step.change;
       const PairMotion others{{moved[p.j] - moved[p.i] - own.relative.separation,
@@ -215,7 +216,7 @@ class ManySpheres {
                               spun[p.i] - own.spin_i,
                               spun[p.j] - own.spin_j};
       const bool in = p.memory.in_range();
-      f.step = contact_.follow<SIZE>(f.start, others, f.step.rolled, in);
+      f.step = contact_.follow<SIZE>(f.start, others, f.step.rolled(), in);
       give(p, contact_.close<SIZE>(f.start, others, f.step, p.memory), dv, dw);
       collisions += !in && p.memory.in_range();
     }

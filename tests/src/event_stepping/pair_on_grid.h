@@ -15,9 +15,9 @@ class PairOnGrid {
   double dt;
   Vector3 x[2]{}, v[2]{}, spin[2]{};
   ContactMemory memory{};
-  FollowedStep followed{};  ///< the last step that was followed
-  bool lasted = false;      ///< the last step was of one force
-  ContactLosses now{};      ///< of the last step
+  FollowedStep<SIZE> followed{};  ///< the last step that was followed
+  bool lasted = false;            ///< the last step was of one force
+  ContactLosses now{};            ///< of the last step
   double lost = 0.0;
   double energy = 0.0;  ///< true and stored at the grid point of the last step, and lost before it
   double normal_impulse = 0.0;
@@ -55,11 +55,11 @@ class PairOnGrid {
       const bool in_range = memory.in_range();
       const FollowedStart begin = contact.template start<SIZE>(grid, truth(), memory);
       followed = contact.template follow<SIZE>(begin, {}, {}, in_range);
-      followed = contact.template follow<SIZE>(begin, {}, followed.rolled, in_range);
+      followed = contact.template follow<SIZE>(begin, {}, followed.rolled(), in_range);
       action = contact.template close<SIZE>(begin, {}, followed, memory);
-      now = contact.losses(followed);
+      now = contact.template losses<SIZE>(followed);
       lost += sum(now);
-      by_this = contact.by_contact(begin, followed, action);
+      by_this = contact.by_contact(begin, followed.normal, action);
     }
     const Vector3 normal = (1.0 / norm(grid.relative.separation)) * grid.relative.separation;
     by_contact += by_this;
