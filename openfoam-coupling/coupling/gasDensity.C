@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gasDensity.H"
 
-#include "selectRow.H"
+#include "coupling/input/selectRow.H"
 
 #include <array>
 

@@ -7,10 +7,10 @@
 #include "sphere.h"
 #include "void_fraction/void_fraction.h"
 
-#include "completeState.H"
-#include "engineView.H"
-#include "meanGasForce.H"
-#include "writeParticleCloud.H"
+#include "coupling/restart/completeState.H"
+#include "coupling/particles/engineView.H"
+#include "coupling/drag/meanGasForce.H"
+#include "coupling/particles/writeParticleCloud.H"
 
 #include <optional>
 

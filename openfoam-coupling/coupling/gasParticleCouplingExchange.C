@@ -5,7 +5,7 @@
 #include "drag/momentum_exchange.h"
 #include "sphere.h"
 
-#include "engineView.H"
+#include "coupling/particles/engineView.H"
 
 using namespace cohesion;
 

@@ -7,17 +7,17 @@
 #include "UPstream.H"
 #include "zeroGradientFvPatchFields.H"
 
-#include "completeState.H"
-#include "engineMessages.H"
+#include "coupling/restart/completeState.H"
+#include "coupling/particles/engineMessages.H"
 
 #include "dem-engines/load_dem_engine.h"
 
-#include "readPositive.H"
-#include "refusePatches.H"
-#include "requireDimensions.H"
-#include "requireSameGravity.H"
-#include "sayParticles.H"
-#include "selectRow.H"
+#include "coupling/input/readPositive.H"
+#include "coupling/checks/refusePatches.H"
+#include "coupling/checks/requireDimensions.H"
+#include "coupling/checks/requireSameGravity.H"
+#include "coupling/particles/sayParticles.H"
+#include "coupling/input/selectRow.H"
 
 using namespace cohesion;
 

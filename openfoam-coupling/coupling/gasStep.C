@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gasStep.H"
 
-#include "readPositive.H"
+#include "coupling/input/readPositive.H"
 
 
 Foam::gasStep::gasStep(Time& time, const scalar particleStep)

@@ -5,7 +5,7 @@
 #include "addToRunTimeSelectionTable.H"
 #include "fvMesh.H"
 
-#include "coupling/meshCells.H"
+#include "coupling/exchange/meshCells.H"
 
 #include <vector>
 

@@ -4,8 +4,8 @@
 #include "addToRunTimeSelectionTable.H"
 #include "fvMesh.H"
 
-#include "coupling/meshCells.H"
-#include "coupling/readPositive.H"
+#include "coupling/exchange/meshCells.H"
+#include "coupling/input/readPositive.H"
 
 namespace Foam
 {

@@ -28,9 +28,9 @@ Usage
 #include "requireEuler.H"
 #include "requireParallel.H"
 
-#include "coupling/completeState.H"
+#include "coupling/restart/completeState.H"
 #include "coupling/gasParticleCoupling.H"
-#include "coupling/requireDimensions.H"
+#include "coupling/checks/requireDimensions.H"
 
 int main(int argc, char* argv[])
 {

@@ -5,8 +5,8 @@
 #include "PstreamReduceOps.H"
 #include "messageStream.H"
 
-#include "ofOneRank.H"
-#include "selectRow.H"
+#include "coupling/stability/ofOneRank.H"
+#include "coupling/input/selectRow.H"
 
 #include "drag/exchange_error.h"
 #include "drag/pressure_waves.h"

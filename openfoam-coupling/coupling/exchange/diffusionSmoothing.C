@@ -5,7 +5,7 @@
 #include "gaussLaplacianScheme.H"
 #include "zeroGradientFvPatchFields.H"
 
-#include "readPositive.H"
+#include "coupling/input/readPositive.H"
 
 
 Foam::diffusionSmoothing::diffusionSmoothing(const fvMesh& mesh, const dictionary& dict)

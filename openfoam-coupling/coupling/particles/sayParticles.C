@@ -2,7 +2,7 @@
 #include "sayParticles.H"
 
 #include "coupledParticles.H"
-#include "sixDigits.H"
+#include "coupling/sixDigits.H"
 
 #include "bed/geldart.h"
 #include "sphere.h"

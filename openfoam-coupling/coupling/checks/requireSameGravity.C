@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "requireSameGravity.H"
 
-#include "selectRow.H"
-#include "sixDigits.H"
+#include "coupling/input/selectRow.H"
+#include "coupling/sixDigits.H"
 
 #include <array>
 

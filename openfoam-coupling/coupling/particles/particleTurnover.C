@@ -7,7 +7,7 @@
 #include "drag/particle_drag.h"
 #include "sphere.h"
 
-#include "sixDigits.H"
+#include "coupling/sixDigits.H"
 
 using cohesion::coupling::DemEngine;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "particleAveraging.H"
 
-#include "selectRow.H"
+#include "coupling/input/selectRow.H"
 
 
 Foam::particleAveraging::particleAveraging(const fvMesh& mesh, const dictionary& dict)

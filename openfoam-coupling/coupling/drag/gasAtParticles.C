@@ -3,7 +3,7 @@
 
 #include "interpolationCellPoint.H"
 
-#include "selectRow.H"
+#include "coupling/input/selectRow.H"
 
 #include <array>
 
