@@ -103,7 +103,7 @@ Foam::gasDensity::gasDensity
                 1 + compressibility()*p
             )
         );
-        refuseVacuum();
+        requirePositive();
     }
 }
 
@@ -117,7 +117,7 @@ void Foam::gasDensity::correct()
 }
 
 
-void Foam::gasDensity::refuseVacuum() const
+void Foam::gasDensity::requirePositive() const
 {
     if (!ideal())
     {

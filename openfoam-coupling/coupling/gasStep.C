@@ -29,8 +29,8 @@ Foam::gasStep::gasStep(Time& time, const scalar particleStep)
     if (adjustable())
     {
         // Reads what the case says of it
-        allowed(0);
-        toNextMet();
+        allowedSteps(0);
+        stepsToNextOutput();
     }
 }
 
@@ -41,7 +41,7 @@ bool Foam::gasStep::adjustable() const
 }
 
 
-Foam::scalar Foam::gasStep::allowed(const scalar courant)
+Foam::scalar Foam::gasStep::allowedSteps(const scalar courant)
 {
     const dictionary& control = time_.controlDict();
     const scalar maxCo = control.found("maxCo") ? readPositive(control, "maxCo") : 1;
@@ -55,19 +55,18 @@ Foam::scalar Foam::gasStep::allowed(const scalar courant)
         // Meant to be a multiple, perhaps
         steps = min(steps, readPositive(control, "maxDeltaT")/particleStep_*(1 + 1e-9));
     }
-    if (steps < 1 && !warned_)
+    if (steps < 1 && warning_.due())
     {
-        WarningInFunction
+        WarningOnceInFunction(warning_)
             << "maxCo and maxDeltaT ask for a gas step of " << steps*particleStep_
             << " s, shorter than the particles' " << particleStep_ << " s, which is taken; this is said"
             << " once" << endl;
-        warned_ = true;
     }
     return max(scalar(1), std::floor(steps));
 }
 
 
-Foam::scalar Foam::gasStep::toNextMet() const
+Foam::scalar Foam::gasStep::stepsToNextOutput() const
 {
     const scalar start = time_.startTime().value();
     scalar next = time_.endTime().value();
@@ -92,9 +91,9 @@ void Foam::gasStep::adjust(Time& time, const scalar courant)
     {
         return;
     }
-    // What is met is met in equal steps, the last ten of them.
-    const scalar most = allowed(courant);
-    const scalar rest = toNextMet();
+    // A time to be written is met in equal steps, the last ten of them.
+    const scalar most = allowedSteps(courant);
+    const scalar rest = stepsToNextOutput();
     subSteps_ = label(rest > 10*most ? most : std::floor(rest/std::ceil(rest/most)));
     // Time's own adjustment knows nothing of the particles' step.
     time.setDeltaT(subSteps_*particleStep_, false);
@@ -102,7 +101,7 @@ void Foam::gasStep::adjust(Time& time, const scalar courant)
 }
 
 
-void Foam::gasStep::refuseOther(const scalar particleStep) const
+void Foam::gasStep::requireSame(const scalar particleStep) const
 {
     const scalar dt = time_.deltaTValue();
     if (mag(dt - subSteps_*particleStep) > 1e-9*dt)

@@ -9,11 +9,13 @@
 namespace
 {
 
-//- Dilute flow that comes in without particles: the resistance between cell and patch, which goes with 1/eps^2 in
-//  form A and 1/eps in B (pEqn.H), is less than a tenth off
-constexpr Foam::scalar worthSaying = 0.05;
+//- Difference of the void fractions, up to which there is no warning. Dilute flow that comes in without particles
+//  has less: the resistance between cell and patch, which goes with 1/eps^2 in form A and 1/eps in B (pEqn.H), is
+//  less than a tenth off.
+constexpr Foam::scalar warnAbove = 0.05;
 
-//- A patch blows as one of several jets when its gas is faster than if all that faces as it does blew alike, by this
+//- A patch blows as one of several jets when its gas is faster by this factor than if all that faces as the patch
+//  does blew alike.
 constexpr Foam::scalar jetsFrom = 1/0.9;
 
 
@@ -72,52 +74,73 @@ Foam::inletVoidFraction::inletVoidFraction(const volScalarField& voidFraction)
     {
         if (values.fixesValue() && !values.coupled())
         {
-            patches_.append(values.patch().index());
+            inlets_.append(Inlet{values.patch().index(), {}});
         }
     }
 }
 
 
-void Foam::inletVoidFraction::look(const volScalarField& voidFraction, const volVectorField& U)
+Foam::scalar Foam::inletVoidFraction::difference
+(
+    const label patchi,
+    const volScalarField& voidFraction,
+    const volVectorField& U
+)
 {
-    DynamicList<label> left;
-    OStringStream said;
-    for (const label patchi : patches_)
+    const auto& values = voidFraction.boundaryField()[patchi];
+    const auto& velocity = U.boundaryField()[patchi];
+    if (hasShare(velocity))
     {
-        const auto& values = voidFraction.boundaryField()[patchi];
-        const auto& velocity = U.boundaryField()[patchi];
-        if (hasShare(velocity))
+        return 0;
+    }
+    const scalarField& areas = values.patch().magSf();
+    vector sums
+    (
+        sum(areas),
+        sum(areas*mag(values - values.patchInternalField())),
+        sum(mag(velocity & values.patch().Sf()))
+    );
+    reduce(sums, sumOp<vector>());
+    const scalar off = sums[1]/max(sums[0], VSMALL);
+    return sums[2] > 0 && off > warnAbove && !isJet(patchi, voidFraction, U) ? off : 0;
+}
+
+
+void Foam::inletVoidFraction::check(const volScalarField& voidFraction, const volVectorField& U)
+{
+    onceWarning* first = nullptr;
+    OStringStream patches;
+    for (Inlet& inlet : inlets_)
+    {
+        if (!inlet.warning.due())
         {
             continue;
         }
-        const scalarField& areas = values.patch().magSf();
-        vector sums
-        (
-            sum(areas),
-            sum(areas*mag(values - values.patchInternalField())),
-            sum(mag(velocity & values.patch().Sf()))
-        );
-        reduce(sums, sumOp<vector>());
-        const scalar off = sums[1]/max(sums[0], VSMALL);
-        if (sums[2] > 0 && off > worthSaying && !isJet(patchi, voidFraction, U))
+        const scalar off = difference(inlet.patch, voidFraction, U);
+        if (off > 0)
         {
-            said<< (said.str().empty() ? "" : ", ") << values.patch().name() << " (" << off << ')';
-        }
-        else
-        {
-            left.append(patchi);
+            patches
+                << (first ? ", " : "") << voidFraction.boundaryField()[inlet.patch].patch().name()
+                << " (" << off << ')';
+            first = first ? first : &inlet.warning;
+            inlet.warning.skip();
         }
     }
-    patches_.transfer(left);
-    if (said.str().size())
+    if (first)
     {
-        WarningInFunction
-            << "particles are at patches where the case fixes another void fraction than that of the cells beside"
-            << " them; by how much, in the mean: " << said.str().c_str() << nl
-            << "    On its last half cell the gas then resists and accelerates as with the void fraction of the patch,"
-            << " and the pressure on the patch, with a pressure drop that is taken from there, is off. That is meant"
-            << " for jets in a plate that is closed between them, on a patch of their own or by superficialVelocity"
-            << " with a share below 1. Where gas comes through all of a patch take 'type zeroGradient;' in the file"
-            << " voidFraction, and superficialVelocity in U; this is said once for each patch" << endl;
+        warn(*first, patches.str());
     }
+}
+
+
+void Foam::inletVoidFraction::warn(onceWarning& warning, const string& patches)
+{
+    WarningOnceInFunction(warning)
+        << "particles are at patches where the case fixes another void fraction than that of the cells beside"
+        << " them; by how much, in the mean: " << patches.c_str() << nl
+        << "    On its last half cell the gas then resists and accelerates as with the void fraction of the patch,"
+        << " and the pressure on the patch, with a pressure drop that is taken from there, is off. That is meant"
+        << " for jets in a plate that is closed between them, on a patch of their own or by superficialVelocity"
+        << " with a share below 1. Where gas comes through all of a patch take 'type zeroGradient;' in the file"
+        << " voidFraction, and superficialVelocity in U; this is said once for each patch" << endl;
 }

@@ -7,15 +7,7 @@
 #include "drag/particle_drag.h"
 #include "sphere.h"
 
-namespace
-{
-
-Foam::vector dragImpulse(const cohesion::drag::GasOnParticle& gas)
-{
-    return {gas.drag_impulse[0], gas.drag_impulse[1], gas.drag_impulse[2]};
-}
-
-} // End anonymous namespace
+#include "coupling/particles/engineView.H"
 
 
 Foam::meanGasForce::meanGasForce(cohesion::coupling::DemEngine& engine)
@@ -40,7 +32,7 @@ Foam::vectorField Foam::meanGasForce::over(const scalar dt)
     DynamicList<label> arrived;
     forAll(force, i)
     {
-        // One that came within the step may have the number of one that went.
+        // A particle that was inserted within the step may have the number of one that was removed.
         if (gas[i].drag_coefficient == 0)
         {
             force[i] = Zero;
@@ -63,7 +55,7 @@ Foam::vectorField Foam::meanGasForce::over(const scalar dt)
             force[i][d] += cohesion::drag::pressure_force(volume, gas[i].pressure_gradient[d]);
         }
     }
-    // What is left has gone to other ranks, or is no more.
+    // Particles that are left have gone to other ranks, or have been removed.
     Pstream::mapCombineGather(before_, plusEqOp<vector>());
     Pstream::mapCombineScatter(before_);
     for (const label i : arrived)

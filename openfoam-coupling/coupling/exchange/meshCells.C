@@ -66,8 +66,8 @@ public:
         {
             return cells_.mesh_.pointInCell(where, celli_, cells_.decomposition_);
         }
-        const auto behind = [&](const Side& side) { return side.beyond(where) <= 0; };
-        return std::all_of(cells_.cut_.begin(), cells_.cut_.end(), behind);
+        const auto isBehind = [&](const FacePlane& plane) { return plane.beyond(where) <= 0; };
+        return std::all_of(cells_.cut_.begin(), cells_.cut_.end(), isBehind);
     }
 };
 
@@ -175,31 +175,31 @@ Foam::point Foam::meshCells::inPlane(const point& at, const label celli) const
 }
 
 
-Foam::meshCells::Lies Foam::meshCells::lies(const label celli, const point& centre, const scalar half) const
+Foam::meshCells::Overlap Foam::meshCells::overlap(const label celli, const point& centre, const scalar half) const
 {
     cut_.clear();
     const point at = inPlane(centre, celli);
     for (const label facei : mesh_.cells()[celli])
     {
         const vector& area = mesh_.faceAreas()[facei];
-        const Side side{mesh_.faceOwner()[facei] == celli ? area : -area, mesh_.faceCentres()[facei]};
-        const scalar away = side.beyond(at);
+        const FacePlane plane{mesh_.faceOwner()[facei] == celli ? area : -area, mesh_.faceCentres()[facei]};
+        const scalar away = plane.beyond(at);
         // The sphere has no extent in a direction that is not resolved.
         const scalar extent = half*mag(cmptMultiply(resolved_, area));
         if (away > extent)
         {
-            return Lies::outside;
+            return Overlap::none;
         }
         if (away > -extent)
         {
-            cut_.push_back(side);
+            cut_.push_back(plane);
         }
     }
-    return cut_.empty() ? Lies::inside : Lies::across;
+    return cut_.empty() ? Overlap::full : Overlap::partial;
 }
 
 
-Foam::label Foam::meshCells::boxHolding(const point& position) const
+Foam::label Foam::meshCells::findBox(const point& position) const
 {
     // Of a direction without end the mesh knows where it ends.
     if (!mesh_.bounds().contains(position))
@@ -232,10 +232,39 @@ Foam::label Foam::meshCells::boxHolding(const point& position) const
 }
 
 
-Foam::label Foam::meshCells::holding(const point& position) const
+Foam::label Foam::meshCells::findCell(const point& position) const
 {
-    const label box = anyBox_ ? boxHolding(position) : -1;
+    const label box = anyBox_ ? findBox(position) : -1;
     return box >= 0 ? box : search_.findCell(position, -1, true);
+}
+
+
+Foam::scalar Foam::meshCells::share(const void_fraction::Sphere& sphere, const label celli) const
+{
+    if (plane() && !isBox_[celli])
+    {
+        const point centre(sphere.centre.x, sphere.centre.y, sphere.centre.z);
+        const Overlap there = overlap(celli, centre, reach(sphere.radius));
+        if (there != Overlap::partial)
+        {
+            return there == Overlap::full;
+        }
+    }
+    return kernel_.share(sphere, KernelCell(*this, celli));
+}
+
+
+bool Foam::meshCells::isWithinBox(const label celli, const point& centre, const scalar radius) const
+{
+    const auto within = [&](const scalar low, const scalar at, const scalar high)
+    {
+        return at - low >= reach(radius) && high - at >= reach(radius);
+    };
+    const void_fraction::Box& box = boxes_[celli];
+    return isBox_[celli]
+     && within(box.low.x, centre.x(), box.high.x)
+     && within(box.low.y, centre.y(), box.high.y)
+     && within(box.low.z, centre.z(), box.high.z);
 }
 
 
@@ -243,49 +272,24 @@ Foam::scalar Foam::meshCells::appendShares
 (
     const point& centre,
     const scalar radius,
-    const label holder,
-    Shares& shares
+    const label centreCell,
+    Weights& weights
 ) const
 {
     const void_fraction::Sphere sphere{toVector3(centre), radius};
-    const auto shareOf = [&](const label celli) -> scalar
-    {
-        if (plane() && !isBox_[celli])
-        {
-            const Lies there = lies(celli, centre, reach(radius));
-            if (there != Lies::across)
-            {
-                return there == Lies::inside;
-            }
-        }
-        return kernel_.share(sphere, KernelCell(*this, celli));
-    };
     const auto append = [&](const label celli)
     {
-        const scalar share = shareOf(celli);
-        if (share > 0)
+        const scalar ofCell = share(sphere, celli);
+        if (ofCell > 0)
         {
-            shares.cells.append(celli);
-            shares.shares.append(share);
+            weights.cells.append(celli);
+            weights.weights.append(ofCell);
         }
-        return share;
+        return ofCell;
     };
-    const auto inside = [&](const scalar low, const scalar at, const scalar high)
+    if (centreCell >= 0 && isWithinBox(centreCell, centre, radius))
     {
-        return at - low >= reach(radius) && high - at >= reach(radius);
-    };
-    if (holder >= 0 && isBox_[holder])
-    {
-        const void_fraction::Box& box = boxes_[holder];
-        if
-        (
-            inside(box.low.x, centre.x(), box.high.x)
-         && inside(box.low.y, centre.y(), box.high.y)
-         && inside(box.low.z, centre.z(), box.high.z)
-        )
-        {
-            return append(holder);
-        }
+        return append(centreCell);
     }
 
     scalar sum = 0;
@@ -294,11 +298,11 @@ Foam::scalar Foam::meshCells::appendShares
     {
         sum += append(celli);
     }
-    if (sum == 0 && holder >= 0)
+    if (sum == 0 && centreCell >= 0)
     {
         // Round-off has put a point on the outermost face outside.
-        shares.cells.append(holder);
-        shares.shares.append(1);
+        weights.cells.append(centreCell);
+        weights.weights.append(1);
         sum = 1;
     }
     return sum;
@@ -339,12 +343,12 @@ Foam::List<Foam::vector> Foam::meshCells::images(const polyMesh& mesh)
 }
 
 
-Foam::vector Foam::meshCells::shortening(const UList<vector>& images, const vector& way)
+Foam::vector Foam::meshCells::minimumImageShift(const UList<vector>& images, const vector& displacement)
 {
     vector best = Zero;
     for (const vector& shift : images)
     {
-        if (magSqr(way + shift) < magSqr(way + best))
+        if (magSqr(displacement + shift) < magSqr(displacement + best))
         {
             best = shift;
         }

@@ -11,7 +11,8 @@
 namespace
 {
 
-void refuseOtherSize(const MPI_Status& from)
+//- FatalError unless a message holds one label
+void requireLabel(const MPI_Status& from)
 {
     int came = 0;
     MPI_Get_count(&from, MPI_BYTE, &came);
@@ -61,7 +62,7 @@ Foam::labelList Foam::neighbourSizes::operator()(const labelUList& sent)
         if (there)
         {
             const int rank = from.MPI_SOURCE;
-            refuseOtherSize(from);
+            requireLabel(from);
             MPI_Recv(&received[rank], bytes, MPI_BYTE, rank, tag, world, MPI_STATUS_IGNORE);
         }
         if (barrier != MPI_REQUEST_NULL)

@@ -32,13 +32,17 @@ Foam::particleExchange::particleExchange
 }
 
 
-void Foam::particleExchange::reportOutside
+void Foam::particleExchange::requireInside
 (
     const UList<point>& positions,
     const UList<int>& ids,
     const scalarList& sums
 ) const
 {
+    if (!returnReduce(sums.found(0), orOp<bool>()))
+    {
+        return;
+    }
     label nOutside = 0;
     label lowest = labelMax;
     point example = point::max;
@@ -67,20 +71,19 @@ void Foam::particleExchange::reportOutside
         << "    Make the mesh as large as the box of the particles, or give the"
         << " particle script walls that keep them inside"
         << exit(FatalError);
-    std::abort();
 }
 
 
-std::vector<Foam::particleExchange::Near> Foam::particleExchange::nearRanks
+std::vector<Foam::particleExchange::Candidate> Foam::particleExchange::candidates
 (
     const UList<point>& positions,
     const UList<scalar>& radii
 ) const
 {
-    std::vector<Near> near;
+    std::vector<Candidate> found;
     if (positions.empty())
     {
-        return near;
+        return found;
     }
     const vector furthest = vector::uniform(meshCells_.reach(max(radii)));
     const boundBox around(positions, false);
@@ -91,18 +94,18 @@ std::vector<Foam::particleExchange::Near> Foam::particleExchange::nearRanks
         {
             if (rankBounds_[rank].overlaps(image))
             {
-                near.push_back(Near{shift, rank});
+                found.push_back(Candidate{shift, rank});
             }
         }
     }
-    return near;
+    return found;
 }
 
 
 template<class Visit>
 void Foam::particleExchange::visitCandidates
 (
-    const std::vector<Near>& near,
+    const std::vector<Candidate>& candidates,
     const UList<point>& positions,
     const UList<scalar>& radii,
     const Visit& visit
@@ -111,7 +114,7 @@ void Foam::particleExchange::visitCandidates
     forAll(positions, i)
     {
         const vector reach = vector::uniform(meshCells_.reach(radii[i]));
-        for (const auto& [shift, rank] : near)
+        for (const auto& [shift, rank] : candidates)
         {
             const point position = positions[i] + shift;
             const boundBox& bounds = rankBounds_[rank];
@@ -124,7 +127,7 @@ void Foam::particleExchange::visitCandidates
 }
 
 
-Foam::particleExchange::PerRank<Foam::particleExchange::Question> Foam::particleExchange::ask
+Foam::particleExchange::PerRank<Foam::particleExchange::Query> Foam::particleExchange::queries
 (
     const UList<point>& positions,
     const UList<scalar>& radii,
@@ -133,15 +136,15 @@ Foam::particleExchange::PerRank<Foam::particleExchange::Question> Foam::particle
 {
     const label nRanks = rankBounds_.size();
     // Most ranks are far from all of them.
-    const auto near = nearRanks(positions, radii);
+    const auto reached = candidates(positions, radii);
     labelList sizes(nRanks, Zero);
-    visitCandidates(near, positions, radii, [&](const label rank, label, const point&) { ++sizes[rank]; });
+    visitCandidates(reached, positions, radii, [&](const label rank, label, const point&) { ++sizes[rank]; });
 
-    PerRank<Question> questions(nRanks);
+    PerRank<Query> queries(nRanks);
     particles.setSize(nRanks);
-    forAll(questions, rank)
+    forAll(queries, rank)
     {
-        questions[rank].setSize(sizes[rank]);
+        queries[rank].setSize(sizes[rank]);
         particles[rank].setSize(sizes[rank]);
     }
     sizes = 0;
@@ -149,85 +152,85 @@ Foam::particleExchange::PerRank<Foam::particleExchange::Question> Foam::particle
     {
         const label k = sizes[rank]++;
         particles[rank][k] = i;
-        Question& question = questions[rank][k];
+        Query& query = queries[rank][k];
         for (direction d = 0; d < 3; ++d)
         {
-            question[d] = position[d];
+            query[d] = position[d];
         }
-        question[3] = radii[i];
+        query[3] = radii[i];
     };
-    visitCandidates(near, positions, radii, put);
-    return questions;
+    visitCandidates(reached, positions, radii, put);
+    return queries;
 }
 
 
-Foam::particleExchange::Answer Foam::particleExchange::answer(const Question& question, const label k)
+Foam::particleExchange::Reply Foam::particleExchange::reply(const Query& query, const label k)
 {
-    const point position(question[0], question[1], question[2]);
-    const label holder = meshCells_.holding(position);
-    cells_[k] = holder;
+    const point position(query[0], query[1], query[2]);
+    const label centreCell = meshCells_.findCell(position);
+    cells_[k] = centreCell;
 
-    Answer answer;
-    answer[0] = holder >= 0;
-    answer[1] = answer[0];
-    if (meshCells_.reachesOut())
+    Reply reply;
+    reply[0] = centreCell >= 0;
+    reply[1] = reply[0];
+    if (meshCells_.spansCells())
     {
         starts_[k] = weights_.cells.size();
-        answer[1] = meshCells_.appendShares(position, question[3], holder, weights_);
+        reply[1] = meshCells_.appendShares(position, query[3], centreCell, weights_);
     }
-    return answer;
+    return reply;
 }
 
 
-Foam::particleExchange::PerRank<Foam::particleExchange::Answer> Foam::particleExchange::answer
+Foam::particleExchange::PerRank<Foam::particleExchange::Reply> Foam::particleExchange::replies
 (
-    const PerRank<Question>& questions
+    const PerRank<Query>& queries
 )
 {
-    PerRank<Answer> answers(questions.size());
-    const label all = sum(sizesOf(questions));
+    PerRank<Reply> replies(queries.size());
+    const label all = sum(sizesOf(queries));
     cells_.setSize(all);
-    starts_.setSize(meshCells_.reachesOut() ? all + 1 : 0);
+    starts_.setSize(meshCells_.spansCells() ? all + 1 : 0);
     label k = 0;
-    forAll(questions, rank)
+    forAll(queries, rank)
     {
-        answers[rank].setSize(questions[rank].size());
-        forAll(answers[rank], j)
+        replies[rank].setSize(queries[rank].size());
+        forAll(replies[rank], j)
         {
-            answers[rank][j] = answer(questions[rank][j], k++);
+            replies[rank][j] = reply(queries[rank][j], k++);
         }
     }
-    if (meshCells_.reachesOut())
+    if (meshCells_.spansCells())
     {
         starts_[all] = weights_.cells.size();
     }
-    return answers;
+    return replies;
 }
 
 
-Foam::particleExchange::PerRank<Foam::particleExchange::Verdict> Foam::particleExchange::accept
+Foam::particleExchange::PerRank<Foam::particleExchange::Part> Foam::particleExchange::assign
 (
-    const PerRank<Answer>& answers,
+    const PerRank<Reply>& replies,
     labelListList& particles,
     scalarList& sums
 ) const
 {
-    PerRank<Verdict> verdicts(answers.size());
+    PerRank<Part> parts(replies.size());
     std::vector<bool> centred(std::size_t(sums.size()), false);
-    forAll(answers, rank)
+    forAll(replies, rank)
     {
-        verdicts[rank].setSize(answers[rank].size());
+        parts[rank].setSize(replies[rank].size());
         label nParts = 0;
-        forAll(answers[rank], k)
+        forAll(replies[rank], k)
         {
             const label i = particles[rank][k];
-            const bool centre = answers[rank][k][0] > 0 && !centred[i];
-            const bool some = meshCells_.reachesOut() && answers[rank][k][1] > 0;
-            verdicts[rank][k] = centre ? centralPart : some ? part : noPart;
+            const bool centre = replies[rank][k][0] > 0 && !centred[i];
+            const bool some = meshCells_.spansCells() && replies[rank][k][1] > 0;
+            parts[rank][k] = centre ? central : some ? outer : none;
             if (centre || some)
             {
                 particles[rank][nParts++] = i;
-                sums[i] += answers[rank][k][1];
+                sums[i] += replies[rank][k][1];
             }
             centred[i] = centred[i] || centre;
         }
@@ -240,50 +243,50 @@ Foam::particleExchange::PerRank<Foam::particleExchange::Verdict> Foam::particleE
             sums[i] = 0;
         }
     }
-    return verdicts;
+    return parts;
 }
 
 
 Foam::labelList Foam::particleExchange::setParts
 (
-    const PerRank<Question>& questions,
-    const PerRank<Verdict>& verdicts
+    const PerRank<Query>& queries,
+    const PerRank<Part>& parts
 )
 {
-    labelList starts(verdicts.size() + 1, Zero);
-    forAll(verdicts, rank)
+    labelList starts(parts.size() + 1, Zero);
+    forAll(parts, rank)
     {
-        const auto isPart = [](const Verdict verdict) { return verdict != noPart; };
+        const auto isPart = [](const Part part) { return part != none; };
         starts[rank + 1] =
-            starts[rank] + std::count_if(verdicts[rank].begin(), verdicts[rank].end(), isPart);
+            starts[rank] + std::count_if(parts[rank].begin(), parts[rank].end(), isPart);
     }
     positions_.setSize(starts.last());
     label n = 0;
-    label question = 0;
-    forAll(verdicts, rank)
+    label query = 0;
+    forAll(parts, rank)
     {
-        forAll(verdicts[rank], k)
+        forAll(parts[rank], k)
         {
-            const Verdict verdict = verdicts[rank][k];
-            if (verdict != noPart)
+            const Part part = parts[rank][k];
+            if (part != none)
             {
-                cells_[n] = verdict == centralPart ? cells_[question] : -1;
-                const Question& of = questions[rank][k];
+                cells_[n] = part == central ? cells_[query] : -1;
+                const Query& of = queries[rank][k];
                 positions_[n] = point(of[0], of[1], of[2]);
-                if (meshCells_.reachesOut())
+                if (meshCells_.spansCells())
                 {
-                    starts_[n] = starts_[question];
+                    starts_[n] = starts_[query];
                 }
                 ++n;
             }
-            ++question;
+            ++query;
         }
     }
     cells_.setSize(n);
-    if (meshCells_.reachesOut())
+    if (meshCells_.spansCells())
     {
         // What is no part has no weights: with some it would be one.
-        starts_[n] = starts_[question];
+        starts_[n] = starts_[query];
         starts_.setSize(n + 1);
     }
     return starts;
@@ -292,7 +295,7 @@ Foam::labelList Foam::particleExchange::setParts
 
 void Foam::particleExchange::setWeights(const scalarList& sums)
 {
-    if (!meshCells_.reachesOut())
+    if (!meshCells_.spansCells())
     {
         return;
     }
@@ -300,22 +303,22 @@ void Foam::particleExchange::setWeights(const scalarList& sums)
     {
         for (label j = starts_[k]; j < starts_[k + 1]; ++j)
         {
-            weights_.shares[j] /= sum;
+            weights_.weights[j] /= sum;
         }
     };
     visitParts(sums, divide);
 }
 
 
-void Foam::particleExchange::forget()
+void Foam::particleExchange::clear()
 {
     map_.clear();
     cells_.clear();
     positions_.clear();
     starts_.clear();
-    // Its storage stays: how much it will take is not known.
+    // The storage of the weights stays: how much they will take is not known.
     weights_.cells.clear();
-    weights_.shares.clear();
+    weights_.weights.clear();
 }
 
 
@@ -326,26 +329,23 @@ void Foam::particleExchange::locate
     const UList<int>& ids
 )
 {
-    forget();
+    clear();
 
-    // Every rank that may have a share is asked.
+    // Every rank that may have a share is queried.
     labelListList particles;
-    PerRank<Question> questions(ask(positions, radii, particles));
-    const labelList sizes(sizesOf(questions));
-    const labelList asked(neighbourSizes_(sizes));
+    PerRank<Query> sent(queries(positions, radii, particles));
+    const labelList sizes(sizesOf(sent));
+    const labelList received(neighbourSizes_(sizes));
     traffic_.count(sizes);
-    questions = exchangeLists(std::move(questions), asked, traffic_);
+    const PerRank<Query> queried(exchangeLists(std::move(sent), received, traffic_));
 
     scalarList sums(positions.size(), Zero);
-    PerRank<Verdict> verdicts
+    PerRank<Part> parts
     (
-        accept(exchangeLists(answer(questions), sizes, traffic_), particles, sums)
+        assign(exchangeLists(replies(queried), sizes, traffic_), particles, sums)
     );
-    if (returnReduce(sums.found(0), orOp<bool>()))
-    {
-        reportOutside(positions, ids, sums);
-    }
-    verdicts = exchangeLists(std::move(verdicts), asked, traffic_);
-    map_.set(positions.size(), std::move(particles), setParts(questions, verdicts));
+    requireInside(positions, ids, sums);
+    parts = exchangeLists(std::move(parts), received, traffic_);
+    map_.set(positions.size(), std::move(particles), setParts(queried, parts));
     setWeights(sums);
 }

@@ -6,8 +6,9 @@
 #include "Pstream.H"
 #include "Time.H"
 
-#include "dem-engines/load_dem_engine.h"
 #include "nearest_name.h"
+
+#include "dem-engines/load_dem_engine.h"
 
 #include <array>
 #include <cctype>
@@ -16,22 +17,22 @@
 namespace
 {
 
-struct Word
+struct Keyword
 {
     std::string name;
 };
 
-using Words = std::vector<Word>;
+using Keywords = std::vector<Keyword>;
 
 //- What the coupling reads, but for the dictionaries of the engines
-const Words words
+const Keywords keywords
 {
     {"demEngine"}, {"form"}, {"drag"}, {"dragFactor"}, {"dragExponent"}, {"response"}, {"slip"},
     {"voidFraction"}, {"smoothingWidth"}, {"minVoidFraction"}, {"depth"}, {"particleGravity"}
 };
 
 //- What it reads of the dictionary of an engine
-const Words wordsOfEngine{{"script"}, {"log"}, {"variables"}, {"library"}};
+const Keywords engineKeywords{{"script"}, {"log"}, {"variables"}, {"library"}};
 
 
 //- A dictionary's file as it was written: macros and directives are not carried out
@@ -46,8 +47,8 @@ Foam::dictionary asWritten(const Foam::fileName& file)
 }
 
 
-//- Whether $name, ${name} or $:name stands in the text
-bool takenUp(const std::string& text, const std::string& name)
+//- Whether the text refers to a name by $name, ${name} or $:name
+bool isReferenced(const std::string& text, const std::string& name)
 {
     for (std::size_t at = text.find('$'); at != std::string::npos; at = text.find('$', at + 1))
     {
@@ -66,53 +67,53 @@ bool takenUp(const std::string& text, const std::string& name)
 }
 
 
-bool known(const Words& table, const std::string& name)
+bool isKnown(const Keywords& table, const std::string& name)
 {
-    return std::any_of(table.begin(), table.end(), [&](const Word& word) { return word.name == name; });
+    return std::any_of(table.begin(), table.end(), [&](const Keyword& word) { return word.name == name; });
 }
 
 
 //- Whether a pattern, "(lammps|liggghts)Coeffs", is for a known word
-bool matches(const Foam::keyType& pattern, const Words& table)
+bool matches(const Foam::keyType& pattern, const Keywords& table)
 {
-    return std::any_of(table.begin(), table.end(), [&](const Word& word) { return pattern.match(word.name); });
+    return std::any_of(table.begin(), table.end(), [&](const Keyword& word) { return pattern.match(word.name); });
 }
 
 
-//- Whether a name is one letter off a known one, or its case; of a long one two letters. Short words that mean
+//- Whether a name is off a known one by its case or by one letter, a long one by two. Short words that mean
 //  something else are as near as that: 'step' and 'slip'.
-bool misspelt(const std::string& name, const std::string& nearest)
+bool isMisspelt(const std::string& name, const std::string& nearest)
 {
     return cohesion::letters_apart(name, nearest) <= (nearest.size() < 6 ? 1 : 2);
 }
 
 
-//- What is unknown in a dictionary of the file, in words
-struct Unknown
+//- The entries of a dictionary of the file that are not known, in words
+struct UnknownEntries
 {
     std::string misspelt;
-    std::string unread;     // of the file itself, and not taken up in it
+    std::string unread;     // of the file itself, and not referred to in it
 
-    Unknown() = default;
+    UnknownEntries() = default;
 
-    Unknown
+    UnknownEntries
     (
         const Foam::dictionary& dict,
         const Foam::dictionary& written,
         const std::string& text,
-        const Words& table
+        const Keywords& table
     )
     {
         for (const Foam::entry& entry : dict)
         {
             const Foam::keyType& key = entry.keyword();
             const bool here = written.found(key, Foam::keyType::LITERAL);
-            if (known(table, key) || (key.isPattern() && matches(key, table)) || (here && takenUp(text, key)))
+            if (isKnown(table, key) || (key.isPattern() && matches(key, table)) || (here && isReferenced(text, key)))
             {
                 continue;
             }
             const std::string nearest(cohesion::nearest_name(table, key));
-            const bool wrong = ::misspelt(key, nearest);
+            const bool wrong = isMisspelt(key, nearest);
             if (wrong || here)
             {
                 std::string& names = wrong ? misspelt : unread;
@@ -123,10 +124,10 @@ struct Unknown
 };
 
 
-std::string list(const Words& table)
+std::string list(const Keywords& table)
 {
     std::string names;
-    for (const Word& word : table)
+    for (const Keyword& word : table)
     {
         names += (names.empty() ? "" : ", ") + word.name;
     }
@@ -134,7 +135,8 @@ std::string list(const Words& table)
 }
 
 
-void refuse(const Foam::dictionary& dict, const Unknown& unknown, const Words& table)
+//- FatalIOError where an entry is misspelt; a warning where nothing reads one
+void requireNone(const Foam::dictionary& dict, const UnknownEntries& unknown, const Keywords& table)
 {
     Foam::string misspelt(unknown.misspelt);
     Foam::Pstream::scatter(misspelt);
@@ -171,11 +173,11 @@ Foam::couplingDictionary::couplingDictionary(const objectRegistry& mesh)
         )
     )
 {
-    refuseUnknown();
+    requireKnownEntries();
 }
 
 
-void Foam::couplingDictionary::refuseUnknown() const
+void Foam::couplingDictionary::requireKnownEntries() const
 {
     // On all ranks: some of OpenFOAM's file handlers ask each other.
     const fileName file(filePath());
@@ -186,20 +188,21 @@ void Foam::couplingDictionary::refuseUnknown() const
         written = asWritten(file);
         written.write(text, false);
     }
-    const auto refuseOther = [&](const dictionary& dict, const dictionary& writtenDict, const Words& table)
+    const auto require = [&](const dictionary& dict, const dictionary& writtenDict, const Keywords& table)
     {
-        refuse(dict, Pstream::master() ? Unknown(dict, writtenDict, text.str(), table) : Unknown(), table);
+        const bool first = Pstream::master();
+        requireNone(dict, first ? UnknownEntries(dict, writtenDict, text.str(), table) : UnknownEntries(), table);
     };
 
-    Words all(words);
+    Keywords all(keywords);
     for (const auto& engine : cohesion::coupling::dem_engines)
     {
         all.push_back({std::string(engine.name) + "Coeffs"});
     }
-    refuseOther(*this, written, all);
+    require(*this, written, all);
     for (const auto& engine : cohesion::coupling::dem_engines)
     {
         const word coeffs(std::string(engine.name) + "Coeffs");
-        refuseOther(subOrEmptyDict(coeffs), written.subOrEmptyDict(coeffs), wordsOfEngine);
+        require(subOrEmptyDict(coeffs), written.subOrEmptyDict(coeffs), engineKeywords);
     }
 }

@@ -61,16 +61,16 @@ Foam::UList<int> Foam::coupledParticles::ids() const
 }
 
 
-Foam::List<bool> Foam::coupledParticles::fresh() const
+Foam::List<bool> Foam::coupledParticles::inserted() const
 {
     const auto* gas = engine_.gas();
-    List<bool> fresh(engine_.particles().count);
-    forAll(fresh, i)
+    List<bool> inserted(engine_.particles().count);
+    forAll(inserted, i)
     {
-        // One that was there at the beginning of the step has been handed a coefficient, which is never 0.
-        fresh[i] = gas[i].drag_coefficient == 0;
+        // A particle that was there at the beginning of the step has been given a coefficient, which is never 0.
+        inserted[i] = gas[i].drag_coefficient == 0;
     }
-    return fresh;
+    return inserted;
 }
 
 

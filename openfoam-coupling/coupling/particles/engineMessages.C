@@ -4,21 +4,21 @@
 #include "Pstream.H"
 #include "prefixOSstream.H"
 
-using cohesion::coupling::Said;
+using cohesion::coupling::Severity;
 
 
-std::function<void(Said, const std::string&)> Foam::engineMessages(const word& engine)
+std::function<void(Severity, const std::string&)> Foam::engineMessages(const word& engine)
 {
-    return [engine](const Said said, const std::string& text)
+    return [engine](const Severity severity, const std::string& text)
     {
         const bool first = Pstream::master();
-        if (said == Said::note)
+        if (severity == Severity::note)
         {
             Sout<< "Particle engine " << engine << ", " << text.c_str() << endl;
         }
         else
         {
-            OSstream& log = said == Said::error ? (first ? Serr : Perr) : (first ? Sout : Pout);
+            OSstream& log = severity == Severity::error ? (first ? Serr : Perr) : (first ? Sout : Pout);
             log << nl << "--> Particle engine " << engine << ':' << nl << text.c_str() << nl << endl;
         }
     };

@@ -8,19 +8,20 @@
 #include "sphere.h"
 
 #include "coupling/sixDigits.H"
+#include "engineView.H"
 
 using cohesion::coupling::DemEngine;
 
 namespace
 {
 
-//- The particles of this rank, and those of them that are new: number [1] and mass [kg]
-struct Present
+//- The particles of this rank, and those of them that were inserted: number [1] and mass [kg]
+struct Count
 {
     Foam::vector2D all = Foam::Zero;
-    Foam::vector2D fresh = Foam::Zero;
+    Foam::vector2D inserted = Foam::Zero;
 
-    explicit Present(DemEngine& engine)
+    explicit Count(DemEngine& engine)
     {
         const auto particles = engine.particles();
         const auto* gas = engine.gas();
@@ -30,29 +31,28 @@ struct Present
             all += one;
             if (gas[i].drag_coefficient == 0)
             {
-                fresh += one;
+                inserted += one;
             }
         }
     }
 };
 
 
-//- Of this rank [N s]
-Foam::vector pendingImpulse(DemEngine& engine)
+//- What the gas is yet to be charged with, of the particles of this rank [N s]
+Foam::vector deferredImpulse(DemEngine& engine)
 {
     Foam::vector sum = Foam::Zero;
     const auto* gas = engine.gas();
     const int count = engine.particles().count;
     for (int i = 0; i < count; ++i)
     {
-        const auto& impulse = gas[i].drag_impulse;
-        sum += Foam::vector(impulse[0], impulse[1], impulse[2]);
+        sum += Foam::dragImpulse(gas[i]);
     }
     return sum;
 }
 
 
-//- Of this rank [N s]
+//- What the pressure gives to the particles of this rank in a gas step dt [N s]
 Foam::vector pressureImpulse(DemEngine& engine, const Foam::scalar dt)
 {
     Foam::vector sum = Foam::Zero;
@@ -74,43 +74,43 @@ Foam::vector pressureImpulse(DemEngine& engine, const Foam::scalar dt)
 
 void Foam::particleTurnover::start(DemEngine& engine, const scalar dt)
 {
-    before_ = Present(engine).all;
-    toFeel_ = pressureImpulse(engine, dt) - pendingImpulse(engine);
+    before_ = Count(engine).all;
+    expected_ = pressureImpulse(engine, dt) - deferredImpulse(engine);
 }
 
 
 void Foam::particleTurnover::end(DemEngine& engine)
 {
-    const Present now(engine);
-    Amount came = now.fresh;
-    // On one rank also those that are on another now: what counts is the sum.
-    Amount went = before_ - (now.all - now.fresh);
-    notFelt_ = Zero;
-    const Amount numbers(returnReduce(Amount(came.x(), went.x()), sumOp<Amount>()));
+    const Count now(engine);
+    Amount inserted = now.inserted;
+    // On one rank this has also those that have gone to another: what counts is the sum.
+    Amount removed = before_ - (now.all - now.inserted);
+    undelivered_ = Zero;
+    const Amount numbers(returnReduce(Amount(inserted.x(), removed.x()), sumOp<Amount>()));
     if (numbers == Amount::zero)
     {
         return;
     }
-    reduce(came, sumOp<Amount>());
-    reduce(went, sumOp<Amount>());
+    reduce(inserted, sumOp<Amount>());
+    reduce(removed, sumOp<Amount>());
     Info<< "Particles";
-    if (came.x() > 0)
+    if (inserted.x() > 0)
     {
-        came_ += came;
-        Info<< ", " << came.x() << " came (" << sixDigits(came.y()).c_str() << " kg)";
+        inserted_ += inserted;
+        Info<< ", " << inserted.x() << " came (" << sixDigits(inserted.y()).c_str() << " kg)";
     }
-    if (went.x() > 0)
+    if (removed.x() > 0)
     {
-        went_ += went;
+        removed_ += removed;
         const auto felt = engine.gas_impulse();
         for (direction d = 0; d < 3; ++d)
         {
-            notFelt_[d] = toFeel_[d] - felt.drag[d] - felt.pressure[d];
+            undelivered_[d] = expected_[d] - felt.drag[d] - felt.pressure[d];
         }
-        notFelt_ += pendingImpulse(engine);
-        reduce(notFelt_, sumOp<vector>());
-        Info<< ", " << went.x() << " went (" << sixDigits(went.y()).c_str() << " kg) before they had felt "
-            << sixDigits(notFelt_).c_str() << " N s of what the gas gave them";
+        undelivered_ += deferredImpulse(engine);
+        reduce(undelivered_, sumOp<vector>());
+        Info<< ", " << removed.x() << " went (" << sixDigits(removed.y()).c_str() << " kg) before they had felt "
+            << sixDigits(undelivered_).c_str() << " N s of what the gas gave them";
     }
     Info<< endl;
 }
@@ -118,12 +118,12 @@ void Foam::particleTurnover::end(DemEngine& engine)
 
 void Foam::particleTurnover::report(DemEngine& engine) const
 {
-    if (came_.x() > 0 || went_.x() > 0)
+    if (inserted_.x() > 0 || removed_.x() > 0)
     {
-        const Amount all(returnReduce(Present(engine).all, sumOp<Amount>()));
+        const Amount all(returnReduce(Count(engine).all, sumOp<Amount>()));
         Info<< nl << "Particles in this run" << nl
-            << "    came    " << came_.x() << ", " << sixDigits(came_.y()).c_str() << " kg" << nl
-            << "    went    " << went_.x() << ", " << sixDigits(went_.y()).c_str() << " kg" << nl
+            << "    came    " << inserted_.x() << ", " << sixDigits(inserted_.y()).c_str() << " kg" << nl
+            << "    went    " << removed_.x() << ", " << sixDigits(removed_.y()).c_str() << " kg" << nl
             << "    at end  " << all.x() << ", " << sixDigits(all.y()).c_str() << " kg" << endl;
     }
 }

@@ -143,22 +143,23 @@ void Foam::completeState::setAsideIncomplete(const argList& args)
 }
 
 
-void Foam::completeState::checkStart(const Time& time, const bool overwrite)
+void Foam::completeState::prepareStart(const Time& time, const bool overwrite)
 {
-    checkComplete(time);
-    checkWriting(time);
+    requireCompleteStart(time);
+    requireTwoKeptTimes(time);
+    warnOfFewDigits(time);
     if (overwrite)
     {
-        unmarkLater(time);
+        unmarkLaterTimes(time);
     }
     else
     {
-        refuseLater(time);
+        requireNoLaterTimes(time);
     }
 }
 
 
-void Foam::completeState::checkComplete(const Time& time)
+void Foam::completeState::requireCompleteStart(const Time& time)
 {
     if (!(time.startTime().value() > 0))
     {
@@ -183,7 +184,7 @@ void Foam::completeState::checkComplete(const Time& time)
 }
 
 
-void Foam::completeState::checkWriting(const Time& time)
+void Foam::completeState::requireTwoKeptTimes(const Time& time)
 {
     if (time.controlDict().getOrDefault<label>("purgeWrite", 0) == 1)
     {
@@ -192,6 +193,11 @@ void Foam::completeState::checkWriting(const Time& time)
             << " that is ended in between could not be continued. Use 2 or more, or 0, which keeps"
             << " all" << exit(FatalIOError);
     }
+}
+
+
+void Foam::completeState::warnOfFewDigits(const Time& time)
+{
     if (time.writeFormat() == IOstream::ASCII && IOstream::defaultPrecision() < 17)
     {
         IOWarningInFunction(time.controlDict())
@@ -202,7 +208,7 @@ void Foam::completeState::checkWriting(const Time& time)
 }
 
 
-void Foam::completeState::refuseLater(const Time& time)
+void Foam::completeState::requireNoLaterTimes(const Time& time)
 {
     const DynamicList<instant> later(laterTimes(time));
     const label folders = returnReduce(later.size(), maxOp<label>());
@@ -223,7 +229,7 @@ void Foam::completeState::refuseLater(const Time& time)
 }
 
 
-void Foam::completeState::unmarkLater(const Time& time)
+void Foam::completeState::unmarkLaterTimes(const Time& time)
 {
     const DynamicList<instant> later(laterTimes(time));
     if (Pstream::master())

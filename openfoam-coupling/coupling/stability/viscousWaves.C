@@ -6,7 +6,7 @@
 #include "messageStream.H"
 #include "surfaceFields.H"
 
-#include "ofOneRank.H"
+#include "rankOfLargest.H"
 
 #include <algorithm>
 #include <cmath>
@@ -16,10 +16,6 @@ using namespace cohesion;
 
 namespace
 {
-
-// 1 itself is that of a wave that stays as it is.
-constexpr double grows = 1 + 1e-6;
-
 
 //- Whether the cell behind a patch's face is that before it: across a periodic direction of one cell
 bool leadsBack(const Foam::polyPatch& patch, const Foam::label facei)
@@ -56,14 +52,23 @@ Foam::scalarField largestWaveNumbers(const Foam::fvMesh& mesh)
     return Foam::scalarField(2*sum/mesh.V().field());
 }
 
+
+//- The largest number of three digits up to x, so that what is printed is a whole multiple of it
+Foam::scalar threeDigitsUpTo(const Foam::scalar x)
+{
+    const Foam::scalar unit = std::pow(10.0, std::floor(std::log10(x)) - 2);
+    return std::floor(x/unit*(1 + 1e-9))*unit;
+}
+
 } // End anonymous namespace
 
 
-Foam::viscousWaves::viscousWaves(const fvMesh& mesh, const gasDensity& density)
+Foam::viscousWaves::viscousWaves(const fvMesh& mesh, const gasDensity& density, const bool applies)
 :
     mesh_(mesh),
     density_(density),
-    largest_(largestWaveNumbers(mesh))
+    applies_(applies),
+    largest_(applies ? largestWaveNumbers(mesh) : scalarField())
 {}
 
 
@@ -100,7 +105,7 @@ bool Foam::viscousWaves::mayGrow
 }
 
 
-void Foam::viscousWaves::refuseNotFinite(const label celli, const drag::ViscousStep& step) const
+void Foam::viscousWaves::requireFinite(const label celli, const drag::ViscousStep& step) const
 {
     if (!drag::is_finite(step))
     {
@@ -112,7 +117,7 @@ void Foam::viscousWaves::refuseNotFinite(const label celli, const drag::ViscousS
 }
 
 
-void Foam::viscousWaves::look
+void Foam::viscousWaves::check
 (
     const scalarField& volumePerDensity,
     const volScalarField& voidFraction,
@@ -120,53 +125,54 @@ void Foam::viscousWaves::look
     const label engineSteps
 )
 {
-    Worst worst{grows, vector::zero, 1, {0, 0, 1}};
-    std::vector<drag::ViscousStep> cells;
+    Worst worst{drag::viscous_grows, vector::zero, 1, {0, 0, 1}};
+    Steps cells;
     forAll(volumePerDensity, celli)
     {
         const drag::ViscousStep there =
             step(celli, volumePerDensity[celli], voidFraction, nu, engineSteps);
-        refuseNotFinite(celli, there);
+        requireFinite(celli, there);
         if (drag::surely_no_viscous_waves(there))
         {
             continue;
         }
         cells.push_back(there);
-        if (!drag::viscous_waves_below(there, worst.factor))
+        if (!drag::viscous_waves_below(there, worst.growth))
         {
-            const scalar factor = drag::viscous_growth(there);
-            if (factor > worst.factor)
+            const scalar growth = drag::viscous_growth(there);
+            if (growth > worst.growth)
             {
-                worst = {factor, mesh_.C()[celli], voidFraction[celli], there};
+                worst = {growth, mesh_.C()[celli], voidFraction[celli], there};
             }
         }
     }
-    shareWorst(worst);
-    if (worst.factor > grows)
+    worst = worstOfRanks(worst);
+    if (worst.growth > drag::viscous_grows)
     {
         warn(worst, cells);
-        warned_ = true;
     }
 }
 
 
-void Foam::viscousWaves::shareWorst(Worst& worst)
+Foam::viscousWaves::Worst Foam::viscousWaves::worstOfRanks(const Worst& worst)
 {
-    const bool mine = hasLargest(worst.factor);
-    ofOneRank(mine, worst.factor);
-    ofOneRank(mine, worst.place);
-    ofOneRank(mine, worst.voidFraction);
-    ofOneRank(mine, worst.step.displaced);
-    ofOneRank(mine, worst.step.viscous);
-    ofOneRank(mine, worst.step.engine_steps);
+    const scalar growth = returnReduce(worst.growth, maxOp<scalar>());
+    const bool mine = isRankOfLargest(worst.growth, growth);
+    return
+    {
+        growth,
+        valueOfRank(mine, worst.position),
+        valueOfRank(mine, worst.voidFraction),
+        {
+            valueOfRank(mine, worst.step.displaced),
+            valueOfRank(mine, worst.step.viscous),
+            valueOfRank(mine, worst.step.engine_steps)
+        }
+    };
 }
 
 
-Foam::label Foam::viscousWaves::fewerSteps
-(
-    const std::vector<drag::ViscousStep>& cells,
-    const label engineSteps
-)
+Foam::label Foam::viscousWaves::stableEngineSteps(const Steps& cells, const label engineSteps)
 {
     // Down to 1, by less than a tenth where they are many
     for (label steps = engineSteps - 1; steps > 0; steps = label(0.95*steps))
@@ -174,7 +180,7 @@ Foam::label Foam::viscousWaves::fewerSteps
         const scalar share = scalar(steps)/engineSteps;
         const bool grow = std::any_of(cells.begin(), cells.end(), [&](const drag::ViscousStep& there)
         {
-            return !drag::viscous_waves_below(drag::shortened(there, share, steps), grows);
+            return drag::viscous_waves_grow(drag::shortened(there, share, steps));
         });
         if (!returnReduce(grow, orOp<bool>()))
         {
@@ -185,22 +191,29 @@ Foam::label Foam::viscousWaves::fewerSteps
 }
 
 
-std::string Foam::viscousWaves::cure
-(
-    const std::vector<drag::ViscousStep>& cells,
-    const label engineSteps
-) const
+std::string Foam::viscousWaves::cure(const Steps& cells, const label engineSteps) const
 {
     const scalar deltaT = mesh_.time().deltaTValue();
+    const label steps = stableEngineSteps(cells, engineSteps);
+    if (!steps)
+    {
+        return cureByShorterSteps(cells, engineSteps, deltaT);
+    }
     std::ostringstream words;
     words.precision(12);
-    if (const label steps = fewerSteps(cells, engineSteps))
-    {
-        words<< "a deltaT of " << steps*deltaT/engineSteps << " s, " << steps
-            << " steps of the particles as they are, or larger cells";
-        return words.str();
-    }
+    words<< "a deltaT of " << steps*deltaT/engineSteps << " s, " << steps
+        << " steps of the particles as they are, or larger cells";
+    return words.str();
+}
 
+
+std::string Foam::viscousWaves::cureByShorterSteps
+(
+    const Steps& cells,
+    const label engineSteps,
+    const scalar deltaT
+)
+{
     scalar needed = engineSteps;
     for (const drag::ViscousStep& there : cells)
     {
@@ -218,24 +231,23 @@ std::string Foam::viscousWaves::cure
         share = min(share, drag::longest_viscous_step(there));
     }
     reduce(share, minOp<scalar>());
-    // Three digits of it, so that what is printed is a whole multiple
-    const scalar exactly = share*deltaT/needed;
-    const scalar unit = std::pow(10.0, std::floor(std::log10(exactly)) - 2);
-    const scalar particles = std::floor(exactly/unit*(1 + 1e-9))*unit;
-    words<< "a deltaT of " << needed*particles << " s in " << needed << " steps of the particles, of "
-        << particles << " s each, or larger cells";
+    const scalar particleStep = threeDigitsUpTo(share*deltaT/needed);
+    std::ostringstream words;
+    words.precision(12);
+    words<< "a deltaT of " << needed*particleStep << " s in " << needed << " steps of the particles, of "
+        << particleStep << " s each, or larger cells";
     return words.str();
 }
 
 
-void Foam::viscousWaves::warn(const Worst& worst, const std::vector<drag::ViscousStep>& cells)
+void Foam::viscousWaves::warn(const Worst& worst, const Steps& cells)
 {
     const std::string other = cure(cells, label(worst.step.engine_steps));
-    WarningInFunction
+    WarningOnceInFunction(warning_)
         << "in form A, where particles are so light beside the gas and its viscosity reaches over cells"
         << " within its step, waves of particles that are free to move would grow by a factor of "
-        << worst.factor << " in a gas step, drag apart, which damps them; particles that touch others hold"
-        << " them back. Fastest in the cell at " << worst.place << ": eps = " << worst.voidFraction
+        << worst.growth << " in a gas step, drag apart, which damps them; particles that touch others hold"
+        << " them back. Fastest in the cell at " << worst.position << ": eps = " << worst.voidFraction
         << ", kappa = (1 - eps) rho_g/(eps rho_s) = " << worst.step.displaced
         << ", M = nu deltaT k^2 = " << worst.step.viscous << ", " << worst.step.engine_steps
         << " steps of the particles in a deltaT. 'form B;' in"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "keptPlaces.H"
+#include "storedPositions.H"
 
 #include "ListListOps.H"
 #include "ListOps.H"
@@ -16,7 +16,7 @@
 namespace
 {
 
-//- What all ranks have, one after the other, on the first rank
+//- The lists of all ranks, one after the other, on the first rank
 template<class Type>
 Foam::List<Type> gathered(const Foam::UList<Type>& mine)
 {
@@ -29,47 +29,47 @@ Foam::List<Type> gathered(const Foam::UList<Type>& mine)
 } // End anonymous namespace
 
 
-Foam::keptPlaces::keptPlaces(const fileName& folder)
+Foam::storedPositions::storedPositions(const fileName& folder)
 :
     folder_(folder),
     time_(0)
 {}
 
 
-Foam::label Foam::keptPlaces::index(const label id) const
+Foam::label Foam::storedPositions::index(const label id) const
 {
     const auto found = std::lower_bound(ids_.begin(), ids_.end(), id);
     return found != ids_.end() && *found == id ? label(found - ids_.begin()) : -1;
 }
 
 
-void Foam::keptPlaces::take
+void Foam::storedPositions::store
 (
     const scalar time,
     const word& timeName,
     const UList<int>& ids,
-    const UList<point>& places
+    const UList<point>& positions
 )
 {
     labelList mine(ids.size());
     std::copy(ids.begin(), ids.end(), mine.begin());
     const labelList all(gathered<label>(mine));
-    const List<point> allPlaces(gathered<point>(places));
+    const List<point> allPositions(gathered<point>(positions));
     labelList order;
     sortedOrder(all, order);
     time_ = time;
     ids_ = UIndirectList<label>(all, order);
-    places_ = UIndirectList<point>(allPlaces, order);
+    positions_ = UIndirectList<point>(allPositions, order);
     if (Pstream::master())
     {
         write(timeName);
     }
     Pstream::scatter(ids_);
-    Pstream::scatter(places_);
+    Pstream::scatter(positions_);
 }
 
 
-void Foam::keptPlaces::write(const word& timeName) const
+void Foam::storedPositions::write(const word& timeName) const
 {
     mkDir(folder_);
     const fileName file(folder_/timeName);
@@ -79,11 +79,11 @@ void Foam::keptPlaces::write(const word& timeName) const
     os << "# Time " << time_ << ", " << ids_.size() << " particles: number, x, y, z [m]\n";
     forAll(ids_, i)
     {
-        const point& place = places_[i];
-        os << ids_[i] << ' ' << place.x() << ' ' << place.y() << ' ' << place.z() << '\n';
+        const point& at = positions_[i];
+        os << ids_[i] << ' ' << at.x() << ' ' << at.y() << ' ' << at.z() << '\n';
     }
     os.close();
-    // Under its name it is whole.
+    // Under its final name the file is whole.
     if (!os || !mv(unfinished, file))
     {
         FatalErrorInFunction
@@ -92,7 +92,7 @@ void Foam::keptPlaces::write(const word& timeName) const
 }
 
 
-std::optional<Foam::scalar> Foam::keptPlaces::timeOf(const fileName& file)
+std::optional<Foam::scalar> Foam::storedPositions::timeOf(const fileName& file)
 {
     std::ifstream is(file);
     std::string mark, word;
@@ -102,7 +102,7 @@ std::optional<Foam::scalar> Foam::keptPlaces::timeOf(const fileName& file)
 }
 
 
-void Foam::keptPlaces::read(const fileName& file)
+void Foam::storedPositions::read(const fileName& file)
 {
     std::ifstream is(file);
     std::string words;
@@ -110,10 +110,10 @@ void Foam::keptPlaces::read(const fileName& file)
     is >> words >> words >> time_ >> words >> n;
     std::getline(is, words);
     ids_.setSize(n);
-    places_.setSize(n);
+    positions_.setSize(n);
     forAll(ids_, i)
     {
-        is >> ids_[i] >> places_[i].x() >> places_[i].y() >> places_[i].z();
+        is >> ids_[i] >> positions_[i].x() >> positions_[i].y() >> positions_[i].z();
     }
     if (!is)
     {
@@ -124,7 +124,7 @@ void Foam::keptPlaces::read(const fileName& file)
 }
 
 
-bool Foam::keptPlaces::recall(const scalar time)
+bool Foam::storedPositions::restore(const scalar time)
 {
     label found = 0;
     if (Pstream::master())
@@ -152,12 +152,12 @@ bool Foam::keptPlaces::recall(const scalar time)
     Pstream::scatter(found);
     Pstream::scatter(time_);
     Pstream::scatter(ids_);
-    Pstream::scatter(places_);
+    Pstream::scatter(positions_);
     return found;
 }
 
 
-void Foam::keptPlaces::forgetEarlier() const
+void Foam::storedPositions::removeEarlier() const
 {
     if (Pstream::master())
     {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "refusePatches.H"
+#include "requirePatches.H"
 
 #include "boundBox.H"
 #include "cyclicPolyPatch.H"
@@ -99,24 +99,22 @@ label besidePeriodic(const polyMesh& mesh, const label axis)
 }
 
 
-void refuse(const dictionary& dict, const polyPatch& patch, const string& what)
+void fail(const dictionary& dict, const polyPatch& patch, const string& what)
 {
     FatalIOErrorInFunction(dict)
         << "patch " << patch.name() << " of constant/polyMesh/boundary is a " << patch.type() << what.c_str()
         << exit(FatalIOError);
 }
 
-} // End anonymous namespace
 
-
-void refusePatches(const polyMesh& mesh, const dictionary& dict)
+//- The types of patches alone
+void requireTypes(const polyMesh& mesh, const dictionary& dict)
 {
-    const polyBoundaryMesh& patches = mesh.boundaryMesh();
-    for (const polyPatch& patch : patches)
+    for (const polyPatch& patch : mesh.boundaryMesh())
     {
         if (isA<wedgePolyPatch>(patch))
         {
-            refuse
+            fail
             (
                 dict,
                 patch,
@@ -126,7 +124,7 @@ void refusePatches(const polyMesh& mesh, const dictionary& dict)
         }
         if (isA<coupledPolyPatch>(patch) && !isA<processorPolyPatch>(patch) && !isA<cyclicPolyPatch>(patch))
         {
-            refuse
+            fail
             (
                 dict,
                 patch,
@@ -135,35 +133,50 @@ void refusePatches(const polyMesh& mesh, const dictionary& dict)
             );
         }
     }
-    for (const polyPatch& patch : patches)
+}
+
+
+//- That a cyclic patch and its neighbour are whole opposite sides of the mesh
+void requireOppositeSides(const polyMesh& mesh, const dictionary& dict, const cyclicPolyPatch& patch)
+{
+    const polyBoundaryMesh& patches = mesh.boundaryMesh();
+    const label neighbour = patch.neighbPatchID();
+    const label along = axis(mesh, around(patches, patch.index()), around(patches, neighbour));
+    if (along < 0)
     {
-        if (!isA<cyclicPolyPatch>(patch))
+        fail
+        (
+            dict,
+            patch,
+            " that does not lead to " + patches[neighbour].name()
+          + " by the length of the mesh along an axis, and particles come back in no other way: make the two"
+            " opposite plane sides of the mesh across x, y or z"
+        );
+    }
+    const label beside = besidePeriodic(mesh, along);
+    if (beside >= 0)
+    {
+        fail
+        (
+            dict,
+            patch,
+            " on a part of a side of the mesh, which has " + patches[beside].name()
+          + " beside it, and particles come back on all of it: make the whole side cyclic"
+        );
+    }
+}
+
+} // End anonymous namespace
+
+
+void requirePatches(const polyMesh& mesh, const dictionary& dict)
+{
+    requireTypes(mesh, dict);
+    for (const polyPatch& patch : mesh.boundaryMesh())
+    {
+        if (isA<cyclicPolyPatch>(patch))
         {
-            continue;
-        }
-        const label neighbour = refCast<const cyclicPolyPatch>(patch).neighbPatchID();
-        const label along = axis(mesh, around(patches, patch.index()), around(patches, neighbour));
-        if (along < 0)
-        {
-            refuse
-            (
-                dict,
-                patch,
-                " that does not lead to " + patches[neighbour].name()
-              + " by the length of the mesh along an axis, and particles come back in no other way: make the two"
-                " opposite plane sides of the mesh across x, y or z"
-            );
-        }
-        const label beside = besidePeriodic(mesh, along);
-        if (beside >= 0)
-        {
-            refuse
-            (
-                dict,
-                patch,
-                " on a part of a side of the mesh, which has " + patches[beside].name()
-              + " beside it, and particles come back on all of it: make the whole side cyclic"
-            );
+            requireOppositeSides(mesh, dict, refCast<const cyclicPolyPatch>(patch));
         }
     }
 }

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sayParticles.H"
-
-#include "coupledParticles.H"
-#include "coupling/sixDigits.H"
+#include "reportParticles.H"
 
 #include "bed/geldart.h"
 #include "sphere.h"
+
+#include "coupling/sixDigits.H"
+#include "coupledParticles.H"
 
 namespace
 {
 
 using namespace Foam;
 
-//- Largest over smallest diameter from which on spheres are a mixture of sizes: sieves sort no finer
+//- Largest over smallest diameter above which spheres are a mixture of sizes: sieves sort no finer.
 constexpr scalar mixtureFrom = 1.05;
 
-//- Smallest and largest of what all particles have
+//- Smallest and largest value of all particles
 struct Range
 {
     scalar least = GREAT;
@@ -27,14 +27,14 @@ struct Range
         most = max(most, value);
     }
 
-    //- With those of the other ranks
+    //- Takes in the values of the other ranks. All ranks call it.
     void reduce()
     {
         Foam::reduce(least, minOp<scalar>());
         Foam::reduce(most, maxOp<scalar>());
     }
 
-    //- So that it shows in six digits
+    //- Whether the two differ in six digits
     bool wide() const
     {
         return most > (1 + 1e-5)*least;
@@ -50,6 +50,7 @@ struct Range
     }
 };
 
+//- Sums and ranges over all particles
 struct Particles
 {
     label number = 0;
@@ -66,12 +67,12 @@ struct Particles
         number = radii.size();
         forAll(radii, i)
         {
-            const scalar ofThis = cohesion::sphere_volume(radii[i]);
+            const scalar sphere = cohesion::sphere_volume(radii[i]);
             mass += masses[i];
-            volume += ofThis;
+            volume += sphere;
             squares += radii[i]*radii[i];
             diameter.add(2*radii[i]);
-            density.add(masses[i]/ofThis);
+            density.add(masses[i]/sphere);
         }
         reduce(number, sumOp<label>());
         reduce(mass, sumOp<scalar>());
@@ -96,7 +97,7 @@ struct Particles
 } // End anonymous namespace
 
 
-void Foam::sayParticles(const coupledParticles& particles, const scalar rho)
+void Foam::reportParticles(const coupledParticles& particles, const scalar rho)
 {
     const Particles all(particles);
     const bool sizes = all.diameter.wide();
@@ -111,7 +112,7 @@ void Foam::sayParticles(const coupledParticles& particles, const scalar rho)
     {
         Info<< ", mean " << sixDigits(all.meanDensity()).c_str() << " kg/m3";
     }
-    // The lines between the groups are of heavier ones.
+    // The lines between the groups are those of particles that are heavier than the gas.
     if (all.meanDensity() > rho)
     {
         Info<< "; by both" << (sizes || densities ? " means" : "") << ", in ambient air, Geldart's group "
