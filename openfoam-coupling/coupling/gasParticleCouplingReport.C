@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the coupling says: cells that are too dense, the balance of each step, where the time went.
+// What the coupling prints: cells that are too dense, the balance of each step, where the time went.
 #include "gasParticleCoupling.H"
 
 #include "void_fraction/sphere_overlap.h"

@@ -28,7 +28,7 @@ Foam::gasStep::gasStep(Time& time, const scalar particleStep)
     }
     if (adjustable())
     {
-        // Reads what the case says of it
+        // Both read their entries of the case: what is wrong there stops the run as it begins.
         allowedSteps(0);
         stepsToNextOutput();
     }
@@ -52,7 +52,7 @@ Foam::scalar Foam::gasStep::allowedSteps(const scalar courant)
     }
     if (control.found("maxDeltaT"))
     {
-        // Meant to be a multiple, perhaps
+        // It may be meant to be a multiple.
         steps = min(steps, readPositive(control, "maxDeltaT")/particleStep_*(1 + 1e-9));
     }
     if (steps < 1 && warning_.due())
@@ -71,7 +71,7 @@ Foam::scalar Foam::gasStep::stepsToNextOutput() const
     const scalar start = time_.startTime().value();
     scalar next = time_.endTime().value();
     const dictionary& control = time_.controlDict();
-    // By Time's names: some of its controls have two.
+    // Time's own table of names is used: some of its controls have two.
     const auto writes = Time::writeControlNames.getOrDefault("writeControl", control, Time::wcTimeStep);
     if (writes == Time::wcAdjustableRunTime)
     {

@@ -22,8 +22,8 @@ struct DemEngineError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Of a message that an engine has while it works. A note tells how far it is; the others are in
-/// its own words.
+/// The kinds of messages that an engine has while it works. A note tells how far it is; the others
+/// are in its own words.
 enum class Severity { note, warning, error };
 
 struct DemEngineSettings {
@@ -61,8 +61,8 @@ class DemEngine {
     std::array<double, 3> high;
   };
 
-  /// Of an acceleration in each direction, the lowest and the highest [length/time^2]; the lowest
-  /// is above the highest where there is none.
+  /// The lowest and the highest of accelerations in each direction [length/time^2]; the lowest is
+  /// above the highest where there is none.
   struct Accelerations {
     std::array<double, 3> lowest;
     std::array<double, 3> highest;
@@ -71,7 +71,7 @@ class DemEngine {
   virtual ~DemEngine() = default;
 
   virtual Particles particles() = 0;
-  /// One per particle, to be filled in by the coupling and kept by the engine until the next time.
+  /// The gas on each particle, filled in by the coupling and kept by the engine until the next.
   virtual drag::GasOnParticle* gas() = 0;
 
   /// Advances by `steps` of its own steps, gas forces included. With a file named, the state at the

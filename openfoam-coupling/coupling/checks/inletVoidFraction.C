@@ -47,14 +47,14 @@ bool isJet(const Foam::label patchi, const Foam::volScalarField& voidFraction, c
         {
             continue;
         }
-        const auto& share = voidFraction.boundaryField()[i];
+        const auto& eps = voidFraction.boundaryField()[i];
         const vectorField& faces = velocity.patch().Sf();
         forAll(velocity, k)
         {
             const scalar area = faces[k] & outwards;
             if (area > 0)
             {
-                const vector2D one(area, share[k]*(velocity[k] & faces[k]));
+                const vector2D one(area, eps[k]*(velocity[k] & faces[k]));
                 all += one;
                 own += i == patchi ? one : vector2D(Zero);
             }

@@ -24,7 +24,7 @@ label periodic(const polyPatch& patch)
 }
 
 
-//- Around all of a periodic patch, on all ranks
+//- The box around all of a periodic patch, on all ranks
 boundBox around(const polyBoundaryMesh& patches, const label patchi)
 {
     boundBox box;
@@ -107,7 +107,7 @@ void fail(const dictionary& dict, const polyPatch& patch, const string& what)
 }
 
 
-//- The types of patches alone
+//- FatalIOError, by the types of patches alone
 void requireTypes(const polyMesh& mesh, const dictionary& dict)
 {
     for (const polyPatch& patch : mesh.boundaryMesh())
@@ -136,7 +136,7 @@ void requireTypes(const polyMesh& mesh, const dictionary& dict)
 }
 
 
-//- That a cyclic patch and its neighbour are whole opposite sides of the mesh
+//- FatalIOError unless a cyclic patch and its neighbour are whole opposite sides of the mesh
 void requireOppositeSides(const polyMesh& mesh, const dictionary& dict, const cyclicPolyPatch& patch)
 {
     const polyBoundaryMesh& patches = mesh.boundaryMesh();

@@ -41,7 +41,7 @@ void Foam::requireSameGravity
     reduce(highest, maxOp<vector>());
     for (direction d = 0; d < 3; ++d)
     {
-        // Of no particle
+        // There is no particle.
         if (lowest[d] > highest[d])
         {
             lowest[d] = highest[d] = g[d];

@@ -41,7 +41,7 @@ Foam::diffusionSmoothing::diffusionSmoothing(const fvMesh& mesh, const dictionar
             )
         )
     );
-    // With what the faces of the boundary add; that they add nothing to the source is what no flux means.
+    // The diagonal includes what the faces of the boundary add; to the source they add nothing, as there is no flux.
     step_->diag() = step_->D();
 }
 
@@ -58,8 +58,8 @@ void Foam::diffusionSmoothing::operator()(UList<scalar>& field)
     controls.add("tolerance", 1e-15);
     controls.add("relTol", 0);
 
-    // Not by fvMatrix::solve: the mesh keeps a list of all solutions of a time step, writes it anew with each,
-    // and of the dozens here that costs more than to solve them.
+    // fvMatrix::solve is not used: the mesh keeps a list of all solutions of a time step, writes it anew with
+    // each, and for the dozens here that costs more than to solve them.
     const lduInterfaceFieldPtrsList interfaces(smooth_->boundaryField().scalarInterfaces());
     const autoPtr<lduMatrix::solver> solver
     (

@@ -8,11 +8,11 @@
 namespace
 {
 
-// Used by neither OpenFOAM nor the particle engines; neighbourSizes has those before it
+// The tag is used by neither OpenFOAM nor the particle engines; neighbourSizes has those before it.
 constexpr int tag = 20103;
 
 
-//- The next message of a rank, whose size is known before there is room for it
+//- Receives the next message of a rank. FatalError when it is not as large as expected
 void receive(const int rank, const Foam::Records& expected, const MPI_Datatype record, const std::size_t bytes)
 {
     MPI_Message message;

@@ -109,8 +109,8 @@ Foam::meshCells::meshCells(const polyMesh& mesh, const void_fraction::Kernel& ke
 
 bool Foam::meshCells::isBox(const label celli, const boundBox& around) const
 {
-    // Of a convex cell as large as the box around it a corner or an edge may still be missing, as far as the
-    // root of what is missing of the volume: then a face lies in none of the box's sides.
+    // A convex cell as large as the box around it may still lack a corner or an edge, as far as the root of what
+    // is missing of the volume: then a face lies in none of the box's sides.
     constexpr scalar off = 1e-9;
     const auto liesIn = [&](const face& f, const direction d, const scalar side)
     {
@@ -201,7 +201,7 @@ Foam::meshCells::Overlap Foam::meshCells::overlap(const label celli, const point
 
 Foam::label Foam::meshCells::findBox(const point& position) const
 {
-    // Of a direction without end the mesh knows where it ends.
+    // In a direction without end the mesh knows where it ends.
     if (!mesh_.bounds().contains(position))
     {
         return -1;

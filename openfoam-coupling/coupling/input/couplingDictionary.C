@@ -136,7 +136,7 @@ std::string list(const Keywords& table)
 
 
 //- FatalIOError where an entry is misspelt; a warning where nothing reads one
-void requireNone(const Foam::dictionary& dict, const UnknownEntries& unknown, const Keywords& table)
+void reportUnknown(const Foam::dictionary& dict, const UnknownEntries& unknown, const Keywords& table)
 {
     Foam::string misspelt(unknown.misspelt);
     Foam::Pstream::scatter(misspelt);
@@ -179,7 +179,7 @@ Foam::couplingDictionary::couplingDictionary(const objectRegistry& mesh)
 
 void Foam::couplingDictionary::requireKnownEntries() const
 {
-    // On all ranks: some of OpenFOAM's file handlers ask each other.
+    // All ranks call it: some of OpenFOAM's file handlers communicate.
     const fileName file(filePath());
     dictionary written;
     OStringStream text;
@@ -191,7 +191,7 @@ void Foam::couplingDictionary::requireKnownEntries() const
     const auto require = [&](const dictionary& dict, const dictionary& writtenDict, const Keywords& table)
     {
         const bool first = Pstream::master();
-        requireNone(dict, first ? UnknownEntries(dict, writtenDict, text.str(), table) : UnknownEntries(), table);
+        reportUnknown(dict, first ? UnknownEntries(dict, writtenDict, text.str(), table) : UnknownEntries(), table);
     };
 
     Keywords all(keywords);

@@ -83,7 +83,7 @@ void Foam::particleTurnover::end(DemEngine& engine)
 {
     const Count now(engine);
     Amount inserted = now.inserted;
-    // On one rank this has also those that have gone to another: what counts is the sum.
+    // On one rank this includes those that have gone to another: only the sum of all ranks counts.
     Amount removed = before_ - (now.all - now.inserted);
     undelivered_ = Zero;
     const Amount numbers(returnReduce(Amount(inserted.x(), removed.x()), sumOp<Amount>()));

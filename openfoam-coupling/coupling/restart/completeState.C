@@ -22,7 +22,7 @@ Foam::fileName markOf(const Foam::fileName& path, const Foam::instant& when)
     return path/when.name()/mark_;
 }
 
-//- Of the case's, or the rank's, folder `path`: the time folders after a time, the earliest first
+//- The time folders after a time in the folder `path` of the case, or of the rank, the earliest first
 Foam::DynamicList<Foam::instant> laterTimes(const Foam::fileName& path, const Foam::scalar time)
 {
     Foam::DynamicList<Foam::instant> later;
@@ -41,11 +41,11 @@ Foam::DynamicList<Foam::instant> laterTimes(const Foam::Time& time)
     return laterTimes(time.path(), time.startTime().value() + 0.5*time.deltaTValue());
 }
 
-//- By the first rank's folders, the same on all ranks
+//- The complete times by the first rank's folders, the same on all ranks
 Foam::DynamicList<Foam::instant> completeTimes(const Foam::fileName& path)
 {
     Foam::DynamicList<Foam::instant> complete;
-    // On all ranks: some of OpenFOAM's file handlers ask each other.
+    // All ranks call it: some of OpenFOAM's file handlers communicate.
     const Foam::DynamicList<Foam::instant> all(laterTimes(path, 0));
     if (Foam::Pstream::master())
     {
@@ -61,8 +61,8 @@ Foam::DynamicList<Foam::instant> completeTimes(const Foam::fileName& path)
     return complete;
 }
 
-//- What system/controlDict says, without a Time: that one would stop where the ranks differ in their
-//  latest folder, as they may after a run was killed in a step that is written
+//- Whether system/controlDict asks for the latest time, found without a Time: that one would stop where the ranks
+//  differ in their latest folder, as they may after a run was killed in a step that is written
 bool startsFromLatest(const Foam::argList& args)
 {
     Foam::label latest = 0;
@@ -264,7 +264,7 @@ void Foam::completeState::mark(const Time& time, const int64_t engineSteps, cons
 {
     const fileName from(engineFile(time));
     const fileName to(restartFile(time));
-    // Waits for all ranks.
+    // This waits for all ranks.
     bool complete = returnReduce(written, andOp<bool>());
     if (complete && Pstream::master())
     {
