@@ -239,11 +239,15 @@ Foam::label Foam::meshCells::findCell(const point& position) const
 }
 
 
-Foam::scalar Foam::meshCells::share(const void_fraction::Sphere& sphere, const label celli) const
+inline Foam::scalar Foam::meshCells::share
+(
+    const void_fraction::Sphere& sphere,
+    const point& centre,
+    const label celli
+) const
 {
     if (plane() && !isBox_[celli])
     {
-        const point centre(sphere.centre.x, sphere.centre.y, sphere.centre.z);
         const Overlap there = overlap(celli, centre, reach(sphere.radius));
         if (there != Overlap::partial)
         {
@@ -254,7 +258,7 @@ Foam::scalar Foam::meshCells::share(const void_fraction::Sphere& sphere, const l
 }
 
 
-bool Foam::meshCells::isWithinBox(const label celli, const point& centre, const scalar radius) const
+inline bool Foam::meshCells::isWithinBox(const label celli, const point& centre, const scalar radius) const
 {
     const auto within = [&](const scalar low, const scalar at, const scalar high)
     {
@@ -279,7 +283,7 @@ Foam::scalar Foam::meshCells::appendShares
     const void_fraction::Sphere sphere{toVector3(centre), radius};
     const auto append = [&](const label celli)
     {
-        const scalar ofCell = share(sphere, celli);
+        const scalar ofCell = share(sphere, centre, celli);
         if (ofCell > 0)
         {
             weights.cells.append(celli);
