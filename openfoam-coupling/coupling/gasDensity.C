@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gasDensity.H"
 
-#include "selectRow.H"
+#include "coupling/input/selectRow.H"
 
 #include <array>
 
@@ -103,7 +103,7 @@ Foam::gasDensity::gasDensity
                 1 + compressibility()*p
             )
         );
-        refuseVacuum();
+        requirePositive();
     }
 }
 
@@ -117,7 +117,7 @@ void Foam::gasDensity::correct()
 }
 
 
-void Foam::gasDensity::refuseVacuum() const
+void Foam::gasDensity::requirePositive() const
 {
     if (!ideal())
     {

@@ -7,10 +7,10 @@
 #include "sphere.h"
 #include "void_fraction/void_fraction.h"
 
-#include "completeState.H"
-#include "engineView.H"
-#include "meanGasForce.H"
-#include "writeParticleCloud.H"
+#include "coupling/drag/meanGasForce.H"
+#include "coupling/particles/engineView.H"
+#include "coupling/particles/writeParticleCloud.H"
+#include "coupling/restart/completeState.H"
 
 #include <optional>
 
@@ -46,17 +46,17 @@ void Foam::gasParticleCoupling::setVoidFraction()
         voidFraction[celli] =
             void_fraction::void_fraction(solid[celli], mesh_.V()[celli], depthRatio_);
     }
-    refuseTooDense();
+    requireMinVoidFraction();
     voidFraction_.correctBoundaryConditions();
 }
 
 
-Foam::scalar Foam::gasParticleCoupling::crossings() const
+Foam::scalar Foam::gasParticleCoupling::particleCourantNumber() const
 {
     const auto particles = engine_->particles();
     const particleExchange& exchange = averaging_.exchange();
     scalar largest = 0;
-    const auto look = [&](const label k, const vector& velocity)
+    const auto compare = [&](const label k, const vector& velocity)
     {
         const label celli = exchange.cells()[k];
         if (celli >= 0)
@@ -64,8 +64,8 @@ Foam::scalar Foam::gasParticleCoupling::crossings() const
             largest = max(largest, mag(velocity)/std::cbrt(mesh_.V()[celli]));
         }
     };
-    exchange.visitParts(engineView(particles.velocity, particles.count), look);
-    return returnReduce(largest, maxOp<scalar>());
+    exchange.visitParts(engineView(particles.velocity, particles.count), compare);
+    return returnReduce(largest, maxOp<scalar>())*mesh_.time().deltaTValue();
 }
 
 
@@ -75,7 +75,7 @@ void Foam::gasParticleCoupling::adjustStep(Time& time, const scalar courant)
     if (step_->adjustable())
     {
         locateParticles();
-        step_->adjust(time, max(courant, crossings()*time.deltaTValue()));
+        step_->adjust(time, max(courant, particleCourantNumber()));
     }
 }
 
@@ -87,42 +87,16 @@ void Foam::gasParticleCoupling::depositParticles
 )
 {
     const clockTime timer;
-    step_->refuseOther(engine_->time_step());
-    // Where the step is adjusted they have been.
+    step_->requireSame(engine_->time_step());
+    // Where the step is adjusted they have been located.
     if (!step_->adjustable())
     {
         locateParticles();
     }
     setVoidFraction();
-    inlets_.look(voidFraction_, U);
+    inlets_.check(voidFraction_, U);
     setCoefficients(U);
     setSources(gradP);
-    seconds_.exchange += timer.elapsedTime();
-}
-
-
-void Foam::gasParticleCoupling::warnOfWaves(const volScalarField& nu)
-{
-    const clockTime timer;
-    const auto particles = engine_->particles();
-    scalarField volumePerDensity(particles.count);
-    scalar ofLightest = 0;
-    forAll(volumePerDensity, i)
-    {
-        const scalar volume = sphere_volume(particles.radius[i]);
-        const scalar perDensity = volume/particles.mass[i];
-        volumePerDensity[i] = volume*perDensity;
-        ofLightest = max(ofLightest, perDensity);
-    }
-    if (waves_.mayGrow(ofLightest, voidFraction_, nu))
-    {
-        scalarField ofCells(averaging_.spread(volumePerDensity));
-        forAll(ofCells, celli)
-        {
-            ofCells[celli] /= volume(celli);
-        }
-        waves_.look(ofCells, voidFraction_, nu, step_->subSteps());
-    }
     seconds_.exchange += timer.elapsedTime();
 }
 
@@ -135,7 +109,7 @@ void Foam::gasParticleCoupling::advanceParticles
 {
     clockTime timer;
     const vectorField gasVelocity(averaging_.gather(U.primitiveField()) + gasAt_.offset());
-    const vector pendingBefore = sum(pendingImpulse());
+    const vector deferredBefore = sum(deferredImpulse());
     vectorField felt(gradP.primitiveField());
     if (form_.gas_takes_all)
     {
@@ -144,7 +118,7 @@ void Foam::gasParticleCoupling::advanceParticles
             felt[celli] = rho_*density_.ratio(celli)*g_;
         }
     }
-    handOver(gasVelocity, averaging_.gather(felt), chargedGradient(gradP));
+    setGasOnParticles(gasVelocity, averaging_.gather(felt), transmittedGradient(gradP));
 
     const Time& time = mesh_.time();
     turnover_.start(*engine_, time.deltaTValue());
@@ -173,7 +147,7 @@ void Foam::gasParticleCoupling::advanceParticles
         gasForce_ = force->over(time.deltaTValue());
     }
     turnover_.end(*engine_);
-    reportBalance(U, gradP, pendingBefore);
+    reportBalance(U, gradP, deferredBefore);
     seconds_.exchange += timer.timeIncrement();
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the coupling says: cells that are too dense, the balance of each step, where the time went.
+// What the coupling prints: cells that are too dense, the balance of each step, where the time went.
 #include "gasParticleCoupling.H"
 
 #include "void_fraction/sphere_overlap.h"
@@ -9,7 +9,7 @@
 using namespace cohesion;
 
 
-void Foam::gasParticleCoupling::refuseTooDense() const
+void Foam::gasParticleCoupling::requireMinVoidFraction() const
 {
     label tooDense = 0;
     scalar excess = 0;
@@ -54,7 +54,7 @@ void Foam::gasParticleCoupling::reportBalance
 (
     const volVectorField& U,
     const volVectorField& gradP,
-    const vector& pendingBefore
+    const vector& deferredBefore
 ) const
 {
     const scalar dt = mesh_.time().deltaTValue();
@@ -66,38 +66,38 @@ void Foam::gasParticleCoupling::reportBalance
     scalar solidDeposited = 0;
     forAll(U, celli)
     {
-        const scalar share = form_.gas_takes_all ? 1 : voidFraction_[celli];
+        const scalar fraction = form_.gas_takes_all ? 1 : voidFraction_[celli];
         gasDrag +=
             (
                 (dragSource_[celli] - dragRate_[celli]*U[celli])*rho_
-              - handedOnShare_[celli]*gradP[celli]
+              - transmittedFraction_[celli]*gradP[celli]
             )*volume(celli)*dt;
         gasPressure +=
             (
-                (1 - share)*gradP[celli]
-              + (share - voidFraction_[celli])*rho_*density_.ratio(celli)*g_
+                (1 - fraction)*gradP[celli]
+              + (fraction - voidFraction_[celli])*rho_*density_.ratio(celli)*g_
             )*volume(celli)*dt;
         solidDeposited += (1 - voidFraction_[celli])*volume(celli);
     }
 
-    // The particles, from the engine's book of the forces it put on
+    // The particles, from the engine's own sum of the forces it put on
     const auto felt = engine_->gas_impulse();
     vector drag(felt.drag[0], felt.drag[1], felt.drag[2]);
     vector pressure(felt.pressure[0], felt.pressure[1], felt.pressure[2]);
-    vector pending = sum(pendingImpulse()) - pendingBefore;
+    vector deferred = sum(deferredImpulse()) - deferredBefore;
 
     reduce(gasDrag, sumOp<vector>());
     reduce(gasPressure, sumOp<vector>());
     reduce(drag, sumOp<vector>());
     reduce(pressure, sumOp<vector>());
-    reduce(pending, sumOp<vector>());
+    reduce(deferred, sumOp<vector>());
     reduce(solidDeposited, sumOp<scalar>());
 
     const scalar size = mag(drag) + mag(pressure) + VSMALL;
     Info<< "Exchange: drag on particles " << drag/dt << " N, pressure " << pressure/dt
-        << " N, not yet charged to the gas " << pending/dt
+        << " N, not yet charged to the gas " << deferred/dt
         << " N, imbalance "
-        << mag(gasDrag + drag - pending + gasPressure + pressure + turnover_.notFelt())/size
+        << mag(gasDrag + drag - deferred + gasPressure + pressure + turnover_.undelivered())/size
         << ", solid volume error " << mag(solidDeposited - spreadVolume_)/max(spreadVolume_, VSMALL) << endl;
 }
 
@@ -105,7 +105,7 @@ void Foam::gasParticleCoupling::reportBalance
 void Foam::gasParticleCoupling::report(const scalar total) const
 {
     turnover_.report(*engine_);
-    drag_.report();
+    monitor_.report();
     if (Pstream::parRun())
     {
         averaging_.exchange().traffic().report();

@@ -7,17 +7,15 @@
 #include "UPstream.H"
 #include "zeroGradientFvPatchFields.H"
 
-#include "completeState.H"
-#include "engineMessages.H"
-
+#include "coupling/checks/requireDimensions.H"
+#include "coupling/checks/requirePatches.H"
+#include "coupling/checks/requireSameGravity.H"
+#include "coupling/input/readPositive.H"
+#include "coupling/input/selectRow.H"
+#include "coupling/particles/engineMessages.H"
+#include "coupling/particles/reportParticles.H"
+#include "coupling/restart/completeState.H"
 #include "dem-engines/load_dem_engine.h"
-
-#include "readPositive.H"
-#include "refusePatches.H"
-#include "requireDimensions.H"
-#include "requireSameGravity.H"
-#include "sayParticles.H"
-#include "selectRow.H"
 
 using namespace cohesion;
 
@@ -60,12 +58,13 @@ Foam::gasParticleCoupling::gasParticleCoupling
     rho_(requirePositive(dict_, "density of the gas", density.reference().value())),
     g_(g),
     form_(selectRow(dict_, "form", drag::model_forms, "A")),
-    drag_(dict_, requirePositive(dict_, "viscosity of the gas", mu), !form_.gas_takes_all),
+    drag_(dict_, requirePositive(dict_, "viscosity of the gas", mu)),
+    response_(selectRow(dict_, "response", drag::responses, "held")),
     gasAt_(dict_),
     minVoidFraction_(dict_.found("minVoidFraction") ? readPositive(dict_, "minVoidFraction") : 0.2),
     depthRatio_(1),
     averaging_(mesh, dict_),
-    feltPressure_(continued()),
+    hasLastGradient_(continued()),
     voidFraction_
     (
         IOobject
@@ -79,17 +78,17 @@ Foam::gasParticleCoupling::gasParticleCoupling
         mesh
     ),
     inlets_(voidFraction_),
-    waves_(mesh, density),
-    handedOnShare_
+    monitor_(mesh, density, drag_.closure(), response_.free, !form_.gas_takes_all),
+    transmittedFraction_
     (
-        IOobject("handedOnShare", mesh.time().timeName(), mesh),
+        IOobject("transmittedFraction", mesh.time().timeName(), mesh),
         mesh,
         dimensionedScalar(dimless, Zero),
         zeroGradientFvPatchScalarField::typeName
     ),
-    pressureShare_
+    pressureFraction_
     (
-        IOobject("pressureShare", mesh.time().timeName(), mesh),
+        IOobject("pressureFraction", mesh.time().timeName(), mesh),
         mesh,
         dimensionedScalar("one", dimless, 1)
     ),
@@ -107,19 +106,20 @@ Foam::gasParticleCoupling::gasParticleCoupling
     )
 {
     requireDimensions(voidFraction_, dimless, "a share of the volume, and is set from the particles");
-    refusePatches(mesh_, dict_);
+    requirePatches(mesh_, dict_);
     setDepthRatio();
     // The script, which may take long, runs when the dictionary has been read.
     const bool sameGravity = asksForSameGravity(dict_);
     makeEngine();
-    checkUnitsAndBox();
+    requireSiUnits();
+    requireBoxOfMesh();
     if (sameGravity)
     {
         requireSameGravity(dict_, mesh_, *engine_, g_);
     }
-    checkContinued();
-    registered_ = std::make_unique<coupledParticles>(mesh_, *engine_, g_, density_, depthRatio_);
-    sayParticles(*registered_, rho_);
+    requireReadState();
+    coupledParticles_ = std::make_unique<coupledParticles>(mesh_, *engine_, g_, density_, depthRatio_);
+    reportParticles(*coupledParticles_, rho_);
     step_ = std::make_unique<gasStep>(time, engine_->time_step());
 
     if (!continued())
@@ -155,6 +155,39 @@ void Foam::gasParticleCoupling::setDepthRatio()
 }
 
 
+coupling::DemEngineSettings Foam::gasParticleCoupling::engineSettings(const word& name) const
+{
+    const dictionary& coeffs = dict_.subDict(name + "Coeffs");
+    coupling::DemEngineSettings settings;
+    settings.folder = mesh_.time().globalPath();
+    settings.on_message = engineMessages(name);
+    settings.script = coeffs.get<fileName>("script").expand();
+    settings.log = coeffs.getOrDefault<fileName>("log", "log." + name).expand();
+    if (continued())
+    {
+        settings.restart = completeState::restartFile(mesh_.time());
+        settings.log += "." + mesh_.time().timeName();
+    }
+    for (const entry& variable : coeffs.subOrEmptyDict("variables"))
+    {
+        settings.variables[variable.keyword()] = inWords(variable.stream());
+    }
+    settings.communicator = MPI_COMM_WORLD;
+
+    const fileName script(settings.script);
+    const fileName path(script.isAbsolute() ? script : settings.folder/script);
+    if (!isFile(path))
+    {
+        FatalIOErrorInFunction(coeffs)
+            << "script '" << script.c_str() << "' "
+            << (isDir(path) ? "is a folder" : "does not exist") << "; name the input script of "
+            << name << ", relative to the case folder " << settings.folder.c_str()
+            << exit(FatalIOError);
+    }
+    return settings;
+}
+
+
 void Foam::gasParticleCoupling::makeEngine()
 {
     const word name(dict_.get<word>("demEngine"));
@@ -162,40 +195,14 @@ void Foam::gasParticleCoupling::makeEngine()
     {
         // The name first: a misspelt one is not a missing dictionary.
         const auto& row = coupling::dem_engine(name);
-        const dictionary& coeffs = dict_.subDict(name + "Coeffs");
-
-        coupling::DemEngineSettings settings;
-        settings.folder = mesh_.time().globalPath();
-        settings.tell = engineMessages(name);
-        settings.script = coeffs.get<fileName>("script").expand();
-        settings.log = coeffs.getOrDefault<fileName>("log", "log." + name).expand();
-        if (continued())
-        {
-            settings.restart = completeState::restartFile(mesh_.time());
-            settings.log += "." + mesh_.time().timeName();
-        }
-        for (const entry& variable : coeffs.subOrEmptyDict("variables"))
-        {
-            settings.variables[variable.keyword()] = inWords(variable.stream());
-        }
-        const fileName script(settings.script);
-        const fileName path(script.isAbsolute() ? script : settings.folder/script);
-        if (!isFile(path))
-        {
-            FatalIOErrorInFunction(coeffs)
-                << "script '" << script.c_str() << "' "
-                << (isDir(path) ? "is a folder" : "does not exist") << "; name the input script of "
-                << name << ", relative to the case folder " << settings.folder.c_str()
-                << exit(FatalIOError);
-        }
+        const coupling::DemEngineSettings settings(engineSettings(name));
 
         if (!Pstream::parRun())
         {
             // The engine needs MPI, which a serial OpenFOAM leaves alone.
             UPstream::initNull();
         }
-        settings.communicator = MPI_COMM_WORLD;
-
+        const dictionary& coeffs = dict_.subDict(name + "Coeffs");
         const std::string library
         (
             coeffs.found("library")
@@ -213,7 +220,7 @@ void Foam::gasParticleCoupling::makeEngine()
 }
 
 
-void Foam::gasParticleCoupling::checkUnitsAndBox() const
+void Foam::gasParticleCoupling::requireSiUnits() const
 {
     if (engine_->units() != "si")
     {
@@ -221,7 +228,11 @@ void Foam::gasParticleCoupling::checkUnitsAndBox() const
             << "the particle script has units " << engine_->units().c_str()
             << "; OpenFOAM works in SI: use 'units si' in the script" << exit(FatalIOError);
     }
+}
 
+
+void Foam::gasParticleCoupling::requireBoxOfMesh() const
+{
     const auto box = engine_->box();
     const boundBox& bounds = mesh_.bounds();
     for (direction d = 0; d < 3; ++d)
@@ -246,7 +257,7 @@ void Foam::gasParticleCoupling::checkUnitsAndBox() const
 }
 
 
-void Foam::gasParticleCoupling::checkContinued() const
+void Foam::gasParticleCoupling::requireReadState() const
 {
     if (!continued())
     {
@@ -260,7 +271,7 @@ void Foam::gasParticleCoupling::checkContinued() const
             << stepsThen << " steps, but after the particle script they"
             << " have done " << int64_t(engine_->steps_done()) << nl
             << "    Let the script read their state when there is one: "
-            << engine_->how_to_continue().c_str() << ", and set no time step number after that"
+            << engine_->restart_hint().c_str() << ", and set no time step number after that"
             << exit(FatalIOError);
     }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gasStep.H"
 
-#include "readPositive.H"
+#include "coupling/input/readPositive.H"
 
 
 Foam::gasStep::gasStep(Time& time, const scalar particleStep)
@@ -28,9 +28,9 @@ Foam::gasStep::gasStep(Time& time, const scalar particleStep)
     }
     if (adjustable())
     {
-        // Reads what the case says of it
-        allowed(0);
-        toNextMet();
+        // Both read their entries of the case: what is wrong there stops the run as it begins.
+        allowedSteps(0);
+        stepsToNextOutput();
     }
 }
 
@@ -41,7 +41,7 @@ bool Foam::gasStep::adjustable() const
 }
 
 
-Foam::scalar Foam::gasStep::allowed(const scalar courant)
+Foam::scalar Foam::gasStep::allowedSteps(const scalar courant)
 {
     const dictionary& control = time_.controlDict();
     const scalar maxCo = control.found("maxCo") ? readPositive(control, "maxCo") : 1;
@@ -52,27 +52,26 @@ Foam::scalar Foam::gasStep::allowed(const scalar courant)
     }
     if (control.found("maxDeltaT"))
     {
-        // Meant to be a multiple, perhaps
+        // It may be meant to be a multiple.
         steps = min(steps, readPositive(control, "maxDeltaT")/particleStep_*(1 + 1e-9));
     }
-    if (steps < 1 && !warned_)
+    if (steps < 1 && warning_.due())
     {
-        WarningInFunction
+        WarningOnceInFunction(warning_)
             << "maxCo and maxDeltaT ask for a gas step of " << steps*particleStep_
             << " s, shorter than the particles' " << particleStep_ << " s, which is taken; this is said"
             << " once" << endl;
-        warned_ = true;
     }
     return max(scalar(1), std::floor(steps));
 }
 
 
-Foam::scalar Foam::gasStep::toNextMet() const
+Foam::scalar Foam::gasStep::stepsToNextOutput() const
 {
     const scalar start = time_.startTime().value();
     scalar next = time_.endTime().value();
     const dictionary& control = time_.controlDict();
-    // By Time's names: some of its controls have two.
+    // Time's own table of names is used: some of its controls have two.
     const auto writes = Time::writeControlNames.getOrDefault("writeControl", control, Time::wcTimeStep);
     if (writes == Time::wcAdjustableRunTime)
     {
@@ -92,9 +91,9 @@ void Foam::gasStep::adjust(Time& time, const scalar courant)
     {
         return;
     }
-    // What is met is met in equal steps, the last ten of them.
-    const scalar most = allowed(courant);
-    const scalar rest = toNextMet();
+    // A time to be written is met in equal steps, the last ten of them.
+    const scalar most = allowedSteps(courant);
+    const scalar rest = stepsToNextOutput();
     subSteps_ = label(rest > 10*most ? most : std::floor(rest/std::ceil(rest/most)));
     // Time's own adjustment knows nothing of the particles' step.
     time.setDeltaT(subSteps_*particleStep_, false);
@@ -102,7 +101,7 @@ void Foam::gasStep::adjust(Time& time, const scalar courant)
 }
 
 
-void Foam::gasStep::refuseOther(const scalar particleStep) const
+void Foam::gasStep::requireSame(const scalar particleStep) const
 {
     const scalar dt = time_.deltaTValue();
     if (mag(dt - subSteps_*particleStep) > 1e-9*dt)

@@ -22,8 +22,9 @@ struct DemEngineError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// What an engine says while it works. A note is how far it is; the others are its own words.
-enum class Said { note, warning, error };
+/// The kinds of messages that an engine has while it works. A note tells how far it is; the others
+/// are in its own words.
+enum class Severity { note, warning, error };
 
 struct DemEngineSettings {
   MPI_Comm communicator;                         ///< every rank of it takes part
@@ -31,9 +32,9 @@ struct DemEngineSettings {
   std::string script;                            ///< input script that sets the particles up
   std::string log;                               ///< log file that the engine writes
   std::string restart;                           ///< state to continue from; empty: none
-  std::map<std::string, std::string> variables;  ///< handed to the script by name
-  /// Called on the rank that has something to say, while the engine works; never twice at a time.
-  std::function<void(Said, const std::string&)> tell;
+  std::map<std::string, std::string> variables;  ///< given to the script by name
+  /// Called on the rank that has a message, while the engine works; never twice at a time.
+  std::function<void(Severity, const std::string&)> on_message;
 };
 
 /// An engine that has run its script and stands ready to advance. All arrays belong to the engine,
@@ -60,8 +61,8 @@ class DemEngine {
     std::array<double, 3> high;
   };
 
-  /// Of an acceleration in each direction, the lowest and the highest [length/time^2]; the lowest
-  /// is above the highest where there is none.
+  /// The lowest and the highest of accelerations in each direction [length/time^2]; the lowest is
+  /// above the highest where there is none.
   struct Accelerations {
     std::array<double, 3> lowest;
     std::array<double, 3> highest;
@@ -70,7 +71,7 @@ class DemEngine {
   virtual ~DemEngine() = default;
 
   virtual Particles particles() = 0;
-  /// One per particle, to be filled in by the coupling and held by the engine until the next time.
+  /// The gas on each particle, filled in by the coupling and kept by the engine until the next.
   virtual drag::GasOnParticle* gas() = 0;
 
   /// Advances by `steps` of its own steps, gas forces included. With a file named, the state at the
@@ -81,11 +82,11 @@ class DemEngine {
   virtual long steps_done() = 0;
 
   /// What the gas forces have given to the particles of this rank in the last advance(), summed
-  /// where the forces are put on: the engine's own book, to hold against the coupling's.
+  /// where the forces are put on: the engine's own sum, to be compared with the coupling's.
   virtual Impulse gas_impulse() = 0;
 
-  /// How a script reads the state that it is given, for a message: a command of the engine.
-  virtual std::string how_to_continue() = 0;
+  /// A command by which a script reads the state that it is given, for a message.
+  virtual std::string restart_hint() = 0;
 
   /// What the script's gravity does to the particles of this rank that the gas acts on and that
   /// the script moves.

@@ -11,14 +11,14 @@ namespace cohesion::coupling {
 namespace {
 
 constexpr std::string_view error_word = "ERROR", warning_word = "WARNING";
-/// Of different texts, as many as LAMMPS itself shows.
+/// The number of different texts, as many as LAMMPS itself shows.
 constexpr std::size_t most_warnings = 100;
 
 bool begins(std::string_view text, std::string_view word) {
   return text.substr(0, word.size()) == word;
 }
 
-/// From the first line that begins with one of the words to the end, without what is blank there.
+/// The text from the first line that begins with one of the words to the end, without blanks there.
 std::string_view message_in(std::string_view printed) {
   while (!begins(printed, error_word) && !begins(printed, warning_word)) {
     const auto end = printed.find('\n');
@@ -30,10 +30,10 @@ std::string_view message_in(std::string_view printed) {
 
 }  // namespace
 
-EngineScreen::EngineScreen(Tell tell) : tell_(std::move(tell)) {
+EngineScreen::EngineScreen(OnMessage on_message) : on_message_(std::move(on_message)) {
   cookie_io_functions_t functions{};
   functions.write = [](void* screen, const char* text, std::size_t size) {
-    static_cast<EngineScreen*>(screen)->take({text, size});
+    static_cast<EngineScreen*>(screen)->read({text, size});
     return static_cast<ssize_t>(size);
   };
   stream_ = fopencookie(this, "w", functions);
@@ -43,11 +43,11 @@ EngineScreen::EngineScreen(Tell tell) : tell_(std::move(tell)) {
   std::setvbuf(stream_, nullptr, _IONBF, 0);
 }
 
-void EngineScreen::take(std::string_view printed) {
+void EngineScreen::read(std::string_view printed) {
   const std::string text(message_in(printed));
   if (begins(text, error_word)) {
     has_shown_error_ = true;
-    tell_(Said::error, text);
+    on_message_(Severity::error, text);
   } else if (!text.empty()) {
     warn(text);
   }
@@ -55,10 +55,10 @@ void EngineScreen::take(std::string_view printed) {
 
 void EngineScreen::warn(const std::string& text) {
   if (warnings_.size() > most_warnings || !warnings_.insert(text).second) return;
-  tell_(Said::warning, warnings_.size() <= most_warnings
-                           ? text
-                           : "more than " + std::to_string(most_warnings) +
-                                 " different warnings; the others are in its log alone");
+  on_message_(Severity::warning, warnings_.size() <= most_warnings
+                                     ? text
+                                     : "more than " + std::to_string(most_warnings) +
+                                           " different warnings; the others are in its log alone");
 }
 
 }  // namespace cohesion::coupling

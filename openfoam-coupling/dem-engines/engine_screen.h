@@ -11,14 +11,14 @@
 
 namespace cohesion::coupling {
 
-/// What an engine prints on its screen. Of that its errors and warnings are handed on when they are
+/// The screen that an engine prints on. Its errors and warnings are passed on when they are
 /// printed, also those of an engine that ends the process with them, and each text once. The rest
 /// is in the engine's log.
 class EngineScreen {
  public:
-  using Tell = std::function<void(Said, const std::string&)>;
+  using OnMessage = std::function<void(Severity, const std::string&)>;
 
-  explicit EngineScreen(Tell tell);
+  explicit EngineScreen(OnMessage on_message);
 
   /// The screen, for the engine to print on and to close.
   FILE* stream() { return stream_; }
@@ -26,7 +26,7 @@ class EngineScreen {
   bool has_shown_error() const { return has_shown_error_; }
 
   /// While this lives the screen is the standard output, which an engine takes for its screen on
-  /// all ranks; of a file that it is given the name of it would do so on the first rank alone.
+  /// all ranks; a file that it is given by name it would take on the first rank alone.
   class AsStandardOutput {
    public:
     explicit AsStandardOutput(EngineScreen& screen) { stdout = screen.stream(); }
@@ -39,10 +39,10 @@ class EngineScreen {
   };
 
  private:
-  void take(std::string_view printed);
+  void read(std::string_view printed);
   void warn(const std::string& text);
 
-  const Tell tell_;
+  const OnMessage on_message_;
   FILE* stream_;
   std::set<std::string> warnings_;
   bool has_shown_error_ = false;

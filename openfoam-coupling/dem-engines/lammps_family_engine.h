@@ -47,17 +47,18 @@ class LammpsFamilyEngine : public DemEngine {
         communicator_(settings.communicator),
         log_(settings.log),
         folder_(settings.folder),
-        tell_([this, tell = settings.tell](Said said, const std::string& text) {
-          const std::lock_guard lock(telling_);
-          tell(said, text);
-        }),
-        screen_(tell_) {
+        on_message_(
+            [this, on_message = settings.on_message](Severity severity, const std::string& text) {
+              const std::lock_guard lock(messages_);
+              on_message(severity, text);
+            }),
+        screen_(on_message_) {
     MPI_Comm_rank(communicator_, &rank_);
     std::atexit(end_of_process);
     work([&] {
       start(settings);
       run_script(settings.script);
-      check(settings.script);
+      require_coupled(settings.script);
       command("run 0 post no");
     });
   }
@@ -95,7 +96,7 @@ class LammpsFamilyEngine : public DemEngine {
     return {{total[0], total[1], total[2]}, {total[3], total[4], total[5]}};
   }
 
-  std::string how_to_continue() override {
+  std::string restart_hint() override {
     return std::string("if \"${continued} == ") + words_.not_continued +
            "\" then <set up> else \"read_restart ${restart}\"";
   }
@@ -136,13 +137,13 @@ class LammpsFamilyEngine : public DemEngine {
     if (rank_ == 0)
       watch = std::make_unique<RunWatch>([this] { return steps_of_run(); },
                                          [this, script](const std::string& how_far) {
-                                           tell_(Said::note, script + ": " + how_far);
+                                           on_message_(Severity::note, script + ": " + how_far);
                                          });
     lammps_->input->file(script.c_str());
   }
 
-  /// Asked for by another thread than that which makes the steps: one that is just over will do.
-  /// The command `clear` of a script replaces `update`; a look at that very moment, four in a
+  /// Called by another thread than that which makes the steps: a step that is just over will do.
+  /// The command `clear` of a script replaces `update`; a call at that very moment, of four in a
   /// second, would read what has just been freed, since engines offer no lock.
   RunWatch::Steps steps_of_run() const {
     const auto* update = __atomic_load_n(&lammps_->update, __ATOMIC_RELAXED);
@@ -153,7 +154,8 @@ class LammpsFamilyEngine : public DemEngine {
     return {step(update->firststep), step(update->ntimestep), step(update->laststep)};
   }
 
-  /// All that lets the engine work: in its folder, and with its way to end a run told to the user.
+  /// Does all that lets the engine work, in its folder; tells the user when the engine ends the
+  /// run.
   template <class Task>
   void work(Task&& task) {
     const WorkingFolder::Visit visit(folder_);
@@ -165,16 +167,17 @@ class LammpsFamilyEngine : public DemEngine {
       // In the middle of its work an engine cannot be taken down.
       static_cast<void>(lammps_.release());
       const std::string text = error.what();
-      // For an error of all ranks the first speaks, and ends the others, which wait for that.
+      // For an error of all ranks the first has the message, and ends the others, which wait for
+      // it.
       if (text.rfind("ERROR:", 0) == 0 && rank_ != 0) MPI_Barrier(communicator_);
-      // The engine has shown its own errors, each on the rank that speaks.
-      if (text.rfind("ERROR", 0) == 0) throw DemEngineError(how_it_ended(true));
+      // The engine has shown its own errors, each on the rank that has it.
+      if (text.rfind("ERROR", 0) == 0) throw DemEngineError(end_text(true));
       throw DemEngineError(text);
     }
     at_work_ = nullptr;
   }
 
-  std::string how_it_ended(bool with_error) const {
+  std::string end_text(bool with_error) const {
     return std::string("The particle engine ended the run") +
            (with_error ? ", for the reason above."
                        : " and named no error: has its script a 'quit'?") +
@@ -185,15 +188,17 @@ class LammpsFamilyEngine : public DemEngine {
   static void end_of_process() {
     if (!at_work_) return;
     if (at_work_->rank_ == 0)
-      at_work_->tell_(Said::error, at_work_->how_it_ended(at_work_->screen_.has_shown_error()));
+      at_work_->on_message_(Severity::error,
+                            at_work_->end_text(at_work_->screen_.has_shown_error()));
     std::fflush(nullptr);
-    // With the first rank that fails a launcher ends all: let it be the one that has spoken.
+    // With the first rank that fails a launcher ends all: let it be the one that has the message.
     int finalized = 0;
     MPI_Finalized(&finalized);
     std::_Exit(at_work_->rank_ == 0 || !finalized ? EXIT_FAILURE : EXIT_SUCCESS);
   }
 
-  void check(const std::string& script) {
+  /// Throws DemEngineError unless the script has made spheres that feel the gas.
+  void require_coupled(const std::string& script) {
     if (!lammps_->domain->box_exist)
       throw DemEngineError("the script '" + script + "' makes no simulation box");
     if (!lammps_->atom->radius_flag || lammps_->atom->natoms == 0)
@@ -231,8 +236,8 @@ class LammpsFamilyEngine : public DemEngine {
   const std::string log_;
   WorkingFolder folder_;
   int rank_ = 0;
-  std::mutex telling_;
-  const EngineScreen::Tell tell_;
+  std::mutex messages_;
+  const EngineScreen::OnMessage on_message_;
   EngineScreen screen_;  // which outlives the engine
   std::unique_ptr<LAMMPS_NS::LAMMPS> lammps_;
   LAMMPS_NS::Fix* fix_ = nullptr;

@@ -26,8 +26,8 @@ inline constexpr std::array dem_engines{
 /// The engine called `name`. Throws InvalidParameter (validation.h) that lists the valid names.
 const DemEngineRow& dem_engine(const std::string& name);
 
-/// Where its adapter lies: beside the calling library. Throws DemEngineError, with how to build it,
-/// when it is not there.
+/// The file of an engine's adapter, beside the calling library. Throws DemEngineError, with how to
+/// build it, when it is not there.
 std::string dem_engine_library(const DemEngineRow& engine);
 
 /// Loads the adapter library, never to unload it: engines leave global state behind.

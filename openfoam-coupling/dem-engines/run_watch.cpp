@@ -12,7 +12,7 @@ using Clock = RunWatch::Clock;
 
 double seconds(Clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
 
-/// A run from where it was first seen on: its speed is that of the steps since then.
+/// A run since it was first seen: its speed is that of the steps since then.
 struct SeenRun {
   RunWatch::Steps start;
   Clock::time_point since;
@@ -36,9 +36,11 @@ struct SeenRun {
 
 }  // namespace
 
-RunWatch::RunWatch(std::function<Steps()> look, std::function<void(const std::string&)> say,
+RunWatch::RunWatch(std::function<Steps()> steps, std::function<void(const std::string&)> report,
                    const Times& times)
-    : look_(std::move(look)), say_(std::move(say)), thread_([this, times] { watch(times); }) {}
+    : steps_(std::move(steps)),
+      report_(std::move(report)),
+      thread_([this, times] { watch(times); }) {}
 
 RunWatch::~RunWatch() {
   {
@@ -52,17 +54,17 @@ RunWatch::~RunWatch() {
 void RunWatch::watch(const Times& times) {
   const auto begin = Clock::now();
   auto next = begin + times.first;
-  SeenRun run{look_(), begin};
+  SeenRun run{steps_(), begin};
   std::unique_lock lock(mutex_);
-  while (!ended_.wait_for(lock, times.look, [this] { return end_; })) {
-    const Steps steps = look_();
+  while (!ended_.wait_for(lock, times.poll, [this] { return end_; })) {
+    const Steps steps = steps_();
     const auto now = Clock::now();
     if (!run.is(steps)) run = {steps, now};
     if (now < next) continue;
     std::ostringstream text;
     text.precision(3);
     text << seconds(now - begin) << " s, " << run.progress(steps, now);
-    say_(text.str());
+    report_(text.str());
     next = now + times.every;
   }
 }

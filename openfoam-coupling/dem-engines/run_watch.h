@@ -10,24 +10,24 @@
 
 namespace cohesion::coupling {
 
-/// Says how far an engine is while it works for long, by a thread of its own.
+/// Reports how far an engine is while it works for long, by a thread of its own.
 class RunWatch {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// Of the run that is under way; without one, first = last.
+  /// The steps of the run that is under way; without one, first = last.
   struct Steps {
     long first, at, last;
   };
 
   struct Times {
-    Clock::duration look;   ///< between two looks at the steps
-    Clock::duration first;  ///< after which it is first said
-    Clock::duration every;  ///< between one time and the next
+    Clock::duration poll;   ///< between two reads of the steps
+    Clock::duration first;  ///< until the first report
+    Clock::duration every;  ///< between two reports
   };
 
-  /// `look` and `say` are called by the thread.
-  RunWatch(std::function<Steps()> look, std::function<void(const std::string&)> say,
+  /// `steps` and `report` are called by the thread.
+  RunWatch(std::function<Steps()> steps, std::function<void(const std::string&)> report,
            const Times& times = {std::chrono::milliseconds(250), std::chrono::seconds(3),
                                  std::chrono::seconds(10)});
   ~RunWatch();
@@ -37,8 +37,8 @@ class RunWatch {
  private:
   void watch(const Times& times);
 
-  const std::function<Steps()> look_;
-  const std::function<void(const std::string&)> say_;
+  const std::function<Steps()> steps_;
+  const std::function<void(const std::string&)> report_;
   std::mutex mutex_;
   std::condition_variable ended_;
   bool end_ = false;

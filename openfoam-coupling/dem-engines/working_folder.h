@@ -7,7 +7,7 @@
 namespace cohesion::coupling {
 
 /// The folder in which an engine works, which need not be that of the solver. The process is in it
-/// during a Visit; where the engine's script changes it, the next Visit goes there.
+/// during a Visit; where the engine's script changes the folder, the next Visit goes there.
 class WorkingFolder {
  public:
   explicit WorkingFolder(std::filesystem::path folder) : folder_(std::move(folder)) {}

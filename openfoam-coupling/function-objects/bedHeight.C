@@ -6,7 +6,7 @@
 
 #include "bed/surface.h"
 
-#include "coupling/readPositive.H"
+#include "coupling/input/readPositive.H"
 
 #include <vector>
 

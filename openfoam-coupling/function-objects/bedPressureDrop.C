@@ -168,7 +168,7 @@ Foam::scalar Foam::functionObjects::bedPressureDrop::meanDensity() const
 
 Foam::scalar Foam::functionObjects::bedPressureDrop::drop() const
 {
-    // Of the pressure over the reference density
+    // The gradient is that of the pressure over the reference density.
     const vectorField& gradP = mesh_.lookupObject<volVectorField>("gradP");
     const scalar risen = gSum(mesh_.V()*(gradP & up_))*particles().density().reference().value();
     const scalar gas = meanDensity()*gSum(mesh_.V())*(particles().g() & up_);
@@ -212,7 +212,7 @@ bool Foam::functionObjects::bedPressureDrop::write()
     }
     const scalar pressure = drop_/over_;
     const scalar carried = weight();
-    // On a horizontal axis nothing is to be carried.
+    // Along a horizontal axis there is no weight to be carried.
     const vector& g = particles().g();
     const bool heavy = mag(g & up_) > 1e-9*mag(g);
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "forceBudget.H"
 
-#include "addToRunTimeSelectionTable.H"
 #include "Map.H"
 #include "Pstream.H"
+#include "addToRunTimeSelectionTable.H"
 #include "fvMesh.H"
 
 namespace Foam
@@ -28,7 +28,7 @@ Foam::functionObjects::forceBudget::forceBudget
     momentumBefore_(Zero),
     impulse_{Zero, Zero},
     weight_(Zero),
-    brought_(Zero),
+    turnover_(Zero),
     number_(0),
     lastStep_(0)
 {
@@ -60,33 +60,33 @@ Foam::vectorField Foam::functionObjects::forceBudget::momenta() const
 }
 
 
-Foam::vector Foam::functionObjects::forceBudget::wentWith() const
+Foam::vector Foam::functionObjects::forceBudget::removedMomentum() const
 {
-    Map<vector> gone(2*ids_.size());
+    Map<vector> left(2*ids_.size());
     forAll(ids_, i)
     {
-        gone.insert(ids_[i], momenta_[i]);
+        left.insert(ids_[i], momenta_[i]);
     }
     const UList<int> ids(particles().ids());
-    const List<bool> fresh(particles().fresh());
+    const List<bool> inserted(particles().inserted());
     DynamicList<label> elsewhere;
     forAll(ids, i)
     {
-        if (!fresh[i] && !gone.erase(ids[i]))
+        if (!inserted[i] && !left.erase(ids[i]))
         {
             elsewhere.append(ids[i]);
         }
     }
-    // What is left has gone to other ranks, or is no more.
-    Pstream::mapCombineGather(gone, plusEqOp<vector>());
-    Pstream::mapCombineScatter(gone);
+    // Particles that are left have gone to other ranks, or have been removed.
+    Pstream::mapCombineGather(left, plusEqOp<vector>());
+    Pstream::mapCombineScatter(left);
     vector sum = Zero;
     for (const label id : elsewhere)
     {
-        sum -= gone[id];
+        sum -= left[id];
     }
     reduce(sum, sumOp<vector>());
-    forAllConstIters(gone, one)
+    forAllConstIters(left, one)
     {
         sum += one.val();
     }
@@ -96,35 +96,35 @@ Foam::vector Foam::functionObjects::forceBudget::wentWith() const
 
 void Foam::functionObjects::forceBudget::addTurnover()
 {
-    const List<bool> fresh(particles().fresh());
+    const List<bool> inserted(particles().inserted());
     const UList<scalar> masses(particles().masses());
     const vectorField now(momenta());
-    vector came = Zero;
+    vector insertedMomentum = Zero;
     scalar stayed = 0;
-    label nCame = 0;
-    forAll(fresh, i)
+    label nInserted = 0;
+    forAll(inserted, i)
     {
-        if (fresh[i])
+        if (inserted[i])
         {
-            ++nCame;
-            came += now[i];
+            ++nInserted;
+            insertedMomentum += now[i];
         }
         else
         {
             stayed += masses[i];
         }
     }
-    reduce(nCame, sumOp<label>());
+    reduce(nInserted, sumOp<label>());
     weight_ += returnReduce(stayed, sumOp<scalar>())*particles().g()*time_.deltaTValue();
-    brought_ += returnReduce(came, sumOp<vector>());
-    if (number_ + nCame > returnReduce(fresh.size(), sumOp<label>()))
+    turnover_ += returnReduce(insertedMomentum, sumOp<vector>());
+    if (number_ + nInserted > returnReduce(inserted.size(), sumOp<label>()))
     {
-        brought_ -= wentWith();
+        turnover_ -= removedMomentum();
     }
 }
 
 
-void Foam::functionObjects::forceBudget::keep()
+void Foam::functionObjects::forceBudget::storeParticles()
 {
     ids_ = labelList(particles().ids());
     momenta_ = momenta();
@@ -132,19 +132,19 @@ void Foam::functionObjects::forceBudget::keep()
 }
 
 
-void Foam::functionObjects::forceBudget::restart()
+void Foam::functionObjects::forceBudget::startRow()
 {
     before_ = time_.value();
     momentumBefore_ = gSum(momenta());
     impulse_ = {Zero, Zero};
-    weight_ = brought_ = Zero;
+    weight_ = turnover_ = Zero;
 }
 
 
 void Foam::functionObjects::forceBudget::begin()
 {
-    restart();
-    keep();
+    startRow();
+    storeParticles();
     lastStep_ = time_.timeIndex();
 }
 
@@ -168,7 +168,7 @@ bool Foam::functionObjects::forceBudget::execute()
     impulse_.drag += felt.drag;
     impulse_.pressure += felt.pressure;
     addTurnover();
-    keep();
+    storeParticles();
     return true;
 }
 
@@ -183,7 +183,7 @@ bool Foam::functionObjects::forceBudget::write()
     const vector gravity = weight_/over;
     const vector drag = returnReduce(impulse_.drag, sumOp<vector>())/over;
     const vector pressure = returnReduce(impulse_.pressure, sumOp<vector>())/over;
-    const vector gain = (gSum(momenta()) - momentumBefore_ - brought_)/over;
+    const vector gain = (gSum(momenta()) - momentumBefore_ - turnover_)/over;
     const vector others = gain - gravity - drag - pressure;
 
     writeCurrentTime(file());
@@ -196,6 +196,6 @@ bool Foam::functionObjects::forceBudget::write()
         }
     }
     file() << endl;
-    restart();
+    startRow();
     return true;
 }

@@ -5,7 +5,7 @@
 #include "addToRunTimeSelectionTable.H"
 #include "fvMesh.H"
 
-#include "coupling/meshCells.H"
+#include "coupling/exchange/meshCells.H"
 
 #include <vector>
 
@@ -67,9 +67,9 @@ bool Foam::functionObjects::mixingIndex::read(const dictionary& dict)
 
 void Foam::functionObjects::mixingIndex::begin()
 {
-    if (!first_.recall(keptUntil()))
+    if (!first_.restore(pastUntil()))
     {
-        first_.take(time_.value(), time_.timeName(), particles().ids(), particles().positions());
+        first_.store(time_.value(), time_.timeName(), particles().ids(), particles().positions());
     }
     Info<< name() << ": particles are coloured by their places at " << first_.time() << " s" << endl;
     setColours();
@@ -82,7 +82,7 @@ void Foam::functionObjects::mixingIndex::begin()
 
 void Foam::functionObjects::mixingIndex::setColours()
 {
-    const scalarField heights(pointField(first_.places()) & up_);
+    const scalarField heights(pointField(first_.positions()) & up_);
     labelList order;
     sortedOrder(heights, order);
     colours_.setSize(order.size());
@@ -93,11 +93,11 @@ void Foam::functionObjects::mixingIndex::setColours()
 }
 
 
-Foam::label Foam::functionObjects::mixingIndex::cell(const point& place) const
+Foam::label Foam::functionObjects::mixingIndex::cell(const point& position) const
 {
     const boundBox& box = mesh_.bounds();
     // The particle engine takes particles back through periodic faces only now and then.
-    const point inside(place + meshCells::shortening(images_, place - box.midpoint()));
+    const point inside(position + meshCells::minimumImageShift(images_, position - box.midpoint()));
     label cell = 0;
     for (direction d = 3; d-- > 0; )
     {

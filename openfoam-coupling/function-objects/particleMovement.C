@@ -4,8 +4,8 @@
 #include "addToRunTimeSelectionTable.H"
 #include "fvMesh.H"
 
-#include "coupling/meshCells.H"
-#include "coupling/readPositive.H"
+#include "coupling/exchange/meshCells.H"
+#include "coupling/input/readPositive.H"
 
 namespace Foam
 {
@@ -48,17 +48,17 @@ bool Foam::functionObjects::particleMovement::read(const dictionary& dict)
 }
 
 
-void Foam::functionObjects::particleMovement::take()
+void Foam::functionObjects::particleMovement::startInterval()
 {
-    before_.take(time_.value(), time_.timeName(), particles().ids(), particles().positions());
+    before_.store(time_.value(), time_.timeName(), particles().ids(), particles().positions());
 }
 
 
 void Foam::functionObjects::particleMovement::begin()
 {
-    if (!before_.recall(keptUntil()))
+    if (!before_.restore(pastUntil()))
     {
-        take();
+        startInterval();
     }
     Info<< name() << ": the interval begins at " << before_.time() << " s" << endl;
 }
@@ -76,10 +76,10 @@ void Foam::functionObjects::particleMovement::writeMovement()
         const label index = before_.index(ids[i]);
         if (index >= 0)
         {
-            vector way = positions[i] - before_.places()[index];
-            way += meshCells::shortening(images_, way);
-            distance += mag(way);
-            squares += cmptMultiply(way, way);
+            vector moved = positions[i] - before_.positions()[index];
+            moved += meshCells::minimumImageShift(images_, moved);
+            distance += mag(moved);
+            squares += cmptMultiply(moved, moved);
             ++n;
         }
     }
@@ -107,12 +107,12 @@ bool Foam::functionObjects::particleMovement::execute()
     if (time_.value() - before_.time() > interval_ - 0.5*time_.deltaTValue())
     {
         writeMovement();
-        take();
+        startInterval();
     }
     // Up to this time the run is complete: it is not continued from before.
     if (time_.writeTime())
     {
-        before_.forgetEarlier();
+        before_.removeEarlier();
     }
     return true;
 }

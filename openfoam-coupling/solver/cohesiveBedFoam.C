@@ -5,8 +5,8 @@ Application
 
 Description
     Transient solver for the volume-averaged flow of a gas, incompressible or an ideal one of one
-    temperature, through particles that a particle engine (LAMMPS, LIGGGHTS) moves. Laminar, or with a turbulence model where there is a
-    constant/turbulenceProperties. PIMPLE for the gas, one exchange each way per gas step. Sources and
+    temperature, through particles that a particle engine (LAMMPS, LIGGGHTS) moves. Laminar, or with a
+    turbulence model where there is a constant/turbulenceProperties. PIMPLE for the gas, one exchange each way per gas step. Sources and
     constraints by constant/fvOptions, function objects in system/controlDict.
 
     Forms A and B of the model, src/drag/model_form.h.
@@ -28,9 +28,9 @@ Usage
 #include "requireEuler.H"
 #include "requireParallel.H"
 
-#include "coupling/completeState.H"
+#include "coupling/restart/completeState.H"
 #include "coupling/gasParticleCoupling.H"
-#include "coupling/requireDimensions.H"
+#include "coupling/checks/requireDimensions.H"
 
 int main(int argc, char* argv[])
 {
@@ -47,7 +47,7 @@ int main(int argc, char* argv[])
     requireParallel();
     completeState::setAsideIncomplete(args);
     #include "createTime.H"
-    completeState::checkStart(runTime, args.found("overwrite"));
+    completeState::prepareStart(runTime, args.found("overwrite"));
     #include "createMesh.H"
 
     requireEuler(mesh);
@@ -73,9 +73,9 @@ int main(int argc, char* argv[])
         Info<< "Time = " << runTime.timeName() << progress << nl;
 
         coupling.depositParticles(U, gradP);
-        if (coupling.watchesWaves())
+        if (coupling.checksViscousWaves())
         {
-            coupling.warnOfWaves(stress.viscosity());
+            coupling.checkViscousWaves(stress.viscosity());
         }
         voidFractionf = fvc::interpolate(voidFraction);
         voidFractionPhi = voidFractionf*phi;
@@ -96,7 +96,7 @@ int main(int argc, char* argv[])
             }
         }
         #include "continuityError.H"
-        density.refuseVacuum();
+        density.requirePositive();
 
         coupling.advanceParticles(U, rho*gradP);
 

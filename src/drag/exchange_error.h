@@ -25,6 +25,17 @@ inline double exchange_error(double step, double loading, bool free) {
   return std::abs(right - found);
 }
 
+/// exchange_error() of a step that is longer than m/b, x > 1, else 0: shorter steps are off by
+/// their first order, as implicit steps are.
+inline double late_exchange_error(double step, double loading, bool free) {
+  return step > 1.0 ? exchange_error(step, loading, free) : 0.0;
+}
+
+/// The late_exchange_error(), [1], above which a step is worth a warning. Implicit steps of the gas
+/// are off by some per cent where they are about as long as it takes to follow the particles;
+/// beyond is what does not get better with stiffer drag.
+inline constexpr double exchange_error_limit = 0.05;
+
 /// Size of the gas velocity after a step over that before, [1], between particles that are held,
 /// when the gas is solved with particles that follow: what they feel beyond is charged a step late,
 /// and from R (x - 2 (1 - exp(-x))) = 2 on the velocity swings and grows.
@@ -32,6 +43,9 @@ inline double held_growth(double step, double loading) {
   const double gain = -std::expm1(-step);
   return std::abs(1.0 - loading * (step - gain)) / (1.0 + loading * gain);
 }
+
+/// The held_growth(), [1], above which the gas velocity grows.
+inline constexpr double held_growth_limit = 1.0;
 
 /// x of a step: dt over the time m/b in which a particle follows the gas, [1]. coefficient b
 /// [force time/length], mass [mass] > 0, dt [time].

@@ -22,8 +22,8 @@ namespace cohesion::drag {
 ///   eps x g = -n (c (u - h) + Q + (1 - phi) x (g - r g_last))
 ///   d = V + m (h - V),  h' = V + E (h - V),  V = u - g
 ///   Q' = h' - h + x g - c (u - h) - (1 - phi) x (g - r g_last)
-/// with E = exp(-x), m = (1 - E)/(S (1 - exp(-x/S))), phi = (1 - E)/x, Q what is pending; c = x and
-/// r = 1 with particles taken to keep their velocity, c = x phi and r = 0 with those taken to
+/// with E = exp(-x), m = (1 - E)/(S (1 - exp(-x/S))), phi = (1 - E)/x, Q what is deferred; c = x
+/// and r = 1 with particles taken to keep their velocity, c = x phi and r = 0 with those taken to
 /// follow. Here h is that of leapfrog, half a step of the particles ahead; with many of
 /// them in a gas step that is nothing.
 ///
@@ -56,20 +56,20 @@ using PressureWave = std::array<double, 4>;
 
 /// The wave after a step.
 inline PressureWave advanced(const PressureStep& step, const PressureWave& wave) {
-  const auto [h, displaced, last, pending] = wave;
+  const auto [h, displaced, last, deferred] = wave;
   const double x = step.step, eps = step.void_fraction, n = 1.0 - eps;
   const double gain = -std::expm1(-x);
   const double sampled = gain / (step.engine_steps * -std::expm1(-x / step.engine_steps));
-  const double charged = step.free ? gain / x : 1.0;
-  const double handed_on = handed_on_volume(x, 1.0, 1.0, 1.0);
-  const double before = step.free ? 0.0 : handed_on * last;
+  const double coefficient = step.free ? gain / x : 1.0;
+  const double transmitted = transmitted_volume(x, 1.0, 1.0, 1.0);
+  const double before = step.free ? 0.0 : transmitted * last;
 
   const double u = -n / eps * displaced;
-  const double by_slip = charged * (u - h);
-  const double g = step.felt ? -n * (by_slip + pending - before) / (eps + n * handed_on) : 0.0;
+  const double by_slip = coefficient * (u - h);
+  const double g = step.felt ? -n * (by_slip + deferred - before) / (eps + n * transmitted) : 0.0;
   const double slip = h - (u - g);
   const double felt = g - gain / x * slip;
-  return {h - gain * slip, u - g + sampled * slip, g, felt - by_slip - handed_on * g + before};
+  return {h - gain * slip, u - g + sampled * slip, g, felt - by_slip - transmitted * g + before};
 }
 
 /// Growth in a step, [1], of the wave that grows fastest, to 1e-6: the spectral radius of a step,

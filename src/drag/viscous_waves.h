@@ -54,6 +54,13 @@ inline bool viscous_waves_below(const ViscousStep& step, double factor) {
   return true;
 }
 
+/// A growth, [1], above 1, which is that of a wave that stays as it is.
+inline constexpr double viscous_grows = 1.0 + 1e-6;
+
+inline bool viscous_waves_grow(const ViscousStep& step) {
+  return !viscous_waves_below(step, viscous_grows);
+}
+
 /// Whether the law has something to say of `step`.
 inline bool is_finite(const ViscousStep& step) {
   return std::isfinite(step.displaced) && std::isfinite(step.viscous) &&
@@ -97,10 +104,9 @@ inline double engine_steps_needed(double displaced) {
 /// engine's steps, each shortened by it too; 1 when nothing grows, 0 where engine_steps_needed()
 /// are more, or `step` is not finite.
 inline double longest_viscous_step(const ViscousStep& step) {
-  constexpr double stable = 1.0 + 1e-6;
   if (!is_finite(step) || step.engine_steps < engine_steps_needed(step.displaced)) return 0.0;
   const auto grows = [&](double share) {
-    return !viscous_waves_below(shortened(step, share, step.engine_steps), stable);
+    return viscous_waves_grow(shortened(step, share, step.engine_steps));
   };
   double low = 1.0;
   // Ends: without viscosity nothing grows.

@@ -26,10 +26,11 @@ SHIFT = 0.25  # of the particles' ranks beside the gas's, parts of a rank
 DT = 1e-4
 
 # With this shift a rank's particles are in the cells of four ranks at most, and its cells have the particles of
-# four. To those of the first kind go, one message each: how many questions, the questions, the verdicts, and
-# volume, coefficient, charge and, in form A, the volume whose pressure they hand on, of the particles; and of kernels
-# that reach out the sum of the shares. Back go the answers, void fraction and velocity for the drag, velocity and
-# pressure gradient at the end of the step and, in form A, the pressure gradient that the gas was charged with.
+# four. To those of the first kind go, one message each: how many queries, the queries, which of them become parts, and
+# volume, coefficient, explicit source and, in form A, the volume whose pressure they transmit, of the particles; and
+# of kernels that span cells the sum of the shares. Back go the replies, void fraction and velocity for the drag,
+# velocity and pressure gradient at the end of the step and, in form A, the pressure gradient that the gas was charged
+# with.
 NEIGHBOURS = 4
 FORWARD, BACK = {"particleCentre": 7, "dividedVolume": 8, "sphereOverlap": 8}, 6
 

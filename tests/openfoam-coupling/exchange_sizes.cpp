@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "coupling/exchangeLists.H"
-#include "coupling/neighbourSizes.H"
+#include "coupling/exchange/exchangeLists.H"
+#include "coupling/exchange/neighbourSizes.H"
 
 using namespace Foam;
 

@@ -21,16 +21,16 @@ def step_matrix(x, eps, engine_steps, free, form, seen=1.0):
     """What a gas step makes of h, d, g and Q/x, where cells see the share `seen` of what particles displace."""
     n, decay, phi = 1 - eps, np.exp(-x), -np.expm1(-x) / x
     mean = -np.expm1(-x) / (engine_steps * -np.expm1(-x / engine_steps))
-    charge = phi if free else 1.0
+    coefficient = phi if free else 1.0
     columns = []
-    for h, d, g_last, pending in np.eye(4):
+    for h, d, g_last, deferred in np.eye(4):
         u = -n / eps * seen * d
         before = 0 if free else (1 - phi) * g_last
-        g = -n * (charge * (u - h) + pending - before) / (eps + n * (1 - phi)) if form == "A" else 0.0
+        g = -n * (coefficient * (u - h) + deferred - before) / (eps + n * (1 - phi)) if form == "A" else 0.0
         v = u - g
         after = v + decay * (h - v)
         columns.append([after, v + mean * (h - v), g,
-                        (after - h) / x + g - charge * (u - h) - (1 - phi) * g + before])
+                        (after - h) / x + g - coefficient * (u - h) - (1 - phi) * g + before])
     return np.array(columns).T
 
 
@@ -89,7 +89,7 @@ def check_said(expect, what, log, growth, eps, x):
 
 
 def check_layer(expect, build, work):
-    """Free spheres in a layer, so stiff that they hand all of the pressure on to the gas within a step: charged a step
+    """Free spheres in a layer, so stiff that they transmit all of the pressure to the gas within a step: charged a step
     late it would grow by 1.61 a step in form A. It dies out, as in form B."""
     for form, free in (("A", False), ("A", True), ("B", False)):
         s = Setting(1e9, kernel="sphereOverlap", layer=True, reynolds=100.0, form=form, free=free)

@@ -10,8 +10,8 @@
 namespace {
 
 using cohesion::coupling::EngineScreen;
-using cohesion::coupling::Said;
-using Messages = std::vector<std::pair<Said, std::string>>;
+using cohesion::coupling::Severity;
+using Messages = std::vector<std::pair<Severity, std::string>>;
 
 class Screen : public ::testing::Test {
  protected:
@@ -19,44 +19,46 @@ class Screen : public ::testing::Test {
 
   void print(const std::string& text) { std::fputs(text.c_str(), screen_.stream()); }
 
-  Messages told_;
-  EngineScreen screen_{
-      [this](Said said, const std::string& text) { told_.emplace_back(said, text); }};
+  Messages messages_;
+  EngineScreen screen_{[this](Severity severity, const std::string& text) {
+    messages_.emplace_back(severity, text);
+  }};
 };
 
-TEST_F(Screen, HandsOnNothingButErrorsAndWarnings) {
+TEST_F(Screen, PassesOnNothingButErrorsAndWarnings) {
   print("LAMMPS (29 Sep 2021)\n");
   print("variable text string 'no ERROR here, and no WARNING'\n");
-  EXPECT_TRUE(told_.empty());
+  EXPECT_TRUE(messages_.empty());
   EXPECT_FALSE(screen_.has_shown_error());
 }
 
-TEST_F(Screen, HandsOnAMessageWithAllItsLinesBeforeAnythingIsFlushed) {
+TEST_F(Screen, PassesOnAMessageWithAllItsLinesBeforeAnythingIsFlushed) {
   std::fprintf(screen_.stream(), "ERROR: %s (%s:%d)\nLast command: %s\n", "Illegal", "input.cpp", 7,
                "fix");
-  EXPECT_EQ(told_, (Messages{{Said::error, "ERROR: Illegal (input.cpp:7)\nLast command: fix"}}));
+  EXPECT_EQ(messages_,
+            (Messages{{Severity::error, "ERROR: Illegal (input.cpp:7)\nLast command: fix"}}));
   EXPECT_TRUE(screen_.has_shown_error());
 }
 
 TEST_F(Screen, LeavesOutWhatStandsBeforeTheMessage) {
   print("\nStep Temp\nWARNING: \n\tof two lines (a.h:3)\n\n");
-  EXPECT_EQ(told_, (Messages{{Said::warning, "WARNING: \n\tof two lines (a.h:3)"}}));
+  EXPECT_EQ(messages_, (Messages{{Severity::warning, "WARNING: \n\tof two lines (a.h:3)"}}));
 }
 
-TEST_F(Screen, SaysAWarningOnceAndAnErrorAlways) {
+TEST_F(Screen, PassesOnAWarningOnceAndAnErrorAlways) {
   for (int k = 0; k < 2; ++k) print("WARNING: one (a.cpp:1)\n");
   print("WARNING: two (a.cpp:1)\n");
   for (int k = 0; k < 2; ++k) print("ERROR on proc 1: lost (a.cpp:1)\n");
-  ASSERT_EQ(told_.size(), 4u);
-  EXPECT_EQ(told_[1].second, "WARNING: two (a.cpp:1)");
-  EXPECT_EQ(told_[2], told_[3]);
+  ASSERT_EQ(messages_.size(), 4u);
+  EXPECT_EQ(messages_[1].second, "WARNING: two (a.cpp:1)");
+  EXPECT_EQ(messages_[2], messages_[3]);
 }
 
 TEST_F(Screen, SaysThatThereAreMoreThanAHundredWarningsAndNoMoreOfThem) {
   for (int k = 0; k < 300; ++k) print("WARNING: lost " + std::to_string(k) + "\n");
-  ASSERT_EQ(told_.size(), 101u);
-  EXPECT_EQ(told_[99].second, "WARNING: lost 99");
-  EXPECT_EQ(told_[100].second.rfind("more than 100 different warnings", 0), 0u);
+  ASSERT_EQ(messages_.size(), 101u);
+  EXPECT_EQ(messages_[99].second, "WARNING: lost 99");
+  EXPECT_EQ(messages_[100].second.rfind("more than 100 different warnings", 0), 0u);
 }
 
 TEST_F(Screen, IsTheStandardOutputForAsLongAsItIsAskedTo) {

@@ -17,26 +17,27 @@ using std::chrono::milliseconds;
 
 constexpr RunWatch::Times quick{milliseconds(1), milliseconds(20), milliseconds(40)};
 
-/// What is said until it has been said `times`.
-std::vector<std::string> said(std::size_t times, const std::function<RunWatch::Steps()>& look) {
+/// The first reports, `number` of them and those that come meanwhile.
+std::vector<std::string> reports(std::size_t number,
+                                 const std::function<RunWatch::Steps()>& steps) {
   std::vector<std::string> texts;
   std::mutex mutex;
-  std::atomic<std::size_t> number = 0;
+  std::atomic<std::size_t> so_far = 0;
   {
     const RunWatch watch(
-        look,
+        steps,
         [&](const std::string& text) {
           const std::lock_guard lock(mutex);
           texts.push_back(text);
-          ++number;
+          ++so_far;
         },
         quick);
-    while (number < times) std::this_thread::sleep_for(milliseconds(1));
+    while (so_far < number) std::this_thread::sleep_for(milliseconds(1));
   }
   return texts;
 }
 
-TEST(RunWatch, SaysNothingOfWhatIsSoonOver) {
+TEST(RunWatch, ReportsNothingOfWhatIsSoonOver) {
   bool any = false;
   {
     const RunWatch watch([] { return RunWatch::Steps{0, 1, 2}; },
@@ -46,12 +47,12 @@ TEST(RunWatch, SaysNothingOfWhatIsSoonOver) {
 }
 
 TEST(RunWatch, CountsTheStepsOfTheRunAndWhatIsLeftByItsSpeed) {
-  // A step per look; the first of them is where the watch begins.
+  // A step per read; the first of them is where the watch begins.
   long at = 700;
-  const auto look = [&at] { return RunWatch::Steps{500, at++, 100500}; };
+  const auto steps = [&at] { return RunWatch::Steps{500, at++, 100500}; };
   const std::regex form(R"((\S+) s, step (\d+) of 100000 of a run, about (\S+) s left of it)");
   double seconds = 0;
-  for (const auto& text : said(3, look)) {
+  for (const auto& text : reports(3, steps)) {
     std::smatch found;
     ASSERT_TRUE(std::regex_match(text, found, form)) << text;
     EXPECT_GT(std::stod(found[1]), seconds);
@@ -65,17 +66,17 @@ TEST(RunWatch, CountsTheStepsOfTheRunAndWhatIsLeftByItsSpeed) {
 TEST(RunWatch, BeginsAnewWithAnotherRun) {
   // The second has made no step yet, so that nothing is known of its speed.
   const auto begin = RunWatch::Clock::now();
-  const auto look = [&] {
+  const auto steps = [&] {
     return RunWatch::Clock::now() - begin < milliseconds(10) ? RunWatch::Steps{0, 900, 1000}
                                                              : RunWatch::Steps{1000, 1000, 3000};
   };
-  const std::string text = said(1, look).front();
+  const std::string text = reports(1, steps).front();
   EXPECT_NE(text.find("step 0 of 2000 of a run"), std::string::npos) << text;
   EXPECT_EQ(text.find("left"), std::string::npos) << text;
 }
 
-TEST(RunWatch, SaysWhenNoRunIsUnderWay) {
-  const std::string text = said(1, [] { return RunWatch::Steps{0, 0, 0}; }).front();
+TEST(RunWatch, ReportsWhenNoRunIsUnderWay) {
+  const std::string text = reports(1, [] { return RunWatch::Steps{0, 0, 0}; }).front();
   EXPECT_NE(text.find("no run under way"), std::string::npos) << text;
 }
 

@@ -27,23 +27,23 @@ class StepByStep {
     velocity_ = wave[0];
     displaced_ = wave[1];
     pressure_ = wave[2] * s_.step;
-    pending_ = wave[3] * s_.step;
+    deferred_ = wave[3] * s_.step;
     advance();
-    return {velocity_, displaced_, pressure_ / s_.step, pending_ / s_.step};
+    return {velocity_, displaced_, pressure_ / s_.step, deferred_ / s_.step};
   }
 
  private:
   void advance() {
     const double n = 1.0 - s_.void_fraction, b = s_.step;
     const double u = scene_ == Scene::wave ? -n / s_.void_fraction * displaced_ : 0.0;
-    const double c = charged_coefficient(b, 1.0, 1.0, s_.free);
-    const double handed_on = handed_on_volume(b, 1.0, 1.0, 1.0);
-    const double last = last_pressure_on_gas(handed_on, pressure_, s_.free);
+    const double c = source_coefficient(b, 1.0, 1.0, s_.free);
+    const double transmitted = transmitted_volume(b, 1.0, 1.0, 1.0);
+    const double last = last_pressure_on_gas(transmitted, pressure_, s_.free);
     // Nothing is left of the forces on the gas: eps grad p and n of those of a particle.
-    const double source = source_on_gas(c, velocity_, 0.0, pending_, 1.0) + last;
-    pressure_ = s_.felt ? n * (source - c * u) / (s_.void_fraction + n * handed_on) : 0.0;
-    const double charged = impulse_charged(c, u, velocity_, 1.0) + handed_on * pressure_ - last;
-    pending_ = (scene_ == Scene::held_and_flux_stays ? 0.0 : felt(u)) - charged;
+    const double source = explicit_source(c, velocity_, 0.0, deferred_, 1.0) + last;
+    pressure_ = s_.felt ? n * (source - c * u) / (s_.void_fraction + n * transmitted) : 0.0;
+    const double charged = source_impulse(c, u, velocity_, 1.0) + transmitted * pressure_ - last;
+    deferred_ = (scene_ == Scene::held_and_flux_stays ? 0.0 : felt(u)) - charged;
   }
 
   /// Impulse of the drag on a particle that moves.
@@ -63,7 +63,7 @@ class StepByStep {
 
   const PressureStep s_;
   const Scene scene_;
-  double velocity_ = 0.0, displaced_ = 0.0, pressure_ = 0.0, pending_ = 0.0;
+  double velocity_ = 0.0, displaced_ = 0.0, pressure_ = 0.0, deferred_ = 0.0;
 };
 
 using Matrix = std::array<PressureWave, 4>;

@@ -70,6 +70,8 @@ TEST(ViscousWaves, WithoutViscosityGrowFromADisplacedMassOn) {
     const double limit = 2.0 * steps / (steps + 1.0);
     EXPECT_EQ(viscous_growth({0.99 * limit, 0.0, steps}), 1.0);
     EXPECT_GT(viscous_growth({1.01 * limit, 0.0, steps}), 1.0);
+    EXPECT_FALSE(viscous_waves_grow({0.99 * limit, 0.0, steps}));
+    EXPECT_TRUE(viscous_waves_grow({1.01 * limit, 0.0, steps}));
   }
   EXPECT_EQ(longest_viscous_step({3.0, 0.0, 5.0}), 0.0);
 }

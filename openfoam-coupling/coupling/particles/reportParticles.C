@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reportParticles.H"
+
+#include "bed/geldart.h"
+#include "sphere.h"
+
+#include "coupling/sixDigits.H"
+#include "coupledParticles.H"
+
+namespace
+{
+
+using namespace Foam;
+
+//- Largest over smallest diameter above which spheres are a mixture of sizes: sieves sort no finer.
+constexpr scalar mixtureFrom = 1.05;
+
+//- Smallest and largest value of all particles
+struct Range
+{
+    scalar least = GREAT;
+    scalar most = -GREAT;
+
+    void add(const scalar value)
+    {
+        least = min(least, value);
+        most = max(most, value);
+    }
+
+    //- Takes in the values of the other ranks. All ranks call it.
+    void reduce()
+    {
+        Foam::reduce(least, minOp<scalar>());
+        Foam::reduce(most, maxOp<scalar>());
+    }
+
+    //- Whether the two differ in six digits
+    bool wide() const
+    {
+        return most > (1 + 1e-5)*least;
+    }
+
+    friend Ostream& operator<<(Ostream& os, const Range& range)
+    {
+        if (range.wide())
+        {
+            os  << sixDigits(range.least).c_str() << " to ";
+        }
+        return os << sixDigits(range.most).c_str();
+    }
+};
+
+//- Sums and ranges over all particles
+struct Particles
+{
+    label number = 0;
+    scalar mass = 0;
+    scalar volume = 0;
+    scalar squares = 0;     // of radii
+    Range diameter;
+    Range density;
+
+    explicit Particles(const coupledParticles& particles)
+    {
+        const UList<scalar> radii(particles.radii());
+        const UList<scalar> masses(particles.masses());
+        number = radii.size();
+        forAll(radii, i)
+        {
+            const scalar sphere = cohesion::sphere_volume(radii[i]);
+            mass += masses[i];
+            volume += sphere;
+            squares += radii[i]*radii[i];
+            diameter.add(2*radii[i]);
+            density.add(masses[i]/sphere);
+        }
+        reduce(number, sumOp<label>());
+        reduce(mass, sumOp<scalar>());
+        reduce(volume, sumOp<scalar>());
+        reduce(squares, sumOp<scalar>());
+        diameter.reduce();
+        density.reduce();
+    }
+
+    //- Sum d^3 over sum d^2
+    scalar sauter() const
+    {
+        return 2*volume/cohesion::sphere_volume(1)/squares;
+    }
+
+    scalar meanDensity() const
+    {
+        return mass/volume;
+    }
+};
+
+} // End anonymous namespace
+
+
+void Foam::reportParticles(const coupledParticles& particles, const scalar rho)
+{
+    const Particles all(particles);
+    const bool sizes = all.diameter.wide();
+    const bool densities = all.density.wide();
+    Info<< "Particles: " << all.number << ", diameter " << all.diameter << " m";
+    if (sizes)
+    {
+        Info<< ", Sauter mean " << sixDigits(all.sauter()).c_str() << " m";
+    }
+    Info<< ", density " << all.density << " kg/m3";
+    if (densities)
+    {
+        Info<< ", mean " << sixDigits(all.meanDensity()).c_str() << " kg/m3";
+    }
+    // The lines between the groups are those of particles that are heavier than the gas.
+    if (all.meanDensity() > rho)
+    {
+        Info<< "; by both" << (sizes || densities ? " means" : "") << ", in ambient air, Geldart's group "
+            << char(cohesion::bed::geldart_group(all.meanDensity() - rho, all.sauter()));
+    }
+    Info<< endl;
+    if (all.diameter.most > mixtureFrom*all.diameter.least)
+    {
+        Info<< "    A mixture, largest over smallest diameter "
+            << sixDigits(all.diameter.most/all.diameter.least).c_str()
+            << ": the drag of each sphere is the closure's for its own diameter and the void fraction of"
+            << " its cells. That is no law for mixtures: it may be off by a factor of about five at a size"
+            << " ratio of four" << endl;
+    }
+}
