@@ -4,10 +4,10 @@ import argparse
 import sys
 import unittest
 
-from build_folder import Programs  # first: it knows where the others are
 import account
 import dense
 import scenes
+from build_folder import Programs
 
 PROGRAMS = Programs(sys.argv[1], sys.argv[2])
 PARTICLES, STEPS = 500, 20

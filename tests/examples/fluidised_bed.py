@@ -8,15 +8,12 @@ import subprocess
 import sys
 from pathlib import Path
 
+from cohesion_studies import expected
+from cohesion_studies.bed import analyse, figures
+from cohesion_tests.coupling.cases import Expectations
+
 SOURCE = Path(__file__).resolve().parents[2]
 BED = SOURCE / "examples/fluidised-bed"
-sys.path[:0] = [str(BED), str(SOURCE / "examples/common"), str(SOURCE / "tests/openfoam-coupling")]
-
-import analyse  # noqa: E402
-import expected  # noqa: E402
-import figures  # noqa: E402
-from coupled_case import Expectations  # noqa: E402
-
 
 # Of the pressure drop: Ergun's viscous coefficient is 150, that of Macdonald et al. (Ind. Eng. Chem. Fundam. 18 (1979)
 # 199) for packed smooth spheres 180; the inertial ones, 1.75 and 1.8, differ less.

@@ -6,11 +6,8 @@ import unittest
 
 import numpy
 
-import cohesive_gas as gas
-import lammps_engine as engine
-import settling_spheres as settling
-import struck_pairs
-import turning_ball
+from cohesion_tests import lammps as engine
+from cohesion_tests.lammps_scenes import cohesive_gas as gas, settling_spheres as settling, triples, turning_ball
 
 D, T_C = gas.DIAMETER, gas.CONTACT_TIME
 
@@ -110,19 +107,19 @@ class StruckPair(unittest.TestCase):
         keeper = engine.temporary_folder()
         cls.addClassCleanup(keeper.cleanup)
         cls.folder = keeper.name
-        struck_pairs.write(cls.folder)
+        triples.write(cls.folder)
 
     def compare(self, friction):
-        exact, stuck, parting = struck_pairs.outcome(self.folder, 1000, friction)
+        exact, stuck, parting = triples.outcome(self.folder, 1000, friction)
         # All outcomes that matter are there: caught, parted, the pair broken, the partner changed.
         self.assertGreaterEqual(len(numpy.unique(stuck, axis=1).T), 5)
-        zeta = -math.log(struck_pairs.RESTITUTION) / math.hypot(math.pi,
-                                                               math.log(struck_pairs.RESTITUTION))
-        scale = numpy.hypot(struck_pairs.SPEEDS,
-                            struck_pairs.ADHESION / math.sqrt(gas.MASS / 2 * gas.STIFFNESS))
+        zeta = -math.log(triples.RESTITUTION) / math.hypot(math.pi,
+                                                               math.log(triples.RESTITUTION))
+        scale = numpy.hypot(triples.SPEEDS,
+                            triples.ADHESION / math.sqrt(gas.MASS / 2 * gas.STIFFNESS))
         for division in (10, 20):
             delta = (1.5 * (math.pi / division)**2 / 24 / (math.sqrt(1.5) * zeta * math.e))
-            velocities, sticks, parts = struck_pairs.outcome(self.folder, division, friction)
+            velocities, sticks, parts = triples.outcome(self.folder, division, friction)
             same = (sticks == stuck).all(axis=0)
             slowest = numpy.minimum(parting, parts)
             self.assertTrue((same | (slowest**2 < delta * scale**2)).all(), division)

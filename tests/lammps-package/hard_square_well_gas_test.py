@@ -8,10 +8,10 @@ from pathlib import Path
 
 import numpy
 
-import hard_spheres as hard
-import lammps_engine as engine
-from event_driven_reference import KINDS
-from hard_gas import Gas
+from cohesion_tests import lammps as engine
+from cohesion_tests.lammps_scenes import hard_spheres as hard
+from cohesion_tests.lammps_scenes.hard_gas import Gas
+from cohesion_tests.theory.event_driven_reference import KINDS
 
 DEPTH, RATIO = 0.3, 1.1
 

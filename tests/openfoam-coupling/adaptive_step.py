@@ -8,7 +8,7 @@ import sys
 
 import numpy as np
 
-from coupled_case import Expectations, column, exchange_lines
+from cohesion_tests.coupling.cases import Expectations, column, exchange_lines
 from packed_bed import field
 from restart import numbers
 

@@ -4,7 +4,7 @@
 import sys
 
 from bad_input import check, edit
-from coupled_case import COUPLING, Expectations, column
+from cohesion_tests.coupling.cases import COUPLING, Expectations, column
 
 GAS = "constant/transportProperties"
 

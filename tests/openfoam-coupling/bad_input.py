@@ -8,10 +8,10 @@ import subprocess
 import sys
 import time
 
-from coupled_case import COUPLING, ENGINE, SOURCE, CaseError, Expectations, append, column, script_file
-
-sys.path.insert(0, str(SOURCE / "tests/src/drag"))
-from closure_formulas import CLOSURES  # noqa: E402
+from cohesion_studies.foam_case import CaseError
+from cohesion_tests import SOURCE
+from cohesion_tests.coupling.cases import COUPLING, ENGINE, Expectations, append, column, script_file
+from cohesion_tests.theory.closure_formulas import CLOSURES
 
 SCRIPT = script_file("particles")
 

@@ -8,11 +8,9 @@ import subprocess
 import sys
 from pathlib import Path
 
-from coupled_case import BED, Expectations, FoamCase, environment
-
-sys.path.insert(0, str(BED))
-import analyse  # noqa: E402
-
+from cohesion_studies.bed import analyse
+from cohesion_studies.foam_case import FoamCase, environment
+from cohesion_tests.coupling.cases import BED, Expectations
 
 SETTINGS = {"plugin": "cohesionplugin.so", "A": 7.49e-19, "dt": 1.125e-5, "node": 3.333e-3, "seed": 4711}
 COMPARED = ("time", "velocity", "drop", "weight", "height")

@@ -8,7 +8,7 @@ import sys
 
 import numpy as np
 
-from coupled_case import COUPLING, Expectations, column, make_periodic, use_script
+from cohesion_tests.coupling.cases import COUPLING, Expectations, column, make_periodic, use_script
 
 CONTROL = "system/controlDict"
 BOX = np.array([0.06, 0.06, 0.2])

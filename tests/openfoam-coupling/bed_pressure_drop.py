@@ -9,12 +9,11 @@ import sys
 
 import numpy as np
 
-from coupled_case import COUPLING, SOURCE, CaseError, Expectations, append, column
 from bed_outputs import table
+from cohesion_studies.foam_case import CaseError
+from cohesion_tests.coupling.cases import COUPLING, Expectations, append, column
+from cohesion_tests.theory.closure_formulas import CLOSURES
 from packed_bed import G, MU, RHO, drag, drop_error, field, flux_limit, viscous
-
-sys.path.insert(0, str(SOURCE / "tests/src/drag"))
-from closure_formulas import CLOSURES  # noqa: E402
 
 CLOSURE = CLOSURES["ergunWenYu"]
 SUPERFICIAL = 0.5

@@ -8,7 +8,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from coupled_case import COUPLING, ENGINE, Expectations, append, column, script_file
+from cohesion_tests.coupling.cases import COUPLING, ENGINE, Expectations, append, column, script_file
 
 CONTROL = "system/controlDict"
 

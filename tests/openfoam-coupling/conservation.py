@@ -8,7 +8,7 @@ import sys
 
 import numpy as np
 
-from coupled_case import ENGINE, Expectations, column, disturb, exchange_lines, use_script
+from cohesion_tests.coupling.cases import ENGINE, Expectations, column, disturb, exchange_lines, use_script
 from packed_bed import CELL, G, RHO, field
 
 STEPS = 50

@@ -9,8 +9,8 @@ import sys
 
 import numpy as np
 
+from cohesion_tests.coupling.cases import Expectations, column, disturb, exchange_lines
 from column_meshes import MESHES
-from coupled_case import Expectations, column, disturb, exchange_lines
 
 COUPLING = "constant/couplingProperties"
 STEPS, DT = 10, 1e-4

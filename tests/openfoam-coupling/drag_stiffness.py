@@ -9,12 +9,10 @@ import sys
 
 import numpy as np
 
-from coupled_case import COUPLING, SOURCE, Expectations, append, column, exchange_lines, use_lattice
+from cohesion_tests.coupling.cases import COUPLING, Expectations, append, column, exchange_lines, use_lattice
+from cohesion_tests.theory.closure_formulas import CLOSURES, DOUBLE
 from packed_bed import field
 from restart import numbers
-
-sys.path.insert(0, str(SOURCE / "tests/src/drag"))
-from closure_formulas import CLOSURES, DOUBLE  # noqa: E402
 
 RHO, U0, DT, SUB_STEPS, STEPS = 1.0, 1.0, 1e-3, 5, 20
 # So viscous that Hill, Koch and Ladd's drag is linear: its inertial part is below 1e-6 of it.

@@ -6,7 +6,7 @@ fast that Hill, Koch and Ladd's Reynolds number, 200, is exceeded in two of its 
 import re
 import sys
 
-from coupled_case import Expectations, drag_report
+from cohesion_tests.coupling.cases import Expectations, drag_report
 from packed_bed import DENSE, DILUTE, LOOSE, MU, RHO, ROWS, STEPS, blow
 
 SUPERFICIAL = 1.3

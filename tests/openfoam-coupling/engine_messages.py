@@ -7,7 +7,8 @@ import re
 import sys
 import time
 
-from coupled_case import COUPLING, ENGINE, CaseError, Expectations, append, column, script_file
+from cohesion_studies.foam_case import CaseError
+from cohesion_tests.coupling.cases import COUPLING, ENGINE, Expectations, append, column, script_file
 
 SCRIPT = script_file("particles")
 LOG = f"log.{ENGINE}"

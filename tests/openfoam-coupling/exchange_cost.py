@@ -12,16 +12,13 @@ takes some half a minute, the bed two."""
 import argparse
 import re
 import shutil
-import sys
 
 import numpy as np
 
-from coupled_case import BED, COUPLING, append, column, use_script
+from cohesion_studies.bed import bed_case
+from cohesion_tests.coupling.cases import COUPLING, append, column, use_script
 from column_meshes import MESHES, SIZE, plain, tetrahedra
 from kernel_noise import KERNELS, make, places
-
-sys.path.insert(0, str(BED))
-import bed_case  # noqa: E402
 
 DIAMETER, SPACING = 0.02 / 3, 8.5e-3
 # The tetrahedra of about the volume of a cube

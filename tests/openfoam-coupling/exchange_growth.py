@@ -12,12 +12,9 @@ follows from its neighbours alone."""
 
 import argparse
 import re
-import sys
-from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "lammps-package"))
-from coupled_case import COUPLING, Expectations, column, exchange_lines, use_script  # noqa: E402
-from progress import Progress  # noqa: E402
+from cohesion_tests.coupling.cases import COUPLING, Expectations, column, exchange_lines, use_script
+from cohesion_tests.progress import Progress
 
 EDGE, HEIGHT = 0.02, 0.06  # of the part of a rank [m]
 SPHERES = 8 * 8 * 12

@@ -8,7 +8,8 @@ import re
 import subprocess
 import sys
 
-from coupled_case import Expectations, environment
+from cohesion_studies.foam_case import environment
+from cohesion_tests.coupling.cases import Expectations
 
 
 def main():

@@ -8,9 +8,8 @@ import sys
 
 import numpy as np
 
-from coupled_case import Expectations, exchange_lines
-from drag_stiffness import DT, RHO, SUB_STEPS, U0, Setting, cells, times
-from drag_stiffness import solve as solve_setting
+from cohesion_tests.coupling.cases import Expectations, exchange_lines
+from drag_stiffness import DT, RHO, SUB_STEPS, U0, Setting, cells, solve as solve_setting, times
 from wave_growth import CELL, solve
 
 HIGH, COLUMNS = 16, 8  # cells along the box; columns along the edge of a cell

@@ -18,7 +18,7 @@ import sys
 import numpy as np
 from scipy.optimize import brentq
 
-from coupled_case import COUPLING, Expectations, append, column, disturb, exchange_lines, use_script
+from cohesion_tests.coupling.cases import COUPLING, Expectations, append, column, disturb, exchange_lines, use_script
 from openfoam_features import FILE, LAMINAR
 from packed_bed import field
 

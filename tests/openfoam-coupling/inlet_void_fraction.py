@@ -6,7 +6,7 @@ import re
 import sys
 
 from bad_input import edit
-from coupled_case import COUPLING, Expectations, append, column
+from cohesion_tests.coupling.cases import COUPLING, Expectations, append, column
 
 DIAMETER, CELL, SPEED = 16e-3, 20e-3, 0.5  # m, m, m/s
 SOLID = 3.141592653589793 / 6 * (DIAMETER / CELL) ** 3

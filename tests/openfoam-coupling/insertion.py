@@ -8,10 +8,8 @@ import sys
 
 import numpy as np
 
-from coupled_case import COUPLING, ENGINE, SOURCE, Expectations, append, column, exchange_lines, script_file
-
-sys.path.insert(0, str(SOURCE / "tests/liggghts-styles"))
-from mesh import rectangle, stl  # noqa: E402
+from cohesion_tests.coupling.cases import COUPLING, ENGINE, Expectations, append, column, exchange_lines, script_file
+from cohesion_tests.liggghts_scenes.mesh import rectangle, stl
 
 STEPS, DT = 120, 1e-4
 FIRST = 2000 * 4 / 3 * np.pi * 2e-3**3  # the sphere that is there from the start [kg]

@@ -8,11 +8,9 @@ import sys
 
 import numpy as np
 
-from coupled_case import SOURCE, Expectations, column, exchange_lines
+from cohesion_tests.coupling.cases import Expectations, column, exchange_lines
+from cohesion_tests.theory.closure_formulas import CLOSURES, DOUBLE
 from packed_bed import field
-
-sys.path.insert(0, str(SOURCE / "tests/src/drag"))
-from closure_formulas import CLOSURES, DOUBLE  # noqa: E402
 
 RHO, SUPERFICIAL = 1.205, 0.5
 MU = RHO * 1.452282e-5  # column/constant/transportProperties

@@ -13,18 +13,15 @@ Spheres of the fluidised bed's size and density in air, 30 % of the volume, at 1
 
 import argparse
 import re
-import sys
-from pathlib import Path
 
 import numpy as np
 from scipy.spatial import cKDTree
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "lammps-package"))
-from coupled_case import COUPLING, column, use_script  # noqa: E402
-from drag_stiffness import periodic  # noqa: E402
-from packed_bed import field  # noqa: E402
-from progress import Progress  # noqa: E402
-from speed_beside_dpmfoam import used  # noqa: E402
+from cohesion_tests.coupling.cases import COUPLING, column, use_script
+from cohesion_tests.progress import Progress
+from drag_stiffness import periodic
+from packed_bed import field
+from speed_beside_dpmfoam import used
 
 D, DENSITY, G, SOLID, SPEED = 1e-3, 2650.0, 9.81, 0.3, 1.0
 BOX = 18 * D

@@ -13,12 +13,10 @@ import sys
 
 import numpy as np
 
-from coupled_case import SOURCE, Expectations, column
+from cohesion_tests.coupling.cases import Expectations, column
+from cohesion_tests.theory.closure_formulas import CLOSURES, DOUBLE
 from openfoam_features import FIELD
 from packed_bed import field
-
-sys.path.insert(0, str(SOURCE / "tests/src/drag"))
-from closure_formulas import CLOSURES, DOUBLE  # noqa: E402
 
 COUPLING = "constant/couplingProperties"
 RHO, NU, K = 1.0, 0.05, 2 * np.pi  # the square has edges of 1 m

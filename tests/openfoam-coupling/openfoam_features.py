@@ -12,7 +12,9 @@ import sys
 
 import numpy as np
 
-from coupled_case import SOURCE, CaseError, Expectations, append, column
+from cohesion_studies.foam_case import CaseError
+from cohesion_tests import SOURCE
+from cohesion_tests.coupling.cases import Expectations, append, column
 from drag_stiffness import BLOCK
 from packed_bed import DT, G, RHO, ROW, ROWS, STEPS, SUPERFICIAL, drop, field, solid
 

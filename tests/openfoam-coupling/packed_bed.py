@@ -9,10 +9,8 @@ import sys
 
 import numpy as np
 
-from coupled_case import SOURCE, Expectations, column, drag_report, use_script
-
-sys.path.insert(0, str(SOURCE / "tests/src/drag"))
-from closure_formulas import CLOSURES, DOUBLE  # noqa: E402
+from cohesion_tests.coupling.cases import Expectations, column, drag_report, use_script
+from cohesion_tests.theory.closure_formulas import CLOSURES, DOUBLE
 
 RHO, MU, G = 1.205, 1.75e-5, 9.81
 SUPERFICIAL = 0.5

@@ -20,12 +20,10 @@ from scipy.sparse import coo_matrix
 from scipy.sparse.linalg import spsolve
 from scipy.spatial import cKDTree
 
-from coupled_case import COUPLING, SOURCE, Expectations, append, column
+from cohesion_tests.coupling.cases import COUPLING, Expectations, append, column
+from cohesion_tests.theory.closure_formulas import DOUBLE, ergun_pressure_gradient, ergun_wen_yu
 from drag_stiffness import periodic
 from packed_bed import field
-
-sys.path.insert(0, str(SOURCE / "tests/src/drag"))
-from closure_formulas import DOUBLE, ergun_pressure_gradient, ergun_wen_yu  # noqa: E402
 
 D, EDGE, SEED = 1e-3, 24, 1  # EDGE of the box [diameters]
 RHO, MU, SPEED = 1.205, 1.75e-5, 0.5  # superficial, at which Ergun's drop is the drive; a Reynolds number of 34

@@ -9,7 +9,7 @@ import sys
 
 import numpy as np
 
-from coupled_case import COUPLING, ENGINE, Expectations, append, column, exchange_lines, use_script
+from cohesion_tests.coupling.cases import COUPLING, ENGINE, Expectations, append, column, exchange_lines, use_script
 from restart import numbers
 
 # Type, diameter [m], density [kg/m3]; there is none of the type between.

@@ -7,7 +7,7 @@ import sys
 
 import numpy as np
 
-from coupled_case import COUPLING, Expectations, append, column, use_script
+from cohesion_tests.coupling.cases import COUPLING, Expectations, append, column, use_script
 
 NUMBER = 40
 MIXTURE = "the drag of each sphere is the closure's for its own diameter and the void fraction of its cells."

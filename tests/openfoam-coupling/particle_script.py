@@ -5,7 +5,8 @@ held, have fixes behind fix gas/coupling that add no forces. What it may not: ba
 import sys
 
 from bad_input import SCRIPT, edit
-from coupled_case import COUPLING, ENGINE, CaseError, Expectations, append, column
+from cohesion_studies.foam_case import CaseError
+from cohesion_tests.coupling.cases import COUPLING, ENGINE, Expectations, append, column
 
 GRAVITY = "fix weight   all gravity 9.81 vector 0 0 -1"
 GAS = "fix gas      all gas/coupling"

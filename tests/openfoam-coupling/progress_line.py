@@ -5,7 +5,7 @@ reaches beyond the end."""
 import re
 import sys
 
-from coupled_case import Expectations, append, column
+from cohesion_tests.coupling.cases import Expectations, append, column
 
 
 def main(build, work):

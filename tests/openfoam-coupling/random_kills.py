@@ -13,15 +13,13 @@ import argparse
 import os
 import random
 import re
-import sys
 import time
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "lammps-package"))
-from coupled_case import Expectations, exchange_lines  # noqa: E402
-from progress import Progress  # noqa: E402
-from restart import (END, INTERVAL, STEPS, compare, complete, difference, kill, make_to_kill, state,  # noqa: E402
-                     steps_begun, undisturbed)
+from cohesion_tests.coupling.cases import Expectations, exchange_lines
+from cohesion_tests.progress import Progress
+from restart import (END, INTERVAL, STEPS, compare, complete, difference, kill, make_to_kill, state, steps_begun,
+                     undisturbed)
 
 STEP = float(END) / STEPS
 WRITES = round(float(END) / INTERVAL)

@@ -4,8 +4,8 @@
 ranks. Time folders that are not complete are set aside, also one that was cut off while it was written,
 on some ranks before others; what cannot be continued, and what would overwrite results, is refused."""
 
-import random
 import os
+import random
 import re
 import shutil
 import signal
@@ -15,8 +15,8 @@ import time
 
 import numpy as np
 
-from coupled_case import (ENGINE, CaseError, Expectations, column, disturb, exchange_lines,
-                          use_script)
+from cohesion_studies.foam_case import CaseError
+from cohesion_tests.coupling.cases import ENGINE, Expectations, column, disturb, exchange_lines, use_script
 from packed_bed import field
 
 COUPLING, CONTROL = "constant/couplingProperties", "system/controlDict"

@@ -9,10 +9,8 @@ import sys
 
 import numpy as np
 
-from coupled_case import COUPLING, SOURCE, Expectations, append, column, exchange_lines
-
-sys.path.insert(0, str(SOURCE / "tests/liggghts-styles"))
-from mesh import stl  # noqa: E402
+from cohesion_tests.coupling.cases import COUPLING, Expectations, append, column, exchange_lines
+from cohesion_tests.liggghts_scenes.mesh import stl
 
 RADIUS, HEIGHT, SIDES = 0.03, 0.2, 24  # of the column [m]
 SPHERE, SPHERES, G = 1.5e-3, 100, 9.81

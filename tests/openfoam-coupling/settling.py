@@ -8,7 +8,7 @@ import sys
 import numpy as np
 from scipy.integrate import solve_ivp
 
-from coupled_case import Expectations, column
+from cohesion_tests.coupling.cases import Expectations, column
 
 D, RHO_P, RHO, MU, G = 1e-4, 2000.0, 1.205, 1.75e-5, 9.81
 VOLUME = np.pi / 6 * D**3

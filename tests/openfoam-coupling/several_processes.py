@@ -5,7 +5,7 @@ that is started by mpirun runs."""
 import subprocess
 import sys
 
-from coupled_case import Expectations, append, column
+from cohesion_tests.coupling.cases import Expectations, append, column
 
 
 def start(case, processes):

@@ -14,7 +14,8 @@ import statistics
 import subprocess
 import sys
 
-from coupled_case import CaseError, column
+from cohesion_studies.foam_case import CaseError
+from cohesion_tests.coupling.cases import column
 
 STEPS, DT = 50, 1e-4
 # Spheres of 2 mm on a lattice, nearly touching, that fall together

@@ -13,7 +13,8 @@ import statistics
 import sys
 from pathlib import Path
 
-from coupled_case import BED, COUPLING, ENGINES, FoamCase, environment
+from cohesion_studies.foam_case import FoamCase, environment
+from cohesion_tests.coupling.cases import BED, COUPLING, ENGINES
 from speed_beside_dpmfoam import seconds
 
 SETTLE, BLOW = 0.05, 0.045  # [s]; the scripts settle for whole thousands of steps

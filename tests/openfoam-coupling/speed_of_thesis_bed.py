@@ -11,14 +11,11 @@ schedule begins; settling before that is not counted."""
 import argparse
 import os
 import re
-import sys
 import time
 
-from coupled_case import BED, SOURCE, environment
-
-sys.path[:0] = [str(BED), str(SOURCE / "tests/lammps-package")]
-import bed_case  # noqa: E402
-from progress import Progress  # noqa: E402
+from cohesion_studies.bed import bed_case
+from cohesion_studies.foam_case import environment
+from cohesion_tests.progress import Progress
 
 SCHEMES = {"sampled, t_c/8": {"scheme": "sampled", "dt": 1.125e-5}, "event, t_c/4": {"scheme": "event", "dt": 2.25e-5}}
 GAS_STEP = 4.5e-4

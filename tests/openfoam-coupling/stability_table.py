@@ -21,9 +21,9 @@ from pathlib import Path
 
 import numpy as np
 
-from coupled_case import CaseError
+from cohesion_studies.foam_case import CaseError
+from cohesion_studies.progress_line import ProgressLine
 from drag_stiffness import RHO, U0, Setting, cells, exact, particle_velocities, run, solve, times
-from progress_line import ProgressLine
 
 RIGHT = 0.01  # of the first slip
 FINER = 8

@@ -8,11 +8,9 @@ import sys
 import numpy as np
 from scipy.optimize import brentq
 
-from coupled_case import SOURCE, Expectations, column
+from cohesion_tests.coupling.cases import Expectations, column
+from cohesion_tests.theory.closure_formulas import CLOSURES, DOUBLE
 from restart import numbers
-
-sys.path.insert(0, str(SOURCE / "tests/src/drag"))
-from closure_formulas import CLOSURES, DOUBLE  # noqa: E402
 
 RHO_P, RHO, MU, G = 1000.0, 1.2, 1.0, 9.81
 CELL, CELLS = 0.02, 9

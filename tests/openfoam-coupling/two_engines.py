@@ -6,7 +6,7 @@ import sys
 
 import numpy as np
 
-from coupled_case import COUPLING, Expectations, column, disturb, exchange_lines, use_script
+from cohesion_tests.coupling.cases import COUPLING, Expectations, column, disturb, exchange_lines, use_script
 from packed_bed import field
 from restart import difference, numbers
 

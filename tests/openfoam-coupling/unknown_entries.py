@@ -5,8 +5,9 @@ with the nearest known one; of others that nothing reads a warning gives the nam
 import re
 import sys
 
-from bad_input import edit
-from coupled_case import COUPLING, SOURCE, CaseError, Expectations, append, column
+from cohesion_studies.foam_case import CaseError
+from cohesion_tests import SOURCE
+from cohesion_tests.coupling.cases import COUPLING, Expectations, append, column
 
 DOCUMENTED = SOURCE / "docs/openfoam-coupling/cohesiveBedFoam.md"
 

@@ -10,11 +10,9 @@ import numpy as np
 from scipy.linalg import solve_banded
 
 import packed_bed
-from coupled_case import SOURCE, Expectations, column, exchange_lines, make_periodic
+from cohesion_tests.coupling.cases import Expectations, column, exchange_lines, make_periodic
+from cohesion_tests.theory.closure_formulas import CLOSURES, DOUBLE
 from packed_bed import G, HEIGHT, MU, RHO, ROW, STEPS, SUPERFICIAL, blow, drop, field, rows
-
-sys.path.insert(0, str(SOURCE / "tests/src/drag"))
-from closure_formulas import CLOSURES, DOUBLE  # noqa: E402
 
 KERNELS = ("particleCentre", "dividedVolume", "sphereOverlap")
 COUPLING = "constant/couplingProperties"

@@ -16,7 +16,7 @@ import argparse
 
 import numpy as np
 
-from coupled_case import COUPLING, append, column, use_lattice
+from cohesion_tests.coupling.cases import COUPLING, append, column, use_lattice
 from drag_stiffness import CLOSURES, DOUBLE, DT, RHO, cells, particle_velocities, periodic
 
 CELL = 5e-3
