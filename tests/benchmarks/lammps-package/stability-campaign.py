@@ -30,8 +30,8 @@ PAGE = """# Stability at the ends of all parameters
 
 Written by `tests/benchmarks/lammps-package/stability-campaign.py`, on the stock engine. Every law and scheme at corners
 of its parameters, one at a time, and at random points between, the same in every run. *first*: two spheres that meet,
-with walls a sphere that meets one; *second*: a sphere that strikes two that touch, with walls one that flies into the edge
-of two. Spheres of 1 mm and 2650 kg/m^3 and smaller ones; *depth*: speed that the well adds, over the speed of
+with walls a sphere that meets one; *second*: a sphere that strikes two that touch, with walls one that flies into the
+edge of two. Spheres of 1 mm and 2650 kg/m^3 and smaller ones; *depth*: speed that the well adds, over the speed of
 impact; *width*: of the well, over the flight within it in a contact time (hard: over the sum of radii).
 
 Soft laws are compared with *scheme event* at a sixteenth of the step and, head-on, with the closed form; hard ones

@@ -7,7 +7,8 @@ def assert_says(test, text, *parts):
     """`text`, with line breaks as blanks, has all `parts`."""
     said = " ".join(text.split())
     for part in parts:
-        test.assertIn(" ".join(part.split()), said, f"not said:\n{text[-3000:]}")
+        if " ".join(part.split()) not in said:
+            test.fail(f"not said: '{part}', but:\n{text[-3000:]}")
 
 
 def errors(output):

@@ -1,62 +1,65 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the tests of the coupling share. Every driver is called as
-    driver.py BUILD_FOLDER WORK_FOLDER [ENGINE]
-and exits non-zero when an expectation failed. ENGINE is the particle engine, lammps unless given; the
-scripts of the others have their names as ending."""
+"""The column, a case of few cells that most tests of the coupling change and run, and what cohesiveBedFoam says in its
+log. The environment may name the particle engine, COHESION_ENGINE: lammps unless given. Scripts of the engines have
+their names as ending."""
 
+import functools
+import os
 import re
-import sys
 from pathlib import Path
 
 from cohesion_studies.foam_case import FoamCase, environment
 from cohesion_tests import SOURCE
 
-COUPLING = "constant/couplingProperties"
+COUPLING, CONTROL = "constant/couplingProperties", "system/controlDict"
 ENGINES = ("lammps", "liggghts")
-ENGINE = next((word for word in sys.argv[3:] if word in ENGINES), ENGINES[0])
+ENGINE = os.environ.get("COHESION_ENGINE", ENGINES[0])
 COLUMN = Path(__file__).resolve().parent / "column"
 BED = SOURCE / "examples/fluidised-bed"
 
 
-class Expectations:
-    """Prints each expectation; exit() ends the program with their verdict."""
+class ColumnCase(FoamCase):
+    """Entries of its dictionaries are set by what is appended to them."""
 
-    def __init__(self):
-        self.failed = 0
-
-    def below(self, what, found, limit):
-        self._report(found < limit, f"{what}: {found:.4g}, must be below {limit:.4g}")
-
-    def near(self, what, found, expected, tolerance):
-        self._report(abs(found - expected) <= tolerance,
-                     f"{what}: {found:.10g}, expected {expected:.10g} +- {tolerance:.2g}")
-
-    def equal(self, what, found, expected):
-        self._report(found == expected, f"{what}: {found!r}, expected {expected!r}")
-
-    def true(self, what, condition):
-        self._report(condition, what)
-
-    def _report(self, right, text):
-        print(("ok      " if right else "FAILED  ") + text)
-        self.failed += not right
-
-    def exit(self):
-        sys.exit(1 if self.failed else 0)
+    def set(self, file, entry, value):
+        """As of FoamCase, without the start of a program: "a/b/c" is the entry c of the dictionary b in a."""
+        *dictionaries, name = re.findall(r'"[^"]*"|[^/]+', entry)
+        text = f"{name} {value};"
+        for dictionary in reversed(dictionaries):
+            text = f"{dictionary} {{ {text} }}"
+        append(self, file, text)
 
 
-def column(work, name, build, engine=ENGINE):
-    """The column case, fresh, under work/name."""
-    case = FoamCase(COLUMN, Path(work) / name, environment(build), overwrite=True)
-    case.set(COUPLING, "demEngine", engine)
-    return case
+class Columns:
+    """Makes column cases, fresh, in folders of their own within `work`; with the programs of the build folder `build`.
+    What makes a case of its own takes one of these, or what does the same, as `column`."""
+
+    def __init__(self, build, work):
+        self.build, self.work = build, Path(work)
+
+    @functools.cached_property
+    def environment(self):
+        return environment(self.build)
+
+    def __call__(self, name, engine=ENGINE):
+        case = ColumnCase(COLUMN, self.work / name, self.environment, overwrite=True)
+        if engine != ENGINES[0]:
+            case.set(COUPLING, "demEngine", engine)
+        return case
 
 
 def append(case, file, text):
-    """Adds to a dictionary, faster than case.set(): OpenFOAM takes the last of equal entries and merges equal
-    dictionaries."""
+    """Adds to a dictionary: OpenFOAM takes the last of equal entries and merges equal dictionaries."""
     with open(case.folder / file, "a") as dictionary:
         dictionary.write(text + "\n")
+
+
+def edit(case, file, old, new):
+    """Replaces a text that a file of the case must have."""
+    path = case.folder / file
+    text = path.read_text()
+    assert old in text, f"{file} has no '{old}'"
+    path.write_text(text.replace(old, new))
 
 
 def script_file(name, engine=ENGINE):
@@ -79,13 +82,11 @@ def use_lattice(case, variables):
 
 def make_periodic(case):
     """Periodic faces in the place of the column's walls in x."""
-    mesh = case.folder / "system/blockMeshDict"
-    walls = "    sides   { type wall;  faces ((0 1 5 4) (1 2 6 5) (2 3 7 6) (3 0 4 7)); }"
-    assert walls in mesh.read_text()
-    mesh.write_text(mesh.read_text().replace(
-        walls, "    sides   { type wall; faces ((0 1 5 4) (2 3 7 6)); }\n"
-               "    left    { type cyclic; neighbourPatch right; faces ((3 0 4 7)); }\n"
-               "    right   { type cyclic; neighbourPatch left; faces ((1 2 6 5)); }"))
+    edit(case, "system/blockMeshDict",
+         "    sides   { type wall;  faces ((0 1 5 4) (1 2 6 5) (2 3 7 6) (3 0 4 7)); }",
+         "    sides   { type wall; faces ((0 1 5 4) (2 3 7 6)); }\n"
+         "    left    { type cyclic; neighbourPatch right; faces ((3 0 4 7)); }\n"
+         "    right   { type cyclic; neighbourPatch left; faces ((1 2 6 5)); }")
     for file in (case.folder / "0.orig").iterdir():
         file.write_text(file.read_text().replace(
             "    top ", "    left { type cyclic; }\n    right { type cyclic; }\n    top "))

@@ -35,7 +35,7 @@ def leaves_at(pair, speed, angle):
 def couple(number, gap, velocity, normal=(0.0, 1.0, 0.0), columns=25, pitch=(2.5e-3, 4e-3),
            types=(1, 1), diameters=(DIAMETER, DIAMETER), densities=(DENSITY, DENSITY),
            spins=((0.0, 0.0, 0.0), (0.0, 0.0, 0.0))):
-    """The number-th couple of a box: two atoms for lammps_engine. The second is the first's normal
+    """The number-th couple of a box: two atoms for lammps.py. The second is the first's normal
     plus gap away; `velocity` is the first's relative to the second, momentum zero."""
     masses = [density * diameter**3 for density, diameter in zip(densities, diameters)]
     share = masses[1] / sum(masses)

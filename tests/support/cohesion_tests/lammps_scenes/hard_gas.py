@@ -54,3 +54,8 @@ class Gas:
 
     def run(self, folder, pair, dt, steps, **options):
         return hard.run(folder, pair, dt, steps, dimension=self.dimension, **options)
+
+
+def fluid():
+    """1372 spheres with a well of half their size: a liquid's many partners."""
+    return Gas(1372, 0.3, seed=4)

@@ -220,8 +220,8 @@ def report(rows):
     models = dict.fromkeys(row[0] for row in rows)
     kinds = ("right", *WRONG.values(), "refused", "crashed", "hangs")
     lines = ["# LIGGGHTS cohesion models at the ends of their parameters", "",
-             "Written by `tests/benchmarks/liggghts-styles/extremes-campaign.py`; what was done, and what the verdicts mean:",
-             "`tests/support/cohesion_tests/liggghts_scenes/extremes.py`.",
+             "Written by `tests/benchmarks/liggghts-styles/extremes-campaign.py`. What was done, and what the verdicts",
+             "mean, says `tests/support/cohesion_tests/liggghts_scenes/extremes.py`.",
              "hooke/stiffness, spheres of 1 mm and 2650 kg/m^3. depth: speed that the well adds, over the speed of",
              "impact; width: of the well, over the flight within it in a contact time. Three spheres are compared at",
              "two times; *later alone*, *later not*: right at the second alone, or at the first; counted as right.", "",

@@ -56,7 +56,8 @@ def sampling(fraction, restitution, state, count, strain):
     """Standard deviation of the mean temperature of `count` discs over a strain, per T. Heat is stress, whose noise
     is 2 viscosity T per area and time (Green and Kubo), viscosity being dissipation D. Collisions, independent, take
     (1 - e^2) g^2/4 each, g the normal speed, <g^4>/<g^2> = 8 T of colliding pairs: a noise of 2 (1 - e^2) T D. With the
-    first alone T fluctuates by T/sqrt(count), as in the elastic gas. Waves of the flow, which add to it, are left out."""
+    first alone T fluctuates by T/sqrt(count), as in the elastic gas. Waves of the flow, which add to it, are left
+    out."""
     return math.sqrt(2 * memory(fraction, state) * (2 - restitution**2) / (count * strain))
 
 

@@ -1,3 +1,4 @@
+#!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 """Instructions per sphere and gas step of the exchange before the gas is solved: cells, shares, void fraction and
 drag, all that depositParticles() does, counted by callgrind. A count does not go with what else the machine does.
@@ -6,7 +7,7 @@ drag, all that depositParticles() does, counted by callgrind. A count does not g
 
 Scenes: the suspension of kernel_noise.py, cells of three diameters, all faces periodic; the bed of
 examples/fluidised-bed a thousand particle steps after its start, with those of the 40 particle steps, too; and
-the column of column_meshes.py in cubes of 20 mm and in cells of other shapes, with held spheres of 20/3 mm. Each
+the column of meshes.py in cubes of 20 mm and in cells of other shapes, with held spheres of 20/3 mm. Each
 takes some half a minute, the bed two."""
 
 import argparse
@@ -16,8 +17,8 @@ import shutil
 import numpy as np
 
 from cohesion_studies.bed import bed_case
-from cohesion_tests.coupling.cases import COUPLING, append, column, use_script
-from column_meshes import MESHES, SIZE, plain, tetrahedra
+from cohesion_tests.coupling.cases import COUPLING, Columns, append, use_script
+from cohesion_tests.coupling.meshes import MESHES, SIZE, plain, tetrahedra
 from kernel_noise import KERNELS, make, places
 
 DIAMETER, SPACING = 0.02 / 3, 8.5e-3
@@ -25,14 +26,14 @@ DIAMETER, SPACING = 0.02 / 3, 8.5e-3
 SHAPES = {"cubes": plain, **MESHES, "tetrahedra": lambda case: tetrahedra(case, (2, 2, 5))}
 
 
-def suspension(build, work, kernel, steps):
+def suspension(column, kernel, steps):
     where = places()
-    return make(build, work, where, 6, 0.15, steps, kernel, 0), len(where)
+    return make(column, where, 6, 0.15, steps, kernel, 0), len(where)
 
 
-def plane_bed(build, work, kernel, steps):
-    case = bed_case.make_case(f"{work}/case", {"engine": "lammps", "schedule": "short", "A": 0, "settle": 0,
-                                               "voidFraction": kernel}, column(work, "environment", build).env)
+def plane_bed(column, kernel, steps):
+    case = bed_case.make_case(column.work / "case", {"engine": "lammps", "schedule": "short", "A": 0, "settle": 0,
+                                                     "voidFraction": kernel}, column.environment)
     case.env["FOAM_CASE"] = str(case.folder)
     step = float(re.search(r"^deltaT +(\S+);", (case.folder / "system/controlDict").read_text(), re.M)[1])
     append(case, "system/controlDict", f"endTime {steps * step!r};")
@@ -40,8 +41,8 @@ def plane_bed(build, work, kernel, steps):
 
 
 def shaped(shape):
-    def scene(build, work, kernel, steps):
-        case = column(work, "case", build)
+    def scene(column, kernel, steps):
+        case = column("case")
         use_script(case, "few")
         along = [np.arange(0.5 * SPACING, size - 0.4 * SPACING, SPACING) for size in SIZE]
         where = np.stack(np.meshgrid(*along, indexing="ij"), axis=-1).reshape(-1, 3)
@@ -83,10 +84,11 @@ def main():
     parser.add_argument("--kernel", nargs="+", choices=KERNELS, default=KERNELS)
     parser.add_argument("--scene", nargs="+", choices=SCENES, default=list(SCENES))
     args = parser.parse_args()
+    column = Columns(args.build, args.work)
     print("| scene | kernel | before the gas is solved | particle steps and what is handed over |\n|---|---|---|---|")
     for scene in args.scene:
         for kernel in args.kernel:
-            case, spheres = SCENES[scene](args.build, args.work, kernel, args.steps)
+            case, spheres = SCENES[scene](column, kernel, args.steps)
             before, particles = count(case, spheres, args.steps)
             print(f"| {scene} | `{kernel}` | {before:.0f} | {particles:.0f} |", flush=True)
 

@@ -1,3 +1,4 @@
+#!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 """Noise of the void-fraction kernels: a suspension that gas and spheres carry along at the same, constant
 velocity. Seen from there nothing happens; so the gas's velocity should stay, and the pressure be the same
@@ -17,10 +18,10 @@ import re
 import numpy as np
 from scipy.spatial import cKDTree
 
-from cohesion_tests.coupling.cases import COUPLING, column, use_script
+from cohesion_tests.coupling.cases import COUPLING, Columns, use_script
+from cohesion_tests.coupling.fields import field
+from cohesion_tests.coupling.free_spheres import periodic
 from cohesion_tests.progress import Progress
-from drag_stiffness import periodic
-from packed_bed import field
 from speed_beside_dpmfoam import used
 
 D, DENSITY, G, SOLID, SPEED = 1e-3, 2650.0, 9.81, 0.3, 1.0
@@ -48,8 +49,8 @@ def places():
     return kept
 
 
-def make(build, work, where, cells, courant, steps, kernel, width):
-    case = column(work, "case", build)
+def make(column, where, cells, courant, steps, kernel, width):
+    case = column("case")
     dt = float(f"{courant * BOX / cells / SPEED:.6g}")
     periodic(case, BOX, cells, SPEED)
     use_script(case, "carried")
@@ -101,14 +102,14 @@ def main():
                         help="steps of the gas in units of h/v; that of the bed is 0.15")
     parser.add_argument("--steps", type=int, default=45, help="gas steps")
     args = parser.parse_args()
-    where = places()
+    column, where = Columns(args.build, args.work), places()
     cases = [(cell, courant, kernel, width) for cell in args.cell for courant in args.courant for width in WIDTHS
              for kernel in KERNELS]
     progress = Progress(len(cases))
     rows = []
     for cell, courant, kernel, width in cases:
         cells = round(BOX / D / cell)
-        case = make(args.build, args.work, where, cells, courant, args.steps, kernel, width)
+        case = make(column, where, cells, courant, args.steps, kernel, width)
         case.solve()
         rows.append([*noise(case, cells, courant, args.steps), microseconds(case, len(where), args.steps)])
         progress.add(1)

@@ -1,3 +1,4 @@
+#!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 """Seconds of cohesiveBedFoam beside OpenFOAM's own DPMFoam: same mesh, gas step, spheres and drag
 closure, contacts with friction in both, about as many particle steps (DPMFoam chooses its own). Both on
@@ -15,7 +16,7 @@ import subprocess
 import sys
 
 from cohesion_studies.foam_case import CaseError
-from cohesion_tests.coupling.cases import column
+from cohesion_tests.coupling.cases import Columns
 
 STEPS, DT = 50, 1e-4
 # Spheres of 2 mm on a lattice, nearly touching, that fall together
@@ -117,9 +118,9 @@ def prepare(case, steps):
         case.set("system/controlDict", entry, value)
 
 
-def ours(build, work, layers=LAYERS, steps=STEPS):
+def ours(column, layers=LAYERS, steps=STEPS):
     """Seconds, bytes, share of the exchange [%], particle steps."""
-    case = column(work, "cohesiveBedFoam", build)
+    case = column("cohesiveBedFoam")
     coupling = "constant/couplingProperties"
     case.set(coupling, "drag", "ergunWenYu")
     case.set(coupling, "minVoidFraction", 0.01)  # spheres by their centres, as DPMFoam takes them
@@ -140,8 +141,8 @@ def ours(build, work, layers=LAYERS, steps=STEPS):
     return time, memory, share, steps * round(DT / 1e-5)
 
 
-def theirs(build, work, layers=LAYERS, steps=STEPS):
-    case = column(work, "DPMFoam", build)
+def theirs(column, layers=LAYERS, steps=STEPS):
+    case = column("DPMFoam")
     folder = case.folder
     (folder / "constant/kinematicCloudProperties").write_text(
         HEADER.format("dictionary", "kinematicCloudProperties") + CLOUD)
@@ -171,10 +172,11 @@ def theirs(build, work, layers=LAYERS, steps=STEPS):
 
 
 def main(build, work, repeats="3"):
+    column = Columns(build, work)
     results = {"cohesiveBedFoam": [], "DPMFoam": []}
     for _ in range(int(repeats)):
-        results["cohesiveBedFoam"].append(ours(build, work))
-        results["DPMFoam"].append(theirs(build, work))
+        results["cohesiveBedFoam"].append(ours(column))
+        results["DPMFoam"].append(theirs(column))
     n = len(positions())
     medians = {}
     for name, runs in results.items():
@@ -187,7 +189,7 @@ def main(build, work, repeats="3"):
     print(f"ratio of the times: {medians['DPMFoam'] / medians['cohesiveBedFoam']:.1f}; "
           f"share of the exchange in cohesiveBedFoam: {exchange:.0f} %")
     for name, program in (("cohesiveBedFoam", ours), ("DPMFoam", theirs)):
-        few, many = program(build, work, steps=FEW), program(build, work, layers=MANY, steps=FEW)
+        few, many = program(column, steps=FEW), program(column, layers=MANY, steps=FEW)
         extra = len(positions(MANY)) - n
         print(f"{name}: {few[1] / 2**20:.0f} MB with {n} spheres, {many[1] / 2**20:.0f} MB with {n + extra}: "
               f"{(many[1] - few[1]) / extra:.0f} bytes per sphere"

@@ -1,3 +1,4 @@
+#!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 """Seconds per simulated second of the cohesive bed of the thesis (examples/fluidised-bed, Hamaker constant
 7.49e-19 J), on one core: forces sampled at an eighth of the contact time, as the example has them, and scheme
@@ -64,7 +65,8 @@ def main():
     for name, parameters in SCHEMES.items():
         rows.append((name, *run(env, f"{args.work}/{parameters['scheme']}", parameters, args.rest, args.blow)))
         progress.add(1)
-    print("\n| scheme, step | s per simulated second, at rest | blown through | particles, exchange |\n|---|---|---|---|")
+    print("\n| scheme, step | s per simulated second, at rest | blown through | particles, exchange |\n"
+          "|---|---|---|---|")
     for name, seconds, shares in rows:
         print(f"| {name} | " + " | ".join(f"{value:.0f}" for value in seconds)
               + f" | {shares[0]:.0f} %, {shares[1]:.1f} % |")

@@ -1,3 +1,4 @@
+#!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 """Seconds of the fluidised bed of examples/fluidised-bed with each particle engine, without and with
 cohesion: poured, settled for 0.05 s, blown through for 0.045 s. On one core, alternately; processor time

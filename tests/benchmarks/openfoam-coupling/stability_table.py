@@ -3,7 +3,7 @@
 """How far the coupling is off, over the stiffness of drag, void fraction, ratio of densities, cells per diameter and
 the gas's Courant number: every row is runs of the solver. Two scenes, without gravity, in periodic boxes:
 
-- uniform: gas blown through free spheres (drag_stiffness.py), against the exact solution;
+- uniform: gas blown through free spheres (free_spheres.py), against the exact solution;
 - layer: the same spheres in the lower half of a box four times as high. The gas blows them along, through all cells,
   against the same with steps an eighth as long; and no energy may be gained. Drag is not linear here.
 
@@ -23,7 +23,10 @@ import numpy as np
 
 from cohesion_studies.foam_case import CaseError
 from cohesion_studies.progress_line import ProgressLine
-from drag_stiffness import RHO, U0, Setting, cells, exact, particle_velocities, run, solve, times
+from cohesion_tests.coupling.cases import Columns
+from cohesion_tests.coupling.fields import cells, particle_velocities
+from cohesion_tests.coupling.free_spheres import RHO, U0, Setting, exact, run, solve
+from cohesion_tests.coupling.test_case import times
 
 RIGHT = 0.01  # of the first slip
 FINER = 8
@@ -33,8 +36,8 @@ FINER = 8
 REYNOLDS = 0.1
 PAGE = """# Stability of the coupling
 
-Written by `tests/openfoam-coupling/stability_table.py`: every row is runs of the solver, 20 gas steps each, in
-periodic boxes without gravity. A gas step has five particle steps.
+Written by `tests/benchmarks/openfoam-coupling/stability_table.py`: every row is runs of the solver, 20 gas steps each,
+in periodic boxes without gravity. A gas step has five particle steps.
 
 - *uniform*: gas blown through spheres that are free to move. Largest error of the velocities of gas and particles over
   the steps, and that at the end, as shares of the slip at the start, against the exact solution.
@@ -62,7 +65,7 @@ number of 0.2, and goes with that number; its drag is linear to 0.05 to 0.44 %, 
 
 ## What is off without a warning
 
-Two reasons, told apart by layers with steps up to a sixteenth as long (`finer` of `drag_stiffness.py`):
+Two reasons, told apart by layers with steps up to a sixteenth as long (`finer` of `free_spheres.py`):
 
 - *Implicit steps that have not yet made up for it*: stiffness 1, rho_s/rho_g 10, with either response. The flux of
   the gas still falls at the end of 20 steps. It is 0.2196, 0.2330, 0.2351 and 0.2361 there with steps of 1, 1/4, 1/8
@@ -133,17 +136,17 @@ def guarded(work, name, action):
         shutil.rmtree(f"{work}/{name}", ignore_errors=True)
 
 
-def uniform(build, work, name, keywords):
+def uniform(column, name, keywords):
     """Errors in all steps, and whether it was said."""
     s = Setting(reynolds=REYNOLDS, **keywords)
-    found, log = guarded(work, name, lambda: run(build, work, name, s))
+    found, log = guarded(column.work, name, lambda: run(column, name, s))
     return np.abs(found - np.array(exact(s))).max(axis=0), warned(log)
 
 
-def motion(build, work, name, s):
+def motion(column, name, s):
     """Of the layer after each step: the particles' mean velocity and the gas's mean flux; energies as shares of the
     first; the log."""
-    case, log = solve(build, work, name, s)
+    case, log = solve(column, name, s)
     history, energies = [], []
     for time in times():
         v = particle_velocities(case, time)
@@ -155,10 +158,10 @@ def motion(build, work, name, s):
     return np.array(history), np.array(energies) / gas_alone, log
 
 
-def layer(build, work, name, keywords):
+def layer(column, name, keywords):
     """Errors in all steps, the largest gains of energy, of the reference too, and whether it was said."""
-    runs = [guarded(work, name, lambda s=Setting(layer=True, reynolds=100.0, finer=finer, **keywords):
-                    motion(build, work, name, s)) for finer in (1, FINER)]
+    runs = [guarded(column.work, name, lambda s=Setting(layer=True, reynolds=100.0, finer=finer, **keywords):
+                    motion(column, name, s)) for finer in (1, FINER)]
     (found, energies, log), (reference, finer, _) = runs
     gains = [np.maximum(e.max() - 1, 0) for e in (energies, finer)]
     return np.abs(found - reference).max(axis=1), gains, warned(log)
@@ -178,16 +181,16 @@ def verdict(errors, gains, said):
     return word + ", warned" * said
 
 
-def row(build, work, number, keywords):
+def row(column, number, keywords):
     """A line of the table."""
     line = label(Setting(**keywords))
     try:
-        alone, said = uniform(build, work, f"{number}-uniform", keywords)
+        alone, said = uniform(column, f"{number}-uniform", keywords)
     except Refused as refused:
         return f"{line} | | | | | {refused} |"
     line += f" {alone.max():.1g} | {alone[-1]:.1g} |"
     try:
-        together, gains, also = layer(build, work, f"{number}-layer", keywords)
+        together, gains, also = layer(column, f"{number}-layer", keywords)
     except Refused as refused:
         return f"{line} | | | {verdict([alone], (0, 0), said)}; layer {refused} |"
     word = verdict([alone, together], gains, said or also)
@@ -217,9 +220,9 @@ def main():
     given = parser.parse_args()
     chosen = [k for k in settings() if any(text in label(Setting(**k)) for text in given.only)]
     print(HEAD, flush=True)
-    line, lines = ProgressLine(), []
+    column, line, lines = Columns(given.build, given.work), ProgressLine(), []
     with ThreadPoolExecutor(given.together) as pool:
-        jobs = [pool.submit(row, given.build, given.work, n, k) for n, k in enumerate(chosen)]
+        jobs = [pool.submit(row, column, n, k) for n, k in enumerate(chosen)]
         for done, job in enumerate(jobs, 1):
             lines.append(job.result())
             print(lines[-1], flush=True)
