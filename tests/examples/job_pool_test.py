@@ -16,8 +16,10 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
-from cohesion_studies import study_table
+from cohesion_studies import job_pool, study_table
 from cohesion_studies.job_pool import Job, RunError, carry_out, dies_with_us, digest_of, require_ours
+
+job_pool.POLL = 0.05  # the jobs here are short
 
 
 class Shell(Job):

@@ -7,6 +7,7 @@ A wall whose spring, dashpot and attraction are twice those of two spheres moves
 reduced mass, exactly as a pair: one number for both.
 """
 
+import functools
 import math
 import sys
 import unittest
@@ -23,6 +24,7 @@ POSITIONS = 4  # of the contact within the step
 PLANE = ("primitive type 2 xplane -8.5e-3", (), {})
 
 
+@functools.cache
 def escape_velocity(cohesion):
     if cohesion == "hamaker":
         return Pair(A).escape_velocity()

@@ -131,8 +131,7 @@ class DragStiffness(CoupledTestCase):
             else:
                 self.check_said(log, s)
                 self.expect_equal(f"density ratio {ratio:g}: steps as they are",
-                                  "steps of the particles as they" in log,
-                                  ratio == 1.0)
+                                  "steps of the particles as they" in log, ratio == 1.0)
 
     def test_against_the_scheme(self):
         settings = [Setting(1e-6), Setting(1.0), Setting(1e6), Setting(1e6, ratio=1), Setting(1e9, ratio=1),

@@ -87,8 +87,8 @@ class FreeWaves(CoupledTestCase):
                 return self.expect_true(f"{what}: the warning has growth, place, void fraction and x", False)
             # The growth is to 1e-6; kernels make the void fraction to 1e-14 of spheres; the factor of drag has its
             # digits.
-            for of, found, expected in zip(("growth", "void fraction", "x"), map(float, said.groups()), (growth, eps,
-                                                                                                         x)):
+            of_each = zip(("growth", "void fraction", "x"), map(float, said.groups()), (growth, eps, x))
+            for of, found, expected in of_each:
                 self.expect_near(f"{what}: {of} that is said", found, expected, 3e-6 * expected)
 
     def test_layer(self):

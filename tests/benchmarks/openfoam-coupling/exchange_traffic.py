@@ -6,12 +6,14 @@
 
 Prints what each rank sent per gas step, counted by cohesiveBedFoam where it sends, mean and largest over the
 ranks; and of 1 and 2 ranks, which have a core each, the time. More ranks than cores share them: their
-messages are the same as on cores of their own, their times say nothing."""
+messages are the same as on cores of their own, their times say nothing. Ends with 1 when a rank sends more than
+follows from its neighbours alone."""
 
 import argparse
+import sys
 
 from cohesion_tests.coupling.cases import Columns
-from cohesion_tests.coupling.growing_swarm import FORWARD, SPHERES, run
+from cohesion_tests.coupling.growing_swarm import FORWARD, SPHERES, most_messages, most_ranks, run
 from cohesion_tests.progress import Progress
 
 
@@ -33,6 +35,11 @@ def main():
         figures = [f"{mean:.1f}, {largest:.1f}" for mean, largest in counts.values()]
         times = f"{seconds[0]:.2f}, {seconds[1]:.1f}" if ranks <= 2 else ""
         print("| " + " | ".join([str(ranks), str(SPHERES * ranks), *figures, times]) + " |")
+    # Figures of the log have six digits.
+    more = [ranks for ranks, (counts, _, error) in rows.items() if error > 1e-12
+            or counts["messages"][1] > most_messages(args.kernel) + 1e-3 or counts["to ranks"][1] > most_ranks() + 1e-3]
+    if more:
+        sys.exit(f"more messages than follow from neighbours, or no balance, on ranks: {more}")
 
 
 if __name__ == "__main__":

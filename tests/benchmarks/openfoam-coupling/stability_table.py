@@ -25,8 +25,7 @@ from cohesion_studies.foam_case import CaseError
 from cohesion_studies.progress_line import ProgressLine
 from cohesion_tests.coupling.cases import Columns
 from cohesion_tests.coupling.fields import cells, particle_velocities
-from cohesion_tests.coupling.free_spheres import RHO, U0, Setting, exact, run, solve
-from cohesion_tests.coupling.test_case import times
+from cohesion_tests.coupling.free_spheres import RHO, U0, Setting, exact, run, solve, times
 
 RIGHT = 0.01  # of the first slip
 FINER = 8

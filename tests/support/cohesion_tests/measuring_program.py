@@ -4,7 +4,7 @@ those that know LIGGGHTS too, `LIGGGHTS_COHESION [options]`."""
 import argparse
 import os
 
-from cohesion_tests import liggghts
+from cohesion_tests.liggghts import SCENES as LIGGGHTS_SCENES
 
 
 def words(description, *options, liggghts=False):
@@ -22,5 +22,5 @@ def words(description, *options, liggghts=False):
     if given.plugin:
         os.environ["COHESION_PLUGIN"] = given.plugin
     else:
-        os.environ["COHESION_SCRIPTS"] = str(liggghts.SCENES)
+        os.environ["COHESION_SCRIPTS"] = str(LIGGGHTS_SCENES)
     return given

@@ -6,6 +6,7 @@ their names as ending."""
 import functools
 import os
 import re
+import shutil
 from pathlib import Path
 
 from cohesion_studies.foam_case import FoamCase, environment
@@ -29,13 +30,28 @@ class ColumnCase(FoamCase):
             text = f"{dictionary} {{ {text} }}"
         append(self, file, text)
 
+    meshes = None  # those made before, by the text of their dictionaries
+
+    def mesh(self):
+        """As of FoamCase; a mesh that has been made of the same dictionaries is copied."""
+        made_of = "".join((self.folder / "system" / file).read_text() for file in ("blockMeshDict", "controlDict"))
+        mesh = self.folder / "constant/polyMesh"
+        if made_of in self.meshes:
+            mesh.mkdir(exist_ok=True)
+            for name, content in self.meshes[made_of].items():
+                (mesh / name).write_bytes(content)
+            shutil.copytree(self.folder / "0.orig", self.folder / "0", dirs_exist_ok=True)
+        else:
+            super().mesh()
+            self.meshes[made_of] = {file.name: file.read_bytes() for file in mesh.iterdir()}
+
 
 class Columns:
     """Makes column cases, fresh, in folders of their own within `work`; with the programs of the build folder `build`.
     What makes a case of its own takes one of these, or what does the same, as `column`."""
 
     def __init__(self, build, work):
-        self.build, self.work = build, Path(work)
+        self.build, self.work, self.meshes = build, Path(work), {}
 
     @functools.cached_property
     def environment(self):
@@ -43,6 +59,7 @@ class Columns:
 
     def __call__(self, name, engine=ENGINE):
         case = ColumnCase(COLUMN, self.work / name, self.environment, overwrite=True)
+        case.meshes = self.meshes
         if engine != ENGINES[0]:
             case.set(COUPLING, "demEngine", engine)
         return case

@@ -25,22 +25,23 @@ class CoupledTestCase(unittest.TestCase):
         """The column case, fresh, in the folder `name`."""
         return cls._columns(name, engine)
 
-    def expect_below(self, what, found, limit):
+    def _expect(self, what, right, text):
         with self.subTest(what):
-            self.assertTrue(found < limit, f"{what}: {found:.4g}, must be below {limit:.4g}")
+            if not right:
+                self.fail(f"{what}: {text}")
+
+    def expect_below(self, what, found, limit):
+        self._expect(what, found < limit, f"{found:.4g}, must be below {limit:.4g}")
 
     def expect_near(self, what, found, expected, tolerance):
-        with self.subTest(what):
-            self.assertTrue(abs(found - expected) <= tolerance,
-                            f"{what}: {found:.10g}, expected {expected:.10g} +- {tolerance:.2g}")
+        self._expect(what, abs(found - expected) <= tolerance,
+                     f"{found:.10g}, expected {expected:.10g} +- {tolerance:.2g}")
 
     def expect_equal(self, what, found, expected):
-        with self.subTest(what):
-            self.assertTrue(found == expected, f"{what}: {found!r}, expected {expected!r}")
+        self._expect(what, found == expected, f"{found!r}, expected {expected!r}")
 
     def expect_true(self, what, condition):
-        with self.subTest(what):
-            self.assertTrue(condition, what)
+        self._expect(what, condition, "is not so")
 
     def expect_balance(self, what, lines):
         """What the gas gave is what the particles got, and their volume is on the mesh, in every step of `lines`, of
