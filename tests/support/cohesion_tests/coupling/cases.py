@@ -30,7 +30,7 @@ class ColumnCase(FoamCase):
             text = f"{dictionary} {{ {text} }}"
         append(self, file, text)
 
-    meshes = None  # those made before, by the text of their dictionaries
+    meshes = None  # those made before, and what was said: files by their place, by the text of their dictionaries
 
     def mesh(self):
         """As of FoamCase; a mesh that has been made of the same dictionaries is copied."""
@@ -38,12 +38,13 @@ class ColumnCase(FoamCase):
         mesh = self.folder / "constant/polyMesh"
         if made_of in self.meshes:
             mesh.mkdir(exist_ok=True)
-            for name, content in self.meshes[made_of].items():
-                (mesh / name).write_bytes(content)
+            for place, content in self.meshes[made_of].items():
+                (self.folder / place).write_bytes(content)
             shutil.copytree(self.folder / "0.orig", self.folder / "0", dirs_exist_ok=True)
         else:
             super().mesh()
-            self.meshes[made_of] = {file.name: file.read_bytes() for file in mesh.iterdir()}
+            self.meshes[made_of] = {file.relative_to(self.folder): file.read_bytes()
+                                    for file in (*mesh.iterdir(), self.log("blockMesh"))}
 
 
 class Columns:
