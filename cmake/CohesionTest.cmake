@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # cohesion_add_test(NAME name LABELS label... COMMAND command...
-#                   [RANKS n] [TIMEOUT seconds] [ENVIRONMENT name=value...] [RUN_SERIAL])
+#                   [RANKS n] [TIMEOUT seconds] [ENVIRONMENT name=value...] [MODULES folder...] [RUN_SERIAL])
 #
 # A ctest test; with RANKS under mpiexec. Labels: unit, regression, verification, mpi; what is
 # labelled mpi runs on 2 ranks and so takes 2 cores. The timeout (600 s) is a guard against hangs, far
-# above what a test takes: ranks that share a busy machine wait for each other.
+# above what a test takes: ranks that share a busy machine wait for each other. Python finds the packages of
+# tests/support and examples/common, and what lies in the folders of MODULES.
 function(cohesion_add_test)
-  cmake_parse_arguments(T "RUN_SERIAL" "NAME;RANKS;TIMEOUT" "LABELS;COMMAND;ENVIRONMENT" ${ARGN})
+  cmake_parse_arguments(T "RUN_SERIAL" "NAME;RANKS;TIMEOUT" "LABELS;COMMAND;ENVIRONMENT;MODULES" ${ARGN})
   set(processors 1)
   if("mpi" IN_LIST T_LABELS)
     set(processors 2)
@@ -22,8 +23,11 @@ function(cohesion_add_test)
     message(FATAL_ERROR "cohesion_add_test(NAME ${T_NAME}): needs NAME, LABELS and COMMAND; "
       "unknown arguments: '${T_UNPARSED_ARGUMENTS}'")
   endif()
+  set(modules ${PROJECT_SOURCE_DIR}/tests/support ${PROJECT_SOURCE_DIR}/examples/common ${T_MODULES})
+  list(JOIN modules ":" modules)
   set(environment OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
-    OMPI_MCA_mpi_yield_when_idle=1 OMP_NUM_THREADS=1
+    OMPI_MCA_mpi_yield_when_idle=1 OMP_NUM_THREADS=1 PYTHONDONTWRITEBYTECODE=1
+    "PYTHONPATH=${modules}"
     ${T_ENVIRONMENT})
   add_test(NAME ${T_NAME} COMMAND ${T_COMMAND})
   set_tests_properties(${T_NAME} PROPERTIES

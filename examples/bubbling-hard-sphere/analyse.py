@@ -9,10 +9,10 @@ from pathlib import Path
 
 import numpy as np
 
-import ergun
-from case_entries import entries, gravity
-from cavities import cavities, width_of
-from foam_results import function_table, read_cells, written_times
+from cohesion_studies import ergun
+from cohesion_studies.case_entries import entries, gravity
+from cohesion_studies.cavities import cavities, width_of
+from cohesion_studies.foam_results import function_table, read_cells, written_times
 
 START_UP = 0.8  # s left out: gas that begins at once lifts the resting bed as one plug, which falls back by then
 PEAK = 1.5  # times its mean: where the pressure has a peak

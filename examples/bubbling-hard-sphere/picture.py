@@ -2,10 +2,10 @@
 """The picture of the hard-sphere beds: the spheres at some times, and the pressure trace of each bed."""
 
 import numpy as np
-from drawing import circles, pyplot, save
 
 import analyse
-from foam_results import read_cloud, written_times
+from cohesion_studies.drawing import circles, pyplot, save
+from cohesion_studies.foam_results import read_cloud, written_times
 
 SNAPSHOTS = 5
 SHOWN = 2.5  # of the height at rest

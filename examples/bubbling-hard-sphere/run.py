@@ -10,23 +10,15 @@ finished are not run again.
 import argparse
 import json
 import shutil
-import sys
 from pathlib import Path
 
-HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent / "common"))
+import analyse
+import picture
+from cohesion_studies import case_entries, cavities, ergun, expected, foam_results, program, study_table
+from cohesion_studies.foam_case import FoamCase, environment
+from cohesion_studies.job_pool import Job, RunError, carry_out, digest_of, require_ours
 
-import analyse  # noqa: E402
-import case_entries  # noqa: E402
-import cavities  # noqa: E402
-import ergun  # noqa: E402
-import expected  # noqa: E402
-import foam_results  # noqa: E402
-import picture  # noqa: E402
-import program  # noqa: E402
-import study_table  # noqa: E402
-from foam_case import FoamCase, environment  # noqa: E402
-from job_pool import Job, RunError, carry_out, digest_of, require_ours  # noqa: E402
+HERE = Path(__file__).resolve().parent
 
 BEDS = ("b", "c", "d")
 SCRIPT = "constant/couplingProperties", "lammpsCoeffs/variables"

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The picture of run.py."""
 
-from drawing import pyplot, save
+from cohesion_studies.drawing import pyplot, save
 
 
 def draw(file, constants, families, steps, rows, exact):

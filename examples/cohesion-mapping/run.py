@@ -7,17 +7,12 @@ table, depth against Hamaker constant for other particles, and what scheme sampl
 
 import argparse
 import csv
-import sys
-from pathlib import Path
 
 import numpy as np
 
-HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent / "common"))
-
-import picture  # noqa: E402
-import program  # noqa: E402
-from mapping_program import MappingError, MappingProgram  # noqa: E402
+import picture
+from cohesion_studies import program
+from cohesion_studies.mapping_program import MappingError, MappingProgram
 
 # The bed of the thesis: spheres of 1 mm and 2650 kg/m3, its spring, dashpot and step.
 RADIUS, DENSITY, STIFFNESS, RESTITUTION = 5e-4, 2650.0, 800.0, 0.948682

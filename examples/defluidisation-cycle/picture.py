@@ -3,16 +3,10 @@
 
     picture.py SUMMARY.csv PICTURE.png"""
 
-import sys
-from pathlib import Path
-
-EXAMPLES = Path(__file__).resolve().parents[1]
-sys.path[:0] = [str(EXAMPLES / "fluidised-bed"), str(EXAMPLES / "common")]
-
-import program  # noqa: E402
-from drawing import pyplot, save  # noqa: E402
-from statements import LAWS, SCHEMES, by_level  # noqa: E402
-from verdict import Study  # noqa: E402
+from cohesion_studies import program
+from cohesion_studies.bed.statements import LAWS, SCHEMES, by_level
+from cohesion_studies.bed.verdict import Study
+from cohesion_studies.drawing import pyplot, save
 
 PANELS = {"U_mf_df": "U_mf,df [m/s]", "U_mf_th": "U_mf,th [m/s]", "U_mf_in": "U_mf,in [m/s]",
           "mixing": "mixing [1/s]", "movement": "movement [mm]",

@@ -12,8 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "common"))
-import lammps_run  # noqa: E402
+from cohesion_studies import lammps_run, thermo
 
 # values: of each quantity, (value, standard error by blocks or None); seconds: of a processor [s];
 # failures: by quantity why it has no value, which is NaN then.
@@ -95,7 +94,7 @@ def columns(file):
     lines = file.read_text().lstrip("# ").splitlines()
     rows = list(csv.reader(lines)) if lines and "," in lines[0] else [line.split() for line in lines]
     names = [word.strip() for word in rows[0]] if rows else []
-    body = [[lammps_run.number(word) for word in row] for row in rows[1:] if len(row) == len(names)]
+    body = [[thermo.number(word) for word in row] for row in rows[1:] if len(row) == len(names)]
     return dict(zip(names, np.array(body, float).reshape(-1, len(names)).T))
 
 

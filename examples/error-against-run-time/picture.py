@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Error against seconds, a panel for each quantity."""
 
-from drawing import MARKERS, label_between_decades, pyplot, save
-
 import compare
+from cohesion_studies.drawing import MARKERS, label_between_decades, pyplot, save
 
 
 def draw(file, panels):

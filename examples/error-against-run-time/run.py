@@ -9,19 +9,16 @@ README.md says what a scene file is.
 """
 
 import argparse
-import sys
 from pathlib import Path
 
-HERE = Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE), str(HERE.parent / "common")]
+import compare
+import job
+import picture
+from cohesion_studies import lammps_run, program
+from cohesion_studies.progress_line import ProgressLine
+from scene import Scene, SceneError
 
-import compare  # noqa: E402
-import job  # noqa: E402
-import lammps_run  # noqa: E402
-import picture  # noqa: E402
-import program  # noqa: E402
-from progress_line import ProgressLine  # noqa: E402
-from scene import Scene, SceneError  # noqa: E402
+HERE = Path(__file__).resolve().parent
 
 
 class NothingFound(RuntimeError):

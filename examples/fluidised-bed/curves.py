@@ -6,21 +6,17 @@ most, with processor seconds.
     curves.py STUDY_FOLDER PICTURE.png"""
 
 import json
-import sys
 from pathlib import Path
 
-HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent / "common"))
+import numpy as np
 
-import numpy as np  # noqa: E402
-
-import analyse  # noqa: E402
-import program  # noqa: E402
-from case_entries import EntryError  # noqa: E402
-from drawing import pyplot, save  # noqa: E402
-from job_pool import RESULT, UNREAD  # noqa: E402
-from study_table import number  # noqa: E402
-from verdict import Study  # noqa: E402
+from cohesion_studies import program
+from cohesion_studies.bed import analyse
+from cohesion_studies.bed.verdict import Study
+from cohesion_studies.case_entries import EntryError
+from cohesion_studies.drawing import pyplot, save
+from cohesion_studies.job_pool import RESULT, UNREAD
+from cohesion_studies.study_table import number
 
 BASE = "base"
 BRANCHES = {"o-": "falling", "^--": "rising"}

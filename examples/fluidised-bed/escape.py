@@ -3,14 +3,12 @@
 cohesion-mapping."""
 
 import math
-import sys
 from pathlib import Path
 
-HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent / "common"))
+from cohesion_studies.case_entries import gravity, script_numbers
+from cohesion_studies.mapping_program import MappingProgram
 
-from case_entries import gravity, script_numbers  # noqa: E402
-from mapping_program import MappingError, MappingProgram  # noqa: E402,F401
+HERE = Path(__file__).resolve().parent
 
 SCRIPTS = {"lammps": "bed.lmp", "liggghts": "bed.liggghts"}
 PLACES = {"v_esc": "particles", "v_esc_side": "side", "v_esc_plate": "plate"}

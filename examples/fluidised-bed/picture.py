@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The picture of the fluidised bed: fluidisation curves and two snapshots."""
 
-from drawing import circles, pyplot, save
-
-import analyse
-from foam_results import read_cloud, written_times
+from cohesion_studies.bed import analyse
+from cohesion_studies.drawing import circles, pyplot, save
+from cohesion_studies.foam_results import read_cloud, written_times
 
 COLOURS = {"non-cohesive": "#1f6f8b", "Hamaker": "#c8553d"}
 

@@ -9,21 +9,17 @@ Without --schedule the cycle is `short`; --hamaker is the Hamaker constant of th
 """
 
 import argparse
-import sys
 from math import isnan
 from pathlib import Path
 
-HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent / "common"))
-
-import picture  # noqa: E402
-import program  # noqa: E402
-from bed_case import ENGINES, MARK, SCHEDULES, BedRun, fingerprint  # noqa: E402
-from figures import evaluate  # noqa: E402
-from foam_case import CaseError, environment  # noqa: E402
-from job_pool import RunError, carry_out, require_ours  # noqa: E402
-from study import seeds_of  # noqa: E402
-from study_table import TableError, aligned  # noqa: E402
+import picture
+from cohesion_studies import program
+from cohesion_studies.bed.bed_case import ENGINES, MARK, SCHEDULES, BedRun, fingerprint
+from cohesion_studies.bed.figures import evaluate
+from cohesion_studies.foam_case import CaseError, environment
+from cohesion_studies.job_pool import RunError, carry_out, require_ours
+from cohesion_studies.study_table import TableError, aligned
+from study import seeds_of
 
 
 def arguments():

@@ -9,21 +9,17 @@ with the others.
 """
 
 import argparse
-import sys
 from math import isnan, isqrt, sqrt
 from pathlib import Path
 
-HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent / "common"))
-
-import expected  # noqa: E402
-import program  # noqa: E402
-from bed_case import ENGINES, MARK, SCHEDULES, BedRun, fingerprint, geometry_of, parameters  # noqa: E402
-from escape import PLACES, MappingError, bond_number, escape_velocities  # noqa: E402
-from foam_case import environment  # noqa: E402
-from geometry import GeometryError  # noqa: E402
-from job_pool import RunError, carry_out, require_ours  # noqa: E402
-from study_table import TableError, aligned, over_seeds, read_table, with_deviation, write_summary  # noqa: E402
+from cohesion_studies import expected, program
+from cohesion_studies.bed.bed_case import ENGINES, MARK, SCHEDULES, BedRun, fingerprint, geometry_of, parameters
+from cohesion_studies.bed.geometry import GeometryError
+from cohesion_studies.foam_case import environment
+from cohesion_studies.job_pool import RunError, carry_out, require_ours
+from cohesion_studies.mapping_program import MappingError
+from cohesion_studies.study_table import TableError, aligned, over_seeds, read_table, with_deviation, write_summary
+from escape import PLACES, bond_number, escape_velocities
 
 # Primes above 10000, which LIGGGHTS asks for
 SEEDS = {"lammps": [4711, 4712, 4713], "liggghts": [15485863, 32452843, 49979687]}

@@ -3,16 +3,10 @@
 
     picture.py SUMMARY.csv PICTURE.png"""
 
-import sys
-from pathlib import Path
-
-EXAMPLES = Path(__file__).resolve().parents[1]
-sys.path[:0] = [str(EXAMPLES / "fluidised-bed"), str(EXAMPLES / "common")]
-
-import program  # noqa: E402
-from drawing import pyplot, save  # noqa: E402
-from statements import WIDTHS  # noqa: E402
-from verdict import Study  # noqa: E402
+from cohesion_studies import program
+from cohesion_studies.bed.statements import WIDTHS
+from cohesion_studies.bed.verdict import Study
+from cohesion_studies.drawing import pyplot, save
 
 COLOURS = {"none": "0.5", "well": "#1f6f8b", "hamaker": "#c8553d"}
 FORCES = {"sides_at_maximum": ("side walls", "#7a5195"), "plate_at_maximum": ("plate", "#ef8354"),

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
-from lammps_run import tables
+from cohesion_studies.lammps_run import tables
 
 DIAMETER = 4e-3
 GRAVITY = 9.81  # m/s2

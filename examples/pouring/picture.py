@@ -3,10 +3,10 @@
 its balance."""
 
 import numpy as np
-from drawing import circles, pyplot, save
 from matplotlib.patches import Rectangle
 
 import analyse
+from cohesion_studies.drawing import circles, pyplot, save
 
 PARTS = {"height": "#1f6f8b", "motion": "#ef8354", "lost": "0.5"}
 

@@ -7,19 +7,15 @@ finished are not run again.
 """
 
 import argparse
-import sys
 from pathlib import Path
 
-HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent / "common"))
+import analyse
+import picture
+from cohesion_studies import expected, program, study_table
+from cohesion_studies.job_pool import RunError, carry_out, digest_of, require_ours
+from cohesion_studies.lammps_run import MARK, NotBuilt, ScriptRun, launcher
 
-import analyse  # noqa: E402
-import expected  # noqa: E402
-import picture  # noqa: E402
-import program  # noqa: E402
-import study_table  # noqa: E402
-from job_pool import RunError, carry_out, digest_of, require_ours  # noqa: E402
-from lammps_run import MARK, NotBuilt, ScriptRun, launcher  # noqa: E402
+HERE = Path(__file__).resolve().parent
 
 # Variables of in.pouring. The columns, 1.5 diameters apart, fill a box 24 diameters wide.
 BED = {"count": 500, "columns": 16, "height": 48, "e": 0.9, "mu": 0.3, "time": 0.6}

@@ -2,10 +2,10 @@
 """The picture of the sheared discs: stress, its parts, agglomerates, both regimes."""
 
 import numpy as np
-from drawing import circles, label_between_decades, pyplot, save
 
 import analyse
 import sweep
+from cohesion_studies.drawing import circles, label_between_decades, pyplot, save
 
 DEPTHS = (*sweep.MILD, *sweep.TRANSITION)
 COLOURS = dict(zip(DEPTHS, pyplot.get_cmap("viridis")(np.linspace(0, 0.9, len(DEPTHS)))))

@@ -10,18 +10,16 @@ import functools
 import hashlib
 import math
 import re
-import sys
 from pathlib import Path
 
-HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent / "common"))
+import analyse
+import picture
+import sweep
+from cohesion_studies import program
+from cohesion_studies.job_pool import RunError, carry_out, require_ours
+from cohesion_studies.lammps_run import MARK, NotBuilt, ScriptRun, launcher
 
-import analyse  # noqa: E402
-import picture  # noqa: E402
-import program  # noqa: E402
-import sweep  # noqa: E402
-from job_pool import RunError, carry_out, require_ours  # noqa: E402
-from lammps_run import MARK, NotBuilt, ScriptRun, launcher  # noqa: E402
+HERE = Path(__file__).resolve().parent
 
 TOO_FAR = "could miss a partner"  # the engine: particles fly too far in a step
 

@@ -5,7 +5,8 @@ import statistics
 
 import scenes
 from build_folder import whole_numbers
-from progress import Progress
+from cohesion_tests.progress import Progress
+from cohesion_tests.thermo import loop_seconds
 
 TITLE = "Where the time of a step goes"
 PARTS = {"Pair": "pairs", "Neigh": "lists", "Comm": "ghosts", "Modify": "integration, fixes"}
@@ -26,7 +27,7 @@ def seconds(output):
     """Of each of PARTS, None where the engine does not tell it, and of the whole loop."""
     found = (re.search(rf"^{part}\s+(?:\|[^|]*\||time \(%\) =)\s*([-+.\de]+)", output, re.M) for part in PARTS)
     return ([part and float(part[1]) for part in found],
-            float(re.findall(r"^Loop time of (\S+)", output, re.M)[-1]))
+            loop_seconds(output))
 
 
 def rows(programs, words):

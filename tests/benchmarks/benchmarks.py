@@ -16,8 +16,9 @@ import importlib
 import sys
 from pathlib import Path
 
-from page import replace_section, source
+import picture
 from build_folder import Missing, Programs
+from page import replace_section, source
 from scenes import REBUILD
 
 NAMES = {"features": "feature x cost when off x cost when on, LAMMPS and LIGGGHTS",
@@ -71,7 +72,6 @@ def main():
     if words.page:
         replace_section(words.page, table.TITLE, lines)
     if getattr(words, "picture", None):
-        import picture  # matplotlib takes a second to load
         picture.draw(words.name, picture.read(lines), words.picture)
 
 

@@ -9,10 +9,8 @@ import threading
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-SOURCE = Path(__file__).resolve().parents[2]
-sys.path += [str(SOURCE / "tests/lammps-package"), str(SOURCE / "examples/common")]
-import instruction_count  # noqa: E402
-from short_start import short_start  # noqa: E402
+from cohesion_tests import instruction_count
+from cohesion_tests.launcher import short_start
 
 
 def whole_numbers(text):
@@ -22,7 +20,7 @@ def whole_numbers(text):
 
 def environment(ranks=1):
     """Of a start. Ranks that wait let others go on only where there are fewer processors than ranks."""
-    own = {**os.environ, **short_start(ranks)}
+    own = {**os.environ, **short_start(ranks if ranks > 1 else 0)}
     if ranks > 1:
         own.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
                    OMPI_MCA_mpi_yield_when_idle=str(int(ranks > len(os.sched_getaffinity(0)))))

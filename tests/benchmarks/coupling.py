@@ -2,20 +2,14 @@
 """Feature x cost when off x cost when on of the gas: cohesiveBedFoam on falling spheres, in instructions per
 gas step and sphere; beside the particle engine alone."""
 import re
-import sys
 import tempfile
 from pathlib import Path
 
-import instruction_count
-from build_folder import SOURCE, Missing, side_by_side
-from progress import Progress
-
-sys.path.append(str(SOURCE / "tests/openfoam-coupling"))
-# It takes the engine from the command line of the tests.
-sys.argv, given = sys.argv[:1], sys.argv
-from coupled_case import COLUMN, COUPLING, FoamCase, environment, script_file, use_script  # noqa: E402
-
-sys.argv = given
+from build_folder import Missing, side_by_side
+from cohesion_studies.foam_case import FoamCase, environment
+from cohesion_tests import instruction_count
+from cohesion_tests.coupling.cases import COLUMN, COUPLING, script_file, use_script
+from cohesion_tests.progress import Progress
 
 TITLE = "Features of the coupling"
 GAS_STEP, SUB_STEPS = 1e-4, 10

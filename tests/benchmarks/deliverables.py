@@ -5,9 +5,9 @@ import subprocess
 import tempfile
 from pathlib import Path
 
-import instruction_count
 from build_folder import Used, environment
-from progress import Progress
+from cohesion_tests import instruction_count
+from cohesion_tests.progress import Progress
 from scenes import spread
 
 TITLE = "Size and load time"

@@ -4,7 +4,7 @@ import statistics
 import sys
 
 import scenes
-from progress import Progress
+from cohesion_tests.progress import Progress
 from scenes import LIGGGHTS_CONTACT, gran, granular, hamaker, hooke, ours, overlay, spread, spread_words, well
 
 TITLE = "Cost of a step with cohesion"

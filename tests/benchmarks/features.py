@@ -2,7 +2,7 @@
 """Feature x cost when off x cost when on, in instructions per particle and step: one scene without the
 feature, with the feature set to nothing, and with it."""
 import scenes
-from progress import Progress
+from cohesion_tests.progress import Progress
 from scenes import LIGGGHTS_CONTACT, gran, hamaker, hooke, ours, overlay, well
 
 TITLE = "Features of the particle engines"

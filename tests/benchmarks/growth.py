@@ -7,7 +7,7 @@ from pathlib import Path
 
 import scenes
 from build_folder import whole_numbers
-from progress import Progress
+from cohesion_tests.progress import Progress
 from scenes import spread, spread_words
 
 TITLE = "Growth with the number of particles"

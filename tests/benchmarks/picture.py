@@ -13,12 +13,10 @@ import re
 import sys
 from pathlib import Path
 
-import build_folder  # noqa: F401  (first: it knows where the others are)
-import program
-from drawing import pyplot, save
-
 import dense
 import growth
+from cohesion_studies import program
+from cohesion_studies.drawing import pyplot, save
 
 BAR = "#4477aa"
 

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """One rank and two: the same scene on both (strong), and twice the scene on two (weak)."""
-import re
 import statistics
 
 import scenes
-from progress import Progress
+from cohesion_tests.progress import Progress
+from cohesion_tests.thermo import loop_seconds
 from scenes import WAYS, spread
 
 TITLE = "One rank and two"
@@ -24,7 +24,7 @@ def small(words):
 def loop(programs, way, pair, cells, steps, ranks):
     """Seconds of the engine's own loop, by the clock."""
     text = scenes.text(way.startswith("liggghts"), "gas", cells, pair, load=way == "lammps+")
-    return float(re.findall(r"Loop time of (\S+)", programs.run(way, text, steps, ranks).output)[-1])
+    return loop_seconds(programs.run(way, text, steps, ranks).output)
 
 
 def rows(programs, words):

@@ -75,6 +75,7 @@ def text(liggghts, scene, cells, pair, extra="", load=False, walled=False, ghost
 
 # --- LAMMPS ------------------------------------------------------------------------------------
 
+
 def hooke(friction=FRICTION, history=True):
     """The engine's own contact, damped to the restitution."""
     style = "gran/hooke/history" if history else "gran/hooke"

@@ -7,7 +7,7 @@ import numpy
 
 import scenes
 from build_folder import whole_numbers
-from progress import Progress
+from cohesion_tests.progress import Progress
 
 TITLE = "What a step fetches"
 # A list of neighbours is made once in the steps that are counted, as it is once in so many.

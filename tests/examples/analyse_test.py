@@ -3,19 +3,17 @@
 
 import re
 import shutil
-import sys
 import tempfile
 import unittest
 from pathlib import Path
 
 import numpy as np
 
+from cohesion_studies import ergun
+from cohesion_studies.bed import analyse, particles
+from cohesion_studies.case_entries import particle_step
+
 BED = Path(__file__).resolve().parents[2] / "examples/fluidised-bed"
-sys.path.insert(0, str(BED))
-import analyse  # noqa: E402
-import ergun  # noqa: E402
-import particles  # noqa: E402
-from case_entries import particle_step  # noqa: E402
 
 
 def steps(minimum, highest, rising):

@@ -31,7 +31,6 @@ variable total equal v_side_pull+v_plate_pull
 print "found particles ${particles} side ${side} plate ${plate} pulled ${pulled} pull ${total}"
 """
 
-
 # Energy of the wells [J], a few steps later. Then the places and velocities.
 LOOK_AT_WELLS = """
 compute book all gran/energy

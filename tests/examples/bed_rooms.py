@@ -6,12 +6,10 @@ import re
 import shutil
 import unittest
 
-from small_beds import BUILD, SOURCE, SmallBeds, variables
-
-import bed_case
-import expected
-import figures
 import study
+from cohesion_studies import expected
+from cohesion_studies.bed import bed_case, figures
+from small_beds import BUILD, SOURCE, SmallBeds, variables
 
 
 class Rooms(SmallBeds):

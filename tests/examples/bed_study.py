@@ -13,17 +13,15 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
-from small_beds import BED, BUILD, SmallBeds, variables
-
-import bed_case
-import figures
 import run
 import study
-from analyse import read_columns
-from bed_case import parameters
-from foam_case import CaseError, environment
-from job_pool import RunError, carry_out, require_ours
-from lammps_run import launcher
+from cohesion_studies.bed import bed_case, figures, geometry
+from cohesion_studies.bed.analyse import read_columns
+from cohesion_studies.bed.bed_case import parameters
+from cohesion_studies.foam_case import CaseError, environment
+from cohesion_studies.job_pool import RunError, carry_out, require_ours
+from cohesion_studies.lammps_run import launcher
+from small_beds import BUILD, SmallBeds, variables
 
 TABLE = ("name, A, cohesion_side, settle, scheme\n"
          "none, 0, , 0.01, sampled\nno-side, 7.49e-19, 0, 0.01, sampled\n")
@@ -172,7 +170,7 @@ class Beds(SmallBeds):
         with mock.patch.object(figures, "programs", lambda: "others"):
             self.assertIn("reading those of 1 again", self.call(*words))
         self.assertEqual((out / "runs/a-1/log.blockMesh").stat().st_mtime_ns, stamp)
-        for changed in (BED / "bed_case.py", BED / "geometry.py", self.folder / "case/bed.lmp"):
+        for changed in (Path(bed_case.__file__), Path(geometry.__file__), self.folder / "case/bed.lmp"):
             marks = [bed_case.fingerprint(BUILD, environment(BUILD))]
             read = Path.read_bytes
             with mock.patch.object(Path, "read_bytes",

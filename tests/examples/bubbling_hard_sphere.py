@@ -14,17 +14,16 @@ from unittest import mock
 
 import numpy as np
 
-SOURCE = Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(SOURCE / "examples/bubbling-hard-sphere"), str(SOURCE / "tests/openfoam-coupling")]
+import analyse
+import picture
+import run
+from cohesion_studies import expected
+from cohesion_studies.case_entries import entries, gravity
+from cohesion_studies.cavities import cavities, width_of
+from cohesion_studies.foam_results import read_cloud, written_times
+from cohesion_tests.coupling.cases import exchange_lines
 
-from coupled_case import exchange_lines  # noqa: E402
-import analyse  # noqa: E402
-import expected  # noqa: E402
-import picture  # noqa: E402
-import run  # noqa: E402
-from case_entries import entries, gravity  # noqa: E402
-from cavities import cavities, width_of  # noqa: E402
-from foam_results import read_cloud, written_times  # noqa: E402
+SOURCE = Path(__file__).resolve().parents[2]
 
 BUILD = sys.argv.pop(1) if len(sys.argv) > 1 else str(SOURCE / "build")
 SMALL = {"width": 0.05, "height": 0.2, "jetFrom": 0.02, "jetTo": 0.03, "middle": 0.025, "sideCells": 2,

@@ -13,13 +13,12 @@ from pathlib import Path
 
 import numpy as np
 
+import compare
+import job
+from scene import Scene, SceneError, Setting
+
 SOURCE = Path(__file__).resolve().parents[2]
 EXAMPLE = SOURCE / "examples/error-against-run-time"
-sys.path[:0] = [str(EXAMPLE), str(SOURCE / "examples/common")]
-
-import compare  # noqa: E402
-import job  # noqa: E402
-from scene import Scene, SceneError, Setting  # noqa: E402
 
 BUILD = sys.argv.pop(1) if len(sys.argv) > 1 else str(SOURCE / "build")
 
@@ -266,8 +265,7 @@ class OwnScenes(Folder):
         """Escape velocity and restitution in the scene files are those of the pair that the tests integrate."""
         import os
         os.environ.update(COHESION_LMP="none", COHESION_PLUGIN="none")
-        sys.path.insert(0, str(SOURCE / "tests/lammps-package"))
-        import pair_motion as pair
+        from cohesion_tests.theory import pair_motion as pair
         known = Scene(EXAMPLE / "scenes/couples.yaml").variables
         self.assertAlmostEqual(known["speed"] / pair.Pair(7.49e-19).escape_velocity(), 1.0, delta=1e-8)
         for name in ("couples", "restitution"):

@@ -11,11 +11,9 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
-EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
-sys.path.insert(0, str(EXAMPLES / "common"))
+from cohesion_studies import expected, program
 
-import expected  # noqa: E402
-import program  # noqa: E402
+EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 
 HEAD = "# said\ncase,quantity,low,high,origin\n"
 

@@ -6,17 +6,15 @@ import dataclasses
 import math
 import subprocess
 import sys
+import unittest
 from pathlib import Path
+
+from cohesion_studies import expected
+from cohesion_studies.bed import analyse, figures
 
 SOURCE = Path(__file__).resolve().parents[2]
 BED = SOURCE / "examples/fluidised-bed"
-sys.path[:0] = [str(BED), str(SOURCE / "examples/common"), str(SOURCE / "tests/openfoam-coupling")]
-
-import analyse  # noqa: E402
-import expected  # noqa: E402
-import figures  # noqa: E402
-from coupled_case import Expectations  # noqa: E402
-
+BUILD = sys.argv.pop(1) if len(sys.argv) > 1 else str(SOURCE / "build")
 
 # Of the pressure drop: Ergun's viscous coefficient is 150, that of Macdonald et al. (Ind. Eng. Chem. Fundam. 18 (1979)
 # 199) for packed smooth spheres 180; the inertial ones, 1.75 and 1.8, differ less.
@@ -35,38 +33,43 @@ def ergun_and_tolerance(bed, found):
     return velocity, math.hypot(*parts)
 
 
-def main(build):
-    out = Path(build) / "fluidised-bed"
-    command = [sys.executable, str(BED / "run.py"), "--build", build, "--out", str(out)]
-    if subprocess.run(command).returncode != 0:
-        # Results of another build or of other settings: replace them.
-        subprocess.run([*command, "--overwrite"], check=True)
+class FluidisedBed(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.out = Path(BUILD) / "fluidised-bed"
+        command = [sys.executable, str(BED / "run.py"), "--build", BUILD, "--out", str(cls.out)]
+        if subprocess.run(command).returncode != 0:
+            # Results of another build or of other settings: replace them.
+            subprocess.run([*command, "--overwrite"], check=True)
+        cls.results = {name: figures.evaluate(cls.out / name) for name in ("non-cohesive", "Hamaker")}
 
-    expect = Expectations()
-    results = {name: figures.evaluate(out / name) for name in ("non-cohesive", "Hamaker")}
-    held = expected.held(BED / "expected.csv", {name: figures.single(found) for name, found in results.items()})
-    expect.true(f"{len(held)} rows of expected.csv, all there are, and the balance among them",
-                len(held) == len(expected.rows(BED / "expected.csv")) and any("balance" in line for line, _ in held))
-    for line, holds in held:
-        expect.true(line, holds)
+    def test_expected_figures(self):
+        held = expected.held(BED / "expected.csv",
+                             {name: figures.single(found) for name, found in self.results.items()})
+        self.assertEqual(len(held), len(expected.rows(BED / "expected.csv")))
+        self.assertTrue(any("balance" in line for line, _ in held), held)
+        for line, holds in held:
+            with self.subTest(line):
+                self.assertTrue(holds, line)
 
-    free = results["non-cohesive"]
-    rising = free["velocities"].rising[0]
-    expect.near("U_mf,th, and Ergun's at the mean void fraction of the resting bed [m/s]", rising,
-                *ergun_and_tolerance(analyse.Bed.read(out / "non-cohesive"), free))
-    cohesive = results["Hamaker"]["velocities"].rising
-    margin = 3 * (free["velocities"].rising[1] ** 2 + cohesive[1] ** 2) ** 0.5
-    expect.true(f"cohesion raises U_mf,th: {cohesive[0]:.3f} m/s above {rising:.3f} m/s by more than "
-                f"three standard errors of the fits ({margin:.3f} m/s)",
-                cohesive[0] - rising > margin)
-    for name in results:
-        steps = analyse.curve(out / name)
-        expect.equal(f"{name}: steps of the gas velocity", len(steps),
-                     len(analyse.read_schedule(out / name)))
-        expect.true(f"{name}: picture and table", (out / "result.png").stat().st_size > 10000
-                    and "U_mf,th" in (out / "result.txt").read_text())
-    expect.exit()
+    def test_minimum_fluidisation_is_ergun_s(self):
+        """At the mean void fraction of the resting bed [m/s]."""
+        free = self.results["non-cohesive"]
+        ergun, tolerance = ergun_and_tolerance(analyse.Bed.read(self.out / "non-cohesive"), free)
+        self.assertAlmostEqual(free["velocities"].rising[0], ergun, delta=tolerance)
+
+    def test_cohesion_raises_it(self):
+        """By more than three standard errors of the fits."""
+        free, cohesive = (self.results[name]["velocities"].rising for name in ("non-cohesive", "Hamaker"))
+        self.assertGreater(cohesive[0] - free[0], 3 * math.hypot(free[1], cohesive[1]))
+
+    def test_every_step_is_read_and_drawn(self):
+        for name in self.results:
+            with self.subTest(name):
+                self.assertEqual(len(analyse.curve(self.out / name)), len(analyse.read_schedule(self.out / name)))
+        self.assertGreater((self.out / "result.png").stat().st_size, 10000)
+        self.assertIn("U_mf,th", (self.out / "result.txt").read_text())
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:])
+    unittest.main()

@@ -16,9 +16,10 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "examples/common"))
-import study_table  # noqa: E402
-from job_pool import Job, RunError, carry_out, dies_with_us, digest_of, require_ours  # noqa: E402
+from cohesion_studies import job_pool, study_table
+from cohesion_studies.job_pool import Job, RunError, carry_out, dies_with_us, digest_of, require_ours
+
+job_pool.POLL = 0.05  # the jobs here are short
 
 
 class Shell(Job):

@@ -9,12 +9,11 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
+import run
+from cohesion_studies import expected
+
 SOURCE = Path(__file__).resolve().parents[2]
 EXAMPLE = SOURCE / "examples/cohesion-mapping"
-sys.path[:0] = [str(EXAMPLE), str(SOURCE / "examples/common")]
-
-import expected  # noqa: E402
-import run  # noqa: E402
 
 BUILD = sys.argv.pop(1) if len(sys.argv) > 1 else str(SOURCE / "build")
 

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The reading of mixing, movement, plugs and forces on tables whose answer is known."""
 
-import sys
 import tempfile
 import types
 import unittest
@@ -10,10 +9,7 @@ from unittest import mock
 
 import numpy as np
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "examples/fluidised-bed"))
-import analyse  # noqa: E402
-import geometry  # noqa: E402
-import particles  # noqa: E402
+from cohesion_studies.bed import analyse, bed_case, geometry, particles
 
 
 def write(case, name, kind, rows):
@@ -142,7 +138,7 @@ class Forces(unittest.TestCase):
 
 class Width(unittest.TestCase):
     def test_the_case_is_what_its_geometry_writes(self):
-        case = Path(geometry.__file__).parent / "case"
+        case = bed_case.CASE
         bed = geometry.Geometry.read(case)
         self.assertEqual((bed, bed.text()), (geometry.Geometry(), (case / geometry.FILE).read_text()))
         coupling = (case / "constant/couplingProperties").read_text()

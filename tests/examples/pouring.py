@@ -11,13 +11,12 @@ from unittest import mock
 
 import numpy as np
 
-SOURCE = Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(SOURCE / "examples/pouring"), str(SOURCE / "examples/common")]
+import analyse
+import run
+from cohesion_studies import expected
+from cohesion_studies.lammps_run import tables
 
-import analyse  # noqa: E402
-import expected  # noqa: E402
-import run  # noqa: E402
-from lammps_run import tables  # noqa: E402
+SOURCE = Path(__file__).resolve().parents[2]
 
 BUILD = sys.argv.pop(1) if len(sys.argv) > 1 else str(SOURCE / "build")
 SMALL = {"count": 96, "columns": 8, "height": 24, "time": 0.3}

@@ -12,13 +12,12 @@ from pathlib import Path
 
 import numpy as np
 
-SOURCE = Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(SOURCE / "examples/shear"), str(SOURCE / "tests/lammps-package")]
+import analyse
+import run
+import sweep
+from cohesion_tests.theory import sheared_discs as theory
 
-import analyse  # noqa: E402
-import run  # noqa: E402
-import sheared_discs as theory  # noqa: E402
-import sweep  # noqa: E402
+SOURCE = Path(__file__).resolve().parents[2]
 
 BUILD = sys.argv.pop(1) if len(sys.argv) > 1 else str(SOURCE / "build")
 PHI, E, DISCS = 0.2, 0.9, 256

@@ -13,15 +13,13 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
+import picture
+import run
+from cohesion_studies.bed import bed_case, figures
+from cohesion_studies.study_table import number
+
 SOURCE = Path(__file__).resolve().parents[2]
 BED = SOURCE / "examples/fluidised-bed"
-sys.path[:0] = [str(BED), str(SOURCE / "examples/common")]
-
-import bed_case  # noqa: E402
-import figures  # noqa: E402
-import picture  # noqa: E402
-import run  # noqa: E402
-from study_table import number  # noqa: E402
 
 BUILD = Path(sys.argv.pop(1) if len(sys.argv) > 1 else SOURCE / "build").resolve()
 SCHEDULE = "superficialVelocity table ((0 (0 1.2 0)) (1 (0 1.2 0)));\nendTime 0.018;\n"

@@ -3,21 +3,19 @@
 
 import importlib.util
 import itertools
-import sys
 import tempfile
 import unittest
 from pathlib import Path
 
 from scipy.stats import ttest_ind_from_stats
 
-EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
-sys.path.insert(0, str(EXAMPLES / "fluidised-bed"))
+import study
+from cohesion_studies.bed import statements
+from cohesion_studies.bed.verdict import (AGREES, CANNOT_TELL, DOES_NOT, NOT_SEEN, Claim, Study, above, alike,
+                                          less_than_half, together, trend)
+from cohesion_studies.study_table import write_summary
 
-import statements  # noqa: E402
-import study  # noqa: E402
-from study_table import write_summary  # noqa: E402
-from verdict import (AGREES, CANNOT_TELL, DOES_NOT, NOT_SEEN, Claim, Study, above, alike, less_than_half,  # noqa: E402
-                     together, trend)
+EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 
 TABLES = {"levels": EXAMPLES / "defluidisation-cycle/cohesion-levels.csv",
           "mechanisms": EXAMPLES / "overshoot-mechanisms/mechanisms.csv"}

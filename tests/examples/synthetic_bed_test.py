@@ -2,7 +2,6 @@
 """The reading of a whole case whose tables are made here, with means that are known: all of figures.evaluate(), what
 of it depends on entries of the case, and the curves of a study. No entry is that of the example's own case."""
 
-import json
 import dataclasses
 import json
 import math
@@ -15,17 +14,13 @@ from unittest import mock
 
 import numpy as np
 
-SOURCE = Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(SOURCE / "examples/fluidised-bed"), str(SOURCE / "examples/common")]
-import analyse  # noqa: E402
-import bed_case  # noqa: E402
-import curves  # noqa: E402
-import figures  # noqa: E402
-import run  # noqa: E402
-import study  # noqa: E402
-from case_entries import EntryError  # noqa: E402
-from study_table import TableError, write_summary  # noqa: E402
-from verdict import Study  # noqa: E402
+import curves
+import run
+import study
+from cohesion_studies.bed import analyse, bed_case, figures
+from cohesion_studies.bed.verdict import Study
+from cohesion_studies.case_entries import EntryError
+from cohesion_studies.study_table import TableError, write_summary
 
 # Gas velocities and the ends of their steps, each changed within 1 ms.
 DOWN = [(1.2, 0.8), (0.9, 0.9), (0.7, 1.0), (0.6, 1.1), (0.5, 1.2), (0.4, 1.3), (0.3, 1.4), (0.2, 1.5)]
@@ -236,7 +231,6 @@ class Reading(Synthetic):
                 with self.assertRaisesRegex(EntryError, says):
                     figures.evaluate(self.case)
                 (self.case / file).write_text(before)
-
 
     def test_tables_of_another_run_are_refused(self):
         """Of each that is read: one that OpenFOAM wrote beside it, a folder of a later start, and none."""

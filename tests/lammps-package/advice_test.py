@@ -4,8 +4,8 @@ have become worse; and that nothing is said twice."""
 import unittest
 from pathlib import Path
 
-from script_test_case import ScriptTestCase
-from small_box import box, spheres
+from cohesion_tests.lammps_scenes.small_box import box, spheres
+from cohesion_tests.test_cases import ScriptTestCase
 
 CONTACT = "stiffness 800 restitution 0.9 hamaker 5e-19 cutoff 4e-10 1e-7"
 STYLE = f"pair_style gran/hamaker\npair_coeff * * {CONTACT}\n"

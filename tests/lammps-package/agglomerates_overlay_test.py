@@ -5,9 +5,9 @@ import unittest
 
 import numpy
 
-import lammps_engine as engine
-from agglomerate_search import BOX, RANGE, Search, constructed, in_box
-from script_test_case import ScriptTestCase
+from cohesion_tests import lammps as engine
+from cohesion_tests.test_cases import ScriptTestCase
+from cohesion_tests.theory.agglomerate_search import BOX, RANGE, Search, constructed, in_box
 
 SCRIPT = """
 plugin load ${plugin}

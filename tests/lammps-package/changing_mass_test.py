@@ -6,8 +6,8 @@ import unittest
 
 import numpy
 
-import lammps_engine as engine
-from script_test_case import ScriptTestCase
+from cohesion_tests import lammps as engine
+from cohesion_tests.test_cases import ScriptTestCase
 
 R, DENSITY = 5e-4, 2500.0
 MASS = 4 / 3 * math.pi * R**3 * DENSITY

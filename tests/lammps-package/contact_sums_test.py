@@ -6,13 +6,14 @@ import unittest
 
 import numpy
 
-import couples
-import lammps_engine as engine
-from couples import MU, STIFFNESS
+from cohesion_tests import lammps as engine
+from cohesion_tests.lammps_scenes import couples
+from cohesion_tests.theory import pair_motion
+from cohesion_tests.theory.pair_motion import MU, STIFFNESS
 
 RESTITUTION, SPEED = 0.8, 0.02
 OVERLAP = SPEED * math.sqrt(MU / STIFFNESS)
-DT = couples.CONTACT_TIME / 20
+DT = pair_motion.CONTACT_TIME / 20
 PART = 100  # steps in which one couple meets: 10 before and 20 of the contact
 DEFINE = """
 compute book all gran/energy
@@ -54,14 +55,14 @@ thermo {PART}
         return [list(map(float, words)) for words in lines if len(words) in (3, 7) and words[0].isdigit()]
 
     LOST = 0.5 * (1 - RESTITUTION**2) * MU * SPEED**2
-    CARRIED = couples.DIAMETER * (1 + RESTITUTION) * MU * SPEED
+    CARRIED = pair_motion.DIAMETER * (1 + RESTITUTION) * MU * SPEED
 
     def check(self, begin, end, couples_met=1):
         self.assertEqual(begin, [0.0, 0.0])
         # A place is rounded by 2e-19 m in each of some 20 steps of contact, of an overlap of 6e-7 m.
         self.assertLess(abs(end[0] / (couples_met * self.LOST) - 1), 1e-10)
         # Along the distance, which is shorter by the overlap, up to that of the undamped spring.
-        self.assertLess(abs(end[1] / (couples_met * self.CARRIED) - 1), OVERLAP / couples.DIAMETER)
+        self.assertLess(abs(end[1] / (couples_met * self.CARRIED) - 1), OVERLAP / pair_motion.DIAMETER)
 
     def test_a_run_without_one_between(self):
         rows = self.rows(f"{DEFINE}run {PART}\n{DELETE}run {PART}\n{DEFINE}run {PART}\n")

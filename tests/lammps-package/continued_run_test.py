@@ -7,9 +7,10 @@ import unittest
 
 import numpy
 
-import lammps_engine as engine
-from pair_motion import CONTACT_TIME, CUT, DIAMETER, MASS, OUT, STIFFNESS
-from script_test_case import ScriptTestCase
+from cohesion_tests import lammps as engine
+from cohesion_tests.test_cases import ScriptTestCase
+from cohesion_tests.theory.pair_motion import CONTACT_TIME, CUT, DIAMETER, MASS, OUT, STIFFNESS
+from cohesion_tests.thermo import thermo_lines
 
 DT = CONTACT_TIME / 20
 R = DIAMETER / 2
@@ -27,7 +28,6 @@ SPIN = numpy.array([300.0, 100.0, -200.0])
 STORED = ["c_book[3]", "c_book[4]", "c_book[12]", "c_book[5]"]  # springs, of which two tangential; adhesion
 MOTION = ["c_book[1]", "c_book[2]"]
 LOST = ["c_book[6]", "c_book[7]", "c_book[8]", "c_book[13]"]
-
 
 OVERLAY = (f"pair_style hybrid/overlay gran/hamaker square_well\npair_coeff * * gran/hamaker {CONTACT} {HAMAKER}\n"
            "pair_coeff * * square_well 1e-10 1.01\n")
@@ -70,7 +70,7 @@ thermo 1
 {runs.replace("COMPUTE", opened)}
 write_dump all custom end.txt id x y z vx vy vz omegax omegay omegaz modify format float %.17g sort id
 """, ranks=ranks)
-        names, rows = engine.thermo_lines(output)
+        names, rows = thermo_lines(output)
         return dict(zip(names, numpy.array(rows).T)), engine.dump(self.folder, "end.txt")
 
     def check(self, atoms, pair, rubs=False, boundary="p p p"):

@@ -4,8 +4,9 @@ import unittest
 
 import numpy
 
-import lammps_engine as engine
-from sheared_script import BOX, DUMP, HEAD, RATE, Shear, dense_gas, spheres
+from cohesion_tests import lammps as engine
+from cohesion_tests.lammps_scenes.sheared_script import BOX, DUMP, HEAD, RATE, Shear, dense_gas, spheres
+from cohesion_tests.thermo import thermo_end, thermo_lines
 
 
 class Profile(Shear):
@@ -23,7 +24,7 @@ class Profile(Shear):
             f"thermo 50\nthermo_style custom step c_flow {names}\n"
             "thermo_modify format float %.17g\ntimestep 0.01\nrun 200\n", ranks=2)
         mass = numpy.pi / 6 * numpy.array([atom["diameter"]**3 for atom in atoms])
-        rows = engine.thermo_lines(output)[1]
+        rows = thermo_lines(output)[1]
         self.assertEqual(len(rows), 5)
         for row, table in zip(rows, self.snapshots()):
             x, v = table[:, 1:4].copy(), table[:, 4:7].copy()
@@ -66,18 +67,18 @@ class Profile(Shear):
                 f"fix shear all deform/shear rate {RATE}\nfix move all nve/sphere\n"
                 "compute flow all shear/profile\nthermo_style custom step c_flow[1] f_shear\n")
         output = self.run_script(head + tail + "run 0\nrun 0\nrun 10\nwrite_restart r\n")
-        slope = engine.thermo(output)["c_flow[1]"]
+        slope = thermo_end(output)["c_flow[1]"]
         self.assertLess(abs(slope - RATE), 0.1)
         again = self.run_script("plugin load ${plugin}\nread_restart r\n" + tail + "run 0\n")
-        self.assertEqual(engine.thermo(again), engine.thermo(output))
+        self.assertEqual(thermo_end(again), thermo_end(output))
         self.assertNotIn("added the profile", again)
         # Another ID is another shear.
         again = self.run_script("plugin load ${plugin}\nread_restart r\n" +
                                 tail.replace("fix shear", "fix other").replace("f_shear", "f_other") +
                                 "run 0\n")
         self.assertIn("added the profile", again)
-        self.assertAlmostEqual(engine.thermo(again)["c_flow[1]"], slope + RATE, 4)
-        self.assertEqual(engine.thermo(again)["f_other"], 0.0)
+        self.assertAlmostEqual(thermo_end(again)["c_flow[1]"], slope + RATE, 4)
+        self.assertEqual(thermo_end(again)["f_other"], 0.0)
 
 
 class TallBox(Shear):
@@ -112,7 +113,7 @@ class LongRuns(Shear):
                     f"timestep {dt}\nthermo 100\nthermo_style custom step atoms f_shear v_py c_flow[1] "
                     "c_flow[2] c_flow[3] c_flow[4]\nthermo_modify format float %.15g\n"
                     f"run {steps}\n", ranks=ranks)
-                names, rows = engine.thermo_lines(output)
+                names, rows = thermo_lines(output)
                 table = dict(zip(names, numpy.array(rows).T))
                 self.assertTrue((table["Atoms"] == 240).all())
                 self.assertAlmostEqual(table["f_shear"][-1], steps * dt, 12)
@@ -142,7 +143,7 @@ class Lists(Shear):
                     f"fix shear all deform/shear rate {rate}\nfix move all nve/sphere\n" + DUMP % 1 +
                     f"timestep {dt}\nthermo 1\nthermo_style custom step pe xy\n"
                     f"thermo_modify norm no format float %.17g\nrun {steps}\n", ranks=ranks)
-                energies = [row[1] for row in engine.thermo_lines(output)[1]]
+                energies = [row[1] for row in thermo_lines(output)[1]]
                 for n, (table, energy) in enumerate(zip(self.snapshots(), energies)):
                     exact = 1e-12 * yukawa(table[:, 1:4], rate * n * dt * BOX[1], cut)
                     # Sums of 200 terms in another order.

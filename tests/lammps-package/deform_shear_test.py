@@ -5,9 +5,10 @@ from concurrent.futures import ThreadPoolExecutor
 
 import numpy
 
-import lammps_engine as engine
-from sheared_images import ShearedImages
-from sheared_script import BOX, DUMP, HEAD, RATE, Shear, dense_gas, sides_of, spheres
+from cohesion_tests import dumps, lammps as engine
+from cohesion_tests.lammps_scenes.sheared_script import BOX, DUMP, HEAD, RATE, Shear, dense_gas, sides_of, spheres
+from cohesion_tests.theory.sheared_images import ShearedImages
+from cohesion_tests.thermo import thermo_end
 
 
 class FreeParticles(Shear):
@@ -34,7 +35,7 @@ class FreeParticles(Shear):
             # Image flags are those of the box as it is now, flips included.
             self.assertLess(numpy.abs(x0 + n * every * dt * v0 - table[:, 7:10]).max(), 1e-11)
         self.assertGreater(crossings, 2)
-        end = engine.thermo(output)
+        end = thermo_end(output)
         self.assertEqual(end["Atoms"], 200)
         self.assertLess(abs(end["f_shear"] - rate * steps * dt), 1e-13)
         exact = tilt + rate * steps * dt * BOX[1]
@@ -98,10 +99,8 @@ class RateOfAVariable(Shear):
                     self.assertLess(numpy.abs(faster).max(), 1e-11, f"step {n}")
 
     def at_hundreds(self):
-        text = self.path("out.txt").read_text().split("ITEM: TIMESTEP")[1:]
-        kept = {int(part.split()[0]): k for k, part in enumerate(text)}
-        tables = self.snapshots()
-        return [tables[kept[n]] for n in range(0, 1201, 100)]
+        kept = {snapshot.step: snapshot for snapshot in dumps.read(self.path("out.txt"))}
+        return [kept[n].sorted() for n in range(0, 1201, 100)]
 
 
 class Collisions(Shear):
@@ -184,7 +183,6 @@ class SplitRuns(Shear):
             with self.subTest(restart_on=ranks):
                 self.run_script(restart + self.SHEAR + DUMP % 500 + "run 600\n", ranks=ranks)
                 self.assert_same(self.snapshots()[-1], whole, RATE * 2.0)
-
 
     def test_restart_file_of_a_step_in_which_a_disc_leaves(self):
         """A disc is hit just below the sheared face and leaves through it in the very step that a restart

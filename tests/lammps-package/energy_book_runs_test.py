@@ -3,8 +3,8 @@
 change of the box between two runs puts in."""
 import unittest
 
-import lammps_engine as engine
-from script_test_case import FolderTestCase
+from cohesion_tests import lammps as engine
+from cohesion_tests.test_cases import FolderTestCase
 
 STIFFNESS, DIAMETER = 800.0, 1e-3
 PASSER = (4e-3, 4e-3, 2e-3), (0.0, 0.0, 0.5)  # place and velocity of a sphere that meets nothing

@@ -5,8 +5,8 @@ import unittest
 
 import numpy
 
-from event_driven_reference import Plane, Reference
-from hard_encounter import encounter
+from cohesion_tests.theory.event_driven_reference import Plane, Reference
+from cohesion_tests.theory.hard_encounter import encounter
 
 FREE = 3 * [math.inf]
 

@@ -2,8 +2,8 @@
 """What fix wall/gran/hamaker takes and refuses, in LAMMPS."""
 import unittest
 
-import lammps_engine as engine
-from script_test_case import ScriptTestCase
+from cohesion_tests import lammps as engine
+from cohesion_tests.test_cases import ScriptTestCase
 
 
 class BadInput(ScriptTestCase):

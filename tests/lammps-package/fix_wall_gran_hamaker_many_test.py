@@ -5,8 +5,9 @@ import unittest
 
 import numpy
 
-import lammps_engine as engine
-from event_wall import CUT, DENSITY, OUT, RADIUS, SPEED, STIFFNESS, W0, EventWall, contact_time, say
+from cohesion_tests.lammps_scenes.event_wall import (CUT, DENSITY, OUT, RADIUS, SPEED, STIFFNESS, W0, EventWall,
+                                                     contact_time, say)
+from cohesion_tests.thermo import thermo_end
 
 
 class HugeSphere(EventWall):
@@ -62,21 +63,21 @@ class RestartAndRanks(EventWall):
             walls = f"{self.WALLS} {motion}"
             for steps in (16, 60):
                 whole = self.run_wall(walls, dt, steps)
-                force = engine.thermo(self.output)["f_walls[3]"]
+                force = thermo_end(self.output)["f_walls[3]"]
                 halves = self.run_wall(walls, dt, steps, save=13)
                 again = self.run_wall(walls, dt, steps, start="restart")
                 self.assertEqual(force != 0.0, steps == 16)
-                self.assertEqual(engine.thermo(self.output)["f_walls[3]"], force)
+                self.assertEqual(thermo_end(self.output)["f_walls[3]"], force)
                 self.assertEqual(whole.tolist(), halves.tolist())
                 self.assertEqual(whole.tolist(), again.tolist())
 
     def test_force_on_the_walls_survives_a_restart(self):
         dt = self.spheres()
         self.run_wall(self.WALLS, dt, 13, save=13)
-        force = engine.thermo(self.output)["f_walls[3]"]
+        force = thermo_end(self.output)["f_walls[3]"]
         self.run_wall(self.WALLS, dt, 13, start="restart")
         self.assertNotEqual(force, 0.0)
-        self.assertEqual(engine.thermo(self.output)["f_walls[3]"], force)
+        self.assertEqual(thermo_end(self.output)["f_walls[3]"], force)
 
     def test_restart_with_other_walls_is_refused(self):
         dt = self.spheres()

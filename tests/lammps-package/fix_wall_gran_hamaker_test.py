@@ -8,9 +8,9 @@ import numpy
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
-import lammps_engine as engine
-from event_wall import (CUT, DIAMETER, MASS, OUT, RADIUS, ROUNDING, SPEED, STIFFNESS, W0,
-                        EventWall, alpha, contact_time, say)
+from cohesion_tests.lammps_scenes.event_wall import (CUT, DIAMETER, MASS, OUT, RADIUS, ROUNDING, SPEED, STIFFNESS, W0,
+                                                     EventWall, alpha, contact_time, say)
+from cohesion_tests.thermo import thermo_end
 
 
 class Impact(EventWall):
@@ -77,7 +77,7 @@ class Impact(EventWall):
         dt = contact_time() / 10
         self.write([[2e-3, 2e-3, 0.01 + RADIUS + 1e-9]], [(0.0, 0.0, -SPEED)])
         self.run_wall(f"stiffness {STIFFNESS} zplane 0.01 0.03", dt, 5)
-        values = engine.thermo(self.output)
+        values = thermo_end(self.output)
         # The force of a step leads from one place to the next, which are those of v/w0 sin(w0 t).
         places = [SPEED / W0 * math.sin(W0 * (n * dt - 1e-9 / SPEED)) for n in (4, 5, 6)]
         mean = -MASS * (places[0] - 2 * places[1] + places[2]) / dt**2
@@ -95,7 +95,7 @@ class Impact(EventWall):
             self.write([[2e-3, 2e-3, 0.01 + RADIUS + 1e-9]], [(0.02, 0.0, -SPEED)])
             self.run_wall(f"stiffness {STIFFNESS} friction 0.3 hamaker {hamaker} cutoff {CUT} {OUT} "
                           f"zplane 0.01 0.03 scheme {scheme}", dt, 5)
-            values = engine.thermo(self.output)
+            values = thermo_end(self.output)
             self.assertAlmostEqual(values["f_walls[6]"] / adhesion, 1.0, delta=ROUNDING)
             self.assertEqual(values["f_walls[6]"], values["f_walls[1][6]"])
             # Friction is no adhesion.

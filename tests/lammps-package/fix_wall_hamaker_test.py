@@ -5,9 +5,10 @@ import unittest
 
 import numpy
 
-import hamaker_reference as law
-import lammps_engine as engine
-from script_test_case import FolderTestCase
+from cohesion_tests import lammps as engine
+from cohesion_tests.test_cases import FolderTestCase
+from cohesion_tests.theory import hamaker_reference as law
+from cohesion_tests.thermo import thermo_end
 
 RADII = [0.5e-3, 0.2e-3]
 SIZE = 0.02
@@ -40,7 +41,7 @@ class WallHamaker(FolderTestCase):
         box = [(0.0, SIZE), (0.0, SIZE), (0.0, SIZE) if dimension == 3 else (-1e-3, 1e-3)]
         engine.write_spheres(self.folder, atoms, box, 2)
         planes = planes or f"{'xyz'[axis]}plane 0 {SIZE}"
-        values = engine.thermo(engine.run("in.wall", self.folder, dimension=dimension,
+        values = thermo_end(engine.run("in.wall", self.folder, dimension=dimension,
                                           boundary=boundary, law=self.WORDS, planes=planes))
         forces = engine.dump(self.folder, "forces.txt")[:, 4:7]
         energy = numpy.zeros(3)

@@ -9,13 +9,14 @@ import unittest
 import numpy
 from scipy.optimize import brentq
 
-import couples
-import hamaker_reference
-from couples import CUT, DIAMETER, MASS, MU, OUT, Pair
+from cohesion_tests.lammps_scenes import couples
+from cohesion_tests.lammps_scenes.unlike_couples import T_C, Box
+from cohesion_tests.theory import hamaker_reference, pair_motion
+from cohesion_tests.theory.pair_motion import CUT, DIAMETER, MU, OUT, Pair
+from cohesion_tests.thermo import thermo_lines
 
-T_C = couples.CONTACT_TIME
 POSITIONS = 8  # of the contact within the step
-W0 = math.sqrt(couples.STIFFNESS / MU)
+W0 = math.sqrt(pair_motion.STIFFNESS / MU)
 
 
 def report(text):
@@ -77,7 +78,7 @@ class HeadOn(unittest.TestCase):
     def test_restitution_without_adhesion(self):
         # e = exp(-pi alpha/q). Rounding moves the couple by 3e-17 m each step, 1e-12 m/s: 1e-9 of
         # the slowest; asked is 1e-6.
-        restitution = math.exp(-couples.ALPHA * T_C)
+        restitution = math.exp(-pair_motion.ALPHA * T_C)
         for division in (2.001, 10):  # below 2 the style refuses
             dt = T_C / division
             speeds = [1e-3, 1e-2, 1e-1, 0.5]
@@ -106,7 +107,7 @@ class HeadOn(unittest.TestCase):
                     atoms += couples.couple(len(atoms) // 2, gap, (0.0, speed, 0.0))
             path, _ = couples.run(atoms, ["* * " + pair.words()], T_C / division, 4 * division)
             for (gap, speed), out in zip(starts, relative(path[-1])[:, 4]):
-                energy = (0.5 * MU * speed**2 + 0.5 * couples.STIFFNESS * min(gap, 0.0)**2
+                energy = (0.5 * MU * speed**2 + 0.5 * pair_motion.STIFFNESS * min(gap, 0.0)**2
                           - depth + pair.adhesion * gap)
                 if energy > 0.0:
                     # Rounding of the gap, 3e-17 m, at a force below 8e-5 N, at each of 16 steps,
@@ -121,9 +122,9 @@ class HeadOn(unittest.TestCase):
         # Released at rest at x_0: x = x_0 exp(-alpha t) (cos q t + alpha/q sin q t) is zero first at
         # tan(q t) = -q/alpha, with the speed x_0 w0^2/q exp(-alpha t) sin(q t).
         pair, overlap = Pair(), 0.1 * DIAMETER
-        time = (math.pi - math.atan2(couples.Q, couples.ALPHA)) / couples.Q
-        speed = overlap * W0**2 / couples.Q * math.exp(-couples.ALPHA * time) \
-            * math.sin(couples.Q * time)
+        time = (math.pi - math.atan2(pair_motion.Q, pair_motion.ALPHA)) / pair_motion.Q
+        speed = overlap * W0**2 / pair_motion.Q * math.exp(-pair_motion.ALPHA * time) \
+            * math.sin(pair_motion.Q * time)
         for division in (4, 10):
             atoms = couples.couple(0, -overlap, (0.0, 0.0, 0.0))
             end = couples.run(atoms, ["* * " + pair.words()], T_C / division, 3 * division,
@@ -160,7 +161,7 @@ class Oblique(unittest.TestCase):
         for pair in (Pair(), Pair(7.49e-19)):
             fine = self.results(pair, 0.0, 200).mean(axis=1, keepdims=True)
             fastest = (math.hypot(self.SPEED, math.sqrt(-2 * pair.adhesion_energy(0.0) / MU))
-                       + pair.adhesion / math.sqrt(MU * couples.STIFFNESS))
+                       + pair.adhesion / math.sqrt(MU * pair_motion.STIFFNESS))
             for division in (4, 10):
                 error = numpy.abs(self.results(pair, 0.0, division) - fine).max()
                 turned = self.SPEED * fastest * (T_C / division / DIAMETER)**2
@@ -243,53 +244,6 @@ class Oblique(unittest.TestCase):
             self.assertLessEqual(numpy.abs(limit[:, 0]).max(), 0.0011)
 
 
-class Box:
-    """40 couples of unlike spheres followed step by step; unless `apart`, some are overlapped from
-    the start. Books close at grid points; momentum at n+1/2, where the grid has positions
-    x + v' dt/2 and velocities v' = v + f dt/(2 m)."""
-    DIAMETERS, DENSITIES = numpy.array((1e-3, 0.6e-3)), numpy.array((2650.0, 5300.0))
-    MASSES = math.pi / 6 * DENSITIES * DIAMETERS**3
-    INERTIAS = 0.1 * MASSES * DIAMETERS**2
-    MU = MASSES.prod() / MASSES.sum()
-    SPEED, TURN = 0.03, 30.0  # [m/s], [1/s]; TURN d/2 = SPEED/2
-    A = 7.49e-19
-
-    def __init__(self, friction, division, head_on=False, apart=False, rolling=0.0):
-        random = numpy.random.default_rng(4711)
-        atoms = []
-        for number in range(40):
-            normal, sideways, *spins = random.normal(size=(4, 3))
-            normal /= numpy.linalg.norm(normal)
-            # Up to 70 degrees off the line of centres: all couples part.
-            sideways = numpy.cross(normal, sideways)
-            angle = 0.0 if head_on else math.radians(70.0) * random.random()
-            velocity = self.SPEED * (math.cos(angle) * normal
-                                     + math.sin(angle) / numpy.linalg.norm(sideways) * sideways)
-            spins = [spin * (self.TURN / numpy.linalg.norm(spin)) for spin in spins]
-            gap = -1e-7 if number % 4 == 0 else 2e-7 * random.random() + CUT
-            gap += 1e-6 if apart else 0.0
-            atoms += couples.couple(number, gap, velocity, normal, columns=10, spins=spins,
-                                    diameters=self.DIAMETERS, densities=self.DENSITIES)
-        dt = T_C / division
-        words = Pair(self.A).words(friction=friction, rolling_friction=rolling)
-        path, output = couples.run(atoms, ["* * " + words], dt, 10 * division, every=1,
-                                   size=(0.03, 0.02, 0.004))
-        # Forces of step 0, too, are those of the half step that follows.
-        self.v = path[..., 3:6] + 0.5 * dt * path[..., 9:12] / self.MASSES[:, None]
-        self.spin = self.INERTIAS[:, None] * path[..., 6:9] + 0.5 * dt * path[..., 12:15]
-        self.places = path[..., 0:3]
-        self.x = self.places + 0.5 * dt * self.v
-        names, lines = couples.engine.thermo_lines(output)
-        self.thermo = dict(zip(names, numpy.array(lines).T))
-        self.book = {k: self.thermo[f"c_book[{k}]"] for k in range(1, 14)}
-        self.energy = self.book[1][0] + self.book[2][0]
-        self.centre = numpy.array([atom["x"] for atom in atoms]).reshape(-1, 2, 3).mean(
-            axis=1, keepdims=True)
-        # A gap is rounded by 3e-18 m in each step, at random; springs pull with 3e-2 N at most. And
-        # a rounding of the sum itself.
-        self.rounding = math.sqrt(40 * 10 * division) * 3e-18 * 3e-2 + 100 * 2.0**-53 * self.energy
-
-
 class Conservation(unittest.TestCase):
     def test_momentum_and_angular_momentum(self):
         box = Box(0.3, 6)
@@ -322,8 +276,8 @@ class Conservation(unittest.TestCase):
         # L^2/(2 mu r^2), sees as an error of 1.5 (x/R)^2 of itself, whatever the step. x: from
         # SPEED, and from the adhesion, 2 F_ad/K.
         reach = 0.5 * Box.DIAMETERS.sum()
-        overlap = Box.SPEED * math.sqrt(Box.MU / couples.STIFFNESS) + 2 * Pair(
-            Box.A).adhesion / couples.STIFFNESS
+        overlap = Box.SPEED * math.sqrt(Box.MU / pair_motion.STIFFNESS) + 2 * Pair(
+            Box.A).adhesion / pair_motion.STIFFNESS
         for division in (4, 16):
             # The book is opened half a step after the start, before any contact.
             box = Box(0.0, division, apart=True)
@@ -362,7 +316,7 @@ class Conservation(unittest.TestCase):
         box = Box(0.0, 6)
         gap = (numpy.linalg.norm(box.places[:, :, 1] - box.places[:, :, 0], axis=2)
                - 0.5 * box.DIAMETERS.sum())
-        spring = 0.5 * couples.STIFFNESS * numpy.minimum(gap, 0.0)**2
+        spring = 0.5 * pair_motion.STIFFNESS * numpy.minimum(gap, 0.0)**2
         law = numpy.vectorize(lambda h: 0.0 if h >= CUT else hamaker_reference.energy(
             "small_gap", h, *(0.5 * box.DIAMETERS), box.A, CUT, OUT))
         adhesion = law(gap)
@@ -379,7 +333,7 @@ class Conservation(unittest.TestCase):
         pair, dt = Pair(7.49e-19, damping=0.0), T_C / 200
         atoms = couples.couple(0, 1e-7, (0.0, 0.05, 0.0))
         path, output = couples.run(atoms, ["* * " + pair.words()], dt, 250, every=1)
-        names, lines = couples.engine.thermo_lines(output)
+        names, lines = thermo_lines(output)
         thermo = dict(zip(names, numpy.array(lines).T))
         potential = thermo["c_book[3]"] + thermo["c_book[5]"]
         force = path[1:-1, 0, 1, 10]

@@ -5,7 +5,7 @@ import math
 import re
 import unittest
 
-from script_test_case import ScriptTestCase
+from cohesion_tests.test_cases import ScriptTestCase
 
 HEAD = """
 plugin load ${plugin}

@@ -6,11 +6,8 @@ import unittest
 
 import numpy
 
-import cohesive_gas as gas
-import lammps_engine as engine
-import settling_spheres as settling
-import struck_pairs
-import turning_ball
+from cohesion_tests import lammps as engine
+from cohesion_tests.lammps_scenes import cohesive_gas as gas, settling_spheres as settling, triples, turning_ball
 
 D, T_C = gas.DIAMETER, gas.CONTACT_TIME
 
@@ -110,19 +107,19 @@ class StruckPair(unittest.TestCase):
         keeper = engine.temporary_folder()
         cls.addClassCleanup(keeper.cleanup)
         cls.folder = keeper.name
-        struck_pairs.write(cls.folder)
+        triples.write(cls.folder)
 
     def compare(self, friction):
-        exact, stuck, parting = struck_pairs.outcome(self.folder, 1000, friction)
+        exact, stuck, parting = triples.outcome(self.folder, 1000, friction)
         # All outcomes that matter are there: caught, parted, the pair broken, the partner changed.
         self.assertGreaterEqual(len(numpy.unique(stuck, axis=1).T), 5)
-        zeta = -math.log(struck_pairs.RESTITUTION) / math.hypot(math.pi,
-                                                               math.log(struck_pairs.RESTITUTION))
-        scale = numpy.hypot(struck_pairs.SPEEDS,
-                            struck_pairs.ADHESION / math.sqrt(gas.MASS / 2 * gas.STIFFNESS))
+        zeta = -math.log(triples.RESTITUTION) / math.hypot(math.pi,
+                                                               math.log(triples.RESTITUTION))
+        scale = numpy.hypot(triples.SPEEDS,
+                            triples.ADHESION / math.sqrt(gas.MASS / 2 * gas.STIFFNESS))
         for division in (10, 20):
             delta = (1.5 * (math.pi / division)**2 / 24 / (math.sqrt(1.5) * zeta * math.e))
-            velocities, sticks, parts = struck_pairs.outcome(self.folder, division, friction)
+            velocities, sticks, parts = triples.outcome(self.folder, division, friction)
             same = (sticks == stuck).all(axis=0)
             slowest = numpy.minimum(parting, parts)
             self.assertTrue((same | (slowest**2 < delta * scale**2)).all(), division)
@@ -153,57 +150,6 @@ class Momentum(unittest.TestCase):
             self.assertLess(linear, 1e-14)
             steps = 1.25 * 4 * D / turning_ball.SPEED / T_C * division
             self.assertLess(angular, 4 * 2.0**-53 * steps)
-
-
-class RanksAndRestart(unittest.TestCase):
-    """216 spheres at solid fraction 0.5 with damping, friction and adhesion, 400 steps of t_c/10: two
-    to seven collisions each, while a third of the energy is left.
-
-    Restarts and divided runs order no sum differently on one rank: the same numbers, all digits. Ranks
-    order sums differently and hold other images: 2^-53 of the box, 1e-18 m, a step. Velocities follow
-    from places: in the ten steps of a contact that adds up to sqrt(10) 1e-18 m/dt by chance, and in the
-    flight of 100 dt to the next collision to 3e-16 m. A collision makes a difference 1 + 2 l/d times
-    larger in place, twice that in direction; the mean path l is d/20: 2.4^6 = 190 in six more: 6e-14 m.
-    Speeds: times w0 = 3.4e4 1/s."""
-    TOLERANCE = 6e-14  # [m]
-
-    @classmethod
-    def setUpClass(cls):
-        keeper = engine.temporary_folder()
-        cls.addClassCleanup(keeper.cleanup)
-        cls.folder = keeper.name
-        gas.write(cls.folder, 6, 0.5, 0.05, seed=3)
-        cls.whole, cls.table = cls.end()
-
-    @classmethod
-    def end(cls, **options):
-        table, _ = gas.follow(cls.folder, 10, 40 * T_C, 1, e=0.9, mu=0.3, A=2e-18, **options)
-        return engine.dump(cls.folder, "end.txt"), table
-
-    def near(self, end):
-        difference = numpy.abs(end - self.whole).max(axis=0)
-        w0 = math.pi / T_C
-        self.assertEqual(difference[0], 0.0)
-        self.assertLessEqual(difference[1:4].max(), self.TOLERANCE)
-        self.assertLessEqual(difference[4:7].max(), self.TOLERANCE * w0)
-        self.assertLessEqual(difference[7:].max() * D / 2, self.TOLERANCE * w0)
-
-    def test_contacts_are_there(self):
-        self.assertLess(self.table[-1, 3], 0.5 * self.table[0, 3])
-        self.assertGreater(self.table[-1, 3], 0.01 * self.table[0, 3])
-
-    def test_ranks(self):
-        for ranks in (2, 4):
-            with self.subTest(ranks=ranks):
-                self.near(self.end(ranks=ranks)[0])
-
-    def test_two_runs(self):
-        numpy.testing.assert_array_equal(self.end(mode="halves")[0], self.whole)
-
-    def test_restart(self):
-        numpy.testing.assert_array_equal(self.end(mode="restart_file")[0], self.whole)
-        numpy.testing.assert_array_equal(self.end(mode="restart")[0], self.whole)
-        self.near(self.end(mode="restart", ranks=2)[0])
 
 
 class Settling(unittest.TestCase):

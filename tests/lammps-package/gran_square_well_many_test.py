@@ -5,8 +5,8 @@ from pathlib import Path
 
 import numpy
 
-import cohesive_gas as gas
-from square_well_scene import Gas, report, words
+from cohesion_tests.lammps_scenes import cohesive_gas as gas
+from cohesion_tests.lammps_scenes.square_well_scene import Gas, report, words
 
 
 class Many(Gas):

@@ -5,12 +5,12 @@ import unittest
 
 import numpy
 
-import cohesive_gas as gas
-import couples
-import lammps_engine as engine
-from couples import DAMPING, DIAMETER, MU, STIFFNESS
-from one_sphere import HEAD, MOVE
-from square_well_scene import T_C, Gas, relative, report, well_speed
+from cohesion_tests import lammps as engine
+from cohesion_tests.lammps_scenes import cohesive_gas as gas, couples
+from cohesion_tests.lammps_scenes.one_sphere import HEAD, MOVE
+from cohesion_tests.lammps_scenes.square_well_scene import T_C, Gas, relative, report, well_speed
+from cohesion_tests.theory.pair_motion import DAMPING, DIAMETER, MU, STIFFNESS
+from cohesion_tests.thermo import thermo_lines
 
 
 class Overlay(Gas):
@@ -61,7 +61,7 @@ class Overlay(Gas):
             out = relative(path[-1])[0, 4]
             found.append(out**2 + (2 * depth / MU if v == speed else 0.0))
             if v == speed:
-                names, values = engine.thermo_lines(output)
+                names, values = thermo_lines(output)
                 pe = numpy.array(values).T[names.index("PotEng")]
                 self.assertAlmostEqual(pe.min() / -depth, 1, delta=1e-12)
                 self.assertEqual(pe[-1], 0.0)

@@ -6,11 +6,12 @@ import unittest
 
 import numpy
 
-import cohesive_gas as gas
-import couples
-import lammps_engine as engine
-from couples import DAMPING, DIAMETER, MASS, MU, STIFFNESS
-from square_well_scene import RESTITUTION, T_C, Scene, escape_velocity, gaps, relative, report, well_speed, words
+from cohesion_tests.lammps_scenes import cohesive_gas as gas, couples
+from cohesion_tests.lammps_scenes.square_well_scene import (RESTITUTION, T_C, Scene, escape_velocity, gaps, relative,
+                                                            report, well_speed, words)
+from cohesion_tests.theory import pair_motion
+from cohesion_tests.theory.pair_motion import DAMPING, DIAMETER, MASS, MU, STIFFNESS
+from cohesion_tests.thermo import thermo_lines
 
 POSITIONS = 8  # of the contact within the step
 DEPTHS = (1e-11, 5e-11, 1e-10)
@@ -109,17 +110,17 @@ class HeadOn(unittest.TestCase):
     def test_equal_escape_velocity_as_hamaker(self):
         # D = mu v_esc^2/(2 (1/e^2 - 1)), the pair of A = 7.49e-19 J by its own integration: what
         # src/advice/equal_escape.h states.
-        escape = couples.Pair(7.49e-19).escape_velocity()
+        escape = pair_motion.Pair(7.49e-19).escape_velocity()
         depth = MU * escape**2 / (2 * (1 / RESTITUTION**2 - 1))
         atoms = []
         for factor in (1 - 1e-5, 1 + 1e-5):
             atoms += couples.couple(len(atoms) // 2, self.WIDTH + 1e-7, (0, factor * escape, 0))
         for style, line in (("gran/square_well", words(depth, self.RATIO)),
-                            ("gran/hamaker", couples.Pair(7.49e-19).words())):
+                            ("gran/hamaker", pair_motion.Pair(7.49e-19).words())):
             path = couples.run(atoms, ["* * " + line], T_C / 4, 1600, style=style, skin=4e-4,
                                every=80)[0]
             # The pair of gran/hamaker is free beyond H_cut, and then slow.
-            width = self.WIDTH if style == "gran/square_well" else couples.CUT
+            width = self.WIDTH if style == "gran/square_well" else pair_motion.CUT
             self.assertEqual(list(have_parted(gaps(path), width)), [False, True], style)
         report(f"A 7.49e-19 J and D {depth:.4g} J share the escape velocity {escape:.4g} m/s")
 
@@ -168,7 +169,7 @@ class Passes(unittest.TestCase):
                 # Impulses lead from place to place: the same rounding, over dt, in some ten steps.
                 self.assertAlmostEqual(numpy.linalg.norm(velocity) / speed, 1,
                                        delta=10 * 2e-18 / dt / speed)
-        names, lines = engine.thermo_lines(output)
+        names, lines = thermo_lines(output)
         table = dict(zip(names, numpy.array(lines).T))
         # Nothing but depths of pairs: all five are in the well at some time, and all have left.
         steps_of = numpy.round(table["PotEng"] / -depth)
@@ -187,7 +188,7 @@ class Passes(unittest.TestCase):
             atoms += couples.couple(k, 1e-5 + 1e-7 + k * speed * dt / 20, (0.0, speed, 0.0))
         path, output = couples.run(atoms, ["* * " + words(depth, 1.01)], dt, 100, every=1,
                                    style="gran/square_well", skin=4e-4)
-        names, lines = engine.thermo_lines(output)
+        names, lines = thermo_lines(output)
         table = dict(zip(names, numpy.array(lines).T))
         energy = table["c_book[1]"][0]
         report(f"book, head-on: {numpy.abs(table['c_book[10]']).max() / energy:.1e} of all")

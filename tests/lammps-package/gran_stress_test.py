@@ -7,8 +7,10 @@ from concurrent.futures import ThreadPoolExecutor
 
 import numpy
 
-import lammps_engine as engine
-from sheared_script import BOX, HEAD as SHEARED_HEAD, sides_of
+from cohesion_tests import lammps as engine
+from cohesion_tests.lammps_scenes.sheared_script import BOX, HEAD as SHEARED_HEAD, sides_of
+from cohesion_tests.refusals import assert_refused
+from cohesion_tests.thermo import thermo_lines
 
 MASS = math.pi / 6  # of a sphere of diameter 1 and density 1
 MU = MASS / 2
@@ -43,7 +45,7 @@ def run(atoms, style, pair, dt, steps, every=1, dimension=3, fixes="", more="", 
             TAIL % {"more": more, "every": every, "dt": dt, "steps": steps}, folder, ranks=ranks)
         if code != 0:
             raise RuntimeError(output[-3000:])
-        names, rows = engine.thermo_lines(output)
+        names, rows = thermo_lines(output)
         table = dict(zip(names, numpy.array(rows).T))
         totals = numpy.array([[table[f"c_stress[{row}][{k}]"] for k in range(1, 7)]
                               for row in (1, 2)]).transpose(2, 0, 1)
@@ -246,8 +248,7 @@ class Input(unittest.TestCase):
             for words, expected in (("all gran/stress block 3", "takes no further arguments"),
                                     ("one gran/stress", "must be 'all'")):
                 code, output = engine.run_text(f"{head}group one type 1\ncompute s {words}\n", folder)
-                self.assertNotEqual(code, 0)
-                self.assertIn(expected, output)
+                assert_refused(self, code, output, expected)
 
     def test_pair_styles_that_it_does_not_know(self):
         hooke = "gran/hooke/history 800 228 0 NULL 0 0"

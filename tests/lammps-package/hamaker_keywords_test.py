@@ -2,18 +2,15 @@
 """Keywords of pair_style hamaker, its pair_coeff and fix wall/hamaker: what is refused, and how."""
 import unittest
 
-import bad_input_test as scene
+from cohesion_tests.lammps_scenes import two_at_rest as scene
+from cohesion_tests.test_cases import ScriptTestCase
 
 PAIR = scene.SPHERES + "pair_style hamaker 4e-10 1e-7 "
 COEFF = PAIR + "form exact\npair_coeff 1 2 1e-19 "
 WALL = scene.SPHERES + scene.PAIR + "fix wall all wall/hamaker 1e-19 4e-10 1e-7 "
 
 
-class HamakerKeywords(unittest.TestCase):
-    setUp = scene.BadInput.setUp
-    stops = scene.BadInput.stops
-    goes = scene.BadInput.goes
-
+class HamakerKeywords(ScriptTestCase):
     def test_the_right_input_is_accepted(self):
         self.goes(PAIR + "form small_gap\npair_coeff * * 1e-19 4e-10 1e-7 asperity 0\n"
                   "fix wall all wall/hamaker 1e-19 4e-10 1e-7 asperity 1e-8 xplane 0 NULL form exact\n"

@@ -3,7 +3,7 @@
 import unittest
 from concurrent.futures import ThreadPoolExecutor
 
-from steady_shear import SteadyShear
+from cohesion_tests.lammps_scenes.steady_shear import SteadyShear
 
 
 class Fractions(SteadyShear, unittest.TestCase):

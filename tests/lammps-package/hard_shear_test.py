@@ -2,8 +2,8 @@
 """Sheared smooth inelastic discs: balance of power, and kinetic theory (sheared_discs.py)."""
 import unittest
 
-import sheared_discs as theory
-from steady_shear import SteadyShear
+from cohesion_tests.lammps_scenes.steady_shear import SteadyShear
+from cohesion_tests.theory import sheared_discs as theory
 
 
 class Theory(unittest.TestCase):

@@ -6,10 +6,11 @@ import unittest
 
 import numpy
 
-import hard_spheres as hard
-import lammps_engine as engine
-from event_driven_reference import Plane, Reference
-from hard_extremes import BOX, follow, refused
+from cohesion_tests import lammps as engine
+from cohesion_tests.lammps_scenes import hard_spheres as hard
+from cohesion_tests.lammps_scenes.hard_extremes import BOX, follow, refused
+from cohesion_tests.theory.event_driven_reference import Plane, Reference
+from cohesion_tests.thermo import thermo_columns
 
 
 class Corner(unittest.TestCase):
@@ -156,7 +157,7 @@ class Input(unittest.TestCase):
             engine.write_spheres(folder, atoms, BOX, 1)
             code, output = hard.start(folder, ["* * restitution 1"], 0.01, 10)
             if code == 0:
-                self.assertAlmostEqual(hard.columns(output)["KinEng"][-1], 0.01, delta=1e-15)
+                self.assertAlmostEqual(thermo_columns(output)["KinEng"][-1], 0.01, delta=1e-15)
 
 
 if __name__ == "__main__":

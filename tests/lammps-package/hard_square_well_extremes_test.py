@@ -6,10 +6,10 @@ import unittest
 
 import numpy
 
-import hard_spheres as hard
-from event_driven_reference import Reference
-from hard_encounter import encounter
-from hard_extremes import follow, like_reference
+from cohesion_tests.lammps_scenes import hard_spheres as hard
+from cohesion_tests.lammps_scenes.hard_extremes import follow, like_reference
+from cohesion_tests.theory.event_driven_reference import Reference
+from cohesion_tests.theory.hard_encounter import encounter
 
 
 class OneStep(unittest.TestCase):

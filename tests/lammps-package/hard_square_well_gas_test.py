@@ -4,14 +4,13 @@ numbers of ranks, restarts."""
 import math
 import unittest
 from collections import defaultdict
-from pathlib import Path
 
 import numpy
 
-import hard_spheres as hard
-import lammps_engine as engine
-from event_driven_reference import KINDS
-from hard_gas import Gas
+from cohesion_tests import lammps as engine
+from cohesion_tests.lammps_scenes import hard_spheres as hard
+from cohesion_tests.lammps_scenes.hard_gas import Gas, fluid
+from cohesion_tests.theory.event_driven_reference import KINDS
 
 DEPTH, RATIO = 0.3, 1.1
 
@@ -113,11 +112,6 @@ class Reference(unittest.TestCase):
         self.compare(3, 0.2, 0.9, 0.3, divisions=(10,))
 
 
-def fluid():
-    """1372 spheres with a well of half their size: a liquid's many partners."""
-    return Gas(1372, 0.3, seed=4)
-
-
 class Fluid(unittest.TestCase):
     """Elastic. Round-off: each event changes the energy of two particles by 1e-16 or so of an energy
     of order one, by chance; 1e6 of them: 1e-13, of a kinetic energy of 2000."""
@@ -142,66 +136,6 @@ class Fluid(unittest.TestCase):
         distance = numpy.sqrt((apart**2).sum(axis=2))[numpy.triu_indices(1372, 1)]
         self.assertGreater(distance.min(), 1 - 1e-12)
         self.assertAlmostEqual(table["PotEng"][-1], -(distance < 1.5).sum(), delta=1e-9)
-
-
-class RanksAndRestart(unittest.TestCase):
-    """Every number is worked out by each rank alike: files of events and ends are the same, all
-    digits, which is what 1e5 events, 100 and more for each particle, need."""
-
-    def same(self, gas, pair, dt, steps, ranks, least, spin=None, **options):
-        with engine.temporary_folder() as folder:
-            gas.write(folder, spin)
-
-            def go(name, **more):
-                path, table, _ = gas.run(folder, pair, dt, steps, style=f"record {name}", **options,
-                                         **more)
-                lines = (Path(folder) / name).read_text().splitlines()
-                return path[-1], [line for line in lines if line[:1] != "#"], table
-
-            whole, events, whole_table = go("whole.txt")
-            self.assertGreater(len(events), least)
-            for number in ranks:
-                with self.subTest(ranks=number):
-                    path, found, _ = go(f"ranks{number}.txt", ranks=number)
-                    self.assertEqual(found[:1000], events[:1000])
-                    self.assertTrue(found == events)
-                    numpy.testing.assert_array_equal(path, whole)
-            for number in (1, ranks[-1]):
-                with self.subTest(restarted_on=number):
-                    # The next file would be due after the end.
-                    half = steps // 2 + 1
-                    whole, events, table = go("kept.txt", keep=half)
-                    path, found, again = go("again.txt", keep=half, restart=True, ranks=number)
-                    later = [line for line in events if int(line.split()[0]) > half]
-                    self.assertEqual(found[:1000], later[:1000])
-                    self.assertTrue(found == later)
-                    numpy.testing.assert_array_equal(path, whole)
-                    # A sum over pairs, in whatever order: 1e4 terms of up to 1, 1e-12 each.
-                    self.assertAlmostEqual(table["PotEng"][-1], again["PotEng"][-1], delta=1e-8)
-        return whole_table
-
-    def test_fluid(self):
-        self.same(fluid(), ["* * restitution 1 well 1 1.5"], 0.02, 200, (2, 4), 1e5, skin=1.0)
-
-    def test_steps_of_a_mean_free_time(self):
-        gas = Gas(500, 0.4, 2, (0.4, 0.6))
-        self.same(gas, [f"* * restitution 1 well {DEPTH} {RATIO}"], 0.28, 20, (2, 4), 1e4, skin=4.5)
-
-    def test_discs_between_walls_with_friction(self):
-        gas = Gas(400, 0.5, 2, (0.4, 0.6), seed=3)
-        self.same(gas, [f"* * restitution 0.9 friction 0.3 well {DEPTH} {RATIO}"], 0.05, 200, (2, 4),
-                  1e4, spin=gas.spin(), skin=1.0, boundary="p f p",
-                  more=["fix sides all wall/hard/square_well restitution 0.8 friction 0.3 "
-                        f"yplane 0 {gas.length:.17g}"])
-
-    def test_bed_where_the_rule_against_collapse_acts(self):
-        gas = Gas(100, 0.5, 2, (0.4, 0.6), seed=3)
-        table = self.same(gas, [f"* * restitution 0.3 friction 0.3 well {DEPTH} {RATIO}"], 0.02, 40,
-                          (2, 4), 5e3, skin=1.0, boundary="p f p",
-                          more=["fix down all gravity 5.0 vector 0 -1 0",
-                                "fix sides all wall/hard/square_well restitution 0.3 friction 0.3 "
-                                f"yplane 0 {gas.length:.17g}"])
-        self.assertGreater(table["c_events[17]"][-1], 0)
 
 
 if __name__ == "__main__":

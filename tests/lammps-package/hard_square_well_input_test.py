@@ -3,7 +3,7 @@
 refused and why, and what is warned of."""
 import unittest
 
-from script_test_case import ScriptTestCase
+from cohesion_tests.test_cases import ScriptTestCase
 
 HEAD = """
 plugin load ${plugin}

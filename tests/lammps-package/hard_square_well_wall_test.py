@@ -8,10 +8,10 @@ from collections import defaultdict
 import numpy
 from scipy.optimize import brentq
 
-import hard_spheres as hard
-import lammps_engine as engine
-from event_driven_reference import Plane, Reference
-from hard_square_well_pair_test import struck
+from cohesion_tests import lammps as engine
+from cohesion_tests.lammps_scenes import hard_spheres as hard
+from cohesion_tests.theory.event_driven_reference import Plane, Reference
+from cohesion_tests.theory.rough_collision import struck
 
 
 class Walls(unittest.TestCase):

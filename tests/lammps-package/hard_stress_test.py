@@ -7,10 +7,12 @@ import unittest
 
 import numpy
 
-import hard_spheres as hard
-import lammps_engine as engine
-from hard_gas import Gas
-from script_test_case import FolderTestCase
+from cohesion_tests import lammps as engine
+from cohesion_tests.lammps_scenes import hard_spheres as hard
+from cohesion_tests.lammps_scenes.hard_gas import Gas
+from cohesion_tests.refusals import assert_refused
+from cohesion_tests.test_cases import FolderTestCase
+from cohesion_tests.thermo import thermo_columns
 
 COMPUTES = ["compute stress all hard/stress", "compute pair all pressure NULL pair"]
 PAIRS = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
@@ -18,7 +20,7 @@ PAIRS = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
 
 def outputs(columns):
     """in.hard_square_well with more columns in its thermo output."""
-    text = (engine.SCRIPTS / "in.hard_square_well").read_text()
+    text = (engine.script_file("in.hard_square_well")).read_text()
     return re.sub(r"(thermo_style .*)", r"\1 " + columns, text)
 
 
@@ -37,7 +39,7 @@ class Stress(FolderTestCase):
                                        dt=float(dt), steps=steps, every=1, dimension=dimension,
                                        boundary=boundary, skin=float(skin), start="data", keep=0)
         self.assertEqual(code, 0, output[-3000:])
-        return hard.columns(output)
+        return thermo_columns(output)
 
     def test_oblique_impact(self):
         """Relative velocity u along x: J = (1 + e)/2 u k_x along k, and mu J along the sliding velocity,
@@ -107,8 +109,7 @@ class Input(unittest.TestCase):
             for words, expected in (("all hard/stress block 3", "takes no further arguments"),
                                     ("one hard/stress", "must be 'all'")):
                 code, output = engine.run_text(f"{head}group one type 1\ncompute s {words}\n", folder)
-                self.assertNotEqual(code, 0)
-                self.assertIn(expected, output)
+                assert_refused(self, code, output, expected)
 
 
 if __name__ == "__main__":

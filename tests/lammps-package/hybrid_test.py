@@ -2,8 +2,8 @@
 """The styles as parts of pair_style hybrid: pairs of types that belong to another style, or to none, are not theirs."""
 import unittest
 
-from script_test_case import ScriptTestCase
-from small_box import box, spheres
+from cohesion_tests.lammps_scenes.small_box import box, spheres
+from cohesion_tests.test_cases import ScriptTestCase
 
 HEAD = box(types=3, size=(0.02, 0.02, 0.02)) + spheres(
     (1, 0.002, 0.005, 0.005), (2, 0.0035, 0.005, 0.005), (3, 0.005, 0.005, 0.005)) + """velocity all set 0.01 0 0

@@ -3,7 +3,7 @@
 engine makes lists with them: mostly they are lengths in other units, or spheres that no `set` reached."""
 import unittest
 
-from script_test_case import ScriptTestCase
+from cohesion_tests.test_cases import ScriptTestCase
 
 HEAD = """
 plugin load ${plugin}

@@ -5,9 +5,9 @@ import re
 import unittest
 from pathlib import Path
 
-import lammps_engine as engine
-from script_test_case import ScriptTestCase
-from small_box import box
+from cohesion_tests import lammps as engine
+from cohesion_tests.lammps_scenes.small_box import box
+from cohesion_tests.test_cases import ScriptTestCase
 
 PAGES = Path(__file__).resolve().parents[2] / "docs" / "lammps-package"
 HEAD = box()

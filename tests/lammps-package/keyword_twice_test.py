@@ -2,8 +2,8 @@
 """A keyword that one command gives twice is refused with both of its values: of two the script means one."""
 import unittest
 
-from script_test_case import ScriptTestCase
-from small_box import box, spheres
+from cohesion_tests.lammps_scenes.small_box import box, spheres
+from cohesion_tests.test_cases import ScriptTestCase
 
 HEAD = box() + spheres((1, 0.002, 0.005, 0.005))
 CONTACT = "stiffness 200 restitution 0.9"

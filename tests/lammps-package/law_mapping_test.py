@@ -4,15 +4,12 @@ gran/square_well under the lines that it prints."""
 import math
 import sys
 import unittest
-from pathlib import Path
 
 import numpy
 
-import couples
-from script_test_case import ScriptTestCase
-
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tools"))
-import mapping_program as program  # noqa: E402
+from cohesion_tests import mapping as program
+from cohesion_tests.lammps_scenes import couples
+from cohesion_tests.test_cases import ScriptTestCase
 
 POSITIONS = 4  # of the contact within the step
 

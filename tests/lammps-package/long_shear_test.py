@@ -5,8 +5,8 @@ import unittest
 
 import numpy
 
-import lammps_engine as engine
-import long_shear
+from cohesion_tests import lammps as engine
+from cohesion_tests.lammps_scenes import long_shear
 
 
 class LongShear(unittest.TestCase):

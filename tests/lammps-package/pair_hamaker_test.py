@@ -4,9 +4,10 @@ import unittest
 
 import numpy
 
-import hamaker_reference as law
-import lammps_engine as engine
-from script_test_case import FolderTestCase
+from cohesion_tests import lammps as engine
+from cohesion_tests.test_cases import FolderTestCase
+from cohesion_tests.theory import hamaker_reference as law
+from cohesion_tests.thermo import thermo_end
 
 RADIUS = {1: 0.5e-3, 2: 0.3e-3}
 DIRECTION = numpy.array([2.0, 3.0, 6.0]) / 7.0
@@ -121,7 +122,7 @@ class PairHamaker(FolderTestCase):
                 len(self.GAPS) * SPACING, gap, p[1]))
             self.assertAlmostEqual(distance, numpy.linalg.norm(other["x"] - one["x"]), delta=1e-17)
         # The thermo output prints all digits; rounding as above, the largest term is the total's.
-        self.assertLessEqual(abs(engine.thermo(output)["PotEng"] - total), 1e-6 * abs(total))
+        self.assertLessEqual(abs(thermo_end(output)["PotEng"] - total), 1e-6 * abs(total))
 
     def test_force_is_the_slope_of_the_energy(self):
         # Central difference with h = gap/1000: its error is h^2/6 F''/F = (h/gap)^2 = 1e-6; the
@@ -140,7 +141,7 @@ class PairHamaker(FolderTestCase):
 
     def test_pressure_is_the_virial_of_the_forces(self):
         output = self.given(self.GAPS)
-        values = engine.thermo(output)
+        values = thermo_end(output)
         forces = engine.dump(self.folder, "forces.txt")
         volume = numpy.prod([high - low for low, high in box(self.GAPS)])
         terms = []

@@ -9,8 +9,9 @@ import unittest
 
 import numpy
 
-import hard_spheres as hard
-import lammps_engine as engine
+from cohesion_tests import lammps as engine
+from cohesion_tests.lammps_scenes import hard_spheres as hard
+from cohesion_tests.thermo import thermo_columns
 
 SIDE, FRACTION, E, DEPTH, RATIO = 16, 0.3, 0.9, 1.0, 1.1
 LENGTH = SIDE * math.sqrt(math.pi / 4 / FRACTION)
@@ -117,7 +118,7 @@ class PlaneFlux(unittest.TestCase):
             write_start(folder)
             code, output = engine.run_text(SCRIPT, folder)
             self.assertEqual(code, 0, output[-3000:])
-            table = hard.columns(output)
+            table = thermo_columns(output)
             tables, events = engine.dumps(folder, "path.txt"), hard.recorded(folder)
         self.assertGreater(len(events), 50000)
         replay, n, carried, worst = Replay(), 0, [], 0.0

@@ -6,8 +6,8 @@ import shutil
 import unittest
 from pathlib import Path
 
-import lammps_engine as engine
-from script_test_case import ScriptTestCase
+from cohesion_tests import lammps as engine
+from cohesion_tests.test_cases import ScriptTestCase
 
 BOX = """
 units si
@@ -46,7 +46,7 @@ class Plugin(Loading):
 
     def test_plugin_of_another_version_is_refused(self):
         output = self.stops("plugin load ${plugin}\n" + USE, "ERROR: the COHESION plugin was built",
-                            "build it against the engine", plugin=engine.OTHER_PLUGIN)
+                            "build it against the engine", plugin=engine.other_plugin())
         engine_version = re.search(r"LAMMPS \((\d+ \w+ \d+)", output)[1]
         refusal = next(line for line in output.splitlines() if "ERROR" in line)
         versions = re.findall(r"\d+ [A-Z][a-z]+ \d{4}", refusal)
@@ -55,15 +55,15 @@ class Plugin(Loading):
         self.assertNotEqual(versions[0], versions[1])
 
     def test_plugin_without_its_styles_is_refused(self):
-        shutil.copy(engine.PLUGIN, self.folder)
-        alone = str(Path(self.folder) / Path(engine.PLUGIN).name)
+        shutil.copy(engine.plugin(), self.folder)
+        alone = str(Path(self.folder) / Path(engine.plugin()).name)
         self.stops("plugin load ${plugin}\n" + USE, "ERROR", "cohesion-styles.so",
                    "must stand beside the plugin", plugin=alone)
 
     def test_styles_file_of_something_else_is_refused(self):
-        shutil.copy(engine.PLUGIN, self.folder)
-        alone = Path(self.folder) / Path(engine.PLUGIN).name
-        shutil.copy(engine.PLUGIN, alone.with_name("cohesion-styles.so"))
+        shutil.copy(engine.plugin(), self.folder)
+        alone = Path(self.folder) / Path(engine.plugin()).name
+        shutil.copy(engine.plugin(), alone.with_name("cohesion-styles.so"))
         self.stops("plugin load ${plugin}\n" + USE, "ERROR", "has no function", plugin=str(alone))
 
     def test_missing_file(self):
@@ -94,7 +94,7 @@ class AddedCommand(Loading):
         self.stops("plugin load\n", "ERROR", "plugin load FILE")
 
     def test_file_beside_the_launcher_needs_no_path(self):
-        self.goes("plugin load ${plugin}\n" + USE, plugin=Path(engine.PLUGIN).name)
+        self.goes("plugin load ${plugin}\n" + USE, plugin=Path(engine.plugin()).name)
 
     def test_styles_come_back_after_clear(self):
         self.goes("plugin load ${plugin}\nclear\n" + USE + "fix g all gas/coupling\nclear\n" + USE)
@@ -102,7 +102,7 @@ class AddedCommand(Loading):
     def test_preloaded(self):
         plain = os.environ["COHESION_PLAIN_LMP"]
         options = {"lmp": plain, "environment": {"LD_PRELOAD": PRELOAD},
-                   "plugin": Path(engine.PLUGIN).name}
+                   "plugin": Path(engine.plugin()).name}
         self.goes("plugin load ${plugin}\nclear\n" + USE, **options)
 
     def test_plain_engine_does_not_know_the_command(self):

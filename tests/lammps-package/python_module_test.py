@@ -8,9 +8,9 @@ import sys
 import unittest
 from pathlib import Path
 
-import lammps_engine as engine
-from readme_python import python_blocks
-from script_test_case import FolderTestCase
+from cohesion_tests import lammps as engine
+from cohesion_tests.readme_python import python_blocks
+from cohesion_tests.test_cases import FolderTestCase
 
 HERE = Path(__file__).resolve().parent
 README = HERE.parents[1] / "lammps-package" / "README.md"
@@ -36,7 +36,7 @@ class PythonModule(FolderTestCase):
         script, = python_blocks(README)
         preload = os.environ.get("COHESION_PRELOAD")
         if not preload:
-            script = script.replace("cohesionplugin.so", engine.PLUGIN)
+            script = script.replace("cohesionplugin.so", engine.plugin())
         done = self.run_script(script, preload)
         self.assertEqual(done.returncode, 0, done.stdout)
         lost = float(re.search(r"lost in the dashpot: (\S+) J", done.stdout)[1])

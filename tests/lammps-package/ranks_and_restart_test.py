@@ -4,7 +4,8 @@ import unittest
 
 import numpy
 
-import lammps_engine as engine
+from cohesion_tests import lammps as engine
+from cohesion_tests.thermo import thermo_end
 
 # Force of 10 weights at most; the surface cut-off is wide so that a step of 1e-6 s resolves it.
 A = 3.3e-14
@@ -40,7 +41,7 @@ class RanksAndRestart(unittest.TestCase):
     def end(cls, ranks=1, start="data", constant=A, mu=0.3):
         output = engine.run("in.cohesive_box", cls.folder, ranks=ranks, start=start, A=constant,
                             mu=mu, file="end.txt")
-        return engine.dump(cls.folder, "end.txt"), engine.thermo(output)
+        return engine.dump(cls.folder, "end.txt"), thermo_end(output)
 
     def same(self, one, other):
         self.assertEqual(len(one), 1000)

@@ -4,7 +4,7 @@ import struct
 import unittest
 from pathlib import Path
 
-from script_test_case import ScriptTestCase
+from cohesion_tests.test_cases import ScriptTestCase
 
 HEAD = """
 plugin load ${plugin}

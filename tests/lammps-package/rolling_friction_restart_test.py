@@ -5,12 +5,13 @@ import unittest
 
 import numpy
 
-import couples
-import lammps_engine as engine
-import one_sphere
-from couples import CUT, DIAMETER, OUT, STIFFNESS
-from gran_hamaker_couple_test import T_C
-from rolling_balls import G, RADIUS, Rolling, ball, report
+from cohesion_tests import lammps as engine, refusals
+from cohesion_tests.lammps_scenes import one_sphere
+from cohesion_tests.lammps_scenes.rolling_balls import G, RADIUS, Rolling, ball, report
+from cohesion_tests.lammps_scenes.unlike_couples import T_C
+from cohesion_tests.theory import pair_motion
+from cohesion_tests.theory.pair_motion import CUT, DIAMETER, OUT, STIFFNESS
+from cohesion_tests.thermo import thermo_lines
 
 
 class RanksAndRestart(Rolling):
@@ -87,7 +88,7 @@ class Ended(Rolling):
         friction ends between two runs; the restart file is of the second. A well of no depth laid over it
         makes no difference."""
         A = 7.49e-19
-        sunk = couples.Pair(A).adhesion / STIFFNESS
+        sunk = pair_motion.Pair(A).adhesion / STIFFNESS
         spin = (0.0, 1.0, 0.0)
         engine.write_spheres(self.folder, [ball(0.0, spin=spin), ball(0.0, spin=spin, x=DIAMETER - sunk)],
                              3 * [(-0.01, 0.01)], 1)
@@ -122,7 +123,7 @@ class Ended(Rolling):
                              f"{head}read_restart restart.ended\n{again}{off}{move}"):
                     code, output = engine.run_text(text + end, self.folder)
                     self.assertEqual(code, 0, output)
-                    names, lines = engine.thermo_lines(output)
+                    names, lines = thermo_lines(output)
                     self.assertGreater(lines[1][names.index("c_book[4]")], 0.0)
                     tables.append(engine.dump(self.folder, "end.txt"))
                 near(*tables)
@@ -139,7 +140,7 @@ class Input(Rolling):
         self.assertEqual(found, code, output)
         if lines:
             return output
-        return " ".join(line for line in output.splitlines() if code == 0 or "ERROR" in line)
+        return output if code == 0 else refusals.errors(output)
 
     def test_values(self):
         self.assertIn("rolling friction coefficient", self.ends(
@@ -158,7 +159,7 @@ class Input(Rolling):
                 f"fix weight all gravity {gravity} vector 0 0 -1\ncompute book all gran/energy\nthermo 3\n"
                 "thermo_style custom step press c_book c_book[9] c_book[11]\n"
                 "thermo_modify format float %.17g\nfix move all nve/sphere\nrun 10\n", 0, lines=True)
-            found.append(engine.thermo_lines(output)[1])
+            found.append(thermo_lines(output)[1])
         self.assertEqual([row[0] for row in found[0]], [0, 3, 6, 9, 10])
         self.assertEqual(*found)
 

@@ -6,10 +6,11 @@ import unittest
 
 import numpy
 
-import couples
-from couples import CUT, DIAMETER, MASS, OUT, STIFFNESS
-from gran_hamaker_couple_test import Box, T_C
-from rolling_balls import CONTACT, G, INERTIA, RADIUS, ROUNDING, WALL_TIME, Rolling, ball, report
+from cohesion_tests.lammps_scenes.rolling_balls import (CONTACT, G, INERTIA, RADIUS, ROUNDING, WALL_TIME, Rolling,
+                                                        ball, report)
+from cohesion_tests.lammps_scenes.unlike_couples import T_C, Box
+from cohesion_tests.theory import pair_motion
+from cohesion_tests.theory.pair_motion import CUT, DIAMETER, MASS, OUT, STIFFNESS
 
 
 class OnAPlane(Rolling):
@@ -78,7 +79,6 @@ class OnAPlane(Rolling):
             else:
                 self.assertAlmostEqual(fit, excess, delta=ROUNDING * G)
 
-
     def test_a_plane_that_moves_is_one_at_rest_in_its_frame(self):
         dt, steps, speed, moves = WALL_TIME / 10, 2000, 0.05, 0.25
         found = []
@@ -98,7 +98,7 @@ class OnePair(Rolling):
     def test_a_pair_pressed_by_adhesion_loses_its_spin(self):
         # I w' = -R mu_R F_ad, R = r/2: equal spheres with opposite spins do not slide.
         A, coefficient, spin = 7.49e-19, 0.02, 40.0
-        pull = couples.Pair(A).adhesion
+        pull = pair_motion.Pair(A).adhesion
         for scheme in ("event", "sampled"):
             dt = T_C / 20
             rate = 0.5 * RADIUS * coefficient * pull / INERTIA
@@ -126,9 +126,9 @@ class OnePair(Rolling):
         # R^2 (2/I) K_r = w^2, damped at eta_r/(2 m_r); the midpoint rule's phase is 2 atan(w dt/2)
         # per step, (w dt)^2/12 behind, its decay likewise.
         A, spin = 7.49e-19, 1e-3
-        pull = couples.Pair(A).adhesion
+        pull = pair_motion.Pair(A).adhesion
         inverse_mass = (RADIUS / 2)**2 * 2 / INERTIA
-        alpha = 0.25 * couples.DAMPING * inverse_mass
+        alpha = 0.25 * pair_motion.DAMPING * inverse_mass
         frequency = math.sqrt(2 / 7 * STIFFNESS * inverse_mass)
         q = math.sqrt(frequency**2 - alpha**2)
         atoms = [ball(0.0, spin=(0.0, spin, 0.0)),
@@ -138,7 +138,7 @@ class OnePair(Rolling):
             dt = T_C / parts
             path, _ = self.run_spheres(
                 atoms, dt, 4 * parts, 1,
-                pair=f"stiffness {STIFFNESS} damping {couples.DAMPING} rolling_friction 10 "
+                pair=f"stiffness {STIFFNESS} damping {pair_motion.DAMPING} rolling_friction 10 "
                      f"hamaker {A} cutoff {CUT} {OUT}")
             # The grid's spin at n is the mean of two half steps, of second order.
             t = dt * numpy.arange(4 * parts + 1)

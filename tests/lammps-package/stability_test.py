@@ -7,10 +7,8 @@ from unittest import mock
 
 import numpy
 
-import lammps_engine as engine
-import stability_judge as judge
-import stability_laws
-import stability_points as points
+from cohesion_tests import lammps as engine
+from cohesion_tests.lammps_scenes import stability_judge as judge, stability_laws, stability_points as points
 
 RANDOM = 3  # of each law
 

@@ -3,8 +3,8 @@
 is why."""
 import unittest
 
-from script_test_case import ScriptTestCase
-from small_box import box, spheres
+from cohesion_tests.lammps_scenes.small_box import box, spheres
+from cohesion_tests.test_cases import ScriptTestCase
 
 HEAD = box(boundary="p p f") + spheres((1, 0.002, 0.002, 0.005), (1, 0.007, 0.002, 0.005),
                                        (1, "%s", 0.002, 0.005)) + """%s

@@ -2,8 +2,8 @@
 """Spheres with friction that a fix moves and does not turn get a warning, once; all others none."""
 import unittest
 
-from script_test_case import ScriptTestCase
-from small_box import box, spheres
+from cohesion_tests.lammps_scenes.small_box import box, spheres
+from cohesion_tests.test_cases import ScriptTestCase
 
 HEAD = box(types=2, boundary="p p f") + spheres((1, 0.002, 0.002, 0.005), (1, 0.005, 0.002, 0.005),
                                                 (2, 0.007, 0.002, 0.005)) + """group first type 1

@@ -5,7 +5,7 @@ import os
 import unittest
 from pathlib import Path
 
-import lammps_engine as engine
+from cohesion_tests import lammps as engine
 
 
 def end(load, **options):

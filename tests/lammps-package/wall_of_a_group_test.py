@@ -2,8 +2,8 @@
 """A wall judges the particles of its group alone, those to come included."""
 import unittest
 
-from script_test_case import ScriptTestCase
-from small_box import box
+from cohesion_tests.lammps_scenes.small_box import box
+from cohesion_tests.test_cases import ScriptTestCase
 
 HEAD = box(types=2, size=(0.01, 0.01, 0.02), ghosts="vel yes cutoff 2e-3") + """
 create_atoms 1 single 0.002 0.005 0.005 units box

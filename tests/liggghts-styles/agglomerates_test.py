@@ -2,18 +2,14 @@
 """fix agglomerates in LIGGGHTS: connected sets across faces and ranks against a search over all pairs;
 how long particles belong to one, against straight flights; restarts; what is refused."""
 
-import pathlib
-import sys
 import unittest
 
 import numpy
 
-sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "lammps-package"))
-
-from agglomerate_search import BOX, RANGE, Search, constructed, in_box, passing
-from engine import Run, assert_refused
-from printed_thermo import thermo_lines
-from scene import DENSITY, STIFFNESS, contact, hamaker, script, sphere, square_well
+from cohesion_tests.liggghts import Run, assert_refused
+from cohesion_tests.liggghts_scenes.scene import DENSITY, STIFFNESS, contact, hamaker, script, sphere, square_well
+from cohesion_tests.theory.agglomerate_search import BOX, RANGE, Search, constructed, in_box, passing
+from cohesion_tests.thermo import thermo_lines
 
 MODELS = "model hooke/stiffness tangential off cohesion hamaker absolute_damping on"
 # The attraction is none to speak of: the sum of the gaps' forces, 1e-12/(24 0.1^2), moves 1400 kg.
@@ -38,9 +34,9 @@ def scene(x, v=None, tilt=0.0, each=1, more="", fields=FIELDS, models=MODELS, pr
 
 def rows(text, ranks=0):
     run = Run(text, ranks=ranks)
-    if run.returncode:
-        raise AssertionError(run.printed[-3000:])
-    return numpy.array(thermo_lines(run.printed)[1])[:, 1:], run
+    if run.code:
+        raise AssertionError(run.output[-3000:])
+    return numpy.array(thermo_lines(run.output)[1])[:, 1:], run
 
 
 class Sets(unittest.TestCase):

@@ -5,10 +5,10 @@ import itertools
 import math
 import unittest
 
-from engine import EPSILON, Run
-from mesh import rectangle, stl, wall
-from parted_contacts_test import three_in_a_row
-from scene import MASS, OUT, RADIUS, frames, hamaker, part, script, sphere, square_well
+from cohesion_tests.liggghts import EPSILON, Run
+from cohesion_tests.liggghts_scenes.mesh import rectangle, stl, wall
+from cohesion_tests.liggghts_scenes.scene import MASS, OUT, RADIUS, frames, hamaker, part, script, sphere, square_well
+from cohesion_tests.liggghts_scenes.sheared_scene import three_in_a_row
 
 NORMAL = ["hooke", "hooke/stiffness", "hertz", "hertz/stiffness"]
 TANGENTIAL = ["off", "no_history", "history"]
@@ -23,7 +23,6 @@ COHESION = {"none": ("", ""),
             "square_well": (" cohesion square_well", square_well(DEPTH))}
 SPEED, GAP, WALL_GAP, OVERLAP = 0.1, 12e-6, 7e-6, 4e-6
 STEPS = 60  # the two flights cross the edges of their wells, at 1e-5 and 5e-6 m
-
 
 # The wall made of 200 triangles: sphere 5 slides over a border in its way.
 PLATE_BORDER = 1e-6

@@ -5,9 +5,9 @@ and say why; they are there after `clear`, and in the preloaded library."""
 import unittest
 from concurrent.futures import ThreadPoolExecutor
 
-import mesh
-from engine import Run, assert_refused
-from scene import script, sphere
+from cohesion_tests.liggghts import Run, assert_refused
+from cohesion_tests.liggghts_scenes import mesh
+from cohesion_tests.liggghts_scenes.scene import script, sphere
 
 PRISM = "0 10 0 8 0 6 0 0 0"
 PLAIN = "model hooke tangential off"
@@ -67,7 +67,7 @@ class Refusals(unittest.TestCase):
                      "fix wall0 wall/gran", "only a zplane is")
                     for wall in ("yplane 0", "xplane 0", "zcylinder 3 5 4", "xcylinder 3 4 3")))
         run = Run(head(SHEAR, boundary="p p f", walls=[f"primitive type 2 zplane 0{allowed}"]))
-        self.assertEqual(run.returncode, 0, run.printed[-2000:])
+        self.assertEqual(run.code, 0, run.output[-2000:])
 
     def test_a_box_changed_since(self):
         self.stop((head(SHEAR, run="run 0\nchange_box all x final 0 11 units box\nrun 1\n"),
@@ -76,8 +76,7 @@ class Refusals(unittest.TestCase):
     def test_mesh(self):
         run = Run(head("fix mesh all mesh/surface file a.stl type 2\n" + SHEAR), inputs={
             "a.stl": mesh.stl(mesh.rectangle((4, 3, 1), (2, 0, 0), (0, 2, 0)))})
-        self.assertNotEqual(run.returncode, 0)
-        self.assertIn("fix mesh mesh/surface keeps its triangles", run.printed)
+        assert_refused(self, run, "fix mesh mesh/surface keeps its triangles")
 
     def test_step_that_moves_the_images_half_a_box(self):
         self.stop((head(SHEAR, run="run 3\n", dt=2.0), "in a step", "smaller time step"), begun=True)
@@ -89,8 +88,8 @@ class Registered(unittest.TestCase):
         for how in ("launcher", "preload"):
             with self.subTest(how):
                 run = Run(text + text, how)
-                self.assertEqual(run.returncode, 0, run.printed[-2000:])
-                self.assertEqual(run.printed.count("added the profile"), 2)
+                self.assertEqual(run.code, 0, run.output[-2000:])
+                self.assertEqual(run.output.count("added the profile"), 2)
 
 
 if __name__ == "__main__":

@@ -2,19 +2,15 @@
 """fix deform/shear in LIGGGHTS: images where they belong, contacts across the sheared faces, runs that
 can be split and restarted, nothing lost in a long run."""
 
-import pathlib
-import sys
 import unittest
 
 import numpy
 
-sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "lammps-package"))
-
-from engine import Run
-from printed_thermo import thermo_lines
-from scene import DAMPING, RADIUS, contact, hamaker, sphere
-from sheared_images import ShearedImages
-from sheared_scene import BOX, COLUMNS, LAWS, PLAIN, RATE, gas, sheared
+from cohesion_tests.liggghts import Run
+from cohesion_tests.liggghts_scenes.scene import DAMPING, RADIUS, contact, hamaker, sphere
+from cohesion_tests.liggghts_scenes.sheared_scene import BOX, COLUMNS, LAWS, PLAIN, RATE, gas, sheared
+from cohesion_tests.theory.sheared_images import ShearedImages
+from cohesion_tests.thermo import thermo_lines
 
 
 def snapshots(run, dump="out.txt"):
@@ -49,7 +45,7 @@ class FreeParticles(unittest.TestCase):
             # Image flags are those of the box as it is now, flips included.
             self.assertLess(numpy.abs(x0 + n * every * dt * v0 - table[:, 6:9]).max(), 5e-14)
         self.assertGreater(crossings, 2)
-        end = thermo_lines(run.printed)[1][-1]
+        end = thermo_lines(run.output)[1][-1]
         self.assertEqual(end[1], 100)
         self.assertLess(abs(end[2] - rate * steps * dt), 1e-13)
         exact = tilt + rate * steps * dt * BOX[1]
@@ -155,8 +151,8 @@ class LongRuns(unittest.TestCase):
                     steps=steps, extra="compute flow all shear/profile layers 4\n"
                     "variable py equal vcm(all,y)\nthermo 100\nthermo_style custom step atoms f_shear "
                     "f_shear[3] v_py c_flow[1] c_flow[3]\nthermo_modify format float %.15g\n"), ranks=ranks)
-                self.assertEqual(run.returncode, 0, run.printed[-2000:])
-                rows = numpy.array(thermo_lines(run.printed)[1])
+                self.assertEqual(run.code, 0, run.output[-2000:])
+                rows = numpy.array(thermo_lines(run.output)[1])
                 _, atoms, strain, flips, momentum, slope, temperature = rows.T
                 self.assertTrue((atoms == 240).all())
                 self.assertAlmostEqual(strain[-1], rate * steps * dt, 12)
@@ -170,7 +166,7 @@ class LongRuns(unittest.TestCase):
                 self.assertLess(abs(slope[half].mean() - rate), 4 * spread / numpy.sqrt(3))
                 # The engine would make lists at least every 12.5 steps: in each, the corners of the box
                 # move by L_y rate dt = 8e-6 m to both sides, and both count against the skin.
-                builds = int(run.printed.split("Neighbor list builds =")[1].split()[0])
+                builds = int(run.output.split("Neighbor list builds =")[1].split()[0])
                 self.assertLess(builds, steps / 25)
 
 

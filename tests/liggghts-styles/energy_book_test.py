@@ -4,9 +4,9 @@
 import math
 import unittest
 
-from engine import Run, assert_refused
-from mesh import rectangle, stl, wall
-from scene import MASS, RADIUS, STIFFNESS, contact, hamaker, script, sphere, square_well
+from cohesion_tests.liggghts import Run, assert_refused
+from cohesion_tests.liggghts_scenes.mesh import rectangle, stl, wall
+from cohesion_tests.liggghts_scenes.scene import MASS, RADIUS, STIFFNESS, contact, hamaker, script, sphere, square_well
 
 (KINETIC, ROTATIONAL, SPRING, TANGENTIAL, ADHESION, DAMPING, TANGENTIAL_DAMPING, FRICTION, WORK, RESIDUAL,
  GRAVITY, ROLLING_SPRING, ROLLING) = range(1, 14)
@@ -25,8 +25,8 @@ FLOOR = "primitive type 2 zplane -5e-3"
 
 def books(run):
     """One list per line of thermo output: step, scalar, entries; of all runs."""
-    if run.returncode:
-        raise AssertionError(run.printed[-3000:])
+    if run.code:
+        raise AssertionError(run.output[-3000:])
     found = []
     for line in run.files["log.liggghts"].split("\n"):
         words = line.split()
@@ -75,7 +75,7 @@ class Runs(unittest.TestCase):
     def test_box_that_changes_nothing_but_itself(self):
         run = self.change_box([], "-0.01 0.011")
         self.assertEqual([entry(row, k) for row in books(run) for k in (WORK, RESIDUAL)], 8 * [0.0])
-        self.assertNotIn("the box was changed", run.printed)
+        self.assertNotIn("the box was changed", run.output)
 
     def test_box_that_presses_two_spheres_into_each_other(self):
         apart, shrunk = 1.05 * 2 * RADIUS, 0.875
@@ -89,7 +89,7 @@ class Runs(unittest.TestCase):
         for row in rows[2:]:
             self.assertAlmostEqual(entry(row, WORK) / work, 1, delta=STEP_ERROR)
             self.assertAlmostEqual(entry(row, RESIDUAL) / work, 0, delta=STEP_ERROR)
-        self.assertEqual(run.printed.count("the box was changed between two runs"), 1)
+        self.assertEqual(run.output.count("the box was changed between two runs"), 1)
 
 
 class Balance(unittest.TestCase):
@@ -295,12 +295,12 @@ class Refusals(unittest.TestCase):
             with self.subTest(warned=warned):
                 done = Run(script(oblique(), SLIDING + "hamaker", hamaker(0), extra=BOOK + PRINT.format(every=10),
                                   run=run))
-                self.assertEqual(done.returncode, 0, done.printed[-2000:])
-                self.assertEqual("there were 2 particles and now are 1; the energy" in done.printed, warned)
+                self.assertEqual(done.code, 0, done.output[-2000:])
+                self.assertEqual("there were 2 particles and now are 1; the energy" in done.output, warned)
 
     def test_taken_back_it_costs_and_stops_nothing(self):
         text = script(oblique(), SLIDING + "hamaker", hamaker(0), extra=BOOK, run="run 1\nuncompute book\nrun 400\n")
-        self.assertEqual(Run(text).returncode, 0)
+        self.assertEqual(Run(text).code, 0)
 
 
 if __name__ == "__main__":

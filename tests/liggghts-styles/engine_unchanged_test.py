@@ -3,7 +3,7 @@
 
 import unittest
 
-from engine import Run
+from cohesion_tests.liggghts import Run
 
 
 def thermo(run):

@@ -5,9 +5,10 @@ import math
 import random
 import unittest
 
-from engine import EPSILON, Run, assert_refused
-from mesh import rectangle, stl
-from scene import MASS, RADIUS, STIFFNESS, contact, frames, hamaker, script, sphere, square_well
+from cohesion_tests.liggghts import EPSILON, Run, assert_refused
+from cohesion_tests.liggghts_scenes.mesh import rectangle, stl
+from cohesion_tests.liggghts_scenes.scene import (MASS, RADIUS, STIFFNESS, contact, frames, hamaker, script, sphere,
+                                                  square_well)
 
 CONTACT_TIME = math.pi * math.sqrt(0.5 * MASS / STIFFNESS)
 CUT, OUT = 4e-10, 1e-7
@@ -120,7 +121,7 @@ class Wells(unittest.TestCase):
                       square_well(5e-9, ratio=ratio), dt=dt, every=10**8, boundary="p p p",
                       box=f"0 {side} 0 {side} 0 {side}", run=run + END)
         done = Run(text, ranks=ranks)
-        assert "from beyond what is seen" not in done.printed, done.printed
+        assert "from beyond what is seen" not in done.output, done.output
         return done.frames("end.txt")[-1]
 
     def test_ranks_and_runs_do_not_matter(self):
@@ -165,7 +166,6 @@ class Wells(unittest.TestCase):
                     for k in right:
                         for one, other in zip(found[k][3:6], right[k][3:6]):
                             self.assertAlmostEqual(one, other, delta=100 * 8 * EPSILON * 0.03 / dt)
-
 
     def test_a_dense_elastic_gas_gains_none(self):
         """216 spheres at a volume fraction of 0.3, 40 collisions each. The velocities of a grid point are off by up to
@@ -336,8 +336,8 @@ class Input(unittest.TestCase):
     def test_a_pair_that_comes_from_out_of_sight(self):
         spheres = [sphere((0, 0, 0), (2.0, 0, 0)), sphere((2 * RADIUS + 1.2e-4, 0, 0), (-2.0, 0, 0))]
         run = Run(script(spheres, models() + EVENT, hamaker(0, cut=CUT, out=OUT), dt=1.1e-5, steps=20))
-        self.assertEqual(run.returncode, 0, run.printed)
-        self.assertEqual(run.printed.count("from beyond what is seen"), 1, run.printed)
+        self.assertEqual(run.code, 0, run.output)
+        self.assertEqual(run.output.count("from beyond what is seen"), 1, run.output)
 
 
 if __name__ == "__main__":

@@ -5,8 +5,8 @@ import unittest
 
 import numpy
 
-import extremes
-from extremes_points import LAWS, RADIUS, Partners
+from cohesion_tests.liggghts_scenes import extremes
+from cohesion_tests.liggghts_scenes.extremes_points import LAWS, RADIUS, Partners
 
 LAUNCHER = os.environ["COHESION_LAUNCHER"]
 SPEED, DENSITY = 0.05, extremes.DENSITY

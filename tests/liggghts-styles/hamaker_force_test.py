@@ -5,7 +5,7 @@ import itertools
 import math
 import unittest
 
-from engine import EPSILON, Run
+from cohesion_tests.liggghts import EPSILON, Run
 
 A, CUT, OUT = 1e-18, 4e-10, 1e-7
 STIFFNESS = 800.0  # kn of the scripts

@@ -3,8 +3,8 @@
 
 import unittest
 
-from engine import HERE, Run, assert_refused, script_without
-from scene import hamaker, script, sphere
+from cohesion_tests.liggghts import SCENES, Run, assert_refused, script_without
+from cohesion_tests.liggghts_scenes.scene import hamaker, script, sphere
 
 PAIR = dict(radius1=0.5e-3, radius2=0.5e-3, type1=1, type2=2, gap=1e-9, A=1e-18, cut=4e-10,
             out=1e-7, model="hertz", tangential="history")
@@ -21,7 +21,7 @@ class BadInput(unittest.TestCase):
     def test_hamaker_constant(self):
         for bad, shown in (("-1e-18", "-1e-18"), ("1e999", "inf")):
             with self.subTest(bad=bad):
-                script = (HERE / "in.two_spheres").read_text().replace(
+                script = (SCENES / "in.two_spheres").read_text().replace(
                     "$A ${A12} ${A12} ${A22}", f"1e-18 {bad} {bad} 1e-18")
                 self.refused(script, "cohesion model hamaker, atom types 1 and 2",
                              "Hamaker constant A = " + shown,
@@ -53,7 +53,7 @@ class BadInput(unittest.TestCase):
                      "hamakerOuterCutoff = 100", **{**PAIR, "cut": 0.4, "out": 100.0})
         self.refused("in.two_spheres", "outer cut-off H_out = 0.0003: must not be above 0.00025",
                      "hamakerOuterCutoff = 0.0003", **{**PAIR, "out": 3e-4})
-        self.assertEqual(Run("in.two_spheres", **{**PAIR, "out": 2.4e-4}).returncode, 0)
+        self.assertEqual(Run("in.two_spheres", **{**PAIR, "out": 2.4e-4}).code, 0)
 
     def test_cutoffs_are_judged_by_the_radii_of_their_types(self):
         # Type 1, 1 mm: A > 0 and H_out = 3e-5 m, beyond the 2.5e-5 m of the 0.1 mm of type 2.
@@ -63,7 +63,7 @@ class BadInput(unittest.TestCase):
             text = text.replace("set atom 2", "set atom 2 type 2\nset atom 2")
             return Run(text.replace("0.0 0.0 1e-18\nfix cut", f"0.0 0.0 {a22}\nfix cut"))
         done = go(0.0)
-        self.assertEqual(done.returncode, 0, done.printed[-2000:])
+        self.assertEqual(done.code, 0, done.output[-2000:])
         assert_refused(self, go(1e-18), "atom types 2 and 2: outer cut-off H_out = 3e-05: must not be above 2.5")
         # Still to come: as small, of a type that attracts.
         template = ("fix pts all particletemplate/sphere 15485863 atom_type {} volume_limit 1e-14 density "
@@ -71,7 +71,7 @@ class BadInput(unittest.TestCase):
                     "fix pdd all particledistribution/discrete 15485867 1 pts 1.0\n")
         assert_refused(self, go(0.0, 0.5e-3, template.format(1)), "atom types 1 and 1: outer cut-off H_out = 3e-05")
         done = go(0.0, 0.5e-3, template.format(2))
-        self.assertEqual(done.returncode, 0, done.printed[-2000:])
+        self.assertEqual(done.code, 0, done.output[-2000:])
 
     def test_beside_a_wall_the_radius_counts(self):
         # Wall of type 2, radius 0.08 mm: H_out = 6e-5 m is beyond R* of two, 4e-5 m, and below that with the wall.
@@ -80,13 +80,13 @@ class BadInput(unittest.TestCase):
             return Run(script([sphere((0, 0, 0), radius=0.08e-3)], LINEAR, properties, dt=1e-7, steps=1, skin=3e-4,
                               walls=["primitive type 2 zplane -5e-3"]))
         done = go(6e-5)
-        self.assertEqual(done.returncode, 0, done.printed[-2000:])
+        self.assertEqual(done.code, 0, done.output[-2000:])
         assert_refused(self, go(6e-5, 1e-18), "outer cut-off H_out = 6e-05: must not be above 4e-05")
         assert_refused(self, go(9e-5), "outer cut-off H_out = 9e-05: must not be above 8e-05")
 
     def test_spheres_of_the_size_they_were_created_with(self):
         created = "create_atoms 1 single 0.002 0.002 0.002 units box\npair_style"
-        script = (HERE / "in.two_spheres").read_text().replace("pair_style", created, 1)
+        script = (SCENES / "in.two_spheres").read_text().replace("pair_style", created, 1)
         self.refused(script, "cohesion model hamaker: particle 4 has the diameter 1, others as little as 0.001",
                      "lengths are those of 'units si', m", "until 'set ... diameter'", **PAIR)
 
@@ -102,7 +102,7 @@ class BadInput(unittest.TestCase):
 
     def test_combination_that_does_not_exist(self):
         self.refused("in.two_spheres", "Unknown cohesion model", **{**PAIR, "model": "luding"})
-        script = (HERE / "in.two_spheres").read_text().replace(
+        script = (SCENES / "in.two_spheres").read_text().replace(
             "cohesion hamaker", "cohesion hamaker rolling_friction luding")
         self.refused(script, "Unknown cohesion model", **PAIR)
 
@@ -110,7 +110,7 @@ class BadInput(unittest.TestCase):
         self.refused("in.sphere_and_wall", "cohesion model hamaker, fix wall/gran floor",
                      "hamakerOuterCutoff = 1e-07", "half the neighbor skin of 1.9e-07",
                      "use 'neighbor 2e-07 bin' or more", **{**WALL, "skin": 1.9e-7})
-        self.assertEqual(Run("in.sphere_and_wall", **{**WALL, "skin": 2.1e-7}).returncode, 0)
+        self.assertEqual(Run("in.sphere_and_wall", **{**WALL, "skin": 2.1e-7}).code, 0)
 
 
 if __name__ == "__main__":

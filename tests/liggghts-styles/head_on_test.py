@@ -7,16 +7,14 @@ A wall whose spring, dashpot and attraction are twice those of two spheres moves
 reduced mass, exactly as a pair: one number for both.
 """
 
+import functools
 import math
-import pathlib
 import sys
 import unittest
 
-sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "lammps-package"))
-
-from pair_motion import ALPHA, CONTACT_TIME, DIAMETER, MU, OUT, CUT, Pair
-from mesh import rectangle, stl
-from scene import RADIUS, contact, frames, hamaker, sphere, square_well
+from cohesion_tests.liggghts_scenes.mesh import rectangle, stl
+from cohesion_tests.liggghts_scenes.scene import RADIUS, contact, frames, hamaker, sphere, square_well
+from cohesion_tests.theory.pair_motion import ALPHA, CONTACT_TIME, CUT, DIAMETER, MU, OUT, Pair
 
 A, DEPTH, RATIO = 7.49e-19, 5e-11, 1.01
 RESTITUTION = math.exp(-ALPHA * CONTACT_TIME)
@@ -26,6 +24,7 @@ POSITIONS = 4  # of the contact within the step
 PLANE = ("primitive type 2 xplane -8.5e-3", (), {})
 
 
+@functools.cache
 def escape_velocity(cohesion):
     if cohesion == "hamaker":
         return Pair(A).escape_velocity()

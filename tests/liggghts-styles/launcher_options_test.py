@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The launcher takes what the stock program takes: options, a script from the standard input, signals."""
 
+import os
 import pathlib
 import re
 import signal
@@ -9,11 +10,12 @@ import tempfile
 import time
 import unittest
 
-from engine import HERE, environment_of, program
+from cohesion_tests.launcher import short_start
+from cohesion_tests.liggghts import SCENES, mpiexec, program
 
 # Numbers that two runs of one program do not share.
 CLOCK = re.compile(r"time|CPU|Memory usage|\d\d:\d\d:\d\d", re.IGNORECASE)
-SCRIPT = (HERE / "in.stock").read_text().replace("run           2000", "print 'n is ${n}'\nrun           ${n}")
+SCRIPT = (SCENES / "in.stock").read_text().replace("run           2000", "print 'n is ${n}'\nrun           ${n}")
 N = ("-var", "n", "20")
 
 
@@ -22,12 +24,13 @@ class Options(unittest.TestCase):
         """Return code, what is printed, and the text of each file that is left, without times."""
         command = [program("LAUNCHER" if way == "launcher" else "STOCK"), *options]
         if ranks:
-            command = [program("MPIEXEC"), "--oversubscribe", "-n", str(ranks)] + command
+            command = [*mpiexec(), str(ranks), *command]
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)
             (folder / "in.script").write_text(SCRIPT)
-            done = subprocess.run(command, cwd=folder, env=environment_of(ranks), timeout=100, text=True,
-                                  errors="replace", stdout=subprocess.PIPE, stderr=subprocess.STDOUT, **given)
+            done = subprocess.run(command, cwd=folder, env={**os.environ, **short_start(ranks)}, timeout=100,
+                                  text=True, errors="replace", stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                                  **given)
             texts = {"printed": done.stdout, **{file.name: file.read_text(errors="replace")
                                                 for file in folder.iterdir()}}
         return done.returncode, {key: [line for line in text.split("\n") if not CLOCK.search(line)]
@@ -93,7 +96,8 @@ class Signals(unittest.TestCase):
                     folder = pathlib.Path(name)
                     (folder / "in.script").write_text(text)
                     command = [program(way), "-in", "in.script", "-v", "n", str(self.STEPS), "-sc", "none"]
-                    with subprocess.Popen(command, cwd=folder, env=environment_of(0), stdout=subprocess.DEVNULL) as run:
+                    with subprocess.Popen(command, cwd=folder, env={**os.environ, **short_start()},
+                                          stdout=subprocess.DEVNULL) as run:
                         try:
                             log = folder / "log.liggghts"
                             self.wait(lambda: log.exists() and re.search(r"^ +50 ", log.read_text(), re.MULTILINE))

@@ -1,25 +1,19 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""shear-long.py, small: nothing lost, no drift, a straight profile and the same means on one rank, on two and after
-a restart. 1e7 steps are that program's."""
+"""liggghts-shear-long.py, small: nothing lost, no drift, a straight profile and the same means on one rank, on two and
+after a restart. 1e7 steps are that program's."""
 import os
-import pathlib
-import sys
 import unittest
+from unittest import mock
 
-sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "lammps-package"))
-os.environ.update(COHESION_LMP=os.environ["COHESION_LAUNCHER"],
-                  COHESION_SCRIPTS=str(pathlib.Path(__file__).resolve().parent),
-                  COHESION_MPIEXEC=os.environ["COHESION_MPIEXEC"] + " --oversubscribe -n")
-
-import lammps_engine as engine
-import long_spheres
-from steady_spheres import expected, systematic
+from cohesion_tests import lammps as engine, liggghts
+from cohesion_tests.liggghts_scenes import long_spheres
+from cohesion_tests.liggghts_scenes.steady_spheres import expected, systematic
 
 
 class LongShear(unittest.TestCase):
     def test_nothing_lost_whoever_works_it_out(self):
         side, steps, strain = 4, 40000, 40.0
-        with engine.temporary_folder() as folder:
+        with mock.patch.dict(os.environ, liggghts.as_lammps()), engine.temporary_folder() as folder:
             done = long_spheres.all_runs(folder, side, steps, strain, 100, lambda steps: None)
         results = [long_spheres.Result(one, side, strain) for one in done]
         hard, soft = expected(long_spheres.FRACTION, long_spheres.law(steps, strain), strain / steps)

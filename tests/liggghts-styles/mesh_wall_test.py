@@ -5,9 +5,10 @@ it is made of, and once where a particle is above a border of them."""
 import math
 import unittest
 
-from engine import EPSILON
-from mesh import rectangle, stl, wall
-from scene import (CUT, MASS, OUT, RADIUS, RATIO, STIFFNESS, frames, hamaker, part, sphere, square_well)
+from cohesion_tests.liggghts import EPSILON
+from cohesion_tests.liggghts_scenes.mesh import rectangle, stl, wall
+from cohesion_tests.liggghts_scenes.scene import (CUT, MASS, OUT, RADIUS, RATIO, STIFFNESS, frames, hamaker, part,
+                                                  sphere, square_well)
 
 A, DEPTH = 1e-14, 1e-10
 WIDTH = (RATIO - 1) * RADIUS

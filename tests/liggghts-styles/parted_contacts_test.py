@@ -5,19 +5,8 @@ import unittest
 
 import numpy
 
-from engine import Run
-from scene import sphere
-from sheared_scene import BOX, LAWS, sheared
-
-SMALL, LARGE = 0.25e-3, 0.5e-3
-
-
-def three_in_a_row():
-    """The first hits, spinning, the second, which bounces off a third eight times as heavy and comes back to the
-    first when that is less than 1e-5 m away."""
-    places = (-2 * SMALL - 1e-7, 0.0, SMALL + 1e-5 + LARGE)
-    return [sphere(BOX / 2 + [x, 0, 0], (v, 0, 0), (0, 0, spin), radius)
-            for x, v, spin, radius in zip(places, (0.1, 0, 0), (60.0, 0, 0), (SMALL, SMALL, LARGE))]
+from cohesion_tests.liggghts import Run
+from cohesion_tests.liggghts_scenes.sheared_scene import LAWS, SMALL, sheared, three_in_a_row
 
 
 class PartedContacts(unittest.TestCase):
@@ -29,8 +18,8 @@ class PartedContacts(unittest.TestCase):
         run = Run(sheared(three_in_a_row(), models, properties, rate=1e-3, dt=self.DT, steps=self.STEPS, every=5,
                           skin=skin, extra=extra))
         found = numpy.array([[frame[n] for n in (1, 2, 3)] for frame in run.frames("out.txt")])
-        self.assertEqual("keeps its friction" in run.printed, "contact_distance_factor" in extra)
-        return found, int(run.printed.split("Neighbor list builds =")[1].split()[0])
+        self.assertEqual("keeps its friction" in run.output, "contact_distance_factor" in extra)
+        return found, int(run.output.split("Neighbor list builds =")[1].split()[0])
 
     def apart(self, law, extra=""):
         """Of two skins, one of which makes lists while the first two are apart: distance and difference of speed."""

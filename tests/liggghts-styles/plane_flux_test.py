@@ -8,7 +8,8 @@ import unittest
 
 import numpy
 
-import steady_spheres as spheres
+from cohesion_tests import dumps
+from cohesion_tests.liggghts_scenes import steady_spheres as spheres
 
 SIDE, FRACTION, E = 6, 0.3, 0.9
 LENGTH = spheres.length(SIDE, FRACTION)
@@ -24,10 +25,7 @@ def through(low, high):
 
 def frames(done):
     """Columns y, vx, vy of all spheres in each step: array (steps, spheres, 3), sorted by id."""
-    parts = done.files["out.txt"].split("ITEM: ATOMS")[1:]
-    rows = [numpy.fromstring(part[part.index("\n"):part.index("ITEM") if "ITEM" in part else None], sep=" ")
-            for part in parts]
-    return numpy.array(rows).reshape(len(rows), -1, 4)[:, :, 1:]
+    return numpy.array([snapshot.sorted() for snapshot in dumps.parse(done.files["out.txt"])])[:, :, 1:]
 
 
 def by_flight(now, then, dt):

@@ -1,16 +1,18 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The script of liggghts-styles/README.md for Python: the stock library has the styles by the preload library."""
+import os
 import pathlib
 import subprocess
 import sys
 import tempfile
 import unittest
 
-from engine import HERE, environment_of, program
-from readme_python import python_blocks
-from scene import hamaker, script, sphere
+from cohesion_tests.launcher import short_start
+from cohesion_tests.liggghts import program
+from cohesion_tests.liggghts_scenes.scene import hamaker, script, sphere
+from cohesion_tests.readme_python import python_blocks
 
-README = HERE.parents[1] / "liggghts-styles" / "README.md"
+README = pathlib.Path(__file__).resolve().parents[2] / "liggghts-styles" / "README.md"
 SCENE = script([sphere((0, 0, 0), (0.05, 0, 0)), sphere((1.001e-3, 0, 0))],
                "model hooke/stiffness tangential off cohesion hamaker", hamaker(1e-14), steps=10)
 
@@ -21,7 +23,8 @@ class FromPython(unittest.TestCase):
         with tempfile.TemporaryDirectory() as name:
             (pathlib.Path(name) / "in.script").write_text(SCENE)
             done = subprocess.run([sys.executable, "-c", block], cwd=name, timeout=100, text=True, errors="replace",
-                                  env={**environment_of(0), **more}, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+                                  env={**os.environ, **short_start(), **more}, stdout=subprocess.PIPE,
+                                  stderr=subprocess.STDOUT)
         return done
 
     def test_script_of_the_readme(self):

@@ -3,7 +3,7 @@
 
 import unittest
 
-from engine import Run
+from cohesion_tests.liggghts import Run
 
 STEPS = 3000
 
@@ -31,7 +31,7 @@ class Ranks(unittest.TestCase):
 
     def test_preloaded_it_is_the_same_to_the_last_bit(self):
         launcher, preload = (Run("in.cluster", how, ranks=2, steps=200) for how in ("launcher", "preload"))
-        self.assertIn("2 by 1 by 1 MPI processor grid", preload.printed)
+        self.assertIn("2 by 1 by 1 MPI processor grid", preload.output)
         self.assertEqual(preload.frames("end.txt"), launcher.frames("end.txt"))
 
 

@@ -3,67 +3,51 @@
 and of struck pairs are one for both."""
 
 import os
-import pathlib
-import subprocess
 import sys
-import tempfile
 import unittest
-
-HERE = pathlib.Path(__file__).resolve().parent
-PROGRAMS = HERE.parent / "lammps-package"
-sys.path.append(str(PROGRAMS))
+from unittest import mock
 
 import numpy
 
-from engine import EPSILON
+from cohesion_tests import lammps as engine, liggghts
+from cohesion_tests.lammps_scenes import bed_couples as couple, couples, triples
+from cohesion_tests.liggghts import EPSILON
+from cohesion_tests.theory import pair_motion
 
 SPEEDS = numpy.array([0.3, 0.5, 0.8, 0.9, 0.95, 1.0, 1.05, 1.1, 1.3, 1.5, 2.0]) * 4.0013e-3
 POSITIONS = 4
 STEPS = (2.25e-5, 1.125e-5, 5e-6, 1e-6)
 DIVISIONS = (4, 10, 50)
 
-# In a process of its own: lammps_engine, which both engines are run by, knows one engine.
-FOLLOW = """
-import sys
-sys.path.append({programs!r})
-import numpy
-import couples, lammps_engine as engine, struck_pairs, two_particles_head_on_test as couple
-found = {{}}
-for dt in {steps!r}:
-    atoms = []
-    for speed in {speeds!r}:
-        for position in range({positions}):
-            gap = couples.OUT * 1.001 + speed * dt * position / {positions}
-            atoms += couples.couple(len(atoms) // 2, gap, (0.0, speed, 0.0))
+
+def follow():
+    """Of the engine that lammps.py runs: ends of couples by step, of triples by division."""
+    found = {}
+    for dt in STEPS:
+        atoms = []
+        for speed in SPEEDS.tolist():
+            for position in range(POSITIONS):
+                gap = pair_motion.OUT * 1.001 + speed * dt * position / POSITIONS
+                atoms += couples.couple(len(atoms) // 2, gap, (0.0, speed, 0.0))
+        with engine.temporary_folder() as folder:
+            engine.write_spheres(folder, atoms, [(0.0, 0.066), (0.0, 0.18), (0.0, 0.004)], 1)
+            engine.run("in.head_on", folder, dt=dt, steps=int(9e-4 / dt) + 40, K=couple.STIFFNESS,
+                       gamma=couple.DAMPING / couple.MU, A=couple.A, cut=couple.CUT, out=couple.OUT)
+            found[f"two {dt}"] = engine.dump(folder, "end.txt")[:, 1:]
     with engine.temporary_folder() as folder:
-        engine.write_spheres(folder, atoms, [(0.0, 0.066), (0.0, 0.18), (0.0, 0.004)], 1)
-        engine.run("in.head_on", folder, dt=dt, steps=int(9e-4 / dt) + 40, K=couple.STIFFNESS,
-                   gamma=couple.DAMPING / couple.MU, A=couple.A, cut=couple.CUT, out=couple.OUT)
-        found[f"two {{dt}}"] = engine.dump(folder, "end.txt")[:, 1:]
-with engine.temporary_folder() as folder:
-    struck_pairs.write(folder)
-    for division in {divisions!r}:
-        velocities, sticks, _ = struck_pairs.outcome(folder, division, 0.0, "sampled")
-        found[f"three {{division}}"], found[f"sticks {{division}}"] = velocities, sticks
-numpy.savez(sys.argv[1], **found)
-"""
-
-
-def follow(**environment):
-    with tempfile.TemporaryDirectory() as folder:
-        file = os.path.join(folder, "found.npz")
-        subprocess.run([sys.executable, "-c", FOLLOW.format(
-            programs=str(PROGRAMS), steps=STEPS, speeds=SPEEDS.tolist(), positions=POSITIONS, divisions=DIVISIONS),
-            file], check=True, env={**os.environ, **environment})
-        with numpy.load(file) as found:
-            return dict(found)
+        triples.write(folder)
+        for division in DIVISIONS:
+            velocities, sticks, _ = triples.outcome(folder, division, 0.0, "sampled")
+            found[f"three {division}"], found[f"sticks {division}"] = velocities, sticks
+    return found
 
 
 class SameSampled(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.lammps = follow()
-        cls.liggghts = follow(COHESION_LMP=os.environ["COHESION_LAUNCHER"], COHESION_SCRIPTS=str(HERE))
+        with mock.patch.dict(os.environ, {**liggghts.as_lammps(), "COHESION_PLUGIN": ""}):
+            cls.liggghts = follow()
 
     def test_two(self):
         # The same forces on the same places; a kick may be rounded in two ways, and the last bit of a velocity is

@@ -3,19 +3,16 @@
 agglomerates for as long as rounding allows, then the same statistics. Without friction, of which the
 two engines have different laws."""
 
-import pathlib
 import sys
 import unittest
 
 import numpy
 
-sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "lammps-package"))
-
-import lammps_engine as lammps
-from engine import Run
-from printed_thermo import thermo_lines
-from scene import DAMPING, DENSITY, STIFFNESS, script, sphere, square_well
-from sheared_images import ShearedImages
+from cohesion_tests import lammps
+from cohesion_tests.liggghts import Run
+from cohesion_tests.liggghts_scenes.scene import DAMPING, DENSITY, STIFFNESS, script, sphere, square_well
+from cohesion_tests.theory.sheared_images import ShearedImages
+from cohesion_tests.thermo import thermo_lines
 
 BOX = numpy.array([10e-3, 8e-3, 6e-3])
 RATE, DT, STEPS, EVERY = 200.0, 5e-6, 16000, 20
@@ -63,7 +60,7 @@ def run_lammps(places, velocities):
                                        "v": v} for x, v in zip(places, velocities)],
                              [(0, side) for side in BOX], 1, tilt=(0.0, 0.0, 0.0))
         code, printed = lammps.run_text(
-            LAMMPS.format(plugin=lammps.PLUGIN, stiffness=STIFFNESS, damping=DAMPING, depth=DEPTH,
+            LAMMPS.format(plugin=lammps.plugin(), stiffness=STIFFNESS, damping=DAMPING, depth=DEPTH,
                           ratio=RATIO, dt=DT, every=EVERY, output=OUTPUT, steps=STEPS), folder)
         if code:
             raise AssertionError(printed)
@@ -79,7 +76,7 @@ def run_liggghts(places, velocities):
                      box="0 {!r} 0 {!r} 0 {!r} 0 0 0".format(*BOX.tolist()), extra=OUTPUT,
                      columns="x y z vx vy vz f_set[1] f_set[2]".split()))
     frames = run.frames("out.txt")
-    return (numpy.array(thermo_lines(run.printed)[1]),
+    return (numpy.array(thermo_lines(run.output)[1]),
             numpy.array([[frame[n] for n in sorted(frame)] for frame in frames]))
 
 

@@ -8,8 +8,8 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy
 from scipy.optimize import brentq
 
-import steady_spheres as spheres
-from steady_spheres import theory
+from cohesion_tests.liggghts_scenes import steady_spheres as spheres
+from cohesion_tests.liggghts_scenes.steady_spheres import theory
 
 
 class Theory(unittest.TestCase):

@@ -3,9 +3,9 @@
 
 import unittest
 
-from engine import Run, assert_refused
-from mesh import rectangle, stl, wall
-from scene import RADIUS, hamaker, script, sphere, square_well
+from cohesion_tests.liggghts import Run, assert_refused
+from cohesion_tests.liggghts_scenes.mesh import rectangle, stl, wall
+from cohesion_tests.liggghts_scenes.scene import RADIUS, hamaker, script, sphere, square_well
 
 MODELS = "model hertz tangential history cohesion square_well"
 FLOOR = ["primitive type 2 zplane -5e-3"]
@@ -49,7 +49,7 @@ class BadInput(unittest.TestCase):
         self.refused_words(linear + " scheme event limitForce on", "cuts the force off where the dashpot pulls")
         for scheme in ("sampled", "event"):
             text = script([sphere((0, 0, 0))], f"{linear} scheme {scheme}", square_well(1e-11))
-            self.assertEqual(Run(text).returncode, 0)
+            self.assertEqual(Run(text).code, 0)
 
     def test_missing_property(self):
         for missing in ("wellDepth", "wellRatio"):
@@ -68,14 +68,14 @@ class BadInput(unittest.TestCase):
                      "half the neighbor skin of 0.00019", "use 'neighbor 0.0002 bin' or more",
                      walls=FLOOR, skin=1.9 * width)
         self.assertEqual(self.run_with(square_well(1e-11, ratio=1.2), walls=FLOOR,
-                                       skin=2.1 * width).returncode, 0)
+                                       skin=2.1 * width).code, 0)
 
     def test_a_mesh_wall_sees_as_far_as_the_well(self):
         mesh = stl(rectangle((-9e-3, -9e-3, -5e-3), (18e-3, 0, 0), (0, 18e-3, 0)))
         models = MODELS
         run = Run(script([sphere((0, 0, 0))], models, square_well(1e-11, ratio=1.2),
                          walls=wall(models), skin=1e-5), inputs={"plate.stl": mesh})
-        self.assertEqual(run.returncode, 0, run.printed)
+        self.assertEqual(run.code, 0, run.output)
 
 
 if __name__ == "__main__":

@@ -4,10 +4,11 @@
 import math
 import unittest
 
-from engine import EPSILON, Run
-from mesh import rectangle, stl, wall
-from parted_contacts_test import three_in_a_row
-from scene import MASS, RADIUS, RATIO, contact, frames, part, script, sphere, square_well
+from cohesion_tests.liggghts import EPSILON, Run
+from cohesion_tests.liggghts_scenes.mesh import rectangle, stl, wall
+from cohesion_tests.liggghts_scenes.scene import (MASS, RADIUS, RATIO, contact, frames, part, script, sphere,
+                                                  square_well)
+from cohesion_tests.liggghts_scenes.sheared_scene import three_in_a_row
 
 DIAMETER, MU = 2 * RADIUS, MASS / 2
 DEPTH = 5e-11
@@ -90,7 +91,7 @@ class Edge(unittest.TestCase):
                 run = Run(script(list(couples([(8e-6, speed, 0.0)])), MODELS, square_well(DEPTH), dt=dt, steps=4))
                 end, start = energy(run.frames("out.txt")[-1], 1), 0.5 * MU * speed**2
                 self.assertAlmostEqual(end, start - paid, delta=self.ROUNDING * start)
-                self.assertEqual(run.printed.count("leaves its well by more than 0.01"), int(paid == 0.0))
+                self.assertEqual(run.output.count("leaves its well by more than 0.01"), int(paid == 0.0))
 
     def test_it_is_warned_of_once(self):
         # Pairs, and spheres beside a wall, on both ranks; then on the second alone.
@@ -102,8 +103,8 @@ class Edge(unittest.TestCase):
             run = Run(script(spheres, MODELS, square_well(DEPTH), walls=["primitive type 2 zplane -1e-2"], dt=dt,
                              run="run 4\nrun 4\n"), ranks=ranks)
             with self.subTest(ranks=ranks, sides=sides):
-                self.assertEqual(run.returncode, 0)
-                self.assertEqual(run.printed.count("leaves its well by more than"), 1)
+                self.assertEqual(run.code, 0)
+                self.assertEqual(run.output.count("leaves its well by more than"), 1)
 
     def test_pairs_of_unequal_spheres_have_their_own_edge(self):
         # The edge where the centres are ratio r_i + ratio r_j apart.

@@ -4,17 +4,14 @@ rounding allows, then the same statistics. Without friction, of which the two en
 laws."""
 
 import math
-import pathlib
 import sys
 import unittest
 
 import numpy
 
-sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "lammps-package"))
-
-import lammps_engine as lammps
-from scene import (CUT, DAMPING, DENSITY, MASS, OUT, RADIUS, RATIO, STIFFNESS, frames, hamaker,
-                   sphere, square_well)
+from cohesion_tests import lammps
+from cohesion_tests.liggghts_scenes.scene import (CUT, DAMPING, DENSITY, MASS, OUT, RADIUS, RATIO, STIFFNESS, frames,
+                                                  hamaker, sphere, square_well)
 
 COUNT, CELLS, PITCH = 500, 8, 1.4e-3
 SIZE = CELLS * PITCH
@@ -62,7 +59,7 @@ def run_lammps(cohesion, places, velocities):
         lammps.write_spheres(folder, [{"type": 1, "diameter": 2 * RADIUS, "density": DENSITY, "x": x,
                                        "v": v} for x, v in zip(places, velocities)],
                              [(0, SIZE)] * 3, 1)
-        code, output = lammps.run_text(LAMMPS.format(plugin=lammps.PLUGIN, pair=SCENES[cohesion][0],
+        code, output = lammps.run_text(LAMMPS.format(plugin=lammps.plugin(), pair=SCENES[cohesion][0],
                                                      dt=DT, every=EVERY, steps=STEPS), folder)
         if code:
             raise AssertionError(output)

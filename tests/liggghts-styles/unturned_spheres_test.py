@@ -2,8 +2,8 @@
 """Spheres with friction that a fix moves and does not turn get a warning, once; all others none."""
 import unittest
 
-from engine import Run
-from scene import hamaker, script, sphere
+from cohesion_tests.liggghts import Run
+from cohesion_tests.liggghts_scenes.scene import hamaker, script, sphere
 
 OFF, SLIDES, ROLLS = (f"model hooke/stiffness tangential {words}" for words in (
     "off cohesion hamaker", "history cohesion hamaker", "off cohesion hamaker rolling_friction cdt"))
@@ -16,8 +16,8 @@ class Unturned(unittest.TestCase):
         text = script(spheres, models, hamaker(0), run=RUN, **options)
         groups = "group first id 1\ngroup second id 2 3\n"
         run = Run(text.replace("fix move all nve/sphere", groups + move), ranks=ranks)
-        self.assertEqual(run.returncode, 0, run.printed[-2000:])
-        return run.printed
+        self.assertEqual(run.code, 0, run.output[-2000:])
+        return run.output
 
     def test_warned(self):
         wall = [f"fix floor all wall/gran {SLIDES} primitive type 2 zplane -5e-3"]

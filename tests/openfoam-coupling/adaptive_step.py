@@ -4,23 +4,23 @@ written and the end met, the exchange balanced in every step of whatever length,
 restart."""
 
 import re
-import sys
+import unittest
 
 import numpy as np
 
-from coupled_case import Expectations, column, exchange_lines
-from packed_bed import field
-from restart import numbers
+from cohesion_tests.coupling.cases import CONTROL, COUPLING, exchange_lines
+from cohesion_tests.coupling.fields import field, numbers
+from cohesion_tests.coupling.test_case import CoupledTestCase
 
 PARTICLE_STEP, END, INTERVAL, MAX_CO, MAX_DT = 1e-5, 0.03, 0.006, 0.05, 1e-3
 CELL_HEIGHT = 0.02
 # The updraft sets in, and the step has to become shorter.
 UPDRAFT = "table ((0 (0 0 0.5)) (0.012 (0 0 0.5)) (0.02 (0 0 4)) (1 (0 0 4)))"
-COUPLING, CONTROL = "constant/couplingProperties", "system/controlDict"
+ADJUST = {"adjustTimeStep": "yes", "maxCo": MAX_CO, "maxDeltaT": MAX_DT, "deltaT": 2 * PARTICLE_STEP}
 
 
-def case_of(build, work, name, settings):
-    case = column(work, name, build)
+def case_of(column, name, settings):
+    case = column(name)
     case.set(COUPLING, "lammpsCoeffs/script", '"$FOAM_CASE/continued.lmp"')
     case.set(COUPLING, "voidFraction", "sphereOverlap")
     case.set("0.orig/U", "boundaryField/bottom/superficialVelocity", UPDRAFT)
@@ -48,62 +48,63 @@ def velocity(case):
     return numbers(cloud / "U", 3)[np.argsort(numbers(cloud / "id", 1)[:, 0])]
 
 
-def main(build, work):
-    expect = Expectations()
-    adjust = {"adjustTimeStep": "yes", "maxCo": MAX_CO, "maxDeltaT": MAX_DT, "deltaT": 2 * PARTICLE_STEP}
-    case = case_of(build, work, "adjusted", adjust)
-    log = case.solve()
-    found = steps(log)
-    lengths = np.array([n for _, n in found])
-    expect.below("steps that are no whole number of particle steps, relative error",
-                 max(abs(dt / (n * PARTICLE_STEP) - 1) for dt, n in found), 1e-6)
-    expect.equal("particle steps in all", int(lengths.sum()), round(END / PARTICLE_STEP))
-    # At the end all cells have the whole updraft or more.
-    most = MAX_CO * CELL_HEIGHT / 4 / PARTICLE_STEP
-    expect.true(f"the step grows, to {lengths.max()}, and shrinks, to {lengths[-1]}, at most {most:g}",
-                lengths[0] <= 3 and lengths.max() > most and lengths[-1] <= most)
-    expect.true("it grows by a fifth or by one at most",
-                bool(np.all(lengths[1:] <= np.maximum(lengths[:-1] + 1, 1.2 * lengths[:-1]))))
-    expect.equal("times written", [round(t / INTERVAL, 6) for t in times(case)], [0, 1, 2, 3, 4, 5])
-    lines = exchange_lines(log)
-    expect.equal("gas steps", len(lines), len(found))
-    # As in conservation.py
-    expect.below("largest imbalance of the forces", max(x["imbalance"] for x in lines), 1e-12)
-    expect.below("largest error of the solid volume", max(x["volume"] for x in lines), 1e-12)
-    # The flow of a step is that of its end, the step follows from the flow at its start: above what is
-    # asked for by what the updraft grows in the longest step, 3.5 m/s in 8 ms, between the spheres.
-    lowest = min(field(case, f"{k * INTERVAL:g}", "voidFraction").min() for k in range(1, 6))
-    grown = 3.5 / 8e-3 * MAX_DT**2 / CELL_HEIGHT / lowest
-    courant = [float(x) for x in re.findall(r"Courant Number mean: \S+ max: (\S+)", log)]
-    expect.below("largest Courant number", max(courant), MAX_CO + grown)
+class AdaptiveStep(CoupledTestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.case = case_of(cls.column, "adjusted", ADJUST)
+        cls.log = cls.case.solve()
+        cls.found = steps(cls.log)
 
-    print("-- a run that is stopped and continued")
-    halves = case_of(build, work, "halves", {**adjust, "endTime": 3 * INTERVAL})
-    first = steps(halves.solve())
-    halves.set(CONTROL, "startFrom", "latestTime")
-    halves.set(CONTROL, "endTime", END)
-    second = steps(halves.solve())
-    expect.equal("steps of the particles in those of the gas", [n for _, n in first + second],
-                 [n for _, n in found])
+    def test_steps(self):
+        found, case = self.found, self.case
+        lengths = np.array([n for _, n in found])
+        self.expect_below("steps that are no whole number of particle steps, relative error",
+                          max(abs(dt / (n * PARTICLE_STEP) - 1) for dt, n in found), 1e-6)
+        self.expect_equal("particle steps in all", int(lengths.sum()), round(END / PARTICLE_STEP))
+        # At the end all cells have the whole updraft or more.
+        most = MAX_CO * CELL_HEIGHT / 4 / PARTICLE_STEP
+        self.expect_true(f"the step grows, to {lengths.max()}, and shrinks, to {lengths[-1]}, at most {most:g}",
+                         lengths[0] <= 3 and lengths.max() > most and lengths[-1] <= most)
+        self.expect_true("it grows by a fifth or by one at most",
+                         bool(np.all(lengths[1:] <= np.maximum(lengths[:-1] + 1, 1.2 * lengths[:-1]))))
+        self.expect_equal("times written", [round(t / INTERVAL, 6) for t in times(case)], [0, 1, 2, 3, 4, 5])
+        # The flow of a step is that of its end, the step follows from the flow at its start: above what is
+        # asked for by what the updraft grows in the longest step, 3.5 m/s in 8 ms, between the spheres.
+        lowest = min(field(case, f"{k * INTERVAL:g}", "voidFraction").min() for k in range(1, 6))
+        grown = 3.5 / 8e-3 * MAX_DT**2 / CELL_HEIGHT / lowest
+        courant = [float(x) for x in re.findall(r"Courant Number mean: \S+ max: (\S+)", self.log)]
+        self.expect_below("largest Courant number", max(courant), MAX_CO + grown)
 
-    print("-- a run whose step OpenFOAM writes with six digits")
-    step = 1.23457e-5  # its multiples have more digits
-    rounded = case_of(build, work, "rounded", {**adjust, "deltaT": 2 * step, "endTime": INTERVAL,
-                                               "writeControl": "adjustable", "writePrecision": 6,
-                                               "writeFormat": "binary"})
-    script = rounded.folder / "continued.lmp"
-    script.write_text(script.read_text().replace("${dt}", repr(step)))
-    first = steps(rounded.solve())
-    rounded.set(CONTROL, "startFrom", "latestTime")
-    rounded.set(CONTROL, "endTime", 2 * INTERVAL)
-    second = steps(rounded.solve())
-    expect.true(f"it goes on with {second[0][1]} steps after {first[-1][1]}",
-                first[-1][1] > 2 and second[0][1] > first[-1][1] / 2)
-    expect.equal("particle steps in all", sum(n for _, n in first + second), round(2 * INTERVAL / step))
+    def test_balance(self):
+        lines = exchange_lines(self.log)
+        self.expect_equal("gas steps", len(lines), len(self.found))
+        self.expect_balance("adjusted", lines)
+        self.expect_true("they move", np.abs(velocity(self.case)).max() > 0.1)
 
-    expect.true("they move", np.abs(velocity(case)).max() > 0.1)
-    expect.exit()
+    def test_stopped_and_continued(self):
+        halves = case_of(self.column, "halves", {**ADJUST, "endTime": 3 * INTERVAL})
+        first = steps(halves.solve())
+        halves.set(CONTROL, "startFrom", "latestTime")
+        halves.set(CONTROL, "endTime", END)
+        second = steps(halves.solve())
+        self.expect_equal("steps of the particles in those of the gas", [n for _, n in first + second],
+                          [n for _, n in self.found])
+
+    def test_step_that_is_written_with_six_digits(self):
+        step = 1.23457e-5  # its multiples have more digits
+        rounded = case_of(self.column, "rounded", {**ADJUST, "deltaT": 2 * step, "endTime": INTERVAL,
+                                                   "writeControl": "adjustable", "writePrecision": 6,
+                                                   "writeFormat": "binary"})
+        script = rounded.folder / "continued.lmp"
+        script.write_text(script.read_text().replace("${dt}", repr(step)))
+        first = steps(rounded.solve())
+        rounded.set(CONTROL, "startFrom", "latestTime")
+        rounded.set(CONTROL, "endTime", 2 * INTERVAL)
+        second = steps(rounded.solve())
+        self.expect_true(f"it goes on with {second[0][1]} steps after {first[-1][1]}",
+                         first[-1][1] > 2 and second[0][1] > first[-1][1] / 2)
+        self.expect_equal("particle steps in all", sum(n for _, n in first + second), round(2 * INTERVAL / step))
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:])
+    unittest.main()

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Bad input to a coupled case, as in bad_input.py: meshes, gases, and what is observed."""
 
-import sys
+import unittest
 
-from bad_input import check, edit
-from coupled_case import COUPLING, Expectations, column
+from cohesion_tests.coupling.cases import COUPLING, edit
+from cohesion_tests.coupling.test_case import CoupledTestCase
 
 GAS = "constant/transportProperties"
 
@@ -195,12 +195,18 @@ boundary
             "boundaryField\n{", f"boundaryField\n{{ left {{ type {kind}; }} right {{ type {kind}; }}"))
 
 
-def main(build, work):
-    expect = Expectations()
-    for number, (name, (spoil, parts)) in enumerate(CASES.items()):
-        check(expect, column(work, str(number), build), name, spoil, parts)
-    expect.exit()
+# What is found in a step
+BEGUN = ("more gas drawn than there is", "forces of some steps", "forces of no step")
+
+
+class BadGasAndMesh(CoupledTestCase):
+    def test_each_is_refused(self):
+        for number, (name, (spoil, parts)) in enumerate(CASES.items()):
+            case = self.column(str(number))
+            case.mesh()
+            spoil(case)
+            self.refused(name, case, *parts, begun=name in BEGUN)
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:3])
+    unittest.main()

@@ -3,15 +3,15 @@
 says what is wrong, where, and what would be right."""
 
 import os
-import re
 import subprocess
-import sys
 import time
+import unittest
 
-from coupled_case import COUPLING, ENGINE, SOURCE, CaseError, Expectations, append, column, script_file
-
-sys.path.insert(0, str(SOURCE / "tests/src/drag"))
-from closure_formulas import CLOSURES  # noqa: E402
+from cohesion_tests import SOURCE
+from cohesion_tests.coupling.cases import CONTROL, COUPLING, ENGINE, append, script_file
+from cohesion_tests.coupling.test_case import CoupledTestCase
+from cohesion_tests.refusals import assert_says
+from cohesion_tests.theory.closure_formulas import CLOSURES
 
 SCRIPT = script_file("particles")
 
@@ -192,34 +192,8 @@ LIGGGHTS_CASES = {
 }
 
 
-def every_closure_is_documented(expect):
-    """Not bad input, but what a user does after the list of valid names: look them up."""
-    table = (SOURCE / "docs/openfoam-coupling/drag_closures.md").read_text()
-    entries = (SOURCE / "docs/openfoam-coupling/cohesiveBedFoam.md").read_text()
-    for name in CLOSURES:
-        expect.true(f"{name}: a row in drag_closures.md", f"\n| `{name}` |" in table)
-        expect.true(f"{name}: named in cohesiveBedFoam.md", f"`{name}`" in entries)
-
-
 def times(case):
     return sorted(d.name for d in case.folder.iterdir() if d.is_dir() and d.name[0].isdigit())
-
-
-def check(expect, case, name, spoil, parts):
-    case.mesh()
-    spoil(case)
-    before = times(case)
-    try:
-        case.solve()
-        expect.true(f"{name}: stops", False)
-        return
-    except CaseError:
-        pass
-    text = " ".join(case.log("cohesiveBedFoam").read_text().split())
-    for part in parts:
-        expect.true(f"{name}: says \"{part}\"", part in text)
-    expect.true(f"{name}: no trace of calls", "printStack" not in text)
-    expect.equal(f"{name}: time folders", times(case), before)
 
 
 def without_adapters(case):
@@ -232,65 +206,62 @@ def without_adapters(case):
     case.set(COUPLING, "demEngine", "liggghts")
 
 
-def refuses_existing_results(expect, case):
-    case.mesh()
-    case.solve()
-    result = case.folder / "0.01/U"
-    written = result.stat().st_mtime_ns
-    try:
+class BadInput(CoupledTestCase):
+    def test_each_is_refused(self):
+        cases = {**SCRIPT_CASES, **(CASES if ENGINE == "lammps" else LIGGGHTS_CASES)}
+        for number, (name, (spoil, parts)) in enumerate(cases.items()):
+            case = self.column(str(number))
+            case.mesh()
+            spoil(case)
+            self.refused(name, case, *parts)
+
+    @unittest.skipUnless(ENGINE == "lammps", "what the solver does by itself, with every engine")
+    def test_every_closure_is_documented(self):
+        """Not bad input, but what a user does after the list of valid names: look them up."""
+        table = (SOURCE / "docs/openfoam-coupling/drag_closures.md").read_text()
+        entries = (SOURCE / "docs/openfoam-coupling/cohesiveBedFoam.md").read_text()
+        for name in CLOSURES:
+            self.expect_true(f"{name}: a row in drag_closures.md", f"\n| `{name}` |" in table)
+            self.expect_true(f"{name}: named in cohesiveBedFoam.md", f"`{name}`" in entries)
+
+    @unittest.skipUnless(ENGINE == "lammps", "what the solver does by itself, with every engine")
+    def test_existing_results_are_kept(self):
+        case = self.column("results")
+        case.mesh()
         case.solve()
-        expect.true("results of an earlier run: stops", False)
-    except CaseError as error:
-        text = " ".join(str(error).split())
-        expect.true("results of an earlier run: says where and what to do",
-                    "already holds results" in text and "0.01" in text and "-overwrite" in text)
-    expect.equal("results of an earlier run: kept", result.stat().st_mtime_ns, written)
-    case.solve("-overwrite")
-    expect.true("with -overwrite: replaced", result.stat().st_mtime_ns > written)
+        result = case.folder / "0.01/U"
+        written = result.stat().st_mtime_ns
+        self.refused("results of an earlier run", case, "already holds results", "0.01", "-overwrite")
+        self.expect_equal("results of an earlier run: kept", result.stat().st_mtime_ns, written)
+        case.solve("-overwrite")
+        self.expect_true("with -overwrite: replaced", result.stat().st_mtime_ns > written)
 
-
-def refuses_another_step_at_run_time(expect, case):
-    """deltaT in a controlDict that is read while the case runs."""
-    case.mesh()
-    case.set("system/controlDict", "runTimeModifiable", "yes")
-    case.set("system/controlDict", "endTime", 100)
-    case.set("system/controlDict", "writeInterval", 100)
-    process = case.start()
-    log = case.log("cohesiveBedFoam")
-    while process.poll() is None and "\nTime = " not in log.read_text():
-        time.sleep(0.01)
-    control = case.folder / "system/controlDict"
-    text = re.sub(r"(\ndeltaT\s+)[^;]+;", r"\g<1>2e-4;", control.read_text())
-    changed = control.with_name("changed")
-    changed.write_text(text)
-    # OpenFOAM wants a file to be ten seconds newer than the one it knows.
-    os.utime(changed, (time.time() + 60, time.time() + 60))
-    changed.replace(control)
-    try:
-        status = process.wait(timeout=60)
-    except subprocess.TimeoutExpired:
-        process.kill()
-        status = process.wait()
-        expect.true("deltaT changed at run time: stops", False)
-    said = " ".join(log.read_text().split())
-    expect.true("deltaT changed at run time: fails", status != 0)
-    for part in ("the gas step is now deltaT = 0.0002 s", "set to 10 steps", "controlDict",
-                 "startFrom latestTime"):
-        expect.true(f"deltaT changed at run time: says \"{part}\"", part in said)
-
-
-def main(build, work):
-    expect = Expectations()
-    cases = {**SCRIPT_CASES, **(CASES if ENGINE == "lammps" else LIGGGHTS_CASES)}
-    for number, (name, (spoil, parts)) in enumerate(cases.items()):
-        check(expect, column(work, str(number), build), name, spoil, parts)
-    if ENGINE != "lammps":
-        expect.exit()
-    every_closure_is_documented(expect)
-    refuses_existing_results(expect, column(work, "results", build))
-    refuses_another_step_at_run_time(expect, column(work, "modified", build))
-    expect.exit()
+    @unittest.skipUnless(ENGINE == "lammps", "what the solver does by itself, with every engine")
+    def test_another_step_at_run_time(self):
+        """deltaT in a controlDict that is read while the case runs."""
+        case = self.column("modified")
+        case.mesh()
+        append(case, CONTROL, "runTimeModifiable yes; endTime 100; writeInterval 100;")
+        process = case.start()
+        log = case.log("cohesiveBedFoam")
+        while process.poll() is None and "\nTime = " not in log.read_text():
+            time.sleep(0.01)
+        control = case.folder / "system/controlDict"
+        changed = control.with_name("changed")
+        changed.write_text(control.read_text() + "deltaT 2e-4;\n")
+        # OpenFOAM wants a file to be ten seconds newer than the one it knows.
+        os.utime(changed, (time.time() + 60, time.time() + 60))
+        changed.replace(control)
+        try:
+            status = process.wait(timeout=60)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            process.wait()
+            status = 0
+        self.expect_true("deltaT changed at run time: stops, and fails", status != 0)
+        assert_says(self, log.read_text(), "the gas step is now deltaT = 0.0002 s", "set to 10 steps", "controlDict",
+                    "startFrom latestTime")
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:3])
+    unittest.main()

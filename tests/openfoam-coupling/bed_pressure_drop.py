@@ -5,16 +5,15 @@ they gain. In both forms, with an ideal gas, on 2 ranks and in a round column th
 puts on the particles by the engine's book. And what is no column is refused."""
 
 import re
-import sys
+import unittest
 
 import numpy as np
 
-from coupled_case import COUPLING, SOURCE, CaseError, Expectations, append, column
-from bed_outputs import table
-from packed_bed import G, MU, RHO, drag, drop_error, field, flux_limit, viscous
-
-sys.path.insert(0, str(SOURCE / "tests/src/drag"))
-from closure_formulas import CLOSURES  # noqa: E402
+from cohesion_tests.coupling.cases import BED, COUPLING, append
+from cohesion_tests.coupling.fields import field, table
+from cohesion_tests.coupling.held_layers import G, MU, RHO, drag, drop_error, flux_limit, viscous
+from cohesion_tests.coupling.test_case import CoupledTestCase
+from cohesion_tests.theory.closure_formulas import CLOSURES
 
 CLOSURE = CLOSURES["ergunWenYu"]
 SUPERFICIAL = 0.5
@@ -130,10 +129,10 @@ def function(kind, name, entries=""):
             f" writeInterval {STEPS // 2}; writePrecision 14; {entries} }}")
 
 
-def make(build, work, name, shape=Box, axis=(0, 0, 1), density=1e12, moved="nobody", velocities=(SUPERFICIAL,) * 2,
+def make(column, name, shape=Box, axis=(0, 0, 1), density=1e12, moved="nobody", velocities=(SUPERFICIAL,) * 2,
          entries="", coupling="", gas=f"rho {RHO!r}; nu {MU / RHO!r};"):
     """The bed in a column along `axis`; the case, and the number of spheres."""
-    case = column(work, name, build)
+    case = column(name)
     turn = turned(axis)
     write_mesh(case, shape, turn)
     write_fields(case, shape, turn, velocities)
@@ -163,15 +162,10 @@ class Found:
         self.gas = drag_ + pressure
 
 
-def blow(build, work, name, ranks=1, axis=(0, 0, 1), **what):
-    case, number = make(build, work, name, axis=axis, **what)
+def blow(column, name, ranks=1, axis=(0, 0, 1), **what):
+    case, number = make(column, name, axis=axis, **what)
     case.solve(ranks=ranks)
     return Found(case, axis), number * np.pi / 6 * BED[1]**3
-
-
-def close(expect, what, found, expected, share=1e-9):
-    """share: what the solver of p leaves, 1e-14 of its scale, which is below 1e4 of the drop"""
-    expect.near(what, found, expected, share * abs(expected))
 
 
 def by_forces(found, volume, area=AREA, rho=RHO):
@@ -179,125 +173,114 @@ def by_forces(found, volume, area=AREA, rho=RHO):
     return (found.gas - rho * G * volume) / area
 
 
-def held(expect, build, work):
-    """Ergun's drop; the same along x, along a diagonal on 2 ranks, and in two dimensions; and in form B."""
-    expected = LOSS.sum()
-    limit = flux_limit(expected)
-    drops = {}
-    for name, what in (("z", {}), ("x", {"axis": (1, 0, 0)}), ("tilted", {"axis": TILTED, "ranks": 2}),
-                       ("form B", {"coupling": "form B;"}),
-                       ("plane", {"shape": Plane, "coupling": f"depth {Plane.depth!r};"})):
-        found, volume = blow(build, work, f"held-{name.replace(' ', '-')}", **what)
-        expect.near(f"held, {name}: over [s]", found.over, DT * STEPS / 2, 1e-12)
-        expect.near(f"held, {name}: superficial velocity [m/s]", found.velocity, SUPERFICIAL, limit)
-        # fix gas/coupling takes spheres to fall within its step: up to G STEP/2 more slip.
-        expect.near(f"held, {name}: drop [Pa] by Ergun", found.drop, expected,
-                    viscous(EPS) + drop_error(limit, LOSS, EPS) + 2 * G * STEP / 2 / SUPERFICIAL * expected)
-        area = AREA / (3 if name == "plane" else 1)
-        weight = (1e12 - RHO) * volume * G / area
-        close(expect, f"held, {name}: weight [Pa]", found.weight, weight)
-        close(expect, f"held, {name}: drop over weight", found.ratio, found.drop / weight)
-        close(expect, f"held, {name}: drop [Pa] by the forces", found.drop, by_forces(found, volume, area))
-        drops[name] = found.drop
-    for name in ("x", "tilted", "plane"):
-        close(expect, f"held, {name}: drop [Pa] as along z", drops[name], drops["z"])
+class BedPressureDrop(CoupledTestCase):
+    def close(self, what, found, expected, share=1e-9):
+        """share: what the solver of p leaves, 1e-14 of its scale, which is below 1e4 of the drop"""
+        self.expect_near(what, found, expected, share * abs(expected))
 
+    def test_held(self):
+        """Ergun's drop; the same along x, along a diagonal on 2 ranks, and in two dimensions; and in form B."""
+        expected = LOSS.sum()
+        limit = flux_limit(expected)
+        drops = {}
+        for name, what in (("z", {}), ("x", {"axis": (1, 0, 0)}), ("tilted", {"axis": TILTED, "ranks": 2}),
+                           ("form B", {"coupling": "form B;"}),
+                           ("plane", {"shape": Plane, "coupling": f"depth {Plane.depth!r};"})):
+            found, volume = blow(self.column, f"held-{name.replace(' ', '-')}", **what)
+            self.expect_near(f"held, {name}: over [s]", found.over, DT * STEPS / 2, 1e-12)
+            self.expect_near(f"held, {name}: superficial velocity [m/s]", found.velocity, SUPERFICIAL, limit)
+            # fix gas/coupling takes spheres to fall within its step: up to G STEP/2 more slip.
+            self.expect_near(f"held, {name}: drop [Pa] by Ergun", found.drop, expected,
+                             viscous(EPS) + drop_error(limit, LOSS, EPS) + 2 * G * STEP / 2 / SUPERFICIAL * expected)
+            area = AREA / (3 if name == "plane" else 1)
+            weight = (1e12 - RHO) * volume * G / area
+            self.close(f"held, {name}: weight [Pa]", found.weight, weight)
+            self.close(f"held, {name}: drop over weight", found.ratio, found.drop / weight)
+            self.close(f"held, {name}: drop [Pa] by the forces", found.drop, by_forces(found, volume, area))
+            drops[name] = found.drop
+        for name in ("x", "tilted", "plane"):
+            self.close(f"held, {name}: drop [Pa] as along z", drops[name], drops["z"])
 
-def carried(expect, build, work):
-    found, volume = blow(build, work, "carried", axis=TILTED, density=CARRIED, moved="all")
-    # In the first step the gas meets them with the coefficient of no slip, and its pressure gradient, which makes it
-    # pass them by SUPERFICIAL/EPS, gives them RHO/CARRIED of that.
-    slip = SUPERFICIAL / EPS.min()
-    expect.near("carried: drop over weight", found.ratio, 1, 2 * (G * DT / slip + RHO / CARRIED))
-    # forceBudget counts the first and the last of the forces by half, and these change by less than the weight.
-    expect.near("carried: drop over weight, by the momentum gained", found.ratio - 1,
-                found.gain / AREA / found.weight, STEP / found.over * abs(found.ratio - 1) + 1e-9)
-    close(expect, "carried: weight [Pa]", found.weight, (CARRIED - RHO) * volume * G / AREA)
+    def test_carried(self):
+        found, volume = blow(self.column, "carried", axis=TILTED, density=CARRIED, moved="all")
+        # In the first step the gas meets them with the coefficient of no slip, and its pressure gradient, which makes
+        # it pass them by SUPERFICIAL/EPS, gives them RHO/CARRIED of that.
+        slip = SUPERFICIAL / EPS.min()
+        self.expect_near("carried: drop over weight", found.ratio, 1, 2 * (G * DT / slip + RHO / CARRIED))
+        # forceBudget counts the first and the last of the forces by half, and these change by less than the weight.
+        self.expect_near("carried: drop over weight, by the momentum gained", found.ratio - 1,
+                         found.gain / AREA / found.weight, STEP / found.over * abs(found.ratio - 1) + 1e-9)
+        self.close("carried: weight [Pa]", found.weight, (CARRIED - RHO) * volume * G / AREA)
 
+    def test_leaning_round(self):
+        """Where the flow is not even the gas carries momentum out of the top that did not come in."""
+        case, number = make(self.column, "round", shape=Round, axis=TILTED)
+        case.solve()
+        found, volume = Found(case, TILTED), number * np.pi / 6 * BED[1]**3
+        area = 12 / 2 * (SIDE / 2)**2 * np.sin(np.pi / 6)
+        self.expect_near("round: superficial velocity [m/s]", found.velocity, SUPERFICIAL, flux_limit(LOSS.sum()))
+        self.close("round: weight [Pa]", found.weight, (1e12 - RHO) * volume * G / area)
+        velocity = field(case, f"{DT * STEPS:g}", "U").reshape(10, 9, 3) @ turned(TILTED)[:, 2]
+        uneven = np.abs(velocity[[0, -1]] - SUPERFICIAL).max()
+        self.expect_near("round: drop [Pa] by the forces", found.drop, by_forces(found, volume, area),
+                         RHO * 2 * SUPERFICIAL * uneven + 4 / 3 * MU * uneven / (ROW / 2))
 
-def leaning_round(expect, build, work):
-    """Where the flow is not even the gas carries momentum out of the top that did not come in."""
-    case, number = make(build, work, "round", shape=Round, axis=TILTED)
-    case.solve()
-    found, volume = Found(case, TILTED), number * np.pi / 6 * BED[1]**3
-    area = 12 / 2 * (SIDE / 2)**2 * np.sin(np.pi / 6)
-    expect.near("round: superficial velocity [m/s]", found.velocity, SUPERFICIAL, flux_limit(LOSS.sum()))
-    close(expect, "round: weight [Pa]", found.weight, (1e12 - RHO) * volume * G / area)
-    velocity = field(case, f"{DT * STEPS:g}", "U").reshape(10, 9, 3) @ turned(TILTED)[:, 2]
-    uneven = np.abs(velocity[[0, -1]] - SUPERFICIAL).max()
-    expect.near("round: drop [Pa] by the forces", found.drop, by_forces(found, volume, area),
-                RHO * 2 * SUPERFICIAL * uneven + 4 / 3 * MU * uneven / (ROW / 2))
-
-
-def ideal_gas(expect, build, work):
-    """Long enough for sound to die out, which steps of 1 ms see to. As it expands the gas carries out more momentum
-    than it brings."""
-    law = {"pressure": 1e5, "temperature": 288, "molWeight": 28.85}
-    density = law["pressure"] * law["molWeight"] / 8314.47 / law["temperature"]
-    case, number = make(build, work, "ideal", gas=f"""#remove rho
+    def test_ideal_gas(self):
+        """Long enough for sound to die out, which steps of 1 ms see to. As it expands the gas carries out more momentum
+        than it brings."""
+        law = {"pressure": 1e5, "temperature": 288, "molWeight": 28.85}
+        density = law["pressure"] * law["molWeight"] / 8314.47 / law["temperature"]
+        case, number = make(self.column, "ideal", gas=f"""#remove rho
 density idealGas; nu {MU / density!r}; idealGas {{ {" ".join(f"{k} {v};" for k, v in law.items())} }}""")
-    append(case, "system/controlDict", f"deltaT {10 * DT}; endTime {10 * DT * STEPS};")
-    case.solve()
-    found, volume = Found(case, (0, 0, 1)), number * np.pi / 6 * BED[1]**3
-    expect.near("ideal gas: superficial velocity [m/s]", found.velocity, SUPERFICIAL, 1e-9)
-    expected = by_forces(found, volume, rho=density)
-    expands = (expected + density * G * HEIGHT) / law["pressure"]
-    expect.near("ideal gas: drop [Pa] by the forces", found.drop, expected,
-                expands * (density * SUPERFICIAL**2 + density * G * HEIGHT))
+        append(case, "system/controlDict", f"deltaT {10 * DT}; endTime {10 * DT * STEPS};")
+        case.solve()
+        found, volume = Found(case, (0, 0, 1)), number * np.pi / 6 * BED[1]**3
+        self.expect_near("ideal gas: superficial velocity [m/s]", found.velocity, SUPERFICIAL, 1e-9)
+        expected = by_forces(found, volume, rho=density)
+        expands = (expected + density * G * HEIGHT) / law["pressure"]
+        self.expect_near("ideal gas: drop [Pa] by the forces", found.drop, expected,
+                         expands * (density * SUPERFICIAL**2 + density * G * HEIGHT))
 
-
-def patches(expect, build, work):
-    """Gas by two patches, of which one blows harder; the pressure on both as OpenFOAM has it."""
-    case, _ = make(build, work, "patches", velocities=(0.2, 0.65))
-    mean = "\n".join(f"""{name} {{ type surfaceFieldValue; libs (fieldFunctionObjects); regionType patch;
+    def test_patches(self):
+        """Gas by two patches, of which one blows harder; the pressure on both as OpenFOAM has it."""
+        case, _ = make(self.column, "patches", velocities=(0.2, 0.65))
+        mean = "\n".join(f"""{name} {{ type surfaceFieldValue; libs (fieldFunctionObjects); regionType patch;
 name {name}; operation areaIntegrate; fields (p); writeFields no; writePrecision 14; }}""" for name in Box.lower)
-    append(case, "system/controlDict", f"""functions {{ {mean}
+        append(case, "system/controlDict", f"""functions {{ {mean}
 {function('bedPressureDrop', 'one', 'inlets ("oth.*");')} }}""")
-    case.solve()
-    both, one = Found(case, (0, 0, 1)), table(case, "one", "bedPressureDrop")[-1, 1:]
-    expect.near("patches: superficial velocity [m/s] of both", both.velocity, (0.2 + 2 * 0.65) / 3, 1e-9)
-    expect.near("patches: superficial velocity [m/s] of one", one[1], 2 * 0.65 / 3, 1e-9)
-    integrals = sum(table(case, name, "surfaceFieldValue") for name in Box.lower)[-STEPS // 2:, 1]
-    # The pressure on a patch follows from the momentum that the cell beside it carries, which is that of the patch only
-    # where all moves alike.
-    expect.near("patches: drop [Pa] by the pressure on them", both.drop,
-                RHO * integrals.mean() / AREA - RHO * G * HEIGHT, RHO * 0.65**2)
+        case.solve()
+        both, one = Found(case, (0, 0, 1)), table(case, "one", "bedPressureDrop")[-1, 1:]
+        self.expect_near("patches: superficial velocity [m/s] of both", both.velocity, (0.2 + 2 * 0.65) / 3, 1e-9)
+        self.expect_near("patches: superficial velocity [m/s] of one", one[1], 2 * 0.65 / 3, 1e-9)
+        integrals = sum(table(case, name, "surfaceFieldValue") for name in Box.lower)[-STEPS // 2:, 1]
+        # The pressure on a patch follows from the momentum that the cell beside it carries, which is that of the patch
+        # only where all moves alike.
+        self.expect_near("patches: drop [Pa] by the pressure on them", both.drop,
+                         RHO * integrals.mean() / AREA - RHO * G * HEIGHT, RHO * 0.65**2)
 
+    def test_horizontal(self):
+        """Gravity across the axis, of a run of ten steps."""
+        case, _ = make(self.column, "horizontal", axis=(1, 0, 0), entries="direction (1 0 0); writeInterval 10;")
+        append(case, "constant/g", f"value (0 0 {-G});")
+        append(case, COUPLING, 'lammpsCoeffs { variables { down "0 0 -1"; } }')
+        append(case, "system/controlDict", f"endTime {10 * DT};")
+        case.solve()
+        row, = table(case, "drop", "bedPressureDrop")
+        self.expect_true(f"horizontal: drop {row[3]} Pa, weight {row[4]} Pa, drop over weight {row[5]}",
+                         row[3] > 0 and row[4] == 0 and np.isnan(row[5]))
 
-def horizontal(expect, build, work):
-    """Gravity across the axis, of a run of ten steps."""
-    case, _ = make(build, work, "horizontal", axis=(1, 0, 0), entries="direction (1 0 0); writeInterval 10;")
-    append(case, "constant/g", f"value (0 0 {-G});")
-    append(case, COUPLING, 'lammpsCoeffs { variables { down "0 0 -1"; } }')
-    append(case, "system/controlDict", f"endTime {10 * DT};")
-    case.solve()
-    row, = table(case, "drop", "bedPressureDrop")
-    expect.true(f"horizontal: drop {row[3]} Pa, weight {row[4]} Pa, drop over weight {row[5]}",
-                row[3] > 0 and row[4] == 0 and np.isnan(row[5]))
-
-
-def refused(expect, build, work):
-    case, _ = make(build, work, "refused")
-    control = (case.folder / "system/controlDict").read_text()
-    for entries, message in (
-            ("direction (0 0.1 1);", "drop: the mesh is no column of one cross-section along direction (0 0.099503"),
-            ('inlets ("b.*" floor);', "drop: inlets: 'floor' is no patch of the mesh; it has (bottom other top sides")):
-        append(case, "system/controlDict", f"functions {{ drop {{ {entries} }} }}")
-        try:
-            case.solve()
-            text = "nothing was said"
-        except CaseError as error:
-            text = re.sub(r"\s+", " ", case.log("cohesiveBedFoam").read_text())
-        expect.true(f"refused: {entries} {message if message in text else text[-600:]}", message in text)
-        (case.folder / "system/controlDict").write_text(control)
-
-
-def main(build, work):
-    expect = Expectations()
-    for check in (held, carried, leaning_round, ideal_gas, patches, horizontal, refused):
-        check(expect, build, work)
-    expect.exit()
+    def test_refused(self):
+        case, _ = make(self.column, "refused")
+        control = (case.folder / "system/controlDict").read_text()
+        for entries, message in (
+                ("direction (0 0.1 1);",
+                 "drop: the mesh is no column of one cross-section along direction (0 0.099503"),
+                ('inlets ("b.*" floor);',
+                 "drop: inlets: 'floor' is no patch of the mesh; it has (bottom other top sides")):
+            append(case, "system/controlDict", f"functions {{ drop {{ {entries} }} }}")
+            self.refused(entries, case, message)
+            (case.folder / "system/controlDict").write_text(control)
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:3])
+    unittest.main()

@@ -5,12 +5,10 @@ folder of the caller stays as it was, and the case becomes what it becomes when 
 
 import shutil
 import subprocess
-import sys
-from pathlib import Path
+import unittest
 
-from coupled_case import COUPLING, ENGINE, Expectations, append, column, script_file
-
-CONTROL = "system/controlDict"
+from cohesion_tests.coupling.cases import CONTROL, COUPLING, ENGINE, append, script_file
+from cohesion_tests.coupling.test_case import CoupledTestCase
 
 HALF, END = 0.001, 0.002  # [s]
 # Dumps are opened when they are written, in the folder that the script has gone to.
@@ -21,8 +19,8 @@ dump places all custom ${every} places.*.dump id x y z
 """
 
 
-def make(build, folder, ranks):
-    case = column(folder, "case", build)
+def make(column, folder, ranks):
+    case = column(f"{folder}/case")
     script = case.folder / script_file("continued")
     script.write_text(script.read_text() + LINES)
     (case.folder / "more.script").write_text("variable every equal 20\n")
@@ -57,28 +55,28 @@ def files(folder):
     return sorted(str(path.relative_to(folder)) for path in folder.rglob("*") if path.is_file())
 
 
-def check(expect, build, work, ranks):
-    cases = {elsewhere: make(build, work / f"{ranks}-{elsewhere}", ranks) for elsewhere in (False, True)}
-    for elsewhere, case in cases.items():
-        place = "elsewhere" if elsewhere else "the case"
-        expect.true(f"{ranks} ranks: runs and is continued from {place}", solve(case, ranks, elsewhere))
-        expect.equal("beside the case", [path.name for path in case.folder.parent.iterdir()], ["case"])
-    inside, outside = (cases[elsewhere].folder for elsewhere in (False, True))
-    expect.equal("other files in the case that was run from elsewhere",
-                 sorted(set(files(inside)) ^ set(files(outside))), [])
-    dumps = sorted(path.name for path in (inside / "dumps").glob("places.*.dump"))
-    expect.true("the script's dumps are there", len(dumps) > 5)
-    expect.equal("dumps that differ", [name for name in dumps if (inside / "dumps" / name).read_bytes()
-                                       != (outside / "dumps" / name).read_bytes()], [])
+class CaseFolder(CoupledTestCase):
+    def check(self, ranks):
+        cases = {elsewhere: make(self.column, f"{ranks}-{elsewhere}", ranks) for elsewhere in (False, True)}
+        for elsewhere, case in cases.items():
+            place = "elsewhere" if elsewhere else "the case"
+            self.expect_true(f"{ranks} ranks: runs and is continued from {place}", solve(case, ranks, elsewhere))
+            self.expect_equal(f"{ranks} ranks: beside the case", [path.name for path in case.folder.parent.iterdir()],
+                              ["case"])
+        inside, outside = (cases[elsewhere].folder for elsewhere in (False, True))
+        self.expect_equal(f"{ranks} ranks: other files in the case that was run from elsewhere",
+                          sorted(set(files(inside)) ^ set(files(outside))), [])
+        dumps = sorted(path.name for path in (inside / "dumps").glob("places.*.dump"))
+        self.expect_true(f"{ranks} ranks: the script's dumps are there", len(dumps) > 5)
+        self.expect_equal(f"{ranks} ranks: dumps that differ",
+                          [name for name in dumps if (inside / "dumps" / name).read_bytes()
+                                                != (outside / "dumps" / name).read_bytes()], [])
 
-
-def main(build, work):
-    expect = Expectations()
-    shutil.rmtree(work, ignore_errors=True)
-    for ranks in (1, 2):
-        check(expect, build, Path(work), ranks)
-    expect.exit()
+    def test_from_elsewhere(self):
+        shutil.rmtree(self.work, ignore_errors=True)
+        for ranks in (1, 2):
+            self.check(ranks)
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:3])
+    unittest.main()

@@ -4,12 +4,14 @@ felt, and the solid volume on the mesh is that of the particles. With every void
 smoothing, with the interpolated slip and in form B, on 1 and 2 ranks, whose particles and cells are cut along
 different directions. And the pressure on the particles is that of the gas's fields, as they are written."""
 
-import sys
+import unittest
 
 import numpy as np
 
-from coupled_case import ENGINE, Expectations, column, disturb, exchange_lines, use_script
-from packed_bed import CELL, G, RHO, field
+from cohesion_tests.coupling.cases import ENGINE, disturb, exchange_lines, use_script
+from cohesion_tests.coupling.fields import field
+from cohesion_tests.coupling.held_layers import CELL, G, RHO
+from cohesion_tests.coupling.test_case import CoupledTestCase
 
 STEPS = 50
 # Of couplingProperties
@@ -23,8 +25,8 @@ SETTINGS = {
 }
 
 
-def run(build, work, name, ranks, disturbance=0.0):
-    case = column(work, f"{name}-{ranks}-{disturbance}", build)
+def run(column, name, ranks, disturbance=0.0):
+    case = column(f"{name}-{ranks}-{disturbance}")
     if disturbance:
         disturb(case, "swarm", disturbance)
     for entry, value in SETTINGS[name].items():
@@ -51,37 +53,35 @@ def pressure_force(case, form):
     return -(solid * gradient).sum()
 
 
-def check(expect, build, work, name):
-    runs = {ranks: run(build, work, name, ranks) for ranks in (1, 2)}
-    steps = {ranks: lines for ranks, (lines, _) in runs.items()}
-    for ranks, (lines, pressure) in runs.items():
-        expect.equal(f"{name}: gas steps on {ranks} ranks", len(lines), STEPS)
-        # Sums of some 1e3 terms, each rounded to 1e-16: 1e-13 at most. Asked for: 1e-12.
-        expect.below("largest imbalance of the forces", max(x["imbalance"] for x in lines), 1e-12)
-        expect.below("largest error of the solid volume", max(x["volume"] for x in lines), 1e-12)
-        # Here 1 - eps is some 0.01, of an eps that is rounded to 1e-16: 1e-14 more.
-        expect.near("pressure on the particles [N]", lines[-1]["pressure"][2], pressure,
-                    1e-12 * abs(pressure))
-        expect.true("drag and pressure act",
-                    all(abs(x["drag"][2]) > 0 and abs(x["pressure"][2]) > 0 for x in lines))
-    # What the solver of p leaves, 1e-13 of its scale, and sums in another order have to make less of a
-    # difference than velocities that are off by 1e-8 at the start.
-    disturbed, _ = run(build, work, name, 1, disturbance=1e-8)
-    one, two, other = (np.array([x["drag"] for x in lines]) for lines in (steps[1], steps[2], disturbed))
-    limit = np.abs(other - one).max()
-    # Chaos would make the yardstick as long as the drag, and nothing would be compared.
-    expect.below("drag, largest difference that the disturbance makes / largest drag",
-                 limit / np.abs(one).max(), 1e-6)
-    expect.below("drag, largest difference of 2 ranks from 1 [N]", np.abs(two - one).max(), limit)
+class Conservation(CoupledTestCase):
+    def check(self, name):
+        runs = {ranks: run(self.column, name, ranks) for ranks in (1, 2)}
+        steps = {ranks: lines for ranks, (lines, _) in runs.items()}
+        for ranks, (lines, pressure) in runs.items():
+            self.expect_equal(f"{name}: gas steps on {ranks} ranks", len(lines), STEPS)
+            # Sums of some 1e3 terms, each rounded to 1e-16: 1e-13 at most. Asked for: 1e-12.
+            self.expect_balance(f"{name}, {ranks} ranks", lines)
+            # Here 1 - eps is some 0.01, of an eps that is rounded to 1e-16: 1e-14 more.
+            self.expect_near(f"{name}, {ranks} ranks: pressure on the particles [N]", lines[-1]["pressure"][2],
+                             pressure,
+                             1e-12 * abs(pressure))
+            self.expect_true(f"{name}, {ranks} ranks: drag and pressure act",
+                             all(abs(x["drag"][2]) > 0 and abs(x["pressure"][2]) > 0 for x in lines))
+        # What the solver of p leaves, 1e-13 of its scale, and sums in another order have to make less of a
+        # difference than velocities that are off by 1e-8 at the start.
+        disturbed, _ = run(self.column, name, 1, disturbance=1e-8)
+        one, two, other = (np.array([x["drag"] for x in lines]) for lines in (steps[1], steps[2], disturbed))
+        limit = np.abs(other - one).max()
+        # Chaos would make the yardstick as long as the drag, and nothing would be compared.
+        self.expect_below(f"{name}: drag, largest difference that the disturbance makes / largest drag",
+                          limit / np.abs(one).max(), 1e-6)
+        self.expect_below(f"{name}: drag, largest difference of 2 ranks from 1 [N]", np.abs(two - one).max(), limit)
 
-
-def main(build, work):
-    expect = Expectations()
-    # What passes between particles and cells is the same code with every engine.
-    for name in SETTINGS if ENGINE == "lammps" else ["smoothed"]:
-        check(expect, build, work, name)
-    expect.exit()
+    def test_every_setting(self):
+        # What passes between particles and cells is the same code with every engine.
+        for name in SETTINGS if ENGINE == "lammps" else ["smoothed"]:
+            self.check(name)
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:3])
+    unittest.main()

@@ -4,22 +4,21 @@ mesh is that of the particles, what the gas gave is what they felt or took along
 engine does, to the last one."""
 
 import re
-import sys
+import unittest
 
 import numpy as np
 
-from coupled_case import COUPLING, ENGINE, SOURCE, Expectations, append, column, exchange_lines, script_file
-
-sys.path.insert(0, str(SOURCE / "tests/liggghts-styles"))
-from mesh import rectangle, stl  # noqa: E402
+from cohesion_tests.coupling.cases import COUPLING, ENGINE, append, exchange_lines, script_file
+from cohesion_tests.coupling.test_case import CoupledTestCase
+from cohesion_tests.liggghts_scenes.mesh import rectangle, stl
 
 STEPS, DT = 120, 1e-4
 FIRST = 2000 * 4 / 3 * np.pi * 2e-3**3  # the sphere that is there from the start [kg]
 SOME = r"(\d+) {} \((\S+) kg\)"
 
 
-def run(build, work, ranks):
-    case = column(work, str(ranks), build)
+def run(column, ranks):
+    case = column(str(ranks))
     (case.folder / "outlet.stl").write_text(stl(rectangle((0, 0, 0.13), (0.06, 0, 0), (0, 0.06, 0))))
     append(case, COUPLING, f'{ENGINE}Coeffs {{ script "{script_file("inserted")}"; }}')
     append(case, "system/controlDict", f"""endTime {STEPS * DT}; writeInterval {STEPS * DT}; writePrecision 15;
@@ -45,59 +44,55 @@ def total(log, word):
     return (float(found[1]), float(found[2])) if found else (float("nan"),) * 2
 
 
-def forces(expect, case, mass, went_mass):
-    """Nothing touches a wall, nor do spheres each other: beside weight and gas only what the gas gave to spheres in
-    the step in which they went, less than their weight."""
-    rows = np.loadtxt(case.folder / "postProcessing/forces/0/forceBudget.dat", ndmin=2)
-    expect.equal("rows of forces", len(rows), STEPS)
-    gravity, others = (rows[:, 2 + 3 * k:5 + 3 * k] for k in (0, 3))
-    # That of the step's first to its last particle, by six digits of the masses
-    expect.below("gravity beyond that of the particles / g [kg]", (np.abs(gravity[:, 2]) / 9.81 - mass).max(),
-                 1e-5 * mass.max())
-    # At both ends of the row half of one of ten particle steps, of the gas's force
-    bound = 9.81 * (went_mass + 0.1 * mass + 1e-6 * FIRST)[:, None]
-    expect.below("others / bound", (np.abs(others) / bound).max(), 1)
+class Insertion(CoupledTestCase):
+    def forces(self, case, mass, went_mass):
+        """Nothing touches a wall, nor do spheres each other: beside weight and gas only what the gas gave to spheres in
+        the step in which they went, less than their weight."""
+        rows = np.loadtxt(case.folder / "postProcessing/forces/0/forceBudget.dat", ndmin=2)
+        self.expect_equal("rows of forces", len(rows), STEPS)
+        gravity, others = (rows[:, 2 + 3 * k:5 + 3 * k] for k in (0, 3))
+        # That of the step's first to its last particle, by six digits of the masses
+        self.expect_below("gravity beyond that of the particles / g [kg]", (np.abs(gravity[:, 2]) / 9.81 - mass).max(),
+                          1e-5 * mass.max())
+        # At both ends of the row half of one of ten particle steps, of the gas's force
+        bound = 9.81 * (went_mass + 0.1 * mass + 1e-6 * FIRST)[:, None]
+        self.expect_below("others / bound", (np.abs(others) / bound).max(), 1)
 
+    def check(self, ranks):
+        case, log = run(self.column, ranks)
+        lines = exchange_lines(log)
+        self.expect_equal(f"{ranks} ranks: gas steps", len(lines), STEPS)
+        self.expect_balance(f"{ranks} ranks", lines)
 
-def check(expect, build, work, ranks):
-    case, log = run(build, work, ranks)
-    lines = exchange_lines(log)
-    expect.equal(f"{ranks} ranks: gas steps", len(lines), STEPS)
-    # As in conservation.py
-    expect.below("largest imbalance of the forces", max(x["imbalance"] for x in lines), 1e-12)
-    expect.below("largest error of the solid volume", max(x["volume"] for x in lines), 1e-12)
+        steps = counted(log)
+        trace = np.loadtxt(case.folder / "trace.dat")
+        trace = trace[trace[:, 0] > 0]
+        came, came_mass, went, went_mass = steps.T
+        self.expect_true(f"{ranks} ranks: some come while the gas flows", came.sum() > 20)
+        self.expect_true(f"{ranks} ranks: some go, too", went.sum() > 0)
+        self.expect_equal(f"{ranks} ranks: steps that the engine reports", len(trace), STEPS)
+        self.expect_equal(f"{ranks} ranks: largest difference of the numbers of particles by the log and by the engine",
+                          np.abs(1 + np.cumsum(came - went) - trace[:, 1]).max(), 0)
+        # Both print six digits, the log those of each step.
+        mass = FIRST + np.cumsum(came_mass - went_mass)
+        self.expect_below(f"{ranks} ranks: mass, by the log less by the engine / largest mass",
+                          np.abs(mass - trace[:, 2]).max() / trace[:, 2].max(), 5e-6 * (2 + STEPS))
+        self.expect_equal(f"{ranks} ranks: number that went, by the log and by the engine", went.sum(), trace[-1, 3])
+        for word, number, of_mass in (("came", came.sum(), came_mass.sum()), ("went", went.sum(), went_mass.sum()),
+                                      ("at end", trace[-1, 1], mass[-1])):
+            found = total(log, word)
+            self.expect_equal(f"{ranks} ranks: at the end of the log: {word}", found[0], number)
+            # Six digits are printed.
+            self.expect_near(f"{ranks} ranks: {word}: mass [kg]", found[1], of_mass,
+                             5e-6 * (FIRST + came_mass.sum() + went_mass.sum()))
+        self.forces(case, mass, went_mass)
+        if ENGINE == "lammps":
+            self.expect_equal(f"{ranks} ranks: particles at the end", trace[-1, 1], 0)
 
-    steps = counted(log)
-    trace = np.loadtxt(case.folder / "trace.dat")
-    trace = trace[trace[:, 0] > 0]
-    came, came_mass, went, went_mass = steps.T
-    expect.true("some come while the gas flows", came.sum() > 20)
-    expect.true("some go, too", went.sum() > 0)
-    expect.equal("steps that the engine reports", len(trace), STEPS)
-    expect.equal("largest difference of the numbers of particles by the log and by the engine",
-                 np.abs(1 + np.cumsum(came - went) - trace[:, 1]).max(), 0)
-    # Both print six digits, the log those of each step.
-    mass = FIRST + np.cumsum(came_mass - went_mass)
-    expect.below("mass, by the log less by the engine / largest mass",
-                 np.abs(mass - trace[:, 2]).max() / trace[:, 2].max(), 5e-6 * (2 + STEPS))
-    expect.equal("number that went, by the log and by the engine", went.sum(), trace[-1, 3])
-    for word, number, of_mass in (("came", came.sum(), came_mass.sum()), ("went", went.sum(), went_mass.sum()),
-                                  ("at end", trace[-1, 1], mass[-1])):
-        found = total(log, word)
-        expect.equal(f"at the end of the log: {word}", found[0], number)
-        # Six digits are printed.
-        expect.near("mass [kg]", found[1], of_mass, 5e-6 * (FIRST + came_mass.sum() + went_mass.sum()))
-    forces(expect, case, mass, went_mass)
-    if ENGINE == "lammps":
-        expect.equal("particles at the end", trace[-1, 1], 0)
-
-
-def main(build, work):
-    expect = Expectations()
-    for ranks in (1, 2):
-        check(expect, build, work, ranks)
-    expect.exit()
+    def test_come_and_go(self):
+        for ranks in (1, 2):
+            self.check(ranks)
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:3])
+    unittest.main()

@@ -4,15 +4,14 @@ different void fraction: the drag they feel, with the gas and void fraction of t
 interpolated to each of them, against the closure written out again. On the axis of a cell, with a field
 that varies along it only, OpenFOAM's interpolation is linear between cell centres."""
 
-import sys
+import unittest
 
 import numpy as np
 
-from coupled_case import SOURCE, Expectations, column, exchange_lines
-from packed_bed import field
-
-sys.path.insert(0, str(SOURCE / "tests/src/drag"))
-from closure_formulas import CLOSURES, DOUBLE  # noqa: E402
+from cohesion_tests.coupling.cases import exchange_lines
+from cohesion_tests.coupling.fields import field
+from cohesion_tests.coupling.test_case import CoupledTestCase
+from cohesion_tests.theory.closure_formulas import CLOSURES, DOUBLE
 
 RHO, SUPERFICIAL = 1.205, 0.5
 MU = RHO * 1.452282e-5  # column/constant/transportProperties
@@ -40,8 +39,8 @@ EXPECTED = {
 }
 
 
-def blow(build, work, slip, ranks):
-    case = column(work, f"{slip}-{ranks}", build)
+def blow(column, slip, ranks):
+    case = column(f"{slip}-{ranks}")
     case.set("constant/couplingProperties", "lammpsCoeffs/script", '"$FOAM_CASE/axes.lmp"')
     case.set("constant/couplingProperties", "drag", "diFelice")
     case.set("constant/couplingProperties", "slip", slip)
@@ -66,27 +65,27 @@ def unevenness(case, ranks):
     return np.linalg.norm(flux - [0, 0, SUPERFICIAL], axis=1).max() / SUPERFICIAL
 
 
-def main(build, work):
-    expect = Expectations()
-    difference = EXPECTED["interpolated"] / EXPECTED["cell"] - 1
-    expect.true(f"the two differ ({difference:.3%})", abs(difference) > 1e-3)
-    for slip, expected in EXPECTED.items():
-        for ranks in (1, 2):
-            case, log = blow(build, work, slip, ranks)
-            lines = exchange_lines(log)
-            drag_force = lines[-1]["drag"]
-            across = max(abs(drag_force[0]), abs(drag_force[1]))
-            expect.below(f"{slip}, {ranks} ranks: force across the axes [N]", across, 1e-11 * expected)
-            # Continuity gives each row its flux, but not its cells. The drag goes with at most the second
-            # power of the flux at the sphere. And the digits of the log.
-            uneven = unevenness(case, ranks)
-            expect.below(f"{slip}, {ranks} ranks: unevenness of a row", uneven, 1e-6)
-            expect.near(f"{slip}, {ranks} ranks: drag [N]", drag_force[2], expected,
-                        (2 * uneven + 1e-11) * expected)
-            # As in conservation.py
-            expect.below("largest imbalance of the forces", max(x["imbalance"] for x in lines), 1e-12)
-    expect.exit()
+class InterpolatedSlip(CoupledTestCase):
+    def test_the_two_differ(self):
+        difference = EXPECTED["interpolated"] / EXPECTED["cell"] - 1
+        self.expect_true(f"the two differ ({difference:.3%})", abs(difference) > 1e-3)
+
+    def test_drag(self):
+        for slip, expected in EXPECTED.items():
+            for ranks in (1, 2):
+                case, log = blow(self.column, slip, ranks)
+                lines = exchange_lines(log)
+                drag_force = lines[-1]["drag"]
+                across = max(abs(drag_force[0]), abs(drag_force[1]))
+                self.expect_below(f"{slip}, {ranks} ranks: force across the axes [N]", across, 1e-11 * expected)
+                # Continuity gives each row its flux, but not its cells. The drag goes with at most the second
+                # power of the flux at the sphere. And the digits of the log.
+                uneven = unevenness(case, ranks)
+                self.expect_below(f"{slip}, {ranks} ranks: unevenness of a row", uneven, 1e-6)
+                self.expect_near(f"{slip}, {ranks} ranks: drag [N]", drag_force[2], expected,
+                                 (2 * uneven + 1e-11) * expected)
+                self.expect_balance(f"{slip}, {ranks} ranks", lines)
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:])
+    unittest.main()

@@ -8,27 +8,21 @@ while it runs, and on what was written.
 - simulationType laminar is what there is without turbulence properties."""
 
 import re
-import sys
+import unittest
 
 import numpy as np
 
-from coupled_case import SOURCE, CaseError, Expectations, append, column
-from drag_stiffness import BLOCK
-from packed_bed import DT, G, RHO, ROW, ROWS, STEPS, SUPERFICIAL, drop, field, solid
+from cohesion_tests import SOURCE
+from cohesion_tests.coupling.cases import COUPLING, append
+from cohesion_tests.coupling.dictionaries import FIELD, FILE, LAMINAR
+from cohesion_tests.coupling.fields import field, uniform
+from cohesion_tests.coupling.free_spheres import BLOCK
+from cohesion_tests.coupling.held_layers import DT, G, RHO, ROW, ROWS, STEPS, SUPERFICIAL, drop, solid
+from cohesion_tests.coupling.test_case import CoupledTestCase
 
-COUPLING = "constant/couplingProperties"
 # Shear wave: cells along an edge and their size [m]; start values of k, epsilon; amplitude [m/s]
 N, H, K0, EPSILON0, WAVE = 8, 0.02, 1.0, 10.0, 1e-5
 NU, WAVE_DT, WAVE_STEPS = 1e-3, 1e-3, 20
-FILE = """FoamFile {{ version 2.0; format ascii; class {0}; object {1}; }}
-"""
-FIELD = FILE + """dimensions {2};
-internalField {3};
-boundaryField
-{{
-{4}}}
-"""
-LAMINAR = "simulationType laminar;\n"
 PAGE = SOURCE / "docs/openfoam-coupling/cohesiveBedFoam.md"
 
 
@@ -56,26 +50,9 @@ def k_epsilon(case, fields=True):
             (case.folder / "0.orig" / name).write_text(FILE.format("volScalarField", name) + text)
 
 
-def runs_as_the_page_says(expect, build, work):
-    case = column(work, "recipe", build)
-    k_epsilon(case)
-    append(case, "system/controlDict", "endTime 5e-4; writeInterval 5e-4;")
-    case.mesh()
-    try:
-        case.solve()
-    except CaseError as error:
-        print(error)
-    for name in ("k", "epsilon", "nut"):
-        file = case.folder / "0.0005" / name
-        expect.true(f"recipe: {name} written", file.exists())
-        if file.exists():
-            found = field(case, "0.0005", name)
-            expect.true(f"recipe: {name} from {found.min():.4g} to {found.max():.4g}, above zero", found.min() > 0)
-
-
-def shear_wave(build, work):
+def shear_wave(column):
     """k, epsilon and the wave's amplitude at the end of every step; one of each but for the wave."""
-    case = column(work, "shear_wave", build)
+    case = column("shear_wave")
     block = case.folder / "system/blockMeshDict"
     block.write_text(block.read_text().split("// A column")[0] + BLOCK.format(N * H, N, N * H, N))
     cyclic = "".join(f"    {d}{i} {{ type cyclic; }}\n" for d in "xyz" for i in "01")
@@ -114,13 +91,6 @@ def shear_wave(build, work):
     return [uniform(case, end, "k"), uniform(case, end, "epsilon"), amplitude]
 
 
-def uniform(case, time, name):
-    text = (case.folder / time / name).read_text()
-    if "internalField   uniform" in text:
-        return float(text.split("internalField   uniform ")[1].split(";")[0])
-    return field(case, time, name).mean()
-
-
 def decay():
     """The same by the model's equations, dk/dt = -epsilon, d(epsilon)/dt = -1.92 epsilon^2/k, nut = 0.09
     k^2/epsilon, each in OpenFOAM's implicit Euler steps; and the wave by nu + nut on cells of size H."""
@@ -133,9 +103,9 @@ def decay():
     return [k, epsilon, u]
 
 
-def bed(build, work, name, prepare=None, source="", functions=""):
+def bed(column, name, prepare=None, source="", functions=""):
     """The packed bed of packed_bed.py: case and log."""
-    case = column(work, name, build)
+    case = column(name)
     case.set(COUPLING, "lammpsCoeffs/script", '"$FOAM_CASE/packed.lmp"')
     case.set("system/fvSolution", 'solvers/"p.*"/tolerance', 1e-14)
     # What foamDictionary writes again has six digits.
@@ -196,59 +166,67 @@ def last_row(case, pattern):
     return [float(word) for word in rows[-1].replace("(", " ").replace(")", " ").split()]
 
 
-def function_objects(expect, case):
-    end = f"{STEPS * DT:g}"
-    p = field(case, end, "p").reshape(len(ROWS), 3, 3)[:, 1, 1]
-    # Six digits are written.
-    time, flux = last_row(case, "outflow/0/surfaceFieldValue.dat")
-    expect.near("surfaceFieldValue: flux through the top [m3/s]", flux, SUPERFICIAL * 9 * ROW**2, 1e-8)
-    expect.near("at the end of the run", time, STEPS * DT, 1e-9)
-    _, *found = last_row(case, "heights/0/p")
-    for row, value in zip((0, 2, 9), found):
-        expect.near(f"probe of p in row {row}", value, p[row], 1e-5 * abs(p[0]))
-    expect.near("probe of the void fraction", last_row(case, "heights/0/voidFraction")[2],
-                1 - solid(ROWS[2]), 1e-5)
-    bottom = field(case, end, "p")[:9].mean()
-    for program in (("postProcess",), ("cohesiveBedFoam", "-postProcess")):
-        case.run(*program, "-latestTime", "-func", "patchAverage(name=bottom,p)")
-        text = case.log(program[0]).read_text()
-        value = float(text.split("areaAverage(bottom) of p = ")[1].split()[0])
-        # Free of spheres from the patch to the middle of the row: weight and sink
-        expect.near(f"{' '.join(program)}: p at the bottom", value - bottom,
-                    (G + CONSTANT + LINEAR * SUPERFICIAL) * ROW / 2, 1e-5 * value)
-    expect.equal("states left as they were", sorted(x.name for x in case.folder.glob("incomplete*")), [])
+class OpenFoamFeatures(CoupledTestCase):
+    def test_runs_as_the_page_says(self):
+        case = self.column("recipe")
+        k_epsilon(case)
+        append(case, "system/controlDict", "endTime 5e-4; writeInterval 5e-4;")
+        case.mesh()
+        case.solve()
+        for name in ("k", "epsilon", "nut"):
+            file = case.folder / "0.0005" / name
+            self.expect_true(f"recipe: {name} written", file.exists())
+            if file.exists():
+                found = field(case, "0.0005", name)
+                self.expect_true(f"recipe: {name} from {found.min():.4g} to {found.max():.4g}, above zero",
+                                 found.min() > 0)
 
+    def function_objects(self, case):
+        end = f"{STEPS * DT:g}"
+        p = field(case, end, "p").reshape(len(ROWS), 3, 3)[:, 1, 1]
+        # Six digits are written.
+        time, flux = last_row(case, "outflow/0/surfaceFieldValue.dat")
+        self.expect_near("surfaceFieldValue: flux through the top [m3/s]", flux, SUPERFICIAL * 9 * ROW**2, 1e-8)
+        self.expect_near("at the end of the run", time, STEPS * DT, 1e-9)
+        _, *found = last_row(case, "heights/0/p")
+        for row, value in zip((0, 2, 9), found):
+            self.expect_near(f"probe of p in row {row}", value, p[row], 1e-5 * abs(p[0]))
+        self.expect_near("probe of the void fraction", last_row(case, "heights/0/voidFraction")[2],
+                         1 - solid(ROWS[2]), 1e-5)
+        bottom = field(case, end, "p")[:9].mean()
+        for program in (("postProcess",), ("cohesiveBedFoam", "-postProcess")):
+            case.run(*program, "-latestTime", "-func", "patchAverage(name=bottom,p)")
+            text = case.log(program[0]).read_text()
+            value = float(text.split("areaAverage(bottom) of p = ")[1].split()[0])
+            # Free of spheres from the patch to the middle of the row: weight and sink
+            self.expect_near(f"{' '.join(program)}: p at the bottom", value - bottom,
+                             (G + CONSTANT + LINEAR * SUPERFICIAL) * ROW / 2, 1e-5 * value)
+        self.expect_equal("states left as they were", sorted(x.name for x in case.folder.glob("incomplete*")), [])
 
-def main(build, work):
-    expect = Expectations()
-    print("-- k-epsilon")
-    runs_as_the_page_says(expect, build, work)
-    for what, found, right in zip(("k", "epsilon", "amplitude of the wave"), shear_wave(build, work),
-                                  decay()):
-        # Solved to 1e-14 in each of 20 steps and written with 12 digits; the wave makes k at a rate
-        # below nut (2 pi/(N H) WAVE)^2/EPSILON0 < 1e-9 of what is lost.
-        expect.near(what, found, right, 2e-9 * right)
+    def test_shear_wave_decays(self):
+        for what, found, right in zip(("k", "epsilon", "amplitude of the wave"), shear_wave(self.column), decay()):
+            # Solved to 1e-14 in each of 20 steps and written with 12 digits; the wave makes k at a rate
+            # below nut (2 pi/(N H) WAVE)^2/EPSILON0 < 1e-9 of what is lost.
+            self.expect_near(what, found, right, 2e-9 * right)
 
-    print("-- fvOptions")
-    plain = bed(build, work, "plain")
-    sink = bed(build, work, "sink", source=SINK, functions=FUNCTIONS)
-    end = f"{STEPS * DT:g}"
-    # Per row eps grad p = ... - CONSTANT - LINEAR U, with eps U the superficial velocity; between the middles
-    # of the end rows, which count half. The solver of p leaves 1e-14 of its scale, here some 1e-8 of the drop.
-    eps = np.array([1 - solid(row) for row in ROWS])
-    weight = np.array([0.5] + [1] * (len(ROWS) - 2) + [0.5])
-    added = RHO * ROW * np.sum(weight * (CONSTANT / eps + LINEAR * SUPERFICIAL / eps**2))
-    expect.near("pressure drop that the sink adds [Pa]", drop(sink, end) - drop(plain, end), added,
-                1e-6 * added)
+    def test_sources_and_function_objects(self):
+        plain = bed(self.column, "plain")
+        sink = bed(self.column, "sink", source=SINK, functions=FUNCTIONS)
+        end = f"{STEPS * DT:g}"
+        # Per row eps grad p = ... - CONSTANT - LINEAR U, with eps U the superficial velocity; between the middles
+        # of the end rows, which count half. The solver of p leaves 1e-14 of its scale, here some 1e-8 of the drop.
+        eps = np.array([1 - solid(row) for row in ROWS])
+        weight = np.array([0.5] + [1] * (len(ROWS) - 2) + [0.5])
+        added = RHO * ROW * np.sum(weight * (CONSTANT / eps + LINEAR * SUPERFICIAL / eps**2))
+        self.expect_near("pressure drop that the sink adds [Pa]", drop(sink, end) - drop(plain, end), added,
+                         1e-6 * added)
+        self.function_objects(sink)
 
-    print("-- laminar as a turbulence model")
-    through_model = bed(build, work, "laminar", prepare=laminar)
-    expect.near("pressure drop [Pa]", drop(through_model, end), drop(plain, end), 1e-9 * drop(plain, end))
-
-    print("-- function objects")
-    function_objects(expect, sink)
-    expect.exit()
+        # laminar as a turbulence model
+        through_model = bed(self.column, "laminar", prepare=laminar)
+        self.expect_near("laminar: pressure drop [Pa]", drop(through_model, end), drop(plain, end),
+                         1e-9 * drop(plain, end))
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:])
+    unittest.main()

@@ -1,156 +1,67 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Gas blown through three layers of spheres that are held where they are, free rows of cells below
 and above, with every drag closure: in every row eps U is the superficial velocity, and the pressure
-drop is what the closure, written out again in tests/src/drag/closure_formulas.py, gives at each row's
+drop is what the closure, written out again in closure_formulas.py, gives at each row's
 void fraction and slip. The same in both forms of the model."""
 
-import re
-import sys
+import unittest
 
 import numpy as np
 
-from coupled_case import SOURCE, Expectations, column, drag_report, use_script
-
-sys.path.insert(0, str(SOURCE / "tests/src/drag"))
-from closure_formulas import CLOSURES, DOUBLE  # noqa: E402
-
-RHO, MU, G = 1.205, 1.75e-5, 9.81
-SUPERFICIAL = 0.5
-DT, STEPS = 1e-4, 40
-HEIGHT, ROW, CELL = 0.2, 0.02, 0.02**3  # of the mesh, a row and a cell (column/system)
-# Spheres per cell and diameter in the ten rows, from the lattices of column/packed.lmp.
-FREE, DENSE, LOOSE, DILUTE = (0, 1e-3), (4 * 5**3, 2.6e-3), (8**3, 2e-3), (4**3, 3e-3)
-ROWS = [FREE, FREE, DENSE, DENSE, LOOSE, LOOSE, DILUTE, FREE, FREE, FREE]
+from cohesion_tests.coupling.cases import drag_report
+from cohesion_tests.coupling.held_layers import (DT, G, HEIGHT, RHO, ROW, ROWS, STEPS, SUPERFICIAL, blow, drag, drop,
+                                                drop_error, flux_limit, rows, solid, viscous)
+from cohesion_tests.coupling.test_case import CoupledTestCase
+from cohesion_tests.theory.closure_formulas import CLOSURES
 
 
-def solid(row):
-    number, diameter = row
-    return number * np.pi / 6 * diameter**3 / CELL
+class PackedBed(CoupledTestCase):
+    def check(self, name, settings, closure):
+        """The bed with `settings` of the drag in couplingProperties, against `closure`."""
+        case, continuity, log = blow(self.column, name, settings)
+        early, late = "0.002", "0.004"
+        eps = np.array([1 - solid(row) for row in ROWS])
+        # eps grad p = -drag - eps rho g - transport of momentum
+        steps = np.array([drag(row, closure) for row in ROWS]) / eps * ROW
+        # From the middle of the lowest row to that of the highest there are nine rows of weight.
+        expected = steps.sum() + RHO * G * 9 * ROW
 
+        # Numbers are written with 12 digits.
+        for k, found in enumerate(rows(case, late, "voidFraction")):
+            self.expect_near(f"{name}: void fraction of row {k}", found, eps[k], 1e-12)
 
-def drag(row, closure):
-    """Drag per volume of gas and spheres at rest, beta U [N/m3]."""
-    if solid(row) == 0:
-        return 0.0
-    eps, diameter = 1 - solid(row), row[1]
-    slip = SUPERFICIAL / eps
-    return (1 - eps) * slip * closure(DOUBLE, eps, slip, diameter, RHO, MU)
+        limit = flux_limit(expected)
+        self.expect_below(f"{name}: error of the flux by the solver's log [m/s]", continuity * HEIGHT / DT, limit)
+        velocity = rows(case, late, "U")[:, 2]
+        for k in range(len(ROWS)):
+            self.expect_near(f"{name}: eps U of row {k}, eps {eps[k]:.3f} [m/s]", eps[k] * velocity[k], SUPERFICIAL,
+                             limit)
 
+        solver = drop_error(limit, steps, eps)
+        self.expect_near(f"{name}: steady: pressure drop [Pa] at half time", drop(case, early), drop(case, late),
+                         2 * solver)
+        self.expect_near(f"{name}: pressure drop [Pa]", drop(case, late), expected,
+                         viscous(eps) + solver)
 
-def field(case, time, name):
-    """Values of all cells, one after the other."""
-    text = (case.folder / time / name).read_text()
-    values = re.search(r"internalField\s+nonuniform List<\w+>\s*\d+\s*\((.*?)\)\s*;", text, re.S)
-    return np.array(values.group(1).replace("(", " ").replace(")", " ").split(), float)
+        # All void fractions and Reynolds numbers here are where the closures hold. One evaluation for
+        # each sphere and step.
+        spheres = 9 * sum(row[0] for row in ROWS)
+        self.expect_equal(f"{name}: evaluations and how many were outside", drag_report(log), (STEPS * spheres, 0))
+        self.expect_true(f"{name}: no warning", "particles are outside" not in log)
 
+    def test_every_closure(self):
+        for name, closure in CLOSURES.items():
+            self.check(name, {"drag": name}, closure)
 
-def rows(case, time, name):
-    """Mean of the field's cells in each row, the lowest first."""
-    return field(case, time, name).reshape(len(ROWS), 9, -1).mean(axis=1).squeeze()
+    def test_form_B(self):
+        self.check("form_B", {"drag": "diFelice", "form": "B"}, CLOSURES["diFelice"])
 
+    def test_factor_and_exponent(self):
+        def halved(*where):
+            return 0.5 * CLOSURES["ergunWenYu"](*where, n="9.6")
 
-def drop(case, time):
-    """Pressure in the middle of the lowest row less that of the highest [Pa]."""
-    p = rows(case, time, "p")
-    return RHO * (p[0] - p[-1])
-
-
-def blow(build, work, name, settings, superficial=SUPERFICIAL, ranks=1, script="packed"):
-    """Runs the bed with `settings` of couplingProperties; the case, its last error of continuity, and
-    the solver's log."""
-    case = column(work, name, build)
-    for entry, value in settings.items():
-        case.set("constant/couplingProperties", entry, value)
-    use_script(case, script)
-    case.set("0.orig/U", "boundaryField/bottom/superficialVelocity", f"(0 0 {superficial})")
-    # Central, for convection to have no part in the pressure drop: see check().
-    case.set("system/fvSchemes", "divSchemes/div(voidFractionPhi,U)", "Gauss linear")
-    case.set("system/controlDict", "deltaT", DT)
-    case.set("system/controlDict", "endTime", STEPS * DT)
-    case.set("system/controlDict", "writeInterval", STEPS * DT / 2)
-    case.mesh()
-    log = case.solve(ranks=ranks)
-    errors = re.findall(r"Continuity error, mean of the sizes: (\S+)", log)
-    return case, float(errors[-1]), log
-
-
-def flux_limit(expected):
-    """Largest error of the flux [m/s] at a pressure drop of `expected` [Pa].
-
-    The fluxes through two levels differ by no more than the sum of the errors of all cells. The
-    solver of p brings that sum to 1e-10 of the sum of the sizes of its terms, here over the area of
-    the column: with faces that let pass at most dt/rho of the pressure gradient, and with a
-    pressure that falls from cell to cell, 12 dt/rho times the drop over one row."""
-    return 1e-10 * 12 * DT / RHO * expected / ROW
-
-
-def drop_error(limit, steps, eps):
-    """Error of the pressure drop [Pa] for that of the flux [m/s], the drops over the rows [Pa] and
-    their void fractions: it meets drag, at most quadratic in U, and the inertia rho/(eps dt) of a row."""
-    return limit * (2 * steps.sum() / SUPERFICIAL + RHO / DT * np.sum(1 / eps) * ROW)
-
-
-def viscous(eps):
-    """Most that viscous stress adds to the pressure drop [Pa].
-
-    A flux F of momentum through a face adds F (1/eps_below - 1/eps_above) to the drop. That of
-    convection, rho eps U (U_below + U_above)/2 with the central scheme, adds differences of
-    rho U^2/2, whose sum is zero between free rows. The viscous one is at most mu (1 + 1/3) dU/dz;
-    the two end rows count half, which leaves 1/2 of it on either side."""
-    speed = SUPERFICIAL / eps
-    return (4 / 3 * MU * np.abs(np.diff(speed)).max() / ROW
-            * (np.abs(np.diff(1 / eps)).sum() + 1))
-
-
-def check(expect, build, work, name, settings, closure):
-    """The bed with `settings` of the drag in couplingProperties, against `closure`."""
-    print(f"-- {name}")
-    case, continuity, log = blow(build, work, name, settings)
-    early, late = "0.002", "0.004"
-    eps = np.array([1 - solid(row) for row in ROWS])
-    # eps grad p = -drag - eps rho g - transport of momentum
-    steps = np.array([drag(row, closure) for row in ROWS]) / eps * ROW
-    # From the middle of the lowest row to that of the highest there are nine rows of weight.
-    expected = steps.sum() + RHO * G * 9 * ROW
-
-    # Numbers are written with 12 digits.
-    for k, found in enumerate(rows(case, late, "voidFraction")):
-        expect.near(f"void fraction of row {k}", found, eps[k], 1e-12)
-
-    limit = flux_limit(expected)
-    expect.below("error of the flux by the solver's log [m/s]", continuity * HEIGHT / DT, limit)
-    velocity = rows(case, late, "U")[:, 2]
-    for k in range(len(ROWS)):
-        expect.near(f"eps U of row {k}, eps {eps[k]:.3f} [m/s]", eps[k] * velocity[k], SUPERFICIAL,
-                    limit)
-
-    solver = drop_error(limit, steps, eps)
-    expect.near("steady: pressure drop [Pa] at half time", drop(case, early), drop(case, late),
-                2 * solver)
-    expect.near("pressure drop [Pa]", drop(case, late), expected,
-                viscous(eps) + solver)
-
-    # All void fractions and Reynolds numbers here are where the closures hold. One evaluation for
-    # each sphere and step.
-    spheres = 9 * sum(row[0] for row in ROWS)
-    expect.equal("evaluations and how many were outside", drag_report(log), (STEPS * spheres, 0))
-    expect.true("no warning", "particles are outside" not in log)
-
-
-def main(build, work):
-    expect = Expectations()
-    for name, closure in CLOSURES.items():
-        check(expect, build, work, name, {"drag": name}, closure)
-
-    check(expect, build, work, "form_B", {"drag": "diFelice", "form": "B"}, CLOSURES["diFelice"])
-
-    def halved(*where):
-        return 0.5 * CLOSURES["ergunWenYu"](*where, n="9.6")
-
-    check(expect, build, work, "factor_and_exponent",
-          {"drag": "ergunWenYu", "dragFactor": 0.5, "dragExponent": 9.6}, halved)
-    expect.exit()
+        self.check("factor_and_exponent", {"drag": "ergunWenYu", "dragFactor": 0.5, "dragExponent": 9.6}, halved)
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:3])
+    unittest.main()

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Pressure drop of packings on cells of 3, 6 and 12 diameters that do not fit them, for every void-fraction kernel.
 
-    packed_bed_on_meshes.py BUILD WORK
-
 The spheres are held in a periodic box, and a weight of the gas drives the gas through them: in steady flow that is
 the pressure drop per length. It is compared with Ergun's at the mean void fraction and the flux found. A lattice
 is even, so what is off is the kernel's; a random packing is uneven itself.
@@ -13,19 +11,18 @@ no resistance across the flow and that with no flow across. For particleCentre t
 closure, so that nothing of the solver is left in that."""
 
 import re
-import sys
+import unittest
 
 import numpy as np
 from scipy.sparse import coo_matrix
 from scipy.sparse.linalg import spsolve
 from scipy.spatial import cKDTree
 
-from coupled_case import COUPLING, SOURCE, Expectations, append, column
-from drag_stiffness import periodic
-from packed_bed import field
-
-sys.path.insert(0, str(SOURCE / "tests/src/drag"))
-from closure_formulas import DOUBLE, ergun_pressure_gradient, ergun_wen_yu  # noqa: E402
+from cohesion_tests.coupling.cases import COUPLING, append
+from cohesion_tests.coupling.fields import field
+from cohesion_tests.coupling.free_spheres import periodic
+from cohesion_tests.coupling.test_case import CoupledTestCase
+from cohesion_tests.theory.closure_formulas import DOUBLE, ergun_pressure_gradient, ergun_wen_yu
 
 D, EDGE, SEED = 1e-3, 24, 1  # EDGE of the box [diameters]
 RHO, MU, SPEED = 1.205, 1.75e-5, 0.5  # superficial, at which Ergun's drop is the drive; a Reynolds number of 34
@@ -81,13 +78,13 @@ def drag_rate(case, time):
     return np.array(re.search(r"value\s+nonuniform List<scalar>\s*\d+\s*\((.*?)\)\s*;", text, re.S)[1].split(), float)
 
 
-def flow(build, work, name, places, size, kernel, width):
+def flow(column, name, places, size, kernel, width):
     """The drive [Pa/m], and in the middle of the run and at its end void fraction [1], U [m/s] and drag_rate() of the
     cells, [z, y, x]."""
     cells = EDGE // size
     eps = 1 - len(places) * np.pi / 6 / EDGE**3
     drive = ergun(eps, SPEED)
-    case = column(work, name, build)
+    case = column(name)
     periodic(case, EDGE * D, cells, SPEED / eps)
     write_places(case.folder / "places", places)
     append(case, "constant/g", f"value (0 0 {drive / RHO!r});")
@@ -168,60 +165,60 @@ def transport(eps, velocity, resistance, faces, h):
     return (worked + apart) / mean**2
 
 
-def check(expect, build, work, what, places, size, kernel, width=0):
-    """The drop over Ergun's, and the scatter of the void fraction."""
-    name = f"{what}, cells of {size} d, {kernel}{f' smoothed over {width} d' * bool(width)}"
-    drive, early, (eps, velocity, rate) = flow(build, work, re.sub("[^a-zA-Z0-9]+", "-", name), places, size, kernel,
-                                               width)
-    solid = len(places) * np.pi / 6 / EDGE**3
-    flux = (eps * velocity[..., 2]).mean()
-    over = drive / ergun(1 - solid, flux)
-    # Written with 12 digits. Smoothing: four systems to 1e-15, solids of different cells.
-    expect.near(f"{name}: mean void fraction", eps.mean(), 1 - solid, 1e-11)
-    # What has changed in the second half of the run is more than what is left to change.
-    left = abs((early[0] * early[1][..., 2]).mean() / flux - 1) + 1e-11
-    resistance = RHO * rate / eps**2
-    faces, needed = network(resistance)
-    tolerance = transport(eps, velocity, resistance, [f * flux for f in faces], size * D) + left * needed
-    expect.near(f"{name}: drop over flux [Pa s/m2], by the network", drive / flux, needed, tolerance)
-    least, most = bounds(resistance)
-    expect.true(f"{name}: between {least:.6g} and {most:.6g}",
-                least - tolerance < drive / flux < most + tolerance)
-    if kernel == "particleCentre" and not width:
-        slip = np.sqrt((velocity**2).sum(axis=-1))
-        closure = np.vectorize(lambda e, s: (1 - e) * ergun_wen_yu(DOUBLE, e, s, D, RHO, MU) / RHO)(eps, slip)
-        # The slip is that of the step before.
-        before = np.abs(np.sqrt((early[1]**2).sum(axis=-1)) / slip - 1).max() + 1e-11
-        expect.below(f"{name}: largest difference of a cell's drag from the closure", np.abs(rate / closure - 1).max(),
-                     before)
-    print(f"   drop over Ergun's {over:.4f}, scatter of the void fraction {eps.std():.4f}; network "
-          f"{needed * flux / ergun(1 - solid, flux):.4f}, bounds {least * flux / drive * over:.4f} to "
-          f"{most * flux / drive * over:.4f}, tolerance {tolerance * flux / drive:.1e}", flush=True)
-    return over, eps.std()
+class PackedBedOnMeshes(CoupledTestCase):
+    def check(self, what, places, size, kernel, width=0):
+        """The drop over Ergun's, and the scatter of the void fraction."""
+        name = f"{what}, cells of {size} d, {kernel}{f' smoothed over {width} d' * bool(width)}"
+        drive, early, (eps, velocity, rate) = flow(self.column, re.sub("[^a-zA-Z0-9]+", "-", name), places, size,
+                                                   kernel,
+                                                   width)
+        solid = len(places) * np.pi / 6 / EDGE**3
+        flux = (eps * velocity[..., 2]).mean()
+        over = drive / ergun(1 - solid, flux)
+        # Written with 12 digits. Smoothing: four systems to 1e-15, solids of different cells.
+        self.expect_near(f"{name}: mean void fraction", eps.mean(), 1 - solid, 1e-11)
+        # What has changed in the second half of the run is more than what is left to change.
+        left = abs((early[0] * early[1][..., 2]).mean() / flux - 1) + 1e-11
+        resistance = RHO * rate / eps**2
+        faces, needed = network(resistance)
+        tolerance = transport(eps, velocity, resistance, [f * flux for f in faces], size * D) + left * needed
+        self.expect_near(f"{name}: drop over flux [Pa s/m2], by the network", drive / flux, needed, tolerance)
+        least, most = bounds(resistance)
+        self.expect_true(f"{name}: between {least:.6g} and {most:.6g}",
+                         least - tolerance < drive / flux < most + tolerance)
+        if kernel == "particleCentre" and not width:
+            slip = np.sqrt((velocity**2).sum(axis=-1))
+            closure = np.vectorize(lambda e, s: (1 - e) * ergun_wen_yu(DOUBLE, e, s, D, RHO, MU) / RHO)(eps, slip)
+            # The slip is that of the step before.
+            before = np.abs(np.sqrt((early[1]**2).sum(axis=-1)) / slip - 1).max() + 1e-11
+            self.expect_below(f"{name}: largest difference of a cell's drag from the closure",
+                              np.abs(rate / closure - 1).max(),
+                              before)
+        print(f"   drop over Ergun's {over:.4f}, scatter of the void fraction {eps.std():.4f}; network "
+              f"{needed * flux / ergun(1 - solid, flux):.4f}, bounds {least * flux / drive * over:.4f} to "
+              f"{most * flux / drive * over:.4f}, tolerance {tolerance * flux / drive:.1e}", flush=True)
+        return over, eps.std()
 
-
-def main(build, work):
-    expect = Expectations()
-    rows = []
-    for what, places in (("lattice", lattice()), ("random", random_packing())):
+    def packing(self, what, places):
+        """With every kernel; a row for each is printed."""
         for kernel, width in KERNELS:
             if width and what == "lattice":
                 continue
-            row = [check(expect, build, work, what, places, size, kernel, width)
-                   for size in (SIZES[:1] if width else SIZES)]
-            rows.append((what, kernel, width, row))
+            row = [self.check(what, places, size, kernel, width) for size in (SIZES[:1] if width else SIZES)]
+            print(f"| {what} | `{kernel}` | {width or ''} | "
+                  + " | ".join([f"{over:.3f} ({scatter:.3f})" for over, scatter in row] + [""] * (3 - len(row))) + " |")
             # Cells of three diameters see what is uneven in the random packing, and make the lattice uneven with
             # particleCentre. Elsewhere 1 % is asked for.
             for size, (over, _) in zip(SIZES, row):
                 if size > 3 or what == "lattice" and kernel != "particleCentre":
-                    expect.near(f"{what}, cells of {size} d, {kernel}: drop over Ergun's", over, 1, 0.01)
-    print("\n| packing | kernel | smoothing [diameters] | " + " | ".join(f"{size} d" for size in SIZES) + " |\n"
-          + "|---" * 6 + "|")
-    for what, kernel, width, row in rows:
-        print(f"| {what} | `{kernel}` | {width or ''} | "
-              + " | ".join([f"{over:.3f} ({scatter:.3f})" for over, scatter in row] + [""] * (3 - len(row))) + " |")
-    expect.exit()
+                    self.expect_near(f"{what}, cells of {size} d, {kernel}: drop over Ergun's", over, 1, 0.01)
+
+    def test_lattice(self):
+        self.packing("lattice", lattice())
+
+    def test_random_packing(self):
+        self.packing("random", random_packing())
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:3])
+    unittest.main()

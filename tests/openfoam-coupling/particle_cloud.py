@@ -5,12 +5,14 @@ the forces of the line Exchange. At the start the force is 0. On 1 and 2 ranks, 
 and continued."""
 
 import re
-import sys
+import unittest
 
 import numpy as np
 
-from coupled_case import COUPLING, ENGINE, Expectations, append, column, exchange_lines, use_script
-from restart import numbers
+from cohesion_tests import dumps
+from cohesion_tests.coupling.cases import COUPLING, ENGINE, append, exchange_lines, use_script
+from cohesion_tests.coupling.fields import numbers
+from cohesion_tests.coupling.test_case import CoupledTestCase
 
 # Type, diameter [m], density [kg/m3]; there is none of the type between.
 KINDS = ((1, 1e-3, 500.0), (3, 2e-3, 1000.0))
@@ -34,9 +36,9 @@ def write_spheres(path):
     return np.array([kind for kind, _, _ in KINDS])[types]
 
 
-def make(build, work, name, settings):
+def make(column, name, settings):
     """The case, and the types of the spheres in the order of their numbers."""
-    case = column(work, name, build)
+    case = column(name)
     use_script(case, "passing")
     append(case, COUPLING, f'{settings} {ENGINE}Coeffs {{ variables {{ data spheres; dt "{STEP}"; }} }}')
     append(case, "constant/g", "value (0 0 0);")
@@ -50,10 +52,9 @@ def make(build, work, name, settings):
 def records(case):
     """By step of the engine: type, forces [N] and rank of the spheres, in the order of their numbers."""
     found = {}
-    for block in (case.folder / "forces.dump").read_text().split("ITEM: TIMESTEP\n")[1:]:
-        rows = np.array([line.split() for line in block.splitlines()[8:]], float)
-        rows = rows[np.argsort(rows[:, 0])]
-        found[int(block.split()[0])] = (rows[:, 1], rows[:, 2:5], rows[:, 5:])
+    for snapshot in dumps.read(case.folder / "forces.dump"):
+        rows = snapshot.sorted()
+        found[snapshot.step] = (rows[:, 1], rows[:, 2:5], rows[:, 5:])
     return found
 
 
@@ -67,55 +68,57 @@ def cloud(case, time):
     return numbers(folder / "type", 1)[order, 0], forces[order]
 
 
-def check_step(expect, what, case, step, types, record, line):
-    found_types, forces = cloud(case, step * GAS_STEP)
-    expect.equal(f"{what}, gas step {step}: spheres of another type than given", int((found_types != types).sum()), 0)
-    expect.equal(f"{what}, gas step {step}: than in the engine", int((found_types != record[0]).sum()), 0)
-    largest = np.abs(record[1]).max()
-    expect.true(f"{what}, gas step {step}: there are forces", largest > 0)
-    expect.below(f"{what}, gas step {step}: force, largest difference from the engine's record / largest",
-                 np.abs(forces - record[1]).max() / largest, DIGITS)
-    expect.below(f"{what}, gas step {step}: sum of the forces, difference from the line Exchange / largest force",
-                 np.abs(forces.sum(axis=0) - line["drag"] - line["pressure"]).max() / largest, NUMBER * DIGITS)
+class ParticleCloud(CoupledTestCase):
+    def check_step(self, what, case, step, types, record, line):
+        found_types, forces = cloud(case, step * GAS_STEP)
+        self.expect_equal(f"{what}, gas step {step}: spheres of another type than given",
+                          int((found_types != types).sum()), 0)
+        self.expect_equal(f"{what}, gas step {step}: than in the engine", int((found_types != record[0]).sum()), 0)
+        largest = np.abs(record[1]).max()
+        self.expect_true(f"{what}, gas step {step}: there are forces", largest > 0)
+        self.expect_below(f"{what}, gas step {step}: force, largest difference from the engine's record / largest",
+                          np.abs(forces - record[1]).max() / largest, DIGITS)
+        self.expect_below(f"{what}, gas step {step}: sum of the forces, difference from Exchange / largest force",
+                          np.abs(forces.sum(axis=0) - line["drag"] - line["pressure"]).max() / largest, NUMBER * DIGITS)
 
+    def check(self, name, ranks=1, settings=""):
+        what = f"{name}, {ranks} ranks"
+        case, types = make(self.column, name, settings)
+        lines = exchange_lines(case.solve(ranks=ranks))
+        if ranks > 1:
+            case.run("reconstructPar", "-withZero")
+        start_types, start_forces = cloud(case, 0)
+        self.expect_equal(f"{what}, start: spheres of another type than given", int((start_types != types).sum()), 0)
+        self.expect_equal(f"{what}, start: largest force [N]", np.abs(start_forces).max(), 0.0)
+        found = records(case)
+        for step, line in enumerate(lines, 1):
+            self.check_step(what, case, step, types, found[10 * step], line)
+        if ranks > 1:
+            changed = [int((found[10 * k - 10][2] != found[10 * k][2]).sum()) for k in range(1, GAS_STEPS + 1)]
+            self.expect_true(f"{what}: {changed} spheres change the rank in the gas steps", min(changed) > 0)
+        return case, types
 
-def check(expect, build, work, name, ranks=1, settings=""):
-    what = f"{name}, {ranks} ranks"
-    case, types = make(build, work, name, settings)
-    lines = exchange_lines(case.solve(ranks=ranks))
-    if ranks > 1:
-        case.run("reconstructPar", "-withZero")
-    start_types, start_forces = cloud(case, 0)
-    expect.equal(f"{what}, start: spheres of another type than given", int((start_types != types).sum()), 0)
-    expect.equal(f"{what}, start: largest force [N]", np.abs(start_forces).max(), 0.0)
-    found = records(case)
-    for step, line in enumerate(lines, 1):
-        check_step(expect, what, case, step, types, found[10 * step], line)
-    if ranks > 1:
-        changed = [int((found[10 * k - 10][2] != found[10 * k][2]).sum()) for k in range(1, GAS_STEPS + 1)]
-        expect.true(f"{what}: {changed} spheres change the rank in the gas steps", min(changed) > 0)
-    return case, types
+    def continued(self, case, types):
+        """From the middle of the run before, whose last times are as if they had not been."""
+        append(case, "system/controlDict", f"startFrom startTime; startTime {GAS_STEPS // 2 * GAS_STEP};")
+        lines = exchange_lines(case.solve("-overwrite"))
+        found = records(case)
+        self.expect_equal("continued: gas steps", len(lines), GAS_STEPS - GAS_STEPS // 2)
+        for step, line in enumerate(lines, GAS_STEPS // 2 + 1):
+            self.check_step("continued", case, step, types, found[10 * step], line)
 
+    def test_plain_and_continued(self):
+        case, types = self.check("plain")
+        self.continued(case, types)
 
-def continued(expect, case, types):
-    """From the middle of the run before, whose last times are as if they had not been."""
-    append(case, "system/controlDict", f"startFrom startTime; startTime {GAS_STEPS // 2 * GAS_STEP};")
-    lines = exchange_lines(case.solve("-overwrite"))
-    found = records(case)
-    expect.equal("continued: gas steps", len(lines), GAS_STEPS - GAS_STEPS // 2)
-    for step, line in enumerate(lines, GAS_STEPS // 2 + 1):
-        check_step(expect, "continued", case, step, types, found[10 * step], line)
+    @unittest.skipUnless(ENGINE == "lammps", "what the solver does by itself, with every engine")
+    def test_form_B(self):
+        self.check("form-B", settings="form B; response free; voidFraction sphereOverlap;")
 
-
-def main(build, work):
-    expect = Expectations()
-    case, types = check(expect, build, work, "plain")
-    continued(expect, case, types)
-    if ENGINE == "lammps":
-        check(expect, build, work, "form-B", settings="form B; response free; voidFraction sphereOverlap;")
-        check(expect, build, work, "two", ranks=2, settings="voidFraction sphereOverlap; slip interpolated;")
-    expect.exit()
+    @unittest.skipUnless(ENGINE == "lammps", "what the solver does by itself, with every engine")
+    def test_two_ranks(self):
+        self.check("two", ranks=2, settings="voidFraction sphereOverlap; slip interpolated;")
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:3])
+    unittest.main()

@@ -3,21 +3,23 @@
 differ, and Geldart's group; of a mixture of sizes what the drag of each sphere is. On 1 and 2 ranks."""
 
 import re
-import sys
+import unittest
 
 import numpy as np
 
-from coupled_case import COUPLING, Expectations, append, column, use_script
+from cohesion_tests.coupling.cases import COUPLING, append, use_script
+from cohesion_tests.coupling.test_case import CoupledTestCase
+from cohesion_tests.refusals import assert_says
 
 NUMBER = 40
 MIXTURE = "the drag of each sphere is the closure's for its own diameter and the void fraction of its cells."
 WARNING = "may be off by a factor of about five at a size ratio of four"
 
 
-def lines(build, work, name, kinds, ranks=1):
+def lines(column, name, kinds, ranks=1):
     """What is said of spheres of `kinds` in turn, (diameter [m], density [kg/m3]): the line, and the one after it if
     it belongs to it."""
-    case = column(work, name, build)
+    case = column(name)
     use_script(case, "passing")
     atoms = "\n".join(f"{n + 1} 1 {kinds[n % len(kinds)][0]!r} {kinds[n % len(kinds)][1]!r} 0.03 0.03 "
                       f"{0.2 * (n + 0.5) / NUMBER!r}" for n in range(NUMBER))
@@ -34,33 +36,37 @@ def lines(build, work, name, kinds, ranks=1):
     return found[0]
 
 
-def check(expect, what, found, line, mixture):
-    expect.equal(f"{what}: what is said", found[0], line)
-    expect.true(f"{what}: " + (f"of the mixture: {found[1]}" if mixture else f"no more: {found[1]!r}"),
-                (found[1].startswith(f"A mixture, largest over smallest diameter {mixture:g}: ") and MIXTURE in found[1]
-                 and WARNING in found[1]) if mixture else not found[1])
+class ParticleLine(CoupledTestCase):
+    def check(self, what, found, line, mixture):
+        self.expect_equal(f"{what}: what is said", found[0], line)
+        if mixture is None:
+            return self.expect_equal(f"{what}: what is said behind it", found[1], "")
+        assert_says(self, found[1], f"A mixture, largest over smallest diameter {mixture:g}: ", MIXTURE, WARNING)
 
+    def test_alike(self):
+        self.check("alike", lines(self.column, "alike", [(3e-4, 1500.0)]),
+                   "40, diameter 0.0003 m, density 1500 kg/m3; by both, in ambient air, Geldart's group B", None)
 
-def main(build, work):
-    expect = Expectations()
-    check(expect, "alike", lines(build, work, "alike", [(3e-4, 1500.0)]),
-          "40, diameter 0.0003 m, density 1500 kg/m3; by both, in ambient air, Geldart's group B", None)
-    check(expect, "densities", lines(build, work, "densities", [(3e-4, 1500.0), (3e-4, 500.0)]),
-          "40, diameter 0.0003 m, density 500 to 1500 kg/m3, mean 1000 kg/m3; by both means, in ambient air,"
-          " Geldart's group B", None)
-    # Sieved, and of the rounding of radii
-    for wide, diameter in (("sieved", 3.1e-4), ("rounded", 3.000001e-4)):
-        found = lines(build, work, wide, [(3e-4, 1500.0), (diameter, 1500.0)])
-        expect.true(f"{wide}: no more than one line: {found}", not found[1])
-    kinds = [(2e-4, 2000.0), (8e-4, 1000.0), (2e-4, 1000.0), (2e-4, 1000.0)]
-    d, rho = np.array(kinds).T
-    said = (f"40, diameter 0.0002 to 0.0008 m, Sauter mean {(d**3).sum() / (d**2).sum():.6g} m, density 1000 to 2000"
-            f" kg/m3, mean {(d**3 * rho).sum() / (d**3).sum():.6g} kg/m3; by both means, in ambient air, Geldart's"
-            " group B")
-    for ranks in (1, 2):
-        check(expect, f"mixture, {ranks} ranks", lines(build, work, f"mixture-{ranks}", kinds, ranks), said, 4)
-    expect.exit()
+    def test_two_densities(self):
+        self.check("densities", lines(self.column, "densities", [(3e-4, 1500.0), (3e-4, 500.0)]),
+                   "40, diameter 0.0003 m, density 500 to 1500 kg/m3, mean 1000 kg/m3; by both means, in ambient air,"
+                   " Geldart's group B", None)
+
+    def test_nearly_alike(self):
+        # Sieved, and of the rounding of radii
+        for wide, diameter in (("sieved", 3.1e-4), ("rounded", 3.000001e-4)):
+            found = lines(self.column, wide, [(3e-4, 1500.0), (diameter, 1500.0)])
+            self.expect_true(f"{wide}: no more than one line: {found}", not found[1])
+
+    def test_mixture(self):
+        kinds = [(2e-4, 2000.0), (8e-4, 1000.0), (2e-4, 1000.0), (2e-4, 1000.0)]
+        d, rho = np.array(kinds).T
+        said = (f"40, diameter 0.0002 to 0.0008 m, Sauter mean {(d**3).sum() / (d**2).sum():.6g} m, density 1000 to"
+                f" 2000 kg/m3, mean {(d**3 * rho).sum() / (d**3).sum():.6g} kg/m3; by both means, in ambient air,"
+                " Geldart's group B")
+        for ranks in (1, 2):
+            self.check(f"mixture, {ranks} ranks", lines(self.column, f"mixture-{ranks}", kinds, ranks), said, 4)
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:3])
+    unittest.main()

@@ -2,11 +2,12 @@
 """What a particle script may do: have the gas's gravity in every way that there is, have none for particles that are
 held, have fixes behind fix gas/coupling that add no forces. What it may not: bad_input.py."""
 
-import sys
+import unittest
 
-from bad_input import SCRIPT, edit
-from coupled_case import COUPLING, ENGINE, CaseError, Expectations, append, column
+from cohesion_tests.coupling.cases import COUPLING, ENGINE, append, edit, script_file
+from cohesion_tests.coupling.test_case import CoupledTestCase
 
+SCRIPT = script_file("particles")
 GRAVITY = "fix weight   all gravity 9.81 vector 0 0 -1"
 GAS = "fix gas      all gas/coupling"
 
@@ -55,42 +56,31 @@ if ENGINE == "lammps":
     RUN["a variable"] = lambda c: gravity(c, "variable g equal 9+0.81\nfix weight all gravity v_g vector 0 0 -1")
 
 
-def check(expect, case, name, prepare):
-    prepare(case)
-    case.mesh()
-    append(case, "system/controlDict", "endTime 1e-4; writeInterval 1e-4;")
-    try:
-        case.solve()
-        expect.true(f"{name}: runs", (case.folder / "0.0001/uniform/completeState").exists())
-    except CaseError as error:
-        print(error)
-        expect.true(f"{name}: runs", False)
+class ParticleScript(CoupledTestCase):
+    def check(self, case, name, prepare):
+        prepare(case)
+        case.mesh()
+        append(case, "system/controlDict", "endTime 1e-4; writeInterval 1e-4;")
+        with self.subTest(name):
+            case.solve()
+            self.expect_true(f"{name}: runs", (case.folder / "0.0001/uniform/completeState").exists())
 
+    @unittest.skipUnless(ENGINE == "lammps", "what the solver does by itself, with every engine")
+    def test_one_rank_has_another(self):
+        """Two particles, one without gravity, on the other rank."""
+        case = self.column("ranks")
+        edit(case, SCRIPT, "create_atoms 1 single 0.031 0.029 0.19",
+             "create_atoms 1 single 0.031 0.029 0.19\ncreate_atoms 1 single 0.011 0.029 0.05")
+        gravity(case, "region low block 0 0.02 0 0.06 0 0.1 units box\ngroup light region low\n"
+                      "group heavy subtract all light\nfix weight heavy gravity 9.81 vector 0 0 -1")
+        case.mesh()
+        self.refused("particles of two gravities on two ranks", case,
+                     "and (0 0 -9.81) to (0 0 0) m/s2 for the particles", ranks=2)
 
-def one_rank_has_another(expect, case):
-    """Two particles, one without gravity, on the other rank."""
-    edit(case, SCRIPT, "create_atoms 1 single 0.031 0.029 0.19",
-         "create_atoms 1 single 0.031 0.029 0.19\ncreate_atoms 1 single 0.011 0.029 0.05")
-    gravity(case, "region low block 0 0.02 0 0.06 0 0.1 units box\ngroup light region low\n"
-                  "group heavy subtract all light\nfix weight heavy gravity 9.81 vector 0 0 -1")
-    case.mesh()
-    try:
-        case.solve(ranks=2)
-        expect.true("particles of two gravities on two ranks: stop", False)
-    except CaseError:
-        said = "and (0 0 -9.81) to (0 0 0) m/s2 for the particles"
-        expect.true(f"particles of two gravities on two ranks: say \"{said}\"",
-                    said in case.log("cohesiveBedFoam").read_text())
-
-
-def main(build, work):
-    expect = Expectations()
-    for number, (name, prepare) in enumerate(RUN.items()):
-        check(expect, column(work, str(number), build), name, prepare)
-    if ENGINE == "lammps":
-        one_rank_has_another(expect, column(work, "ranks", build))
-    expect.exit()
+    def test_runs(self):
+        for number, (name, prepare) in enumerate(RUN.items()):
+            self.check(self.column(str(number)), name, prepare)
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:3])
+    unittest.main()

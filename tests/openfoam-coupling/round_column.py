@@ -5,14 +5,14 @@ and weight, and gas and spheres balance."""
 
 import math
 import shutil
-import sys
+import unittest
 
 import numpy as np
 
-from coupled_case import COUPLING, SOURCE, Expectations, append, column, exchange_lines
-
-sys.path.insert(0, str(SOURCE / "tests/liggghts-styles"))
-from mesh import stl  # noqa: E402
+from cohesion_tests import dumps
+from cohesion_tests.coupling.cases import COUPLING, append, exchange_lines
+from cohesion_tests.coupling.test_case import CoupledTestCase
+from cohesion_tests.liggghts_scenes.mesh import stl
 
 RADIUS, HEIGHT, SIDES = 0.03, 0.2, 24  # of the column [m]
 SPHERE, SPHERES, G = 1.5e-3, 100, 9.81
@@ -68,8 +68,8 @@ boundary
     case.run("blockMesh")
 
 
-def run(build, work, name, ranks=1, hamaker=HAMAKER):
-    case = column(work, name, build, "liggghts")
+def run(column, name, ranks=1, hamaker=HAMAKER):
+    case = column(name, "liggghts")
     (case.folder / "wall.stl").write_text(stl(wall()))
     append(case, COUPLING, f"""voidFraction dividedVolume;
 liggghtsCoeffs {{ script "round.liggghts"; variables {{ A {hamaker}; dt {STEP}; }} }}""")
@@ -91,47 +91,45 @@ def farthest(places):
     return ((places[:, :2] - RADIUS) @ across.T).max() - RADIUS * math.cos(math.pi / SIDES)
 
 
-def check(expect, build, work, ranks):
-    case, lines, trace = run(build, work, f"{ranks}", ranks)
-    expect.equal(f"{ranks} ranks: gas steps", len(lines), round(END / DT))
-    # As in conservation.py
-    expect.below("largest imbalance of the forces", max(x["imbalance"] for x in lines), 1e-12)
-    expect.below("largest error of the solid volume", max(x["volume"] for x in lines), 1e-12)
+class RoundColumn(CoupledTestCase):
+    def check(self, ranks):
+        case, lines, trace = run(self.column, f"{ranks}", ranks)
+        self.expect_equal(f"{ranks} ranks: gas steps", len(lines), round(END / DT))
+        self.expect_balance(f"{ranks} ranks", lines)
 
-    words = map(str.split, (case.folder / "places.dump").read_text().splitlines())
-    places = np.array([line for line in words if len(line) == 3 and line[0] != "ITEM:"], float)
-    expect.equal("spheres in frames", len(places), SPHERES * (round(END / STEP) // 100))
-    # One alone is pressed in by v sqrt(m/k), 0.06 mm at 0.5 m/s or 0.04 radii; with all the energy of four others
-    # behind it by sqrt(5) times that.
-    expect.below("farthest sphere beyond its touching the wall / radius",
-                 1 + farthest(places) / SPHERE, 0.1)
+        places = np.concatenate([snapshot.table for snapshot in dumps.read(case.folder / "places.dump")])
+        self.expect_equal(f"{ranks} ranks: spheres in frames", len(places), SPHERES * (round(END / STEP) // 100))
+        # One alone is pressed in by v sqrt(m/k), 0.06 mm at 0.5 m/s or 0.04 radii; with all the energy of four others
+        # behind it by sqrt(5) times that.
+        self.expect_below(f"{ranks} ranks: farthest sphere beyond its touching the wall / radius",
+                          1 + farthest(places) / SPHERE, 0.1)
 
-    # The engine's steps take forces at both ends with half their weight, but that of the gas at the end as a whole.
-    on_wall, momentum, mass = trace[:, 1:4], trace[:, 4:7], trace[0, 7]
-    sphere = 2000 * 4 / 3 * math.pi * SPHERE**3
-    expect.near("mass [kg]", mass, SPHERES * sphere, 5e-6 * mass)
-    wall_impulse = ((on_wall[1:] + on_wall[:-1]) / 2).sum(axis=0) * STEP
-    from_gas = np.array([np.add(x["drag"], x["pressure"]) for x in lines])
-    weight = np.array([0, 0, -mass * G])
-    left = momentum[-1] - momentum[0] - wall_impulse - (from_gas.sum(axis=0) + weight * len(lines)) * DT
-    # The engine prints six digits.
-    rounding = 5e-6 * (np.abs(on_wall).sum() * STEP + 2 * np.abs(momentum).max() + mass * G * END)
-    expect.below("momentum that neither wall, gas nor weight gave [kg m/s]", np.abs(left).max(),
-                 STEP * np.abs(from_gas).max() + rounding)
-    expect.true("the wall turns spheres back", wall_impulse[0] < -0.1 * mass * 0.5)
-    return on_wall
+        # The engine's steps take forces at both ends with half their weight, but that of the gas at the end as a whole.
+        on_wall, momentum, mass = trace[:, 1:4], trace[:, 4:7], trace[0, 7]
+        sphere = 2000 * 4 / 3 * math.pi * SPHERE**3
+        self.expect_near(f"{ranks} ranks: mass [kg]", mass, SPHERES * sphere, 5e-6 * mass)
+        wall_impulse = ((on_wall[1:] + on_wall[:-1]) / 2).sum(axis=0) * STEP
+        from_gas = np.array([np.add(x["drag"], x["pressure"]) for x in lines])
+        weight = np.array([0, 0, -mass * G])
+        left = momentum[-1] - momentum[0] - wall_impulse - (from_gas.sum(axis=0) + weight * len(lines)) * DT
+        # The engine prints six digits.
+        rounding = 5e-6 * (np.abs(on_wall).sum() * STEP + 2 * np.abs(momentum).max() + mass * G * END)
+        self.expect_below(f"{ranks} ranks: momentum that neither wall, gas nor weight gave [kg m/s]",
+                          np.abs(left).max(),
+                          STEP * np.abs(from_gas).max() + rounding)
+        self.expect_true(f"{ranks} ranks: the wall turns spheres back", wall_impulse[0] < -0.1 * mass * 0.5)
+        return on_wall
 
+    def test_cohesive(self):
+        # They fly to larger x, and the wall there pushes to smaller x.
+        for ranks in (1, 2):
+            on_wall = self.check(ranks)
+            self.expect_true(f"{ranks} ranks: the wall attracts", on_wall[:, 0].max() > 0)
 
-def main(build, work):
-    expect = Expectations()
-    # They fly to larger x, and the wall there pushes to smaller x.
-    for ranks in (1, 2):
-        on_wall = check(expect, build, work, ranks)
-        expect.true("the wall attracts", on_wall[:, 0].max() > 0)
-    _, _, trace = run(build, work, "smooth", hamaker=0)
-    expect.true("without cohesion it does not", trace[:, 1].max() <= 0)
-    expect.exit()
+    def test_without_cohesion_the_wall_does_not_attract(self):
+        _, _, trace = run(self.column, "smooth", hamaker=0)
+        self.expect_true("without cohesion it does not", trace[:, 1].max() <= 0)
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:3])
+    unittest.main()

@@ -3,9 +3,10 @@
 that is started by mpirun runs."""
 
 import subprocess
-import sys
+import unittest
 
-from coupled_case import Expectations, append, column
+from cohesion_tests.coupling.cases import append
+from cohesion_tests.coupling.test_case import CoupledTestCase
 
 
 def start(case, processes):
@@ -18,27 +19,26 @@ def files(case):
     return {path: path.stat().st_mtime_ns for path in case.folder.rglob("*")}
 
 
-def main(build, work):
-    expect = Expectations()
-    case = column(work, "case", build)
-    append(case, "system/controlDict", "endTime 0.001;")
-    case.mesh()
-    before = files(case)
-    found = start(case, 2)
-    said = " ".join(found.stdout.split())
-    expect.true("two processes: fail", found.returncode != 0)
-    for text in ("2 processes were started, without the option -parallel",
-                 "Run decomposePar and 'mpirun -np 2 cohesiveBedFoam -parallel'"):
-        expect.equal(f"times that they say \"{text}\"", said.count(text), 1)
-    expect.true("and are not killed by a signal", "exited on signal" not in said)
-    expect.equal("steps", found.stdout.count("\nTime = "), 0)
-    expect.equal("files that were made or changed", sorted(map(str, files(case).items() ^ before.items())), [])
+class SeveralProcesses(CoupledTestCase):
+    def test_refused_without_parallel(self):
+        case = self.column("case")
+        append(case, "system/controlDict", "endTime 0.001;")
+        case.mesh()
+        before = files(case)
+        found = start(case, 2)
+        said = " ".join(found.stdout.split())
+        self.expect_true("two processes: fail", found.returncode != 0)
+        for text in ("2 processes were started, without the option -parallel",
+                     "Run decomposePar and 'mpirun -np 2 cohesiveBedFoam -parallel'"):
+            self.expect_equal(f"times that they say \"{text}\"", said.count(text), 1)
+        self.expect_true("and are not killed by a signal", "exited on signal" not in said)
+        self.expect_equal("steps", found.stdout.count("\nTime = "), 0)
+        self.expect_equal("files that were made or changed", sorted(map(str, files(case).items() ^ before.items())), [])
 
-    found = start(case, 1)
-    expect.equal("one process: status", found.returncode, 0)
-    expect.equal("steps", found.stdout.count("\nTime = "), 10)
-    expect.exit()
+        found = start(case, 1)
+        self.expect_equal("one process: status", found.returncode, 0)
+        self.expect_equal("one process: steps", found.stdout.count("\nTime = "), 10)
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:3])
+    unittest.main()

@@ -3,16 +3,14 @@
 settle at the speed that the drag closure gives for their void fraction; with Wen and Yu's without inertia
 that is Richardson and Zaki's eps^n of a single sphere's."""
 
-import sys
+import unittest
 
 import numpy as np
 from scipy.optimize import brentq
 
-from coupled_case import SOURCE, Expectations, column
-from restart import numbers
-
-sys.path.insert(0, str(SOURCE / "tests/src/drag"))
-from closure_formulas import CLOSURES, DOUBLE  # noqa: E402
+from cohesion_tests.coupling.fields import numbers
+from cohesion_tests.coupling.test_case import CoupledTestCase
+from cohesion_tests.theory.closure_formulas import CLOSURES, DOUBLE
 
 RHO_P, RHO, MU, G = 1000.0, 1.2, 1.0, 9.81
 CELL, CELLS = 0.02, 9
@@ -29,9 +27,9 @@ def void_fraction(d):
     return 1 - COLUMNS * volume(d) / (CELL**2 * SPACING)
 
 
-def settle(build, work, closure, form, d):
+def settle(column, closure, form, d):
     """Mean speed [m/s] of the spheres far from top and bottom."""
-    case = column(work, f"{closure}-{form}-{d}", build)
+    case = column(f"{closure}-{form}-{d}")
     coupling = "constant/couplingProperties"
     case.set("constant/transportProperties", "rho", RHO)
     case.set("constant/transportProperties", "nu", MU / RHO)
@@ -79,24 +77,23 @@ def displacement_error(d):
     return step**2 / 12 * 2 * np.pi * d / volume(d) * (1 - void_fraction(d))
 
 
-def main(build, work):
-    expect = Expectations()
-    speeds = {}
-    for closure, form, d in (("ergunWenYu", "A", 2e-3), ("ergunWenYu", "A", 3.6e-3),
-                             ("beetstra", "A", 4e-3), ("beetstra", "B", 4e-3)):
-        speed, right = settle(build, work, closure, form, d), expected(closure, d)
-        # The slip decays within m/b < 1e-3 s, the run is 20 of these.
-        expect.near(f"{closure}, form {form}, void fraction {void_fraction(d):.4f}: speed [m/s]", speed,
-                    right, (displacement_error(d) + 1e-6) * right)
-        speeds[d] = speed / d**2
-    # A single sphere's speed without inertia goes with d^2; Schiller and Naumann's 0.15 Re^0.687 at
-    # Re < 1e-4 is below 3e-4.
-    dilute, dense = 2e-3, 3.6e-3
-    ratio = np.log(void_fraction(dilute) / void_fraction(dense))
-    expect.near("Richardson and Zaki's exponent", np.log(speeds[dilute] / speeds[dense]) / ratio, 4.65,
-                (displacement_error(dilute) + displacement_error(dense) + 3e-4) / ratio)
-    expect.exit()
+class Suspensions(CoupledTestCase):
+    def test_speeds(self):
+        speeds = {}
+        for closure, form, d in (("ergunWenYu", "A", 2e-3), ("ergunWenYu", "A", 3.6e-3),
+                                 ("beetstra", "A", 4e-3), ("beetstra", "B", 4e-3)):
+            speed, right = settle(self.column, closure, form, d), expected(closure, d)
+            # The slip decays within m/b < 1e-3 s, the run is 20 of these.
+            self.expect_near(f"{closure}, form {form}, void fraction {void_fraction(d):.4f}: speed [m/s]", speed,
+                             right, (displacement_error(d) + 1e-6) * right)
+            speeds[d] = speed / d**2
+        # A single sphere's speed without inertia goes with d^2; Schiller and Naumann's 0.15 Re^0.687 at
+        # Re < 1e-4 is below 3e-4.
+        dilute, dense = 2e-3, 3.6e-3
+        ratio = np.log(void_fraction(dilute) / void_fraction(dense))
+        self.expect_near("Richardson and Zaki's exponent", np.log(speeds[dilute] / speeds[dense]) / ratio, 4.65,
+                         (displacement_error(dilute) + displacement_error(dense) + 3e-4) / ratio)
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:])
+    unittest.main()

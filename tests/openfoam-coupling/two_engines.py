@@ -2,13 +2,14 @@
 """One case with both particle engines: cohesive spheres that collide in gas. The same fields and
 particles at the end, nearer to each other than to a run whose start is off in the twelfth digit."""
 
-import sys
+import unittest
 
 import numpy as np
 
-from coupled_case import COUPLING, Expectations, column, disturb, exchange_lines, use_script
-from packed_bed import field
-from restart import difference, numbers
+from cohesion_tests.coupling.cases import COUPLING, disturb, exchange_lines, use_script
+from cohesion_tests.coupling.fields import field, numbers
+from cohesion_tests.coupling.swarm import difference
+from cohesion_tests.coupling.test_case import CoupledTestCase
 
 END = "0.01"  # [s], 100 gas steps of ten
 HAMAKER = 1e-11  # [J]: 20 times the weight at contact
@@ -16,9 +17,9 @@ HAMAKER = 1e-11  # [J]: 20 times the weight at contact
 DISTURBANCE = 1e-12
 
 
-def run(build, work, name, engine, hamaker=HAMAKER, disturbance=0.0):
+def run(column, name, engine, hamaker=HAMAKER, disturbance=0.0):
     """State at the end, and velocities there less those at the start [m/s]."""
-    case = column(work, name, build, engine)
+    case = column(name, engine)
     use_script(case, "cohesive", engine)
     if disturbance:
         disturb(case, "cohesive", disturbance, engine)
@@ -37,24 +38,27 @@ def run(build, work, name, engine, hamaker=HAMAKER, disturbance=0.0):
     return found
 
 
-def main(build, work):
-    expect = Expectations()
-    lammps = run(build, work, "lammps", "lammps")
-    disturbed = run(build, work, "disturbed", "lammps", disturbance=DISTURBANCE)
-    liggghts = run(build, work, "liggghts", "liggghts")
-    limits = difference(disturbed, lammps)
-    for name, apart in difference(liggghts, lammps).items():
-        # The yardstick is one only while it is small.
-        expect.below(f"disturbed: {name}, largest difference / largest value", limits[name], 1e-4)
-        expect.below(f"LIGGGHTS against LAMMPS: {name}, largest difference / largest value", apart,
-                     limits[name])
+class TwoEngines(CoupledTestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.liggghts = run(cls.column, "liggghts", "liggghts")
 
-    # What is compared is a collision of cohesive spheres: without cohesion most move differently.
-    free = run(build, work, "free", "liggghts", hamaker=0)
-    changed = np.abs(free["particle velocity"] - liggghts["particle velocity"]).max(axis=1)
-    expect.below("spheres that cohesion left as they were [1]", np.mean(changed < 1e-3), 0.5)
-    expect.exit()
+    def test_same(self):
+        lammps = run(self.column, "lammps", "lammps")
+        disturbed = run(self.column, "disturbed", "lammps", disturbance=DISTURBANCE)
+        limits = difference(disturbed, lammps)
+        for name, apart in difference(self.liggghts, lammps).items():
+            # The yardstick is one only while it is small.
+            self.expect_below(f"disturbed: {name}, largest difference / largest value", limits[name], 1e-4)
+            self.expect_below(f"LIGGGHTS against LAMMPS: {name}, largest difference / largest value", apart,
+                              limits[name])
+
+    def test_what_is_compared_is_a_collision_of_cohesive_spheres(self):
+        """Without cohesion most move differently."""
+        free = run(self.column, "free", "liggghts", hamaker=0)
+        changed = np.abs(free["particle velocity"] - self.liggghts["particle velocity"]).max(axis=1)
+        self.expect_below("spheres that cohesion left as they were [1]", np.mean(changed < 1e-3), 0.5)
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:3])
+    unittest.main()

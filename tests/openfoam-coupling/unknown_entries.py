@@ -3,10 +3,12 @@
 with the nearest known one; of others that nothing reads a warning gives the names; entries for macros are silent."""
 
 import re
-import sys
+import unittest
 
-from bad_input import edit
-from coupled_case import COUPLING, SOURCE, CaseError, Expectations, append, column
+from cohesion_tests import SOURCE
+from cohesion_tests.coupling.cases import COUPLING, append
+from cohesion_tests.coupling.test_case import CoupledTestCase
+from cohesion_tests.refusals import assert_says
 
 DOCUMENTED = SOURCE / "docs/openfoam-coupling/cohesiveBedFoam.md"
 
@@ -64,66 +66,44 @@ def words_of(table):
     return {name for row in rows.splitlines()[2:] for name in re.findall(r"`(\w+)`", row.split("|")[1])}
 
 
-def known_words(expect, log):
-    """The list in the message and the page's are the same."""
-    said = re.search(r"Known are ([^\n]*)\n", log)[1].split(", ")
-    expect.equal("entries on the page", sorted(words_of("## constant/couplingProperties\n\n")), sorted(said))
+class UnknownEntries(CoupledTestCase):
+    def allows(self, case, name, entries, warning=()):
+        """Runs, with one warning of these parts or without one."""
+        case.mesh()
+        append(case, "system/controlDict", "endTime 1e-4;")
+        (case.folder / "constant/mine").write_text("width 0.06; fluid air; from 3; step 1e-5;\n")
+        append(case, COUPLING, entries)
+        with self.subTest(name):
+            log = case.solve()
+            self.expect_equal(f"{name}: warnings", log.count("unknown entry"), 1 if warning else 0)
+            assert_says(self, log, *warning)
 
+    def test_refused(self):
+        logs = {}
+        for number, (name, (spoil, parts)) in enumerate(REFUSED.items()):
+            case = self.column(f"refused-{number}")
+            case.mesh()
+            spoil(case)
+            logs[name] = self.refused(name, case, *parts)
+            self.expect_true(f"{name}: before the script runs", not (case.folder / "log.lammps").exists())
+        # The list in the message and the page's are the same.
+        said = re.search(r"Known are ([^\n]*)\n", logs["letters of another case"])[1].split(", ")
+        self.expect_equal("entries on the page", sorted(words_of("## constant/couplingProperties\n\n")), sorted(said))
 
-def refuses(expect, case, name, spoil, parts):
-    case.mesh()
-    spoil(case)
-    try:
-        case.solve()
-        expect.true(f"{name}: stops", False)
-    except CaseError:
-        pass
-    log = case.log("cohesiveBedFoam").read_text()
-    for part in parts:
-        expect.true(f"{name}: says \"{part}\"", part in " ".join(log.split()))
-    expect.true(f"{name}: before the script runs", not (case.folder / "log.lammps").exists())
-    return log
+    def test_allowed(self):
+        for number, (name, entries) in enumerate(ALLOWED.items()):
+            self.allows(self.column(f"allowed-{number}"), name, entries)
 
+    def test_warned(self):
+        for number, (name, (entries, parts)) in enumerate(WARNED.items()):
+            self.allows(self.column(f"warned-{number}"), name, entries, parts)
 
-def allows(expect, case, name, entries, warning=()):
-    """Runs, with one warning of these parts or without one."""
-    case.mesh()
-    append(case, "system/controlDict", "endTime 1e-4;")
-    (case.folder / "constant/mine").write_text("width 0.06; fluid air; from 3; step 1e-5;\n")
-    append(case, COUPLING, entries)
-    try:
-        log = case.solve()
-        expect.equal(f"{name}: warnings", log.count("unknown entry"), 1 if warning else 0)
-        for part in warning:
-            expect.true(f"{name}: says \"{part}\"", part in " ".join(log.split()))
-    except CaseError as error:
-        print(error)
-        expect.true(f"{name}: runs", False)
-
-
-def on_ranks(expect, case):
-    case.mesh()
-    append(case, COUPLING, "dragfactor 2;")
-    try:
-        case.solve(ranks=2)
-        expect.true("two ranks: stop", False)
-    except CaseError:
-        expect.true("two ranks: stop", "unknown entry 'dragfactor'" in case.log("cohesiveBedFoam").read_text())
-
-
-def main(build, work):
-    expect = Expectations()
-    logs = {name: refuses(expect, column(work, f"refused-{number}", build), name, spoil, parts)
-            for number, (name, (spoil, parts)) in enumerate(REFUSED.items())}
-    if all("Known are" in logs[name] for name in ("letters of another case", "entry of the engine")):
-        known_words(expect, logs["letters of another case"])
-    for number, (name, entries) in enumerate(ALLOWED.items()):
-        allows(expect, column(work, f"allowed-{number}", build), name, entries)
-    for number, (name, (entries, parts)) in enumerate(WARNED.items()):
-        allows(expect, column(work, f"warned-{number}", build), name, entries, parts)
-    on_ranks(expect, column(work, "ranks", build))
-    expect.exit()
+    def test_two_ranks(self):
+        case = self.column("ranks")
+        case.mesh()
+        append(case, COUPLING, "dragfactor 2;")
+        self.refused("two ranks", case, "unknown entry 'dragfactor'", ranks=2)
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:3])
+    unittest.main()

@@ -4,20 +4,19 @@ no boxes and on meshes that do not resolve a direction, their volume is kept and
 smoothing has its width on any mesh; and a packed bed whose spheres are cut by the faces between rows has
 the pressure drop that follows from the kernel's shares, which are written out again here."""
 
-import sys
+import unittest
 
 import numpy as np
 from scipy.linalg import solve_banded
 
-import packed_bed
-from coupled_case import SOURCE, Expectations, column, exchange_lines, make_periodic
-from packed_bed import G, HEIGHT, MU, RHO, ROW, STEPS, SUPERFICIAL, blow, drop, field, rows
-
-sys.path.insert(0, str(SOURCE / "tests/src/drag"))
-from closure_formulas import CLOSURES, DOUBLE  # noqa: E402
+from cohesion_tests.coupling import held_layers
+from cohesion_tests.coupling.cases import COUPLING, exchange_lines, make_periodic
+from cohesion_tests.coupling.fields import field
+from cohesion_tests.coupling.held_layers import G, HEIGHT, MU, RHO, ROW, STEPS, SUPERFICIAL, blow, drop, rows
+from cohesion_tests.coupling.test_case import CoupledTestCase
+from cohesion_tests.theory.closure_formulas import CLOSURES, DOUBLE
 
 KERNELS = ("particleCentre", "dividedVolume", "sphereOverlap")
-COUPLING = "constant/couplingProperties"
 EDGES = np.linspace(0, HEIGHT, 11)
 WIDTH = 0.015  # of the smoothing, on rows of 20 mm
 
@@ -64,57 +63,12 @@ def smooth(values, width, cell=ROW):
     return values
 
 
-def check_packed_bed(expect, build, work, kernel, width, form="A"):
-    name = f"{kernel}-{width}-{form}"
-    print(f"-- packed bed, {name}")
-    closure = CLOSURES["ergunWenYu"]
-    settings = {"voidFraction": kernel, "drag": "ergunWenYu", "form": form}
-    if width:
-        settings["smoothingWidth"] = width
-    case, continuity, log = blow(build, work, name, settings, script="layers")
-    weight = shares(kernel)
-    assert np.allclose(weight.sum(axis=1), 1)
-    if width:
-        weight = smooth(weight.T, width).T  # spread, then smooth: of each layer to each row
-    eps = 1 - PER_CELL * VOLUME * weight.sum(axis=0) / ROW**3
-    at_layer, slip = weight @ eps, weight @ (SUPERFICIAL / eps)
-    b = np.array([VOLUME * closure(DOUBLE, e, u, D, RHO, MU) for e, u in zip(at_layer, slip)])
-    if form == "B":
-        b /= at_layer
-    force = PER_CELL * (weight.T @ b) / ROW**3 * SUPERFICIAL / eps  # on the gas of a row [N/m3]
-    # In form A the gas takes eps of the pressure gradient, in B all of it.
-    steps = force / (eps if form == "A" else 1) * ROW
-    # Smoothed, the end rows have some spheres. From middle to middle half their drag counts; and as the
-    # gas is not equally fast there, convection, rho eps U (U_above - U_below)/2 with the central scheme
-    # and U of the end rows at the ends, leaves (of form A; in B nothing, where the end rows are free)
-    assert form == "A" or not width
-    u = SUPERFICIAL / eps
-    convection = RHO / 4 * (u[-2] * u[-1] + u[-1] ** 2 - u[0] * u[1] - u[0] ** 2)
-    expected = (steps[:-1] + steps[1:]).sum() / 2 + RHO * G * 9 * ROW + convection
-
-    for k, found in enumerate(rows(case, "0.004", "voidFraction")):
-        # Written with 12 digits
-        expect.near(f"void fraction of row {k}", found, eps[k], 1e-12)
-    # As in packed_bed.check, of form A; form B has no 1/eps in the inertia and in the viscous stress, so
-    # its errors are smaller.
-    limit = packed_bed.flux_limit(expected)
-    solver = packed_bed.drop_error(limit, steps, eps)
-    expect.below("error of the flux [m/s]", continuity * HEIGHT / packed_bed.DT, limit)
-    expect.near("pressure drop [Pa]", drop(case, "0.004"), expected,
-                packed_bed.viscous(eps) + solver)
-    lines = exchange_lines(log)
-    expect.equal("steps", len(lines), STEPS)
-    # As in conservation.py
-    expect.below("largest imbalance of the forces", max(x["imbalance"] for x in lines), 1e-12)
-    expect.below("largest error of the solid volume", max(x["volume"] for x in lines), 1e-12)
-
-
-def solid(build, work, name, kernel, places, diameter, cells=(3, 3, 10), periodic=False, width=None,
+def solid(column, name, kernel, places, diameter, cells=(3, 3, 10), periodic=False, width=None,
           ranks=1, spoil=None, volume=None):
     """Solid volume of each cell [m3], indexed [x, y, z], and the Exchange line, after two steps
     with spheres at `places`. spoil(case): changes to the mesh; volume: of the cells [m3], if it makes
     them differ, each column in x and y then being a block of the mesh."""
-    case = column(work, name, build)
+    case = column(name)
     if spoil:
         spoil(case)
     mesh = (case.folder / "system/blockMeshDict")
@@ -144,29 +98,6 @@ def solid(build, work, name, kernel, places, diameter, cells=(3, 3, 10), periodi
         return (1 - eps).reshape(cells) * volume, line  # blockMesh counts block by block
     volume = 0.06 * 0.06 * 0.2 / np.prod(cells)
     return ((1 - eps) * volume).reshape(cells[::-1]).transpose(2, 1, 0), line
-
-
-def check_places(expect, build, work):
-    """A sphere on a corner of cells, one half beyond a periodic face, one a tenth of its diameter
-    beyond a wall."""
-    d = 8e-3
-    volume = np.pi / 6 * d**3
-    places = [(0.02, 0.04, 0.06), (0.0, 0.03, 0.11), (0.03, 0.0032, 0.15)]
-    # void fraction 1 - x is rounded to 1e-16: in a cell of 8e-6 m3 that is
-    rounding = 2e-16 * 8e-6
-    for ranks in (1, 2):
-        found, line = solid(build, work, f"places-{ranks}", "sphereOverlap", places, d,
-                            periodic=True, ranks=ranks)
-        expected = np.zeros((3, 3, 10))
-        expected[0:2, 1:3, 2:4] += volume / 8
-        expected[0, 1, 5] += volume / 2
-        expected[2, 1, 5] += volume / 2
-        expected[1, 0, 7] += volume
-        error = np.abs(found - expected).max()
-        # Shares to 1e-14 of the sphere, by sphere_box_overlap_test.cpp
-        expect.below(f"corner, periodic face and wall, {ranks} ranks: error of a cell [m3]", error,
-                     1e-14 * volume + rounding)
-        expect.below("error of the solid volume", line["volume"], 1e-12)
 
 
 def divided_points():
@@ -218,119 +149,172 @@ def flat(case):
         file.write_text(file.read_text().replace("    top ", "    slices { type empty; }\n    top "))
 
 
-def check_inclined(expect, build, work):
-    """Cells that are no boxes: a sphere that their border cuts, and one far from it."""
-    d = 8e-3
-    volume = np.pi / 6 * d**3
-    middles = ROW * (np.arange(10) + 0.5)
-    left = 0.06 * ROW * (BORDER[0] + (BORDER[1] - BORDER[0]) * middles / HEIGHT)
-    cells = np.stack([left, 0.06 * 0.06 * ROW - left])[:, None, :]
-    # In the middle of a row, where the border is at x = 0.031
-    cut, whole = np.array((0.0309, 0.03, 0.11)), (0.05, 0.03, 0.05)
-    slope = (BORDER[1] - BORDER[0]) / HEIGHT
-    normal = np.array((1, 0, -slope)) / np.hypot(1, slope)
-    distance = (np.array((BORDER[0], 0, 0)) - cut) @ normal / (d / 2)  # of the plane [radii]
-    points = divided_points() @ normal
-    assert np.abs(points - distance).min() > 1e-3
-    shares_left = {"particleCentre": (float(distance > 0), 0.0),
-                   "dividedVolume": ((points < distance).mean(), 0.0),
-                   # By 500 points, which void_fraction_kernel_test.cpp finds within 3 % of the sphere
-                   "sphereOverlap": (below(distance), 0.03)}
-    for kernel, (share, tolerance) in shares_left.items():
-        found, line = solid(build, work, f"inclined-{kernel}", kernel, [tuple(cut.tolist()), whole], d,
-                            cells=(2, 1, 10), spoil=incline, volume=cells)
-        expected = np.zeros((2, 1, 10))
-        expected[:, 0, 5] = volume * np.array((share, 1 - share))
-        expected[1, 0, 2] = volume
-        # The volume of a cell is rounded to a few 1e-16, and so is 1 - x.
-        expect.below(f"inclined cells, {kernel}: largest error of a cell / sphere",
-                     np.abs(found - expected).max() / volume,
-                     tolerance + 1e-14 + 1e-15 * cells.max() / volume)
-        expect.below("error of the solid volume", line["volume"], 1e-12)
-        expect.below("imbalance of the forces", line["imbalance"], 1e-12)
+class VoidFractionKernels(CoupledTestCase):
+    def check_packed_bed(self, kernel, width, form="A"):
+        name = f"{kernel}-{width}-{form}"
+        closure = CLOSURES["ergunWenYu"]
+        settings = {"voidFraction": kernel, "drag": "ergunWenYu", "form": form}
+        if width:
+            settings["smoothingWidth"] = width
+        case, continuity, log = blow(self.column, name, settings, script="layers")
+        weight = shares(kernel)
+        assert np.allclose(weight.sum(axis=1), 1)
+        if width:
+            weight = smooth(weight.T, width).T  # spread, then smooth: of each layer to each row
+        eps = 1 - PER_CELL * VOLUME * weight.sum(axis=0) / ROW**3
+        at_layer, slip = weight @ eps, weight @ (SUPERFICIAL / eps)
+        b = np.array([VOLUME * closure(DOUBLE, e, u, D, RHO, MU) for e, u in zip(at_layer, slip)])
+        if form == "B":
+            b /= at_layer
+        force = PER_CELL * (weight.T @ b) / ROW**3 * SUPERFICIAL / eps  # on the gas of a row [N/m3]
+        # In form A the gas takes eps of the pressure gradient, in B all of it.
+        steps = force / (eps if form == "A" else 1) * ROW
+        # Smoothed, the end rows have some spheres. From middle to middle half their drag counts; and as the
+        # gas is not equally fast there, convection, rho eps U (U_above - U_below)/2 with the central scheme
+        # and U of the end rows at the ends, leaves (of form A; in B nothing, where the end rows are free)
+        assert form == "A" or not width
+        u = SUPERFICIAL / eps
+        convection = RHO / 4 * (u[-2] * u[-1] + u[-1] ** 2 - u[0] * u[1] - u[0] ** 2)
+        expected = (steps[:-1] + steps[1:]).sum() / 2 + RHO * G * 9 * ROW + convection
 
+        for k, found in enumerate(rows(case, "0.004", "voidFraction")):
+            # Written with 12 digits
+            self.expect_near(f"{name}: void fraction of row {k}", found, eps[k], 1e-12)
+        # As in packed_bed.py, of form A; form B has no 1/eps in the inertia and in the viscous stress, so
+        # its errors are smaller.
+        limit = held_layers.flux_limit(expected)
+        solver = held_layers.drop_error(limit, steps, eps)
+        self.expect_below(f"{name}: error of the flux [m/s]", continuity * HEIGHT / held_layers.DT, limit)
+        self.expect_near(f"{name}: pressure drop [Pa]", drop(case, "0.004"), expected,
+                         held_layers.viscous(eps) + solver)
+        lines = exchange_lines(log)
+        self.expect_equal(f"{name}: steps", len(lines), STEPS)
+        self.expect_balance(name, lines)
 
-def check_flat(expect, build, work):
-    """A mesh that does not resolve y: a sphere on the edge of four cells, one that the border between
-    two rows cuts off its middle, and one nearer to the front than its radius."""
-    d, t = 8e-3, 0.3
-    volume = np.pi / 6 * d**3
-    places = [(0.02, 0.03, 0.06), (0.03, 0.03, 0.12 - t * d / 2), (0.05, 0.001, 0.15)]
-    points = divided_points()
-    assert np.abs(points[:, 2] - t).min() > 1e-3
-    for kernel, lower in (("sphereOverlap", below(t)), ("dividedVolume", (points[:, 2] < t).mean())):
-        # On the edge the points of dividedVolume lie on faces, in both cells: shares by round-off
-        some = places if kernel == "sphereOverlap" else places[1:]
-        found, line = solid(build, work, f"flat-{kernel}", kernel, some, d, cells=(3, 1, 10), spoil=flat)
-        expected = np.zeros((3, 1, 10))
-        if some is places:
-            expected[0:2, 0, 2:4] += volume / 4
-        expected[1, 0, 5] += volume * lower
-        expected[1, 0, 6] += volume * (1 - lower)
-        expected[2, 0, 7] += volume
-        # As in check_places(), with cells of 2.4e-5 m3
-        expect.below(f"flat cells, {kernel}: largest error of a cell [m3]",
-                     np.abs(found - expected).max(), 1e-14 * volume + 2e-16 * 2.4e-5)
-        expect.below("error of the solid volume", line["volume"], 1e-12)
-        expect.below("imbalance of the forces", line["imbalance"], 1e-12)
+    def test_places(self):
+        """A sphere on a corner of cells, one half beyond a periodic face, one a tenth of its diameter
+        beyond a wall."""
+        d = 8e-3
+        volume = np.pi / 6 * d**3
+        places = [(0.02, 0.04, 0.06), (0.0, 0.03, 0.11), (0.03, 0.0032, 0.15)]
+        # void fraction 1 - x is rounded to 1e-16: in a cell of 8e-6 m3 that is
+        rounding = 2e-16 * 8e-6
+        for ranks in (1, 2):
+            found, line = solid(self.column, f"places-{ranks}", "sphereOverlap", places, d,
+                                periodic=True, ranks=ranks)
+            expected = np.zeros((3, 3, 10))
+            expected[0:2, 1:3, 2:4] += volume / 8
+            expected[0, 1, 5] += volume / 2
+            expected[2, 1, 5] += volume / 2
+            expected[1, 0, 7] += volume
+            error = np.abs(found - expected).max()
+            # Shares to 1e-14 of the sphere, by sphere_box_overlap_test.cpp
+            self.expect_below(f"corner, periodic face and wall, {ranks} ranks: error of a cell [m3]", error,
+                              1e-14 * volume + rounding)
+            self.expect_below("error of the solid volume", line["volume"], 1e-12)
 
+    def test_inclined(self):
+        """Cells that are no boxes: a sphere that their border cuts, and one far from it."""
+        d = 8e-3
+        volume = np.pi / 6 * d**3
+        middles = ROW * (np.arange(10) + 0.5)
+        left = 0.06 * ROW * (BORDER[0] + (BORDER[1] - BORDER[0]) * middles / HEIGHT)
+        cells = np.stack([left, 0.06 * 0.06 * ROW - left])[:, None, :]
+        # In the middle of a row, where the border is at x = 0.031
+        cut, whole = np.array((0.0309, 0.03, 0.11)), (0.05, 0.03, 0.05)
+        slope = (BORDER[1] - BORDER[0]) / HEIGHT
+        normal = np.array((1, 0, -slope)) / np.hypot(1, slope)
+        distance = (np.array((BORDER[0], 0, 0)) - cut) @ normal / (d / 2)  # of the plane [radii]
+        points = divided_points() @ normal
+        assert np.abs(points - distance).min() > 1e-3
+        shares_left = {"particleCentre": (float(distance > 0), 0.0),
+                       "dividedVolume": ((points < distance).mean(), 0.0),
+                       # By 500 points, which void_fraction_kernel_test.cpp finds within 3 % of the sphere
+                       "sphereOverlap": (below(distance), 0.03)}
+        for kernel, (share, tolerance) in shares_left.items():
+            found, line = solid(self.column, f"inclined-{kernel}", kernel, [tuple(cut.tolist()), whole], d,
+                                cells=(2, 1, 10), spoil=incline, volume=cells)
+            expected = np.zeros((2, 1, 10))
+            expected[:, 0, 5] = volume * np.array((share, 1 - share))
+            expected[1, 0, 2] = volume
+            # The volume of a cell is rounded to a few 1e-16, and so is 1 - x.
+            self.expect_below(f"inclined cells, {kernel}: largest error of a cell / sphere",
+                              np.abs(found - expected).max() / volume,
+                              tolerance + 1e-14 + 1e-15 * cells.max() / volume)
+            self.expect_below("error of the solid volume", line["volume"], 1e-12)
+            self.expect_below("imbalance of the forces", line["imbalance"], 1e-12)
 
-def check_ranks(expect, build, work):
-    """The same field on 1 and 2 ranks, whose border at x = 0.02 m or 0.04 m many of the spheres cross,
-    some of them on their way through a periodic face."""
-    random = np.random.default_rng(4711)
-    places = random.uniform((0, 0.006, 0.006), (0.06, 0.054, 0.194), size=(60, 3)).tolist()
-    for kernel, width in [(kernel, None) for kernel in KERNELS] + [("particleCentre", WIDTH)]:
-        fields = [solid(build, work, f"ranks-{kernel}-{width}-{ranks}", kernel, places, 0.012,
-                        periodic=True, width=width, ranks=ranks) for ranks in (1, 2)]
-        (one, line1), (two, line2) = fields
-        # Sums of up to 60 shares in another order, and the rounding of 1 - x; what the linear solver
-        # leaves of the smoothing, 1e-15 of the sum of sizes, is spread over 90 cells.
-        expect.below(f"{kernel}, smoothed over {width}: 2 ranks against 1, largest cell",
-                     np.abs(two - one).max() / 8e-6, 1e-14 if not width else 1e-13)
-        for line in (line1, line2):
-            expect.below("error of the solid volume", line["volume"], 1e-12)
+    def test_flat(self):
+        """A mesh that does not resolve y: a sphere on the edge of four cells, one that the border between
+        two rows cuts off its middle, and one nearer to the front than its radius."""
+        d, t = 8e-3, 0.3
+        volume = np.pi / 6 * d**3
+        places = [(0.02, 0.03, 0.06), (0.03, 0.03, 0.12 - t * d / 2), (0.05, 0.001, 0.15)]
+        points = divided_points()
+        assert np.abs(points[:, 2] - t).min() > 1e-3
+        for kernel, lower in (("sphereOverlap", below(t)), ("dividedVolume", (points[:, 2] < t).mean())):
+            # On the edge the points of dividedVolume lie on faces, in both cells: shares by round-off
+            some = places if kernel == "sphereOverlap" else places[1:]
+            found, line = solid(self.column, f"flat-{kernel}", kernel, some, d, cells=(3, 1, 10), spoil=flat)
+            expected = np.zeros((3, 1, 10))
+            if some is places:
+                expected[0:2, 0, 2:4] += volume / 4
+            expected[1, 0, 5] += volume * lower
+            expected[1, 0, 6] += volume * (1 - lower)
+            expected[2, 0, 7] += volume
+            # As in check_places(), with cells of 2.4e-5 m3
+            self.expect_below(f"flat cells, {kernel}: largest error of a cell [m3]",
+                              np.abs(found - expected).max(), 1e-14 * volume + 2e-16 * 2.4e-5)
+            self.expect_below("error of the solid volume", line["volume"], 1e-12)
+            self.expect_below("imbalance of the forces", line["imbalance"], 1e-12)
 
+    def test_ranks(self):
+        """The same field on 1 and 2 ranks, whose border at x = 0.02 m or 0.04 m many of the spheres cross,
+        some of them on their way through a periodic face."""
+        random = np.random.default_rng(4711)
+        places = random.uniform((0, 0.006, 0.006), (0.06, 0.054, 0.194), size=(60, 3)).tolist()
+        for kernel, width in [(kernel, None) for kernel in KERNELS] + [("particleCentre", WIDTH)]:
+            fields = [solid(self.column, f"ranks-{kernel}-{width}-{ranks}", kernel, places, 0.012,
+                            periodic=True, width=width, ranks=ranks) for ranks in (1, 2)]
+            (one, line1), (two, line2) = fields
+            # Sums of up to 60 shares in another order, and the rounding of 1 - x; what the linear solver
+            # leaves of the smoothing, 1e-15 of the sum of sizes, is spread over 90 cells.
+            self.expect_below(f"{kernel}, smoothed over {width}: 2 ranks against 1, largest cell",
+                              np.abs(two - one).max() / 8e-6, 1e-14 if not width else 1e-13)
+            for line in (line1, line2):
+                self.expect_below("error of the solid volume", line["volume"], 1e-12)
 
-def check_width(expect, build, work):
-    """A sphere in the centre of a cell, smoothed: summed over the other two directions it has the
-    profile of smooth(), whose second moment is the square of the width, on coarse and on fine cells."""
-    width, d = 4e-3, 1e-3
-    place, volume = (0.03, 0.03, 0.102), np.pi / 6 * d**3
-    for n in (15, 45):
-        cell = 0.06 / n
-        found, _ = solid(build, work, f"width-{n}", "particleCentre", [place], d,
-                         cells=(n, n, 3 * n + n // 3), width=width)
-        # Each cell's 1 - x is rounded to 1e-16 of its volume, and so is each cell's share of that.
-        rounding = 1.2e-16 * 0.06 * 0.06 * 0.2 / volume
-        expect.near(f"{n} cells: volume / sphere", found.sum() / volume, 1, 1e-12 + rounding)
-        for axis in (0, 2):
-            peak = np.zeros(found.shape[axis])
-            peak[int(place[axis] / cell)] = 1
-            profile = found.sum(axis=tuple({0, 1, 2} - {axis})) / volume
-            expect.below(f"{n} cells, axis {axis}: profile, largest difference",
-                         np.abs(profile - smooth(peak, width, cell)).max(), 1e-12 + rounding)
-        # In a row so long that nothing reaches its ends
-        peak = np.zeros(401)
-        peak[200] = 1
-        distance = cell * (np.arange(401) - 200)
-        expect.near(f"{n} cells: standard deviation of the profile / width",
-                    np.sqrt(smooth(peak, width, cell) @ distance**2) / width, 1, 1e-12)
+    def test_width(self):
+        """A sphere in the centre of a cell, smoothed: summed over the other two directions it has the
+        profile of smooth(), whose second moment is the square of the width, on coarse and on fine cells."""
+        width, d = 4e-3, 1e-3
+        place, volume = (0.03, 0.03, 0.102), np.pi / 6 * d**3
+        for n in (15, 45):
+            cell = 0.06 / n
+            found, _ = solid(self.column, f"width-{n}", "particleCentre", [place], d,
+                             cells=(n, n, 3 * n + n // 3), width=width)
+            # Each cell's 1 - x is rounded to 1e-16 of its volume, and so is each cell's share of that.
+            rounding = 1.2e-16 * 0.06 * 0.06 * 0.2 / volume
+            self.expect_near(f"{n} cells: volume / sphere", found.sum() / volume, 1, 1e-12 + rounding)
+            for axis in (0, 2):
+                peak = np.zeros(found.shape[axis])
+                peak[int(place[axis] / cell)] = 1
+                profile = found.sum(axis=tuple({0, 1, 2} - {axis})) / volume
+                self.expect_below(f"{n} cells, axis {axis}: profile, largest difference",
+                                  np.abs(profile - smooth(peak, width, cell)).max(), 1e-12 + rounding)
+            # In a row so long that nothing reaches its ends
+            peak = np.zeros(401)
+            peak[200] = 1
+            distance = cell * (np.arange(401) - 200)
+            self.expect_near(f"{n} cells: standard deviation of the profile / width",
+                             np.sqrt(smooth(peak, width, cell) @ distance**2) / width, 1, 1e-12)
 
-
-def main(build, work):
-    expect = Expectations()
-    check_places(expect, build, work)
-    check_inclined(expect, build, work)
-    check_flat(expect, build, work)
-    check_ranks(expect, build, work)
-    check_width(expect, build, work)
-    for kernel in KERNELS:
-        check_packed_bed(expect, build, work, kernel, None)
-    check_packed_bed(expect, build, work, "sphereOverlap", WIDTH)
-    check_packed_bed(expect, build, work, "sphereOverlap", None, form="B")
-    expect.exit()
+    def test_packed_bed(self):
+        for kernel in KERNELS:
+            self.check_packed_bed(kernel, None)
+        self.check_packed_bed("sphereOverlap", WIDTH)
+        self.check_packed_bed("sphereOverlap", None, form="B")
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:])
+    unittest.main()

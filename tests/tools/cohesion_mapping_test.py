@@ -3,14 +3,12 @@
 import math
 import sys
 import unittest
-from pathlib import Path
 
 from scipy.optimize import brentq
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "lammps-package"))
-import mapping_program as program  # noqa: E402
-import pair_motion  # noqa: E402
-from pair_motion import MU, Pair  # noqa: E402
+from cohesion_tests import mapping as program
+from cohesion_tests.theory import pair_motion
+from cohesion_tests.theory.pair_motion import MU, Pair
 
 CONTACT = ("--radius", 5e-4, "--density", 2650, "--stiffness", 800, "--cutoff", 4e-10, 1e-7)
 BED = (*CONTACT, "--damping", 0.79e-3)

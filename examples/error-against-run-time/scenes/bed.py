@@ -9,18 +9,15 @@ present folder, bed.csv: time [s], pressure drop over weight [1], height of the 
 SMOOTHING_WIDTH in m, 0 for none.
 """
 
-import sys
 from pathlib import Path
 
 import numpy as np
 
+from cohesion_studies import program
+from cohesion_studies.bed import analyse
+from cohesion_studies.foam_case import FoamCase, environment
+
 BED = Path(__file__).resolve().parents[2] / "fluidised-bed"
-sys.path[:0] = [str(BED), str(BED.parent / "common")]
-
-import analyse  # noqa: E402
-import program  # noqa: E402
-from foam_case import FoamCase, environment  # noqa: E402
-
 
 VELOCITIES = (0.2, 0.3, 0.4, 0.5, 0.6)  # superficial [m/s]
 

@@ -9,7 +9,7 @@ goes with its square root, are below 1e-27.
 """
 import mpmath
 
-from closure_formulas import CLOSURES
+from cohesion_tests.theory.closure_formulas import CLOSURES
 
 mpmath.mp.dps = 80
 DIAMETER, DENSITY, VISCOSITY = 1e-3, 1.205, 1.75e-5

@@ -62,10 +62,23 @@ TEST(MomentumExchange, ChargesTheGasWithThePressureThatAFreeParticleTransmits) {
   EXPECT_NEAR(charged, gained + volume * gradient * dt, 1e-15 * 10 * volume * gradient * dt);
 }
 
-TEST(MomentumExchange, ChargesNothingForThePressureThatStays) {
-  const double transmitted = transmitted_volume(4e-3, 5e-6, 3e-9, 1e-3);
-  EXPECT_EQ(transmitted * 4e5 - last_pressure_on_gas(transmitted, 4e5, false), 0.0);
-  // No drag transmits nothing, stiff drag all.
+TEST(MomentumExchange, ChargesAHeldParticleWithTheChangeOfThePressureAlone) {
+  // Of W = 2e-9 and steps of 1e-3, with a gradient that comes up to 4e5 and stays: in all W 4e5 dt
+  // for one that is held, W grad p dt in every step for one that follows.
+  const double transmitted = 2e-9, dt = 1e-3;
+  for (const Response response : responses) {
+    double last = 0.0, charged = 0.0;
+    for (const double gradient : {1e5, 3e5, 4e5, 4e5, 4e5}) {
+      const double known = last_pressure_on_gas(transmitted, last, response.free);
+      charged += (transmitted * gradient - known) * dt;
+      last = gradient;
+    }
+    const double expected = response.free ? 3.2e-6 : 8e-7;
+    EXPECT_NEAR(charged, expected, 20 * 2.3e-16 * expected) << response.name;
+  }
+}
+
+TEST(MomentumExchange, TransmitsNothingWithoutDragAndAllWithStiffDrag) {
   EXPECT_EQ(transmitted_volume(0.0, 5e-6, 3e-9, 1e-3), 0.0);
   EXPECT_NEAR(transmitted_volume(4e9, 5e-6, 3e-9, 1e-3), 3e-9, 3e-9 * 1e-11);
 }

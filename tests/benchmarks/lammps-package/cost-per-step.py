@@ -1,0 +1,63 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Time of a step of scheme event over that of LAMMPS' gran/hooke/history, on the same spheres.
+
+  cost-per-step.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--turns N] [--steps N] [--scene NAME] [--instructions]
+
+Two scenes of 4000 equal spheres, t_c/20, restitution 0.9: a gas at solid fraction 0.55, and a packing
+with six lasting contacts each. Both styles start from the same positions and velocities and run in
+turns; each turn gives one ratio of LAMMPS' own loop times (processor seconds), so that a machine that
+gets slower on the way does not decide. Printed: nanoseconds per particle and step, contacts per
+particle at the end, median ratio, and the quarter and three quarter points of the ratios. With
+--instructions: instructions per particle and step instead, of which one turn is enough.
+"""
+import re
+
+import numpy
+
+from cohesion_tests import lammps as engine, measuring_program
+from cohesion_tests.instruction_count import per_step
+from cohesion_tests.thermo import processor_seconds, thermo_end
+
+SCENES = ("gas", "packing")
+CASES = ((0.0, 0.0), (0.3, 0.0), (0.0, 2e-18), (0.3, 2e-18))  # friction, A [J]
+
+
+def main():
+    words = measuring_program.words(__doc__, ("--turns", {"type": int, "default": 11}),
+                                    ("--steps", {"type": int, "default": 1000}),
+                                    ("--scene", {"choices": SCENES, "action": "append"}),
+                                    ("--instructions", {"action": "store_true"}))
+
+    def cost(folder, scene, style, mu, constant):
+        """Per particle and step: nanoseconds of a processor, or instructions; contacts per particle."""
+        case = {"scene": scene, "make": "no", "style": style, "mu": mu, "A": constant}
+        output = engine.run("in.cost_per_step", folder, steps=words.steps, **case)
+        contacts = thermo_end(output)["c_contacts"]
+        atoms = int(re.search(r"Loop time of .* with (\d+) atoms", output)[1])
+        if words.instructions:
+            return per_step("in.cost_per_step", folder, words.steps, **case) / atoms, contacts
+        return 1e9 * processor_seconds(output, 0) / (words.steps * atoms), contacts
+
+    unit = "[1] " if words.instructions else "[ns]"
+    print(f"scene    friction     A [J]   stock {unit}  contacts   event {unit}  contacts   ratio")
+    for scene in words.scene or SCENES:
+        with engine.temporary_folder() as folder:
+            engine.run("in.cost_per_step", folder, scene=scene, make="yes", style="stock", mu=0.3,
+                       A=0.0, steps=500)
+            for mu, constant in CASES:
+                turns = []
+                for turn in range(1 if words.instructions else words.turns):
+                    order = ("stock", "event") if turn % 2 == 0 else ("event", "stock")
+                    done = {style: cost(folder, scene, style, mu, constant)
+                            for style in order}
+                    turns.append([*done["stock"], *done["event"]])
+                stock, of_stock, event, of_event = numpy.array(turns).T
+                low, middle, high = numpy.percentile(event / stock, (25, 50, 75))
+                print(f"{scene:8s}{mu:9g}{constant:10g}{numpy.median(stock):13.1f}"
+                      f"{of_stock.mean():10.2f}{numpy.median(event):13.1f}{of_event.mean():10.2f}"
+                      f"   {middle:.2f} ({low:.2f} to {high:.2f})", flush=True)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,99 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Energy of a gas of 1000 elastic spheres over 100 collisions per particle: its drift against the
+time step, the scheme and the run time.
+
+  energy-drift.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--collisions N | --heating]
+
+Scheme event is gran/hamaker; scheme sampled is LAMMPS' gran/hooke/history, with pair_style hamaker
+over it where there is adhesion, at the step that costs the same time as the event scheme's. Drift is
+the total energy minus that of the start, over the kinetic energy of the start: `end` is its mean
+over the last tenth of the run, `rms` that of all samples, `largest` the largest. The fitted order is
+the slope of rms against the step, from t_c/5 to t_c/40. A sampled run that blew up is marked 'lost'.
+
+With `--heating`: what the dense gases gain per collision, from the third to the last fifth of 20
+collisions, mean and standard error of 16 runs, over the kinetic energy of the start.
+"""
+import numpy
+
+from cohesion_tests import lammps as engine, measuring_program
+from cohesion_tests.lammps_scenes import cohesive_gas as gas
+from cohesion_tests.progress import Progress
+
+DIVISIONS = (4, 5, 10, 20, 40)
+# Solid fraction, A [J], speed [m/s] (each component). The spheres' F_ad/sqrt(mu K) is 0.022 m/s.
+CASES = ((0.1, 0.0, 0.1), (0.5, 0.0, 0.1), (0.1, 2e-18, 0.02), (0.5, 2e-18, 0.02))
+SAMPLES = 200
+
+
+def drift(table):
+    return (table[:, 1] - table[0, 1]) / table[0, 3]
+
+
+def row(scheme, division, values, seconds):
+    if not numpy.isfinite(values).all():
+        return f"  {scheme:8s} t_c/{division:<6.3g}      lost {'':23s} {seconds:8.2f}"
+    last = values[-len(values) // 10:].mean()
+    rms = numpy.sqrt((values**2).mean())
+    return (f"  {scheme:8s} t_c/{division:<6.3g} {last:10.2e}  {rms:9.2e}  "
+            f"{numpy.abs(values).max():9.2e}  {seconds:8.2f}")
+
+
+def heating(gas, engine, seeds=16, divisions=(2, 3, 4, 5, 10, 20)):
+    progress = Progress(2 * seeds * sum(divisions))
+    print("\rsolid fraction 0.5: gain per collision")
+    for phi, constant, speed in CASES[1::2]:
+        duration = 20 / gas.collision_rate(phi, speed)
+        for division in divisions:
+            gains = []
+            for seed in range(seeds):
+                with engine.temporary_folder() as folder:
+                    gas.write(folder, 10, phi, speed, seed)
+                    table, _ = gas.follow(folder, division, duration, 50, A=constant,
+                                          skin=4e-4 if division < 4 else 2e-4)
+                fifths = drift(table)[1:].reshape(5, 10).mean(axis=1)
+                gains.append((fifths[4] - fifths[2]) / 8)
+                progress.add(division)
+            print(f"\r  A = {constant:g} J, {speed:g} m/s, t_c/{division:<3d}"
+                  f"{numpy.mean(gains):10.1e} +- {numpy.std(gains, ddof=1) / seeds**0.5:.1e}",
+                  flush=True)
+
+
+def main():
+    words = measuring_program.words(
+        __doc__, ("--collisions", {"type": float, "default": 100.0, "help": "per particle"}),
+        ("--heating", {"action": "store_true", "help": "what dense gases gain per collision"}))
+    if words.heating:
+        heating(gas, engine)
+        return
+    collisions = words.collisions
+    durations = [collisions / gas.collision_rate(phi, speed) for phi, _, speed in CASES]
+    progress = Progress(2 * sum(durations) / gas.CONTACT_TIME * sum(DIVISIONS))
+    for (phi, constant, speed), duration in zip(CASES, durations):
+        print(f"\rsolid fraction {phi:g}, A = {constant:g} J, {speed:g} m/s: "
+              f"{duration / collisions / gas.CONTACT_TIME:.3g} t_c between collisions{'':20s}\n"
+              "  scheme   step             end        rms    largest   seconds")
+        levels = []
+        with engine.temporary_folder() as folder:
+            gas.write(folder, 10, phi, speed, seed=4711)
+            table, seconds = gas.follow(folder, 10, duration / 5, scheme="sampled", A=constant)
+            per_step = seconds / table[-1, 0]
+            for division in DIVISIONS:
+                table, seconds = gas.follow(folder, division, duration, SAMPLES, A=constant)
+                levels.append(numpy.sqrt((drift(table) ** 2).mean()))
+                progress.add(duration / gas.CONTACT_TIME * division)
+                print("\r" + row("event", division, drift(table), seconds), flush=True)
+                equal = seconds / per_step / (duration / gas.CONTACT_TIME)
+                try:
+                    table, seconds = gas.follow(folder, equal, duration, SAMPLES,
+                                                scheme="sampled", A=constant)
+                    print(row("sampled", equal, drift(table), seconds), flush=True)
+                except RuntimeError:
+                    print(row("sampled", equal, numpy.array([numpy.nan]), numpy.nan), flush=True)
+                progress.add(duration / gas.CONTACT_TIME * division)
+        order = -numpy.polyfit(numpy.log(DIVISIONS[1:]), numpy.log(levels[1:]), 1)[0]
+        print(f"\r  fitted order of scheme event: {order:.2f}{'':30s}\n", flush=True)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,116 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a cohesion costs per contact and step, against the engine's own `cohesion sjkr`, in one run.
+
+  cohesion-cost.py LAUNCHER [--turns N] [--cells N] [--steps N]
+  cohesion-cost.py LAUNCHER --count [--cells N] [--steps N]      instructions, with and without energy book
+
+Spheres at rest on the sites of a periodic fcc lattice, each in contact with twelve others; and the same with
+the contacts opened to gaps within the range of the attraction. Runs take turns; times are those of the
+processor, less those of the same script without steps; each turn gives one ratio to sjkr. Printed are medians, of
+the ratio the quarter and three quarter points, too. `own`: more than without cohesion.
+"""
+import argparse
+import os
+import pathlib
+import resource
+import statistics
+import tempfile
+
+from cohesion_tests import launcher
+from cohesion_tests.instruction_count import per_step
+from cohesion_tests.liggghts_scenes.scene import contact, hamaker, square_well
+from cohesion_tests.spread import spread
+
+COHESION = {
+    "none": ("", ""),
+    "sjkr": (" cohesion sjkr", "fix k all property/global cohesionEnergyDensity peratomtypepair 2 "
+             "1e4 1e4 1e4 1e4\n"),
+    "hamaker": (" cohesion hamaker", hamaker(1e-14)),
+    "square_well": (" cohesion square_well", square_well(1e-11, ratio=1.02))}
+SCRIPT = """units si
+atom_style granular
+atom_modify map array
+boundary p p p
+newton off
+communicate single vel yes
+lattice fcc {lattice!r}
+region box block 0 {cells} 0 {cells} 0 {cells} units lattice
+create_box 2 box
+neighbor 5e-5 bin
+neigh_modify delay 0
+create_atoms 1 box
+set group all diameter 1e-3 density 2650
+{properties}pair_style gran model hertz tangential history{cohesion}
+pair_coeff * *
+{book}fix move all nve/sphere
+timestep 1e-7
+thermo 1000000
+run {steps}
+"""
+
+
+def seconds(program, cohesion, distance, cells, steps):
+    words, properties = COHESION[cohesion]
+    text = SCRIPT.format(lattice=distance * 2**0.5, cells=cells, steps=steps, cohesion=words, book="",
+                         properties=contact() + properties)
+    with tempfile.TemporaryDirectory() as folder:
+        (pathlib.Path(folder) / "in.script").write_text(text)
+        before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+        ended = launcher.run(launcher.command(program, "in.script"), folder, timeout=None)
+    if ended.code:
+        raise SystemExit(ended.output)
+    return resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
+
+
+def counted(program, cohesion, distance, cells, steps, book):
+    """Instructions of one step."""
+    os.environ.update(COHESION_LMP=program, OMP_NUM_THREADS="1")
+    words, properties = COHESION[cohesion]
+    with tempfile.TemporaryDirectory() as folder:
+        script = pathlib.Path(folder) / "in.script"
+        script.write_text(SCRIPT.format(
+            lattice=distance * 2**0.5, cells=cells, steps="${steps}", cohesion=words, properties=contact() + properties,
+            book="compute book all gran/energy\n" if book else ""))
+        return per_step(script, folder, steps)
+
+
+def count(program, contacts, distance, cells, steps):
+    print(f"{'':24}instructions per pair and step")
+    for name in COHESION:
+        print(f"{name:24}{counted(program, name, distance, cells, steps, False) / contacts:10.1f}", flush=True)
+        if name in ("hamaker", "square_well"):
+            print(f"{name + ', book':24}{counted(program, name, distance, cells, steps, True) / contacts:10.1f}",
+                  flush=True)
+
+
+def main():
+    words = argparse.ArgumentParser(description=__doc__,
+                                    formatter_class=argparse.RawDescriptionHelpFormatter)
+    words.add_argument("launcher")
+    words.add_argument("--turns", type=int, default=7)
+    words.add_argument("--count", action="store_true", help="instructions in place of times; wants valgrind")
+    words.add_argument("--cells", type=int, default=12)
+    words.add_argument("--steps", type=int, default=200)
+    words = words.parse_args()
+    contacts = 4 * words.cells**3 * 6
+    for place, distance in (("in contact", 0.9995e-3), ("at a gap of 0.005 d", 1.005e-3)):
+        print(f"{4 * words.cells**3} spheres, {contacts} pairs {place}, {words.steps} steps")
+        if words.count:
+            count(words.launcher, contacts, distance, words.cells, words.steps)
+            continue
+        times = {name: [] for name in COHESION}
+        for turn in range(words.turns):
+            for name in list(COHESION) if turn % 2 == 0 else list(COHESION)[::-1]:
+                start, end = (seconds(words.launcher, name, distance, words.cells, steps)
+                              for steps in (0, words.steps))
+                times[name].append((end - start) / (contacts * words.steps) * 1e9)
+        print(f"{'':14}{'ns/pair/step':>13}{'own':>8}   over sjkr")
+        for name, spent in times.items():
+            own = statistics.median(a - b for a, b in zip(spent, times["none"]))
+            ratio = spread(a / b for a, b in zip(spent, times["sjkr"]))
+            print(f"{name:14}{statistics.median(spent):13.2f}{own:8.2f}   {ratio}", flush=True)
+
+
+if __name__ == "__main__":
+    main()

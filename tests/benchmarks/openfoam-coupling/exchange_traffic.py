@@ -1,0 +1,46 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the exchange of gas and particles costs a rank as the problem grows with the ranks (growing_swarm.py).
+
+    exchange_traffic.py BUILD WORK [--ranks N ...] [--steps N] [--kernel NAME]
+
+Prints what each rank sent per gas step, counted by cohesiveBedFoam where it sends, mean and largest over the
+ranks; and of 1 and 2 ranks, which have a core each, the time. More ranks than cores share them: their
+messages are the same as on cores of their own, their times say nothing. Ends with 1 when a rank sends more than
+follows from its neighbours alone."""
+
+import argparse
+import sys
+
+from cohesion_tests.coupling.cases import Columns
+from cohesion_tests.coupling.growing_swarm import FORWARD, SPHERES, most_messages, most_ranks, run
+from cohesion_tests.progress import Progress
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("build")
+    parser.add_argument("work")
+    parser.add_argument("--ranks", type=int, nargs="+", default=[1, 2, 4, 8, 16, 32, 64], metavar="N")
+    parser.add_argument("--steps", type=int, default=3, metavar="N", help="gas steps (%(default)s)")
+    parser.add_argument("--kernel", choices=FORWARD, default="sphereOverlap", help="of the void fraction (%(default)s)")
+    args = parser.parse_args()
+    progress, rows = Progress(sum(args.ranks)), {}
+    for ranks in args.ranks:
+        rows[ranks] = run(Columns(args.build, args.work), ranks, args.steps, args.kernel)
+        progress.add(ranks)
+    print("\n| ranks | spheres | messages, mean, largest | bytes, mean, largest | to ranks, mean, largest "
+          "| exchange, all [ms] |\n|---|---|---|---|---|---|")
+    for ranks, (counts, seconds, _) in rows.items():
+        figures = [f"{mean:.1f}, {largest:.1f}" for mean, largest in counts.values()]
+        times = f"{seconds[0]:.2f}, {seconds[1]:.1f}" if ranks <= 2 else ""
+        print("| " + " | ".join([str(ranks), str(SPHERES * ranks), *figures, times]) + " |")
+    # Figures of the log have six digits.
+    more = [ranks for ranks, (counts, _, error) in rows.items() if error > 1e-12
+            or counts["messages"][1] > most_messages(args.kernel) + 1e-3 or counts["to ranks"][1] > most_ranks() + 1e-3]
+    if more:
+        sys.exit(f"more messages than follow from neighbours, or no balance, on ranks: {more}")
+
+
+if __name__ == "__main__":
+    main()

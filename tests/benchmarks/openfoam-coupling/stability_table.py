@@ -1,0 +1,236 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""How far the coupling is off, over the stiffness of drag, void fraction, ratio of densities, cells per diameter and
+the gas's Courant number: every row is runs of the solver. Two scenes, without gravity, in periodic boxes:
+
+- uniform: gas blown through free spheres (free_spheres.py), against the exact solution;
+- layer: the same spheres in the lower half of a box four times as high. The gas blows them along, through all cells,
+  against the same with steps an eighth as long; and no energy may be gained. Drag is not linear here.
+
+    stability_table.py BUILD WORK [--table FILE] [--only TEXT ...] [--together N]
+
+A row takes some 5 seconds. --only: rows whose line has one of the texts, for instance '| 1e+06 |';
+rows that were not run stay as they are in FILE.
+"""
+
+import argparse
+import re
+import shutil
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import numpy as np
+
+from cohesion_studies.foam_case import CaseError
+from cohesion_studies.progress_line import ProgressLine
+from cohesion_tests.coupling.cases import Columns
+from cohesion_tests.coupling.fields import cells, particle_velocities
+from cohesion_tests.coupling.free_spheres import RHO, U0, Setting, exact, run, solve, times
+
+RIGHT = 0.01  # of the first slip
+FINER = 8
+# Of the uniform scene. More viscous gas throws light spheres about (PAGE). Its drag is above a linear one by 0.05 %
+# (eps 0.3) to 0.44 % (eps 0.9999) at the first slip, by the closure; of a slip that falls as exp(-y) that is at most
+# 0.0044 y exp(-y) < 0.0017: a sixth of RIGHT.
+REYNOLDS = 0.1
+PAGE = """# Stability of the coupling
+
+Written by `tests/benchmarks/openfoam-coupling/stability_table.py`: every row is runs of the solver, 20 gas steps each,
+in periodic boxes without gravity. A gas step has five particle steps.
+
+- *uniform*: gas blown through spheres that are free to move. Largest error of the velocities of gas and particles over
+  the steps, and that at the end, as shares of the slip at the start, against the exact solution.
+- *layer*: the same spheres in the lower half of a box four times as high. The gas blows them along, through all
+  cells. Largest error of the mean velocity of the particles and of the flux of the gas, and that at the end, as shares
+  of the gas's first velocity, against the same with steps an eighth as long; *energy*: by how much the kinetic
+  energy of gas and particles is above the first, of that; drag and viscosity only take from it.
+
+x is the gas step over the time in which particles follow the gas, m/b; R the mass of the particles over that of the
+gas. *right*: all errors below 0.01. *first order*: larger ones in some steps, of implicit steps about as long as what
+they resolve, and below 0.01 at the end. *off*: by so much at the end, too; so is the reference where its own energy
+is more than 0.01 above the first. *warned*: the solver said that the gas
+step is too long, or what would grow in it. *refused*: it stopped, and said why. *unstable*: an error is no number, or
+the energy is more than 0.01 above the first. *crashed*: it ended in another way, with the engine's reason or the last
+words of the solver; "Lost atoms" are spheres that were thrown out of the box. Waves of free particles do that
+([waves](waves.md)), of dense ones that follow the gas within a step in either form, of light ones in form A.
+
+## Light spheres in viscous gas
+
+In form A a wave of free particles displaces gas, and the pressure that moves the gas moves the particles, a step
+late. Light ones move in waves that grow where the gas's viscosity reaches over cells within its step: law, warning and
+what was found are in [waves](waves.md). In the bed of `examples/fluidised-bed` nu dt/h^2 is 7e-4 and
+kappa 7e-4, far below. The gas of the uniform scene has nu dt/h^2 = 0.6 at cells of three diameters and a Courant
+number of 0.2, and goes with that number; its drag is linear to 0.05 to 0.44 %, an error below 0.0017.
+
+## What is off without a warning
+
+Two reasons, told apart by layers with steps up to a sixteenth as long (`finer` of `free_spheres.py`):
+
+- *Implicit steps that have not yet made up for it*: stiffness 1, rho_s/rho_g 10, with either response. The flux of
+  the gas still falls at the end of 20 steps. It is 0.2196, 0.2330, 0.2351 and 0.2361 there with steps of 1, 1/4, 1/8
+  and 1/16: first order in the step. The number that says so is the stiffness, beta dt/(eps rho_g), as in all rows
+  that are *first order*.
+- *Planes of the lattice that cross from cell to cell*: stiffness 0.01 and 1, rho_s/rho_g 1. Spheres as light as the
+  gas swing with what the cells see of them. With stiffness 1 the velocity of the particles goes up and down every
+  other step of the table, by some 0.1 with steps of 1 and 0.05 with a sixteenth of it: the time in which planes, a
+  third of a cell apart, follow each other. With stiffness 0.01 it is 0.76, 0.89, 0.97, 1.09 and 1.07 at the end with
+  steps of 1, 1/2, 1/4, 1/8 and 1/16, and the energy 0.10 above the first with the last two. No gas step cures that;
+  kappa = 0.61 says that it matters: the gas that the spheres displace is as heavy as they are.
+"""
+HEAD = ("| beta dt/(eps rho_g) | eps | rho_s/rho_g | cell/d | CFL | kernel | R | x | uniform: largest | end | layer:"
+        " largest | end | energy | verdict |\n" + "|---" * 14 + "|")
+
+
+def settings():
+    """Keywords of Setting, one list per row: one quantity after the other, then corners."""
+    rows = [{"stiffness": 10.0**k} for k in (-6, -4, -2, 0, 2, 4, 6, 9)]
+    rows += [{"stiffness": 1e6, "kernel": "particleCentre", "eps": e} for e in (0.62, 0.3)]
+    one = [{"eps": e} for e in (0.3, 0.45, 0.8, 0.9)]
+    one += [{"eps": 0.99, "cell": 5}, {"eps": 0.999, "cell": 8}, {"eps": 0.9999, "cell": 17.4}]
+    one += [{"ratio": r} for r in (1.0, 10.0, 100.0, 1e4)]
+    one += [{"cell": 20, "eps": 0.99}, {"cell": 10, "eps": 0.9}, {"cell": 1, "eps": 0.8},
+            {"cell": 0.5, "eps": 0.8}, {"cell": 0.5, "eps": 0.8, "width": 2}]
+    one += [{"cfl": c} for c in (1.0, 5.0)]
+    corners = [{"eps": e, "ratio": r, "cfl": c} for e in (0.3, 0.9) for r in (1.0, 1e4) for c in (0.2, 5.0)]
+    corners += [{"ratio": 1.0, "cfl": 5.0, "cell": c, "eps": e} for c, e in ((10, 0.9), (1, 0.8))]
+    rows += [{"stiffness": k, **row} for row in one for k in (1e-2, 1.0, 1e2, 1e6)]
+    rows += [{"stiffness": k, **row} for row in corners for k in (1.0, 1e6)]
+    rows += [{"stiffness": k, "ratio": r, "free": True} for r in (1.0, 10.0, 100.0) for k in (1e-2, 1.0, 1e2, 1e6)]
+    rows += [{"stiffness": k, "eps": 0.9999, "cell": 17.4, "free": True} for k in (1e-2, 1.0, 1e2, 1e6)]
+    rows += [{"stiffness": k, "eps": e, "form": "B"} for e in (0.3, 0.45, 0.62) for k in (1.0, 1e2, 1e6, 1e9)]
+    return [{"kernel": "sphereOverlap", **row} for row in rows]
+
+
+def label(s):
+    kernel = s.kernel + (f", smoothed {s.width:g} d" if s.width else "") + (", response free" if s.free else "")
+    kernel += ", form B" if s.form == "B" else ""
+    x = s.stiffness / s.loading
+    return (f"| {s.asked:.0e} | {s.eps:g} | {s.ratio:g} | {s.h / s.d:.2g} | {s.cfl:g} | {kernel} | {s.loading:.2g} |"
+            f" {x:.1g} |")
+
+
+def warned(log):
+    said = ("the gas step is", "would grow by a factor", "would swing against the gas")
+    return any(words in log for words in said)
+
+
+class Refused(Exception):
+    pass
+
+
+def guarded(work, name, action):
+    """What `action` finds; Refused with the solver's words when it stopped."""
+    try:
+        return action()
+    except CaseError as error:
+        text = " ".join(str(error).split())
+        said = re.search(r"cells have a void fraction below minVoidFraction|FOAM FATAL.{,200}", text)
+        logs = [Path(work, name, f"log.{program}") for program in ("cohesiveBedFoam", "lammps")]
+        log, engine = (file.read_text() if file.exists() else "" for file in logs)
+        # The reason of an engine that gives up stands in its own log; else the last words, whatever they are.
+        reason = re.search(r"^ERROR.*", engine, re.M)
+        ended = "refused: " + said[0] if said else "crashed: " + (reason[0] if reason else text[-200:])
+        raise Refused(ended.replace("|", "/") + ", warned" * warned(log)) from None
+    finally:
+        shutil.rmtree(f"{work}/{name}", ignore_errors=True)
+
+
+def uniform(column, name, keywords):
+    """Errors in all steps, and whether it was said."""
+    s = Setting(reynolds=REYNOLDS, **keywords)
+    found, log = guarded(column.work, name, lambda: run(column, name, s))
+    return np.abs(found - np.array(exact(s))).max(axis=0), warned(log)
+
+
+def motion(column, name, s):
+    """Of the layer after each step: the particles' mean velocity and the gas's mean flux; energies as shares of the
+    first; the log."""
+    case, log = solve(column, name, s)
+    history, energies = [], []
+    for time in times():
+        v = particle_velocities(case, time)
+        u, eps = cells(case, time, "U"), cells(case, time, "voidFraction")
+        history.append((v.mean(), (eps * u).mean()))
+        gas = 0.5 * RHO * (eps * u**2).mean() * s.box**2 * s.height
+        energies.append(gas + 0.5 * s.ratio * RHO * s.volume * (v**2).sum())
+    gas_alone = 0.5 * RHO * U0**2 * eps.mean() * s.box**2 * s.height
+    return np.array(history), np.array(energies) / gas_alone, log
+
+
+def layer(column, name, keywords):
+    """Errors in all steps, the largest gains of energy, of the reference too, and whether it was said."""
+    runs = [guarded(column.work, name, lambda s=Setting(layer=True, reynolds=100.0, finer=finer, **keywords):
+                    motion(column, name, s)) for finer in (1, FINER)]
+    (found, energies, log), (reference, finer, _) = runs
+    gains = [np.maximum(e.max() - 1, 0) for e in (energies, finer)]
+    return np.abs(found - reference).max(axis=1), gains, warned(log)
+
+
+def verdict(errors, gains, said):
+    """In words, of the errors in all steps of one run or more, and of gains of energy: its own, the reference's."""
+    largest, end = (np.max([run[steps] for run in errors]) for steps in (slice(None), slice(-1, None)))
+    if not np.isfinite([largest, end, *gains]).all() or gains[0] > RIGHT:
+        word = "unstable"
+    elif gains[1] > RIGHT:
+        word = f"off by {end:.1g}, but so is the reference"
+    elif largest < RIGHT:
+        word = "right"
+    else:
+        word = "first order" if end < RIGHT else f"off by {end:.1g}"
+    return word + ", warned" * said
+
+
+def row(column, number, keywords):
+    """A line of the table."""
+    line = label(Setting(**keywords))
+    try:
+        alone, said = uniform(column, f"{number}-uniform", keywords)
+    except Refused as refused:
+        return f"{line} | | | | | {refused} |"
+    line += f" {alone.max():.1g} | {alone[-1]:.1g} |"
+    try:
+        together, gains, also = layer(column, f"{number}-layer", keywords)
+    except Refused as refused:
+        return f"{line} | | | {verdict([alone], (0, 0), said)}; layer {refused} |"
+    word = verdict([alone, together], gains, said or also)
+    return f"{line} {together.max():.1g} | {together[-1]:.1g} | {gains[0]:.0g} | {word} |"
+
+
+def page(lines, before):
+    """With these rows, and the others of the program that the page had before."""
+    rows, news = [], 0
+    for keywords in settings():
+        start = label(Setting(**keywords))
+        new = [line for line in lines if line.startswith(start)]
+        rows += new or [line for line in before.splitlines() if line.startswith(start)]
+        news += bool(new)
+    text = f"The rows here are {len(rows)} of the {len(settings())} that the program has, "
+    text += "one run." if news == len(rows) else f"{news} of them run after the others."
+    return "\n".join([PAGE, text + "\n", HEAD, *rows]) + "\n"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("build")
+    parser.add_argument("work")
+    parser.add_argument("--table", help="file that the page is written to")
+    parser.add_argument("--only", nargs="+", default=[""], help="rows whose line has one of these texts")
+    parser.add_argument("--together", type=int, default=1, help="rows at a time")
+    given = parser.parse_args()
+    chosen = [k for k in settings() if any(text in label(Setting(**k)) for text in given.only)]
+    print(HEAD, flush=True)
+    column, line, lines = Columns(given.build, given.work), ProgressLine(), []
+    with ThreadPoolExecutor(given.together) as pool:
+        jobs = [pool.submit(row, column, n, k) for n, k in enumerate(chosen)]
+        for done, job in enumerate(jobs, 1):
+            lines.append(job.result())
+            print(lines[-1], flush=True)
+            line.show(line.elapsed * (len(jobs) - done) / done, f"{done} of {len(jobs)} rows")
+    line.close()
+    if given.table:
+        table = Path(given.table)
+        table.write_text(page(lines, table.read_text() if table.exists() else ""))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,180 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Laws and schemes of the stability campaign: their scripts, their scales, and head-on impacts in closed form."""
+import math
+
+from cohesion_tests.lammps_scenes import stability_points as points
+
+
+class Soft:
+    """Spring and dashpot with an attraction."""
+
+    hard = False
+
+    def __init__(self, scheme, wall=False):
+        self.scheme, self.wall = scheme, wall
+        self.name = f"{'fix wall/' if wall else ''}{self.style}, {scheme}"
+
+    def lines(self, point, scheme):
+        contact = self.contact(point)
+        pair = [f"pair_style {self.style} scheme {scheme}", f"pair_coeff * * {contact}"]
+        if not self.wall:
+            return pair
+        # gran/hamaker's walls know one scheme.
+        scheme = f" scheme {scheme}" if self.style == "gran/square_well" else ""
+        return [*pair, f"fix walls all wall/{self.style} {contact} xplane 0 NULL yplane 0 NULL{scheme}"]
+
+    def base_contact(self, point):
+        p = point.values
+        return f"stiffness {p['K']:.17g} restitution {p['e']:.17g} friction {p['mu']:.17g}"
+
+    # Each: outcome_gap(point): nearer than this is together. On the grid a pair may be a step's flight beyond the
+    # edge, when it has just left or was turned round there.
+
+    def place_room(self, point):
+        """How far the place on the grid may be from that of the motion while together, over s/w: it is the mean
+        of those half a step before and after."""
+        return (math.pi / point.values["steps"])**2 / 8
+
+    def derive_steps(self, point, inside):
+        """Step, duration; `inside`: of the well, the flight within it."""
+        p = point.values
+        point.dt = point.contact / p["steps"]
+        point.duration = points.PERIODS * point.contact + 3 * inside
+        # The edge and, before it, up to a step of flight.
+        point.ahead = point.start * point.dt * p["speed"] * math.cos(math.radians(p["angle"]))
+        point.w0 = math.pi / point.contact
+
+
+class Hamaker(Soft):
+    style, base, corners = "gran/hamaker", points.HAMAKER, points.HAMAKER_CORNERS
+    random = staticmethod(points.hamaker_point)
+
+    def contact(self, point):
+        p = point.values
+        return f"{self.base_contact(point)} hamaker {p['A']:.17g} cutoff {p['cut']:.17g} {100 * p['cut']:.17g}"
+
+    def derive(self, point):
+        p = point.values
+        reduced = points.RADIUS if self.wall else points.RADIUS / (1 + p["ratio"])
+        self.derive_steps(point, 0.0)
+        point.force = p["A"] * reduced / (6 * p["cut"]**2)
+        point.well = p["A"] * reduced / 6 * (1 - 0.01) / p["cut"] + point.force * p["cut"]
+        point.gap = p["cut"] + point.ahead
+        point.deep = p["A"] * points.RADIUS / 2 / (6 * p["cut"]**2) / p["K"]
+        point.scale = max(p["speed"], math.sqrt(2 * point.well / point.mu),
+                          point.force / math.sqrt(point.mu * p["K"]), point.w0 * p["overlap"] * point.reach, 1e-300)
+
+    def outcome_gap(self, point):
+        return point.values["cut"] + point.scale * point.dt
+
+    def head_on(self, point):
+        """Kinetic energy left of that at first touch once parted, below 0 when captured; speed at touch [m/s]."""
+        from scipy.optimize import brentq
+        p = point.values
+        u = math.sqrt(p["speed"]**2 + 2 * point.well / point.mu)
+        zeta = 1.0 if p["e"] == 0 else -math.log(p["e"]) / math.hypot(math.pi, math.log(p["e"]))
+        b = point.force / math.sqrt(point.mu * p["K"])
+        if zeta >= 1.0:
+            overlap = lambda t: b + math.exp(-t) * (-b + (u - b) * t)
+            rate = lambda t: math.exp(-t) * (u - (u - b) * t)
+            q = 1e-2
+        else:
+            q = math.sqrt(1 - zeta**2)
+            overlap = lambda t: b + math.exp(-zeta * t) * (
+                -b * math.cos(q * t) + (u - zeta * b) / q * math.sin(q * t))
+            rate = lambda t: math.exp(-zeta * t) * (
+                u * math.cos(q * t) + (b - zeta * u) / q * math.sin(q * t))
+        peak = brentq(rate, 1e-9, math.pi / q) if rate(math.pi / q) < 0 else math.inf
+        end = peak + math.pi / q
+        if not math.isfinite(end) or overlap(end) > 0:
+            return -1.0, u
+        w = rate(brentq(overlap, peak, end, xtol=1e-15))
+        return (w * w - 2 * point.well / point.mu) / u**2, u
+
+
+class Well:
+    """What soft and hard wells have in common."""
+
+    random = staticmethod(points.well_point)
+
+    def words(self, point):
+        if point.well == 0:
+            return ""
+        # Of a wall the edge is (ratio - 1) r from the surface, of a pair (ratio - 1) (r_i + r_j).
+        return f" well {point.well:.17g} {1 + point.wide / point.reach:.17g}"
+
+    def derive_depth(self, point):
+        """Depth [J] and speed within the well [m/s]."""
+        p = point.values
+        added = p["depth"] * p["speed"]
+        point.well = 0.5 * point.mu * added**2
+        return math.hypot(p["speed"], added)
+
+    def head_on(self, point):
+        """As Hamaker.head_on."""
+        p = point.values
+        u2 = p["speed"]**2 + 2 * point.well / point.mu
+        return p["e"]**2 - 2 * point.well / point.mu / u2, math.sqrt(u2)
+
+
+class SquareWell(Well, Soft):
+    style, base, corners = "gran/square_well", points.WELL, points.WELL_CORNERS
+
+    def contact(self, point):
+        return self.base_contact(point) + self.words(point)
+
+    def derive(self, point):
+        p = point.values
+        speed = self.derive_depth(point)
+        # Wider wells than half a radius sum are another scene.
+        point.wide = min(p["width"] * speed * point.contact, 0.5 * point.reach) if point.well else 0.0
+        self.derive_steps(point, point.wide / max(speed, 1e-300))
+        point.gap = point.wide + point.ahead
+        point.deep = 0.0
+        point.scale = max(speed, point.w0 * p["overlap"] * point.reach, 1e-300)
+
+    def outcome_gap(self, point):
+        return point.wide + point.scale * point.dt
+
+    def place_room(self, point):
+        return math.pi / point.values["steps"]
+
+
+class Hard(Well):
+    """Hard cores with square wells; `steps`: of the whole run."""
+
+    style, corners, hard, scheme = "hard/square_well", points.HARD_CORNERS, True, "hard"
+    base = {**points.WELL, "width": 0.1, "steps": 30.0}
+    random = staticmethod(points.hard_point)
+
+    def __init__(self, wall=False):
+        self.wall = wall
+        self.name = f"fix wall/{self.style}" if wall else self.style
+
+    def lines(self, point, _):
+        p = point.values
+        contact = f"restitution {p['e']:.17g} friction {p['mu']:.17g}"
+        pair = [f"pair_style {self.style}", f"pair_coeff * * {contact}{'' if self.wall else self.words(point)}"]
+        if not self.wall:
+            return pair
+        well = self.words(point) or " well off"
+        return [*pair, f"fix walls all wall/{self.style} {contact}{well} xplane 0 NULL yplane 0 NULL"]
+
+    def derive(self, point):
+        p = point.values
+        speed = self.derive_depth(point)
+        point.wide = p["width"] * point.reach if point.well else 0.0
+        point.gap = point.wide + 0.3 * point.start * point.reach
+        path = 2 * (point.gap + point.wide) + point.reach
+        point.duration = path / max(p["speed"], 1e-300) if p["speed"] else 1.0
+        point.dt = point.duration / p["steps"]
+        point.deep, point.scale = 0.0, max(speed, 1e-300)
+        point.w0 = 0.0
+
+    def outcome_gap(self, point):
+        # Collisions without rebound leave a pair at the sum of radii but for rounding.
+        return point.wide + 1e-9 * point.reach
+
+
+LAWS = (Hamaker("event"), Hamaker("sampled"), SquareWell("event"), SquareWell("sampled"), Hard(),
+        Hamaker("event", wall=True), SquareWell("event", wall=True), SquareWell("sampled", wall=True), Hard(wall=True))

@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Starts engines, LAMMPS and LIGGGHTS, which take the same words, alone and on ranks."""
+import os
+import subprocess
+
+# Open MPI's daemon of a single rank, its folder, which that daemon keeps apart from others', and its search for
+# networks take longer than most runs of the tests; other MPIs ignore all of it.
+HERE_ONLY = {"OMPI_MCA_pml": "ob1", "OMPI_MCA_btl": "self,vader", "OMP_NUM_THREADS": "1"}
+ALONE = {"OMPI_MCA_ess_singleton_isolated": "1", "OMPI_MCA_orte_create_session_dirs": "0"}
+
+
+def short_start(ranks=0):
+    """What to add to the environment of an engine that is started many times; `ranks`: those under a launcher of MPI,
+    0 without one."""
+    return HERE_ONLY if ranks else {**HERE_ONLY, **ALONE}
+
+
+class Ended:
+    """A process that has ended: its `code`, and its `output`, errors included."""
+
+    def __init__(self, code, output):
+        self.code, self.output = code, output
+
+
+def command(program, script, ranks=0, mpiexec=(), variables=None, log=None):
+    """Words that run a script; `ranks`: under the launcher `mpiexec` (words), which takes the number of ranks behind
+    them, 0 without it; `variables` of the script, numbers with all their digits; `log`: its file, when it is another
+    than the engine's own."""
+    words = [*mpiexec, str(ranks)] if ranks else []
+    words += [str(program), "-in", str(script), *(["-log", log] if log else [])]
+    for name, value in (variables or {}).items():
+        words += ["-var", name, f"{value:.17g}" if isinstance(value, float) else str(value)]
+    return words
+
+
+def run(words, folder, ranks=0, environment=None, timeout=500, each_line=None):
+    """Runs a command(), or another command of an engine, in `folder`; gives Ended. `environment`: more of it;
+    `each_line`: what is told every line as soon as it is there. Raises subprocess.TimeoutExpired after `timeout` [s],
+    of a command that is waited for without each_line."""
+    how = dict(cwd=folder, text=True, errors="replace", stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+               env={**os.environ, **short_start(ranks), **(environment or {})})
+    # LIGGGHTS ends one error in five with bytes from memory that it has freed: errors="replace".
+    if each_line is None:
+        done = subprocess.run(words, timeout=timeout, **how)
+        return Ended(done.returncode, done.stdout)
+    lines = []
+    with subprocess.Popen(words, **how) as process:
+        for line in process.stdout:
+            lines.append(line)
+            each_line(line)
+    return Ended(process.returncode, "".join(lines))
