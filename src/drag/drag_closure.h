@@ -14,7 +14,8 @@
 
 /// The table of drag closures: the one place that knows them all.
 /// To add one: its header beside this file, its row in `closures`, its formula in
-/// tests/src/drag/closure_formulas.py, its row in docs/openfoam-coupling/drag_closures.md.
+/// tests/support/cohesion_tests/theory/closure_formulas.py, its row in
+/// docs/openfoam-coupling/drag_closures.md.
 namespace cohesion::drag {
 
 /// Drag per volume of solid and unit slip, beta/(1 - eps), [mass/(volume time)]; arguments as in

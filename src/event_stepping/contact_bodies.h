@@ -55,7 +55,8 @@ class ContactBodies {
     Touch(const ContactBodies& bodies, const Vector3& separation)
         : Touch(bodies, separation, 1.0 / norm(separation)) {}
     /// `inverse`: of the length of the separation.
-    Touch(const ContactBodies& bodies, const Vector3& separation, double inverse)
+    [[gnu::always_inline]] Touch(const ContactBodies& bodies, const Vector3& separation,
+                                 double inverse)
         : bodies_(bodies),
           plane_{separation, inverse * inverse},
           lever_i_(bodies.is_wall() ? bodies.i_.radius * inverse : bodies.lever_i_) {}
