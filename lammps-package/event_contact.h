@@ -165,12 +165,14 @@ struct StepContacts {
             const std::vector<Contact>& all, const GridOf& grid_of) const {
     using namespace cohesion::event_stepping;
     if (!step->any_announced()) return;
+    const auto beside = [step](const LastingContact& p) {
+      return step->is_followed(p.i) || (p.j >= 0 && step->is_followed(p.j));
+    };
     for_each_lasting<SIZE>(
-        all, grid_of,
+        all, grid_of, beside,
         [&](const LastingContact& p, const ContactMemory& memory, const PairMotion& grid,
             const auto& action) {
           const bool i = step->is_followed(p.i), j = p.j >= 0 && step->is_followed(p.j);
-          if (!i && !j) return;
           const Contact& c = all[p.contact];
           const Action owed = c.template owed<SIZE>(grid.relative, memory);
           const PairMotion does = c.template done<SIZE>(grid, action(), owed, memory);
@@ -187,13 +189,14 @@ struct StepContacts {
         });
   }
 
-  /// Calls what(contact, memory, grid, action) for all contacts that act by one force; action():
-  /// what they do.
-  template <int SIZE, class Contact, class GridOf, class What>
+  /// Calls what(contact, memory, grid, action) for the contacts that act by one force and are
+  /// `wanted`; action(): what they do.
+  template <int SIZE, class Contact, class GridOf, class Wanted, class What>
   void for_each_lasting(const std::vector<Contact>& all, const GridOf& grid_of,
-                        const What& what) const {
+                        const Wanted& wanted, const What& what) const {
     using namespace cohesion::event_stepping;
     for (const LastingContact& p : lasting) {
+      if (!wanted(p)) continue;
       const ContactMemory memory = ContactMemory::as_stored(p.history, SIZE);
       if (memory.phase != ContactMemory::lasting) continue;
       const PairMotion grid = grid_of(p);
@@ -201,8 +204,9 @@ struct StepContacts {
            [&] { return all[p.contact].one_force().template held<SIZE>(grid, memory); });
     }
     for (const BegunContact& b : begun)
-      what(b.contact, ContactMemory::as_stored(b.contact.history, SIZE), grid_of(b.contact),
-           [&] { return b.action; });
+      if (wanted(b.contact))
+        what(b.contact, ContactMemory::as_stored(b.contact.history, SIZE), grid_of(b.contact),
+             [&] { return b.action; });
   }
 
   /// The first pass: every followed contact by itself.

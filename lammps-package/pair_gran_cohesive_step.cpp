@@ -197,6 +197,7 @@ void PairGranCohesive<Cohesion>::follow_together(Contacts<EventContact>& contact
   if (evflag)
     contacts_now.for_each_lasting<SIZE>(
         contacts.all, [this](const LastingContact& p) { return particles().motion(p.i, p.j); },
+        [](const LastingContact&) { return true; },
         [&](const LastingContact& p, const ContactMemory& known, const PairMotion& grid,
             const auto& action) {
           tally(p.i, p.j, grid.relative.separation,
