@@ -18,6 +18,7 @@ BUILD = Path(sys.argv.pop(1) if len(sys.argv) > 1 else SOURCE / "build").resolve
 
 # After 0.03 s of settling: energies of the attraction [J], none without such a fix; forces [N].
 LOOK = """
+compute thermo_pe all pe
 thermo_style custom step pe v_carried
 run 0
 variable particles equal pe
