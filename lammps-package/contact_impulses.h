@@ -18,7 +18,7 @@ class ContactImpulses : protected Pointers {
  public:
   explicit ContactImpulses(LAMMPS* lammps) : Pointers(lammps) {}
 
-  /// Of whom the part of contacts is known.
+  /// Of which of the engine's numbers somebody asks what part of them is of contacts.
   enum class Known { nobody, forces, forces_and_torques };
   /// A step in which an impulse 1 is the force `kick` [1/time].
   void begin_step(double kick, Known known);

@@ -331,10 +331,9 @@ void FixEventStep::clear() {
   // The engine's half kick makes of a force f the momentum f dt/2; the other half went before, but
   // for the first step, which has no half before it.
   using Known = ContactImpulses::Known;
-  impulses.begin_step((starting ? 2.0 : 1.0) / update->dt, book.is_kept()
-                                                               ? Known::forces_and_torques
-                                                           : others_act ? Known::forces
-                                                                        : Known::nobody);
+  const Known known = others_act ? Known::forces : Known::nobody;
+  impulses.begin_step((starting ? 2.0 : 1.0) / update->dt,
+                      book.is_kept() ? Known::forces_and_torques : known);
   if (within_step) {
     std::fill_n(contacts, all, 0);
     restless.assign(all, 0);
