@@ -9,7 +9,7 @@
 #include "fix_contact_book.h"
 #include "gravity_of_fixes.h"
 #include "hidden_fix.h"
-#include "mobile_particles.h"
+#include "integrated_particles.h"
 #include "update.h"
 
 namespace LIGGGHTS {

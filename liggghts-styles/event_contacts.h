@@ -13,7 +13,7 @@
 #include "contact_interface.h"
 #include "event_stepping/grid_point.h"
 #include "fix_others.h"
-#include "mobile_particles.h"
+#include "integrated_particles.h"
 #include "normal_model_probe.h"
 
 namespace LAMMPS_NS {

@@ -6,7 +6,7 @@
 #include "atom.h"
 #include "comm.h"
 #include "error.h"
-#include "mobile_particles.h"
+#include "integrated_particles.h"
 #include "unturned_spheres.h"
 
 namespace LIGGGHTS {

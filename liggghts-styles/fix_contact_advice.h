@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "contact_advice.h"
 #include "fix.h"
+#include "model_advice.h"
 
 namespace LIGGGHTS {
 namespace Cohesion {

@@ -4,8 +4,8 @@
 
 #include <memory>
 
-#include "contact_book.h"
 #include "fix.h"
+#include "recorded_contacts.h"
 
 namespace LIGGGHTS {
 namespace Cohesion {

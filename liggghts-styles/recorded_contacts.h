@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef COHESION_CONTACT_BOOK_H
-#define COHESION_CONTACT_BOOK_H
+#ifndef COHESION_RECORDED_CONTACTS_H
+#define COHESION_RECORDED_CONTACTS_H
 
 #include <vector>
 
 #include "contact/sampled_work.h"
 #include "contact_interface.h"
+#include "integrated_particles.h"
 #include "lammps.h"
 #include "lmptype.h"
-#include "mobile_particles.h"
 
 namespace LIGGGHTS {
 namespace Cohesion {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "contact_book.h"
+#include "recorded_contacts.h"
 
 #include <mpi.h>
 

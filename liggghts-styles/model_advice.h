@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef COHESION_CONTACT_ADVICE_H
-#define COHESION_CONTACT_ADVICE_H
+#ifndef COHESION_MODEL_ADVICE_H
+#define COHESION_MODEL_ADVICE_H
 
 #include <functional>
 #include <memory>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "contact_advice.h"
+#include "model_advice.h"
 
 #include <mpi.h>
 
@@ -19,8 +19,8 @@
 #include "force.h"
 #include "gravity_of_fixes.h"
 #include "guarded.h"
+#include "integrated_particles.h"
 #include "liggghts_api.h"
-#include "mobile_particles.h"
 #include "neighbor.h"
 #include "pair_gran.h"
 #include "sphere.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef COHESION_MOBILE_PARTICLES_H
-#define COHESION_MOBILE_PARTICLES_H
+#ifndef COHESION_INTEGRATED_PARTICLES_H
+#define COHESION_INTEGRATED_PARTICLES_H
 
 #include <cstring>
 
