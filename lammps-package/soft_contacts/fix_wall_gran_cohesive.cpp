@@ -362,9 +362,7 @@ double FixWallGranCohesive<Cohesion>::compute_array(int wall, int which) {
 /// Force on all of them.
 template <class Cohesion>
 double FixWallGranCohesive<Cohesion>::compute_vector(int which) {
-  double all = 0.0;
-  for (int w = 0; w < static_cast<int>(walls.size()); w++) all += compute_array(w, which);
-  return all;
+  return forces.sum(world, which);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -373,14 +371,9 @@ double FixWallGranCohesive<Cohesion>::compute_vector(int which) {
 /// not work out again.
 template <class Cohesion>
 void FixWallGranCohesive<Cohesion>::write_restart(FILE* fp) {
-  const std::vector<double>& total = forces.all(world);
-  if (comm->me != 0) return;
-  const double head[HEAD] = {static_cast<double>(time_origin), static_cast<double>(walls.size()),
-                             static_cast<double>(per_wall)};
-  const int size = static_cast<int>((HEAD + total.size()) * sizeof(double));
-  fwrite(&size, sizeof(int), 1, fp);
-  fwrite(head, sizeof(double), HEAD, fp);
-  fwrite(total.data(), sizeof(double), total.size(), fp);
+  forces.write_restart(fp, world,
+                       {static_cast<double>(time_origin), static_cast<double>(walls.size()),
+                        static_cast<double>(per_wall)});
 }
 
 template <class Cohesion>

@@ -5,6 +5,8 @@
 #include <mpi.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdio>
 #include <vector>
 
 #include "vector3.h"
@@ -38,6 +40,23 @@ class WallForces {
                     MPI_SUM, world);
     summed_ = true;
     return total_;
+  }
+  /// On all walls, of one of the EACH numbers; collective as all() is.
+  double sum(MPI_Comm world, int which) {
+    double force = 0.0;
+    for (std::size_t k = which; k < mine_.size(); k += EACH) force += all(world)[k];
+    return force;
+  }
+  /// Writes a fix's part of a restart file: `values`, and what all() gives. All processes call it,
+  /// process 0 writes.
+  void write_restart(FILE* fp, MPI_Comm world, std::vector<double> values) {
+    values.insert(values.end(), all(world).begin(), all(world).end());
+    int me = 0;
+    MPI_Comm_rank(world, &me);
+    if (me != 0) return;
+    const int size = static_cast<int>(values.size() * sizeof(double));
+    fwrite(&size, sizeof(int), 1, fp);
+    fwrite(values.data(), sizeof(double), values.size(), fp);
   }
   /// One process puts back what all() gave.
   void put_back(const double* values) { std::copy_n(values, mine_.size(), mine_.begin()); }
