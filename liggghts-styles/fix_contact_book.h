@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "fix.h"
-#include "recorded_contacts.h"
+#include "sampled_energy_tally.h"
 
 namespace LIGGGHTS {
 namespace Cohesion {

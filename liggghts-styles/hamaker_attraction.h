@@ -11,7 +11,7 @@
 #include "hamaker/law.h"
 #include "hamaker/small_gap.h"
 #include "normal_model_probe.h"
-#include "recorded_contacts.h"
+#include "sampled_energy_tally.h"
 #include "settings.h"
 #include "sphere.h"
 #include "table_of_types.h"

@@ -10,7 +10,7 @@
 #include "encounter.h"
 #include "lammps.h"
 #include "normal_model_probe.h"
-#include "recorded_contacts.h"
+#include "sampled_energy_tally.h"
 #include "square_well/parameters.h"
 #include "square_well/sight.h"
 #include "table_of_types.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "recorded_contacts.h"
+#include "sampled_energy_tally.h"
 
 #include <mpi.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef COHESION_RECORDED_CONTACTS_H
-#define COHESION_RECORDED_CONTACTS_H
+#ifndef COHESION_SAMPLED_ENERGY_TALLY_H
+#define COHESION_SAMPLED_ENERGY_TALLY_H
 
 #include <vector>
 
