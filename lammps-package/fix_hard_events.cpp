@@ -154,10 +154,10 @@ void FixHardEvents::setup_pre_force(int) {
 /// Cores that overlap part as soon as they move apart, but their energy is nobody's.
 void FixHardEvents::tell_of_overlaps() const {
   double mine[2] = {0.0, 0.0}, all[2];  // number, deepest as a share of the distance
-  for (int n = 0; n < static_cast<int>(order_.links.size()); n++) {
-    const Link& link = order_.links[n];
-    const double overlap = 1.0 - order_.distance_at_start(n) / link.at.core;
-    if (overlap < OVERLAP || link.i >= atom->nlocal) continue;
+  for (int n = 0; n < static_cast<int>(order_.candidates.size()); n++) {
+    const CandidatePair& candidate = order_.candidates[n];
+    const double overlap = 1.0 - order_.distance_at_start(n) / candidate.at.core;
+    if (overlap < OVERLAP || candidate.i >= atom->nlocal) continue;
     mine[0] += 1.0;
     mine[1] = std::max(mine[1], overlap);
   }
@@ -201,8 +201,8 @@ void FixHardEvents::pre_force(int) {
     load();
   const bool alone = comm->nprocs == 1;
   long counts[2] = {0, 0}, all[2] = {0, 0};
-  for (int n = 0; n < static_cast<int>(order_.links.size()); n++)
-    counts[0] += shared(order_.links[n]) ? order_.may_meet(n, NEARLY) : order_.predict(n);
+  for (int n = 0; n < static_cast<int>(order_.candidates.size()); n++)
+    counts[0] += shared(order_.candidates[n]) ? order_.may_meet(n, NEARLY) : order_.predict(n);
   counts[1] = !warned_ && totals_.elastic > 0.0;
   if (alone)
     std::copy_n(counts, 2, all);
@@ -250,34 +250,35 @@ void FixHardEvents::load() {
 }
 
 /// Carries out the events of the step.
-void FixHardEvents::follow(long candidates) {
+void FixHardEvents::follow(long expected_events) {
   if (comm->nprocs == 1) {
     order_.sort();
     order_.run(update->dt);
   } else {
     agreement_.load_borders();
-    agreement_.follow(candidates);
+    agreement_.follow(expected_events);
   }
   if (order_.overrun() >= 0) stop_at_limit();
 }
 
 void FixHardEvents::stop_at_limit() const {
-  const Link& link = order_.links[order_.overrun()];
-  const Body& a = order_.bodies[link.i];
-  const auto tag_j = link.of_wall() ? static_cast<std::int64_t>(link.j) : order_.bodies[link.j].tag;
+  const CandidatePair& candidate = order_.candidates[order_.overrun()];
+  const Body& a = order_.bodies[candidate.i];
+  const auto tag_j = candidate.with_wall() ? static_cast<std::int64_t>(candidate.j)
+                                           : order_.bodies[candidate.j].tag;
   error->one(FLERR,
              "pair_style hard/square_well: more than {} events of one particle in step {}, at "
              "particles {} and {} (negative: a wall); they had {} and {}. Particles are pressed "
              "together: use a smaller time step, keyword contact_time, or a larger limit",
              order_.rules.limit, update->ntimestep, a.tag, tag_j, a.flight.events,
-             link.of_wall() ? 0 : order_.bodies[link.j].flight.events);
+             candidate.with_wall() ? 0 : order_.bodies[candidate.j].flight.events);
 }
 
 /// What the events changed goes to the engine's arrays, to histories and sums.
 void FixHardEvents::store() {
   for (const Event& event : order_.events) {
-    const Link& link = order_.links[event.link];
-    for (const int body : {link.i, link.j}) {
+    const CandidatePair& candidate = order_.candidates[event.candidate];
+    for (const int body : {candidate.i, candidate.j}) {
       if (body < 0 || body >= atom->nlocal) continue;
       const Flight& now = order_.bodies[body].flight;
       put(now.end, atom->x[body]);
@@ -285,14 +286,14 @@ void FixHardEvents::store() {
       put(now.spin, atom->omega[body]);
       totals_.busiest = std::max(totals_.busiest, static_cast<double>(now.events));
       const double left = update->dt - event.key.time;
-      const Vector3 place = body == link.i ? event.place : event.place + event.separation;
-      if (body == link.i || link.image == 0)
+      const Vector3 place = body == candidate.i ? event.place : event.place + event.separation;
+      if (body == candidate.i || candidate.image == 0)
         stray(body, place, left);
       else
-        stray(body, place - order_.images[link.image].at(left), left);
+        stray(body, place - order_.images[candidate.image].at(left), left);
     }
-    keep(event.link);
-    if (link.i < atom->nlocal) totals_.add(event, link.of_wall());
+    keep(event.candidate);
+    if (candidate.i < atom->nlocal) totals_.add(event, candidate.with_wall());
   }
 }
 
@@ -354,6 +355,6 @@ int FixHardEvents::unpack_exchange(int i, double* buf) {
 double FixHardEvents::memory_usage() {
   return static_cast<double>((ORIGIN + 3) * sizeof(double)) * atom->nmax +
          static_cast<double>(sizeof(Body) * order_.bodies.size() +
-                             (sizeof(Link) + sizeof(Slots) + 2 * sizeof(int)) *
-                                 order_.links.size());
+                             (sizeof(CandidatePair) + sizeof(Slots) + 2 * sizeof(int)) *
+                                 order_.candidates.size());
 }

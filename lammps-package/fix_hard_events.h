@@ -44,8 +44,8 @@ class HardWalls {
 /// What pair_style hard/square_well and its walls share, made by the first of them: carries out the
 /// events of a step.
 ///
-/// In pre_force the engine has moved every particle straight to the end of the step. The links are
-/// the pairs of the neighbour list and the particles with the walls; their events are found and
+/// In pre_force the engine has moved every particle straight to the end of the step. The candidates
+/// are the pairs of the neighbour list and the particles with the walls; their events are found and
 /// carried out in order (src/hard_sphere/event_order.h), and positions and velocities corrected.
 /// Positions are those of the owner of a particle with a periodic image, never a ghost's own, so
 /// that every process works out the same numbers.
@@ -77,7 +77,7 @@ class FixHardEvents : public Fix {
   void sum_flux() { totals_.flux_wanted = true; }
 
  private:
-  struct Slots {  // of a link in the history of pairs; two for a pair through the boundary
+  struct Slots {  // of a candidate in the history of pairs; two for a pair through the boundary
     int* kept[2];
     double* value[2];
   };
@@ -107,12 +107,12 @@ class FixHardEvents : public Fix {
   void add_twins();
   void add_walls();
   void know_where_new_pairs_are();
-  void keep(int link);
-  bool shared(const cohesion::hard_sphere::Link& b) const {
+  void keep(int candidate);
+  bool shared(const cohesion::hard_sphere::CandidatePair& b) const {
     return b.i >= atom->nlocal || b.j >= atom->nlocal;
   }
   void load();
-  void follow(long candidates);
+  void follow(long expected_events);
   void stop_at_limit() const;
   void store();
   void stray(int i, const cohesion::Vector3& place, double left);
@@ -124,7 +124,7 @@ class FixHardEvents : public Fix {
   MobileParticles mobile_;
 
   cohesion::hard_sphere::EventOrder order_;  // bodies: own particles, then those in foreign_
-  std::vector<Slots> slots_;                 // by link
+  std::vector<Slots> slots_;                 // by candidate
   std::vector<Twin> twins_;
   std::vector<Shift> shifts_;  // by image
   std::vector<Foreign> foreign_;

@@ -35,13 +35,13 @@ void HardEventAgreement::load_borders() {
       order_.bodies[border_.local(p, slot)].flight = in[p][slot];
 }
 
-void HardEventAgreement::follow(long candidates) {
+void HardEventAgreement::follow(long expected_events) {
   const double dt = update->dt;
-  for (int n = 0; n < static_cast<int>(order_.links.size()); n++)
-    if (shared(order_.links[n])) order_.predict(n);
+  for (int n = 0; n < static_cast<int>(order_.candidates.size()); n++)
+    if (shared(order_.candidates[n])) order_.predict(n);
   order_.sort();
   const double of_a_stretch = EVENTS_OF_A_STRETCH * static_cast<double>(atom->natoms);
-  const int stretches = 1 + static_cast<int>(static_cast<double>(candidates) / of_a_stretch);
+  const int stretches = 1 + static_cast<int>(static_cast<double>(expected_events) / of_a_stretch);
   for (int n = 1; n <= stretches && order_.overrun() < 0; n++)
     follow_stretch(n == stretches ? dt : n * dt / stretches);
 }

@@ -25,13 +25,13 @@ class HardEventAgreement : protected Pointers {
   void plan(const std::vector<BorderExchange::Request>& followed);
   /// Collective: the flights of the followed particles, as they are on their own processes.
   void load_borders();
-  /// Collective: carries out the events of a step; `candidates`: about how many there are, on all
-  /// processes. Ends early when there is no end of events (EventOrder::overrun).
-  void follow(long candidates);
+  /// Collective: carries out the events of a step; `expected_events`: about how many there are, on
+  /// all processes. Ends early when there is no end of events (EventOrder::overrun).
+  void follow(long expected_events);
 
  private:
-  bool shared(const cohesion::hard_sphere::Link& link) const {
-    return link.i >= own_ || link.j >= own_;
+  bool shared(const cohesion::hard_sphere::CandidatePair& candidate) const {
+    return candidate.i >= own_ || candidate.j >= own_;
   }
   void follow_stretch(double until);
   std::vector<cohesion::hard_sphere::News> exchange_news(double from);

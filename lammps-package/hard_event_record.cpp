@@ -41,7 +41,7 @@ void HardEventRecord::write(const EventOrder& order) {
   if (!wanted_) return;
   std::vector<Line> mine;
   for (const Event& event : order.events)
-    if (order.links[event.link].i < atom->nlocal)
+    if (order.candidates[event.candidate].i < atom->nlocal)
       mine.push_back({event.key, static_cast<int>(event.impact.kind), event.elastic});
 
   const int bytes = static_cast<int>(mine.size() * sizeof(Line));

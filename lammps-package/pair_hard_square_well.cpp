@@ -63,12 +63,12 @@ void PairHardSquareWell::compute(int eflag, int vflag) {
   if (vflag_either) {
     const double per_time = -1.0 / update->dt;
     for (const Event& event : events_->order().events) {
-      const Link& link = events_->order().links[event.link];
-      if (link.of_wall()) continue;
+      const CandidatePair& candidate = events_->order().candidates[event.candidate];
+      if (candidate.with_wall()) continue;
       const auto on_i = per_time * event.impact.on_j;
       const auto& r = event.separation;
-      ev_tally_xyz(link.i, link.j, atom->nlocal, 0, 0.0, 0.0, on_i.x, on_i.y, on_i.z, -r.x, -r.y,
-                   -r.z);
+      ev_tally_xyz(candidate.i, candidate.j, atom->nlocal, 0, 0.0, 0.0, on_i.x, on_i.y, on_i.z,
+                   -r.x, -r.y, -r.z);
     }
   }
   if (!eflag_either) return;

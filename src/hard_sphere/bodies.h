@@ -58,7 +58,7 @@ struct Image {
 };
 
 /// Two bodies, or a body and a wall, that may meet in this step.
-struct Link {
+struct CandidatePair {
   int i;      ///< body with the lower tag
   int j;      ///< body, or -1 - number of the wall
   int image;  ///< of j
@@ -68,7 +68,7 @@ struct Link {
   Surface next = Surface::core;
   unsigned version = 0;  ///< of its prediction
 
-  bool of_wall() const { return j < 0; }
+  bool with_wall() const { return j < 0; }
   int wall() const { return -1 - j; }
 };
 
@@ -90,7 +90,7 @@ struct EventKey {
 /// An event that was carried out.
 struct Event {
   EventKey key;
-  int link;
+  int candidate;
   bool elastic;        ///< a collision made elastic by the rule against inelastic collapse
   bool was_inside;     ///< in the well before
   double distance;     ///< of the centres, of a centre and a wall, [length]

@@ -20,12 +20,13 @@ struct OrderRules {
 
 /// The events of one step of straight flight, carried out in order of time.
 ///
-/// A heap holds the next event of every link that has one in the step. After an event only the
-/// links of its particles are predicted again; predictions they replace stay in the heap and are
-/// known by their version.
+/// A heap holds the next event of every candidate pair that has one in the step. After an event
+/// only the candidates of its particles are predicted again; predictions they replace stay in the
+/// heap and are known by their version.
 ///
-/// A prediction depends on nothing but the link and the flights of its two bodies: it starts from
-/// the later of their last events. So it is the same, bit by bit, wherever and whenever it is made.
+/// A prediction depends on nothing but the candidate and the flights of its two bodies: it starts
+/// from the later of their last events. So it is the same, bit by bit, wherever and whenever it is
+/// made.
 ///
 /// Part of the bodies may be followed elsewhere (by another process) at the same time. What happens
 /// to them there comes as `foreign` news. Whoever follows a part runs a stretch of the step with
@@ -37,7 +38,7 @@ class EventOrder {
  private:
   struct Predicted {
     double time;
-    int link;
+    int candidate;
     unsigned version;
     int depth;
   };
@@ -59,7 +60,7 @@ class EventOrder {
 
  public:
   std::vector<Body> bodies;
-  std::vector<Link> links;
+  std::vector<CandidatePair> candidates;
   std::vector<Image> images{Image{}};
   std::vector<Law> laws;
   std::vector<MovingWall> walls;
@@ -69,26 +70,26 @@ class EventOrder {
   std::vector<News> news;     ///< of this stretch, with rules.reports
   std::vector<News> foreign;  ///< of this stretch, in order
 
-  /// After bodies and links have been set: which links each body has.
+  /// After bodies and candidates have been set: which candidates each body has.
   void connect() {
     first_.assign(bodies.size() + 1, 0);
-    for (const Link& b : links) {
+    for (const CandidatePair& b : candidates) {
       first_[b.i + 1]++;
-      if (!b.of_wall()) first_[b.j + 1]++;
+      if (!b.with_wall()) first_[b.j + 1]++;
     }
     for (std::size_t i = 1; i < first_.size(); i++) first_[i] += first_[i - 1];
     of_body_.resize(first_.back());
     std::vector<int> next(first_.begin(), first_.end() - 1);
-    for (int n = 0; n < static_cast<int>(links.size()); n++) {
-      of_body_[next[links[n].i]++] = n;
-      if (!links[n].of_wall()) of_body_[next[links[n].j]++] = n;
+    for (int n = 0; n < static_cast<int>(candidates.size()); n++) {
+      of_body_[next[candidates[n].i]++] = n;
+      if (!candidates[n].with_wall()) of_body_[next[candidates[n].j]++] = n;
     }
   }
 
-  /// The link of two bodies; -1: none. After connect().
+  /// The candidate of two bodies; -1: none. After connect().
   int find(int i, int j, int image) const {
     for (int n = first_[i]; n < first_[i + 1]; n++) {
-      const Link& b = links[of_body_[n]];
+      const CandidatePair& b = candidates[of_body_[n]];
       if (b.i == i && b.j == j && b.image == image) return of_body_[n];
     }
     return -1;
@@ -103,40 +104,40 @@ class EventOrder {
     begin_stretch();
   }
 
-  /// The first event of link n, when it has one in this step, goes into the order.
+  /// The first event of candidate n, when it has one in this step, goes into the order.
   bool predict(int n) {
-    Link& link = links[n];
-    link.version++;
-    const double time = time_of_next(link);
+    CandidatePair& candidate = candidates[n];
+    candidate.version++;
+    const double time = time_of_next(candidate);
     if (!(time <= dt_)) return false;
-    heap_.push_back({time, n, link.version, depth(link, time)});
+    heap_.push_back({time, n, candidate.version, depth(candidate, time)});
     return true;
   }
 
   double dt() const { return dt_; }
 
-  /// Distance of the partners of link n when the step began, [length].
+  /// Distance of the partners of candidate n when the step began, [length].
   double distance_at_start(int n) const {
-    const Link& link = links[n];
-    if (link.of_wall()) {
-      const MovingWall& wall = walls[link.wall()];
-      return wall.wall.nearest(bodies[link.i].flight.at(dt_), wall.at(dt_), 0.0).distance;
+    const CandidatePair& candidate = candidates[n];
+    if (candidate.with_wall()) {
+      const MovingWall& wall = walls[candidate.wall()];
+      return wall.wall.nearest(bodies[candidate.i].flight.at(dt_), wall.at(dt_), 0.0).distance;
     }
-    return norm(relative(link, dt_).first);
+    return norm(relative(candidate, dt_).first);
   }
 
-  /// Whether the partners of link n, a pair without events so far, come nearer to a surface than
-  /// its share `nearly` of the distance: for flights that are known to round-off only.
+  /// Whether the partners of candidate n, a pair without events so far, come nearer to a surface
+  /// than its share `nearly` of the distance: for flights that are known to round-off only.
   bool may_meet(int n, double nearly) const {
-    const Link& link = links[n];
-    const auto [r, w] = relative(link, 0.0);
+    const CandidatePair& candidate = candidates[n];
+    const auto [r, w] = relative(candidate, 0.0);
     const double ww = dot(w, w), b = dot(r, w);
     const double back = ww * dt_ > b && b > 0.0 ? b / ww : b > 0.0 ? dt_ : 0.0;
     const double least = norm(r - back * w);
-    if (!link.inside)
-      return least < (1.0 + nearly) * (link.at.well() ? link.at.edge : link.at.core);
-    return least < (1.0 + nearly) * link.at.core ||
-           std::max(norm(r), norm(r - dt_ * w)) > (1.0 - nearly) * link.at.edge;
+    if (!candidate.inside)
+      return least < (1.0 + nearly) * (candidate.at.well() ? candidate.at.edge : candidate.at.core);
+    return least < (1.0 + nearly) * candidate.at.core ||
+           std::max(norm(r), norm(r - dt_ * w)) > (1.0 - nearly) * candidate.at.edge;
   }
 
   /// After predictions in any order.
@@ -153,14 +154,15 @@ class EventOrder {
   /// All events up to `until`.
   void run(double until) {
     while (overrun_ < 0) {
-      while (!heap_.empty() && heap_.front().version != links[heap_.front().link].version) pop();
+      while (!heap_.empty() && heap_.front().version != candidates[heap_.front().candidate].version)
+        pop();
       const bool own = !heap_.empty() && heap_.front().time <= until;
       if (told_ < foreign.size() && !(own && key(heap_.front()) < foreign[told_].key)) {
         accept(foreign[told_++]);
       } else if (own) {
         const Predicted next = heap_.front();
         pop();
-        carry_out(next.link, key(next));
+        carry_out(next.candidate, key(next));
       } else {
         return;
       }
@@ -188,18 +190,20 @@ class EventOrder {
     return known == foreign.end() ? never : known->key.time;
   }
 
-  /// A link with more events than the limit; -1: none. run() stops there.
+  /// A candidate with more events than the limit; -1: none. run() stops there.
   int overrun() const { return overrun_; }
 
  private:
   EventKey key(const Predicted& p) const {
-    const Link& link = links[p.link];
-    return {p.time, p.depth, bodies[link.i].tag, link.of_wall() ? link.j : bodies[link.j].tag};
+    const CandidatePair& candidate = candidates[p.candidate];
+    return {p.time, p.depth, bodies[candidate.i].tag,
+            candidate.with_wall() ? candidate.j : bodies[candidate.j].tag};
   }
 
-  int depth(const Link& link, double time) const {
-    const int of_i = bodies[link.i].flight.depth_at(time);
-    return 1 + (link.of_wall() ? of_i : std::max(of_i, bodies[link.j].flight.depth_at(time)));
+  int depth(const CandidatePair& candidate, double time) const {
+    const int of_i = bodies[candidate.i].flight.depth_at(time);
+    return 1 + (candidate.with_wall() ? of_i
+                                      : std::max(of_i, bodies[candidate.j].flight.depth_at(time)));
   }
 
   void pop() {
@@ -207,21 +211,21 @@ class EventOrder {
     heap_.pop_back();
   }
 
-  double time_of_next(Link& link) const {
-    const Flight& a = bodies[link.i].flight;
+  double time_of_next(CandidatePair& candidate) const {
+    const Flight& a = bodies[candidate.i].flight;
     Crossing crossing;
     double now = a.since;
-    if (link.of_wall()) {
-      crossing = next_crossing(walls[link.wall()], a.at(dt_ - now), a.velocity, dt_ - now, link.at,
-                               link.inside);
+    if (candidate.with_wall()) {
+      crossing = next_crossing(walls[candidate.wall()], a.at(dt_ - now), a.velocity, dt_ - now,
+                               candidate.at, candidate.inside);
     } else {
-      const Flight& b = bodies[link.j].flight;
+      const Flight& b = bodies[candidate.j].flight;
       now = std::max(now, b.since);
-      const auto [r, w] = relative(link, dt_ - now);
+      const auto [r, w] = relative(candidate, dt_ - now);
       const double vv = std::max(dot(a.velocity, a.velocity), dot(b.velocity, b.velocity));
-      crossing = next_crossing(r, w, vv, link.at, link.inside);
+      crossing = next_crossing(r, w, vv, candidate.at, candidate.inside);
     }
-    link.next = crossing.surface;
+    candidate.next = crossing.surface;
     return now + crossing.wait;
   }
 
@@ -241,7 +245,7 @@ class EventOrder {
   void take_back(double from) {
     overrun_ = -1;
     for (; events.size() > start_ && events.back().key.time >= from; events.pop_back())
-      links[events.back().link].inside = events.back().was_inside;
+      candidates[events.back().candidate].inside = events.back().was_inside;
     while (!news.empty() && news.back().key.time >= from) news.pop_back();
     told_ = std::min(told_, static_cast<std::size_t>(first_news(foreign, from)));
     std::vector<int> touched;
@@ -266,57 +270,58 @@ class EventOrder {
 
   /// Position and velocity of j as seen from i. Prediction and event take the same numbers: they
   /// must not differ about which way a pair goes.
-  std::pair<Vector3, Vector3> relative(const Link& link, double left) const {
-    const Flight &a = bodies[link.i].flight, &b = bodies[link.j].flight;
-    const Image& image = images[link.image];
+  std::pair<Vector3, Vector3> relative(const CandidatePair& candidate, double left) const {
+    const Flight &a = bodies[candidate.i].flight, &b = bodies[candidate.j].flight;
+    const Image& image = images[candidate.image];
     const Vector3 w = b.velocity + image.velocity - a.velocity;
     return {b.end - a.end + image.displacement - left * w, w};
   }
 
   /// Where j is as seen from i, and what it is.
-  std::pair<Vector3, Partner> other_side(const Link& link, double left) const {
-    if (link.of_wall()) {
-      const MovingWall& wall = walls[link.wall()];
+  std::pair<Vector3, Partner> other_side(const CandidatePair& candidate, double left) const {
+    if (candidate.with_wall()) {
+      const MovingWall& wall = walls[candidate.wall()];
       const auto point =
-          wall.wall.nearest(bodies[link.i].flight.at(left), wall.at(left), wall.rim_speed);
+          wall.wall.nearest(bodies[candidate.i].flight.at(left), wall.at(left), wall.rim_speed);
       return {point.separation, {point.velocity, {}, 0.0, 0.0, 0.0}};
     }
-    Partner partner = bodies[link.j].partner();
-    partner.velocity += images[link.image].velocity;
-    return {relative(link, left).first, partner};
+    Partner partner = bodies[candidate.j].partner();
+    partner.velocity += images[candidate.image].velocity;
+    return {relative(candidate, left).first, partner};
   }
 
   void carry_out(int n, const EventKey& when) {
-    Link& link = links[n];
+    CandidatePair& candidate = candidates[n];
     const double left = dt_ - when.time;
-    const auto [separation, partner] = other_side(link, left);
+    const auto [separation, partner] = other_side(candidate, left);
     const double distance = norm(separation);
     const Vector3 k{separation.x / distance, separation.y / distance, separation.z / distance};
-    Law law = laws[link.law];
-    const bool hit = link.next == Surface::core;
-    const bool elastic = hit && (collapses(link.i, when.time) || collapses(link.j, when.time));
+    Law law = laws[candidate.law];
+    const bool hit = candidate.next == Surface::core;
+    const bool elastic =
+        hit && (collapses(candidate.i, when.time) || collapses(candidate.j, when.time));
     if (elastic) law.restitution = 1.0, law.friction = 0.0;
-    Impact now = impact(link.next, k, law, bodies[link.i].partner(), partner);
-    if (elastic && link.of_wall()) keep_off(link, k, now);
+    Impact now = impact(candidate.next, k, law, bodies[candidate.i].partner(), partner);
+    if (elastic && candidate.with_wall()) keep_off(candidate, k, now);
 
-    events.push_back(
-        {when, n, elastic, link.inside, distance, separation, bodies[link.i].flight.at(left), now});
-    link.inside = now.inside;
-    act(link.i, link.j, -1.0, now, when, hit);
-    if (!link.of_wall()) act(link.j, link.i, 1.0, now, when, hit);
-    predict_all(link.i);
-    if (!link.of_wall()) predict_all(link.j, n);
-    if (busiest(link) > rules.limit) overrun_ = n;
+    events.push_back({when, n, elastic, candidate.inside, distance, separation,
+                      bodies[candidate.i].flight.at(left), now});
+    candidate.inside = now.inside;
+    act(candidate.i, candidate.j, -1.0, now, when, hit);
+    if (!candidate.with_wall()) act(candidate.j, candidate.i, 1.0, now, when, hit);
+    predict_all(candidate.i);
+    if (!candidate.with_wall()) predict_all(candidate.j, n);
+    if (busiest(candidate) > rules.limit) overrun_ = n;
   }
 
   /// An elastic collision of the rule against collapse leaves a cylinder for a share of the step.
-  void keep_off(const Link& link, const Vector3& k, Impact& now) const {
-    const Wall& wall = walls[link.wall()].wall;
+  void keep_off(const CandidatePair& candidate, const Vector3& k, Impact& now) const {
+    const Wall& wall = walls[candidate.wall()].wall;
     if (wall.shape != Wall::z_cylinder) return;
-    const Body& body = bodies[link.i];
+    const Body& body = bodies[candidate.i];
     const Vector3& before = body.flight.velocity;
     const Vector3 after = leaving_concave_wall(before - body.inverse_mass * now.on_j, k,
-                                               wall.position - link.at.core, off_wall());
+                                               wall.position - candidate.at.core, off_wall());
     now.on_j = (1.0 / body.inverse_mass) * (before - after);
     now.normal = dot(k, now.on_j);
   }
@@ -334,9 +339,9 @@ class EventOrder {
            time - flight.hit < rules.contact_time;
   }
 
-  int busiest(const Link& link) const {
-    const int of_i = bodies[link.i].flight.events;
-    return link.of_wall() ? of_i : std::max(of_i, bodies[link.j].flight.events);
+  int busiest(const CandidatePair& candidate) const {
+    const int of_i = bodies[candidate.i].flight.events;
+    return candidate.with_wall() ? of_i : std::max(of_i, bodies[candidate.j].flight.events);
   }
 
   void act(int body, int partner, double side, const Impact& now, const EventKey& when, bool hit) {
@@ -356,7 +361,7 @@ class EventOrder {
 
   double dt_ = 0.0;
   std::vector<int> first_,
-      of_body_;  // links of body i: of_body_[first_[i]] ... [first_[i + 1] - 1]
+      of_body_;  // candidates of body i: of_body_[first_[i]] ... [first_[i + 1] - 1]
   std::vector<Predicted> heap_;
   std::vector<Undo> undo_;  // of this stretch, with rules.reports
   std::size_t told_ = 0;    // news that have been taken in

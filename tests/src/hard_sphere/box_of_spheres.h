@@ -7,7 +7,7 @@
 #include "hard_sphere/event_order.h"
 
 /// Spheres of two sizes in a box of six walls, without any engine: every pair and every wall is a
-/// link. Of mass 1 and 2.
+/// candidate. Of mass 1 and 2.
 struct BoxOfSpheres {
   using EventOrder = cohesion::hard_sphere::EventOrder;
   using Vector3 = cohesion::Vector3;
@@ -40,10 +40,11 @@ struct BoxOfSpheres {
     for (int i = 0; i < static_cast<int>(order.bodies.size()); i++) {
       for (int j = i + 1; j < static_cast<int>(order.bodies.size()); j++) {
         const double core = order.bodies[i].radius + order.bodies[j].radius;
-        order.links.push_back({i, j, 0, 0, {core, edge_of(core)}});
+        order.candidates.push_back({i, j, 0, 0, {core, edge_of(core)}});
       }
       const double core = order.bodies[i].radius;
-      for (int w = 0; w < 6; w++) order.links.push_back({i, -1 - w, 0, 0, {core, edge_of(core)}});
+      for (int w = 0; w < 6; w++)
+        order.candidates.push_back({i, -1 - w, 0, 0, {core, edge_of(core)}});
     }
     order.connect();
   }
@@ -59,7 +60,7 @@ struct BoxOfSpheres {
   void begin(double dt) {
     fly(dt);
     order.begin_step(dt);
-    for (int n = 0; n < static_cast<int>(order.links.size()); n++) order.predict(n);
+    for (int n = 0; n < static_cast<int>(order.candidates.size()); n++) order.predict(n);
     order.sort();
   }
 

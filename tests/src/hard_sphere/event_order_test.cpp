@@ -39,13 +39,15 @@ TEST(EventOrder, NothingOverlapsAndNothingLeavesTheBox) {
   for (int n = 0; n < 100; n++) {
     box.step(0.1);
     const auto& bodies = box.order.bodies;
-    for (const Link& link : box.order.links) {
-      const Vector3& place = bodies[link.i].flight.end;
+    for (const CandidatePair& candidate : box.order.candidates) {
+      const Vector3& place = bodies[candidate.i].flight.end;
       const double distance =
-          link.of_wall() ? box.order.walls[link.wall()].wall.nearest(place, {}, 0.0).distance
-                         : norm(bodies[link.j].flight.end - place);
-      EXPECT_GT(distance, link.at.core - 1e-13);
-      EXPECT_TRUE(!link.inside || link.of_wall() || distance < link.at.edge + 1e-13);
+          candidate.with_wall()
+              ? box.order.walls[candidate.wall()].wall.nearest(place, {}, 0.0).distance
+              : norm(bodies[candidate.j].flight.end - place);
+      EXPECT_GT(distance, candidate.at.core - 1e-13);
+      EXPECT_TRUE(!candidate.inside || candidate.with_wall() ||
+                  distance < candidate.at.edge + 1e-13);
     }
   }
 }
@@ -80,13 +82,13 @@ class Parts {
  public:
   Parts(const BoxOfSpheres& whole, int parts) : parts_(parts), orders_(parts, whole.order) {
     for (int p = 0; p < parts; p++) {
-      auto& links = orders_[p].links;
-      links.erase(std::remove_if(links.begin(), links.end(),
-                                 [&](const Link& link) {
-                                   return owner(link.i) != p &&
-                                          (link.of_wall() || owner(link.j) != p);
-                                 }),
-                  links.end());
+      auto& candidates = orders_[p].candidates;
+      candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
+                                      [&](const CandidatePair& candidate) {
+                                        return owner(candidate.i) != p &&
+                                               (candidate.with_wall() || owner(candidate.j) != p);
+                                      }),
+                       candidates.end());
       orders_[p].rules.reports = true;
       orders_[p].connect();
     }
@@ -105,7 +107,7 @@ class Parts {
         f = {f.end + dt * f.velocity, f.velocity, 0.0, f.spin};
       }
       order.begin_step(dt);
-      for (int n = 0; n < static_cast<int>(order.links.size()); n++) order.predict(n);
+      for (int n = 0; n < static_cast<int>(order.candidates.size()); n++) order.predict(n);
       order.sort();
     }
     for (int n = 1; n <= stretches; n++) stretch(n == stretches ? dt : n * dt / stretches);
@@ -172,7 +174,7 @@ TEST(EventOrder, PartsAgreeOnEventsOfOneInstant) {
   BoxOfSpheres whole(1, Law{});
   auto& order = whole.order;
   order.bodies.clear();
-  order.links.clear();
+  order.candidates.clear();
   const int places[] = {3, 0, 4, 1, 5, 2};
   int at[6];
   for (int n = 0; n < 6; n++) {
@@ -186,7 +188,7 @@ TEST(EventOrder, PartsAgreeOnEventsOfOneInstant) {
     at[places[n]] = n;
   }
   for (int n = 0; n < 5; n++)
-    order.links.push_back(
+    order.candidates.push_back(
         {std::min(at[n], at[n + 1]), std::max(at[n], at[n + 1]), 0, 0, {1.0, 1.0}});
   order.connect();
   for (const int parts : {2, 3}) {
@@ -217,7 +219,7 @@ TEST(EventOrder, ABlowFromBeyondTheNeighboursComesFirst) {
     body.flight.velocity = {v[n], 0.0, 0.0};
     body.flight.end = {x[n] + 1.1 * v[n], 0.0, 0.0};
     order.bodies.push_back(body);
-    if (n > 0) order.links.push_back({n - 1, n, 0, 0, {1.0, 1.0}});
+    if (n > 0) order.candidates.push_back({n - 1, n, 0, 0, {1.0, 1.0}});
   }
   order.connect();
   order.begin_step(1.1);
@@ -240,14 +242,14 @@ TEST(EventOrder, CollapseRuleMakesTheRestOfAStepElastic) {
   int hits = 0;
   std::vector<int> seen(9, 0);
   for (const Event& event : box.order.events) {
-    const Link& link = box.order.links[event.link];
-    const int before = std::max(seen[link.i], link.of_wall() ? 0 : seen[link.j]);
+    const CandidatePair& candidate = box.order.candidates[event.candidate];
+    const int before = std::max(seen[candidate.i], candidate.with_wall() ? 0 : seen[candidate.j]);
     EXPECT_EQ(event.elastic, before >= 3);
     if (event.elastic) {
       EXPECT_EQ(event.impact.energy_change, 0.0);
     }
-    seen[link.i]++;
-    if (!link.of_wall()) seen[link.j]++;
+    seen[candidate.i]++;
+    if (!candidate.with_wall()) seen[candidate.j]++;
     hits += event.elastic;
   }
   EXPECT_GT(hits, 10);
@@ -261,12 +263,13 @@ TEST(EventOrder, CollisionsWithinTheContactTimeAreElastic) {
   std::vector<double> last(8, -never);
   int elastic_hits = 0;
   for (const Event& event : box.order.events) {
-    const Link& link = box.order.links[event.link];
-    const double before = link.of_wall() ? last[link.i] : std::max(last[link.i], last[link.j]);
+    const CandidatePair& candidate = box.order.candidates[event.candidate];
+    const double before =
+        candidate.with_wall() ? last[candidate.i] : std::max(last[candidate.i], last[candidate.j]);
     EXPECT_EQ(event.elastic, event.key.time - before < 0.7);
     elastic_hits += event.elastic;
-    last[link.i] = event.key.time;
-    if (!link.of_wall()) last[link.j] = event.key.time;
+    last[candidate.i] = event.key.time;
+    if (!candidate.with_wall()) last[candidate.j] = event.key.time;
   }
   EXPECT_GT(elastic_hits, 10);
   EXPECT_LT(elastic_hits, static_cast<int>(box.order.events.size()) - 10);
@@ -284,7 +287,7 @@ TEST(EventOrder, CollapseRuleKeepsASphereOffAConcaveWall) {
   body.flight.velocity = {1.1, 0.0, 0.25};
   body.flight.end = {0.0, 1.2, 0.0};
   order.bodies = {body};
-  order.links = {{0, -1, 0, 0, {0.4, 0.4}}};
+  order.candidates = {{0, -1, 0, 0, {0.4, 0.4}}};
   order.connect();
   const double dt = 0.37;
   double least = 1.0, lost = 0.0;
@@ -312,15 +315,15 @@ TEST(EventOrder, CollapseRuleKeepsASphereOffAConcaveWall) {
   EXPECT_EQ(v.z, 0.25);
 }
 
-TEST(EventOrder, LimitStopsAndNamesTheLink) {
+TEST(EventOrder, LimitStopsAndNamesTheCandidatePair) {
   BoxOfSpheres box(2, Law{});
   box.order.rules.limit = 5;
   box.step(200.0);
   ASSERT_GE(box.order.overrun(), 0);
-  const Link& link = box.order.links[box.order.overrun()];
-  const int of_j = link.of_wall() ? 0 : box.order.bodies[link.j].flight.events;
-  EXPECT_EQ(std::max(box.order.bodies[link.i].flight.events, of_j), 6);
-  EXPECT_EQ(box.order.events.back().link, box.order.overrun());
+  const CandidatePair& candidate = box.order.candidates[box.order.overrun()];
+  const int of_j = candidate.with_wall() ? 0 : box.order.bodies[candidate.j].flight.events;
+  EXPECT_EQ(std::max(box.order.bodies[candidate.i].flight.events, of_j), 6);
+  EXPECT_EQ(box.order.events.back().candidate, box.order.overrun());
 }
 
 TEST(EventOrder, TiesGoByTags) {
@@ -336,7 +339,7 @@ TEST(EventOrder, TiesGoByTags) {
     body.flight.end = {x[n] + v[n], 0.0, 0.0};
     order.bodies.push_back(body);
   }
-  order.links = {{2, 3, 0, 0, {1.0, 1.0}}, {0, 1, 0, 0, {1.0, 1.0}}};
+  order.candidates = {{2, 3, 0, 0, {1.0, 1.0}}, {0, 1, 0, 0, {1.0, 1.0}}};
   order.connect();
   order.begin_step(1.0);
   order.predict(0);
@@ -363,9 +366,9 @@ TEST(EventOrder, PairBetweenWallsReturns) {
     body.flight.velocity = {n == 0 ? 0.7 : -0.7, 0.0, 0.0};
     body.flight.end = {n == 0 ? -2.0 : 2.0, 0.0, 0.0};
     order.bodies.push_back(body);
-    order.links.push_back({n, -1 - n, 0, 1, {0.5, 0.5}});
+    order.candidates.push_back({n, -1 - n, 0, 1, {0.5, 0.5}});
   }
-  order.links.push_back({0, 1, 0, 0, {1.0, 1.5}});
+  order.candidates.push_back({0, 1, 0, 0, {1.0, 1.5}});
   order.connect();
   std::size_t events = 0;
   while (events < 8000) {
@@ -380,7 +383,7 @@ TEST(EventOrder, PairBetweenWallsReturns) {
     events += order.events.size();
     const double u = order.bodies[0].flight.velocity.x;
     const double inside = std::sqrt(0.7 * 0.7 + 1.0);
-    EXPECT_NEAR(std::abs(u), order.links[2].inside ? inside : 0.7, 1e-12);
+    EXPECT_NEAR(std::abs(u), order.candidates[2].inside ? inside : 0.7, 1e-12);
     EXPECT_NEAR(order.bodies[1].flight.velocity.x, -u, 1e-12);
   }
 }

@@ -19,7 +19,7 @@ using cohesion::Vector3;
 // A pair nearer to the edge of its well than this share of it is at the edge, to round-off.
 static constexpr double AT_EDGE = 1e-10;
 
-/// With a new list of neighbours: bodies, links, and who needs news of whom.
+/// With a new list of neighbours: bodies, candidates, and who needs news of whom.
 void FixHardEvents::connect() {
   for (int i = 0; i < atom->nlocal; i++) {
     origin_[i][0] = comm->me;
@@ -34,7 +34,7 @@ void FixHardEvents::connect() {
     stray(i, vector(atom->x[i]) - order_.dt() * vector(atom->v[i]), order_.dt());
   }
 
-  order_.links.clear();
+  order_.candidates.clear();
   order_.images.assign(1, Image{});
   shifts_.assign(1, Shift{0, 0, 0});
   slots_.clear();
@@ -115,7 +115,7 @@ void FixHardEvents::place_images() {
 }
 
 /// A pair through the boundary between two particles of this process is in the list twice; the
-/// entry of the lower tag makes the link.
+/// entry of the lower tag makes the candidate.
 void FixHardEvents::add_pairs() {
   NeighList* const list = pair_->list;
   const PairHistory& history = pair_->history();
@@ -138,11 +138,11 @@ void FixHardEvents::add_pairs() {
         twins_.push_back({other, i, image, kept, value});
         continue;
       }
-      Link link{first ? i : other, first ? other : i, image, 0, {0.0, 0.0}};
-      link.law = pair_->of_types(atom->type[i], atom->type[j]);
-      link.at = pair_->surfaces(i, j);
-      link.inside = *kept && link.at.well();
-      order_.links.push_back(link);
+      CandidatePair candidate{first ? i : other, first ? other : i, image, 0, {0.0, 0.0}};
+      candidate.law = pair_->of_types(atom->type[i], atom->type[j]);
+      candidate.at = pair_->surfaces(i, j);
+      candidate.inside = *kept && candidate.at.well();
+      order_.candidates.push_back(candidate);
       slots_.push_back({{kept, nullptr}, {value, nullptr}});
     }
   }
@@ -150,10 +150,10 @@ void FixHardEvents::add_pairs() {
 
 void FixHardEvents::add_twins() {
   for (const Twin& twin : twins_) {
-    const int link = order_.find(twin.i, twin.j, twin.image);
-    if (link < 0) continue;
-    slots_[link].kept[1] = twin.kept;
-    slots_[link].value[1] = twin.value;
+    const int candidate = order_.find(twin.i, twin.j, twin.image);
+    if (candidate < 0) continue;
+    slots_[candidate].kept[1] = twin.kept;
+    slots_[candidate].value[1] = twin.value;
   }
 }
 
@@ -170,19 +170,19 @@ void FixHardEvents::add_walls() {
     const auto fix = std::find(walls_.begin(), walls_.end(), walls) - walls_.begin();
     for (int i = 0; i < atom->nlocal; i++) {
       if (!walls->acts_on(i) || order_.bodies[i].inverse_mass == 0.0) continue;
-      Link link{i, -1 - n, 0, 0, walls->surfaces_of(i)};
+      CandidatePair candidate{i, -1 - n, 0, 0, walls->surfaces_of(i)};
       const Vector3 end = vector(atom->x[i]);
       const Vector3 start = end - order_.dt() * vector(atom->v[i]);
       const double distance = wall.wall.nearest(end, wall.end, 0.0).distance;
       // A wall is not felt from behind.
       if (wall.wall.nearest(start, wall.at(order_.dt()), 0.0).distance <= 0.0) continue;
-      if (walls->still() && distance > std::max(link.at.core, link.at.edge) + range) {
+      if (walls->still() && distance > std::max(candidate.at.core, candidate.at.edge) + range) {
         walls->inside(i, w) = 0.0;
         continue;
       }
-      link.law = laws_of_walls + static_cast<int>(fix) * (atom->ntypes + 1) + atom->type[i];
-      link.inside = walls->inside(i, w) > 0.0 && link.at.well();
-      order_.links.push_back(link);
+      candidate.law = laws_of_walls + static_cast<int>(fix) * (atom->ntypes + 1) + atom->type[i];
+      candidate.inside = walls->inside(i, w) > 0.0 && candidate.at.well();
+      order_.candidates.push_back(candidate);
       slots_.push_back({{nullptr, nullptr}, {&walls->inside(i, w), nullptr}});
     }
   }
@@ -191,21 +191,21 @@ void FixHardEvents::add_walls() {
 /// A pair that was not followed before is where it is: it did not fall into its well, nor did one
 /// that was put elsewhere climb out of it.
 void FixHardEvents::know_where_new_pairs_are() {
-  for (int n = 0; n < static_cast<int>(order_.links.size()); n++) {
-    Link& link = order_.links[n];
-    if (link.at.well()) {
-      const double over = order_.distance_at_start(n) / link.at.edge - 1.0;
-      if (over < -AT_EDGE) link.inside = true;
-      if (over > AT_EDGE) link.inside = false;
+  for (int n = 0; n < static_cast<int>(order_.candidates.size()); n++) {
+    CandidatePair& candidate = order_.candidates[n];
+    if (candidate.at.well()) {
+      const double over = order_.distance_at_start(n) / candidate.at.edge - 1.0;
+      if (over < -AT_EDGE) candidate.inside = true;
+      if (over > AT_EDGE) candidate.inside = false;
     }
     keep(n);
   }
 }
 
-/// The state of a link goes to the history of pairs and walls.
+/// The state of a candidate goes to the history of pairs and walls.
 void FixHardEvents::keep(int n) {
   const Slots& slots = slots_[n];
-  const int inside = order_.links[n].inside;
+  const int inside = order_.candidates[n].inside;
   for (int side = 0; side < 2; side++) {
     if (slots.kept[side]) *slots.kept[side] = inside;
     if (slots.value[side]) *slots.value[side] = inside;
