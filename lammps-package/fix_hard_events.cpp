@@ -43,7 +43,7 @@ static void put(const Vector3& a, double* to) {
 FixHardEvents::FixHardEvents(LAMMPS* lammps, int narg, char** arg)
     : Fix(lammps, narg, arg),
       pair_(nullptr),
-      agreement_(lammps, order_),
+      agreement_(lammps, simulation_),
       origin_(nullptr),
       outside_(nullptr),
       farthest_(0.0),
@@ -105,12 +105,12 @@ void FixHardEvents::init() {
       wall_.push_back({walls, w});
   }
   if (!record_) record_ = std::make_unique<HardEventRecord>(lmp, pair_->record_file());
-  order_.rules = pair_->rules();
-  order_.rules.reports = comm->nprocs > 1;
-  order_.laws = pair_->laws();
+  simulation_.rules = pair_->rules();
+  simulation_.rules.reports = comm->nprocs > 1;
+  simulation_.laws = pair_->laws();
   for (const HardWalls* walls : walls_)
     for (int type = 0; type <= atom->ntypes; type++)
-      order_.laws.push_back(type == 0 ? Law{} : walls->law_of_type(type));
+      simulation_.laws.push_back(type == 0 ? Law{} : walls->law_of_type(type));
 }
 
 /// A particle whose straight flight leads through a wall into the outside of the box would be lost
@@ -144,7 +144,7 @@ void FixHardEvents::pre_exchange() {
 
 /// Nothing has moved: the run starts here.
 void FixHardEvents::setup_pre_force(int) {
-  order_.begin_step(0.0);
+  simulation_.begin_step(0.0);
   round_places();
   connect();
   tell_of_overlaps();
@@ -154,9 +154,9 @@ void FixHardEvents::setup_pre_force(int) {
 /// Cores that overlap part as soon as they move apart, but their energy is nobody's.
 void FixHardEvents::tell_of_overlaps() const {
   double mine[2] = {0.0, 0.0}, all[2];  // number, deepest as a share of the distance
-  for (int n = 0; n < static_cast<int>(order_.candidates.size()); n++) {
-    const CandidatePair& candidate = order_.candidates[n];
-    const double overlap = 1.0 - order_.distance_at_start(n) / candidate.at.core;
+  for (int n = 0; n < static_cast<int>(simulation_.candidates.size()); n++) {
+    const CandidatePair& candidate = simulation_.candidates[n];
+    const double overlap = 1.0 - simulation_.distance_at_start(n) / candidate.at.core;
     if (overlap < OVERLAP || candidate.i >= atom->nlocal) continue;
     mine[0] += 1.0;
     mine[1] = std::max(mine[1], overlap);
@@ -193,7 +193,7 @@ void FixHardEvents::round_places() {
 }
 
 void FixHardEvents::pre_force(int) {
-  order_.begin_step(update->dt);
+  simulation_.begin_step(update->dt);
   farthest_ = 0.0;
   if (neighbor->ago == 0)
     connect();
@@ -201,8 +201,9 @@ void FixHardEvents::pre_force(int) {
     load();
   const bool alone = comm->nprocs == 1;
   long counts[2] = {0, 0}, all[2] = {0, 0};
-  for (int n = 0; n < static_cast<int>(order_.candidates.size()); n++)
-    counts[0] += shared(order_.candidates[n]) ? order_.may_meet(n, NEARLY) : order_.predict(n);
+  for (int n = 0; n < static_cast<int>(simulation_.candidates.size()); n++)
+    counts[0] += shared(simulation_.candidates[n]) ? simulation_.may_meet(n, NEARLY)
+                                                   : simulation_.predict(n);
   counts[1] = !warned_ && totals_.elastic > 0.0;
   if (alone)
     std::copy_n(counts, 2, all);
@@ -219,7 +220,7 @@ void FixHardEvents::pre_force(int) {
   if (all[0] > 0) {
     follow(all[0]);
     store();
-    record_->write(order_);
+    record_->write(simulation_);
     comm->forward_comm();
   }
   check_reach();
@@ -233,54 +234,54 @@ void FixHardEvents::pre_force(int) {
 void FixHardEvents::load() {
   place_images();
   for (int i = 0; i < atom->nlocal; i++)
-    order_.bodies[i].flight = {
+    simulation_.bodies[i].flight = {
         vector(atom->x[i]), vector(atom->v[i]), 0.0, vector(atom->omega[i]), 0, 0};
   for (const Foreign& known : foreign_) {
     const int g = known.ghost;
-    const Image& image = order_.images[known.image];
-    order_.bodies[known.body].flight = {vector(atom->x[g]) - image.displacement,
-                                        vector(atom->v[g]) - image.velocity,
-                                        0.0,
-                                        vector(atom->omega[g]),
-                                        0,
-                                        0};
+    const Image& image = simulation_.images[known.image];
+    simulation_.bodies[known.body].flight = {vector(atom->x[g]) - image.displacement,
+                                             vector(atom->v[g]) - image.velocity,
+                                             0.0,
+                                             vector(atom->omega[g]),
+                                             0,
+                                             0};
   }
   for (std::size_t n = 0; n < wall_.size(); n++)
-    order_.walls[n] = wall_[n].first->over_step(wall_[n].second);
+    simulation_.walls[n] = wall_[n].first->over_step(wall_[n].second);
 }
 
 /// Carries out the events of the step.
 void FixHardEvents::follow(long expected_events) {
   if (comm->nprocs == 1) {
-    order_.sort();
-    order_.run(update->dt);
+    simulation_.sort();
+    simulation_.run(update->dt);
   } else {
     agreement_.load_borders();
     agreement_.follow(expected_events);
   }
-  if (order_.overrun() >= 0) stop_at_limit();
+  if (simulation_.overrun() >= 0) stop_at_limit();
 }
 
 void FixHardEvents::stop_at_limit() const {
-  const CandidatePair& candidate = order_.candidates[order_.overrun()];
-  const Body& a = order_.bodies[candidate.i];
+  const CandidatePair& candidate = simulation_.candidates[simulation_.overrun()];
+  const Body& a = simulation_.bodies[candidate.i];
   const auto tag_j = candidate.with_wall() ? static_cast<std::int64_t>(candidate.j)
-                                           : order_.bodies[candidate.j].tag;
+                                           : simulation_.bodies[candidate.j].tag;
   error->one(FLERR,
              "pair_style hard/square_well: more than {} events of one particle in step {}, at "
              "particles {} and {} (negative: a wall); they had {} and {}. Particles are pressed "
              "together: use a smaller time step, keyword contact_time, or a larger limit",
-             order_.rules.limit, update->ntimestep, a.tag, tag_j, a.flight.events,
-             candidate.with_wall() ? 0 : order_.bodies[candidate.j].flight.events);
+             simulation_.rules.limit, update->ntimestep, a.tag, tag_j, a.flight.events,
+             candidate.with_wall() ? 0 : simulation_.bodies[candidate.j].flight.events);
 }
 
 /// What the events changed goes to the engine's arrays, to histories and sums.
 void FixHardEvents::store() {
-  for (const Event& event : order_.events) {
-    const CandidatePair& candidate = order_.candidates[event.candidate];
+  for (const Event& event : simulation_.events) {
+    const CandidatePair& candidate = simulation_.candidates[event.candidate];
     for (const int body : {candidate.i, candidate.j}) {
       if (body < 0 || body >= atom->nlocal) continue;
-      const Flight& now = order_.bodies[body].flight;
+      const Flight& now = simulation_.bodies[body].flight;
       put(now.end, atom->x[body]);
       put(now.velocity, atom->v[body]);
       put(now.spin, atom->omega[body]);
@@ -290,7 +291,7 @@ void FixHardEvents::store() {
       if (body == candidate.i || candidate.image == 0)
         stray(body, place, left);
       else
-        stray(body, place - order_.images[candidate.image].at(left), left);
+        stray(body, place - simulation_.images[candidate.image].at(left), left);
     }
     keep(event.candidate);
     if (candidate.i < atom->nlocal) totals_.add(event, candidate.with_wall());
@@ -354,7 +355,7 @@ int FixHardEvents::unpack_exchange(int i, double* buf) {
 
 double FixHardEvents::memory_usage() {
   return static_cast<double>((ORIGIN + 3) * sizeof(double)) * atom->nmax +
-         static_cast<double>(sizeof(Body) * order_.bodies.size() +
+         static_cast<double>(sizeof(Body) * simulation_.bodies.size() +
                              (sizeof(CandidatePair) + sizeof(Slots) + 2 * sizeof(int)) *
-                                 order_.candidates.size());
+                                 simulation_.candidates.size());
 }

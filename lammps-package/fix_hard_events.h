@@ -17,7 +17,7 @@ FixStyle(HARD_EVENTS,FixHardEvents);
 #include "hard_event_agreement.h"
 #include "hard_event_record.h"
 #include "hard_event_totals.h"
-#include "hard_sphere/event_order.h"
+#include "hard_sphere/event_simulation.h"
 #include "mobile_particles.h"
 #include "shear/since_list.h"
 
@@ -46,9 +46,9 @@ class HardWalls {
 ///
 /// In pre_force the engine has moved every particle straight to the end of the step. The candidates
 /// are the pairs of the neighbour list and the particles with the walls; their events are found and
-/// carried out in order (src/hard_sphere/event_order.h), and positions and velocities corrected.
-/// Positions are those of the owner of a particle with a periodic image, never a ghost's own, so
-/// that every process works out the same numbers.
+/// carried out in order (src/hard_sphere/event_simulation.h), and positions and velocities
+/// corrected. Positions are those of the owner of a particle with a periodic image, never a ghost's
+/// own, so that every process works out the same numbers.
 class FixHardEvents : public Fix {
  public:
   FixHardEvents(class LAMMPS*, int, char**);
@@ -71,7 +71,7 @@ class FixHardEvents : public Fix {
   int unpack_exchange(int, double*) override;
   double memory_usage() override;
 
-  const cohesion::hard_sphere::EventOrder& order() const { return order_; }
+  const cohesion::hard_sphere::EventSimulation& simulation() const { return simulation_; }
   const HardEventTotals& totals() const { return totals_; }
   /// From now on totals().flux is summed.
   void sum_flux() { totals_.flux_wanted = true; }
@@ -123,8 +123,9 @@ class FixHardEvents : public Fix {
   std::vector<std::pair<HardWalls*, int> > wall_;  // by number
   MobileParticles mobile_;
 
-  cohesion::hard_sphere::EventOrder order_;  // bodies: own particles, then those in foreign_
-  std::vector<Slots> slots_;                 // by candidate
+  cohesion::hard_sphere::EventSimulation
+      simulation_;            // bodies: own particles, then those in foreign_
+  std::vector<Slots> slots_;  // by candidate
   std::vector<Twin> twins_;
   std::vector<Shift> shifts_;  // by image
   std::vector<Foreign> foreign_;

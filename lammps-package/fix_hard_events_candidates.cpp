@@ -31,20 +31,20 @@ void FixHardEvents::connect() {
   for (int i = 0; i < atom->nlocal; i++) {
     for (int axis = 0; axis < 3; axis++) atom->x[i][axis] += outside_[i][axis];
     FixHardEvents::set_arrays(i);
-    stray(i, vector(atom->x[i]) - order_.dt() * vector(atom->v[i]), order_.dt());
+    stray(i, vector(atom->x[i]) - simulation_.dt() * vector(atom->v[i]), simulation_.dt());
   }
 
-  order_.candidates.clear();
-  order_.images.assign(1, Image{});
+  simulation_.candidates.clear();
+  simulation_.images.assign(1, Image{});
   shifts_.assign(1, Shift{0, 0, 0});
   slots_.clear();
   foreign_.clear();
   foreign_body_.clear();
-  order_.bodies.resize(atom->nlocal);
+  simulation_.bodies.resize(atom->nlocal);
   for (int i = 0; i < atom->nlocal; i++) describe(i, i);
   add_pairs();
   add_walls();
-  order_.connect();
+  simulation_.connect();
   add_twins();
 
   std::vector<BorderExchange::Request> requests;
@@ -57,7 +57,7 @@ void FixHardEvents::connect() {
 }
 
 void FixHardEvents::describe(int body, int i) {
-  Body& b = order_.bodies[body];
+  Body& b = simulation_.bodies[body];
   b.inverse_mass = mobile_.inverse_mass(atom->mask[i], atom->rmass[i]);
   b.radius = atom->radius[i];
   b.inverse_inertia =
@@ -72,11 +72,11 @@ int FixHardEvents::body_of(int i) {
   if (origin[0] == comm->me) return static_cast<int>(origin[1]);
   const auto key =
       (static_cast<std::uint64_t>(origin[0]) << 32) | static_cast<std::uint64_t>(origin[1]);
-  const int next = static_cast<int>(order_.bodies.size());
+  const int next = static_cast<int>(simulation_.bodies.size());
   const auto found = foreign_body_.emplace(key, next);
   if (found.second) {
     foreign_.push_back({next, i, image_of(shift_of(i)), static_cast<int>(origin[0])});
-    order_.bodies.emplace_back();
+    simulation_.bodies.emplace_back();
     describe(next, i);
   }
   return found.first->second;
@@ -104,13 +104,13 @@ void FixHardEvents::place_images() {
   const double* const h = domain->h;
   const double* const rate = domain->h_rate;
   const bool sheared = domain->deform_vremap != 0;
-  order_.images.resize(shifts_.size());
+  simulation_.images.resize(shifts_.size());
   for (std::size_t n = 0; n < shifts_.size(); n++) {
     const auto [x, y, z] = shifts_[n];
     const auto in_box = [x = x, y = y, z = z](const double* a) {
       return Vector3{x * a[0] + y * a[5] + z * a[4], y * a[1] + z * a[3], z * a[2]};
     };
-    order_.images[n] = {in_box(h), sheared ? in_box(rate) : Vector3{}};
+    simulation_.images[n] = {in_box(h), sheared ? in_box(rate) : Vector3{}};
   }
 }
 
@@ -126,7 +126,7 @@ void FixHardEvents::add_pairs() {
       const int j = list->firstneigh[i][jj] & NEIGHMASK;
       if (j >= atom->nlocal && origin_[j][0] == comm->me && origin_[j][1] == i) continue;
       const int other = body_of(j);
-      const Body &a = order_.bodies[i], &b = order_.bodies[other];
+      const Body &a = simulation_.bodies[i], &b = simulation_.bodies[other];
       if (a.inverse_mass + b.inverse_mass == 0.0) continue;
       Shift shift = j < atom->nlocal ? Shift{0, 0, 0} : shift_of(j);
       const bool first = a.tag < b.tag;
@@ -142,7 +142,7 @@ void FixHardEvents::add_pairs() {
       candidate.law = pair_->of_types(atom->type[i], atom->type[j]);
       candidate.at = pair_->surfaces(i, j);
       candidate.inside = *kept && candidate.at.well();
-      order_.candidates.push_back(candidate);
+      simulation_.candidates.push_back(candidate);
       slots_.push_back({{kept, nullptr}, {value, nullptr}});
     }
   }
@@ -150,7 +150,7 @@ void FixHardEvents::add_pairs() {
 
 void FixHardEvents::add_twins() {
   for (const Twin& twin : twins_) {
-    const int candidate = order_.find(twin.i, twin.j, twin.image);
+    const int candidate = simulation_.find(twin.i, twin.j, twin.image);
     if (candidate < 0) continue;
     slots_[candidate].kept[1] = twin.kept;
     slots_[candidate].value[1] = twin.value;
@@ -160,29 +160,29 @@ void FixHardEvents::add_twins() {
 /// The walls at rest that a particle can reach while this list holds, and all that move.
 void FixHardEvents::add_walls() {
   const double range = 0.5 * (pair_->list_reach() + neighbor->skin);
-  const int laws_of_walls =
-      static_cast<int>(order_.laws.size()) - static_cast<int>(walls_.size()) * (atom->ntypes + 1);
-  order_.walls.clear();
+  const int laws_of_walls = static_cast<int>(simulation_.laws.size()) -
+                            static_cast<int>(walls_.size()) * (atom->ntypes + 1);
+  simulation_.walls.clear();
   for (int n = 0; n < static_cast<int>(wall_.size()); n++) {
     const auto [walls, w] = wall_[n];
-    order_.walls.push_back(walls->over_step(w));
-    const MovingWall& wall = order_.walls.back();
+    simulation_.walls.push_back(walls->over_step(w));
+    const MovingWall& wall = simulation_.walls.back();
     const auto fix = std::find(walls_.begin(), walls_.end(), walls) - walls_.begin();
     for (int i = 0; i < atom->nlocal; i++) {
-      if (!walls->acts_on(i) || order_.bodies[i].inverse_mass == 0.0) continue;
+      if (!walls->acts_on(i) || simulation_.bodies[i].inverse_mass == 0.0) continue;
       CandidatePair candidate{i, -1 - n, 0, 0, walls->surfaces_of(i)};
       const Vector3 end = vector(atom->x[i]);
-      const Vector3 start = end - order_.dt() * vector(atom->v[i]);
+      const Vector3 start = end - simulation_.dt() * vector(atom->v[i]);
       const double distance = wall.wall.nearest(end, wall.end, 0.0).distance;
       // A wall is not felt from behind.
-      if (wall.wall.nearest(start, wall.at(order_.dt()), 0.0).distance <= 0.0) continue;
+      if (wall.wall.nearest(start, wall.at(simulation_.dt()), 0.0).distance <= 0.0) continue;
       if (walls->still() && distance > std::max(candidate.at.core, candidate.at.edge) + range) {
         walls->inside(i, w) = 0.0;
         continue;
       }
       candidate.law = laws_of_walls + static_cast<int>(fix) * (atom->ntypes + 1) + atom->type[i];
       candidate.inside = walls->inside(i, w) > 0.0 && candidate.at.well();
-      order_.candidates.push_back(candidate);
+      simulation_.candidates.push_back(candidate);
       slots_.push_back({{nullptr, nullptr}, {&walls->inside(i, w), nullptr}});
     }
   }
@@ -191,10 +191,10 @@ void FixHardEvents::add_walls() {
 /// A pair that was not followed before is where it is: it did not fall into its well, nor did one
 /// that was put elsewhere climb out of it.
 void FixHardEvents::know_where_new_pairs_are() {
-  for (int n = 0; n < static_cast<int>(order_.candidates.size()); n++) {
-    CandidatePair& candidate = order_.candidates[n];
+  for (int n = 0; n < static_cast<int>(simulation_.candidates.size()); n++) {
+    CandidatePair& candidate = simulation_.candidates[n];
     if (candidate.at.well()) {
-      const double over = order_.distance_at_start(n) / candidate.at.edge - 1.0;
+      const double over = simulation_.distance_at_start(n) / candidate.at.edge - 1.0;
       if (over < -AT_EDGE) candidate.inside = true;
       if (over > AT_EDGE) candidate.inside = false;
     }
@@ -205,7 +205,7 @@ void FixHardEvents::know_where_new_pairs_are() {
 /// The state of a candidate goes to the history of pairs and walls.
 void FixHardEvents::keep(int n) {
   const Slots& slots = slots_[n];
-  const int inside = order_.candidates[n].inside;
+  const int inside = simulation_.candidates[n].inside;
   for (int side = 0; side < 2; side++) {
     if (slots.kept[side]) *slots.kept[side] = inside;
     if (slots.value[side]) *slots.value[side] = inside;

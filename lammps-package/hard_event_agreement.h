@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "border_exchange.h"
-#include "hard_sphere/event_order.h"
+#include "hard_sphere/event_simulation.h"
 #include "pointers.h"
 
 namespace LAMMPS_NS {
@@ -18,7 +18,7 @@ namespace LAMMPS_NS {
 /// particles, then the followed ones.
 class HardEventAgreement : protected Pointers {
  public:
-  HardEventAgreement(class LAMMPS*, cohesion::hard_sphere::EventOrder&);
+  HardEventAgreement(class LAMMPS*, cohesion::hard_sphere::EventSimulation&);
 
   /// Collective: with a new list of neighbours, the particles of others that this process follows,
   /// in the order of their bodies.
@@ -26,7 +26,7 @@ class HardEventAgreement : protected Pointers {
   /// Collective: the flights of the followed particles, as they are on their own processes.
   void load_borders();
   /// Collective: carries out the events of a step; `expected_events`: about how many there are, on
-  /// all processes. Ends early when there is no end of events (EventOrder::overrun).
+  /// all processes. Ends early when there is no end of events (EventSimulation::overrun).
   void follow(long expected_events);
 
  private:
@@ -36,7 +36,7 @@ class HardEventAgreement : protected Pointers {
   void follow_stretch(double until);
   std::vector<cohesion::hard_sphere::News> exchange_news(double from);
 
-  cohesion::hard_sphere::EventOrder& order_;
+  cohesion::hard_sphere::EventSimulation& simulation_;
   BorderExchange border_;
   int own_;                  // particles of this process
   std::vector<int> owners_;  // of the followed

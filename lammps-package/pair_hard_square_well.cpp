@@ -62,8 +62,8 @@ void PairHardSquareWell::compute(int eflag, int vflag) {
   if (neighbor->ago == 0) check_radii(lmp, "pair_style hard/square_well", largest_radius_);
   if (vflag_either) {
     const double per_time = -1.0 / update->dt;
-    for (const Event& event : events_->order().events) {
-      const CandidatePair& candidate = events_->order().candidates[event.candidate];
+    for (const Event& event : events_->simulation().events) {
+      const CandidatePair& candidate = events_->simulation().candidates[event.candidate];
       if (candidate.with_wall()) continue;
       const auto on_i = per_time * event.impact.on_j;
       const auto& r = event.separation;

@@ -14,7 +14,7 @@ PairStyle(hard/square_well,PairHardSquareWell);
 
 #include "bound_pairs.h"
 #include "hard_contact_from_script.h"
-#include "hard_sphere/event_order.h"
+#include "hard_sphere/event_simulation.h"
 #include "pair.h"
 #include "pair_history.h"
 #include "type_pair_table.h"
@@ -41,7 +41,7 @@ class PairHardSquareWell : public Pair, public BoundPairs {
   void append_bound(std::vector<std::array<int, 2> >&) const override;
   void append_held(std::vector<std::array<int, 2> >&) const override;
 
-  const cohesion::hard_sphere::OrderRules& rules() const { return rules_; }
+  const cohesion::hard_sphere::EventRules& rules() const { return rules_; }
   const std::string& record_file() const { return record_file_; }
   /// Of each pair 1 number: whether it is in its well.
   const PairHistory& history() const { return history_; }
@@ -57,7 +57,7 @@ class PairHardSquareWell : public Pair, public BoundPairs {
   void allocate();
   void give(int i, int j, const HardContact&);
 
-  cohesion::hard_sphere::OrderRules rules_;
+  cohesion::hard_sphere::EventRules rules_;
   std::string record_file_;
   TypePairTable<HardContact> given_;
   std::vector<double> largest_radius_;

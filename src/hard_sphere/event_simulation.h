@@ -11,7 +11,7 @@
 namespace cohesion::hard_sphere {
 
 /// Rules of one run.
-struct OrderRules {
+struct EventRules {
   int collapse = 100;  ///< collisions of a particle in a step before the rest are elastic; 0: off
   double contact_time = 0.0;  ///< collisions sooner after a particle's last one are elastic, [time]
   int limit = 100000;         ///< events of a particle in a step before the step is given up
@@ -34,7 +34,7 @@ struct OrderRules {
 /// takes back what came from there on and runs on with them. What lies before the first difference
 /// of all parts is final: every event there has been worked out from what truly went before it. So
 /// the order is that of one process, and every exchange brings it at least one event farther.
-class EventOrder {
+class EventSimulation {
  private:
   struct Predicted {
     double time;
@@ -50,11 +50,11 @@ class EventOrder {
     Flight before;
   };
 
-  /// The order of the heap.
+  /// The order of the queue.
   struct Later {
-    const EventOrder& order;
+    const EventSimulation& simulation;
     bool operator()(const Predicted& a, const Predicted& b) const {
-      return a.time != b.time ? a.time > b.time : order.key(b) < order.key(a);
+      return a.time != b.time ? a.time > b.time : simulation.key(b) < simulation.key(a);
     }
   };
 
@@ -64,7 +64,7 @@ class EventOrder {
   std::vector<Image> images{Image{}};
   std::vector<Law> laws;
   std::vector<MovingWall> walls;
-  OrderRules rules;
+  EventRules rules;
 
   std::vector<Event> events;  ///< of this step, in order
   std::vector<News> news;     ///< of this stretch, with rules.reports
@@ -98,19 +98,19 @@ class EventOrder {
   /// Before the bodies' flights of a step of length `dt` are set.
   void begin_step(double dt) {
     dt_ = dt;
-    heap_.clear();
+    queue_.clear();
     events.clear();
     overrun_ = -1;
     begin_stretch();
   }
 
-  /// The first event of candidate n, when it has one in this step, goes into the order.
+  /// The first event of candidate n, when it has one in this step, goes into the queue.
   bool predict(int n) {
     CandidatePair& candidate = candidates[n];
     candidate.version++;
     const double time = time_of_next(candidate);
     if (!(time <= dt_)) return false;
-    heap_.push_back({time, n, candidate.version, depth(candidate, time)});
+    queue_.push_back({time, n, candidate.version, depth(candidate, time)});
     return true;
   }
 
@@ -141,7 +141,7 @@ class EventOrder {
   }
 
   /// After predictions in any order.
-  void sort() { std::make_heap(heap_.begin(), heap_.end(), Later{*this}); }
+  void sort() { std::make_heap(queue_.begin(), queue_.end(), Later{*this}); }
 
   void begin_stretch() {
     undo_.clear();
@@ -154,13 +154,14 @@ class EventOrder {
   /// All events up to `until`.
   void run(double until) {
     while (overrun_ < 0) {
-      while (!heap_.empty() && heap_.front().version != candidates[heap_.front().candidate].version)
+      while (!queue_.empty() &&
+             queue_.front().version != candidates[queue_.front().candidate].version)
         pop();
-      const bool own = !heap_.empty() && heap_.front().time <= until;
-      if (told_ < foreign.size() && !(own && key(heap_.front()) < foreign[told_].key)) {
+      const bool own = !queue_.empty() && queue_.front().time <= until;
+      if (told_ < foreign.size() && !(own && key(queue_.front()) < foreign[told_].key)) {
         accept(foreign[told_++]);
       } else if (own) {
-        const Predicted next = heap_.front();
+        const Predicted next = queue_.front();
         pop();
         carry_out(next.candidate, key(next));
       } else {
@@ -207,8 +208,8 @@ class EventOrder {
   }
 
   void pop() {
-    std::pop_heap(heap_.begin(), heap_.end(), Later{*this});
-    heap_.pop_back();
+    std::pop_heap(queue_.begin(), queue_.end(), Later{*this});
+    queue_.pop_back();
   }
 
   double time_of_next(CandidatePair& candidate) const {
@@ -232,7 +233,7 @@ class EventOrder {
   void predict_all(int body, int but = -1) {
     for (int n = first_[body]; n < first_[body + 1]; n++)
       if (of_body_[n] != but && predict(of_body_[n]))
-        std::push_heap(heap_.begin(), heap_.end(), Later{*this});
+        std::push_heap(queue_.begin(), queue_.end(), Later{*this});
   }
 
   static std::ptrdiff_t first_news(const std::vector<News>& all, double from) {
@@ -362,7 +363,7 @@ class EventOrder {
   double dt_ = 0.0;
   std::vector<int> first_,
       of_body_;  // candidates of body i: of_body_[first_[i]] ... [first_[i + 1] - 1]
-  std::vector<Predicted> heap_;
+  std::vector<Predicted> queue_;
   std::vector<Undo> undo_;  // of this stretch, with rules.reports
   std::size_t told_ = 0;    // news that have been taken in
   std::size_t start_ = 0;   // of the stretch, in `events`
