@@ -27,10 +27,10 @@ using cohesion::Vector3;
 
 static constexpr char ID[] = "COHESION_HARD_EVENTS";
 static constexpr int ORIGIN = 5;
-// Share of a distance by which a ghost's own position may be off, with room: boxes of up to 1e6
+// Fraction of a distance by which a ghost's own position may be off, with room: boxes of up to 1e6
 // diameters.
-static constexpr double NEARLY = 1e-9;
-// Overlap that is told of: of a distance, above what a data file's decimals leave.
+static constexpr double TOLERANCE = 1e-9;
+// Overlap that is warned of, as a fraction of a distance: above what a data file's decimals leave.
 static constexpr double OVERLAP = 1e-6;
 static constexpr int FIXED_BOUNDARY = 1;  // Domain::boundary
 
@@ -43,10 +43,10 @@ static void put(const Vector3& a, double* to) {
 FixHardEvents::FixHardEvents(LAMMPS* lammps, int narg, char** arg)
     : Fix(lammps, narg, arg),
       pair_(nullptr),
-      agreement_(lammps, simulation_),
+      time_warp_(lammps, simulation_),
       origin_(nullptr),
       outside_(nullptr),
-      farthest_(0.0),
+      farthest_squared_(0.0),
       warned_(false) {
   comm_forward = ORIGIN;
   create_attribute = 1;
@@ -96,7 +96,7 @@ void FixHardEvents::init() {
     Fix* const fix = modify->fix[i];
     if (fix->rigid_flag)
       error->all(FLERR,
-                 std::string("pair_style hard/square_well cannot follow rigid bodies (fix ") +
+                 std::string("pair_style hard/square_well cannot run_events rigid bodies (fix ") +
                      fix->id + ")");
     auto* walls = dynamic_cast<HardWalls*>(fix);
     if (!walls) continue;
@@ -106,7 +106,7 @@ void FixHardEvents::init() {
   }
   if (!record_) record_ = std::make_unique<HardEventRecord>(lmp, pair_->record_file());
   simulation_.rules = pair_->rules();
-  simulation_.rules.reports = comm->nprocs > 1;
+  simulation_.rules.distributed = comm->nprocs > 1;
   simulation_.laws = pair_->laws();
   for (const HardWalls* walls : walls_)
     for (int type = 0; type <= atom->ntypes; type++)
@@ -142,18 +142,18 @@ void FixHardEvents::pre_exchange() {
   }
 }
 
-/// Nothing has moved: the run starts here.
+/// The run starts here: nothing has moved.
 void FixHardEvents::setup_pre_force(int) {
   simulation_.begin_step(0.0);
-  round_places();
-  connect();
-  tell_of_overlaps();
+  round_positions();
+  set_up_candidates();
+  warn_of_overlaps();
   next_reneighbor = update->ntimestep + 1;
 }
 
 /// Cores that overlap part as soon as they move apart, but their energy is nobody's.
-void FixHardEvents::tell_of_overlaps() const {
-  double mine[2] = {0.0, 0.0}, all[2];  // number, deepest as a share of the distance
+void FixHardEvents::warn_of_overlaps() const {
+  double mine[2] = {0.0, 0.0}, all[2];  // number, deepest as a fraction of the distance
   for (int n = 0; n < static_cast<int>(simulation_.candidates.size()); n++) {
     const CandidatePair& candidate = simulation_.candidates[n];
     const double overlap = 1.0 - simulation_.distance_at_start(n) / candidate.at.core;
@@ -178,14 +178,14 @@ void FixHardEvents::tell_of_overlaps() const {
 void FixHardEvents::match_restart() {
   if (update->ntimestep != output->next_restart) return;
   put_into_box(atom, domain);
-  round_places();
+  round_positions();
   next_reneighbor = update->ntimestep + 1;
 }
 
 /// In a tilted box a run begins with places that the engine has carried to the box's own
 /// coordinates and back, once more than where the file was written: some roundings, each a few
 /// 2^-53 of the box. Rounded to 2^-44 of it both are the same again.
-void FixHardEvents::round_places() {
+void FixHardEvents::round_positions() {
   if (!domain->triclinic) return;
   const double unit = std::ldexp(1.0, std::ilogb(std::max(domain->prd[0], domain->prd[1])) - 44);
   for (int i = 0; i < atom->nlocal; i++)
@@ -194,16 +194,16 @@ void FixHardEvents::round_places() {
 
 void FixHardEvents::pre_force(int) {
   simulation_.begin_step(update->dt);
-  farthest_ = 0.0;
+  farthest_squared_ = 0.0;
   if (neighbor->ago == 0)
-    connect();
+    set_up_candidates();
   else
-    load();
+    load_flights();
   const bool alone = comm->nprocs == 1;
   long counts[2] = {0, 0}, all[2] = {0, 0};
   for (int n = 0; n < static_cast<int>(simulation_.candidates.size()); n++)
-    counts[0] += shared(simulation_.candidates[n]) ? simulation_.may_meet(n, NEARLY)
-                                                   : simulation_.predict(n);
+    counts[0] += with_remote_body(simulation_.candidates[n]) ? simulation_.may_meet(n, TOLERANCE)
+                                                             : simulation_.predict(n);
   counts[1] = !warned_ && totals_.elastic > 0.0;
   if (alone)
     std::copy_n(counts, 2, all);
@@ -218,25 +218,25 @@ void FixHardEvents::pre_force(int) {
                      "compute hard/events counts them");
   }
   if (all[0] > 0) {
-    follow(all[0]);
-    store();
+    run_events(all[0]);
+    store_results();
     record_->write(simulation_);
     comm->forward_comm();
   }
-  check_reach();
+  check_list();
   match_restart();
 }
 
 /* ---------------------------------------------------------------------- */
 
-/// The flights of this step. Those of other processes' particles are as the ghosts tell them, which
-/// is right but for round-off.
-void FixHardEvents::load() {
-  place_images();
+/// Sets the flights of this step. Those of remote particles come from their ghosts, which are right
+/// but for round-off.
+void FixHardEvents::load_flights() {
+  update_images();
   for (int i = 0; i < atom->nlocal; i++)
     simulation_.bodies[i].flight = {
         vector(atom->x[i]), vector(atom->v[i]), 0.0, vector(atom->omega[i]), 0, 0};
-  for (const Foreign& known : foreign_) {
+  for (const RemoteParticle& known : remote_) {
     const int g = known.ghost;
     const Image& image = simulation_.images[known.image];
     simulation_.bodies[known.body].flight = {vector(atom->x[g]) - image.displacement,
@@ -250,14 +250,14 @@ void FixHardEvents::load() {
     simulation_.walls[n] = wall_[n].first->over_step(wall_[n].second);
 }
 
-/// Carries out the events of the step.
-void FixHardEvents::follow(long expected_events) {
+/// Executes the events of the step.
+void FixHardEvents::run_events(long expected_events) {
   if (comm->nprocs == 1) {
-    simulation_.sort();
+    simulation_.order_queue();
     simulation_.run(update->dt);
   } else {
-    agreement_.load_borders();
-    agreement_.follow(expected_events);
+    time_warp_.load_borders();
+    time_warp_.run_step(expected_events);
   }
   if (simulation_.overrun() >= 0) stop_at_limit();
 }
@@ -275,8 +275,8 @@ void FixHardEvents::stop_at_limit() const {
              candidate.with_wall() ? 0 : simulation_.bodies[candidate.j].flight.events);
 }
 
-/// What the events changed goes to the engine's arrays, to histories and sums.
-void FixHardEvents::store() {
+/// Writes what the events have changed to the engine's arrays, to histories and sums.
+void FixHardEvents::store_results() {
   for (const Event& event : simulation_.events) {
     const CandidatePair& candidate = simulation_.candidates[event.candidate];
     for (const int body : {candidate.i, candidate.j}) {
@@ -285,34 +285,36 @@ void FixHardEvents::store() {
       put(now.end, atom->x[body]);
       put(now.velocity, atom->v[body]);
       put(now.spin, atom->omega[body]);
-      totals_.busiest = std::max(totals_.busiest, static_cast<double>(now.events));
+      totals_.most_events = std::max(totals_.most_events, static_cast<double>(now.events));
       const double left = update->dt - event.key.time;
       const Vector3 place = body == candidate.i ? event.place : event.place + event.separation;
       if (body == candidate.i || candidate.image == 0)
-        stray(body, place, left);
+        track_displacement(body, place, left);
       else
-        stray(body, place - simulation_.images[candidate.image].at(left), left);
+        track_displacement(body, place - simulation_.images[candidate.image].at(left), left);
     }
-    keep(event.candidate);
+    store_inside(event.candidate);
     if (candidate.i < atom->nlocal) totals_.add(event, candidate.with_wall());
   }
 }
 
-/// A particle is at `place`, `left` before the end of the step: how far it came beyond the shear.
-void FixHardEvents::stray(int i, const Vector3& place, double left) {
-  farthest_ =
-      std::max(farthest_, listed_.strayed_squared(i, place, shear_since(listed_, domain, left)));
+/// Notes the nonaffine displacement of particle i, which is at `place`, `left` before the end of
+/// the step.
+void FixHardEvents::track_displacement(int i, const Vector3& place, double left) {
+  farthest_squared_ =
+      std::max(farthest_squared_,
+               displacements_.strayed_squared(i, place, shear_since(displacements_, domain, left)));
 }
 
-/// Whether the list of neighbours still holds all pairs that may have met.
-void FixHardEvents::check_reach() {
-  for (int i = 0; i < atom->nlocal; i++) stray(i, vector(atom->x[i]), 0.0);
+/// Stops when the list of neighbours may have missed a pair.
+void FixHardEvents::check_list() {
+  for (int i = 0; i < atom->nlocal; i++) track_displacement(i, vector(atom->x[i]), 0.0);
   const double extra = pair_->list_reach() + neighbor->skin;
-  const double largest = std::max(std::abs(shear_since(listed_, domain).amount),
-                                  std::abs(shear_since(listed_, domain, update->dt).amount));
+  const double largest = std::max(std::abs(shear_since(displacements_, domain).amount),
+                                  std::abs(shear_since(displacements_, domain, update->dt).amount));
   const double margin =
       cohesion::shear::list_margin(neighbor->cutneighmax, neighbor->cutneighmax - extra, largest);
-  const double flown = std::sqrt(farthest_);
+  const double flown = std::sqrt(farthest_squared_);
   if (flown <= margin) return;
   error->one(FLERR,
              "pair_style hard/square_well: in step {} particles are up to {} away from where they "
@@ -356,6 +358,6 @@ int FixHardEvents::unpack_exchange(int i, double* buf) {
 double FixHardEvents::memory_usage() {
   return static_cast<double>((ORIGIN + 3) * sizeof(double)) * atom->nmax +
          static_cast<double>(sizeof(Body) * simulation_.bodies.size() +
-                             (sizeof(CandidatePair) + sizeof(Slots) + 2 * sizeof(int)) *
+                             (sizeof(CandidatePair) + sizeof(HistorySlots) + 2 * sizeof(int)) *
                                  simulation_.candidates.size());
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-only
-// The part of FixHardEvents that a new list of neighbours calls: who may meet whom.
+// The part of FixHardEvents that a new list of neighbours calls: the candidate pairs.
 #include <algorithm>
 #include <cmath>
 
@@ -16,47 +16,48 @@ using namespace cohesion::hard_sphere;
 using cohesion::vector;
 using cohesion::Vector3;
 
-// A pair nearer to the edge of its well than this share of it is at the edge, to round-off.
+// A pair nearer to the edge of its well than this fraction of it is at the edge, to round-off.
 static constexpr double AT_EDGE = 1e-10;
 
-/// With a new list of neighbours: bodies, candidates, and who needs news of whom.
-void FixHardEvents::connect() {
+/// Sets bodies, candidate pairs and remote particles by a new list of neighbours.
+void FixHardEvents::set_up_candidates() {
   for (int i = 0; i < atom->nlocal; i++) {
     origin_[i][0] = comm->me;
     origin_[i][1] = i;
     std::copy_n(atom->x[i], 3, origin_[i] + 2);
   }
   engine_api::forward_comm(comm, this);
-  listed_.begin(atom->nlocal > 0 ? atom->x[0] : nullptr, atom->nlocal, domain->xy);
+  displacements_.begin(atom->nlocal > 0 ? atom->x[0] : nullptr, atom->nlocal, domain->xy);
   for (int i = 0; i < atom->nlocal; i++) {
     for (int axis = 0; axis < 3; axis++) atom->x[i][axis] += outside_[i][axis];
     FixHardEvents::set_arrays(i);
-    stray(i, vector(atom->x[i]) - simulation_.dt() * vector(atom->v[i]), simulation_.dt());
+    track_displacement(i, vector(atom->x[i]) - simulation_.dt() * vector(atom->v[i]),
+                       simulation_.dt());
   }
 
   simulation_.candidates.clear();
   simulation_.images.assign(1, Image{});
   shifts_.assign(1, Shift{0, 0, 0});
   slots_.clear();
-  foreign_.clear();
-  foreign_body_.clear();
+  remote_.clear();
+  remote_body_.clear();
   simulation_.bodies.resize(atom->nlocal);
-  for (int i = 0; i < atom->nlocal; i++) describe(i, i);
+  for (int i = 0; i < atom->nlocal; i++) set_body(i, i);
   add_pairs();
   add_walls();
-  simulation_.connect();
-  add_twins();
+  simulation_.index_candidates();
+  add_second_entries();
 
   std::vector<BorderExchange::Request> requests;
-  for (const Foreign& f : foreign_)
+  for (const RemoteParticle& f : remote_)
     requests.push_back({f.owner, static_cast<int>(origin_[f.ghost][1]), f.body});
-  if (comm->nprocs > 1) agreement_.plan(requests);
-  load();
-  if (comm->nprocs > 1) agreement_.load_borders();
-  know_where_new_pairs_are();
+  if (comm->nprocs > 1) time_warp_.plan(requests);
+  load_flights();
+  if (comm->nprocs > 1) time_warp_.load_borders();
+  find_wells_of_new_pairs();
 }
 
-void FixHardEvents::describe(int body, int i) {
+void FixHardEvents::set_body(int body, int i) {
   Body& b = simulation_.bodies[body];
   b.inverse_mass = mobile_.inverse_mass(atom->mask[i], atom->rmass[i]);
   b.radius = atom->radius[i];
@@ -65,7 +66,7 @@ void FixHardEvents::describe(int body, int i) {
   b.tag = atom->tag[i];
 }
 
-/// The body of a particle or ghost; made when it is another process's and not known yet.
+/// Returns the body of a particle or ghost, and makes that of a remote particle that has none yet.
 int FixHardEvents::body_of(int i) {
   if (i < atom->nlocal) return i;
   const double* const origin = origin_[i];
@@ -73,16 +74,16 @@ int FixHardEvents::body_of(int i) {
   const auto key =
       (static_cast<std::uint64_t>(origin[0]) << 32) | static_cast<std::uint64_t>(origin[1]);
   const int next = static_cast<int>(simulation_.bodies.size());
-  const auto found = foreign_body_.emplace(key, next);
+  const auto found = remote_body_.emplace(key, next);
   if (found.second) {
-    foreign_.push_back({next, i, image_of(shift_of(i)), static_cast<int>(origin[0])});
+    remote_.push_back({next, i, image_of(shift_of(i)), static_cast<int>(origin[0])});
     simulation_.bodies.emplace_back();
-    describe(next, i);
+    set_body(next, i);
   }
   return found.first->second;
 }
 
-/// By how many boxes a ghost is away from its owner.
+/// Returns by how many boxes a ghost is away from its owner.
 FixHardEvents::Shift FixHardEvents::shift_of(int ghost) const {
   const double* const x = atom->x[ghost];
   const double* const from = origin_[ghost] + 2;
@@ -100,7 +101,7 @@ int FixHardEvents::image_of(const Shift& shift) {
   return n;
 }
 
-void FixHardEvents::place_images() {
+void FixHardEvents::update_images() {
   const double* const h = domain->h;
   const double* const rate = domain->h_rate;
   const bool sheared = domain->deform_vremap != 0;
@@ -114,12 +115,12 @@ void FixHardEvents::place_images() {
   }
 }
 
-/// A pair through the boundary between two particles of this process is in the list twice; the
-/// entry of the lower tag makes the candidate.
+/// Adds the pairs of the list of neighbours. A pair through the boundary between two particles of
+/// this process is in the list twice; the entry of the lower tag makes the candidate pair.
 void FixHardEvents::add_pairs() {
   NeighList* const list = pair_->list;
   const PairHistory& history = pair_->history();
-  twins_.clear();
+  second_entries_.clear();
   for (int ii = 0; ii < list->inum; ii++) {
     const int i = list->ilist[ii];
     for (int jj = 0; jj < list->numneigh[i]; jj++) {
@@ -132,32 +133,33 @@ void FixHardEvents::add_pairs() {
       const bool first = a.tag < b.tag;
       if (!first) shift = {-shift.x, -shift.y, -shift.z};
       const int image = image_of(shift);
-      int* const kept = &history->firstflag[i][jj];
+      int* const flag = &history->firstflag[i][jj];
       double* const value = &history->firstvalue[i][jj];
       if (j >= atom->nlocal && other < atom->nlocal && !first) {
-        twins_.push_back({other, i, image, kept, value});
+        second_entries_.push_back({other, i, image, flag, value});
         continue;
       }
       CandidatePair candidate{first ? i : other, first ? other : i, image, 0, {0.0, 0.0}};
       candidate.law = pair_->of_types(atom->type[i], atom->type[j]);
       candidate.at = pair_->surfaces(i, j);
-      candidate.inside = *kept && candidate.at.well();
+      candidate.inside = *flag && candidate.at.well();
       simulation_.candidates.push_back(candidate);
-      slots_.push_back({{kept, nullptr}, {value, nullptr}});
+      slots_.push_back({{flag, nullptr}, {value, nullptr}});
     }
   }
 }
 
-void FixHardEvents::add_twins() {
-  for (const Twin& twin : twins_) {
-    const int candidate = simulation_.find(twin.i, twin.j, twin.image);
+void FixHardEvents::add_second_entries() {
+  for (const SecondEntry& entry : second_entries_) {
+    const int candidate = simulation_.find(entry.i, entry.j, entry.image);
     if (candidate < 0) continue;
-    slots_[candidate].kept[1] = twin.kept;
-    slots_[candidate].value[1] = twin.value;
+    slots_[candidate].flag[1] = entry.flag;
+    slots_[candidate].value[1] = entry.value;
   }
 }
 
-/// The walls at rest that a particle can reach while this list holds, and all that move.
+/// Adds each particle with the walls at rest that it can reach while this list holds, and with all
+/// walls that move.
 void FixHardEvents::add_walls() {
   const double range = 0.5 * (pair_->list_reach() + neighbor->skin);
   const int laws_of_walls = static_cast<int>(simulation_.laws.size()) -
@@ -188,9 +190,9 @@ void FixHardEvents::add_walls() {
   }
 }
 
-/// A pair that was not followed before is where it is: it did not fall into its well, nor did one
-/// that was put elsewhere climb out of it.
-void FixHardEvents::know_where_new_pairs_are() {
+/// Sets from the distance whether a pair is in its well. One that was no candidate before has not
+/// fallen into its well, nor has one that was put elsewhere climbed out of it: neither is an event.
+void FixHardEvents::find_wells_of_new_pairs() {
   for (int n = 0; n < static_cast<int>(simulation_.candidates.size()); n++) {
     CandidatePair& candidate = simulation_.candidates[n];
     if (candidate.at.well()) {
@@ -198,16 +200,16 @@ void FixHardEvents::know_where_new_pairs_are() {
       if (over < -AT_EDGE) candidate.inside = true;
       if (over > AT_EDGE) candidate.inside = false;
     }
-    keep(n);
+    store_inside(n);
   }
 }
 
-/// The state of a candidate goes to the history of pairs and walls.
-void FixHardEvents::keep(int n) {
-  const Slots& slots = slots_[n];
+/// Writes the state of a candidate to the history of pairs and walls.
+void FixHardEvents::store_inside(int n) {
+  const HistorySlots& slots = slots_[n];
   const int inside = simulation_.candidates[n].inside;
   for (int side = 0; side < 2; side++) {
-    if (slots.kept[side]) *slots.kept[side] = inside;
+    if (slots.flag[side]) *slots.flag[side] = inside;
     if (slots.value[side]) *slots.value[side] = inside;
   }
 }

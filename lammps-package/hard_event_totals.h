@@ -20,8 +20,8 @@ struct HardEventTotals {
   std::array<ByKind, 2> sums{};                      ///< of pairs, of walls
   std::array<cohesion::MomentumFlux, kinds> flux{};  ///< of pairs: Event::momentum_flux()
   bool flux_wanted = false;
-  double elastic = 0.0;  ///< collisions made elastic against inelastic collapse
-  double busiest = 0.0;  ///< most events of one particle in one step
+  double elastic = 0.0;      ///< collisions made elastic against inelastic collapse
+  double most_events = 0.0;  ///< most events of one particle in one step
 
   void add(const cohesion::hard_sphere::Event& event, bool wall) {
     const auto kind = static_cast<std::size_t>(event.impact.kind);

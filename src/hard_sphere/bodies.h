@@ -10,8 +10,8 @@
 
 namespace cohesion::hard_sphere {
 
-/// The straight flight that a particle is on: x(t) = end - (dt - t) velocity, t from the start of
-/// the step. `end` is where the engine will find it at the end of the step.
+/// The free flight of a particle: x(t) = end - (dt - t) velocity, t from the start of the step.
+/// `end` is where the engine will find it at the end of the step.
 struct Flight {
   Vector3 end;
   Vector3 velocity;
@@ -101,14 +101,14 @@ struct Event {
   MomentumFlux momentum_flux() const { return cohesion::momentum_flux(separation, impact.on_j); }
 };
 
-/// The flight of a body after an event, for those that follow the body elsewhere.
-struct News {
+/// The flight of a body after an event, as a message to the processes that simulate the body too.
+struct RemoteUpdate {
   EventKey key;
   int body;
   int partner;  ///< body or wall
   Flight flight;
 
-  bool operator==(const News& b) const { return body == b.body && same(flight, b.flight); }
+  bool operator==(const RemoteUpdate& b) const { return body == b.body && same(flight, b.flight); }
 };
 
 }  // namespace cohesion::hard_sphere

@@ -15,36 +15,41 @@ struct EventRules {
   int collapse = 100;  ///< collisions of a particle in a step before the rest are elastic; 0: off
   double contact_time = 0.0;  ///< collisions sooner after a particle's last one are elastic, [time]
   int limit = 100000;         ///< events of a particle in a step before the step is given up
-  bool reports = false;       ///< keep `news`, for a body that is also followed elsewhere
+  bool distributed = false;   ///< other processes simulate some of the bodies too
 };
 
-/// The events of one step of straight flight, carried out in order of time.
+/// Event-driven simulation of one step of free flight: B. J. Alder, T. E. Wainwright, J. Chem.
+/// Phys. 31 (1959) 459. The events are executed in order of time.
 ///
-/// A heap holds the next event of every candidate pair that has one in the step. After an event
-/// only the candidates of its particles are predicted again; predictions they replace stay in the
-/// heap and are known by their version.
+/// The event queue, a heap, holds the next event of every candidate pair that has one in the step.
+/// After an event only the candidates of its particles are predicted again; the predictions that
+/// these replace stay in the queue and are known by their version.
 ///
 /// A prediction depends on nothing but the candidate and the flights of its two bodies: it starts
 /// from the later of their last events. So it is the same, bit by bit, wherever and whenever it is
 /// made.
 ///
-/// Part of the bodies may be followed elsewhere (by another process) at the same time. What happens
-/// to them there comes as `foreign` news. Whoever follows a part runs a stretch of the step with
-/// the news it has, tells its own, and where those that it gets differ from what it assumed, it
-/// takes back what came from there on and runs on with them. What lies before the first difference
-/// of all parts is final: every event there has been worked out from what truly went before it. So
-/// the order is that of one process, and every exchange brings it at least one event farther.
+/// Other processes may simulate some of the bodies at the same time. The simulation is then an
+/// optimistic parallel one with rollback, Time Warp in rounds: D. R. Jefferson, Virtual Time, ACM
+/// Trans. Program. Lang. Syst. 7 (1985) 404. Each process runs ahead through a window of the step
+/// with the updates that it has received, and saves each flight that it changes. In each round the
+/// processes exchange their updates. Where those that come differ from those that a process has
+/// assumed, it rolls back to the first difference and runs on with them; as the whole lists are
+/// compared, there are no antimessages. The first difference of all processes is Jefferson's global
+/// virtual time: no process will roll back behind it, since every event before it has been worked
+/// out from what truly went before. So the order of events is that of one process, and every round
+/// brings it at least one event farther.
 class EventSimulation {
  private:
-  struct Predicted {
+  struct PredictedEvent {
     double time;
     int candidate;
     unsigned version;
     int depth;
   };
 
-  /// A flight before an event changed it.
-  struct Undo {
+  /// A flight before an event or an update changed it: what a rollback restores.
+  struct SavedFlight {
     double time;
     int body;
     Flight before;
@@ -53,7 +58,7 @@ class EventSimulation {
   /// The order of the queue.
   struct Later {
     const EventSimulation& simulation;
-    bool operator()(const Predicted& a, const Predicted& b) const {
+    bool operator()(const PredictedEvent& a, const PredictedEvent& b) const {
       return a.time != b.time ? a.time > b.time : simulation.key(b) < simulation.key(a);
     }
   };
@@ -66,12 +71,13 @@ class EventSimulation {
   std::vector<MovingWall> walls;
   EventRules rules;
 
-  std::vector<Event> events;  ///< of this step, in order
-  std::vector<News> news;     ///< of this stretch, with rules.reports
-  std::vector<News> foreign;  ///< of this stretch, in order
+  std::vector<Event> events;           ///< of this step, in order
+  std::vector<RemoteUpdate> outgoing;  ///< of this window, with rules.distributed
+  /// Of this window, in order: those from other processes that this run assumes.
+  std::vector<RemoteUpdate> received;
 
-  /// After bodies and candidates have been set: which candidates each body has.
-  void connect() {
+  /// Finds the candidates of each body, after bodies and candidates have been set.
+  void index_candidates() {
     first_.assign(bodies.size() + 1, 0);
     for (const CandidatePair& b : candidates) {
       first_[b.i + 1]++;
@@ -86,7 +92,7 @@ class EventSimulation {
     }
   }
 
-  /// The candidate of two bodies; -1: none. After connect().
+  /// The number of the candidate of two bodies; -1: none. After index_candidates().
   int find(int i, int j, int image) const {
     for (int n = first_[i]; n < first_[i + 1]; n++) {
       const CandidatePair& b = candidates[of_body_[n]];
@@ -95,16 +101,17 @@ class EventSimulation {
     return -1;
   }
 
-  /// Before the bodies' flights of a step of length `dt` are set.
+  /// Empties the queue, before the bodies' flights of a step of length `dt` [time] are set.
   void begin_step(double dt) {
     dt_ = dt;
     queue_.clear();
     events.clear();
     overrun_ = -1;
-    begin_stretch();
+    begin_window();
   }
 
-  /// The first event of candidate n, when it has one in this step, goes into the queue.
+  /// Adds the first event of candidate n, when it has one in this step, at the end of the queue,
+  /// which is not in order then; returns whether it has one.
   bool predict(int n) {
     CandidatePair& candidate = candidates[n];
     candidate.version++;
@@ -123,79 +130,83 @@ class EventSimulation {
       const MovingWall& wall = walls[candidate.wall()];
       return wall.wall.nearest(bodies[candidate.i].flight.at(dt_), wall.at(dt_), 0.0).distance;
     }
-    return norm(relative(candidate, dt_).first);
+    return norm(relative_motion(candidate, dt_).first);
   }
 
   /// Whether the partners of candidate n, a pair without events so far, come nearer to a surface
-  /// than its share `nearly` of the distance: for flights that are known to round-off only.
-  bool may_meet(int n, double nearly) const {
+  /// than the fraction `tolerance` [1] of its distance: for flights that are known to round-off
+  /// only.
+  bool may_meet(int n, double tolerance) const {
     const CandidatePair& candidate = candidates[n];
-    const auto [r, w] = relative(candidate, 0.0);
+    const auto [r, w] = relative_motion(candidate, 0.0);
     const double ww = dot(w, w), b = dot(r, w);
     const double back = ww * dt_ > b && b > 0.0 ? b / ww : b > 0.0 ? dt_ : 0.0;
     const double least = norm(r - back * w);
     if (!candidate.inside)
-      return least < (1.0 + nearly) * (candidate.at.well() ? candidate.at.edge : candidate.at.core);
-    return least < (1.0 + nearly) * candidate.at.core ||
-           std::max(norm(r), norm(r - dt_ * w)) > (1.0 - nearly) * candidate.at.edge;
+      return least <
+             (1.0 + tolerance) * (candidate.at.well() ? candidate.at.edge : candidate.at.core);
+    return least < (1.0 + tolerance) * candidate.at.core ||
+           std::max(norm(r), norm(r - dt_ * w)) > (1.0 - tolerance) * candidate.at.edge;
   }
 
-  /// After predictions in any order.
-  void sort() { std::make_heap(queue_.begin(), queue_.end(), Later{*this}); }
+  /// Brings the queue into order after predictions in any order.
+  void order_queue() { std::make_heap(queue_.begin(), queue_.end(), Later{*this}); }
 
-  void begin_stretch() {
-    undo_.clear();
-    news.clear();
-    foreign.clear();
-    told_ = 0;
-    start_ = events.size();
+  void begin_window() {
+    saved_flights_.clear();
+    outgoing.clear();
+    received.clear();
+    processed_ = 0;
+    window_start_ = events.size();
   }
 
-  /// All events up to `until`.
+  /// Executes the events and applies the received updates up to the time `until`.
   void run(double until) {
     while (overrun_ < 0) {
       while (!queue_.empty() &&
              queue_.front().version != candidates[queue_.front().candidate].version)
         pop();
       const bool own = !queue_.empty() && queue_.front().time <= until;
-      if (told_ < foreign.size() && !(own && key(queue_.front()) < foreign[told_].key)) {
-        accept(foreign[told_++]);
+      if (processed_ < received.size() &&
+          !(own && key(queue_.front()) < received[processed_].key)) {
+        apply_update(received[processed_++]);
       } else if (own) {
-        const Predicted next = queue_.front();
+        const PredictedEvent next = queue_.front();
         pop();
-        carry_out(next.candidate, key(next));
+        execute(next.candidate, key(next));
       } else {
         return;
       }
     }
   }
 
-  /// The stretch again from a time on, with the news from there on.
-  void run_again(double from, const std::vector<News>& told, double until) {
-    take_back(from);
-    foreign.resize(told_);
-    for (const News& n : told)
-      if (n.key.time >= from) foreign.push_back(n);
+  /// Runs the window again from the time `from` on, with the updates of `incoming` from there on.
+  void rollback_and_run(double from, const std::vector<RemoteUpdate>& incoming, double until) {
+    rollback(from);
+    received.resize(processed_);
+    for (const RemoteUpdate& u : incoming)
+      if (u.key.time >= from) received.push_back(u);
     run(until);
   }
 
-  /// The time of the first news from `from` on in which `told` is not what this run took for true.
-  double first_difference(double from, const std::vector<News>& told) const {
-    auto known = foreign.begin() + first_news(foreign, from);
-    for (const News& n : told) {
-      if (n.key.time < from) continue;
-      if (known == foreign.end()) return n.key.time;
-      if (!(n == *known)) return std::min(n.key.time, known->key.time);
+  /// The time, from `from` on, of the first update in which `incoming` differs from what this run
+  /// has assumed; never: none.
+  double first_difference(double from, const std::vector<RemoteUpdate>& incoming) const {
+    auto known = received.begin() + first_update(received, from);
+    for (const RemoteUpdate& u : incoming) {
+      if (u.key.time < from) continue;
+      if (known == received.end()) return u.key.time;
+      if (!(u == *known)) return std::min(u.key.time, known->key.time);
       ++known;
     }
-    return known == foreign.end() ? never : known->key.time;
+    return known == received.end() ? never : known->key.time;
   }
 
-  /// A candidate with more events than the limit; -1: none. run() stops there.
+  /// A candidate of a body with more events than the limit; -1: none. run() stops there.
   int overrun() const { return overrun_; }
 
  private:
-  EventKey key(const Predicted& p) const {
+  EventKey key(const PredictedEvent& p) const {
     const CandidatePair& candidate = candidates[p.candidate];
     return {p.time, p.depth, bodies[candidate.i].tag,
             candidate.with_wall() ? candidate.j : bodies[candidate.j].tag};
@@ -222,7 +233,7 @@ class EventSimulation {
     } else {
       const Flight& b = bodies[candidate.j].flight;
       now = std::max(now, b.since);
-      const auto [r, w] = relative(candidate, dt_ - now);
+      const auto [r, w] = relative_motion(candidate, dt_ - now);
       const double vv = std::max(dot(a.velocity, a.velocity), dot(b.velocity, b.velocity));
       crossing = next_crossing(r, w, vv, candidate.at, candidate.inside);
     }
@@ -236,50 +247,51 @@ class EventSimulation {
         std::push_heap(queue_.begin(), queue_.end(), Later{*this});
   }
 
-  static std::ptrdiff_t first_news(const std::vector<News>& all, double from) {
+  static std::ptrdiff_t first_update(const std::vector<RemoteUpdate>& all, double from) {
     return std::find_if(all.begin(), all.end(),
-                        [from](const News& n) { return n.key.time >= from; }) -
+                        [from](const RemoteUpdate& u) { return u.key.time >= from; }) -
            all.begin();
   }
 
-  /// What happened from a time on in this stretch has not happened.
-  void take_back(double from) {
+  /// Undoes what this window has executed and applied from a time on.
+  void rollback(double from) {
     overrun_ = -1;
-    for (; events.size() > start_ && events.back().key.time >= from; events.pop_back())
+    for (; events.size() > window_start_ && events.back().key.time >= from; events.pop_back())
       candidates[events.back().candidate].inside = events.back().was_inside;
-    while (!news.empty() && news.back().key.time >= from) news.pop_back();
-    told_ = std::min(told_, static_cast<std::size_t>(first_news(foreign, from)));
+    while (!outgoing.empty() && outgoing.back().key.time >= from) outgoing.pop_back();
+    processed_ = std::min(processed_, static_cast<std::size_t>(first_update(received, from)));
     std::vector<int> touched;
-    for (; !undo_.empty() && undo_.back().time >= from; undo_.pop_back()) {
-      bodies[undo_.back().body].flight = undo_.back().before;
-      touched.push_back(undo_.back().body);
+    for (; !saved_flights_.empty() && saved_flights_.back().time >= from;
+         saved_flights_.pop_back()) {
+      bodies[saved_flights_.back().body].flight = saved_flights_.back().before;
+      touched.push_back(saved_flights_.back().body);
     }
     std::sort(touched.begin(), touched.end());
     touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
     for (const int body : touched) predict_all(body);
   }
 
-  void remember(int body, double time) {
-    if (rules.reports) undo_.push_back({time, body, bodies[body].flight});
+  void save_flight(int body, double time) {
+    if (rules.distributed) saved_flights_.push_back({time, body, bodies[body].flight});
   }
 
-  void accept(const News& told) {
-    remember(told.body, told.key.time);
-    bodies[told.body].flight = told.flight;
-    predict_all(told.body);
+  void apply_update(const RemoteUpdate& incoming) {
+    save_flight(incoming.body, incoming.key.time);
+    bodies[incoming.body].flight = incoming.flight;
+    predict_all(incoming.body);
   }
 
-  /// Position and velocity of j as seen from i. Prediction and event take the same numbers: they
+  /// Position and velocity of j as seen from i. Prediction and event use the same numbers: they
   /// must not differ about which way a pair goes.
-  std::pair<Vector3, Vector3> relative(const CandidatePair& candidate, double left) const {
+  std::pair<Vector3, Vector3> relative_motion(const CandidatePair& candidate, double left) const {
     const Flight &a = bodies[candidate.i].flight, &b = bodies[candidate.j].flight;
     const Image& image = images[candidate.image];
     const Vector3 w = b.velocity + image.velocity - a.velocity;
     return {b.end - a.end + image.displacement - left * w, w};
   }
 
-  /// Where j is as seen from i, and what it is.
-  std::pair<Vector3, Partner> other_side(const CandidatePair& candidate, double left) const {
+  /// Where j is as seen from i, and its state.
+  std::pair<Vector3, Partner> partner_of_i(const CandidatePair& candidate, double left) const {
     if (candidate.with_wall()) {
       const MovingWall& wall = walls[candidate.wall()];
       const auto point =
@@ -288,65 +300,68 @@ class EventSimulation {
     }
     Partner partner = bodies[candidate.j].partner();
     partner.velocity += images[candidate.image].velocity;
-    return {relative(candidate, left).first, partner};
+    return {relative_motion(candidate, left).first, partner};
   }
 
-  void carry_out(int n, const EventKey& when) {
+  void execute(int n, const EventKey& when) {
     CandidatePair& candidate = candidates[n];
     const double left = dt_ - when.time;
-    const auto [separation, partner] = other_side(candidate, left);
+    const auto [separation, partner] = partner_of_i(candidate, left);
     const double distance = norm(separation);
     const Vector3 k{separation.x / distance, separation.y / distance, separation.z / distance};
     Law law = laws[candidate.law];
-    const bool hit = candidate.next == Surface::core;
-    const bool elastic =
-        hit && (collapses(candidate.i, when.time) || collapses(candidate.j, when.time));
+    const bool is_collision = candidate.next == Surface::core;
+    const bool elastic = is_collision && (collapse_rule_applies(candidate.i, when.time) ||
+                                          collapse_rule_applies(candidate.j, when.time));
     if (elastic) law.restitution = 1.0, law.friction = 0.0;
     Impact now = impact(candidate.next, k, law, bodies[candidate.i].partner(), partner);
-    if (elastic && candidate.with_wall()) keep_off(candidate, k, now);
+    if (elastic && candidate.with_wall()) keep_off_concave_wall(candidate, k, now);
 
     events.push_back({when, n, elastic, candidate.inside, distance, separation,
                       bodies[candidate.i].flight.at(left), now});
     candidate.inside = now.inside;
-    act(candidate.i, candidate.j, -1.0, now, when, hit);
-    if (!candidate.with_wall()) act(candidate.j, candidate.i, 1.0, now, when, hit);
+    apply_impulse(candidate.i, candidate.j, -1.0, now, when, is_collision);
+    if (!candidate.with_wall())
+      apply_impulse(candidate.j, candidate.i, 1.0, now, when, is_collision);
     predict_all(candidate.i);
     if (!candidate.with_wall()) predict_all(candidate.j, n);
-    if (busiest(candidate) > rules.limit) overrun_ = n;
+    if (most_events(candidate) > rules.limit) overrun_ = n;
   }
 
-  /// An elastic collision of the rule against collapse leaves a cylinder for a share of the step.
-  void keep_off(const CandidatePair& candidate, const Vector3& k, Impact& now) const {
+  /// Turns an elastic collision of the rule against collapse so that it leaves a cylinder for
+  /// time_off_wall().
+  void keep_off_concave_wall(const CandidatePair& candidate, const Vector3& k, Impact& now) const {
     const Wall& wall = walls[candidate.wall()].wall;
     if (wall.shape != Wall::z_cylinder) return;
     const Body& body = bodies[candidate.i];
     const Vector3& before = body.flight.velocity;
     const Vector3 after = leaving_concave_wall(before - body.inverse_mass * now.on_j, k,
-                                               wall.position - candidate.at.core, off_wall());
+                                               wall.position - candidate.at.core, time_off_wall());
     now.on_j = (1.0 / body.inverse_mass) * (before - after);
     now.normal = dot(k, now.on_j);
   }
 
-  /// How long an elastic collision keeps a particle off a concave wall.
-  double off_wall() const {
+  /// How long an elastic collision keeps a particle off a concave wall, [time].
+  double time_off_wall() const {
     return std::max(rules.contact_time, rules.collapse > 0 ? dt_ / rules.collapse : 0.0);
   }
 
-  /// Whether the rules against collapse act on a collision of this body.
-  bool collapses(int body, double time) const {
+  /// Whether the rules against inelastic collapse make a collision of this body elastic.
+  bool collapse_rule_applies(int body, double time) const {
     if (body < 0) return false;
     const Flight& flight = bodies[body].flight;
     return (rules.collapse > 0 && flight.collisions >= rules.collapse) ||
            time - flight.hit < rules.contact_time;
   }
 
-  int busiest(const CandidatePair& candidate) const {
+  int most_events(const CandidatePair& candidate) const {
     const int of_i = bodies[candidate.i].flight.events;
     return candidate.with_wall() ? of_i : std::max(of_i, bodies[candidate.j].flight.events);
   }
 
-  void act(int body, int partner, double side, const Impact& now, const EventKey& when, bool hit) {
-    remember(body, when.time);
+  void apply_impulse(int body, int partner, double side, const Impact& now, const EventKey& when,
+                     bool is_collision) {
+    save_flight(body, when.time);
     Body& b = bodies[body];
     const Vector3 change = (side * b.inverse_mass) * now.on_j;
     b.flight.velocity += change;
@@ -354,19 +369,19 @@ class EventSimulation {
     b.flight.spin -= (b.radius * b.inverse_inertia) * now.twist;
     b.flight.since = when.time;
     b.flight.depth = when.depth;
-    b.flight.collisions += hit;
-    if (hit) b.flight.hit = when.time;
+    b.flight.collisions += is_collision;
+    if (is_collision) b.flight.hit = when.time;
     b.flight.events++;
-    if (rules.reports) news.push_back({when, body, partner, b.flight});
+    if (rules.distributed) outgoing.push_back({when, body, partner, b.flight});
   }
 
   double dt_ = 0.0;
   std::vector<int> first_,
       of_body_;  // candidates of body i: of_body_[first_[i]] ... [first_[i + 1] - 1]
-  std::vector<Predicted> queue_;
-  std::vector<Undo> undo_;  // of this stretch, with rules.reports
-  std::size_t told_ = 0;    // news that have been taken in
-  std::size_t start_ = 0;   // of the stretch, in `events`
+  std::vector<PredictedEvent> queue_;
+  std::vector<SavedFlight> saved_flights_;  // of this window, with rules.distributed
+  std::size_t processed_ = 0;               // received updates that have been applied
+  std::size_t window_start_ = 0;            // of the window, in `events`
   int overrun_ = -1;
 };
 

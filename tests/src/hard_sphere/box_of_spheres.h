@@ -46,7 +46,7 @@ struct BoxOfSpheres {
       for (int w = 0; w < 6; w++)
         simulation.candidates.push_back({i, -1 - w, 0, 0, {core, edge_of(core)}});
     }
-    simulation.connect();
+    simulation.index_candidates();
   }
 
   /// Straight flight, as an engine would do it.
@@ -61,7 +61,7 @@ struct BoxOfSpheres {
     fly(dt);
     simulation.begin_step(dt);
     for (int n = 0; n < static_cast<int>(simulation.candidates.size()); n++) simulation.predict(n);
-    simulation.sort();
+    simulation.order_queue();
   }
 
   void step(double dt) {

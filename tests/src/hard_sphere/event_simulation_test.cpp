@@ -77,7 +77,8 @@ TEST(EventSimulation, EventsAreInOrder) {
 }
 
 // Several simulations, each with its own part of the spheres: those owned and all that they may
-// meet. News go from owner to follower until none change. As processes do it.
+// meet. Updates go from the owner to those that simulate a sphere too, until none differ. As
+// processes do it.
 class Parts {
  public:
   Parts(const BoxOfSpheres& whole, int parts)
@@ -90,12 +91,12 @@ class Parts {
                                                (candidate.with_wall() || owner(candidate.j) != p);
                                       }),
                        candidates.end());
-      simulations_[p].rules.reports = true;
-      simulations_[p].connect();
+      simulations_[p].rules.distributed = true;
+      simulations_[p].index_candidates();
     }
   }
 
-  void step(double dt, int stretches) {
+  void step(double dt, int windows) {
     for (EventSimulation& simulation : simulations_) {
       for (auto& body : simulation.bodies) {
         const Flight& known = simulations_[owner(body.tag - 1)].bodies[body.tag - 1].flight;
@@ -110,9 +111,9 @@ class Parts {
       simulation.begin_step(dt);
       for (int n = 0; n < static_cast<int>(simulation.candidates.size()); n++)
         simulation.predict(n);
-      simulation.sort();
+      simulation.order_queue();
     }
-    for (int n = 1; n <= stretches; n++) stretch(n == stretches ? dt : n * dt / stretches);
+    for (int n = 1; n <= windows; n++) run_window(n == windows ? dt : n * dt / windows);
   }
 
   const Flight& flight(int body) const { return simulations_[owner(body)].bodies[body].flight; }
@@ -121,33 +122,33 @@ class Parts {
  private:
   int owner(std::int64_t body) const { return static_cast<int>(body) % parts_; }
 
-  void stretch(double until) {
+  void run_window(double until) {
     for (EventSimulation& simulation : simulations_) {
-      simulation.begin_stretch();
+      simulation.begin_window();
       simulation.run(until);
     }
     for (double from = 0.0; from < never; rounds++) {
-      std::vector<std::vector<News> > told(parts_);
+      std::vector<std::vector<RemoteUpdate> > incoming(parts_);
       std::vector<double> differs(parts_);
       for (int p = 0; p < parts_; p++) {
-        told[p] = told_to(p, from);
-        differs[p] = simulations_[p].first_difference(from, told[p]);
+        incoming[p] = updates_for(p, from);
+        differs[p] = simulations_[p].first_difference(from, incoming[p]);
       }
       from = *std::min_element(differs.begin(), differs.end());
       for (int p = 0; p < parts_; p++)
-        if (differs[p] < never) simulations_[p].run_again(differs[p], told[p], until);
+        if (differs[p] < never) simulations_[p].rollback_and_run(differs[p], incoming[p], until);
     }
   }
 
-  std::vector<News> told_to(int part, double from) const {
-    std::vector<News> all;
+  std::vector<RemoteUpdate> updates_for(int part, double from) const {
+    std::vector<RemoteUpdate> all;
     for (int p = 0; p < parts_; p++)
-      for (const News& news : simulations_[p].news)
-        if (p != part && owner(news.body) == p && news.key.time >= from &&
-            (news.partner < 0 || owner(news.partner) != part))
-          all.push_back(news);
+      for (const RemoteUpdate& update : simulations_[p].outgoing)
+        if (p != part && owner(update.body) == p && update.key.time >= from &&
+            (update.partner < 0 || owner(update.partner) != part))
+          all.push_back(update);
     std::stable_sort(all.begin(), all.end(),
-                     [](const News& a, const News& b) { return a.key < b.key; });
+                     [](const RemoteUpdate& a, const RemoteUpdate& b) { return a.key < b.key; });
     return all;
   }
 
@@ -157,12 +158,12 @@ class Parts {
 
 TEST(EventSimulation, ProcessesThatExchangeUpdatesDoWhatOneDoes) {
   for (const int parts : {2, 3, 5})
-    for (const int stretches : {1, 4}) {
+    for (const int windows : {1, 4}) {
       BoxOfSpheres whole(3, rough);
       Parts split(whole, parts);
       for (int n = 0; n < 20; n++) {
         whole.step(0.3);
-        split.step(0.3, stretches);
+        split.step(0.3, windows);
       }
       ASSERT_GT(whole.all.size(), 500u);
       for (int body = 0; body < 27; body++)
@@ -192,7 +193,7 @@ TEST(EventSimulation, PartsAgreeOnEventsOfOneInstant) {
   for (int n = 0; n < 5; n++)
     simulation.candidates.push_back(
         {std::min(at[n], at[n + 1]), std::max(at[n], at[n + 1]), 0, 0, {1.0, 1.0}});
-  simulation.connect();
+  simulation.index_candidates();
   for (const int parts : {2, 3}) {
     BoxOfSpheres one = whole;
     Parts split(whole, parts);
@@ -223,10 +224,10 @@ TEST(EventSimulation, ABlowFromBeyondTheNeighboursComesFirst) {
     simulation.bodies.push_back(body);
     if (n > 0) simulation.candidates.push_back({n - 1, n, 0, 0, {1.0, 1.0}});
   }
-  simulation.connect();
+  simulation.index_candidates();
   simulation.begin_step(1.1);
   for (int n = 0; n < 4; n++) simulation.predict(n);
-  simulation.sort();
+  simulation.order_queue();
   simulation.run(1.1);
   const double times[] = {0.02, 0.04, 0.06, 0.06 + (3.0 - 0.12 - 1.0) / 12.0};
   ASSERT_GE(simulation.events.size(), 4u);
@@ -290,7 +291,7 @@ TEST(EventSimulation, CollapseRuleKeepsASphereOffAConcaveWall) {
   body.flight.end = {0.0, 1.2, 0.0};
   simulation.bodies = {body};
   simulation.candidates = {{0, -1, 0, 0, {0.4, 0.4}}};
-  simulation.connect();
+  simulation.index_candidates();
   const double dt = 0.37;
   double least = 1.0, lost = 0.0;
   std::size_t elastic_hits = 0;
@@ -299,7 +300,7 @@ TEST(EventSimulation, CollapseRuleKeepsASphereOffAConcaveWall) {
     f = {f.end + dt * f.velocity, f.velocity, 0.0, {}};
     simulation.begin_step(dt);
     simulation.predict(0);
-    simulation.sort();
+    simulation.order_queue();
     simulation.run(dt);
     for (std::size_t m = 1; m < simulation.events.size(); m++)
       if (simulation.events[m - 1].elastic)
@@ -342,11 +343,11 @@ TEST(EventSimulation, TiesGoByTags) {
     simulation.bodies.push_back(body);
   }
   simulation.candidates = {{2, 3, 0, 0, {1.0, 1.0}}, {0, 1, 0, 0, {1.0, 1.0}}};
-  simulation.connect();
+  simulation.index_candidates();
   simulation.begin_step(1.0);
   simulation.predict(0);
   simulation.predict(1);
-  simulation.sort();
+  simulation.order_queue();
   simulation.run(1.0);
   ASSERT_EQ(simulation.events.size(), 2u);
   EXPECT_EQ(simulation.events[0].key.time, simulation.events[1].key.time);
@@ -371,7 +372,7 @@ TEST(EventSimulation, PairBetweenWallsReturns) {
     simulation.candidates.push_back({n, -1 - n, 0, 1, {0.5, 0.5}});
   }
   simulation.candidates.push_back({0, 1, 0, 0, {1.0, 1.5}});
-  simulation.connect();
+  simulation.index_candidates();
   std::size_t events = 0;
   while (events < 8000) {
     for (Body& body : simulation.bodies) {
@@ -380,7 +381,7 @@ TEST(EventSimulation, PairBetweenWallsReturns) {
     }
     simulation.begin_step(0.37);
     for (int n = 0; n < 3; n++) simulation.predict(n);
-    simulation.sort();
+    simulation.order_queue();
     simulation.run(0.37);
     events += simulation.events.size();
     const double u = simulation.bodies[0].flight.velocity.x;
