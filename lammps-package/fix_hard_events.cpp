@@ -156,7 +156,7 @@ void FixHardEvents::warn_of_overlaps() const {
   double mine[2] = {0.0, 0.0}, all[2];  // number, deepest as a fraction of the distance
   for (int n = 0; n < static_cast<int>(simulation_.candidates.size()); n++) {
     const CandidatePair& candidate = simulation_.candidates[n];
-    const double overlap = 1.0 - simulation_.distance_at_start(n) / candidate.at.core;
+    const double overlap = 1.0 - simulation_.distance_at_start(n) / candidate.surfaces.core;
     if (overlap < OVERLAP || candidate.i >= atom->nlocal) continue;
     mine[0] += 1.0;
     mine[1] = std::max(mine[1], overlap);
@@ -287,7 +287,8 @@ void FixHardEvents::store_results() {
       put(now.spin, atom->omega[body]);
       totals_.most_events = std::max(totals_.most_events, static_cast<double>(now.events));
       const double left = update->dt - event.key.time;
-      const Vector3 place = body == candidate.i ? event.place : event.place + event.separation;
+      const Vector3 place =
+          body == candidate.i ? event.position : event.position + event.separation;
       if (body == candidate.i || candidate.image == 0)
         track_displacement(body, place, left);
       else

@@ -115,7 +115,7 @@ class FixHardEvents : public Fix {
   void run_events(long expected_events);
   void stop_at_limit() const;
   void store_results();
-  void track_displacement(int i, const cohesion::Vector3& place, double left);
+  void track_displacement(int i, const cohesion::Vector3& position, double left);
   void check_list();
 
   class PairHardSquareWell* pair_;

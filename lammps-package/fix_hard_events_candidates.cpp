@@ -141,8 +141,8 @@ void FixHardEvents::add_pairs() {
       }
       CandidatePair candidate{first ? i : other, first ? other : i, image, 0, {0.0, 0.0}};
       candidate.law = pair_->of_types(atom->type[i], atom->type[j]);
-      candidate.at = pair_->surfaces(i, j);
-      candidate.inside = *flag && candidate.at.well();
+      candidate.surfaces = pair_->surfaces(i, j);
+      candidate.inside = *flag && candidate.surfaces.has_well();
       simulation_.candidates.push_back(candidate);
       slots_.push_back({{flag, nullptr}, {value, nullptr}});
     }
@@ -178,12 +178,13 @@ void FixHardEvents::add_walls() {
       const double distance = wall.wall.nearest(end, wall.end, 0.0).distance;
       // A wall is not felt from behind.
       if (wall.wall.nearest(start, wall.at(simulation_.dt()), 0.0).distance <= 0.0) continue;
-      if (walls->still() && distance > std::max(candidate.at.core, candidate.at.edge) + range) {
+      if (walls->still() &&
+          distance > std::max(candidate.surfaces.core, candidate.surfaces.edge) + range) {
         walls->inside(i, w) = 0.0;
         continue;
       }
       candidate.law = laws_of_walls + static_cast<int>(fix) * (atom->ntypes + 1) + atom->type[i];
-      candidate.inside = walls->inside(i, w) > 0.0 && candidate.at.well();
+      candidate.inside = walls->inside(i, w) > 0.0 && candidate.surfaces.has_well();
       simulation_.candidates.push_back(candidate);
       slots_.push_back({{nullptr, nullptr}, {&walls->inside(i, w), nullptr}});
     }
@@ -195,8 +196,8 @@ void FixHardEvents::add_walls() {
 void FixHardEvents::find_wells_of_new_pairs() {
   for (int n = 0; n < static_cast<int>(simulation_.candidates.size()); n++) {
     CandidatePair& candidate = simulation_.candidates[n];
-    if (candidate.at.well()) {
-      const double over = simulation_.distance_at_start(n) / candidate.at.edge - 1.0;
+    if (candidate.surfaces.has_well()) {
+      const double over = simulation_.distance_at_start(n) / candidate.surfaces.edge - 1.0;
       if (over < -AT_EDGE) candidate.inside = true;
       if (over > AT_EDGE) candidate.inside = false;
     }

@@ -10,7 +10,7 @@
 
 namespace cohesion::hard_sphere {
 
-/// Rules of one run.
+/// The rules of a run: those against inelastic collapse, and limits.
 struct EventRules {
   int collapse = 100;  ///< collisions of a particle in a step before the rest are elastic; 0: off
   double contact_time = 0.0;  ///< collisions sooner after a particle's last one are elastic, [time]
@@ -45,7 +45,7 @@ class EventSimulation {
     double time;
     int candidate;
     unsigned version;
-    int depth;
+    int causal_depth;
   };
 
   /// A flight before an event or an update changed it: what a rollback restores.
@@ -117,7 +117,7 @@ class EventSimulation {
     candidate.version++;
     const double time = time_of_next(candidate);
     if (!(time <= dt_)) return false;
-    queue_.push_back({time, n, candidate.version, depth(candidate, time)});
+    queue_.push_back({time, n, candidate.version, causal_depth(candidate, time)});
     return true;
   }
 
@@ -143,10 +143,10 @@ class EventSimulation {
     const double back = ww * dt_ > b && b > 0.0 ? b / ww : b > 0.0 ? dt_ : 0.0;
     const double least = norm(r - back * w);
     if (!candidate.inside)
-      return least <
-             (1.0 + tolerance) * (candidate.at.well() ? candidate.at.edge : candidate.at.core);
-    return least < (1.0 + tolerance) * candidate.at.core ||
-           std::max(norm(r), norm(r - dt_ * w)) > (1.0 - tolerance) * candidate.at.edge;
+      return least < (1.0 + tolerance) * (candidate.surfaces.has_well() ? candidate.surfaces.edge
+                                                                        : candidate.surfaces.core);
+    return least < (1.0 + tolerance) * candidate.surfaces.core ||
+           std::max(norm(r), norm(r - dt_ * w)) > (1.0 - tolerance) * candidate.surfaces.edge;
   }
 
   /// Brings the queue into order after predictions in any order.
@@ -208,14 +208,15 @@ class EventSimulation {
  private:
   EventKey key(const PredictedEvent& p) const {
     const CandidatePair& candidate = candidates[p.candidate];
-    return {p.time, p.depth, bodies[candidate.i].tag,
+    return {p.time, p.causal_depth, bodies[candidate.i].tag,
             candidate.with_wall() ? candidate.j : bodies[candidate.j].tag};
   }
 
-  int depth(const CandidatePair& candidate, double time) const {
-    const int of_i = bodies[candidate.i].flight.depth_at(time);
-    return 1 + (candidate.with_wall() ? of_i
-                                      : std::max(of_i, bodies[candidate.j].flight.depth_at(time)));
+  int causal_depth(const CandidatePair& candidate, double time) const {
+    const int of_i = bodies[candidate.i].flight.causal_depth_at(time);
+    return 1 + (candidate.with_wall()
+                    ? of_i
+                    : std::max(of_i, bodies[candidate.j].flight.causal_depth_at(time)));
   }
 
   void pop() {
@@ -226,18 +227,18 @@ class EventSimulation {
   double time_of_next(CandidatePair& candidate) const {
     const Flight& a = bodies[candidate.i].flight;
     Crossing crossing;
-    double now = a.since;
+    double now = a.last_event;
     if (candidate.with_wall()) {
       crossing = next_crossing(walls[candidate.wall()], a.at(dt_ - now), a.velocity, dt_ - now,
-                               candidate.at, candidate.inside);
+                               candidate.surfaces, candidate.inside);
     } else {
       const Flight& b = bodies[candidate.j].flight;
-      now = std::max(now, b.since);
+      now = std::max(now, b.last_event);
       const auto [r, w] = relative_motion(candidate, dt_ - now);
       const double vv = std::max(dot(a.velocity, a.velocity), dot(b.velocity, b.velocity));
-      crossing = next_crossing(r, w, vv, candidate.at, candidate.inside);
+      crossing = next_crossing(r, w, vv, candidate.surfaces, candidate.inside);
     }
-    candidate.next = crossing.surface;
+    candidate.next_surface = crossing.surface;
     return now + crossing.wait;
   }
 
@@ -310,11 +311,11 @@ class EventSimulation {
     const double distance = norm(separation);
     const Vector3 k{separation.x / distance, separation.y / distance, separation.z / distance};
     Law law = laws[candidate.law];
-    const bool is_collision = candidate.next == Surface::core;
+    const bool is_collision = candidate.next_surface == Surface::core;
     const bool elastic = is_collision && (collapse_rule_applies(candidate.i, when.time) ||
                                           collapse_rule_applies(candidate.j, when.time));
     if (elastic) law.restitution = 1.0, law.friction = 0.0;
-    Impact now = impact(candidate.next, k, law, bodies[candidate.i].partner(), partner);
+    Impact now = impact(candidate.next_surface, k, law, bodies[candidate.i].partner(), partner);
     if (elastic && candidate.with_wall()) keep_off_concave_wall(candidate, k, now);
 
     events.push_back({when, n, elastic, candidate.inside, distance, separation,
@@ -335,8 +336,9 @@ class EventSimulation {
     if (wall.shape != Wall::z_cylinder) return;
     const Body& body = bodies[candidate.i];
     const Vector3& before = body.flight.velocity;
-    const Vector3 after = leaving_concave_wall(before - body.inverse_mass * now.on_j, k,
-                                               wall.position - candidate.at.core, time_off_wall());
+    const Vector3 after =
+        leaving_concave_wall(before - body.inverse_mass * now.on_j, k,
+                             wall.position - candidate.surfaces.core, time_off_wall());
     now.on_j = (1.0 / body.inverse_mass) * (before - after);
     now.normal = dot(k, now.on_j);
   }
@@ -351,7 +353,7 @@ class EventSimulation {
     if (body < 0) return false;
     const Flight& flight = bodies[body].flight;
     return (rules.collapse > 0 && flight.collisions >= rules.collapse) ||
-           time - flight.hit < rules.contact_time;
+           time - flight.last_collision < rules.contact_time;
   }
 
   int most_events(const CandidatePair& candidate) const {
@@ -367,10 +369,10 @@ class EventSimulation {
     b.flight.velocity += change;
     b.flight.end += (dt_ - when.time) * change;
     b.flight.spin -= (b.radius * b.inverse_inertia) * now.twist;
-    b.flight.since = when.time;
-    b.flight.depth = when.depth;
+    b.flight.last_event = when.time;
+    b.flight.causal_depth = when.causal_depth;
     b.flight.collisions += is_collision;
-    if (is_collision) b.flight.hit = when.time;
+    if (is_collision) b.flight.last_collision = when.time;
     b.flight.events++;
     if (rules.distributed) outgoing.push_back({when, body, partner, b.flight});
   }

@@ -45,9 +45,9 @@ TEST(EventSimulation, NothingOverlapsAndNothingLeavesTheBox) {
           candidate.with_wall()
               ? box.simulation.walls[candidate.wall()].wall.nearest(place, {}, 0.0).distance
               : norm(bodies[candidate.j].flight.end - place);
-      EXPECT_GT(distance, candidate.at.core - 1e-13);
+      EXPECT_GT(distance, candidate.surfaces.core - 1e-13);
       EXPECT_TRUE(!candidate.inside || candidate.with_wall() ||
-                  distance < candidate.at.edge + 1e-13);
+                  distance < candidate.surfaces.edge + 1e-13);
     }
   }
 }
@@ -200,7 +200,7 @@ TEST(EventSimulation, PartsAgreeOnEventsOfOneInstant) {
     one.step(1.0);
     split.step(1.0, 1);
     ASSERT_EQ(one.simulation.events.size(), 5u);
-    for (int n = 0; n < 5; n++) EXPECT_EQ(one.simulation.events[n].key.depth, n);
+    for (int n = 0; n < 5; n++) EXPECT_EQ(one.simulation.events[n].key.causal_depth, n);
     for (int body = 0; body < 6; body++)
       EXPECT_TRUE(same(one.simulation.bodies[body].flight, split.flight(body))) << body;
   }
