@@ -10,8 +10,7 @@
 
 namespace LAMMPS_NS {
 
-/// Events of this process, summed by kind: what computes hard/events and
-/// hard/stress report.
+/// Sums over the events of this process by kind, which computes hard/events and hard/stress report.
 struct HardEventTotals {
   static constexpr int kinds = static_cast<int>(cohesion::hard_sphere::kind_names.size());
   enum Quantity { count, energy_change, impulse, virial, quantities };

@@ -22,8 +22,8 @@ PairStyle(hard/square_well,PairHardSquareWell);
 namespace LAMMPS_NS {
 
 /// pair_style hard/square_well: hard spheres with square wells whose impulses act at their times
-/// within the step. The laws and the order of events are in src/hard_sphere and src/square_well;
-/// FixHardEvents carries them out. Doc: docs/lammps-package/pair_hard_square_well.md
+/// within the step. The laws and the event-driven simulation are in src/hard_sphere and
+/// src/square_well; FixHardEvents runs it. Doc: docs/lammps-package/pair_hard_square_well.md
 class PairHardSquareWell : public Pair, public BoundPairs {
  public:
   explicit PairHardSquareWell(class LAMMPS*);
@@ -43,23 +43,24 @@ class PairHardSquareWell : public Pair, public BoundPairs {
 
   const cohesion::hard_sphere::EventRules& rules() const { return rules_; }
   const std::string& record_file() const { return record_file_; }
-  /// Of each pair 1 number: whether it is in its well.
+  /// One number for each pair: whether it is in its well.
   const PairHistory& history() const { return history_; }
-  int of_types(int i, int j) const { return given_.number(i, j); }
-  /// By of_types().
+  int law_index(int i, int j) const { return contacts_.number(i, j); }
+  /// The laws of all pairs of types, by law_index().
   std::vector<cohesion::hard_sphere::Law> laws() const;
-  const HardContact& contact_of_types(int i, int j) const { return given_(i, j); }
+  const HardContact& contact(int i, int j) const { return contacts_(i, j); }
   cohesion::hard_sphere::Surfaces surfaces(int i, int j) const;
-  /// How much farther than the range of contact a pair is in the list, besides the skin.
+  /// How far beyond the range of a contact the list of neighbours reaches, besides the skin,
+  /// [length].
   double list_reach() const;
 
  private:
   void allocate();
-  void give(int i, int j, const HardContact&);
+  void set_contact(int i, int j, const HardContact&);
 
   cohesion::hard_sphere::EventRules rules_;
   std::string record_file_;
-  TypePairTable<HardContact> given_;
+  TypePairTable<HardContact> contacts_;
   std::vector<double> largest_radius_;
   class FixHardEvents* events_;
   PairHistory history_;
