@@ -121,7 +121,7 @@ void FixAgglomerates::end_of_step() {
 /* ---------------------------------------------------------------------- */
 
 void FixAgglomerates::find(double elapsed) {
-  const BesideGhosts places(atom, domain, listed_images);
+  const ScopedUnwrap places(atom, domain, listed_images);
   connect();
   int changed = 1;
   while (changed) {

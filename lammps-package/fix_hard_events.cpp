@@ -177,7 +177,7 @@ void FixHardEvents::warn_of_overlaps() const {
 /// box at the same times and round alike.
 void FixHardEvents::match_restart() {
   if (update->ntimestep != output->next_restart) return;
-  put_into_box(atom, domain);
+  wrap_into_box(atom, domain);
   round_positions();
   next_reneighbor = update->ntimestep + 1;
 }
@@ -304,7 +304,7 @@ void FixHardEvents::store_results() {
 void FixHardEvents::track_displacement(int i, const Vector3& place, double left) {
   farthest_squared_ =
       std::max(farthest_squared_,
-               displacements_.strayed_squared(i, place, shear_since(displacements_, domain, left)));
+               displacements_.squared(i, place, shear_since(displacements_, domain, left)));
 }
 
 /// Stops when the list of neighbours may have missed a pair.

@@ -19,7 +19,7 @@ FixStyle(HARD_EVENTS,FixHardEvents);
 #include "hard_event_totals.h"
 #include "hard_sphere/event_simulation.h"
 #include "mobile_particles.h"
-#include "shear/since_list.h"
+#include "shear/nonaffine_displacements.h"
 
 namespace LAMMPS_NS {
 
@@ -133,8 +133,9 @@ class FixHardEvents : public Fix {
   HardEventTimeWarp time_warp_;
   double** origin_;   // per atom and ghost: process, index there, position there
   double** outside_;  // per atom: how far the straight flight led out of the box
-  cohesion::shear::SinceList displacements_;  // of own particles since the list was made
-  double farthest_squared_;                   // the largest of displacements_, squared
+  cohesion::shear::NonaffineDisplacements
+      displacements_;        // of own particles since the list was made
+  double farthest_squared_;  // the largest of displacements_, squared
   bool warned_;
   HardEventTotals totals_;
   std::unique_ptr<HardEventRecord> record_;

@@ -27,7 +27,7 @@ void FixHardEvents::set_up_candidates() {
     std::copy_n(atom->x[i], 3, origin_[i] + 2);
   }
   engine_api::forward_comm(comm, this);
-  displacements_.begin(atom->nlocal > 0 ? atom->x[0] : nullptr, atom->nlocal, domain->xy);
+  displacements_.set_reference(atom->nlocal > 0 ? atom->x[0] : nullptr, atom->nlocal, domain->xy);
   for (int i = 0; i < atom->nlocal; i++) {
     for (int axis = 0; axis < 3; axis++) atom->x[i][axis] += outside_[i][axis];
     FixHardEvents::set_arrays(i);

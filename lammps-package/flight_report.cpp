@@ -86,7 +86,7 @@ std::string LAMMPS_NS::report_fastest(const LAMMPS* lmp) {
   double most = -1.0;
   for (int i = 0; i < atom->nlocal + atom->nghost; i++) {
     Vector3 v = vector(atom->v[i]);
-    v.x = flow.beyond(v.x, atom->x[i][1]);
+    v.x = flow.nonaffine(v.x, atom->x[i][1]);
     if (dot(v, v) <= most) continue;
     most = dot(v, v);
     fastest = i;
