@@ -19,7 +19,7 @@
 #include "neighbor.h"
 #include "output.h"
 #include "shear/list_margin.h"
-#include "shear_companions.h"
+#include "shear_compatibility.h"
 #include "update.h"
 #include "variable.h"
 
@@ -146,7 +146,7 @@ void FixDeformShear::require_compatible_setup() const {
   if (domain->xprd != state.lx || domain->yprd != state.ly || domain->yz != 0.0)
     stop(lmp, FLERR, where,
          ": the box has been changed since the fix was made; give the fix again");
-  refuse_companions(lmp, this, where);
+  require_compatible_fixes(lmp, this, where);
 }
 
 void FixDeformShear::find_rate() {

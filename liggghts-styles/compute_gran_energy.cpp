@@ -44,7 +44,7 @@ void ComputeGranEnergy::pre_delete(bool) {
 }
 
 void ComputeGranEnergy::init() {
-  refuse_moving_box(lmp, std::string("compute ") + id + " gran/energy");
+  require_fixed_box(lmp, std::string("compute ") + id + " gran/energy");
 }
 
 void ComputeGranEnergy::compute_vector() {
