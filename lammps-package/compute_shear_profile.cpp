@@ -48,8 +48,8 @@ ComputeShearProfile::~ComputeShearProfile() {
   memory->destroy(array);
 }
 
-/// About a line through the middle of the box with the rate that the box is sheared at, which makes
-/// what is summed the same for all images of a particle.
+/// Sums about a line through the middle of the box with the rate that the box is sheared at, which
+/// makes what is summed the same for all images of a particle.
 void ComputeShearProfile::measure() {
   if (measured_step == update->ntimestep) return;
   measured_step = update->ntimestep;
