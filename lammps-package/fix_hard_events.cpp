@@ -96,7 +96,7 @@ void FixHardEvents::init() {
     Fix* const fix = modify->fix[i];
     if (fix->rigid_flag)
       error->all(FLERR,
-                 std::string("pair_style hard/square_well cannot run_events rigid bodies (fix ") +
+                 std::string("pair_style hard/square_well cannot follow rigid bodies (fix ") +
                      fix->id + ")");
     auto* walls = dynamic_cast<HardWalls*>(fix);
     if (!walls) continue;
