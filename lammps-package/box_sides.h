@@ -8,24 +8,24 @@
 
 namespace LAMMPS_NS {
 
-/// The sides of the box that scripts can change between runs. Those that the engine shrink-wraps
-/// around the particles move by themselves and are left out.
+/// The sides of the box that scripts can change between runs; those that the engine wraps around
+/// the particles move by themselves.
 class BoxSides {
  public:
   void look(const Domain* d) {
     sides_ = of(d);
     known_ = true;
   }
-  /// Whether a side has changed since the last look.
+  /// Since the last look.
   bool changed(const Domain* d) const { return known_ && of(d) != sides_; }
 
  private:
   static std::array<double, 12> of(const Domain* d) {
     std::array<double, 12> sides{};
     for (int k = 0; k < 3; k++) {
-      constexpr int first_shrink_wrapped = 2;
-      if (d->boundary[k][0] < first_shrink_wrapped) sides[k] = d->boxlo[k];
-      if (d->boundary[k][1] < first_shrink_wrapped) sides[3 + k] = d->boxhi[k];
+      constexpr int first_wrapped = 2;
+      if (d->boundary[k][0] < first_wrapped) sides[k] = d->boxlo[k];
+      if (d->boundary[k][1] < first_wrapped) sides[3 + k] = d->boxhi[k];
       sides[6 + k] = d->periodicity[k];
     }
     sides[9] = d->xy;

@@ -35,7 +35,7 @@ ComputeGranEnergy::~ComputeGranEnergy() { delete[] vector; }
 void ComputeGranEnergy::init() {
   if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag)
     error->all(FLERR, "compute gran/energy balances spheres; use 'atom_style sphere'");
-  require_fixed_box(lmp, std::string("compute ") + id + " gran/energy");
+  refuse_moving_box(lmp, std::string("compute ") + id + " gran/energy");
 }
 
 /// Those of this process, so far.

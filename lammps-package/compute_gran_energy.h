@@ -12,7 +12,7 @@ ComputeStyle(gran/energy,ComputeGranEnergy);
 
 #include "compute.h"
 #include "energy_book.h"
-#include "energy_book_of_runs.h"
+#include "energy_companions.h"
 
 namespace LAMMPS_NS {
 

@@ -10,7 +10,7 @@
 #include "box_shear.h"
 #include "comm.h"
 #include "domain.h"
-#include "energy_book_of_runs.h"
+#include "energy_companions.h"
 #include "error.h"
 #include "force.h"
 #include "gravity.h"

@@ -140,7 +140,7 @@ void FixHardEvents::add_pairs() {
         continue;
       }
       CandidatePair candidate{first ? i : other, first ? other : i, image, 0, {0.0, 0.0}};
-      candidate.law = pair_->law_index(atom->type[i], atom->type[j]);
+      candidate.law = pair_->of_types(atom->type[i], atom->type[j]);
       candidate.surfaces = pair_->surfaces(i, j);
       candidate.inside = *flag && candidate.surfaces.has_well();
       simulation_.candidates.push_back(candidate);

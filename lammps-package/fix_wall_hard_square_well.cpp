@@ -95,7 +95,7 @@ MovingWall FixWallHardSquareWell::over_step(int w) const {
 
 const HardContact& FixWallHardSquareWell::pair_contact(int type) const {
   return dynamic_cast<PairHardSquareWell*>(force->pair_match("hard/square_well", 1))
-      ->contact(type, type);
+      ->contact_of_types(type, type);
 }
 
 double FixWallHardSquareWell::ratio(int type) const {

@@ -32,7 +32,7 @@ static constexpr int LAYOUT = 2;  // of settings and HardContact in restart file
 
 PairHardSquareWell::PairHardSquareWell(LAMMPS* lammps)
     : Pair(lammps),
-      contacts_(lammps),
+      given_(lammps),
       events_(nullptr),
       history_(modify, "NEIGH_HISTORY_HARD_SQUARE_WELL") {
   single_enable = 0;
@@ -53,13 +53,13 @@ void PairHardSquareWell::allocate() {
   const int types = atom->ntypes;
   memory->create(setflag, types + 1, types + 1, "pair:setflag");
   memory->create(cutsq, types + 1, types + 1, "pair:cutsq");
-  contacts_.make_room(types, setflag);
+  given_.make_room(types, setflag);
 }
 
 /// Adds the virial of the events, which have been executed, and the energy of the wells.
 void PairHardSquareWell::compute(int eflag, int vflag) {
   ev_init(eflag, vflag);
-  contacts_.require_taken("pair_style hard/square_well");
+  given_.require_taken("pair_style hard/square_well");
   if (neighbor->ago == 0) check_radii(lmp, "pair_style hard/square_well", largest_radius_);
   if (vflag_either) {
     const double per_time = -1.0 / update->dt;
@@ -78,7 +78,7 @@ void PairHardSquareWell::compute(int eflag, int vflag) {
     for (int jj = 0; jj < list->numneigh[i]; jj++) {
       if (!history_->firstflag[i][jj]) continue;
       const int j = list->firstneigh[i][jj] & NEIGHMASK;
-      const double depth = contacts_(atom->type[i], atom->type[j]).well.depth;
+      const double depth = given_(atom->type[i], atom->type[j]).well.depth;
       ev_tally(i, j, atom->nlocal, 0, -depth, 0.0, 0.0, 0.0, 0.0, 0.0);
     }
   }
@@ -101,7 +101,7 @@ void PairHardSquareWell::append_held(std::vector<std::array<int, 2>>& pairs) con
   append_bound(pairs);
   const auto parts = [&](const std::array<int, 2>& pair) {
     const auto [i, j] = pair;
-    const auto& well = contact(atom->type[i], atom->type[j]).well;
+    const auto& well = contact_of_types(atom->type[i], atom->type[j]).well;
     return !cohesion::square_well::held(
         difference(atom->x[j], atom->x[i]), difference(atom->v[i], atom->v[j]),
         cohesion::square_well::edge(well, atom->radius[i], atom->radius[j]), well.depth,
@@ -114,12 +114,12 @@ void PairHardSquareWell::append_held(std::vector<std::array<int, 2>>& pairs) con
 
 std::vector<Law> PairHardSquareWell::laws() const {
   std::vector<Law> all;
-  for (const HardContact& c : contacts_) all.push_back(c.law());
+  for (const HardContact& c : given_) all.push_back(c.law());
   return all;
 }
 
 Surfaces PairHardSquareWell::surfaces(int i, int j) const {
-  const HardContact& c = contact(atom->type[i], atom->type[j]);
+  const HardContact& c = contact_of_types(atom->type[i], atom->type[j]);
   const double core = atom->radius[i] + atom->radius[j];
   if (c.well.depth == 0.0) return {core, core};
   return {core, cohesion::square_well::edge(c.well, atom->radius[i], atom->radius[j])};
@@ -127,9 +127,9 @@ Surfaces PairHardSquareWell::surfaces(int i, int j) const {
 
 double PairHardSquareWell::list_reach() const { return REACH * neighbor->skin; }
 
-void PairHardSquareWell::set_contact(int i, int j, const HardContact& c) {
-  contacts_(i, j) = contacts_(j, i) = c;
-  contacts_(j, i).well = cohesion::square_well::reversed(c.well);
+void PairHardSquareWell::give(int i, int j, const HardContact& c) {
+  given_(i, j) = given_(j, i) = c;
+  given_(j, i).well = cohesion::square_well::reversed(c.well);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -184,7 +184,7 @@ void PairHardSquareWell::coeff(int narg, char** arg) {
     at += words;
   }
   require_valid(lmp, where, c, given);
-  contacts_.assign(where, arg, [&](int i, int j) { set_contact(i, j, c); });
+  given_.assign(where, arg, [&](int i, int j) { give(i, j, c); });
 }
 
 void PairHardSquareWell::init_style() {
@@ -193,7 +193,7 @@ void PairHardSquareWell::init_style() {
   if (update->whichflag == 2)
     error->all(FLERR, "pair_style hard/square_well follows motion in time; it cannot be minimized");
   events_ = FixHardEvents::of(lmp);
-  contacts_.take();
+  given_.take();
   require_plausible_radii(lmp, "pair_style hard/square_well");
   largest_radius_ = largest_radii(lmp);
   engine_api::request_history_list(neighbor, this, instance_me);
@@ -201,10 +201,10 @@ void PairHardSquareWell::init_style() {
 }
 
 double PairHardSquareWell::init_one(int i, int j) {
-  if (contacts_.to_mix("pair_style hard/square_well", i, j))
-    set_contact(i, j, {mixed(contacts_(i, i), contacts_(j, j))});
+  if (given_.to_mix("pair_style hard/square_well", i, j))
+    give(i, j, {mixed(given_(i, i), given_(j, j))});
   const double edge =
-      cohesion::square_well::edge(contacts_(i, j).well, largest_radius_[i], largest_radius_[j]);
+      cohesion::square_well::edge(given_(i, j).well, largest_radius_[i], largest_radius_[j]);
   require_plausible_range(lmp, "pair_style hard/square_well", edge);
   return edge + list_reach();
 }
@@ -213,13 +213,13 @@ double PairHardSquareWell::init_one(int i, int j) {
 
 void PairHardSquareWell::write_restart(FILE* fp) {
   write_restart_settings(fp);
-  contacts_.write(fp);
+  given_.write(fp);
 }
 
 void PairHardSquareWell::read_restart(FILE* fp) {
   read_restart_settings(fp);
   allocate();
-  contacts_.read(fp, [this](int i, int j, const HardContact& c) { set_contact(i, j, c); });
+  given_.read(fp, [this](int i, int j, const HardContact& c) { give(i, j, c); });
 }
 
 void PairHardSquareWell::write_restart_settings(FILE* fp) {

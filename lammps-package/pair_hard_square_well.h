@@ -45,10 +45,10 @@ class PairHardSquareWell : public Pair, public BoundPairs {
   const std::string& record_file() const { return record_file_; }
   /// One number for each pair: whether it is in its well.
   const PairHistory& history() const { return history_; }
-  int law_index(int i, int j) const { return contacts_.number(i, j); }
-  /// The laws of all pairs of types, by law_index().
+  int of_types(int i, int j) const { return given_.number(i, j); }
+  /// The laws of all pairs of types, by of_types().
   std::vector<cohesion::hard_sphere::Law> laws() const;
-  const HardContact& contact(int i, int j) const { return contacts_(i, j); }
+  const HardContact& contact_of_types(int i, int j) const { return given_(i, j); }
   cohesion::hard_sphere::Surfaces surfaces(int i, int j) const;
   /// How far beyond the range of a contact the list of neighbours reaches, besides the skin,
   /// [length].
@@ -56,11 +56,11 @@ class PairHardSquareWell : public Pair, public BoundPairs {
 
  private:
   void allocate();
-  void set_contact(int i, int j, const HardContact&);
+  void give(int i, int j, const HardContact&);
 
   cohesion::hard_sphere::EventRules rules_;
   std::string record_file_;
-  TypePairTable<HardContact> contacts_;
+  TypePairTable<HardContact> given_;
   std::vector<double> largest_radius_;
   class FixHardEvents* events_;
   PairHistory history_;

@@ -44,7 +44,7 @@ void ComputeGranEnergy::pre_delete(bool) {
 }
 
 void ComputeGranEnergy::init() {
-  require_fixed_box(lmp, std::string("compute ") + id + " gran/energy");
+  refuse_moving_box(lmp, std::string("compute ") + id + " gran/energy");
 }
 
 void ComputeGranEnergy::compute_vector() {

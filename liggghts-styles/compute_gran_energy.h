@@ -3,7 +3,7 @@
 #define COHESION_COMPUTE_GRAN_ENERGY_H
 
 #include "energy_book.h"
-#include "energy_book_of_runs.h"
+#include "energy_companions.h"
 #include "liggghts_api.h"
 
 namespace LIGGGHTS {
