@@ -70,8 +70,8 @@ class FixDeformShear : public engine_api::BoxFix {
   double tilt_after_flip;
   int flipped_lengths;  // by the flip that is due; 0: none is
 
-  cohesion::shear::NonaffineDisplacements
-      displacements;  // of the own particles since the list was made
+  // Of the own particles since the list was made.
+  cohesion::shear::NonaffineDisplacements displacements;
   bigint list_step;
   int engine_delay, engine_every;  // of neigh_modify, while checks_suspended
   bool checks_suspended;           // the engine's checks of the list, which this fix makes instead

@@ -113,9 +113,9 @@ void FixHardEvents::init() {
       simulation_.laws.push_back(type == 0 ? Law{} : walls->law_of_type(type));
 }
 
-/// A particle whose straight flight leads through a wall into the outside of the box would be lost
-/// before its event turns it round: until then it waits at the boundary. One that was outside
-/// before the step is lost as in any run.
+/// Keeps particles at the boundary whose free flight leads through a wall out of the box, until
+/// their event turns them round: they would be lost before. One that was outside before the step is
+/// lost as in any run.
 void FixHardEvents::pre_exchange() {
   for (int axis = 0; axis < 3; axis++)
     for (int i = 0; domain->periodicity[axis] && i < atom->nlocal; i++)
@@ -151,7 +151,8 @@ void FixHardEvents::setup_pre_force(int) {
   next_reneighbor = update->ntimestep + 1;
 }
 
-/// Cores that overlap part as soon as they move apart, but their energy is nobody's.
+/// Warns of cores that overlap. They part as soon as they move apart, but no event accounts for
+/// their energy.
 void FixHardEvents::warn_of_overlaps() const {
   double mine[2] = {0.0, 0.0}, all[2];  // number, deepest as a fraction of the distance
   for (int n = 0; n < static_cast<int>(simulation_.candidates.size()); n++) {
@@ -172,8 +173,8 @@ void FixHardEvents::warn_of_overlaps() const {
         static_cast<bigint>(all[0]), all[1]);
 }
 
-/// A run that goes on from a restart file begins with particles in the box and makes its list anew
-/// in its first step. A run that writes one does the same, so that both put particles back into the
+/// Does in the step of a restart file what a run does that continues from it: that begins with
+/// particles in the box and makes its list anew in its first step. So both wrap particles into the
 /// box at the same times and round alike.
 void FixHardEvents::match_restart() {
   if (update->ntimestep != output->next_restart) return;
@@ -182,9 +183,9 @@ void FixHardEvents::match_restart() {
   next_reneighbor = update->ntimestep + 1;
 }
 
-/// In a tilted box a run begins with places that the engine has carried to the box's own
-/// coordinates and back, once more than where the file was written: some roundings, each a few
-/// 2^-53 of the box. Rounded to 2^-44 of it both are the same again.
+/// Rounds positions in a tilted box. A run begins there with positions that the engine has
+/// transformed to the box's own coordinates and back, once more than where the file was written:
+/// some roundings, each a few 2^-53 of the box. Rounded to 2^-44 of it both are the same again.
 void FixHardEvents::round_positions() {
   if (!domain->triclinic) return;
   const double unit = std::ldexp(1.0, std::ilogb(std::max(domain->prd[0], domain->prd[1])) - 44);
@@ -236,15 +237,15 @@ void FixHardEvents::load_flights() {
   for (int i = 0; i < atom->nlocal; i++)
     simulation_.bodies[i].flight = {
         vector(atom->x[i]), vector(atom->v[i]), 0.0, vector(atom->omega[i]), 0, 0};
-  for (const RemoteParticle& known : remote_) {
-    const int g = known.ghost;
-    const Image& image = simulation_.images[known.image];
-    simulation_.bodies[known.body].flight = {vector(atom->x[g]) - image.displacement,
-                                             vector(atom->v[g]) - image.velocity,
-                                             0.0,
-                                             vector(atom->omega[g]),
-                                             0,
-                                             0};
+  for (const RemoteParticle& remote : remote_) {
+    const int g = remote.ghost;
+    const Image& image = simulation_.images[remote.image];
+    simulation_.bodies[remote.body].flight = {vector(atom->x[g]) - image.displacement,
+                                              vector(atom->v[g]) - image.velocity,
+                                              0.0,
+                                              vector(atom->omega[g]),
+                                              0,
+                                              0};
   }
   for (std::size_t n = 0; n < wall_.size(); n++)
     simulation_.walls[n] = wall_[n].first->over_step(wall_[n].second);
@@ -287,24 +288,24 @@ void FixHardEvents::store_results() {
       put(now.spin, atom->omega[body]);
       totals_.most_events = std::max(totals_.most_events, static_cast<double>(now.events));
       const double left = update->dt - event.key.time;
-      const Vector3 place =
+      const Vector3 position =
           body == candidate.i ? event.position : event.position + event.separation;
       if (body == candidate.i || candidate.image == 0)
-        track_displacement(body, place, left);
+        track_displacement(body, position, left);
       else
-        track_displacement(body, place - simulation_.images[candidate.image].at(left), left);
+        track_displacement(body, position - simulation_.images[candidate.image].at(left), left);
     }
     store_inside(event.candidate);
     if (candidate.i < atom->nlocal) totals_.add(event, candidate.with_wall());
   }
 }
 
-/// Notes the nonaffine displacement of particle i, which is at `place`, `left` before the end of
+/// Notes the nonaffine displacement of particle i, which is at `position`, `left` before the end of
 /// the step.
-void FixHardEvents::track_displacement(int i, const Vector3& place, double left) {
+void FixHardEvents::track_displacement(int i, const Vector3& position, double left) {
   farthest_squared_ =
       std::max(farthest_squared_,
-               displacements_.squared(i, place, shear_since(displacements_, domain, left)));
+               displacements_.squared(i, position, shear_since(displacements_, domain, left)));
 }
 
 /// Stops when the list of neighbours may have missed a pair.

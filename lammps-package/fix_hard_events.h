@@ -73,7 +73,7 @@ class FixHardEvents : public Fix {
 
   const cohesion::hard_sphere::EventSimulation& simulation() const { return simulation_; }
   const HardEventTotals& totals() const { return totals_; }
-  /// From now on totals().flux is summed.
+  /// Asks for totals().flux to be summed from here on.
   void sum_flux() { totals_.flux_wanted = true; }
 
  private:
@@ -89,7 +89,7 @@ class FixHardEvents : public Fix {
   struct RemoteParticle {  // a particle that another process owns
     int body, ghost, image, owner;
   };
-  struct Shift {  // in boxes  // in boxes
+  struct Shift {  // in boxes
     int x, y, z;
     bool operator==(const Shift& b) const { return x == b.x && y == b.y && z == b.z; }
   };
@@ -123,8 +123,8 @@ class FixHardEvents : public Fix {
   std::vector<std::pair<HardWalls*, int> > wall_;  // by number
   MobileParticles mobile_;
 
-  cohesion::hard_sphere::EventSimulation
-      simulation_;                   // bodies: own particles, then those in remote_
+  // Bodies: own particles, then those in remote_.
+  cohesion::hard_sphere::EventSimulation simulation_;
   std::vector<HistorySlots> slots_;  // by candidate
   std::vector<SecondEntry> second_entries_;
   std::vector<Shift> shifts_;  // by image
@@ -132,9 +132,9 @@ class FixHardEvents : public Fix {
   std::unordered_map<std::uint64_t, int> remote_body_;
   HardEventTimeWarp time_warp_;
   double** origin_;   // per atom and ghost: process, index there, position there
-  double** outside_;  // per atom: how far the straight flight led out of the box
-  cohesion::shear::NonaffineDisplacements
-      displacements_;        // of own particles since the list was made
+  double** outside_;  // per atom:// how far the free flight led out of the box
+  // Of own particles since the list was made.
+  cohesion::shear::NonaffineDisplacements displacements_;
   double farthest_squared_;  // the largest of displacements_, squared
   bool warned_;
   HardEventTotals totals_;
