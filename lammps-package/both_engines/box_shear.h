@@ -12,7 +12,7 @@
 #include "comm.h"
 #include "domain.h"
 #include "lammps.h"
-#include "shear/since_list.h"
+#include "shear/nonaffine_displacements.h"
 
 // The shear of the engine's box, where particles that leave it through a sheared face change their
 // velocity; without that the box may be deformed, but its images do not shear.
@@ -23,13 +23,13 @@ inline double middle_height(const Domain* domain) {
   return 0.5 * (domain->boxlo[1] + domain->boxhi[1]);
 }
 
-/// As a rate, [1/time].
+/// The shear of the box as a rate, [1/time].
 inline cohesion::shear::BoxShear rate_of_shear(const Domain* domain) {
   return {domain->deform_vremap ? domain->h_rate[5] / domain->yprd : 0.0, middle_height(domain)};
 }
 
-/// How many particles and ghosts of this rank, the first ones, move as no other of them does: on
-/// one rank ghosts move as their owners do while the box stays as it is.
+/// The number of particles and ghosts of this rank, the first ones, that move as no other of them
+/// does: on one rank ghosts move as their owners do while the box stays as it is.
 inline int number_of_movers(const LAMMPS* lmp) {
   const bool alone = lmp->comm->nprocs == 1 && !lmp->domain->box_change;
   return alone ? lmp->atom->nlocal : lmp->atom->nlocal + lmp->atom->nghost;
@@ -42,17 +42,18 @@ inline double fastest_of(const Atom* atom, const Domain* domain, int count) {
   const double* const v = count > 0 ? atom->v[0] : nullptr;
   const cohesion::shear::BoxShear flow = rate_of_shear(domain);
   double squared = 0.0;
-  const auto look = [&squared](double along, double up, double across) {
+  const auto consider = [&squared](double along, double up, double across) {
     squared = std::max(squared, along * along + up * up + across * across);
   };
   if (flow.amount == 0.0)
-    for (int i = 0; i < 3 * count; i += 3) look(v[i], v[i + 1], v[i + 2]);
+    for (int i = 0; i < 3 * count; i += 3) consider(v[i], v[i + 1], v[i + 2]);
   else
-    for (int i = 0; i < 3 * count; i += 3) look(flow.beyond(v[i], x[i + 1]), v[i + 1], v[i + 2]);
+    for (int i = 0; i < 3 * count; i += 3)
+      consider(flow.nonaffine(v[i], x[i + 1]), v[i + 1], v[i + 2]);
   return std::sqrt(squared);
 }
 
-/// The same of the particles of all ranks.
+/// The speed of the fastest of the particles of all ranks.
 inline double fastest_particle(const LAMMPS* lmp) {
   const double mine = fastest_of(lmp->atom, lmp->domain, lmp->atom->nlocal);
   double all = 0.0;
@@ -60,13 +61,16 @@ inline double fastest_particle(const LAMMPS* lmp) {
   return all;
 }
 
-/// Since a list of neighbours was made, a time `ago` before now.
-inline cohesion::shear::BoxShear shear_since(const cohesion::shear::SinceList& list,
+/// The shear of the box from the time when a list of neighbours was made to a time `ago` [time]
+/// before now.
+inline cohesion::shear::BoxShear shear_since(const cohesion::shear::NonaffineDisplacements& list,
                                              const Domain* domain, double ago = 0.0) {
   if (!domain->deform_vremap) return {0.0, middle_height(domain)};
-  return list.sheared(domain->xy - ago * domain->h_rate[5], domain->yprd, middle_height(domain));
+  return list.shear_since_reference(domain->xy - ago * domain->h_rate[5], domain->yprd,
+                                    middle_height(domain));
 }
 
+/// Whether x is in the box along each periodic axis.
 inline bool in_box(Domain* domain, double* x) {
   double place[3];
   if (domain->triclinic) domain->x2lamda(x, place);
@@ -78,10 +82,10 @@ inline bool in_box(Domain* domain, double* x) {
   return true;
 }
 
-/// Own particles outside the box go back into it with the velocity of the image that they become,
-/// as when the engine makes lists: for restart files the engine puts them back with the velocity
+/// Wraps own particles outside the box into it, with the velocity of the image that they become, as
+/// the engine does when it makes lists: for restart files the engine wraps them with the velocity
 /// that they have. All others stay as they are, to the last digit.
-inline void put_into_box(Atom* atom, Domain* domain) {
+inline void wrap_into_box(Atom* atom, Domain* domain) {
   const auto height = [](imageint image) { return (image >> IMGBITS & IMGMASK) - IMGMAX; };
   for (int i = 0; i < atom->nlocal; i++) {
     if (in_box(domain, atom->x[i])) continue;
@@ -92,25 +96,26 @@ inline void put_into_box(Atom* atom, Domain* domain) {
   }
 }
 
-/// As long as it lives, own particles that put_into_box() moved since the list of neighbours was
-/// made are where ghosts and pairs of that list see them, with the velocity that they had there.
-class BesideGhosts {
+/// While an object of this class lives, the own particles that wrap_into_box() has moved since the
+/// list of neighbours was made are unwrapped: where ghosts and pairs of that list see them, with
+/// the velocity that they had there.
+class ScopedUnwrap {
  public:
   /// `listed`: image flags of the own particles when the list was made.
-  BesideGhosts(Atom* atom, const Domain* domain, const std::vector<imageint>& listed)
+  ScopedUnwrap(Atom* atom, const Domain* domain, const std::vector<imageint>& listed)
       : atom_(atom) {
     if (static_cast<int>(listed.size()) != atom->nlocal) return;
     for (int i = 0; i < atom->nlocal; i++)
-      if (atom->image[i] != listed[i]) take_out(domain, i, listed[i]);
+      if (atom->image[i] != listed[i]) unwrap(domain, i, listed[i]);
   }
-  ~BesideGhosts() {
+  ~ScopedUnwrap() {
     for (const Moved& was : moved_) {
       std::copy_n(was.x, 3, atom_->x[was.i]);
       atom_->v[was.i][0] = was.vx;
     }
   }
-  BesideGhosts(const BesideGhosts&) = delete;
-  BesideGhosts& operator=(const BesideGhosts&) = delete;
+  ScopedUnwrap(const ScopedUnwrap&) = delete;
+  ScopedUnwrap& operator=(const ScopedUnwrap&) = delete;
 
  private:
   struct Moved {
@@ -118,7 +123,7 @@ class BesideGhosts {
     double x[3], vx;
   };
 
-  void take_out(const Domain* domain, int i, imageint listed) {
+  void unwrap(const Domain* domain, int i, imageint listed) {
     double* const x = atom_->x[i];
     moved_.push_back({i, {x[0], x[1], x[2]}, atom_->v[i][0]});
     const auto boxes = [&](int shift) {

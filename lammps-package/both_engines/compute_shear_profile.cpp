@@ -48,8 +48,8 @@ ComputeShearProfile::~ComputeShearProfile() {
   memory->destroy(array);
 }
 
-/// About a line through the middle of the box with the rate that the box is sheared at, which makes
-/// what is summed the same for all images of a particle.
+/// Sums about a line through the middle of the box with the rate that the box is sheared at, which
+/// makes what is summed the same for all images of a particle.
 void ComputeShearProfile::measure() {
   if (measured_step == update->ntimestep) return;
   measured_step = update->ntimestep;
@@ -63,7 +63,7 @@ void ComputeShearProfile::measure() {
     const double m = atom->rmass ? atom->rmass[i] : atom->mass[atom->type[i]];
     const double y = atom->x[i][1] - flow.middle;
     const double in_box = y - height * std::floor(y / height + 0.5);
-    const double u = flow.beyond(v[0], atom->x[i][1]);
+    const double u = flow.nonaffine(v[0], atom->x[i][1]);
     mine.add(m, in_box, {u, v[1], v[2]});
     layers.add(m, in_box, u);
   }

@@ -31,7 +31,7 @@ class ComputeShearProfile : public engine_api::StyleCompute {
 
   int layer_number;
   bigint measured_step;
-  cohesion::shear::MeanProfile profile;  // beyond the nominal one
+  cohesion::shear::MeanProfile profile;  // relative to the nominal one
   cohesion::shear::Layers layers;
 };
 

@@ -12,10 +12,10 @@
 #include "domain.h"
 #include "engine_api.h"
 #include "force.h"
+#include "fragment_exchange.h"
 #include "given_keywords.h"
 #include "memory.h"
 #include "message.h"
-#include "piece_exchange.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -25,7 +25,7 @@ using cohesion::Vector3;
 FixAgglomerates::FixAgglomerates(LAMMPS* lammps, int narg, char** arg)
     : engine_api::StyleFix(lammps, narg, arg),
       label(nullptr),
-      place(nullptr),
+      position(nullptr),
       id_and_size(nullptr),
       since(nullptr),
       held_only(false),
@@ -46,7 +46,7 @@ FixAgglomerates::FixAgglomerates(LAMMPS* lammps, int narg, char** arg)
   if (!atom->tag_enable) stop(lmp, FLERR, where, " needs particles with IDs");
   scalar_flag = vector_flag = array_flag = peratom_flag = 1;
   size_vector = 8;
-  size_array_rows = static_cast<int>(distribution.now().size());
+  size_array_rows = static_cast<int>(distribution.current().size());
   size_array_cols = 2;
   size_peratom_cols = 2;
   global_freq = peratom_freq = nevery;
@@ -84,7 +84,7 @@ FixAgglomerates::~FixAgglomerates() {
   atom->delete_callback(id, engine_api::GROW);
   atom->delete_callback(id, engine_api::RESTART);
   memory->destroy(label);
-  memory->destroy(place);
+  memory->destroy(position);
   memory->destroy(id_and_size);
   memory->destroy(since);
 }
@@ -100,11 +100,11 @@ void FixAgglomerates::init() {
 }
 
 void FixAgglomerates::post_neighbor() {
-  listed_images.assign(atom->image, atom->image + atom->nlocal);
+  list_images.assign(atom->image, atom->image + atom->nlocal);
 }
 
 void FixAgglomerates::setup(int) {
-  find(0.0);
+  find_agglomerates(0.0);
   if (last_step >= 0) return;
   for (int i = 0; i < atom->nlocal; i++) since[i] = Membership::at_first(id_and_size[i][1] > 1.0);
   last_step = update->ntimestep;
@@ -114,29 +114,29 @@ void FixAgglomerates::end_of_step() {
   const double elapsed = static_cast<double>(update->ntimestep - last_step) * update->dt;
   last_step = update->ntimestep;
   totals.time += elapsed;
-  find(elapsed);
-  note_durations();
+  find_agglomerates(elapsed);
+  add_durations();
 }
 
 /* ---------------------------------------------------------------------- */
 
-void FixAgglomerates::find(double elapsed) {
-  const BesideGhosts places(atom, domain, listed_images);
-  connect();
+void FixAgglomerates::find_agglomerates(double elapsed) {
+  const ScopedUnwrap unwrapped(atom, domain, list_images);
+  join_bound_pairs();
   int changed = 1;
   while (changed) {
     engine_api::forward_comm(comm, this);
-    const int mine = take_over_labels();
+    const int mine = propagate_labels();
     MPI_Allreduce(&mine, &changed, 1, MPI_INT, MPI_MAX, world);
   }
   std::vector<double> sizes;
-  const std::vector<Piece> whole = whole_pieces(world, own_pieces(), sizes);
-  note_sizes(sizes);
-  sum_up(whole, elapsed);
+  const std::vector<Fragment> whole = merge_across_ranks(world, own_fragments(), sizes);
+  store_sizes(sizes);
+  compute_statistics(whole, elapsed);
 }
 
-/// Sets of the pairs that this rank has; each with the smallest label of its own particles.
-void FixAgglomerates::connect() {
+/// Joins the bound pairs that this rank has; each set has the smallest label of its own particles.
+void FixAgglomerates::join_bound_pairs() {
   const int nlocal = atom->nlocal, all = nlocal + atom->nghost;
   pairs.clear();
   for (const BoundPairs* source : sources)
@@ -158,13 +158,14 @@ void FixAgglomerates::connect() {
     }
   for (int i = 0; i < nlocal; i++) {
     label[i] = static_cast<double>(atom->tag[i]);
-    std::copy_n(atom->x[i], 3, place[i]);
+    std::copy_n(atom->x[i], 3, position[i]);
   }
   for (const int i : bound) label[i] = set_label[sets.root(i)];
 }
 
-/// A set takes over the smaller label of a ghost's owner, and unfolds itself to where that one is.
-bool FixAgglomerates::take_over_labels() {
+/// Gives each set the smaller label of a ghost's owner, and unfolds the set to where that one is.
+/// Returns whether a label has changed.
+bool FixAgglomerates::propagate_labels() {
   bool changed = false;
   const double near = 0.25 * std::min(domain->xprd, std::min(domain->yprd, domain->zprd));
   std::fill(set_wraps.begin(), set_wraps.end(), 0.0);
@@ -172,7 +173,7 @@ bool FixAgglomerates::take_over_labels() {
   for (auto k = ghost; k != bound.end(); ++k) {
     const int r = sets.root(*k);
     const double* const x = atom->x[*k];
-    const Vector3 shift{place[*k][0] - x[0], place[*k][1] - x[1], place[*k][2] - x[2]};
+    const Vector3 shift{position[*k][0] - x[0], position[*k][1] - x[1], position[*k][2] - x[2]};
     if (label[*k] < set_label[r]) {
       set_label[r] = label[*k];
       set_shift[r] = shift;
@@ -185,31 +186,31 @@ bool FixAgglomerates::take_over_labels() {
     const int r = sets.root(i);
     const Vector3& shift = set_shift[r];
     label[i] = set_label[r];
-    place[i][0] = atom->x[i][0] + shift.x;
-    place[i][1] = atom->x[i][1] + shift.y;
-    place[i][2] = atom->x[i][2] + shift.z;
+    position[i][0] = atom->x[i][0] + shift.x;
+    position[i][1] = atom->x[i][1] + shift.y;
+    position[i][2] = atom->x[i][2] + shift.z;
   }
   return changed;
 }
 
-/// One per set of this rank; several may have the same label.
-std::vector<Piece> FixAgglomerates::own_pieces() {
-  std::vector<Piece> pieces;
-  set_piece.assign(atom->nlocal + atom->nghost, -1);
+/// Returns a fragment for each set of this rank; several may have the same label.
+std::vector<Fragment> FixAgglomerates::own_fragments() {
+  std::vector<Fragment> fragments;
+  set_fragment.assign(atom->nlocal + atom->nghost, -1);
   for (const int i : bound) {
     if (i >= atom->nlocal) break;
     const int r = sets.root(i);
-    if (set_piece[r] < 0) {
-      set_piece[r] = static_cast<int>(pieces.size());
-      pieces.push_back({set_label[r]});
-      pieces.back().wraps = set_wraps[r];
+    if (set_fragment[r] < 0) {
+      set_fragment[r] = static_cast<int>(fragments.size());
+      fragments.push_back({set_label[r]});
+      fragments.back().wraps = set_wraps[r];
     }
-    pieces[set_piece[r]].add(Vector3{place[i][0], place[i][1], place[i][2]});
+    fragments[set_fragment[r]].add(Vector3{position[i][0], position[i][1], position[i][2]});
   }
-  return pieces;
+  return fragments;
 }
 
-void FixAgglomerates::note_sizes(const std::vector<double>& sizes) {
+void FixAgglomerates::store_sizes(const std::vector<double>& sizes) {
   for (int i = 0; i < atom->nlocal; i++) {
     id_and_size[i][0] = 0.0;
     id_and_size[i][1] = atom->mask[i] & groupbit ? 1.0 : 0.0;
@@ -217,18 +218,18 @@ void FixAgglomerates::note_sizes(const std::vector<double>& sizes) {
   for (const int i : bound) {
     if (i >= atom->nlocal) break;
     id_and_size[i][0] = label[i];
-    id_and_size[i][1] = sizes[set_piece[sets.root(i)]];
+    id_and_size[i][1] = sizes[set_fragment[sets.root(i)]];
   }
 }
 
-/// Numbers of all ranks, in one sum; the time that has passed with them.
-void FixAgglomerates::sum_up(const std::vector<Piece>& whole, double elapsed) {
+/// Sums the numbers of all ranks, and adds them to the means over time.
+void FixAgglomerates::compute_statistics(const std::vector<Fragment>& whole, double elapsed) {
   enum { NUMBER, PARTICLES, GROUP, GYRATION, UNFOLDED, WRAPPING, SIZES };
-  const std::size_t rows = distribution.now().size();
+  const std::size_t rows = distribution.current().size();
   std::vector<double> sums(SIZES + rows, 0.0);
   double most = 0.0;
   distribution.clear();
-  for (const Piece& p : whole) {
+  for (const Fragment& p : whole) {
     sums[NUMBER] += 1.0;
     sums[PARTICLES] += p.count;
     most = std::max(most, p.count);
@@ -245,22 +246,22 @@ void FixAgglomerates::sum_up(const std::vector<Piece>& whole, double elapsed) {
     sums[GROUP] += 1.0;
     if (id_and_size[i][1] == 1.0) distribution.add(1.0);
   }
-  std::copy(distribution.now().begin(), distribution.now().end(), sums.begin() + SIZES);
+  std::copy(distribution.current().begin(), distribution.current().end(), sums.begin() + SIZES);
   MPI_Allreduce(MPI_IN_PLACE, sums.data(), static_cast<int>(sums.size()), MPI_DOUBLE, MPI_SUM,
                 world);
   MPI_Allreduce(&most, &largest, 1, MPI_DOUBLE, MPI_MAX, world);
-  std::copy(sums.begin() + SIZES, sums.end(), distribution.now().begin());
+  std::copy(sums.begin() + SIZES, sums.end(), distribution.current().begin());
   number = sums[NUMBER];
   particles = sums[PARTICLES];
   group_size = sums[GROUP];
   gyration = sums[GYRATION];
   unfolded = sums[UNFOLDED];
   wrapping = sums[WRAPPING];
-  totals.size.pass(elapsed, number, particles);
-  distribution.pass(elapsed);
+  totals.size.add_time(elapsed, number, particles);
+  distribution.add_time(elapsed);
 }
 
-void FixAgglomerates::note_durations() {
+void FixAgglomerates::add_durations() {
   double mine[2] = {}, all[2];
   for (int i = 0; i < atom->nlocal; i++) {
     const double duration = since[i].update(id_and_size[i][1] > 1.0, totals.time);
@@ -296,8 +297,8 @@ double FixAgglomerates::compute_vector(int n) {
 }
 
 double FixAgglomerates::compute_array(int row, int column) {
-  if (column == 0) return distribution.now()[row];
-  return totals.time > 0.0 ? distribution.sums()[row] / totals.time : distribution.now()[row];
+  if (column == 0) return distribution.current()[row];
+  return totals.time > 0.0 ? distribution.sums()[row] / totals.time : distribution.current()[row];
 }
 
 /* ---------------------------------------------------------------------- */
@@ -305,7 +306,7 @@ double FixAgglomerates::compute_array(int row, int column) {
 int FixAgglomerates::pack_forward_comm(int n, int* list, double* buf, int, int*) {
   for (int i = 0; i < n; i++) {
     buf[4 * i] = label[list[i]];
-    std::copy_n(place[list[i]], 3, buf + 4 * i + 1);
+    std::copy_n(position[list[i]], 3, buf + 4 * i + 1);
   }
   return 4 * n;
 }
@@ -313,13 +314,13 @@ int FixAgglomerates::pack_forward_comm(int n, int* list, double* buf, int, int*)
 void FixAgglomerates::unpack_forward_comm(int n, int first, double* buf) {
   for (int i = 0; i < n; i++) {
     label[first + i] = buf[4 * i];
-    std::copy_n(buf + 4 * i + 1, 3, place[first + i]);
+    std::copy_n(buf + 4 * i + 1, 3, position[first + i]);
   }
 }
 
 void FixAgglomerates::grow_arrays(int nmax) {
   memory->grow(label, nmax, "agglomerates:label");
-  memory->grow(place, nmax, 3, "agglomerates:place");
+  memory->grow(position, nmax, 3, "agglomerates:position");
   memory->grow(id_and_size, nmax, 2, "agglomerates:id_and_size");
   memory->grow(since, nmax, "agglomerates:since");
   array_atom = id_and_size;

@@ -12,8 +12,8 @@ FixStyle(agglomerates,FixAgglomerates);
 #include <vector>
 
 #include "agglomerates/disjoint_sets.h"
+#include "agglomerates/fragment.h"
 #include "agglomerates/membership.h"
-#include "agglomerates/piece.h"
 #include "agglomerates/size_statistics.h"
 #include "bound_pairs.h"
 #include "engine_api.h"
@@ -23,10 +23,10 @@ namespace LAMMPS_NS {
 /// fix ID group agglomerates N ...: connected sets of bound particles, their sizes and how long
 /// particles belong to one. Doc: docs/lammps-package/fix_agglomerates.md
 ///
-/// Every rank joins the pairs it has; then the smallest label and the place of the first particle
-/// go from owners to ghosts and through the bonds until nothing changes. Sums of an agglomerate are
-/// put together on the rank that its label belongs to, and the size goes back; no rank sees them
-/// all.
+/// Every rank joins the bound pairs that it has into sets. Then the smallest label and the position
+/// of the first particle propagate from owners to ghosts and through the bonds until nothing
+/// changes. The fragments of an agglomerate are merged on the rank that its label belongs to, and
+/// its size is sent back; no rank has them all.
 class FixAgglomerates : public engine_api::StyleFix, public BoundPairsReader {
  public:
   FixAgglomerates(class LAMMPS*, int, char**);
@@ -59,25 +59,25 @@ class FixAgglomerates : public engine_api::StyleFix, public BoundPairsReader {
 
  private:
   void read_keywords(int, char**);
-  void find(double elapsed);
-  void connect();
-  bool take_over_labels();
-  std::vector<cohesion::agglomerates::Piece> own_pieces();
-  void note_sizes(const std::vector<double>&);
-  void sum_up(const std::vector<cohesion::agglomerates::Piece>&, double elapsed);
-  void note_durations();
+  void find_agglomerates(double elapsed);
+  void join_bound_pairs();
+  bool propagate_labels();
+  std::vector<cohesion::agglomerates::Fragment> own_fragments();
+  void store_sizes(const std::vector<double>&);
+  void compute_statistics(const std::vector<cohesion::agglomerates::Fragment>&, double elapsed);
+  void add_durations();
 
-  std::vector<imageint> listed_images;  // of own particles, when the list of neighbours was made
+  std::vector<imageint> list_images;  // of own particles, when the list of neighbours was made
   std::vector<const BoundPairs*> sources;
   std::vector<std::array<int, 2> > pairs;
   cohesion::agglomerates::DisjointSets sets;
   std::vector<int> bound;  // particles and ghosts with a partner
   std::vector<double> set_label, set_wraps;
-  std::vector<int> set_piece;                // of the sets with own particles, by their root
-  std::vector<cohesion::Vector3> set_shift;  // from a place in the box to the unfolded one
+  std::vector<int> set_fragment;  // index of the fragment of a set with own particles, by its root
+  std::vector<cohesion::Vector3> set_shift;  // from a position in the box to the unfolded one
 
   double* label;                              // per atom and ghost
-  double** place;                             // per atom and ghost: unfolded
+  double** position;                          // per atom and ghost: unfolded
   double** id_and_size;                       // per atom
   cohesion::agglomerates::Membership* since;  // per atom
 
@@ -88,7 +88,7 @@ class FixAgglomerates : public engine_api::StyleFix, public BoundPairsReader {
     cohesion::agglomerates::TimeWeightedSize size;
     double durations = 0.0, finished = 0.0;
   } totals;
-  bigint last_step;  // -1: has not looked yet
+  bigint last_step;  // the last sample; -1: none yet
   double number, particles, largest, group_size, gyration, unfolded, wrapping;
 };
 

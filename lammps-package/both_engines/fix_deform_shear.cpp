@@ -19,7 +19,7 @@
 #include "neighbor.h"
 #include "output.h"
 #include "shear/list_margin.h"
-#include "shear_companions.h"
+#include "shear_compatibility.h"
 #include "update.h"
 #include "variable.h"
 
@@ -28,8 +28,8 @@ using cohesion::shear::ImageShift;
 
 namespace {
 
-/// What the engine's fix is told: flow along x, gradient along y, velocities change across faces.
-/// It never moves the box; it keeps what Domain and others look for, and flips.
+/// The arguments of the engine's fix: flow along x, gradient along y, velocities change across
+/// faces. That fix never moves the box; it keeps what Domain and others look for, and flips.
 struct EngineArguments {
   static constexpr int count = 9;
   std::array<std::string, count> words;
@@ -57,15 +57,15 @@ FixDeformShear::FixDeformShear(LAMMPS* lammps, int narg, char** arg)
       given_rate(0.0),
       rate_variable(-1),
       profile(true),
-      own_rebuild(true),
+      nonaffine_rebuild(true),
       state(),
       lengths(0.0),
       tilt_after_flip(0.0),
       flipped_lengths(0),
-      listed_step(-1),
+      list_step(-1),
       engine_delay(0),
       engine_every(0),
-      in_hand(false) {
+      checks_suspended(false) {
   read_keywords(narg, arg);
   const std::string where = std::string("fix ") + id + " deform/shear";
   if (igroup != 0)
@@ -116,7 +116,7 @@ void FixDeformShear::read_keywords(int narg, char** arg) {
     } else {
       if (value != "nonaffine" && value != "engine")
         stop(lmp, FLERR, where, ": rebuild '", value, "'; valid ones: nonaffine, engine");
-      own_rebuild = value == "nonaffine";
+      nonaffine_rebuild = value == "nonaffine";
     }
   }
   if (!given.has("rate"))
@@ -130,13 +130,13 @@ int FixDeformShear::setmask() {
 }
 
 void FixDeformShear::init() {
-  refuse_what_it_cannot_go_with();
+  require_compatible_setup();
   find_rate();
   engine_api::BoxFix::init();
   h_rate[5] = shift_of(state.start_tilt, state.ly, state.lx).velocity(state.strain.rate);
 }
 
-void FixDeformShear::refuse_what_it_cannot_go_with() const {
+void FixDeformShear::require_compatible_setup() const {
   const std::string where = std::string("fix ") + id + " deform/shear";
   if (std::string(update->integrate_style).rfind("respa", 0) == 0)
     stop(lmp, FLERR, where, " moves the box once per step; use 'run_style verlet'");
@@ -146,7 +146,7 @@ void FixDeformShear::refuse_what_it_cannot_go_with() const {
   if (domain->xprd != state.lx || domain->yprd != state.ly || domain->yz != 0.0)
     stop(lmp, FLERR, where,
          ": the box has been changed since the fix was made; give the fix again");
-  refuse_companions(lmp, this, where);
+  require_compatible_fixes(lmp, this, where);
 }
 
 void FixDeformShear::find_rate() {
@@ -177,7 +177,7 @@ void FixDeformShear::setup_pre_exchange() {
   if (!state.begun) {
     strain = {0.0, now, rate_now(), update->dt};
     state.next_rate = strain.rate;
-    if (profile) lay_profile();
+    if (profile) add_profile();
     state.begun = 1;
   } else if (rate_variable < 0) {
     state.next_rate = given_rate;  // another one than that of a restart
@@ -186,14 +186,14 @@ void FixDeformShear::setup_pre_exchange() {
   h_rate[5] = shift.velocity(strain.rate);
 }
 
-/// The linear profile, zero in the middle of the box, on top of what the particles have; without
-/// net momentum.
-void FixDeformShear::lay_profile() {
+/// Adds the linear profile, zero in the middle of the box, to the velocities of the particles, and
+/// takes the net momentum away.
+void FixDeformShear::add_profile() {
   const cohesion::shear::BoxShear flow{state.strain.rate, middle_height(domain)};
   double mine[4] = {}, all[4];
   for (int i = 0; i < atom->nlocal; i++) {
     double* const v = atom->v[i];
-    v[0] += flow.at(atom->x[i][1]);
+    v[0] += flow.affine(atom->x[i][1]);
     const double m = atom->rmass ? atom->rmass[i] : atom->mass[atom->type[i]];
     for (int k = 0; k < 3; k++) mine[k] += m * v[k];
     mine[3] += m;
@@ -207,41 +207,41 @@ void FixDeformShear::lay_profile() {
                    flow.middle, ") to the velocities and took the net momentum away\n"));
 }
 
-/// The list that a run begins with exists; from here on this fix decides when the next is made.
+/// The list that a run begins with exists. From here on this fix decides when the next is made.
 void FixDeformShear::setup(int) {
-  if (!own_rebuild || in_hand || !neighbor->dist_check) return;
+  if (!nonaffine_rebuild || checks_suspended || !neighbor->dist_check) return;
   engine_delay = neighbor->delay;
   engine_every = neighbor->every;
   neighbor->delay = INT_MAX;
   neighbor->every = 1;
-  in_hand = true;
+  checks_suspended = true;
 }
 
 void FixDeformShear::post_run() {
-  if (!in_hand) return;
+  if (!checks_suspended) return;
   neighbor->delay = engine_delay;
   neighbor->every = engine_every;
-  in_hand = false;
+  checks_suspended = false;
 }
 
 void FixDeformShear::post_integrate() {
   auto& strain = state.strain;
   const bigint now = update->ntimestep;
   strain.continue_with(now - 1, state.next_rate, update->dt);
-  tilt(strain.at(now));
+  tilt_box(strain.at(now));
   const double next_rate = rate_now();
   // A particle outside the box must be put back before its image becomes faster: nothing may depend
   // on when lists are made.
   if (next_rate != state.next_rate) next_reneighbor = now;
   state.next_rate = next_rate;
-  if (in_hand && next_reneighbor != now) {
+  if (checks_suspended && next_reneighbor != now) {
     int mine = list_may_miss_a_pair(), any;
     MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
     if (any) next_reneighbor = now;
   }
 }
 
-void FixDeformShear::tilt(double gamma) {
+void FixDeformShear::tilt_box(double gamma) {
   const ImageShift shift = shift_of(state.start_tilt, state.ly, state.lx);
   h_rate[5] = shift.velocity(state.strain.rate);
   const double half = 0.5 * state.lx;
@@ -277,8 +277,8 @@ void FixDeformShear::pre_exchange() {
 
 bool FixDeformShear::list_may_miss_a_pair() const {
   const auto n = static_cast<std::size_t>(atom->nlocal);
-  if (listed_step != neighbor->lastcall || listed.count() != n) return true;
-  const cohesion::shear::BoxShear shear = shear_since(listed, domain);
+  if (list_step != neighbor->lastcall || displacements.count() != n) return true;
+  const cohesion::shear::BoxShear shear = shear_since(displacements, domain);
   // Lists with a longer range of their own need ghosts from as far, by comm_modify cutoff.
   const double reach = std::max(neighbor->cutneighmax, comm->cutghostuser);
   const double margin = cohesion::shear::list_margin(reach, reach - neighbor->skin, shear.amount);
@@ -286,21 +286,21 @@ bool FixDeformShear::list_may_miss_a_pair() const {
   const double* x = n > 0 ? atom->x[0] : nullptr;
   double farthest = 0.0;
   for (std::size_t i = 0; i < n; i++, x += 3)
-    farthest = std::max(farthest, listed.strayed_squared(i, {x[0], x[1], x[2]}, shear));
+    farthest = std::max(farthest, displacements.squared(i, {x[0], x[1], x[2]}, shear));
   return farthest > margin * margin;
 }
 
 void FixDeformShear::post_neighbor() {
-  listed_step = neighbor->lastcall;
-  if (!own_rebuild) return;
-  listed.begin(atom->nlocal > 0 ? atom->x[0] : nullptr, atom->nlocal, domain->xy);
+  list_step = neighbor->lastcall;
+  if (!nonaffine_rebuild) return;
+  displacements.set_reference(atom->nlocal > 0 ? atom->x[0] : nullptr, atom->nlocal, domain->xy);
 }
 
-/// The engine puts particles back into the box that a restart file finds outside, but leaves them
-/// their velocity.
+/// The engine wraps particles into the box that a restart file finds outside, but leaves them their
+/// velocity; so this fix wraps them before.
 void FixDeformShear::end_of_step() {
   if (!engine_api::writes_restart(output, update->ntimestep)) return;
-  put_into_box(atom, domain);
+  wrap_into_box(atom, domain);
   next_reneighbor = update->ntimestep + 1;
 }
 
@@ -321,16 +321,16 @@ void FixDeformShear::write_restart(FILE* fp) {
 }
 
 void FixDeformShear::restart(char* buf) {
-  State kept;
-  memcpy(&kept, buf, sizeof(State));
-  if (kept.lx != state.lx || kept.ly != state.ly)
-    stop(lmp, FLERR, "fix ", id, " deform/shear: the box of the restart was ", kept.lx, " by ",
-         kept.ly, ", it is now ", state.lx, " by ", state.ly,
+  State saved;
+  memcpy(&saved, buf, sizeof(State));
+  if (saved.lx != state.lx || saved.ly != state.ly)
+    stop(lmp, FLERR, "fix ", id, " deform/shear: the box of the restart was ", saved.lx, " by ",
+         saved.ly, ", it is now ", state.lx, " by ", state.ly,
          "; give the fix another ID to begin anew");
-  state = kept;
+  state = saved;
 }
 
 double FixDeformShear::memory_usage() {
   return engine_api::BoxFix::memory_usage() +
-         static_cast<double>(3 * sizeof(double) * listed.count());
+         static_cast<double>(3 * sizeof(double) * displacements.count());
 }

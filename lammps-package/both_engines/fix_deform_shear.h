@@ -11,8 +11,8 @@ FixStyle(deform/shear,FixDeformShear);
 #include <string>
 
 #include "engine_api.h"
+#include "shear/nonaffine_displacements.h"
 #include "shear/sheared_box.h"
-#include "shear/since_list.h"
 
 namespace LAMMPS_NS {
 
@@ -47,18 +47,18 @@ class FixDeformShear : public engine_api::BoxFix {
 
  private:
   void read_keywords(int, char**);
-  void refuse_what_it_cannot_go_with() const;
+  void require_compatible_setup() const;
   void find_rate();
   double rate_now();
-  void lay_profile();
-  void tilt(double);
+  void add_profile();
+  void tilt_box(double);
   bool list_may_miss_a_pair() const;
 
   double given_rate;
   std::string rate_name;  // of a variable; empty: the rate is the number
   int rate_variable;
-  bool profile;      // whether to lay the linear profile over the velocities when shear begins
-  bool own_rebuild;  // whether lists are made new by the motion beyond the shear
+  bool profile;            // whether to add the linear profile to the velocities when shear begins
+  bool nonaffine_rebuild;  // whether the nonaffine displacements decide when lists are made
 
   struct State {
     cohesion::shear::BoxStrain strain;
@@ -70,10 +70,11 @@ class FixDeformShear : public engine_api::BoxFix {
   double tilt_after_flip;
   int flipped_lengths;  // by the flip that is due; 0: none is
 
-  cohesion::shear::SinceList listed;  // the owned particles
-  bigint listed_step;
-  int engine_delay, engine_every;  // of neigh_modify, while this fix has it in hand
-  bool in_hand;
+  // Of the own particles since the list was made.
+  cohesion::shear::NonaffineDisplacements displacements;
+  bigint list_step;
+  int engine_delay, engine_every;  // of neigh_modify, while checks_suspended
+  bool checks_suspended;           // the engine's checks of the list, which this fix makes instead
 };
 
 }  // namespace LAMMPS_NS

@@ -62,9 +62,9 @@ void FixGasCoupling::init() {
                               .c_str());
 }
 
-/// The drag of a step depends on all other forces of that step, so they must be there already:
-/// which fixes put on some afterwards, in words. Those that hold particles or keep them in a plane
-/// take forces away, the gas's too; those of heat put on none.
+/// Returns a list, in words, of the fixes that add forces after this one. The drag of a step
+/// depends on all other forces of that step, so they must be there already. Those that hold
+/// particles or keep them in a plane take forces away, the gas's too; those of heat put on none.
 std::string FixGasCoupling::unseen_fixes() const {
   const std::set<std::string> allowed{
       "enforce2d", "planeforce",  "lineforce", "freeze",
@@ -79,9 +79,9 @@ std::string FixGasCoupling::unseen_fixes() const {
   return found;
 }
 
-/// Which components of the force of which particles fixes setforce behind this one set: neither
-/// gravity nor gas acts along them. Told by letting the fixes act on a force that nobody sets.
-std::vector<bool> FixGasCoupling::set_behind() {
+/// Returns which components of the force of which particles fixes setforce behind this one set:
+/// neither gravity nor gas acts along them. The fixes are let act on a force that nobody sets.
+std::vector<bool> FixGasCoupling::components_set_afterwards() {
   constexpr double untouched = std::numeric_limits<double>::min();
   std::vector<double> forces(3 * atom->nlocal, untouched);
   double* const f = forces.empty() ? nullptr : atom->f[0];
@@ -98,7 +98,7 @@ std::vector<bool> FixGasCoupling::set_behind() {
 void FixGasCoupling::find_gravity() {
   std::fill_n(gravity, 3, std::numeric_limits<double>::max());
   std::fill_n(gravity + 3, 3, std::numeric_limits<double>::lowest());
-  const std::vector<bool> set = set_behind();
+  const std::vector<bool> set = components_set_afterwards();
   for (const auto& [i, given] : engine_api::gravity_of_mobile(lmp, groupbit)) {
     const double acceleration[3] = {given.x, given.y, given.z};
     for (int k = 0; k < 3; k++) {
@@ -109,13 +109,13 @@ void FixGasCoupling::find_gravity() {
   }
 }
 
-// A set-up puts the forces of the step around here on, which a previous run has recorded:
-// velocities have then had half of them.
-void FixGasCoupling::setup(int) { put_on_forces(true); }
+// A set-up applies the forces of the step around it, which a previous run has recorded: velocities
+// have then had half of them.
+void FixGasCoupling::setup(int) { apply_forces(true); }
 
-void FixGasCoupling::post_force(int) { put_on_forces(false); }
+void FixGasCoupling::post_force(int) { apply_forces(false); }
 
-void FixGasCoupling::put_on_forces(bool setting_up) {
+void FixGasCoupling::apply_forces(bool setting_up) {
   const double dt = update->dt;
   std::fill_n(force, 6, 0.0);
   for (int i = 0; i < atom->nlocal; i++) {
@@ -161,7 +161,7 @@ void* FixGasCoupling::extract(const char* name, int& dimension) {
   return nullptr;
 }
 
-/// Force of drag (1-3) and of the pressure gradient (4-6) on all particles.
+/// Returns the force of drag (1-3) and of the pressure gradient (4-6) on all particles, [force].
 double FixGasCoupling::compute_vector(int n) {
   double all = 0.0;
   MPI_Allreduce(&force[n], &all, 1, MPI_DOUBLE, MPI_SUM, world);

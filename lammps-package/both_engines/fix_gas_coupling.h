@@ -17,8 +17,8 @@ FixStyle(gas/coupling,FixGasCoupling);
 namespace LAMMPS_NS {
 
 /// fix gas/coupling: the gas as each particle feels it. A gas solver sets it through
-/// extract(); the fix holds it until it is set again, moves it with the particles and puts the
-/// forces on in every step, with the particle's own velocity. The laws are in
+/// extract(); the fix keeps it until it is set again, moves it with the particles and applies the
+/// forces in every step, with the particle's own velocity. The laws are in
 /// src/drag/particle_drag.h; doc: docs/lammps-package/fix_gas_coupling.md
 class FixGasCoupling : public Fix {
  public:
@@ -47,9 +47,9 @@ class FixGasCoupling : public Fix {
   cohesion::drag::GasOnParticle& gas(int i) {
     return *reinterpret_cast<cohesion::drag::GasOnParticle*>(rows[i]);
   }
-  void put_on_forces(bool setting_up);
+  void apply_forces(bool setting_up);
   std::string unseen_fixes() const;
-  std::vector<bool> set_behind();
+  std::vector<bool> components_set_afterwards();
   void find_gravity();
 
   double** rows;      // per atom, a GasOnParticle

@@ -18,14 +18,14 @@ using cohesion::Vector3;
 
 namespace {
 
-// Over the smaller diameter: what the law of a spring is meant for stays below.
+// Overlap over the smaller diameter: what the law of a spring is meant for stays below.
 constexpr double DEEP = 0.01;
 
 struct DeepestContact {
   int i = -1, partner = -1;
   double overlap = -std::numeric_limits<double>::infinity();  // over the smaller diameter
 
-  void look_at(const Atom* atom, int a, int b) {
+  void consider(const Atom* atom, int a, int b) {
     const double distance = norm(vector(atom->x[b]) - vector(atom->x[a]));
     const double ra = atom->radius[a], rb = atom->radius[b];
     const double found = (ra + rb - distance) / (2.0 * std::min(ra, rb));
@@ -36,11 +36,12 @@ struct DeepestContact {
 DeepestContact deepest_contact_of(const Atom* atom, int i) {
   DeepestContact deepest;
   for (int j = 0; j < atom->nlocal + atom->nghost; j++)
-    if (j != i) deepest.look_at(atom, i, j);
+    if (j != i) deepest.consider(atom, i, j);
   return deepest;
 }
 
-/// Of all, sorted along x: those further apart there than two radii do not touch.
+/// The deepest contact of all particles. They are sorted along x: those farther apart there than
+/// two radii do not touch.
 DeepestContact deepest_contact(const Atom* atom) {
   std::vector<int> sorted(atom->nlocal + atom->nghost);
   std::iota(sorted.begin(), sorted.end(), 0);
@@ -53,7 +54,7 @@ DeepestContact deepest_contact(const Atom* atom) {
     for (std::size_t b = a + 1; b < sorted.size(); b++) {
       const int i = sorted[a], j = sorted[b];
       if (atom->x[j][0] - atom->x[i][0] > atom->radius[i] + largest) break;
-      deepest.look_at(atom, i, j);
+      deepest.consider(atom, i, j);
     }
   return deepest;
 }
@@ -86,7 +87,7 @@ std::string LAMMPS_NS::report_fastest(const LAMMPS* lmp) {
   double most = -1.0;
   for (int i = 0; i < atom->nlocal + atom->nghost; i++) {
     Vector3 v = vector(atom->v[i]);
-    v.x = flow.beyond(v.x, atom->x[i][1]);
+    v.x = flow.nonaffine(v.x, atom->x[i][1]);
     if (dot(v, v) <= most) continue;
     most = dot(v, v);
     fastest = i;

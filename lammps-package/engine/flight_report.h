@@ -6,13 +6,12 @@
 
 namespace LAMMPS_NS {
 
-/// What a message says of a particle or ghost of this rank that flies too far in a step: which it
-/// is, where, how fast; and into whom it is pressed, if that is deep enough to be the reason, or
-/// else which two of the rank are pressed deepest.
-/// Searches all particles of the rank: for errors alone.
+/// Describes for a message a particle or ghost of this rank that flies too far in a step: which it
+/// is, where, how fast; and which particle it overlaps, if that is deep enough to be the reason, or
+/// else which two of the rank overlap most. Searches all particles of the rank: for errors alone.
 std::string report_flight(const class LAMMPS*, int i);
 
-/// The same of the fastest, particles and ghosts, beyond the mean flow of a sheared box.
+/// Describes the fastest particle or ghost, by its velocity beyond the mean flow of a sheared box.
 std::string report_fastest(const class LAMMPS*);
 
 }  // namespace LAMMPS_NS

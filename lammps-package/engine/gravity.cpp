@@ -15,19 +15,19 @@ using namespace LAMMPS_NS;
 
 namespace {
 
-/// Which computes have been invoked in this step, kept while a fix that is let act forgets it: one
-/// with a variable begins its own count. Who asks for the weights would not ask in time for the
-/// computes of its next step.
-class Invoked {
+/// Saves which computes have been invoked in this step, and restores it at the end of its life: a
+/// fix gravity with a variable that is let act clears these flags. Whoever asks for the weights
+/// would otherwise not ask in time for the computes of its next step.
+class SavedInvokedFlags {
  public:
-  explicit Invoked(Modify* modify) : modify_(modify) {
+  explicit SavedInvokedFlags(Modify* modify) : modify_(modify) {
     for (int k = 0; k < modify->ncompute; k++) flags_.push_back(modify->compute[k]->invoked_flag);
   }
-  ~Invoked() {
+  ~SavedInvokedFlags() {
     for (int k = 0; k < modify_->ncompute; k++) modify_->compute[k]->invoked_flag = flags_[k];
   }
-  Invoked(const Invoked&) = delete;
-  Invoked& operator=(const Invoked&) = delete;
+  SavedInvokedFlags(const SavedInvokedFlags&) = delete;
+  SavedInvokedFlags& operator=(const SavedInvokedFlags&) = delete;
 
  private:
   Modify* modify_;
@@ -37,7 +37,7 @@ class Invoked {
 }  // namespace
 
 std::vector<double> LAMMPS_NS::weights(LAMMPS* lmp) {
-  const Invoked invoked(lmp->modify);
+  const SavedInvokedFlags saved(lmp->modify);
   const int count = 3 * lmp->atom->nlocal;
   std::vector<double> weight(count, 0.0);
   double* const f = count > 0 ? lmp->atom->f[0] : nullptr;

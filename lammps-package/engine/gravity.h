@@ -8,9 +8,9 @@
 
 namespace LAMMPS_NS {
 
-/// What the fixes gravity of this step put on the particles of this rank, [force], three numbers
-/// each. The fixes do not tell their acceleration: they are let act on forces that are zero, which
-/// are put back.
+/// Returns the weights of the particles of this rank, the forces of the fixes gravity in this step,
+/// [force], three numbers each. The fixes do not give their acceleration: they are let act on
+/// forces that are zero, and the forces are restored.
 std::vector<double> weights(LAMMPS*);
 
 }  // namespace LAMMPS_NS

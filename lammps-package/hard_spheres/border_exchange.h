@@ -8,10 +8,10 @@
 
 namespace LAMMPS_NS {
 
-/// Brings news of particles from their owners to the processes that have said they need them.
+/// Sends data of particles from the processes that own them to those that have requested them.
 ///
-/// A process asks for particles by owner and index there; request number n of a process towards an
-/// owner is the n-th answer slot on both sides.
+/// A process requests particles by owner and index there; its request number n to an owner is slot
+/// n of the messages between both.
 class BorderExchange {
  public:
   explicit BorderExchange(MPI_Comm world) : world_(world) {}
@@ -19,43 +19,44 @@ class BorderExchange {
   struct Request {
     int owner;
     int index;  ///< of the particle on its owner
-    int local;  ///< what the asking process calls it
+    int local;  ///< number of the particle on the process that requests it
   };
-  /// Who needs an own particle, and its slot there.
+  /// A process that has requested an own particle, and the slot of the particle there.
   struct Follower {
     int peer;  ///< index into peers()
     int slot;
   };
 
-  /// Collective. `owned`: number of own particles.
+  /// Collective: replaces the requests. `owned`: number of own particles.
   void plan(const std::vector<Request>&, int owned);
 
-  /// Processes that need something of this one or the reverse.
+  /// The processes that have requested particles of this one, or the reverse.
   const std::vector<int>& peers() const { return peers_; }
   const std::vector<Follower>& followers(int index) const { return followers_[index]; }
-  /// Own particles that a peer follows, by slot.
-  const std::vector<int>& told(int peer) const { return told_[peer]; }
-  int local(int peer, int slot) const { return asked_[peer][slot]; }
+  /// The own particles that a peer has requested, by slot.
+  const std::vector<int>& followed_by(int peer) const { return followed_[peer]; }
+  /// The number here of the particle in a slot of a peer.
+  int local(int peer, int slot) const { return requested_[peer][slot]; }
 
-  /// Sends `out[peer]` to each peer; `in[peer]` is what came from it.
+  /// Collective among peers: sends `out[peer]` to each peer and receives `in[peer]` from it.
   template <class Item>
-  void swap(const std::vector<std::vector<Item> >& out, std::vector<std::vector<Item> >& in);
+  void exchange(const std::vector<std::vector<Item> >& out, std::vector<std::vector<Item> >& in);
 
  private:
-  /// Of the messages of swap(). Neither side sends others to a peer meanwhile: every process waits
-  /// in swap() for all of its peers.
+  /// The tag of the messages of exchange(). Neither side sends others to a peer meanwhile: every
+  /// process waits in exchange() for all of its peers.
   static constexpr int TAG = 0;
 
   MPI_Comm world_;
   std::vector<int> peers_;
-  std::vector<std::vector<int> > asked_;           // by peer: local names by slot
-  std::vector<std::vector<int> > told_;            // by peer: own particles by slot
+  std::vector<std::vector<int> > requested_;       // by peer: local names by slot
+  std::vector<std::vector<int> > followed_;        // by peer: own particles by slot
   std::vector<std::vector<Follower> > followers_;  // by own particle
 };
 
 template <class Item>
-void BorderExchange::swap(const std::vector<std::vector<Item> >& out,
-                          std::vector<std::vector<Item> >& in) {
+void BorderExchange::exchange(const std::vector<std::vector<Item> >& out,
+                              std::vector<std::vector<Item> >& in) {
   const int n = static_cast<int>(peers_.size());
   in.resize(n);
   std::vector<MPI_Request> sent(n);

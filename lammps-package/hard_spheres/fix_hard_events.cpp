@@ -27,10 +27,10 @@ using cohesion::Vector3;
 
 static constexpr char ID[] = "COHESION_HARD_EVENTS";
 static constexpr int ORIGIN = 5;
-// Share of a distance by which a ghost's own position may be off, with room: boxes of up to 1e6
+// Fraction of a distance by which a ghost's own position may be off, with room: boxes of up to 1e6
 // diameters.
-static constexpr double NEARLY = 1e-9;
-// Overlap that is told of: of a distance, above what a data file's decimals leave.
+static constexpr double TOLERANCE = 1e-9;
+// Overlap that is warned of, as a fraction of a distance: above what a data file's decimals leave.
 static constexpr double OVERLAP = 1e-6;
 static constexpr int FIXED_BOUNDARY = 1;  // Domain::boundary
 
@@ -43,10 +43,10 @@ static void put(const Vector3& a, double* to) {
 FixHardEvents::FixHardEvents(LAMMPS* lammps, int narg, char** arg)
     : Fix(lammps, narg, arg),
       pair_(nullptr),
-      agreement_(lammps, order_),
+      time_warp_(lammps, simulation_),
       origin_(nullptr),
       outside_(nullptr),
-      farthest_(0.0),
+      farthest_squared_(0.0),
       warned_(false) {
   comm_forward = ORIGIN;
   create_attribute = 1;
@@ -105,17 +105,17 @@ void FixHardEvents::init() {
       wall_.push_back({walls, w});
   }
   if (!record_) record_ = std::make_unique<HardEventRecord>(lmp, pair_->record_file());
-  order_.rules = pair_->rules();
-  order_.rules.reports = comm->nprocs > 1;
-  order_.laws = pair_->laws();
+  simulation_.rules = pair_->rules();
+  simulation_.rules.distributed = comm->nprocs > 1;
+  simulation_.laws = pair_->laws();
   for (const HardWalls* walls : walls_)
     for (int type = 0; type <= atom->ntypes; type++)
-      order_.laws.push_back(type == 0 ? Law{} : walls->law_of_type(type));
+      simulation_.laws.push_back(type == 0 ? Law{} : walls->law_of_type(type));
 }
 
-/// A particle whose straight flight leads through a wall into the outside of the box would be lost
-/// before its event turns it round: until then it waits at the boundary. One that was outside
-/// before the step is lost as in any run.
+/// Keeps particles at the boundary whose free flight leads through a wall out of the box, until
+/// their event turns them round: they would be lost before. One that was outside before the step is
+/// lost as in any run.
 void FixHardEvents::pre_exchange() {
   for (int axis = 0; axis < 3; axis++)
     for (int i = 0; domain->periodicity[axis] && i < atom->nlocal; i++)
@@ -142,22 +142,23 @@ void FixHardEvents::pre_exchange() {
   }
 }
 
-/// Nothing has moved: the run starts here.
+/// The run starts here: nothing has moved.
 void FixHardEvents::setup_pre_force(int) {
-  order_.begin_step(0.0);
-  round_places();
-  connect();
-  tell_of_overlaps();
+  simulation_.begin_step(0.0);
+  round_positions();
+  set_up_candidates();
+  warn_of_overlaps();
   next_reneighbor = update->ntimestep + 1;
 }
 
-/// Cores that overlap part as soon as they move apart, but their energy is nobody's.
-void FixHardEvents::tell_of_overlaps() const {
-  double mine[2] = {0.0, 0.0}, all[2];  // number, deepest as a share of the distance
-  for (int n = 0; n < static_cast<int>(order_.links.size()); n++) {
-    const Link& link = order_.links[n];
-    const double overlap = 1.0 - order_.distance_at_start(n) / link.at.core;
-    if (overlap < OVERLAP || link.i >= atom->nlocal) continue;
+/// Warns of cores that overlap. They part as soon as they move apart, but no event accounts for
+/// their energy.
+void FixHardEvents::warn_of_overlaps() const {
+  double mine[2] = {0.0, 0.0}, all[2];  // number, deepest as a fraction of the distance
+  for (int n = 0; n < static_cast<int>(simulation_.candidates.size()); n++) {
+    const CandidatePair& candidate = simulation_.candidates[n];
+    const double overlap = 1.0 - simulation_.distance_at_start(n) / candidate.surfaces.core;
+    if (overlap < OVERLAP || candidate.i >= atom->nlocal) continue;
     mine[0] += 1.0;
     mine[1] = std::max(mine[1], overlap);
   }
@@ -172,20 +173,20 @@ void FixHardEvents::tell_of_overlaps() const {
         static_cast<bigint>(all[0]), all[1]);
 }
 
-/// A run that goes on from a restart file begins with particles in the box and makes its list anew
-/// in its first step. A run that writes one does the same, so that both put particles back into the
+/// Does in the step of a restart file what a run does that continues from it: that begins with
+/// particles in the box and makes its list anew in its first step. So both wrap particles into the
 /// box at the same times and round alike.
 void FixHardEvents::match_restart() {
   if (update->ntimestep != output->next_restart) return;
-  put_into_box(atom, domain);
-  round_places();
+  wrap_into_box(atom, domain);
+  round_positions();
   next_reneighbor = update->ntimestep + 1;
 }
 
-/// In a tilted box a run begins with places that the engine has carried to the box's own
-/// coordinates and back, once more than where the file was written: some roundings, each a few
-/// 2^-53 of the box. Rounded to 2^-44 of it both are the same again.
-void FixHardEvents::round_places() {
+/// Rounds positions in a tilted box. A run begins there with positions that the engine has
+/// transformed to the box's own coordinates and back, once more than where the file was written:
+/// some roundings, each a few 2^-53 of the box. Rounded to 2^-44 of it both are the same again.
+void FixHardEvents::round_positions() {
   if (!domain->triclinic) return;
   const double unit = std::ldexp(1.0, std::ilogb(std::max(domain->prd[0], domain->prd[1])) - 44);
   for (int i = 0; i < atom->nlocal; i++)
@@ -193,16 +194,17 @@ void FixHardEvents::round_places() {
 }
 
 void FixHardEvents::pre_force(int) {
-  order_.begin_step(update->dt);
-  farthest_ = 0.0;
+  simulation_.begin_step(update->dt);
+  farthest_squared_ = 0.0;
   if (neighbor->ago == 0)
-    connect();
+    set_up_candidates();
   else
-    load();
+    load_flights();
   const bool alone = comm->nprocs == 1;
   long counts[2] = {0, 0}, all[2] = {0, 0};
-  for (int n = 0; n < static_cast<int>(order_.links.size()); n++)
-    counts[0] += shared(order_.links[n]) ? order_.may_meet(n, NEARLY) : order_.predict(n);
+  for (int n = 0; n < static_cast<int>(simulation_.candidates.size()); n++)
+    counts[0] += with_remote_body(simulation_.candidates[n]) ? simulation_.may_meet(n, TOLERANCE)
+                                                             : simulation_.predict(n);
   counts[1] = !warned_ && totals_.elastic > 0.0;
   if (alone)
     std::copy_n(counts, 2, all);
@@ -217,100 +219,104 @@ void FixHardEvents::pre_force(int) {
                      "compute hard/events counts them");
   }
   if (all[0] > 0) {
-    follow(all[0]);
-    store();
-    record_->write(order_);
+    run_events(all[0]);
+    store_results();
+    record_->write(simulation_);
     comm->forward_comm();
   }
-  check_reach();
+  check_list();
   match_restart();
 }
 
 /* ---------------------------------------------------------------------- */
 
-/// The flights of this step. Those of other processes' particles are as the ghosts tell them, which
-/// is right but for round-off.
-void FixHardEvents::load() {
-  place_images();
+/// Sets the flights of this step. Those of remote particles come from their ghosts, which are right
+/// but for round-off.
+void FixHardEvents::load_flights() {
+  update_images();
   for (int i = 0; i < atom->nlocal; i++)
-    order_.bodies[i].flight = {
+    simulation_.bodies[i].flight = {
         vector(atom->x[i]), vector(atom->v[i]), 0.0, vector(atom->omega[i]), 0, 0};
-  for (const Foreign& known : foreign_) {
-    const int g = known.ghost;
-    const Image& image = order_.images[known.image];
-    order_.bodies[known.body].flight = {vector(atom->x[g]) - image.displacement,
-                                        vector(atom->v[g]) - image.velocity,
-                                        0.0,
-                                        vector(atom->omega[g]),
-                                        0,
-                                        0};
+  for (const RemoteParticle& remote : remote_) {
+    const int g = remote.ghost;
+    const Image& image = simulation_.images[remote.image];
+    simulation_.bodies[remote.body].flight = {vector(atom->x[g]) - image.displacement,
+                                              vector(atom->v[g]) - image.velocity,
+                                              0.0,
+                                              vector(atom->omega[g]),
+                                              0,
+                                              0};
   }
   for (std::size_t n = 0; n < wall_.size(); n++)
-    order_.walls[n] = wall_[n].first->over_step(wall_[n].second);
+    simulation_.walls[n] = wall_[n].first->over_step(wall_[n].second);
 }
 
-/// Carries out the events of the step.
-void FixHardEvents::follow(long candidates) {
+/// Executes the events of the step.
+void FixHardEvents::run_events(long expected_events) {
   if (comm->nprocs == 1) {
-    order_.sort();
-    order_.run(update->dt);
+    simulation_.order_queue();
+    simulation_.run(update->dt);
   } else {
-    agreement_.load_borders();
-    agreement_.follow(candidates);
+    time_warp_.load_borders();
+    time_warp_.run_step(expected_events);
   }
-  if (order_.overrun() >= 0) stop_at_limit();
+  if (simulation_.overrun() >= 0) stop_at_limit();
 }
 
 void FixHardEvents::stop_at_limit() const {
-  const Link& link = order_.links[order_.overrun()];
-  const Body& a = order_.bodies[link.i];
-  const auto tag_j = link.of_wall() ? static_cast<std::int64_t>(link.j) : order_.bodies[link.j].tag;
+  const CandidatePair& candidate = simulation_.candidates[simulation_.overrun()];
+  const Body& a = simulation_.bodies[candidate.i];
+  const auto tag_j = candidate.with_wall() ? static_cast<std::int64_t>(candidate.j)
+                                           : simulation_.bodies[candidate.j].tag;
   error->one(FLERR,
              "pair_style hard/square_well: more than {} events of one particle in step {}, at "
              "particles {} and {} (negative: a wall); they had {} and {}. Particles are pressed "
              "together: use a smaller time step, keyword contact_time, or a larger limit",
-             order_.rules.limit, update->ntimestep, a.tag, tag_j, a.flight.events,
-             link.of_wall() ? 0 : order_.bodies[link.j].flight.events);
+             simulation_.rules.limit, update->ntimestep, a.tag, tag_j, a.flight.events,
+             candidate.with_wall() ? 0 : simulation_.bodies[candidate.j].flight.events);
 }
 
-/// What the events changed goes to the engine's arrays, to histories and sums.
-void FixHardEvents::store() {
-  for (const Event& event : order_.events) {
-    const Link& link = order_.links[event.link];
-    for (const int body : {link.i, link.j}) {
+/// Writes what the events have changed to the engine's arrays, to histories and sums.
+void FixHardEvents::store_results() {
+  for (const Event& event : simulation_.events) {
+    const CandidatePair& candidate = simulation_.candidates[event.candidate];
+    for (const int body : {candidate.i, candidate.j}) {
       if (body < 0 || body >= atom->nlocal) continue;
-      const Flight& now = order_.bodies[body].flight;
+      const Flight& now = simulation_.bodies[body].flight;
       put(now.end, atom->x[body]);
       put(now.velocity, atom->v[body]);
       put(now.spin, atom->omega[body]);
-      totals_.busiest = std::max(totals_.busiest, static_cast<double>(now.events));
+      totals_.most_events = std::max(totals_.most_events, static_cast<double>(now.events));
       const double left = update->dt - event.key.time;
-      const Vector3 place = body == link.i ? event.place : event.place + event.separation;
-      if (body == link.i || link.image == 0)
-        stray(body, place, left);
+      const Vector3 position =
+          body == candidate.i ? event.position : event.position + event.separation;
+      if (body == candidate.i || candidate.image == 0)
+        track_displacement(body, position, left);
       else
-        stray(body, place - order_.images[link.image].at(left), left);
+        track_displacement(body, position - simulation_.images[candidate.image].at(left), left);
     }
-    keep(event.link);
-    if (link.i < atom->nlocal) totals_.add(event, link.of_wall());
+    store_inside(event.candidate);
+    if (candidate.i < atom->nlocal) totals_.add(event, candidate.with_wall());
   }
 }
 
-/// A particle is at `place`, `left` before the end of the step: how far it came beyond the shear.
-void FixHardEvents::stray(int i, const Vector3& place, double left) {
-  farthest_ =
-      std::max(farthest_, listed_.strayed_squared(i, place, shear_since(listed_, domain, left)));
+/// Notes the nonaffine displacement of particle i, which is at `position`, `left` before the end of
+/// the step.
+void FixHardEvents::track_displacement(int i, const Vector3& position, double left) {
+  farthest_squared_ =
+      std::max(farthest_squared_,
+               displacements_.squared(i, position, shear_since(displacements_, domain, left)));
 }
 
-/// Whether the list of neighbours still holds all pairs that may have met.
-void FixHardEvents::check_reach() {
-  for (int i = 0; i < atom->nlocal; i++) stray(i, vector(atom->x[i]), 0.0);
+/// Stops when the list of neighbours may have missed a pair.
+void FixHardEvents::check_list() {
+  for (int i = 0; i < atom->nlocal; i++) track_displacement(i, vector(atom->x[i]), 0.0);
   const double extra = pair_->list_reach() + neighbor->skin;
-  const double largest = std::max(std::abs(shear_since(listed_, domain).amount),
-                                  std::abs(shear_since(listed_, domain, update->dt).amount));
+  const double largest = std::max(std::abs(shear_since(displacements_, domain).amount),
+                                  std::abs(shear_since(displacements_, domain, update->dt).amount));
   const double margin =
       cohesion::shear::list_margin(neighbor->cutneighmax, neighbor->cutneighmax - extra, largest);
-  const double flown = std::sqrt(farthest_);
+  const double flown = std::sqrt(farthest_squared_);
   if (flown <= margin) return;
   error->one(FLERR,
              "pair_style hard/square_well: in step {} particles are up to {} away from where they "
@@ -353,7 +359,7 @@ int FixHardEvents::unpack_exchange(int i, double* buf) {
 
 double FixHardEvents::memory_usage() {
   return static_cast<double>((ORIGIN + 3) * sizeof(double)) * atom->nmax +
-         static_cast<double>(sizeof(Body) * order_.bodies.size() +
-                             (sizeof(Link) + sizeof(Slots) + 2 * sizeof(int)) *
-                                 order_.links.size());
+         static_cast<double>(sizeof(Body) * simulation_.bodies.size() +
+                             (sizeof(CandidatePair) + sizeof(HistorySlots) + 2 * sizeof(int)) *
+                                 simulation_.candidates.size());
 }

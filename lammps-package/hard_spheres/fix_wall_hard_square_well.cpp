@@ -48,9 +48,9 @@ void FixWallHardSquareWell::read(int narg, char** arg) {
     const std::string word = arg[at];
     if (word == "well" && at + 1 < narg && strcmp(arg[at + 1], "off") == 0) {
       given.note(1, arg + at);
-      given_.well_given = true;
+      contact_.well_given = true;
       at += 2;
-    } else if (const int taken = read_hard_keyword(lmp, where_, at, narg, arg, given_, given)) {
+    } else if (const int taken = read_hard_keyword(lmp, where_, at, narg, arg, contact_, given)) {
       at += taken;
     } else if (const int wall = from_words.read(narg - at, arg + at)) {
       at += wall;
@@ -61,7 +61,7 @@ void FixWallHardSquareWell::read(int narg, char** arg) {
     }
   }
   from_words.finish();
-  require_valid(lmp, where_, given_, given);
+  require_valid(lmp, where_, contact_, given);
   walls_ = from_words.walls;
   motion_ = from_words.motion;
 }
@@ -99,12 +99,12 @@ const HardContact& FixWallHardSquareWell::pair_contact(int type) const {
 }
 
 double FixWallHardSquareWell::ratio(int type) const {
-  return given_.well_given ? given_.well.ratio_i : pair_contact(type).well.ratio_i;
+  return contact_.well_given ? contact_.well.ratio_i : pair_contact(type).well.ratio_i;
 }
 
 Law FixWallHardSquareWell::law_of_type(int type) const {
-  Law law = given_.law();
-  if (!given_.well_given) law.depth = PLANE_OVER_SPHERE * pair_contact(type).well.depth;
+  Law law = contact_.law();
+  if (!contact_.well_given) law.depth = PLANE_OVER_SPHERE * pair_contact(type).well.depth;
   return law;
 }
 

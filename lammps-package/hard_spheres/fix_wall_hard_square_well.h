@@ -17,9 +17,9 @@ FixStyle(wall/hard/square_well,FixWallHardSquareWell);
 
 namespace LAMMPS_NS {
 
-/// fix wall/hard/square_well: walls whose impulses take part in the order of events of pair_style
-/// hard/square_well. FixHardEvents carries them out; this fix holds what the script says and which
-/// particles are in the wells of the walls. Doc: docs/lammps-package/fix_wall_hard_square_well.md
+/// fix wall/hard/square_well: walls that take part in the event-driven simulation of pair_style
+/// hard/square_well. FixHardEvents runs it; this fix holds what the script says and which particles
+/// are in the wells of the walls. Doc: docs/lammps-package/fix_wall_hard_square_well.md
 class FixWallHardSquareWell : public Fix, public HardWalls {
  public:
   FixWallHardSquareWell(class LAMMPS*, int, char**);
@@ -56,7 +56,7 @@ class FixWallHardSquareWell : public Fix, public HardWalls {
   double ratio(int type) const;
 
   std::string where_;  // in front of messages
-  HardContact given_;
+  HardContact contact_;
   std::vector<cohesion::event_stepping::Wall> walls_;
   cohesion::event_stepping::WallMotion motion_;
   bigint time_origin_;

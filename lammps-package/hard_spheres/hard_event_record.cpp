@@ -37,11 +37,11 @@ HardEventRecord::~HardEventRecord() {
   if (file_) fclose(file_);
 }
 
-void HardEventRecord::write(const EventOrder& order) {
+void HardEventRecord::write(const EventSimulation& simulation) {
   if (!wanted_) return;
   std::vector<Line> mine;
-  for (const Event& event : order.events)
-    if (order.links[event.link].i < atom->nlocal)
+  for (const Event& event : simulation.events)
+    if (simulation.candidates[event.candidate].i < atom->nlocal)
       mine.push_back({event.key, static_cast<int>(event.impact.kind), event.elastic});
 
   const int bytes = static_cast<int>(mine.size() * sizeof(Line));

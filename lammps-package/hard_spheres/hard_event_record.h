@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <string>
 
-#include "hard_sphere/event_order.h"
+#include "hard_sphere/event_simulation.h"
 #include "pointers.h"
 
 namespace LAMMPS_NS {
@@ -20,7 +20,7 @@ class HardEventRecord : protected Pointers {
   HardEventRecord& operator=(const HardEventRecord&) = delete;
 
   /// Collective: the events of a step of all processes, in order.
-  void write(const cohesion::hard_sphere::EventOrder&);
+  void write(const cohesion::hard_sphere::EventSimulation&);
 
  private:
   bool wanted_;

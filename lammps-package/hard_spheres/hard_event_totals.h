@@ -10,8 +10,7 @@
 
 namespace LAMMPS_NS {
 
-/// Events of this process, summed by kind: what computes hard/events and
-/// hard/stress report.
+/// Sums over the events of this process by kind, which computes hard/events and hard/stress report.
 struct HardEventTotals {
   static constexpr int kinds = static_cast<int>(cohesion::hard_sphere::kind_names.size());
   enum Quantity { count, energy_change, impulse, virial, quantities };
@@ -20,8 +19,8 @@ struct HardEventTotals {
   std::array<ByKind, 2> sums{};                      ///< of pairs, of walls
   std::array<cohesion::MomentumFlux, kinds> flux{};  ///< of pairs: Event::momentum_flux()
   bool flux_wanted = false;
-  double elastic = 0.0;  ///< collisions made elastic against inelastic collapse
-  double busiest = 0.0;  ///< most events of one particle in one step
+  double elastic = 0.0;      ///< collisions made elastic against inelastic collapse
+  double most_events = 0.0;  ///< most events of one particle in one step
 
   void add(const cohesion::hard_sphere::Event& event, bool wall) {
     const auto kind = static_cast<std::size_t>(event.impact.kind);

@@ -24,8 +24,9 @@ using namespace LAMMPS_NS;
 using namespace cohesion::hard_sphere;
 using cohesion::Vector3;
 
-// Of the skin. Where the engine's own check keeps the list, particles may be half a skin away from
-// where they were; the events of the step then turn some away farther.
+// Reach of the list beyond the contact, as a fraction of the skin. Where the engine's own check
+// keeps the list, particles may be half a skin away from where they were; the events of the step
+// then turn some away farther.
 static constexpr double REACH = 0.25;
 static constexpr int LAYOUT = 2;  // of settings and HardContact in restart files
 
@@ -55,20 +56,20 @@ void PairHardSquareWell::allocate() {
   given_.make_room(types, setflag);
 }
 
-/// The events have been carried out; what is left is their virial, and the energy of the wells.
+/// Adds the virial of the events, which have been executed, and the energy of the wells.
 void PairHardSquareWell::compute(int eflag, int vflag) {
   ev_init(eflag, vflag);
   given_.require_taken("pair_style hard/square_well");
   if (neighbor->ago == 0) check_radii(lmp, "pair_style hard/square_well", largest_radius_);
   if (vflag_either) {
     const double per_time = -1.0 / update->dt;
-    for (const Event& event : events_->order().events) {
-      const Link& link = events_->order().links[event.link];
-      if (link.of_wall()) continue;
+    for (const Event& event : events_->simulation().events) {
+      const CandidatePair& candidate = events_->simulation().candidates[event.candidate];
+      if (candidate.with_wall()) continue;
       const auto on_i = per_time * event.impact.on_j;
       const auto& r = event.separation;
-      ev_tally_xyz(link.i, link.j, atom->nlocal, 0, 0.0, 0.0, on_i.x, on_i.y, on_i.z, -r.x, -r.y,
-                   -r.z);
+      ev_tally_xyz(candidate.i, candidate.j, atom->nlocal, 0, 0.0, 0.0, on_i.x, on_i.y, on_i.z,
+                   -r.x, -r.y, -r.z);
     }
   }
   if (!eflag_either) return;
@@ -83,7 +84,7 @@ void PairHardSquareWell::compute(int eflag, int vflag) {
   }
 }
 
-/// Bound are the pairs in the well.
+/// A pair is bound while it is in its well.
 void PairHardSquareWell::append_bound(std::vector<std::array<int, 2>>& pairs) const {
   for (int ii = 0; ii < list->inum; ii++) {
     const int i = list->ilist[ii];

@@ -14,7 +14,7 @@ PairStyle(hard/square_well,PairHardSquareWell);
 
 #include "bound_pairs.h"
 #include "hard_contact_from_script.h"
-#include "hard_sphere/event_order.h"
+#include "hard_sphere/event_simulation.h"
 #include "pair.h"
 #include "pair_history.h"
 #include "type_pair_table.h"
@@ -22,8 +22,8 @@ PairStyle(hard/square_well,PairHardSquareWell);
 namespace LAMMPS_NS {
 
 /// pair_style hard/square_well: hard spheres with square wells whose impulses act at their times
-/// within the step. The laws and the order of events are in src/hard_sphere and src/square_well;
-/// FixHardEvents carries them out. Doc: docs/lammps-package/pair_hard_square_well.md
+/// within the step. The laws and the event-driven simulation are in src/hard_sphere and
+/// src/square_well; FixHardEvents runs it. Doc: docs/lammps-package/pair_hard_square_well.md
 class PairHardSquareWell : public Pair, public BoundPairs {
  public:
   explicit PairHardSquareWell(class LAMMPS*);
@@ -41,23 +41,24 @@ class PairHardSquareWell : public Pair, public BoundPairs {
   void append_bound(std::vector<std::array<int, 2> >&) const override;
   void append_held(std::vector<std::array<int, 2> >&) const override;
 
-  const cohesion::hard_sphere::OrderRules& rules() const { return rules_; }
+  const cohesion::hard_sphere::EventRules& rules() const { return rules_; }
   const std::string& record_file() const { return record_file_; }
-  /// Of each pair 1 number: whether it is in its well.
+  /// One number for each pair: whether it is in its well.
   const PairHistory& history() const { return history_; }
   int of_types(int i, int j) const { return given_.number(i, j); }
-  /// By of_types().
+  /// The laws of all pairs of types, by of_types().
   std::vector<cohesion::hard_sphere::Law> laws() const;
   const HardContact& contact_of_types(int i, int j) const { return given_(i, j); }
   cohesion::hard_sphere::Surfaces surfaces(int i, int j) const;
-  /// How much farther than the range of contact a pair is in the list, besides the skin.
+  /// How far beyond the range of a contact the list of neighbours reaches, besides the skin,
+  /// [length].
   double list_reach() const;
 
  private:
   void allocate();
   void give(int i, int j, const HardContact&);
 
-  cohesion::hard_sphere::OrderRules rules_;
+  cohesion::hard_sphere::EventRules rules_;
   std::string record_file_;
   TypePairTable<HardContact> given_;
   std::vector<double> largest_radius_;

@@ -10,17 +10,17 @@
 
 namespace LAMMPS_NS {
 
-/// What a script says about the impacts of two materials.
+/// The impacts of two materials as a script gives them.
 struct HardContact : cohesion::hard_sphere::ContactParameters {
-  bool well_given = false;  ///< a well, or none, in so many words
+  bool well_given = false;  ///< the script gives a well, or `well off`
 };
 
-/// Reads one keyword of `restitution e [friction mu] [well D ratio]` at arg[at]; gives the number
-/// of words it took, 0 when it is none of these.
+/// Reads one keyword of `restitution e [friction mu] [well D ratio]` at arg[at]; returns the number
+/// of words that belong to it, 0 when it is none of these.
 int read_hard_keyword(LAMMPS*, const std::string& where, int at, int narg, char** arg, HardContact&,
                       GivenKeywords&);
 
-/// Stops LAMMPS when the contact cannot be right.
+/// Stops LAMMPS when a parameter is out of its bounds, or restitution is not given.
 void require_valid(LAMMPS*, const std::string& where, const HardContact&, const GivenKeywords&);
 
 }  // namespace LAMMPS_NS

@@ -82,7 +82,7 @@ void WallsFromScript::read_motion(char** words) {
   }
 }
 
-/// The number of words it took; 0 when `word` is no wall.
+/// Returns the number of words that belong to a wall; 0 when `word` is none.
 int WallsFromScript::read_wall(const std::string& word, int narg, char** arg) {
   if (word == "zcylinder") {
     if (narg < 1) lmp_->error->all(FLERR, where_ + ": zcylinder takes a radius");

@@ -20,9 +20,10 @@ class WallsFromScript {
 
   WallsFromScript(LAMMPS* lmp, std::string where) : lmp_(lmp), where_(std::move(where)) {}
 
-  /// Takes the keyword arg[0] with its values; the number of words, 0 when it is none of these.
+  /// Reads the keyword arg[0] with its values; returns the number of words that belong to it, 0
+  /// when it is none of these.
   int read(int narg, char** arg);
-  /// After the last keyword.
+  /// Checks the walls and their motion, after the last keyword.
   void finish();
 
   std::vector<cohesion::event_stepping::Wall> walls;

@@ -12,7 +12,7 @@ using namespace LAMMPS_NS;
 // Quantities by kind of pairs, then two numbers of the run, then the same quantities of walls.
 static constexpr int BY_KIND = HardEventTotals::quantities * HardEventTotals::kinds;
 static constexpr int ELASTIC = BY_KIND;
-static constexpr int BUSIEST = BY_KIND + 1;
+static constexpr int MOST_EVENTS = BY_KIND + 1;
 static constexpr int WALLS = BY_KIND + 2;
 static constexpr int ENTRIES = WALLS + BY_KIND;
 
@@ -27,7 +27,7 @@ ComputeHardEvents::ComputeHardEvents(LAMMPS* lammps, int narg, char** arg)
   vector = new double[ENTRIES];
   extlist = new int[ENTRIES];
   std::fill_n(extlist, ENTRIES, 1);
-  extlist[BUSIEST] = 0;
+  extlist[MOST_EVENTS] = 0;
 }
 
 ComputeHardEvents::~ComputeHardEvents() {
@@ -48,5 +48,5 @@ void ComputeHardEvents::compute_vector() {
             totals.sums[walls][quantity][kind];
   mine[ELASTIC] = totals.elastic;
   MPI_Allreduce(mine, vector, ENTRIES, MPI_DOUBLE, MPI_SUM, world);
-  MPI_Allreduce(&totals.busiest, vector + BUSIEST, 1, MPI_DOUBLE, MPI_MAX, world);
+  MPI_Allreduce(&totals.most_events, vector + MOST_EVENTS, 1, MPI_DOUBLE, MPI_MAX, world);
 }

@@ -46,11 +46,11 @@ FixStationary::FixStationary(LAMMPS* lammps, int narg, char** arg)
       start(0.0),
       block(0.0),
       most(0),
-      known(false),
+      has_sample(false),
       progress(0.0),
       last_progress(0.0),
-      passed(0.0),
-      passed_step(0),
+      time_since_sample(0.0),
+      counted_step(0),
       state(watching),
       ended_run(false) {
   if (narg < 4) error->all(FLERR, where + ": give N, every so many steps, and keywords");
@@ -75,7 +75,7 @@ void FixStationary::read_keywords(int narg, char** arg) {
   struct Keyword {
     const char* name;
     bool takes_a_value;
-    std::function<int(int)> read;  // from arg[i] on; the place of the first word behind
+    std::function<int(int)> read;  // from arg[i] on; returns the place of the first word behind
   };
   const auto number = [&](double& value) {
     return [this, arg, &value](int i) {
@@ -119,7 +119,7 @@ void FixStationary::read_keywords(int narg, char** arg) {
   }
 }
 
-/// From the tolerance at `i` on; the place of the first word behind.
+/// Reads from the tolerance at `i` on; returns the place of the first word behind.
 int FixStationary::read_watched(int i, int narg, char** arg) {
   const bool any = strcmp(arg[i], "any") == 0;
   Value value{std::string(), any ? BlockRule::any : utils::numeric(FLERR, arg[i], false, lmp), {}};
@@ -151,7 +151,8 @@ int FixStationary::read_watched(int i, int narg, char** arg) {
   return i;
 }
 
-/// The engine says itself what is wrong with an index; what is missing it would only say in a run.
+/// Stops when `word` refers to nothing that exists. The engine itself says what is wrong with an
+/// index, but what is missing only in a run.
 void FixStationary::require_exists(const std::string& word) const {
   ArgInfo reference(word);
   const std::string name = reference.get_name();
@@ -176,14 +177,14 @@ void FixStationary::init() {
   if (state == watching) modify->addstep_compute_all(next_sample());
 }
 
-/// The first step from now on at which one is taken.
+/// The first step from the present one on in which a sample is taken.
 bigint FixStationary::next_sample() const {
   return (update->ntimestep + nevery - 1) / nevery * nevery;
 }
 
 /// Totals are known from the first step of the run on, where the engine has their values.
 void FixStationary::setup(int) {
-  if (known || update->ntimestep % nevery) return;
+  if (has_sample || update->ntimestep % nevery) return;
   modify->clearstep_compute();
   sample();
   modify->addstep_compute(update->ntimestep + nevery);
@@ -202,8 +203,9 @@ void FixStationary::end_of_step() {
   if (state != watching) finish();
 }
 
-/// The same on all ranks to the last bit: they must end the run in the same step.
-double FixStationary::now(const std::string& word) const {
+/// Returns the value of a reference, the same on all ranks to the last bit: they must end the run
+/// in the same step.
+double FixStationary::evaluate(const std::string& word) const {
   double value = input->variable->compute_equal(word);
   MPI_Bcast(&value, 1, MPI_DOUBLE, 0, world);
   if (!std::isfinite(value))
@@ -212,32 +214,32 @@ double FixStationary::now(const std::string& word) const {
 }
 
 bool FixStationary::sample() {
-  const double value = now(progress_value);
-  pass();
-  const std::vector<Ratio> gained = gains(passed);
-  passed = 0.0;
+  const double value = evaluate(progress_value);
+  count_time();
+  const std::vector<Ratio> gained = gains(time_since_sample);
+  time_since_sample = 0.0;
   const double gain = value - last_progress;
   last_progress = value;
-  if (!known) {  // the sample tells where totals stand
-    known = true;
+  if (!has_sample) {  // the first sample sets what totals count from
+    has_sample = true;
     return rule->add(progress, std::vector<Ratio>(gained.size()));
   }
   progress += per_particle ? gain / static_cast<double>(group->count(igroup)) : gain;
   return rule->add(progress, gained);
 }
 
-/// The time step may be another in the next run.
-void FixStationary::pass() {
-  passed += static_cast<double>(update->ntimestep - passed_step) * update->dt;
-  passed_step = update->ntimestep;
+/// Adds the time up to this step. The time step may be another in the next run.
+void FixStationary::count_time() {
+  time_since_sample += static_cast<double>(update->ntimestep - counted_step) * update->dt;
+  counted_step = update->ntimestep;
 }
 
 std::vector<Ratio> FixStationary::gains(double elapsed) {
   std::vector<Ratio> gained;
   for (Value& value : watched)
     for (Term& term : value.terms) {
-      const double here = now(term.value);
-      const double other = term.other.empty() ? 0.0 : now(term.other);
+      const double here = evaluate(term.value);
+      const double other = term.other.empty() ? 0.0 : evaluate(term.other);
       if (term.kind == Kind::mean)
         gained.push_back({here, 1.0});
       else if (term.kind == Kind::weighted)
@@ -252,7 +254,7 @@ std::vector<Ratio> FixStationary::gains(double elapsed) {
   return gained;
 }
 
-/// As `fix halt ... error continue` does: the run ends after this step, later ones are carried out.
+/// Ends the run after this step, as `fix halt ... error continue` does: later runs are carried out.
 void FixStationary::finish() {
   ended_run = true;
   timer->force_timeout();
@@ -273,7 +275,7 @@ void FixStationary::finish() {
 void FixStationary::post_run() {
   if (ended_run) timer->reset_timeout();
   ended_run = false;
-  pass();
+  count_time();
   if (comm->me == 0 && state == watching)
     utils::logmesg(lmp, fmt::format("{}: not met yet: {} blocks\n", where, rule->blocks()));
 }
@@ -307,6 +309,6 @@ void FixStationary::restart(char* buf) {
   state = static_cast<int>(numbers[1]);
   numbers.erase(numbers.begin(), numbers.begin() + 2);
   from_script(lmp, where, [&] { return rule->restore(numbers), true; });
-  // A tolerance or `most` may be another now.
+  // A tolerance or `most` may be another than in the run that wrote the file.
   if (!rule->met() && (!most || rule->blocks() < most)) state = watching;
 }

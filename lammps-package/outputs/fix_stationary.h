@@ -51,9 +51,9 @@ class FixStationary : public Fix {
   int read_watched(int, int, char**);
   void require_exists(const std::string&) const;
   bigint next_sample() const;
-  double now(const std::string&) const;
+  double evaluate(const std::string&) const;
   bool sample();
-  void pass();
+  void count_time();
   std::vector<cohesion::statistics::Ratio> gains(double elapsed);
   void finish();
 
@@ -65,14 +65,14 @@ class FixStationary : public Fix {
   std::vector<Value> watched;
   std::unique_ptr<cohesion::statistics::BlockRule> rule;
 
-  bool known;            // whether progress and totals of the last sample are
-  double progress;       // since the fix was defined
-  double last_progress;  // the value that tells it, at the last sample
-  double passed;         // time since the last sample, up to passed_step
-  bigint passed_step;
+  bool has_sample;  // whether there was a sample, so that progress and totals have a last value
+  double progress;  // since the fix was defined
+  double last_progress;      // the value of `progress_value` at the last sample
+  double time_since_sample;  // time since the last sample, up to counted_step
+  bigint counted_step;
   enum { watching, met, given_up };
   int state;
-  bool ended_run;  // this fix has, not the user's own `timer timeout`
+  bool ended_run;  // whether this fix has, not the user's own `timer timeout`
 };
 
 }  // namespace LAMMPS_NS

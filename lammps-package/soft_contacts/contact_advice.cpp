@@ -83,7 +83,7 @@ void look(LAMMPS* lmp, int groupbit, Circumstances& now) {
     if (!(atom->mask[i] & groupbit)) continue;
     const int type = atom->type[i];
     const double* const v = atom->v[i];
-    fastest = std::max(fastest, std::hypot(flow.beyond(v[0], atom->x[i][1]), v[1], v[2]));
+    fastest = std::max(fastest, std::hypot(flow.nonaffine(v[0], atom->x[i][1]), v[1], v[2]));
     take(type, atom->mask[i], atom->radius[i], atom->rmass ? atom->rmass[i] : atom->mass[type]);
   }
   // The speed with the other sign in place of a type 0: the least of all is looked for.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "shear_companions.h"
+#include "shear_compatibility.h"
 
 #include <string>
 
@@ -12,12 +12,12 @@ using namespace LAMMPS_NS;
 
 namespace {
 
-struct Refused {
+struct Incompatible {
   const char* style;
   const char* reason;
 };
 
-constexpr Refused refused[] = {
+constexpr Incompatible incompatible[] = {
     {"momentum",
      "takes away momentum that the profile has by right; "
      "this fix removes it at the start, and shear conserves it"},
@@ -36,7 +36,7 @@ bool begins_with(const std::string& style, const char* start) { return style.rfi
 
 }  // namespace
 
-void LAMMPS_NS::refuse_companions(LAMMPS* lmp, const Fix* me, const std::string& where) {
+void LAMMPS_NS::require_compatible_fixes(LAMMPS* lmp, const Fix* me, const std::string& where) {
   bool before_me = true;
   for (int i = 0; i < lmp->modify->nfix; i++) {
     const Fix* const fix = lmp->modify->fix[i];
@@ -57,8 +57,8 @@ void LAMMPS_NS::refuse_companions(LAMMPS* lmp, const Fix* me, const std::string&
           lmp, FLERR, where,
           " stands before the pair_style, whose memory of contacts must be stored before particles "
           "change rank; give pair_style first");
-    for (const Refused& r : refused)
-      if (begins_with(style, r.style)) stop(lmp, FLERR, where, ": ", other, " ", r.reason);
+    for (const Incompatible& row : incompatible)
+      if (begins_with(style, row.style)) stop(lmp, FLERR, where, ": ", other, " ", row.reason);
     if ((begins_with(style, "temp/") || begins_with(style, "langevin")) && lmp->comm->me == 0)
       lmp->error->warning(FLERR, message(where, ": ", other,
                                          " takes the mean flow for heat, unless 'fix_modify temp' "
