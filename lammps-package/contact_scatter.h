@@ -65,16 +65,16 @@ class ContactsOfStep {
     if (SIZE > 3) add(to[j] + 3, cohesion::event_stepping::inverse_inertia(body), a.torque_j);
   }
 
-  /// Adds D, V and changes of spins to `alone`.
+  /// Adds D, V and changes of spins to `predicted`.
   void share(int i, int j, const Contact& c, const PairMotion& change) const {
     share_i(i, c, change);
     if (j >= 0) share_j(j, c, change);
   }
   void share_i(int i, const Contact& c, const PairMotion& change) const {
-    half(step_->alone[i], -c.bodies().share_i(), change, change.spin_i);
+    half(step_->predicted[i], -c.bodies().share_i(), change, change.spin_i);
   }
   void share_j(int j, const Contact& c, const PairMotion& change) const {
-    half(step_->alone[j], c.bodies().share_j(), change, change.spin_j);
+    half(step_->predicted[j], c.bodies().share_j(), change, change.spin_j);
   }
 
   double part(int j) const { return j < 0 || j < nlocal_ ? 1.0 : 0.5; }

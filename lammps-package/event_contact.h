@@ -7,7 +7,7 @@
 #include "contact_scatter.h"
 
 // What pairs and walls of the event scheme share: which of their contacts last and which are
-// followed, and both passes of those.
+// followed, and predictor and corrector of those.
 
 namespace LAMMPS_NS {
 
@@ -88,7 +88,7 @@ struct FollowedContact {
   double* history;
   bool in_range;
   cohesion::event_stepping::FollowedStart start;
-  cohesion::event_stepping::PairMotion change;  // by itself, in the first pass
+  cohesion::event_stepping::PairMotion change;  // by itself, as predicted
   cohesion::event_stepping::PairSpins rolled;   // the same
 };
 
@@ -209,10 +209,10 @@ struct StepContacts {
              [&] { return b.action; });
   }
 
-  /// The first pass: every followed contact by itself.
+  /// The predictor: every followed contact by itself.
   template <int SIZE, class Contact>
-  void follow_alone(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
-                    const std::vector<Contact>& all) {
+  void predict(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
+               const std::vector<Contact>& all) {
     for (FollowedContact& p : followed) {
       LAMMPS_NS::change(p.start.truth, step->owed[p.i], p.j >= 0 ? step->owed[p.j] : nullptr);
       const bool only = SIZE < HistorySize::with_rolling && step->has_one_contact(p.i) &&
@@ -227,15 +227,16 @@ struct StepContacts {
     }
   }
 
-  /// The second pass: every followed contact with half of what the others do before and after it.
+  /// The corrector: every followed contact with half of what the others do before it and half
+  /// after.
   template <int SIZE, class Contact, class Done>
-  void follow_together(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
-                       const std::vector<Contact>& all, const Done& done) {
+  void correct(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
+               const std::vector<Contact>& all, const Done& done) {
     using namespace cohesion::event_stepping;
     for (FollowedContact& p : followed) {
       const Contact& c = all[p.contact];
       const PairMotion others =
-          others_of(step->alone[p.i], p.j >= 0 ? step->alone[p.j] : nullptr, p.change);
+          others_of(step->predicted[p.i], p.j >= 0 ? step->predicted[p.j] : nullptr, p.change);
       ContactMemory memory = ContactMemory::as_stored(p.history, SIZE);
       const FollowedStep<SIZE> f = c.template follow<SIZE>(p.start, others, p.rolled, p.in_range);
       const Action action = c.template close<SIZE>(p.start, others, f, memory);

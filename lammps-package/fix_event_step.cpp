@@ -43,13 +43,13 @@ static void put(const Vector3& a, double* values) {
 FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
     : Fix(lammps, narg, arg),
       owed(nullptr),
-      alone(nullptr),
+      predicted(nullptr),
       impulses(lammps),
       book(lammps),
       watch(lammps),
       told(nullptr),
       shared(nullptr),
-      shared_each(ALONE),
+      shared_each(PREDICTED),
       follows(true),
       resting(false),
       resuming(false),
@@ -68,7 +68,7 @@ FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
       flux_readers(std::make_shared<char>()),
       flux_wanted(false) {
   nevery = 1;
-  comm_forward = 1 + ALONE;
+  comm_forward = 1 + PREDICTED;
   restart_peratom = 1;
   restart_global = 1;
   create_attribute = 1;
@@ -81,7 +81,7 @@ FixEventStep::~FixEventStep() {
   atom->delete_callback(id, Atom::GROW);
   atom->delete_callback(id, Atom::RESTART);
   memory->destroy(owed);
-  memory->destroy(alone);
+  memory->destroy(predicted);
   memory->destroy(contacts);
   memory->destroy(inverse_mass);
 }
@@ -208,7 +208,7 @@ void FixEventStep::setup_pre_force(int) {
   resuming = last_dt > 0.0;
   starting = !resuming;
   other_box = resuming && box.changed(domain);
-  pending = false;
+  predictor_due = false;
   resting = rests();
   if (resting) {
     weighed.clear();
@@ -219,7 +219,7 @@ void FixEventStep::setup_pre_force(int) {
     for (int i = 0; i < atom->nlocal; i++) std::copy_n(&weight[3 * i], 3, outer.of(i));
     others_noted = true;
     judge(true);
-    pending = true;
+    predictor_due = true;
     return;
   }
   look_round();
@@ -234,9 +234,9 @@ void FixEventStep::setup_pre_force(int) {
 }
 
 /// With the first forces of a step, when fixes have changed what they change before.
-bool FixEventStep::work_out() {
-  if (!pending) return false;
-  pending = false;
+bool FixEventStep::run_predictor() {
+  if (!predictor_due) return false;
+  predictor_due = false;
   clear();
   impulses.open();
   for (EventContacts* some : styles) some->gather();
@@ -249,8 +249,8 @@ bool FixEventStep::work_out() {
     for (EventContacts* some : styles) some->join();
     if (some_announced || comm->nprocs > 1) {
       share(owed, OWED);
-      for (EventContacts* some : styles) some->follow_alone();
-      share(alone, ALONE);
+      for (EventContacts* some : styles) some->predict();
+      share(predicted, PREDICTED);
     }
   }
   return true;
@@ -310,11 +310,11 @@ void FixEventStep::begin_books() {
 void FixEventStep::pre_force(int) {
   if (resting) return;
   judge(false);
-  pending = true;
+  predictor_due = true;
 }
 
 void FixEventStep::post_force(int) {
-  second_pass([] {});
+  run_corrector([] {});
 }
 
 /// Forces that a run takes over from the last one excuse nothing: its step, its coefficients and

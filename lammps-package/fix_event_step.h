@@ -25,9 +25,9 @@ FixStyle(EVENT_STEP,FixEventStep);
 
 namespace LAMMPS_NS {
 
-/// What follows contacts in the event scheme: pair styles and walls. FixEventStep::second_pass()
-/// calls it, with the first forces of a step; the second pass is each one's own: Pair::compute,
-/// Fix::post_force.
+/// What follows contacts in the event scheme: pair styles and walls. FixEventStep::run_corrector()
+/// calls all of this with the first forces of a step; the corrector is each style's own part of
+/// Pair::compute or Fix::post_force.
 class EventContacts {
  public:
   /// Lets contacts that last act, and announces the others, with what leads to the true motion of
@@ -37,8 +37,8 @@ class EventContacts {
   virtual void unsettle() = 0;
   /// What leads to the true motion of announced particles, of lasting contacts.
   virtual void join() = 0;
-  /// The first pass.
-  virtual void follow_alone() = 0;
+  /// The predictor: every followed contact by itself, as if its particles had no other.
+  virtual void predict() = 0;
   /// Whether friction turns particles of this type.
   virtual bool rubs(int type) const = 0;
   /// Whether any contact may be followed in this run.
@@ -73,13 +73,13 @@ struct Bodies {
 
 /// What all styles of the event scheme share, made by the first of them. A contact that lasts needs
 /// one force. The others are followed in closed form from the true motion at the grid point, to
-/// which `owed` leads, and which needs all contacts of a particle; first alone, what they do added
-/// to `alone`, then with half of what the others do.
+/// which `owed` leads, and which needs all contacts of a particle: in a predictor each by itself,
+/// what it does added to `predicted`, and in a corrector with half of what the others do.
 ///
 /// Contacts beside those are followed, too.
 ///
 /// Order within a step, with its first forces: all styles gather(); share_restless(); unsettle();
-/// join(); share(owed); follow_alone(); share(alone). Then the second pass of each.
+/// join(); share(owed); predict(); share(predicted). Then the corrector of each style.
 ///
 /// A fix cannot make another one in its constructor: those that need this one call of() in
 /// post_constructor(); the order above does not depend on the order of the fixes.
@@ -150,13 +150,14 @@ class FixEventStep : public Fix {
   /// How far a particle or ghost of this rank may fly in half a step, [length].
   double flight() const { return longest_flight; }
 
-  /// Announces a contact of particle or ghost i in this step, before it adds to `owed` or `alone`.
-  /// What forces that are no contacts' do is the first entry; ghosts have it from their owners.
+  /// Announces a contact of particle or ghost i in this step, before it adds to `owed` or
+  /// `predicted`. What forces that are no contacts' do is the first entry; ghosts have it from
+  /// their owners.
   void announce(int i) {
     if (contacts[i]++ != 0) return;
     some_announced = true;
     std::fill_n(owed[i], OWED, 0.0);
-    std::fill_n(alone[i], ALONE, 0.0);
+    std::fill_n(predicted[i], PREDICTED, 0.0);
     if (i >= atom->nlocal) {
       announced_ghosts.push_back(i);
       return;
@@ -166,8 +167,8 @@ class FixEventStep : public Fix {
     const auto does = cohesion::event_stepping::by_acceleration(
         inverse_mass[i] * cohesion::vector(outer.of(i)), 2.0 * half_kick());
     if (!starting) add(owed[i], 0.5 * does.velocity);
-    add(alone[i], does.separation);
-    add(alone[i] + 3, does.velocity);
+    add(predicted[i], does.separation);
+    add(predicted[i] + 3, does.velocity);
   }
   /// A contact of i and j (below 0: a wall) has an event, or is young.
   void unsettle(int i, int j) {
@@ -188,10 +189,10 @@ class FixEventStep : public Fix {
   bool has_one_contact(int i) const { return i < atom->nlocal && contacts[i] == 1; }
 
   /// Per atom and ghost that has been announced: what leads from the velocity and spin on the grid
-  /// to the true ones; change of position, velocity and spin, each contact alone.
-  static constexpr int OWED = 6, ALONE = 9;
+  /// to the true ones; change of position, velocity and spin that the predictor gives.
+  static constexpr int OWED = 6, PREDICTED = 9;
   double** owed;
-  double** alone;
+  double** predicted;
   /// What contacts do in this step.
   ContactImpulses impulses;
   /// The energy of contacts.
@@ -204,17 +205,17 @@ class FixEventStep : public Fix {
 
   /// Counts a contact whose step was cut short.
   void note_unresolved(double part) { unresolved += part; }
-  /// All that comes before the second pass, if it has not been done in this step; then what the
-  /// caller's second pass does.
-  template <class Pass>
-  void second_pass(const Pass& pass) {
-    const bool first = work_out();
-    pass();
+  /// Runs all that comes before the corrector, if it has not been run in this step, and then the
+  /// corrector of the caller.
+  template <class Corrector>
+  void run_corrector(const Corrector& corrector) {
+    const bool first = run_predictor();
+    corrector();
     if (first) impulses.close();
   }
 
  private:
-  bool work_out();
+  bool run_predictor();
   void clear();
   void note_last(int i, double* values) const;
   void judge(bool setup);
@@ -257,7 +258,7 @@ class FixEventStep : public Fix {
   double last_dt;               // of the step that `last` is from; 0: there was none
   AtomNumbers last;             // from the end of a run to the first step of the next: note_last()
   AtomNumbers outer;            // force of all but contacts at the last grid point
-  bool pending = false;         // in this step: second_pass()
+  bool predictor_due = false;   // in this step: run_corrector()
   bool within_step = false;     // any style, in this run
   bool others_act = false;      // anything but contacts, likewise, where that matters
   bool others_noted = false;    // in `outer`, which is 0 otherwise

@@ -57,7 +57,7 @@ void FixEventStep::unpack_forward_comm(int n, int first, double* buf) {
 
 void FixEventStep::grow_arrays(int nmax) {
   memory->grow(owed, nmax, OWED, "event_step:owed");
-  memory->grow(alone, nmax, ALONE, "event_step:alone");
+  memory->grow(predicted, nmax, PREDICTED, "event_step:predicted");
   memory->grow(contacts, nmax, "event_step:contacts");
   if (last.has_room()) last.grow(nmax);
   outer.grow(nmax);
@@ -127,7 +127,7 @@ int FixEventStep::maxsize_restart() { return last.size_restart(); }
 int FixEventStep::size_restart(int) { return last.size_restart(); }
 
 double FixEventStep::memory_usage() {
-  const double numbers = OWED + ALONE + 1;
+  const double numbers = OWED + PREDICTED + 1;
   return (numbers * sizeof(double) + sizeof(int)) * atom->nmax + impulses.bytes() +
          static_cast<double>(restless.capacity() + announced.capacity()) +
          static_cast<double>(sizeof(int)) * announced_ghosts.capacity() +

@@ -140,9 +140,8 @@ void FixWallGranCohesive<Cohesion>::setup(int) {
 template <class Cohesion>
 void FixWallGranCohesive<Cohesion>::post_force(int) {
   if (step->resumes()) return;
-  step->second_pass([this] {
-    with_contacts([this](auto& shared, auto size) { follow_together<size>(shared); });
-  });
+  step->run_corrector(
+      [this] { with_contacts([this](auto& shared, auto size) { compute_forces<size>(shared); }); });
 }
 
 template <class Cohesion>
@@ -295,9 +294,9 @@ void FixWallGranCohesive<Cohesion>::join() {
 }
 
 template <class Cohesion>
-void FixWallGranCohesive<Cohesion>::follow_alone() {
+void FixWallGranCohesive<Cohesion>::predict() {
   with_event_contacts([this](auto& shared, auto size) {
-    contacts_now.follow_alone(ContactsOfStep<EventContact, size>(atom, step), step, shared);
+    contacts_now.predict(ContactsOfStep<EventContact, size>(atom, step), step, shared);
   });
 }
 
@@ -331,14 +330,14 @@ void FixWallGranCohesive<Cohesion>::push(const ContactsOfStep<Contact, SIZE>& sc
 
 template <class Cohesion>
 template <int SIZE>
-void FixWallGranCohesive<Cohesion>::follow_together(std::vector<EventContact>& shared) {
+void FixWallGranCohesive<Cohesion>::compute_forces(std::vector<EventContact>& shared) {
   const ContactsOfStep<EventContact, SIZE> scatter(atom, step);
-  contacts_now.follow_together(scatter, step, shared, pushes<SIZE>(scatter));
+  contacts_now.correct(scatter, step, shared, pushes<SIZE>(scatter));
 }
 
 template <class Cohesion>
 template <int SIZE>
-void FixWallGranCohesive<Cohesion>::follow_together(std::vector<SampledContact>& shared) {
+void FixWallGranCohesive<Cohesion>::compute_forces(std::vector<SampledContact>& shared) {
   const ContactsOfStep<SampledContact, SIZE> scatter(atom, step);
   for (std::size_t k = 0; k < near_now.size(); k++) {
     const Near& near = near_now[k];

@@ -38,7 +38,7 @@ class FixWallGranCohesive : public Fix, public EventWalls, public AdvisedStyle {
   void gather() override;
   void unsettle() override;
   void join() override;
-  void follow_alone() override;
+  void predict() override;
   void book_standing() override;
   void give_advice(const Circumstances&) override;
   void take_where_they_are() override;
@@ -91,9 +91,9 @@ class FixWallGranCohesive : public Fix, public EventWalls, public AdvisedStyle {
   template <int SIZE>
   void gather(std::vector<SampledContact>&);
   template <int SIZE>
-  void follow_together(std::vector<EventContact>&);
+  void compute_forces(std::vector<EventContact>&);
   template <int SIZE>
-  void follow_together(std::vector<SampledContact>&);
+  void compute_forces(std::vector<SampledContact>&);
   template <class Contact, int SIZE>
   void push(const ContactsOfStep<Contact, SIZE>&, const Near&, const cohesion::Vector3& impulse,
             const cohesion::Vector3& by_contact, double factor);

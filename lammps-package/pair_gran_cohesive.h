@@ -64,7 +64,7 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventContacts, p
   void gather() override;
   void unsettle() override;
   void join() override;
-  void follow_alone() override;
+  void predict() override;
   void book_standing() override;
   void give_advice(const Circumstances&) override;
   bool rubs(int type) const override { return coefficients.rubs(type, atom->ntypes); }
@@ -116,9 +116,9 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventContacts, p
   template <int SIZE>
   void join(Contacts<EventContact>&);
   template <int SIZE>
-  void follow_together(Contacts<EventContact>&);
+  void compute_forces(Contacts<EventContact>&);
   template <int SIZE>
-  void follow_together(Contacts<SampledContact>&);
+  void compute_forces(Contacts<SampledContact>&);
   template <int SIZE>
   bool sample(const ContactsOfStep<SampledContact, SIZE>&, const SampledContact&, int i, int j,
               double* values);

@@ -35,8 +35,8 @@ void PairGranCohesive<Cohesion>::compute(int eflag, int vflag) {
     if (evflag) tally_standing();
     return;
   }
-  step->second_pass([this] {
-    with_contacts([this](auto& contacts, auto size) { follow_together<size>(contacts); });
+  step->run_corrector([this] {
+    with_contacts([this](auto& contacts, auto size) { compute_forces<size>(contacts); });
   });
 }
 
@@ -88,9 +88,9 @@ void PairGranCohesive<Cohesion>::join() {
 }
 
 template <class Cohesion>
-void PairGranCohesive<Cohesion>::follow_alone() {
+void PairGranCohesive<Cohesion>::predict() {
   with_event_contacts([this](auto& contacts, auto size) {
-    contacts_now.follow_alone(ContactsOfStep<EventContact, size>(atom, step), step, contacts.all);
+    contacts_now.predict(ContactsOfStep<EventContact, size>(atom, step), step, contacts.all);
   });
 }
 
@@ -192,7 +192,7 @@ void PairGranCohesive<Cohesion>::join(Contacts<EventContact>& contacts) {
 
 template <class Cohesion>
 template <int SIZE>
-void PairGranCohesive<Cohesion>::follow_together(Contacts<EventContact>& contacts) {
+void PairGranCohesive<Cohesion>::compute_forces(Contacts<EventContact>& contacts) {
   const ContactsOfStep<EventContact, SIZE> scatter(atom, step);
   if (evflag)
     contacts_now.for_each_lasting<SIZE>(
@@ -210,7 +210,7 @@ void PairGranCohesive<Cohesion>::follow_together(Contacts<EventContact>& contact
       tally(p.i, p.j, grid.relative.separation, energy(contacts.all[p.contact].stored(grid, known)),
             {});
     }
-  // What a contact remembers is new after its second pass.
+  // The corrector replaces what a contact remembers.
   std::vector<double> before;
   if (evflag)
     for (const FollowedContact& p : contacts_now.followed)
@@ -218,15 +218,15 @@ void PairGranCohesive<Cohesion>::follow_together(Contacts<EventContact>& contact
           particles().motion(p.i, p.j), ContactMemory::as_stored(p.history, SIZE))));
   std::size_t next = 0;
   const auto sum = flux_sum();
-  contacts_now.follow_together(scatter, step, contacts.all,
-                               [&](int j, const PairMotion& grid, const Vector3& impulse,
-                                   const auto& by_contact, double factor) {
-                                 sum(j, grid, impulse, by_contact, factor);
-                                 if (!evflag) return;
-                                 tally(contacts_now.followed[next].i, j, grid.relative.separation,
-                                       before[next], impulse);
-                                 next++;
-                               });
+  contacts_now.correct(scatter, step, contacts.all,
+                       [&](int j, const PairMotion& grid, const Vector3& impulse,
+                           const auto& by_contact, double factor) {
+                         sum(j, grid, impulse, by_contact, factor);
+                         if (!evflag) return;
+                         tally(contacts_now.followed[next].i, j, grid.relative.separation,
+                               before[next], impulse);
+                         next++;
+                       });
 }
 
 /// Sampled contacts do not wait for each other.
@@ -238,7 +238,7 @@ void PairGranCohesive<Cohesion>::gather(Contacts<SampledContact>&) {
 
 template <class Cohesion>
 template <int SIZE>
-void PairGranCohesive<Cohesion>::follow_together(Contacts<SampledContact>& contacts) {
+void PairGranCohesive<Cohesion>::compute_forces(Contacts<SampledContact>& contacts) {
   contacts.clear();
   const ContactsOfStep<SampledContact, SIZE> scatter(atom, step);
   const SampledForces<SampledContact, SIZE> forces(atom, step);
@@ -289,20 +289,20 @@ template void PairGranCohesive<HamakerCohesion>::compute(int, int);
 template void PairGranCohesive<HamakerCohesion>::gather();
 template void PairGranCohesive<HamakerCohesion>::unsettle();
 template void PairGranCohesive<HamakerCohesion>::join();
-template void PairGranCohesive<HamakerCohesion>::follow_alone();
+template void PairGranCohesive<HamakerCohesion>::predict();
 template void PairGranCohesive<HamakerCohesion>::tally(int, int, const Vector3&, double,
                                                        const Vector3&);
 template void PairGranCohesive<SquareWellCohesion>::compute(int, int);
 template void PairGranCohesive<SquareWellCohesion>::gather();
 template void PairGranCohesive<SquareWellCohesion>::unsettle();
 template void PairGranCohesive<SquareWellCohesion>::join();
-template void PairGranCohesive<SquareWellCohesion>::follow_alone();
+template void PairGranCohesive<SquareWellCohesion>::predict();
 template void PairGranCohesive<SquareWellCohesion>::tally(int, int, const Vector3&, double,
                                                           const Vector3&);
 template void PairGranCohesive<SquareWellOverlay>::compute(int, int);
 template void PairGranCohesive<SquareWellOverlay>::gather();
 template void PairGranCohesive<SquareWellOverlay>::unsettle();
 template void PairGranCohesive<SquareWellOverlay>::join();
-template void PairGranCohesive<SquareWellOverlay>::follow_alone();
+template void PairGranCohesive<SquareWellOverlay>::predict();
 template void PairGranCohesive<SquareWellOverlay>::tally(int, int, const Vector3&, double,
                                                          const Vector3&);

@@ -52,7 +52,8 @@ using FollowedStep = std::conditional_t<
 ///
 /// A contact that lasts needs one force of the usual form with the constants of GridSpring. A step
 /// with an event, and a young contact, are followed in closed form from the true velocities at t_n,
-/// first alone, then with half of what the others of both particles do before it and half after.
+/// in a predictor by itself, in a corrector with half of what the others of both particles do
+/// before it and half after.
 /// Of what the contact does in the step, D to the separation and V to its rate, the force at t_n
 /// does D; what V is more than D/dt is remembered and leads to the true velocity at t_(n+1).
 /// Friction, whose force changes little within a step, does half of its impulse at t_n and half at
@@ -173,7 +174,7 @@ class ContactOnGrid {
   }
 
   /// A step of any kind. `others`: D, V and spins of all other contacts of both particles (none in
-  /// the first pass); `rolled`: what the contact's own rolling spring did in the first pass.
+  /// the predictor); `rolled`: what the contact's own rolling spring did in the predictor.
   template <int SIZE>
   FollowedStep<SIZE> follow(const FollowedStart& start, const PairMotion& others,
                             const PairSpins& rolled, bool in_range) const {
