@@ -36,11 +36,11 @@ class CohesiveCoefficients : protected Pointers {
   void read(int narg, char** arg);
   /// The laws are made anew, by prepare().
   void start() {
-    given_.take();
+    given_.commit();
     laws_.assign(given_.size(), cohesion_.no_law());
     prepared_.assign(given_.size(), false);
   }
-  void require_taken() const { given_.require_taken(where()); }
+  void require_committed() const { given_.require_committed(where()); }
   /// Whether types i and j are this style's in the run; those of other styles of a hybrid are not.
   bool has(int i, int j) const { return prepared_[of_types(i, j)]; }
   /// Makes the law of types i and j, mixed when they were not given. Returns the gap up to which

@@ -24,7 +24,7 @@ using cohesion::Vector3;
 template <class Cohesion>
 void PairGranCohesive<Cohesion>::compute(int eflag, int vflag) {
   ev_init(eflag, vflag);
-  coefficients.require_taken();
+  coefficients.require_committed();
   if (update->whichflag == 2)
     error->all(FLERR, coefficients.where() + " follows motion in time; it cannot be minimized");
   if (!acts) {

@@ -73,7 +73,7 @@ void PairHamaker::compute(int eflag, int vflag) {
                "pair_style hamaker: an A was raised within a run that began with all A = 0 and "
                "without fix adapt, in which pairs have no list of neighbours: raise it before "
                "the run");
-  parameters.require_taken("pair_style hamaker");
+  parameters.require_committed("pair_style hamaker");
   if (attract) {
     if (update->whichflag == 1 && watch.due(update->setupflag)) give_advice();
     std::visit(
@@ -242,7 +242,7 @@ void PairHamaker::init_style() {
     error->all(FLERR,
                "pair_style hamaker acts between spheres and needs an atom style with radii, "
                "for instance 'atom_style sphere'");
-  parameters.take();
+  parameters.commit();
   require_plausible_radii(lmp, "pair_style hamaker");
   largest_radius = largest_radii(lmp);
   smallest_radius = smallest_radii(lmp, largest_radius);

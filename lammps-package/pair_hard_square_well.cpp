@@ -58,7 +58,7 @@ void PairHardSquareWell::allocate() {
 /// The events have been carried out; what is left is their virial, and the energy of the wells.
 void PairHardSquareWell::compute(int eflag, int vflag) {
   ev_init(eflag, vflag);
-  given_.require_taken("pair_style hard/square_well");
+  given_.require_committed("pair_style hard/square_well");
   if (neighbor->ago == 0) check_radii(lmp, "pair_style hard/square_well", largest_radius_);
   if (vflag_either) {
     const double per_time = -1.0 / update->dt;
@@ -192,7 +192,7 @@ void PairHardSquareWell::init_style() {
   if (update->whichflag == 2)
     error->all(FLERR, "pair_style hard/square_well follows motion in time; it cannot be minimized");
   events_ = FixHardEvents::of(lmp);
-  given_.take();
+  given_.commit();
   require_plausible_radii(lmp, "pair_style hard/square_well");
   largest_radius_ = largest_radii(lmp);
   engine_api::request_history_list(neighbor, this, instance_me);
