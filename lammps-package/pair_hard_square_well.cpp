@@ -17,7 +17,7 @@
 #include "neigh_list.h"
 #include "plausible_sizes.h"
 #include "restart_format.h"
-#include "square_well/held.h"
+#include "square_well/capture.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -101,7 +101,7 @@ void PairHardSquareWell::append_held(std::vector<std::array<int, 2>>& pairs) con
   const auto parts = [&](const std::array<int, 2>& pair) {
     const auto [i, j] = pair;
     const auto& well = contact_of_types(atom->type[i], atom->type[j]).well;
-    return !cohesion::square_well::held(
+    return !cohesion::square_well::will_be_captured(
         difference(atom->x[j], atom->x[i]), difference(atom->v[i], atom->v[j]),
         cohesion::square_well::edge(well, atom->radius[i], atom->radius[j]), well.depth,
         1.0 / atom->rmass[i] + 1.0 / atom->rmass[j]);
