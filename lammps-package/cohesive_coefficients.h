@@ -77,13 +77,13 @@ class CohesiveCoefficients : protected Pointers {
                        [](const Parameters& p) { return p.contact.rolling_friction > 0.0; });
   }
   /// Whether any contact of this type has friction.
-  bool rubs(int type, int types) const {
-    const auto has_friction = [&](int other) {
+  bool has_friction(int type, int types) const {
+    const auto any_between = [&](int other) {
       const auto& contact = given_(type, other).contact;
       return contact.friction > 0.0 || contact.rolling_friction > 0.0;
     };
     for (int other = 1; other <= types; other++)
-      if (has_friction(other)) return true;
+      if (any_between(other)) return true;
     return false;
   }
   /// Whether anything can happen between particles of any types.

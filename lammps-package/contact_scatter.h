@@ -112,7 +112,7 @@ class LastingForces {
     ContactMemory memory = ContactMemory::as_stored(history, SIZE);
     memory.phase = ContactMemory::lasting;
     Action action;
-    if (!c.one_force().template hold<SIZE>(grid, memory, action, nullptr)) return false;
+    if (!c.one_force().template advance_lasting<SIZE>(grid, memory, action, nullptr)) return false;
     memory.to(history, SIZE);
     const Vector3 pushed = kick_ * action.impulse;
     add(forces_ + 3 * i, -1.0, pushed);

@@ -74,8 +74,8 @@ struct LastingContact {
   double* history;
 };
 
-/// One that begins to, whose springs in the plane of contact have another impulse then than held()
-/// tells.
+/// One that begins to, whose springs in the plane of contact have another impulse then than
+/// lasting_action() tells.
 struct BegunContact {
   LastingContact contact;
   cohesion::event_stepping::Action action;
@@ -124,8 +124,8 @@ struct StepContacts {
       idle.push_back({i, j, contact, history});
     } else if (!lasted && c.can_last(grid.relative, memory)) {
       candidates.push_back({i, j, contact, history});
-    } else if (!lasted ||
-               !hold<SIZE>(scatter, step, c, {i, j, contact, history}, grid, memory, done)) {
+    } else if (!lasted || !advance_lasting<SIZE>(scatter, step, c, {i, j, contact, history}, grid,
+                                                 memory, done)) {
       // Not by those that only the fastest particle of this rank could bring together.
       if (memory.phase != ContactMemory::beyond ? !c.idles(grid.relative, memory, 0.0)
                                                 : c.within_reach(grid.relative, 0.0))
@@ -147,7 +147,7 @@ struct StepContacts {
     if (step->any_restless())
       for (const LastingContact& p : lasting)
         if (step->is_restless(p.i, p.j))
-          take_back<SIZE>(scatter, step, all[p.contact], p, grid_of(p), done);
+          undo_lasting<SIZE>(scatter, step, all[p.contact], p, grid_of(p), done);
     for (const LastingContact& p : candidates) {
       const Contact& c = all[p.contact];
       ContactMemory memory = ContactMemory::from(p.history, SIZE);
@@ -155,7 +155,7 @@ struct StepContacts {
       if (step->is_restless(p.i, p.j))
         announce<SIZE>(scatter, step, c, p, grid, memory);
       else
-        hold<SIZE>(scatter, step, c, p, grid, memory, done);
+        advance_lasting<SIZE>(scatter, step, c, p, grid, memory, done);
     }
   }
 
@@ -201,7 +201,7 @@ struct StepContacts {
       if (memory.phase != ContactMemory::lasting) continue;
       const PairMotion grid = grid_of(p);
       what(p, memory, grid,
-           [&] { return all[p.contact].one_force().template held<SIZE>(grid, memory); });
+           [&] { return all[p.contact].one_force().template lasting_action<SIZE>(grid, memory); });
     }
     for (const BegunContact& b : begun)
       if (wanted(b.contact))
@@ -256,16 +256,16 @@ struct StepContacts {
   using PairMotion = cohesion::event_stepping::PairMotion;
 
   template <int SIZE, class Contact, class Done>
-  bool hold(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step, const Contact& c,
-            const LastingContact& p, const PairMotion& grid, ContactMemory& memory,
-            const Done& done) {
+  bool advance_lasting(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
+                       const Contact& c, const LastingContact& p, const PairMotion& grid,
+                       ContactMemory& memory, const Done& done) {
     using namespace cohesion::event_stepping;
     const bool lasted = memory.phase == ContactMemory::lasting;
     Action action;
     ContactLosses lost;
     ContactLosses* const losses = step->book.is_kept() ? &lost : nullptr;
-    const bool lasts = c.one_force().template hold<SIZE>(grid, memory, action, losses);
-    if (!lasts) c.one_force().template leave<SIZE>(grid, memory, losses);
+    const bool lasts = c.one_force().template advance_lasting<SIZE>(grid, memory, action, losses);
+    if (!lasts) c.one_force().template end_lasting<SIZE>(grid, memory, losses);
     memory.to(p.history, SIZE);
     step->book.lose(scatter.part(p.j), lost, 0.0);
     if (!lasts) return false;
@@ -279,15 +279,16 @@ struct StepContacts {
   }
 
   template <int SIZE, class Contact, class Done>
-  void take_back(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step, const Contact& c,
-                 const LastingContact& p, const PairMotion& grid, const Done& done) {
+  void undo_lasting(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
+                    const Contact& c, const LastingContact& p, const PairMotion& grid,
+                    const Done& done) {
     using namespace cohesion::event_stepping;
     ContactMemory memory = ContactMemory::as_stored(p.history, SIZE);
-    const Action action = c.one_force().template held<SIZE>(grid, memory);
+    const Action action = c.one_force().template lasting_action<SIZE>(grid, memory);
     scatter.act_not(p.i, p.j, action);
     done(p.j, grid, action.impulse, [&] { return c.by_contact(grid, action); }, -1.0);
     ContactLosses lost;
-    c.one_force().template leave<SIZE>(grid, memory, step->book.is_kept() ? &lost : nullptr);
+    c.one_force().template end_lasting<SIZE>(grid, memory, step->book.is_kept() ? &lost : nullptr);
     step->book.lose(scatter.part(p.j), lost, 0.0);
     announce<SIZE>(scatter, step, c, p, grid, memory);
   }

@@ -166,10 +166,11 @@ bool FixEventStep::others_may_act() const {
 /// A warning that was given is not given again.
 void FixEventStep::look_for_unturned() {
   if (said_unturned) return;
-  std::vector<bool> rubs(atom->ntypes + 1, false);
+  std::vector<bool> has_friction(atom->ntypes + 1, false);
   for (int type = 1; type <= atom->ntypes; type++)
-    for (const EventContacts* some : styles) rubs[type] = rubs[type] || some->rubs(type);
-  said_unturned = warn_of_unturned(lmp, mobile, rubs);
+    for (const EventContacts* some : styles)
+      has_friction[type] = has_friction[type] || some->has_friction(type);
+  said_unturned = warn_of_unturned(lmp, mobile, has_friction);
 }
 
 /// Then a step does nothing for any particle.

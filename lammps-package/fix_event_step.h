@@ -40,7 +40,7 @@ class EventContacts {
   /// The predictor: every followed contact by itself, as if its particles had no other.
   virtual void predict() = 0;
   /// Whether friction turns particles of this type.
-  virtual bool rubs(int type) const = 0;
+  virtual bool has_friction(int type) const = 0;
   /// Whether any contact may be followed in this run.
   virtual bool follows() const { return true; }
   /// Whether what contacts do to each other within a step counts: scheme event.

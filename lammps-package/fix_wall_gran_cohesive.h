@@ -42,7 +42,7 @@ class FixWallGranCohesive : public Fix, public EventWalls, public AdvisedStyle {
   void book_standing() override;
   void give_advice(const Circumstances&) override;
   void take_where_they_are() override;
-  bool rubs(int) const override { return per_wall > HistorySize::normal_only; }
+  bool has_friction(int) const override { return per_wall > HistorySize::normal_only; }
 
   double compute_vector(int) override;
   double compute_array(int, int) override;

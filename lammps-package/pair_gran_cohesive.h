@@ -67,7 +67,9 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventContacts, p
   void predict() override;
   void book_standing() override;
   void give_advice(const Circumstances&) override;
-  bool rubs(int type) const override { return coefficients.rubs(type, atom->ntypes); }
+  bool has_friction(int type) const override {
+    return coefficients.has_friction(type, atom->ntypes);
+  }
 
  private:
   /// The contacts of a step, and by type pair which of them was used last.

@@ -137,7 +137,8 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     cohesion::event_stepping::GridStep step;
     if (!carries(contact)) return;
     if (!events_->follow(contact, contact.r, contact.en, step)) step = {};
-    events_->rub(contact, step, slides_ ? contact.contact_history + others_history_ : nullptr);
+    events_->set_friction(contact, step,
+                          slides_ ? contact.contact_history + others_history_ : nullptr);
     for (int d = 0; d < 3; d++) {
       on_i.delta_F[d] = step.force * contact.en[d];
       on_j.delta_F[d] = -step.force * contact.en[d];  // of a wall the engine ignores it

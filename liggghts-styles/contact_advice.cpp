@@ -184,7 +184,7 @@ void ContactAdvice::set_springs(advice::AdvisedContact& c, int itype, int jtype,
     c.springs.rolling_stiffness = 0.0;
 }
 
-bool ContactAdvice::rubs(int type) const {
+bool ContactAdvice::has_friction(int type) const {
   const bool slides = has("tangential", "history") || has("tangential", "no_history");
   const bool rolls = has("rolling_friction", "epsd2") || has("rolling_friction", "cdt");
   // The properties end at the last type that there is.

@@ -60,7 +60,7 @@ class ContactAdvice {
   void of_events(bool event) { event_ = event; }
 
   /// Whether friction, sliding or rolling, may act on a particle of this type.
-  bool rubs(int type) const;
+  bool has_friction(int type) const;
 
  private:
   std::vector<cohesion::advice::AdvisedContact> contacts(

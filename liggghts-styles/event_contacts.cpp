@@ -243,8 +243,8 @@ void EventContacts::write(const ContactModels::SurfacesCloseData& d, const GridM
   remember(d, memory.phase != GridMemory::beyond || step.force != 0.0);
 }
 
-void EventContacts::rub(ContactModels::SurfacesIntersectData& contact, const GridStep& step,
-                        double* spring) const {
+void EventContacts::set_friction(ContactModels::SurfacesIntersectData& contact,
+                                 const GridStep& step, double* spring) const {
   contact.Fn = std::max(step.repulsion, 0.0);
   if (!followed_) return;
   contact.kt = followed_->tangential.stiffness;

@@ -60,8 +60,8 @@ class EventContacts {
   /// and eta_t that make the grid follow its spring exactly (grid_contact.h). `spring`: its
   /// displacement, which the engine will let grow through all of the step before, also where there
   /// was no contact; null: it has none.
-  void rub(ContactModels::SurfacesIntersectData& contact,
-           const cohesion::event_stepping::GridStep& step, double* spring) const;
+  void set_friction(ContactModels::SurfacesIntersectData& contact,
+                    const cohesion::event_stepping::GridStep& step, double* spring) const;
 
  private:
   // What is remembered of a contact. TOUCH: how long it was in contact in the last step; STEP: the

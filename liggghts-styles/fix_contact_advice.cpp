@@ -27,12 +27,12 @@ void FixContactAdvice::judge(bool setup) {
 /// A warning that was given is not given again.
 void FixContactAdvice::look_for_unturned() {
   if (said_unturned_) return;
-  std::vector<bool> rubs(atom->ntypes + 1, false);
+  std::vector<bool> has_friction(atom->ntypes + 1, false);
   for (const auto& asked : asked_)
     if (const auto advice = asked.lock())
       for (int type = 1; type <= atom->ntypes; type++)
-        rubs[type] = rubs[type] || advice->rubs(type);
-  said_unturned_ = LAMMPS_NS::warn_of_unturned(lmp, MobileParticles(modify), rubs);
+        has_friction[type] = has_friction[type] || advice->has_friction(type);
+  said_unturned_ = LAMMPS_NS::warn_of_unturned(lmp, MobileParticles(modify), has_friction);
 }
 
 int FixContactAdvice::setmask() {

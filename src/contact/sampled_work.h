@@ -102,7 +102,7 @@ inline double rolling_spring_energy(const Vector3& torque, double stiffness, dou
 struct Stored {
   double overlap;                  ///< then, [length]; negative: gap
   double spring = 0.0;             ///< c x^(p+1)/(p+1)
-  double tangential_spring = 0.0;  ///< K_t s^2/2; 0 once parted: what it held is lost as friction
+  double tangential_spring = 0.0;  ///< K_t s^2/2; 0 once parted: what it stored is lost as friction
 };
 
 /// `after`: the motion of the half step `time` after the grid point.

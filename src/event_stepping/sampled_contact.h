@@ -60,9 +60,9 @@ class SampledContact {
     if constexpr (SIZE >= ContactMemory::with_friction) {
       const ContactBodies::Touch touch(bodies_, s);
       SpringOnGrid::Losses lost;
-      step.friction =
-          rub(sliding_, touch, touch.slides(grid.relative.velocity, grid.spin_i, grid.spin_j),
-              normal, memory.sliding, losses ? &lost : nullptr);
+      step.friction = spring_impulse(sliding_, touch,
+                                     touch.slides(grid.relative.velocity, grid.spin_i, grid.spin_j),
+                                     normal, memory.sliding, losses ? &lost : nullptr);
       touch.slide(step.friction, step.action);
       if (losses) {
         losses->tangential_damping = lost.damped;
@@ -70,8 +70,8 @@ class SampledContact {
       }
       if constexpr (SIZE >= ContactMemory::with_rolling) {
         lost = {};
-        touch.roll(rub(rolling_, touch, touch.rolls(grid.spin_i, grid.spin_j), normal,
-                       memory.rolling, losses ? &lost : nullptr),
+        touch.roll(spring_impulse(rolling_, touch, touch.rolls(grid.spin_i, grid.spin_j), normal,
+                                  memory.rolling, losses ? &lost : nullptr),
                    step.action);
         if (losses) losses->rolling = lost.damped + lost.friction;
       }
@@ -95,15 +95,16 @@ class SampledContact {
   }
 
  private:
-  [[gnu::always_inline]] Vector3 rub(const SpringOnGrid& spring, const ContactBodies::Touch& touch,
-                                     const Vector3& rate, const PairStep& normal,
-                                     SpringOnGrid::Memory& memory,
-                                     SpringOnGrid::Losses* lost) const {
+  [[gnu::always_inline]] Vector3 spring_impulse(const SpringOnGrid& spring,
+                                                const ContactBodies::Touch& touch,
+                                                const Vector3& rate, const PairStep& normal,
+                                                SpringOnGrid::Memory& memory,
+                                                SpringOnGrid::Losses* lost) const {
     // The first step of a run is half of one, from the grid point on.
     const double part = window_.length() / (2.0 * window_.after);
     if (normal.normal.contact_time > 0.0)
-      return part *
-             spring.rub(touch.plane(), rate, normal.normal.repulsion_at_end, true, memory, lost);
+      return part * spring.advance_lasting(touch.plane(), rate, normal.normal.repulsion_at_end,
+                                           true, memory, lost);
     if (lost) *lost = {0.0, spring.lost_at_end(rate, memory)};
     memory = {};
     return {};

@@ -35,16 +35,17 @@ class SpringOnGrid {
   /// [length/time], and the force of normal spring and dashpot. Gives the impulse at the grid
   /// point. `lasted`: through the last step, too, whose losses are told, if asked for. A step that
   /// was followed has half of its impulse still to do.
-  [[gnu::always_inline]] Vector3 rub(const contact::Plane& plane, const Vector3& rate,
-                                     double repulsion, bool lasted, Memory& memory,
-                                     Losses* losses) const {
+  [[gnu::always_inline]] Vector3 advance_lasting(const contact::Plane& plane, const Vector3& rate,
+                                                 double repulsion, bool lasted, Memory& memory,
+                                                 Losses* losses) const {
     const Vector3 turned = plane.turned_into(memory.stretch);
     const Vector3 stretched = turned + step_ * rate;
     // What was followed has slipped already, and does not stretch by the whole rate.
     const Vector3 before = lasted ? turned : stretched;
     Vector3 s = stretched;
-    Vector3 force = lasted ? held(constants_, s, rate)
-                           : held(ends_.first, s, rate + (0.5 * answer_) * memory.impulse);
+    Vector3 force = lasted
+                        ? sticking_force(constants_, s, rate)
+                        : sticking_force(ends_.first, s, rate + (0.5 * answer_) * memory.impulse);
     const double limit = friction_ * std::max(repulsion, 0.0);
     const double square = dot(force, force);
     const bool slips = square > limit * limit;
@@ -66,15 +67,15 @@ class SpringOnGrid {
     return lasted ? impulse : mean;
   }
 
-  /// After rub() with the same `rate` and `repulsion`: the impulse of which half is left to do up
-  /// to the true velocity, with the normal force `last` in that. What it takes less of the motion
-  /// than the half that was to come is lost.
-  void leave(const Vector3& rate, double repulsion, double last, Memory& memory,
-             Losses* losses) const {
+  /// After advance_lasting() with the same `rate` and `repulsion`: the impulse of which half is
+  /// left to do up to the true velocity, with the normal force `last` in that. What it takes less
+  /// of the motion than the half that was to come is lost.
+  void end_lasting(const Vector3& rate, double repulsion, double last, Memory& memory,
+                   Losses* losses) const {
     const Vector3 planned = memory.impulse;
     const bool slips =
         norm(planned) >= (1.0 - rounding) * step_ * friction_ * std::max(repulsion, 0.0);
-    if (!slips) memory.impulse = step_ * held(ends_.last, memory.stretch, rate);
+    if (!slips) memory.impulse = step_ * sticking_force(ends_.last, memory.stretch, rate);
     const double limit = step_ * friction_ * std::max(last, 0.0), size = norm(memory.impulse);
     if (size > 0.0 && (slips || size > limit)) memory.impulse = (limit / size) * memory.impulse;
     if (losses)
@@ -82,7 +83,7 @@ class SpringOnGrid {
           0.5 * dot(planned - memory.impulse, rate + (0.25 * answer_) * (planned + memory.impulse));
   }
 
-  /// What is lost when a contact of one force has ended, with what the spring held.
+  /// What is lost when a contact of one force has ended, with what the spring stored.
   double lost_at_end(const Vector3& rate, const Memory& memory) const {
     return law_.stored_energy(memory.stretch) - 0.5 * dot(memory.impulse, rate);
   }
@@ -100,7 +101,7 @@ class SpringOnGrid {
                      normal.normal.repulsion_impulse, normal.normal.repulsion_at_end);
     step.displacement += shift;
     mean = rate + (0.5 * answer_) * step.impulse + (2.0 / step_) * shift;
-    if (normal.overlap_at_end <= 0.0) {  // parted: what the spring still held is lost
+    if (normal.overlap_at_end <= 0.0) {  // parted: what the spring still stored is lost
       step.friction += law_.stored_energy(step.displacement);
       step.displacement = {};
     }
@@ -113,14 +114,14 @@ class SpringOnGrid {
     return (constants_.stiffness + 2.0 * constants_.damping / step_) * step_ * step_ * answer_;
   }
 
-  /// Without a slider that holds there is no force.
+  /// A spring whose slider has no friction gives no force.
   bool acts() const { return friction_ > 0.0; }
   double stored_energy(const Vector3& stretch) const { return law_.stored_energy(stretch); }
 
  private:
   static constexpr double rounding = 1e-12;
 
-  static Vector3 held(const GridSpring& spring, const Vector3& s, const Vector3& rate) {
+  static Vector3 sticking_force(const GridSpring& spring, const Vector3& s, const Vector3& rate) {
     return -spring.stiffness * s - spring.damping * rate;
   }
 
