@@ -54,23 +54,23 @@ void ContactBook::begin_step() {
   for (int i = 0; i < atom->nlocal + atom->nghost; i++) std::fill_n(owed_[i], MOTION, 0.0);
 }
 
-void ContactBook::store(double part, const StoredEnergies& stored) {
-  now_.stored.tangential_spring += part * stored.tangential_spring;
-  now_.stored.rolling_spring += part * stored.rolling_spring;
-  store_again(part, stored);
+void ContactBook::store(double fraction, const StoredEnergies& stored) {
+  now_.stored.tangential_spring += fraction * stored.tangential_spring;
+  now_.stored.rolling_spring += fraction * stored.rolling_spring;
+  store_again(fraction, stored);
 }
 
 void ContactBook::begin_again() { now_.stored.spring = now_.stored.adhesion = 0.0; }
 
-void ContactBook::store_again(double part, const StoredEnergies& stored) {
-  now_.stored.spring += part * stored.spring;
-  now_.stored.adhesion += part * stored.adhesion;
+void ContactBook::store_again(double fraction, const StoredEnergies& stored) {
+  now_.stored.spring += fraction * stored.spring;
+  now_.stored.adhesion += fraction * stored.adhesion;
 }
 
-void ContactBook::lose(double part, const ContactLosses& lost, double later) {
+void ContactBook::lose(double fraction, const ContactLosses& lost, double later) {
   if (!kept_) return;
-  add(now_.lost, (1.0 - later) * part, lost);
-  add(later_.lost, later * part, lost);
+  add(now_.lost, (1.0 - later) * fraction, lost);
+  add(later_.lost, later * fraction, lost);
 }
 
 void ContactBook::work(double done) {

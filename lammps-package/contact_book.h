@@ -39,14 +39,14 @@ class ContactBook : protected Pointers {
   void look_for_readers();
   /// A new grid point: what was lost after the last one was lost before this one.
   void begin_step();
-  /// What `part` of a contact stores.
-  void store(double part, const cohesion::event_stepping::StoredEnergies&);
+  /// What `fraction` of a contact stores.
+  void store(double fraction, const cohesion::event_stepping::StoredEnergies&);
   /// Where a run goes on from the forces of the last one, what springs in the plane of contact
   /// store is known: all else is stored again.
   void begin_again();
-  void store_again(double part, const cohesion::event_stepping::StoredEnergies&);
-  /// What `part` of a contact loses, of which `later` is after the grid point.
-  void lose(double part, const cohesion::event_stepping::ContactLosses&, double later);
+  void store_again(double fraction, const cohesion::event_stepping::StoredEnergies&);
+  /// What `fraction` of a contact loses, of which `later` is after the grid point.
+  void lose(double fraction, const cohesion::event_stepping::ContactLosses&, double later);
   /// Work of others around the grid point.
   void work(double done);
 

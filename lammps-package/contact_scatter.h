@@ -7,7 +7,7 @@
 #include "event_stepping/sampled_contact.h"
 #include "fix_event_step.h"
 
-// How what contacts do reaches the particles, from pairs and walls alike.
+// How the impulses of contacts reach the particles, from pairs and walls alike.
 //
 // Here, and where the laws of a step are, local variables of a struct type are not `const`: GCC 12
 // keeps such in memory, the others in registers, which costs a sampled contact a tenth.
@@ -65,25 +65,27 @@ class ContactsOfStep {
     if (SIZE > 3) add(to[j] + 3, cohesion::event_stepping::inverse_inertia(body), a.torque_j);
   }
 
-  /// Adds D, V and changes of spins to `predicted`.
-  void share(int i, int j, const Contact& c, const PairMotion& change) const {
-    share_i(i, c, change);
-    if (j >= 0) share_j(j, c, change);
+  /// Adds D, V and changes of spins to `predicted` of the step.
+  void add_predicted(int i, int j, const Contact& c, const PairMotion& change) const {
+    add_predicted_i(i, c, change);
+    if (j >= 0) add_predicted_j(j, c, change);
   }
-  void share_i(int i, const Contact& c, const PairMotion& change) const {
-    half(step_->predicted[i], -c.bodies().share_i(), change, change.spin_i);
+  void add_predicted_i(int i, const Contact& c, const PairMotion& change) const {
+    add_motion(step_->predicted[i], -c.bodies().motion_fraction_i(), change, change.spin_i);
   }
-  void share_j(int j, const Contact& c, const PairMotion& change) const {
-    half(step_->predicted[j], c.bodies().share_j(), change, change.spin_j);
+  void add_predicted_j(int j, const Contact& c, const PairMotion& change) const {
+    add_motion(step_->predicted[j], c.bodies().motion_fraction_j(), change, change.spin_j);
   }
 
-  double part(int j) const { return j < 0 || j < nlocal_ ? 1.0 : 0.5; }
+  /// The fraction of a pair's energies that this process counts: a pair of two processes, or of two
+  /// images, is met twice. j < 0: a wall.
+  double owned_fraction(int j) const { return j < 0 || j < nlocal_ ? 1.0 : 0.5; }
 
  private:
-  static void half(double* to, double share, const PairMotion& change,
-                   const cohesion::Vector3& spin) {
-    add(to, share, change.relative.separation);
-    add(to + 3, share, change.relative.velocity);
+  static void add_motion(double* to, double factor, const PairMotion& change,
+                         const cohesion::Vector3& spin) {
+    add(to, factor, change.relative.separation);
+    add(to + 3, factor, change.relative.velocity);
     if (SIZE > 3) add(to + 6, 1.0, spin);
   }
 
@@ -174,10 +176,10 @@ cohesion::event_stepping::SampledStep sample(const ContactsOfStep<Contact, SIZE>
   SampledStep now = c.template act<SIZE>(grid, memory, step->book.is_kept() ? &lost : nullptr);
   scatter.act(i, j, now.action);
   if (step->book.is_kept()) {
-    const double part = scatter.part(j);
-    step->book.store(part, c.stored(grid, memory));
-    step->book.lose(part, {lost.normal_damping, 0.0, 0.0, 0.0}, 0.5);
-    step->book.lose(part, {0.0, lost.tangential_damping, lost.friction, lost.rolling}, 0.0);
+    const double fraction = scatter.owned_fraction(j);
+    step->book.store(fraction, c.stored(grid, memory));
+    step->book.lose(fraction, {lost.normal_damping, 0.0, 0.0, 0.0}, 0.5);
+    step->book.lose(fraction, {0.0, lost.tangential_damping, lost.friction, lost.rolling}, 0.0);
     const Action half{0.5 * now.action.impulse, 0.5 * now.action.torque_i,
                       0.5 * now.action.torque_j};
     scatter.change(step->book.owed(), i, j, half);

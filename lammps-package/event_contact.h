@@ -74,8 +74,8 @@ struct LastingContact {
   double* history;
 };
 
-/// One that begins to, whose springs in the plane of contact have another impulse then than
-/// lasting_action() tells.
+/// A contact that begins to act by one force: in that step its springs in the plane of contact have
+/// another impulse than lasting_action() gives.
 struct BegunContact {
   LastingContact contact;
   cohesion::event_stepping::Action action;
@@ -133,7 +133,7 @@ struct StepContacts {
       announce<SIZE>(scatter, step, c, {i, j, contact, history}, grid, memory);
     }
     if (step->book.is_kept()) {
-      step->book.store(scatter.part(j), c.stored(grid, memory));
+      step->book.store(scatter.owned_fraction(j), c.stored(grid, memory));
       scatter.change(step->book.owed(), i, j, c.template owed<SIZE>(grid.relative, memory));
     }
   }
@@ -179,12 +179,12 @@ struct StepContacts {
           if (i) {
             step->joins(p.i);
             scatter.change_i(step->owed, p.i, owed);
-            scatter.share_i(p.i, c, does);
+            scatter.add_predicted_i(p.i, c, does);
           }
           if (j) {
             step->joins(p.j);
             scatter.change_j(step->owed, p.j, owed);
-            scatter.share_j(p.j, c, does);
+            scatter.add_predicted_j(p.j, c, does);
           }
         });
   }
@@ -223,7 +223,7 @@ struct StepContacts {
       if (!f.normal.acts) continue;
       p.change = f.change;
       if constexpr (SIZE >= HistorySize::with_rolling) p.rolled = f.rolled();
-      scatter.share(p.i, p.j, c, p.change);
+      scatter.add_predicted(p.i, p.j, c, p.change);
     }
   }
 
@@ -242,9 +242,9 @@ struct StepContacts {
       const Action action = c.template close<SIZE>(p.start, others, f, memory);
       memory.to(p.history, SIZE);
       scatter.act(p.i, p.j, action);
-      const double part = scatter.part(p.j);
-      if (f.normal.normal.unresolved) step->note_unresolved(part);
-      step->book.lose(part, Contact::template losses<SIZE>(f), 1.0);
+      const double fraction = scatter.owned_fraction(p.j);
+      if (f.normal.normal.unresolved) step->note_unresolved(fraction);
+      step->book.lose(fraction, Contact::template losses<SIZE>(f), 1.0);
       done(
           p.j, p.start.truth, action.impulse,
           [&] { return c.by_contact(p.start, f.normal, action); }, 1.0);
@@ -267,7 +267,7 @@ struct StepContacts {
     const bool lasts = c.one_force().template advance_lasting<SIZE>(grid, memory, action, losses);
     if (!lasts) c.one_force().template end_lasting<SIZE>(grid, memory, losses);
     memory.to(p.history, SIZE);
-    step->book.lose(scatter.part(p.j), lost, 0.0);
+    step->book.lose(scatter.owned_fraction(p.j), lost, 0.0);
     if (!lasts) return false;
     if (lasted)
       lasting.add() = p;
@@ -289,7 +289,7 @@ struct StepContacts {
     done(p.j, grid, action.impulse, [&] { return c.by_contact(grid, action); }, -1.0);
     ContactLosses lost;
     c.one_force().template end_lasting<SIZE>(grid, memory, step->book.is_kept() ? &lost : nullptr);
-    step->book.lose(scatter.part(p.j), lost, 0.0);
+    step->book.lose(scatter.owned_fraction(p.j), lost, 0.0);
     announce<SIZE>(scatter, step, c, p, grid, memory);
   }
 

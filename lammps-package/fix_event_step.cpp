@@ -47,9 +47,9 @@ FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
       impulses(lammps),
       book(lammps),
       watch(lammps),
-      told(nullptr),
-      shared(nullptr),
-      shared_each(PREDICTED),
+      forwarded_flags(nullptr),
+      forwarded_values(nullptr),
+      values_each(PREDICTED),
       follows(true),
       resting(false),
       resuming(false),
@@ -242,16 +242,16 @@ bool FixEventStep::run_predictor() {
   impulses.open();
   for (EventContacts* some : styles) some->gather();
   if (within_step) {
-    share_restless();
+    forward_restless();
     const int all = atom->nlocal + atom->nghost;
     some_restless =
         std::any_of(restless.begin(), restless.begin() + all, [](char is) { return is != 0; });
     for (EventContacts* some : styles) some->unsettle();
     for (EventContacts* some : styles) some->join();
     if (some_announced || comm->nprocs > 1) {
-      share(owed, OWED);
+      forward_to_ghosts(owed, OWED);
       for (EventContacts* some : styles) some->predict();
-      share(predicted, PREDICTED);
+      forward_to_ghosts(predicted, PREDICTED);
     }
   }
   return true;

@@ -78,8 +78,9 @@ struct Bodies {
 ///
 /// Contacts beside those are followed, too.
 ///
-/// Order within a step, with its first forces: all styles gather(); share_restless(); unsettle();
-/// join(); share(owed); predict(); share(predicted). Then the corrector of each style.
+/// Order within a step, with its first forces: all styles gather(); forward_restless(); unsettle();
+/// join(); forward_to_ghosts(owed); predict(); forward_to_ghosts(predicted). Then the corrector of
+/// each style.
 ///
 /// A fix cannot make another one in its constructor: those that need this one call of() in
 /// post_constructor(); the order above does not depend on the order of the fixes.
@@ -204,7 +205,7 @@ class FixEventStep : public Fix {
   bool sums_flux() const { return flux_wanted; }
 
   /// Counts a contact whose step was cut short.
-  void note_unresolved(double part) { unresolved += part; }
+  void note_unresolved(double fraction) { unresolved += fraction; }
   /// Runs all that comes before the corrector, if it has not been run in this step, and then the
   /// corrector of the caller.
   template <class Corrector>
@@ -224,9 +225,9 @@ class FixEventStep : public Fix {
   void look_round();
   void weigh(int all);
   void report_unresolved();
-  void share_restless();
-  void share(double** values, int each);
-  void tell(std::vector<char>& flags, double** values, int each);
+  void forward_restless();
+  void forward_to_ghosts(double** values, int each);
+  void forward_flagged(std::vector<char>& flags, double** values, int each);
   void begin_books();
   void look_for_unturned();
   bool others_may_act() const;
@@ -243,9 +244,9 @@ class FixEventStep : public Fix {
   std::vector<AdvisedStyle*> advised;  // the same
   ContactWatch watch;
 
-  char* told;       // per atom and ghost: of which there is something to tell now
-  double** shared;  // what goes to the ghosts then
-  int shared_each;
+  char* forwarded_flags;      // per atom and ghost, of what goes to ghosts now: whether it has any
+  double** forwarded_values;  // those, `values_each` of each
+  int values_each;
   bool follows;  // any pair or wall, in this run
   bool resting;  // nothing is followed, and nobody reads the books
   bool resuming;
@@ -263,7 +264,7 @@ class FixEventStep : public Fix {
   bool others_act = false;      // anything but contacts, likewise, where that matters
   bool others_noted = false;    // in `outer`, which is 0 otherwise
   int* contacts;                // per atom and ghost, this step
-  std::vector<char> announced;  // per atom: 1 if it is, or 0; of ghosts what their owners told
+  std::vector<char> announced;  // per atom: 1 if it is, or 0; of ghosts what their owners sent
   std::vector<int> announced_ghosts;
   std::vector<char> restless;   // per atom and ghost: 1 with an event or a young contact, or 0
   bool some_restless = false;   // of those

@@ -15,43 +15,43 @@
 using namespace LAMMPS_NS;
 
 /// Tells ghosts whether their owners are restless.
-void FixEventStep::share_restless() { tell(restless, nullptr, 0); }
+void FixEventStep::forward_restless() { forward_flagged(restless, nullptr, 0); }
 
 /// Brings `each` values of announced particles to their ghosts, 0 to announced ghosts of others.
-void FixEventStep::share(double** values, int each) {
+void FixEventStep::forward_to_ghosts(double** values, int each) {
   for (int i : announced_ghosts) std::fill_n(values[i], each, 0.0);
-  tell(announced, values, each);
+  forward_flagged(announced, values, each);
 }
 
 /// Gives ghosts the flags of their owners, and those that are flagged `each` of their values.
-void FixEventStep::tell(std::vector<char>& flags, double** values, int each) {
+void FixEventStep::forward_flagged(std::vector<char>& flags, double** values, int each) {
   std::fill(flags.begin() + atom->nlocal, flags.end(), 0);
-  told = flags.data();
-  shared = values;
-  shared_each = each;
+  forwarded_flags = flags.data();
+  forwarded_values = values;
+  values_each = each;
   engine_api::forward_comm(comm, this, 1 + each);
 }
 
-/// Of those of which there is anything to tell: their places in the list, and their values; -1
-/// after the last one, where the list does not end with it. A ghost that is passed on has what its
-/// owner told.
+/// Packs, of the particles that are flagged, their places in the list and their values; -1 after
+/// the last one, where the list does not end with it. A ghost that is passed on has what its owner
+/// sent.
 int FixEventStep::pack_forward_comm(int n, int* list, double* buf, int, int*) {
   double* end = buf;
   for (int k = 0; k < n; k++) {
-    if (!told[list[k]]) continue;
+    if (!forwarded_flags[list[k]]) continue;
     *end++ = k;
-    if (shared_each > 0) end = std::copy_n(shared[list[k]], shared_each, end);
+    if (values_each > 0) end = std::copy_n(forwarded_values[list[k]], values_each, end);
   }
-  if (end - buf < (1 + shared_each) * n) *end++ = -1.0;
+  if (end - buf < (1 + values_each) * n) *end++ = -1.0;
   return static_cast<int>(end - buf);
 }
 
 void FixEventStep::unpack_forward_comm(int n, int first, double* buf) {
   for (int k = 0; k < n && *buf >= 0.0; k++) {
     const int i = first + static_cast<int>(*buf++);
-    told[i] = 1;
-    if (shared_each > 0) std::copy_n(buf, shared_each, shared[i]);
-    buf += shared_each;
+    forwarded_flags[i] = 1;
+    if (values_each > 0) std::copy_n(buf, values_each, forwarded_values[i]);
+    buf += values_each;
   }
 }
 

@@ -64,7 +64,7 @@ void ContactBook::write(const ContactModels::SurfacesCloseData& d, const Entry& 
     r.before.j = moving(d.j);
     r.j = d.j;
     r.rj = d.radj;
-    if (d.j >= lmp_->atom->nlocal) r.share = 0.5;
+    if (d.j >= lmp_->atom->nlocal) r.owned_fraction = 0.5;
   }
   records_.push_back(r);
 }
@@ -111,17 +111,17 @@ void ContactBook::work_out(const Record& r, const MobileParticles& mobile, bool 
   const Motion before = set_up ? grid : r.before;
   const double half = 0.5 * lmp_->update->dt;
   const Stored s = stored(c, half_a_step_on(before, grid), half);
-  spring += r.share * s.spring;
-  tangential_spring += r.share * s.tangential_spring;
-  rolling_spring += r.share * c.rolling_energy;
+  spring += r.owned_fraction * s.spring;
+  tangential_spring += r.owned_fraction * s.tangential_spring;
+  rolling_spring += r.owned_fraction * c.rolling_energy;
   if (r.entry.law)
-    adhesion +=
-        r.share * r.entry.law->energy(r.itype, r.jtype, r.ri, r.rj, -s.overlap, r.entry.inside);
-  now.add(r.share, losses(c, before, grid));
+    adhesion += r.owned_fraction *
+                r.entry.law->energy(r.itype, r.jtype, r.ri, r.rj, -s.overlap, r.entry.inside);
+  now.add(r.owned_fraction, losses(c, before, grid));
 
   // What a wall, or a particle that is led, gives to the others.
   const auto put_in = [&](const Vector3& force, const Vector3& torque, const Moving& by) {
-    external -= r.share * (dot(force, by.velocity) + dot(torque, by.spin));
+    external -= r.owned_fraction * (dot(force, by.velocity) + dot(torque, by.spin));
   };
   const auto act = [&](int particle, const Vector3& force, const Vector3& torque,
                        const Moving& by) {

@@ -71,7 +71,7 @@ class ContactBook {
     int i, j;  // j negative: a wall
     int itype, jtype;
     double ri, rj;
-    double share;  // of a pair that another rank, or an image of itself, has as well
+    double owned_fraction;  // 0.5 of a pair that another rank, or an image of itself, has as well
   };
   cohesion::contact::Moving moving(int particle) const;
   void work_out(const Record&, const MobileParticles&, bool set_up, cohesion::contact::Losses&,

@@ -44,7 +44,7 @@ inline constexpr double overlap_for_warning = 0.01;
 inline constexpr double overlap_for_error = 0.5;
 /// Steps in the surface cut-off below which a sampled force gets the work of the adhesion wrong.
 inline constexpr double cutoff_steps_for_warning = 1.0;
-/// Share of the speed of an impact that rounding may leave open: what 15 steps leave open of the
+/// Fraction of the speed of an impact that rounding may leave open: what 15 steps leave open of the
 /// escape velocity where a force is sampled.
 inline constexpr double rounding_for_warning = 1.0 / 15.0;
 

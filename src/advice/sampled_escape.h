@@ -9,12 +9,12 @@
 #include "event_stepping/sampled_well.h"
 
 /// Head-on escape velocities of scheme sampled. Its forces are those on the grid, so that whether a
-/// pair sticks depends on where in the step it meets: each speed has a share of positions at which
-/// it does.
+/// pair sticks depends on where in the step it meets: each speed has a fraction of positions at
+/// which it does.
 namespace cohesion::advice {
 
 struct SampledEscape {
-  double mean;            ///< integral of the share that sticks over the speeds, [length/time]
+  double mean;            ///< integral of the fraction that sticks over the speeds, [length/time]
   double slowest_parted;  ///< of those looked at, [length/time]; rarer ones may be slower
   double fastest_stuck;   ///< the same
 };
@@ -64,7 +64,7 @@ namespace detail {
 /// Pairs that parted and stuck, of n speeds between `low` and `high` at n positions each.
 struct Look {
   double slowest_parted, fastest_stuck;
-  double stuck;  ///< share of all
+  double stuck;  ///< fraction of all
 };
 
 template <class PartsAt>
@@ -103,7 +103,7 @@ SampledEscape sampled_escape(const PartsAt& parts_at, double exact, double step)
     high = std::min(high, std::max(seen.slowest_parted, seen.fastest_stuck) + spacing);
   }
   // Each of n^2 places in the plane of speed and position is stuck or not: the standard error of
-  // their share is at most 1/(2 n).
+  // that fraction is at most 1/(2 n).
   const double per_error = 0.5 * (high - low) / (sampling_error * exact);
   const int n = std::max(few, static_cast<int>(std::ceil(per_error)));
   const Look seen = look(parts_at, low, high, n);

@@ -33,7 +33,7 @@ inline OverMaterial over_material(const contact::AdhesiveContact& contact,
   return {both_part ? escape / real_escape : 1.0, used.force / real.force};
 }
 
-/// Below this share of the approach speed hardly an impact is as slow as the escape velocity: of
+/// Below this fraction of the approach speed hardly an impact is as slow as the escape velocity: of
 /// impacts at random speeds v about one in (v/v_esc)^2.
 inline constexpr double escape_for_notice = 0.01;
 

@@ -68,11 +68,11 @@ struct Losses {
   double tangential = 0.0;  ///< all that the tangential force takes: to spring, dashpot and slider
   double rolling = 0.0;     ///< all that the rolling torques take
 
-  void add(double share, const Losses& other) {
-    normal_damping += share * other.normal_damping;
-    tangential_damping += share * other.tangential_damping;
-    tangential += share * other.tangential;
-    rolling += share * other.rolling;
+  void add(double factor, const Losses& other) {
+    normal_damping += factor * other.normal_damping;
+    tangential_damping += factor * other.tangential_damping;
+    tangential += factor * other.tangential;
+    rolling += factor * other.rolling;
   }
 };
 

@@ -154,8 +154,10 @@ class ContactOnGrid {
     PairMotion change;
     change.relative.separation = (step_ * inverse_mass_) * (action.impulse - owed.impulse);
     change.relative.velocity = inverse_mass_ * (action.impulse - owed.impulse + later.impulse);
-    change.spin_i = bodies_.spin_share_i() * (action.torque_i - owed.torque_i + later.torque_i);
-    change.spin_j = bodies_.spin_share_j() * (action.torque_j - owed.torque_j + later.torque_j);
+    change.spin_i =
+        bodies_.inverse_inertia_i() * (action.torque_i - owed.torque_i + later.torque_i);
+    change.spin_j =
+        bodies_.inverse_inertia_j() * (action.torque_j - owed.torque_j + later.torque_j);
     return change;
   }
 
@@ -205,15 +207,15 @@ class ContactOnGrid {
       f.change.relative.velocity += inverse_mass_ * impulse;
       Action turning;
       touch.slide(impulse, turning);
-      f.change.spin_i = bodies_.spin_share_i() * turning.torque_i;
-      f.change.spin_j = bodies_.spin_share_j() * turning.torque_j;
+      f.change.spin_i = bodies_.inverse_inertia_i() * turning.torque_i;
+      f.change.spin_j = bodies_.inverse_inertia_j() * turning.torque_j;
       if constexpr (SIZE >= ContactMemory::with_rolling) {
         const Vector3 rolls =
             touch.rolls(spin_i + 0.5 * f.change.spin_i, spin_j + 0.5 * f.change.spin_j);
         f.rolling = one_force_.rolling().follow(touch.plane(), start.rolling, {}, rolls, f.normal,
                                                 f.rolling_rate);
         const Vector3 turn = bodies_.rolling_radius() * f.rolling.impulse;
-        f.turned = {bodies_.spin_share_i() * turn, -bodies_.spin_share_j() * turn};
+        f.turned = {bodies_.inverse_inertia_i() * turn, -bodies_.inverse_inertia_j() * turn};
         f.change.spin_i += f.turned.i;
         f.change.spin_j += f.turned.j;
       }

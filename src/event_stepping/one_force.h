@@ -20,8 +20,9 @@ class OneForce {
         step_(step),
         reduced_mass_(bodies.reduced_mass()),
         normal_(normal, bodies.reduced_mass(), bodies.distance(), pull, step, bodies.is_wall()),
-        sliding_(contact::tangential_contact(parameters, normal), step, bodies.sliding_answer()),
-        rolling_(contact::rolling_contact(parameters, normal), step, bodies.rolling_answer()),
+        sliding_(contact::tangential_contact(parameters, normal), step,
+                 bodies.inverse_sliding_mass()),
+        rolling_(contact::rolling_contact(parameters, normal), step, bodies.inverse_rolling_mass()),
         steady_(is_steady()) {}
 
   const SpringOnGrid& sliding() const { return sliding_; }

@@ -32,9 +32,9 @@ class SampledContact {
         normal_contact_(contact::normal_contact(parameters, bodies_.reduced_mass())),
         pair_(normal_contact_, attraction, bodies_.distance(), window.length()),
         sliding_(contact::tangential_contact(parameters, normal_contact_), 2.0 * window.after,
-                 bodies_.sliding_answer()),
+                 bodies_.inverse_sliding_mass()),
         rolling_(contact::rolling_contact(parameters, normal_contact_), 2.0 * window.after,
-                 bodies_.rolling_answer()) {}
+                 bodies_.inverse_rolling_mass()) {}
 
   bool joins(const Body& i, const Body& j) const { return bodies_.are(i, j); }
   const ContactBodies& bodies() const { return bodies_; }

@@ -44,7 +44,7 @@ struct Pressed : PairOnGrid<Pair, size> {
     this->memory = before;
   }
   double radius() const { return this->contact.bodies().rolling_radius(); }
-  double answer() const { return this->contact.bodies().rolling_answer(); }
+  double answer() const { return this->contact.bodies().inverse_rolling_mass(); }
   /// On the grid.
   Vector3 rolls() const { return radius() * (spin[0] - spin[1]); }
   double energy_of_spin() const {
