@@ -87,7 +87,7 @@ class CohesiveCoefficients : protected Pointers {
     return false;
   }
   /// Whether anything can happen between particles of any types.
-  bool any_acts() const {
+  bool any_active() const {
     if constexpr (Cohesion::HAS_CONTACT)
       return true;
     else

@@ -22,8 +22,8 @@ class ContactImpulses : protected Pointers {
   enum class Known { nobody, forces, forces_and_torques };
   /// A step in which an impulse 1 is the force `kick` [1/time].
   void begin_step(double kick, Known known);
-  /// Nothing acts until the next step begins.
-  void rest() { known_ = Known::nobody; }
+  /// Keeps no account until the next step begins, in which no contact acts.
+  void disable() { known_ = Known::nobody; }
 
   /// From now on to close() nothing but contacts adds to the engine's forces.
   void open();

@@ -41,12 +41,12 @@ class ContactsOfStep {
   double kick() const { return kick_; }
 
   /// Force and torque on the particles of this process.
-  [[gnu::always_inline]] void act(int i, int j, const Action& a) const {
+  [[gnu::always_inline]] void apply(int i, int j, const Action& a) const {
     step_->impulses.push<SIZE>(i, -a.impulse, a.torque_i);
     if (j >= 0 && j < nlocal_) step_->impulses.push<SIZE>(j, a.impulse, a.torque_j);
   }
-  void act_not(int i, int j, const Action& a) const {
-    act(i, j, {-a.impulse, -a.torque_i, -a.torque_j});
+  void apply_reversed(int i, int j, const Action& a) const {
+    apply(i, j, {-a.impulse, -a.torque_i, -a.torque_j});
   }
 
   /// Adds what `a` changes of the motion of both particles to `to`.
@@ -106,9 +106,9 @@ class LastingForces {
         nlocal_(atom->nlocal) {}
 
   /// False: nothing is done, the contact is to be taken in another way.
-  [[gnu::always_inline]] bool act(const Contact& c, int i, int j,
-                                  const cohesion::event_stepping::PairMotion& grid,
-                                  double* history) const {
+  [[gnu::always_inline]] bool apply(const Contact& c, int i, int j,
+                                    const cohesion::event_stepping::PairMotion& grid,
+                                    double* history) const {
     using namespace cohesion::event_stepping;
     if (history[0] != ContactMemory::lasting) return false;
     ContactMemory memory = ContactMemory::as_stored(history, SIZE);
@@ -143,12 +143,12 @@ class SampledForces {
         nlocal_(atom->nlocal) {}
 
   /// Gives whether the contact remembers anything.
-  [[gnu::always_inline]] bool act(const Contact& c, int i, int j,
-                                  const cohesion::event_stepping::PairMotion& grid,
-                                  double* history) const {
+  [[gnu::always_inline]] bool apply(const Contact& c, int i, int j,
+                                    const cohesion::event_stepping::PairMotion& grid,
+                                    double* history) const {
     using namespace cohesion::event_stepping;
     ContactMemory memory = ContactMemory::as_stored(history, SIZE);
-    const Action action = c.template act<SIZE>(grid, memory, nullptr).action;
+    const Action action = c.template compute<SIZE>(grid, memory, nullptr).action;
     memory.to(history, SIZE);
     add(forces_[i], -kick_, action.impulse);
     if (SIZE >= ContactMemory::with_friction) add(torques_[i], kick_, action.torque_i);
@@ -173,8 +173,8 @@ cohesion::event_stepping::SampledStep sample(const ContactsOfStep<Contact, SIZE>
                                              cohesion::event_stepping::ContactMemory& memory) {
   using namespace cohesion::event_stepping;
   ContactLosses lost;
-  SampledStep now = c.template act<SIZE>(grid, memory, step->book.is_kept() ? &lost : nullptr);
-  scatter.act(i, j, now.action);
+  SampledStep now = c.template compute<SIZE>(grid, memory, step->book.is_kept() ? &lost : nullptr);
+  scatter.apply(i, j, now.action);
   if (step->book.is_kept()) {
     const double fraction = scatter.owned_fraction(j);
     step->book.store(fraction, c.stored(grid, memory));

@@ -120,14 +120,14 @@ struct StepContacts {
     using namespace cohesion::event_stepping;
     ContactMemory memory = ContactMemory::from(history, SIZE);
     const bool lasted = memory.phase == ContactMemory::lasting;
-    if (c.idles(grid.relative, memory, step->flight())) {
+    if (c.is_idle(grid.relative, memory, step->flight())) {
       idle.push_back({i, j, contact, history});
     } else if (!lasted && c.can_last(grid.relative, memory)) {
       candidates.push_back({i, j, contact, history});
     } else if (!lasted || !advance_lasting<SIZE>(scatter, step, c, {i, j, contact, history}, grid,
                                                  memory, done)) {
       // Not by those that only the fastest particle of this rank could bring together.
-      if (memory.phase != ContactMemory::beyond ? !c.idles(grid.relative, memory, 0.0)
+      if (memory.phase != ContactMemory::beyond ? !c.is_idle(grid.relative, memory, 0.0)
                                                 : c.within_reach(grid.relative, 0.0))
         step->unsettle(i, j);
       announce<SIZE>(scatter, step, c, {i, j, contact, history}, grid, memory);
@@ -220,7 +220,7 @@ struct StepContacts {
       if (only) continue;
       const Contact& c = all[p.contact];
       const auto f = c.template follow<SIZE>(p.start, {}, {}, p.in_range);
-      if (!f.normal.acts) continue;
+      if (!f.normal.interacts) continue;
       p.change = f.change;
       if constexpr (SIZE >= HistorySize::with_rolling) p.rolled = f.rolled();
       scatter.add_predicted(p.i, p.j, c, p.change);
@@ -241,7 +241,7 @@ struct StepContacts {
       const FollowedStep<SIZE> f = c.template follow<SIZE>(p.start, others, p.rolled, p.in_range);
       const Action action = c.template close<SIZE>(p.start, others, f, memory);
       memory.to(p.history, SIZE);
-      scatter.act(p.i, p.j, action);
+      scatter.apply(p.i, p.j, action);
       const double fraction = scatter.owned_fraction(p.j);
       if (f.normal.normal.unresolved) step->note_unresolved(fraction);
       step->book.lose(fraction, Contact::template losses<SIZE>(f), 1.0);
@@ -273,7 +273,7 @@ struct StepContacts {
       lasting.add() = p;
     else
       begun.push_back({p, action});
-    scatter.act(p.i, p.j, action);
+    scatter.apply(p.i, p.j, action);
     done(p.j, grid, action.impulse, [&] { return c.by_contact(grid, action); }, 1.0);
     return true;
   }
@@ -285,7 +285,7 @@ struct StepContacts {
     using namespace cohesion::event_stepping;
     ContactMemory memory = ContactMemory::as_stored(p.history, SIZE);
     const Action action = c.one_force().template lasting_action<SIZE>(grid, memory);
-    scatter.act_not(p.i, p.j, action);
+    scatter.apply_reversed(p.i, p.j, action);
     done(p.j, grid, action.impulse, [&] { return c.by_contact(grid, action); }, -1.0);
     ContactLosses lost;
     c.one_force().template end_lasting<SIZE>(grid, memory, step->book.is_kept() ? &lost : nullptr);

@@ -50,8 +50,8 @@ FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
       forwarded_flags(nullptr),
       forwarded_values(nullptr),
       values_each(PREDICTED),
-      follows(true),
-      resting(false),
+      may_have_contacts(true),
+      idle(false),
       resuming(false),
       starting(false),
       running(false),
@@ -140,11 +140,12 @@ void FixEventStep::init() {
     if (auto* pairs = dynamic_cast<EventContacts*>(member.pair)) styles.push_back(pairs);
     if (auto* one = dynamic_cast<AdvisedStyle*>(member.pair)) advised.push_back(one);
   }
-  follows = std::any_of(styles.begin(), styles.end(),
-                        [](const EventContacts* some) { return some->follows(); });
-  within_step = std::any_of(styles.begin(), styles.end(),
-                            [](const EventContacts* some) { return some->within_step(); });
-  others_act = within_step && others_may_act();
+  may_have_contacts = std::any_of(styles.begin(), styles.end(), [](const EventContacts* some) {
+    return some->may_have_contacts();
+  });
+  any_event_scheme = std::any_of(styles.begin(), styles.end(),
+                                 [](const EventContacts* some) { return some->is_event_scheme(); });
+  others_act = any_event_scheme && others_may_act();
   look_for_unturned();
 }
 
@@ -154,11 +155,11 @@ bool FixEventStep::others_may_act() const {
     return true;
   for (const PairMember& member : pair_members(force))
     if (!dynamic_cast<EventContacts*>(member.pair)) return true;
-  constexpr int acts = FixConst::PRE_FORCE | FixConst::PRE_REVERSE | FixConst::POST_FORCE;
+  constexpr int may_act = FixConst::PRE_FORCE | FixConst::PRE_REVERSE | FixConst::POST_FORCE;
   for (int i = 0; i < modify->nfix; i++) {
     Fix* const fix = modify->fix[i];
     const bool of_contacts = fix == this || dynamic_cast<EventWalls*>(fix);
-    if (!of_contacts && (modify->fmask[i] & acts)) return true;
+    if (!of_contacts && (modify->fmask[i] & may_act)) return true;
   }
   return false;
 }
@@ -173,9 +174,9 @@ void FixEventStep::look_for_unturned() {
   said_unturned = warn_of_unturned(lmp, mobile, has_friction);
 }
 
-/// Then a step does nothing for any particle.
-bool FixEventStep::rests() const {
-  return !follows && !book.is_read() && flux_readers.use_count() == 1;
+/// Whether a step has nothing to do for any particle.
+bool FixEventStep::is_idle() const {
+  return !may_have_contacts && !book.is_read() && flux_readers.use_count() == 1;
 }
 
 /// The fastest particle or ghost, and what each weighs.
@@ -210,10 +211,10 @@ void FixEventStep::setup_pre_force(int) {
   starting = !resuming;
   other_box = resuming && box.changed(domain);
   predictor_due = false;
-  resting = rests();
-  if (resting) {
+  idle = is_idle();
+  if (idle) {
     weighed.clear();
-    impulses.rest();
+    impulses.disable();
   }
   if (!resuming) {
     const std::vector<double> weight = weights(lmp);
@@ -241,7 +242,7 @@ bool FixEventStep::run_predictor() {
   clear();
   impulses.open();
   for (EventContacts* some : styles) some->gather();
-  if (within_step) {
+  if (any_event_scheme) {
     forward_restless();
     const int all = atom->nlocal + atom->nghost;
     some_restless =
@@ -260,7 +261,7 @@ bool FixEventStep::run_predictor() {
 /// The first step has no half kick before it: what its velocities are, they truly are.
 void FixEventStep::setup(int) {
   post_force(0);
-  if (resting) impulses.rest();
+  if (idle) impulses.disable();
   constexpr double none[ContactBook::OF_PARTICLE] = {};
   if (book.is_kept() && starting)
     for (int i = 0; i < atom->nlocal; i++) book.take_motion(i, none);
@@ -277,7 +278,7 @@ void FixEventStep::initial_integrate(int) {
   }
   if (!resuming) {
     // Forces are all there when the next step begins.
-    if (!resting && within_step) note_others();
+    if (!idle && any_event_scheme) note_others();
     return;
   }
   // The same momentum, should the step be another now.
@@ -309,7 +310,7 @@ void FixEventStep::begin_books() {
 }
 
 void FixEventStep::pre_force(int) {
-  if (resting) return;
+  if (idle) return;
   judge(false);
   predictor_due = true;
 }
@@ -335,7 +336,7 @@ void FixEventStep::clear() {
   const Known known = others_act ? Known::forces : Known::nobody;
   impulses.begin_step((starting ? 2.0 : 1.0) / update->dt,
                       book.is_kept() ? Known::forces_and_torques : known);
-  if (within_step) {
+  if (any_event_scheme) {
     std::fill_n(contacts, all, 0);
     restless.assign(all, 0);
     announced.assign(all, 0);
@@ -351,7 +352,7 @@ void FixEventStep::look_for_readers() {
 }
 
 void FixEventStep::end_of_step() {
-  if (resting || !book.is_kept()) return;
+  if (idle || !book.is_kept()) return;
   for (int i = 0; i < atom->nlocal; i++)
     book.end_step(i, body(i), half_kick() * impulses.force(i), half_kick() * impulses.torque(i));
   const std::vector<double> weight = weights(lmp);

@@ -41,10 +41,11 @@ class EventContacts {
   virtual void predict() = 0;
   /// Whether friction turns particles of this type.
   virtual bool has_friction(int type) const = 0;
-  /// Whether any contact may be followed in this run.
-  virtual bool follows() const { return true; }
-  /// Whether what contacts do to each other within a step counts: scheme event.
-  virtual bool within_step() const = 0;
+  /// Whether any contact may act in this run.
+  virtual bool may_have_contacts() const { return true; }
+  /// Whether contacts are those of scheme event, which takes account of what they do to each other
+  /// within a step; else they are sampled.
+  virtual bool is_event_scheme() const = 0;
   /// Books what the contacts store, where a run takes over the forces of the last one.
   virtual void book_standing() = 0;
 
@@ -220,7 +221,7 @@ class FixEventStep : public Fix {
   void clear();
   void note_last(int i, double* values) const;
   void judge(bool setup);
-  bool rests() const;
+  bool is_idle() const;
   void look_for_readers();
   void look_round();
   void weigh(int all);
@@ -247,24 +248,24 @@ class FixEventStep : public Fix {
   char* forwarded_flags;      // per atom and ghost, of what goes to ghosts now: whether it has any
   double** forwarded_values;  // those, `values_each` of each
   int values_each;
-  bool follows;  // any pair or wall, in this run
-  bool resting;  // nothing is followed, and nobody reads the books
+  bool may_have_contacts;  // whether any pair or wall may have one, in this run
+  bool idle;               // no contact is computed, and nobody reads what they do
   bool resuming;
   bool starting;
   bool running;
   bool books_begun;  // in this run
   bool other_box;
   bool said_unturned;
-  BoxSides box;                 // at the end of the last run
-  double last_dt;               // of the step that `last` is from; 0: there was none
-  AtomNumbers last;             // from the end of a run to the first step of the next: note_last()
-  AtomNumbers outer;            // force of all but contacts at the last grid point
-  bool predictor_due = false;   // in this step: run_corrector()
-  bool within_step = false;     // any style, in this run
-  bool others_act = false;      // anything but contacts, likewise, where that matters
-  bool others_noted = false;    // in `outer`, which is 0 otherwise
-  int* contacts;                // per atom and ghost, this step
-  std::vector<char> announced;  // per atom: 1 if it is, or 0; of ghosts what their owners sent
+  BoxSides box;                // at the end of the last run
+  double last_dt;              // of the step that `last` is from; 0: there was none
+  AtomNumbers last;            // from the end of a run to the first step of the next: note_last()
+  AtomNumbers outer;           // force of all but contacts at the last grid point
+  bool predictor_due = false;  // in this step: run_corrector()
+  bool any_event_scheme = false;  // any style, in this run
+  bool others_act = false;        // anything but contacts, likewise, where that matters
+  bool others_noted = false;      // in `outer`, which is 0 otherwise
+  int* contacts;                  // per atom and ghost, this step
+  std::vector<char> announced;    // per atom: 1 if it is, or 0; of ghosts what their owners sent
   std::vector<int> announced_ghosts;
   std::vector<char> restless;   // per atom and ghost: 1 with an event or a young contact, or 0
   bool some_restless = false;   // of those

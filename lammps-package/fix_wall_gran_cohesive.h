@@ -34,7 +34,7 @@ class FixWallGranCohesive : public Fix, public EventWalls, public AdvisedStyle {
   void init() override;
   void setup(int) override;
   void post_force(int) override;
-  bool within_step() const override { return scheme == Scheme::event; }
+  bool is_event_scheme() const override { return scheme == Scheme::event; }
   void gather() override;
   void unsettle() override;
   void join() override;

@@ -33,9 +33,9 @@ PairGranCohesive<Cohesion>::PairGranCohesive(LAMMPS* lammps)
       close(lammps),
       largest_range(0.0),
       friction(false),
-      acts(false),
-      looks(true),
-      rested(false),
+      is_active(false),
+      needs_list(true),
+      history_stale(false),
       per_pair(0),
       step(nullptr),
       history(modify, Cohesion::HISTORY_ID) {
@@ -83,7 +83,7 @@ void PairGranCohesive<Cohesion>::init_style() {
   largest_radius = largest_radii(lmp);
   smallest_radius = smallest_radii(lmp, largest_radius);
   coefficients.start();
-  acts = coefficients.any_acts();
+  is_active = coefficients.any_active();
   if (coefficients.scheme() == Scheme::event)
     any_contacts.template emplace<static_cast<int>(Scheme::event)>();
   else
@@ -93,8 +93,8 @@ void PairGranCohesive<Cohesion>::init_style() {
   friction = false;
   largest_range = 0.0;
   close.start(for_flight());
-  looks = acts || per_pair > 0 || bound_pairs_are_read();
-  if (!looks) {
+  needs_list = is_active || per_pair > 0 || bound_pairs_are_read();
+  if (!needs_list) {
     list = nullptr;
     return;
   }
@@ -134,7 +134,7 @@ double PairGranCohesive<Cohesion>::init_one(int i, int j) {
   require_plausible_range(lmp, coefficients.where(), largest_radius[i] + largest_radius[j] + range);
   const auto& contact = coefficients.contact(coefficients.of_types(i, j));
   friction = friction || contact.friction > 0.0;
-  if (!looks) return largest_radius[i] + largest_radius[j];
+  if (!needs_list) return largest_radius[i] + largest_radius[j];
   largest_range = std::max(largest_range, range);
   close.start(largest_range + for_flight());
   return largest_radius[i] + largest_radius[j] + range + for_flight();

@@ -51,16 +51,18 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventContacts, p
   void read_restart(FILE*) override;
   /// Histories that nothing was written to count as none.
   void write_restart_settings(FILE* fp) override {
-    coefficients.write_settings(fp, rested ? 0 : per_pair);
+    coefficients.write_settings(fp, history_stale ? 0 : per_pair);
   }
   /// The histories of the file stay as long as they are, whether anything rolls now or not.
   void read_restart_settings(FILE* fp) override {
     per_pair = coefficients.read_settings(fp);
-    rested = per_pair == 0;
+    history_stale = per_pair == 0;
   }
   void append_bound(std::vector<std::array<int, 2>>&) const override;
-  bool follows() const override { return looks; }
-  bool within_step() const override { return acts && coefficients.scheme() == Scheme::event; }
+  bool may_have_contacts() const override { return needs_list; }
+  bool is_event_scheme() const override {
+    return is_active && coefficients.scheme() == Scheme::event;
+  }
   void gather() override;
   void unsettle() override;
   void join() override;
@@ -144,10 +146,10 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventContacts, p
   ClosePairs close;                                     // those that may touch in a step
   double largest_range;                                 // up to which the scheme has to see a pair
   bool friction;                                        // whether any contact has friction
-  bool acts;                                            // whether anything can happen in this run
-  bool looks;                                           // whether any pair is looked at in it
-  bool rested;                                          // nothing acted, and no pair was followed
-  int per_pair;  // values of history (HistorySize); 0: there is none yet
+  bool is_active;                                       // whether anything can happen in this run
+  bool needs_list;                                      // whether any pair is visited in this run
+  bool history_stale;  // since nothing has acted, histories are not those of the pairs as they are
+  int per_pair;        // values of history (HistorySize); 0: there is none yet
   class FixEventStep* step;
   PairHistory history;
 };

@@ -29,7 +29,7 @@ void PairGranCohesive<Cohesion>::for_each_listed(const What& what) const {
 /// brought particles where they are; those that are still in range remember what they did.
 template <class Cohesion>
 void PairGranCohesive<Cohesion>::begin_where_they_are(bool afresh) {
-  rested = false;
+  history_stale = false;
   std::visit(
       [this, afresh](auto& contacts) {
         contacts.clear();
@@ -49,8 +49,8 @@ void PairGranCohesive<Cohesion>::begin_where_they_are(bool afresh) {
 /// Energies of the pairs where they stand, for a run that takes over the forces of the last one.
 template <class Cohesion>
 void PairGranCohesive<Cohesion>::book_standing() {
-  if (!acts) return;
-  if (rested) begin_where_they_are(true);
+  if (!is_active) return;
+  if (history_stale) begin_where_they_are(true);
   if (step->box_changed()) begin_where_they_are(false);
   if (!step->book.is_kept()) return;
   for_each_standing([this](int, int j, const StoredEnergies& stored) {
@@ -92,7 +92,7 @@ static bool is_inside(int kept, const double* values) {
 template <class Cohesion>
 void PairGranCohesive<Cohesion>::append_bound(std::vector<std::array<int, 2>>& pairs) const {
   for_each_listed([&](int i, int j, int kept, const double* values) {
-    if (rested ? moves(i, j) && closer(0.0, i, j) : is_inside(kept, values))
+    if (history_stale ? moves(i, j) && closer(0.0, i, j) : is_inside(kept, values))
       pairs.push_back({i, j});
   });
 }

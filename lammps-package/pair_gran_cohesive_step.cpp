@@ -27,8 +27,8 @@ void PairGranCohesive<Cohesion>::compute(int eflag, int vflag) {
   coefficients.require_committed();
   if (update->whichflag == 2)
     error->all(FLERR, coefficients.where() + " follows motion in time; it cannot be minimized");
-  if (!acts) {
-    rested = true;
+  if (!is_active) {
+    history_stale = true;
     return;
   }
   if (step->resumes()) {
@@ -60,8 +60,8 @@ void PairGranCohesive<Cohesion>::with_contacts(const What& what) {
 
 template <class Cohesion>
 void PairGranCohesive<Cohesion>::gather() {
-  if (!acts) return;
-  if (rested) begin_where_they_are(true);
+  if (!is_active) return;
+  if (history_stale) begin_where_they_are(true);
   if (neighbor->ago == 0) check_radii(lmp, coefficients.where(), largest_radius);
   with_contacts([this](auto& contacts, auto size) { gather<size>(contacts); });
 }
@@ -70,7 +70,7 @@ void PairGranCohesive<Cohesion>::gather() {
 template <class Cohesion>
 template <class What>
 void PairGranCohesive<Cohesion>::with_event_contacts(const What& what) {
-  if (acts)
+  if (is_active)
     with_contacts([&](auto& contacts, auto size) {
       if constexpr (std::is_same_v<std::decay_t<decltype(contacts)>, Contacts<EventContact>>)
         what(contacts, size);
@@ -149,7 +149,7 @@ void PairGranCohesive<Cohesion>::gather(Contacts<EventContact>& contacts) {
   for_each_close([&](int i, int j, int& kept, double* values) __attribute__((always_inline)) {
     const int c = contact(contacts, grid, i, j);
     if (c == contacts.NONE) return;
-    if (kept && !asked && lasting.act(contacts.all[c], i, j, grid.motion(i, j), values))
+    if (kept && !asked && lasting.apply(contacts.all[c], i, j, grid.motion(i, j), values))
       contacts_now.lasting.add() = {i, j, c, values};
     else
       take<SIZE>(scatter, contacts.all[c], c, i, j, kept, values);
@@ -256,7 +256,7 @@ void PairGranCohesive<Cohesion>::compute_forces(Contacts<SampledContact>& contac
     if (asked || values[0] < 0.0)
       kept = sample<SIZE>(scatter, law, i, j, values);
     else
-      kept = forces.act(law, i, j, grid.motion(i, j), values);
+      kept = forces.apply(law, i, j, grid.motion(i, j), values);
   });
 }
 

@@ -39,10 +39,11 @@ namespace ContactModels {
 ///   adhesion(i, j, ri, rj)         of two types and radii; rj infinite: beside a wall
 ///   material(i, j)                 that a contact of two types stands for
 ///   range()                        how far it must see (contact_range.h)
-///   acts()                         false: all types have strength 0, and nothing is remembered
-///   rests(near, booked)            true: out of reach, so no force, and its memory stays as it is;
-///                                  booked: a memory must be told of
-///   idles(near), idles_in_contact(contact)
+///   is_active()                         false: all types have strength 0, and nothing is
+///   remembered is_out_of_reach(near, update_all)            true: out of reach, so no force, and
+///   its memory stays as it is;
+///                                  update_all: a memory must be told of
+///   is_idle(near), is_idle_in_contact(contact)
 ///                                  true: the same of one that it holds, which it has then marked
 ///                                  to be remembered; not asked while all that it holds are wanted
 ///   force(encounter)               attraction, [force]; called once per step and contact
@@ -93,7 +94,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
                          ForceData& on_j) override {
     if (events_)
       follow(contact, on_i, on_j);
-    else if (attraction_.acts() && (watched_ || !attraction_.idles_in_contact(contact)))
+    else if (attraction_.is_active() && (list_all_ || !attraction_.is_idle_in_contact(contact)))
       attract(contact, contact.r, contact.en, on_i, on_j);
   }
 
@@ -102,15 +103,15 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
       follow_near(near, on_i, on_j);
       return;
     }
-    if (!attraction_.acts() || attraction_.rests(near, booked_)) return;
-    if (watched_ || !attraction_.idles(near)) attract_near(near, on_i, on_j);
+    if (!attraction_.is_active() || attraction_.is_out_of_reach(near, update_all_)) return;
+    if (list_all_ || !attraction_.is_idle(near)) attract_near(near, on_i, on_j);
   }
 
   /// Once a step, of pairs alone. A step that is computed again repeats all forces.
   void beginPass(SurfacesIntersectData& pass, ForceData&, ForceData&) override {
-    booked_ = book_ || !pass.computeflag || !pass.shearupdate;
-    watched_ =
-        booked_ || pair_->cpl() || pair_->storeContactForces() || pair_->storeContactForcesStress();
+    update_all_ = book_ || !pass.computeflag || !pass.shearupdate;
+    list_all_ = update_all_ || pair_->cpl() || pair_->storeContactForces() ||
+                pair_->storeContactForcesStress();
   }
   void endPass(SurfacesIntersectData&, ForceData&, ForceData&) override {}
 
@@ -174,7 +175,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
 
   bool binds(int itype, int jtype, double ri, double rj, double gap,
              const double* history) const override {
-    if (Attraction::BINDS_WHAT_ENTERED && events_ && attraction_.acts())
+    if (Attraction::BINDS_WHAT_ENTERED && events_ && attraction_.is_active())
       return events_->holds(history);
     return attraction_.binds(itype, jtype, ri, rj, gap, history);
   }
@@ -196,7 +197,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
   void connect_book() {
     if (!wall_) Cohesion::FixContactBook::to_the_end(lmp);
     book_ = Cohesion::FixContactBook::book_of(lmp);
-    booked_ = watched_ = book_ != nullptr;
+    update_all_ = list_all_ = book_ != nullptr;
     const bool slides = has("tangential", "history");
     if (slides) places_.displacement = others_history_;
     if (has("rolling_friction", "epsd2")) places_.rolling = others_history_ + (slides ? 3 : 0);
@@ -204,9 +205,10 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
 
   [[gnu::noinline]] void write_contact(const SurfacesIntersectData& contact, const ForceData& on_i,
                                        const ForceData& on_j) {
-    const bool acts = carries(contact);
-    book_->write(contact, {Cohesion::contact_of(contact, on_i, on_j, normal_->exponent(), places_),
-                           acts ? &attraction_ : nullptr, acts && binds(contact, -contact.deltan)});
+    const bool attracts = carries(contact);
+    book_->write(contact,
+                 {Cohesion::contact_of(contact, on_i, on_j, normal_->exponent(), places_),
+                  attracts ? &attraction_ : nullptr, attracts && binds(contact, -contact.deltan)});
   }
 
   [[gnu::noinline]] void write_attraction(const SurfacesCloseData& near, const double* normal,
@@ -251,8 +253,8 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
   std::unique_ptr<Cohesion::NormalModelProbe> normal_;
   std::shared_ptr<Cohesion::ContactAdvice> advice_;
   std::shared_ptr<Cohesion::ContactBook> book_;  // null: none is kept
-  bool booked_ = false;   // all contacts are asked of their memory in this step
-  bool watched_ = false;  // all that are held are asked, and listed with a force of 0, too
+  bool update_all_ = false;  // the memory of every contact is brought up to date in this step
+  bool list_all_ = false;    // every bound pair is listed, with a force of 0, too
   Cohesion::HistoryPlaces places_;
   int others_history_;  // place of what the tangential and the rolling model remember
 };

@@ -127,13 +127,13 @@ void HamakerAttraction::connect(PropertyRegistry& registry, const NormalModelPro
         return cohesion::advice::Material{material[i][j], keep_};
       },
       given);
-  acts_ = false;
+  is_active_ = false;
   const std::vector<double> radii = smallest_radii(lmp_);
   laws_.fill(
       lmp_, MODEL, registry.max_type(),
       [&](int i, int j) {
         const cohesion::hamaker::Parameters real{constant[i][j], surface, outer_cutoff_};
-        acts_ = acts_ || real.hamaker_constant > 0.0;
+        is_active_ = is_active_ || real.hamaker_constant > 0.0;
         cohesion::hamaker::require_valid(real);
         if (std::isfinite(radii[i]) && (is_wall_ || std::isfinite(radii[j])))
           cohesion::hamaker::require_far_below_radius(cohesion::hamaker::forms.front(), real,
@@ -160,7 +160,7 @@ cohesion::hamaker::Parameters HamakerAttraction::scaled(const cohesion::hamaker:
 
 ContactRange HamakerAttraction::range() const {
   ContactRange range;
-  if (!acts_) return range;  // the engine looks as far as it does without
+  if (!is_active_) return range;  // the engine looks as far as it does without
   range.gap = outer_cutoff_;
   range.source = outer_property;
   return range;

@@ -107,7 +107,7 @@ class ContactOnGrid {
 
   /// Whether a pair that is in its well and owes nothing certainly meets neither contact nor edge
   /// in this step: nothing acts on it. `flown`: as above.
-  bool idles(const RelativeState& grid, const ContactMemory& memory, double flown) const {
+  bool is_idle(const RelativeState& grid, const ContactMemory& memory, double flown) const {
     if constexpr (std::is_base_of_v<WellPair, Pair>) {
       const auto owes = [](const ContactMemory::Spring& s) {
         return dot(s.impulse, s.impulse) > 0.0;
@@ -189,7 +189,7 @@ class ContactOnGrid {
     const RelativeState middle{s + normal_part(s, half * v + 0.5 * shift), v + 0.5 * by_others};
     FollowedStep<SIZE> f{};
     f.normal = pair_.advance(middle, {half, half}, in_range);
-    if (!f.normal.acts) return f;
+    if (!f.normal.interacts) return f;
     const RelativeState& did = f.normal.change;
     f.change.relative = {did.separation + half * did.velocity, did.velocity};
     if constexpr (SIZE >= ContactMemory::with_friction) {
@@ -227,7 +227,7 @@ class ContactOnGrid {
   template <int SIZE>
   [[gnu::always_inline]] Action close(const FollowedStart& start, const PairMotion& others,
                                       const FollowedStep<SIZE>& f, ContactMemory& memory) const {
-    if (!f.normal.acts && memory.phase == ContactMemory::beyond) return {};
+    if (!f.normal.interacts && memory.phase == ContactMemory::beyond) return {};
     const PairMotion& truth = start.truth;
     const double owed = start.ahead;
     const RelativeState& did = f.normal.change;
@@ -247,7 +247,7 @@ class ContactOnGrid {
     const bool event = eventful(memory, f.normal);
     Action action;
     // Not to carry the rounding of no change into the force.
-    if (f.normal.acts || owed != 0.0)
+    if (f.normal.interacts || owed != 0.0)
       if (event || memory.phase != ContactMemory::beyond)
         action.impulse = (reduced_mass_ * (push / step_ + owed)) * k;
     if constexpr (SIZE >= ContactMemory::with_friction) {
@@ -263,7 +263,7 @@ class ContactOnGrid {
     else if (!memory.lasted())
       memory.age = std::max(memory.age, 0.0) + 1.0;
     memory.ahead = 0.0;
-    if ((event || f.normal.inside) && (f.normal.acts || owed != 0.0)) {
+    if ((event || f.normal.inside) && (f.normal.interacts || owed != 0.0)) {
       const double reached = std::sqrt(square);
       const Vector3 k_end = (1.0 / reached) * (far + push * k);
       const Vector3 without = truth.relative.velocity + others.relative.velocity + slid;
@@ -331,10 +331,10 @@ class ContactOnGrid {
                          touch.plane().inverse_square * contact_distance_ * contact_distance_ > 1.0;
     if (!touched) return now;
     if (memory.lasted()) return {memory.sliding.stretch, memory.rolling.stretch};
-    if (one_force_.sliding().acts())
+    if (one_force_.sliding().is_present())
       now.sliding = touch.plane().turned_into(memory.sliding.stretch) +
                     step_ * touch.slides(grid.relative.velocity, grid.spin_i, grid.spin_j);
-    if (one_force_.rolling().acts())
+    if (one_force_.rolling().is_present())
       now.rolling = touch.plane().turned_into(memory.rolling.stretch) +
                     step_ * touch.rolls(grid.spin_i, grid.spin_j);
     return now;

@@ -123,9 +123,9 @@ class NormalMotion {
 
   /// At the edge, moving out. False: gone, slowed down by the tail. True: captured.
   bool leave(Overlap& s) const {
-    const double rest = s.v * s.v - edge_;
-    s.v = rest > 0.0 ? -std::sqrt(rest) : -s.v;
-    return !(rest > 0.0);
+    const double remaining = s.v * s.v - edge_;
+    s.v = remaining > 0.0 ? -std::sqrt(remaining) : -s.v;
+    return !(remaining > 0.0);
   }
 
   double in_contact(Overlap& s, double time, double drive, double& x_integral,

@@ -29,7 +29,7 @@ struct PairStep {
   NormalRecord normal{};
   double overlap_at_end = 0.0;  ///< negative: gap
   bool inside = false;          ///< inside the range of the adhesion at the end of the step
-  bool acts = true;             ///< false: the pair flies straight, and nothing changes
+  bool interacts = true;        ///< false: the pair flies straight, and nothing changes
 };
 
 }  // namespace cohesion::event_stepping

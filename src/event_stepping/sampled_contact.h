@@ -48,8 +48,8 @@ class SampledContact {
   /// `memory`, of which the phase says whether the pair is in range, and the losses of the step
   /// around the grid point (of springs in the plane of contact: the one before it) are changed.
   template <int SIZE>
-  [[gnu::always_inline]] SampledStep act(const PairMotion& grid, ContactMemory& memory,
-                                         ContactLosses* losses) const {
+  [[gnu::always_inline]] SampledStep compute(const PairMotion& grid, ContactMemory& memory,
+                                             ContactLosses* losses) const {
     const Vector3& s = grid.relative.separation;
     const PairStep normal = pair_.advance(grid.relative, window_, memory.in_range());
     memory.phase = normal.inside ? ContactMemory::inside : ContactMemory::beyond;
@@ -86,7 +86,7 @@ class SampledContact {
     return (step.repulsion / norm(s)) * s + step.friction;
   }
 
-  /// What is stored at the grid point. `memory`: after act().
+  /// What is stored at the grid point. `memory`: after compute().
   StoredEnergies stored(const PairMotion& grid, const ContactMemory& memory) const {
     const double overlap = bodies_.distance() - norm(grid.relative.separation);
     return {pair_.spring_energy(overlap), sliding_.stored_energy(memory.sliding.stretch),

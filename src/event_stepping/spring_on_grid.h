@@ -110,13 +110,13 @@ class SpringOnGrid {
 
   /// (w dt)^2 of one force by itself, and what its dashpot is as good as.
   double swing() const {
-    if (!acts()) return 0.0;
+    if (!is_present()) return 0.0;
     return (constants_.stiffness + 2.0 * constants_.damping / step_) * step_ * step_ *
            inverse_mass_;
   }
 
   /// A spring whose slider has no friction gives no force.
-  bool acts() const { return friction_ > 0.0; }
+  bool is_present() const { return friction_ > 0.0; }
   double stored_energy(const Vector3& stretch) const { return law_.stored_energy(stretch); }
 
  private:

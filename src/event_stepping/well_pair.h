@@ -55,7 +55,7 @@ class WellPair {
     PairStep step;
     if (inside && meets_nothing(grid, window)) {
       step.inside = true;
-      step.acts = false;
+      step.interacts = false;
       step.overlap_at_end = core_ - norm(grid.separation + window.after * grid.velocity);
       return step;
     }
@@ -88,7 +88,7 @@ class WellPair {
     }
     step.inside = m.inside;
     step.overlap_at_end = m.touching ? m.overlap : core_ - norm(m.at.separation);
-    step.acts = !straight;
+    step.interacts = !straight;
     if (straight) return step;  // not to carry the rounding of no change into the motion
     step.change.velocity = m.at.velocity - grid.velocity;
     step.change.separation = m.at.separation - window.after * m.at.velocity - grid.separation;

@@ -37,7 +37,7 @@ class ManySpheres {
 
   void step() {
     look();
-    friction_ ? act<ContactMemory::with_rolling>() : act<ContactMemory::normal_only>();
+    friction_ ? compute<ContactMemory::with_rolling>() : compute<ContactMemory::normal_only>();
     for (int i = 0; i < size(); i++) x_[i] += dt_ * v_[i];
     first_ = false;
   }
