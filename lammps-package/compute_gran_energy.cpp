@@ -66,7 +66,7 @@ void ComputeGranEnergy::end_run() {
 
 /// All entries but what is missing.
 void ComputeGranEnergy::work_out() {
-  particles.look(lmp, std::string("compute ") + id + " gran/energy");
+  particles.check(lmp, std::string("compute ") + id + " gran/energy");
   double mine[ENTRIES];
   std::copy_n(before, static_cast<int>(ENTRIES), mine);
   add_sums(mine, 1.0);

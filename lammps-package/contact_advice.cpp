@@ -63,7 +63,7 @@ double gravity(LAMMPS* lmp, int groupbit) {
 
 /// The lightest particles of the group, those that fixes have announced among them, and the
 /// fastest.
-void look(LAMMPS* lmp, int groupbit, Circumstances& now) {
+void scan_particles(LAMMPS* lmp, int groupbit, Circumstances& now) {
   const Atom* const atom = lmp->atom;
   const double none = std::numeric_limits<double>::infinity();
   std::vector<LightestParticle> mine(atom->ntypes + 1, {none, none});
@@ -100,7 +100,7 @@ void look(LAMMPS* lmp, int groupbit, Circumstances& now) {
 Circumstances LAMMPS_NS::of_group(LAMMPS* lmp, const Circumstances& now, int groupbit) {
   Circumstances of_group = now;
   if (groupbit == ALL) return of_group;
-  look(lmp, groupbit, of_group);
+  scan_particles(lmp, groupbit, of_group);
   of_group.run.gravity = gravity(lmp, groupbit);
   return of_group;
 }
@@ -120,7 +120,7 @@ bool ContactWatch::due(bool setup) {
     watch_.set_up(adapted_every());
   else if (!watch_.may_differ(neighbor->ago == 0, static_cast<long>(update->ntimestep), dt))
     return false;
-  look(lmp, ALL, now_);
+  scan_particles(lmp, ALL, now_);
   if (!setup && !watch_.worse(now_.lightest, now_.run.fastest, dt)) return false;
   watch_.judged(now_.lightest, now_.run.fastest, dt);
   now_.run = {now_.run.fastest, gravity(lmp, ALL), dt, rate_of_shear(domain).amount};

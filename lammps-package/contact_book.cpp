@@ -35,7 +35,7 @@ ContactBook::~ContactBook() {
   memory->destroy(to_truth_);
 }
 
-void ContactBook::look_for_readers() {
+void ContactBook::update_readers() {
   const bool ends = update->ntimestep == update->laststep ||
                     (output->restart_flag && update->ntimestep == output->next_restart);
   kept_ = ends || is_read();

@@ -36,7 +36,7 @@ class ContactBook : protected Pointers {
   const Sums& sums() const { return now_; }
 
   /// Whether it is kept in this step.
-  void look_for_readers();
+  void update_readers();
   /// A new grid point: what was lost after the last one was lost before this one.
   void begin_step();
   /// What `fraction` of a contact stores.

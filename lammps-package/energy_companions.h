@@ -48,10 +48,10 @@ void for_each_energy_book(const Modify* modify, What what) {
     if (auto* const keeper = dynamic_cast<EnergyBookKeeper*>(modify->compute[k])) what(*keeper);
 }
 
-/// Warns, once, when particles have come or gone since the last look.
+/// Warns, once, when particles have come or gone since the last check.
 class SameParticles {
  public:
-  void look(LAMMPS* lmp, const std::string& where) {
+  void check(LAMMPS* lmp, const std::string& where) {
     const bigint before = number_;
     number_ = lmp->atom->natoms;
     if (said_ || before < 0 || before == number_) return;
@@ -80,7 +80,7 @@ class BookOfRuns {
       tell(lmp, where, opened_.close_after_change(entries));
     else
       opened_.close(entries);
-    if (in_a_run) box_.look(lmp->domain);
+    if (in_a_run) box_.store(lmp->domain);
   }
   /// The same when all fixes of a run are set up. The first time the book is opened, whoever looked
   /// before while some were not.

@@ -146,7 +146,7 @@ void FixEventStep::init() {
   any_event_scheme = std::any_of(styles.begin(), styles.end(),
                                  [](const EventContacts* some) { return some->is_event_scheme(); });
   others_act = any_event_scheme && others_may_act();
-  look_for_unturned();
+  warn_of_unturned_once();
 }
 
 /// Whether anything but contacts may act on a particle.
@@ -165,7 +165,7 @@ bool FixEventStep::others_may_act() const {
 }
 
 /// A warning that was given is not given again.
-void FixEventStep::look_for_unturned() {
+void FixEventStep::warn_of_unturned_once() {
   if (said_unturned) return;
   std::vector<bool> has_friction(atom->ntypes + 1, false);
   for (int type = 1; type <= atom->ntypes; type++)
@@ -179,27 +179,28 @@ bool FixEventStep::is_idle() const {
   return !may_have_contacts && !book.is_read() && flux_readers.use_count() == 1;
 }
 
-/// The fastest particle or ghost, and what each weighs.
-void FixEventStep::look_round() {
+/// Updates how far the fastest particle or ghost may fly, and all masses.
+void FixEventStep::update_speeds_and_masses() {
   const int all = atom->nlocal + atom->nghost;
   longest_flight = cohesion::shear::longest_flight(fastest_of(atom, domain, number_of_movers(lmp)),
                                                    rate_of_shear(domain).amount,
                                                    neighbor->cutneighmax, 0.5 * update->dt);
-  weigh(all);
+  update_masses(all);
 }
 
 /// Masses may change in any step (fix adapt); to see that they have not costs next to nothing.
-/// Groups count as they were when the list of neighbours was new: ghosts hear of them only then.
-void FixEventStep::weigh(int all) {
+/// Groups count as they were when the list of neighbours was new: the engine sends those of ghosts
+/// only then.
+void FixEventStep::update_masses(int all) {
   const double* const mass = atom->rmass;
-  if (neighbor->ago == 0 || weighed.empty()) {
+  if (neighbor->ago == 0 || known_masses.empty()) {
     for (int i = 0; i < all; i++) inverse_mass[i] = mobile.inverse_mass(atom->mask[i], mass[i]);
   } else {
-    if (std::memcmp(weighed.data(), mass, all * sizeof(double)) == 0) return;
+    if (std::memcmp(known_masses.data(), mass, all * sizeof(double)) == 0) return;
     for (int i = 0; i < all; i++)
       if (inverse_mass[i] != 0.0) inverse_mass[i] = 1.0 / mass[i];
   }
-  weighed.assign(mass, mass + all);
+  known_masses.assign(mass, mass + all);
 }
 
 double FixEventStep::half_kick() const { return 0.5 * update->dt; }
@@ -213,7 +214,7 @@ void FixEventStep::setup_pre_force(int) {
   predictor_due = false;
   idle = is_idle();
   if (idle) {
-    weighed.clear();
+    known_masses.clear();
     impulses.disable();
   }
   if (!resuming) {
@@ -224,8 +225,8 @@ void FixEventStep::setup_pre_force(int) {
     predictor_due = true;
     return;
   }
-  look_round();
-  look_for_readers();
+  update_speeds_and_masses();
+  update_readers();
   judge(true);
   if (other_box)
     for (EventWalls* wall : walls) wall->take_where_they_are();
@@ -328,8 +329,8 @@ void FixEventStep::judge(bool setup) {
 
 void FixEventStep::clear() {
   const int all = atom->nlocal + atom->nghost;
-  look_round();
-  look_for_readers();
+  update_speeds_and_masses();
+  update_readers();
   // The engine's half kick makes of a force f the momentum f dt/2; the other half went before, but
   // for the first step, which has no half before it.
   using Known = ContactImpulses::Known;
@@ -346,8 +347,8 @@ void FixEventStep::clear() {
   book.begin_step();
 }
 
-void FixEventStep::look_for_readers() {
-  book.look_for_readers();
+void FixEventStep::update_readers() {
+  book.update_readers();
   flux_wanted = flux_readers.use_count() > 1;
 }
 
@@ -371,7 +372,7 @@ void FixEventStep::post_run() {
   }
   books_begun = false;
   running = false;
-  box.look(domain);
+  box.store(domain);
   if (resuming) return;  // no step was made: what was taken over is what the next run goes on from
   last.grow(atom->nmax);
   for (int i = 0; i < atom->nlocal; i++) note_last(i, last.of(i));

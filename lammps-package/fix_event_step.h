@@ -222,15 +222,15 @@ class FixEventStep : public Fix {
   void note_last(int i, double* values) const;
   void judge(bool setup);
   bool is_idle() const;
-  void look_for_readers();
-  void look_round();
-  void weigh(int all);
+  void update_readers();
+  void update_speeds_and_masses();
+  void update_masses(int all);
   void report_unresolved();
   void forward_restless();
   void forward_to_ghosts(double** values, int each);
   void forward_flagged(std::vector<char>& flags, double** values, int each);
   void begin_books();
-  void look_for_unturned();
+  void warn_of_unturned_once();
   bool others_may_act() const;
   void note_others();
 
@@ -267,11 +267,11 @@ class FixEventStep : public Fix {
   int* contacts;                  // per atom and ghost, this step
   std::vector<char> announced;    // per atom: 1 if it is, or 0; of ghosts what their owners sent
   std::vector<int> announced_ghosts;
-  std::vector<char> restless;   // per atom and ghost: 1 with an event or a young contact, or 0
-  bool some_restless = false;   // of those
-  bool some_announced = false;  // the same
-  double* inverse_mass;         // per atom and ghost
-  std::vector<double> weighed;  // the masses inverse_mass is of; empty: of none
+  std::vector<char> restless;        // per atom and ghost: 1 with an event or a young contact, or 0
+  bool some_restless = false;        // of those
+  bool some_announced = false;       // the same
+  double* inverse_mass;              // per atom and ghost
+  std::vector<double> known_masses;  // the masses inverse_mass is of; empty: of none
   double longest_flight;
   double unresolved;                 // steps of contacts that were cut short, in this run
   ContactBook::Reader flux_readers;  // copies of this are out

@@ -131,5 +131,5 @@ double FixEventStep::memory_usage() {
   return (numbers * sizeof(double) + sizeof(int)) * atom->nmax + impulses.bytes() +
          static_cast<double>(restless.capacity() + announced.capacity()) +
          static_cast<double>(sizeof(int)) * announced_ghosts.capacity() +
-         sizeof(double) * weighed.capacity() + outer.bytes() + last.bytes() + book.bytes();
+         sizeof(double) * known_masses.capacity() + outer.bytes() + last.bytes() + book.bytes();
 }

@@ -190,7 +190,7 @@ double FixWallGranCohesive<Cohesion>::way_of_walls(const WallState& now) const {
 }
 
 template <class Cohesion>
-void FixWallGranCohesive<Cohesion>::look_at_sizes() {
+void FixWallGranCohesive<Cohesion>::update_sizes() {
   sizes = {std::numeric_limits<double>::infinity(), 0.0, 0.0};
   for (int i = 0; i < atom->nlocal; i++) {
     const double radius = atom->radius[i];
@@ -210,7 +210,7 @@ void FixWallGranCohesive<Cohesion>::for_each_near(std::vector<Contact>& shared, 
   // may be new, or faster than that.
   const double flight = 2.0 * step->flight() + way_of_walls(now);
   const bool ask_each = step->starts() || neighbor->ago == 0 || flight > sizes.smallest_radius;
-  if (ask_each) look_at_sizes();
+  if (ask_each) update_sizes();
   const FarFromWalls far(walls, now.displacement, 2.0 * sizes.largest_radius + sizes.largest_range);
 
   for (int i = 0; i < atom->nlocal; i++) {

@@ -83,7 +83,7 @@ class FixWallGranCohesive : public Fix, public EventWalls, public AdvisedStyle {
   void check_flight(int i, const cohesion::event_stepping::WallPoint&, bool inside);
   cohesion::event_stepping::WallState state() const;
   double way_of_walls(const cohesion::event_stepping::WallState&) const;
-  void look_at_sizes();
+  void update_sizes();
   template <class Contact, class What>
   void for_each_near(std::vector<Contact>&, const What&);
   template <int SIZE>

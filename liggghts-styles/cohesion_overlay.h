@@ -39,13 +39,13 @@ namespace ContactModels {
 ///   adhesion(i, j, ri, rj)         of two types and radii; rj infinite: beside a wall
 ///   material(i, j)                 that a contact of two types stands for
 ///   range()                        how far it must see (contact_range.h)
-///   is_active()                         false: all types have strength 0, and nothing is
-///   remembered is_out_of_reach(near, update_all)            true: out of reach, so no force, and
-///   its memory stays as it is;
-///                                  update_all: a memory must be told of
+///   is_active()                    false: all types have strength 0, and nothing is remembered
+///   is_out_of_reach(near, update_all)
+///                                  true: no force, and its memory stays as it is; update_all: the
+///                                  memory of every pair has to be brought up to date
 ///   is_idle(near), is_idle_in_contact(contact)
-///                                  true: the same of one that it holds, which it has then marked
-///                                  to be remembered; not asked while all that it holds are wanted
+///                                  true: no force on one that is bound, which it has then marked
+///                                  to be remembered; not called while all bound ones are listed
 ///   force(encounter)               attraction, [force]; called once per step and contact
 ///   binds(i, j, ri, rj, gap, history)  whether a pair is bound (cohesive_pairs.h)
 ///   energy(...)                    AttractionEnergy (contact_book.h)

@@ -65,7 +65,7 @@ void ComputeGranEnergy::end_run() {
 
 /// All entries but what is missing.
 void ComputeGranEnergy::work_out() {
-  particles_.look(lmp, std::string("compute ") + id + " gran/energy");
+  particles_.check(lmp, std::string("compute ") + id + " gran/energy");
   double mine[ENTRIES] = {};
   const MobileParticles mobile(modify);
   const GravityOfFixes gravity(modify);

@@ -68,7 +68,7 @@ std::set<int> types_of(const FixWallGran& wall) {
 }  // namespace
 
 /// The lightest particles and the fastest.
-void ContactWatch::look() {
+void ContactWatch::scan_particles() {
   const Atom* const atom = lmp_->atom;
   const MobileParticles mobile(lmp_->modify);
   std::vector<LightestParticle> mine(atom->ntypes + 1, {infinite, infinite});
@@ -102,7 +102,7 @@ bool ContactWatch::due(bool setup) {
   else if (!watch_.may_differ(lmp_->neighbor->ago == 0, static_cast<long>(lmp_->update->ntimestep),
                               dt))
     return false;
-  look();
+  scan_particles();
   if (!setup && !watch_.worse(now_.lightest, now_.run.fastest, dt)) return false;
   watch_.judged(now_.lightest, now_.run.fastest, dt);
   now_.run = {now_.run.fastest, GravityOfFixes(lmp_->modify).largest(), dt,

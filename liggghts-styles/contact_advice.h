@@ -34,7 +34,7 @@ class ContactWatch {
   const cohesion::advice::Circumstances& now() const { return now_; }
 
  private:
-  void look();
+  void scan_particles();
   std::vector<int> adapted_every() const;
 
   LAMMPS_NS::LAMMPS* lmp_;

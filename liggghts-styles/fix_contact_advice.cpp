@@ -25,7 +25,7 @@ void FixContactAdvice::judge(bool setup) {
 }
 
 /// A warning that was given is not given again.
-void FixContactAdvice::look_for_unturned() {
+void FixContactAdvice::warn_of_unturned_once() {
   if (said_unturned_) return;
   std::vector<bool> has_friction(atom->ntypes + 1, false);
   for (const auto& asked : asked_)

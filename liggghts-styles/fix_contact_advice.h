@@ -32,7 +32,7 @@ class FixContactAdvice : public LAMMPS_NS::Fix {
   int setmask() override;
   void setup(int) override {
     judge(true);
-    look_for_unturned();
+    warn_of_unturned_once();
   }
   void pre_force(int) override { judge(false); }
   void pre_exchange() override;
@@ -46,7 +46,7 @@ class FixContactAdvice : public LAMMPS_NS::Fix {
 
  private:
   void judge(bool setup);
-  void look_for_unturned();
+  void warn_of_unturned_once();
 
   ContactWatch watch_;
   std::vector<std::weak_ptr<ContactAdvice>> asked_;

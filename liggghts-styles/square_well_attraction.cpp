@@ -109,14 +109,14 @@ void SquareWellAttraction::step(const Encounter& e, double* history) {
                            : 0.0;
   }
   // One that is held at the edge turns round.
-  if (within && e.gap < width && well.depth > 0.0) look_ahead(e);
+  if (within && e.gap < width && well.depth > 0.0) warn_if_out_of_sight(e);
   history[STATE] = within ? inside : outside;
   if (d.mesh) history[LAST_STEP] = static_cast<double>(lmp_->update->ntimestep);
   remember(d, within || history[IMPULSE] != 0.0);
 }
 
 /// Warns of a pair that could be beyond what the engine shows when the next step finds it.
-void SquareWellAttraction::look_ahead(const Encounter& e) {
+void SquareWellAttraction::warn_if_out_of_sight(const Encounter& e) {
   using namespace cohesion::square_well;
   const double seen = sight(largest_ratio_, MARGIN, e.data.radsum);
   if (flies_out_of_sight(e.gap, approach(e), lmp_->update->dt, seen)) too_far_->due = true;

@@ -120,7 +120,7 @@ class SquareWellAttraction final : public AttractionEnergy {
   }
 
   void step(const Encounter& encounter, double* history);
-  void look_ahead(const Encounter& encounter);
+  void warn_if_out_of_sight(const Encounter& encounter);
   bool was_inside(const Encounter& encounter, double* history, double width) const;
   double approach(const Encounter& encounter) const;
   double inverse_mass(int particle) const;

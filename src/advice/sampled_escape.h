@@ -15,7 +15,7 @@ namespace cohesion::advice {
 
 struct SampledEscape {
   double mean;            ///< integral of the fraction that sticks over the speeds, [length/time]
-  double slowest_parted;  ///< of those looked at, [length/time]; rarer ones may be slower
+  double slowest_parted;  ///< of those tried, [length/time]; rarer ones may be slower
   double fastest_stuck;   ///< the same
 };
 
@@ -62,15 +62,15 @@ bool parts(const Pair& pair, const HeadOnStart& start, double step) {
 namespace detail {
 
 /// Pairs that parted and stuck, of n speeds between `low` and `high` at n positions each.
-struct Look {
+struct Survey {
   double slowest_parted, fastest_stuck;
   double stuck;  ///< fraction of all
 };
 
 template <class PartsAt>
-Look look(const PartsAt& parts_at, double low, double high, int n) {
+Survey survey(const PartsAt& parts_at, double low, double high, int n) {
   constexpr double golden = 0.6180339887498949;  // no two speeds share their positions
-  Look seen{high, low, 0.0};
+  Survey seen{high, low, 0.0};
   for (int i = 0; i < n; i++)
     for (int k = 0; k < n; k++) {
       const double speed = low + (high - low) * (i + 0.5) / n;
@@ -95,7 +95,7 @@ SampledEscape sampled_escape(const PartsAt& parts_at, double exact, double step)
   double low = 0.0, high = farthest * exact;
   for (double last = 2.0 * high; high - low < 0.7 * last;) {
     last = high - low;
-    const Look seen = look(parts_at, low, high, few);
+    const Survey seen = survey(parts_at, low, high, few);
     const double spacing = (high - low) / few;
     require(high < farthest * exact || seen.fastest_stuck + spacing < high, "time step", step,
             "pairs stick at several times the exact escape velocity: take a shorter one");
@@ -106,7 +106,7 @@ SampledEscape sampled_escape(const PartsAt& parts_at, double exact, double step)
   // that fraction is at most 1/(2 n).
   const double per_error = 0.5 * (high - low) / (sampling_error * exact);
   const int n = std::max(few, static_cast<int>(std::ceil(per_error)));
-  const Look seen = look(parts_at, low, high, n);
+  const Survey seen = survey(parts_at, low, high, n);
   return {low + (high - low) * seen.stuck, seen.slowest_parted, seen.fastest_stuck};
 }
 
