@@ -40,14 +40,14 @@ class ClosePairs : protected Pointers {
     const ClosePair* const end = pairs_.data() + count_;
     for (const ClosePair* p = pairs_.data(); p != end; p++) {
       const int i = p->i, j = p->j;
-      int& is_kept = kept[i][p->place];
-      if (!is_kept) {
+      int& is_active = kept[i][p->place];
+      if (!is_active) {
         const double dx = x[3 * j] - x[3 * i], dy = x[3 * j + 1] - x[3 * i + 1],
                      dz = x[3 * j + 2] - x[3 * i + 2];
         const double near = radius[i] + radius[j] + reach_;
         if (dx * dx + dy * dy + dz * dz > 1.0002 * near * near) continue;
       }
-      what(*p, is_kept);
+      what(*p, is_active);
     }
   }
 

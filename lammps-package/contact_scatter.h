@@ -173,16 +173,18 @@ cohesion::event_stepping::SampledStep sample(const ContactsOfStep<Contact, SIZE>
                                              cohesion::event_stepping::ContactMemory& memory) {
   using namespace cohesion::event_stepping;
   ContactLosses lost;
-  SampledStep now = c.template compute<SIZE>(grid, memory, step->book.is_kept() ? &lost : nullptr);
+  SampledStep now =
+      c.template compute<SIZE>(grid, memory, step->energy_tally.is_active() ? &lost : nullptr);
   scatter.apply(i, j, now.action);
-  if (step->book.is_kept()) {
+  if (step->energy_tally.is_active()) {
     const double fraction = scatter.owned_fraction(j);
-    step->book.store(fraction, c.stored(grid, memory));
-    step->book.lose(fraction, {lost.normal_damping, 0.0, 0.0, 0.0}, 0.5);
-    step->book.lose(fraction, {0.0, lost.tangential_damping, lost.friction, lost.rolling}, 0.0);
+    step->energy_tally.store(fraction, c.stored(grid, memory));
+    step->energy_tally.add_losses(fraction, {lost.normal_damping, 0.0, 0.0, 0.0}, 0.5);
+    step->energy_tally.add_losses(fraction,
+                                  {0.0, lost.tangential_damping, lost.friction, lost.rolling}, 0.0);
     const Action half{0.5 * now.action.impulse, 0.5 * now.action.torque_i,
                       0.5 * now.action.torque_j};
-    scatter.change(step->book.owed(), i, j, half);
+    scatter.change(step->energy_tally.owed(), i, j, half);
   }
   return now;
 }

@@ -132,9 +132,9 @@ struct StepContacts {
         step->unsettle(i, j);
       announce<SIZE>(scatter, step, c, {i, j, contact, history}, grid, memory);
     }
-    if (step->book.is_kept()) {
-      step->book.store(scatter.owned_fraction(j), c.stored(grid, memory));
-      scatter.change(step->book.owed(), i, j, c.template owed<SIZE>(grid.relative, memory));
+    if (step->energy_tally.is_active()) {
+      step->energy_tally.store(scatter.owned_fraction(j), c.stored(grid, memory));
+      scatter.change(step->energy_tally.owed(), i, j, c.template owed<SIZE>(grid.relative, memory));
     }
   }
 
@@ -244,7 +244,7 @@ struct StepContacts {
       scatter.apply(p.i, p.j, action);
       const double fraction = scatter.owned_fraction(p.j);
       if (f.normal.normal.unresolved) step->note_unresolved(fraction);
-      step->book.lose(fraction, Contact::template losses<SIZE>(f), 1.0);
+      step->energy_tally.add_losses(fraction, Contact::template losses<SIZE>(f), 1.0);
       done(
           p.j, p.start.truth, action.impulse,
           [&] { return c.by_contact(p.start, f.normal, action); }, 1.0);
@@ -263,11 +263,11 @@ struct StepContacts {
     const bool lasted = memory.phase == ContactMemory::lasting;
     Action action;
     ContactLosses lost;
-    ContactLosses* const losses = step->book.is_kept() ? &lost : nullptr;
+    ContactLosses* const losses = step->energy_tally.is_active() ? &lost : nullptr;
     const bool lasts = c.one_force().template advance_lasting<SIZE>(grid, memory, action, losses);
     if (!lasts) c.one_force().template end_lasting<SIZE>(grid, memory, losses);
     memory.to(p.history, SIZE);
-    step->book.lose(scatter.owned_fraction(p.j), lost, 0.0);
+    step->energy_tally.add_losses(scatter.owned_fraction(p.j), lost, 0.0);
     if (!lasts) return false;
     if (lasted)
       lasting.add() = p;
@@ -288,8 +288,9 @@ struct StepContacts {
     scatter.apply_reversed(p.i, p.j, action);
     done(p.j, grid, action.impulse, [&] { return c.by_contact(grid, action); }, -1.0);
     ContactLosses lost;
-    c.one_force().template end_lasting<SIZE>(grid, memory, step->book.is_kept() ? &lost : nullptr);
-    step->book.lose(scatter.owned_fraction(p.j), lost, 0.0);
+    c.one_force().template end_lasting<SIZE>(grid, memory,
+                                             step->energy_tally.is_active() ? &lost : nullptr);
+    step->energy_tally.add_losses(scatter.owned_fraction(p.j), lost, 0.0);
     announce<SIZE>(scatter, step, c, p, grid, memory);
   }
 

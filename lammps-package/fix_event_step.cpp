@@ -29,9 +29,9 @@ using cohesion::Vector3;
 static constexpr char ID[] = "COHESION_EVENT_STEP";
 static constexpr char PLACE[] = "COHESION_EVENT_STEP_PLACE";
 
-// What the next run needs of a particle: forces, torques, what the book notes, and forces of all
+// What the next run needs of a particle: forces, torques, what the tally saves, and forces of all
 // but contacts, where they begin.
-static constexpr int TORQUE = 3, NOTED = 6, FROM_OTHERS = NOTED + ContactBook::OF_PARTICLE,
+static constexpr int TORQUE = 3, NOTED = 6, FROM_OTHERS = NOTED + ContactEnergyTally::OF_PARTICLE,
                      LAST = FROM_OTHERS + 3;
 
 static void put(const Vector3& a, double* values) {
@@ -45,7 +45,7 @@ FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
       owed(nullptr),
       predicted(nullptr),
       impulses(lammps),
-      book(lammps),
+      energy_tally(lammps),
       watch(lammps),
       forwarded_flags(nullptr),
       forwarded_values(nullptr),
@@ -55,9 +55,9 @@ FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
       resuming(false),
       starting(false),
       running(false),
-      books_begun(false),
+      tallies_begun(false),
       other_box(false),
-      said_unturned(false),
+      warned_of_unturned(false),
       last_dt(0.0),
       last(lammps, LAST),
       outer(lammps, 3),
@@ -166,17 +166,17 @@ bool FixEventStep::others_may_act() const {
 
 /// A warning that was given is not given again.
 void FixEventStep::warn_of_unturned_once() {
-  if (said_unturned) return;
+  if (warned_of_unturned) return;
   std::vector<bool> has_friction(atom->ntypes + 1, false);
   for (int type = 1; type <= atom->ntypes; type++)
     for (const EventContacts* some : styles)
       has_friction[type] = has_friction[type] || some->has_friction(type);
-  said_unturned = warn_of_unturned(lmp, mobile, has_friction);
+  warned_of_unturned = warn_of_unturned(lmp, mobile, has_friction);
 }
 
 /// Whether a step has nothing to do for any particle.
 bool FixEventStep::is_idle() const {
-  return !may_have_contacts && !book.is_read() && flux_readers.use_count() == 1;
+  return !may_have_contacts && !energy_tally.has_readers() && flux_readers.use_count() == 1;
 }
 
 /// Updates how far the fastest particle or ghost may fly, and all masses.
@@ -230,10 +230,10 @@ void FixEventStep::setup_pre_force(int) {
   judge(true);
   if (other_box)
     for (EventWalls* wall : walls) wall->take_where_they_are();
-  if (!book.is_kept()) return;
-  for (int i = 0; i < atom->nlocal; i++) book.take_motion(i, last.of(i) + NOTED);
-  book.begin_again();
-  for (EventContacts* some : styles) some->book_standing();
+  if (!energy_tally.is_active()) return;
+  for (int i = 0; i < atom->nlocal; i++) energy_tally.restore_motion(i, last.of(i) + NOTED);
+  energy_tally.reset_normal();
+  for (EventContacts* some : styles) some->store_energies_at_setup();
 }
 
 /// With the first forces of a step, when fixes have changed what they change before.
@@ -241,7 +241,7 @@ bool FixEventStep::run_predictor() {
   if (!predictor_due) return false;
   predictor_due = false;
   clear();
-  impulses.open();
+  impulses.begin_contacts();
   for (EventContacts* some : styles) some->gather();
   if (any_event_scheme) {
     forward_restless();
@@ -263,18 +263,18 @@ bool FixEventStep::run_predictor() {
 void FixEventStep::setup(int) {
   post_force(0);
   if (idle) impulses.disable();
-  constexpr double none[ContactBook::OF_PARTICLE] = {};
-  if (book.is_kept() && starting)
-    for (int i = 0; i < atom->nlocal; i++) book.take_motion(i, none);
+  constexpr double none[ContactEnergyTally::OF_PARTICLE] = {};
+  if (energy_tally.is_active() && starting)
+    for (int i = 0; i < atom->nlocal; i++) energy_tally.restore_motion(i, none);
 }
 
 void FixEventStep::initial_integrate(int) {
   running = true;  // a run without set-up begins here
   starting = false;
-  if (book.is_kept() && !books_begun) {
+  if (energy_tally.is_active() && !tallies_begun) {
     // They begin with what there is before this step.
     update->ntimestep--;
-    begin_books();
+    begin_tallies();
     update->ntimestep++;
   }
   if (!resuming) {
@@ -304,10 +304,10 @@ void FixEventStep::note_others() {
   others_noted = others_act;
 }
 
-/// The books begin when all fixes have been set up; a run of no step ends then.
-void FixEventStep::begin_books() {
-  for_each_energy_book(modify, [](EnergyBookKeeper& keeper) { keeper.begin_run(); });
-  books_begun = true;
+/// Tallies begin when all fixes have been set up; a run of no step ends then.
+void FixEventStep::begin_tallies() {
+  for_each_energy_tally(modify, [](EnergyTallyCompute& keeper) { keeper.begin_run(); });
+  tallies_begun = true;
 }
 
 void FixEventStep::pre_force(int) {
@@ -336,7 +336,7 @@ void FixEventStep::clear() {
   using Known = ContactImpulses::Known;
   const Known known = others_act ? Known::forces : Known::nobody;
   impulses.begin_step((starting ? 2.0 : 1.0) / update->dt,
-                      book.is_kept() ? Known::forces_and_torques : known);
+                      energy_tally.is_active() ? Known::forces_and_torques : known);
   if (any_event_scheme) {
     std::fill_n(contacts, all, 0);
     restless.assign(all, 0);
@@ -344,33 +344,34 @@ void FixEventStep::clear() {
     announced_ghosts.clear();
     some_announced = false;
   }
-  book.begin_step();
+  energy_tally.begin_step();
 }
 
 void FixEventStep::update_readers() {
-  book.update_readers();
+  energy_tally.update_readers();
   flux_wanted = flux_readers.use_count() > 1;
 }
 
 void FixEventStep::end_of_step() {
-  if (idle || !book.is_kept()) return;
+  if (idle || !energy_tally.is_active()) return;
   for (int i = 0; i < atom->nlocal; i++)
-    book.end_step(i, body(i), half_kick() * impulses.force(i), half_kick() * impulses.torque(i));
+    energy_tally.end_step(i, body(i), half_kick() * impulses.force(i),
+                          half_kick() * impulses.torque(i));
   const std::vector<double> weight = weights(lmp);
   double power = 0.0;  // of all forces but those of contacts, and gravity
   for (int i = 0; i < atom->nlocal; i++)
     if (inverse_mass[i] != 0.0)
-      power += dot(impulses.others(i) - vector(&weight[3 * i]), book.true_velocity(i));
-  book.work(2.0 * half_kick() * power);
+      power += dot(impulses.others(i) - vector(&weight[3 * i]), energy_tally.true_velocity(i));
+  energy_tally.add_work(2.0 * half_kick() * power);
 }
 
 void FixEventStep::post_run() {
   report_unresolved();
-  if (book.is_kept()) {
-    if (!books_begun) begin_books();
-    for_each_energy_book(modify, [](EnergyBookKeeper& keeper) { keeper.end_run(); });
+  if (energy_tally.is_active()) {
+    if (!tallies_begun) begin_tallies();
+    for_each_energy_tally(modify, [](EnergyTallyCompute& keeper) { keeper.end_run(); });
   }
-  books_begun = false;
+  tallies_begun = false;
   running = false;
   box.store(domain);
   if (resuming) return;  // no step was made: what was taken over is what the next run goes on from
@@ -383,7 +384,7 @@ void FixEventStep::post_run() {
 void FixEventStep::note_last(int i, double* values) const {
   std::copy_n(atom->f[i], 3, values);
   std::copy_n(atom->torque[i], 3, values + TORQUE);
-  book.note_motion(i, values + NOTED);
+  energy_tally.save_motion(i, values + NOTED);
   put(impulses.others(i), values + FROM_OTHERS);
 }
 

@@ -16,7 +16,7 @@ FixStyle(EVENT_STEP,FixEventStep);
 #include "atom_numbers.h"
 #include "box_sides.h"
 #include "contact_advice.h"
-#include "contact_book.h"
+#include "contact_energy_tally.h"
 #include "contact_impulses.h"
 #include "event_stepping/contact_on_grid.h"
 #include "event_stepping/flux_parts.h"
@@ -46,8 +46,9 @@ class EventContacts {
   /// Whether contacts are those of scheme event, which takes account of what they do to each other
   /// within a step; else they are sampled.
   virtual bool is_event_scheme() const = 0;
-  /// Books what the contacts store, where a run takes over the forces of the last one.
-  virtual void book_standing() = 0;
+  /// Adds what the contacts store to the energy tally, where a run takes over the forces of the
+  /// last one.
+  virtual void store_energies_at_setup() = 0;
 
  protected:
   ~EventContacts() = default;
@@ -198,11 +199,11 @@ class FixEventStep : public Fix {
   /// What contacts do in this step.
   ContactImpulses impulses;
   /// The energy of contacts.
-  ContactBook book;
+  ContactEnergyTally energy_tally;
 
-  /// Of the contacts of pairs so far; summed while somebody holds what sum_flux() gives.
+  /// Of the contacts of pairs so far; summed while somebody holds what add_flux_reader() gives.
   cohesion::event_stepping::FluxParts flux;
-  [[nodiscard]] ContactBook::Reader sum_flux() const { return flux_readers; }
+  [[nodiscard]] ContactEnergyTally::Reader add_flux_reader() const { return flux_readers; }
   bool sums_flux() const { return flux_wanted; }
 
   /// Counts a contact whose step was cut short.
@@ -213,7 +214,7 @@ class FixEventStep : public Fix {
   void run_corrector(const Corrector& corrector) {
     const bool first = run_predictor();
     corrector();
-    if (first) impulses.close();
+    if (first) impulses.end_contacts();
   }
 
  private:
@@ -229,7 +230,7 @@ class FixEventStep : public Fix {
   void forward_restless();
   void forward_to_ghosts(double** values, int each);
   void forward_flagged(std::vector<char>& flags, double** values, int each);
-  void begin_books();
+  void begin_tallies();
   void warn_of_unturned_once();
   bool others_may_act() const;
   void note_others();
@@ -253,9 +254,9 @@ class FixEventStep : public Fix {
   bool resuming;
   bool starting;
   bool running;
-  bool books_begun;  // in this run
+  bool tallies_begun;  // in this run
   bool other_box;
-  bool said_unturned;
+  bool warned_of_unturned;
   BoxSides box;                // at the end of the last run
   double last_dt;              // of the step that `last` is from; 0: there was none
   AtomNumbers last;            // from the end of a run to the first step of the next: note_last()
@@ -273,8 +274,8 @@ class FixEventStep : public Fix {
   double* inverse_mass;              // per atom and ghost
   std::vector<double> known_masses;  // the masses inverse_mass is of; empty: of none
   double longest_flight;
-  double unresolved;                 // steps of contacts that were cut short, in this run
-  ContactBook::Reader flux_readers;  // copies of this are out
+  double unresolved;                        // steps of contacts that were cut short, in this run
+  ContactEnergyTally::Reader flux_readers;  // copies of this are out
   bool flux_wanted;
   MobileParticles mobile;
 };

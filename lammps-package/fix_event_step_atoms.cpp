@@ -84,12 +84,13 @@ int FixEventStep::unpack_exchange(int i, double* buf) {
   return last.has_room() ? taken + last.unpack(i, buf + taken) : taken;
 }
 
-// Numbers of a restart file in front of the book's: its layout, and the step.
+// Numbers of a restart file in front of the tally's: its layout, and the step.
 static constexpr int LAYOUT = 2, HEAD = 2;
-static constexpr int OF_RESTART = HEAD + static_cast<int>(std::tuple_size_v<ContactBook::OfAll>);
+static constexpr int OF_RESTART =
+    HEAD + static_cast<int>(std::tuple_size_v<ContactEnergyTally::Totals>);
 
 void FixEventStep::write_restart(FILE* fp) {
-  const ContactBook::OfAll mine = book.of_all();
+  const ContactEnergyTally::Totals mine = energy_tally.totals();
   double values[OF_RESTART] = {RESTART_MARK + LAYOUT, running ? update->dt : last_dt};
   MPI_Reduce(mine.data(), values + HEAD, static_cast<int>(mine.size()), MPI_DOUBLE, MPI_SUM, 0,
              world);
@@ -105,9 +106,9 @@ void FixEventStep::restart(char* buf) {
   last_dt = values[1];
   if (last_dt > 0.0) last.grow(atom->nmax);
   if (comm->me != 0) return;
-  ContactBook::OfAll all;
+  ContactEnergyTally::Totals all;
   std::copy_n(values + HEAD, all.size(), all.begin());
-  book.take_of_all(all);
+  energy_tally.restore_totals(all);
 }
 
 int FixEventStep::pack_restart(int i, double* buf) {
@@ -131,5 +132,6 @@ double FixEventStep::memory_usage() {
   return (numbers * sizeof(double) + sizeof(int)) * atom->nmax + impulses.bytes() +
          static_cast<double>(restless.capacity() + announced.capacity()) +
          static_cast<double>(sizeof(int)) * announced_ghosts.capacity() +
-         sizeof(double) * known_masses.capacity() + outer.bytes() + last.bytes() + book.bytes();
+         sizeof(double) * known_masses.capacity() + outer.bytes() + last.bytes() +
+         energy_tally.bytes();
 }

@@ -317,13 +317,14 @@ void FixWallGranCohesive<Cohesion>::join(std::vector<EventContact>& shared) {
                           [this](const LastingContact& p) { return on_grid(near_now[-1 - p.j]); });
 }
 
-/// Books the force on the wall; with factor -1 takes it back.
+/// Adds the force on the wall to the sums of walls, and its work to the energy tally; with factor
+/// -1 both are undone.
 template <class Cohesion>
 template <class Contact, int SIZE>
 void FixWallGranCohesive<Cohesion>::push(const ContactsOfStep<Contact, SIZE>& scatter,
                                          const Near& near, const Vector3& impulse,
                                          const Vector3& by_contact, double factor) {
-  step->book.work(-factor * dot(near.point.velocity, impulse));
+  step->energy_tally.add_work(-factor * dot(near.point.velocity, impulse));
   const double kick = factor * scatter.kick();
   forces.add(near.wall, kick * impulse, kick * (impulse - by_contact));
 }

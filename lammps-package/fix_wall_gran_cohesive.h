@@ -39,7 +39,7 @@ class FixWallGranCohesive : public Fix, public EventWalls, public AdvisedStyle {
   void unsettle() override;
   void join() override;
   void predict() override;
-  void book_standing() override;
+  void store_energies_at_setup() override;
   void give_advice(const Circumstances&) override;
   void take_where_they_are() override;
   bool has_friction(int) const override { return per_wall > HistorySize::normal_only; }

@@ -26,7 +26,7 @@ void FixWallGranCohesive<Cohesion>::take_where_they_are() {
 }
 
 template <class Cohesion>
-void FixWallGranCohesive<Cohesion>::book_standing() {
+void FixWallGranCohesive<Cohesion>::store_energies_at_setup() {
   const WallState now = state();
   with_contacts([&](auto& shared, auto size) {
     shared.clear();
@@ -36,13 +36,13 @@ void FixWallGranCohesive<Cohesion>::book_standing() {
         if (kept[0] <= 0.0 || step->body(i).inverse_mass == 0.0) continue;
         const int c = contact(shared, i);
         const Near near{i, w, c, walls[w].nearest(vector(atom->x[i]), now, motion.rim_speed), kept};
-        step->book.store_again(1.0,
-                               shared[c].stored(on_grid(near), ContactMemory::from(kept, size)));
+        step->energy_tally.store_normal(
+            1.0, shared[c].stored(on_grid(near), ContactMemory::from(kept, size)));
       }
   });
 }
 
 template void FixWallGranCohesive<HamakerCohesion>::take_where_they_are();
-template void FixWallGranCohesive<HamakerCohesion>::book_standing();
+template void FixWallGranCohesive<HamakerCohesion>::store_energies_at_setup();
 template void FixWallGranCohesive<SquareWellCohesion>::take_where_they_are();
-template void FixWallGranCohesive<SquareWellCohesion>::book_standing();
+template void FixWallGranCohesive<SquareWellCohesion>::store_energies_at_setup();

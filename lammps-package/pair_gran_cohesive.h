@@ -67,7 +67,7 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventContacts, p
   void unsettle() override;
   void join() override;
   void predict() override;
-  void book_standing() override;
+  void store_energies_at_setup() override;
   void give_advice(const Circumstances&) override;
   bool has_friction(int type) const override {
     return coefficients.has_friction(type, atom->ntypes);
@@ -133,9 +133,9 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventContacts, p
   void with_contacts(const What&);
   template <class What>
   void with_event_contacts(const What&);
-  void tally_standing();
+  void tally_energies_at_setup();
   template <class What>
-  void for_each_standing(const What&);
+  void for_each_with_history(const What&);
   std::vector<AdvisedContact> advised_contacts(const std::vector<LightestParticle>&) const;
 
   CohesiveCoefficients<Cohesion> coefficients;

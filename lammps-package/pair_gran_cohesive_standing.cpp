@@ -48,19 +48,19 @@ void PairGranCohesive<Cohesion>::begin_where_they_are(bool afresh) {
 
 /// Energies of the pairs where they stand, for a run that takes over the forces of the last one.
 template <class Cohesion>
-void PairGranCohesive<Cohesion>::book_standing() {
+void PairGranCohesive<Cohesion>::store_energies_at_setup() {
   if (!is_active) return;
   if (history_stale) begin_where_they_are(true);
   if (step->box_changed()) begin_where_they_are(false);
-  if (!step->book.is_kept()) return;
-  for_each_standing([this](int, int j, const StoredEnergies& stored) {
-    step->book.store_again(j < atom->nlocal ? 1.0 : 0.5, stored);
+  if (!step->energy_tally.is_active()) return;
+  for_each_with_history([this](int, int j, const StoredEnergies& stored) {
+    step->energy_tally.store_normal(j < atom->nlocal ? 1.0 : 0.5, stored);
   });
 }
 
 template <class Cohesion>
-void PairGranCohesive<Cohesion>::tally_standing() {
-  for_each_standing([this](int i, int j, const StoredEnergies& stored) {
+void PairGranCohesive<Cohesion>::tally_energies_at_setup() {
+  for_each_with_history([this](int i, int j, const StoredEnergies& stored) {
     const Vector3 d = particles().apart(i, j).separation;
     ev_tally_xyz(i, j, atom->nlocal, 0, stored.spring + stored.adhesion, 0.0, 0.0, 0.0, 0.0, -d.x,
                  -d.y, -d.z);
@@ -70,7 +70,7 @@ void PairGranCohesive<Cohesion>::tally_standing() {
 /// Calls what(i, j, energies) for each pair with a history.
 template <class Cohesion>
 template <class What>
-void PairGranCohesive<Cohesion>::for_each_standing(const What& what) {
+void PairGranCohesive<Cohesion>::for_each_with_history(const What& what) {
   std::visit(
       [&](auto& contacts) {
         contacts.clear();
@@ -98,17 +98,17 @@ void PairGranCohesive<Cohesion>::append_bound(std::vector<std::array<int, 2>>& p
 }
 
 template void PairGranCohesive<HamakerCohesion>::begin_where_they_are(bool);
-template void PairGranCohesive<HamakerCohesion>::tally_standing();
-template void PairGranCohesive<HamakerCohesion>::book_standing();
+template void PairGranCohesive<HamakerCohesion>::tally_energies_at_setup();
+template void PairGranCohesive<HamakerCohesion>::store_energies_at_setup();
 template void PairGranCohesive<HamakerCohesion>::append_bound(
     std::vector<std::array<int, 2>>&) const;
 template void PairGranCohesive<SquareWellCohesion>::begin_where_they_are(bool);
-template void PairGranCohesive<SquareWellCohesion>::tally_standing();
-template void PairGranCohesive<SquareWellCohesion>::book_standing();
+template void PairGranCohesive<SquareWellCohesion>::tally_energies_at_setup();
+template void PairGranCohesive<SquareWellCohesion>::store_energies_at_setup();
 template void PairGranCohesive<SquareWellCohesion>::append_bound(
     std::vector<std::array<int, 2>>&) const;
 template void PairGranCohesive<SquareWellOverlay>::begin_where_they_are(bool);
-template void PairGranCohesive<SquareWellOverlay>::tally_standing();
-template void PairGranCohesive<SquareWellOverlay>::book_standing();
+template void PairGranCohesive<SquareWellOverlay>::tally_energies_at_setup();
+template void PairGranCohesive<SquareWellOverlay>::store_energies_at_setup();
 template void PairGranCohesive<SquareWellOverlay>::append_bound(
     std::vector<std::array<int, 2>>&) const;

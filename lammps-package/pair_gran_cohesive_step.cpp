@@ -32,7 +32,7 @@ void PairGranCohesive<Cohesion>::compute(int eflag, int vflag) {
     return;
   }
   if (step->resumes()) {
-    if (evflag) tally_standing();
+    if (evflag) tally_energies_at_setup();
     return;
   }
   step->run_corrector([this] {
@@ -144,7 +144,7 @@ void PairGranCohesive<Cohesion>::gather(Contacts<EventContact>& contacts) {
   const ContactsOfStep<EventContact, SIZE> scatter(atom, step);
   find_close();
   const LastingForces<EventContact, SIZE> lasting(atom, step);
-  const bool asked = step->book.is_kept() || step->sums_flux();
+  const bool asked = step->energy_tally.is_active() || step->sums_flux();
   const ParticlesOnGrid grid = particles();
   for_each_close([&](int i, int j, int& kept, double* values) __attribute__((always_inline)) {
     const int c = contact(contacts, grid, i, j);
@@ -242,7 +242,7 @@ void PairGranCohesive<Cohesion>::compute_forces(Contacts<SampledContact>& contac
   contacts.clear();
   const ContactsOfStep<SampledContact, SIZE> scatter(atom, step);
   const SampledForces<SampledContact, SIZE> forces(atom, step);
-  const bool asked = step->book.is_kept() || step->sums_flux() || evflag;
+  const bool asked = step->energy_tally.is_active() || step->sums_flux() || evflag;
   const ParticlesOnGrid grid = particles();
   for_each_close([&](int i, int j, int& kept, double* values) __attribute__((always_inline)) {
     const int c = contact(contacts, grid, i, j);

@@ -16,7 +16,7 @@
 #include "error.h"
 #include "event_contacts.h"
 #include "fix_contact_advice.h"
-#include "fix_contact_book.h"
+#include "fix_sampled_energy_tally.h"
 #include "fix_wall_gran.h"
 #include "force.h"
 #include "hidden_fix.h"
@@ -48,7 +48,7 @@ namespace ContactModels {
 ///                                  to be remembered; not called while all bound ones are listed
 ///   force(encounter)               attraction, [force]; called once per step and contact
 ///   binds(i, j, ri, rj, gap, history)  whether a pair is bound (cohesive_pairs.h)
-///   energy(...)                    AttractionEnergy (contact_book.h)
+///   energy(...)                    AttractionEnergy (sampled_energy_tally.h)
 template <class Attraction>
 class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePairs {
  public:
@@ -81,7 +81,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     normal_->connect(registry);
     attraction_.connect(registry, *normal_);
     Cohesion::hidden_fix<Cohesion::FixContactAdvice>(lmp).ask(advice_);
-    connect_book();
+    connect_tally();
     Cohesion::ContactRange range = attraction_.range();
     if (events_) {
       connect_events(registry);
@@ -109,7 +109,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
 
   /// Once a step, of pairs alone. A step that is computed again repeats all forces.
   void beginPass(SurfacesIntersectData& pass, ForceData&, ForceData&) override {
-    update_all_ = book_ || !pass.computeflag || !pass.shearupdate;
+    update_all_ = tally_ || !pass.computeflag || !pass.shearupdate;
     list_all_ = update_all_ || pair_->cpl() || pair_->storeContactForces() ||
                 pair_->storeContactForcesStress();
   }
@@ -118,7 +118,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
   /// The last to be called of a contact.
   void endSurfacesIntersect(SurfacesIntersectData& contact, ForceData& on_i,
                             ForceData& on_j) override {
-    if (book_) write_contact(contact, on_i, on_j);
+    if (tally_) write_contact(contact, on_i, on_j);
   }
 
  private:
@@ -129,7 +129,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
                               inverse * near.delta[2]};
     if (!attract(near, r, normal, on_i, on_j)) return;
     near.has_force_update = true;
-    if (book_) write_attraction(near, normal, r - near.radsum, on_i);
+    if (tally_) write_attraction(near, normal, r - near.radsum, on_i);
   }
 
   /// A contact of scheme event: in the place of what the engine's normal model made of it. Friction
@@ -162,7 +162,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
 
   void connect_events(PropertyRegistry& registry) {
     slides_ = has("tangential", "history");
-    if (book_)
+    if (tally_)
       error->all(FLERR,
                  (name() + ", scheme event: compute gran/energy knows no contacts of it; use "
                            "'scheme sampled' with the compute")
@@ -194,10 +194,10 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     return wall_ ? wall_->contact_match(kind, model) : pair_->contact_match(kind, model);
   }
 
-  void connect_book() {
-    if (!wall_) Cohesion::FixContactBook::to_the_end(lmp);
-    book_ = Cohesion::FixContactBook::book_of(lmp);
-    update_all_ = list_all_ = book_ != nullptr;
+  void connect_tally() {
+    if (!wall_) Cohesion::FixSampledEnergyTally::to_the_end(lmp);
+    tally_ = Cohesion::FixSampledEnergyTally::tally_of(lmp);
+    update_all_ = list_all_ = tally_ != nullptr;
     const bool slides = has("tangential", "history");
     if (slides) places_.displacement = others_history_;
     if (has("rolling_friction", "epsd2")) places_.rolling = others_history_ + (slides ? 3 : 0);
@@ -206,9 +206,9 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
   [[gnu::noinline]] void write_contact(const SurfacesIntersectData& contact, const ForceData& on_i,
                                        const ForceData& on_j) {
     const bool attracts = carries(contact);
-    book_->write(contact,
-                 {Cohesion::contact_of(contact, on_i, on_j, normal_->exponent(), places_),
-                  attracts ? &attraction_ : nullptr, attracts && binds(contact, -contact.deltan)});
+    tally_->write(contact,
+                  {Cohesion::contact_of(contact, on_i, on_j, normal_->exponent(), places_),
+                   attracts ? &attraction_ : nullptr, attracts && binds(contact, -contact.deltan)});
   }
 
   [[gnu::noinline]] void write_attraction(const SurfacesCloseData& near, const double* normal,
@@ -217,7 +217,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     contact.normal = cohesion::vector(normal);
     contact.overlap = -gap;
     contact.attraction = -dot(contact.normal, cohesion::vector(on_i.delta_F));
-    book_->write(near, {contact, &attraction_, binds(near, gap)});
+    tally_->write(near, {contact, &attraction_, binds(near, gap)});
   }
 
   /// Whether a triangle of a mesh has the attraction of the wall here.
@@ -252,7 +252,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
   std::unique_ptr<Cohesion::EventContacts> events_;  // null: scheme sampled
   std::unique_ptr<Cohesion::NormalModelProbe> normal_;
   std::shared_ptr<Cohesion::ContactAdvice> advice_;
-  std::shared_ptr<Cohesion::ContactBook> book_;  // null: none is kept
+  std::shared_ptr<Cohesion::SampledEnergyTally> tally_;  // null: none is kept
   bool update_all_ = false;  // the memory of every contact is brought up to date in this step
   bool list_all_ = false;    // every bound pair is listed, with a force of 0, too
   Cohesion::HistoryPlaces places_;

@@ -26,13 +26,13 @@ void FixContactAdvice::judge(bool setup) {
 
 /// A warning that was given is not given again.
 void FixContactAdvice::warn_of_unturned_once() {
-  if (said_unturned_) return;
+  if (warned_of_unturned_) return;
   std::vector<bool> has_friction(atom->ntypes + 1, false);
   for (const auto& asked : asked_)
     if (const auto advice = asked.lock())
       for (int type = 1; type <= atom->ntypes; type++)
         has_friction[type] = has_friction[type] || advice->has_friction(type);
-  said_unturned_ = LAMMPS_NS::warn_of_unturned(lmp, MobileParticles(modify), has_friction);
+  warned_of_unturned_ = LAMMPS_NS::warn_of_unturned(lmp, MobileParticles(modify), has_friction);
 }
 
 int FixContactAdvice::setmask() {

@@ -51,7 +51,7 @@ class FixContactAdvice : public LAMMPS_NS::Fix {
   ContactWatch watch_;
   std::vector<std::weak_ptr<ContactAdvice>> asked_;
   std::vector<std::shared_ptr<LateWarning>> late_;
-  bool said_unturned_ = false;
+  bool warned_of_unturned_ = false;
 };
 
 }  // namespace Cohesion

@@ -6,12 +6,12 @@
 
 #include "advice/stiffness_scaling.h"
 #include "contact/adhesion.h"
-#include "contact_book.h"
 #include "contact_range.h"
 #include "encounter.h"
 #include "hamaker/law.h"
 #include "hamaker/small_gap.h"
 #include "normal_model_probe.h"
+#include "sampled_energy_tally.h"
 #include "settings.h"
 #include "sphere.h"
 #include "table_of_types.h"

@@ -6,11 +6,11 @@
 #include <memory>
 
 #include "advice/stiffness_scaling.h"
-#include "contact_book.h"
 #include "contact_range.h"
 #include "encounter.h"
 #include "lammps.h"
 #include "normal_model_probe.h"
+#include "sampled_energy_tally.h"
 #include "square_well/parameters.h"
 #include "square_well/sight.h"
 #include "table_of_types.h"

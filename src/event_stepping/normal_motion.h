@@ -141,7 +141,7 @@ class NormalMotion {
     return time;
   }
 
-  /// Books a stretch of contact, from s to `end`.
+  /// Records an interval of contact, from s to `end`.
   void stay(Overlap& s, Overlap end, double time, double drive, double& x_integral,
             NormalRecord& record) const {
     record.contact_time += time;

@@ -44,7 +44,7 @@ double kinetic(const Motion& m) {
   return of(m.i) + of(m.j);
 }
 
-/// Largest change of the book's total over an impact of t = 2e-4 s.
+/// Largest change of the tally's total over an impact of t = 2e-4 s.
 double largest_residual(Spheres s, double dt) {
   Losses lost;
   double worst = 0.0, start = kinetic(s.half);
@@ -95,7 +95,7 @@ Spheres oblique(double exponent) {
 
 }  // namespace
 
-TEST(SampledWork, BookOfAnImpactClosesAtSecondOrder) {
+TEST(SampledWork, TallyOfAnImpactClosesAtSecondOrder) {
   for (const double exponent : {1.0, 1.5}) {
     const double coarse = largest_residual(oblique(exponent), 1e-6);
     const double fine = largest_residual(oblique(exponent), 1e-7);

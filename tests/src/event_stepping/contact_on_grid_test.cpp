@@ -99,7 +99,7 @@ TEST(ContactOnGrid, FrictionBalancesTheEnergy) {
 
 TEST(ContactOnGrid, TheDashpotOfALastingContactTakesTheEnergyOfItsSwing) {
   // A bound pair that swings about its rest, x = a exp(-alpha t) (cos q t + alpha/q sin q t), as it
-  // does exactly on the grid: all of the energy K a^2/2 is lost in the end. The book begins in the
+  // does exactly on the grid: all of the energy K a^2/2 is lost in the end. The tally begins in the
   // middle of what the first step loses, 2 alpha dt of the energy, of which it knows the share to
   // second order in w0 dt and alpha dt.
   contact::ContactParameters p = thesis::elastic();

@@ -6,7 +6,7 @@
 
 namespace cohesion::event_stepping {
 
-/// One contact with spins on a grid, as an engine moves it, and its book of energies.
+/// One contact with spins on a grid, as an engine moves it, and its tally of energies.
 template <class Pair, int SIZE>
 class PairOnGrid {
  public:

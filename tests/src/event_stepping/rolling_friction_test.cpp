@@ -315,7 +315,7 @@ TEST(RollingFriction, AWallIsTheLimitOfALargeSphere) {
   EXPECT_LT(norm(beside.spin[0]), 4.0);
 }
 
-TEST(RollingFriction, NoFollowedStepGivesEnergyAllBooksCloseAndSlidingIsCapped) {
+TEST(RollingFriction, NoFollowedStepGivesEnergyAllTalliesCloseAndSlidingIsCapped) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   int slid = 0, lasted = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef COHESION_CONTACT_BOOK_H
-#define COHESION_CONTACT_BOOK_H
+#ifndef COHESION_SAMPLED_ENERGY_TALLY_H
+#define COHESION_SAMPLED_ENERGY_TALLY_H
 
 #include <vector>
 
@@ -38,9 +38,9 @@ cohesion::contact::SampledContact contact_of(const ContactModels::SurfacesInters
 /// What the contacts of one engine store and have taken, for compute gran/energy. The models write
 /// down each contact of a step; when the step is over and all velocities are known, it is worked
 /// out (contact/sampled_work.h).
-class ContactBook {
+class SampledEnergyTally {
  public:
-  explicit ContactBook(LAMMPS_NS::LAMMPS* lmp) : lmp_(lmp) {}
+  explicit SampledEnergyTally(LAMMPS_NS::LAMMPS* lmp) : lmp_(lmp) {}
 
   /// A contact as a model sees it, and whose attraction acts in it.
   struct Entry {
@@ -51,7 +51,7 @@ class ContactBook {
   void write(const ContactModels::SurfacesCloseData&, const Entry&);
 
   /// At the end of a step; at the set-up of a run, of the half step before the first.
-  void close_step(bool set_up);
+  void end_step(bool set_up);
 
   double spring = 0.0, tangential_spring = 0.0, adhesion = 0.0, rolling_spring = 0.0;
   double external_work() const { return external_work_; }
@@ -59,10 +59,10 @@ class ContactBook {
   double tangential_damping() const { return lost_.tangential_damping; }
   /// Lost in sliding, and with springs whose contact ended: what no other entry has.
   double friction() const {
-    return lost_.tangential - lost_.tangential_damping - (tangential_spring - at_opening_);
+    return lost_.tangential - lost_.tangential_damping - (tangential_spring - at_begin_);
   }
   /// Lost in rolling: what its spring does not have.
-  double rolling() const { return lost_.rolling - (rolling_spring - rolling_at_opening_); }
+  double rolling() const { return lost_.rolling - (rolling_spring - rolling_at_begin_); }
 
  private:
   struct Record {
@@ -83,10 +83,10 @@ class ContactBook {
   std::vector<cohesion::Vector3> force_, torque_;  // of contacts, on each particle of this rank
   cohesion::contact::Losses lost_, last_;          // last: per time, of the last step
   double external_work_ = 0.0, last_external_ = 0.0;
-  double at_opening_ = 0.0, rolling_at_opening_ = 0.0;
+  double at_begin_ = 0.0, rolling_at_begin_ = 0.0;
   double last_half_ = 0.0;
   LAMMPS_NS::bigint last_step_ = -1;
-  bool opened_ = false;
+  bool begun_ = false;
 };
 
 }  // namespace Cohesion

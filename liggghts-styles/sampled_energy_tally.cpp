@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "contact_book.h"
+#include "sampled_energy_tally.h"
 
 #include <mpi.h>
 
@@ -50,11 +50,11 @@ SampledContact contact_of(const ContactModels::SurfacesIntersectData& d,
   return c;
 }
 
-Moving ContactBook::moving(int particle) const {
+Moving SampledEnergyTally::moving(int particle) const {
   return {vector(lmp_->atom->v[particle]), vector(lmp_->atom->omega[particle])};
 }
 
-void ContactBook::write(const ContactModels::SurfacesCloseData& d, const Entry& entry) {
+void SampledEnergyTally::write(const ContactModels::SurfacesCloseData& d, const Entry& entry) {
   if (!d.computeflag) return;  // of a look that moves nothing
   Record r{entry, {moving(d.i), {}}, d.i, -1, d.itype, d.jtype, d.radi, 0.0, 1.0};
   if (d.is_wall) {
@@ -69,7 +69,7 @@ void ContactBook::write(const ContactModels::SurfacesCloseData& d, const Entry& 
   records_.push_back(r);
 }
 
-void ContactBook::close_step(bool set_up) {
+void SampledEnergyTally::end_step(bool set_up) {
   const double half = 0.5 * lmp_->update->dt;
   // Ghosts have the velocities of half a step before.
   lmp_->comm->forward_comm();
@@ -83,7 +83,7 @@ void ContactBook::close_step(bool set_up) {
   records_.clear();
   external += work_of_fixes(mobile);
 
-  // A run that goes on has the half step after its grid point in the book already, from the forces
+  // A run that goes on has the half step after its grid point in the tally already, from the forces
   // of the last step; its set-up makes new ones.
   if (set_up && last_step_ == lmp_->update->ntimestep) {
     lost_.add(-last_half_, last_);
@@ -92,19 +92,19 @@ void ContactBook::close_step(bool set_up) {
   const double time = set_up ? half : 2.0 * half;
   lost_.add(time, now);
   external_work_ += time * external;
-  if (!opened_) {
-    at_opening_ = tangential_spring - time * (now.tangential - now.tangential_damping);
-    rolling_at_opening_ = rolling_spring - time * now.rolling;
+  if (!begun_) {
+    at_begin_ = tangential_spring - time * (now.tangential - now.tangential_damping);
+    rolling_at_begin_ = rolling_spring - time * now.rolling;
   }
-  opened_ = true;
+  begun_ = true;
   last_ = now;
   last_external_ = external;
   last_half_ = half;
   last_step_ = lmp_->update->ntimestep;
 }
 
-void ContactBook::work_out(const Record& r, const MobileParticles& mobile, bool set_up, Losses& now,
-                           double& external) {
+void SampledEnergyTally::work_out(const Record& r, const MobileParticles& mobile, bool set_up,
+                                  Losses& now, double& external) {
   const Atom* const atom = lmp_->atom;
   const SampledContact& c = r.entry.contact;
   const Motion grid{moving(r.i), r.j < 0 ? r.before.j : moving(r.j)};
@@ -137,7 +137,7 @@ void ContactBook::work_out(const Record& r, const MobileParticles& mobile, bool 
 }
 
 /// Power on the particles of this rank of all that is neither contact nor gravity, [energy/time].
-double ContactBook::work_of_fixes(const MobileParticles& mobile) const {
+double SampledEnergyTally::work_of_fixes(const MobileParticles& mobile) const {
   const Atom* const atom = lmp_->atom;
   const GravityOfFixes gravity(lmp_->modify);
   double power = 0.0;

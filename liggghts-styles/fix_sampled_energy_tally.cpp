@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "fix_contact_book.h"
+#include "fix_sampled_energy_tally.h"
 
 #include <mpi.h>
 
@@ -23,7 +23,7 @@ using namespace LAMMPS_NS;
 
 namespace {
 
-/// Whether a contact model writes into the book.
+/// Whether a contact model of this owner writes into the tally.
 bool has_our_cohesion(const IContactHistorySetup& owner) {
   return CohesivePairs::of(&owner) != nullptr;
 }
@@ -35,36 +35,36 @@ bool has_our_cohesion(const IContactHistorySetup& owner) {
 
 }  // namespace
 
-FixContactBook::FixContactBook(LAMMPS* engine, int count, char** words)
-    : Fix(engine, count, words), book_(std::make_shared<ContactBook>(engine)) {
+FixSampledEnergyTally::FixSampledEnergyTally(LAMMPS* engine, int count, char** words)
+    : Fix(engine, count, words), tally_(std::make_shared<SampledEnergyTally>(engine)) {
   nevery = 1;
 }
 
-int FixContactBook::setmask() { return FixConst::END_OF_STEP; }
+int FixSampledEnergyTally::setmask() { return FixConst::END_OF_STEP; }
 
-std::shared_ptr<ContactBook> FixContactBook::book_of(LAMMPS* lmp) {
-  const FixContactBook* const fix = find_hidden_fix<FixContactBook>(lmp);
-  return fix ? fix->book_ : nullptr;
+std::shared_ptr<SampledEnergyTally> FixSampledEnergyTally::tally_of(LAMMPS* lmp) {
+  const FixSampledEnergyTally* const fix = find_hidden_fix<FixSampledEnergyTally>(lmp);
+  return fix ? fix->tally_ : nullptr;
 }
 
-void FixContactBook::to_the_end(LAMMPS* lmp) {
+void FixSampledEnergyTally::to_the_end(LAMMPS* lmp) {
   const int place = lmp->modify->find_fix(STYLE);
   if (place < 0 || place == lmp->modify->nfix - 1) return;
-  const auto book = static_cast<FixContactBook*>(lmp->modify->fix[place])->book_;
+  const auto tally = static_cast<FixSampledEnergyTally*>(lmp->modify->fix[place])->tally_;
   lmp->modify->delete_fix(STYLE);
-  hidden_fix<FixContactBook>(lmp).book_ = book;
+  hidden_fix<FixSampledEnergyTally>(lmp).tally_ = tally;
 }
 
-void FixContactBook::setup(int) {
-  book_->close_step(true);
-  for_each_energy_book(modify, [](EnergyBookKeeper& keeper) { keeper.begin_run(); });
+void FixSampledEnergyTally::setup(int) {
+  tally_->end_step(true);
+  for_each_energy_tally(modify, [](EnergyTallyCompute& keeper) { keeper.begin_run(); });
 }
 
-void FixContactBook::post_run() {
-  for_each_energy_book(modify, [](EnergyBookKeeper& keeper) { keeper.end_run(); });
+void FixSampledEnergyTally::post_run() {
+  for_each_energy_tally(modify, [](EnergyTallyCompute& keeper) { keeper.end_run(); });
 }
 
-void FixContactBook::init() {
+void FixSampledEnergyTally::init() {
   auto* const pair = dynamic_cast<PairGran*>(force->pair);
   if (!pair || !has_our_cohesion(*pair))
     refuse(
