@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs of the event scheme that go on from the forces of another: the motion, and the energy book of compute
+"""Runs of the event scheme that go on from the forces of another: the motion, and the energy tally of compute
 gran/energy that is first looked at on their first line."""
 import math
 import sys
