@@ -239,7 +239,7 @@ struct StepContacts {
           others_of(step->predicted[p.i], p.j >= 0 ? step->predicted[p.j] : nullptr, p.change);
       ContactMemory memory = ContactMemory::as_stored(p.history, SIZE);
       const FollowedStep<SIZE> f = c.template follow<SIZE>(p.start, others, p.rolled, p.in_range);
-      const Action action = c.template close<SIZE>(p.start, others, f, memory);
+      const Action action = c.template finish<SIZE>(p.start, others, f, memory);
       memory.to(p.history, SIZE);
       scatter.apply(p.i, p.j, action);
       const double fraction = scatter.owned_fraction(p.j);

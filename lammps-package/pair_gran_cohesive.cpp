@@ -30,7 +30,7 @@ template <class Cohesion>
 PairGranCohesive<Cohesion>::PairGranCohesive(LAMMPS* lammps)
     : Pair(lammps),
       coefficients(lammps),
-      close(lammps),
+      close_pairs(lammps),
       largest_range(0.0),
       friction(false),
       is_active(false),
@@ -92,7 +92,7 @@ void PairGranCohesive<Cohesion>::init_style() {
              any_contacts);
   friction = false;
   largest_range = 0.0;
-  close.start(for_flight());
+  close_pairs.start(for_flight());
   needs_list = is_active || per_pair > 0 || bound_pairs_are_read();
   if (!needs_list) {
     list = nullptr;
@@ -136,7 +136,7 @@ double PairGranCohesive<Cohesion>::init_one(int i, int j) {
   friction = friction || contact.friction > 0.0;
   if (!needs_list) return largest_radius[i] + largest_radius[j];
   largest_range = std::max(largest_range, range);
-  close.start(largest_range + for_flight());
+  close_pairs.start(largest_range + for_flight());
   return largest_radius[i] + largest_radius[j] + range + for_flight();
 }
 

@@ -143,7 +143,7 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventContacts, p
   AnyContacts any_contacts;
   std::vector<double> largest_radius, smallest_radius;  // by type, at init
   StepContacts contacts_now;                            // event scheme: those of this step
-  ClosePairs close;                                     // those that may touch in a step
+  ClosePairs close_pairs;                               // those that may touch in a step
   double largest_range;                                 // up to which the scheme has to see a pair
   bool friction;                                        // whether any contact has friction
   bool is_active;                                       // whether anything can happen in this run

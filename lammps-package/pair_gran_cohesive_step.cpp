@@ -103,14 +103,15 @@ void PairGranCohesive<Cohesion>::find_close() {
   // Both fly a whole step from the grid point; sampled, they are found as far beyond the edge.
   constexpr double flights = 4.0;
   const double reach = largest_range + flights * step->flight();
-  if (reach > close.allowed())
+  if (reach > close_pairs.allowed())
     error->one(FLERR,
                "{}: particles fly up to {} in half a step and could miss a "
                "contact, the neighbour list allows for {}: use a smaller time step or a skin above "
                "{}. The fastest: {}",
-               coefficients.where(), step->flight(), (close.allowed() - largest_range) / flights,
-               20.0 * step->flight(), report_fastest(lmp));
-  close.update(*list, reach, history->firstflag);
+               coefficients.where(), step->flight(),
+               (close_pairs.allowed() - largest_range) / flights, 20.0 * step->flight(),
+               report_fastest(lmp));
+  close_pairs.update(*list, reach, history->firstflag);
 }
 
 /// Calls what(i, j, kept, history) for them.
@@ -119,10 +120,10 @@ template <class What>
 [[gnu::always_inline]] inline void PairGranCohesive<Cohesion>::for_each_close(const What& what) {
   double* const* const values_of = history->firstvalue;
   const int each = per_pair;
-  close.for_each_near(history->firstflag,
-                      [&](const ClosePair& pair, int& kept) __attribute__((always_inline)) {
-                        what(pair.i, pair.j, kept, values_of[pair.i] + each * pair.place);
-                      });
+  close_pairs.for_each_near(history->firstflag,
+                            [&](const ClosePair& pair, int& kept) __attribute__((always_inline)) {
+                              what(pair.i, pair.j, kept, values_of[pair.i] + each * pair.place);
+                            });
 }
 
 /// Adds what a contact does to the sums of momentum flux, if somebody reads them.

@@ -225,8 +225,8 @@ class ContactOnGrid {
 
   /// The force times dt that does what `f`, followed with `others`, does; remembers the rest.
   template <int SIZE>
-  [[gnu::always_inline]] Action close(const FollowedStart& start, const PairMotion& others,
-                                      const FollowedStep<SIZE>& f, ContactMemory& memory) const {
+  [[gnu::always_inline]] Action finish(const FollowedStart& start, const PairMotion& others,
+                                       const FollowedStep<SIZE>& f, ContactMemory& memory) const {
     if (!f.normal.interacts && memory.phase == ContactMemory::beyond) return {};
     const PairMotion& truth = start.truth;
     const double owed = start.ahead;

@@ -200,8 +200,8 @@ TEST(ContactOnGrid, WhatOthersDoAlongAWallIsNotSeenAlongItsNormal) {
     EXPECT_NEAR(norm(with.change.relative.separation - alone.change.relative.separation), 0.0,
                 4.0 * speed * dt);
     ContactMemory one = before, two = before;
-    const Action pushed = contact.close<ContactMemory::normal_only>(begins, {}, alone, one);
-    const Action same = contact.close<ContactMemory::normal_only>(begins, others, with, two);
+    const Action pushed = contact.finish<ContactMemory::normal_only>(begins, {}, alone, one);
+    const Action same = contact.finish<ContactMemory::normal_only>(begins, others, with, two);
     ASSERT_GT(norm(pushed.impulse), 0.0);
     EXPECT_NEAR(norm(same.impulse - pushed.impulse), 0.0, 4.0 * thesis::mass * speed);
     EXPECT_EQ(one.phase, two.phase);

@@ -217,7 +217,7 @@ class ManySpheres {
                               spun[p.j] - own.spin_j};
       const bool in = p.memory.in_range();
       f.step = contact_.follow<SIZE>(f.start, others, f.step.rolled(), in);
-      give(p, contact_.close<SIZE>(f.start, others, f.step, p.memory), dv, dw);
+      give(p, contact_.finish<SIZE>(f.start, others, f.step, p.memory), dv, dw);
       collisions += !in && p.memory.in_range();
     }
     for (int i = 0; i < n; i++) {

@@ -56,7 +56,7 @@ class PairOnGrid {
       const FollowedStart begin = contact.template start<SIZE>(grid, truth(), memory);
       followed = contact.template follow<SIZE>(begin, {}, {}, in_range);
       followed = contact.template follow<SIZE>(begin, {}, followed.rolled(), in_range);
-      action = contact.template close<SIZE>(begin, {}, followed, memory);
+      action = contact.template finish<SIZE>(begin, {}, followed, memory);
       now = contact.template losses<SIZE>(followed);
       lost += sum(now);
       by_this = contact.by_contact(begin, followed.normal, action);

@@ -214,7 +214,7 @@ TEST(RollingFriction, FollowedItHoldsAgainstWhatOthersDoInTheStep) {
     const FollowedStart begins = pair.contact.start<size>(grid, truth, memory);
     const auto alone = pair.contact.follow<size>(begins, {}, {}, memory.in_range());
     const auto f = pair.contact.follow<size>(begins, others, alone.rolled(), memory.in_range());
-    const Action action = pair.contact.close<size>(begins, others, f, memory);
+    const Action action = pair.contact.finish<size>(begins, others, f, memory);
     grid.spin_i += inverse_inertia(small) * action.torque_i;
     grid.spin_i += (n > 0 ? 1.0 : 0.5) * others.spin_i;
     EXPECT_EQ(f.rolling.friction, 0.0);
@@ -250,7 +250,7 @@ TEST(RollingFriction, ChangesSignWithTheExchangeOfTheParticles) {
         const FollowedStart begins = c.start<size>(at, at, memory);
         const auto alone = c.follow<size>(begins, {}, {}, memory.in_range());
         const auto f = c.follow<size>(begins, beside, alone.rolled(), memory.in_range());
-        action = c.close<size>(begins, beside, f, memory);
+        action = c.finish<size>(begins, beside, f, memory);
         return false;
       };
       const bool lasts = kind.phase == ContactMemory::lasting;
