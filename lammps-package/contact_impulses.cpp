@@ -43,7 +43,7 @@ void ContactImpulses::end_contacts() {
   ended_ = true;
 }
 
-void ContactImpulses::note_others(double* forces) const {
+void ContactImpulses::save_other_forces(double* forces) const {
   const int n = 3 * atom->nlocal;
   if (n == 0) return;
   const double* const all = atom->f[0];

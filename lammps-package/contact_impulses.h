@@ -47,11 +47,11 @@ class ContactImpulses : protected Pointers {
   cohesion::Vector3 torque(int i) const { return cohesion::vector(&torques_[3 * i]); }
   /// The force of all but contacts on particle i, once the engine has all forces of the step; 0
   /// where nobody asks.
-  cohesion::Vector3 others(int i) const {
+  cohesion::Vector3 other_force(int i) const {
     return known_ == Known::nobody ? cohesion::Vector3{} : cohesion::vector(atom->f[i]) - force(i);
   }
   /// The same for all particles, three numbers each.
-  void note_others(double* forces) const;
+  void save_other_forces(double* forces) const;
 
   double bytes() const {
     return static_cast<double>(sizeof(double)) *

@@ -92,12 +92,12 @@ struct FollowedContact {
   cohesion::event_stepping::PairSpins rolled;   // the same
 };
 
-/// Contacts of one style in one step. `done(j, grid, impulse, by_contact, factor)` hears what each
-/// of them does, with factor -1 where it is taken back; by_contact() is the part of spring, dashpot
-/// and friction. `grid_of(contact)`: the motion of a LastingContact on the grid.
+/// Contacts of one style in one step. `on_impulse(j, grid, impulse, by_contact, factor)` is called
+/// with what each of them does, with factor -1 where it is undone; by_contact() is the part of
+/// spring, dashpot and friction. `grid_of(contact)`: the motion of a LastingContact on the grid.
 struct StepContacts {
   std::vector<LastingContact> candidates;  // can last from now on
-  OfStep<LastingContact> lasting;          // act, but those that are taken back
+  OfStep<LastingContact> lasting;          // act, but those that are undone
   std::vector<BegunContact> begun;
   std::vector<LastingContact> idle;  // in their wells, where nothing acts
   OfStep<FollowedContact> followed;
@@ -110,13 +110,13 @@ struct StepContacts {
     followed.clear();
   }
 
-  /// One contact from its motion on the grid: acts if it lasts, is announced if it is to be
-  /// followed, which makes both particles restless.
-  template <int SIZE, class Contact, class Done>
-  [[gnu::noinline]] void take(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
-                              const Contact& c, int contact, int i, int j,
-                              const cohesion::event_stepping::PairMotion& grid, double* history,
-                              const Done& done) {
+  /// Decides from its motion on the grid whether a contact lasts, and acts, or is followed, which
+  /// disturbs both particles.
+  template <int SIZE, class Contact, class OnImpulse>
+  [[gnu::noinline]] void classify(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
+                                  const Contact& c, int contact, int i, int j,
+                                  const cohesion::event_stepping::PairMotion& grid, double* history,
+                                  const OnImpulse& on_impulse) {
     using namespace cohesion::event_stepping;
     ContactMemory memory = ContactMemory::from(history, SIZE);
     const bool lasted = memory.phase == ContactMemory::lasting;
@@ -125,12 +125,12 @@ struct StepContacts {
     } else if (!lasted && c.can_last(grid.relative, memory)) {
       candidates.push_back({i, j, contact, history});
     } else if (!lasted || !advance_lasting<SIZE>(scatter, step, c, {i, j, contact, history}, grid,
-                                                 memory, done)) {
-      // Not by those that only the fastest particle of this rank could bring together.
+                                                 memory, on_impulse)) {
+      // Those that only the fastest particle of this rank could bring together disturb nothing.
       if (memory.phase != ContactMemory::beyond ? !c.is_idle(grid.relative, memory, 0.0)
                                                 : c.within_reach(grid.relative, 0.0))
-        step->unsettle(i, j);
-      announce<SIZE>(scatter, step, c, {i, j, contact, history}, grid, memory);
+        step->disturb(i, j);
+      add_followed<SIZE>(scatter, step, c, {i, j, contact, history}, grid, memory);
     }
     if (step->energy_tally.is_active()) {
       step->energy_tally.store(scatter.owned_fraction(j), c.stored(grid, memory));
@@ -138,33 +138,34 @@ struct StepContacts {
     }
   }
 
-  /// Lasting contacts beside restless ones are followed, too: one force among such drains energy.
-  /// Candidates last from now on, if nothing beside them is restless.
-  template <int SIZE, class Contact, class GridOf, class Done>
-  void unsettle(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
-                const std::vector<Contact>& all, const GridOf& grid_of, const Done& done) {
+  /// Lasting contacts beside disturbed ones are followed, too: one force among such drains energy.
+  /// Candidates last from now on, if nothing beside them is disturbed.
+  template <int SIZE, class Contact, class GridOf, class OnImpulse>
+  void follow_disturbed(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
+                        const std::vector<Contact>& all, const GridOf& grid_of,
+                        const OnImpulse& on_impulse) {
     using namespace cohesion::event_stepping;
-    if (step->any_restless())
+    if (step->any_disturbed())
       for (const LastingContact& p : lasting)
-        if (step->is_restless(p.i, p.j))
-          undo_lasting<SIZE>(scatter, step, all[p.contact], p, grid_of(p), done);
+        if (step->is_disturbed(p.i, p.j))
+          undo_lasting<SIZE>(scatter, step, all[p.contact], p, grid_of(p), on_impulse);
     for (const LastingContact& p : candidates) {
       const Contact& c = all[p.contact];
       ContactMemory memory = ContactMemory::from(p.history, SIZE);
       const PairMotion grid = grid_of(p);
-      if (step->is_restless(p.i, p.j))
-        announce<SIZE>(scatter, step, c, p, grid, memory);
+      if (step->is_disturbed(p.i, p.j))
+        add_followed<SIZE>(scatter, step, c, p, grid, memory);
       else
-        advance_lasting<SIZE>(scatter, step, c, p, grid, memory, done);
+        advance_lasting<SIZE>(scatter, step, c, p, grid, memory, on_impulse);
     }
   }
 
-  /// What lasting contacts beside followed ones owe, and do.
+  /// Adds what lasting contacts owe, and do, to particles that have a followed one.
   template <int SIZE, class Contact, class GridOf>
-  void join(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
-            const std::vector<Contact>& all, const GridOf& grid_of) const {
+  void couple_lasting(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
+                      const std::vector<Contact>& all, const GridOf& grid_of) const {
     using namespace cohesion::event_stepping;
-    if (!step->any_announced()) return;
+    if (!step->any_followed()) return;
     const auto beside = [step](const LastingContact& p) {
       return step->is_followed(p.i) || (p.j >= 0 && step->is_followed(p.j));
     };
@@ -175,14 +176,14 @@ struct StepContacts {
           const bool i = step->is_followed(p.i), j = p.j >= 0 && step->is_followed(p.j);
           const Contact& c = all[p.contact];
           const Action owed = c.template owed<SIZE>(grid.relative, memory);
-          const PairMotion does = c.template done<SIZE>(grid, action(), owed, memory);
+          const PairMotion does = c.template lasting_change<SIZE>(grid, action(), owed, memory);
           if (i) {
-            step->joins(p.i);
+            step->count_contact(p.i);
             scatter.change_i(step->owed, p.i, owed);
             scatter.add_predicted_i(p.i, c, does);
           }
           if (j) {
-            step->joins(p.j);
+            step->count_contact(p.j);
             scatter.change_j(step->owed, p.j, owed);
             scatter.add_predicted_j(p.j, c, does);
           }
@@ -229,9 +230,9 @@ struct StepContacts {
 
   /// The corrector: every followed contact with half of what the others do before it and half
   /// after.
-  template <int SIZE, class Contact, class Done>
+  template <int SIZE, class Contact, class OnImpulse>
   void correct(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
-               const std::vector<Contact>& all, const Done& done) {
+               const std::vector<Contact>& all, const OnImpulse& on_impulse) {
     using namespace cohesion::event_stepping;
     for (FollowedContact& p : followed) {
       const Contact& c = all[p.contact];
@@ -243,9 +244,9 @@ struct StepContacts {
       memory.to(p.history, SIZE);
       scatter.apply(p.i, p.j, action);
       const double fraction = scatter.owned_fraction(p.j);
-      if (f.normal.normal.unresolved) step->note_unresolved(fraction);
+      if (f.normal.normal.unresolved) step->count_unresolved(fraction);
       step->energy_tally.add_losses(fraction, Contact::template losses<SIZE>(f), 1.0);
-      done(
+      on_impulse(
           p.j, p.start.truth, action.impulse,
           [&] { return c.by_contact(p.start, f.normal, action); }, 1.0);
     }
@@ -255,10 +256,10 @@ struct StepContacts {
   using ContactMemory = cohesion::event_stepping::ContactMemory;
   using PairMotion = cohesion::event_stepping::PairMotion;
 
-  template <int SIZE, class Contact, class Done>
+  template <int SIZE, class Contact, class OnImpulse>
   bool advance_lasting(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
                        const Contact& c, const LastingContact& p, const PairMotion& grid,
-                       ContactMemory& memory, const Done& done) {
+                       ContactMemory& memory, const OnImpulse& on_impulse) {
     using namespace cohesion::event_stepping;
     const bool lasted = memory.phase == ContactMemory::lasting;
     Action action;
@@ -274,29 +275,30 @@ struct StepContacts {
     else
       begun.push_back({p, action});
     scatter.apply(p.i, p.j, action);
-    done(p.j, grid, action.impulse, [&] { return c.by_contact(grid, action); }, 1.0);
+    on_impulse(p.j, grid, action.impulse, [&] { return c.by_contact(grid, action); }, 1.0);
     return true;
   }
 
-  template <int SIZE, class Contact, class Done>
+  template <int SIZE, class Contact, class OnImpulse>
   void undo_lasting(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
                     const Contact& c, const LastingContact& p, const PairMotion& grid,
-                    const Done& done) {
+                    const OnImpulse& on_impulse) {
     using namespace cohesion::event_stepping;
     ContactMemory memory = ContactMemory::as_stored(p.history, SIZE);
     const Action action = c.one_force().template lasting_action<SIZE>(grid, memory);
     scatter.apply_reversed(p.i, p.j, action);
-    done(p.j, grid, action.impulse, [&] { return c.by_contact(grid, action); }, -1.0);
+    on_impulse(p.j, grid, action.impulse, [&] { return c.by_contact(grid, action); }, -1.0);
     ContactLosses lost;
     c.one_force().template end_lasting<SIZE>(grid, memory,
                                              step->energy_tally.is_active() ? &lost : nullptr);
     step->energy_tally.add_losses(scatter.owned_fraction(p.j), lost, 0.0);
-    announce<SIZE>(scatter, step, c, p, grid, memory);
+    add_followed<SIZE>(scatter, step, c, p, grid, memory);
   }
 
   template <int SIZE, class Contact>
-  void announce(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step, const Contact& c,
-                const LastingContact& p, const PairMotion& grid, const ContactMemory& memory) {
+  void add_followed(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
+                    const Contact& c, const LastingContact& p, const PairMotion& grid,
+                    const ContactMemory& memory) {
     FollowedContact& now = followed.add();
     now.i = p.i;
     now.j = p.j;
@@ -307,8 +309,8 @@ struct StepContacts {
     now.change = {};
     now.rolled = {};
     memory.to(p.history, SIZE);
-    step->announce(p.i);
-    if (p.j >= 0) step->announce(p.j);
+    step->add_followed(p.i);
+    if (p.j >= 0) step->add_followed(p.j);
     scatter.change(step->owed, p.i, p.j,
                    c.template owed<SIZE>(grid.relative.separation, now.start.ahead, memory));
   }

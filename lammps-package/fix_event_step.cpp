@@ -60,7 +60,7 @@ FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
       warned_of_unturned(false),
       last_dt(0.0),
       last(lammps, LAST),
-      outer(lammps, 3),
+      other_forces(lammps, 3),
       contacts(nullptr),
       inverse_mass(nullptr),
       longest_flight(0.0),
@@ -145,7 +145,7 @@ void FixEventStep::init() {
   });
   any_event_scheme = std::any_of(styles.begin(), styles.end(),
                                  [](const EventContacts* some) { return some->is_event_scheme(); });
-  others_act = any_event_scheme && others_may_act();
+  any_other_forces = any_event_scheme && others_may_act();
   warn_of_unturned_once();
 }
 
@@ -219,8 +219,8 @@ void FixEventStep::setup_pre_force(int) {
   }
   if (!resuming) {
     const std::vector<double> weight = weights(lmp);
-    for (int i = 0; i < atom->nlocal; i++) std::copy_n(&weight[3 * i], 3, outer.of(i));
-    others_noted = true;
+    for (int i = 0; i < atom->nlocal; i++) std::copy_n(&weight[3 * i], 3, other_forces.of(i));
+    other_forces_known = true;
     judge(true);
     predictor_due = true;
     return;
@@ -229,7 +229,7 @@ void FixEventStep::setup_pre_force(int) {
   update_readers();
   judge(true);
   if (other_box)
-    for (EventWalls* wall : walls) wall->take_where_they_are();
+    for (EventWalls* wall : walls) wall->reset_in_range();
   if (!energy_tally.is_active()) return;
   for (int i = 0; i < atom->nlocal; i++) energy_tally.restore_motion(i, last.of(i) + NOTED);
   energy_tally.reset_normal();
@@ -242,15 +242,15 @@ bool FixEventStep::run_predictor() {
   predictor_due = false;
   clear();
   impulses.begin_contacts();
-  for (EventContacts* some : styles) some->gather();
+  for (EventContacts* some : styles) some->classify();
   if (any_event_scheme) {
-    forward_restless();
+    forward_disturbed();
     const int all = atom->nlocal + atom->nghost;
-    some_restless =
-        std::any_of(restless.begin(), restless.begin() + all, [](char is) { return is != 0; });
-    for (EventContacts* some : styles) some->unsettle();
-    for (EventContacts* some : styles) some->join();
-    if (some_announced || comm->nprocs > 1) {
+    any_disturbed_now =
+        std::any_of(disturbed.begin(), disturbed.begin() + all, [](char is) { return is != 0; });
+    for (EventContacts* some : styles) some->follow_disturbed();
+    for (EventContacts* some : styles) some->couple_lasting();
+    if (any_followed_now || comm->nprocs > 1) {
       forward_to_ghosts(owed, OWED);
       for (EventContacts* some : styles) some->predict();
       forward_to_ghosts(predicted, PREDICTED);
@@ -279,7 +279,7 @@ void FixEventStep::initial_integrate(int) {
   }
   if (!resuming) {
     // Forces are all there when the next step begins.
-    if (!idle && any_event_scheme) note_others();
+    if (!idle && any_event_scheme) save_other_forces();
     return;
   }
   // The same momentum, should the step be another now.
@@ -288,20 +288,20 @@ void FixEventStep::initial_integrate(int) {
     const double* const then = last.of(i);
     put(ratio * vector(then), atom->f[i]);
     put(ratio * vector(then + TORQUE), atom->torque[i]);
-    std::copy_n(then + FROM_OTHERS, 3, outer.of(i));
+    std::copy_n(then + FROM_OTHERS, 3, other_forces.of(i));
   }
   resuming = false;
-  others_noted = true;
+  other_forces_known = true;
   last.free();
 }
 
 /// What forces that are no contacts' have done in the step that ends.
-void FixEventStep::note_others() {
-  if (others_act)
-    impulses.note_others(outer.of(0));
-  else if (others_noted)
-    for (int i = 0; i < atom->nlocal; i++) outer.clear(i);
-  others_noted = others_act;
+void FixEventStep::save_other_forces() {
+  if (any_other_forces)
+    impulses.save_other_forces(other_forces.of(0));
+  else if (other_forces_known)
+    for (int i = 0; i < atom->nlocal; i++) other_forces.clear(i);
+  other_forces_known = any_other_forces;
 }
 
 /// Tallies begin when all fixes have been set up; a run of no step ends then.
@@ -334,15 +334,15 @@ void FixEventStep::clear() {
   // The engine's half kick makes of a force f the momentum f dt/2; the other half went before, but
   // for the first step, which has no half before it.
   using Known = ContactImpulses::Known;
-  const Known known = others_act ? Known::forces : Known::nobody;
+  const Known known = any_other_forces ? Known::forces : Known::nobody;
   impulses.begin_step((starting ? 2.0 : 1.0) / update->dt,
                       energy_tally.is_active() ? Known::forces_and_torques : known);
   if (any_event_scheme) {
     std::fill_n(contacts, all, 0);
-    restless.assign(all, 0);
-    announced.assign(all, 0);
-    announced_ghosts.clear();
-    some_announced = false;
+    disturbed.assign(all, 0);
+    followed.assign(all, 0);
+    followed_ghosts.clear();
+    any_followed_now = false;
   }
   energy_tally.begin_step();
 }
@@ -361,7 +361,7 @@ void FixEventStep::end_of_step() {
   double power = 0.0;  // of all forces but those of contacts, and gravity
   for (int i = 0; i < atom->nlocal; i++)
     if (inverse_mass[i] != 0.0)
-      power += dot(impulses.others(i) - vector(&weight[3 * i]), energy_tally.true_velocity(i));
+      power += dot(impulses.other_force(i) - vector(&weight[3 * i]), energy_tally.true_velocity(i));
   energy_tally.add_work(2.0 * half_kick() * power);
 }
 
@@ -376,16 +376,16 @@ void FixEventStep::post_run() {
   box.store(domain);
   if (resuming) return;  // no step was made: what was taken over is what the next run goes on from
   last.grow(atom->nmax);
-  for (int i = 0; i < atom->nlocal; i++) note_last(i, last.of(i));
+  for (int i = 0; i < atom->nlocal; i++) save_last(i, last.of(i));
   last_dt = update->dt;
 }
 
 /// What the next run needs of a particle.
-void FixEventStep::note_last(int i, double* values) const {
+void FixEventStep::save_last(int i, double* values) const {
   std::copy_n(atom->f[i], 3, values);
   std::copy_n(atom->torque[i], 3, values + TORQUE);
   energy_tally.save_motion(i, values + NOTED);
-  put(impulses.others(i), values + FROM_OTHERS);
+  put(impulses.other_force(i), values + FROM_OTHERS);
 }
 
 void FixEventStep::report_unresolved() {

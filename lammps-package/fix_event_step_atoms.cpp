@@ -14,13 +14,14 @@
 
 using namespace LAMMPS_NS;
 
-/// Tells ghosts whether their owners are restless.
-void FixEventStep::forward_restless() { forward_flagged(restless, nullptr, 0); }
+/// Sends to ghosts whether their owners are disturbed.
+void FixEventStep::forward_disturbed() { forward_flagged(disturbed, nullptr, 0); }
 
-/// Brings `each` values of announced particles to their ghosts, 0 to announced ghosts of others.
+/// Brings `each` values of particles with a followed contact to their ghosts; ghosts whose owners
+/// have none get 0.
 void FixEventStep::forward_to_ghosts(double** values, int each) {
-  for (int i : announced_ghosts) std::fill_n(values[i], each, 0.0);
-  forward_flagged(announced, values, each);
+  for (int i : followed_ghosts) std::fill_n(values[i], each, 0.0);
+  forward_flagged(followed, values, each);
 }
 
 /// Gives ghosts the flags of their owners, and those that are flagged `each` of their values.
@@ -60,27 +61,27 @@ void FixEventStep::grow_arrays(int nmax) {
   memory->grow(predicted, nmax, PREDICTED, "event_step:predicted");
   memory->grow(contacts, nmax, "event_step:contacts");
   if (last.has_room()) last.grow(nmax);
-  outer.grow(nmax);
+  other_forces.grow(nmax);
   memory->grow(inverse_mass, nmax, "event_step:inverse_mass");
 }
 
 void FixEventStep::copy_arrays(int i, int j, int) {
-  outer.copy(i, j);
+  other_forces.copy(i, j);
   if (last.has_room()) last.copy(i, j);
 }
 
 void FixEventStep::set_arrays(int i) {
-  outer.clear(i);
+  other_forces.clear(i);
   if (last.has_room()) last.clear(i);
 }
 
 int FixEventStep::pack_exchange(int i, double* buf) {
-  const int taken = outer.pack(i, buf);
+  const int taken = other_forces.pack(i, buf);
   return last.has_room() ? taken + last.pack(i, buf + taken) : taken;
 }
 
 int FixEventStep::unpack_exchange(int i, double* buf) {
-  const int taken = outer.unpack(i, buf);
+  const int taken = other_forces.unpack(i, buf);
   return last.has_room() ? taken + last.unpack(i, buf + taken) : taken;
 }
 
@@ -116,7 +117,7 @@ int FixEventStep::pack_restart(int i, double* buf) {
   if (!running && last.has_room()) return last.pack_restart(i, buf);
   buf[0] = last.size_restart();
   std::fill_n(buf + 1, last.size(), 0.0);  // before the first run
-  if (running) note_last(i, buf + 1);
+  if (running) save_last(i, buf + 1);
   return last.size_restart();
 }
 
@@ -130,8 +131,8 @@ int FixEventStep::size_restart(int) { return last.size_restart(); }
 double FixEventStep::memory_usage() {
   const double numbers = OWED + PREDICTED + 1;
   return (numbers * sizeof(double) + sizeof(int)) * atom->nmax + impulses.bytes() +
-         static_cast<double>(restless.capacity() + announced.capacity()) +
-         static_cast<double>(sizeof(int)) * announced_ghosts.capacity() +
-         sizeof(double) * known_masses.capacity() + outer.bytes() + last.bytes() +
+         static_cast<double>(disturbed.capacity() + followed.capacity()) +
+         static_cast<double>(sizeof(int)) * followed_ghosts.capacity() +
+         sizeof(double) * known_masses.capacity() + other_forces.bytes() + last.bytes() +
          energy_tally.bytes();
 }

@@ -238,10 +238,10 @@ void FixWallGranCohesive<Cohesion>::for_each_near(std::vector<Contact>& shared, 
 }
 
 template <class Cohesion>
-void FixWallGranCohesive<Cohesion>::gather() {
+void FixWallGranCohesive<Cohesion>::classify() {
   forces.clear();
   near_now.clear();
-  with_contacts([this](auto& shared, auto size) { gather<size>(shared); });
+  with_contacts([this](auto& shared, auto size) { classify<size>(shared); });
 }
 
 static int partner(std::size_t near) { return -1 - static_cast<int>(near); }
@@ -258,7 +258,7 @@ auto FixWallGranCohesive<Cohesion>::pushes(const ContactsOfStep<EventContact, SI
 
 template <class Cohesion>
 template <int SIZE>
-void FixWallGranCohesive<Cohesion>::gather(std::vector<EventContact>& shared) {
+void FixWallGranCohesive<Cohesion>::classify(std::vector<EventContact>& shared) {
   contacts_now.clear();
   const ContactsOfStep<EventContact, SIZE> scatter(atom, step);
   for_each_near(shared, [&](int i, int w, int c, const WallPoint& point, double* values) {
@@ -268,14 +268,14 @@ void FixWallGranCohesive<Cohesion>::gather(std::vector<EventContact>& shared) {
         !shared[c].within_reach(grid.relative, step->flight()))
       return;
     near_now.push_back(near);
-    contacts_now.take<SIZE>(scatter, step, shared[c], c, i, partner(near_now.size() - 1), grid,
-                            values, pushes<SIZE>(scatter));
+    contacts_now.classify<SIZE>(scatter, step, shared[c], c, i, partner(near_now.size() - 1), grid,
+                                values, pushes<SIZE>(scatter));
   });
 }
 
 template <class Cohesion>
 template <int SIZE>
-void FixWallGranCohesive<Cohesion>::gather(std::vector<SampledContact>& shared) {
+void FixWallGranCohesive<Cohesion>::classify(std::vector<SampledContact>& shared) {
   for_each_near(shared, [&](int i, int w, int c, const WallPoint& point, double* values) {
     const Near near{i, w, c, point, values};
     if (values[0] == 0.0 && !shared[c].within_reach(on_grid(near).relative)) return;
@@ -284,13 +284,13 @@ void FixWallGranCohesive<Cohesion>::gather(std::vector<SampledContact>& shared) 
 }
 
 template <class Cohesion>
-void FixWallGranCohesive<Cohesion>::unsettle() {
-  with_event_contacts([this](auto& shared, auto size) { unsettle<size>(shared); });
+void FixWallGranCohesive<Cohesion>::follow_disturbed() {
+  with_event_contacts([this](auto& shared, auto size) { follow_disturbed<size>(shared); });
 }
 
 template <class Cohesion>
-void FixWallGranCohesive<Cohesion>::join() {
-  with_event_contacts([this](auto& shared, auto size) { join<size>(shared); });
+void FixWallGranCohesive<Cohesion>::couple_lasting() {
+  with_event_contacts([this](auto& shared, auto size) { couple_lasting<size>(shared); });
 }
 
 template <class Cohesion>
@@ -302,9 +302,9 @@ void FixWallGranCohesive<Cohesion>::predict() {
 
 template <class Cohesion>
 template <int SIZE>
-void FixWallGranCohesive<Cohesion>::unsettle(std::vector<EventContact>& shared) {
+void FixWallGranCohesive<Cohesion>::follow_disturbed(std::vector<EventContact>& shared) {
   const ContactsOfStep<EventContact, SIZE> scatter(atom, step);
-  contacts_now.unsettle<SIZE>(
+  contacts_now.follow_disturbed<SIZE>(
       scatter, step, shared,
       [this](const LastingContact& p) { return on_grid(near_now[-1 - p.j]); },
       pushes<SIZE>(scatter));
@@ -312,9 +312,10 @@ void FixWallGranCohesive<Cohesion>::unsettle(std::vector<EventContact>& shared) 
 
 template <class Cohesion>
 template <int SIZE>
-void FixWallGranCohesive<Cohesion>::join(std::vector<EventContact>& shared) {
-  contacts_now.join<SIZE>(ContactsOfStep<EventContact, SIZE>(atom, step), step, shared,
-                          [this](const LastingContact& p) { return on_grid(near_now[-1 - p.j]); });
+void FixWallGranCohesive<Cohesion>::couple_lasting(std::vector<EventContact>& shared) {
+  contacts_now.couple_lasting<SIZE>(
+      ContactsOfStep<EventContact, SIZE>(atom, step), step, shared,
+      [this](const LastingContact& p) { return on_grid(near_now[-1 - p.j]); });
 }
 
 /// Adds the force on the wall to the sums of walls, and its work to the energy tally; with factor

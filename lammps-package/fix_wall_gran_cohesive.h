@@ -35,13 +35,13 @@ class FixWallGranCohesive : public Fix, public EventWalls, public AdvisedStyle {
   void setup(int) override;
   void post_force(int) override;
   bool is_event_scheme() const override { return scheme == Scheme::event; }
-  void gather() override;
-  void unsettle() override;
-  void join() override;
+  void classify() override;
+  void follow_disturbed() override;
+  void couple_lasting() override;
   void predict() override;
   void store_energies_at_setup() override;
   void give_advice(const Circumstances&) override;
-  void take_where_they_are() override;
+  void reset_in_range() override;
   bool has_friction(int) const override { return per_wall > HistorySize::normal_only; }
 
   double compute_vector(int) override;
@@ -87,9 +87,9 @@ class FixWallGranCohesive : public Fix, public EventWalls, public AdvisedStyle {
   template <class Contact, class What>
   void for_each_near(std::vector<Contact>&, const What&);
   template <int SIZE>
-  void gather(std::vector<EventContact>&);
+  void classify(std::vector<EventContact>&);
   template <int SIZE>
-  void gather(std::vector<SampledContact>&);
+  void classify(std::vector<SampledContact>&);
   template <int SIZE>
   void compute_forces(std::vector<EventContact>&);
   template <int SIZE>
@@ -101,9 +101,9 @@ class FixWallGranCohesive : public Fix, public EventWalls, public AdvisedStyle {
   auto pushes(const ContactsOfStep<EventContact, SIZE>&);
   cohesion::event_stepping::PairMotion on_grid(const Near&) const;
   template <int SIZE>
-  void unsettle(std::vector<EventContact>&);
+  void follow_disturbed(std::vector<EventContact>&);
   template <int SIZE>
-  void join(std::vector<EventContact>&);
+  void couple_lasting(std::vector<EventContact>&);
   std::vector<AdvisedContact> advised_contacts(const std::vector<LightestParticle>&) const;
   template <class What>
   void with_contacts(const What& what) {
@@ -158,7 +158,7 @@ template <class Cohesion>
 template <class Contact>
 inline int FixWallGranCohesive<Cohesion>::contact(std::vector<Contact>& shared, int i) {
   const cohesion::event_stepping::Body particle = step->body(i), wall{0.0, 0.0};
-  if (shared.empty() || !shared.back().joins(particle, wall))
+  if (shared.empty() || !shared.back().is_between(particle, wall))
     shared.push_back(step->contact<Contact>(
         parameters.contact,
         Cohesion::template of_wall<typename Contact::Attraction>(law, particle.radius), particle,

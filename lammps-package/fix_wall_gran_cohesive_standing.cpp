@@ -9,7 +9,7 @@ using namespace LAMMPS_NS;
 using namespace cohesion::event_stepping;
 
 template <class Cohesion>
-void FixWallGranCohesive<Cohesion>::take_where_they_are() {
+void FixWallGranCohesive<Cohesion>::reset_in_range() {
   const WallState now = state();
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
@@ -42,7 +42,7 @@ void FixWallGranCohesive<Cohesion>::store_energies_at_setup() {
   });
 }
 
-template void FixWallGranCohesive<HamakerCohesion>::take_where_they_are();
+template void FixWallGranCohesive<HamakerCohesion>::reset_in_range();
 template void FixWallGranCohesive<HamakerCohesion>::store_energies_at_setup();
-template void FixWallGranCohesive<SquareWellCohesion>::take_where_they_are();
+template void FixWallGranCohesive<SquareWellCohesion>::reset_in_range();
 template void FixWallGranCohesive<SquareWellCohesion>::store_energies_at_setup();

@@ -63,9 +63,9 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventContacts, p
   bool is_event_scheme() const override {
     return is_active && coefficients.scheme() == Scheme::event;
   }
-  void gather() override;
-  void unsettle() override;
-  void join() override;
+  void classify() override;
+  void follow_disturbed() override;
+  void couple_lasting() override;
   void predict() override;
   void store_energies_at_setup() override;
   void give_advice(const Circumstances&) override;
@@ -104,21 +104,21 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventContacts, p
   bool moves(int i, int j) const;
   template <class What>
   void for_each_listed(const What&) const;
-  void begin_where_they_are(bool afresh);
+  void reset_in_range(bool afresh);
   void find_close();
   template <class What>
   void for_each_close(const What&);
   template <int SIZE>
-  void gather(Contacts<EventContact>&);
+  void classify(Contacts<EventContact>&);
   template <int SIZE>
-  void gather(Contacts<SampledContact>&);
+  void classify(Contacts<SampledContact>&);
   template <int SIZE>
-  void take(const ContactsOfStep<EventContact, SIZE>&, const EventContact&, int contact, int i,
-            int j, int& kept, double* values);
+  void classify_one(const ContactsOfStep<EventContact, SIZE>&, const EventContact&, int contact,
+                    int i, int j, int& kept, double* values);
   template <int SIZE>
-  void unsettle(Contacts<EventContact>&);
+  void follow_disturbed(Contacts<EventContact>&);
   template <int SIZE>
-  void join(Contacts<EventContact>&);
+  void couple_lasting(Contacts<EventContact>&);
   template <int SIZE>
   void compute_forces(Contacts<EventContact>&);
   template <int SIZE>
@@ -168,7 +168,7 @@ template <class Contact>
   const int types = coefficients.of_types(particles.type[i], particles.type[j]);
   const int last = contacts.last[types];
   if (last != Contacts<Contact>::NONE &&
-      contacts.all[last].joins(particles.bodies[i], particles.bodies[j]))
+      contacts.all[last].is_between(particles.bodies[i], particles.bodies[j]))
     return last;
   return new_contact(contacts, types, i, j);
 }

@@ -28,7 +28,7 @@ void PairGranCohesive<Cohesion>::for_each_listed(const What& what) const {
 /// After steps in which no pair was followed (`afresh`), or something else than their motion
 /// brought particles where they are; those that are still in range remember what they did.
 template <class Cohesion>
-void PairGranCohesive<Cohesion>::begin_where_they_are(bool afresh) {
+void PairGranCohesive<Cohesion>::reset_in_range(bool afresh) {
   history_stale = false;
   std::visit(
       [this, afresh](auto& contacts) {
@@ -50,8 +50,8 @@ void PairGranCohesive<Cohesion>::begin_where_they_are(bool afresh) {
 template <class Cohesion>
 void PairGranCohesive<Cohesion>::store_energies_at_setup() {
   if (!is_active) return;
-  if (history_stale) begin_where_they_are(true);
-  if (step->box_changed()) begin_where_they_are(false);
+  if (history_stale) reset_in_range(true);
+  if (step->box_changed()) reset_in_range(false);
   if (!step->energy_tally.is_active()) return;
   for_each_with_history([this](int, int j, const StoredEnergies& stored) {
     step->energy_tally.store_normal(j < atom->nlocal ? 1.0 : 0.5, stored);
@@ -97,17 +97,17 @@ void PairGranCohesive<Cohesion>::append_bound(std::vector<std::array<int, 2>>& p
   });
 }
 
-template void PairGranCohesive<HamakerCohesion>::begin_where_they_are(bool);
+template void PairGranCohesive<HamakerCohesion>::reset_in_range(bool);
 template void PairGranCohesive<HamakerCohesion>::tally_energies_at_setup();
 template void PairGranCohesive<HamakerCohesion>::store_energies_at_setup();
 template void PairGranCohesive<HamakerCohesion>::append_bound(
     std::vector<std::array<int, 2>>&) const;
-template void PairGranCohesive<SquareWellCohesion>::begin_where_they_are(bool);
+template void PairGranCohesive<SquareWellCohesion>::reset_in_range(bool);
 template void PairGranCohesive<SquareWellCohesion>::tally_energies_at_setup();
 template void PairGranCohesive<SquareWellCohesion>::store_energies_at_setup();
 template void PairGranCohesive<SquareWellCohesion>::append_bound(
     std::vector<std::array<int, 2>>&) const;
-template void PairGranCohesive<SquareWellOverlay>::begin_where_they_are(bool);
+template void PairGranCohesive<SquareWellOverlay>::reset_in_range(bool);
 template void PairGranCohesive<SquareWellOverlay>::tally_energies_at_setup();
 template void PairGranCohesive<SquareWellOverlay>::store_energies_at_setup();
 template void PairGranCohesive<SquareWellOverlay>::append_bound(

@@ -59,11 +59,11 @@ void PairGranCohesive<Cohesion>::with_contacts(const What& what) {
 }
 
 template <class Cohesion>
-void PairGranCohesive<Cohesion>::gather() {
+void PairGranCohesive<Cohesion>::classify() {
   if (!is_active) return;
-  if (history_stale) begin_where_they_are(true);
+  if (history_stale) reset_in_range(true);
   if (neighbor->ago == 0) check_radii(lmp, coefficients.where(), largest_radius);
-  with_contacts([this](auto& contacts, auto size) { gather<size>(contacts); });
+  with_contacts([this](auto& contacts, auto size) { classify<size>(contacts); });
 }
 
 /// The same, in scheme event only.
@@ -78,13 +78,13 @@ void PairGranCohesive<Cohesion>::with_event_contacts(const What& what) {
 }
 
 template <class Cohesion>
-void PairGranCohesive<Cohesion>::unsettle() {
-  with_event_contacts([this](auto& contacts, auto size) { unsettle<size>(contacts); });
+void PairGranCohesive<Cohesion>::follow_disturbed() {
+  with_event_contacts([this](auto& contacts, auto size) { follow_disturbed<size>(contacts); });
 }
 
 template <class Cohesion>
-void PairGranCohesive<Cohesion>::join() {
-  with_event_contacts([this](auto& contacts, auto size) { join<size>(contacts); });
+void PairGranCohesive<Cohesion>::couple_lasting() {
+  with_event_contacts([this](auto& contacts, auto size) { couple_lasting<size>(contacts); });
 }
 
 template <class Cohesion>
@@ -139,7 +139,7 @@ auto PairGranCohesive<Cohesion>::flux_sum() {
 
 template <class Cohesion>
 template <int SIZE>
-void PairGranCohesive<Cohesion>::gather(Contacts<EventContact>& contacts) {
+void PairGranCohesive<Cohesion>::classify(Contacts<EventContact>& contacts) {
   contacts_now.clear();
   contacts.clear();
   const ContactsOfStep<EventContact, SIZE> scatter(atom, step);
@@ -153,15 +153,15 @@ void PairGranCohesive<Cohesion>::gather(Contacts<EventContact>& contacts) {
     if (kept && !asked && lasting.apply(contacts.all[c], i, j, grid.motion(i, j), values))
       contacts_now.lasting.add() = {i, j, c, values};
     else
-      take<SIZE>(scatter, contacts.all[c], c, i, j, kept, values);
+      classify_one<SIZE>(scatter, contacts.all[c], c, i, j, kept, values);
   });
 }
 
 template <class Cohesion>
 template <int SIZE>
-void PairGranCohesive<Cohesion>::take(const ContactsOfStep<EventContact, SIZE>& scatter,
-                                      const EventContact& law, int contact, int i, int j, int& kept,
-                                      double* values) {
+void PairGranCohesive<Cohesion>::classify_one(const ContactsOfStep<EventContact, SIZE>& scatter,
+                                              const EventContact& law, int contact, int i, int j,
+                                              int& kept, double* values) {
   if (!kept || values[0] == ContactMemory::beyond) {
     kept = 0;
     if (!law.within_reach(particles().apart(i, j), step->flight())) return;
@@ -171,24 +171,25 @@ void PairGranCohesive<Cohesion>::take(const ContactsOfStep<EventContact, SIZE>& 
       ContactMemory::seen_inside().to(values, per_pair);
   }
   kept = 1;
-  contacts_now.take<SIZE>(scatter, step, law, contact, i, j, particles().motion(i, j), values,
-                          flux_sum());
+  contacts_now.classify<SIZE>(scatter, step, law, contact, i, j, particles().motion(i, j), values,
+                              flux_sum());
 }
 
 template <class Cohesion>
 template <int SIZE>
-void PairGranCohesive<Cohesion>::unsettle(Contacts<EventContact>& contacts) {
+void PairGranCohesive<Cohesion>::follow_disturbed(Contacts<EventContact>& contacts) {
   const ContactsOfStep<EventContact, SIZE> scatter(atom, step);
-  contacts_now.unsettle<SIZE>(
+  contacts_now.follow_disturbed<SIZE>(
       scatter, step, contacts.all,
       [this](const LastingContact& p) { return particles().motion(p.i, p.j); }, flux_sum());
 }
 
 template <class Cohesion>
 template <int SIZE>
-void PairGranCohesive<Cohesion>::join(Contacts<EventContact>& contacts) {
-  contacts_now.join<SIZE>(ContactsOfStep<EventContact, SIZE>(atom, step), step, contacts.all,
-                          [this](const LastingContact& p) { return particles().motion(p.i, p.j); });
+void PairGranCohesive<Cohesion>::couple_lasting(Contacts<EventContact>& contacts) {
+  contacts_now.couple_lasting<SIZE>(
+      ContactsOfStep<EventContact, SIZE>(atom, step), step, contacts.all,
+      [this](const LastingContact& p) { return particles().motion(p.i, p.j); });
 }
 
 template <class Cohesion>
@@ -233,7 +234,7 @@ void PairGranCohesive<Cohesion>::compute_forces(Contacts<EventContact>& contacts
 /// Sampled contacts do not wait for each other.
 template <class Cohesion>
 template <int SIZE>
-void PairGranCohesive<Cohesion>::gather(Contacts<SampledContact>&) {
+void PairGranCohesive<Cohesion>::classify(Contacts<SampledContact>&) {
   find_close();
 }
 
@@ -287,23 +288,23 @@ void PairGranCohesive<Cohesion>::tally(int i, int j, const Vector3& separation, 
 }
 
 template void PairGranCohesive<HamakerCohesion>::compute(int, int);
-template void PairGranCohesive<HamakerCohesion>::gather();
-template void PairGranCohesive<HamakerCohesion>::unsettle();
-template void PairGranCohesive<HamakerCohesion>::join();
+template void PairGranCohesive<HamakerCohesion>::classify();
+template void PairGranCohesive<HamakerCohesion>::follow_disturbed();
+template void PairGranCohesive<HamakerCohesion>::couple_lasting();
 template void PairGranCohesive<HamakerCohesion>::predict();
 template void PairGranCohesive<HamakerCohesion>::tally(int, int, const Vector3&, double,
                                                        const Vector3&);
 template void PairGranCohesive<SquareWellCohesion>::compute(int, int);
-template void PairGranCohesive<SquareWellCohesion>::gather();
-template void PairGranCohesive<SquareWellCohesion>::unsettle();
-template void PairGranCohesive<SquareWellCohesion>::join();
+template void PairGranCohesive<SquareWellCohesion>::classify();
+template void PairGranCohesive<SquareWellCohesion>::follow_disturbed();
+template void PairGranCohesive<SquareWellCohesion>::couple_lasting();
 template void PairGranCohesive<SquareWellCohesion>::predict();
 template void PairGranCohesive<SquareWellCohesion>::tally(int, int, const Vector3&, double,
                                                           const Vector3&);
 template void PairGranCohesive<SquareWellOverlay>::compute(int, int);
-template void PairGranCohesive<SquareWellOverlay>::gather();
-template void PairGranCohesive<SquareWellOverlay>::unsettle();
-template void PairGranCohesive<SquareWellOverlay>::join();
+template void PairGranCohesive<SquareWellOverlay>::classify();
+template void PairGranCohesive<SquareWellOverlay>::follow_disturbed();
+template void PairGranCohesive<SquareWellOverlay>::couple_lasting();
 template void PairGranCohesive<SquareWellOverlay>::predict();
 template void PairGranCohesive<SquareWellOverlay>::tally(int, int, const Vector3&, double,
                                                          const Vector3&);

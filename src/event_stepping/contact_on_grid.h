@@ -84,7 +84,7 @@ class ContactOnGrid {
         pull_(attraction.force),
         youth_(2.5 * normal_contact_.contact_time() / step) {}
 
-  bool joins(const Body& i, const Body& j) const { return bodies_.are(i, j); }
+  bool is_between(const Body& i, const Body& j) const { return bodies_.are(i, j); }
   const ContactBodies& bodies() const { return bodies_; }
   const OneForce& one_force() const { return one_force_; }
   const contact::LinearSpringDashpot& normal_contact() const { return normal_contact_; }
@@ -142,11 +142,12 @@ class ContactOnGrid {
     return owed;
   }
 
-  /// What `action`, of a contact of one force, does in the step, for those beside it. `owed`:
-  /// before the step; `memory`: after it.
+  /// What `action`, of a lasting contact, changes of the true motion in the step: what followed
+  /// contacts of the same particles have to know of it. `owed`: before the step; `memory`: after
+  /// it.
   template <int SIZE>
-  PairMotion done(const PairMotion& grid, const Action& action, const Action& owed,
-                  const ContactMemory& memory) const {
+  PairMotion lasting_change(const PairMotion& grid, const Action& action, const Action& owed,
+                            const ContactMemory& memory) const {
     RelativeState next = grid.relative;
     next.velocity += inverse_mass_ * action.impulse;
     next.separation += step_ * normal_part(grid.relative.separation, next.velocity);

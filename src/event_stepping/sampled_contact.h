@@ -36,7 +36,7 @@ class SampledContact {
         rolling_(contact::rolling_contact(parameters, normal_contact_), 2.0 * window.after,
                  bodies_.inverse_rolling_mass()) {}
 
-  bool joins(const Body& i, const Body& j) const { return bodies_.are(i, j); }
+  bool is_between(const Body& i, const Body& j) const { return bodies_.are(i, j); }
   const ContactBodies& bodies() const { return bodies_; }
   /// Gap up to which the pair attracts in this scheme, [length].
   double range() const { return pair_.range(); }

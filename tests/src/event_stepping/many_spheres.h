@@ -199,8 +199,8 @@ class ManySpheres {
       const PairMotion grid = motion(p, v_, w_);
       const Action owed = contact_.owed<SIZE>(grid.relative, p.memory);
       give(p, owed, v, w);
-      add(p, contact_.done<SIZE>(grid, contact_.one_force().held<SIZE>(grid, p.memory), owed,
-                                 p.memory));
+      add(p, contact_.lasting_change<SIZE>(grid, contact_.one_force().held<SIZE>(grid, p.memory),
+                                           owed, p.memory));
     }
     for (Followed<SIZE>& f : follow) {
       const Near& p = near_[f.pair];
