@@ -25,11 +25,12 @@ struct ParticlesOnGrid {
   const int* type;
   Bodies bodies;
 
-  [[gnu::always_inline]] cohesion::event_stepping::RelativeState apart(int i, int j) const {
+  [[gnu::always_inline]] cohesion::event_stepping::RelativeState relative_state(int i,
+                                                                                int j) const {
     return {vector(x + 3 * j) - vector(x + 3 * i), vector(v + 3 * j) - vector(v + 3 * i)};
   }
   [[gnu::always_inline]] cohesion::event_stepping::PairMotion motion(int i, int j) const {
-    return {apart(i, j), vector(spin + 3 * i), vector(spin + 3 * j)};
+    return {relative_state(i, j), vector(spin + 3 * i), vector(spin + 3 * j)};
   }
 };
 
@@ -100,11 +101,11 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventContacts, p
   template <class Contact>
   int new_contact(Contacts<Contact>&, int of_types, int i, int j);
   ParticlesOnGrid particles() const;
-  bool closer(double gap, int i, int j) const;
+  bool is_within(double gap, int i, int j) const;
   bool moves(int i, int j) const;
   template <class What>
   void for_each_listed(const What&) const;
-  void reset_in_range(bool afresh);
+  void reset_in_range(bool discard_all);
   void find_close();
   template <class What>
   void for_each_close(const What&);
@@ -114,7 +115,7 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventContacts, p
   void classify(Contacts<SampledContact>&);
   template <int SIZE>
   void classify_one(const ContactsOfStep<EventContact, SIZE>&, const EventContact&, int contact,
-                    int i, int j, int& kept, double* values);
+                    int i, int j, int& has_history, double* values);
   template <int SIZE>
   void follow_disturbed(Contacts<EventContact>&);
   template <int SIZE>
@@ -187,8 +188,9 @@ template <class Contact>
 }
 
 template <class Cohesion>
-bool PairGranCohesive<Cohesion>::closer(double gap, int i, int j) const {
-  return norm(particles().apart(i, j).separation) < atom->radius[i] + atom->radius[j] + gap;
+bool PairGranCohesive<Cohesion>::is_within(double gap, int i, int j) const {
+  return norm(particles().relative_state(i, j).separation) <
+         atom->radius[i] + atom->radius[j] + gap;
 }
 
 /// Pairs of which neither is moved by anything are not followed.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-only
-// The part of PairGranCohesive that works out the pairs of a step.
+// The part of PairGranCohesive that computes the pairs of a step.
 #include <algorithm>
 #include <string>
 #include <type_traits>
@@ -114,16 +114,17 @@ void PairGranCohesive<Cohesion>::find_close() {
   close_pairs.update(*list, reach, history->firstflag);
 }
 
-/// Calls what(i, j, kept, history) for them.
+/// Calls what(i, j, has_history, history) for the pairs that may touch in this step.
 template <class Cohesion>
 template <class What>
 [[gnu::always_inline]] inline void PairGranCohesive<Cohesion>::for_each_close(const What& what) {
   double* const* const values_of = history->firstvalue;
   const int each = per_pair;
-  close_pairs.for_each_near(history->firstflag,
-                            [&](const ClosePair& pair, int& kept) __attribute__((always_inline)) {
-                              what(pair.i, pair.j, kept, values_of[pair.i] + each * pair.place);
-                            });
+  close_pairs.for_each_near(
+      history->firstflag,
+      [&](const ClosePair& pair, int& has_history) __attribute__((always_inline)) {
+        what(pair.i, pair.j, has_history, values_of[pair.i] + each * pair.place);
+      });
 }
 
 /// Adds what a contact does to the sums of momentum flux, if somebody reads them.
@@ -145,15 +146,16 @@ void PairGranCohesive<Cohesion>::classify(Contacts<EventContact>& contacts) {
   const ContactsOfStep<EventContact, SIZE> scatter(atom, step);
   find_close();
   const LastingForces<EventContact, SIZE> lasting(atom, step);
-  const bool asked = step->energy_tally.is_active() || step->sums_flux();
+  const bool recorded = step->energy_tally.is_active() || step->sums_flux();
   const ParticlesOnGrid grid = particles();
-  for_each_close([&](int i, int j, int& kept, double* values) __attribute__((always_inline)) {
+  for_each_close([&](int i, int j, int& has_history,
+                     double* values) __attribute__((always_inline)) {
     const int c = contact(contacts, grid, i, j);
     if (c == contacts.NONE) return;
-    if (kept && !asked && lasting.apply(contacts.all[c], i, j, grid.motion(i, j), values))
+    if (has_history && !recorded && lasting.apply(contacts.all[c], i, j, grid.motion(i, j), values))
       contacts_now.lasting.add() = {i, j, c, values};
     else
-      classify_one<SIZE>(scatter, contacts.all[c], c, i, j, kept, values);
+      classify_one<SIZE>(scatter, contacts.all[c], c, i, j, has_history, values);
   });
 }
 
@@ -161,16 +163,16 @@ template <class Cohesion>
 template <int SIZE>
 void PairGranCohesive<Cohesion>::classify_one(const ContactsOfStep<EventContact, SIZE>& scatter,
                                               const EventContact& law, int contact, int i, int j,
-                                              int& kept, double* values) {
-  if (!kept || values[0] == ContactMemory::beyond) {
-    kept = 0;
-    if (!law.within_reach(particles().apart(i, j), step->flight())) return;
+                                              int& has_history, double* values) {
+  if (!has_history || values[0] == ContactMemory::beyond) {
+    has_history = 0;
+    if (!law.within_reach(particles().relative_state(i, j), step->flight())) return;
     std::fill_n(values, per_pair, 0.0);
     // A pair that a run starts with is where it is; it did not fall into the range.
-    if (step->starts() && closer(law.range(), i, j))
+    if (step->starts() && is_within(law.range(), i, j))
       ContactMemory::seen_inside().to(values, per_pair);
   }
-  kept = 1;
+  has_history = 1;
   contacts_now.classify<SIZE>(scatter, step, law, contact, i, j, particles().motion(i, j), values,
                               flux_sum());
 }
@@ -244,25 +246,26 @@ void PairGranCohesive<Cohesion>::compute_forces(Contacts<SampledContact>& contac
   contacts.clear();
   const ContactsOfStep<SampledContact, SIZE> scatter(atom, step);
   const SampledForces<SampledContact, SIZE> forces(atom, step);
-  const bool asked = step->energy_tally.is_active() || step->sums_flux() || evflag;
+  const bool recorded = step->energy_tally.is_active() || step->sums_flux() || evflag;
   const ParticlesOnGrid grid = particles();
-  for_each_close([&](int i, int j, int& kept, double* values) __attribute__((always_inline)) {
-    const int c = contact(contacts, grid, i, j);
-    if (c == contacts.NONE) return;
-    const SampledContact& law = contacts.all[c];
-    if (!kept) {
-      if (!law.within_reach(grid.apart(i, j))) return;
-      std::fill_n(values, per_pair, 0.0);
-      if (step->starts()) values[0] = closer(law.range(), i, j);
-    }
-    if (asked || values[0] < 0.0)
-      kept = sample<SIZE>(scatter, law, i, j, values);
-    else
-      kept = forces.apply(law, i, j, grid.motion(i, j), values);
-  });
+  for_each_close([&](int i, int j, int& has_history, double* values)
+                     __attribute__((always_inline)) {
+                       const int c = contact(contacts, grid, i, j);
+                       if (c == contacts.NONE) return;
+                       const SampledContact& law = contacts.all[c];
+                       if (!has_history) {
+                         if (!law.within_reach(grid.relative_state(i, j))) return;
+                         std::fill_n(values, per_pair, 0.0);
+                         if (step->starts()) values[0] = is_within(law.range(), i, j);
+                       }
+                       if (recorded || values[0] < 0.0)
+                         has_history = sample<SIZE>(scatter, law, i, j, values);
+                       else
+                         has_history = forces.apply(law, i, j, grid.motion(i, j), values);
+                     });
 }
 
-/// A sampled contact of which somebody asks what it does. Gives whether it remembers anything.
+/// A sampled contact whose impulse goes into tallies. Returns whether it remembers anything.
 template <class Cohesion>
 template <int SIZE>
 [[gnu::noinline]] bool PairGranCohesive<Cohesion>::sample(
