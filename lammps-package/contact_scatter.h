@@ -3,8 +3,8 @@
 #define COHESION_CONTACT_SCATTER_H
 
 #include "atom.h"
-#include "event_stepping/contact_on_grid.h"
 #include "event_stepping/sampled_contact.h"
+#include "event_stepping/two_pass_contact.h"
 #include "fix_event_step.h"
 
 // How the impulses of contacts reach the particles, from pairs and walls alike.

@@ -18,8 +18,8 @@ FixStyle(EVENT_STEP,FixEventStep);
 #include "contact_advice.h"
 #include "contact_energy_tally.h"
 #include "contact_impulses.h"
-#include "event_stepping/contact_on_grid.h"
 #include "event_stepping/flux_parts.h"
+#include "event_stepping/two_pass_contact.h"
 #include "fix.h"
 #include "mobile_particles.h"
 

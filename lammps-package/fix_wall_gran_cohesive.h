@@ -61,7 +61,7 @@ class FixWallGranCohesive : public Fix, public EventWalls, public AdvisedStyle {
   double memory_usage() override { return history.bytes(); }
 
  private:
-  using EventContact = cohesion::event_stepping::ContactOnGrid<typename Cohesion::EventWall>;
+  using EventContact = cohesion::event_stepping::TwoPassContact<typename Cohesion::EventWall>;
   using SampledContact = cohesion::event_stepping::SampledContact<typename Cohesion::Sampled>;
   /// Those of the particles near a wall, equal neighbours shared. One alternative per scheme, in
   /// the order of Scheme.

@@ -88,7 +88,7 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventContacts, p
     }
   };
   /// One alternative per scheme, in the order of Scheme.
-  using EventContact = cohesion::event_stepping::ContactOnGrid<typename Cohesion::EventPair>;
+  using EventContact = cohesion::event_stepping::TwoPassContact<typename Cohesion::EventPair>;
   using SampledContact = cohesion::event_stepping::SampledContact<typename Cohesion::Sampled>;
   using AnyContacts = std::variant<Contacts<EventContact>, Contacts<SampledContact>>;
 

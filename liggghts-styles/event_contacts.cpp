@@ -9,8 +9,8 @@
 #include "domain.h"
 #include "error.h"
 #include "event_contacts.h"
-#include "event_stepping/grid_contact.h"
-#include "event_stepping/grid_well.h"
+#include "event_stepping/one_pass_contact.h"
+#include "event_stepping/one_pass_well.h"
 #include "fix_contact_advice.h"
 #include "fix_mesh_surface.h"
 #include "fix_wall_gran.h"
@@ -46,7 +46,7 @@ void remember(const ContactModels::SurfacesCloseData& d, bool something) {
 struct EventContacts::Known {
   double ri = 0.0, rj = 0.0, mass_i = 0.0, mass_j = 0.0;
   double inverse_mass = 0.0;  // of both
-  std::unique_ptr<GridContact> law;
+  std::unique_ptr<OnePassContact> law;
   bool well = false;  // attracts by impulses alone
   GridSpring tangential{};
 };
@@ -124,9 +124,9 @@ void EventContacts::make_law(Known& k, const ContactModels::SurfacesCloseData& d
     const auto adhesion = adhesion_(d.itype, d.jtype, d.radi, k.rj);
     k.well = adhesion.force == 0.0;
     if (k.well)
-      k.law = std::make_unique<GridWell>(spring, adhesion, d.radsum, dt);
+      k.law = std::make_unique<OnePassWell>(spring, adhesion, d.radsum, dt);
     else
-      k.law = std::make_unique<GridContact>(spring, adhesion, d.radsum, dt);
+      k.law = std::make_unique<OnePassContact>(spring, adhesion, d.radsum, dt);
     // That answers at the surface of solid spheres, which turn: 1/m + r^2/I of each.
     const double tangential_mass =
         reduced_mass / (1.0 + 1.0 / MobileParticles::inertia_factor(lmp_->domain->dimension));

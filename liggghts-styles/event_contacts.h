@@ -27,9 +27,9 @@ namespace Cohesion {
 struct LateWarning;
 
 /// The contacts of one pair style or wall under scheme event: brings what the engine knows of a
-/// contact to event_stepping/grid_contact.h, or grid_well.h where what attracts is a square well,
-/// and keeps its memory in the engine's contact history, with which it goes through exchange and
-/// restart. Others act as in the step before.
+/// contact to event_stepping/one_pass_contact.h, or one_pass_well.h where what attracts is a square
+/// well, and keeps its memory in the engine's contact history, with which it goes through exchange
+/// and restart. Others act as in the step before.
 class EventContacts {
  public:
   using Adhesion =
@@ -57,7 +57,7 @@ class EventContacts {
   bool holds(const double* history) const;
 
   /// Lets the engine's friction act in `step` with the repulsion of the contact, and with the K_t
-  /// and eta_t that make the grid follow its spring exactly (grid_contact.h). `spring`: its
+  /// and eta_t that make the grid follow its spring exactly (one_pass_contact.h). `spring`: its
   /// displacement, which the engine will let grow through all of the step before, also where there
   /// was no contact; null: it has none.
   void set_friction(ContactModels::SurfacesIntersectData& contact,

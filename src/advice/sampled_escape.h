@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "advice/equal_escape.h"
-#include "event_stepping/sampled_pair.h"
+#include "event_stepping/sampled_hamaker.h"
 #include "event_stepping/sampled_well.h"
 
 /// Head-on escape velocities of scheme sampled. Its forces are those on the grid, so that whether a
@@ -32,7 +32,7 @@ struct HeadOnStart {
   bool inside;        ///< of its well
 };
 
-/// Whether `pair` (SampledPair or SampledWell) parts after its first contact. It sticks when it
+/// Whether `pair` (SampledHamaker or SampledWell) parts after its first contact. It sticks when it
 /// turns back before it is out of range; that a later impact may let it out again, as the scheme
 /// does not keep energy, is not followed. On the grid as engines have it, velocities half a step
 /// before positions; `step` [time]. Throws InvalidParameter after ten million steps.
@@ -122,7 +122,7 @@ inline void require_sampled_step(const contact::LinearSpringDashpot& spring, dou
 /// (equal_escape.h), unless a contact has two steps, and where pairs stick at four times the exact
 /// velocity.
 inline SampledEscape sampled_escape(const contact::LinearSpringDashpot& spring,
-                                    const event_stepping::SampledPair::Attraction& attraction,
+                                    const event_stepping::SampledHamaker::Attraction& attraction,
                                     double contact_distance, double step) {
   require_sticking(spring);
   detail::require_sampled_step(spring, step);
@@ -131,7 +131,7 @@ inline SampledEscape sampled_escape(const contact::LinearSpringDashpot& spring,
                  attraction.law);
   const double exact = contact::AdhesiveContact(spring, adhesion).escape_velocity();
   require_positive("escape velocity", exact);
-  const event_stepping::SampledPair pair(spring, attraction, contact_distance, step);
+  const event_stepping::SampledHamaker pair(spring, attraction, contact_distance, step);
   const double edge = contact_distance + pair.range();
   return detail::sampled_escape(
       [&](double speed, double position) {

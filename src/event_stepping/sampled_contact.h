@@ -17,7 +17,7 @@ struct SampledStep {
 };
 
 /// One contact whose forces are taken where it stands on the grid: the scheme to compare with.
-/// Pair: SampledPair or SampledWell. Everything that does not change from step to step is worked
+/// Pair: SampledHamaker or SampledWell. Everything that does not change from step to step is worked
 /// out once; pairs of equal bodies can share it.
 template <class Pair>
 class SampledContact {

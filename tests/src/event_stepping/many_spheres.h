@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "event_stepping/contact_on_grid.h"
 #include "event_stepping/pair_run.h"
+#include "event_stepping/two_pass_contact.h"
 
 namespace cohesion::event_stepping {
 
@@ -70,7 +70,7 @@ class ManySpheres {
   long lasting = 0, followed = 0, collisions = 0;  ///< of contacts in all steps
 
  private:
-  using Contact = ContactOnGrid<SpherePair>;
+  using Contact = TwoPassContact<SpherePair>;
   struct Near {
     int i, j;
     ContactMemory memory;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "event_stepping/contact_on_grid.h"
 #include "event_stepping/pair_run.h"
+#include "event_stepping/two_pass_contact.h"
 
 namespace cohesion::event_stepping {
 
@@ -10,7 +10,7 @@ namespace cohesion::event_stepping {
 template <class Pair, int SIZE>
 class PairOnGrid {
  public:
-  ContactOnGrid<Pair> contact;
+  TwoPassContact<Pair> contact;
   Body body[2];
   double dt;
   Vector3 x[2]{}, v[2]{}, spin[2]{};

@@ -231,7 +231,7 @@ TEST(RollingFriction, FollowedItHoldsAgainstWhatOthersDoInTheStep) {
 TEST(RollingFriction, ChangesSignWithTheExchangeOfTheParticles) {
   const contact::ContactParameters p = rolling(0.1);
   const contact::Adhesion a{pull, thesis::range, pull * thesis::range};
-  const ContactOnGrid<SpherePair> there(p, a, small, large, dt), back(p, a, large, small, dt);
+  const TwoPassContact<SpherePair> there(p, a, small, large, dt), back(p, a, large, small, dt);
   const PairMotion grid{
       {{1.29e-3, 3e-5, -2e-5}, {0.01, 0.02, -0.01}}, {3.0, -4.0, 5.0}, {1., 7., -2.}};
   const PairMotion reverse{
@@ -243,7 +243,7 @@ TEST(RollingFriction, ChangesSignWithTheExchangeOfTheParticles) {
       one.rolling.stretch = {0.0, length, -length};
       two.rolling.stretch = -one.rolling.stretch;
       Action from_there, from_back;
-      const auto act = [&](const ContactOnGrid<SpherePair>& c, const PairMotion& at,
+      const auto act = [&](const TwoPassContact<SpherePair>& c, const PairMotion& at,
                            const PairMotion& beside, ContactMemory& memory, Action& action) {
         if (memory.phase == ContactMemory::lasting)
           return c.one_force().hold<size>(at, memory, action, nullptr);

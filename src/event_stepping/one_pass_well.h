@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "event_stepping/grid_contact.h"
+#include "event_stepping/one_pass_contact.h"
 #include "square_well/impulses.h"
 
 namespace cohesion::event_stepping {
 
 /// A square well around a linear spring-dashpot whose grid points are exact samples of the motion:
-/// GridContact with the well in the place of the adhesion.
+/// OnePassContact with the well in the place of the adhesion.
 ///
 /// Inside without contact the pair flies as outside: straight across its normal, along it under
 /// what others cause. At the edge it gets the impulse of approach, escape or capture
@@ -19,21 +19,21 @@ namespace cohesion::event_stepping {
 ///
 /// Which surface is next is decided by what is remembered and the sense of the motion, not by the
 /// distance alone: one that others pushed beyond the edge has its event when it moves that way.
-class GridWell final : public GridContact {
+class OnePassWell final : public OnePassContact {
  public:
   /// `well`: no force; `cutoff` the gap at the edge, `tail_energy` the depth. contact_distance
   /// [length]: of the centres at touch, or the radius beside a wall; step [time].
-  GridWell(const contact::LinearSpringDashpot& spring, const contact::Adhesion& well,
-           double contact_distance, double step)
-      : GridContact(spring, well.cutoff > 0.0 ? contact::Adhesion{} : well, contact_distance, step,
-                    well.cutoff),
+  OnePassWell(const contact::LinearSpringDashpot& spring, const contact::Adhesion& well,
+              double contact_distance, double step)
+      : OnePassContact(spring, well.cutoff > 0.0 ? contact::Adhesion{} : well, contact_distance,
+                       step, well.cutoff),
         depth_(well.tail_energy),
         inverse_mass_(1.0 / spring.reduced_mass()) {}
 
   GridStep follow(const GridPoint& at, double others, double kick,
                   GridMemory& memory) const override {
     if (memory.phase == GridMemory::within && meets_nothing(at, others)) return {};
-    if (range() == 0.0) return GridContact::follow(at, others, kick, memory);
+    if (range() == 0.0) return OnePassContact::follow(at, others, kick, memory);
     return follow_by(at, others, kick, memory,
                      [&](Flight& now, bool& inside, NormalRecord& record) {
                        return move(now, others, inside, record);

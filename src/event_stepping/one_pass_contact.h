@@ -13,8 +13,9 @@
 
 namespace cohesion::event_stepping {
 
-/// Normal motion of one pair whose grid points are exact samples of it: positions x_n at t_n are
-/// the true ones, and the velocity of a half step is (x_(n+1) - x_n)/dt.
+/// Normal motion of one pair in one pass, for engines that compute contacts one after the other:
+/// its grid points are exact samples of the motion. Positions x_n at t_n are the true ones, and the
+/// velocity of a half step is (x_(n+1) - x_n)/dt.
 ///
 /// In a contact that lasts, the motion about its equilibrium x_e obeys
 ///
@@ -32,13 +33,13 @@ namespace cohesion::event_stepping {
 /// Forces are central at grid points: angular momentum is kept to rounding. What others do within
 /// the step is exact where it is constant; in a lasting contact a load F gives the overlap F/K' in
 /// the place of F/K.
-class GridContact {
+class OnePassContact {
  public:
   /// contact_distance [length]: of the centres at touch, or the radius beside a wall; step [time].
-  GridContact(const contact::LinearSpringDashpot& spring, const contact::Adhesion& adhesion,
-              double contact_distance, double step)
-      : GridContact(spring, adhesion, contact_distance, step, adhesion.cutoff) {}
-  virtual ~GridContact() = default;
+  OnePassContact(const contact::LinearSpringDashpot& spring, const contact::Adhesion& adhesion,
+                 double contact_distance, double step)
+      : OnePassContact(spring, adhesion, contact_distance, step, adhesion.cutoff) {}
+  virtual ~OnePassContact() = default;
 
   double range() const { return range_; }
   double step() const { return step_; }
@@ -91,8 +92,8 @@ class GridContact {
 
  protected:
   /// range [length]: gap at which a pair is inside, the adhesion's or that of a derived law.
-  GridContact(const contact::LinearSpringDashpot& spring, const contact::Adhesion& adhesion,
-              double contact_distance, double step, double range)
+  OnePassContact(const contact::LinearSpringDashpot& spring, const contact::Adhesion& adhesion,
+                 double contact_distance, double step, double range)
       : motion_(spring, adhesion, step),
         oscillator_(spring.stiffness() / spring.reduced_mass(),
                     0.5 * spring.damping() / spring.reduced_mass()),

@@ -47,8 +47,9 @@ using FollowedStep = std::conditional_t<
     (SIZE >= ContactMemory::with_rolling), FollowedRolling,
     std::conditional_t<(SIZE >= ContactMemory::with_friction), FollowedSliding, FollowedNormal>>;
 
-/// One contact among others, with grid points as exact samples of the motion: positions x_n are the
-/// true ones at t_n, velocities of a half step are (x_(n+1) - x_n)/dt.
+/// One contact among others, in a predictor and a corrector, with grid points as exact samples of
+/// the motion: positions x_n are the true ones at t_n, velocities of a half step are
+/// (x_(n+1) - x_n)/dt.
 ///
 /// A contact that lasts needs one force of the usual form with the constants of GridSpring. A step
 /// with an event, and a young contact, are followed in closed form from the true velocities at t_n,
@@ -65,14 +66,14 @@ using FollowedStep = std::conditional_t<
 /// Pair: SpherePair, PlanePair, WellPair or WellEdge. SIZE: what is remembered, and so whether
 /// there is friction, and rolling friction.
 template <class Pair>
-class ContactOnGrid {
+class TwoPassContact {
  public:
   using Attraction = typename Pair::Attraction;
   static constexpr bool on_grid = true;
 
   /// step [time].
-  ContactOnGrid(const contact::ContactParameters& parameters, const Attraction& attraction,
-                const Body& i, const Body& j, double step)
+  TwoPassContact(const contact::ContactParameters& parameters, const Attraction& attraction,
+                 const Body& i, const Body& j, double step)
       : bodies_(i, j),
         step_(step),
         inverse_mass_(bodies_.inverse_mass()),
