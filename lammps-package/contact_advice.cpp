@@ -143,29 +143,30 @@ AdvisedContact LAMMPS_NS::advised_contact(const std::string& name, const Lightes
   return c;
 }
 
-static void tell(LAMMPS* lmp, const advice::Report& news) {
+static void print(LAMMPS* lmp, const advice::Report& report) {
   if (lmp->comm->me == 0) {
-    utils::logmesg(lmp, news.table);
-    for (const advice::Warning& warning : news.warnings) lmp->error->warning(FLERR, warning.text);
+    utils::logmesg(lmp, report.table);
+    for (const advice::Warning& warning : report.warnings) lmp->error->warning(FLERR, warning.text);
   }
-  if (!news.stop.empty()) lmp->error->all(FLERR, news.stop);
+  if (!report.stop.empty()) lmp->error->all(FLERR, report.stop);
 }
 
 void LAMMPS_NS::advise(LAMMPS* lmp, const std::string& style, const advice::SchemeLimits& limits,
                        const std::vector<AdvisedContact>& contacts, const Circumstances& now,
-                       advice::Said& said) {
-  tell(lmp, from_script(lmp, style, [&] {
-         return said.news(advice::report(style, limits, contacts, now.run), contacts, now);
-       }));
+                       advice::GivenAdvice& given_advice) {
+  print(lmp, from_script(lmp, style, [&] {
+          return given_advice.only_new(advice::report(style, limits, contacts, now.run), contacts,
+                                       now);
+        }));
 }
 
 void LAMMPS_NS::advise_of_attraction(LAMMPS* lmp, const std::string& style, std::string_view remedy,
                                      const std::vector<AdvisedContact>& contacts,
-                                     const Circumstances& now, advice::Said& said) {
+                                     const Circumstances& now, advice::GivenAdvice& given_advice) {
   advice::SchemeLimits limits = advice::sampled_scheme;
   limits.remedy = remedy;
-  tell(lmp, from_script(lmp, style, [&] {
-         return said.news(advice::attraction_report(style, limits, contacts, now.run), contacts,
-                          now);
-       }));
+  print(lmp, from_script(lmp, style, [&] {
+          return given_advice.only_new(advice::attraction_report(style, limits, contacts, now.run),
+                                       contacts, now);
+        }));
 }

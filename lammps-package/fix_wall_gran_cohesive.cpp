@@ -148,7 +148,8 @@ template <class Cohesion>
 void FixWallGranCohesive<Cohesion>::give_advice(const Circumstances& of_all) {
   const Circumstances now = of_group(lmp, of_all, groupbit);
   advise(lmp, where, limits_of(scheme),
-         from_script(lmp, where, [&] { return advised_contacts(now.lightest); }), now, said);
+         from_script(lmp, where, [&] { return advised_contacts(now.lightest); }), now,
+         given_advice);
 }
 
 template <class Cohesion>

@@ -129,7 +129,7 @@ class FixWallGranCohesive : public Fix, public EventWalls, public AdvisedStyle {
   }
 
   std::string where;  // in front of messages
-  cohesion::advice::Said said;
+  cohesion::advice::GivenAdvice given_advice;
   Scheme scheme;
   Cohesion attraction;
   typename Cohesion::Parameters given_parameters;

@@ -145,7 +145,8 @@ void PairGranCohesive<Cohesion>::give_advice(const Circumstances& now) {
   if (!Cohesion::HAS_CONTACT) return;
   const std::string where = coefficients.where();
   advise(lmp, where, limits_of(coefficients.scheme()),
-         from_script(lmp, where, [&] { return advised_contacts(now.lightest); }), now, said);
+         from_script(lmp, where, [&] { return advised_contacts(now.lightest); }), now,
+         given_advice);
 }
 
 /// Between particles of the types that are this style's.

@@ -140,7 +140,7 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventContacts, p
   std::vector<AdvisedContact> advised_contacts(const std::vector<LightestParticle>&) const;
 
   CohesiveCoefficients<Cohesion> coefficients;
-  cohesion::advice::Said said;
+  cohesion::advice::GivenAdvice given_advice;
   AnyContacts any_contacts;
   std::vector<double> largest_radius, smallest_radius;  // by type, at init
   StepContacts contacts_now;                            // event scheme: those of this step

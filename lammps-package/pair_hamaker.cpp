@@ -95,7 +95,7 @@ void PairHamaker::give_advice() {
   const std::string where = "pair_style hamaker";
   advise_of_attraction(lmp, where, "use pair_style gran/hamaker, which sees it at any step",
                        from_script(lmp, where, [this] { return advised_contacts(); }), watch.now(),
-                       said);
+                       given_advice);
 }
 
 std::vector<AdvisedContact> PairHamaker::advised_contacts() const {

@@ -71,7 +71,7 @@ class PairHamaker : public Pair, public BoundPairs {
   std::vector<double> largest_radius, smallest_radius;  // by type, at init
   bool needs_list;                                      // whether any pair is looked at in this run
   ContactWatch watch;
-  cohesion::advice::Said said;
+  cohesion::advice::GivenAdvice given_advice;
 };
 
 }  // namespace LAMMPS_NS

@@ -119,18 +119,18 @@ void ContactAdvice::give(const advice::Circumstances& now) {
   std::string who = model_ + (wall_ ? std::string(", fix wall/gran ") + wall_->id : "");
   if (normal_.exponent() != 1.0)
     who += " (" + normal_.name() + ": linear springs that an impact presses as far)";
-  const advice::Report news = guarded(lmp_, who, [&] {
+  const advice::Report report = guarded(lmp_, who, [&] {
     const std::vector<advice::AdvisedContact> all = contacts(now);
     const advice::SchemeLimits& limits =
         event_ ? advice::event_scheme_one_pass : advice::sampled_scheme;
-    return said_.news(advice::report(who, limits, all, now.run), all, now);
+    return given_advice_.only_new(advice::report(who, limits, all, now.run), all, now);
   });
   if (lmp_->comm->me == 0) {
-    engine_api::tell(lmp_, news.table);
-    for (const advice::Warning& warning : news.warnings)
+    engine_api::tell(lmp_, report.table);
+    for (const advice::Warning& warning : report.warnings)
       lmp_->error->warning(FLERR, warning.text.c_str());
   }
-  if (!news.stop.empty()) lmp_->error->all(FLERR, news.stop.c_str());
+  if (!report.stop.empty()) lmp_->error->all(FLERR, report.stop.c_str());
 }
 
 std::vector<advice::AdvisedContact> ContactAdvice::contacts(

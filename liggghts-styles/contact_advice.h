@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "advice/contact_report.h"
-#include "advice/said.h"
+#include "advice/given_advice.h"
 #include "advice/watch.h"
 #include "contact/adhesion.h"
 #include "normal_model_probe.h"
@@ -76,7 +76,7 @@ class ContactAdvice {
   const NormalModelProbe& normal_;
   Adhesion adhesion_;
   bool event_ = false;
-  cohesion::advice::Said said_;
+  cohesion::advice::GivenAdvice given_advice_;
 };
 
 }  // namespace Cohesion

@@ -42,12 +42,12 @@ int FixContactAdvice::setmask() {
 
 void FixContactAdvice::pre_exchange() {
   for (const auto& warning : late_) {
-    if (warning->said) continue;
+    if (warning->given) continue;
     const int here = warning->due;
     int anywhere = 0;
     MPI_Allreduce(&here, &anywhere, 1, MPI_INT, MPI_MAX, world);
     if (!anywhere) continue;
-    warning->said = true;
+    warning->given = true;
     if (comm->me == 0) error->warning(FLERR, warning->text.c_str());
   }
 }

@@ -15,8 +15,8 @@ namespace Cohesion {
 /// What a step may find wrong, on any rank and in any of the models that share it.
 struct LateWarning {
   std::string text;
-  bool due = false;   ///< on this rank
-  bool said = false;  ///< on all
+  bool due = false;    ///< on this rank
+  bool given = false;  ///< on all
 };
 
 /// Lets the contact models of pairs and walls say what to expect of a run before its first step and
