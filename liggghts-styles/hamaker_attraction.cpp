@@ -151,10 +151,10 @@ cohesion::hamaker::Parameters HamakerAttraction::scaled(const cohesion::hamaker:
   const double stiffness = normal.springs({itype, jtype, 1.0, 1.0, 1.0, 1.0, false}).stiffness;
   const cohesion::hamaker::Parameters used =
       cohesion::advice::for_stiffness(stiffness, material, real);
-  const std::string told = cohesion::advice::told_scaling(stiffness, material, real, used);
-  if (!told.empty() && itype <= jtype)
+  const std::string note = cohesion::advice::scaling_note(stiffness, material, real, used);
+  if (!note.empty() && itype <= jtype)
     LAMMPS_NS::engine_api::tell(lmp_, LAMMPS_NS::message("cohesion model ", MODEL, ", atom types ",
-                                                         itype, " and ", jtype, ": ", told, "\n"));
+                                                         itype, " and ", jtype, ": ", note, "\n"));
   return used;
 }
 

@@ -50,16 +50,16 @@ inline bool softness_decides(const ContactNumbers& n) {
   return std::isfinite(rigid) && !all_stick && n.escape_velocity() > escape_for_notice * speed;
 }
 
-/// `told_by`: the words by which a user tells the material; empty: there are none.
-inline std::string softness_advice(std::string_view told_by) {
+/// `keywords`: the words by which a user tells the material; empty: there are none.
+inline std::string softness_advice(std::string_view keywords) {
   const std::string sentence =
       "pairs would stick less with a stiffer spring (tail/spring below 1); if the material is "
       "stiffer, ";
-  if (told_by.empty())
+  if (keywords.empty())
     return sentence +
            "its pull-off force is kept (packings, Bond number), its escape velocity is not "
            "(collisions, who sticks)";
-  return sentence + std::string(told_by) +
+  return sentence + std::string(keywords) +
          " keeps its escape velocity (collisions, who sticks), with 'material_keep force' its "
          "pull-off force (packings, resting beds, Bond number, tensile strength)";
 }
