@@ -213,7 +213,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
 
   [[gnu::noinline]] void write_attraction(const SurfacesCloseData& near, const double* normal,
                                           double gap, const ForceData& on_i) {
-    cohesion::contact::SampledContact contact;
+    cohesion::contact::ContactSample contact;
     contact.normal = cohesion::vector(normal);
     contact.overlap = -gap;
     contact.attraction = -dot(contact.normal, cohesion::vector(on_i.delta_F));

@@ -37,7 +37,7 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Where the spring is that of the types alone; no other can be told its material.
+/// Where the spring is that of the types alone; no other can be given its material.
 constexpr const char* material_words =
     "'material_stiffness on' with fix property/global materialStiffness";
 

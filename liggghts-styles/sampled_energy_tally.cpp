@@ -20,11 +20,10 @@ using cohesion::vector;
 using cohesion::Vector3;
 using namespace cohesion::contact;
 
-SampledContact contact_of(const ContactModels::SurfacesIntersectData& d,
-                          const ContactModels::ForceData& on_i,
-                          const ContactModels::ForceData& on_j, double exponent,
-                          const HistoryPlaces& places) {
-  SampledContact c;
+ContactSample contact_of(const ContactModels::SurfacesIntersectData& d,
+                         const ContactModels::ForceData& on_i, const ContactModels::ForceData& on_j,
+                         double exponent, const HistoryPlaces& places) {
+  ContactSample c;
   const Vector3 force = vector(on_i.delta_F);
   c.normal = vector(d.en);
   c.overlap = d.deltan;
@@ -106,7 +105,7 @@ void SampledEnergyTally::end_step(bool set_up) {
 void SampledEnergyTally::work_out(const Record& r, const MobileParticles& mobile, bool set_up,
                                   Losses& now, double& external) {
   const Atom* const atom = lmp_->atom;
-  const SampledContact& c = r.entry.contact;
+  const ContactSample& c = r.entry.contact;
   const Motion grid{moving(r.i), r.j < 0 ? r.before.j : moving(r.j)};
   const Motion before = set_up ? grid : r.before;
   const double half = 0.5 * lmp_->update->dt;

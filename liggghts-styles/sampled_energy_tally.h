@@ -30,10 +30,10 @@ struct HistoryPlaces {
 };
 
 /// What the engine's models, ours included, have made of a contact.
-cohesion::contact::SampledContact contact_of(const ContactModels::SurfacesIntersectData&,
-                                             const ContactModels::ForceData& on_i,
-                                             const ContactModels::ForceData& on_j, double exponent,
-                                             const HistoryPlaces&);
+cohesion::contact::ContactSample contact_of(const ContactModels::SurfacesIntersectData&,
+                                            const ContactModels::ForceData& on_i,
+                                            const ContactModels::ForceData& on_j, double exponent,
+                                            const HistoryPlaces&);
 
 /// What the contacts of one engine store and have taken, for compute gran/energy. The models write
 /// down each contact of a step; when the step is over and all velocities are known, it is worked
@@ -44,7 +44,7 @@ class SampledEnergyTally {
 
   /// A contact as a model sees it, and whose attraction acts in it.
   struct Entry {
-    cohesion::contact::SampledContact contact;
+    cohesion::contact::ContactSample contact;
     const AttractionEnergy* law;  ///< null: none acts
     bool inside;
   };

@@ -142,7 +142,7 @@ inline std::string over_material_sentence(const ContactNumbers& n, const Materia
          number(", pull-off force %.3g times the material's", over.force);
 }
 
-/// Under the table, what a soft spring changed where the material is told; where it is not, a
+/// Under the table, what a soft spring changed where the material is given; where it is not, a
 /// warning if that matters. Each once for all contacts.
 inline void add_softness(Report& report, const std::string& style,
                          const std::vector<AdvisedContact>& contacts, const RunNumbers& run) {

@@ -89,7 +89,8 @@ class GivenAdvice {
   }
 
   static Known known_of(const AdvisedContact& c, const RunNumbers& run) {
-    // Springs that are not linear are told at an overlap that depends on the speed: F/x^p does not.
+    // Springs that are not linear are given at an overlap that depends on the speed: F/x^p does
+    // not.
     const double scale = std::pow(c.springs.overlap, 1.0 - c.springs.exponent);
     const bool linear = c.springs.exponent == 1.0;
     return {approach_speed(run, c),

@@ -20,7 +20,7 @@ struct OverMaterial {
 };
 
 /// `contact`: with the adhesion that it has. The material's has the same mass and restitution.
-/// Throws InvalidParameter unless the material is told.
+/// Throws InvalidParameter unless the material is given.
 inline OverMaterial over_material(const contact::AdhesiveContact& contact,
                                   const Material& material) {
   const StiffnessScaling to_material(contact.spring().stiffness(), material.stiffness);

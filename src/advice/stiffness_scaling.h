@@ -29,15 +29,15 @@ struct KeepName {
 inline constexpr std::array keeps{KeepName{"velocity", Keep::escape_velocity},
                                   KeepName{"force", Keep::force}};
 
-/// The material that a contact stands for, as far as users tell it.
+/// The material that a contact stands for, as far as users give it.
 struct Material {
-  double stiffness = 0.0;  ///< K, [force/length]; 0: not told
+  double stiffness = 0.0;  ///< K, [force/length]; 0: not given
   Keep keep = Keep::escape_velocity;
 
   bool is_given() const { return stiffness > 0.0; }
 };
 
-/// Unlike materials: the geometric mean of the stiffnesses; told where both are.
+/// Unlike materials: the geometric mean of the stiffnesses; given where both are.
 /// Throws InvalidParameter where they keep different things.
 inline Material mixed(const Material& a, const Material& b) {
   if (!a.is_given() || !b.is_given()) return {};

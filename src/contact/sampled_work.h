@@ -29,7 +29,7 @@ inline Motion half_a_step_on(const Motion& before, const Motion& grid) {
 }
 
 /// What the engine's models say of one contact.
-struct SampledContact {
+struct ContactSample {
   Vector3 normal;           ///< from j, or the wall, to i
   double overlap = 0.0;     ///< x, [length]; negative: gap
   double stiffness = 0.0;   ///< F/x of the normal spring, [force/length]
@@ -52,9 +52,11 @@ struct SampledContact {
   Vector3 torque_on_j() const { return rolling_j - lever_j * cross(normal, tangential); }
 
   /// Speed at which i leaves j along the normal, [length/time].
-  double leaves(const Motion& m) const { return dot(normal, m.i.velocity - m.j.velocity); }
+  double separation_speed(const Motion& m) const {
+    return dot(normal, m.i.velocity - m.j.velocity);
+  }
   /// Velocity of i's surface against j's in the plane of contact, [length/time].
-  Vector3 slides(const Motion& m) const {
+  Vector3 sliding_velocity(const Motion& m) const {
     const Vector3 v =
         m.i.velocity - m.j.velocity - cross(lever_i * m.i.spin + lever_j * m.j.spin, normal);
     return v - dot(v, normal) * normal;
@@ -77,15 +79,15 @@ struct Losses {
 };
 
 /// `before`: the motion from which the engine took the force; `grid`: that of the grid point.
-inline Losses losses(const SampledContact& c, const Motion& before, const Motion& grid) {
+inline Losses losses(const ContactSample& c, const Motion& before, const Motion& grid) {
   Losses lost;
   const double spring = c.overlap > 0.0 ? c.stiffness * c.overlap : 0.0;
-  lost.normal_damping = -(c.repulsion - spring) * c.leaves(grid);
-  const Vector3 slides = c.slides(grid);
+  lost.normal_damping = -(c.repulsion - spring) * c.separation_speed(grid);
+  const Vector3 slides = c.sliding_velocity(grid);
   lost.tangential = -dot(c.tangential, slides);
   // A contact that slides has no force of its dashpot in the Coulomb force: both are told apart by
   // whether spring and dashpot make up the force, 1e-6 of the dashpot being well above rounding.
-  const Vector3 dashpot = c.tangential_damping * c.slides(before);
+  const Vector3 dashpot = c.tangential_damping * c.sliding_velocity(before);
   const Vector3 rest = c.tangential + c.tangential_stiffness * c.displacement + dashpot;
   if (norm(rest) <= 1e-6 * norm(dashpot)) lost.tangential_damping = dot(dashpot, slides);
   lost.rolling = -dot(c.rolling_i, grid.i.spin) - dot(c.rolling_j, grid.j.spin);
@@ -106,14 +108,14 @@ struct Stored {
 };
 
 /// `after`: the motion of the half step `time` after the grid point.
-inline Stored stored(const SampledContact& c, const Motion& after, double time) {
+inline Stored stored(const ContactSample& c, const Motion& after, double time) {
   Stored s;
-  s.overlap = c.overlap - time * c.leaves(after);
+  s.overlap = c.overlap - time * c.separation_speed(after);
   if (c.overlap > 0.0 && s.overlap > 0.0)
     s.spring = c.stiffness * c.overlap * c.overlap / (c.exponent + 1.0) *
                std::pow(s.overlap / c.overlap, c.exponent + 1.0);
   if (s.overlap <= 0.0) return s;
-  const Vector3 stretch = c.displacement + time * c.slides(after);
+  const Vector3 stretch = c.displacement + time * c.sliding_velocity(after);
   s.tangential_spring = 0.5 * c.tangential_stiffness * dot(stretch, stretch);
   return s;
 }

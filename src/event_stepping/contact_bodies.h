@@ -69,13 +69,14 @@ class ContactBodies {
     const contact::Plane& plane() const { return plane_; }
 
     /// How fast the surfaces part in the plane of contact, [length/time].
-    [[gnu::always_inline]] Vector3 slides(const Vector3& velocity, const Vector3& spin_i,
-                                          const Vector3& spin_j) const {
-      return slides_across(plane_.part_in(velocity), spin_i, spin_j);
+    [[gnu::always_inline]] Vector3 sliding_velocity(const Vector3& velocity, const Vector3& spin_i,
+                                                    const Vector3& spin_j) const {
+      return sliding_velocity_across(plane_.part_in(velocity), spin_i, spin_j);
     }
     /// `across`: the velocity's part in the plane.
-    [[gnu::always_inline]] Vector3 slides_across(const Vector3& across, const Vector3& spin_i,
-                                                 const Vector3& spin_j) const {
+    [[gnu::always_inline]] Vector3 sliding_velocity_across(const Vector3& across,
+                                                           const Vector3& spin_i,
+                                                           const Vector3& spin_j) const {
       return across - cross(lever_i_ * spin_i + (1.0 - lever_i_) * spin_j, plane_.normal);
     }
     /// How fast they roll on each other, [length/time]:
@@ -88,19 +89,20 @@ class ContactBodies {
     ///
     /// Source: S. Luding, Granular Matter 10 (2008) 235; Y. Wang, F. Alonso-Marroquin, W. W. Guo,
     /// Particuology 23 (2015) 49.
-    [[gnu::always_inline]] Vector3 rolls(const Vector3& spin_i, const Vector3& spin_j) const {
+    [[gnu::always_inline]] Vector3 rolling_velocity(const Vector3& spin_i,
+                                                    const Vector3& spin_j) const {
       return bodies_.rolling_radius_ * plane_.part_in(spin_i - spin_j);
     }
 
     /// Adds an impulse on j's surface to what has no torques yet.
-    [[gnu::always_inline]] void slide(const Vector3& impulse, Action& action) const {
+    [[gnu::always_inline]] void add_sliding_impulse(const Vector3& impulse, Action& action) const {
       const Vector3 turn = cross(plane_.normal, impulse);
       action.impulse += impulse;
       action.torque_i = -lever_i_ * turn;
       action.torque_j = (lever_i_ - 1.0) * turn;
     }
     /// Adds what the rolling spring does: no force, but the torques R F and -R F.
-    [[gnu::always_inline]] void roll(const Vector3& impulse, Action& action) const {
+    [[gnu::always_inline]] void add_rolling_impulse(const Vector3& impulse, Action& action) const {
       action.torque_i += bodies_.rolling_radius_ * impulse;
       action.torque_j -= bodies_.rolling_radius_ * impulse;
     }

@@ -113,7 +113,7 @@ class NormalMotion {
   /// A pair that turns round this often in one step rattles in a well far too thin for the step.
   static constexpr int max_phases = 1000;
 
-  /// A stretch of gap between the overlaps `low` < `high` <= 0 with a constant acceleration.
+  /// An interval of gap between the overlaps `low` < `high` <= 0 with a constant acceleration.
   struct Gap {
     double low, high, drive;
   };

@@ -57,15 +57,17 @@ class OneForce {
       SpringOnGrid::Losses of_sliding, of_rolling;
       const Vector3 across =
           grid.relative.velocity - (now.radial * now.inverse) * grid.relative.separation;
-      const Vector3 slides = touch.slides_across(across, grid.spin_i, grid.spin_j);
-      touch.slide(sliding_.advance_lasting(touch.plane(), slides, limiting, lasted, memory.sliding,
-                                           losses ? &of_sliding : nullptr),
-                  action);
+      const Vector3 slides = touch.sliding_velocity_across(across, grid.spin_i, grid.spin_j);
+      touch.add_sliding_impulse(
+          sliding_.advance_lasting(touch.plane(), slides, limiting, lasted, memory.sliding,
+                                   losses ? &of_sliding : nullptr),
+          action);
       if constexpr (SIZE >= ContactMemory::with_rolling) {
-        const Vector3 rolls = touch.rolls(grid.spin_i, grid.spin_j);
-        touch.roll(rolling_.advance_lasting(touch.plane(), rolls, limiting, lasted, memory.rolling,
-                                            losses ? &of_rolling : nullptr),
-                   action);
+        const Vector3 rolls = touch.rolling_velocity(grid.spin_i, grid.spin_j);
+        touch.add_rolling_impulse(
+            rolling_.advance_lasting(touch.plane(), rolls, limiting, lasted, memory.rolling,
+                                     losses ? &of_rolling : nullptr),
+            action);
       }
       if (losses) {
         losses->tangential_damping = of_sliding.damped;
@@ -87,13 +89,13 @@ class OneForce {
       const double last = normal_.repulsion(2.0 * normal_.ahead(now));
       const Touch touch(bodies_, grid.relative.separation, now.inverse);
       SpringOnGrid::Losses lost;
-      sliding_.end_lasting(touch.slides(grid.relative.velocity, grid.spin_i, grid.spin_j),
+      sliding_.end_lasting(touch.sliding_velocity(grid.relative.velocity, grid.spin_i, grid.spin_j),
                            repulsion, last, memory.sliding, losses ? &lost : nullptr);
       if (losses) losses->friction += lost.friction;
       if constexpr (SIZE >= ContactMemory::with_rolling) {
         lost = {};
-        rolling_.end_lasting(touch.rolls(grid.spin_i, grid.spin_j), repulsion, last, memory.rolling,
-                             losses ? &lost : nullptr);
+        rolling_.end_lasting(touch.rolling_velocity(grid.spin_i, grid.spin_j), repulsion, last,
+                             memory.rolling, losses ? &lost : nullptr);
         if (losses) losses->rolling += lost.friction;
       }
     }
@@ -106,9 +108,9 @@ class OneForce {
     const LastingNormal::Sample now = normal_.at(grid.relative);
     Action action{(reduced_mass_ * normal_.force(now).change * now.inverse) * s, {}, {}};
     if constexpr (SIZE >= ContactMemory::with_friction)
-      Touch(bodies_, s).slide(memory.sliding.impulse, action);
+      Touch(bodies_, s).add_sliding_impulse(memory.sliding.impulse, action);
     if constexpr (SIZE >= ContactMemory::with_rolling)
-      Touch(bodies_, s).roll(memory.rolling.impulse, action);
+      Touch(bodies_, s).add_rolling_impulse(memory.rolling.impulse, action);
     return action;
   }
 
@@ -127,7 +129,8 @@ class OneForce {
     const GridSpring& spring = normal_.constants();
     const double normal =
         (spring.stiffness + 2.0 * spring.damping / step_) * step_ * step_ * bodies_.inverse_mass();
-    return 4.0 * normal < 4.0 && 40.0 / 7.0 * sliding_.swing() + 8.0 * rolling_.swing() < 4.0;
+    return 4.0 * normal < 4.0 &&
+           40.0 / 7.0 * sliding_.frequency_squared() + 8.0 * rolling_.frequency_squared() < 4.0;
   }
 
   ContactBodies bodies_;

@@ -107,7 +107,7 @@ class OnePassContact {
         weight_(spring.stiffness() / spring_.stiffness) {}
 
   /// A pair flies in, turns and flies out again; more often only by rounding at a grazed edge.
-  static constexpr int max_stretches = 100;
+  static constexpr int max_segments = 100;
 
   /// The true motion within a step; the sideways speed follows from the angular momentum.
   struct Flight {
@@ -195,8 +195,8 @@ class OnePassContact {
     bool event = inside;
     if (!inside) inside = event = starts_inside(now);
     double left = step_;
-    for (int stretches = 0; left > 0.0; stretches++) {
-      if (stretches == max_stretches) {
+    for (int segments = 0; left > 0.0; segments++) {
+      if (segments == max_segments) {
         record.unresolved = true;
         break;
       }

@@ -62,8 +62,8 @@ class OnePassWell final : public OnePassContact {
       if (inside) fall_in();
     }
     double left = step();
-    for (int stretches = 0; left > 0.0; stretches++) {
-      if (stretches == max_stretches) {
+    for (int segments = 0; left > 0.0; segments++) {
+      if (segments == max_segments) {
         record.unresolved = true;
         break;
       }

@@ -60,19 +60,20 @@ class SampledContact {
     if constexpr (SIZE >= ContactMemory::with_friction) {
       const ContactBodies::Touch touch(bodies_, s);
       SpringOnGrid::Losses lost;
-      step.friction = spring_impulse(sliding_, touch,
-                                     touch.slides(grid.relative.velocity, grid.spin_i, grid.spin_j),
-                                     normal, memory.sliding, losses ? &lost : nullptr);
-      touch.slide(step.friction, step.action);
+      step.friction = spring_impulse(
+          sliding_, touch, touch.sliding_velocity(grid.relative.velocity, grid.spin_i, grid.spin_j),
+          normal, memory.sliding, losses ? &lost : nullptr);
+      touch.add_sliding_impulse(step.friction, step.action);
       if (losses) {
         losses->tangential_damping = lost.damped;
         losses->friction = lost.friction;
       }
       if constexpr (SIZE >= ContactMemory::with_rolling) {
         lost = {};
-        touch.roll(spring_impulse(rolling_, touch, touch.rolls(grid.spin_i, grid.spin_j), normal,
-                                  memory.rolling, losses ? &lost : nullptr),
-                   step.action);
+        touch.add_rolling_impulse(
+            spring_impulse(rolling_, touch, touch.rolling_velocity(grid.spin_i, grid.spin_j),
+                           normal, memory.rolling, losses ? &lost : nullptr),
+            step.action);
         if (losses) losses->rolling = lost.damped + lost.friction;
       }
     }

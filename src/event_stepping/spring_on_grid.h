@@ -109,7 +109,7 @@ class SpringOnGrid {
   }
 
   /// (w dt)^2 of one force by itself, and what its dashpot is as good as.
-  double swing() const {
+  double frequency_squared() const {
     if (!is_present()) return 0.0;
     return (constants_.stiffness + 2.0 * constants_.damping / step_) * step_ * step_ *
            inverse_mass_;

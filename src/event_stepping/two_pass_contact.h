@@ -137,9 +137,9 @@ class TwoPassContact {
     Action owed;
     if (ahead != 0.0) owed.impulse = (ahead * reduced_mass_ / norm(separation)) * separation;
     if constexpr (SIZE >= ContactMemory::with_friction)
-      Touch(bodies_, separation).slide(0.5 * memory.sliding.impulse, owed);
+      Touch(bodies_, separation).add_sliding_impulse(0.5 * memory.sliding.impulse, owed);
     if constexpr (SIZE >= ContactMemory::with_rolling)
-      Touch(bodies_, separation).roll(0.5 * memory.rolling.impulse, owed);
+      Touch(bodies_, separation).add_rolling_impulse(0.5 * memory.rolling.impulse, owed);
     return owed;
   }
 
@@ -199,8 +199,8 @@ class TwoPassContact {
       const Touch touch(bodies_, middle.separation + did.separation);
       const Vector3 spin_i = truth.spin_i + 0.5 * others.spin_i;
       const Vector3 spin_j = truth.spin_j + 0.5 * others.spin_j;
-      const Vector3 slides = touch.slides(middle.velocity + 0.5 * did.velocity,
-                                          spin_i + 0.5 * rolled.i, spin_j + 0.5 * rolled.j);
+      const Vector3 slides = touch.sliding_velocity(
+          middle.velocity + 0.5 * did.velocity, spin_i + 0.5 * rolled.i, spin_j + 0.5 * rolled.j);
       f.sliding = one_force_.sliding().follow(touch.plane(), start.sliding,
                                               0.5 * touch.plane().part_in(shift), slides, f.normal,
                                               f.sliding_rate);
@@ -208,12 +208,12 @@ class TwoPassContact {
       f.change.relative.separation += (half * inverse_mass_) * impulse;
       f.change.relative.velocity += inverse_mass_ * impulse;
       Action turning;
-      touch.slide(impulse, turning);
+      touch.add_sliding_impulse(impulse, turning);
       f.change.spin_i = bodies_.inverse_inertia_i() * turning.torque_i;
       f.change.spin_j = bodies_.inverse_inertia_j() * turning.torque_j;
       if constexpr (SIZE >= ContactMemory::with_rolling) {
         const Vector3 rolls =
-            touch.rolls(spin_i + 0.5 * f.change.spin_i, spin_j + 0.5 * f.change.spin_j);
+            touch.rolling_velocity(spin_i + 0.5 * f.change.spin_i, spin_j + 0.5 * f.change.spin_j);
         f.rolling = one_force_.rolling().follow(touch.plane(), start.rolling, {}, rolls, f.normal,
                                                 f.rolling_rate);
         const Vector3 turn = bodies_.rolling_radius() * f.rolling.impulse;
@@ -253,11 +253,13 @@ class TwoPassContact {
       if (event || memory.phase != ContactMemory::beyond)
         action.impulse = (reduced_mass_ * (push / step_ + owed)) * k;
     if constexpr (SIZE >= ContactMemory::with_friction) {
-      Touch(bodies_, s).slide(0.5 * (f.sliding.impulse + memory.sliding.impulse), action);
+      Touch(bodies_, s)
+          .add_sliding_impulse(0.5 * (f.sliding.impulse + memory.sliding.impulse), action);
       memory.sliding = left(f.normal, f.sliding, f.sliding_rate);
     }
     if constexpr (SIZE >= ContactMemory::with_rolling) {
-      Touch(bodies_, s).roll(0.5 * (f.rolling.impulse + memory.rolling.impulse), action);
+      Touch(bodies_, s)
+          .add_rolling_impulse(0.5 * (f.rolling.impulse + memory.rolling.impulse), action);
       memory.rolling = left(f.normal, f.rolling, f.rolling_rate);
     }
     if (event || !memory.in_range())
@@ -334,11 +336,12 @@ class TwoPassContact {
     if (!touched) return now;
     if (memory.lasted()) return {memory.sliding.stretch, memory.rolling.stretch};
     if (one_force_.sliding().is_present())
-      now.sliding = touch.plane().turned_into(memory.sliding.stretch) +
-                    step_ * touch.slides(grid.relative.velocity, grid.spin_i, grid.spin_j);
+      now.sliding =
+          touch.plane().turned_into(memory.sliding.stretch) +
+          step_ * touch.sliding_velocity(grid.relative.velocity, grid.spin_i, grid.spin_j);
     if (one_force_.rolling().is_present())
       now.rolling = touch.plane().turned_into(memory.rolling.stretch) +
-                    step_ * touch.rolls(grid.spin_i, grid.spin_j);
+                    step_ * touch.rolling_velocity(grid.spin_i, grid.spin_j);
     return now;
   }
 

@@ -65,8 +65,8 @@ class WellPair {
     if (m.touching && !m.inside) approach(m);
     double left = window.length();
     bool straight = true;
-    for (int stretches = 0; left > 0.0; stretches++) {
-      if (stretches == max_stretches) {
+    for (int segments = 0; left > 0.0; segments++) {
+      if (segments == max_segments) {
         step.normal.unresolved = true;
         break;
       }
@@ -79,7 +79,7 @@ class WellPair {
       m.at.separation += next.wait * m.at.velocity;
       left -= next.wait;
       if (next.with == contact)
-        left -= turn(m, left, step.normal);
+        left -= advance_contact(m, left, step.normal);
       else if (next.with == edge_from_outside)
         approach(m);
       else
@@ -109,7 +109,7 @@ class WellPair {
  private:
   /// More than any well has that is wide enough to be one; a pair along whose edge nearly nothing
   /// moves could have any number of captures.
-  static constexpr int max_stretches = 1000;
+  static constexpr int max_segments = 1000;
   /// Normal speed over speed that is rounding.
   static constexpr double rounding = 1e-15;
 
@@ -170,9 +170,9 @@ class WellPair {
     });
   }
 
-  double turn(Motion& m, double time, NormalRecord& record) const {
+  double advance_contact(Motion& m, double time, NormalRecord& record) const {
     m.touching = true;
-    return contact_.turn(m.at, time, m.touching, m.overlap, record);
+    return contact_.advance_inside(m.at, time, m.touching, m.overlap, record);
   }
 
   SpherePair contact_;

@@ -52,8 +52,8 @@ TEST(ContactBodies, AnImpulseAtTheSurfaceKeepsTheAngularMomentum) {
   const ContactBodies::Touch touch(pair, place);
   Action a;
   const Vector3 impulse{0.3, 0.2, -0.7};
-  touch.slide(impulse, a);
-  touch.roll(impulse, a);
+  touch.add_sliding_impulse(impulse, a);
+  touch.add_rolling_impulse(impulse, a);
   EXPECT_EQ(norm(a.impulse - impulse), 0.0);
   // J at j, -J at i: s x J, and the torques.
   const Vector3 left = cross(place, impulse) + a.torque_i + a.torque_j;
@@ -65,10 +65,10 @@ TEST(ContactBodies, NothingSlidesOrRollsOnAPairThatTurnsAsOneBody) {
   const double size = 8 * eps * norm(turn) * norm(place);
   const ContactBodies pair(small, large);
   const ContactBodies::Touch touch(pair, place);
-  EXPECT_LE(norm(touch.slides(cross(turn, place), turn, turn)), size);
-  EXPECT_EQ(norm(touch.rolls(turn, turn)), 0.0);
+  EXPECT_LE(norm(touch.sliding_velocity(cross(turn, place), turn, turn)), size);
+  EXPECT_EQ(norm(touch.rolling_velocity(turn, turn)), 0.0);
   // Nor does spin about the normal, but for the rounding of its part in the plane.
-  EXPECT_LE(norm(touch.rolls(1e4 * place, {})), 8 * eps * 1e4 * norm(place) * 1e-3);
+  EXPECT_LE(norm(touch.rolling_velocity(1e4 * place, {})), 8 * eps * 1e4 * norm(place) * 1e-3);
 }
 
 TEST(ContactBodies, TheArmBesideAWallIsTheRadiusAtAnyDistance) {
@@ -76,7 +76,7 @@ TEST(ContactBodies, TheArmBesideAWallIsTheRadiusAtAnyDistance) {
   const Vector3 spin{0.0, 0.0, 40.0};
   for (const double distance : {0.45e-3, 0.5e-3, 0.6e-3}) {
     const ContactBodies::Touch touch(beside, {distance, 0.0, 0.0});
-    EXPECT_NEAR(norm(touch.slides({}, spin, {})) / (40.0 * 0.5e-3), 1.0, 4 * eps);
+    EXPECT_NEAR(norm(touch.sliding_velocity({}, spin, {})) / (40.0 * 0.5e-3), 1.0, 4 * eps);
   }
 }
 

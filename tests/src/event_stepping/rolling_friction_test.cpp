@@ -46,7 +46,7 @@ struct Pressed : PairOnGrid<Pair, size> {
   double radius() const { return this->contact.bodies().rolling_radius(); }
   double answer() const { return this->contact.bodies().inverse_rolling_mass(); }
   /// On the grid.
-  Vector3 rolls() const { return radius() * (spin[0] - spin[1]); }
+  Vector3 rolling_velocity() const { return radius() * (spin[0] - spin[1]); }
   double energy_of_spin() const {
     double sum = 0.5 / inverse_inertia(body[0]) * dot(spin[0], spin[0]);
     if (body[1].inverse_mass > 0.0) sum += 0.5 / inverse_inertia(body[1]) * dot(spin[1], spin[1]);
@@ -115,8 +115,8 @@ TEST(RollingFriction, LastingItSwingsAndDecaysExactlyAtAnyStep) {
     ASSERT_TRUE(pair.lasted);
     const Vector3 expected = ((part(n) - part(n - 1)) / dt) * v0;
     // Some ten roundings of spins, and what they become in the swing.
-    EXPECT_NEAR(pair.rolls().y, expected.y, 16 * eps * n * norm(v0));
-    EXPECT_NEAR(pair.rolls().z, expected.z, 16 * eps * n * norm(v0));
+    EXPECT_NEAR(pair.rolling_velocity().y, expected.y, 16 * eps * n * norm(v0));
+    EXPECT_NEAR(pair.rolling_velocity().z, expected.z, 16 * eps * n * norm(v0));
   }
   EXPECT_LT(std::exp(-swing.alpha * steps * dt), 0.3);
   EXPECT_EQ(pair.spin[0].x, 7.0);
@@ -336,7 +336,7 @@ TEST(RollingFriction, NoFollowedStepGivesEnergyAllTalliesCloseAndSlidingIsCapped
     const double start = pair.energy_of_spin();
     // In the first step of a lasting contact the spring has been stretched by the step before.
     if (lasts) {
-      const Vector3 in_plane{0.0, pair.rolls().y, pair.rolls().z};
+      const Vector3 in_plane{0.0, pair.rolling_velocity().y, pair.rolling_velocity().z};
       pair.memory.rolling.stretch = -dt * in_plane;
     }
     double balance = 0.0;
