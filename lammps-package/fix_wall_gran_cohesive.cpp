@@ -215,7 +215,7 @@ void FixWallGranCohesive<Cohesion>::for_each_near(std::vector<Contact>& shared, 
   const FarFromWalls far(walls, now.displacement, 2.0 * sizes.largest_radius + sizes.largest_range);
 
   for (int i = 0; i < atom->nlocal; i++) {
-    if (!ask_each && far.holds(atom->x[i]) && atom->radius[i] <= sizes.largest_radius) continue;
+    if (!ask_each && far.contains(atom->x[i]) && atom->radius[i] <= sizes.largest_radius) continue;
     if (!(atom->mask[i] & groupbit)) continue;
     const Vector3 centre = vector(atom->x[i]);
     const double range = Cohesion::range(scheme, parameters, atom->radius[i], 0.0);

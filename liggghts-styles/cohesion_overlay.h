@@ -176,7 +176,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
   bool binds(int itype, int jtype, double ri, double rj, double gap,
              const double* history) const override {
     if (Attraction::BINDS_WHAT_ENTERED && events_ && attraction_.is_active())
-      return events_->holds(history);
+      return events_->in_range(history);
     return attraction_.binds(itype, jtype, ri, rj, gap, history);
   }
 

@@ -54,7 +54,7 @@ class EventContacts {
               cohesion::event_stepping::GridStep& step);
 
   /// Whether the grid has a contact with this history in the range of its attraction.
-  bool holds(const double* history) const;
+  bool in_range(const double* history) const;
 
   /// Lets the engine's friction act in `step` with the repulsion of the contact, and with the K_t
   /// and eta_t that make the grid follow its spring exactly (one_pass_contact.h). `spring`: its
@@ -71,13 +71,13 @@ class EventContacts {
   using GridMemory = cohesion::event_stepping::GridMemory;
 
   /// Bodies, and the law of their contact.
-  struct Known;
+  struct KnownContact;
 
-  static bool passes(const Known&, double contact_time);
-  void hand_on(const Known&, const ContactModels::SurfacesCloseData& d, const double* normal,
-               const cohesion::event_stepping::GridStep&);
+  static bool is_impulse(const KnownContact&, double contact_time);
+  void exclude_impulse(const KnownContact&, const ContactModels::SurfacesCloseData& d,
+                       const double* normal, const cohesion::event_stepping::GridStep&);
   /// The law of a contact; null: nothing that a force could move.
-  Known* known(const ContactModels::SurfacesCloseData& d);
+  KnownContact* known_contact(const ContactModels::SurfacesCloseData& d);
   /// 0: no force moves it.
   double mass(int particle) const {
     return mobile_.moves(atom_->mask[particle]) ? atom_->rmass[particle] : 0.0;
@@ -85,10 +85,10 @@ class EventContacts {
   double others(const ContactModels::SurfacesCloseData& d, const cohesion::Vector3& normal) const;
   bool repeat(const ContactModels::SurfacesCloseData& d,
               cohesion::event_stepping::GridStep& step) const;
-  const double* written_last(const ContactModels::SurfacesCloseData& d) const;
+  const double* last_record(const ContactModels::SurfacesCloseData& d) const;
   void write(const ContactModels::SurfacesCloseData& d, const GridMemory& memory,
              const cohesion::event_stepping::GridStep& step) const;
-  void make_law(Known& k, const ContactModels::SurfacesCloseData& d) const;
+  void make_law(KnownContact& k, const ContactModels::SurfacesCloseData& d) const;
 
   LAMMPS_NS::LAMMPS* lmp_;
   LAMMPS_NS::Atom* atom_;
@@ -99,9 +99,9 @@ class EventContacts {
   Adhesion adhesion_;
   FixOthers* others_ = nullptr;
   MobileParticles mobile_;
-  std::vector<Known> known_;  // the last of each two types
-  const Known* followed_ = nullptr;
-  double apart_ = 0.0;  // of the step before, the time that the contact just followed had none
+  std::vector<KnownContact> known_;  // the last of each two types
+  const KnownContact* followed_ = nullptr;
+  double time_apart_ = 0.0;  // of the step before, the time that the contact just followed had none
   int types_ = 0;
   std::shared_ptr<LateWarning> late_;
 };

@@ -28,7 +28,7 @@ bool has_our_cohesion(const IContactHistorySetup& owner) {
   return CohesivePairs::of(&owner) != nullptr;
 }
 
-[[noreturn]] void refuse(LAMMPS* lmp, const std::string& why) {
+[[noreturn]] void reject(LAMMPS* lmp, const std::string& why) {
   lmp->error->all(FLERR, ("compute gran/energy: " + why).c_str());
   std::abort();  // not reached
 }
@@ -67,7 +67,7 @@ void FixSampledEnergyTally::post_run() {
 void FixSampledEnergyTally::init() {
   auto* const pair = dynamic_cast<PairGran*>(force->pair);
   if (!pair || !has_our_cohesion(*pair))
-    refuse(
+    reject(
         lmp,
         "pair_style gran has none of the cohesion models hamaker and square_well, which keep the "
         "book; without attraction, use 'cohesion hamaker' with hamakerConstant 0");
@@ -75,13 +75,13 @@ void FixSampledEnergyTally::init() {
     Fix* const fix = modify->fix[k];
     if (std::strncmp(fix->style, "wall/gran", 9) == 0 &&
         !has_our_cohesion(static_cast<FixWallGran&>(*fix)))
-      refuse(lmp,
+      reject(lmp,
              std::string("fix wall/gran ") + fix->id +
                  " has none of the cohesion models hamaker and square_well, which keep the book; "
                  "without attraction, use 'cohesion hamaker' with hamakerConstant 0");
     if (std::strncmp(fix->style, "multisphere", 11) == 0 ||
         std::strncmp(fix->style, "rigid", 5) == 0)
-      refuse(lmp,
+      reject(lmp,
              std::string("fix ") + fix->style +
                  " moves bodies of several spheres, whose energy is not that of their spheres");
   }
