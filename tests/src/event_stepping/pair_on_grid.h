@@ -42,9 +42,9 @@ class PairOnGrid {
     Action action;
     now = {};
     if (begins) energy = true_kinetic(memory) + sum(contact.stored(grid, memory)) + lost;
-    lasted =
-        (goes_on || begins) && contact.one_force().template hold<SIZE>(grid, memory, action, &now);
-    if (goes_on && !lasted) contact.one_force().template leave<SIZE>(grid, memory, &now);
+    lasted = (goes_on || begins) &&
+             contact.one_force().template advance_lasting<SIZE>(grid, memory, action, &now);
+    if (goes_on && !lasted) contact.one_force().template end_lasting<SIZE>(grid, memory, &now);
     // Since the last grid point.
     if (goes_on || begins) lost += sum(now);
     if (!begins) energy = true_kinetic(memory) + sum(contact.stored(grid, memory)) + lost;

@@ -212,8 +212,8 @@ TEST(RollingFriction, FollowedItHoldsAgainstWhatOthersDoInTheStep) {
     truth.spin_i += inverse_inertia(small) * owed.torque_i;
     if (n > 0) truth.spin_i += 0.5 * others.spin_i;
     const FollowedStart begins = pair.contact.start<size>(grid, truth, memory);
-    const auto alone = pair.contact.follow<size>(begins, {}, {}, memory.in_range());
-    const auto f = pair.contact.follow<size>(begins, others, alone.rolled(), memory.in_range());
+    const auto predicted = pair.contact.follow<size>(begins, {}, {}, memory.in_range());
+    const auto f = pair.contact.follow<size>(begins, others, predicted.rolled(), memory.in_range());
     const Action action = pair.contact.finish<size>(begins, others, f, memory);
     grid.spin_i += inverse_inertia(small) * action.torque_i;
     grid.spin_i += (n > 0 ? 1.0 : 0.5) * others.spin_i;
@@ -246,10 +246,10 @@ TEST(RollingFriction, ChangesSignWithTheExchangeOfTheParticles) {
       const auto act = [&](const TwoPassContact<SpherePair>& c, const PairMotion& at,
                            const PairMotion& beside, ContactMemory& memory, Action& action) {
         if (memory.phase == ContactMemory::lasting)
-          return c.one_force().hold<size>(at, memory, action, nullptr);
+          return c.one_force().advance_lasting<size>(at, memory, action, nullptr);
         const FollowedStart begins = c.start<size>(at, at, memory);
-        const auto alone = c.follow<size>(begins, {}, {}, memory.in_range());
-        const auto f = c.follow<size>(begins, beside, alone.rolled(), memory.in_range());
+        const auto predicted = c.follow<size>(begins, {}, {}, memory.in_range());
+        const auto f = c.follow<size>(begins, beside, predicted.rolled(), memory.in_range());
         action = c.finish<size>(begins, beside, f, memory);
         return false;
       };

@@ -190,17 +190,17 @@ TEST(TwoPassContact, WhatOthersDoAlongAWallIsNotSeenAlongItsNormal) {
     if (in) before = {ContactMemory::inside, 3.0, 0.0, {}, {}};
     const PairMotion grid{{(distance * thesis::radius) * normal, rate * normal}, {}, {}};
     const auto begins = contact.start<ContactMemory::with_friction>(grid, grid, before);
-    const auto alone = contact.follow<ContactMemory::normal_only>(begins, {}, {}, in);
+    const auto predicted = contact.follow<ContactMemory::normal_only>(begins, {}, {}, in);
     const auto with = contact.follow<ContactMemory::normal_only>(begins, others, {}, in);
-    ASSERT_GT(alone.normal.normal.contact_time, 0.0);
+    ASSERT_GT(predicted.normal.normal.contact_time, 0.0);
     // Rounding: an eps of the speed along the wall, and of the distance in a step.
     const double speed = 8 * eps * (2.0 + 2.0 * thesis::radius / dt);
-    EXPECT_NEAR(norm(with.change.relative.velocity - alone.change.relative.velocity), 0.0,
+    EXPECT_NEAR(norm(with.change.relative.velocity - predicted.change.relative.velocity), 0.0,
                 4.0 * speed);
-    EXPECT_NEAR(norm(with.change.relative.separation - alone.change.relative.separation), 0.0,
+    EXPECT_NEAR(norm(with.change.relative.separation - predicted.change.relative.separation), 0.0,
                 4.0 * speed * dt);
     ContactMemory one = before, two = before;
-    const Action pushed = contact.finish<ContactMemory::normal_only>(begins, {}, alone, one);
+    const Action pushed = contact.finish<ContactMemory::normal_only>(begins, {}, predicted, one);
     const Action same = contact.finish<ContactMemory::normal_only>(begins, others, with, two);
     ASSERT_GT(norm(pushed.impulse), 0.0);
     EXPECT_NEAR(norm(same.impulse - pushed.impulse), 0.0, 4.0 * thesis::mass * speed);
@@ -210,7 +210,7 @@ TEST(TwoPassContact, WhatOthersDoAlongAWallIsNotSeenAlongItsNormal) {
     const auto still = contact.follow<ContactMemory::with_friction>(begins, {}, {}, in);
     const auto rubbed = contact.follow<ContactMemory::with_friction>(begins, others, {}, in);
     EXPECT_NEAR(norm(still.sliding.impulse), 0.0, thesis::mass * speed);
-    EXPECT_GT(norm(rubbed.sliding.impulse), 0.1 * 0.3 * alone.normal.normal.repulsion_impulse);
+    EXPECT_GT(norm(rubbed.sliding.impulse), 0.1 * 0.3 * predicted.normal.normal.repulsion_impulse);
   }
 }
 
