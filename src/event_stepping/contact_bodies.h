@@ -38,12 +38,12 @@ class ContactBodies {
   double inverse_inertia_i() const { return inverse_inertia_i_; }
   double inverse_inertia_j() const { return inverse_inertia_j_; }
 
-  /// R = R_i R_j/(R_i + R_j), beside a wall R_i, [length].
+  /// The lever of rolling, R = R_i R_j/(R_i + R_j), beside a wall R_i, [length].
   double rolling_radius() const { return rolling_radius_; }
   /// 1/m_t = 1/m_i + 1/m_j + l_i^2/I_i + l_j^2/I_j, of an impulse in the plane of contact, with
   /// lever arms l, [1/mass].
   ///
-  /// Source: van der Hoef et al., Adv. Chem. Eng. 31 (2006) 65, eq. 27-29.
+  /// Source: derived here, from what an impulse changes of both velocities and spins.
   double inverse_sliding_mass() const {
     const double square = distance() * distance();
     const double i = is_wall() ? 1.0 : lever_i_, j = 1.0 - i;
@@ -59,7 +59,7 @@ class ContactBodies {
    public:
     Touch(const ContactBodies& bodies, const Vector3& separation)
         : Touch(bodies, separation, 1.0 / norm(separation)) {}
-    /// `inverse`: of the length of the separation.
+    /// `inverse`: one over the length of the separation.
     [[gnu::always_inline]] Touch(const ContactBodies& bodies, const Vector3& separation,
                                  double inverse)
         : bodies_(bodies),
@@ -68,18 +68,18 @@ class ContactBodies {
 
     const contact::Plane& plane() const { return plane_; }
 
-    /// How fast the surfaces part in the plane of contact, [length/time].
+    /// The velocity of j's surface against i's in the plane of contact, [length/time].
     [[gnu::always_inline]] Vector3 sliding_velocity(const Vector3& velocity, const Vector3& spin_i,
                                                     const Vector3& spin_j) const {
       return sliding_velocity_across(plane_.part_in(velocity), spin_i, spin_j);
     }
-    /// `across`: the velocity's part in the plane.
+    /// The same, where `across` is the part of the relative velocity in the plane.
     [[gnu::always_inline]] Vector3 sliding_velocity_across(const Vector3& across,
                                                            const Vector3& spin_i,
                                                            const Vector3& spin_j) const {
       return across - cross(lever_i_ * spin_i + (1.0 - lever_i_) * spin_j, plane_.normal);
     }
-    /// How fast they roll on each other, [length/time]:
+    /// The velocity at which they roll on each other, [length/time]:
     ///
     ///   v_r = R (w_i - w_j), the part across n
     ///
@@ -94,14 +94,14 @@ class ContactBodies {
       return bodies_.rolling_radius_ * plane_.part_in(spin_i - spin_j);
     }
 
-    /// Adds an impulse on j's surface to what has no torques yet.
+    /// Adds an impulse on j's surface to an action that has no torques yet.
     [[gnu::always_inline]] void add_sliding_impulse(const Vector3& impulse, Action& action) const {
       const Vector3 turn = cross(plane_.normal, impulse);
       action.impulse += impulse;
       action.torque_i = -lever_i_ * turn;
       action.torque_j = (lever_i_ - 1.0) * turn;
     }
-    /// Adds what the rolling spring does: no force, but the torques R F and -R F.
+    /// Adds the impulse of the rolling spring, which is no force, but the torques R F and -R F.
     [[gnu::always_inline]] void add_rolling_impulse(const Vector3& impulse, Action& action) const {
       action.torque_i += bodies_.rolling_radius_ * impulse;
       action.torque_j -= bodies_.rolling_radius_ * impulse;

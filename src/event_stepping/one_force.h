@@ -125,6 +125,9 @@ class OneForce {
   /// the normals: 2 sum cos^2 = 8 springs on one sphere's mass, 2 on that of a pair. Spheres that
   /// all spin alike, each surface sliding twice, have 2 sum sin^2 (5/2)/7 = 40/7 times that of a
   /// pair's sliding; spheres that roll against all their neighbours 8 times.
+  ///
+  /// Source: derived here; the limits are in docs/lammps-package/pair_gran_hamaker.md, What the
+  /// scheme is for.
   bool is_steady() const {
     const GridSpring& spring = normal_.constants();
     const double normal =

@@ -19,6 +19,8 @@ namespace cohesion::event_stepping {
 ///
 /// Which surface is next is decided by what is remembered and the sense of the motion, not by the
 /// distance alone: one that others pushed beyond the edge has its event when it moves that way.
+///
+/// Source: square_well/impulses.h (impulses at the edge), one_pass_contact.h (contact).
 class OnePassWell final : public OnePassContact {
  public:
   /// `well`: no force; `cutoff` the gap at the edge, `tail_energy` the depth. contact_distance
@@ -40,17 +42,18 @@ class OnePassWell final : public OnePassContact {
                      });
   }
 
-  /// Of a pair in the well, wherever it stands, [energy].
+  /// The energy of a pair in the well, wherever it is, [energy].
   double adhesion_energy(double /*overlap*/) const override { return -depth_; }
 
  private:
-  /// Certain for most pairs within: farther from contact and edge than they can fly.
+  /// Whether the pair is farther from contact and edge than it can fly, as most pairs in their
+  /// wells are.
   bool meets_nothing(const GridPoint& at, double others) const {
     const double way = step() * (std::abs(at.radial) + at.sideways + step() * std::abs(others));
     return at.distance > contact_distance() + way && at.distance < outer_distance() - way;
   }
 
-  /// Everything that can happen to a pair in a step; whether anything did.
+  /// Follows everything that can happen to a pair in a step; returns whether anything did.
   bool move(Flight& now, double others, bool& inside, NormalRecord& record) const {
     bool event = false;
     const auto fall_in = [&] {
@@ -86,7 +89,7 @@ class OnePassWell final : public OnePassContact {
       left -= t;
       if (touches) {
         bool touching = true;
-        left -= stay(now, left, others, touching, record);
+        left -= advance_inside(now, left, others, touching, record);
         if (record.unresolved) break;
       } else {
         inside = !leave(now);
@@ -111,7 +114,8 @@ class OnePassWell final : public OnePassContact {
     return first_root(gap, -now.radial, -outward_in_flight(now, others));
   }
 
-  /// One that others pushed inside may already part; it does so faster then.
+  /// Gives the impulse of approach. A pair that others pushed inside may already part; it does so
+  /// faster then.
   void approach(Flight& now) const {
     const double u = std::abs(now.radial);
     const double faster =
@@ -119,7 +123,7 @@ class OnePassWell final : public OnePassContact {
     now.radial = now.radial > 0.0 ? faster : -faster;
   }
 
-  /// At the edge, outward; false: turned back.
+  /// Gives the impulse at the edge to a pair that moves out; returns false where it is turned back.
   bool leave(Flight& now) const {
     const double u = -now.radial;
     const bool escapes = square_well::escapes(u, depth_, inverse_mass_);
@@ -128,8 +132,8 @@ class OnePassWell final : public OnePassContact {
     return escapes;
   }
 
-  /// One that its turning or others press against the edge: bounces that fit into `time` leave it
-  /// as it is. Returns the time they take.
+  /// Skips the bounces, within `time`, of a pair that its turning or others press against the edge:
+  /// whole ones leave it as it is. Returns the time they take.
   double whole_bounces(const Flight& now, double time, double others) const {
     const double drive = outward_in_flight(now, others);
     if (drive <= 0.0 || now.radial * now.radial >= 2.0 * drive * range()) return 0.0;

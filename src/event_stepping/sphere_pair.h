@@ -15,6 +15,8 @@ namespace cohesion::event_stepping {
 /// symmetric in time, keeps the angular momentum of the pair exactly and its energy up to what the
 /// dashpot takes. Turning of the pair: angular momentum L constant, centrifugal acceleration
 /// L^2/R^3 taken at R = contact distance while inside (relative error: overlap/R).
+///
+/// Source: derived here, see docs/lammps-package/pair_gran_hamaker.md, What the scheme is for.
 class SpherePair {
  public:
   using Attraction = contact::Adhesion;
@@ -55,9 +57,9 @@ class SpherePair {
     return step;
   }
 
-  /// Motion inside the range for at most `time`: along the normal in closed form, around it with
-  /// constant angular momentum. Returns the time until the pair left the range (`inside` is then
-  /// false), or `time`; `overlap` is where the surfaces are then.
+  /// Advances a pair inside the range for at most `time`: along the normal in closed form, around
+  /// it with constant angular momentum. Returns the time until the pair left the range (`inside` is
+  /// then false), or `time`; `overlap` is where the surfaces are then.
   double advance_inside(RelativeState& now, double time, bool& inside, double& overlap,
                         NormalRecord& record) const {
     Start start = along_normal(now);
@@ -98,8 +100,8 @@ class SpherePair {
             {contact_distance_ - distance, -radial}};
   }
 
-  /// A contact that certainly lasts for all of `time`, as most steps of most contacts are: like
-  /// advance_inside(); false, and nothing done, where that is not certain.
+  /// Advances a contact that certainly lasts for all of `time`, as most contacts in most steps, as
+  /// advance_inside() does. Returns false, and does nothing, where that is not certain.
   bool advance_lasting(RelativeState& now, double time, double& overlap,
                        NormalRecord& record) const {
     Start start = along_normal(now);
@@ -143,7 +145,7 @@ class SpherePair {
     bool inside;
   };
 
-  /// Everything that can happen to a pair in `time`, one segment after the other.
+  /// Follows everything that can happen to a pair in `time`, one segment after the other.
   [[gnu::noinline]] Followed follow_events(const RelativeState& start, double time,
                                            bool inside) const {
     Followed now{start, {}, 0.0, inside};
@@ -167,8 +169,8 @@ class SpherePair {
 
   double outer_distance() const { return contact_distance_ + motion_.range(); }
 
-  /// A pair that counts as outside but was pushed inside between two steps enters where it is, if
-  /// it approaches or already overlaps.
+  /// Lets a pair that counts as outside, but was pushed inside between two steps, enter where it
+  /// is, if it approaches or already overlaps.
   bool starts_inside(RelativeState& now) const {
     const double distance = norm(now.separation);
     if (distance >= outer_distance()) return false;
@@ -184,7 +186,7 @@ class SpherePair {
     now.velocity -= (entered.v - approach) * normal;
   }
 
-  /// Straight flight until the edge is met or the time is over.
+  /// Flies straight until the edge is met or the time is over; returns the time it took.
   double fly(RelativeState& now, double time, bool& inside) const {
     const double approach = -dot(now.separation, now.velocity);
     const double speed_squared = dot(now.velocity, now.velocity);

@@ -22,6 +22,8 @@ namespace cohesion::event_stepping {
 /// Which surface is next is decided by the flag `inside` and the sense of the motion, not by the
 /// distance alone (hard_sphere/crossing.h): what other contacts do to a pair between two steps can
 /// put it beyond the edge or short of it. It has its event then as soon as it moves that way.
+///
+/// Source: square_well/impulses.h (impulses at the edge), sphere_pair.h (contact).
 class WellPair {
  public:
   /// No force; `cutoff` the gap at the edge, `tail_energy` the depth.
@@ -34,7 +36,7 @@ class WellPair {
 
   double range() const { return range_; }
   double spring_energy(double overlap) const { return contact_.spring_energy(overlap); }
-  /// Of a pair in the well, wherever it stands.
+  /// The energy of a pair in the well, wherever it is, [energy].
   double adhesion_energy(double /*overlap*/) const { return -depth_; }
 
   bool within_reach(const RelativeState& grid, const StepWindow& window) const {
@@ -125,7 +127,8 @@ class WellPair {
     double overlap;  ///< while touching
   };
 
-  /// Certain for most pairs within their well: farther from contact and edge than they can fly.
+  /// Whether the pair is farther from contact and edge than it can fly, as most pairs in their
+  /// wells are.
   bool meets_nothing(const RelativeState& grid, const StepWindow& window) const {
     return is_clear_by(std::max(window.before, window.after) * norm(grid.velocity),
                        grid.separation);
