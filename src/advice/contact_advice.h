@@ -102,8 +102,8 @@ inline Verdict stability(const ContactNumbers& n) {
           text("the time step ", dt, " makes contacts unstable: reduce it below ", limit)};
 }
 
-/// Of a pair that touches at `speed` u [length/time] and crosses `cutoff` H_cut [length] in `steps`
-/// time steps.
+/// The verdict on a pair that touches at `speed` u [length/time] and crosses `cutoff` H_cut
+/// [length] in `steps` time steps.
 inline Verdict cutoff_steps(double speed, double cutoff, double steps, const SchemeLimits& limits) {
   const std::string sentence =
       text("a pair at ", speed, " crosses the surface cut-off in ", steps, " time steps");

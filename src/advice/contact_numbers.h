@@ -41,6 +41,9 @@ struct PairParameters {
 ///   w0 dt < 2 (sqrt(1 + zeta^2) - zeta)
 ///
 /// which is the well-known w0 dt < 2 without dashpot.
+///
+/// Source: derived here. The numbers are explained in docs/lammps-package/pair_gran_hamaker.md, How
+/// small the step must be.
 class ContactNumbers {
  public:
   /// Throws InvalidParameter where AdhesiveContact does, and unless radii and masses are positive

@@ -11,6 +11,8 @@
 /// Head-on escape velocities of scheme sampled. Its forces are those on the grid, so that whether a
 /// pair sticks depends on where in the step it meets: each speed has a fraction of positions at
 /// which it does.
+///
+/// Source: derived here; measured in docs/tools/cohesion-mapping.md.
 namespace cohesion::advice {
 
 struct SampledEscape {
@@ -117,7 +119,8 @@ inline void require_sampled_step(const contact::LinearSpringDashpot& spring, dou
 
 }  // namespace detail
 
-/// Of a Hamaker attraction, at `step` [time]; the pair comes from beyond the outer cut-off.
+/// The escape of a Hamaker attraction, at `step` [time]; the pair comes from beyond the outer
+/// cut-off.
 /// Throws InvalidParameter where the exact escape velocity has none to compare with
 /// (equal_escape.h), unless a contact has two steps, and where pairs stick at four times the exact
 /// velocity.
@@ -140,11 +143,11 @@ inline SampledEscape sampled_escape(const contact::LinearSpringDashpot& spring,
       exact, step);
 }
 
-/// Of a square well (square_well/parameters.h), at `step` [time]. The pair starts in its well, with
-/// what it gained at the edge, so that the contact is at every position in the step alike: from a
-/// well of one width the impulse at the edge, put on at a grid point, would let it meet at some
-/// positions only, others for each width and angle. Throws as for Hamaker, and unless the well is
-/// wider than what the pair flies in a step: passages of narrower ones are missed.
+/// The escape of a square well (square_well/parameters.h), at `step` [time]. The pair starts in its
+/// well, with what it gained at the edge, so that the contact is at every position in the step
+/// alike: from a well of one width the impulse at the edge, put on at a grid point, would let it
+/// meet at some positions only, others for each width and angle. Throws as for Hamaker, and unless
+/// the well is wider than what the pair flies in a step: passages of narrower ones are missed.
 inline SampledEscape sampled_escape(const contact::LinearSpringDashpot& spring,
                                     const contact::Adhesion& well, double contact_distance,
                                     double step) {

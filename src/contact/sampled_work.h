@@ -8,6 +8,8 @@
 /// Energies of contacts of an engine that takes one force per contact and step, at the place on the
 /// grid, and steps by leapfrog: v(n+1/2) = v(n-1/2) + dt F(n)/m. The work of a force in that step
 /// is exactly dt F(n) v(n), v(n) being the mean of both.
+///
+/// Source: derived here; what it misses is measured in docs/liggghts-styles/compute_gran_energy.md.
 namespace cohesion::contact {
 
 struct Moving {
@@ -15,12 +17,12 @@ struct Moving {
   Vector3 spin;      ///< [1/time]
 };
 
-/// Of both partners.
+/// The motion of both partners.
 struct Motion {
   Moving i, j;
 };
 
-/// Half a step after the grid, from half a step before it and on it.
+/// The motion half a step after the grid point, from that half a step before it and that on it.
 inline Motion half_a_step_on(const Motion& before, const Motion& grid) {
   const auto on = [](const Moving& a, const Moving& b) {
     return Moving{2.0 * b.velocity - a.velocity, 2.0 * b.spin - a.spin};
@@ -28,7 +30,7 @@ inline Motion half_a_step_on(const Motion& before, const Motion& grid) {
   return {on(before.i, grid.i), on(before.j, grid.j)};
 }
 
-/// What the engine's models say of one contact.
+/// One contact at the grid point, as the engine's models give it.
 struct ContactSample {
   Vector3 normal;           ///< from j, or the wall, to i
   double overlap = 0.0;     ///< x, [length]; negative: gap
@@ -78,7 +80,8 @@ struct Losses {
   }
 };
 
-/// `before`: the motion from which the engine took the force; `grid`: that of the grid point.
+/// The losses of a contact. `before`: the motion from which the engine took the force; `grid`: that
+/// of the grid point.
 inline Losses losses(const ContactSample& c, const Motion& before, const Motion& grid) {
   Losses lost;
   const double spring = c.overlap > 0.0 ? c.stiffness * c.overlap : 0.0;
@@ -94,8 +97,8 @@ inline Losses losses(const ContactSample& c, const Motion& before, const Motion&
   return lost;
 }
 
-/// Of a rolling spring of stiffness `stiffness` K_r [force/length] and lever R [length] that holds
-/// `torque` [force length]: T^2/(2 K_r R^2), [energy].
+/// The energy T^2/(2 K_r R^2) of a rolling spring of stiffness `stiffness` K_r [force/length] and
+/// lever R [length] that carries `torque` T [force length], [energy].
 inline double rolling_spring_energy(const Vector3& torque, double stiffness, double lever) {
   return stiffness > 0.0 ? 0.5 * dot(torque, torque) / (stiffness * lever * lever) : 0.0;
 }
@@ -107,7 +110,7 @@ struct Stored {
   double tangential_spring = 0.0;  ///< K_t s^2/2; 0 once parted: what it stored is lost as friction
 };
 
-/// `after`: the motion of the half step `time` after the grid point.
+/// What a contact stores at `after`, the motion of the half step `time` after the grid point.
 inline Stored stored(const ContactSample& c, const Motion& after, double time) {
   Stored s;
   s.overlap = c.overlap - time * c.separation_speed(after);
