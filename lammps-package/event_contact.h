@@ -11,8 +11,8 @@
 
 namespace LAMMPS_NS {
 
-/// Relative motion of i and j, and their spins (j < 0: none), changed by what `of_i` and `of_j`
-/// say: three numbers of velocity and three of spin.
+/// Changes the relative motion of i and j, and their spins, by `of_i` and `of_j`: three numbers of
+/// velocity and three of spin; of_j nullptr: a wall.
 inline void change(cohesion::event_stepping::PairMotion& motion, const double* of_i,
                    const double* of_j) {
   motion.relative.velocity -= vector(of_i);
@@ -22,8 +22,9 @@ inline void change(cohesion::event_stepping::PairMotion& motion, const double* o
   motion.spin_j += vector(of_j + 3);
 }
 
-/// What all contacts but this one do to its particles; nullptr: a wall.
-inline cohesion::event_stepping::PairMotion others_of(
+/// What all contacts but one do to its particles: `all_i` and `all_j` less its `own` change. all_j
+/// nullptr: a wall.
+inline cohesion::event_stepping::PairMotion change_by_others(
     const double* all_i, const double* all_j, const cohesion::event_stepping::PairMotion& own) {
   const auto of_j = [&](int k) { return all_j ? vector(all_j + k) : cohesion::Vector3{}; };
   cohesion::event_stepping::PairMotion others;
@@ -34,7 +35,7 @@ inline cohesion::event_stepping::PairMotion others_of(
   return others;
 }
 
-/// Things of a step, one after the other, that are made anew in the next one.
+/// A list of things that is made anew in each step and keeps its memory.
 template <class Thing>
 class OfStep {
  public:
@@ -236,8 +237,8 @@ struct StepContacts {
     using namespace cohesion::event_stepping;
     for (FollowedContact& p : followed) {
       const Contact& c = all[p.contact];
-      const PairMotion others =
-          others_of(step->predicted[p.i], p.j >= 0 ? step->predicted[p.j] : nullptr, p.change);
+      const PairMotion others = change_by_others(
+          step->predicted[p.i], p.j >= 0 ? step->predicted[p.j] : nullptr, p.change);
       ContactMemory memory = ContactMemory::as_stored(p.history, SIZE);
       const FollowedStep<SIZE> f = c.template follow<SIZE>(p.start, others, p.rolled, p.in_range);
       const Action action = c.template finish<SIZE>(p.start, others, f, memory);

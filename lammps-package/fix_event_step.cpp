@@ -221,13 +221,13 @@ void FixEventStep::setup_pre_force(int) {
     const std::vector<double> weight = weights(lmp);
     for (int i = 0; i < atom->nlocal; i++) std::copy_n(&weight[3 * i], 3, other_forces.of(i));
     other_forces_known = true;
-    judge(true);
+    advise_if_due(true);
     predictor_due = true;
     return;
   }
   update_speeds_and_masses();
   update_readers();
-  judge(true);
+  advise_if_due(true);
   if (other_box)
     for (EventWalls* wall : walls) wall->reset_in_range();
   if (!energy_tally.is_active()) return;
@@ -240,7 +240,7 @@ void FixEventStep::setup_pre_force(int) {
 bool FixEventStep::run_predictor() {
   if (!predictor_due) return false;
   predictor_due = false;
-  clear();
+  begin_step();
   impulses.begin_contacts();
   for (EventContacts* some : styles) some->classify();
   if (any_event_scheme) {
@@ -312,7 +312,7 @@ void FixEventStep::begin_tallies() {
 
 void FixEventStep::pre_force(int) {
   if (idle) return;
-  judge(false);
+  advise_if_due(false);
   predictor_due = true;
 }
 
@@ -322,12 +322,12 @@ void FixEventStep::post_force(int) {
 
 /// Forces that a run takes over from the last one excuse nothing: its step, its coefficients and
 /// its particles may be others.
-void FixEventStep::judge(bool setup) {
+void FixEventStep::advise_if_due(bool setup) {
   if (advised.empty() || !watch.due(setup)) return;
   for (AdvisedStyle* one : advised) one->give_advice(watch.now());
 }
 
-void FixEventStep::clear() {
+void FixEventStep::begin_step() {
   const int all = atom->nlocal + atom->nghost;
   update_speeds_and_masses();
   update_readers();

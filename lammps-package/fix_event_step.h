@@ -223,9 +223,9 @@ class FixEventStep : public Fix {
 
  private:
   bool run_predictor();
-  void clear();
+  void begin_step();
   void save_last(int i, double* values) const;
-  void judge(bool setup);
+  void advise_if_due(bool setup);
   bool is_idle() const;
   void update_readers();
   void update_speeds_and_masses();

@@ -181,10 +181,10 @@ void FixWallGranCohesive<Cohesion>::check_flight(int i, const WallPoint& point, 
                           "There " + report_flight(lmp, i));
 }
 
-/// In a step, [length]; in a sheared box the mean flow, which step->flight() leaves out, may carry
-/// particles into any wall, or a wall against them.
+/// How far the walls move in a step, [length]; infinite in a sheared box, where the mean flow,
+/// which step->flight() leaves out, may carry particles into any wall, or a wall against them.
 template <class Cohesion>
-double FixWallGranCohesive<Cohesion>::way_of_walls(const WallState& now) const {
+double FixWallGranCohesive<Cohesion>::wall_travel(const WallState& now) const {
   if (domain->deform_vremap) return std::numeric_limits<double>::infinity();
   if (motion.still()) return 0.0;
   return update->dt * norm(now.velocity);
@@ -209,7 +209,7 @@ void FixWallGranCohesive<Cohesion>::for_each_near(std::vector<Contact>& shared, 
   const WallState now = state();
   // What moves less than a radius in a step cannot matter beyond two. Each is asked when particles
   // may be new, or faster than that.
-  const double flight = 2.0 * step->flight() + way_of_walls(now);
+  const double flight = 2.0 * step->flight() + wall_travel(now);
   const bool ask_each = step->starts() || neighbor->ago == 0 || flight > sizes.smallest_radius;
   if (ask_each) update_sizes();
   const FarFromWalls far(walls, now.displacement, 2.0 * sizes.largest_radius + sizes.largest_range);
@@ -247,13 +247,14 @@ void FixWallGranCohesive<Cohesion>::classify() {
 
 static int partner(std::size_t near) { return -1 - static_cast<int>(near); }
 
-/// What contacts do to the walls.
+/// Returns what adds the forces of contacts on the walls.
 template <class Cohesion>
 template <int SIZE>
-auto FixWallGranCohesive<Cohesion>::pushes(const ContactsOfStep<EventContact, SIZE>& scatter) {
+auto FixWallGranCohesive<Cohesion>::wall_force_adder(
+    const ContactsOfStep<EventContact, SIZE>& scatter) {
   return [&scatter, this](int j, const PairMotion&, const Vector3& impulse, const auto& by_contact,
                           double factor) {
-    push(scatter, near_now[-1 - j], impulse, by_contact(), factor);
+    add_wall_force(scatter, near_now[-1 - j], impulse, by_contact(), factor);
   };
 }
 
@@ -270,7 +271,7 @@ void FixWallGranCohesive<Cohesion>::classify(std::vector<EventContact>& shared) 
       return;
     near_now.push_back(near);
     contacts_now.classify<SIZE>(scatter, step, shared[c], c, i, partner(near_now.size() - 1), grid,
-                                values, pushes<SIZE>(scatter));
+                                values, wall_force_adder<SIZE>(scatter));
   });
 }
 
@@ -308,7 +309,7 @@ void FixWallGranCohesive<Cohesion>::follow_disturbed(std::vector<EventContact>& 
   contacts_now.follow_disturbed<SIZE>(
       scatter, step, shared,
       [this](const LastingContact& p) { return on_grid(near_now[-1 - p.j]); },
-      pushes<SIZE>(scatter));
+      wall_force_adder<SIZE>(scatter));
 }
 
 template <class Cohesion>
@@ -323,9 +324,9 @@ void FixWallGranCohesive<Cohesion>::couple_lasting(std::vector<EventContact>& sh
 /// -1 both are undone.
 template <class Cohesion>
 template <class Contact, int SIZE>
-void FixWallGranCohesive<Cohesion>::push(const ContactsOfStep<Contact, SIZE>& scatter,
-                                         const Near& near, const Vector3& impulse,
-                                         const Vector3& by_contact, double factor) {
+void FixWallGranCohesive<Cohesion>::add_wall_force(const ContactsOfStep<Contact, SIZE>& scatter,
+                                                   const Near& near, const Vector3& impulse,
+                                                   const Vector3& by_contact, double factor) {
   step->energy_tally.add_work(-factor * dot(near.point.velocity, impulse));
   const double kick = factor * scatter.kick();
   forces.add(near.wall, kick * impulse, kick * (impulse - by_contact));
@@ -335,7 +336,7 @@ template <class Cohesion>
 template <int SIZE>
 void FixWallGranCohesive<Cohesion>::compute_forces(std::vector<EventContact>& shared) {
   const ContactsOfStep<EventContact, SIZE> scatter(atom, step);
-  contacts_now.correct(scatter, step, shared, pushes<SIZE>(scatter));
+  contacts_now.correct(scatter, step, shared, wall_force_adder<SIZE>(scatter));
 }
 
 template <class Cohesion>
@@ -349,19 +350,19 @@ void FixWallGranCohesive<Cohesion>::compute_forces(std::vector<SampledContact>& 
     ContactMemory known = ContactMemory::from(near.history, SIZE);
     const SampledStep now = sample(scatter, step, c, near.i, partner(k), grid, known);
     known.to(near.history, SIZE);
-    push(scatter, near, now.action.impulse, c.by_contact(grid, now), 1.0);
+    add_wall_force(scatter, near, now.action.impulse, c.by_contact(grid, now), 1.0);
   }
 }
 
 /* ---------------------------------------------------------------------- */
 
-/// Force on one wall: along three axes all of it, along the same three that of adhesion.
+/// The force on one wall: along three axes all of it, along the same three that of adhesion.
 template <class Cohesion>
 double FixWallGranCohesive<Cohesion>::compute_array(int wall, int which) {
   return forces.all(world)[WallForces::EACH * wall + which];
 }
 
-/// Force on all of them.
+/// The force on all walls.
 template <class Cohesion>
 double FixWallGranCohesive<Cohesion>::compute_vector(int which) {
   double all = 0.0;

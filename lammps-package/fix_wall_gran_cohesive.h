@@ -82,7 +82,7 @@ class FixWallGranCohesive : public Fix, public EventWalls, public AdvisedStyle {
   int contact(std::vector<Contact>&, int i);
   void check_flight(int i, const cohesion::event_stepping::WallPoint&, bool inside);
   cohesion::event_stepping::WallState state() const;
-  double way_of_walls(const cohesion::event_stepping::WallState&) const;
+  double wall_travel(const cohesion::event_stepping::WallState&) const;
   void update_sizes();
   template <class Contact, class What>
   void for_each_near(std::vector<Contact>&, const What&);
@@ -95,10 +95,11 @@ class FixWallGranCohesive : public Fix, public EventWalls, public AdvisedStyle {
   template <int SIZE>
   void compute_forces(std::vector<SampledContact>&);
   template <class Contact, int SIZE>
-  void push(const ContactsOfStep<Contact, SIZE>&, const Near&, const cohesion::Vector3& impulse,
-            const cohesion::Vector3& by_contact, double factor);
+  void add_wall_force(const ContactsOfStep<Contact, SIZE>&, const Near&,
+                      const cohesion::Vector3& impulse, const cohesion::Vector3& by_contact,
+                      double factor);
   template <int SIZE>
-  auto pushes(const ContactsOfStep<EventContact, SIZE>&);
+  auto wall_force_adder(const ContactsOfStep<EventContact, SIZE>&);
   cohesion::event_stepping::PairMotion on_grid(const Near&) const;
   template <int SIZE>
   void follow_disturbed(std::vector<EventContact>&);

@@ -92,7 +92,7 @@ void PairGranCohesive<Cohesion>::init_style() {
              any_contacts);
   friction = false;
   largest_range = 0.0;
-  close_pairs.start(for_flight());
+  close_pairs.start(flight_allowance());
   needs_list = is_active || per_pair > 0 || bound_pairs_are_read();
   if (!needs_list) {
     list = nullptr;
@@ -120,10 +120,10 @@ int PairGranCohesive<Cohesion>::values_per_pair() const {
   return coefficients.any_rolls() ? HistorySize::with_rolling : HistorySize::with_friction;
 }
 
-/// A fifth of the skin for the flight of both within a step: it is far less where the engine's own
-/// check of the list holds at all.
+/// The part of the skin that is for the flight of both particles within a step: a fifth; the flight
+/// is far less where the engine's own check of the list holds at all.
 template <class Cohesion>
-double PairGranCohesive<Cohesion>::for_flight() const {
+double PairGranCohesive<Cohesion>::flight_allowance() const {
   return 0.2 * neighbor->skin;
 }
 
@@ -136,8 +136,8 @@ double PairGranCohesive<Cohesion>::init_one(int i, int j) {
   friction = friction || contact.friction > 0.0;
   if (!needs_list) return largest_radius[i] + largest_radius[j];
   largest_range = std::max(largest_range, range);
-  close_pairs.start(largest_range + for_flight());
-  return largest_radius[i] + largest_radius[j] + range + for_flight();
+  close_pairs.start(largest_range + flight_allowance());
+  return largest_radius[i] + largest_radius[j] + range + flight_allowance();
 }
 
 template <class Cohesion>
@@ -149,7 +149,7 @@ void PairGranCohesive<Cohesion>::give_advice(const Circumstances& now) {
          given_advice);
 }
 
-/// Between particles of the types that are this style's.
+/// The contacts between particles of the types that are this style's.
 template <class Cohesion>
 std::vector<AdvisedContact> PairGranCohesive<Cohesion>::advised_contacts(
     const std::vector<LightestParticle>& lightest) const {

@@ -93,7 +93,7 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventContacts, p
   using AnyContacts = std::variant<Contacts<EventContact>, Contacts<SampledContact>>;
 
   void allocate();
-  double for_flight() const;
+  double flight_allowance() const;
   int values_per_pair() const;
   bool bound_pairs_are_read() const;
   template <class Contact>

@@ -18,7 +18,7 @@ void FixContactAdvice::ask(const std::shared_ptr<ContactAdvice>& advice) {
   asked_.push_back(advice);
 }
 
-void FixContactAdvice::judge(bool setup) {
+void FixContactAdvice::advise_if_due(bool setup) {
   if (asked_.empty() || !watch_.due(setup)) return;
   for (const auto& asked : asked_)
     if (const auto advice = asked.lock()) advice->give(watch_.now());

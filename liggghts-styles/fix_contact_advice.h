@@ -31,10 +31,10 @@ class FixContactAdvice : public LAMMPS_NS::Fix {
 
   int setmask() override;
   void setup(int) override {
-    judge(true);
+    advise_if_due(true);
     warn_of_unturned_once();
   }
-  void pre_force(int) override { judge(false); }
+  void pre_force(int) override { advise_if_due(false); }
   void pre_exchange() override;
   void post_run() override { pre_exchange(); }
 
@@ -45,7 +45,7 @@ class FixContactAdvice : public LAMMPS_NS::Fix {
   std::shared_ptr<LateWarning> late_warning(const std::string& text);
 
  private:
-  void judge(bool setup);
+  void advise_if_due(bool setup);
   void warn_of_unturned_once();
 
   ContactWatch watch_;
