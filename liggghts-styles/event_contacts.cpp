@@ -128,7 +128,7 @@ void EventContacts::make_law(KnownContact& k, const ContactModels::SurfacesClose
       k.law = std::make_unique<OnePassWell>(spring, adhesion, d.radsum, dt);
     else
       k.law = std::make_unique<OnePassContact>(spring, adhesion, d.radsum, dt);
-    // That answers at the surface of solid spheres, which turn: 1/m + r^2/I of each.
+    // The effective mass at the surface of solid spheres, which turn: 1/m + r^2/I of each.
     const double tangential_mass =
         reduced_mass / (1.0 + 1.0 / MobileParticles::inertia_factor(lmp_->domain->dimension));
     k.tangential = spring_on_grid(springs.tangential_stiffness, normal_->tangential_damping(pair),
@@ -136,7 +136,7 @@ void EventContacts::make_law(KnownContact& k, const ContactModels::SurfacesClose
   });
 }
 
-/// Acceleration of the distance by all forces of the step before, [length/time^2].
+/// The acceleration of the distance by all forces of the step before, [length/time^2].
 double EventContacts::others(const ContactModels::SurfacesCloseData& d,
                              const cohesion::Vector3& n) const {
   double by_all = 0.0;
@@ -206,7 +206,7 @@ bool EventContacts::is_impulse(const KnownContact& k, double contact_time) {
   return k.well && contact_time == 0.0;
 }
 
-/// What others of the particles must not take for a force that lasts.
+/// Excludes the force of an impulse from what other contacts of both particles take for lasting.
 void EventContacts::exclude_impulse(const KnownContact& k,
                                     const ContactModels::SurfacesCloseData& d, const double* normal,
                                     const GridStep& step) {

@@ -70,7 +70,7 @@ class EventContacts {
 
   using GridMemory = cohesion::event_stepping::GridMemory;
 
-  /// Bodies, and the law of their contact.
+  /// The bodies of a contact, and its law.
   struct KnownContact;
 
   static bool is_impulse(const KnownContact&, double contact_time);
@@ -78,7 +78,7 @@ class EventContacts {
                        const double* normal, const cohesion::event_stepping::GridStep&);
   /// The law of a contact; null: nothing that a force could move.
   KnownContact* known_contact(const ContactModels::SurfacesCloseData& d);
-  /// 0: no force moves it.
+  /// The mass of a particle; 0: no force moves it.
   double mass(int particle) const {
     return mobile_.moves(atom_->mask[particle]) ? atom_->rmass[particle] : 0.0;
   }
@@ -101,7 +101,7 @@ class EventContacts {
   MobileParticles mobile_;
   std::vector<KnownContact> known_;  // the last of each two types
   const KnownContact* followed_ = nullptr;
-  double time_apart_ = 0.0;  // of the step before, the time that the contact just followed had none
+  double time_apart_ = 0.0;  // how much of the step before the contact just followed was none
   int types_ = 0;
   std::shared_ptr<LateWarning> late_;
 };

@@ -29,15 +29,15 @@ struct HistoryPlaces {
   int rolling = -1;       ///< torque of the rolling spring; negative: none
 };
 
-/// What the engine's models, ours included, have made of a contact.
+/// A contact at the grid point, as the engine's models, ours included, have computed it.
 cohesion::contact::ContactSample contact_of(const ContactModels::SurfacesIntersectData&,
                                             const ContactModels::ForceData& on_i,
                                             const ContactModels::ForceData& on_j, double exponent,
                                             const HistoryPlaces&);
 
-/// What the contacts of one engine store and have taken, for compute gran/energy. The models write
-/// down each contact of a step; when the step is over and all velocities are known, it is worked
-/// out (contact/sampled_work.h).
+/// What sampled contacts store and have taken, for compute gran/energy. The models write down each
+/// contact of a step; when the step is over and all velocities are known, its energies are computed
+/// (contact/sampled_work.h).
 class SampledEnergyTally {
  public:
   explicit SampledEnergyTally(LAMMPS_NS::LAMMPS* lmp) : lmp_(lmp) {}
