@@ -140,9 +140,8 @@ void FixEventStep::init() {
     if (auto* pairs = dynamic_cast<EventContacts*>(member.pair)) styles.push_back(pairs);
     if (auto* one = dynamic_cast<AdvisedStyle*>(member.pair)) advised.push_back(one);
   }
-  may_have_contacts = std::any_of(styles.begin(), styles.end(), [](const EventContacts* some) {
-    return some->may_have_contacts();
-  });
+  may_have_contacts = std::any_of(styles.begin(), styles.end(),
+                                  [](const EventContacts* s) { return s->may_have_contacts(); });
   any_event_scheme = std::any_of(styles.begin(), styles.end(),
                                  [](const EventContacts* some) { return some->is_event_scheme(); });
   any_other_forces = any_event_scheme && others_may_act();
@@ -189,8 +188,7 @@ void FixEventStep::update_speeds_and_masses() {
 }
 
 /// Masses may change in any step (fix adapt); to see that they have not costs next to nothing.
-/// Groups count as they were when the list of neighbours was new: the engine sends those of ghosts
-/// only then.
+/// Groups count as they were when the list of neighbours was new: ghosts get theirs only then.
 void FixEventStep::update_masses(int all) {
   const double* const mass = atom->rmass;
   if (neighbor->ago == 0 || known_masses.empty()) {

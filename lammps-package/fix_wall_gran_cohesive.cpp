@@ -250,8 +250,7 @@ static int partner(std::size_t near) { return -1 - static_cast<int>(near); }
 /// Returns what adds the forces of contacts on the walls.
 template <class Cohesion>
 template <int SIZE>
-auto FixWallGranCohesive<Cohesion>::wall_force_adder(
-    const ContactsOfStep<EventContact, SIZE>& scatter) {
+auto FixWallGranCohesive<Cohesion>::force_adder(const ContactsOfStep<EventContact, SIZE>& scatter) {
   return [&scatter, this](int j, const PairMotion&, const Vector3& impulse, const auto& by_contact,
                           double factor) {
     add_wall_force(scatter, near_now[-1 - j], impulse, by_contact(), factor);
@@ -271,7 +270,7 @@ void FixWallGranCohesive<Cohesion>::classify(std::vector<EventContact>& shared) 
       return;
     near_now.push_back(near);
     contacts_now.classify<SIZE>(scatter, step, shared[c], c, i, partner(near_now.size() - 1), grid,
-                                values, wall_force_adder<SIZE>(scatter));
+                                values, force_adder<SIZE>(scatter));
   });
 }
 
@@ -309,7 +308,7 @@ void FixWallGranCohesive<Cohesion>::follow_disturbed(std::vector<EventContact>& 
   contacts_now.follow_disturbed<SIZE>(
       scatter, step, shared,
       [this](const LastingContact& p) { return on_grid(near_now[-1 - p.j]); },
-      wall_force_adder<SIZE>(scatter));
+      force_adder<SIZE>(scatter));
 }
 
 template <class Cohesion>
@@ -320,8 +319,7 @@ void FixWallGranCohesive<Cohesion>::couple_lasting(std::vector<EventContact>& sh
       [this](const LastingContact& p) { return on_grid(near_now[-1 - p.j]); });
 }
 
-/// Adds the force on the wall to the sums of walls, and its work to the energy tally; with factor
-/// -1 both are undone.
+/// Adds the force on a wall, and its work to the energy tally; with factor -1 undoes both.
 template <class Cohesion>
 template <class Contact, int SIZE>
 void FixWallGranCohesive<Cohesion>::add_wall_force(const ContactsOfStep<Contact, SIZE>& scatter,
@@ -336,7 +334,7 @@ template <class Cohesion>
 template <int SIZE>
 void FixWallGranCohesive<Cohesion>::compute_forces(std::vector<EventContact>& shared) {
   const ContactsOfStep<EventContact, SIZE> scatter(atom, step);
-  contacts_now.correct(scatter, step, shared, wall_force_adder<SIZE>(scatter));
+  contacts_now.correct(scatter, step, shared, force_adder<SIZE>(scatter));
 }
 
 template <class Cohesion>
@@ -353,8 +351,6 @@ void FixWallGranCohesive<Cohesion>::compute_forces(std::vector<SampledContact>& 
     add_wall_force(scatter, near, now.action.impulse, c.by_contact(grid, now), 1.0);
   }
 }
-
-/* ---------------------------------------------------------------------- */
 
 /// The force on one wall: along three axes all of it, along the same three that of adhesion.
 template <class Cohesion>

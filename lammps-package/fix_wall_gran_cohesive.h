@@ -99,7 +99,7 @@ class FixWallGranCohesive : public Fix, public EventWalls, public AdvisedStyle {
                       const cohesion::Vector3& impulse, const cohesion::Vector3& by_contact,
                       double factor);
   template <int SIZE>
-  auto wall_force_adder(const ContactsOfStep<EventContact, SIZE>&);
+  auto force_adder(const ContactsOfStep<EventContact, SIZE>&);
   cohesion::event_stepping::PairMotion on_grid(const Near&) const;
   template <int SIZE>
   void follow_disturbed(std::vector<EventContact>&);

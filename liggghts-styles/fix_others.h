@@ -38,8 +38,7 @@ class FixOthers : public LAMMPS_NS::Fix {
 
   /// Of particle or ghost i; nothing while a run is set up, [length/time^2].
   cohesion::Vector3 acceleration(int i) const { return cohesion::vector(acceleration_[i]); }
-  /// Of the forces on particle i in this step, `excluded` [force] is one that the next step does
-  /// not have.
+  /// Excludes a force on particle i in this step that the next step does not have, [force].
   void exclude(int i, const cohesion::Vector3& excluded) {
     if (i >= atom->nlocal) return;
     excluded_[i][0] += excluded.x;
