@@ -51,7 +51,7 @@ def scene(style, words, oblique=0.0, scheme="event", walls="", x=5e-3):
 class ContinuedRun(ScriptTestCase):
     def book(self, pair, runs, ranks=1, head="read_data data.spheres", boundary="p p p",
              dt=DT):
-        """The lines of the last run, by name, and the end of the motion. COMPUTE in `runs` opens the book."""
+        """The lines of the last run, by name, and the end of the motion. COMPUTE in `runs` begins the tally."""
         opened = ("compute book all gran/energy\nthermo_style custom step c_book[*]\n"
                   "thermo_modify norm no format float %.17g")
         output = self.goes(f"""
@@ -74,7 +74,7 @@ write_dump all custom end.txt id x y z vx vy vz omegax omegay omegaz modify form
         return dict(zip(names, numpy.array(rows).T)), engine.dump(self.folder, "end.txt")
 
     def check(self, atoms, pair, rubs=False, boundary="p p p"):
-        """What a book holds that is opened between two runs, or after a restart, against one that was there
+        """What a tally has that begins between two runs, or after a restart, against one that was there
         from the start."""
         engine.write_spheres(self.folder, atoms, 3 * [(0.0, 0.01)], 1)
         whole, end = self.book(pair, f"COMPUTE\nrun {STEPS}", boundary=boundary)
@@ -145,7 +145,7 @@ write_dump all custom end.txt id x y z vx vy vz omegax omegay omegaz modify form
                            rubs=oblique > 0, boundary="f p p")
 
     def test_packing(self):
-        """Where each sphere has up to six contacts: a book that is opened between two runs has what the splitting of
+        """Where each sphere has up to six contacts: a tally that begins between two runs has what the splitting of
         one step leaves, second order in the step, of the energies of all springs and of the adhesion. Motion and book
         then go on as if there had been no stop, to the last bit."""
         random = numpy.random.default_rng(3)

@@ -279,7 +279,7 @@ class Conservation(unittest.TestCase):
         overlap = Box.SPEED * math.sqrt(Box.MU / pair_motion.STIFFNESS) + 2 * Pair(
             Box.A).adhesion / pair_motion.STIFFNESS
         for division in (4, 16):
-            # The book is opened half a step after the start, before any contact.
+            # The tally begins half a step after the start, before any contact.
             box = Box(0.0, division, apart=True)
             residual = numpy.abs(box.book[10])
             report(f"energy tally, oblique, no friction, t_c/{division}: "

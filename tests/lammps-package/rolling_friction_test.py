@@ -190,7 +190,7 @@ class Impacts(unittest.TestCase):
 
 class Gravity(Rolling):
     def test_a_ball_thrown_up_that_bounces(self):
-        # In flight the book closes to rounding. In contact half of the weight's impulse of a step acts before
+        # In flight the tally closes to rounding. In contact half of the weight's impulse of a step acts before
         # what the contact does, half after it. At an edge of contact the path differs from that by
         # up to v dt/4 (the impulse v m (1 + e) of the first or last step, at its middle), m g of
         # that in energy; four bounces have eight edges. Against m v^2/2: 4 g dt/v. What contact
