@@ -29,7 +29,7 @@ ComputeGranEnergy::ComputeGranEnergy(LAMMPS* engine, int count, char** words)
     stop(lmp, FLERR, where, " balances all particles; its group must be 'all', not '", words[1],
          "'");
   if (find_hidden_fix<FixSampledEnergyTally>(lmp))
-    stop(lmp, FLERR, where, ": there is one already, and one book is kept");
+    stop(lmp, FLERR, where, ": there is one already, and one tally is kept");
   scalar_flag = vector_flag = 1;
   extscalar = extvector = 1;
   size_vector = ENTRIES;

@@ -70,14 +70,14 @@ void FixSampledEnergyTally::init() {
     reject(
         lmp,
         "pair_style gran has none of the cohesion models hamaker and square_well, which keep the "
-        "book; without attraction, use 'cohesion hamaker' with hamakerConstant 0");
+        "tally; without attraction, use 'cohesion hamaker' with hamakerConstant 0");
   for (int k = 0; k < modify->nfix; k++) {
     Fix* const fix = modify->fix[k];
     if (std::strncmp(fix->style, "wall/gran", 9) == 0 &&
         !has_our_cohesion(static_cast<FixWallGran&>(*fix)))
       reject(lmp,
              std::string("fix wall/gran ") + fix->id +
-                 " has none of the cohesion models hamaker and square_well, which keep the book; "
+                 " has none of the cohesion models hamaker and square_well, which keep the tally; "
                  "without attraction, use 'cohesion hamaker' with hamakerConstant 0");
     if (std::strncmp(fix->style, "multisphere", 11) == 0 ||
         std::strncmp(fix->style, "rigid", 5) == 0)
