@@ -6,8 +6,8 @@
 
 namespace cohesion::event_stepping {
 
-/// Force of spring and dashpot at `overlap` [length] and its rate, taken for all of `time`, [force];
-/// positive repels. Sets what it does in `record`.
+/// Force of spring and dashpot at `overlap` [length] and its rate, taken for all of `time`,
+/// [force]; positive repels. Sets what it does in `record`.
 inline double sampled_repulsion(const contact::LinearSpringDashpot& spring, double overlap,
                                 double rate, double time, NormalRecord& record) {
   if (!(overlap > 0.0)) return 0.0;
