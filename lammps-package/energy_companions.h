@@ -41,11 +41,11 @@ class EnergyTallyCompute {
   ~EnergyTallyCompute() = default;
 };
 
-/// Calls what(keeper) for each there is.
+/// Calls what(compute) for each there is.
 template <class What>
 void for_each_energy_tally(const Modify* modify, What what) {
   for (int k = 0; k < modify->ncompute; k++)
-    if (auto* const keeper = dynamic_cast<EnergyTallyCompute*>(modify->compute[k])) what(*keeper);
+    if (auto* const compute = dynamic_cast<EnergyTallyCompute*>(modify->compute[k])) what(*compute);
 }
 
 /// Warns, once, when particles have come or gone since the last check.

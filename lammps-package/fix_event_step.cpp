@@ -304,7 +304,7 @@ void FixEventStep::save_other_forces() {
 
 /// Tallies begin when all fixes have been set up; a run of no step ends then.
 void FixEventStep::begin_tallies() {
-  for_each_energy_tally(modify, [](EnergyTallyCompute& keeper) { keeper.begin_run(); });
+  for_each_energy_tally(modify, [](EnergyTallyCompute& compute) { compute.begin_run(); });
   tallies_begun = true;
 }
 
@@ -367,7 +367,7 @@ void FixEventStep::post_run() {
   report_unresolved();
   if (energy_tally.is_active()) {
     if (!tallies_begun) begin_tallies();
-    for_each_energy_tally(modify, [](EnergyTallyCompute& keeper) { keeper.end_run(); });
+    for_each_energy_tally(modify, [](EnergyTallyCompute& compute) { compute.end_run(); });
   }
   tallies_begun = false;
   running = false;

@@ -57,11 +57,11 @@ void FixSampledEnergyTally::to_the_end(LAMMPS* lmp) {
 
 void FixSampledEnergyTally::setup(int) {
   tally_->end_step(true);
-  for_each_energy_tally(modify, [](EnergyTallyCompute& keeper) { keeper.begin_run(); });
+  for_each_energy_tally(modify, [](EnergyTallyCompute& compute) { compute.begin_run(); });
 }
 
 void FixSampledEnergyTally::post_run() {
-  for_each_energy_tally(modify, [](EnergyTallyCompute& keeper) { keeper.end_run(); });
+  for_each_energy_tally(modify, [](EnergyTallyCompute& compute) { compute.end_run(); });
 }
 
 void FixSampledEnergyTally::init() {
