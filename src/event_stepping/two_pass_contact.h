@@ -54,9 +54,9 @@ using FollowedStep = std::conditional_t<
 /// A contact that lasts needs one force of the usual form with the constants of GridSpring. A step
 /// with an event, and a young contact, are followed in closed form from the true velocities at t_n,
 /// in a predictor by itself, in a corrector with half of what the others of both particles do
-/// before it and half after.
-/// Of what the contact does in the step, D to the separation and V to its rate, the force at t_n
-/// does D; what V is more than D/dt is remembered and leads to the true velocity at t_(n+1).
+/// before it and half after. Of what the contact does in the step, D to the separation and V to its
+/// rate, the force at t_n does D; what V is more than D/dt is remembered and leads to the true
+/// velocity at t_(n+1). What is so remembered is owed: the grid gets it with the next force.
 /// Friction, whose force changes little within a step, does half of its impulse at t_n and half at
 /// t_(n+1).
 ///
@@ -64,7 +64,7 @@ using FollowedStep = std::conditional_t<
 /// momentum are kept to rounding.
 ///
 /// Pair: SpherePair, PlanePair, WellPair or WellEdge. SIZE: what is remembered, and so whether
-/// there is friction, and rolling friction.
+/// there is friction, and rolling friction. Source: derived here (one_force.h, sphere_pair.h).
 template <class Pair>
 class TwoPassContact {
  public:
