@@ -38,14 +38,16 @@ class HamakerAttraction : public AttractionEnergy {
   void connect(PropertyRegistry& registry, const NormalModelProbe& normal);
 
   ContactRange range() const;
-  bool acts() const { return acts_; }
-  bool rests(const ContactModels::SurfacesCloseData& near, bool) const {
+  bool is_active() const { return is_active_; }
+  bool is_out_of_reach(const ContactModels::SurfacesCloseData& near, bool) const {
     // Where rounding could decide, force() does.
     const double reach = near.radsum + outer_cutoff_;
     return near.rsq > reach * reach * (1.0 + 1e-12);
   }
-  static constexpr bool idles(const ContactModels::SurfacesCloseData&) { return false; }
-  static constexpr bool idles_in_contact(const ContactModels::SurfacesCloseData&) { return false; }
+  static constexpr bool is_idle(const ContactModels::SurfacesCloseData&) { return false; }
+  static constexpr bool is_idle_in_contact(const ContactModels::SurfacesCloseData&) {
+    return false;
+  }
 
   bool binds(int itype, int jtype, double, double, double gap, const double*) const {
     return gap < outer_cutoff_ && attracts(itype, jtype);
@@ -89,7 +91,7 @@ class HamakerAttraction : public AttractionEnergy {
   TableOfTypes<Law> laws_;
   TableOfTypes<cohesion::advice::Material> materials_;
   double outer_cutoff_ = 0.0;
-  bool acts_ = false;
+  bool is_active_ = false;
   bool has_material_ = false;
   cohesion::advice::Keep keep_ = cohesion::advice::Keep::escape_velocity;
 };

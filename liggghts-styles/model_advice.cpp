@@ -37,7 +37,7 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Where the spring is that of the types alone; no other can be told its material.
+/// Where the spring is that of the types alone; no other can be given its material.
 constexpr const char* material_words =
     "'material_stiffness on' with fix property/global materialStiffness";
 
@@ -68,7 +68,7 @@ std::set<int> types_of(const FixWallGran& wall) {
 }  // namespace
 
 /// The lightest particles and the fastest.
-void ContactWatch::look() {
+void ContactWatch::scan_particles() {
   const Atom* const atom = lmp_->atom;
   const MobileParticles mobile(lmp_->modify);
   std::vector<LightestParticle> mine(atom->ntypes + 1, {infinite, infinite});
@@ -102,7 +102,7 @@ bool ContactWatch::due(bool setup) {
   else if (!watch_.may_differ(lmp_->neighbor->ago == 0, static_cast<long>(lmp_->update->ntimestep),
                               dt))
     return false;
-  look();
+  scan_particles();
   if (!setup && !watch_.worse(now_.lightest, now_.run.fastest, dt)) return false;
   watch_.judged(now_.lightest, now_.run.fastest, dt);
   now_.run = {now_.run.fastest, GravityOfFixes(lmp_->modify).largest(), dt,
@@ -119,18 +119,18 @@ void ContactAdvice::give(const advice::Circumstances& now) {
   std::string who = model_ + (wall_ ? std::string(", fix wall/gran ") + wall_->id : "");
   if (normal_.exponent() != 1.0)
     who += " (" + normal_.name() + ": linear springs that an impact presses as far)";
-  const advice::Report news = guarded(lmp_, who, [&] {
+  const advice::Report report = guarded(lmp_, who, [&] {
     const std::vector<advice::AdvisedContact> all = contacts(now);
     const advice::SchemeLimits& limits =
         event_ ? advice::event_scheme_one_pass : advice::sampled_scheme;
-    return said_.news(advice::report(who, limits, all, now.run), all, now);
+    return given_advice_.only_new(advice::report(who, limits, all, now.run), all, now);
   });
   if (lmp_->comm->me == 0) {
-    engine_api::tell(lmp_, news.table);
-    for (const advice::Warning& warning : news.warnings)
+    engine_api::tell(lmp_, report.table);
+    for (const advice::Warning& warning : report.warnings)
       lmp_->error->warning(FLERR, warning.text.c_str());
   }
-  if (!news.stop.empty()) lmp_->error->all(FLERR, news.stop.c_str());
+  if (!report.stop.empty()) lmp_->error->all(FLERR, report.stop.c_str());
 }
 
 std::vector<advice::AdvisedContact> ContactAdvice::contacts(
@@ -184,7 +184,7 @@ void ContactAdvice::set_springs(advice::AdvisedContact& c, int itype, int jtype,
     c.springs.rolling_stiffness = 0.0;
 }
 
-bool ContactAdvice::rubs(int type) const {
+bool ContactAdvice::has_friction(int type) const {
   const bool slides = has("tangential", "history") || has("tangential", "no_history");
   const bool rolls = has("rolling_friction", "epsd2") || has("rolling_friction", "cdt");
   // The properties end at the last type that there is.

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "advice/contact_report.h"
-#include "advice/said.h"
+#include "advice/given_advice.h"
 #include "advice/watch.h"
 #include "contact/adhesion.h"
 #include "normal_model_probe.h"
@@ -34,7 +34,7 @@ class ContactWatch {
   const cohesion::advice::Circumstances& now() const { return now_; }
 
  private:
-  void look();
+  void scan_particles();
   std::vector<int> adapted_every() const;
 
   LAMMPS_NS::LAMMPS* lmp_;
@@ -60,7 +60,7 @@ class ContactAdvice {
   void of_events(bool event) { event_ = event; }
 
   /// Whether friction, sliding or rolling, may act on a particle of this type.
-  bool rubs(int type) const;
+  bool has_friction(int type) const;
 
  private:
   std::vector<cohesion::advice::AdvisedContact> contacts(
@@ -76,7 +76,7 @@ class ContactAdvice {
   const NormalModelProbe& normal_;
   Adhesion adhesion_;
   bool event_ = false;
-  cohesion::advice::Said said_;
+  cohesion::advice::GivenAdvice given_advice_;
 };
 
 }  // namespace Cohesion

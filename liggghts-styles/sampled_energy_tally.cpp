@@ -20,11 +20,10 @@ using cohesion::vector;
 using cohesion::Vector3;
 using namespace cohesion::contact;
 
-SampledContact contact_of(const ContactModels::SurfacesIntersectData& d,
-                          const ContactModels::ForceData& on_i,
-                          const ContactModels::ForceData& on_j, double exponent,
-                          const HistoryPlaces& places) {
-  SampledContact c;
+ContactSample contact_of(const ContactModels::SurfacesIntersectData& d,
+                         const ContactModels::ForceData& on_i, const ContactModels::ForceData& on_j,
+                         double exponent, const HistoryPlaces& places) {
+  ContactSample c;
   const Vector3 force = vector(on_i.delta_F);
   c.normal = vector(d.en);
   c.overlap = d.deltan;
@@ -50,11 +49,11 @@ SampledContact contact_of(const ContactModels::SurfacesIntersectData& d,
   return c;
 }
 
-Moving ContactBook::moving(int particle) const {
+Moving SampledEnergyTally::moving(int particle) const {
   return {vector(lmp_->atom->v[particle]), vector(lmp_->atom->omega[particle])};
 }
 
-void ContactBook::write(const ContactModels::SurfacesCloseData& d, const Entry& entry) {
+void SampledEnergyTally::write(const ContactModels::SurfacesCloseData& d, const Entry& entry) {
   if (!d.computeflag) return;  // of a look that moves nothing
   Record r{entry, {moving(d.i), {}}, d.i, -1, d.itype, d.jtype, d.radi, 0.0, 1.0};
   if (d.is_wall) {
@@ -64,12 +63,12 @@ void ContactBook::write(const ContactModels::SurfacesCloseData& d, const Entry& 
     r.before.j = moving(d.j);
     r.j = d.j;
     r.rj = d.radj;
-    if (d.j >= lmp_->atom->nlocal) r.share = 0.5;
+    if (d.j >= lmp_->atom->nlocal) r.owned_fraction = 0.5;
   }
   records_.push_back(r);
 }
 
-void ContactBook::close_step(bool set_up) {
+void SampledEnergyTally::end_step(bool set_up) {
   const double half = 0.5 * lmp_->update->dt;
   // Ghosts have the velocities of half a step before.
   lmp_->comm->forward_comm();
@@ -83,7 +82,7 @@ void ContactBook::close_step(bool set_up) {
   records_.clear();
   external += work_of_fixes(mobile);
 
-  // A run that goes on has the half step after its grid point in the book already, from the forces
+  // A run that goes on has the half step after its grid point in the tally already, from the forces
   // of the last step; its set-up makes new ones.
   if (set_up && last_step_ == lmp_->update->ntimestep) {
     lost_.add(-last_half_, last_);
@@ -92,36 +91,36 @@ void ContactBook::close_step(bool set_up) {
   const double time = set_up ? half : 2.0 * half;
   lost_.add(time, now);
   external_work_ += time * external;
-  if (!opened_) {
-    at_opening_ = tangential_spring - time * (now.tangential - now.tangential_damping);
-    rolling_at_opening_ = rolling_spring - time * now.rolling;
+  if (!begun_) {
+    at_begin_ = tangential_spring - time * (now.tangential - now.tangential_damping);
+    rolling_at_begin_ = rolling_spring - time * now.rolling;
   }
-  opened_ = true;
+  begun_ = true;
   last_ = now;
   last_external_ = external;
   last_half_ = half;
   last_step_ = lmp_->update->ntimestep;
 }
 
-void ContactBook::work_out(const Record& r, const MobileParticles& mobile, bool set_up, Losses& now,
-                           double& external) {
+void SampledEnergyTally::work_out(const Record& r, const MobileParticles& mobile, bool set_up,
+                                  Losses& now, double& external) {
   const Atom* const atom = lmp_->atom;
-  const SampledContact& c = r.entry.contact;
+  const ContactSample& c = r.entry.contact;
   const Motion grid{moving(r.i), r.j < 0 ? r.before.j : moving(r.j)};
   const Motion before = set_up ? grid : r.before;
   const double half = 0.5 * lmp_->update->dt;
   const Stored s = stored(c, half_a_step_on(before, grid), half);
-  spring += r.share * s.spring;
-  tangential_spring += r.share * s.tangential_spring;
-  rolling_spring += r.share * c.rolling_energy;
+  spring += r.owned_fraction * s.spring;
+  tangential_spring += r.owned_fraction * s.tangential_spring;
+  rolling_spring += r.owned_fraction * c.rolling_energy;
   if (r.entry.law)
-    adhesion +=
-        r.share * r.entry.law->energy(r.itype, r.jtype, r.ri, r.rj, -s.overlap, r.entry.inside);
-  now.add(r.share, losses(c, before, grid));
+    adhesion += r.owned_fraction *
+                r.entry.law->energy(r.itype, r.jtype, r.ri, r.rj, -s.overlap, r.entry.inside);
+  now.add(r.owned_fraction, losses(c, before, grid));
 
   // What a wall, or a particle that is led, gives to the others.
   const auto put_in = [&](const Vector3& force, const Vector3& torque, const Moving& by) {
-    external -= r.share * (dot(force, by.velocity) + dot(torque, by.spin));
+    external -= r.owned_fraction * (dot(force, by.velocity) + dot(torque, by.spin));
   };
   const auto act = [&](int particle, const Vector3& force, const Vector3& torque,
                        const Moving& by) {
@@ -137,7 +136,7 @@ void ContactBook::work_out(const Record& r, const MobileParticles& mobile, bool 
 }
 
 /// Power on the particles of this rank of all that is neither contact nor gravity, [energy/time].
-double ContactBook::work_of_fixes(const MobileParticles& mobile) const {
+double SampledEnergyTally::work_of_fixes(const MobileParticles& mobile) const {
   const Atom* const atom = lmp_->atom;
   const GravityOfFixes gravity(lmp_->modify);
   double power = 0.0;

@@ -145,7 +145,7 @@ void FixWallHamaker::give_advice() {
         {fmt::format("{} - wall", type), lightest[type], {infinite, infinite}, {}, adhesion});
   }
   advise_of_attraction(lmp, where, "use fix wall/gran/hamaker, which sees it at any step", contacts,
-                       now, said);
+                       now, given_advice);
 }
 
 template <class Law>

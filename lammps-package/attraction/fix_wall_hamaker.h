@@ -52,7 +52,7 @@ class FixWallHamaker : public Fix {
   cohesion::hamaker::AnyLaw law;
   std::vector<Plane> planes;
   ContactWatch watch;
-  cohesion::advice::Said said;
+  cohesion::advice::GivenAdvice given_advice;
   double mine[4];  // energy, force on the walls
   double total[4];
   bool summed;

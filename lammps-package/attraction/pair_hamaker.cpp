@@ -37,7 +37,7 @@ PairHamaker::PairHamaker(LAMMPS* lammps)
       form(hamaker::forms.data()),
       hamaker_constant(nullptr),
       parameters(lammps),
-      looks(true),
+      needs_list(true),
       watch(lammps) {
   single_enable = 1;
   restartinfo = 1;
@@ -64,16 +64,16 @@ void PairHamaker::allocate() {
 
 void PairHamaker::compute(int eflag, int vflag) {
   ev_init(eflag, vflag);
-  if (looks && neighbor->ago == 0)
+  if (needs_list && neighbor->ago == 0)
     check_radii(lmp, "pair_style hamaker: the outer cut-off is beyond the neighbour range",
                 largest_radius);
   const bool attract = attracts();
-  if (attract && !looks)
+  if (attract && !needs_list)
     error->all(FLERR,
                "pair_style hamaker: an A was raised within a run that began with all A = 0 and "
                "without fix adapt, in which pairs have no list of neighbours: raise it before "
                "the run");
-  parameters.require_taken("pair_style hamaker");
+  parameters.require_committed("pair_style hamaker");
   if (attract) {
     if (update->whichflag == 1 && watch.due(update->setupflag)) give_advice();
     std::visit(
@@ -95,7 +95,7 @@ void PairHamaker::give_advice() {
   const std::string where = "pair_style hamaker";
   advise_of_attraction(lmp, where, "use pair_style gran/hamaker, which sees it at any step",
                        from_script(lmp, where, [this] { return advised_contacts(); }), watch.now(),
-                       said);
+                       given_advice);
 }
 
 std::vector<AdvisedContact> PairHamaker::advised_contacts() const {
@@ -242,7 +242,7 @@ void PairHamaker::init_style() {
     error->all(FLERR,
                "pair_style hamaker acts between spheres and needs an atom style with radii, "
                "for instance 'atom_style sphere'");
-  parameters.take();
+  parameters.commit();
   require_plausible_radii(lmp, "pair_style hamaker");
   largest_radius = largest_radii(lmp);
   smallest_radius = smallest_radii(lmp, largest_radius);
@@ -251,8 +251,8 @@ void PairHamaker::init_style() {
   std::visit([this](const auto& law) { laws = std::vector(parameters.size(), law); },
              form->law(hamaker::none, rough));
   prepared.assign(parameters.size(), false);
-  looks = may_attract();
-  if (looks)
+  needs_list = may_attract();
+  if (needs_list)
     engine_api::request_neighbor_list(neighbor, this, instance_me);
   else
     list = nullptr;
@@ -284,7 +284,7 @@ double PairHamaker::init_one(int i, int j) {
         law_of[parameters.number(i, j)] = law_of[parameters.number(j, i)] = Law(p);
       },
       laws);
-  return largest_radius[i] + largest_radius[j] + (looks ? p.outer_cutoff : 0.0);
+  return largest_radius[i] + largest_radius[j] + (needs_list ? p.outer_cutoff : 0.0);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -296,7 +296,7 @@ void PairHamaker::give(int i, int j, const Parameters& p) {
 
 /// Bound are the pairs that attract each other where they are, of which something moves one.
 void PairHamaker::append_bound(std::vector<std::array<int, 2> >& pairs) const {
-  if (!looks) return;
+  if (!needs_list) return;
   MobileParticles mobile;
   mobile.look_up(modify);
   const auto led = [&](int i) { return mobile.inverse_mass(atom->mask[i], 1.0) == 0.0; };

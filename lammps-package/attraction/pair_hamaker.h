@@ -69,9 +69,9 @@ class PairHamaker : public Pair, public BoundPairs {
   cohesion::hamaker::AnyLaws laws;  // by type pair, built at init
   std::vector<bool> prepared;       // by type pair: whether it is this style's in this run
   std::vector<double> largest_radius, smallest_radius;  // by type, at init
-  bool looks;                                           // whether any pair is looked at in this run
+  bool needs_list;                                      // whether any pair is looked at in this run
   ContactWatch watch;
-  cohesion::advice::Said said;
+  cohesion::advice::GivenAdvice given_advice;
 };
 
 }  // namespace LAMMPS_NS

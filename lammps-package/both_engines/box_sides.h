@@ -12,11 +12,11 @@ namespace LAMMPS_NS {
 /// the particles move by themselves.
 class BoxSides {
  public:
-  void look(const Domain* d) {
+  void store(const Domain* d) {
     sides_ = of(d);
     known_ = true;
   }
-  /// Since the last look.
+  /// Whether they have changed since store(); not before the first.
   bool changed(const Domain* d) const { return known_ && of(d) != sides_; }
 
  private:

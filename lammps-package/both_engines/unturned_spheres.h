@@ -30,15 +30,16 @@ inline bool only_translates(const Fix* fix) {
 
 /// Warns of particles on which friction acts and that a fix moves and none turns: they slide as if
 /// nothing could spin. mobile.is_not_turned(mask): whether a particle moves and nothing turns it;
-/// rubs: by type, whether friction acts on it. Returns whether there are any, on any rank; all
-/// ranks call it.
+/// has_friction: by type, whether friction acts on it. Returns whether there are any, on any rank;
+/// all ranks call it.
 template <class Mobile>
-bool warn_of_unturned(const LAMMPS* lmp, const Mobile& mobile, const std::vector<bool>& rubs) {
+bool warn_of_unturned(const LAMMPS* lmp, const Mobile& mobile,
+                      const std::vector<bool>& has_friction) {
   const Atom* const atom = lmp->atom;
   bigint mine = 0, all = 0;
   int my_groups = 0, groups = 0;
   for (int i = 0; i < atom->nlocal; i++) {
-    if (!rubs[atom->type[i]] || !mobile.is_not_turned(atom->mask[i])) continue;
+    if (!has_friction[atom->type[i]] || !mobile.is_not_turned(atom->mask[i])) continue;
     mine++;
     my_groups |= atom->mask[i];
   }

@@ -17,10 +17,10 @@ void ClosePairs::start(double allowed) {
   positions_.clear();
 }
 
-void ClosePairs::update(const NeighList& list, double reach, int** kept) {
+void ClosePairs::update(const NeighList& list, double reach, int** has_history) {
   const bool new_list = neighbor->ago == 0;
   if (new_list || positions_.empty() || reach + come_closer() > allowed_)
-    find(list, new_list ? kept : nullptr);
+    find(list, new_list ? has_history : nullptr);
   reach_ = reach;
 }
 
@@ -43,7 +43,7 @@ double ClosePairs::come_closer() const {
 
 /// The pairs whose gap is below `allowed`: all others are too far apart until particles have moved
 /// or grown.
-void ClosePairs::find(const NeighList& list, int** kept) {
+void ClosePairs::find(const NeighList& list, int** has_history) {
   count_ = 0;
   positions_.clear();
   if (atom->nlocal + atom->nghost == 0) return;
@@ -72,16 +72,17 @@ void ClosePairs::find(const NeighList& list, int** kept) {
       last += dx * dx + dy * dy + dz * dz <= near * near;
     }
     count_ = last - pairs_.data();
-    if (kept) forget_others(kept[i], count, first, last);
+    if (has_history) forget_others(has_history[i], count, first, last);
   }
 }
 
 /// Only a particle that was put elsewhere can have left a partner that is not near any more.
-void ClosePairs::forget_others(int* kept, int count, const ClosePair* near, const ClosePair* end) {
+void ClosePairs::forget_others(int* has_history, int count, const ClosePair* near,
+                               const ClosePair* end) {
   for (int jj = 0; jj < count; jj++) {
     if (near != end && near->place == jj)
       near++;
     else
-      kept[jj] = 0;
+      has_history[jj] = 0;
   }
 }

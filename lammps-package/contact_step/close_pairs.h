@@ -26,35 +26,36 @@ class ClosePairs : protected Pointers {
   void start(double allowed);
   double allowed() const { return allowed_; }
 
-  /// Sees to it that the pairs of `list` whose gap is below `reach` [length], which is at most
-  /// allowed(), are known. When the engine's list is new, pairs that are not close lose the mark
-  /// `kept` (by particle and place in its list of neighbours) that they have a history.
-  void update(const class NeighList& list, double reach, int** kept);
+  /// Finds the pairs of `list` whose gap is below `reach` [length], which is at most allowed(),
+  /// unless they are known. When the engine's list is new, pairs that are not close lose the mark
+  /// `has_history` (by particle and place in its list of neighbours).
+  void update(const class NeighList& list, double reach, int** has_history);
 
-  /// Calls what(pair, kept) for the pairs that are kept or have a gap below `reach`, in the order
-  /// of the list.
+  /// Calls what(pair, has_history) for the pairs that have a history or a gap below `reach`, in the
+  /// order of the list.
   template <class What>
-  [[gnu::always_inline]] void for_each_near(int* const* kept, const What& what) const {
+  [[gnu::always_inline]] void for_each_near(int* const* has_history, const What& what) const {
     const double* const x = atom->x[0];
     const double* const radius = atom->radius;
     const ClosePair* const end = pairs_.data() + count_;
     for (const ClosePair* p = pairs_.data(); p != end; p++) {
       const int i = p->i, j = p->j;
-      int& is_kept = kept[i][p->place];
-      if (!is_kept) {
+      int& marked = has_history[i][p->place];
+      if (!marked) {
         const double dx = x[3 * j] - x[3 * i], dy = x[3 * j + 1] - x[3 * i + 1],
                      dz = x[3 * j + 2] - x[3 * i + 2];
         const double near = radius[i] + radius[j] + reach_;
         if (dx * dx + dy * dy + dz * dz > 1.0002 * near * near) continue;
       }
-      what(*p, is_kept);
+      what(*p, marked);
     }
   }
 
  private:
   double come_closer() const;
-  void find(const NeighList&, int** kept);
-  static void forget_others(int* kept, int count, const ClosePair* near, const ClosePair* end);
+  void find(const NeighList&, int** has_history);
+  static void forget_others(int* has_history, int count, const ClosePair* near,
+                            const ClosePair* end);
 
   double allowed_;
   double reach_;

@@ -12,22 +12,22 @@ namespace LAMMPS_NS {
 
 /// What the contacts of a step do to the particles of this process: impulses and angular impulses,
 /// which reach the engine as forces and torques. Where somebody asks which part of the engine's
-/// forces is theirs, it is what came to be between open() and close(), and what push() adds after
-/// that: nothing needs to be added up twice.
+/// forces is theirs, it is what came to be between begin_contacts() and end_contacts(), and what
+/// push() adds after that: nothing needs to be added up twice.
 class ContactImpulses : protected Pointers {
  public:
   explicit ContactImpulses(LAMMPS* lammps) : Pointers(lammps) {}
 
-  /// Of which of the engine's numbers somebody asks what part of them is of contacts.
+  /// Of which of the engine's numbers the part of contacts is known, since somebody asks for it.
   enum class Known { nobody, forces, forces_and_torques };
   /// A step in which an impulse 1 is the force `kick` [1/time].
   void begin_step(double kick, Known known);
-  /// Nothing acts until the next step begins.
-  void rest() { known_ = Known::nobody; }
+  /// Keeps no account until the next step begins, in which no contact acts.
+  void disable() { known_ = Known::nobody; }
 
-  /// From now on to close() nothing but contacts adds to the engine's forces.
-  void open();
-  void close();
+  /// Between these two nothing but contacts adds to the engine's forces.
+  void begin_contacts();
+  void end_contacts();
 
   /// Force that gives a particle the impulse 1 in this step, [1/time].
   double kick() const { return kick_; }
@@ -37,21 +37,21 @@ class ContactImpulses : protected Pointers {
                                    const cohesion::Vector3& turned) {
     add(atom->f[i], pushed);
     if (SIZE > 3) add(atom->torque[i], turned);
-    if (!closed_) return;
+    if (!ended_) return;
     add(&forces_[3 * i], pushed);
     if (SIZE > 3 && known_ == Known::forces_and_torques) add(&torques_[3 * i], turned);
   }
 
-  /// The force and torque of contacts on particle i, after close().
+  /// The force and torque of contacts on particle i, after end_contacts().
   cohesion::Vector3 force(int i) const { return cohesion::vector(&forces_[3 * i]); }
   cohesion::Vector3 torque(int i) const { return cohesion::vector(&torques_[3 * i]); }
   /// The force of all but contacts on particle i, once the engine has all forces of the step; 0
   /// where nobody asks.
-  cohesion::Vector3 others(int i) const {
+  cohesion::Vector3 other_force(int i) const {
     return known_ == Known::nobody ? cohesion::Vector3{} : cohesion::vector(atom->f[i]) - force(i);
   }
   /// The same for all particles, three numbers each.
-  void note_others(double* forces) const;
+  void save_other_forces(double* forces) const;
 
   double bytes() const {
     return static_cast<double>(sizeof(double)) *
@@ -66,15 +66,15 @@ class ContactImpulses : protected Pointers {
   }
 
   using Numbers = std::vector<double>;  // three of each particle
-  static void open(Numbers& before, const double* const* now, int particles);
-  static void close(Numbers& before, const double* const* now, int particles);
+  static void store_other(Numbers& before, const double* const* now, int particles);
+  static void subtract_other(Numbers& before, const double* const* now, int particles);
 
-  // After close() those of contacts; between open() and close() the engine's at open(), or none
-  // where those were 0.
+  // After end_contacts() those of contacts; between begin_contacts() and end_contacts() the
+  // engine's at begin_contacts(), or none where those were 0.
   Numbers forces_, torques_;
   double kick_ = 0.0;
   Known known_ = Known::nobody;
-  bool closed_ = false;  // and known to somebody
+  bool ended_ = false;  // and known to somebody
 };
 
 }  // namespace LAMMPS_NS

@@ -3,11 +3,11 @@
 #define COHESION_CONTACT_SCATTER_H
 
 #include "atom.h"
-#include "event_stepping/contact_on_grid.h"
 #include "event_stepping/sampled_contact.h"
+#include "event_stepping/two_pass_contact.h"
 #include "fix_event_step.h"
 
-// How what contacts do reaches the particles, from pairs and walls alike.
+// How the impulses of contacts reach the particles, from pairs and walls alike.
 //
 // Here, and where the laws of a step are, local variables of a struct type are not `const`: GCC 12
 // keeps such in memory, the others in registers, which costs a sampled contact a tenth.
@@ -41,12 +41,12 @@ class ContactsOfStep {
   double kick() const { return kick_; }
 
   /// Force and torque on the particles of this process.
-  [[gnu::always_inline]] void act(int i, int j, const Action& a) const {
+  [[gnu::always_inline]] void apply(int i, int j, const Action& a) const {
     step_->impulses.push<SIZE>(i, -a.impulse, a.torque_i);
     if (j >= 0 && j < nlocal_) step_->impulses.push<SIZE>(j, a.impulse, a.torque_j);
   }
-  void act_not(int i, int j, const Action& a) const {
-    act(i, j, {-a.impulse, -a.torque_i, -a.torque_j});
+  void apply_reversed(int i, int j, const Action& a) const {
+    apply(i, j, {-a.impulse, -a.torque_i, -a.torque_j});
   }
 
   /// Adds what `a` changes of the motion of both particles to `to`.
@@ -65,25 +65,27 @@ class ContactsOfStep {
     if (SIZE > 3) add(to[j] + 3, cohesion::event_stepping::inverse_inertia(body), a.torque_j);
   }
 
-  /// Adds D, V and changes of spins to `alone`.
-  void share(int i, int j, const Contact& c, const PairMotion& change) const {
-    share_i(i, c, change);
-    if (j >= 0) share_j(j, c, change);
+  /// Adds D, V and changes of spins to `predicted` of the step.
+  void add_predicted(int i, int j, const Contact& c, const PairMotion& change) const {
+    add_predicted_i(i, c, change);
+    if (j >= 0) add_predicted_j(j, c, change);
   }
-  void share_i(int i, const Contact& c, const PairMotion& change) const {
-    half(step_->alone[i], -c.bodies().share_i(), change, change.spin_i);
+  void add_predicted_i(int i, const Contact& c, const PairMotion& change) const {
+    add_motion(step_->predicted[i], -c.bodies().motion_fraction_i(), change, change.spin_i);
   }
-  void share_j(int j, const Contact& c, const PairMotion& change) const {
-    half(step_->alone[j], c.bodies().share_j(), change, change.spin_j);
+  void add_predicted_j(int j, const Contact& c, const PairMotion& change) const {
+    add_motion(step_->predicted[j], c.bodies().motion_fraction_j(), change, change.spin_j);
   }
 
-  double part(int j) const { return j < 0 || j < nlocal_ ? 1.0 : 0.5; }
+  /// The fraction of a pair's energies that this process counts: a pair of two processes, or of two
+  /// images, is met twice. j < 0: a wall.
+  double owned_fraction(int j) const { return j < 0 || j < nlocal_ ? 1.0 : 0.5; }
 
  private:
-  static void half(double* to, double share, const PairMotion& change,
-                   const cohesion::Vector3& spin) {
-    add(to, share, change.relative.separation);
-    add(to + 3, share, change.relative.velocity);
+  static void add_motion(double* to, double factor, const PairMotion& change,
+                         const cohesion::Vector3& spin) {
+    add(to, factor, change.relative.separation);
+    add(to + 3, factor, change.relative.velocity);
     if (SIZE > 3) add(to + 6, 1.0, spin);
   }
 
@@ -104,15 +106,15 @@ class LastingForces {
         nlocal_(atom->nlocal) {}
 
   /// False: nothing is done, the contact is to be taken in another way.
-  [[gnu::always_inline]] bool act(const Contact& c, int i, int j,
-                                  const cohesion::event_stepping::PairMotion& grid,
-                                  double* history) const {
+  [[gnu::always_inline]] bool apply(const Contact& c, int i, int j,
+                                    const cohesion::event_stepping::PairMotion& grid,
+                                    double* history) const {
     using namespace cohesion::event_stepping;
     if (history[0] != ContactMemory::lasting) return false;
     ContactMemory memory = ContactMemory::as_stored(history, SIZE);
     memory.phase = ContactMemory::lasting;
     Action action;
-    if (!c.one_force().template hold<SIZE>(grid, memory, action, nullptr)) return false;
+    if (!c.one_force().template advance_lasting<SIZE>(grid, memory, action, nullptr)) return false;
     memory.to(history, SIZE);
     const Vector3 pushed = kick_ * action.impulse;
     add(forces_ + 3 * i, -1.0, pushed);
@@ -141,12 +143,12 @@ class SampledForces {
         nlocal_(atom->nlocal) {}
 
   /// Gives whether the contact remembers anything.
-  [[gnu::always_inline]] bool act(const Contact& c, int i, int j,
-                                  const cohesion::event_stepping::PairMotion& grid,
-                                  double* history) const {
+  [[gnu::always_inline]] bool apply(const Contact& c, int i, int j,
+                                    const cohesion::event_stepping::PairMotion& grid,
+                                    double* history) const {
     using namespace cohesion::event_stepping;
     ContactMemory memory = ContactMemory::as_stored(history, SIZE);
-    const Action action = c.template act<SIZE>(grid, memory, nullptr).action;
+    const Action action = c.template compute<SIZE>(grid, memory, nullptr).action;
     memory.to(history, SIZE);
     add(forces_[i], -kick_, action.impulse);
     if (SIZE >= ContactMemory::with_friction) add(torques_[i], kick_, action.torque_i);
@@ -171,16 +173,18 @@ cohesion::event_stepping::SampledStep sample(const ContactsOfStep<Contact, SIZE>
                                              cohesion::event_stepping::ContactMemory& memory) {
   using namespace cohesion::event_stepping;
   ContactLosses lost;
-  SampledStep now = c.template act<SIZE>(grid, memory, step->book.is_kept() ? &lost : nullptr);
-  scatter.act(i, j, now.action);
-  if (step->book.is_kept()) {
-    const double part = scatter.part(j);
-    step->book.store(part, c.stored(grid, memory));
-    step->book.lose(part, {lost.normal_damping, 0.0, 0.0, 0.0}, 0.5);
-    step->book.lose(part, {0.0, lost.tangential_damping, lost.friction, lost.rolling}, 0.0);
+  SampledStep now =
+      c.template compute<SIZE>(grid, memory, step->energy_tally.is_active() ? &lost : nullptr);
+  scatter.apply(i, j, now.action);
+  if (step->energy_tally.is_active()) {
+    const double fraction = scatter.owned_fraction(j);
+    step->energy_tally.store(fraction, c.stored(grid, memory));
+    step->energy_tally.add_losses(fraction, {lost.normal_damping, 0.0, 0.0, 0.0}, 0.5);
+    step->energy_tally.add_losses(fraction,
+                                  {0.0, lost.tangential_damping, lost.friction, lost.rolling}, 0.0);
     const Action half{0.5 * now.action.impulse, 0.5 * now.action.torque_i,
                       0.5 * now.action.torque_j};
-    scatter.change(step->book.owed(), i, j, half);
+    scatter.change(step->energy_tally.owed(), i, j, half);
   }
   return now;
 }

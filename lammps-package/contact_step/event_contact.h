@@ -7,12 +7,12 @@
 #include "contact_scatter.h"
 
 // What pairs and walls of the event scheme share: which of their contacts last and which are
-// followed, and both passes of those.
+// followed, and predictor and corrector of those.
 
 namespace LAMMPS_NS {
 
-/// Relative motion of i and j, and their spins (j < 0: none), changed by what `of_i` and `of_j`
-/// say: three numbers of velocity and three of spin.
+/// Changes the relative motion of i and j, and their spins, by `of_i` and `of_j`: three numbers of
+/// velocity and three of spin; of_j nullptr: a wall.
 inline void change(cohesion::event_stepping::PairMotion& motion, const double* of_i,
                    const double* of_j) {
   motion.relative.velocity -= vector(of_i);
@@ -22,8 +22,9 @@ inline void change(cohesion::event_stepping::PairMotion& motion, const double* o
   motion.spin_j += vector(of_j + 3);
 }
 
-/// What all contacts but this one do to its particles; nullptr: a wall.
-inline cohesion::event_stepping::PairMotion others_of(
+/// What all contacts but one do to its particles: `all_i` and `all_j` less its `own` change. all_j
+/// nullptr: a wall.
+inline cohesion::event_stepping::PairMotion change_by_others(
     const double* all_i, const double* all_j, const cohesion::event_stepping::PairMotion& own) {
   const auto of_j = [&](int k) { return all_j ? vector(all_j + k) : cohesion::Vector3{}; };
   cohesion::event_stepping::PairMotion others;
@@ -34,7 +35,7 @@ inline cohesion::event_stepping::PairMotion others_of(
   return others;
 }
 
-/// Things of a step, one after the other, that are made anew in the next one.
+/// A list of things that is made anew in each step and keeps its memory.
 template <class Thing>
 class OfStep {
  public:
@@ -74,8 +75,8 @@ struct LastingContact {
   double* history;
 };
 
-/// One that begins to, whose springs in the plane of contact have another impulse then than held()
-/// tells.
+/// A contact that begins to act by one force: in that step its springs in the plane of contact have
+/// another impulse than lasting_action() gives.
 struct BegunContact {
   LastingContact contact;
   cohesion::event_stepping::Action action;
@@ -88,16 +89,16 @@ struct FollowedContact {
   double* history;
   bool in_range;
   cohesion::event_stepping::FollowedStart start;
-  cohesion::event_stepping::PairMotion change;  // by itself, in the first pass
+  cohesion::event_stepping::PairMotion change;  // by itself, as predicted
   cohesion::event_stepping::PairSpins rolled;   // the same
 };
 
-/// Contacts of one style in one step. `done(j, grid, impulse, by_contact, factor)` hears what each
-/// of them does, with factor -1 where it is taken back; by_contact() is the part of spring, dashpot
-/// and friction. `grid_of(contact)`: the motion of a LastingContact on the grid.
+/// Contacts of one style in one step. `on_impulse(j, grid, impulse, by_contact, factor)` is called
+/// with what each of them does, with factor -1 where it is undone; by_contact() is the part of
+/// spring, dashpot and friction. `grid_of(contact)`: the motion of a LastingContact on the grid.
 struct StepContacts {
   std::vector<LastingContact> candidates;  // can last from now on
-  OfStep<LastingContact> lasting;          // act, but those that are taken back
+  OfStep<LastingContact> lasting;          // act, but those that are undone
   std::vector<BegunContact> begun;
   std::vector<LastingContact> idle;  // in their wells, where nothing acts
   OfStep<FollowedContact> followed;
@@ -110,61 +111,62 @@ struct StepContacts {
     followed.clear();
   }
 
-  /// One contact from its motion on the grid: acts if it lasts, is announced if it is to be
-  /// followed, which makes both particles restless.
-  template <int SIZE, class Contact, class Done>
-  [[gnu::noinline]] void take(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
-                              const Contact& c, int contact, int i, int j,
-                              const cohesion::event_stepping::PairMotion& grid, double* history,
-                              const Done& done) {
+  /// Decides from its motion on the grid whether a contact lasts, and acts, or is followed, which
+  /// disturbs both particles.
+  template <int SIZE, class Contact, class OnImpulse>
+  [[gnu::noinline]] void classify(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
+                                  const Contact& c, int contact, int i, int j,
+                                  const cohesion::event_stepping::PairMotion& grid, double* history,
+                                  const OnImpulse& on_impulse) {
     using namespace cohesion::event_stepping;
     ContactMemory memory = ContactMemory::from(history, SIZE);
     const bool lasted = memory.phase == ContactMemory::lasting;
-    if (c.idles(grid.relative, memory, step->flight())) {
+    if (c.is_idle(grid.relative, memory, step->flight())) {
       idle.push_back({i, j, contact, history});
     } else if (!lasted && c.can_last(grid.relative, memory)) {
       candidates.push_back({i, j, contact, history});
-    } else if (!lasted ||
-               !hold<SIZE>(scatter, step, c, {i, j, contact, history}, grid, memory, done)) {
-      // Not by those that only the fastest particle of this rank could bring together.
-      if (memory.phase != ContactMemory::beyond ? !c.idles(grid.relative, memory, 0.0)
+    } else if (!lasted || !advance_lasting<SIZE>(scatter, step, c, {i, j, contact, history}, grid,
+                                                 memory, on_impulse)) {
+      // Those that only the fastest particle of this rank could bring together disturb nothing.
+      if (memory.phase != ContactMemory::beyond ? !c.is_idle(grid.relative, memory, 0.0)
                                                 : c.within_reach(grid.relative, 0.0))
-        step->unsettle(i, j);
-      announce<SIZE>(scatter, step, c, {i, j, contact, history}, grid, memory);
+        step->disturb(i, j);
+      add_followed<SIZE>(scatter, step, c, {i, j, contact, history}, grid, memory);
     }
-    if (step->book.is_kept()) {
-      step->book.store(scatter.part(j), c.stored(grid, memory));
-      scatter.change(step->book.owed(), i, j, c.template owed<SIZE>(grid.relative, memory));
+    if (step->energy_tally.is_active()) {
+      step->energy_tally.store(scatter.owned_fraction(j), c.stored(grid, memory));
+      scatter.change(step->energy_tally.owed(), i, j, c.template owed<SIZE>(grid.relative, memory));
     }
   }
 
-  /// Lasting contacts beside restless ones are followed, too: one force among such drains energy.
-  /// Candidates last from now on, if nothing beside them is restless.
-  template <int SIZE, class Contact, class GridOf, class Done>
-  void unsettle(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
-                const std::vector<Contact>& all, const GridOf& grid_of, const Done& done) {
+  /// Lasting contacts beside disturbed ones are followed, too: one force among such drains energy.
+  /// Candidates last from now on, if nothing beside them is disturbed.
+  template <int SIZE, class Contact, class GridOf, class OnImpulse>
+  void follow_disturbed(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
+                        const std::vector<Contact>& all, const GridOf& grid_of,
+                        const OnImpulse& on_impulse) {
     using namespace cohesion::event_stepping;
-    if (step->any_restless())
+    if (step->any_disturbed())
       for (const LastingContact& p : lasting)
-        if (step->is_restless(p.i, p.j))
-          take_back<SIZE>(scatter, step, all[p.contact], p, grid_of(p), done);
+        if (step->is_disturbed(p.i, p.j))
+          undo_lasting<SIZE>(scatter, step, all[p.contact], p, grid_of(p), on_impulse);
     for (const LastingContact& p : candidates) {
       const Contact& c = all[p.contact];
       ContactMemory memory = ContactMemory::from(p.history, SIZE);
       const PairMotion grid = grid_of(p);
-      if (step->is_restless(p.i, p.j))
-        announce<SIZE>(scatter, step, c, p, grid, memory);
+      if (step->is_disturbed(p.i, p.j))
+        add_followed<SIZE>(scatter, step, c, p, grid, memory);
       else
-        hold<SIZE>(scatter, step, c, p, grid, memory, done);
+        advance_lasting<SIZE>(scatter, step, c, p, grid, memory, on_impulse);
     }
   }
 
-  /// What lasting contacts beside followed ones owe, and do.
+  /// Adds what lasting contacts owe, and do, to particles that have a followed one.
   template <int SIZE, class Contact, class GridOf>
-  void join(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
-            const std::vector<Contact>& all, const GridOf& grid_of) const {
+  void couple_lasting(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
+                      const std::vector<Contact>& all, const GridOf& grid_of) const {
     using namespace cohesion::event_stepping;
-    if (!step->any_announced()) return;
+    if (!step->any_followed()) return;
     const auto beside = [step](const LastingContact& p) {
       return step->is_followed(p.i) || (p.j >= 0 && step->is_followed(p.j));
     };
@@ -175,16 +177,16 @@ struct StepContacts {
           const bool i = step->is_followed(p.i), j = p.j >= 0 && step->is_followed(p.j);
           const Contact& c = all[p.contact];
           const Action owed = c.template owed<SIZE>(grid.relative, memory);
-          const PairMotion does = c.template done<SIZE>(grid, action(), owed, memory);
+          const PairMotion does = c.template lasting_change<SIZE>(grid, action(), owed, memory);
           if (i) {
-            step->joins(p.i);
+            step->count_contact(p.i);
             scatter.change_i(step->owed, p.i, owed);
-            scatter.share_i(p.i, c, does);
+            scatter.add_predicted_i(p.i, c, does);
           }
           if (j) {
-            step->joins(p.j);
+            step->count_contact(p.j);
             scatter.change_j(step->owed, p.j, owed);
-            scatter.share_j(p.j, c, does);
+            scatter.add_predicted_j(p.j, c, does);
           }
         });
   }
@@ -201,7 +203,7 @@ struct StepContacts {
       if (memory.phase != ContactMemory::lasting) continue;
       const PairMotion grid = grid_of(p);
       what(p, memory, grid,
-           [&] { return all[p.contact].one_force().template held<SIZE>(grid, memory); });
+           [&] { return all[p.contact].one_force().template lasting_action<SIZE>(grid, memory); });
     }
     for (const BegunContact& b : begun)
       if (wanted(b.contact))
@@ -209,10 +211,10 @@ struct StepContacts {
              [&] { return b.action; });
   }
 
-  /// The first pass: every followed contact by itself.
+  /// The predictor: every followed contact by itself.
   template <int SIZE, class Contact>
-  void follow_alone(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
-                    const std::vector<Contact>& all) {
+  void predict(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
+               const std::vector<Contact>& all) {
     for (FollowedContact& p : followed) {
       LAMMPS_NS::change(p.start.truth, step->owed[p.i], p.j >= 0 ? step->owed[p.j] : nullptr);
       const bool only = SIZE < HistorySize::with_rolling && step->has_one_contact(p.i) &&
@@ -220,31 +222,32 @@ struct StepContacts {
       if (only) continue;
       const Contact& c = all[p.contact];
       const auto f = c.template follow<SIZE>(p.start, {}, {}, p.in_range);
-      if (!f.normal.acts) continue;
+      if (!f.normal.interacts) continue;
       p.change = f.change;
       if constexpr (SIZE >= HistorySize::with_rolling) p.rolled = f.rolled();
-      scatter.share(p.i, p.j, c, p.change);
+      scatter.add_predicted(p.i, p.j, c, p.change);
     }
   }
 
-  /// The second pass: every followed contact with half of what the others do before and after it.
-  template <int SIZE, class Contact, class Done>
-  void follow_together(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
-                       const std::vector<Contact>& all, const Done& done) {
+  /// The corrector: every followed contact with half of what the others do before it and half
+  /// after.
+  template <int SIZE, class Contact, class OnImpulse>
+  void correct(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
+               const std::vector<Contact>& all, const OnImpulse& on_impulse) {
     using namespace cohesion::event_stepping;
     for (FollowedContact& p : followed) {
       const Contact& c = all[p.contact];
-      const PairMotion others =
-          others_of(step->alone[p.i], p.j >= 0 ? step->alone[p.j] : nullptr, p.change);
+      const PairMotion others = change_by_others(
+          step->predicted[p.i], p.j >= 0 ? step->predicted[p.j] : nullptr, p.change);
       ContactMemory memory = ContactMemory::as_stored(p.history, SIZE);
       const FollowedStep<SIZE> f = c.template follow<SIZE>(p.start, others, p.rolled, p.in_range);
-      const Action action = c.template close<SIZE>(p.start, others, f, memory);
+      const Action action = c.template finish<SIZE>(p.start, others, f, memory);
       memory.to(p.history, SIZE);
-      scatter.act(p.i, p.j, action);
-      const double part = scatter.part(p.j);
-      if (f.normal.normal.unresolved) step->note_unresolved(part);
-      step->book.lose(part, Contact::template losses<SIZE>(f), 1.0);
-      done(
+      scatter.apply(p.i, p.j, action);
+      const double fraction = scatter.owned_fraction(p.j);
+      if (f.normal.normal.unresolved) step->count_unresolved(fraction);
+      step->energy_tally.add_losses(fraction, Contact::template losses<SIZE>(f), 1.0);
+      on_impulse(
           p.j, p.start.truth, action.impulse,
           [&] { return c.by_contact(p.start, f.normal, action); }, 1.0);
     }
@@ -254,46 +257,49 @@ struct StepContacts {
   using ContactMemory = cohesion::event_stepping::ContactMemory;
   using PairMotion = cohesion::event_stepping::PairMotion;
 
-  template <int SIZE, class Contact, class Done>
-  bool hold(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step, const Contact& c,
-            const LastingContact& p, const PairMotion& grid, ContactMemory& memory,
-            const Done& done) {
+  template <int SIZE, class Contact, class OnImpulse>
+  bool advance_lasting(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
+                       const Contact& c, const LastingContact& p, const PairMotion& grid,
+                       ContactMemory& memory, const OnImpulse& on_impulse) {
     using namespace cohesion::event_stepping;
     const bool lasted = memory.phase == ContactMemory::lasting;
     Action action;
     ContactLosses lost;
-    ContactLosses* const losses = step->book.is_kept() ? &lost : nullptr;
-    const bool lasts = c.one_force().template hold<SIZE>(grid, memory, action, losses);
-    if (!lasts) c.one_force().template leave<SIZE>(grid, memory, losses);
+    ContactLosses* const losses = step->energy_tally.is_active() ? &lost : nullptr;
+    const bool lasts = c.one_force().template advance_lasting<SIZE>(grid, memory, action, losses);
+    if (!lasts) c.one_force().template end_lasting<SIZE>(grid, memory, losses);
     memory.to(p.history, SIZE);
-    step->book.lose(scatter.part(p.j), lost, 0.0);
+    step->energy_tally.add_losses(scatter.owned_fraction(p.j), lost, 0.0);
     if (!lasts) return false;
     if (lasted)
       lasting.add() = p;
     else
       begun.push_back({p, action});
-    scatter.act(p.i, p.j, action);
-    done(p.j, grid, action.impulse, [&] { return c.by_contact(grid, action); }, 1.0);
+    scatter.apply(p.i, p.j, action);
+    on_impulse(p.j, grid, action.impulse, [&] { return c.by_contact(grid, action); }, 1.0);
     return true;
   }
 
-  template <int SIZE, class Contact, class Done>
-  void take_back(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step, const Contact& c,
-                 const LastingContact& p, const PairMotion& grid, const Done& done) {
+  template <int SIZE, class Contact, class OnImpulse>
+  void undo_lasting(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
+                    const Contact& c, const LastingContact& p, const PairMotion& grid,
+                    const OnImpulse& on_impulse) {
     using namespace cohesion::event_stepping;
     ContactMemory memory = ContactMemory::as_stored(p.history, SIZE);
-    const Action action = c.one_force().template held<SIZE>(grid, memory);
-    scatter.act_not(p.i, p.j, action);
-    done(p.j, grid, action.impulse, [&] { return c.by_contact(grid, action); }, -1.0);
+    const Action action = c.one_force().template lasting_action<SIZE>(grid, memory);
+    scatter.apply_reversed(p.i, p.j, action);
+    on_impulse(p.j, grid, action.impulse, [&] { return c.by_contact(grid, action); }, -1.0);
     ContactLosses lost;
-    c.one_force().template leave<SIZE>(grid, memory, step->book.is_kept() ? &lost : nullptr);
-    step->book.lose(scatter.part(p.j), lost, 0.0);
-    announce<SIZE>(scatter, step, c, p, grid, memory);
+    c.one_force().template end_lasting<SIZE>(grid, memory,
+                                             step->energy_tally.is_active() ? &lost : nullptr);
+    step->energy_tally.add_losses(scatter.owned_fraction(p.j), lost, 0.0);
+    add_followed<SIZE>(scatter, step, c, p, grid, memory);
   }
 
   template <int SIZE, class Contact>
-  void announce(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step, const Contact& c,
-                const LastingContact& p, const PairMotion& grid, const ContactMemory& memory) {
+  void add_followed(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
+                    const Contact& c, const LastingContact& p, const PairMotion& grid,
+                    const ContactMemory& memory) {
     FollowedContact& now = followed.add();
     now.i = p.i;
     now.j = p.j;
@@ -304,8 +310,8 @@ struct StepContacts {
     now.change = {};
     now.rolled = {};
     memory.to(p.history, SIZE);
-    step->announce(p.i);
-    if (p.j >= 0) step->announce(p.j);
+    step->add_followed(p.i);
+    if (p.j >= 0) step->add_followed(p.j);
     scatter.change(step->owed, p.i, p.j,
                    c.template owed<SIZE>(grid.relative.separation, now.start.ahead, memory));
   }

@@ -29,9 +29,9 @@ using cohesion::Vector3;
 static constexpr char ID[] = "COHESION_EVENT_STEP";
 static constexpr char PLACE[] = "COHESION_EVENT_STEP_PLACE";
 
-// What the next run needs of a particle: forces, torques, what the book notes, and forces of all
+// What the next run needs of a particle: forces, torques, what the tally saves, and forces of all
 // but contacts, where they begin.
-static constexpr int TORQUE = 3, NOTED = 6, FROM_OTHERS = NOTED + ContactBook::OF_PARTICLE,
+static constexpr int TORQUE = 3, NOTED = 6, FROM_OTHERS = NOTED + ContactEnergyTally::OF_PARTICLE,
                      LAST = FROM_OTHERS + 3;
 
 static void put(const Vector3& a, double* values) {
@@ -43,24 +43,24 @@ static void put(const Vector3& a, double* values) {
 FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
     : Fix(lammps, narg, arg),
       owed(nullptr),
-      alone(nullptr),
+      predicted(nullptr),
       impulses(lammps),
-      book(lammps),
+      energy_tally(lammps),
       watch(lammps),
-      told(nullptr),
-      shared(nullptr),
-      shared_each(ALONE),
-      follows(true),
-      resting(false),
+      forwarded_flags(nullptr),
+      forwarded_values(nullptr),
+      values_each(PREDICTED),
+      may_have_contacts(true),
+      idle(false),
       resuming(false),
       starting(false),
       running(false),
-      books_begun(false),
+      tallies_begun(false),
       other_box(false),
-      said_unturned(false),
+      warned_of_unturned(false),
       last_dt(0.0),
       last(lammps, LAST),
-      outer(lammps, 3),
+      other_forces(lammps, 3),
       contacts(nullptr),
       inverse_mass(nullptr),
       longest_flight(0.0),
@@ -68,7 +68,7 @@ FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
       flux_readers(std::make_shared<char>()),
       flux_wanted(false) {
   nevery = 1;
-  comm_forward = 1 + ALONE;
+  comm_forward = 1 + PREDICTED;
   restart_peratom = 1;
   restart_global = 1;
   create_attribute = 1;
@@ -81,7 +81,7 @@ FixEventStep::~FixEventStep() {
   atom->delete_callback(id, Atom::GROW);
   atom->delete_callback(id, Atom::RESTART);
   memory->destroy(owed);
-  memory->destroy(alone);
+  memory->destroy(predicted);
   memory->destroy(contacts);
   memory->destroy(inverse_mass);
 }
@@ -140,12 +140,12 @@ void FixEventStep::init() {
     if (auto* pairs = dynamic_cast<EventContacts*>(member.pair)) styles.push_back(pairs);
     if (auto* one = dynamic_cast<AdvisedStyle*>(member.pair)) advised.push_back(one);
   }
-  follows = std::any_of(styles.begin(), styles.end(),
-                        [](const EventContacts* some) { return some->follows(); });
-  within_step = std::any_of(styles.begin(), styles.end(),
-                            [](const EventContacts* some) { return some->within_step(); });
-  others_act = within_step && others_may_act();
-  look_for_unturned();
+  may_have_contacts = std::any_of(styles.begin(), styles.end(),
+                                  [](const EventContacts* s) { return s->may_have_contacts(); });
+  any_event_scheme = std::any_of(styles.begin(), styles.end(),
+                                 [](const EventContacts* some) { return some->is_event_scheme(); });
+  any_other_forces = any_event_scheme && others_may_act();
+  warn_of_unturned_once();
 }
 
 /// Whether anything but contacts may act on a particle.
@@ -154,50 +154,51 @@ bool FixEventStep::others_may_act() const {
     return true;
   for (const PairMember& member : pair_members(force))
     if (!dynamic_cast<EventContacts*>(member.pair)) return true;
-  constexpr int acts = FixConst::PRE_FORCE | FixConst::PRE_REVERSE | FixConst::POST_FORCE;
+  constexpr int may_act = FixConst::PRE_FORCE | FixConst::PRE_REVERSE | FixConst::POST_FORCE;
   for (int i = 0; i < modify->nfix; i++) {
     Fix* const fix = modify->fix[i];
     const bool of_contacts = fix == this || dynamic_cast<EventWalls*>(fix);
-    if (!of_contacts && (modify->fmask[i] & acts)) return true;
+    if (!of_contacts && (modify->fmask[i] & may_act)) return true;
   }
   return false;
 }
 
 /// A warning that was given is not given again.
-void FixEventStep::look_for_unturned() {
-  if (said_unturned) return;
-  std::vector<bool> rubs(atom->ntypes + 1, false);
+void FixEventStep::warn_of_unturned_once() {
+  if (warned_of_unturned) return;
+  std::vector<bool> has_friction(atom->ntypes + 1, false);
   for (int type = 1; type <= atom->ntypes; type++)
-    for (const EventContacts* some : styles) rubs[type] = rubs[type] || some->rubs(type);
-  said_unturned = warn_of_unturned(lmp, mobile, rubs);
+    for (const EventContacts* some : styles)
+      has_friction[type] = has_friction[type] || some->has_friction(type);
+  warned_of_unturned = warn_of_unturned(lmp, mobile, has_friction);
 }
 
-/// Then a step does nothing for any particle.
-bool FixEventStep::rests() const {
-  return !follows && !book.is_read() && flux_readers.use_count() == 1;
+/// Whether a step has nothing to do for any particle.
+bool FixEventStep::is_idle() const {
+  return !may_have_contacts && !energy_tally.has_readers() && flux_readers.use_count() == 1;
 }
 
-/// The fastest particle or ghost, and what each weighs.
-void FixEventStep::look_round() {
+/// Updates how far the fastest particle or ghost may fly, and all masses.
+void FixEventStep::update_speeds_and_masses() {
   const int all = atom->nlocal + atom->nghost;
   longest_flight = cohesion::shear::longest_flight(fastest_of(atom, domain, number_of_movers(lmp)),
                                                    rate_of_shear(domain).amount,
                                                    neighbor->cutneighmax, 0.5 * update->dt);
-  weigh(all);
+  update_masses(all);
 }
 
 /// Masses may change in any step (fix adapt); to see that they have not costs next to nothing.
-/// Groups count as they were when the list of neighbours was new: ghosts hear of them only then.
-void FixEventStep::weigh(int all) {
+/// Groups count as they were when the list of neighbours was new: ghosts get theirs only then.
+void FixEventStep::update_masses(int all) {
   const double* const mass = atom->rmass;
-  if (neighbor->ago == 0 || weighed.empty()) {
+  if (neighbor->ago == 0 || known_masses.empty()) {
     for (int i = 0; i < all; i++) inverse_mass[i] = mobile.inverse_mass(atom->mask[i], mass[i]);
   } else {
-    if (std::memcmp(weighed.data(), mass, all * sizeof(double)) == 0) return;
+    if (std::memcmp(known_masses.data(), mass, all * sizeof(double)) == 0) return;
     for (int i = 0; i < all; i++)
       if (inverse_mass[i] != 0.0) inverse_mass[i] = 1.0 / mass[i];
   }
-  weighed.assign(mass, mass + all);
+  known_masses.assign(mass, mass + all);
 }
 
 double FixEventStep::half_kick() const { return 0.5 * update->dt; }
@@ -208,49 +209,49 @@ void FixEventStep::setup_pre_force(int) {
   resuming = last_dt > 0.0;
   starting = !resuming;
   other_box = resuming && box.changed(domain);
-  pending = false;
-  resting = rests();
-  if (resting) {
-    weighed.clear();
-    impulses.rest();
+  predictor_due = false;
+  idle = is_idle();
+  if (idle) {
+    known_masses.clear();
+    impulses.disable();
   }
   if (!resuming) {
     const std::vector<double> weight = weights(lmp);
-    for (int i = 0; i < atom->nlocal; i++) std::copy_n(&weight[3 * i], 3, outer.of(i));
-    others_noted = true;
-    judge(true);
-    pending = true;
+    for (int i = 0; i < atom->nlocal; i++) std::copy_n(&weight[3 * i], 3, other_forces.of(i));
+    other_forces_known = true;
+    advise_if_due(true);
+    predictor_due = true;
     return;
   }
-  look_round();
-  look_for_readers();
-  judge(true);
+  update_speeds_and_masses();
+  update_readers();
+  advise_if_due(true);
   if (other_box)
-    for (EventWalls* wall : walls) wall->take_where_they_are();
-  if (!book.is_kept()) return;
-  for (int i = 0; i < atom->nlocal; i++) book.take_motion(i, last.of(i) + NOTED);
-  book.begin_again();
-  for (EventContacts* some : styles) some->book_standing();
+    for (EventWalls* wall : walls) wall->reset_in_range();
+  if (!energy_tally.is_active()) return;
+  for (int i = 0; i < atom->nlocal; i++) energy_tally.restore_motion(i, last.of(i) + NOTED);
+  energy_tally.reset_normal();
+  for (EventContacts* some : styles) some->store_energies_at_setup();
 }
 
 /// With the first forces of a step, when fixes have changed what they change before.
-bool FixEventStep::work_out() {
-  if (!pending) return false;
-  pending = false;
-  clear();
-  impulses.open();
-  for (EventContacts* some : styles) some->gather();
-  if (within_step) {
-    share_restless();
+bool FixEventStep::run_predictor() {
+  if (!predictor_due) return false;
+  predictor_due = false;
+  begin_step();
+  impulses.begin_contacts();
+  for (EventContacts* some : styles) some->classify();
+  if (any_event_scheme) {
+    forward_disturbed();
     const int all = atom->nlocal + atom->nghost;
-    some_restless =
-        std::any_of(restless.begin(), restless.begin() + all, [](char is) { return is != 0; });
-    for (EventContacts* some : styles) some->unsettle();
-    for (EventContacts* some : styles) some->join();
-    if (some_announced || comm->nprocs > 1) {
-      share(owed, OWED);
-      for (EventContacts* some : styles) some->follow_alone();
-      share(alone, ALONE);
+    any_disturbed_now =
+        std::any_of(disturbed.begin(), disturbed.begin() + all, [](char is) { return is != 0; });
+    for (EventContacts* some : styles) some->follow_disturbed();
+    for (EventContacts* some : styles) some->couple_lasting();
+    if (any_followed_now || comm->nprocs > 1) {
+      forward_to_ghosts(owed, OWED);
+      for (EventContacts* some : styles) some->predict();
+      forward_to_ghosts(predicted, PREDICTED);
     }
   }
   return true;
@@ -259,24 +260,24 @@ bool FixEventStep::work_out() {
 /// The first step has no half kick before it: what its velocities are, they truly are.
 void FixEventStep::setup(int) {
   post_force(0);
-  if (resting) impulses.rest();
-  constexpr double none[ContactBook::OF_PARTICLE] = {};
-  if (book.is_kept() && starting)
-    for (int i = 0; i < atom->nlocal; i++) book.take_motion(i, none);
+  if (idle) impulses.disable();
+  constexpr double none[ContactEnergyTally::OF_PARTICLE] = {};
+  if (energy_tally.is_active() && starting)
+    for (int i = 0; i < atom->nlocal; i++) energy_tally.restore_motion(i, none);
 }
 
 void FixEventStep::initial_integrate(int) {
   running = true;  // a run without set-up begins here
   starting = false;
-  if (book.is_kept() && !books_begun) {
+  if (energy_tally.is_active() && !tallies_begun) {
     // They begin with what there is before this step.
     update->ntimestep--;
-    begin_books();
+    begin_tallies();
     update->ntimestep++;
   }
   if (!resuming) {
     // Forces are all there when the next step begins.
-    if (!resting && within_step) note_others();
+    if (!idle && any_event_scheme) save_other_forces();
     return;
   }
   // The same momentum, should the step be another now.
@@ -285,103 +286,104 @@ void FixEventStep::initial_integrate(int) {
     const double* const then = last.of(i);
     put(ratio * vector(then), atom->f[i]);
     put(ratio * vector(then + TORQUE), atom->torque[i]);
-    std::copy_n(then + FROM_OTHERS, 3, outer.of(i));
+    std::copy_n(then + FROM_OTHERS, 3, other_forces.of(i));
   }
   resuming = false;
-  others_noted = true;
+  other_forces_known = true;
   last.free();
 }
 
 /// What forces that are no contacts' have done in the step that ends.
-void FixEventStep::note_others() {
-  if (others_act)
-    impulses.note_others(outer.of(0));
-  else if (others_noted)
-    for (int i = 0; i < atom->nlocal; i++) outer.clear(i);
-  others_noted = others_act;
+void FixEventStep::save_other_forces() {
+  if (any_other_forces)
+    impulses.save_other_forces(other_forces.of(0));
+  else if (other_forces_known)
+    for (int i = 0; i < atom->nlocal; i++) other_forces.clear(i);
+  other_forces_known = any_other_forces;
 }
 
-/// The books begin when all fixes have been set up; a run of no step ends then.
-void FixEventStep::begin_books() {
-  for_each_energy_book(modify, [](EnergyBookKeeper& keeper) { keeper.begin_run(); });
-  books_begun = true;
+/// Tallies begin when all fixes have been set up; a run of no step ends then.
+void FixEventStep::begin_tallies() {
+  for_each_energy_tally(modify, [](EnergyTallyCompute& compute) { compute.begin_run(); });
+  tallies_begun = true;
 }
 
 void FixEventStep::pre_force(int) {
-  if (resting) return;
-  judge(false);
-  pending = true;
+  if (idle) return;
+  advise_if_due(false);
+  predictor_due = true;
 }
 
 void FixEventStep::post_force(int) {
-  second_pass([] {});
+  run_corrector([] {});
 }
 
 /// Forces that a run takes over from the last one excuse nothing: its step, its coefficients and
 /// its particles may be others.
-void FixEventStep::judge(bool setup) {
+void FixEventStep::advise_if_due(bool setup) {
   if (advised.empty() || !watch.due(setup)) return;
   for (AdvisedStyle* one : advised) one->give_advice(watch.now());
 }
 
-void FixEventStep::clear() {
+void FixEventStep::begin_step() {
   const int all = atom->nlocal + atom->nghost;
-  look_round();
-  look_for_readers();
+  update_speeds_and_masses();
+  update_readers();
   // The engine's half kick makes of a force f the momentum f dt/2; the other half went before, but
   // for the first step, which has no half before it.
   using Known = ContactImpulses::Known;
-  const Known known = others_act ? Known::forces : Known::nobody;
+  const Known known = any_other_forces ? Known::forces : Known::nobody;
   impulses.begin_step((starting ? 2.0 : 1.0) / update->dt,
-                      book.is_kept() ? Known::forces_and_torques : known);
-  if (within_step) {
+                      energy_tally.is_active() ? Known::forces_and_torques : known);
+  if (any_event_scheme) {
     std::fill_n(contacts, all, 0);
-    restless.assign(all, 0);
-    announced.assign(all, 0);
-    announced_ghosts.clear();
-    some_announced = false;
+    disturbed.assign(all, 0);
+    followed.assign(all, 0);
+    followed_ghosts.clear();
+    any_followed_now = false;
   }
-  book.begin_step();
+  energy_tally.begin_step();
 }
 
-void FixEventStep::look_for_readers() {
-  book.look_for_readers();
+void FixEventStep::update_readers() {
+  energy_tally.update_readers();
   flux_wanted = flux_readers.use_count() > 1;
 }
 
 void FixEventStep::end_of_step() {
-  if (resting || !book.is_kept()) return;
+  if (idle || !energy_tally.is_active()) return;
   for (int i = 0; i < atom->nlocal; i++)
-    book.end_step(i, body(i), half_kick() * impulses.force(i), half_kick() * impulses.torque(i));
+    energy_tally.end_step(i, body(i), half_kick() * impulses.force(i),
+                          half_kick() * impulses.torque(i));
   const std::vector<double> weight = weights(lmp);
   double power = 0.0;  // of all forces but those of contacts, and gravity
   for (int i = 0; i < atom->nlocal; i++)
     if (inverse_mass[i] != 0.0)
-      power += dot(impulses.others(i) - vector(&weight[3 * i]), book.true_velocity(i));
-  book.work(2.0 * half_kick() * power);
+      power += dot(impulses.other_force(i) - vector(&weight[3 * i]), energy_tally.true_velocity(i));
+  energy_tally.add_work(2.0 * half_kick() * power);
 }
 
 void FixEventStep::post_run() {
   report_unresolved();
-  if (book.is_kept()) {
-    if (!books_begun) begin_books();
-    for_each_energy_book(modify, [](EnergyBookKeeper& keeper) { keeper.end_run(); });
+  if (energy_tally.is_active()) {
+    if (!tallies_begun) begin_tallies();
+    for_each_energy_tally(modify, [](EnergyTallyCompute& compute) { compute.end_run(); });
   }
-  books_begun = false;
+  tallies_begun = false;
   running = false;
-  box.look(domain);
+  box.store(domain);
   if (resuming) return;  // no step was made: what was taken over is what the next run goes on from
   last.grow(atom->nmax);
-  for (int i = 0; i < atom->nlocal; i++) note_last(i, last.of(i));
+  for (int i = 0; i < atom->nlocal; i++) save_last(i, last.of(i));
   last_dt = update->dt;
 }
 
 /// What the next run needs of a particle.
-void FixEventStep::note_last(int i, double* values) const {
+void FixEventStep::save_last(int i, double* values) const {
   std::copy_n(atom->f[i], 3, values);
   std::copy_n(atom->torque[i], 3, values + TORQUE);
-  book.note_motion(i, values + NOTED);
-  put(impulses.others(i), values + FROM_OTHERS);
+  energy_tally.save_motion(i, values + NOTED);
+  put(impulses.other_force(i), values + FROM_OTHERS);
 }
 
 void FixEventStep::report_unresolved() {

@@ -16,37 +16,41 @@ FixStyle(EVENT_STEP,FixEventStep);
 #include "atom_numbers.h"
 #include "box_sides.h"
 #include "contact_advice.h"
-#include "contact_book.h"
+#include "contact_energy_tally.h"
 #include "contact_impulses.h"
-#include "event_stepping/contact_on_grid.h"
 #include "event_stepping/flux_parts.h"
+#include "event_stepping/two_pass_contact.h"
 #include "fix.h"
 #include "mobile_particles.h"
 
 namespace LAMMPS_NS {
 
-/// What follows contacts in the event scheme: pair styles and walls. FixEventStep::second_pass()
-/// calls it, with the first forces of a step; the second pass is each one's own: Pair::compute,
-/// Fix::post_force.
+/// What follows contacts in the event scheme: pair styles and walls. FixEventStep::run_corrector()
+/// calls all of this with the first forces of a step; the corrector is each style's own part of
+/// Pair::compute or Fix::post_force.
 class EventContacts {
  public:
-  /// Lets contacts that last act, and announces the others, with what leads to the true motion of
-  /// their particles, which are restless.
-  virtual void gather() = 0;
-  /// Announces lasting contacts of restless particles, too, and takes back what they did.
-  virtual void unsettle() = 0;
-  /// What leads to the true motion of announced particles, of lasting contacts.
-  virtual void join() = 0;
-  /// The first pass.
-  virtual void follow_alone() = 0;
+  /// Lets contacts that last act, and adds the others to those that are followed, with what leads
+  /// to the true motion of their particles, which are disturbed.
+  virtual void classify() = 0;
+  /// Adds lasting contacts of disturbed particles to those that are followed, too, and undoes what
+  /// they did.
+  virtual void follow_disturbed() = 0;
+  /// Adds what lasting contacts do to particles that have a followed one, and what leads to the
+  /// true motion of these.
+  virtual void couple_lasting() = 0;
+  /// The predictor: every followed contact by itself, as if its particles had no other.
+  virtual void predict() = 0;
   /// Whether friction turns particles of this type.
-  virtual bool rubs(int type) const = 0;
-  /// Whether any contact may be followed in this run.
-  virtual bool follows() const { return true; }
-  /// Whether what contacts do to each other within a step counts: scheme event.
-  virtual bool within_step() const = 0;
-  /// Books what the contacts store, where a run takes over the forces of the last one.
-  virtual void book_standing() = 0;
+  virtual bool has_friction(int type) const = 0;
+  /// Whether any contact may act in this run.
+  virtual bool may_have_contacts() const { return true; }
+  /// Whether contacts are those of scheme event, which takes account of what they do to each other
+  /// within a step; else they are sampled.
+  virtual bool is_event_scheme() const = 0;
+  /// Adds what the contacts store to the energy tally, where a run takes over the forces of the
+  /// last one.
+  virtual void store_energies_at_setup() = 0;
 
  protected:
   ~EventContacts() = default;
@@ -55,9 +59,9 @@ class EventContacts {
 /// Those of walls.
 class EventWalls : public EventContacts {
  public:
-  /// Takes particles as in or out of range as they are, where something else than their motion has
-  /// brought them there.
-  virtual void take_where_they_are() = 0;
+  /// Sets whether particles are in range by where they are, when something else than their motion
+  /// has brought them there.
+  virtual void reset_in_range() = 0;
 
  protected:
   ~EventWalls() = default;
@@ -73,13 +77,15 @@ struct Bodies {
 
 /// What all styles of the event scheme share, made by the first of them. A contact that lasts needs
 /// one force. The others are followed in closed form from the true motion at the grid point, to
-/// which `owed` leads, and which needs all contacts of a particle; first alone, what they do added
-/// to `alone`, then with half of what the others do.
+/// which `owed` leads, and which needs all contacts of a particle: in a predictor each by itself,
+/// what it does added to `predicted`, and in a corrector with half of what the others do.
 ///
-/// Contacts beside those are followed, too.
+/// A particle is disturbed by a followed contact with an event, or by a young one. Contacts of
+/// disturbed particles are followed, too: one force among such drains energy.
 ///
-/// Order within a step, with its first forces: all styles gather(); share_restless(); unsettle();
-/// join(); share(owed); follow_alone(); share(alone). Then the second pass of each.
+/// Order within a step, with its first forces: all styles classify(); forward_disturbed();
+/// follow_disturbed(); couple_lasting(); forward_to_ghosts(owed); predict();
+/// forward_to_ghosts(predicted). Then the corrector of each style.
 ///
 /// A fix cannot make another one in its constructor: those that need this one call of() in
 /// post_constructor(); the order above does not depend on the order of the fixes.
@@ -150,86 +156,88 @@ class FixEventStep : public Fix {
   /// How far a particle or ghost of this rank may fly in half a step, [length].
   double flight() const { return longest_flight; }
 
-  /// Announces a contact of particle or ghost i in this step, before it adds to `owed` or `alone`.
-  /// What forces that are no contacts' do is the first entry; ghosts have it from their owners.
-  void announce(int i) {
+  /// Adds a followed contact of particle or ghost i in this step, before it adds to `owed` or
+  /// `predicted`. The first entry is what all forces but those of contacts do; ghosts have it from
+  /// their owners.
+  void add_followed(int i) {
     if (contacts[i]++ != 0) return;
-    some_announced = true;
+    any_followed_now = true;
     std::fill_n(owed[i], OWED, 0.0);
-    std::fill_n(alone[i], ALONE, 0.0);
+    std::fill_n(predicted[i], PREDICTED, 0.0);
     if (i >= atom->nlocal) {
-      announced_ghosts.push_back(i);
+      followed_ghosts.push_back(i);
       return;
     }
-    announced[i] = 1;
-    if (!others_noted) return;
+    followed[i] = 1;
+    if (!other_forces_known) return;
     const auto does = cohesion::event_stepping::by_acceleration(
-        inverse_mass[i] * cohesion::vector(outer.of(i)), 2.0 * half_kick());
+        inverse_mass[i] * cohesion::vector(other_forces.of(i)), 2.0 * half_kick());
     if (!starting) add(owed[i], 0.5 * does.velocity);
-    add(alone[i], does.separation);
-    add(alone[i] + 3, does.velocity);
+    add(predicted[i], does.separation);
+    add(predicted[i] + 3, does.velocity);
   }
-  /// A contact of i and j (below 0: a wall) has an event, or is young.
-  void unsettle(int i, int j) {
-    restless[i] = 1;
-    if (j >= 0) restless[j] = 1;
+  /// Marks both particles of a contact that has an event, or is young; j < 0: a wall.
+  void disturb(int i, int j) {
+    disturbed[i] = 1;
+    if (j >= 0) disturbed[j] = 1;
   }
-  bool is_restless(int i) const { return restless[i] != 0; }
-  /// Whether i is, or j (below 0: a wall).
-  bool is_restless(int i, int j) const { return is_restless(i) || (j >= 0 && is_restless(j)); }
+  bool is_disturbed(int i) const { return disturbed[i] != 0; }
+  /// Whether i is, or j (below 0: a wall, which never is).
+  bool is_disturbed(int i, int j) const { return is_disturbed(i) || (j >= 0 && is_disturbed(j)); }
   /// Whether any particle or ghost is.
-  bool any_restless() const { return some_restless; }
-  /// One more contact of a particle that has been announced.
-  void joins(int i) { contacts[i]++; }
-  bool any_announced() const { return some_announced; }
-  /// Whether a contact of particle or ghost i has been announced.
+  bool any_disturbed() const { return any_disturbed_now; }
+  /// Counts one more contact of a particle that has a followed one.
+  void count_contact(int i) { contacts[i]++; }
+  bool any_followed() const { return any_followed_now; }
+  /// Whether particle or ghost i has a followed contact in this step.
   bool is_followed(int i) const { return contacts[i] != 0; }
   /// Whether i is a particle of this rank with one contact only.
   bool has_one_contact(int i) const { return i < atom->nlocal && contacts[i] == 1; }
 
-  /// Per atom and ghost that has been announced: what leads from the velocity and spin on the grid
-  /// to the true ones; change of position, velocity and spin, each contact alone.
-  static constexpr int OWED = 6, ALONE = 9;
+  /// Per atom and ghost with a followed contact: `owed`, what leads from the velocity and spin on
+  /// the grid to the true ones; `predicted`, the change of position, velocity and spin in the step.
+  static constexpr int OWED = 6, PREDICTED = 9;
   double** owed;
-  double** alone;
+  double** predicted;
   /// What contacts do in this step.
   ContactImpulses impulses;
   /// The energy of contacts.
-  ContactBook book;
+  ContactEnergyTally energy_tally;
 
-  /// Of the contacts of pairs so far; summed while somebody holds what sum_flux() gives.
+  /// Sum of the contacts of pairs so far; it goes on while somebody holds what add_flux_reader()
+  /// gives.
   cohesion::event_stepping::FluxParts flux;
-  [[nodiscard]] ContactBook::Reader sum_flux() const { return flux_readers; }
+  [[nodiscard]] ContactEnergyTally::Reader add_flux_reader() const { return flux_readers; }
   bool sums_flux() const { return flux_wanted; }
 
   /// Counts a contact whose step was cut short.
-  void note_unresolved(double part) { unresolved += part; }
-  /// All that comes before the second pass, if it has not been done in this step; then what the
-  /// caller's second pass does.
-  template <class Pass>
-  void second_pass(const Pass& pass) {
-    const bool first = work_out();
-    pass();
-    if (first) impulses.close();
+  void count_unresolved(double fraction) { unresolved += fraction; }
+  /// Runs all that comes before the corrector, if it has not been run in this step, and then the
+  /// corrector of the caller.
+  template <class Corrector>
+  void run_corrector(const Corrector& corrector) {
+    const bool first = run_predictor();
+    corrector();
+    if (first) impulses.end_contacts();
   }
 
  private:
-  bool work_out();
-  void clear();
-  void note_last(int i, double* values) const;
-  void judge(bool setup);
-  bool rests() const;
-  void look_for_readers();
-  void look_round();
-  void weigh(int all);
+  bool run_predictor();
+  void begin_step();
+  void save_last(int i, double* values) const;
+  void advise_if_due(bool setup);
+  bool is_idle() const;
+  void update_readers();
+  void update_speeds_and_masses();
+  void update_masses(int all);
   void report_unresolved();
-  void share_restless();
-  void share(double** values, int each);
-  void tell(std::vector<char>& flags, double** values, int each);
-  void begin_books();
-  void look_for_unturned();
+  void forward_disturbed();
+  void forward_to_ghosts(double** values, int each);
+  void forward_flagged(std::vector<char>& flags, double** values, int each);
+  void begin_tallies();
+  void warn_of_unturned_once();
   bool others_may_act() const;
-  void note_others();
+  void save_other_forces();
 
   static void add(double* to, const cohesion::Vector3& a) {
     to[0] += a.x;
@@ -242,36 +250,36 @@ class FixEventStep : public Fix {
   std::vector<AdvisedStyle*> advised;  // the same
   ContactWatch watch;
 
-  char* told;       // per atom and ghost: of which there is something to tell now
-  double** shared;  // what goes to the ghosts then
-  int shared_each;
-  bool follows;  // any pair or wall, in this run
-  bool resting;  // nothing is followed, and nobody reads the books
+  char* forwarded_flags;      // per atom and ghost, of what goes to ghosts now: whether it has any
+  double** forwarded_values;  // those, `values_each` of each
+  int values_each;
+  bool may_have_contacts;  // whether any pair or wall may have one, in this run
+  bool idle;               // no contact is computed, and nobody reads what they do
   bool resuming;
   bool starting;
   bool running;
-  bool books_begun;  // in this run
+  bool tallies_begun;  // in this run
   bool other_box;
-  bool said_unturned;
-  BoxSides box;                 // at the end of the last run
-  double last_dt;               // of the step that `last` is from; 0: there was none
-  AtomNumbers last;             // from the end of a run to the first step of the next: note_last()
-  AtomNumbers outer;            // force of all but contacts at the last grid point
-  bool pending = false;         // in this step: second_pass()
-  bool within_step = false;     // any style, in this run
-  bool others_act = false;      // anything but contacts, likewise, where that matters
-  bool others_noted = false;    // in `outer`, which is 0 otherwise
-  int* contacts;                // per atom and ghost, this step
-  std::vector<char> announced;  // per atom: 1 if it is, or 0; of ghosts what their owners told
-  std::vector<int> announced_ghosts;
-  std::vector<char> restless;   // per atom and ghost: 1 with an event or a young contact, or 0
-  bool some_restless = false;   // of those
-  bool some_announced = false;  // the same
-  double* inverse_mass;         // per atom and ghost
-  std::vector<double> weighed;  // the masses inverse_mass is of; empty: of none
+  bool warned_of_unturned;
+  BoxSides box;                // at the end of the last run
+  double last_dt;              // of the step that `last` is from; 0: there was none
+  AtomNumbers last;            // from the end of a run to the first step of the next: save_last()
+  AtomNumbers other_forces;    // force of all but contacts at the last grid point
+  bool predictor_due = false;  // in this step: run_corrector()
+  bool any_event_scheme = false;    // any style, in this run
+  bool any_other_forces = false;    // anything but contacts, likewise, where that matters
+  bool other_forces_known = false;  // in `other_forces`, which is 0 otherwise
+  int* contacts;                    // per atom and ghost, this step
+  std::vector<char> followed;       // per atom: 1 if it is, or 0; of ghosts what their owners sent
+  std::vector<int> followed_ghosts;
+  std::vector<char> disturbed;       // per atom and ghost: 1 with an event or a young contact, or 0
+  bool any_disturbed_now = false;    // of those
+  bool any_followed_now = false;     // the same
+  double* inverse_mass;              // per atom and ghost
+  std::vector<double> known_masses;  // the masses inverse_mass is of; empty: of none
   double longest_flight;
-  double unresolved;                 // steps of contacts that were cut short, in this run
-  ContactBook::Reader flux_readers;  // copies of this are out
+  double unresolved;                        // steps of contacts that were cut short, in this run
+  ContactEnergyTally::Reader flux_readers;  // copies of this are out
   bool flux_wanted;
   MobileParticles mobile;
 };

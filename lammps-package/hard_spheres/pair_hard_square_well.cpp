@@ -17,7 +17,7 @@
 #include "neigh_list.h"
 #include "plausible_sizes.h"
 #include "restart_format.h"
-#include "square_well/held.h"
+#include "square_well/capture.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -59,7 +59,7 @@ void PairHardSquareWell::allocate() {
 /// Adds the virial of the events, which have been executed, and the energy of the wells.
 void PairHardSquareWell::compute(int eflag, int vflag) {
   ev_init(eflag, vflag);
-  given_.require_taken("pair_style hard/square_well");
+  given_.require_committed("pair_style hard/square_well");
   if (neighbor->ago == 0) check_radii(lmp, "pair_style hard/square_well", largest_radius_);
   if (vflag_either) {
     const double per_time = -1.0 / update->dt;
@@ -102,7 +102,7 @@ void PairHardSquareWell::append_held(std::vector<std::array<int, 2>>& pairs) con
   const auto parts = [&](const std::array<int, 2>& pair) {
     const auto [i, j] = pair;
     const auto& well = contact_of_types(atom->type[i], atom->type[j]).well;
-    return !cohesion::square_well::held(
+    return !cohesion::square_well::will_be_captured(
         difference(atom->x[j], atom->x[i]), difference(atom->v[i], atom->v[j]),
         cohesion::square_well::edge(well, atom->radius[i], atom->radius[j]), well.depth,
         1.0 / atom->rmass[i] + 1.0 / atom->rmass[j]);
@@ -193,7 +193,7 @@ void PairHardSquareWell::init_style() {
   if (update->whichflag == 2)
     error->all(FLERR, "pair_style hard/square_well follows motion in time; it cannot be minimized");
   events_ = FixHardEvents::of(lmp);
-  given_.take();
+  given_.commit();
   require_plausible_radii(lmp, "pair_style hard/square_well");
   largest_radius_ = largest_radii(lmp);
   engine_api::request_history_list(neighbor, this, instance_me);

@@ -36,11 +36,11 @@ class CohesiveCoefficients : protected Pointers {
   void read(int narg, char** arg);
   /// The laws are made anew, by prepare().
   void start() {
-    given_.take();
+    given_.commit();
     laws_.assign(given_.size(), cohesion_.no_law());
     prepared_.assign(given_.size(), false);
   }
-  void require_taken() const { given_.require_taken(where()); }
+  void require_committed() const { given_.require_committed(where()); }
   /// Whether types i and j are this style's in the run; those of other styles of a hybrid are not.
   bool has(int i, int j) const { return prepared_[of_types(i, j)]; }
   /// Makes the law of types i and j, mixed when they were not given. Returns the gap up to which
@@ -77,17 +77,17 @@ class CohesiveCoefficients : protected Pointers {
                        [](const Parameters& p) { return p.contact.rolling_friction > 0.0; });
   }
   /// Whether any contact of this type has friction.
-  bool rubs(int type, int types) const {
-    const auto has_friction = [&](int other) {
+  bool has_friction(int type, int types) const {
+    const auto any_between = [&](int other) {
       const auto& contact = given_(type, other).contact;
       return contact.friction > 0.0 || contact.rolling_friction > 0.0;
     };
     for (int other = 1; other <= types; other++)
-      if (has_friction(other)) return true;
+      if (any_between(other)) return true;
     return false;
   }
   /// Whether anything can happen between particles of any types.
-  bool any_acts() const {
+  bool any_active() const {
     if constexpr (Cohesion::HAS_CONTACT)
       return true;
     else

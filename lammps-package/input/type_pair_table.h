@@ -20,7 +20,7 @@ template <class Value>
 class TypePairTable : protected Pointers {
  public:
   explicit TypePairTable(LAMMPS* lammps)
-      : Pointers(lammps), types_(0), set_(nullptr), waits_(false) {}
+      : Pointers(lammps), types_(0), set_(nullptr), uncommitted_(false) {}
 
   /// Room for pairs of `types` types. `set` is the engine's table of those that were given.
   void make_room(int types, int** set) {
@@ -53,15 +53,15 @@ class TypePairTable : protected Pointers {
         any = true;
       }
     if (!any) error->all(FLERR, here + " names no pair with i <= j");
-    waits_ = true;
+    uncommitted_ = true;
   }
 
-  /// A run is set up with what was given.
-  void take() { waits_ = false; }
+  /// What was given is what the run that is set up has.
+  void commit() { uncommitted_ = false; }
   /// Stops LAMMPS where a pair_coeff came after that: laws, ranges and lists are made in the
   /// set-up.
-  void require_taken(const std::string& style) const {
-    if (waits_)
+  void require_committed(const std::string& style) const {
+    if (uncommitted_)
       error->all(FLERR, style +
                             ": pair_coeff was given after the run had been set up, which takes no "
                             "notice of it any more; leave out 'pre no', so that the next part of "
@@ -104,7 +104,7 @@ class TypePairTable : protected Pointers {
  private:
   int types_;
   int** set_;
-  bool waits_;  // whether something was given that no run has taken
+  bool uncommitted_;  // whether something was given that no run has been set up with
   std::vector<Value> values_;
 };
 

@@ -6,7 +6,7 @@
 
 #include "atom.h"
 #include "domain.h"
-#include "energy_book.h"
+#include "energy_tally.h"
 #include "error.h"
 #include "event_stepping/pair_motion.h"
 #include "fix_event_step.h"
@@ -14,7 +14,7 @@
 #include "update.h"
 
 using namespace LAMMPS_NS;
-using namespace cohesion::energy_book;
+using namespace cohesion::energy_tally;
 using cohesion::Vector3;
 
 ComputeGranEnergy::ComputeGranEnergy(LAMMPS* lammps, int narg, char** arg)
@@ -26,7 +26,7 @@ ComputeGranEnergy::ComputeGranEnergy(LAMMPS* lammps, int narg, char** arg)
   extscalar = extvector = 1;
   size_vector = ENTRIES;
   vector = new double[ENTRIES];
-  reader = step->book.keep();
+  reader = step->energy_tally.add_reader();
   add_sums(before, -1.0);
 }
 
@@ -35,12 +35,12 @@ ComputeGranEnergy::~ComputeGranEnergy() { delete[] vector; }
 void ComputeGranEnergy::init() {
   if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag)
     error->all(FLERR, "compute gran/energy balances spheres; use 'atom_style sphere'");
-  refuse_moving_box(lmp, std::string("compute ") + id + " gran/energy");
+  require_fixed_box(lmp, std::string("compute ") + id + " gran/energy");
 }
 
 /// Those of this process, so far.
 void ComputeGranEnergy::add_sums(double* entries, double factor) const {
-  const ContactBook::Sums& sums = step->book.sums();
+  const ContactEnergyTally::Sums& sums = step->energy_tally.sums();
   entries[NORMAL_DAMPING] += factor * sums.lost.normal_damping;
   entries[TANGENTIAL_DAMPING] += factor * sums.lost.tangential_damping;
   entries[FRICTION] += factor * sums.lost.friction;
@@ -51,22 +51,22 @@ void ComputeGranEnergy::add_sums(double* entries, double factor) const {
 void ComputeGranEnergy::compute_vector() {
   invoked_vector = update->ntimestep;
   work_out();
-  book.close(lmp, std::string("compute ") + id + " gran/energy", vector);
+  tally.update(lmp, std::string("compute ") + id + " gran/energy", vector);
 }
 
 void ComputeGranEnergy::begin_run() {
   work_out();
-  book.begin_run(lmp, std::string("compute ") + id + " gran/energy", vector);
+  tally.begin_run(lmp, std::string("compute ") + id + " gran/energy", vector);
 }
 
 void ComputeGranEnergy::end_run() {
   work_out();
-  book.close_run(vector);
+  tally.end_run(vector);
 }
 
 /// All entries but what is missing.
 void ComputeGranEnergy::work_out() {
-  particles.look(lmp, std::string("compute ") + id + " gran/energy");
+  particles.check(lmp, std::string("compute ") + id + " gran/energy");
   double mine[ENTRIES];
   std::copy_n(before, static_cast<int>(ENTRIES), mine);
   add_sums(mine, 1.0);
@@ -78,10 +78,11 @@ void ComputeGranEnergy::work_out() {
     const double inverse_inertia = cohesion::event_stepping::inverse_inertia(body);
     double place[3];
     domain->unmap(atom->x[i], atom->image[i], place);
-    add_body(mine, 1.0 / body.inverse_mass, 1.0 / inverse_inertia, step->book.true_velocity(i),
-             step->book.true_spin(i), cohesion::vector(&weight[3 * i]), cohesion::vector(place));
+    add_body(mine, 1.0 / body.inverse_mass, 1.0 / inverse_inertia,
+             step->energy_tally.true_velocity(i), step->energy_tally.true_spin(i),
+             cohesion::vector(&weight[3 * i]), cohesion::vector(place));
   }
-  const cohesion::event_stepping::StoredEnergies& contacts = step->book.sums().stored;
+  const cohesion::event_stepping::StoredEnergies& contacts = step->energy_tally.sums().stored;
   mine[SPRING] = contacts.spring;
   mine[TANGENTIAL_SPRING] = contacts.tangential_spring;
   mine[ADHESION] = contacts.adhesion;

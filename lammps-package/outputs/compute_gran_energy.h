@@ -11,14 +11,14 @@ ComputeStyle(gran/energy,ComputeGranEnergy);
 #include <memory>
 
 #include "compute.h"
-#include "energy_book.h"
 #include "energy_companions.h"
+#include "energy_tally.h"
 
 namespace LAMMPS_NS {
 
-/// compute ID all gran/energy: the energy book of the event scheme at the grid point, with the true
+/// compute ID all gran/energy: the energy tally of contacts at the grid point, with the true
 /// motion there. Doc: docs/lammps-package/compute_gran_energy.md
-class ComputeGranEnergy : public Compute, public EnergyBookKeeper {
+class ComputeGranEnergy : public Compute, public EnergyTallyCompute {
  public:
   ComputeGranEnergy(class LAMMPS*, int, char**);
   ~ComputeGranEnergy() override;
@@ -34,9 +34,9 @@ class ComputeGranEnergy : public Compute, public EnergyBookKeeper {
   void work_out();
 
   class FixEventStep* step;
-  std::shared_ptr<const void> reader;             // while there is one the book is kept
-  double before[cohesion::energy_book::ENTRIES];  // what the book had summed when this was defined
-  BookOfRuns book;
+  std::shared_ptr<const void> reader;              // keeps the tally of contacts active
+  double before[cohesion::energy_tally::ENTRIES];  // what that had summed when this was defined
+  TallyOfRuns tally;
   SameParticles particles;
 };
 

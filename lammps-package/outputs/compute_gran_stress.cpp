@@ -13,7 +13,7 @@ using namespace LAMMPS_NS;
 ComputeGranStress::ComputeGranStress(LAMMPS* lammps, int narg, char** arg)
     : ComputeFluxTotals(lammps, narg, arg, cohesion::event_stepping::FluxParts::parts),
       step(FixEventStep::of(lammps)) {
-  reader = step->sum_flux();
+  reader = step->add_flux_reader();
   before = step->flux;
 }
 

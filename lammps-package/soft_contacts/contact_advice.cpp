@@ -63,7 +63,7 @@ double gravity(LAMMPS* lmp, int groupbit) {
 
 /// The lightest particles of the group, those that fixes have announced among them, and the
 /// fastest.
-void look(LAMMPS* lmp, int groupbit, Circumstances& now) {
+void scan_particles(LAMMPS* lmp, int groupbit, Circumstances& now) {
   const Atom* const atom = lmp->atom;
   const double none = std::numeric_limits<double>::infinity();
   std::vector<LightestParticle> mine(atom->ntypes + 1, {none, none});
@@ -100,7 +100,7 @@ void look(LAMMPS* lmp, int groupbit, Circumstances& now) {
 Circumstances LAMMPS_NS::of_group(LAMMPS* lmp, const Circumstances& now, int groupbit) {
   Circumstances of_group = now;
   if (groupbit == ALL) return of_group;
-  look(lmp, groupbit, of_group);
+  scan_particles(lmp, groupbit, of_group);
   of_group.run.gravity = gravity(lmp, groupbit);
   return of_group;
 }
@@ -120,7 +120,7 @@ bool ContactWatch::due(bool setup) {
     watch_.set_up(adapted_every());
   else if (!watch_.may_differ(neighbor->ago == 0, static_cast<long>(update->ntimestep), dt))
     return false;
-  look(lmp, ALL, now_);
+  scan_particles(lmp, ALL, now_);
   if (!setup && !watch_.worse(now_.lightest, now_.run.fastest, dt)) return false;
   watch_.judged(now_.lightest, now_.run.fastest, dt);
   now_.run = {now_.run.fastest, gravity(lmp, ALL), dt, rate_of_shear(domain).amount};
@@ -143,29 +143,30 @@ AdvisedContact LAMMPS_NS::advised_contact(const std::string& name, const Lightes
   return c;
 }
 
-static void tell(LAMMPS* lmp, const advice::Report& news) {
+static void print(LAMMPS* lmp, const advice::Report& report) {
   if (lmp->comm->me == 0) {
-    utils::logmesg(lmp, news.table);
-    for (const advice::Warning& warning : news.warnings) lmp->error->warning(FLERR, warning.text);
+    utils::logmesg(lmp, report.table);
+    for (const advice::Warning& warning : report.warnings) lmp->error->warning(FLERR, warning.text);
   }
-  if (!news.stop.empty()) lmp->error->all(FLERR, news.stop);
+  if (!report.stop.empty()) lmp->error->all(FLERR, report.stop);
 }
 
 void LAMMPS_NS::advise(LAMMPS* lmp, const std::string& style, const advice::SchemeLimits& limits,
                        const std::vector<AdvisedContact>& contacts, const Circumstances& now,
-                       advice::Said& said) {
-  tell(lmp, from_script(lmp, style, [&] {
-         return said.news(advice::report(style, limits, contacts, now.run), contacts, now);
-       }));
+                       advice::GivenAdvice& given_advice) {
+  print(lmp, from_script(lmp, style, [&] {
+          return given_advice.only_new(advice::report(style, limits, contacts, now.run), contacts,
+                                       now);
+        }));
 }
 
 void LAMMPS_NS::advise_of_attraction(LAMMPS* lmp, const std::string& style, std::string_view remedy,
                                      const std::vector<AdvisedContact>& contacts,
-                                     const Circumstances& now, advice::Said& said) {
+                                     const Circumstances& now, advice::GivenAdvice& given_advice) {
   advice::SchemeLimits limits = advice::sampled_scheme;
   limits.remedy = remedy;
-  tell(lmp, from_script(lmp, style, [&] {
-         return said.news(advice::attraction_report(style, limits, contacts, now.run), contacts,
-                          now);
-       }));
+  print(lmp, from_script(lmp, style, [&] {
+          return given_advice.only_new(advice::attraction_report(style, limits, contacts, now.run),
+                                       contacts, now);
+        }));
 }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "advice/contact_report.h"
-#include "advice/said.h"
+#include "advice/given_advice.h"
 #include "advice/watch.h"
 #include "contact/contact_parameters.h"
 #include "pointers.h"
@@ -60,15 +60,16 @@ AdvisedContact advised_contact(const std::string& name, const LightestParticle& 
 
 /// Prints the table of numbers that decide whether the run can be right, warns where one says that
 /// it will not be, and stops LAMMPS where one says that it must blow up (advice/contact_report.h);
-/// of what `said` holds it says only what is new.
+/// of what `given_advice` holds it says only what is new.
 void advise(LAMMPS*, const std::string& style, const cohesion::advice::SchemeLimits&,
-            const std::vector<AdvisedContact>&, const Circumstances&, cohesion::advice::Said& said);
+            const std::vector<AdvisedContact>&, const Circumstances&,
+            cohesion::advice::GivenAdvice& given_advice);
 
 /// The same of an attraction alone, laid over the contacts of another style. `remedy`: what else
 /// than a smaller step helps.
 void advise_of_attraction(LAMMPS*, const std::string& style, std::string_view remedy,
                           const std::vector<AdvisedContact>&, const Circumstances&,
-                          cohesion::advice::Said& said);
+                          cohesion::advice::GivenAdvice& given_advice);
 
 }  // namespace LAMMPS_NS
 

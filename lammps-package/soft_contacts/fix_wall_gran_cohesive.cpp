@@ -140,16 +140,16 @@ void FixWallGranCohesive<Cohesion>::setup(int) {
 template <class Cohesion>
 void FixWallGranCohesive<Cohesion>::post_force(int) {
   if (step->resumes()) return;
-  step->second_pass([this] {
-    with_contacts([this](auto& shared, auto size) { follow_together<size>(shared); });
-  });
+  step->run_corrector(
+      [this] { with_contacts([this](auto& shared, auto size) { compute_forces<size>(shared); }); });
 }
 
 template <class Cohesion>
 void FixWallGranCohesive<Cohesion>::give_advice(const Circumstances& of_all) {
   const Circumstances now = of_group(lmp, of_all, groupbit);
   advise(lmp, where, limits_of(scheme),
-         from_script(lmp, where, [&] { return advised_contacts(now.lightest); }), now, said);
+         from_script(lmp, where, [&] { return advised_contacts(now.lightest); }), now,
+         given_advice);
 }
 
 template <class Cohesion>
@@ -181,17 +181,17 @@ void FixWallGranCohesive<Cohesion>::check_flight(int i, const WallPoint& point, 
                           "There " + report_flight(lmp, i));
 }
 
-/// In a step, [length]; in a sheared box the mean flow, which step->flight() leaves out, may carry
-/// particles into any wall, or a wall against them.
+/// How far the walls move in a step, [length]; infinite in a sheared box, where the mean flow,
+/// which step->flight() leaves out, may carry particles into any wall, or a wall against them.
 template <class Cohesion>
-double FixWallGranCohesive<Cohesion>::way_of_walls(const WallState& now) const {
+double FixWallGranCohesive<Cohesion>::wall_travel(const WallState& now) const {
   if (domain->deform_vremap) return std::numeric_limits<double>::infinity();
   if (motion.still()) return 0.0;
   return update->dt * norm(now.velocity);
 }
 
 template <class Cohesion>
-void FixWallGranCohesive<Cohesion>::look_at_sizes() {
+void FixWallGranCohesive<Cohesion>::update_sizes() {
   sizes = {std::numeric_limits<double>::infinity(), 0.0, 0.0};
   for (int i = 0; i < atom->nlocal; i++) {
     const double radius = atom->radius[i];
@@ -209,13 +209,13 @@ void FixWallGranCohesive<Cohesion>::for_each_near(std::vector<Contact>& shared, 
   const WallState now = state();
   // What moves less than a radius in a step cannot matter beyond two. Each is asked when particles
   // may be new, or faster than that.
-  const double flight = 2.0 * step->flight() + way_of_walls(now);
+  const double flight = 2.0 * step->flight() + wall_travel(now);
   const bool ask_each = step->starts() || neighbor->ago == 0 || flight > sizes.smallest_radius;
-  if (ask_each) look_at_sizes();
+  if (ask_each) update_sizes();
   const FarFromWalls far(walls, now.displacement, 2.0 * sizes.largest_radius + sizes.largest_range);
 
   for (int i = 0; i < atom->nlocal; i++) {
-    if (!ask_each && far.holds(atom->x[i]) && atom->radius[i] <= sizes.largest_radius) continue;
+    if (!ask_each && far.contains(atom->x[i]) && atom->radius[i] <= sizes.largest_radius) continue;
     if (!(atom->mask[i] & groupbit)) continue;
     const Vector3 centre = vector(atom->x[i]);
     const double range = Cohesion::range(scheme, parameters, atom->radius[i], 0.0);
@@ -239,27 +239,27 @@ void FixWallGranCohesive<Cohesion>::for_each_near(std::vector<Contact>& shared, 
 }
 
 template <class Cohesion>
-void FixWallGranCohesive<Cohesion>::gather() {
+void FixWallGranCohesive<Cohesion>::classify() {
   forces.clear();
   near_now.clear();
-  with_contacts([this](auto& shared, auto size) { gather<size>(shared); });
+  with_contacts([this](auto& shared, auto size) { classify<size>(shared); });
 }
 
 static int partner(std::size_t near) { return -1 - static_cast<int>(near); }
 
-/// What contacts do to the walls.
+/// Returns what adds the forces of contacts on the walls.
 template <class Cohesion>
 template <int SIZE>
-auto FixWallGranCohesive<Cohesion>::pushes(const ContactsOfStep<EventContact, SIZE>& scatter) {
+auto FixWallGranCohesive<Cohesion>::force_adder(const ContactsOfStep<EventContact, SIZE>& scatter) {
   return [&scatter, this](int j, const PairMotion&, const Vector3& impulse, const auto& by_contact,
                           double factor) {
-    push(scatter, near_now[-1 - j], impulse, by_contact(), factor);
+    add_wall_force(scatter, near_now[-1 - j], impulse, by_contact(), factor);
   };
 }
 
 template <class Cohesion>
 template <int SIZE>
-void FixWallGranCohesive<Cohesion>::gather(std::vector<EventContact>& shared) {
+void FixWallGranCohesive<Cohesion>::classify(std::vector<EventContact>& shared) {
   contacts_now.clear();
   const ContactsOfStep<EventContact, SIZE> scatter(atom, step);
   for_each_near(shared, [&](int i, int w, int c, const WallPoint& point, double* values) {
@@ -269,14 +269,14 @@ void FixWallGranCohesive<Cohesion>::gather(std::vector<EventContact>& shared) {
         !shared[c].within_reach(grid.relative, step->flight()))
       return;
     near_now.push_back(near);
-    contacts_now.take<SIZE>(scatter, step, shared[c], c, i, partner(near_now.size() - 1), grid,
-                            values, pushes<SIZE>(scatter));
+    contacts_now.classify<SIZE>(scatter, step, shared[c], c, i, partner(near_now.size() - 1), grid,
+                                values, force_adder<SIZE>(scatter));
   });
 }
 
 template <class Cohesion>
 template <int SIZE>
-void FixWallGranCohesive<Cohesion>::gather(std::vector<SampledContact>& shared) {
+void FixWallGranCohesive<Cohesion>::classify(std::vector<SampledContact>& shared) {
   for_each_near(shared, [&](int i, int w, int c, const WallPoint& point, double* values) {
     const Near near{i, w, c, point, values};
     if (values[0] == 0.0 && !shared[c].within_reach(on_grid(near).relative)) return;
@@ -285,60 +285,61 @@ void FixWallGranCohesive<Cohesion>::gather(std::vector<SampledContact>& shared) 
 }
 
 template <class Cohesion>
-void FixWallGranCohesive<Cohesion>::unsettle() {
-  with_event_contacts([this](auto& shared, auto size) { unsettle<size>(shared); });
+void FixWallGranCohesive<Cohesion>::follow_disturbed() {
+  with_event_contacts([this](auto& shared, auto size) { follow_disturbed<size>(shared); });
 }
 
 template <class Cohesion>
-void FixWallGranCohesive<Cohesion>::join() {
-  with_event_contacts([this](auto& shared, auto size) { join<size>(shared); });
+void FixWallGranCohesive<Cohesion>::couple_lasting() {
+  with_event_contacts([this](auto& shared, auto size) { couple_lasting<size>(shared); });
 }
 
 template <class Cohesion>
-void FixWallGranCohesive<Cohesion>::follow_alone() {
+void FixWallGranCohesive<Cohesion>::predict() {
   with_event_contacts([this](auto& shared, auto size) {
-    contacts_now.follow_alone(ContactsOfStep<EventContact, size>(atom, step), step, shared);
+    contacts_now.predict(ContactsOfStep<EventContact, size>(atom, step), step, shared);
   });
 }
 
 template <class Cohesion>
 template <int SIZE>
-void FixWallGranCohesive<Cohesion>::unsettle(std::vector<EventContact>& shared) {
+void FixWallGranCohesive<Cohesion>::follow_disturbed(std::vector<EventContact>& shared) {
   const ContactsOfStep<EventContact, SIZE> scatter(atom, step);
-  contacts_now.unsettle<SIZE>(
+  contacts_now.follow_disturbed<SIZE>(
       scatter, step, shared,
       [this](const LastingContact& p) { return on_grid(near_now[-1 - p.j]); },
-      pushes<SIZE>(scatter));
+      force_adder<SIZE>(scatter));
 }
 
 template <class Cohesion>
 template <int SIZE>
-void FixWallGranCohesive<Cohesion>::join(std::vector<EventContact>& shared) {
-  contacts_now.join<SIZE>(ContactsOfStep<EventContact, SIZE>(atom, step), step, shared,
-                          [this](const LastingContact& p) { return on_grid(near_now[-1 - p.j]); });
+void FixWallGranCohesive<Cohesion>::couple_lasting(std::vector<EventContact>& shared) {
+  contacts_now.couple_lasting<SIZE>(
+      ContactsOfStep<EventContact, SIZE>(atom, step), step, shared,
+      [this](const LastingContact& p) { return on_grid(near_now[-1 - p.j]); });
 }
 
-/// Books the force on the wall; with factor -1 takes it back.
+/// Adds the force on a wall, and its work to the energy tally; with factor -1 undoes both.
 template <class Cohesion>
 template <class Contact, int SIZE>
-void FixWallGranCohesive<Cohesion>::push(const ContactsOfStep<Contact, SIZE>& scatter,
-                                         const Near& near, const Vector3& impulse,
-                                         const Vector3& by_contact, double factor) {
-  step->book.work(-factor * dot(near.point.velocity, impulse));
+void FixWallGranCohesive<Cohesion>::add_wall_force(const ContactsOfStep<Contact, SIZE>& scatter,
+                                                   const Near& near, const Vector3& impulse,
+                                                   const Vector3& by_contact, double factor) {
+  step->energy_tally.add_work(-factor * dot(near.point.velocity, impulse));
   const double kick = factor * scatter.kick();
   forces.add(near.wall, kick * impulse, kick * (impulse - by_contact));
 }
 
 template <class Cohesion>
 template <int SIZE>
-void FixWallGranCohesive<Cohesion>::follow_together(std::vector<EventContact>& shared) {
+void FixWallGranCohesive<Cohesion>::compute_forces(std::vector<EventContact>& shared) {
   const ContactsOfStep<EventContact, SIZE> scatter(atom, step);
-  contacts_now.follow_together(scatter, step, shared, pushes<SIZE>(scatter));
+  contacts_now.correct(scatter, step, shared, force_adder<SIZE>(scatter));
 }
 
 template <class Cohesion>
 template <int SIZE>
-void FixWallGranCohesive<Cohesion>::follow_together(std::vector<SampledContact>& shared) {
+void FixWallGranCohesive<Cohesion>::compute_forces(std::vector<SampledContact>& shared) {
   const ContactsOfStep<SampledContact, SIZE> scatter(atom, step);
   for (std::size_t k = 0; k < near_now.size(); k++) {
     const Near& near = near_now[k];
@@ -347,19 +348,17 @@ void FixWallGranCohesive<Cohesion>::follow_together(std::vector<SampledContact>&
     ContactMemory known = ContactMemory::from(near.history, SIZE);
     const SampledStep now = sample(scatter, step, c, near.i, partner(k), grid, known);
     known.to(near.history, SIZE);
-    push(scatter, near, now.action.impulse, c.by_contact(grid, now), 1.0);
+    add_wall_force(scatter, near, now.action.impulse, c.by_contact(grid, now), 1.0);
   }
 }
 
-/* ---------------------------------------------------------------------- */
-
-/// Force on one wall: along three axes all of it, along the same three that of adhesion.
+/// The force on one wall: along three axes all of it, along the same three that of adhesion.
 template <class Cohesion>
 double FixWallGranCohesive<Cohesion>::compute_array(int wall, int which) {
   return forces.all(world)[WallForces::EACH * wall + which];
 }
 
-/// Force on all of them.
+/// The force on all walls.
 template <class Cohesion>
 double FixWallGranCohesive<Cohesion>::compute_vector(int which) {
   return forces.sum(world, which);

@@ -34,15 +34,15 @@ class FixWallGranCohesive : public Fix, public EventWalls, public AdvisedStyle {
   void init() override;
   void setup(int) override;
   void post_force(int) override;
-  bool within_step() const override { return scheme == Scheme::event; }
-  void gather() override;
-  void unsettle() override;
-  void join() override;
-  void follow_alone() override;
-  void book_standing() override;
+  bool is_event_scheme() const override { return scheme == Scheme::event; }
+  void classify() override;
+  void follow_disturbed() override;
+  void couple_lasting() override;
+  void predict() override;
+  void store_energies_at_setup() override;
   void give_advice(const Circumstances&) override;
-  void take_where_they_are() override;
-  bool rubs(int) const override { return per_wall > HistorySize::normal_only; }
+  void reset_in_range() override;
+  bool has_friction(int) const override { return per_wall > HistorySize::normal_only; }
 
   double compute_vector(int) override;
   double compute_array(int, int) override;
@@ -61,7 +61,7 @@ class FixWallGranCohesive : public Fix, public EventWalls, public AdvisedStyle {
   double memory_usage() override { return history.bytes(); }
 
  private:
-  using EventContact = cohesion::event_stepping::ContactOnGrid<typename Cohesion::EventWall>;
+  using EventContact = cohesion::event_stepping::TwoPassContact<typename Cohesion::EventWall>;
   using SampledContact = cohesion::event_stepping::SampledContact<typename Cohesion::Sampled>;
   /// Those of the particles near a wall, equal neighbours shared. One alternative per scheme, in
   /// the order of Scheme.
@@ -82,28 +82,29 @@ class FixWallGranCohesive : public Fix, public EventWalls, public AdvisedStyle {
   int contact(std::vector<Contact>&, int i);
   void check_flight(int i, const cohesion::event_stepping::WallPoint&, bool inside);
   cohesion::event_stepping::WallState state() const;
-  double way_of_walls(const cohesion::event_stepping::WallState&) const;
-  void look_at_sizes();
+  double wall_travel(const cohesion::event_stepping::WallState&) const;
+  void update_sizes();
   template <class Contact, class What>
   void for_each_near(std::vector<Contact>&, const What&);
   template <int SIZE>
-  void gather(std::vector<EventContact>&);
+  void classify(std::vector<EventContact>&);
   template <int SIZE>
-  void gather(std::vector<SampledContact>&);
+  void classify(std::vector<SampledContact>&);
   template <int SIZE>
-  void follow_together(std::vector<EventContact>&);
+  void compute_forces(std::vector<EventContact>&);
   template <int SIZE>
-  void follow_together(std::vector<SampledContact>&);
+  void compute_forces(std::vector<SampledContact>&);
   template <class Contact, int SIZE>
-  void push(const ContactsOfStep<Contact, SIZE>&, const Near&, const cohesion::Vector3& impulse,
-            const cohesion::Vector3& by_contact, double factor);
+  void add_wall_force(const ContactsOfStep<Contact, SIZE>&, const Near&,
+                      const cohesion::Vector3& impulse, const cohesion::Vector3& by_contact,
+                      double factor);
   template <int SIZE>
-  auto pushes(const ContactsOfStep<EventContact, SIZE>&);
+  auto force_adder(const ContactsOfStep<EventContact, SIZE>&);
   cohesion::event_stepping::PairMotion on_grid(const Near&) const;
   template <int SIZE>
-  void unsettle(std::vector<EventContact>&);
+  void follow_disturbed(std::vector<EventContact>&);
   template <int SIZE>
-  void join(std::vector<EventContact>&);
+  void couple_lasting(std::vector<EventContact>&);
   std::vector<AdvisedContact> advised_contacts(const std::vector<LightestParticle>&) const;
   template <class What>
   void with_contacts(const What& what) {
@@ -129,7 +130,7 @@ class FixWallGranCohesive : public Fix, public EventWalls, public AdvisedStyle {
   }
 
   std::string where;  // in front of messages
-  cohesion::advice::Said said;
+  cohesion::advice::GivenAdvice given_advice;
   Scheme scheme;
   Cohesion attraction;
   typename Cohesion::Parameters given_parameters;
@@ -158,7 +159,7 @@ template <class Cohesion>
 template <class Contact>
 inline int FixWallGranCohesive<Cohesion>::contact(std::vector<Contact>& shared, int i) {
   const cohesion::event_stepping::Body particle = step->body(i), wall{0.0, 0.0};
-  if (shared.empty() || !shared.back().joins(particle, wall))
+  if (shared.empty() || !shared.back().is_between(particle, wall))
     shared.push_back(step->contact<Contact>(
         parameters.contact,
         Cohesion::template of_wall<typename Contact::Attraction>(law, particle.radius), particle,

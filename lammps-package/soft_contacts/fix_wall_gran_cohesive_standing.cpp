@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-only
-// The part of FixWallGranCohesive that looks at particles where they stand, between two steps.
+// The part of FixWallGranCohesive that knows contacts at set-up of a run.
 #include "atom.h"
 #include "fix_wall_gran_cohesive.h"
 #include "hamaker_cohesion.h"
@@ -9,40 +9,41 @@ using namespace LAMMPS_NS;
 using namespace cohesion::event_stepping;
 
 template <class Cohesion>
-void FixWallGranCohesive<Cohesion>::take_where_they_are() {
+void FixWallGranCohesive<Cohesion>::reset_in_range() {
   const WallState now = state();
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
     const double reach =
         atom->radius[i] + Cohesion::range(scheme, parameters, atom->radius[i], 0.0);
     for (int w = 0; w < static_cast<int>(walls.size()); w++) {
-      double* const kept = history.of(i, w);
+      double* const values = history.of(i, w);
       const WallPoint point = walls[w].nearest(vector(atom->x[i]), now, motion.rim_speed);
       const bool inside = point.distance > 0.0 && point.distance < reach;
-      if (inside && kept[0] > 0.0) continue;
-      (inside ? ContactMemory::seen_inside() : ContactMemory()).to(kept, per_wall);
+      if (inside && values[0] > 0.0) continue;
+      (inside ? ContactMemory::seen_inside() : ContactMemory()).to(values, per_wall);
     }
   }
 }
 
 template <class Cohesion>
-void FixWallGranCohesive<Cohesion>::book_standing() {
+void FixWallGranCohesive<Cohesion>::store_energies_at_setup() {
   const WallState now = state();
   with_contacts([&](auto& shared, auto size) {
     shared.clear();
     for (int i = 0; i < atom->nlocal; i++)
       for (int w = 0; w < static_cast<int>(walls.size()); w++) {
-        double* const kept = history.of(i, w);
-        if (kept[0] <= 0.0 || step->body(i).inverse_mass == 0.0) continue;
+        double* const values = history.of(i, w);
+        if (values[0] <= 0.0 || step->body(i).inverse_mass == 0.0) continue;
         const int c = contact(shared, i);
-        const Near near{i, w, c, walls[w].nearest(vector(atom->x[i]), now, motion.rim_speed), kept};
-        step->book.store_again(1.0,
-                               shared[c].stored(on_grid(near), ContactMemory::from(kept, size)));
+        const Near near{i, w, c, walls[w].nearest(vector(atom->x[i]), now, motion.rim_speed),
+                        values};
+        step->energy_tally.store_normal(
+            1.0, shared[c].stored(on_grid(near), ContactMemory::from(values, size)));
       }
   });
 }
 
-template void FixWallGranCohesive<HamakerCohesion>::take_where_they_are();
-template void FixWallGranCohesive<HamakerCohesion>::book_standing();
-template void FixWallGranCohesive<SquareWellCohesion>::take_where_they_are();
-template void FixWallGranCohesive<SquareWellCohesion>::book_standing();
+template void FixWallGranCohesive<HamakerCohesion>::reset_in_range();
+template void FixWallGranCohesive<HamakerCohesion>::store_energies_at_setup();
+template void FixWallGranCohesive<SquareWellCohesion>::reset_in_range();
+template void FixWallGranCohesive<SquareWellCohesion>::store_energies_at_setup();

@@ -70,7 +70,7 @@ Parameters HamakerCohesion::scaled(LAMMPS* lmp, const std::string& where, Parame
                                "asperities; 'material_keep force' leaves any adhesion as it is");
   p.hamaker = from_script(
       lmp, where, [&] { return advice::for_stiffness(p.contact.stiffness, p.material, real); });
-  const std::string told = advice::told_scaling(p.contact.stiffness, p.material, real, p.hamaker);
+  const std::string told = advice::scaling_note(p.contact.stiffness, p.material, real, p.hamaker);
   if (told_[where] != told && !told.empty() && lmp->comm->me == 0)
     utils::logmesg(lmp, where + ": " + told + "\n");
   told_[where] = told;

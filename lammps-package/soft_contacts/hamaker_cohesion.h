@@ -12,7 +12,7 @@
 #include "cohesive_contact_from_script.h"
 #include "contact/adhesion.h"
 #include "event_stepping/plane_pair.h"
-#include "event_stepping/sampled_pair.h"
+#include "event_stepping/sampled_hamaker.h"
 #include "event_stepping/sphere_pair.h"
 #include "hamaker/forms.h"
 
@@ -43,7 +43,7 @@ class HamakerCohesion {
   using Law = cohesion::hamaker::AnyLaw;
   using EventPair = cohesion::event_stepping::SpherePair;
   using EventWall = cohesion::event_stepping::PlanePair;
-  using Sampled = cohesion::event_stepping::SampledPair;
+  using Sampled = cohesion::event_stepping::SampledHamaker;
 
   static std::vector<ContactKeyword<Parameters> > keywords();
   static void require_valid(LAMMPS*, const std::string& where, const Parameters&,

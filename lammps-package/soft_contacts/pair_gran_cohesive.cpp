@@ -30,12 +30,12 @@ template <class Cohesion>
 PairGranCohesive<Cohesion>::PairGranCohesive(LAMMPS* lammps)
     : Pair(lammps),
       coefficients(lammps),
-      close(lammps),
+      close_pairs(lammps),
       largest_range(0.0),
       friction(false),
-      acts(false),
-      looks(true),
-      rested(false),
+      is_active(false),
+      needs_list(true),
+      history_stale(false),
       per_pair(0),
       step(nullptr),
       history(modify, Cohesion::HISTORY_ID) {
@@ -83,7 +83,7 @@ void PairGranCohesive<Cohesion>::init_style() {
   largest_radius = largest_radii(lmp);
   smallest_radius = smallest_radii(lmp, largest_radius);
   coefficients.start();
-  acts = coefficients.any_acts();
+  is_active = coefficients.any_active();
   if (coefficients.scheme() == Scheme::event)
     any_contacts.template emplace<static_cast<int>(Scheme::event)>();
   else
@@ -92,9 +92,9 @@ void PairGranCohesive<Cohesion>::init_style() {
              any_contacts);
   friction = false;
   largest_range = 0.0;
-  close.start(for_flight());
-  looks = acts || per_pair > 0 || bound_pairs_are_read();
-  if (!looks) {
+  close_pairs.start(flight_allowance());
+  needs_list = is_active || per_pair > 0 || bound_pairs_are_read();
+  if (!needs_list) {
     list = nullptr;
     return;
   }
@@ -120,10 +120,10 @@ int PairGranCohesive<Cohesion>::values_per_pair() const {
   return coefficients.any_rolls() ? HistorySize::with_rolling : HistorySize::with_friction;
 }
 
-/// A fifth of the skin for the flight of both within a step: it is far less where the engine's own
-/// check of the list holds at all.
+/// The part of the skin that is for the flight of both particles within a step: a fifth; the flight
+/// is far less where the engine's own check of the list holds at all.
 template <class Cohesion>
-double PairGranCohesive<Cohesion>::for_flight() const {
+double PairGranCohesive<Cohesion>::flight_allowance() const {
   return 0.2 * neighbor->skin;
 }
 
@@ -134,10 +134,10 @@ double PairGranCohesive<Cohesion>::init_one(int i, int j) {
   require_plausible_range(lmp, coefficients.where(), largest_radius[i] + largest_radius[j] + range);
   const auto& contact = coefficients.contact(coefficients.of_types(i, j));
   friction = friction || contact.friction > 0.0;
-  if (!looks) return largest_radius[i] + largest_radius[j];
+  if (!needs_list) return largest_radius[i] + largest_radius[j];
   largest_range = std::max(largest_range, range);
-  close.start(largest_range + for_flight());
-  return largest_radius[i] + largest_radius[j] + range + for_flight();
+  close_pairs.start(largest_range + flight_allowance());
+  return largest_radius[i] + largest_radius[j] + range + flight_allowance();
 }
 
 template <class Cohesion>
@@ -145,10 +145,11 @@ void PairGranCohesive<Cohesion>::give_advice(const Circumstances& now) {
   if (!Cohesion::HAS_CONTACT) return;
   const std::string where = coefficients.where();
   advise(lmp, where, limits_of(coefficients.scheme()),
-         from_script(lmp, where, [&] { return advised_contacts(now.lightest); }), now, said);
+         from_script(lmp, where, [&] { return advised_contacts(now.lightest); }), now,
+         given_advice);
 }
 
-/// Between particles of the types that are this style's.
+/// The contacts between particles of the types that are this style's.
 template <class Cohesion>
 std::vector<AdvisedContact> PairGranCohesive<Cohesion>::advised_contacts(
     const std::vector<LightestParticle>& lightest) const {

@@ -25,11 +25,12 @@ struct ParticlesOnGrid {
   const int* type;
   Bodies bodies;
 
-  [[gnu::always_inline]] cohesion::event_stepping::RelativeState apart(int i, int j) const {
+  [[gnu::always_inline]] cohesion::event_stepping::RelativeState relative_state(int i,
+                                                                                int j) const {
     return {vector(x + 3 * j) - vector(x + 3 * i), vector(v + 3 * j) - vector(v + 3 * i)};
   }
   [[gnu::always_inline]] cohesion::event_stepping::PairMotion motion(int i, int j) const {
-    return {apart(i, j), vector(spin + 3 * i), vector(spin + 3 * j)};
+    return {relative_state(i, j), vector(spin + 3 * i), vector(spin + 3 * j)};
   }
 };
 
@@ -51,23 +52,27 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventContacts, p
   void read_restart(FILE*) override;
   /// Histories that nothing was written to count as none.
   void write_restart_settings(FILE* fp) override {
-    coefficients.write_settings(fp, rested ? 0 : per_pair);
+    coefficients.write_settings(fp, history_stale ? 0 : per_pair);
   }
   /// The histories of the file stay as long as they are, whether anything rolls now or not.
   void read_restart_settings(FILE* fp) override {
     per_pair = coefficients.read_settings(fp);
-    rested = per_pair == 0;
+    history_stale = per_pair == 0;
   }
   void append_bound(std::vector<std::array<int, 2>>&) const override;
-  bool follows() const override { return looks; }
-  bool within_step() const override { return acts && coefficients.scheme() == Scheme::event; }
-  void gather() override;
-  void unsettle() override;
-  void join() override;
-  void follow_alone() override;
-  void book_standing() override;
+  bool may_have_contacts() const override { return needs_list; }
+  bool is_event_scheme() const override {
+    return is_active && coefficients.scheme() == Scheme::event;
+  }
+  void classify() override;
+  void follow_disturbed() override;
+  void couple_lasting() override;
+  void predict() override;
+  void store_energies_at_setup() override;
   void give_advice(const Circumstances&) override;
-  bool rubs(int type) const override { return coefficients.rubs(type, atom->ntypes); }
+  bool has_friction(int type) const override {
+    return coefficients.has_friction(type, atom->ntypes);
+  }
 
  private:
   /// The contacts of a step, and by type pair which of them was used last.
@@ -83,12 +88,12 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventContacts, p
     }
   };
   /// One alternative per scheme, in the order of Scheme.
-  using EventContact = cohesion::event_stepping::ContactOnGrid<typename Cohesion::EventPair>;
+  using EventContact = cohesion::event_stepping::TwoPassContact<typename Cohesion::EventPair>;
   using SampledContact = cohesion::event_stepping::SampledContact<typename Cohesion::Sampled>;
   using AnyContacts = std::variant<Contacts<EventContact>, Contacts<SampledContact>>;
 
   void allocate();
-  double for_flight() const;
+  double flight_allowance() const;
   int values_per_pair() const;
   bool bound_pairs_are_read() const;
   template <class Contact>
@@ -96,29 +101,29 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventContacts, p
   template <class Contact>
   int new_contact(Contacts<Contact>&, int of_types, int i, int j);
   ParticlesOnGrid particles() const;
-  bool closer(double gap, int i, int j) const;
+  bool is_within(double gap, int i, int j) const;
   bool moves(int i, int j) const;
   template <class What>
   void for_each_listed(const What&) const;
-  void begin_where_they_are(bool afresh);
+  void reset_in_range(bool discard_all);
   void find_close();
   template <class What>
   void for_each_close(const What&);
   template <int SIZE>
-  void gather(Contacts<EventContact>&);
+  void classify(Contacts<EventContact>&);
   template <int SIZE>
-  void gather(Contacts<SampledContact>&);
+  void classify(Contacts<SampledContact>&);
   template <int SIZE>
-  void take(const ContactsOfStep<EventContact, SIZE>&, const EventContact&, int contact, int i,
-            int j, int& kept, double* values);
+  void classify_one(const ContactsOfStep<EventContact, SIZE>&, const EventContact&, int contact,
+                    int i, int j, int& has_history, double* values);
   template <int SIZE>
-  void unsettle(Contacts<EventContact>&);
+  void follow_disturbed(Contacts<EventContact>&);
   template <int SIZE>
-  void join(Contacts<EventContact>&);
+  void couple_lasting(Contacts<EventContact>&);
   template <int SIZE>
-  void follow_together(Contacts<EventContact>&);
+  void compute_forces(Contacts<EventContact>&);
   template <int SIZE>
-  void follow_together(Contacts<SampledContact>&);
+  void compute_forces(Contacts<SampledContact>&);
   template <int SIZE>
   bool sample(const ContactsOfStep<SampledContact, SIZE>&, const SampledContact&, int i, int j,
               double* values);
@@ -129,23 +134,23 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventContacts, p
   void with_contacts(const What&);
   template <class What>
   void with_event_contacts(const What&);
-  void tally_standing();
+  void tally_energies_at_setup();
   template <class What>
-  void for_each_standing(const What&);
+  void for_each_with_history(const What&);
   std::vector<AdvisedContact> advised_contacts(const std::vector<LightestParticle>&) const;
 
   CohesiveCoefficients<Cohesion> coefficients;
-  cohesion::advice::Said said;
+  cohesion::advice::GivenAdvice given_advice;
   AnyContacts any_contacts;
   std::vector<double> largest_radius, smallest_radius;  // by type, at init
   StepContacts contacts_now;                            // event scheme: those of this step
-  ClosePairs close;                                     // those that may touch in a step
+  ClosePairs close_pairs;                               // those that may touch in a step
   double largest_range;                                 // up to which the scheme has to see a pair
   bool friction;                                        // whether any contact has friction
-  bool acts;                                            // whether anything can happen in this run
-  bool looks;                                           // whether any pair is looked at in it
-  bool rested;                                          // nothing acted, and no pair was followed
-  int per_pair;  // values of history (HistorySize); 0: there is none yet
+  bool is_active;                                       // whether anything can happen in this run
+  bool needs_list;                                      // whether any pair is visited in this run
+  bool history_stale;  // since nothing has acted, histories are not those of the pairs as they are
+  int per_pair;        // values of history (HistorySize); 0: there is none yet
   class FixEventStep* step;
   PairHistory history;
 };
@@ -164,7 +169,7 @@ template <class Contact>
   const int types = coefficients.of_types(particles.type[i], particles.type[j]);
   const int last = contacts.last[types];
   if (last != Contacts<Contact>::NONE &&
-      contacts.all[last].joins(particles.bodies[i], particles.bodies[j]))
+      contacts.all[last].is_between(particles.bodies[i], particles.bodies[j]))
     return last;
   return new_contact(contacts, types, i, j);
 }
@@ -183,8 +188,9 @@ template <class Contact>
 }
 
 template <class Cohesion>
-bool PairGranCohesive<Cohesion>::closer(double gap, int i, int j) const {
-  return norm(particles().apart(i, j).separation) < atom->radius[i] + atom->radius[j] + gap;
+bool PairGranCohesive<Cohesion>::is_within(double gap, int i, int j) const {
+  return norm(particles().relative_state(i, j).separation) <
+         atom->radius[i] + atom->radius[j] + gap;
 }
 
 /// Pairs of which neither is moved by anything are not followed.

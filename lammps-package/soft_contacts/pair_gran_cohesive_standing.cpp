@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-only
-// The part of PairGranCohesive that looks at pairs where they stand, between two steps.
+// The part of PairGranCohesive that knows pairs at set-up of a run, and between two steps.
 #include <algorithm>
 
 #include "atom.h"
@@ -13,7 +13,7 @@ using namespace LAMMPS_NS;
 using namespace cohesion::event_stepping;
 using cohesion::Vector3;
 
-/// Calls what(i, j, kept, values): whether the pair has a history, and that.
+/// Calls what(i, j, has_history, values): whether the pair has a history, and that.
 template <class Cohesion>
 template <class What>
 void PairGranCohesive<Cohesion>::for_each_listed(const What& what) const {
@@ -25,43 +25,45 @@ void PairGranCohesive<Cohesion>::for_each_listed(const What& what) const {
   }
 }
 
-/// After steps in which no pair was followed (`afresh`), or something else than their motion
-/// brought particles where they are; those that are still in range remember what they did.
+/// Sets which pairs are in range by where they are: after steps in which no pair had a history
+/// (`discard_all`), or when something else than their motion has brought particles where they are;
+/// then pairs that are still in range keep theirs.
 template <class Cohesion>
-void PairGranCohesive<Cohesion>::begin_where_they_are(bool afresh) {
-  rested = false;
+void PairGranCohesive<Cohesion>::reset_in_range(bool discard_all) {
+  history_stale = false;
   std::visit(
-      [this, afresh](auto& contacts) {
+      [this, discard_all](auto& contacts) {
         contacts.clear();
-        for_each_listed([&](int i, int j, int& kept, double* values) {
+        for_each_listed([&](int i, int j, int& has_history, double* values) {
           // Contacts are made for those only that some contact could reach.
           const bool near =
-              moves(i, j) && closer(largest_range, i, j) &&
-              closer(contacts.all[contact(contacts, particles(), i, j)].range(), i, j);
-          if (near && kept && !afresh) return;
+              moves(i, j) && is_within(largest_range, i, j) &&
+              is_within(contacts.all[contact(contacts, particles(), i, j)].range(), i, j);
+          if (near && has_history && !discard_all) return;
           (near ? ContactMemory::seen_inside() : ContactMemory()).to(values, per_pair);
-          kept = near;
+          has_history = near;
         });
       },
       any_contacts);
 }
 
-/// Energies of the pairs where they stand, for a run that takes over the forces of the last one.
+/// Adds the energies of the pairs at the grid point to the energy tally, for a run that takes over
+/// the forces of the last one.
 template <class Cohesion>
-void PairGranCohesive<Cohesion>::book_standing() {
-  if (!acts) return;
-  if (rested) begin_where_they_are(true);
-  if (step->box_changed()) begin_where_they_are(false);
-  if (!step->book.is_kept()) return;
-  for_each_standing([this](int, int j, const StoredEnergies& stored) {
-    step->book.store_again(j < atom->nlocal ? 1.0 : 0.5, stored);
+void PairGranCohesive<Cohesion>::store_energies_at_setup() {
+  if (!is_active) return;
+  if (history_stale) reset_in_range(true);
+  if (step->box_changed()) reset_in_range(false);
+  if (!step->energy_tally.is_active()) return;
+  for_each_with_history([this](int, int j, const StoredEnergies& stored) {
+    step->energy_tally.store_normal(j < atom->nlocal ? 1.0 : 0.5, stored);
   });
 }
 
 template <class Cohesion>
-void PairGranCohesive<Cohesion>::tally_standing() {
-  for_each_standing([this](int i, int j, const StoredEnergies& stored) {
-    const Vector3 d = particles().apart(i, j).separation;
+void PairGranCohesive<Cohesion>::tally_energies_at_setup() {
+  for_each_with_history([this](int i, int j, const StoredEnergies& stored) {
+    const Vector3 d = particles().relative_state(i, j).separation;
     ev_tally_xyz(i, j, atom->nlocal, 0, stored.spring + stored.adhesion, 0.0, 0.0, 0.0, 0.0, -d.x,
                  -d.y, -d.z);
   });
@@ -70,12 +72,12 @@ void PairGranCohesive<Cohesion>::tally_standing() {
 /// Calls what(i, j, energies) for each pair with a history.
 template <class Cohesion>
 template <class What>
-void PairGranCohesive<Cohesion>::for_each_standing(const What& what) {
+void PairGranCohesive<Cohesion>::for_each_with_history(const What& what) {
   std::visit(
       [&](auto& contacts) {
         contacts.clear();
-        for_each_listed([&](int i, int j, int kept, const double* values) {
-          if (!kept || !moves(i, j)) return;
+        for_each_listed([&](int i, int j, int has_history, const double* values) {
+          if (!has_history || !moves(i, j)) return;
           const auto& c = contacts.all[contact(contacts, particles(), i, j)];
           what(i, j, c.stored(particles().motion(i, j), ContactMemory::from(values, per_pair)));
         });
@@ -83,32 +85,32 @@ void PairGranCohesive<Cohesion>::for_each_standing(const What& what) {
       any_contacts);
 }
 
-static bool is_inside(int kept, const double* values) {
-  return kept && ContactMemory::from(values, HistorySize::normal_only).in_range();
+static bool is_inside(int has_history, const double* values) {
+  return has_history && ContactMemory::from(values, HistorySize::normal_only).in_range();
 }
 
-/// Bound are the pairs within the range of contact and adhesion, of those that are followed or,
-/// where nothing acts, would be.
+/// Appends the pairs within the range of contact and adhesion, of those that have a history or,
+/// where nothing acts, would have one.
 template <class Cohesion>
 void PairGranCohesive<Cohesion>::append_bound(std::vector<std::array<int, 2>>& pairs) const {
-  for_each_listed([&](int i, int j, int kept, const double* values) {
-    if (rested ? moves(i, j) && closer(0.0, i, j) : is_inside(kept, values))
+  for_each_listed([&](int i, int j, int has_history, const double* values) {
+    if (history_stale ? moves(i, j) && is_within(0.0, i, j) : is_inside(has_history, values))
       pairs.push_back({i, j});
   });
 }
 
-template void PairGranCohesive<HamakerCohesion>::begin_where_they_are(bool);
-template void PairGranCohesive<HamakerCohesion>::tally_standing();
-template void PairGranCohesive<HamakerCohesion>::book_standing();
+template void PairGranCohesive<HamakerCohesion>::reset_in_range(bool);
+template void PairGranCohesive<HamakerCohesion>::tally_energies_at_setup();
+template void PairGranCohesive<HamakerCohesion>::store_energies_at_setup();
 template void PairGranCohesive<HamakerCohesion>::append_bound(
     std::vector<std::array<int, 2>>&) const;
-template void PairGranCohesive<SquareWellCohesion>::begin_where_they_are(bool);
-template void PairGranCohesive<SquareWellCohesion>::tally_standing();
-template void PairGranCohesive<SquareWellCohesion>::book_standing();
+template void PairGranCohesive<SquareWellCohesion>::reset_in_range(bool);
+template void PairGranCohesive<SquareWellCohesion>::tally_energies_at_setup();
+template void PairGranCohesive<SquareWellCohesion>::store_energies_at_setup();
 template void PairGranCohesive<SquareWellCohesion>::append_bound(
     std::vector<std::array<int, 2>>&) const;
-template void PairGranCohesive<SquareWellOverlay>::begin_where_they_are(bool);
-template void PairGranCohesive<SquareWellOverlay>::tally_standing();
-template void PairGranCohesive<SquareWellOverlay>::book_standing();
+template void PairGranCohesive<SquareWellOverlay>::reset_in_range(bool);
+template void PairGranCohesive<SquareWellOverlay>::tally_energies_at_setup();
+template void PairGranCohesive<SquareWellOverlay>::store_energies_at_setup();
 template void PairGranCohesive<SquareWellOverlay>::append_bound(
     std::vector<std::array<int, 2>>&) const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-only
-// The part of PairGranCohesive that works out the pairs of a step.
+// The part of PairGranCohesive that computes the pairs of a step.
 #include <algorithm>
 #include <string>
 #include <type_traits>
@@ -24,19 +24,19 @@ using cohesion::Vector3;
 template <class Cohesion>
 void PairGranCohesive<Cohesion>::compute(int eflag, int vflag) {
   ev_init(eflag, vflag);
-  coefficients.require_taken();
+  coefficients.require_committed();
   if (update->whichflag == 2)
     error->all(FLERR, coefficients.where() + " follows motion in time; it cannot be minimized");
-  if (!acts) {
-    rested = true;
+  if (!is_active) {
+    history_stale = true;
     return;
   }
   if (step->resumes()) {
-    if (evflag) tally_standing();
+    if (evflag) tally_energies_at_setup();
     return;
   }
-  step->second_pass([this] {
-    with_contacts([this](auto& contacts, auto size) { follow_together<size>(contacts); });
+  step->run_corrector([this] {
+    with_contacts([this](auto& contacts, auto size) { compute_forces<size>(contacts); });
   });
 }
 
@@ -59,18 +59,18 @@ void PairGranCohesive<Cohesion>::with_contacts(const What& what) {
 }
 
 template <class Cohesion>
-void PairGranCohesive<Cohesion>::gather() {
-  if (!acts) return;
-  if (rested) begin_where_they_are(true);
+void PairGranCohesive<Cohesion>::classify() {
+  if (!is_active) return;
+  if (history_stale) reset_in_range(true);
   if (neighbor->ago == 0) check_radii(lmp, coefficients.where(), largest_radius);
-  with_contacts([this](auto& contacts, auto size) { gather<size>(contacts); });
+  with_contacts([this](auto& contacts, auto size) { classify<size>(contacts); });
 }
 
 /// The same, in scheme event only.
 template <class Cohesion>
 template <class What>
 void PairGranCohesive<Cohesion>::with_event_contacts(const What& what) {
-  if (acts)
+  if (is_active)
     with_contacts([&](auto& contacts, auto size) {
       if constexpr (std::is_same_v<std::decay_t<decltype(contacts)>, Contacts<EventContact>>)
         what(contacts, size);
@@ -78,19 +78,19 @@ void PairGranCohesive<Cohesion>::with_event_contacts(const What& what) {
 }
 
 template <class Cohesion>
-void PairGranCohesive<Cohesion>::unsettle() {
-  with_event_contacts([this](auto& contacts, auto size) { unsettle<size>(contacts); });
+void PairGranCohesive<Cohesion>::follow_disturbed() {
+  with_event_contacts([this](auto& contacts, auto size) { follow_disturbed<size>(contacts); });
 }
 
 template <class Cohesion>
-void PairGranCohesive<Cohesion>::join() {
-  with_event_contacts([this](auto& contacts, auto size) { join<size>(contacts); });
+void PairGranCohesive<Cohesion>::couple_lasting() {
+  with_event_contacts([this](auto& contacts, auto size) { couple_lasting<size>(contacts); });
 }
 
 template <class Cohesion>
-void PairGranCohesive<Cohesion>::follow_alone() {
+void PairGranCohesive<Cohesion>::predict() {
   with_event_contacts([this](auto& contacts, auto size) {
-    contacts_now.follow_alone(ContactsOfStep<EventContact, size>(atom, step), step, contacts.all);
+    contacts_now.predict(ContactsOfStep<EventContact, size>(atom, step), step, contacts.all);
   });
 }
 
@@ -103,26 +103,28 @@ void PairGranCohesive<Cohesion>::find_close() {
   // Both fly a whole step from the grid point; sampled, they are found as far beyond the edge.
   constexpr double flights = 4.0;
   const double reach = largest_range + flights * step->flight();
-  if (reach > close.allowed())
+  if (reach > close_pairs.allowed())
     error->one(FLERR,
                "{}: particles fly up to {} in half a step and could miss a "
                "contact, the neighbour list allows for {}: use a smaller time step or a skin above "
                "{}. The fastest: {}",
-               coefficients.where(), step->flight(), (close.allowed() - largest_range) / flights,
-               20.0 * step->flight(), report_fastest(lmp));
-  close.update(*list, reach, history->firstflag);
+               coefficients.where(), step->flight(),
+               (close_pairs.allowed() - largest_range) / flights, 20.0 * step->flight(),
+               report_fastest(lmp));
+  close_pairs.update(*list, reach, history->firstflag);
 }
 
-/// Calls what(i, j, kept, history) for them.
+/// Calls what(i, j, has_history, history) for the pairs that may touch in this step.
 template <class Cohesion>
 template <class What>
 [[gnu::always_inline]] inline void PairGranCohesive<Cohesion>::for_each_close(const What& what) {
   double* const* const values_of = history->firstvalue;
   const int each = per_pair;
-  close.for_each_near(history->firstflag,
-                      [&](const ClosePair& pair, int& kept) __attribute__((always_inline)) {
-                        what(pair.i, pair.j, kept, values_of[pair.i] + each * pair.place);
-                      });
+  close_pairs.for_each_near(
+      history->firstflag,
+      [&](const ClosePair& pair, int& has_history) __attribute__((always_inline)) {
+        what(pair.i, pair.j, has_history, values_of[pair.i] + each * pair.place);
+      });
 }
 
 /// Adds what a contact does to the sums of momentum flux, if somebody reads them.
@@ -138,61 +140,63 @@ auto PairGranCohesive<Cohesion>::flux_sum() {
 
 template <class Cohesion>
 template <int SIZE>
-void PairGranCohesive<Cohesion>::gather(Contacts<EventContact>& contacts) {
+void PairGranCohesive<Cohesion>::classify(Contacts<EventContact>& contacts) {
   contacts_now.clear();
   contacts.clear();
   const ContactsOfStep<EventContact, SIZE> scatter(atom, step);
   find_close();
   const LastingForces<EventContact, SIZE> lasting(atom, step);
-  const bool asked = step->book.is_kept() || step->sums_flux();
+  const bool recorded = step->energy_tally.is_active() || step->sums_flux();
   const ParticlesOnGrid grid = particles();
-  for_each_close([&](int i, int j, int& kept, double* values) __attribute__((always_inline)) {
+  for_each_close([&](int i, int j, int& has_history,
+                     double* values) __attribute__((always_inline)) {
     const int c = contact(contacts, grid, i, j);
     if (c == contacts.NONE) return;
-    if (kept && !asked && lasting.act(contacts.all[c], i, j, grid.motion(i, j), values))
+    if (has_history && !recorded && lasting.apply(contacts.all[c], i, j, grid.motion(i, j), values))
       contacts_now.lasting.add() = {i, j, c, values};
     else
-      take<SIZE>(scatter, contacts.all[c], c, i, j, kept, values);
+      classify_one<SIZE>(scatter, contacts.all[c], c, i, j, has_history, values);
   });
 }
 
 template <class Cohesion>
 template <int SIZE>
-void PairGranCohesive<Cohesion>::take(const ContactsOfStep<EventContact, SIZE>& scatter,
-                                      const EventContact& law, int contact, int i, int j, int& kept,
-                                      double* values) {
-  if (!kept || values[0] == ContactMemory::beyond) {
-    kept = 0;
-    if (!law.within_reach(particles().apart(i, j), step->flight())) return;
+void PairGranCohesive<Cohesion>::classify_one(const ContactsOfStep<EventContact, SIZE>& scatter,
+                                              const EventContact& law, int contact, int i, int j,
+                                              int& has_history, double* values) {
+  if (!has_history || values[0] == ContactMemory::beyond) {
+    has_history = 0;
+    if (!law.within_reach(particles().relative_state(i, j), step->flight())) return;
     std::fill_n(values, per_pair, 0.0);
     // A pair that a run starts with is where it is; it did not fall into the range.
-    if (step->starts() && closer(law.range(), i, j))
+    if (step->starts() && is_within(law.range(), i, j))
       ContactMemory::seen_inside().to(values, per_pair);
   }
-  kept = 1;
-  contacts_now.take<SIZE>(scatter, step, law, contact, i, j, particles().motion(i, j), values,
-                          flux_sum());
+  has_history = 1;
+  contacts_now.classify<SIZE>(scatter, step, law, contact, i, j, particles().motion(i, j), values,
+                              flux_sum());
 }
 
 template <class Cohesion>
 template <int SIZE>
-void PairGranCohesive<Cohesion>::unsettle(Contacts<EventContact>& contacts) {
+void PairGranCohesive<Cohesion>::follow_disturbed(Contacts<EventContact>& contacts) {
   const ContactsOfStep<EventContact, SIZE> scatter(atom, step);
-  contacts_now.unsettle<SIZE>(
+  contacts_now.follow_disturbed<SIZE>(
       scatter, step, contacts.all,
       [this](const LastingContact& p) { return particles().motion(p.i, p.j); }, flux_sum());
 }
 
 template <class Cohesion>
 template <int SIZE>
-void PairGranCohesive<Cohesion>::join(Contacts<EventContact>& contacts) {
-  contacts_now.join<SIZE>(ContactsOfStep<EventContact, SIZE>(atom, step), step, contacts.all,
-                          [this](const LastingContact& p) { return particles().motion(p.i, p.j); });
+void PairGranCohesive<Cohesion>::couple_lasting(Contacts<EventContact>& contacts) {
+  contacts_now.couple_lasting<SIZE>(
+      ContactsOfStep<EventContact, SIZE>(atom, step), step, contacts.all,
+      [this](const LastingContact& p) { return particles().motion(p.i, p.j); });
 }
 
 template <class Cohesion>
 template <int SIZE>
-void PairGranCohesive<Cohesion>::follow_together(Contacts<EventContact>& contacts) {
+void PairGranCohesive<Cohesion>::compute_forces(Contacts<EventContact>& contacts) {
   const ContactsOfStep<EventContact, SIZE> scatter(atom, step);
   if (evflag)
     contacts_now.for_each_lasting<SIZE>(
@@ -210,7 +214,7 @@ void PairGranCohesive<Cohesion>::follow_together(Contacts<EventContact>& contact
       tally(p.i, p.j, grid.relative.separation, energy(contacts.all[p.contact].stored(grid, known)),
             {});
     }
-  // What a contact remembers is new after its second pass.
+  // The corrector replaces what a contact remembers.
   std::vector<double> before;
   if (evflag)
     for (const FollowedContact& p : contacts_now.followed)
@@ -218,49 +222,50 @@ void PairGranCohesive<Cohesion>::follow_together(Contacts<EventContact>& contact
           particles().motion(p.i, p.j), ContactMemory::as_stored(p.history, SIZE))));
   std::size_t next = 0;
   const auto sum = flux_sum();
-  contacts_now.follow_together(scatter, step, contacts.all,
-                               [&](int j, const PairMotion& grid, const Vector3& impulse,
-                                   const auto& by_contact, double factor) {
-                                 sum(j, grid, impulse, by_contact, factor);
-                                 if (!evflag) return;
-                                 tally(contacts_now.followed[next].i, j, grid.relative.separation,
-                                       before[next], impulse);
-                                 next++;
-                               });
+  contacts_now.correct(scatter, step, contacts.all,
+                       [&](int j, const PairMotion& grid, const Vector3& impulse,
+                           const auto& by_contact, double factor) {
+                         sum(j, grid, impulse, by_contact, factor);
+                         if (!evflag) return;
+                         tally(contacts_now.followed[next].i, j, grid.relative.separation,
+                               before[next], impulse);
+                         next++;
+                       });
 }
 
 /// Sampled contacts do not wait for each other.
 template <class Cohesion>
 template <int SIZE>
-void PairGranCohesive<Cohesion>::gather(Contacts<SampledContact>&) {
+void PairGranCohesive<Cohesion>::classify(Contacts<SampledContact>&) {
   find_close();
 }
 
 template <class Cohesion>
 template <int SIZE>
-void PairGranCohesive<Cohesion>::follow_together(Contacts<SampledContact>& contacts) {
+void PairGranCohesive<Cohesion>::compute_forces(Contacts<SampledContact>& contacts) {
   contacts.clear();
   const ContactsOfStep<SampledContact, SIZE> scatter(atom, step);
   const SampledForces<SampledContact, SIZE> forces(atom, step);
-  const bool asked = step->book.is_kept() || step->sums_flux() || evflag;
+  const bool recorded = step->energy_tally.is_active() || step->sums_flux() || evflag;
   const ParticlesOnGrid grid = particles();
-  for_each_close([&](int i, int j, int& kept, double* values) __attribute__((always_inline)) {
-    const int c = contact(contacts, grid, i, j);
-    if (c == contacts.NONE) return;
-    const SampledContact& law = contacts.all[c];
-    if (!kept) {
-      if (!law.within_reach(grid.apart(i, j))) return;
-      std::fill_n(values, per_pair, 0.0);
-      if (step->starts()) values[0] = closer(law.range(), i, j);
-    }
-    if (asked || values[0] < 0.0)
-      kept = sample<SIZE>(scatter, law, i, j, values);
-    else
-      kept = forces.act(law, i, j, grid.motion(i, j), values);
-  });
+  for_each_close([&](int i, int j, int& has_history, double* values)
+                     __attribute__((always_inline)) {
+                       const int c = contact(contacts, grid, i, j);
+                       if (c == contacts.NONE) return;
+                       const SampledContact& law = contacts.all[c];
+                       if (!has_history) {
+                         if (!law.within_reach(grid.relative_state(i, j))) return;
+                         std::fill_n(values, per_pair, 0.0);
+                         if (step->starts()) values[0] = is_within(law.range(), i, j);
+                       }
+                       if (recorded || values[0] < 0.0)
+                         has_history = sample<SIZE>(scatter, law, i, j, values);
+                       else
+                         has_history = forces.apply(law, i, j, grid.motion(i, j), values);
+                     });
 }
 
-/// A sampled contact of which somebody asks what it does. Gives whether it remembers anything.
+/// A sampled contact whose impulse goes into tallies. Returns whether it remembers anything.
 template <class Cohesion>
 template <int SIZE>
 [[gnu::noinline]] bool PairGranCohesive<Cohesion>::sample(
@@ -286,23 +291,23 @@ void PairGranCohesive<Cohesion>::tally(int i, int j, const Vector3& separation, 
 }
 
 template void PairGranCohesive<HamakerCohesion>::compute(int, int);
-template void PairGranCohesive<HamakerCohesion>::gather();
-template void PairGranCohesive<HamakerCohesion>::unsettle();
-template void PairGranCohesive<HamakerCohesion>::join();
-template void PairGranCohesive<HamakerCohesion>::follow_alone();
+template void PairGranCohesive<HamakerCohesion>::classify();
+template void PairGranCohesive<HamakerCohesion>::follow_disturbed();
+template void PairGranCohesive<HamakerCohesion>::couple_lasting();
+template void PairGranCohesive<HamakerCohesion>::predict();
 template void PairGranCohesive<HamakerCohesion>::tally(int, int, const Vector3&, double,
                                                        const Vector3&);
 template void PairGranCohesive<SquareWellCohesion>::compute(int, int);
-template void PairGranCohesive<SquareWellCohesion>::gather();
-template void PairGranCohesive<SquareWellCohesion>::unsettle();
-template void PairGranCohesive<SquareWellCohesion>::join();
-template void PairGranCohesive<SquareWellCohesion>::follow_alone();
+template void PairGranCohesive<SquareWellCohesion>::classify();
+template void PairGranCohesive<SquareWellCohesion>::follow_disturbed();
+template void PairGranCohesive<SquareWellCohesion>::couple_lasting();
+template void PairGranCohesive<SquareWellCohesion>::predict();
 template void PairGranCohesive<SquareWellCohesion>::tally(int, int, const Vector3&, double,
                                                           const Vector3&);
 template void PairGranCohesive<SquareWellOverlay>::compute(int, int);
-template void PairGranCohesive<SquareWellOverlay>::gather();
-template void PairGranCohesive<SquareWellOverlay>::unsettle();
-template void PairGranCohesive<SquareWellOverlay>::join();
-template void PairGranCohesive<SquareWellOverlay>::follow_alone();
+template void PairGranCohesive<SquareWellOverlay>::classify();
+template void PairGranCohesive<SquareWellOverlay>::follow_disturbed();
+template void PairGranCohesive<SquareWellOverlay>::couple_lasting();
+template void PairGranCohesive<SquareWellOverlay>::predict();
 template void PairGranCohesive<SquareWellOverlay>::tally(int, int, const Vector3&, double,
                                                          const Vector3&);

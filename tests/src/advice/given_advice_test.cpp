@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "advice/said.h"
+#include "advice/given_advice.h"
 
 #include <gtest/gtest.h>
 
@@ -20,33 +20,33 @@ AdvisedContact pair(const std::string& name = "1 - 1") {
 constexpr double DT = 1e-6;  // far above 15 steps per contact: only the cut-off is missed
 
 /// What is new of these contacts.
-class SaidTest : public ::testing::Test {
+class GivenAdviceTest : public ::testing::Test {
  protected:
   Report news(const std::vector<AdvisedContact>& contacts, double dt, double speed,
               bool within_run = false) {
     const Circumstances now{{}, {speed, 0.0, dt}, within_run};
-    return said.news(report("a style", sampled_scheme, contacts, now.run), contacts, now);
+    return given.only_new(report("a style", sampled_scheme, contacts, now.run), contacts, now);
   }
   void expect_nothing(const Report& r) {
     EXPECT_EQ(r.table, "");
     EXPECT_TRUE(r.warnings.empty());
   }
 
-  Said said;
+  GivenAdvice given;
 };
 
 }  // namespace
 
-TEST_F(SaidTest, TheSameIsNotSaidAgain) {
+TEST_F(GivenAdviceTest, TheSameIsNotSaidAgain) {
   const Report first = news({pair()}, DT, 0.1);
   EXPECT_NE(first.table, "");
   EXPECT_EQ(first.warnings.size(), 2u);  // cut-off, spring too soft
   expect_nothing(news({pair()}, DT, 0.1));
 }
 
-TEST_F(SaidTest, NothingIsSaidOfNoContacts) { expect_nothing(news({}, DT, 0.1)); }
+TEST_F(GivenAdviceTest, NothingIsSaidOfNoContacts) { expect_nothing(news({}, DT, 0.1)); }
 
-TEST_F(SaidTest, SpeedsThatVaryAreNotNews) {
+TEST_F(GivenAdviceTest, SpeedsThatVaryAreNotNews) {
   news({pair()}, DT, 0.1);
   expect_nothing(news({pair()}, DT, 0.2));
   expect_nothing(news({pair()}, DT, 0.01));
@@ -54,7 +54,7 @@ TEST_F(SaidTest, SpeedsThatVaryAreNotNews) {
   expect_nothing(news({pair()}, DT, 1.1));
 }
 
-TEST_F(SaidTest, AWarningThatTheSpeedBringsComesWithTheTableAndOnce) {
+TEST_F(GivenAdviceTest, AWarningThatTheSpeedBringsComesWithTheTableAndOnce) {
   news({pair()}, DT, 0.1);
   // An impact that presses more than 1 % of the diameter.
   const Report fast = news({pair()}, DT, 0.9);
@@ -65,7 +65,7 @@ TEST_F(SaidTest, AWarningThatTheSpeedBringsComesWithTheTableAndOnce) {
   expect_nothing(news({pair()}, DT, 0.9));
 }
 
-TEST_F(SaidTest, AnotherStepIsToldButWhatItDoesNotChangeIsNot) {
+TEST_F(GivenAdviceTest, AnotherStepIsToldButWhatItDoesNotChangeIsNot) {
   news({pair()}, DT, 0.1);
   const Report longer = news({pair()}, 2 * DT, 0.1);
   EXPECT_NE(longer.table, "");
@@ -73,7 +73,7 @@ TEST_F(SaidTest, AnotherStepIsToldButWhatItDoesNotChangeIsNot) {
   EXPECT_EQ(longer.warnings[0].subject, Subject::cutoff_steps);
 }
 
-TEST_F(SaidTest, ALittleBetterIsNotNews) {
+TEST_F(GivenAdviceTest, ALittleBetterIsNotNews) {
   const auto larger = [](double factor) {
     AdvisedContact c = pair();
     c.i = {factor * c.i.radius, factor * c.i.mass};
@@ -94,7 +94,7 @@ TEST_F(SaidTest, ALittleBetterIsNotNews) {
   EXPECT_NE(news({stronger}, DT / 2.1, 0.1).table, "");
 }
 
-TEST_F(SaidTest, WithinARunOnlyWarningsAndContactsAreNews) {
+TEST_F(GivenAdviceTest, WithinARunOnlyWarningsAndContactsAreNews) {
   news({pair()}, DT, 0.1);
   expect_nothing(news({pair()}, 2 * DT, 0.1, true));
   const Report few = news({pair()}, 10 * DT, 0.1, true);  // 9.25 steps per contact
@@ -106,11 +106,11 @@ TEST_F(SaidTest, WithinARunOnlyWarningsAndContactsAreNews) {
   for (const Warning& warning : more.warnings) EXPECT_EQ(warning.contacts.back(), "1 - 2");
 }
 
-TEST_F(SaidTest, AReasonToStopIsAlwaysSaid) {
+TEST_F(GivenAdviceTest, AReasonToStopIsAlwaysSaid) {
   for (int k = 0; k < 2; k++) EXPECT_NE(news({pair()}, 1e-3, 0.1, k == 1).stop, "");
 }
 
-TEST_F(SaidTest, ASpringOfAPowerIsTheSameAtEveryOverlap) {
+TEST_F(GivenAdviceTest, ASpringOfAPowerIsTheSameAtEveryOverlap) {
   AdvisedContact hertz = pair();
   hertz.springs.exponent = 1.5;
   hertz.springs.overlap = 1e-7;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-only
-#include "contact_book.h"
+#include "contact_energy_tally.h"
 
 #include <algorithm>
 
@@ -13,7 +13,7 @@ using namespace cohesion::event_stepping;
 using cohesion::vector;
 using cohesion::Vector3;
 
-static constexpr int MOTION = ContactBook::OF_PARTICLE;
+static constexpr int MOTION = ContactEnergyTally::OF_PARTICLE;
 
 static void put(const Vector3& a, double* values) {
   values[0] = a.x;
@@ -28,25 +28,26 @@ static void add(ContactLosses& to, double factor, const ContactLosses& lost) {
   to.rolling += factor * lost.rolling;
 }
 
-ContactBook::ContactBook(LAMMPS* lammps) : Pointers(lammps), readers_(std::make_shared<char>()) {}
+ContactEnergyTally::ContactEnergyTally(LAMMPS* lammps)
+    : Pointers(lammps), readers_(std::make_shared<char>()) {}
 
-ContactBook::~ContactBook() {
+ContactEnergyTally::~ContactEnergyTally() {
   memory->destroy(owed_);
   memory->destroy(to_truth_);
 }
 
-void ContactBook::look_for_readers() {
+void ContactEnergyTally::update_readers() {
   const bool ends = update->ntimestep == update->laststep ||
                     (output->restart_flag && update->ntimestep == output->next_restart);
-  kept_ = ends || is_read();
-  if (!kept_ || room_ == atom->nmax) return;
+  active_ = ends || has_readers();
+  if (!active_ || room_ == atom->nmax) return;
   room_ = atom->nmax;
-  memory->grow(owed_, atom->nmax, MOTION, "contact_book:owed");
-  memory->grow(to_truth_, atom->nmax, MOTION, "contact_book:to_truth");
+  memory->grow(owed_, atom->nmax, MOTION, "contact_energy_tally:owed");
+  memory->grow(to_truth_, atom->nmax, MOTION, "contact_energy_tally:to_truth");
 }
 
-void ContactBook::begin_step() {
-  if (!kept_) return;
+void ContactEnergyTally::begin_step() {
+  if (!active_) return;
   add(now_.lost, 1.0, later_.lost);
   now_.external_work += later_.external_work;
   later_ = {};
@@ -54,58 +55,59 @@ void ContactBook::begin_step() {
   for (int i = 0; i < atom->nlocal + atom->nghost; i++) std::fill_n(owed_[i], MOTION, 0.0);
 }
 
-void ContactBook::store(double part, const StoredEnergies& stored) {
-  now_.stored.tangential_spring += part * stored.tangential_spring;
-  now_.stored.rolling_spring += part * stored.rolling_spring;
-  store_again(part, stored);
+void ContactEnergyTally::store(double fraction, const StoredEnergies& stored) {
+  now_.stored.tangential_spring += fraction * stored.tangential_spring;
+  now_.stored.rolling_spring += fraction * stored.rolling_spring;
+  store_normal(fraction, stored);
 }
 
-void ContactBook::begin_again() { now_.stored.spring = now_.stored.adhesion = 0.0; }
+void ContactEnergyTally::reset_normal() { now_.stored.spring = now_.stored.adhesion = 0.0; }
 
-void ContactBook::store_again(double part, const StoredEnergies& stored) {
-  now_.stored.spring += part * stored.spring;
-  now_.stored.adhesion += part * stored.adhesion;
+void ContactEnergyTally::store_normal(double fraction, const StoredEnergies& stored) {
+  now_.stored.spring += fraction * stored.spring;
+  now_.stored.adhesion += fraction * stored.adhesion;
 }
 
-void ContactBook::lose(double part, const ContactLosses& lost, double later) {
-  if (!kept_) return;
-  add(now_.lost, (1.0 - later) * part, lost);
-  add(later_.lost, later * part, lost);
+void ContactEnergyTally::add_losses(double fraction, const ContactLosses& lost, double later) {
+  if (!active_) return;
+  add(now_.lost, (1.0 - later) * fraction, lost);
+  add(later_.lost, later * fraction, lost);
 }
 
-void ContactBook::work(double done) {
-  if (!kept_) return;
+void ContactEnergyTally::add_work(double done) {
+  if (!active_) return;
   now_.external_work += 0.5 * done;
   later_.external_work += 0.5 * done;
 }
 
-void ContactBook::end_step(int i, const Body& body, const Vector3& pushed, const Vector3& turned) {
+void ContactEnergyTally::end_step(int i, const Body& body, const Vector3& pushed,
+                                  const Vector3& turned) {
   std::fill_n(to_truth_[i], MOTION, 0.0);
   if (body.inverse_mass == 0.0) return;
   put(vector(owed_[i]) - body.inverse_mass * pushed, to_truth_[i]);
   put(vector(owed_[i] + 3) - inverse_inertia(body) * turned, to_truth_[i] + 3);
 }
 
-Vector3 ContactBook::true_velocity(int i) const {
+Vector3 ContactEnergyTally::true_velocity(int i) const {
   return vector(atom->v[i]) + vector(to_truth_[i]);
 }
 
-Vector3 ContactBook::true_spin(int i) const {
+Vector3 ContactEnergyTally::true_spin(int i) const {
   return vector(atom->omega[i]) + vector(to_truth_[i] + 3);
 }
 
-void ContactBook::note_motion(int i, double* values) const {
-  if (kept_)
+void ContactEnergyTally::save_motion(int i, double* values) const {
+  if (active_)
     std::copy_n(to_truth_[i], MOTION, values);
   else
     std::fill_n(values, MOTION, 0.0);
 }
 
-void ContactBook::take_motion(int i, const double* values) {
+void ContactEnergyTally::restore_motion(int i, const double* values) {
   std::copy_n(values, MOTION, to_truth_[i]);
 }
 
-ContactBook::OfAll ContactBook::of_all() const {
+ContactEnergyTally::Totals ContactEnergyTally::totals() const {
   const ContactLosses& lost = later_.lost;
   return {now_.stored.tangential_spring,
           now_.stored.rolling_spring,
@@ -116,11 +118,11 @@ ContactBook::OfAll ContactBook::of_all() const {
           later_.external_work};
 }
 
-void ContactBook::take_of_all(const OfAll& all) {
+void ContactEnergyTally::restore_totals(const Totals& all) {
   now_.stored.tangential_spring = all[0];
   now_.stored.rolling_spring = all[1];
   later_.lost = {all[2], all[3], all[4], all[5]};
   later_.external_work = all[6];
 }
 
-double ContactBook::bytes() const { return 2.0 * MOTION * sizeof(double) * room_; }
+double ContactEnergyTally::bytes() const { return 2.0 * MOTION * sizeof(double) * room_; }

@@ -1,45 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <algorithm>
-
 #include "contact/linear_spring_dashpot.h"
 #include "event_stepping/pair_step.h"
+#include "event_stepping/sampled_repulsion.h"
 #include "hamaker/forms.h"
 #include "sphere.h"
 
 namespace cohesion::event_stepping {
 
-/// Force of spring and dashpot at overlap x and its rate, taken for all of `time`, [force];
-/// positive repels. Adds what it does to `record`.
-inline double sampled_repulsion(const contact::LinearSpringDashpot& spring, double overlap,
-                                double rate, double time, NormalRecord& record) {
-  if (!(overlap > 0.0)) return 0.0;
-  const double repulsion = spring.stiffness() * overlap + spring.damping() * rate;
-  record.contact_time = time;
-  record.repulsion_impulse = time * repulsion;
-  record.repulsion_at_end = repulsion;
-  record.dissipated = time * spring.damping() * rate * rate;
-  return repulsion;
-}
-
-/// The scheme to compare with: the force where the pair stands on the grid, taken for the whole
-/// step. First order in the step, and blind to whatever lies between two grid points: a gap of
-/// H_cut is crossed in less than a step unless dt < H_cut/v.
+/// A Hamaker attraction in the scheme to compare with: the force where the pair is on the grid,
+/// taken for the whole step. It is of first order in the step, and misses whatever lies between two
+/// grid points: a gap of H_cut is crossed in less than a step unless dt < H_cut/v.
 ///
 /// Sphere and sphere, or sphere and plane with the separation from the centre to the foot of the
 /// normal.
 ///
 /// Source: M. Weber, thesis, section 6.2.
-class SampledPair {
+class SampledHamaker {
  public:
   struct Attraction {
     hamaker::AnyLaw law;
     PairGeometry geometry;
   };
 
-  SampledPair(const contact::LinearSpringDashpot& spring, const Attraction& attraction,
-              double contact_distance, double /*step*/)
+  SampledHamaker(const contact::LinearSpringDashpot& spring, const Attraction& attraction,
+                 double contact_distance, double /*step*/)
       : spring_(spring), attraction_(attraction), contact_distance_(contact_distance) {
     range_ = std::visit(
         [&](const auto& law) {

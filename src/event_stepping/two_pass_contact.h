@@ -47,14 +47,16 @@ using FollowedStep = std::conditional_t<
     (SIZE >= ContactMemory::with_rolling), FollowedRolling,
     std::conditional_t<(SIZE >= ContactMemory::with_friction), FollowedSliding, FollowedNormal>>;
 
-/// One contact among others, with grid points as exact samples of the motion: positions x_n are the
-/// true ones at t_n, velocities of a half step are (x_(n+1) - x_n)/dt.
+/// One contact among others, in a predictor and a corrector, with grid points as exact samples of
+/// the motion: positions x_n are the true ones at t_n, velocities of a half step are
+/// (x_(n+1) - x_n)/dt.
 ///
 /// A contact that lasts needs one force of the usual form with the constants of GridSpring. A step
 /// with an event, and a young contact, are followed in closed form from the true velocities at t_n,
-/// first alone, then with half of what the others of both particles do before it and half after.
-/// Of what the contact does in the step, D to the separation and V to its rate, the force at t_n
-/// does D; what V is more than D/dt is remembered and leads to the true velocity at t_(n+1).
+/// in a predictor by itself, in a corrector with half of what the others of both particles do
+/// before it and half after. Of what the contact does in the step, D to the separation and V to its
+/// rate, the force at t_n does D; what V is more than D/dt is remembered and leads to the true
+/// velocity at t_(n+1). What is so remembered is owed: the grid gets it with the next force.
 /// Friction, whose force changes little within a step, does half of its impulse at t_n and half at
 /// t_(n+1).
 ///
@@ -62,16 +64,16 @@ using FollowedStep = std::conditional_t<
 /// momentum are kept to rounding.
 ///
 /// Pair: SpherePair, PlanePair, WellPair or WellEdge. SIZE: what is remembered, and so whether
-/// there is friction, and rolling friction.
+/// there is friction, and rolling friction. Source: derived here (one_force.h, sphere_pair.h).
 template <class Pair>
-class ContactOnGrid {
+class TwoPassContact {
  public:
   using Attraction = typename Pair::Attraction;
   static constexpr bool on_grid = true;
 
   /// step [time].
-  ContactOnGrid(const contact::ContactParameters& parameters, const Attraction& attraction,
-                const Body& i, const Body& j, double step)
+  TwoPassContact(const contact::ContactParameters& parameters, const Attraction& attraction,
+                 const Body& i, const Body& j, double step)
       : bodies_(i, j),
         step_(step),
         inverse_mass_(bodies_.inverse_mass()),
@@ -83,7 +85,7 @@ class ContactOnGrid {
         pull_(attraction.force),
         youth_(2.5 * normal_contact_.contact_time() / step) {}
 
-  bool joins(const Body& i, const Body& j) const { return bodies_.are(i, j); }
+  bool is_between(const Body& i, const Body& j) const { return bodies_.are(i, j); }
   const ContactBodies& bodies() const { return bodies_; }
   const OneForce& one_force() const { return one_force_; }
   const contact::LinearSpringDashpot& normal_contact() const { return normal_contact_; }
@@ -106,7 +108,7 @@ class ContactOnGrid {
 
   /// Whether a pair that is in its well and owes nothing certainly meets neither contact nor edge
   /// in this step: nothing acts on it. `flown`: as above.
-  bool idles(const RelativeState& grid, const ContactMemory& memory, double flown) const {
+  bool is_idle(const RelativeState& grid, const ContactMemory& memory, double flown) const {
     if constexpr (std::is_base_of_v<WellPair, Pair>) {
       const auto owes = [](const ContactMemory::Spring& s) {
         return dot(s.impulse, s.impulse) > 0.0;
@@ -135,17 +137,18 @@ class ContactOnGrid {
     Action owed;
     if (ahead != 0.0) owed.impulse = (ahead * reduced_mass_ / norm(separation)) * separation;
     if constexpr (SIZE >= ContactMemory::with_friction)
-      Touch(bodies_, separation).slide(0.5 * memory.sliding.impulse, owed);
+      Touch(bodies_, separation).add_sliding_impulse(0.5 * memory.sliding.impulse, owed);
     if constexpr (SIZE >= ContactMemory::with_rolling)
-      Touch(bodies_, separation).roll(0.5 * memory.rolling.impulse, owed);
+      Touch(bodies_, separation).add_rolling_impulse(0.5 * memory.rolling.impulse, owed);
     return owed;
   }
 
-  /// What `action`, of a contact of one force, does in the step, for those beside it. `owed`:
-  /// before the step; `memory`: after it.
+  /// What `action`, of a lasting contact, changes of the true motion in the step: what followed
+  /// contacts of the same particles have to know of it. `owed`: before the step; `memory`: after
+  /// it.
   template <int SIZE>
-  PairMotion done(const PairMotion& grid, const Action& action, const Action& owed,
-                  const ContactMemory& memory) const {
+  PairMotion lasting_change(const PairMotion& grid, const Action& action, const Action& owed,
+                            const ContactMemory& memory) const {
     RelativeState next = grid.relative;
     next.velocity += inverse_mass_ * action.impulse;
     next.separation += step_ * normal_part(grid.relative.separation, next.velocity);
@@ -153,8 +156,10 @@ class ContactOnGrid {
     PairMotion change;
     change.relative.separation = (step_ * inverse_mass_) * (action.impulse - owed.impulse);
     change.relative.velocity = inverse_mass_ * (action.impulse - owed.impulse + later.impulse);
-    change.spin_i = bodies_.spin_share_i() * (action.torque_i - owed.torque_i + later.torque_i);
-    change.spin_j = bodies_.spin_share_j() * (action.torque_j - owed.torque_j + later.torque_j);
+    change.spin_i =
+        bodies_.inverse_inertia_i() * (action.torque_i - owed.torque_i + later.torque_i);
+    change.spin_j =
+        bodies_.inverse_inertia_j() * (action.torque_j - owed.torque_j + later.torque_j);
     return change;
   }
 
@@ -173,7 +178,7 @@ class ContactOnGrid {
   }
 
   /// A step of any kind. `others`: D, V and spins of all other contacts of both particles (none in
-  /// the first pass); `rolled`: what the contact's own rolling spring did in the first pass.
+  /// the predictor); `rolled`: what the contact's own rolling spring did in the predictor.
   template <int SIZE>
   FollowedStep<SIZE> follow(const FollowedStart& start, const PairMotion& others,
                             const PairSpins& rolled, bool in_range) const {
@@ -186,7 +191,7 @@ class ContactOnGrid {
     const RelativeState middle{s + normal_part(s, half * v + 0.5 * shift), v + 0.5 * by_others};
     FollowedStep<SIZE> f{};
     f.normal = pair_.advance(middle, {half, half}, in_range);
-    if (!f.normal.acts) return f;
+    if (!f.normal.interacts) return f;
     const RelativeState& did = f.normal.change;
     f.change.relative = {did.separation + half * did.velocity, did.velocity};
     if constexpr (SIZE >= ContactMemory::with_friction) {
@@ -194,8 +199,8 @@ class ContactOnGrid {
       const Touch touch(bodies_, middle.separation + did.separation);
       const Vector3 spin_i = truth.spin_i + 0.5 * others.spin_i;
       const Vector3 spin_j = truth.spin_j + 0.5 * others.spin_j;
-      const Vector3 slides = touch.slides(middle.velocity + 0.5 * did.velocity,
-                                          spin_i + 0.5 * rolled.i, spin_j + 0.5 * rolled.j);
+      const Vector3 slides = touch.sliding_velocity(
+          middle.velocity + 0.5 * did.velocity, spin_i + 0.5 * rolled.i, spin_j + 0.5 * rolled.j);
       f.sliding = one_force_.sliding().follow(touch.plane(), start.sliding,
                                               0.5 * touch.plane().part_in(shift), slides, f.normal,
                                               f.sliding_rate);
@@ -203,16 +208,16 @@ class ContactOnGrid {
       f.change.relative.separation += (half * inverse_mass_) * impulse;
       f.change.relative.velocity += inverse_mass_ * impulse;
       Action turning;
-      touch.slide(impulse, turning);
-      f.change.spin_i = bodies_.spin_share_i() * turning.torque_i;
-      f.change.spin_j = bodies_.spin_share_j() * turning.torque_j;
+      touch.add_sliding_impulse(impulse, turning);
+      f.change.spin_i = bodies_.inverse_inertia_i() * turning.torque_i;
+      f.change.spin_j = bodies_.inverse_inertia_j() * turning.torque_j;
       if constexpr (SIZE >= ContactMemory::with_rolling) {
         const Vector3 rolls =
-            touch.rolls(spin_i + 0.5 * f.change.spin_i, spin_j + 0.5 * f.change.spin_j);
+            touch.rolling_velocity(spin_i + 0.5 * f.change.spin_i, spin_j + 0.5 * f.change.spin_j);
         f.rolling = one_force_.rolling().follow(touch.plane(), start.rolling, {}, rolls, f.normal,
                                                 f.rolling_rate);
         const Vector3 turn = bodies_.rolling_radius() * f.rolling.impulse;
-        f.turned = {bodies_.spin_share_i() * turn, -bodies_.spin_share_j() * turn};
+        f.turned = {bodies_.inverse_inertia_i() * turn, -bodies_.inverse_inertia_j() * turn};
         f.change.spin_i += f.turned.i;
         f.change.spin_j += f.turned.j;
       }
@@ -222,9 +227,9 @@ class ContactOnGrid {
 
   /// The force times dt that does what `f`, followed with `others`, does; remembers the rest.
   template <int SIZE>
-  [[gnu::always_inline]] Action close(const FollowedStart& start, const PairMotion& others,
-                                      const FollowedStep<SIZE>& f, ContactMemory& memory) const {
-    if (!f.normal.acts && memory.phase == ContactMemory::beyond) return {};
+  [[gnu::always_inline]] Action finish(const FollowedStart& start, const PairMotion& others,
+                                       const FollowedStep<SIZE>& f, ContactMemory& memory) const {
+    if (!f.normal.interacts && memory.phase == ContactMemory::beyond) return {};
     const PairMotion& truth = start.truth;
     const double owed = start.ahead;
     const RelativeState& did = f.normal.change;
@@ -244,15 +249,17 @@ class ContactOnGrid {
     const bool event = eventful(memory, f.normal);
     Action action;
     // Not to carry the rounding of no change into the force.
-    if (f.normal.acts || owed != 0.0)
+    if (f.normal.interacts || owed != 0.0)
       if (event || memory.phase != ContactMemory::beyond)
         action.impulse = (reduced_mass_ * (push / step_ + owed)) * k;
     if constexpr (SIZE >= ContactMemory::with_friction) {
-      Touch(bodies_, s).slide(0.5 * (f.sliding.impulse + memory.sliding.impulse), action);
+      Touch(bodies_, s)
+          .add_sliding_impulse(0.5 * (f.sliding.impulse + memory.sliding.impulse), action);
       memory.sliding = left(f.normal, f.sliding, f.sliding_rate);
     }
     if constexpr (SIZE >= ContactMemory::with_rolling) {
-      Touch(bodies_, s).roll(0.5 * (f.rolling.impulse + memory.rolling.impulse), action);
+      Touch(bodies_, s)
+          .add_rolling_impulse(0.5 * (f.rolling.impulse + memory.rolling.impulse), action);
       memory.rolling = left(f.normal, f.rolling, f.rolling_rate);
     }
     if (event || !memory.in_range())
@@ -260,7 +267,7 @@ class ContactOnGrid {
     else if (!memory.lasted())
       memory.age = std::max(memory.age, 0.0) + 1.0;
     memory.ahead = 0.0;
-    if ((event || f.normal.inside) && (f.normal.acts || owed != 0.0)) {
+    if ((event || f.normal.inside) && (f.normal.interacts || owed != 0.0)) {
       const double reached = std::sqrt(square);
       const Vector3 k_end = (1.0 / reached) * (far + push * k);
       const Vector3 without = truth.relative.velocity + others.relative.velocity + slid;
@@ -328,12 +335,13 @@ class ContactOnGrid {
                          touch.plane().inverse_square * contact_distance_ * contact_distance_ > 1.0;
     if (!touched) return now;
     if (memory.lasted()) return {memory.sliding.stretch, memory.rolling.stretch};
-    if (one_force_.sliding().acts())
-      now.sliding = touch.plane().turned_into(memory.sliding.stretch) +
-                    step_ * touch.slides(grid.relative.velocity, grid.spin_i, grid.spin_j);
-    if (one_force_.rolling().acts())
+    if (one_force_.sliding().is_present())
+      now.sliding =
+          touch.plane().turned_into(memory.sliding.stretch) +
+          step_ * touch.sliding_velocity(grid.relative.velocity, grid.spin_i, grid.spin_j);
+    if (one_force_.rolling().is_present())
       now.rolling = touch.plane().turned_into(memory.rolling.stretch) +
-                    step_ * touch.rolls(grid.spin_i, grid.spin_j);
+                    step_ * touch.rolling_velocity(grid.spin_i, grid.spin_j);
     return now;
   }
 

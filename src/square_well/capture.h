@@ -11,7 +11,10 @@ namespace cohesion::square_well {
 /// approach never is; a collision or a third particle makes it so.
 ///
 /// r from i to j [length], w = v_i - v_j [speed], edge [length], depth and b as for the impulses.
-inline bool held(const Vector3& r, const Vector3& w, double edge, double depth, double b) {
+///
+/// Source: derived here, from energy and angular momentum at the edge (square_well/impulses.h).
+inline bool will_be_captured(const Vector3& r, const Vector3& w, double edge, double depth,
+                             double b) {
   const Vector3 turning = (1.0 / edge) * cross(r, w);
   return dot(w, w) - dot(turning, turning) <= 2.0 * depth * b;
 }

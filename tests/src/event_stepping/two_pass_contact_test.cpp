@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "event_stepping/contact_on_grid.h"
+#include "event_stepping/two_pass_contact.h"
 
 #include <gtest/gtest.h>
 
@@ -31,7 +31,7 @@ double uniform(std::mt19937& random, double low, double high) {
 
 }  // namespace
 
-TEST(ContactOnGrid, FrictionKeepsMomentumAndAngularMomentum) {
+TEST(TwoPassContact, FrictionKeepsMomentumAndAngularMomentum) {
   std::mt19937 random(7);
   int lasted = 0;
   for (int n = 0; n < 50; n++) {
@@ -64,7 +64,7 @@ TEST(ContactOnGrid, FrictionKeepsMomentumAndAngularMomentum) {
   EXPECT_LT(lasted, 40);
 }
 
-TEST(ContactOnGrid, FrictionBalancesTheEnergy) {
+TEST(TwoPassContact, FrictionBalancesTheEnergy) {
   // Kinetic energy of the true motion, stored energy and all losses, at every grid point. Not
   // exact: normal motion and friction of a step are added rather than composed, of first order in
   // the step: the pair turns by u_t t_c/R = 0.013 in contact, the step's part dt/t_c of that, times
@@ -97,9 +97,9 @@ TEST(ContactOnGrid, FrictionBalancesTheEnergy) {
   }
 }
 
-TEST(ContactOnGrid, TheDashpotOfALastingContactTakesTheEnergyOfItsSwing) {
+TEST(TwoPassContact, TheDashpotOfALastingContactTakesTheEnergyOfItsSwing) {
   // A bound pair that swings about its rest, x = a exp(-alpha t) (cos q t + alpha/q sin q t), as it
-  // does exactly on the grid: all of the energy K a^2/2 is lost in the end. The book begins in the
+  // does exactly on the grid: all of the energy K a^2/2 is lost in the end. The tally begins in the
   // middle of what the first step loses, 2 alpha dt of the energy, of which it knows the share to
   // second order in w0 dt and alpha dt.
   contact::ContactParameters p = thesis::elastic();
@@ -130,7 +130,7 @@ TEST(ContactOnGrid, TheDashpotOfALastingContactTakesTheEnergyOfItsSwing) {
   }
 }
 
-TEST(ContactOnGrid, SlidingImpactsObeyTheHardSphereLaw) {
+TEST(TwoPassContact, SlidingImpactsObeyTheHardSphereLaw) {
   // Walton: tangential impulse mu_f times the normal one, which is mu (1 + e) v_n.
   const double angle = 80.0 * pi / 180.0, speed = 0.01, friction = 0.1;
   for (const double part : {4.0, 50.0}) {
@@ -155,7 +155,7 @@ TEST(ContactOnGrid, SlidingImpactsObeyTheHardSphereLaw) {
   }
 }
 
-TEST(ContactOnGrid, StickingImpactsReverseTheSurfaceVelocity) {
+TEST(TwoPassContact, StickingImpactsReverseTheSurfaceVelocity) {
   // K_t/K = 2/7, no damping, no slip: the tangential spring swings half a period in contact,
   // Walton's tangential restitution is 1: J_t = -2 m_t u_t with m_t = 2 mu/7.
   const double angle = 0.4, speed = 0.01, dt = thesis::contact_time / 500.0;
@@ -173,11 +173,11 @@ TEST(ContactOnGrid, StickingImpactsReverseTheSurfaceVelocity) {
   EXPECT_NEAR(s.kinetic() / before, 1.0, 3.0 * turned);
 }
 
-TEST(ContactOnGrid, WhatOthersDoAlongAWallIsNotSeenAlongItsNormal) {
+TEST(TwoPassContact, WhatOthersDoAlongAWallIsNotSeenAlongItsNormal) {
   contact::ContactParameters p = thesis::contact();
   p.friction = 0.3;
   const double dt = thesis::contact_time / 10.0;
-  const ContactOnGrid<PlanePair> contact(p, thesis::adhesion(2e-18), particle, {0.0, 0.0}, dt);
+  const TwoPassContact<PlanePair> contact(p, thesis::adhesion(2e-18), particle, {0.0, 0.0}, dt);
   const Vector3 normal{0.6, -0.48, 0.64}, along{0.8, 0.36, -0.48};
   ASSERT_NEAR(dot(normal, along), 0.0, eps);
   PairMotion others;
@@ -190,18 +190,18 @@ TEST(ContactOnGrid, WhatOthersDoAlongAWallIsNotSeenAlongItsNormal) {
     if (in) before = {ContactMemory::inside, 3.0, 0.0, {}, {}};
     const PairMotion grid{{(distance * thesis::radius) * normal, rate * normal}, {}, {}};
     const auto begins = contact.start<ContactMemory::with_friction>(grid, grid, before);
-    const auto alone = contact.follow<ContactMemory::normal_only>(begins, {}, {}, in);
+    const auto predicted = contact.follow<ContactMemory::normal_only>(begins, {}, {}, in);
     const auto with = contact.follow<ContactMemory::normal_only>(begins, others, {}, in);
-    ASSERT_GT(alone.normal.normal.contact_time, 0.0);
+    ASSERT_GT(predicted.normal.normal.contact_time, 0.0);
     // Rounding: an eps of the speed along the wall, and of the distance in a step.
     const double speed = 8 * eps * (2.0 + 2.0 * thesis::radius / dt);
-    EXPECT_NEAR(norm(with.change.relative.velocity - alone.change.relative.velocity), 0.0,
+    EXPECT_NEAR(norm(with.change.relative.velocity - predicted.change.relative.velocity), 0.0,
                 4.0 * speed);
-    EXPECT_NEAR(norm(with.change.relative.separation - alone.change.relative.separation), 0.0,
+    EXPECT_NEAR(norm(with.change.relative.separation - predicted.change.relative.separation), 0.0,
                 4.0 * speed * dt);
     ContactMemory one = before, two = before;
-    const Action pushed = contact.close<ContactMemory::normal_only>(begins, {}, alone, one);
-    const Action same = contact.close<ContactMemory::normal_only>(begins, others, with, two);
+    const Action pushed = contact.finish<ContactMemory::normal_only>(begins, {}, predicted, one);
+    const Action same = contact.finish<ContactMemory::normal_only>(begins, others, with, two);
     ASSERT_GT(norm(pushed.impulse), 0.0);
     EXPECT_NEAR(norm(same.impulse - pushed.impulse), 0.0, 4.0 * thesis::mass * speed);
     EXPECT_EQ(one.phase, two.phase);
@@ -210,7 +210,7 @@ TEST(ContactOnGrid, WhatOthersDoAlongAWallIsNotSeenAlongItsNormal) {
     const auto still = contact.follow<ContactMemory::with_friction>(begins, {}, {}, in);
     const auto rubbed = contact.follow<ContactMemory::with_friction>(begins, others, {}, in);
     EXPECT_NEAR(norm(still.sliding.impulse), 0.0, thesis::mass * speed);
-    EXPECT_GT(norm(rubbed.sliding.impulse), 0.1 * 0.3 * alone.normal.normal.repulsion_impulse);
+    EXPECT_GT(norm(rubbed.sliding.impulse), 0.1 * 0.3 * predicted.normal.normal.repulsion_impulse);
   }
 }
 

@@ -13,8 +13,9 @@
 
 namespace cohesion::event_stepping {
 
-/// Normal motion of one pair whose grid points are exact samples of it: positions x_n at t_n are
-/// the true ones, and the velocity of a half step is (x_(n+1) - x_n)/dt.
+/// Normal motion of one pair in one pass, for engines that compute contacts one after the other:
+/// its grid points are exact samples of the motion. Positions x_n at t_n are the true ones, and the
+/// velocity of a half step is (x_(n+1) - x_n)/dt.
 ///
 /// In a contact that lasts, the motion about its equilibrium x_e obeys
 ///
@@ -32,13 +33,16 @@ namespace cohesion::event_stepping {
 /// Forces are central at grid points: angular momentum is kept to rounding. What others do within
 /// the step is exact where it is constant; in a lasting contact a load F gives the overlap F/K' in
 /// the place of F/K.
-class GridContact {
+///
+/// Source: derived here, see docs/lammps-package/pair_gran_hamaker.md, What the scheme is for, and
+/// docs/liggghts-styles/cohesion_models.md, Keyword scheme.
+class OnePassContact {
  public:
   /// contact_distance [length]: of the centres at touch, or the radius beside a wall; step [time].
-  GridContact(const contact::LinearSpringDashpot& spring, const contact::Adhesion& adhesion,
-              double contact_distance, double step)
-      : GridContact(spring, adhesion, contact_distance, step, adhesion.cutoff) {}
-  virtual ~GridContact() = default;
+  OnePassContact(const contact::LinearSpringDashpot& spring, const contact::Adhesion& adhesion,
+                 double contact_distance, double step)
+      : OnePassContact(spring, adhesion, contact_distance, step, adhesion.cutoff) {}
+  virtual ~OnePassContact() = default;
 
   double range() const { return range_; }
   double step() const { return step_; }
@@ -52,9 +56,9 @@ class GridContact {
     return at.distance <= outer_distance() + step_ * inwards;
   }
 
-  /// A contact that certainly lasts until the next grid point whatever others do that it could
-  /// bear: its force needs to know nothing of them. False, and nothing done, where that is not
-  /// certain.
+  /// Follows a contact that certainly lasts until the next grid point, whatever others do that it
+  /// could bear: its force needs to know nothing of them. Returns false, and does nothing, where
+  /// that is not certain.
   bool follow_lasting(const GridPoint& at, const GridMemory& memory, GridStep& step) const {
     if (memory.phase != GridMemory::lasting) return false;
     const double overlap = contact_distance_ - at.distance;
@@ -75,9 +79,9 @@ class GridContact {
     return true;
   }
 
-  /// Any step. `others` as above, constant in the step; `kick` [time]: what a force acts on the
-  /// velocity that flies to the next grid point: step(), but half of it in the first step of a run,
-  /// whose velocity is that of the grid point itself.
+  /// Follows any step. `others` as above, constant in the step; `kick` [time]: how long the force
+  /// acts on the velocity that leads to the next grid point: step(), but half of it in the first
+  /// step of a run, whose velocity is that of the grid point itself.
   virtual GridStep follow(const GridPoint& at, double others, double kick,
                           GridMemory& memory) const {
     return follow_by(at, others, kick, memory,
@@ -91,8 +95,8 @@ class GridContact {
 
  protected:
   /// range [length]: gap at which a pair is inside, the adhesion's or that of a derived law.
-  GridContact(const contact::LinearSpringDashpot& spring, const contact::Adhesion& adhesion,
-              double contact_distance, double step, double range)
+  OnePassContact(const contact::LinearSpringDashpot& spring, const contact::Adhesion& adhesion,
+                 double contact_distance, double step, double range)
       : motion_(spring, adhesion, step),
         oscillator_(spring.stiffness() / spring.reduced_mass(),
                     0.5 * spring.damping() / spring.reduced_mass()),
@@ -106,7 +110,7 @@ class GridContact {
         weight_(spring.stiffness() / spring_.stiffness) {}
 
   /// A pair flies in, turns and flies out again; more often only by rounding at a grazed edge.
-  static constexpr int max_stretches = 100;
+  static constexpr int max_segments = 100;
 
   /// The true motion within a step; the sideways speed follows from the angular momentum.
   struct Flight {
@@ -154,8 +158,9 @@ class GridContact {
     return step;
   }
 
-  /// At the grid point: the grid's over the half step before, what others do in half a step and
-  /// what was remembered; in a lasting contact the closed form through the last two grid points.
+  /// The true radial velocity at the grid point: the grid's over the half step before, what others
+  /// do in half a step and what was remembered; in a lasting contact the closed form through the
+  /// last two grid points.
   double true_radial(const GridPoint& at, double others, const GridMemory& memory) const {
     if (memory.phase != GridMemory::lasting) return at.radial + memory.ahead + 0.5 * step_ * others;
     const double before = std::hypot(at.distance - step_ * at.radial, step_ * at.sideways);
@@ -189,13 +194,13 @@ class GridContact {
     now = {distance, -s.v, now.sideways * now.distance / distance};
   }
 
-  /// Everything that can happen to a pair in a step; whether anything did.
+  /// Follows everything that can happen to a pair in a step; returns whether anything did.
   bool move(Flight& now, double others, bool& inside, NormalRecord& record) const {
     bool event = inside;
     if (!inside) inside = event = starts_inside(now);
     double left = step_;
-    for (int stretches = 0; left > 0.0; stretches++) {
-      if (stretches == max_stretches) {
+    for (int segments = 0; left > 0.0; segments++) {
+      if (segments == max_segments) {
         record.unresolved = true;
         break;
       }
@@ -204,14 +209,16 @@ class GridContact {
         event = event || inside;
         continue;
       }
-      left -= stay(now, left, others, inside, record);
+      left -= advance_inside(now, left, others, inside, record);
       if (record.unresolved) break;
     }
     return event;
   }
 
-  /// In the range of the adhesion, until it is left or the time is over; returns the time it took.
-  double stay(Flight& now, double time, double others, bool& inside, NormalRecord& record) const {
+  /// Advances a pair in the range of the adhesion, until it leaves it or the time is over; returns
+  /// the time it took.
+  double advance_inside(Flight& now, double time, double others, bool& inside,
+                        NormalRecord& record) const {
     Overlap s{contact_distance_ - now.distance, -now.radial};
     double integral = 0.0;
     const double taken = motion_.advance(s, time, load(now, others), inside, integral, record);
@@ -219,8 +226,8 @@ class GridContact {
     return taken;
   }
 
-  /// A pair that counts as outside but was pushed inside enters where it is, if it approaches or
-  /// already overlaps.
+  /// Lets a pair that counts as outside, but was pushed inside, enter where it is, if it approaches
+  /// or already overlaps.
   bool starts_inside(Flight& now) const {
     if (now.distance >= outer_distance()) return false;
     if (now.radial >= 0.0 && now.distance >= contact_distance_) return false;
@@ -232,8 +239,8 @@ class GridContact {
     now.radial = -motion_.enter({contact_distance_ - now.distance, -now.radial}).v;
   }
 
-  /// Flight outside the range until its edge is met or the time is over. Across the normal it is
-  /// straight; along it `others` act.
+  /// Flies outside the range until its edge is met or the time is over; returns the time it took.
+  /// Across the normal the flight is straight; along it `others` act.
   double fly(Flight& now, double time, double others, bool& inside) const {
     const double outer = outer_distance();
     const Flight start = now;
@@ -256,8 +263,8 @@ class GridContact {
     return others + start.sideways * start.sideways / start.distance;
   }
 
-  /// A flight at `distance`, which it meets after `t`, at most `time`, on a parabola; that leaves
-  /// out how the pair turns on its way. Corrects t.
+  /// The flight where it is at `distance`, which it meets after `t`, at most `time`, on a parabola;
+  /// that leaves out how the pair turns on its way. Corrects t.
   static Flight at_meeting(const Flight& start, double& t, double time, double others,
                            double distance) {
     Flight now = after(start, t, others);
@@ -279,7 +286,8 @@ class GridContact {
   }
 
  private:
-  /// Of the way of a step: how far from its end a contact must be to last for certain.
+  /// The fraction of the way of a step that a contact must be away from its end to last for
+  /// certain.
   static constexpr double certain = 0.1;
 
   NormalMotion motion_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "event_stepping/grid_well.h"
+#include "event_stepping/one_pass_well.h"
 
 #include <gtest/gtest.h>
 
@@ -33,7 +33,7 @@ double gained(double depth = mu_depth) { return 2.0 * depth / thesis::reduced_ma
 
 /// Two spheres in a plane on an engine's grid.
 struct Pair {
-  const GridContact& law;
+  const OnePassContact& law;
   double x, y, vx, vy;
   double others = 0.0;  ///< along the line of centres, known to the law
   GridMemory memory{};
@@ -41,7 +41,7 @@ struct Pair {
 
   /// One that is to meet the edge of its well a share `phase` of a step after a grid point, at
   /// normal speed and with a speed across.
-  Pair(const GridContact& law_, double speed, double across, double phase)
+  Pair(const OnePassContact& law_, double speed, double across, double phase)
       : law(law_), vx(-speed), vy(across) {
     const double wait = law.step() * (2.0 + (phase + 0.37) / phases);
     x = core + law.range() + speed * wait;
@@ -79,7 +79,7 @@ struct Pair {
 };
 
 /// What rounding of the distance does to a velocity on the grid in `points` grid points.
-double rounding(const GridContact& law, double points) {
+double rounding(const OnePassContact& law, double points) {
   return points * eps * (core + law.range()) / law.step();
 }
 
@@ -90,12 +90,12 @@ double long_enough(double ratio, double speed) {
 
 }  // namespace
 
-TEST(GridWell, ApproachAndEscapeChangeTheEnergyByTheDepth) {
+TEST(OnePassWell, ApproachAndEscapeChangeTheEnergyByTheDepth) {
   for (const double ratio : ratios)
     for (const double part : parts)
       for (int phase = 0; phase < phases; phase++)
         for (const double across : {0.0, 0.03}) {
-          const GridWell law(spring(0.0), well(ratio), core, thesis::contact_time / part);
+          const OnePassWell law(spring(0.0), well(ratio), core, thesis::contact_time / part);
           Pair pair(law, 0.02, across, phase);
           const double before = pair.energy(), turning = pair.turning();
           pair.until(GridMemory::within);
@@ -115,7 +115,7 @@ TEST(GridWell, ApproachAndEscapeChangeTheEnergyByTheDepth) {
         }
 }
 
-TEST(GridWell, EscapesHeadOnAtTheVelocityOfTheClosedFormForAnyStepAndPhase) {
+TEST(OnePassWell, EscapesHeadOnAtTheVelocityOfTheClosedFormForAnyStepAndPhase) {
   const auto law = spring(thesis::contact().damping);
   const double e = law.restitution();
   for (const double depth : {1e-11, 5e-11, 1e-10}) {
@@ -124,7 +124,7 @@ TEST(GridWell, EscapesHeadOnAtTheVelocityOfTheClosedFormForAnyStepAndPhase) {
       for (const double part : parts)
         for (int phase = 0; phase < phases; phase++)
           for (const double factor : {0.999, 1.001}) {
-            const GridWell contact(law, well(ratio, depth), core, thesis::contact_time / part);
+            const OnePassWell contact(law, well(ratio, depth), core, thesis::contact_time / part);
             Pair pair(contact, factor * escape, 0.0, phase);
             // Just above it flies away from the edge at e sqrt(2e-3) of the speed.
             EXPECT_EQ(pair.parts_within(long_enough(ratio, escape)), factor > 1.0)
@@ -133,12 +133,12 @@ TEST(GridWell, EscapesHeadOnAtTheVelocityOfTheClosedFormForAnyStepAndPhase) {
   }
 }
 
-TEST(GridWell, RestitutionInTheWellIsThatOfTheSpring) {
+TEST(OnePassWell, RestitutionInTheWellIsThatOfTheSpring) {
   const auto law = spring(thesis::contact().damping);
   for (const double ratio : ratios)
     for (const double part : parts)
       for (int phase = 0; phase < phases; phase++) {
-        const GridWell contact(law, well(ratio), core, thesis::contact_time / part);
+        const OnePassWell contact(law, well(ratio), core, thesis::contact_time / part);
         const double speed = 0.05, e = law.restitution();
         Pair pair(contact, speed, 0.0, phase);
         ASSERT_TRUE(pair.parts_within(long_enough(ratio, speed)));
@@ -147,13 +147,13 @@ TEST(GridWell, RestitutionInTheWellIsThatOfTheSpring) {
       }
 }
 
-TEST(GridWell, ObliquePairsFlyStraightThroughTheWell) {
+TEST(OnePassWell, ObliquePairsFlyStraightThroughTheWell) {
   // A pair that misses the contact: two crossings, and the energy at the end that of the start; the
   // angle between is that of two refractions, sin a = b/R outside and b v/(v' R) inside.
   for (const double ratio : {1.5, 2.0})
     for (const double part : parts)
       for (int phase = 0; phase < phases; phase++) {
-        const GridWell law(spring(0.0), well(ratio), core, thesis::contact_time / part);
+        const OnePassWell law(spring(0.0), well(ratio), core, thesis::contact_time / part);
         const double speed = 0.05, edge = ratio * core;
         Pair pair(law, speed, 0.0, phase);
         pair.y = 0.95 * edge;
@@ -169,24 +169,24 @@ TEST(GridWell, ObliquePairsFlyStraightThroughTheWell) {
       }
 }
 
-TEST(GridWell, WithoutDepthIsTheContactAlone) {
+TEST(OnePassWell, WithoutDepthIsTheContactAlone) {
   const auto law = spring(thesis::contact().damping);
   for (const double ratio : {1.0, 1.01, 2.0})
     for (int phase = 0; phase < phases; phase++) {
-      const GridWell contact(law, well(ratio, 0.0), core, thesis::contact_time / 10.0);
+      const OnePassWell contact(law, well(ratio, 0.0), core, thesis::contact_time / 10.0);
       Pair pair(contact, 0.02, 0.0, phase);
       ASSERT_TRUE(pair.parts_within(long_enough(ratio, 0.02)));
       EXPECT_NEAR(pair.vx, law.restitution() * 0.02, rounding(contact, 40.0)) << ratio;
     }
 }
 
-TEST(GridWell, ACapturedPairKeepsItsEnergyForAThousandBounces) {
+TEST(OnePassWell, ACapturedPairKeepsItsEnergyForAThousandBounces) {
   const double speed = 0.01;  // of sqrt(2 D/mu) = 0.012 m/s that it would need
   for (const double ratio : ratios)
     for (const double part : parts)
       for (const double across : {0.0, 0.004}) {
         if (ratio > 1.1 && part > 4.0) continue;  // it would take many steps in flight
-        const GridWell law(spring(0.0), well(ratio), core, thesis::contact_time / part);
+        const OnePassWell law(spring(0.0), well(ratio), core, thesis::contact_time / part);
         Pair pair(law, speed, across, 0.0);
         pair.x = core + 0.5 * law.range();
         pair.y = 0.0;
@@ -209,11 +209,11 @@ TEST(GridWell, ACapturedPairKeepsItsEnergyForAThousandBounces) {
       }
 }
 
-TEST(GridWell, RestsUnderLoadOnTheContactAndAtTheEdge) {
+TEST(OnePassWell, RestsUnderLoadOnTheContactAndAtTheEdge) {
   const auto law = spring(thesis::contact().damping);
   for (const double part : parts)
     for (const double load : {-9.81, 9.81}) {
-      const GridWell contact(law, well(1.01), core, thesis::contact_time / part);
+      const OnePassWell contact(law, well(1.01), core, thesis::contact_time / part);
       Pair pair(contact, 0.0, 0.0, 0.0);
       pair.x = load < 0.0 ? core * (1.0 - 1e-9) : core + contact.range();
       pair.y = pair.vx = pair.vy = 0.0;
@@ -234,8 +234,8 @@ TEST(GridWell, RestsUnderLoadOnTheContactAndAtTheEdge) {
     }
 }
 
-TEST(GridWell, ABoundPairBetweenEventsHasNoForce) {
-  const GridWell law(spring(0.0), well(1.5), core, thesis::contact_time / 10.0);
+TEST(OnePassWell, ABoundPairBetweenEventsHasNoForce) {
+  const OnePassWell law(spring(0.0), well(1.5), core, thesis::contact_time / 10.0);
   GridMemory memory;
   memory.phase = GridMemory::within;
   EXPECT_EQ(law.follow({1.2 * core, 0.01, 0.02}, 9.81, law.step(), memory).force, 0.0);
@@ -246,13 +246,14 @@ TEST(GridWell, ABoundPairBetweenEventsHasNoForce) {
   EXPECT_EQ(unknown.phase, GridMemory::within);
 }
 
-TEST(GridWell, ExtremesStayFinite) {
+TEST(OnePassWell, ExtremesStayFinite) {
   for (const double damping : {0.0, 1.0, 1e3})
     for (const double ratio : {1.0, 1.0 + 1e-9, 1.001, 3.0})
       for (const double depth : {0.0, 1e-20, 1e-11, 1e-3})
         for (const double speed : {0.0, 1e-9, 0.02, 1.0})
           for (const double across : {0.0, 0.5}) {
-            const GridWell law(spring(damping), well(ratio, depth), core, thesis::contact_time / 4);
+            const OnePassWell law(spring(damping), well(ratio, depth), core,
+                                  thesis::contact_time / 4);
             Pair pair(law, speed, across, 3.0);
             for (int n = 0; n < 1000; n++) pair.step();
             EXPECT_TRUE(std::isfinite(pair.x) && std::isfinite(pair.vy))

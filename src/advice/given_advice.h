@@ -14,26 +14,26 @@
 
 namespace cohesion::advice {
 
-/// What a style has said of its contacts, so that it says again only what is new. Why a run must
+/// The advice that a style has given of its contacts, so that it repeats none of it. Why a run must
 /// not go on is never left out.
-class Said {
+class GivenAdvice {
  public:
-  /// By how much speeds must have grown for the table to be worth another look. Where the speed
-  /// decides, a warning that was not said before brings the table at any speed.
+  /// By how much speeds must have grown for the table to be printed again. Where the speed
+  /// decides, a warning that was not given before brings the table at any speed.
   static constexpr double faster = 10.0;
   /// By how much particles must have become larger or heavier, or the step shorter.
   static constexpr double better = 2.0;
 
-  /// What is new in `report`. The table: where a number of a contact other than its speed has
-  /// changed, to the better by more than `better`, or the speed by `faster`, or a warning is new. A
-  /// warning: of a subject on which nothing was said of that contact, or with other numbers where
-  /// one of the contact has changed.
+  /// Returns what is new in `report`. The table: where a number of a contact other than its speed
+  /// has changed, to the better by more than `better`, or the speed by `faster`, or a warning is
+  /// new. A warning: of a subject on which that contact had none, or with other numbers where one
+  /// of the contact has changed.
   ///
   /// Within a run, where step and particles may change all the time and engines print tables of
   /// their own, the table comes with contacts alone that there were none of, and a warning once of
   /// each contact and subject.
-  Report news(Report report, const std::vector<AdvisedContact>& contacts,
-              const Circumstances& now) {
+  Report only_new(Report report, const std::vector<AdvisedContact>& contacts,
+                  const Circumstances& now) {
     const std::set<std::string> changed = changed_since(contacts, now);
     report.warnings = fresh(report.warnings, changed);
     if (changed.empty() && (now.within_run || report.warnings.empty())) {
@@ -55,7 +55,7 @@ class Said {
     std::vector<double> others;   ///< that the judgement depends on
   };
 
-  /// The contacts that are to be told of, by what the last table had of them.
+  /// The contacts that the table is printed for, by what the last one had of them.
   std::set<std::string> changed_since(const std::vector<AdvisedContact>& contacts,
                                       const Circumstances& now) const {
     std::set<std::string> changed;
@@ -69,7 +69,7 @@ class Said {
     return changed;
   }
 
-  /// Those of `warnings` that are new; they count as said.
+  /// Those of `warnings` that are new; they count as given.
   std::vector<Warning> fresh(const std::vector<Warning>& warnings,
                              const std::set<std::string>& changed) {
     std::vector<Warning> found;
@@ -89,7 +89,8 @@ class Said {
   }
 
   static Known known_of(const AdvisedContact& c, const RunNumbers& run) {
-    // Springs that are not linear are told at an overlap that depends on the speed: F/x^p does not.
+    // Springs that are not linear are given at an overlap that depends on the speed: F/x^p does
+    // not.
     const double scale = std::pow(c.springs.overlap, 1.0 - c.springs.exponent);
     const bool linear = c.springs.exponent == 1.0;
     return {approach_speed(run, c),

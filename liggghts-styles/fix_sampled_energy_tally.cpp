@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "fix_contact_book.h"
+#include "fix_sampled_energy_tally.h"
 
 #include <mpi.h>
 
@@ -23,65 +23,65 @@ using namespace LAMMPS_NS;
 
 namespace {
 
-/// Whether a contact model writes into the book.
+/// Whether a contact model of this owner writes into the tally.
 bool has_our_cohesion(const IContactHistorySetup& owner) {
   return CohesivePairs::of(&owner) != nullptr;
 }
 
-[[noreturn]] void refuse(LAMMPS* lmp, const std::string& why) {
+[[noreturn]] void reject(LAMMPS* lmp, const std::string& why) {
   lmp->error->all(FLERR, ("compute gran/energy: " + why).c_str());
   std::abort();  // not reached
 }
 
 }  // namespace
 
-FixContactBook::FixContactBook(LAMMPS* engine, int count, char** words)
-    : Fix(engine, count, words), book_(std::make_shared<ContactBook>(engine)) {
+FixSampledEnergyTally::FixSampledEnergyTally(LAMMPS* engine, int count, char** words)
+    : Fix(engine, count, words), tally_(std::make_shared<SampledEnergyTally>(engine)) {
   nevery = 1;
 }
 
-int FixContactBook::setmask() { return FixConst::END_OF_STEP; }
+int FixSampledEnergyTally::setmask() { return FixConst::END_OF_STEP; }
 
-std::shared_ptr<ContactBook> FixContactBook::book_of(LAMMPS* lmp) {
-  const FixContactBook* const fix = find_hidden_fix<FixContactBook>(lmp);
-  return fix ? fix->book_ : nullptr;
+std::shared_ptr<SampledEnergyTally> FixSampledEnergyTally::tally_of(LAMMPS* lmp) {
+  const FixSampledEnergyTally* const fix = find_hidden_fix<FixSampledEnergyTally>(lmp);
+  return fix ? fix->tally_ : nullptr;
 }
 
-void FixContactBook::to_the_end(LAMMPS* lmp) {
+void FixSampledEnergyTally::to_the_end(LAMMPS* lmp) {
   const int place = lmp->modify->find_fix(STYLE);
   if (place < 0 || place == lmp->modify->nfix - 1) return;
-  const auto book = static_cast<FixContactBook*>(lmp->modify->fix[place])->book_;
+  const auto tally = static_cast<FixSampledEnergyTally*>(lmp->modify->fix[place])->tally_;
   lmp->modify->delete_fix(STYLE);
-  hidden_fix<FixContactBook>(lmp).book_ = book;
+  hidden_fix<FixSampledEnergyTally>(lmp).tally_ = tally;
 }
 
-void FixContactBook::setup(int) {
-  book_->close_step(true);
-  for_each_energy_book(modify, [](EnergyBookKeeper& keeper) { keeper.begin_run(); });
+void FixSampledEnergyTally::setup(int) {
+  tally_->end_step(true);
+  for_each_energy_tally(modify, [](EnergyTallyCompute& compute) { compute.begin_run(); });
 }
 
-void FixContactBook::post_run() {
-  for_each_energy_book(modify, [](EnergyBookKeeper& keeper) { keeper.end_run(); });
+void FixSampledEnergyTally::post_run() {
+  for_each_energy_tally(modify, [](EnergyTallyCompute& compute) { compute.end_run(); });
 }
 
-void FixContactBook::init() {
+void FixSampledEnergyTally::init() {
   auto* const pair = dynamic_cast<PairGran*>(force->pair);
   if (!pair || !has_our_cohesion(*pair))
-    refuse(
+    reject(
         lmp,
         "pair_style gran has none of the cohesion models hamaker and square_well, which keep the "
-        "book; without attraction, use 'cohesion hamaker' with hamakerConstant 0");
+        "tally; without attraction, use 'cohesion hamaker' with hamakerConstant 0");
   for (int k = 0; k < modify->nfix; k++) {
     Fix* const fix = modify->fix[k];
     if (std::strncmp(fix->style, "wall/gran", 9) == 0 &&
         !has_our_cohesion(static_cast<FixWallGran&>(*fix)))
-      refuse(lmp,
+      reject(lmp,
              std::string("fix wall/gran ") + fix->id +
-                 " has none of the cohesion models hamaker and square_well, which keep the book; "
+                 " has none of the cohesion models hamaker and square_well, which keep the tally; "
                  "without attraction, use 'cohesion hamaker' with hamakerConstant 0");
     if (std::strncmp(fix->style, "multisphere", 11) == 0 ||
         std::strncmp(fix->style, "rigid", 5) == 0)
-      refuse(lmp,
+      reject(lmp,
              std::string("fix ") + fix->style +
                  " moves bodies of several spheres, whose energy is not that of their spheres");
   }

@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "event_stepping/grid_contact.h"
+#include "event_stepping/one_pass_contact.h"
 #include "square_well/impulses.h"
 
 namespace cohesion::event_stepping {
 
 /// A square well around a linear spring-dashpot whose grid points are exact samples of the motion:
-/// GridContact with the well in the place of the adhesion.
+/// OnePassContact with the well in the place of the adhesion.
 ///
 /// Inside without contact the pair flies as outside: straight across its normal, along it under
 /// what others cause. At the edge it gets the impulse of approach, escape or capture
@@ -19,38 +19,41 @@ namespace cohesion::event_stepping {
 ///
 /// Which surface is next is decided by what is remembered and the sense of the motion, not by the
 /// distance alone: one that others pushed beyond the edge has its event when it moves that way.
-class GridWell final : public GridContact {
+///
+/// Source: square_well/impulses.h (impulses at the edge), one_pass_contact.h (contact).
+class OnePassWell final : public OnePassContact {
  public:
   /// `well`: no force; `cutoff` the gap at the edge, `tail_energy` the depth. contact_distance
   /// [length]: of the centres at touch, or the radius beside a wall; step [time].
-  GridWell(const contact::LinearSpringDashpot& spring, const contact::Adhesion& well,
-           double contact_distance, double step)
-      : GridContact(spring, well.cutoff > 0.0 ? contact::Adhesion{} : well, contact_distance, step,
-                    well.cutoff),
+  OnePassWell(const contact::LinearSpringDashpot& spring, const contact::Adhesion& well,
+              double contact_distance, double step)
+      : OnePassContact(spring, well.cutoff > 0.0 ? contact::Adhesion{} : well, contact_distance,
+                       step, well.cutoff),
         depth_(well.tail_energy),
         inverse_mass_(1.0 / spring.reduced_mass()) {}
 
   GridStep follow(const GridPoint& at, double others, double kick,
                   GridMemory& memory) const override {
     if (memory.phase == GridMemory::within && meets_nothing(at, others)) return {};
-    if (range() == 0.0) return GridContact::follow(at, others, kick, memory);
+    if (range() == 0.0) return OnePassContact::follow(at, others, kick, memory);
     return follow_by(at, others, kick, memory,
                      [&](Flight& now, bool& inside, NormalRecord& record) {
                        return move(now, others, inside, record);
                      });
   }
 
-  /// Of a pair in the well, wherever it stands, [energy].
+  /// The energy of a pair in the well, wherever it is, [energy].
   double adhesion_energy(double /*overlap*/) const override { return -depth_; }
 
  private:
-  /// Certain for most pairs within: farther from contact and edge than they can fly.
+  /// Whether the pair is farther from contact and edge than it can fly, as most pairs in their
+  /// wells are.
   bool meets_nothing(const GridPoint& at, double others) const {
     const double way = step() * (std::abs(at.radial) + at.sideways + step() * std::abs(others));
     return at.distance > contact_distance() + way && at.distance < outer_distance() - way;
   }
 
-  /// Everything that can happen to a pair in a step; whether anything did.
+  /// Follows everything that can happen to a pair in a step; returns whether anything did.
   bool move(Flight& now, double others, bool& inside, NormalRecord& record) const {
     bool event = false;
     const auto fall_in = [&] {
@@ -62,8 +65,8 @@ class GridWell final : public GridContact {
       if (inside) fall_in();
     }
     double left = step();
-    for (int stretches = 0; left > 0.0; stretches++) {
-      if (stretches == max_stretches) {
+    for (int segments = 0; left > 0.0; segments++) {
+      if (segments == max_segments) {
         record.unresolved = true;
         break;
       }
@@ -86,7 +89,7 @@ class GridWell final : public GridContact {
       left -= t;
       if (touches) {
         bool touching = true;
-        left -= stay(now, left, others, touching, record);
+        left -= advance_inside(now, left, others, touching, record);
         if (record.unresolved) break;
       } else {
         inside = !leave(now);
@@ -111,7 +114,8 @@ class GridWell final : public GridContact {
     return first_root(gap, -now.radial, -outward_in_flight(now, others));
   }
 
-  /// One that others pushed inside may already part; it does so faster then.
+  /// Gives the impulse of approach. A pair that others pushed inside may already part; it does so
+  /// faster then.
   void approach(Flight& now) const {
     const double u = std::abs(now.radial);
     const double faster =
@@ -119,7 +123,7 @@ class GridWell final : public GridContact {
     now.radial = now.radial > 0.0 ? faster : -faster;
   }
 
-  /// At the edge, outward; false: turned back.
+  /// Gives the impulse at the edge to a pair that moves out; returns false where it is turned back.
   bool leave(Flight& now) const {
     const double u = -now.radial;
     const bool escapes = square_well::escapes(u, depth_, inverse_mass_);
@@ -128,8 +132,8 @@ class GridWell final : public GridContact {
     return escapes;
   }
 
-  /// One that its turning or others press against the edge: bounces that fit into `time` leave it
-  /// as it is. Returns the time they take.
+  /// Skips the bounces, within `time`, of a pair that its turning or others press against the edge:
+  /// whole ones leave it as it is. Returns the time they take.
   double whole_bounces(const Flight& now, double time, double others) const {
     const double drive = outward_in_flight(now, others);
     if (drive <= 0.0 || now.radial * now.radial >= 2.0 * drive * range()) return 0.0;

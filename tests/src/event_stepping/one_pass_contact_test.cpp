@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "event_stepping/grid_contact.h"
+#include "event_stepping/one_pass_contact.h"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ contact::LinearSpringDashpot spring(double damping) {
 }
 
 /// A head-on pair on an engine's grid, from outside until it is outside again; its final speed.
-double rebound(const GridContact& contact, double speed, double phase) {
+double rebound(const OnePassContact& contact, double speed, double phase) {
   const double dt = contact.step();
   double distance = core + contact.range() + speed * dt * (2.0 + phase), radial = -speed;
   GridMemory memory;
@@ -41,13 +41,13 @@ double rebound(const GridContact& contact, double speed, double phase) {
 
 }  // namespace
 
-TEST(GridContact, RestitutionIsExactForAnyStepAndPhase) {
+TEST(OnePassContact, RestitutionIsExactForAnyStepAndPhase) {
   for (const double damping : {0.0, 0.79e-3}) {
     const auto law = spring(damping);
     for (const double part : {2.0, 4.0, 10.0, 50.0})
       for (int phase = 0; phase < 8; phase++) {
         const double speed = 0.02, dt = thesis::contact_time / part;
-        const GridContact contact(law, {}, core, dt);
+        const OnePassContact contact(law, {}, core, dt);
         const double back = rebound(contact, speed, (phase + 0.37) / 8.0);
         // The distance is rounded by eps core / 2 at each of some part + 5 points, each felt in
         // the velocity over dt at the most.
@@ -57,7 +57,7 @@ TEST(GridContact, RestitutionIsExactForAnyStepAndPhase) {
   }
 }
 
-TEST(GridContact, RecursionOnTheGridIsTheClosedForm) {
+TEST(OnePassContact, RecursionOnTheGridIsTheClosedForm) {
   const double critical = 2.0 * std::sqrt(thesis::contact().stiffness * thesis::reduced_mass);
   for (const double share : {0.0, 0.1, 1.0, 3.0})
     for (const double part : {2.0, 10.0, 100.0, 1000.0}) {
@@ -80,7 +80,7 @@ TEST(GridContact, RecursionOnTheGridIsTheClosedForm) {
     }
 }
 
-TEST(GridContact, EscapesHeadOnAtTheVelocityOfTheClosedFormForAnyStepAndPhase) {
+TEST(OnePassContact, EscapesHeadOnAtTheVelocityOfTheClosedFormForAnyStepAndPhase) {
   const auto law = spring(thesis::contact().damping);
   for (const double hamaker : {1e-19, 7.49e-19, 2e-18}) {
     const contact::Adhesion adhesion = thesis::adhesion(hamaker);
@@ -88,21 +88,21 @@ TEST(GridContact, EscapesHeadOnAtTheVelocityOfTheClosedFormForAnyStepAndPhase) {
     for (const double part : {4.0, 8.0, 16.0, 50.0})
       for (int phase = 0; phase < 8; phase++)
         for (const double off : {-1e-3, 1e-3}) {
-          const GridContact contact(law, adhesion, core, thesis::contact_time / part);
+          const OnePassContact contact(law, adhesion, core, thesis::contact_time / part);
           const double back = rebound(contact, escape * (1.0 + off), (phase + 0.37) / 8.0);
           EXPECT_EQ(back > 0.0, off > 0.0) << hamaker << " " << part << " " << phase;
         }
   }
 }
 
-TEST(GridContact, ExtremesStayFinite) {
+TEST(OnePassContact, ExtremesStayFinite) {
   for (const double damping : {0.0, 0.79e-3, 1.0, 1e3})
     for (const double part : {1.0 / 0.9, 4.0, 50.0})
       for (const double cutoff : {0.0, thesis::range})
         for (const double tail : {0.0, 1e-15, 1.0})
           for (const double speed : {0.0, 1e-9, 0.02, 1.0}) {
-            const GridContact contact(spring(damping), {1e-6, cutoff, tail}, core,
-                                      thesis::contact_time / part);
+            const OnePassContact contact(spring(damping), {1e-6, cutoff, tail}, core,
+                                         thesis::contact_time / part);
             EXPECT_TRUE(std::isfinite(rebound(contact, speed, 0.3)))
                 << damping << " " << part << " " << cutoff << " " << tail << " " << speed;
           }
@@ -112,7 +112,7 @@ namespace {
 
 /// What a step does to a sphere beside a plane, under an acceleration `others` away from it.
 struct BesidePlane {
-  GridContact contact;
+  OnePassContact contact;
   double mass;
   double others;
   double distance, radial;
@@ -135,7 +135,7 @@ struct BesidePlane {
 
 /// Two spheres in a plane that meet with a normal and a sideways speed; whether they part again.
 /// `turned`: largest change of the angular momentum over r times speed.
-bool parts(const GridContact& contact, double speed, double sideways, double phase,
+bool parts(const OnePassContact& contact, double speed, double sideways, double phase,
            double& turned) {
   const double dt = contact.step(), flight = dt * (2.0 + phase);
   double x = core + contact.range() + speed * flight, y = -sideways * flight;
@@ -160,7 +160,7 @@ bool parts(const GridContact& contact, double speed, double sideways, double pha
   return false;
 }
 
-double escape_speed(const GridContact& contact, double slope, double phase, double& turned) {
+double escape_speed(const OnePassContact& contact, double slope, double phase, double& turned) {
   double low = 1e-3, high = 0.1;
   for (int k = 0; k < 30; k++) {
     const double middle = std::sqrt(low * high);
@@ -171,7 +171,7 @@ double escape_speed(const GridContact& contact, double slope, double phase, doub
 
 }  // namespace
 
-TEST(GridContact, ElasticBouncesUnderWeightKeepTheirHeight) {
+TEST(OnePassContact, ElasticBouncesUnderWeightKeepTheirHeight) {
   const double mass = thesis::mass, stiffness = 2.0 * thesis::contact().stiffness;
   const contact::LinearSpringDashpot law(stiffness, 0.0, mass);
   const double gravity = 9.81, height = 2e-5;
@@ -198,7 +198,7 @@ TEST(GridContact, ElasticBouncesUnderWeightKeepTheirHeight) {
   }
 }
 
-TEST(GridContact, ALoadAtRestPressesItsSpringOnTheGrid) {
+TEST(OnePassContact, ALoadAtRestPressesItsSpringOnTheGrid) {
   const contact::LinearSpringDashpot law(1600.0, 1.6e-3, thesis::mass);
   for (const double part : {4.0, 10.0, 50.0}) {
     BesidePlane sphere{{law, {}, thesis::radius, law.contact_time() / part},
@@ -216,7 +216,7 @@ TEST(GridContact, ALoadAtRestPressesItsSpringOnTheGrid) {
   }
 }
 
-TEST(GridContact, ObliquePairsEscapeAtTheSameSpeedForAnyStepAndPhase) {
+TEST(OnePassContact, ObliquePairsEscapeAtTheSameSpeedForAnyStepAndPhase) {
   const auto law = spring(thesis::contact().damping);
   for (const double hamaker : {1e-19, 7.49e-19, 2e-18}) {
     const contact::Adhesion adhesion = thesis::adhesion(hamaker);
@@ -227,7 +227,7 @@ TEST(GridContact, ObliquePairsEscapeAtTheSameSpeedForAnyStepAndPhase) {
           escape_speed({law, adhesion, core, thesis::contact_time / 200.0}, slope, 0.4, turned);
       for (const double part : {4.0, 8.0, 16.0, 50.0})
         for (int phase = 0; phase < 8; phase++) {
-          const GridContact contact(law, adhesion, core, thesis::contact_time / part);
+          const OnePassContact contact(law, adhesion, core, thesis::contact_time / part);
           const double found = escape_speed(contact, slope, phase / 8.0, turned);
           EXPECT_NEAR(found / fine, 1.0, 1e-3) << hamaker << " " << angle << " " << part;
         }
@@ -237,10 +237,10 @@ TEST(GridContact, ObliquePairsEscapeAtTheSameSpeedForAnyStepAndPhase) {
   }
 }
 
-TEST(GridContact, FollowsALastingContactAsItsOneForceDoes) {
+TEST(OnePassContact, FollowsALastingContactAsItsOneForceDoes) {
   const auto law = spring(thesis::contact().damping);
   const double dt = thesis::contact_time / 10.0;
-  const GridContact contact(law, thesis::adhesion(7.49e-19), core, dt);
+  const OnePassContact contact(law, thesis::adhesion(7.49e-19), core, dt);
   GridMemory memory;
   memory.phase = GridMemory::lasting;
   const double overlap = contact.range() * 1000.0;
@@ -256,10 +256,10 @@ TEST(GridContact, FollowsALastingContactAsItsOneForceDoes) {
   }
 }
 
-TEST(GridContact, TheFirstStepOfARunTakesAPairWhereItIs) {
+TEST(OnePassContact, TheFirstStepOfARunTakesAPairWhereItIs) {
   const contact::LinearSpringDashpot law = spring(0.0);
   const double dt = thesis::contact_time / 10.0, mu = thesis::reduced_mass;
-  const GridContact contact(law, thesis::adhesion(7.49e-19), core, dt);
+  const OnePassContact contact(law, thesis::adhesion(7.49e-19), core, dt);
   const double start = 2e-7, speed = 0.01;
   const DampedOscillator oscillator(law.stiffness() / mu, 0.0);
   const double pull = thesis::adhesion(7.49e-19).force / mu;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "energy_book.h"
+#include "energy_tally.h"
 
 #include <gtest/gtest.h>
 
-namespace cohesion::energy_book {
+namespace cohesion::energy_tally {
 
-TEST(EnergyBook, EachEntryIsStoredLostOrPutIn) {
+TEST(EnergyTally, EachEntryIsStoredLostOrPutIn) {
   double entries[ENTRIES];
   for (int k = 0; k < ENTRIES; k++) entries[k] = static_cast<double>(1 << k);
   entries[RESIDUAL] = 0.0;
@@ -16,39 +16,39 @@ TEST(EnergyBook, EachEntryIsStoredLostOrPutIn) {
   EXPECT_EQ(stored(entries), 1.0 + 2.0 + 4.0 + 8.0 + 16.0 + 1024.0 + 2048.0);
 }
 
-TEST(EnergyBook, ResidualIsWhatIsMissingSinceItWasOpened) {
+TEST(EnergyTally, ResidualIsWhatIsMissingSinceItsBegin) {
   double entries[ENTRIES] = {};
   entries[KINETIC] = 5.0;
-  Opened book;
-  book.close(entries);
+  Residual residual;
+  residual.update(entries);
   EXPECT_EQ(entries[RESIDUAL], 0.0);
   entries[KINETIC] = 2.0;
   entries[FRICTION] = 2.0;
   entries[EXTERNAL_WORK] = 0.5;
-  book.close(entries);
+  residual.update(entries);
   EXPECT_EQ(entries[RESIDUAL], -1.5);
 }
 
-TEST(EnergyBook, WhatCameBetweenRunsWasPutIn) {
+TEST(EnergyTally, WhatCameBetweenRunsWasPutIn) {
   double entries[ENTRIES] = {};
   entries[KINETIC] = 5.0;
-  Opened book;
-  book.close(entries);
+  Residual residual;
+  residual.update(entries);
   entries[KINETIC] = 4.5;
-  book.close_run(entries);
+  residual.end_run(entries);
   for (const double put_in : {2.0, 0.5}) {
     entries[EXTERNAL_WORK] = 0.0;
     entries[SPRING] += put_in;
-    EXPECT_EQ(book.close_after_change(entries), put_in);
+    EXPECT_EQ(residual.update_after_change(entries), put_in);
     EXPECT_EQ(entries[EXTERNAL_WORK], entries[SPRING]);
     EXPECT_EQ(entries[RESIDUAL], -0.5);
     entries[EXTERNAL_WORK] = 0.0;
-    book.close_run(entries);
+    residual.end_run(entries);
     EXPECT_EQ(entries[RESIDUAL], -0.5);
   }
 }
 
-TEST(EnergyBook, ABodyHasItsMotionAndItsWeight) {
+TEST(EnergyTally, ABodyHasItsMotionAndItsWeight) {
   double entries[ENTRIES] = {};
   for (int bodies = 1; bodies <= 2; bodies++) {
     // All numbers and sums are exact in binary.
@@ -60,4 +60,4 @@ TEST(EnergyBook, ABodyHasItsMotionAndItsWeight) {
   }
 }
 
-}  // namespace cohesion::energy_book
+}  // namespace cohesion::energy_tally

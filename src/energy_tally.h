@@ -7,7 +7,7 @@
 #include "vector3.h"
 
 /// What energy there is, where it is stored and what took it: the entries of compute gran/energy.
-namespace cohesion::energy_book {
+namespace cohesion::energy_tally {
 
 /// Entries of the vector, in its order, all [energy].
 enum Entry {
@@ -59,38 +59,38 @@ inline double balance(const double* entries) {
   return stored(entries) + detail::sum(entries, detail::lost) - entries[EXTERNAL_WORK];
 }
 
-/// The book of one script: what is missing in it since it was opened.
-class Opened {
+/// What is missing in the tally of one script since it has begun.
+class Residual {
  public:
-  bool is_open() const { return opened_; }
+  bool has_begun() const { return begun_; }
   /// Adds to entries[EXTERNAL_WORK] what was put in between runs, and sets entries[RESIDUAL]; the
-  /// first time is the opening.
-  void close(double* entries) {
+  /// tally begins with the first time.
+  void update(double* entries) {
     entries[EXTERNAL_WORK] += put_in_;
     const double now = balance(entries);
-    if (!opened_) at_opening_ = now;
-    opened_ = true;
-    entries[RESIDUAL] = now - at_opening_;
+    if (!begun_) at_begin_ = now;
+    begun_ = true;
+    entries[RESIDUAL] = now - at_begin_;
   }
   /// The same at the end of a run.
-  void close_run(double* entries) {
-    close(entries);
+  void end_run(double* entries) {
+    update(entries);
     at_end_ = balance(entries);
   }
   /// The same where something other than motion has changed what there is since the last run: that
   /// is work which was put in. Returns it, [energy].
-  double close_after_change(double* entries) {
+  double update_after_change(double* entries) {
     const double came = balance(entries) - put_in_ - at_end_;
     put_in_ += came;
-    close(entries);
+    update(entries);
     return came;
   }
 
  private:
-  bool opened_ = false;
-  double at_opening_ = 0.0;
+  bool begun_ = false;
+  double at_begin_ = 0.0;
   double at_end_ = 0.0;  // of the last run
   double put_in_ = 0.0;  // between runs, [energy]
 };
 
-}  // namespace cohesion::energy_book
+}  // namespace cohesion::energy_tally
