@@ -227,9 +227,10 @@ void FixEventStep::setup_pre_force(int) {
   judge(true);
   if (other_box)
     for (EventWalls* wall : walls) wall->take_where_they_are();
-  if (!book.is_kept()) return;
-  for (int i = 0; i < atom->nlocal; i++) book.take_motion(i, last.of(i) + NOTED);
-  book.begin_again();
+  if (book.is_kept()) {
+    for (int i = 0; i < atom->nlocal; i++) book.take_motion(i, last.of(i) + NOTED);
+    book.begin_again();
+  }
   for (EventContacts* some : styles) some->book_standing();
 }
 

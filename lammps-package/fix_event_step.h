@@ -45,7 +45,8 @@ class EventContacts {
   virtual bool follows() const { return true; }
   /// Whether what contacts do to each other within a step counts: scheme event.
   virtual bool within_step() const = 0;
-  /// Books what the contacts store, where a run takes over the forces of the last one.
+  /// Where a run takes over the forces of the last one: what has come into range or out of it
+  /// between the two, and in the book what the contacts store.
   virtual void book_standing() = 0;
 
  protected:

@@ -27,6 +27,7 @@ void FixWallGranCohesive<Cohesion>::take_where_they_are() {
 
 template <class Cohesion>
 void FixWallGranCohesive<Cohesion>::book_standing() {
+  if (!step->book.is_kept()) return;
   const WallState now = state();
   with_contacts([&](auto& shared, auto size) {
     shared.clear();

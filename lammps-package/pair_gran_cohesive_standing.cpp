@@ -25,8 +25,23 @@ void PairGranCohesive<Cohesion>::for_each_listed(const What& what) const {
   }
 }
 
-/// After steps in which no pair was followed (`afresh`), or something else than their motion
-/// brought particles where they are; those that are still in range remember what they did.
+static bool is_inside(int kept, const double* values) {
+  return kept && ContactMemory::from(values, HistorySize::normal_only).in_range();
+}
+
+/// What a pair that is `near`, or not, remembers from now on. What its last step owes the grid
+/// stays.
+static ContactMemory moved(ContactMemory known, bool near) {
+  using Phase = ContactMemory::Phase;
+  const bool owes = known.phase == Phase::inside || known.phase == Phase::left;
+  if (!owes) return near ? ContactMemory::seen_inside() : ContactMemory();
+  known.phase = near ? Phase::inside : Phase::left;
+  return known;
+}
+
+/// After steps in which no pair was followed (`afresh`), or where something else than their motion
+/// brought particles where they are or laws have other ranges; those that are still in range
+/// remember what they did.
 template <class Cohesion>
 void PairGranCohesive<Cohesion>::begin_where_they_are(bool afresh) {
   rested = false;
@@ -38,9 +53,12 @@ void PairGranCohesive<Cohesion>::begin_where_they_are(bool afresh) {
           const bool near =
               moves(i, j) && closer(largest_range, i, j) &&
               closer(contacts.all[contact(contacts, particles(), i, j)].range(), i, j);
-          if (near && kept && !afresh) return;
-          (near ? ContactMemory::seen_inside() : ContactMemory()).to(values, per_pair);
-          kept = near;
+          if (near && is_inside(kept, values) && !afresh) return;
+          const bool remembered = kept && !afresh;
+          const ContactMemory known =
+              moved(remembered ? ContactMemory::from(values, per_pair) : ContactMemory(), near);
+          known.to(values, per_pair);
+          kept = near || known.phase == ContactMemory::left;
         });
       },
       any_contacts);
@@ -51,7 +69,7 @@ template <class Cohesion>
 void PairGranCohesive<Cohesion>::book_standing() {
   if (!acts) return;
   if (rested) begin_where_they_are(true);
-  if (step->box_changed()) begin_where_they_are(false);
+  if (step->box_changed() || coefficients.has_other_ranges()) begin_where_they_are(false);
   if (!step->book.is_kept()) return;
   for_each_standing([this](int, int j, const StoredEnergies& stored) {
     step->book.store_again(j < atom->nlocal ? 1.0 : 0.5, stored);
@@ -81,10 +99,6 @@ void PairGranCohesive<Cohesion>::for_each_standing(const What& what) {
         });
       },
       any_contacts);
-}
-
-static bool is_inside(int kept, const double* values) {
-  return kept && ContactMemory::from(values, HistorySize::normal_only).in_range();
 }
 
 /// Bound are the pairs within the range of contact and adhesion, of those that are followed or,
