@@ -84,7 +84,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     Cohesion::ContactRange range = attraction_.range();
     if (events_) {
       connect_events(registry);
-      range.margin = Cohesion::EventContacts::MARGIN;
+      range.margin = Cohesion::MARGIN;
     }
     Cohesion::require_range(lmp, registry, wall_, name(), range);
   }
