@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <cstdio>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "advice/stiffness_scaling.h"
 #include "cohesive_contact_from_script.h"
 #include "comm.h"
+#include "event_stepping/sphere_pair.h"
+#include "event_stepping/turning.h"
 #include "pointers.h"
 #include "restart_format.h"
 #include "type_pair_table.h"
@@ -52,6 +55,16 @@ class CohesiveCoefficients : protected Pointers {
   /// Stops LAMMPS where particles of these radii are too small for what prepare() took.
   void require_short(int i, int j, double radius_i, double radius_j) const {
     cohesion_.require_short(lmp, where_types(i, j), given_(i, j), radius_i, radius_j);
+    if constexpr (std::is_same_v<typename Cohesion::EventPair,
+                                 cohesion::event_stepping::SpherePair>) {
+      if (scheme_ != Scheme::event || radius_i == 0.0 || radius_j == 0.0) return;
+      LAMMPS_NS::from_script(lmp, where_types(i, j), [&] {
+        cohesion::event_stepping::require_turns_as_touching(
+            attraction<cohesion::contact::Adhesion>(of_types(i, j), radius_i, radius_j),
+            radius_i + radius_j);
+        return true;
+      });
+    }
   }
 
   /// With `per_pair`, how many numbers the histories of that file hold for each pair; 0: there are
