@@ -12,7 +12,6 @@
 #include "event_contacts.h"
 #include "event_stepping/grid_contact.h"
 #include "event_stepping/grid_well.h"
-#include "event_stepping/turning.h"
 #include "fix_contact_advice.h"
 #include "fix_mesh_surface.h"
 #include "fix_wall_gran.h"
@@ -127,10 +126,8 @@ void EventContacts::make_law(Known& k, const ContactModels::SurfacesCloseData& d
     k.well = adhesion.force == 0.0;
     if (k.well)
       k.law = std::make_unique<GridWell>(spring, adhesion, d.radsum, dt);
-    else {
-      if (!d.is_wall) cohesion::event_stepping::require_turns_as_touching(adhesion, d.radsum);
+    else
       k.law = std::make_unique<GridContact>(spring, adhesion, d.radsum, dt);
-    }
     // That answers at the surface of solid spheres, which turn: 1/m + r^2/I of each.
     const double tangential_mass =
         reduced_mass / (1.0 + 1.0 / MobileParticles::inertia_factor(lmp_->domain->dimension));
