@@ -1,15 +1,20 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # cohesion_add_test(NAME name LABELS label... COMMAND command...
-#                   [RANKS n] [TIMEOUT seconds] [ENVIRONMENT name=value...] [MODULES folder...] [RUN_SERIAL])
+#                   [RANKS n] [TIMEOUT seconds] [COST seconds] [PROCESSORS n] [ENVIRONMENT name=value...]
+#                   [MODULES folder...])
 #
 # A ctest test; with RANKS under mpiexec. Labels: unit, regression, verification, mpi; what is
 # labelled mpi runs on 2 ranks and so takes 2 cores. The timeout (600 s) is a guard against hangs, far
-# above what a test takes: ranks that share a busy machine wait for each other. Python finds the packages of
-# tests/support and examples/common, and what lies in the folders of MODULES.
+# above what a test takes: ranks that share a busy machine wait for each other. Tests of high COST begin first, so that
+# no long one is left over when the others have ended; by itself ctest knows what they took the last time in this build
+# folder. Python finds the packages of tests/support and examples/common, and what lies in the folders of MODULES. An
+# engine on one process starts no daemon of Open MPI, which takes longer than most scripts, and looks for no network.
 function(cohesion_add_test)
-  cmake_parse_arguments(T "RUN_SERIAL" "NAME;RANKS;TIMEOUT" "LABELS;COMMAND;ENVIRONMENT;MODULES" ${ARGN})
+  cmake_parse_arguments(T "" "NAME;RANKS;TIMEOUT;COST;PROCESSORS" "LABELS;COMMAND;ENVIRONMENT;MODULES" ${ARGN})
   set(processors 1)
-  if("mpi" IN_LIST T_LABELS)
+  if(T_PROCESSORS)
+    set(processors ${T_PROCESSORS})
+  elseif("mpi" IN_LIST T_LABELS)
     set(processors 2)
   endif()
   if(T_RANKS)
@@ -26,7 +31,8 @@ function(cohesion_add_test)
   set(modules ${PROJECT_SOURCE_DIR}/tests/support ${PROJECT_SOURCE_DIR}/examples/common ${T_MODULES})
   list(JOIN modules ":" modules)
   set(environment OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
-    OMPI_MCA_mpi_yield_when_idle=1 OMP_NUM_THREADS=1 PYTHONDONTWRITEBYTECODE=1
+    OMPI_MCA_mpi_yield_when_idle=1 OMPI_MCA_ess_singleton_isolated=1 OMPI_MCA_pml=ob1
+    OMP_NUM_THREADS=1 PYTHONDONTWRITEBYTECODE=1
     "PYTHONPATH=${modules}"
     ${T_ENVIRONMENT})
   add_test(NAME ${T_NAME} COMMAND ${T_COMMAND})
@@ -35,7 +41,7 @@ function(cohesion_add_test)
     TIMEOUT ${T_TIMEOUT}
     PROCESSORS ${processors}
     ENVIRONMENT "${environment}")
-  if(T_RUN_SERIAL)
-    set_tests_properties(${T_NAME} PROPERTIES RUN_SERIAL TRUE)
+  if(T_COST)
+    set_tests_properties(${T_NAME} PROPERTIES COST ${T_COST})
   endif()
 endfunction()

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 #include <string>
+#include <type_traits>
 
 #include "atom.h"
 #include "cohesion_model_base.h"
@@ -26,6 +27,10 @@
 #include "word_settings.h"
 
 namespace LIGGGHTS {
+namespace Cohesion {
+class HamakerAttraction;
+}
+
 namespace ContactModels {
 
 /// A cohesion laid over whatever contact model it is combined with, at overlap and across a gap.
@@ -85,7 +90,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     Cohesion::ContactRange range = attraction_.range();
     if (events_) {
       connect_events(registry);
-      range.margin = Cohesion::EventContacts::MARGIN;
+      range.margin = Cohesion::MARGIN;
     }
     Cohesion::require_range(lmp, registry, wall_, name(), range);
   }
@@ -162,6 +167,8 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
 
   void connect_events(PropertyRegistry& registry) {
     slides_ = has("tangential", "history");
+    if constexpr (std::is_same_v<Attraction, Cohesion::HamakerAttraction>)
+      attraction_.require_turns_as_touching();
     if (tally_)
       error->all(FLERR,
                  (name() + ", scheme event: compute gran/energy knows no contacts of it; use "

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "contact_models.h"
+#include "contact_range.h"
 #include "domain.h"
 #include "error.h"
 #include "event_contacts.h"

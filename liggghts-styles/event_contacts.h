@@ -35,10 +35,6 @@ class EventContacts {
   using Adhesion =
       std::function<cohesion::contact::Adhesion(int itype, int jtype, double ri, double rj)>;
 
-  /// How far beyond the range the model sees, over the sum of the radii: a pair must not come
-  /// nearer by more in a step.
-  static constexpr double MARGIN = 0.01;
-
   /// who: in messages; wall: null for pairs. Adds to the history of contacts.
   EventContacts(LAMMPS_NS::LAMMPS* lmp, IContactHistorySetup* owner, LAMMPS_NS::FixWallGran* wall,
                 const std::string& who);

@@ -10,6 +10,7 @@
 
 #include "atom.h"
 #include "error.h"
+#include "event_stepping/turning.h"
 #include "fix.h"
 #include "global_properties.h"
 #include "hamaker/range_of_validity.h"
@@ -128,7 +129,7 @@ void HamakerAttraction::connect(PropertyRegistry& registry, const NormalModelPro
       },
       given);
   is_active_ = false;
-  const std::vector<double> radii = smallest_radii(lmp_);
+  const std::vector<double>& radii = smallest_radii_ = smallest_radii(lmp_);
   laws_.fill(
       lmp_, MODEL, registry.max_type(),
       [&](int i, int j) {
@@ -156,6 +157,23 @@ cohesion::hamaker::Parameters HamakerAttraction::scaled(const cohesion::hamaker:
     LAMMPS_NS::engine_api::tell(lmp_, LAMMPS_NS::message("cohesion model ", MODEL, ", atom types ",
                                                          itype, " and ", jtype, ": ", note, "\n"));
   return used;
+}
+
+void HamakerAttraction::require_turns_as_touching() const {
+  if (is_wall_) return;  // beside one nothing turns
+  const std::vector<double>& radii = smallest_radii_;
+  for (int i = 1; i < static_cast<int>(radii.size()); i++)
+    for (int j = i; j < static_cast<int>(radii.size()); j++) {
+      if (!std::isfinite(radii[i]) || !std::isfinite(radii[j])) continue;
+      try {
+        cohesion::event_stepping::require_turns_as_touching(adhesion(i, j, radii[i], radii[j]),
+                                                            radii[i] + radii[j]);
+      } catch (const cohesion::InvalidParameter& bad) {
+        lmp_->error->all(FLERR, LAMMPS_NS::message("cohesion model ", MODEL, ", atom types ", i,
+                                                   " and ", j, ": ", bad.what())
+                                    .c_str());
+      }
+    }
 }
 
 ContactRange HamakerAttraction::range() const {

@@ -3,6 +3,7 @@
 #define COHESION_HAMAKER_ATTRACTION_H
 
 #include <cmath>
+#include <vector>
 
 #include "advice/stiffness_scaling.h"
 #include "contact/adhesion.h"
@@ -36,6 +37,9 @@ class HamakerAttraction : public AttractionEnergy {
   /// be scaled; what was done is printed. A parameter that cannot be right stops the engine with
   /// the types and the values given.
   void connect(PropertyRegistry& registry, const NormalModelProbe& normal);
+
+  /// Stops the engine where scheme event would turn pairs wrongly (event_stepping/turning.h).
+  void require_turns_as_touching() const;
 
   ContactRange range() const;
   bool is_active() const { return is_active_; }
@@ -88,6 +92,7 @@ class HamakerAttraction : public AttractionEnergy {
 
   LAMMPS_NS::LAMMPS* lmp_;
   bool is_wall_;
+  std::vector<double> smallest_radii_;  // by type
   TableOfTypes<Law> laws_;
   TableOfTypes<cohesion::advice::Material> materials_;
   double outer_cutoff_ = 0.0;

@@ -82,11 +82,6 @@ class SquareWellAttraction final : public AttractionEnergy {
   }
 
  private:
-  /// How far beyond the edge the model sees, over the radius: a pair that leaves its well must be
-  /// seen outside, so it must not move farther than this in a step. Every pair that the engine
-  /// shows costs: of a dense gas a tenth takes half as long again.
-  static constexpr double MARGIN = 0.01;
-
   // What is remembered of a contact; the last beside walls alone, for contacts with meshes.
   enum { STATE, IMPULSE, LAST_STEP };
   // STATE; the engine gives a new contact zeros.

@@ -228,10 +228,11 @@ void FixEventStep::setup_pre_force(int) {
   advise_if_due(true);
   if (other_box)
     for (EventWalls* wall : walls) wall->reset_in_range();
-  if (!energy_tally.is_active()) return;
-  for (int i = 0; i < atom->nlocal; i++) energy_tally.restore_motion(i, last.of(i) + NOTED);
-  energy_tally.reset_normal();
-  for (EventContacts* some : styles) some->store_energies_at_setup();
+  if (energy_tally.is_active()) {
+    for (int i = 0; i < atom->nlocal; i++) energy_tally.restore_motion(i, last.of(i) + NOTED);
+    energy_tally.reset_normal();
+  }
+  for (EventContacts* some : styles) some->continue_run();
 }
 
 /// With the first forces of a step, when fixes have changed what they change before.

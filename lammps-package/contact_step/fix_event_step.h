@@ -48,9 +48,9 @@ class EventContacts {
   /// Whether contacts are those of scheme event, which takes account of what they do to each other
   /// within a step; else they are sampled.
   virtual bool is_event_scheme() const = 0;
-  /// Adds what the contacts store to the energy tally, where a run takes over the forces of the
-  /// last one.
-  virtual void store_energies_at_setup() = 0;
+  /// Where a run takes over the forces of the last one: finds what has come into range or out of it
+  /// between the two, and adds what the contacts store to the energy tally.
+  virtual void continue_run() = 0;
 
  protected:
   ~EventContacts() = default;

@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <cstdio>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "advice/stiffness_scaling.h"
 #include "cohesive_contact_from_script.h"
 #include "comm.h"
+#include "event_stepping/sphere_pair.h"
+#include "event_stepping/turning.h"
 #include "pointers.h"
 #include "restart_format.h"
 #include "type_pair_table.h"
@@ -39,16 +42,29 @@ class CohesiveCoefficients : protected Pointers {
     given_.commit();
     laws_.assign(given_.size(), cohesion_.no_law());
     prepared_.assign(given_.size(), false);
+    has_other_ranges_ = false;
   }
   void require_committed() const { given_.require_committed(where()); }
   /// Whether types i and j are this style's in the run; those of other styles of a hybrid are not.
   bool has(int i, int j) const { return prepared_[of_types(i, j)]; }
+  /// Whether any law that prepare() has made acts as far as another than that of the run before.
+  bool has_other_ranges() const { return has_other_ranges_; }
   /// Makes the law of types i and j, mixed when they were not given. Returns the gap up to which
   /// the scheme has to see particles of these radii, [length].
   double prepare(int i, int j, double radius_i, double radius_j);
   /// Stops LAMMPS where particles of these radii are too small for what prepare() took.
   void require_short(int i, int j, double radius_i, double radius_j) const {
     cohesion_.require_short(lmp, where_types(i, j), given_(i, j), radius_i, radius_j);
+    if constexpr (std::is_same_v<typename Cohesion::EventPair,
+                                 cohesion::event_stepping::SpherePair>) {
+      if (scheme_ != Scheme::event || radius_i == 0.0 || radius_j == 0.0) return;
+      LAMMPS_NS::from_script(lmp, where_types(i, j), [&] {
+        cohesion::event_stepping::require_turns_as_touching(
+            attraction<cohesion::contact::Adhesion>(of_types(i, j), radius_i, radius_j),
+            radius_i + radius_j);
+        return true;
+      });
+    }
   }
 
   /// With `per_pair`, how many numbers the histories of that file hold for each pair; 0: there are
@@ -58,7 +74,10 @@ class CohesiveCoefficients : protected Pointers {
   int read_settings(FILE*);
   void write(FILE* fp) const { given_.write(fp); }
   void read(FILE* fp) {
-    given_.read(fp, [this](int i, int j, const Parameters& p) { give(i, j, p); });
+    given_.read(fp, [this](int i, int j, const Parameters& p) {
+      give(i, j, p);
+      note_range(i, j);
+    });
   }
 
   Scheme scheme() const { return scheme_; }
@@ -113,12 +132,23 @@ class CohesiveCoefficients : protected Pointers {
     given_(i, j) = p;
     given_(j, i) = Cohesion::reversed(p);
   }
+  /// Returns whether it is another than before; the first of all is not.
+  bool note_range(int i, int j) {
+    ranges_.resize(given_.size(), NONE);
+    const double before = ranges_[of_types(i, j)];
+    ranges_[of_types(i, j)] = Cohesion::range(Scheme::event, given_(i, j), 1.0, 1.0);
+    return before != NONE && before != ranges_[of_types(i, j)];
+  }
+
+  static constexpr double NONE = -1.0;
 
   Scheme scheme_;
   Cohesion cohesion_;
   TypePairTable<Parameters> given_;
   std::vector<typename Cohesion::Law> laws_;  // by of_types(); of a scaled adhesion, if wished
   std::vector<bool> prepared_;                // the same
+  std::vector<double> ranges_;                // the same, of particles of radius 1
+  bool has_other_ranges_ = false;
 };
 
 template <class Cohesion>
@@ -155,6 +185,7 @@ double CohesiveCoefficients<Cohesion>::prepare(int i, int j, double radius_i, do
     give(i, j, LAMMPS_NS::from_script(lmp, here, [&] {
            return Cohesion::mixed(given_(i, i), given_(j, j));
          }));
+  if (note_range(i, j)) has_other_ranges_ = true;
   const Parameters scaled = cohesion_.scaled(lmp, here, given_(i, j));
   laws_[of_types(j, i)] = cohesion_.law(lmp, here, Cohesion::reversed(scaled));
   laws_[of_types(i, j)] = cohesion_.law(lmp, here, scaled);

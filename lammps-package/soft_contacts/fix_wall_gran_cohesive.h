@@ -39,7 +39,7 @@ class FixWallGranCohesive : public Fix, public EventWalls, public AdvisedStyle {
   void follow_disturbed() override;
   void couple_lasting() override;
   void predict() override;
-  void store_energies_at_setup() override;
+  void continue_run() override;
   void give_advice(const Circumstances&) override;
   void reset_in_range() override;
   bool has_friction(int) const override { return per_wall > HistorySize::normal_only; }

@@ -26,7 +26,8 @@ void FixWallGranCohesive<Cohesion>::reset_in_range() {
 }
 
 template <class Cohesion>
-void FixWallGranCohesive<Cohesion>::store_energies_at_setup() {
+void FixWallGranCohesive<Cohesion>::continue_run() {
+  if (!step->energy_tally.is_active()) return;
   const WallState now = state();
   with_contacts([&](auto& shared, auto size) {
     shared.clear();
@@ -44,6 +45,6 @@ void FixWallGranCohesive<Cohesion>::store_energies_at_setup() {
 }
 
 template void FixWallGranCohesive<HamakerCohesion>::reset_in_range();
-template void FixWallGranCohesive<HamakerCohesion>::store_energies_at_setup();
+template void FixWallGranCohesive<HamakerCohesion>::continue_run();
 template void FixWallGranCohesive<SquareWellCohesion>::reset_in_range();
-template void FixWallGranCohesive<SquareWellCohesion>::store_energies_at_setup();
+template void FixWallGranCohesive<SquareWellCohesion>::continue_run();

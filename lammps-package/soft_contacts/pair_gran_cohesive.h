@@ -68,7 +68,7 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventContacts, p
   void follow_disturbed() override;
   void couple_lasting() override;
   void predict() override;
-  void store_energies_at_setup() override;
+  void continue_run() override;
   void give_advice(const Circumstances&) override;
   bool has_friction(int type) const override {
     return coefficients.has_friction(type, atom->ntypes);

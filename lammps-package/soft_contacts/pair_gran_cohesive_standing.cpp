@@ -25,9 +25,23 @@ void PairGranCohesive<Cohesion>::for_each_listed(const What& what) const {
   }
 }
 
+static bool is_inside(int has_history, const double* values) {
+  return has_history && ContactMemory::from(values, HistorySize::normal_only).in_range();
+}
+
+/// What a pair that is `near`, or not, remembers from now on. What its last step owes the grid
+/// stays.
+static ContactMemory moved(ContactMemory known, bool near) {
+  using Phase = ContactMemory::Phase;
+  const bool owes = known.phase == Phase::inside || known.phase == Phase::left;
+  if (!owes) return near ? ContactMemory::seen_inside() : ContactMemory();
+  known.phase = near ? Phase::inside : Phase::left;
+  return known;
+}
+
 /// Sets which pairs are in range by where they are: after steps in which no pair had a history
-/// (`discard_all`), or when something else than their motion has brought particles where they are;
-/// then pairs that are still in range keep theirs.
+/// (`discard_all`), or when something else than their motion has brought particles where they are,
+/// or laws have other ranges; then pairs that are still in range keep theirs.
 template <class Cohesion>
 void PairGranCohesive<Cohesion>::reset_in_range(bool discard_all) {
   history_stale = false;
@@ -39,21 +53,22 @@ void PairGranCohesive<Cohesion>::reset_in_range(bool discard_all) {
           const bool near =
               moves(i, j) && is_within(largest_range, i, j) &&
               is_within(contacts.all[contact(contacts, particles(), i, j)].range(), i, j);
-          if (near && has_history && !discard_all) return;
-          (near ? ContactMemory::seen_inside() : ContactMemory()).to(values, per_pair);
-          has_history = near;
+          if (near && is_inside(has_history, values) && !discard_all) return;
+          const bool remembered = has_history && !discard_all;
+          const ContactMemory known =
+              moved(remembered ? ContactMemory::from(values, per_pair) : ContactMemory(), near);
+          known.to(values, per_pair);
+          has_history = near || known.phase == ContactMemory::left;
         });
       },
       any_contacts);
 }
 
-/// Adds the energies of the pairs at the grid point to the energy tally, for a run that takes over
-/// the forces of the last one.
 template <class Cohesion>
-void PairGranCohesive<Cohesion>::store_energies_at_setup() {
+void PairGranCohesive<Cohesion>::continue_run() {
   if (!is_active) return;
   if (history_stale) reset_in_range(true);
-  if (step->box_changed()) reset_in_range(false);
+  if (step->box_changed() || coefficients.has_other_ranges()) reset_in_range(false);
   if (!step->energy_tally.is_active()) return;
   for_each_with_history([this](int, int j, const StoredEnergies& stored) {
     step->energy_tally.store_normal(j < atom->nlocal ? 1.0 : 0.5, stored);
@@ -85,10 +100,6 @@ void PairGranCohesive<Cohesion>::for_each_with_history(const What& what) {
       any_contacts);
 }
 
-static bool is_inside(int has_history, const double* values) {
-  return has_history && ContactMemory::from(values, HistorySize::normal_only).in_range();
-}
-
 /// Appends the pairs within the range of contact and adhesion, of those that have a history or,
 /// where nothing acts, would have one.
 template <class Cohesion>
@@ -101,16 +112,16 @@ void PairGranCohesive<Cohesion>::append_bound(std::vector<std::array<int, 2>>& p
 
 template void PairGranCohesive<HamakerCohesion>::reset_in_range(bool);
 template void PairGranCohesive<HamakerCohesion>::tally_energies_at_setup();
-template void PairGranCohesive<HamakerCohesion>::store_energies_at_setup();
+template void PairGranCohesive<HamakerCohesion>::continue_run();
 template void PairGranCohesive<HamakerCohesion>::append_bound(
     std::vector<std::array<int, 2>>&) const;
 template void PairGranCohesive<SquareWellCohesion>::reset_in_range(bool);
 template void PairGranCohesive<SquareWellCohesion>::tally_energies_at_setup();
-template void PairGranCohesive<SquareWellCohesion>::store_energies_at_setup();
+template void PairGranCohesive<SquareWellCohesion>::continue_run();
 template void PairGranCohesive<SquareWellCohesion>::append_bound(
     std::vector<std::array<int, 2>>&) const;
 template void PairGranCohesive<SquareWellOverlay>::reset_in_range(bool);
 template void PairGranCohesive<SquareWellOverlay>::tally_energies_at_setup();
-template void PairGranCohesive<SquareWellOverlay>::store_energies_at_setup();
+template void PairGranCohesive<SquareWellOverlay>::continue_run();
 template void PairGranCohesive<SquareWellOverlay>::append_bound(
     std::vector<std::array<int, 2>>&) const;

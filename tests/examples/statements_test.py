@@ -101,14 +101,14 @@ class Rule(Made):
                                        (-0.35, 0.01, AGREES), (-0.45, 0.01, DOES_NOT), (0.1, 1.0, CANNOT_TELL)):
             made = self.made_up({"none": {"u": spread(1.0, deviation)}, "one": {"u": spread(2.0, deviation)},
                                  "other": {"u": spread(2.0 + x, deviation)}})
-            self.assertEqual(together(alike("u", "one", "other", "none"), made), expected, x)
+            self.assertEqual(together(alike("u", "one", "other", "none", "none"), made), expected, x)
 
     def test_of_effects_of_two_kinds(self):
         """Effects 1 and 1.1 over 1 and 3 are alike, over 1 and 1 they are 1 and 3.1."""
         made = self.made_up({"none": {"u": spread(1.0, 0.01)}, "rest": {"u": spread(3.0, 0.01)},
                              "one": {"u": spread(2.0, 0.01)}, "other": {"u": spread(4.1, 0.01)}})
         self.assertEqual(together(alike("u", "one", "other", "none", "rest"), made), AGREES)
-        self.assertEqual(together(alike("u", "one", "other", "none"), made), DOES_NOT)
+        self.assertEqual(together(alike("u", "one", "other", "none", "none"), made), DOES_NOT)
 
     def test_of_less_than_half_a_fall(self):
         """Of a fall by 2 over the range: 0.8 in either direction is, 1.2 is not."""

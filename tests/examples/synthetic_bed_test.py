@@ -105,7 +105,7 @@ def files():
         "postProcessing/lowestPressure/0/volFieldValue.dat": table(zip(time, p)),
         "postProcessing/jetVelocity/0/surfaceFieldValue.dat": "# Time areaAverage(U)\n" + "".join(
             f"{t:.3f} (0 {v / SHARE!r} 0)\n" for t, v in zip(time.tolist(), velocity.tolist())),
-        "bed.dat": table(zip(steps, written, np.full(len(steps), 0.062), steps)),
+        "bed.dat": table(zip(steps, written, np.full(len(steps), 0.062))),
         "walls.dat": table(zip(steps, 0.04 * written, -0.01 * written, -0.02 * written)),
         "postProcessing/mixing/0/mixingIndex.dat": table(
             (t, 0.2 if t == 0.1 else 9 if t < 0.3 else 0.4 * t if t < 1 else 0.65 if 1.501 < t <= 1.6 else 0.1, 0, 0)

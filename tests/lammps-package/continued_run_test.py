@@ -178,6 +178,45 @@ write_dump all custom end.txt id x y z vx vy vz omegax omegay omegaz modify form
             # Between the 4 of first order and the 16 of second.
             self.assertLess(apart[1], apart[0] / 8)
 
+    def test_range_that_a_script_changes(self):
+        """Between two runs a law begins, becomes wider, or the box smaller: a pair that is in range then is held, and
+        did not fall into it. Whether a book is kept does not matter."""
+        speed, before, after = 2.7e-3, 5, 20
+        time = after * DT
+        depth, width = 1e-11, 0.1 * DIAMETER
+        # The surface attracts with the depth over its cut-off, 1e-6 m; the tail's energy is nearly as much.
+        cut = 1e-6
+        A = 6 * depth / (0.5 * R) * cut
+        pull = depth / cut / (MASS / 2)
+        wide = f"well {depth} 1.1"
+        for name, scheme, first, then, gap in (
+                ("square_well", "event", "well 0 1.1", wide, width - 2e-7),
+                ("square_well", "sampled", "well 0 1.1", wide, width - 2e-7),
+                ("square_well", "event", "well 1e-13 1.01", wide, width - 2e-7),
+                ("square_well", "event", wide, "", width + 1e-6),
+                ("hamaker", "event", "", f"hamaker {A:.17g} cutoff {cut} {10 * cut}", 0.5 * cut)):
+            for parts in (1, -1):
+                with self.subTest(name, scheme=scheme, first=first, then=then, parts=parts > 0):
+                    engine.write_spheres(self.folder, [
+                        {"type": 1, "diameter": DIAMETER, "density": 2650.0,
+                         "x": (5e-3 + side * (R + 0.5 * gap), 5e-3, 5e-3), "v": (side * parts * 0.5 * speed, 0, 0)}
+                        for side in (1, -1)], 3 * [(0.0, 0.01)], 1)
+                    pair = f"pair_style gran/{name} scheme {scheme}\npair_coeff * * {CONTACT} "
+                    # The shorter box brings the spheres nearer by 1.2e-6 m.
+                    change = (f"pair_coeff * * {CONTACT} {then}" if then else
+                              "change_box all x final 5.5e-6 0.0099945 remap units box")
+                    runs = f"run {before}\n{change}\nrun {after}"
+                    book, end = self.book(pair + first, "COMPUTE\n" + runs)
+                    numpy.testing.assert_array_equal(self.book(pair + first, runs)[1], end)
+                    found = (end[0] - end[1])[4]
+                    if name == "square_well":
+                        # One that parts turns round at the edge. Places of 0.01 m are rounded to 2^-53.
+                        self.assertAlmostEqual(found, -speed, delta=1e-9 * speed)
+                    else:
+                        # A run goes on with the force of the step before it, of no law: that of one step is missing.
+                        self.assertAlmostEqual(found, parts * speed - pull * time, delta=1.1 * pull * DT)
+                    self.assertLess(book["c_book[5]"][-1], -0.9 * depth)
+
 
 if __name__ == "__main__":
     unittest.main()

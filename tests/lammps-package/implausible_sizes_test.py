@@ -73,6 +73,19 @@ class Sizes(ScriptTestCase):
                          boundary="p p f")
             self.goes(script(law("4e-10", "3.7e-5"), boundary="p p f"))
 
+    def test_range_in_which_pairs_would_turn_wrongly(self):
+        """A thirtieth of the distance of two of 75 um at touch is 2.5e-6 m; beside a wall nothing turns."""
+        wide = "surface cut-off H_cut of the contact = 2.6e-06: must not be above 2.5e-06"
+        self.refuses("pair_style gran/hamaker, types 1 and 1", wide, "use 'scheme sampled'",
+                     pair=gran("2.6e-6", "1e-5", "form exact"))
+        self.goes(script(gran("2.4e-6", "1e-5", "form exact")))
+        self.goes(script(gran("2.6e-6", "1e-5", "form exact scheme sampled")))
+        self.goes(script(WALLS[0]("2.6e-6", "1e-5", "form exact"), boundary="p p f"))
+        # H_cut of the soft contact, from 3.7e-7 m of a material 64 times as stiff.
+        self.refuses("surface cut-off H_cut of the contact = ", "where it was scaled for a soft spring",
+                     pair=gran("3.7e-7", "1.5e-5") + " material_stiffness 51200")
+        self.goes(script(gran("3.7e-8", "1.5e-5") + " material_stiffness 51200"))
+
     def test_the_smallest_of_a_mixture_counts(self):
         self.refuses("H_out = 1e-05: must not be above 5e-06", pair=gran("4e-10", "1e-5"),
                      then="set atom 2 diameter 20e-6", ranks=(1, 2))

@@ -73,6 +73,21 @@ class BadInput(unittest.TestCase):
         done = go(0.0, 0.5e-3, template.format(2))
         self.assertEqual(done.code, 0, done.output[-2000:])
 
+    def test_scaled_cutoff_in_which_pairs_would_turn_wrongly(self):
+        """H_cut of 2e-5 m of a material four times as stiff becomes 4.2e-5 m, above a thirtieth of the distance of two
+        of 1 mm; scheme sampled evaluates the force where the pair is."""
+        def go(scheme, cut):
+            properties = hamaker(1e-18, 0, cut, 2.4e-4) + (
+                "fix km all property/global materialStiffness peratomtypepair 2 3200 3200 3200 3200\n")
+            return Run(script([sphere((0, 0, 0)), sphere((1.0001e-3, 0, 0))],
+                              f"{LINEAR} scheme {scheme} absolute_damping on material_stiffness on", properties,
+                              dt=1e-7, steps=1, skin=3e-4))
+        assert_refused(self, go("event", 2e-5), "surface cut-off H_cut of the contact = 4.",
+                       "must not be above 3.33", "scheme event turns pairs as if they touched")
+        for scheme, cut in (("sampled", 2e-5), ("event", 1e-5)):
+            done = go(scheme, cut)
+            self.assertEqual(done.code, 0, done.output[-2000:])
+
     def test_beside_a_wall_the_radius_counts(self):
         # Wall of type 2, radius 0.08 mm: H_out = 6e-5 m is beyond R* of two, 4e-5 m, and below that with the wall.
         def go(out, pairs=0.0):

@@ -5,7 +5,9 @@
 
 #include <random>
 
+#include "../refuses.h"
 #include "event_stepping/pair_run.h"
+#include "event_stepping/turning.h"
 
 namespace cohesion::event_stepping {
 namespace {
@@ -289,6 +291,16 @@ TEST(SpherePair, ReachCoversAllThatCanHappenWithinTheWindow) {
     }
   }
   EXPECT_GT(met, 1000);
+}
+
+TEST(SpherePair, RangesInWhichPairsTurnAsTouching) {
+  // At the limit L^2/D^3 is a tenth too much.
+  const double limit = largest_range_over_distance;
+  EXPECT_NEAR((1.0 + limit) * (1.0 + limit) * (1.0 + limit), 1.1, 0.005);
+  EXPECT_NO_THROW(require_turns_as_touching({1.0, 3.0 * limit, 0.0}, 3.0));
+  expect_refused([&] { require_turns_as_touching({1.0, 0.11, 0.0}, 3.0); },
+                 "surface cut-off H_cut of the contact = 0.11: must not be above 0.1");
+  EXPECT_NO_THROW(require_turns_as_touching({0.0, 3.0, 0.0}, 3.0));
 }
 
 }  // namespace cohesion::event_stepping

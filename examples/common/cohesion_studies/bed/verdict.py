@@ -90,14 +90,14 @@ def trend(figure, where, sign=1):
     return [Claim(figure, {row: sign * (x - middle) for row, x in where.items()})]
 
 
-def alike(figure, one, other, none, other_none=None):
-    """That the effects of `one` and `other`, what they differ from `none` by (`other` from `other_none` if given),
-    differ by less than half of their mean, and that this is a rise; both ways round."""
+def alike(figure, one, other, none, other_none):
+    """That the effects of `one` and `other`, what they differ from `none` and `other_none` by, differ by less than half
+    of their mean, and that this is a rise; both ways round."""
     claims = []
     for sign in (1, -1):
         shares = {one: 0.25 + sign, other: 0.25 - sign, none: 0.0}
         shares[none] -= 0.25 + sign
-        shares[other_none or none] = shares.get(other_none or none, 0.0) - 0.25 + sign
+        shares[other_none] = shares.get(other_none, 0.0) - 0.25 + sign
         claims.append(Claim(figure, shares))
     return claims
 
