@@ -26,7 +26,7 @@ class GridWell final : public GridContact {
   GridWell(const contact::LinearSpringDashpot& spring, const contact::Adhesion& well,
            double contact_distance, double step)
       : GridContact(spring, well.cutoff > 0.0 ? contact::Adhesion{} : well, contact_distance, step,
-                    well.cutoff),
+                    well.cutoff, well.cutoff),
         depth_(well.tail_energy),
         inverse_mass_(1.0 / spring.reduced_mass()) {}
 
