@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-only
 // The part of FixWallGranCohesive that looks at particles where they stand, between two steps.
 #include "atom.h"
+#include "cohesion_laws.h"
 #include "fix_wall_gran_cohesive.h"
-#include "hamaker_cohesion.h"
-#include "square_well_cohesion.h"
 
 using namespace LAMMPS_NS;
 using namespace cohesion::event_stepping;
@@ -13,11 +12,11 @@ void FixWallGranCohesive<Cohesion>::take_where_they_are() {
   const WallState now = state();
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
-    const double reach =
-        atom->radius[i] + Cohesion::range(scheme, parameters, atom->radius[i], 0.0);
+    const double range = Cohesion::range(scheme, parameters, atom->radius[i], 0.0);
     for (int w = 0; w < static_cast<int>(walls.size()); w++) {
       double* const kept = history.of(i, w);
       const WallPoint point = walls[w].nearest(vector(atom->x[i]), now, motion.rim_speed);
+      const double reach = atom->radius[i] + (kept[0] > 0.0 ? range : range_at_start(range));
       const bool inside = point.distance > 0.0 && point.distance < reach;
       if (inside && kept[0] > 0.0) continue;
       (inside ? ContactMemory::seen_inside() : ContactMemory()).to(kept, per_wall);
@@ -42,7 +41,7 @@ void FixWallGranCohesive<Cohesion>::book_standing() {
   });
 }
 
-template void FixWallGranCohesive<HamakerCohesion>::take_where_they_are();
-template void FixWallGranCohesive<HamakerCohesion>::book_standing();
-template void FixWallGranCohesive<SquareWellCohesion>::take_where_they_are();
-template void FixWallGranCohesive<SquareWellCohesion>::book_standing();
+#define COHESION_INSTANTIATE(style, Law)                         \
+  template void FixWallGranCohesive<Law>::take_where_they_are(); \
+  template void FixWallGranCohesive<Law>::book_standing();
+COHESION_CONTACT_LAWS(COHESION_INSTANTIATE)

@@ -3,11 +3,10 @@
 #include <algorithm>
 
 #include "atom.h"
+#include "cohesion_laws.h"
 #include "fix_event_step.h"
-#include "hamaker_cohesion.h"
 #include "neigh_list.h"
 #include "pair_gran_cohesive.h"
-#include "square_well_cohesion.h"
 
 using namespace LAMMPS_NS;
 using namespace cohesion::event_stepping;
@@ -35,9 +34,11 @@ void PairGranCohesive<Cohesion>::begin_where_they_are(bool afresh) {
         contacts.clear();
         for_each_listed([&](int i, int j, int& kept, double* values) {
           // Contacts are made for those only that some contact could reach.
-          const bool near =
-              moves(i, j) && closer(largest_range, i, j) &&
-              closer(contacts.all[contact(contacts, particles(), i, j)].range(), i, j);
+          bool near = moves(i, j) && closer(largest_range, i, j);
+          if (near) {
+            const auto& law = contacts.all[contact(contacts, particles(), i, j)];
+            near = closer(kept && !afresh ? law.range() : range_at_start(law), i, j);
+          }
           if (near && kept && !afresh) return;
           (near ? ContactMemory::seen_inside() : ContactMemory()).to(values, per_pair);
           kept = near;
@@ -97,18 +98,9 @@ void PairGranCohesive<Cohesion>::append_bound(std::vector<std::array<int, 2>>& p
   });
 }
 
-template void PairGranCohesive<HamakerCohesion>::begin_where_they_are(bool);
-template void PairGranCohesive<HamakerCohesion>::tally_standing();
-template void PairGranCohesive<HamakerCohesion>::book_standing();
-template void PairGranCohesive<HamakerCohesion>::append_bound(
-    std::vector<std::array<int, 2>>&) const;
-template void PairGranCohesive<SquareWellCohesion>::begin_where_they_are(bool);
-template void PairGranCohesive<SquareWellCohesion>::tally_standing();
-template void PairGranCohesive<SquareWellCohesion>::book_standing();
-template void PairGranCohesive<SquareWellCohesion>::append_bound(
-    std::vector<std::array<int, 2>>&) const;
-template void PairGranCohesive<SquareWellOverlay>::begin_where_they_are(bool);
-template void PairGranCohesive<SquareWellOverlay>::tally_standing();
-template void PairGranCohesive<SquareWellOverlay>::book_standing();
-template void PairGranCohesive<SquareWellOverlay>::append_bound(
-    std::vector<std::array<int, 2>>&) const;
+#define COHESION_INSTANTIATE(style, Law)                           \
+  template void PairGranCohesive<Law>::begin_where_they_are(bool); \
+  template void PairGranCohesive<Law>::tally_standing();           \
+  template void PairGranCohesive<Law>::book_standing();            \
+  template void PairGranCohesive<Law>::append_bound(std::vector<std::array<int, 2>>&) const;
+COHESION_PAIR_LAWS(COHESION_INSTANTIATE)

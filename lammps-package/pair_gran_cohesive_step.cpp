@@ -5,16 +5,15 @@
 #include <type_traits>
 
 #include "atom.h"
+#include "cohesion_laws.h"
 #include "error.h"
 #include "fix_event_step.h"
 #include "flight_report.h"
 #include "guarded.h"
-#include "hamaker_cohesion.h"
 #include "largest_radii.h"
 #include "neigh_list.h"
 #include "neighbor.h"
 #include "pair_gran_cohesive.h"
-#include "square_well_cohesion.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -166,7 +165,7 @@ void PairGranCohesive<Cohesion>::take(const ContactsOfStep<EventContact, SIZE>& 
     if (!law.within_reach(particles().apart(i, j), step->flight())) return;
     std::fill_n(values, per_pair, 0.0);
     // A pair that a run starts with is where it is; it did not fall into the range.
-    if (step->starts() && closer(law.range(), i, j))
+    if (step->starts() && closer(range_at_start(law), i, j))
       ContactMemory::seen_inside().to(values, per_pair);
   }
   kept = 1;
@@ -251,7 +250,7 @@ void PairGranCohesive<Cohesion>::follow_together(Contacts<SampledContact>& conta
     if (!kept) {
       if (!law.within_reach(grid.apart(i, j))) return;
       std::fill_n(values, per_pair, 0.0);
-      if (step->starts()) values[0] = closer(law.range(), i, j);
+      if (step->starts()) values[0] = closer(range_at_start(law), i, j);
     }
     if (asked || values[0] < 0.0)
       kept = sample<SIZE>(scatter, law, i, j, values);
@@ -285,24 +284,11 @@ void PairGranCohesive<Cohesion>::tally(int i, int j, const Vector3& separation, 
                -separation.y, -separation.z);
 }
 
-template void PairGranCohesive<HamakerCohesion>::compute(int, int);
-template void PairGranCohesive<HamakerCohesion>::gather();
-template void PairGranCohesive<HamakerCohesion>::unsettle();
-template void PairGranCohesive<HamakerCohesion>::join();
-template void PairGranCohesive<HamakerCohesion>::follow_alone();
-template void PairGranCohesive<HamakerCohesion>::tally(int, int, const Vector3&, double,
-                                                       const Vector3&);
-template void PairGranCohesive<SquareWellCohesion>::compute(int, int);
-template void PairGranCohesive<SquareWellCohesion>::gather();
-template void PairGranCohesive<SquareWellCohesion>::unsettle();
-template void PairGranCohesive<SquareWellCohesion>::join();
-template void PairGranCohesive<SquareWellCohesion>::follow_alone();
-template void PairGranCohesive<SquareWellCohesion>::tally(int, int, const Vector3&, double,
-                                                          const Vector3&);
-template void PairGranCohesive<SquareWellOverlay>::compute(int, int);
-template void PairGranCohesive<SquareWellOverlay>::gather();
-template void PairGranCohesive<SquareWellOverlay>::unsettle();
-template void PairGranCohesive<SquareWellOverlay>::join();
-template void PairGranCohesive<SquareWellOverlay>::follow_alone();
-template void PairGranCohesive<SquareWellOverlay>::tally(int, int, const Vector3&, double,
-                                                         const Vector3&);
+#define COHESION_INSTANTIATE(style, Law)                  \
+  template void PairGranCohesive<Law>::compute(int, int); \
+  template void PairGranCohesive<Law>::gather();          \
+  template void PairGranCohesive<Law>::unsettle();        \
+  template void PairGranCohesive<Law>::join();            \
+  template void PairGranCohesive<Law>::follow_alone();    \
+  template void PairGranCohesive<Law>::tally(int, int, const Vector3&, double, const Vector3&);
+COHESION_PAIR_LAWS(COHESION_INSTANTIATE)

@@ -32,6 +32,7 @@ namespace ContactModels {
 /// `Attraction` says what is its own:
 ///
 ///   MODEL                          name in a script
+///   GridLaw                        what follows a contact of scheme event: GridContact, or of it
 ///   BINDS_WHAT_ENTERED             true: what entered is bound, wherever it stands
 ///   Attraction(lmp, owner, wall)   wall: null for pairs
 ///   registerSettings(settings)     its keywords
@@ -168,6 +169,11 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     events_->connect(
         *normal_,
         [this](int i, int j, double ri, double rj) { return attraction_.adhesion(i, j, ri, rj); },
+        [](const auto& spring, const auto& adhesion, double distance, double step) {
+          using Law = typename Attraction::GridLaw;
+          return std::unique_ptr<Cohesion::EventContacts::GridContact>(
+              new Law(spring, adhesion, distance, step));
+        },
         registry.max_type());
   }
 

@@ -9,8 +9,6 @@
 #include "domain.h"
 #include "error.h"
 #include "event_contacts.h"
-#include "event_stepping/grid_contact.h"
-#include "event_stepping/grid_well.h"
 #include "fix_contact_advice.h"
 #include "fix_mesh_surface.h"
 #include "fix_wall_gran.h"
@@ -63,9 +61,11 @@ EventContacts::EventContacts(LAMMPS* lmp, IContactHistorySetup* owner, FixWallGr
 
 EventContacts::~EventContacts() = default;
 
-void EventContacts::connect(const NormalModelProbe& normal, Adhesion adhesion, int types) {
+void EventContacts::connect(const NormalModelProbe& normal, Adhesion adhesion, MakeLaw make_law,
+                            int types) {
   normal_ = &normal;
   adhesion_ = std::move(adhesion);
+  make_law_ = make_law;
   types_ = types;
   known_.clear();
   known_.resize((types + 1) * (types + 1));
@@ -75,8 +75,7 @@ void EventContacts::connect(const NormalModelProbe& normal, Adhesion adhesion, i
   if (!others_)
     lmp_->error->all(FLERR, (who_ + ", scheme event, fix wall/gran " + wall_->id +
                              ": needs a pair_style gran of scheme event, too; without attraction "
-                             "between particles, use 'cohesion hamaker scheme event' with "
-                             "hamakerConstant 0")
+                             "between particles, use it with a strength of 0 between them")
                                 .c_str());
   late_ = hidden_fix<FixContactAdvice>(lmp_).late_warning(who_ + seen_too_late);
   const auto refuse = [&](const std::string& why) {
@@ -123,10 +122,7 @@ void EventContacts::make_law(Known& k, const ContactModels::SurfacesCloseData& d
                                                         reduced_mass);
     const auto adhesion = adhesion_(d.itype, d.jtype, d.radi, k.rj);
     k.well = adhesion.force == 0.0;
-    if (k.well)
-      k.law = std::make_unique<GridWell>(spring, adhesion, d.radsum, dt);
-    else
-      k.law = std::make_unique<GridContact>(spring, adhesion, d.radsum, dt);
+    k.law = make_law_(spring, adhesion, d.radsum, dt);
     // That answers at the surface of solid spheres, which turn: 1/m + r^2/I of each.
     const double tangential_mass =
         reduced_mass / (1.0 + 1.0 / MobileParticles::inertia_factor(lmp_->domain->dimension));

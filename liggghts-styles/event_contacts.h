@@ -11,6 +11,7 @@
 #include "atom.h"
 #include "contact/adhesion.h"
 #include "contact_interface.h"
+#include "event_stepping/grid_contact.h"
 #include "event_stepping/grid_point.h"
 #include "fix_others.h"
 #include "mobile_particles.h"
@@ -27,13 +28,17 @@ namespace Cohesion {
 struct LateWarning;
 
 /// The contacts of one pair style or wall under scheme event: brings what the engine knows of a
-/// contact to event_stepping/grid_contact.h, or grid_well.h where what attracts is a square well,
-/// and keeps its memory in the engine's contact history, with which it goes through exchange and
-/// restart. Others act as in the step before.
+/// contact to the law that follows it (event_stepping/grid_contact.h), and keeps its memory in the
+/// engine's contact history, with which it goes through exchange and restart. Others act as in the
+/// step before.
 class EventContacts {
  public:
   using Adhesion =
       std::function<cohesion::contact::Adhesion(int itype, int jtype, double ri, double rj)>;
+  using GridContact = cohesion::event_stepping::GridContact;
+  using MakeLaw = std::unique_ptr<GridContact> (*)(const cohesion::contact::LinearSpringDashpot&,
+                                                   const cohesion::contact::Adhesion&,
+                                                   double contact_distance, double step);
 
   /// How far beyond the range the model sees, over the sum of the radii: a pair must not come
   /// nearer by more in a step.
@@ -44,9 +49,9 @@ class EventContacts {
                 const std::string& who);
   ~EventContacts();
 
-  /// `adhesion`: of two types and radii; rj infinite: beside a wall. Stops where the normal model
-  /// is none that the scheme can follow.
-  void connect(const NormalModelProbe& normal, Adhesion adhesion, int types);
+  /// `adhesion`: of two types and radii; rj infinite: beside a wall; make_law: what follows it.
+  /// Stops where the normal model is none that the scheme can follow.
+  void connect(const NormalModelProbe& normal, Adhesion adhesion, MakeLaw make_law, int types);
 
   /// r: distance of the centres, or from the wall; normal: from j, or the wall, to i. False, and
   /// `step` of no meaning: the contact does nothing.
@@ -97,6 +102,7 @@ class EventContacts {
   int offset_;
   const NormalModelProbe* normal_ = nullptr;
   Adhesion adhesion_;
+  MakeLaw make_law_ = nullptr;
   FixOthers* others_ = nullptr;
   MobileParticles mobile_;
   std::vector<Known> known_;  // the last of each two types

@@ -9,6 +9,7 @@
 #include "contact_book.h"
 #include "contact_range.h"
 #include "encounter.h"
+#include "event_stepping/grid_contact.h"
 #include "hamaker/law.h"
 #include "hamaker/small_gap.h"
 #include "normal_model_probe.h"
@@ -24,6 +25,7 @@ class HamakerAttraction : public AttractionEnergy {
  public:
   static constexpr const char* MODEL = "hamaker";
   static constexpr bool BINDS_WHAT_ENTERED = false;
+  using GridLaw = cohesion::event_stepping::GridContact;
 
   HamakerAttraction(LAMMPS_NS::LAMMPS* lmp, IContactHistorySetup*, LAMMPS_NS::FixWallGran* wall)
       : lmp_(lmp), is_wall_(wall != nullptr) {}

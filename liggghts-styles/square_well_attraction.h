@@ -9,6 +9,7 @@
 #include "contact_book.h"
 #include "contact_range.h"
 #include "encounter.h"
+#include "event_stepping/grid_well.h"
 #include "lammps.h"
 #include "normal_model_probe.h"
 #include "square_well/parameters.h"
@@ -32,6 +33,7 @@ class SquareWellAttraction final : public AttractionEnergy {
  public:
   static constexpr const char* MODEL = "square_well";
   static constexpr bool BINDS_WHAT_ENTERED = true;
+  using GridLaw = cohesion::event_stepping::GridWell;
 
   SquareWellAttraction(LAMMPS_NS::LAMMPS* lmp, IContactHistorySetup* owner,
                        LAMMPS_NS::FixWallGran* wall);

@@ -54,9 +54,9 @@ class BridgePair {
     Motion m{{grid.separation - window.before * grid.velocity, grid.velocity}, apart, 0.0};
     // One that others pushed into contact has touched.
     if (dot(m.at.separation, m.at.separation) < core_ * core_)
-      m.state = contact;
+      m.state = in_contact;
     else if (inside)
-      m.state = bridge;
+      m.state = spanned;
     bool straight = true;
     double left = window.length();
     for (int stretches = 0; left > 0.0; stretches++) {
@@ -69,11 +69,11 @@ class BridgePair {
         continue;
       }
       straight = false;
-      left -= m.state == contact ? touch(m, left, step.normal) : span(m, left, step.normal);
+      left -= m.state == in_contact ? touch(m, left, step.normal) : span(m, left, step.normal);
       if (step.normal.unresolved) break;
     }
     step.inside = m.state != apart;
-    step.overlap_at_end = m.state == contact ? m.overlap : core_ - norm(m.at.separation);
+    step.overlap_at_end = m.state == in_contact ? m.overlap : core_ - norm(m.at.separation);
     step.acts = !straight;
     if (!step.acts) return step;  // not to carry the rounding of no change into the motion
     step.change.velocity = m.at.velocity - grid.velocity;
@@ -86,7 +86,7 @@ class BridgePair {
   /// often only by rounding.
   static constexpr int max_stretches = 1000;
 
-  enum State { apart, bridge, contact };
+  enum State { apart, spanned, in_contact };
   struct Motion {
     RelativeState at;
     State state;
@@ -99,7 +99,7 @@ class BridgePair {
     const double speed_squared = dot(m.at.velocity, m.at.velocity);
     const double beyond = dot(m.at.separation, m.at.separation) - core_ * core_;
     const double wait = hard_sphere::time_to_fall(closing, speed_squared, beyond);
-    if (wait < time) m.state = contact;
+    if (wait < time) m.state = in_contact;
     const double flown = std::min(wait, time);
     m.at.separation += flown * m.at.velocity;
     return flown;
@@ -108,7 +108,7 @@ class BridgePair {
   double touch(Motion& m, double time, NormalRecord& record) const {
     bool touching = true;
     const double taken = contact_.turn(m.at, time, touching, m.overlap, record);
-    if (!touching) m.state = range_ > 0.0 ? bridge : apart;
+    if (!touching) m.state = range_ > 0.0 ? spanned : apart;
     return taken;
   }
 
@@ -143,7 +143,7 @@ class BridgePair {
     }
     m.at = met;
     if (touches < breaks)
-      m.state = contact;
+      m.state = in_contact;
     else
       rupture(m, outer, record);
     return t;
