@@ -61,11 +61,11 @@ EventContacts::EventContacts(LAMMPS* lmp, IContactHistorySetup* owner, FixWallGr
 
 EventContacts::~EventContacts() = default;
 
-void EventContacts::connect(const NormalModelProbe& normal, Adhesion adhesion, MakeLaw make_law,
+void EventContacts::connect(const NormalModelProbe& normal, Adhesion adhesion, MakeLaw maker,
                             int types) {
   normal_ = &normal;
   adhesion_ = std::move(adhesion);
-  make_law_ = make_law;
+  make_law_ = maker;
   types_ = types;
   known_.clear();
   known_.resize((types + 1) * (types + 1));

@@ -49,9 +49,9 @@ class EventContacts {
                 const std::string& who);
   ~EventContacts();
 
-  /// `adhesion`: of two types and radii; rj infinite: beside a wall; make_law: what follows it.
+  /// `adhesion`: of two types and radii; rj infinite: beside a wall; maker: of what follows it.
   /// Stops where the normal model is none that the scheme can follow.
-  void connect(const NormalModelProbe& normal, Adhesion adhesion, MakeLaw make_law, int types);
+  void connect(const NormalModelProbe& normal, Adhesion adhesion, MakeLaw maker, int types);
 
   /// r: distance of the centres, or from the wall; normal: from j, or the wall, to i. False, and
   /// `step` of no meaning: the contact does nothing.

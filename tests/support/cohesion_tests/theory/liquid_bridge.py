@@ -1,18 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Spheres with liquid bridges, in LAMMPS: what the tests of them share, and their closed forms."""
+"""Two spheres of the thesis, or one and a wall, that meet head-on and have a liquid bridge from then on: closed
+forms, beside those of the package."""
 import math
 
 from scipy.optimize import brentq
 
-from cohesion_tests.lammps_scenes.square_well_scene import Scene
 from cohesion_tests.theory.pair_motion import DAMPING, MU, STIFFNESS
 
 FORCE, GAP = 1e-4, 5e-5  # F_b [N], h_r [m]
-
-
-def words(force=FORCE, gap=GAP, damping=DAMPING, **more):
-    text = f"stiffness {STIFFNESS:.17g} damping {damping:.17g} bridge {force:.17g} {gap:.17g}"
-    return text + "".join(f" {name} {value:.17g}" for name, value in more.items())
 
 
 def parting_speed(speed, force, mass, damping):
@@ -44,6 +39,3 @@ def escape_velocity(force=FORCE, gap=GAP, mass=MU, damping=DAMPING):
     needed = math.sqrt(2 * force * gap / mass)
     return brentq(lambda u: parting_speed(u, force, mass, damping) - needed, needed, 30 * needed,
                   xtol=1e-17, rtol=1e-15)
-
-
-__all__ = ["FORCE", "GAP", "Scene", "escape_velocity", "parting_speed", "words"]
