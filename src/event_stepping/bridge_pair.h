@@ -126,22 +126,9 @@ class BridgePair {
     const double gap = std::max(distance - core_, 0.0);
     const double touches = first_root(gap, radial, drive);
     const double breaks = first_root(outer - distance, -radial, -drive);
-    double t = std::min(touches, breaks);
-    if (t >= time) {
-      m.at = pulled(m.at, time);
-      return time;
-    }
-    const double place = touches < breaks ? core_ : outer;
-    RelativeState met = pulled(m.at, t);
-    for (int k = 0; k < 2; k++) {
-      // The parabola leaves out how the pair turns on its way.
-      const double reached = norm(met.separation);
-      const double rate = dot(met.separation, met.velocity) / reached;
-      if (rate == 0.0 || (rate > 0.0) == (touches < breaks)) break;
-      t = std::min(std::max(t + (place - reached) / rate, 0.0), time);
-      met = pulled(m.at, t);
-    }
-    m.at = met;
+    const double t = std::min(touches, breaks);
+    m.at = pulled(m.at, std::min(t, time));
+    if (t >= time) return time;
     if (touches < breaks)
       m.state = in_contact;
     else

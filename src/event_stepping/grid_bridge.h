@@ -71,19 +71,10 @@ class GridBridge final : public GridContact {
     const double gap = std::max(now.distance - contact_distance(), 0.0);
     const double touches = first_root(gap, now.radial, drive);
     const double breaks = first_root(outer - now.distance, -now.radial, -drive);
-    double t = std::min(touches, breaks);
-    if (t >= time) {
-      now = pulled(now, time, others);
-      return time;
-    }
+    const double t = std::min(touches, breaks);
+    now = pulled(now, std::min(t, time), others);
+    if (t >= time) return time;
     touching = touches < breaks;
-    const double place = touching ? contact_distance() : outer;
-    Flight met = pulled(now, t, others);
-    for (int k = 0; k < 2 && met.radial != 0.0 && (met.radial < 0.0) == touching; k++) {
-      t = std::min(std::max(t + (place - met.distance) / met.radial, 0.0), time);
-      met = pulled(now, t, others);
-    }
-    now = met;
     if (!touching) rupture(outer, inside, record);
     return t;
   }

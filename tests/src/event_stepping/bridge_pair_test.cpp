@@ -134,6 +134,26 @@ TEST(BridgePair, TakesTheWorkOfTheBridgeFromObliquePairsToo) {
   }
 }
 
+TEST(BridgePair, AsWideAsTheParticlesItTakesItsWorkWhileItTurns) {
+  // Kicks err by the square of the angle by which the pair turns in a step, of the work; steps of
+  // up to four contact times.
+  const double weak = 1e-6, wide = core;
+  for (const double offset : {0.5, 0.9})
+    for (const double part : {0.25, 1.0, 8.0}) {
+      const double dt = thesis::contact_time / part;
+      const Vector3 velocity{0.3, 0.2, 0.0};
+      Bridged run(thesis::elastic(), bridge(weak, wide), particle, particle, dt,
+                  {{std::sqrt(1.0 - offset * offset) * core, offset * core, 0.0}, velocity});
+      run.set_inside(true, 0.0);
+      const double before = run.energy();
+      for (int n = 0; n < 10000 && run.last().inside; n++) run.step();
+      ASSERT_FALSE(run.last().inside);
+      const double angle = norm(velocity) * dt / core;
+      EXPECT_NEAR(run.energy(), before, angle * angle * weak * wide) << offset << " " << part;
+      EXPECT_GT(run.distance(), core + wide * (1.0 - angle * angle));
+    }
+}
+
 TEST(BridgePair, ACapturedPairBouncesForEver) {
   // Elastic, below the speed that all of F h_r takes: the energy stays, the turning included.
   const double most = std::sqrt(2.0 * force * gap / thesis::reduced_mass);
