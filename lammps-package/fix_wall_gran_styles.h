@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-only
 #ifdef FIX_CLASS
-#define COHESION_FIX_STYLE(style, Law) FixStyle(wall / style, FixWallGranCohesive<Law>)
 // clang-format off
+#define COHESION_FIX_STYLE(style, Law) FixStyle(wall/style, FixWallGranCohesive<Law>)
 COHESION_CONTACT_LAWS(COHESION_FIX_STYLE)
 // clang-format on
 #undef COHESION_FIX_STYLE

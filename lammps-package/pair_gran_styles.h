@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-only
 #ifdef PAIR_CLASS
-#define COHESION_PAIR_STYLE(style, Law) PairStyle(style, PairGranCohesive<Law>)
 // clang-format off
+#define COHESION_PAIR_STYLE(style, Law) PairStyle(style, PairGranCohesive<Law>)
 COHESION_PAIR_LAWS(COHESION_PAIR_STYLE)
 // clang-format on
 #undef COHESION_PAIR_STYLE

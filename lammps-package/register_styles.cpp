@@ -46,11 +46,12 @@ struct PairRow {
 
 #define COHESION_SAME_NAME(style, Law) static_assert(std::string_view(Law::STYLE) == #style);
 COHESION_PAIR_LAWS(COHESION_SAME_NAME)
-#define COHESION_PAIR(style, Law) {#style, &make_pair<PairGranCohesive<Law>>},
-#define COHESION_WALL(style, Law) {"wall/" #style, &make<FixWallGranCohesive<Law>>},
 
 constexpr PairRow pairs[] = {
-    COHESION_PAIR_LAWS(COHESION_PAIR)  // gran/..., square_well
+#define PAIR_CLASS
+#define PairStyle(name, Style) {#name, &make_pair<Style>},
+#include "pair_gran_styles.h"
+#undef PAIR_CLASS
     {"hamaker", &make_pair<PairHamaker>},
     {"hard/square_well", &make_pair<PairHardSquareWell>},
 };
@@ -67,7 +68,10 @@ constexpr Row fixes[] = {
     {"deform/shear", &make<FixDeformShear>},
     {"gas/coupling", &make<FixGasCoupling>},
     {"stationary", &make<FixStationary>},
-    COHESION_CONTACT_LAWS(COHESION_WALL)  // wall/gran/...
+#define FIX_CLASS
+#define FixStyle(name, Style) {#name, &make<Style>},
+#include "fix_wall_gran_styles.h"
+#undef FIX_CLASS
     {"wall/hamaker", &make<FixWallHamaker>},
     {"wall/hard/square_well", &make<FixWallHardSquareWell>},
 };
