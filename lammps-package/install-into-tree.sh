@@ -31,9 +31,9 @@ core_headers() {
 
 rm -rf "$package"
 mkdir -p "$package"
-for file in "$here"/*.h "$here"/*.cpp; do
-  case $(basename "$file") in
-    plugin.cpp | register_styles.cpp) ;;  # LAMMPS finds the styles of a package by itself
+for file in "$here"/*/*.h "$here"/*/*.cpp; do  # a package of LAMMPS is flat
+  case $file in
+    "$here"/plugin/*) ;;  # LAMMPS finds the styles of a package by itself
     *) cp "$file" "$package" ;;
   esac
 done

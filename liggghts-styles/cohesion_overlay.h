@@ -9,18 +9,18 @@
 #include "atom.h"
 #include "cohesion_model_base.h"
 #include "cohesive_pairs.h"
-#include "contact_advice.h"
 #include "contact_models.h"
 #include "contact_range.h"
 #include "encounter.h"
 #include "error.h"
 #include "event_contacts.h"
 #include "fix_contact_advice.h"
-#include "fix_contact_book.h"
+#include "fix_sampled_energy_tally.h"
 #include "fix_wall_gran.h"
 #include "force.h"
 #include "hidden_fix.h"
 #include "mesh_contact.h"
+#include "model_advice.h"
 #include "normal_model_probe.h"
 #include "pair_gran.h"
 #include "word_settings.h"
@@ -32,7 +32,8 @@ namespace ContactModels {
 /// `Attraction` says what is its own:
 ///
 ///   MODEL                          name in a script
-///   GridLaw                        what follows a contact of scheme event: GridContact, or of it
+///   OnePassLaw                     what follows a contact of scheme event: OnePassContact, or one
+///                                  that derives from it
 ///   BINDS_WHAT_ENTERED             true: what entered is bound, wherever it stands
 ///   Attraction(lmp, owner, wall)   wall: null for pairs
 ///   registerSettings(settings)     its keywords
@@ -40,15 +41,16 @@ namespace ContactModels {
 ///   adhesion(i, j, ri, rj)         of two types and radii; rj infinite: beside a wall
 ///   material(i, j)                 that a contact of two types stands for
 ///   range()                        how far it must see (contact_range.h)
-///   acts()                         false: all types have strength 0, and nothing is remembered
-///   rests(near, booked)            true: out of reach, so no force, and its memory stays as it is;
-///                                  booked: a memory must be told of
-///   idles(near), idles_in_contact(contact)
-///                                  true: the same of one that it holds, which it has then marked
-///                                  to be remembered; not asked while all that it holds are wanted
+///   is_active()                    false: all types have strength 0, and nothing is remembered
+///   is_out_of_reach(near, update_all)
+///                                  true: no force, and its memory stays as it is; update_all: the
+///                                  memory of every pair has to be brought up to date
+///   is_idle(near), is_idle_in_contact(contact)
+///                                  true: no force on one that is bound, which it has then marked
+///                                  to be remembered; not called while all bound ones are listed
 ///   force(encounter)               attraction, [force]; called once per step and contact
 ///   binds(i, j, ri, rj, gap, history)  whether a pair is bound (cohesive_pairs.h)
-///   energy(...)                    AttractionEnergy (contact_book.h)
+///   energy(...)                    AttractionEnergy (sampled_energy_tally.h)
 template <class Attraction>
 class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePairs {
  public:
@@ -81,7 +83,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     normal_->connect(registry);
     attraction_.connect(registry, *normal_);
     Cohesion::hidden_fix<Cohesion::FixContactAdvice>(lmp).ask(advice_);
-    connect_book();
+    connect_tally();
     Cohesion::ContactRange range = attraction_.range();
     if (events_) {
       connect_events(registry);
@@ -94,7 +96,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
                          ForceData& on_j) override {
     if (events_)
       follow(contact, on_i, on_j);
-    else if (attraction_.acts() && (watched_ || !attraction_.idles_in_contact(contact)))
+    else if (attraction_.is_active() && (list_all_ || !attraction_.is_idle_in_contact(contact)))
       attract(contact, contact.r, contact.en, on_i, on_j);
   }
 
@@ -103,22 +105,22 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
       follow_near(near, on_i, on_j);
       return;
     }
-    if (!attraction_.acts() || attraction_.rests(near, booked_)) return;
-    if (watched_ || !attraction_.idles(near)) attract_near(near, on_i, on_j);
+    if (!attraction_.is_active() || attraction_.is_out_of_reach(near, update_all_)) return;
+    if (list_all_ || !attraction_.is_idle(near)) attract_near(near, on_i, on_j);
   }
 
   /// Once a step, of pairs alone. A step that is computed again repeats all forces.
   void beginPass(SurfacesIntersectData& pass, ForceData&, ForceData&) override {
-    booked_ = book_ || !pass.computeflag || !pass.shearupdate;
-    watched_ =
-        booked_ || pair_->cpl() || pair_->storeContactForces() || pair_->storeContactForcesStress();
+    update_all_ = tally_ || !pass.computeflag || !pass.shearupdate;
+    list_all_ = update_all_ || pair_->cpl() || pair_->storeContactForces() ||
+                pair_->storeContactForcesStress();
   }
   void endPass(SurfacesIntersectData&, ForceData&, ForceData&) override {}
 
   /// The last to be called of a contact.
   void endSurfacesIntersect(SurfacesIntersectData& contact, ForceData& on_i,
                             ForceData& on_j) override {
-    if (book_) write_contact(contact, on_i, on_j);
+    if (tally_) write_contact(contact, on_i, on_j);
   }
 
  private:
@@ -129,7 +131,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
                               inverse * near.delta[2]};
     if (!attract(near, r, normal, on_i, on_j)) return;
     near.has_force_update = true;
-    if (book_) write_attraction(near, normal, r - near.radsum, on_i);
+    if (tally_) write_attraction(near, normal, r - near.radsum, on_i);
   }
 
   /// A contact of scheme event: in the place of what the engine's normal model made of it. Friction
@@ -138,7 +140,8 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     cohesion::event_stepping::GridStep step;
     if (!carries(contact)) return;
     if (!events_->follow(contact, contact.r, contact.en, step)) step = {};
-    events_->rub(contact, step, slides_ ? contact.contact_history + others_history_ : nullptr);
+    events_->set_friction(contact, step,
+                          slides_ ? contact.contact_history + others_history_ : nullptr);
     for (int d = 0; d < 3; d++) {
       on_i.delta_F[d] = step.force * contact.en[d];
       on_j.delta_F[d] = -step.force * contact.en[d];  // of a wall the engine ignores it
@@ -161,7 +164,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
 
   void connect_events(PropertyRegistry& registry) {
     slides_ = has("tangential", "history");
-    if (book_)
+    if (tally_)
       error->all(FLERR,
                  (name() + ", scheme event: compute gran/energy knows no contacts of it; use "
                            "'scheme sampled' with the compute")
@@ -170,8 +173,8 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
         *normal_,
         [this](int i, int j, double ri, double rj) { return attraction_.adhesion(i, j, ri, rj); },
         [](const auto& spring, const auto& adhesion, double distance, double step) {
-          using Law = typename Attraction::GridLaw;
-          return std::unique_ptr<Cohesion::EventContacts::GridContact>(
+          using Law = typename Attraction::OnePassLaw;
+          return std::unique_ptr<Cohesion::EventContacts::OnePassContact>(
               new Law(spring, adhesion, distance, step));
         },
         registry.max_type());
@@ -179,8 +182,8 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
 
   bool binds(int itype, int jtype, double ri, double rj, double gap,
              const double* history) const override {
-    if (Attraction::BINDS_WHAT_ENTERED && events_ && attraction_.acts())
-      return events_->holds(history);
+    if (Attraction::BINDS_WHAT_ENTERED && events_ && attraction_.is_active())
+      return events_->in_range(history);
     return attraction_.binds(itype, jtype, ri, rj, gap, history);
   }
 
@@ -198,10 +201,10 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     return wall_ ? wall_->contact_match(kind, model) : pair_->contact_match(kind, model);
   }
 
-  void connect_book() {
-    if (!wall_) Cohesion::FixContactBook::to_the_end(lmp);
-    book_ = Cohesion::FixContactBook::book_of(lmp);
-    booked_ = watched_ = book_ != nullptr;
+  void connect_tally() {
+    if (!wall_) Cohesion::FixSampledEnergyTally::to_the_end(lmp);
+    tally_ = Cohesion::FixSampledEnergyTally::tally_of(lmp);
+    update_all_ = list_all_ = tally_ != nullptr;
     const bool slides = has("tangential", "history");
     if (slides) places_.displacement = others_history_;
     if (has("rolling_friction", "epsd2")) places_.rolling = others_history_ + (slides ? 3 : 0);
@@ -209,18 +212,19 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
 
   [[gnu::noinline]] void write_contact(const SurfacesIntersectData& contact, const ForceData& on_i,
                                        const ForceData& on_j) {
-    const bool acts = carries(contact);
-    book_->write(contact, {Cohesion::contact_of(contact, on_i, on_j, normal_->exponent(), places_),
-                           acts ? &attraction_ : nullptr, acts && binds(contact, -contact.deltan)});
+    const bool attracts = carries(contact);
+    tally_->write(contact,
+                  {Cohesion::contact_of(contact, on_i, on_j, normal_->exponent(), places_),
+                   attracts ? &attraction_ : nullptr, attracts && binds(contact, -contact.deltan)});
   }
 
   [[gnu::noinline]] void write_attraction(const SurfacesCloseData& near, const double* normal,
                                           double gap, const ForceData& on_i) {
-    cohesion::contact::SampledContact contact;
+    cohesion::contact::ContactSample contact;
     contact.normal = cohesion::vector(normal);
     contact.overlap = -gap;
     contact.attraction = -dot(contact.normal, cohesion::vector(on_i.delta_F));
-    book_->write(near, {contact, &attraction_, binds(near, gap)});
+    tally_->write(near, {contact, &attraction_, binds(near, gap)});
   }
 
   /// Whether a triangle of a mesh has the attraction of the wall here.
@@ -255,9 +259,9 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
   std::unique_ptr<Cohesion::EventContacts> events_;  // null: scheme sampled
   std::unique_ptr<Cohesion::NormalModelProbe> normal_;
   std::shared_ptr<Cohesion::ContactAdvice> advice_;
-  std::shared_ptr<Cohesion::ContactBook> book_;  // null: none is kept
-  bool booked_ = false;   // all contacts are asked of their memory in this step
-  bool watched_ = false;  // all that are held are asked, and listed with a force of 0, too
+  std::shared_ptr<Cohesion::SampledEnergyTally> tally_;  // null: none is kept
+  bool update_all_ = false;  // the memory of every contact is brought up to date in this step
+  bool list_all_ = false;    // every bound pair is listed, with a force of 0, too
   Cohesion::HistoryPlaces places_;
   int others_history_;  // place of what the tangential and the rolling model remember
 };

@@ -6,17 +6,17 @@
 #include "atom.h"
 #include "domain.h"
 #include "error.h"
-#include "fix_contact_book.h"
+#include "fix_sampled_energy_tally.h"
 #include "gravity_of_fixes.h"
 #include "hidden_fix.h"
-#include "mobile_particles.h"
+#include "integrated_particles.h"
 #include "update.h"
 
 namespace LIGGGHTS {
 namespace Cohesion {
 
 using namespace LAMMPS_NS;
-using namespace cohesion::energy_book;
+using namespace cohesion::energy_tally;
 using cohesion::vector;
 using cohesion::Vector3;
 
@@ -28,44 +28,44 @@ ComputeGranEnergy::ComputeGranEnergy(LAMMPS* engine, int count, char** words)
   if (igroup != 0)
     stop(lmp, FLERR, where, " balances all particles; its group must be 'all', not '", words[1],
          "'");
-  if (find_hidden_fix<FixContactBook>(lmp))
-    stop(lmp, FLERR, where, ": there is one already, and one book is kept");
+  if (find_hidden_fix<FixSampledEnergyTally>(lmp))
+    stop(lmp, FLERR, where, ": there is one already, and one tally is kept");
   scalar_flag = vector_flag = 1;
   extscalar = extvector = 1;
   size_vector = ENTRIES;
   vector = new double[ENTRIES];
-  hidden_fix<FixContactBook>(lmp);
+  hidden_fix<FixSampledEnergyTally>(lmp);
 }
 
 ComputeGranEnergy::~ComputeGranEnergy() { delete[] vector; }
 
 void ComputeGranEnergy::pre_delete(bool) {
-  if (find_hidden_fix<FixContactBook>(lmp)) modify->delete_fix(FixContactBook::STYLE);
+  if (find_hidden_fix<FixSampledEnergyTally>(lmp)) modify->delete_fix(FixSampledEnergyTally::STYLE);
 }
 
 void ComputeGranEnergy::init() {
-  refuse_moving_box(lmp, std::string("compute ") + id + " gran/energy");
+  require_fixed_box(lmp, std::string("compute ") + id + " gran/energy");
 }
 
 void ComputeGranEnergy::compute_vector() {
   invoked_vector = update->ntimestep;
   work_out();
-  book_.close(lmp, std::string("compute ") + id + " gran/energy", vector);
+  tally_.update(lmp, std::string("compute ") + id + " gran/energy", vector);
 }
 
 void ComputeGranEnergy::begin_run() {
   work_out();
-  book_.begin_run(lmp, std::string("compute ") + id + " gran/energy", vector);
+  tally_.begin_run(lmp, std::string("compute ") + id + " gran/energy", vector);
 }
 
 void ComputeGranEnergy::end_run() {
   work_out();
-  book_.close_run(vector);
+  tally_.end_run(vector);
 }
 
 /// All entries but what is missing.
 void ComputeGranEnergy::work_out() {
-  particles_.look(lmp, std::string("compute ") + id + " gran/energy");
+  particles_.check(lmp, std::string("compute ") + id + " gran/energy");
   double mine[ENTRIES] = {};
   const MobileParticles mobile(modify);
   const GravityOfFixes gravity(modify);
@@ -84,16 +84,16 @@ void ComputeGranEnergy::work_out() {
     add_body(mine, mass, inertia, v, omega, mass * gravity.on(mask),
              cohesion::vector(place) + half * v);
   }
-  const ContactBook& book = *hidden_fix<FixContactBook>(lmp).book();
-  mine[SPRING] = book.spring;
-  mine[TANGENTIAL_SPRING] = book.tangential_spring;
-  mine[ADHESION] = book.adhesion;
-  mine[ROLLING_SPRING] = book.rolling_spring;
-  mine[NORMAL_DAMPING] = book.normal_damping();
-  mine[TANGENTIAL_DAMPING] = book.tangential_damping();
-  mine[FRICTION] = book.friction();
-  mine[ROLLING] = book.rolling();
-  mine[EXTERNAL_WORK] = book.external_work();
+  const SampledEnergyTally& tally = *hidden_fix<FixSampledEnergyTally>(lmp).tally();
+  mine[SPRING] = tally.spring;
+  mine[TANGENTIAL_SPRING] = tally.tangential_spring;
+  mine[ADHESION] = tally.adhesion;
+  mine[ROLLING_SPRING] = tally.rolling_spring;
+  mine[NORMAL_DAMPING] = tally.normal_damping();
+  mine[TANGENTIAL_DAMPING] = tally.tangential_damping();
+  mine[FRICTION] = tally.friction();
+  mine[ROLLING] = tally.rolling();
+  mine[EXTERNAL_WORK] = tally.external_work();
   MPI_Allreduce(mine, vector, ENTRIES, MPI_DOUBLE, MPI_SUM, world);
 }
 

@@ -2,17 +2,17 @@
 #ifndef COHESION_COMPUTE_GRAN_ENERGY_H
 #define COHESION_COMPUTE_GRAN_ENERGY_H
 
-#include "energy_book.h"
 #include "energy_companions.h"
+#include "energy_tally.h"
 #include "liggghts_api.h"
 
 namespace LIGGGHTS {
 namespace Cohesion {
 
-/// compute ID all gran/energy: the energy book half a step after the grid point.
+/// compute ID all gran/energy: the energy tally half a step after the grid point.
 /// Doc: docs/liggghts-styles/compute_gran_energy.md
 class ComputeGranEnergy : public LAMMPS_NS::engine_api::StyleCompute,
-                          public LAMMPS_NS::EnergyBookKeeper {
+                          public LAMMPS_NS::EnergyTallyCompute {
  public:
   ComputeGranEnergy(LAMMPS_NS::LAMMPS* engine, int count, char** words);
   ~ComputeGranEnergy() override;
@@ -27,7 +27,7 @@ class ComputeGranEnergy : public LAMMPS_NS::engine_api::StyleCompute,
  private:
   void work_out();
 
-  LAMMPS_NS::BookOfRuns book_;
+  LAMMPS_NS::TallyOfRuns tally_;
   LAMMPS_NS::SameParticles particles_;
 };
 

@@ -41,10 +41,10 @@ void remember(const ContactModels::SurfacesCloseData& d, bool something) {
 
 }  // namespace
 
-struct EventContacts::Known {
+struct EventContacts::KnownContact {
   double ri = 0.0, rj = 0.0, mass_i = 0.0, mass_j = 0.0;
   double inverse_mass = 0.0;  // of both
-  std::unique_ptr<GridContact> law;
+  std::unique_ptr<OnePassContact> law;
   bool well = false;  // attracts by impulses alone
   GridSpring tangential{};
 };
@@ -78,23 +78,24 @@ void EventContacts::connect(const NormalModelProbe& normal, Adhesion adhesion, M
                              "between particles, use it with a strength of 0 between them")
                                 .c_str());
   late_ = hidden_fix<FixContactAdvice>(lmp_).late_warning(who_ + seen_too_late);
-  const auto refuse = [&](const std::string& why) {
+  const auto reject = [&](const std::string& why) {
     lmp_->error->all(FLERR, (who_ + ", scheme event: model " + normal.name() + " " + why +
                              ": use 'scheme sampled', or model hooke or hooke/stiffness as it is "
                              "by default")
                                 .c_str());
   };
-  if (normal.exponent() != 1.0) refuse("has a spring whose motion has no closed form");
+  if (normal.exponent() != 1.0) reject("has a spring whose motion has no closed form");
   for (int i = 1; i <= types; i++)
     for (int j = 1; j <= types; j++) {
-      if (normal.dashpot_varies(i, j)) refuse("has a dashpot that depends on the speed (viscous)");
+      if (normal.dashpot_varies(i, j)) reject("has a dashpot that depends on the speed (viscous)");
       if (normal.limits_force(i, j))
-        refuse("cuts the force off where the dashpot pulls (limitForce)");
+        reject("cuts the force off where the dashpot pulls (limitForce)");
     }
 }
 
-EventContacts::Known* EventContacts::known(const ContactModels::SurfacesCloseData& d) {
-  Known& k = known_[d.itype * (types_ + 1) + d.jtype];
+EventContacts::KnownContact* EventContacts::known_contact(
+    const ContactModels::SurfacesCloseData& d) {
+  KnownContact& k = known_[d.itype * (types_ + 1) + d.jtype];
   const double rj = d.is_wall ? std::numeric_limits<double>::infinity() : d.radj;
   const double mass_i = mass(d.i), mass_j = d.is_wall ? 0.0 : mass(d.j);
   if (k.law && k.ri == d.radi && k.rj == rj && k.mass_i == mass_i && k.mass_j == mass_j &&
@@ -110,7 +111,7 @@ EventContacts::Known* EventContacts::known(const ContactModels::SurfacesCloseDat
   return &k;
 }
 
-void EventContacts::make_law(Known& k, const ContactModels::SurfacesCloseData& d) const {
+void EventContacts::make_law(KnownContact& k, const ContactModels::SurfacesCloseData& d) const {
   const auto inverse = [](double mass) { return mass > 0.0 ? 1.0 / mass : 0.0; };
   k.inverse_mass = inverse(k.mass_i) + inverse(k.mass_j);
   const double reduced_mass = 1.0 / k.inverse_mass, dt = lmp_->update->dt;
@@ -123,7 +124,7 @@ void EventContacts::make_law(Known& k, const ContactModels::SurfacesCloseData& d
     const auto adhesion = adhesion_(d.itype, d.jtype, d.radi, k.rj);
     k.well = adhesion.force == 0.0;
     k.law = make_law_(spring, adhesion, d.radsum, dt);
-    // That answers at the surface of solid spheres, which turn: 1/m + r^2/I of each.
+    // The effective mass at the surface of solid spheres, which turn: 1/m + r^2/I of each.
     const double tangential_mass =
         reduced_mass / (1.0 + 1.0 / MobileParticles::inertia_factor(lmp_->domain->dimension));
     k.tangential = spring_on_grid(springs.tangential_stiffness, normal_->tangential_damping(pair),
@@ -131,7 +132,7 @@ void EventContacts::make_law(Known& k, const ContactModels::SurfacesCloseData& d
   });
 }
 
-/// Acceleration of the distance by all forces of the step before, [length/time^2].
+/// The acceleration of the distance by all forces of the step before, [length/time^2].
 double EventContacts::others(const ContactModels::SurfacesCloseData& d,
                              const cohesion::Vector3& n) const {
   double by_all = 0.0;
@@ -142,7 +143,7 @@ double EventContacts::others(const ContactModels::SurfacesCloseData& d,
 
 /// What the step before has left of the contact, or of one with the triangle of the mesh that it
 /// has come from; nullptr: nothing.
-const double* EventContacts::written_last(const ContactModels::SurfacesCloseData& d) const {
+const double* EventContacts::last_record(const ContactModels::SurfacesCloseData& d) const {
   const double* const history = d.contact_history + offset_;
   const auto now = static_cast<double>(lmp_->update->ntimestep);
   if (history[STEP] == now) return history;
@@ -155,24 +156,24 @@ const double* EventContacts::written_last(const ContactModels::SurfacesCloseData
 bool EventContacts::follow(const ContactModels::SurfacesCloseData& d, double r,
                            const double* normal, GridStep& step) {
   const bool first = d.computeflag && !d.shearupdate;
-  Known* const k = known(d);
+  KnownContact* const k = known_contact(d);
   followed_ = k;
-  apart_ = 0.0;
+  time_apart_ = 0.0;
   if (!k) return false;
   if (!d.computeflag || (first && others_->last_step() == lmp_->update->dt)) {
     if (repeat(d, step)) {
-      hand_on(*k, d, normal, step);
+      exclude_impulse(*k, d, normal, step);
       return true;
     }
     if (!d.computeflag) return false;
   }
-  const double* const last = first ? nullptr : written_last(d);
+  const double* const last = first ? nullptr : last_record(d);
   GridMemory memory;
   if (last) {
     memory.phase = static_cast<GridMemory::Phase>(static_cast<int>(last[PHASE]));
     memory.ahead = last[AHEAD];
   }
-  apart_ = k->law->step() - (last ? last[TOUCH] : 0.0);
+  time_apart_ = k->law->step() - (last ? last[TOUCH] : 0.0);
   const cohesion::Vector3 n = cohesion::vector(normal);
   const cohesion::Vector3 w = cohesion::vector(d.v_i) - cohesion::vector(d.v_j);
   GridPoint at{r, dot(w, n), 0.0};
@@ -180,7 +181,7 @@ bool EventContacts::follow(const ContactModels::SurfacesCloseData& d, double r,
     if (!d.is_wall) at.sideways = norm(w - at.radial * n);
     double by_others = 0.0;
     if (!first) by_others = others(d, n);
-    if (last && !passes(*k, last[TOUCH])) by_others -= last[FORCE] * k->inverse_mass;
+    if (last && !is_impulse(*k, last[TOUCH])) by_others -= last[FORCE] * k->inverse_mass;
     if (memory.phase == GridMemory::beyond) {
       if (!k->law->within_reach(at, by_others)) {
         remember(d, false);
@@ -192,25 +193,26 @@ bool EventContacts::follow(const ContactModels::SurfacesCloseData& d, double r,
     step = k->law->follow(at, by_others, first ? 0.5 * k->law->step() : k->law->step(), memory);
   }
   write(d, memory, step);
-  hand_on(*k, d, normal, step);
+  exclude_impulse(*k, d, normal, step);
   return true;
 }
 
 /// Whether the force of a step was that of an impulse, over when the step was: at a well's edge.
-bool EventContacts::passes(const Known& k, double contact_time) {
+bool EventContacts::is_impulse(const KnownContact& k, double contact_time) {
   return k.well && contact_time == 0.0;
 }
 
-/// What others of the particles must not take for a force that lasts.
-void EventContacts::hand_on(const Known& k, const ContactModels::SurfacesCloseData& d,
-                            const double* normal, const GridStep& step) {
-  if (step.force == 0.0 || !passes(k, step.normal.contact_time)) return;
+/// Excludes the force of an impulse from what other contacts of both particles take for lasting.
+void EventContacts::exclude_impulse(const KnownContact& k,
+                                    const ContactModels::SurfacesCloseData& d, const double* normal,
+                                    const GridStep& step) {
+  if (step.force == 0.0 || !is_impulse(k, step.normal.contact_time)) return;
   const cohesion::Vector3 on_i = step.force * cohesion::vector(normal);
-  others_->leave_out(d.i, on_i);
-  if (!d.is_wall) others_->leave_out(d.j, -on_i);
+  others_->exclude(d.i, on_i);
+  if (!d.is_wall) others_->exclude(d.j, -on_i);
 }
 
-bool EventContacts::holds(const double* history) const {
+bool EventContacts::in_range(const double* history) const {
   GridMemory memory;
   if (history) memory.phase = static_cast<GridMemory::Phase>(static_cast<int>(history[offset_]));
   return memory.inside();
@@ -239,15 +241,15 @@ void EventContacts::write(const ContactModels::SurfacesCloseData& d, const GridM
   remember(d, memory.phase != GridMemory::beyond || step.force != 0.0);
 }
 
-void EventContacts::rub(ContactModels::SurfacesIntersectData& contact, const GridStep& step,
-                        double* spring) const {
+void EventContacts::set_friction(ContactModels::SurfacesIntersectData& contact,
+                                 const GridStep& step, double* spring) const {
   contact.Fn = std::max(step.repulsion, 0.0);
   if (!followed_) return;
   contact.kt = followed_->tangential.stiffness;
   contact.gammat = followed_->tangential.damping;
-  if (!spring || !contact.shearupdate || apart_ == 0.0) return;
+  if (!spring || !contact.shearupdate || time_apart_ == 0.0) return;
   const double slip[3] = {contact.vtr1, contact.vtr2, contact.vtr3};
-  for (int d = 0; d < 3; d++) spring[d] -= apart_ * slip[d];
+  for (int d = 0; d < 3; d++) spring[d] -= time_apart_ * slip[d];
 }
 
 }  // namespace Cohesion

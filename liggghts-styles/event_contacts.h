@@ -11,10 +11,10 @@
 #include "atom.h"
 #include "contact/adhesion.h"
 #include "contact_interface.h"
-#include "event_stepping/grid_contact.h"
 #include "event_stepping/grid_point.h"
+#include "event_stepping/one_pass_contact.h"
 #include "fix_others.h"
-#include "mobile_particles.h"
+#include "integrated_particles.h"
 #include "normal_model_probe.h"
 
 namespace LAMMPS_NS {
@@ -28,17 +28,17 @@ namespace Cohesion {
 struct LateWarning;
 
 /// The contacts of one pair style or wall under scheme event: brings what the engine knows of a
-/// contact to the law that follows it (event_stepping/grid_contact.h), and keeps its memory in the
-/// engine's contact history, with which it goes through exchange and restart. Others act as in the
-/// step before.
+/// contact to the law that follows it (event_stepping/one_pass_contact.h), and keeps its memory in
+/// the engine's contact history, with which it goes through exchange and restart. Others act as in
+/// the step before.
 class EventContacts {
  public:
   using Adhesion =
       std::function<cohesion::contact::Adhesion(int itype, int jtype, double ri, double rj)>;
-  using GridContact = cohesion::event_stepping::GridContact;
-  using MakeLaw = std::unique_ptr<GridContact> (*)(const cohesion::contact::LinearSpringDashpot&,
-                                                   const cohesion::contact::Adhesion&,
-                                                   double contact_distance, double step);
+  using OnePassContact = cohesion::event_stepping::OnePassContact;
+  using MakeLaw = std::unique_ptr<OnePassContact> (*)(const cohesion::contact::LinearSpringDashpot&,
+                                                      const cohesion::contact::Adhesion&,
+                                                      double contact_distance, double step);
 
   /// How far beyond the range the model sees, over the sum of the radii: a pair must not come
   /// nearer by more in a step.
@@ -59,14 +59,14 @@ class EventContacts {
               cohesion::event_stepping::GridStep& step);
 
   /// Whether the grid has a contact with this history in the range of its attraction.
-  bool holds(const double* history) const;
+  bool in_range(const double* history) const;
 
   /// Lets the engine's friction act in `step` with the repulsion of the contact, and with the K_t
-  /// and eta_t that make the grid follow its spring exactly (grid_contact.h). `spring`: its
+  /// and eta_t that make the grid follow its spring exactly (one_pass_contact.h). `spring`: its
   /// displacement, which the engine will let grow through all of the step before, also where there
   /// was no contact; null: it has none.
-  void rub(ContactModels::SurfacesIntersectData& contact,
-           const cohesion::event_stepping::GridStep& step, double* spring) const;
+  void set_friction(ContactModels::SurfacesIntersectData& contact,
+                    const cohesion::event_stepping::GridStep& step, double* spring) const;
 
  private:
   // What is remembered of a contact. TOUCH: how long it was in contact in the last step; STEP: the
@@ -75,25 +75,25 @@ class EventContacts {
 
   using GridMemory = cohesion::event_stepping::GridMemory;
 
-  /// Bodies, and the law of their contact.
-  struct Known;
+  /// The bodies of a contact, and its law.
+  struct KnownContact;
 
-  static bool passes(const Known&, double contact_time);
-  void hand_on(const Known&, const ContactModels::SurfacesCloseData& d, const double* normal,
-               const cohesion::event_stepping::GridStep&);
+  static bool is_impulse(const KnownContact&, double contact_time);
+  void exclude_impulse(const KnownContact&, const ContactModels::SurfacesCloseData& d,
+                       const double* normal, const cohesion::event_stepping::GridStep&);
   /// The law of a contact; null: nothing that a force could move.
-  Known* known(const ContactModels::SurfacesCloseData& d);
-  /// 0: no force moves it.
+  KnownContact* known_contact(const ContactModels::SurfacesCloseData& d);
+  /// The mass of a particle; 0: no force moves it.
   double mass(int particle) const {
     return mobile_.moves(atom_->mask[particle]) ? atom_->rmass[particle] : 0.0;
   }
   double others(const ContactModels::SurfacesCloseData& d, const cohesion::Vector3& normal) const;
   bool repeat(const ContactModels::SurfacesCloseData& d,
               cohesion::event_stepping::GridStep& step) const;
-  const double* written_last(const ContactModels::SurfacesCloseData& d) const;
+  const double* last_record(const ContactModels::SurfacesCloseData& d) const;
   void write(const ContactModels::SurfacesCloseData& d, const GridMemory& memory,
              const cohesion::event_stepping::GridStep& step) const;
-  void make_law(Known& k, const ContactModels::SurfacesCloseData& d) const;
+  void make_law(KnownContact& k, const ContactModels::SurfacesCloseData& d) const;
 
   LAMMPS_NS::LAMMPS* lmp_;
   LAMMPS_NS::Atom* atom_;
@@ -105,9 +105,9 @@ class EventContacts {
   MakeLaw make_law_ = nullptr;
   FixOthers* others_ = nullptr;
   MobileParticles mobile_;
-  std::vector<Known> known_;  // the last of each two types
-  const Known* followed_ = nullptr;
-  double apart_ = 0.0;  // of the step before, the time that the contact just followed had none
+  std::vector<KnownContact> known_;  // the last of each two types
+  const KnownContact* followed_ = nullptr;
+  double time_apart_ = 0.0;  // how much of the step before the contact just followed was none
   int types_ = 0;
   std::shared_ptr<LateWarning> late_;
 };

@@ -6,7 +6,7 @@
 #include "atom.h"
 #include "comm.h"
 #include "error.h"
-#include "mobile_particles.h"
+#include "integrated_particles.h"
 #include "unturned_spheres.h"
 
 namespace LIGGGHTS {
@@ -18,21 +18,21 @@ void FixContactAdvice::ask(const std::shared_ptr<ContactAdvice>& advice) {
   asked_.push_back(advice);
 }
 
-void FixContactAdvice::judge(bool setup) {
+void FixContactAdvice::advise_if_due(bool setup) {
   if (asked_.empty() || !watch_.due(setup)) return;
   for (const auto& asked : asked_)
     if (const auto advice = asked.lock()) advice->give(watch_.now());
 }
 
 /// A warning that was given is not given again.
-void FixContactAdvice::look_for_unturned() {
-  if (said_unturned_) return;
-  std::vector<bool> rubs(atom->ntypes + 1, false);
+void FixContactAdvice::warn_of_unturned_once() {
+  if (warned_of_unturned_) return;
+  std::vector<bool> has_friction(atom->ntypes + 1, false);
   for (const auto& asked : asked_)
     if (const auto advice = asked.lock())
       for (int type = 1; type <= atom->ntypes; type++)
-        rubs[type] = rubs[type] || advice->rubs(type);
-  said_unturned_ = LAMMPS_NS::warn_of_unturned(lmp, MobileParticles(modify), rubs);
+        has_friction[type] = has_friction[type] || advice->has_friction(type);
+  warned_of_unturned_ = LAMMPS_NS::warn_of_unturned(lmp, MobileParticles(modify), has_friction);
 }
 
 int FixContactAdvice::setmask() {
@@ -42,12 +42,12 @@ int FixContactAdvice::setmask() {
 
 void FixContactAdvice::pre_exchange() {
   for (const auto& warning : late_) {
-    if (warning->said) continue;
+    if (warning->given) continue;
     const int here = warning->due;
     int anywhere = 0;
     MPI_Allreduce(&here, &anywhere, 1, MPI_INT, MPI_MAX, world);
     if (!anywhere) continue;
-    warning->said = true;
+    warning->given = true;
     if (comm->me == 0) error->warning(FLERR, warning->text.c_str());
   }
 }

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "contact_advice.h"
 #include "fix.h"
+#include "model_advice.h"
 
 namespace LIGGGHTS {
 namespace Cohesion {
@@ -15,8 +15,8 @@ namespace Cohesion {
 /// What a step may find wrong, on any rank and in any of the models that share it.
 struct LateWarning {
   std::string text;
-  bool due = false;   ///< on this rank
-  bool said = false;  ///< on all
+  bool due = false;    ///< on this rank
+  bool given = false;  ///< on all
 };
 
 /// Lets the contact models of pairs and walls say what to expect of a run before its first step and
@@ -31,10 +31,10 @@ class FixContactAdvice : public LAMMPS_NS::Fix {
 
   int setmask() override;
   void setup(int) override {
-    judge(true);
-    look_for_unturned();
+    advise_if_due(true);
+    warn_of_unturned_once();
   }
-  void pre_force(int) override { judge(false); }
+  void pre_force(int) override { advise_if_due(false); }
   void pre_exchange() override;
   void post_run() override { pre_exchange(); }
 
@@ -45,13 +45,13 @@ class FixContactAdvice : public LAMMPS_NS::Fix {
   std::shared_ptr<LateWarning> late_warning(const std::string& text);
 
  private:
-  void judge(bool setup);
-  void look_for_unturned();
+  void advise_if_due(bool setup);
+  void warn_of_unturned_once();
 
   ContactWatch watch_;
   std::vector<std::weak_ptr<ContactAdvice>> asked_;
   std::vector<std::shared_ptr<LateWarning>> late_;
-  bool said_unturned_ = false;
+  bool warned_of_unturned_ = false;
 };
 
 }  // namespace Cohesion

@@ -31,7 +31,7 @@ FixOthers::FixOthers(LAMMPS* engine, int count, char** words) : Fix(engine, coun
 FixOthers::~FixOthers() {
   atom->delete_callback(id, engine_api::GROW);
   memory->destroy(acceleration_);
-  memory->destroy(passing_);
+  memory->destroy(excluded_);
 }
 
 int FixOthers::setmask() { return FixConst::INITIAL_INTEGRATE | FixConst::PRE_FORCE; }
@@ -58,7 +58,7 @@ void FixOthers::initial_integrate(int) {
   last_step_ = update->dt;
   for (int i = 0; i < atom->nlocal; i++)
     for (int k = 0; k < 3; k++)
-      acceleration_[i][k] = (atom->f[i][k] - passing_[i][k]) / atom->rmass[i];
+      acceleration_[i][k] = (atom->f[i][k] - excluded_[i][k]) / atom->rmass[i];
 }
 
 void FixOthers::pre_force(int) {
@@ -67,33 +67,33 @@ void FixOthers::pre_force(int) {
 }
 
 void FixOthers::begin_step() {
-  for (int i = 0; i < atom->nlocal; i++) std::fill_n(passing_[i], 3, 0.0);
+  for (int i = 0; i < atom->nlocal; i++) std::fill_n(excluded_[i], 3, 0.0);
 }
 
 void FixOthers::grow_arrays(int most) {
   memory->grow(acceleration_, most, 3, "others:acceleration");
-  memory->grow(passing_, most, 3, "others:passing");
+  memory->grow(excluded_, most, 3, "others:excluded");
 }
 
 void FixOthers::copy_arrays(int i, int j, int) {
   std::copy_n(acceleration_[i], 3, acceleration_[j]);
-  std::copy_n(passing_[i], 3, passing_[j]);
+  std::copy_n(excluded_[i], 3, excluded_[j]);
 }
 
 void FixOthers::set_arrays(int i) {
   std::fill_n(acceleration_[i], 3, 0.0);
-  std::fill_n(passing_[i], 3, 0.0);
+  std::fill_n(excluded_[i], 3, 0.0);
 }
 
 int FixOthers::pack_exchange(int i, double* buffer) {
   std::copy_n(acceleration_[i], 3, buffer);
-  std::copy_n(passing_[i], 3, buffer + 3);
+  std::copy_n(excluded_[i], 3, buffer + 3);
   return 6;
 }
 
 int FixOthers::unpack_exchange(int i, double* buffer) {
   std::copy_n(buffer, 3, acceleration_[i]);
-  std::copy_n(buffer + 3, 3, passing_[i]);
+  std::copy_n(buffer + 3, 3, excluded_[i]);
   return 6;
 }
 

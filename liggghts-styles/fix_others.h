@@ -38,13 +38,12 @@ class FixOthers : public LAMMPS_NS::Fix {
 
   /// Of particle or ghost i; nothing while a run is set up, [length/time^2].
   cohesion::Vector3 acceleration(int i) const { return cohesion::vector(acceleration_[i]); }
-  /// Of the forces on particle i in this step, `passing` [force] is one that the next step does not
-  /// have.
-  void leave_out(int i, const cohesion::Vector3& passing) {
+  /// Excludes a force on particle i in this step that the next step does not have, [force].
+  void exclude(int i, const cohesion::Vector3& excluded) {
     if (i >= atom->nlocal) return;
-    passing_[i][0] += passing.x;
-    passing_[i][1] += passing.y;
-    passing_[i][2] += passing.z;
+    excluded_[i][0] += excluded.x;
+    excluded_[i][1] += excluded.y;
+    excluded_[i][2] += excluded.z;
   }
   /// The step of the last forces, also those from a restart file; 0: there were none, [time].
   double last_step() const { return last_step_; }
@@ -53,7 +52,7 @@ class FixOthers : public LAMMPS_NS::Fix {
   void begin_step();
 
   double** acceleration_ = nullptr;
-  double** passing_ = nullptr;  // per particle, from the forces of a step to the next
+  double** excluded_ = nullptr;  // per particle, from the forces of a step to the next
   double last_step_ = 0.0;
 };
 

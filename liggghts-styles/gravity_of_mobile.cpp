@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "gravity_of_fixes.h"
+#include "integrated_particles.h"
 #include "liggghts_api.h"
-#include "mobile_particles.h"
 
 std::vector<std::pair<int, cohesion::Vector3>> LAMMPS_NS::engine_api::gravity_of_mobile(
     LAMMPS* lmp, int groupbit) {

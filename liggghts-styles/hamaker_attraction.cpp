@@ -127,13 +127,13 @@ void HamakerAttraction::connect(PropertyRegistry& registry, const NormalModelPro
         return cohesion::advice::Material{material[i][j], keep_};
       },
       given);
-  acts_ = false;
+  is_active_ = false;
   const std::vector<double> radii = smallest_radii(lmp_);
   laws_.fill(
       lmp_, MODEL, registry.max_type(),
       [&](int i, int j) {
         const cohesion::hamaker::Parameters real{constant[i][j], surface, outer_cutoff_};
-        acts_ = acts_ || real.hamaker_constant > 0.0;
+        is_active_ = is_active_ || real.hamaker_constant > 0.0;
         cohesion::hamaker::require_valid(real);
         if (std::isfinite(radii[i]) && (is_wall_ || std::isfinite(radii[j])))
           cohesion::hamaker::require_far_below_radius(cohesion::hamaker::forms.front(), real,
@@ -151,16 +151,16 @@ cohesion::hamaker::Parameters HamakerAttraction::scaled(const cohesion::hamaker:
   const double stiffness = normal.springs({itype, jtype, 1.0, 1.0, 1.0, 1.0, false}).stiffness;
   const cohesion::hamaker::Parameters used =
       cohesion::advice::for_stiffness(stiffness, material, real);
-  const std::string told = cohesion::advice::told_scaling(stiffness, material, real, used);
-  if (!told.empty() && itype <= jtype)
+  const std::string note = cohesion::advice::scaling_note(stiffness, material, real, used);
+  if (!note.empty() && itype <= jtype)
     LAMMPS_NS::engine_api::tell(lmp_, LAMMPS_NS::message("cohesion model ", MODEL, ", atom types ",
-                                                         itype, " and ", jtype, ": ", told, "\n"));
+                                                         itype, " and ", jtype, ": ", note, "\n"));
   return used;
 }
 
 ContactRange HamakerAttraction::range() const {
   ContactRange range;
-  if (!acts_) return range;  // the engine looks as far as it does without
+  if (!is_active_) return range;  // the engine looks as far as it does without
   range.gap = outer_cutoff_;
   range.source = outer_property;
   return range;

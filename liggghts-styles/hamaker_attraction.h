@@ -6,13 +6,13 @@
 
 #include "advice/stiffness_scaling.h"
 #include "contact/adhesion.h"
-#include "contact_book.h"
 #include "contact_range.h"
 #include "encounter.h"
-#include "event_stepping/grid_contact.h"
+#include "event_stepping/one_pass_contact.h"
 #include "hamaker/law.h"
 #include "hamaker/small_gap.h"
 #include "normal_model_probe.h"
+#include "sampled_energy_tally.h"
 #include "settings.h"
 #include "sphere.h"
 #include "table_of_types.h"
@@ -25,7 +25,7 @@ class HamakerAttraction : public AttractionEnergy {
  public:
   static constexpr const char* MODEL = "hamaker";
   static constexpr bool BINDS_WHAT_ENTERED = false;
-  using GridLaw = cohesion::event_stepping::GridContact;
+  using OnePassLaw = cohesion::event_stepping::OnePassContact;
 
   HamakerAttraction(LAMMPS_NS::LAMMPS* lmp, IContactHistorySetup*, LAMMPS_NS::FixWallGran* wall)
       : lmp_(lmp), is_wall_(wall != nullptr) {}
@@ -40,14 +40,16 @@ class HamakerAttraction : public AttractionEnergy {
   void connect(PropertyRegistry& registry, const NormalModelProbe& normal);
 
   ContactRange range() const;
-  bool acts() const { return acts_; }
-  bool rests(const ContactModels::SurfacesCloseData& near, bool) const {
+  bool is_active() const { return is_active_; }
+  bool is_out_of_reach(const ContactModels::SurfacesCloseData& near, bool) const {
     // Where rounding could decide, force() does.
     const double reach = near.radsum + outer_cutoff_;
     return near.rsq > reach * reach * (1.0 + 1e-12);
   }
-  static constexpr bool idles(const ContactModels::SurfacesCloseData&) { return false; }
-  static constexpr bool idles_in_contact(const ContactModels::SurfacesCloseData&) { return false; }
+  static constexpr bool is_idle(const ContactModels::SurfacesCloseData&) { return false; }
+  static constexpr bool is_idle_in_contact(const ContactModels::SurfacesCloseData&) {
+    return false;
+  }
 
   bool binds(int itype, int jtype, double, double, double gap, const double*) const {
     return gap < outer_cutoff_ && attracts(itype, jtype);
@@ -91,7 +93,7 @@ class HamakerAttraction : public AttractionEnergy {
   TableOfTypes<Law> laws_;
   TableOfTypes<cohesion::advice::Material> materials_;
   double outer_cutoff_ = 0.0;
-  bool acts_ = false;
+  bool is_active_ = false;
   bool has_material_ = false;
   cohesion::advice::Keep keep_ = cohesion::advice::Keep::escape_velocity;
 };

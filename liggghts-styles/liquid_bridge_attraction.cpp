@@ -54,14 +54,14 @@ void LiquidBridgeAttraction::connect(PropertyRegistry& registry, const NormalMod
   registry.registerProperty(gap_property, &make_gap);
   double** force = registry.getMatrixProperty(force_property, asked_for_by)->data;
   double** gap = registry.getMatrixProperty(gap_property, asked_for_by)->data;
-  acts_ = false;
+  is_active_ = false;
   widest_gap_ = 0.0;
   laws_.fill(
       lmp_, MODEL, registry.max_type(),
       [&](int i, int j) {
         const cohesion::liquid_bridge::Parameters law{force[i][j], gap[i][j]};
         require_valid(law);
-        acts_ = acts_ || law.force > 0.0;
+        is_active_ = is_active_ || law.force > 0.0;
         if (law.force > 0.0) widest_gap_ = std::max(widest_gap_, law.rupture_gap);
         return law;
       },
@@ -72,7 +72,7 @@ void LiquidBridgeAttraction::connect(PropertyRegistry& registry, const NormalMod
 
 ContactRange LiquidBridgeAttraction::range() const {
   ContactRange range;
-  if (!acts_) return range;  // the engine looks as far as it does without
+  if (!is_active_) return range;  // the engine looks as far as it does without
   range.gap = widest_gap_;
   range.margin = MARGIN;
   range.source = gap_property;

@@ -5,13 +5,13 @@
 #include <cmath>
 
 #include "advice/stiffness_scaling.h"
-#include "contact_book.h"
 #include "contact_range.h"
 #include "encounter.h"
-#include "event_stepping/grid_bridge.h"
+#include "event_stepping/one_pass_bridge.h"
 #include "lammps.h"
 #include "liquid_bridge/parameters.h"
 #include "normal_model_probe.h"
+#include "sampled_energy_tally.h"
 #include "table_of_types.h"
 
 namespace LIGGGHTS {
@@ -23,7 +23,7 @@ class LiquidBridgeAttraction final : public AttractionEnergy {
  public:
   static constexpr const char* MODEL = "liquid_bridge";
   static constexpr bool BINDS_WHAT_ENTERED = true;
-  using GridLaw = cohesion::event_stepping::GridBridge;
+  using OnePassLaw = cohesion::event_stepping::OnePassBridge;
 
   LiquidBridgeAttraction(LAMMPS_NS::LAMMPS* lmp, IContactHistorySetup* owner,
                          LAMMPS_NS::FixWallGran* wall);
@@ -35,18 +35,20 @@ class LiquidBridgeAttraction final : public AttractionEnergy {
   void connect(PropertyRegistry& registry, const NormalModelProbe&);
 
   ContactRange range() const;
-  bool acts() const { return acts_; }
+  bool is_active() const { return is_active_; }
   /// Most of the pairs that it has to see: apart, and without a bridge. One with a triangle of a
   /// mesh may have it from another.
-  bool rests(const ContactModels::SurfacesCloseData& near, bool) const {
+  bool is_out_of_reach(const ContactModels::SurfacesCloseData& near, bool) const {
     return !near.mesh && near.contact_history[offset_ + BRIDGED] == 0.0;
   }
-  static constexpr bool idles(const ContactModels::SurfacesCloseData&) { return false; }
-  static constexpr bool idles_in_contact(const ContactModels::SurfacesCloseData&) { return false; }
+  static constexpr bool is_idle(const ContactModels::SurfacesCloseData&) { return false; }
+  static constexpr bool is_idle_in_contact(const ContactModels::SurfacesCloseData&) {
+    return false;
+  }
 
   /// While the pair has its bridge.
   bool binds(int, int, double, double, double gap, const double* history) const {
-    return acts_ ? history && history[offset_ + BRIDGED] != 0.0 : gap < 0.0;
+    return is_active_ ? history && history[offset_ + BRIDGED] != 0.0 : gap < 0.0;
   }
   /// rj infinite: beside a wall.
   cohesion::contact::Adhesion adhesion(int itype, int jtype, double ri, double rj) const {
@@ -74,7 +76,7 @@ class LiquidBridgeAttraction final : public AttractionEnergy {
   int offset_;  // of what is remembered in the history of a contact
   TableOfTypes<cohesion::liquid_bridge::Parameters> laws_;
   double widest_gap_ = 0.0;
-  bool acts_ = false;
+  bool is_active_ = false;
 };
 
 }  // namespace Cohesion

@@ -19,10 +19,10 @@
 #include "error.h"
 #include "fix_agglomerates.h"
 #include "fix_contact_advice.h"
-#include "fix_contact_book.h"
 #include "fix_deform_shear.h"
 #include "fix_gas_coupling.h"
 #include "fix_others.h"
+#include "fix_sampled_energy_tally.h"
 #include "lammps.h"
 #include "modify.h"
 
@@ -64,7 +64,7 @@ void register_styles(LAMMPS* lmp) {
   fixes["deform/shear"] = &make_fix<FixDeformShear>;
   fixes["gas/coupling"] = &make_fix<FixGasCoupling>;
   fixes[FixContactAdvice::STYLE] = &make_fix<FixContactAdvice>;
-  fixes[FixContactBook::STYLE] = &make_fix<FixContactBook>;
+  fixes[FixSampledEnergyTally::STYLE] = &make_fix<FixSampledEnergyTally>;
   fixes[FixOthers::STYLE] = &make_fix<FixOthers>;
   Computes& computes = *computes_of(*lmp->modify);
   computes["gran/energy"] = &make_compute<ComputeGranEnergy>;

@@ -56,13 +56,13 @@ void SquareWellAttraction::connect(PropertyRegistry& registry, const NormalModel
   const double* ratio = registry.getVectorProperty(ratio_property, asked_for_by)->data;
   const int types = registry.max_type();
   // A restart file may remember wells, and an impulse that is under way.
-  if (!connected_) acts_ = remembers(lmp_, pair_, wall_, offset_ + STATE);
+  if (!connected_) is_active_ = remembers(lmp_, pair_, wall_, offset_ + STATE);
   connected_ = true;
   wells_.fill(
       lmp_, MODEL, types,
       [&](int i, int j) {
         const cohesion::square_well::Parameters well{depth[i][j], ratio[i], ratio[j]};
-        acts_ = acts_ || well.depth > 0.0;
+        is_active_ = is_active_ || well.depth > 0.0;
         cohesion::square_well::require_valid(well);
         return Well{well, cohesion::square_well::edge_bounds(well, wall_)};
       },
@@ -70,13 +70,13 @@ void SquareWellAttraction::connect(PropertyRegistry& registry, const NormalModel
         return shown(depth_property, depth[i][j]) + ", " + shown(ratio_property, ratio[i]) +
                " and " + shown(ratio_property, ratio[j]);
       });
-  if (acts_) too_far_ = hidden_fix<FixContactAdvice>(lmp_).late_warning(too_far);
+  if (is_active_) too_far_ = hidden_fix<FixContactAdvice>(lmp_).late_warning(too_far);
   largest_ratio_ = *std::max_element(ratio + 1, ratio + types + 1);
 }
 
 ContactRange SquareWellAttraction::range() const {
   ContactRange range;
-  if (!acts_) return range;  // the engine looks as far as it does without
+  if (!is_active_) return range;  // the engine looks as far as it does without
   range.ratio = largest_ratio_ - 1.0;
   range.margin = MARGIN;
   range.source = "the width (wellRatio - 1) r of the well";
@@ -85,7 +85,7 @@ ContactRange SquareWellAttraction::range() const {
 
 bool SquareWellAttraction::binds(int itype, int jtype, double ri, double rj, double gap,
                                  const double* history) const {
-  if (!acts_) return gap < cohesion::square_well::width(wells_.of(itype, jtype).well, ri, rj);
+  if (!is_active_) return gap < cohesion::square_well::width(wells_.of(itype, jtype).well, ri, rj);
   return history && history[offset_ + STATE] == inside;
 }
 
@@ -109,14 +109,14 @@ void SquareWellAttraction::step(const Encounter& e, double* history) {
                            : 0.0;
   }
   // One that is held at the edge turns round.
-  if (within && e.gap < width && well.depth > 0.0) look_ahead(e);
+  if (within && e.gap < width && well.depth > 0.0) warn_if_out_of_sight(e);
   history[STATE] = within ? inside : outside;
   if (d.mesh) history[LAST_STEP] = static_cast<double>(lmp_->update->ntimestep);
   remember(d, within || history[IMPULSE] != 0.0);
 }
 
 /// Warns of a pair that could be beyond what the engine shows when the next step finds it.
-void SquareWellAttraction::look_ahead(const Encounter& e) {
+void SquareWellAttraction::warn_if_out_of_sight(const Encounter& e) {
   using namespace cohesion::square_well;
   const double seen = sight(largest_ratio_, MARGIN, e.data.radsum);
   if (flies_out_of_sight(e.gap, approach(e), lmp_->update->dt, seen)) too_far_->due = true;

@@ -6,12 +6,12 @@
 #include <memory>
 
 #include "advice/stiffness_scaling.h"
-#include "contact_book.h"
 #include "contact_range.h"
 #include "encounter.h"
-#include "event_stepping/grid_well.h"
+#include "event_stepping/one_pass_well.h"
 #include "lammps.h"
 #include "normal_model_probe.h"
+#include "sampled_energy_tally.h"
 #include "square_well/parameters.h"
 #include "square_well/sight.h"
 #include "table_of_types.h"
@@ -33,7 +33,7 @@ class SquareWellAttraction final : public AttractionEnergy {
  public:
   static constexpr const char* MODEL = "square_well";
   static constexpr bool BINDS_WHAT_ENTERED = true;
-  using GridLaw = cohesion::event_stepping::GridWell;
+  using OnePassLaw = cohesion::event_stepping::OnePassWell;
 
   SquareWellAttraction(LAMMPS_NS::LAMMPS* lmp, IContactHistorySetup* owner,
                        LAMMPS_NS::FixWallGran* wall);
@@ -46,17 +46,18 @@ class SquareWellAttraction final : public AttractionEnergy {
 
   ContactRange range() const;
   /// What is remembered of wells has to be followed even when none is left.
-  bool acts() const { return acts_; }
+  bool is_active() const { return is_active_; }
   /// Known to be outside and still there: most of the pairs that it has to see.
-  bool rests(const ContactModels::SurfacesCloseData& near, bool booked) const {
-    return !booked && was(outside, near) && near.rsq > bounds(near).outside * square_of_radii(near);
+  bool is_out_of_reach(const ContactModels::SurfacesCloseData& near, bool update_all) const {
+    return !update_all && was(outside, near) &&
+           near.rsq > bounds(near).outside * square_of_radii(near);
   }
   /// Known to be inside and still there, and too slow to fly out of sight, of which step() warns.
   /// Marks such a contact as one to be remembered, as step() does.
-  bool idles(const ContactModels::SurfacesCloseData& near) const {
-    return near.rsq < bounds(near).inside * square_of_radii(near) && idles_in_contact(near);
+  bool is_idle(const ContactModels::SurfacesCloseData& near) const {
+    return near.rsq < bounds(near).inside * square_of_radii(near) && is_idle_in_contact(near);
   }
-  bool idles_in_contact(const ContactModels::SurfacesCloseData& d) const {
+  bool is_idle_in_contact(const ContactModels::SurfacesCloseData& d) const {
     if (!was(inside, d)) return false;
     const double speed[3] = {d.v_j[0] - d.v_i[0], d.v_j[1] - d.v_i[1], d.v_j[2] - d.v_i[2]};
     if (!cohesion::square_well::stays_in_sight(
@@ -121,7 +122,7 @@ class SquareWellAttraction final : public AttractionEnergy {
   }
 
   void step(const Encounter& encounter, double* history);
-  void look_ahead(const Encounter& encounter);
+  void warn_if_out_of_sight(const Encounter& encounter);
   bool was_inside(const Encounter& encounter, double* history, double width) const;
   double approach(const Encounter& encounter) const;
   double inverse_mass(int particle) const;
@@ -132,7 +133,7 @@ class SquareWellAttraction final : public AttractionEnergy {
   int offset_;                    // of what is remembered in the history of a contact
   TableOfTypes<Well> wells_;
   double largest_ratio_ = 1.0;
-  bool acts_ = false;
+  bool is_active_ = false;
   bool connected_ = false;
   std::shared_ptr<LateWarning> too_far_;  // a pair flies too far in a step; null: there is no well
 };

@@ -44,7 +44,7 @@ inline constexpr double overlap_for_warning = 0.01;
 inline constexpr double overlap_for_error = 0.5;
 /// Steps in the surface cut-off below which a sampled force gets the work of the adhesion wrong.
 inline constexpr double cutoff_steps_for_warning = 1.0;
-/// Share of the speed of an impact that rounding may leave open: what 15 steps leave open of the
+/// Fraction of the speed of an impact that rounding may leave open: what 15 steps leave open of the
 /// escape velocity where a force is sampled.
 inline constexpr double rounding_for_warning = 1.0 / 15.0;
 
@@ -102,8 +102,8 @@ inline Verdict stability(const ContactNumbers& n) {
           text("the time step ", dt, " makes contacts unstable: reduce it below ", limit)};
 }
 
-/// Of a pair that touches at `speed` u [length/time] and crosses `cutoff` H_cut [length] in `steps`
-/// time steps.
+/// The verdict on a pair that touches at `speed` u [length/time] and crosses `cutoff` H_cut
+/// [length] in `steps` time steps.
 inline Verdict cutoff_steps(double speed, double cutoff, double steps, const SchemeLimits& limits) {
   const std::string sentence =
       text("a pair at ", speed, " crosses the surface cut-off in ", steps, " time steps");

@@ -41,6 +41,9 @@ struct PairParameters {
 ///   w0 dt < 2 (sqrt(1 + zeta^2) - zeta)
 ///
 /// which is the well-known w0 dt < 2 without dashpot.
+///
+/// Source: derived here. The numbers are explained in docs/lammps-package/pair_gran_hamaker.md, How
+/// small the step must be.
 class ContactNumbers {
  public:
   /// Throws InvalidParameter where AdhesiveContact does, and unless radii and masses are positive
@@ -99,10 +102,10 @@ class ContactNumbers {
     return p_.adhesion.cutoff / entry_speed_ / p_.dt;
   }
 
-  /// Share of the escape velocity of a square well that a sampled force leaves open. The dashpot
+  /// Fraction of the escape velocity of a square well that a sampled force leaves open. The dashpot
   /// sets in and ends at its full force, on the grid: up to a step of it, 2 zeta w0 dt of the
   /// speed, is too much or too little. So far e is off, and v_esc = sqrt(2 W/mu (1/e^2 - 1)) by
-  /// 1/(1 - e^2) times that share: dt/t_c for zeta -> 0.
+  /// 1/(1 - e^2) times that fraction: dt/t_c for zeta -> 0.
   double sampled_escape_error() const {
     const double step = w0_ * p_.dt;
     if (zeta_ == 0.0) return step / pi;
@@ -112,11 +115,11 @@ class ContactNumbers {
     return 2.0 * zeta_ * step / lost;
   }
 
-  /// Share of the speed of an impact that rounded places may add or take away, whatever the force:
-  /// each of the pi/(w0 dt) steps shifts the pair by up to half a spacing of numbers as large as
-  /// the distance of the centres, and a shift s changes the speed of the swing by up to w0 s. A
-  /// speed that is taken from two places a step apart, `speeds_of_places` times in a contact, is
-  /// off by up to a spacing over the step. Far from the origin places are rounded more.
+  /// Fraction of the speed of an impact that rounded places may add or take away, whatever the
+  /// force: each of the pi/(w0 dt) steps shifts the pair by up to half a spacing of numbers as
+  /// large as the distance of the centres, and a shift s changes the speed of the swing by up to w0
+  /// s. A speed that is taken from two places a step apart, `speeds_of_places` times in a contact,
+  /// is off by up to a spacing over the step. Far from the origin places are rounded more.
   double rounding_error(double speeds_of_places) const {
     if (entry_speed_ == 0.0) return 0.0;
     const double sum = p_.radius_i + p_.radius_j;

@@ -142,20 +142,20 @@ inline std::string over_material_sentence(const ContactNumbers& n, const Materia
          number(", pull-off force %.3g times the material's", over.force);
 }
 
-/// Under the table, what a soft spring changed where the material is told; where it is not, a
+/// Under the table, what a soft spring changed where the material is given; where it is not, a
 /// warning if that matters. Each once for all contacts.
 inline void add_softness(Report& report, const std::string& style,
                          const std::vector<AdvisedContact>& contacts, const RunNumbers& run) {
-  std::vector<SharedNote> told, soft;
+  std::vector<SharedNote> scaled, soft;
   for (const AdvisedContact& c : contacts) {
     if (!c.moves() || c.adhesion.force == 0.0) continue;
     const ContactNumbers n = numbers(c, run);
-    if (!c.material.told() && softness_decides(n))
+    if (!c.material.is_given() && softness_decides(n))
       add(soft, softness_advice(c.material_words), c.name);
-    if (c.material.told() && c.material.stiffness != n.parameters().stiffness)
-      add(told, over_material_sentence(n, c.material), c.name);
+    if (c.material.is_given() && c.material.stiffness != n.parameters().stiffness)
+      add(scaled, over_material_sentence(n, c.material), c.name);
   }
-  for (const SharedNote& note : told)
+  for (const SharedNote& note : scaled)
     report.table += "  " + note.sentence + " (" + note.names() + ")\n";
   for (const SharedNote& note : soft)
     report.warnings.push_back(

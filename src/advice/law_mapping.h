@@ -41,7 +41,7 @@ inline contact::Adhesion adhesion_of(const HeadOnPair& pair, const hamaker::AnyL
   return std::visit([&](const auto& l) { return contact::adhesion_of(l, pair.geometry); }, law);
 }
 
-/// Of a law followed exactly all three speeds are the same.
+/// The escape velocities of a Hamaker attraction. Of a law followed exactly all three are the same.
 inline SampledEscape hamaker_escape(const HeadOnPair& pair, const hamaker::AnyLaw& law,
                                     std::optional<double> step) {
   require_sticking(pair.spring);
@@ -50,7 +50,8 @@ inline SampledEscape hamaker_escape(const HeadOnPair& pair, const hamaker::AnyLa
   return {v, v, v};
 }
 
-/// `width` [length]: the gap at the edge (square_well::width).
+/// The escape velocities of a square well of depth D [energy]. `width` [length]: the gap at the
+/// edge (square_well::width).
 inline SampledEscape well_escape(const HeadOnPair& pair, double depth, double width,
                                  std::optional<double> step) {
   require_sticking(pair.spring);

@@ -12,7 +12,7 @@ namespace cohesion::advice {
 ///
 ///   F = c x^p,   dashpot eta ~ x^((p-1)/2)     p = 1: linear, p = 3/2: Hertz
 ///
-/// told by what they are at one overlap. Any consistent set of units.
+/// given by what they are at one overlap. Any consistent set of units.
 struct ContactSprings {
   double stiffness;                   ///< F/x, [force/length]
   double damping;                     ///< eta, [mass/time]
@@ -53,7 +53,7 @@ inline double largest_overlap(const ContactSprings& s, double reduced_mass, doub
 /// does not depend on the speed, and is that of zeta = eta/(2 sqrt(mu F/x)) sqrt(2/(p+1)), which K
 /// and eta above have. Their contact takes pi/2.94 = 1.07 times as long as Hertz's.
 ///
-/// Where nothing moves and nothing attracts: at the overlap at which `s` is told.
+/// Where nothing moves and nothing attracts: at the overlap at which `s` is given.
 /// Throws InvalidParameter unless F/x, mu and, for p != 1, the overlap are positive.
 ///
 /// Source: derived here; for Hertz: D. Antypov and J. A. Elliott, EPL 94 (2011) 50004.

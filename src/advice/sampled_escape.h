@@ -5,17 +5,19 @@
 #include <cmath>
 
 #include "advice/equal_escape.h"
-#include "event_stepping/sampled_pair.h"
+#include "event_stepping/sampled_hamaker.h"
 #include "event_stepping/sampled_well.h"
 
 /// Head-on escape velocities of scheme sampled. Its forces are those on the grid, so that whether a
-/// pair sticks depends on where in the step it meets: each speed has a share of positions at which
-/// it does.
+/// pair sticks depends on where in the step it meets: each speed has a fraction of positions at
+/// which it does.
+///
+/// Source: derived here; measured in docs/tools/cohesion-mapping.md.
 namespace cohesion::advice {
 
 struct SampledEscape {
-  double mean;            ///< integral of the share that sticks over the speeds, [length/time]
-  double slowest_parted;  ///< of those looked at, [length/time]; rarer ones may be slower
+  double mean;            ///< integral of the fraction that sticks over the speeds, [length/time]
+  double slowest_parted;  ///< of those tried, [length/time]; rarer ones may be slower
   double fastest_stuck;   ///< the same
 };
 
@@ -32,7 +34,7 @@ struct HeadOnStart {
   bool inside;        ///< of its well
 };
 
-/// Whether `pair` (SampledPair or SampledWell) parts after its first contact. It sticks when it
+/// Whether `pair` (SampledHamaker or SampledWell) parts after its first contact. It sticks when it
 /// turns back before it is out of range; that a later impact may let it out again, as the scheme
 /// does not keep energy, is not followed. On the grid as engines have it, velocities half a step
 /// before positions; `step` [time]. Throws InvalidParameter after ten million steps.
@@ -62,15 +64,15 @@ bool parts(const Pair& pair, const HeadOnStart& start, double step) {
 namespace detail {
 
 /// Pairs that parted and stuck, of n speeds between `low` and `high` at n positions each.
-struct Look {
+struct Survey {
   double slowest_parted, fastest_stuck;
-  double stuck;  ///< share of all
+  double stuck;  ///< fraction of all
 };
 
 template <class PartsAt>
-Look look(const PartsAt& parts_at, double low, double high, int n) {
+Survey survey(const PartsAt& parts_at, double low, double high, int n) {
   constexpr double golden = 0.6180339887498949;  // no two speeds share their positions
-  Look seen{high, low, 0.0};
+  Survey seen{high, low, 0.0};
   for (int i = 0; i < n; i++)
     for (int k = 0; k < n; k++) {
       const double speed = low + (high - low) * (i + 0.5) / n;
@@ -95,7 +97,7 @@ SampledEscape sampled_escape(const PartsAt& parts_at, double exact, double step)
   double low = 0.0, high = farthest * exact;
   for (double last = 2.0 * high; high - low < 0.7 * last;) {
     last = high - low;
-    const Look seen = look(parts_at, low, high, few);
+    const Survey seen = survey(parts_at, low, high, few);
     const double spacing = (high - low) / few;
     require(high < farthest * exact || seen.fastest_stuck + spacing < high, "time step", step,
             "pairs stick at several times the exact escape velocity: take a shorter one");
@@ -103,10 +105,10 @@ SampledEscape sampled_escape(const PartsAt& parts_at, double exact, double step)
     high = std::min(high, std::max(seen.slowest_parted, seen.fastest_stuck) + spacing);
   }
   // Each of n^2 places in the plane of speed and position is stuck or not: the standard error of
-  // their share is at most 1/(2 n).
+  // that fraction is at most 1/(2 n).
   const double per_error = 0.5 * (high - low) / (sampling_error * exact);
   const int n = std::max(few, static_cast<int>(std::ceil(per_error)));
-  const Look seen = look(parts_at, low, high, n);
+  const Survey seen = survey(parts_at, low, high, n);
   return {low + (high - low) * seen.stuck, seen.slowest_parted, seen.fastest_stuck};
 }
 
@@ -117,12 +119,13 @@ inline void require_sampled_step(const contact::LinearSpringDashpot& spring, dou
 
 }  // namespace detail
 
-/// Of a Hamaker attraction, at `step` [time]; the pair comes from beyond the outer cut-off.
+/// The escape of a Hamaker attraction, at `step` [time]; the pair comes from beyond the outer
+/// cut-off.
 /// Throws InvalidParameter where the exact escape velocity has none to compare with
 /// (equal_escape.h), unless a contact has two steps, and where pairs stick at four times the exact
 /// velocity.
 inline SampledEscape sampled_escape(const contact::LinearSpringDashpot& spring,
-                                    const event_stepping::SampledPair::Attraction& attraction,
+                                    const event_stepping::SampledHamaker::Attraction& attraction,
                                     double contact_distance, double step) {
   require_sticking(spring);
   detail::require_sampled_step(spring, step);
@@ -131,7 +134,7 @@ inline SampledEscape sampled_escape(const contact::LinearSpringDashpot& spring,
                  attraction.law);
   const double exact = contact::AdhesiveContact(spring, adhesion).escape_velocity();
   require_positive("escape velocity", exact);
-  const event_stepping::SampledPair pair(spring, attraction, contact_distance, step);
+  const event_stepping::SampledHamaker pair(spring, attraction, contact_distance, step);
   const double edge = contact_distance + pair.range();
   return detail::sampled_escape(
       [&](double speed, double position) {
@@ -140,11 +143,11 @@ inline SampledEscape sampled_escape(const contact::LinearSpringDashpot& spring,
       exact, step);
 }
 
-/// Of a square well (square_well/parameters.h), at `step` [time]. The pair starts in its well, with
-/// what it gained at the edge, so that the contact is at every position in the step alike: from a
-/// well of one width the impulse at the edge, put on at a grid point, would let it meet at some
-/// positions only, others for each width and angle. Throws as for Hamaker, and unless the well is
-/// wider than what the pair flies in a step: passages of narrower ones are missed.
+/// The escape of a square well (square_well/parameters.h), at `step` [time]. The pair starts in its
+/// well, with what it gained at the edge, so that the contact is at every position in the step
+/// alike: from a well of one width the impulse at the edge, put on at a grid point, would let it
+/// meet at some positions only, others for each width and angle. Throws as for Hamaker, and unless
+/// the well is wider than what the pair flies in a step: passages of narrower ones are missed.
 inline SampledEscape sampled_escape(const contact::LinearSpringDashpot& spring,
                                     const contact::Adhesion& well, double contact_distance,
                                     double step) {

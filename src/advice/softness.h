@@ -11,6 +11,7 @@
 #include "contact/linear_spring_dashpot.h"
 
 /// What the softness of a spring changes of a cohesive contact, and what to say of it.
+/// See docs/lammps-package/pair_gran_hamaker.md, Soft springs.
 namespace cohesion::advice {
 
 /// Numbers of a contact over those of its material, [1].
@@ -20,7 +21,7 @@ struct OverMaterial {
 };
 
 /// `contact`: with the adhesion that it has. The material's has the same mass and restitution.
-/// Throws InvalidParameter unless the material is told.
+/// Throws InvalidParameter unless the material is given.
 inline OverMaterial over_material(const contact::AdhesiveContact& contact,
                                   const Material& material) {
   const StiffnessScaling to_material(contact.spring().stiffness(), material.stiffness);
@@ -33,7 +34,7 @@ inline OverMaterial over_material(const contact::AdhesiveContact& contact,
   return {both_part ? escape / real_escape : 1.0, used.force / real.force};
 }
 
-/// Below this share of the approach speed hardly an impact is as slow as the escape velocity: of
+/// Below this fraction of the approach speed hardly an impact is as slow as the escape velocity: of
 /// impacts at random speeds v about one in (v/v_esc)^2.
 inline constexpr double escape_for_notice = 0.01;
 
@@ -50,16 +51,16 @@ inline bool softness_decides(const ContactNumbers& n) {
   return std::isfinite(rigid) && !all_stick && n.escape_velocity() > escape_for_notice * speed;
 }
 
-/// `told_by`: the words by which a user tells the material; empty: there are none.
-inline std::string softness_advice(std::string_view told_by) {
+/// `keywords`: the words by which a user tells the material; empty: there are none.
+inline std::string softness_advice(std::string_view keywords) {
   const std::string sentence =
       "pairs would stick less with a stiffer spring (tail/spring below 1); if the material is "
       "stiffer, ";
-  if (told_by.empty())
+  if (keywords.empty())
     return sentence +
            "its pull-off force is kept (packings, Bond number), its escape velocity is not "
            "(collisions, who sticks)";
-  return sentence + std::string(told_by) +
+  return sentence + std::string(keywords) +
          " keeps its escape velocity (collisions, who sticks), with 'material_keep force' its "
          "pull-off force (packings, resting beds, Bond number, tensile strength)";
 }

@@ -29,18 +29,18 @@ struct KeepName {
 inline constexpr std::array keeps{KeepName{"velocity", Keep::escape_velocity},
                                   KeepName{"force", Keep::force}};
 
-/// The material that a contact stands for, as far as users tell it.
+/// The material that a contact stands for, as far as users give it.
 struct Material {
-  double stiffness = 0.0;  ///< K, [force/length]; 0: not told
+  double stiffness = 0.0;  ///< K, [force/length]; 0: not given
   Keep keep = Keep::escape_velocity;
 
-  bool told() const { return stiffness > 0.0; }
+  bool is_given() const { return stiffness > 0.0; }
 };
 
-/// Unlike materials: the geometric mean of the stiffnesses; told where both are.
+/// Unlike materials: the geometric mean of the stiffnesses; given where both are.
 /// Throws InvalidParameter where they keep different things.
 inline Material mixed(const Material& a, const Material& b) {
-  if (!a.told() || !b.told()) return {};
+  if (!a.is_given() || !b.is_given()) return {};
   if (a.keep != b.keep)
     throw InvalidParameter(
         "one of the two materials keeps the escape velocity, the other the force, and no mean of "
@@ -116,7 +116,7 @@ class StiffnessScaling {
 
 /// Whether a contact of `stiffness` [force/length] needs another adhesion than its material.
 inline bool is_scaled(const Material& material, double stiffness) {
-  return material.told() && material.keep == Keep::escape_velocity &&
+  return material.is_given() && material.keep == Keep::escape_velocity &&
          material.stiffness != stiffness;
 }
 
@@ -130,10 +130,10 @@ inline hamaker::Parameters for_stiffness(double stiffness, const Material& mater
 
 /// What for_stiffness() changed, or left on purpose, for a log; empty where the question does not
 /// arise.
-inline std::string told_scaling(double stiffness, const Material& material,
+inline std::string scaling_note(double stiffness, const Material& material,
                                 const hamaker::Parameters& real, const hamaker::Parameters& used) {
   std::ostringstream out;
-  if (!material.told() || material.stiffness == stiffness || real.hamaker_constant == 0.0)
+  if (!material.is_given() || material.stiffness == stiffness || real.hamaker_constant == 0.0)
     return {};
   if (is_scaled(material, stiffness))
     out << "adhesion scaled from stiffness " << material.stiffness << " to " << stiffness

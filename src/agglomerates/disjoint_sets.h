@@ -8,17 +8,17 @@
 namespace cohesion::agglomerates {
 
 /// Sets of connected particles: union-find with path halving, joined by size, so that n joins take
-/// a time hardly above n. R. E. Tarjan, J. ACM 22 (1975) 215.
+/// a time hardly above n. Source: R. E. Tarjan, J. ACM 22 (1975) 215.
 class DisjointSets {
  public:
-  /// So many particles, each alone.
+  /// Sets the number of particles, each of which is a set of its own.
   void reset(int number) {
     parent.resize(number);
     std::iota(parent.begin(), parent.end(), 0);
     members.assign(number, 1);
   }
 
-  /// The particle that stands for the set of i; the same for all of a set until sets are joined.
+  /// The particle that represents the set of i; the same for all of a set until sets are joined.
   int root(int i) {
     while (parent[i] != i) i = parent[i] = parent[parent[i]];
     return i;
@@ -32,7 +32,7 @@ class DisjointSets {
     members[a] += members[b];
   }
 
-  /// Particles in the set of i.
+  /// Number of particles in the set of i.
   int size(int i) { return members[root(i)]; }
 
  private:

@@ -4,20 +4,20 @@
 namespace cohesion::agglomerates {
 
 /// How long one particle has been part of agglomerates: from its first partner to the loss of its
-/// last, whatever partners came and went in between. Thesis of M. Weber, chapter 4.
+/// last, whatever partners came and went in between. Source: M. Weber, thesis, chapter 4.
 struct Membership {
   static constexpr double alone = -1.0;
-  /// It had partners when it was looked at first: when it found them is not known.
-  static constexpr double unseen = -2.0;
+  /// It had partners when it was first examined: when it found them is not known.
+  static constexpr double unknown = -2.0;
 
   /// When it found its first partner, [time] not below zero, or one of the above.
   double since = alone;
 
-  /// Looked at for the first time.
-  static Membership at_first(bool has_partner) { return {has_partner ? unseen : alone}; }
+  /// The state of a particle that is examined for the first time.
+  static Membership at_first(bool has_partner) { return {has_partner ? unknown : alone}; }
 
-  /// Looked at again: the time it had partners, if it has just lost the last and the beginning was
-  /// seen; negative otherwise.
+  /// Examines the particle again, at the time `now`. Returns for how long it had partners, [time],
+  /// if it has lost the last one since and the beginning is known; a negative number otherwise.
   double update(bool has_partner, double now) {
     if (has_partner) {
       if (since == alone) since = now;

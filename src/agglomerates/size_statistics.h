@@ -6,13 +6,13 @@
 
 namespace cohesion::agglomerates {
 
-/// Number of agglomerates by size, now and in the mean over time. Sizes from the largest one asked
-/// for on share the last entry; size 1 are particles without partner.
+/// Number of agglomerates by size, current and in the mean over time. The last entry counts all
+/// sizes from the largest one asked for on; those of size 1 are particles without partner.
 class SizeDistribution {
  public:
   explicit SizeDistribution(int largest) : numbers(largest, 0.0), over_time(largest, 0.0) {}
 
-  std::vector<double>& now() { return numbers; }
+  std::vector<double>& current() { return numbers; }
   const std::vector<double>& sums() const { return over_time; }
   std::vector<double>& sums() { return over_time; }
 
@@ -21,8 +21,8 @@ class SizeDistribution {
     const double last = static_cast<double>(numbers.size());
     numbers[static_cast<std::size_t>(std::min(size, last)) - 1] += number;
   }
-  /// What is there now has been there for this time.
-  void pass(double time) {
+  /// Adds the current numbers to the sums over time, for this time [time].
+  void add_time(double time) {
     for (std::size_t i = 0; i < numbers.size(); i++) over_time[i] += time * numbers[i];
   }
 
@@ -31,12 +31,12 @@ class SizeDistribution {
 };
 
 /// Mean over time of the mean size of the agglomerates that there were; times without any do not
-/// count. W. thesis, chapter 4: "time-weighted".
+/// count. Source: M. Weber, thesis, chapter 4, "time-weighted".
 struct TimeWeightedSize {
   double size_time = 0.0, time = 0.0;
 
-  /// So many agglomerates of so many particles together, for this time.
-  void pass(double duration, double agglomerates, double particles) {
+  /// Adds the number of agglomerates and of particles in them, for this time [time].
+  void add_time(double duration, double agglomerates, double particles) {
     if (agglomerates == 0.0) return;
     size_time += duration * particles / agglomerates;
     time += duration;

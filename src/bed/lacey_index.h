@@ -7,7 +7,7 @@
 
 namespace cohesion::bed {
 
-/// How well coloured particles are mixed, from how many of each colour are in each cell.
+/// The mixing of coloured particles, from how many of each colour are in each cell.
 struct Mixing {
   double index;    ///< Lacey's index [1]: 0 segregated, 1 mixed at random; NaN where undefined
   long cells;      ///< cells that hold particles
@@ -16,7 +16,7 @@ struct Mixing {
 
 /// Lacey's mixing index, M = (S0^2 - S^2)/(S0^2 - SR^2), for any number of colours and for cells
 /// that hold different numbers of particles. With n_c particles in cell c of which n_ck are of
-/// colour k, p_k the share of colour k among all N, sums over the C cells that hold particles:
+/// colour k, p_k the fraction of colour k among all N, sums over the C cells that hold particles:
 ///   S^2  = sum_c n_c/N sum_k (n_ck/n_c - p_k)^2   as it is,
 ///   S0^2 = sum_k p_k (1 - p_k)                    each cell of one colour: M = 0,
 ///   SR^2 = S0^2 (C - 1)/(N - 1)                   expectation when the colours are dealt out among
@@ -49,9 +49,9 @@ inline Mixing lacey_index(const std::vector<long>& counts, std::size_t colours) 
   }
   if (mixing.cells == mixing.particles) return mixing;
   const auto all = static_cast<double>(mixing.particles);
-  double shares = 0.0;  // sum_k p_k^2
-  for (const double n : of_colour) shares += n / all * (n / all);
-  const double segregated = 1.0 - shares;
+  double squared_fractions = 0.0;  // sum_k p_k^2
+  for (const double n : of_colour) squared_fractions += n / all * (n / all);
+  const double segregated = 1.0 - squared_fractions;
   if (segregated <= 0.0) return mixing;
   const double random = segregated * static_cast<double>(mixing.cells - 1) / (all - 1.0);
   mixing.index = (1.0 - same / all) / (segregated - random);

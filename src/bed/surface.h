@@ -18,8 +18,8 @@ inline double surface_height(const std::vector<double>& void_fractions, double b
   if (above == 0) return bottom;
   if (above == n) return bottom + static_cast<double>(n) * thickness;
   const double below = void_fractions[above - 1];
-  const double share = (limit - below) / (void_fractions[above] - below);
-  return bottom + (static_cast<double>(above) - 0.5 + share) * thickness;
+  const double fraction = (limit - below) / (void_fractions[above] - below);
+  return bottom + (static_cast<double>(above) - 0.5 + fraction) * thickness;
 }
 
 }  // namespace cohesion::bed

@@ -112,7 +112,7 @@ class AdhesiveContact {
     const double scale = std::max(b_, well_speed_);
     if (scale == 0.0 || zeta_ == 0.0) return std::sqrt(unpaid_);
     const Motion backwards(well_speed_ / scale, b_ / scale, -zeta_);
-    if (!backwards.swings()) return std::numeric_limits<double>::infinity();
+    if (!backwards.oscillates()) return std::numeric_limits<double>::infinity();
     return scale * std::sqrt(unpaid_ / scale / scale - backwards.lost(*backwards.return_time()));
   }
 
@@ -128,7 +128,7 @@ class AdhesiveContact {
     }
 
     /// Is there a half period, with a restitution that numbers can hold?
-    bool swings() const { return pi * std::abs(zeta_) < 150.0 * q_; }
+    bool oscillates() const { return pi * std::abs(zeta_) < 150.0 * q_; }
 
     /// sqrt(Q) at x = 0. Overdamped, where a peak exists, both factors are positive.
     double amplitude() const {
@@ -147,7 +147,7 @@ class AdhesiveContact {
 
     /// T, none when the pair stays in contact.
     std::optional<double> return_time() const {
-      if (!swings()) return std::nullopt;
+      if (!oscillates()) return std::nullopt;
       double low = peak_time(), high = low + pi / q_;
       if (overlap(high) > 0.0) {
         // Backwards the pair always returns; a graze may miss x = 0 by a rounding.

@@ -11,6 +11,7 @@
 namespace cohesion::contact {
 
 /// A linear contact as users give it for a pair of materials; masses come in per pair of particles.
+/// Its laws are in linear_spring_dashpot.h and tangential_spring.h.
 struct ContactParameters {
   double stiffness = 0.0;                 ///< K, [force/length]
   double restitution = 1.0;               ///< e of the contact without cohesion, [1]
@@ -33,7 +34,8 @@ inline void require_valid(const ContactParameters& p) {
   require_non_negative("rolling friction coefficient", p.rolling_friction);
 }
 
-/// Contact of unlike materials: geometric means; damping is given in place of e when both give it.
+/// The contact of unlike materials, by geometric means; damping is given in place of e when both
+/// give it.
 inline ContactParameters mixed(const ContactParameters& a, const ContactParameters& b) {
   ContactParameters m;
   m.stiffness = geometric_mean(a.stiffness, b.stiffness);
@@ -53,7 +55,7 @@ inline LinearSpringDashpot normal_contact(const ContactParameters& p, double red
   return LinearSpringDashpot::from_restitution(p.stiffness, p.restitution, reduced_mass);
 }
 
-/// The tangential contact that belongs to it.
+/// The tangential contact that belongs to a normal one.
 inline TangentialParameters tangential_contact(const ContactParameters& p,
                                                const LinearSpringDashpot& normal) {
   return {p.tangential_ratio * p.stiffness, p.tangential_damping_ratio * normal.damping(),

@@ -8,6 +8,8 @@
 /// Energies of contacts of an engine that takes one force per contact and step, at the place on the
 /// grid, and steps by leapfrog: v(n+1/2) = v(n-1/2) + dt F(n)/m. The work of a force in that step
 /// is exactly dt F(n) v(n), v(n) being the mean of both.
+///
+/// Source: derived here; what it misses is measured in docs/liggghts-styles/compute_gran_energy.md.
 namespace cohesion::contact {
 
 struct Moving {
@@ -15,12 +17,12 @@ struct Moving {
   Vector3 spin;      ///< [1/time]
 };
 
-/// Of both partners.
+/// The motion of both partners.
 struct Motion {
   Moving i, j;
 };
 
-/// Half a step after the grid, from half a step before it and on it.
+/// The motion half a step after the grid point, from that half a step before it and that on it.
 inline Motion half_a_step_on(const Motion& before, const Motion& grid) {
   const auto on = [](const Moving& a, const Moving& b) {
     return Moving{2.0 * b.velocity - a.velocity, 2.0 * b.spin - a.spin};
@@ -28,8 +30,8 @@ inline Motion half_a_step_on(const Motion& before, const Motion& grid) {
   return {on(before.i, grid.i), on(before.j, grid.j)};
 }
 
-/// What the engine's models say of one contact.
-struct SampledContact {
+/// One contact at the grid point, as the engine's models give it.
+struct ContactSample {
   Vector3 normal;           ///< from j, or the wall, to i
   double overlap = 0.0;     ///< x, [length]; negative: gap
   double stiffness = 0.0;   ///< F/x of the normal spring, [force/length]
@@ -52,9 +54,11 @@ struct SampledContact {
   Vector3 torque_on_j() const { return rolling_j - lever_j * cross(normal, tangential); }
 
   /// Speed at which i leaves j along the normal, [length/time].
-  double leaves(const Motion& m) const { return dot(normal, m.i.velocity - m.j.velocity); }
+  double separation_speed(const Motion& m) const {
+    return dot(normal, m.i.velocity - m.j.velocity);
+  }
   /// Velocity of i's surface against j's in the plane of contact, [length/time].
-  Vector3 slides(const Motion& m) const {
+  Vector3 sliding_velocity(const Motion& m) const {
     const Vector3 v =
         m.i.velocity - m.j.velocity - cross(lever_i * m.i.spin + lever_j * m.j.spin, normal);
     return v - dot(v, normal) * normal;
@@ -68,32 +72,33 @@ struct Losses {
   double tangential = 0.0;  ///< all that the tangential force takes: to spring, dashpot and slider
   double rolling = 0.0;     ///< all that the rolling torques take
 
-  void add(double share, const Losses& other) {
-    normal_damping += share * other.normal_damping;
-    tangential_damping += share * other.tangential_damping;
-    tangential += share * other.tangential;
-    rolling += share * other.rolling;
+  void add(double factor, const Losses& other) {
+    normal_damping += factor * other.normal_damping;
+    tangential_damping += factor * other.tangential_damping;
+    tangential += factor * other.tangential;
+    rolling += factor * other.rolling;
   }
 };
 
-/// `before`: the motion from which the engine took the force; `grid`: that of the grid point.
-inline Losses losses(const SampledContact& c, const Motion& before, const Motion& grid) {
+/// The losses of a contact. `before`: the motion from which the engine took the force; `grid`: that
+/// of the grid point.
+inline Losses losses(const ContactSample& c, const Motion& before, const Motion& grid) {
   Losses lost;
   const double spring = c.overlap > 0.0 ? c.stiffness * c.overlap : 0.0;
-  lost.normal_damping = -(c.repulsion - spring) * c.leaves(grid);
-  const Vector3 slides = c.slides(grid);
+  lost.normal_damping = -(c.repulsion - spring) * c.separation_speed(grid);
+  const Vector3 slides = c.sliding_velocity(grid);
   lost.tangential = -dot(c.tangential, slides);
   // A contact that slides has no force of its dashpot in the Coulomb force: both are told apart by
   // whether spring and dashpot make up the force, 1e-6 of the dashpot being well above rounding.
-  const Vector3 dashpot = c.tangential_damping * c.slides(before);
+  const Vector3 dashpot = c.tangential_damping * c.sliding_velocity(before);
   const Vector3 rest = c.tangential + c.tangential_stiffness * c.displacement + dashpot;
   if (norm(rest) <= 1e-6 * norm(dashpot)) lost.tangential_damping = dot(dashpot, slides);
   lost.rolling = -dot(c.rolling_i, grid.i.spin) - dot(c.rolling_j, grid.j.spin);
   return lost;
 }
 
-/// Of a rolling spring of stiffness `stiffness` K_r [force/length] and lever R [length] that holds
-/// `torque` [force length]: T^2/(2 K_r R^2), [energy].
+/// The energy T^2/(2 K_r R^2) of a rolling spring of stiffness `stiffness` K_r [force/length] and
+/// lever R [length] that carries `torque` T [force length], [energy].
 inline double rolling_spring_energy(const Vector3& torque, double stiffness, double lever) {
   return stiffness > 0.0 ? 0.5 * dot(torque, torque) / (stiffness * lever * lever) : 0.0;
 }
@@ -102,18 +107,18 @@ inline double rolling_spring_energy(const Vector3& torque, double stiffness, dou
 struct Stored {
   double overlap;                  ///< then, [length]; negative: gap
   double spring = 0.0;             ///< c x^(p+1)/(p+1)
-  double tangential_spring = 0.0;  ///< K_t s^2/2; 0 once parted: what it held is lost as friction
+  double tangential_spring = 0.0;  ///< K_t s^2/2; 0 once parted: what it stored is lost as friction
 };
 
-/// `after`: the motion of the half step `time` after the grid point.
-inline Stored stored(const SampledContact& c, const Motion& after, double time) {
+/// What a contact stores at `after`, the motion of the half step `time` after the grid point.
+inline Stored stored(const ContactSample& c, const Motion& after, double time) {
   Stored s;
-  s.overlap = c.overlap - time * c.leaves(after);
+  s.overlap = c.overlap - time * c.separation_speed(after);
   if (c.overlap > 0.0 && s.overlap > 0.0)
     s.spring = c.stiffness * c.overlap * c.overlap / (c.exponent + 1.0) *
                std::pow(s.overlap / c.overlap, c.exponent + 1.0);
   if (s.overlap <= 0.0) return s;
-  const Vector3 stretch = c.displacement + time * c.slides(after);
+  const Vector3 stretch = c.displacement + time * c.sliding_velocity(after);
   s.tangential_spring = 0.5 * c.tangential_stiffness * dot(stretch, stretch);
   return s;
 }

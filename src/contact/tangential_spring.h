@@ -14,7 +14,7 @@ struct TangentialParameters {
   double friction;   ///< mu_f, or mu_R of a spring that resists rolling, [1]
 };
 
-/// What the tangential spring does in one stretch of contact.
+/// What the tangential spring does in one interval of contact.
 struct TangentialStep {
   Vector3 impulse;        ///< on particle j, its reverse on i, [momentum]
   Vector3 displacement;   ///< of the spring at the end, [length]
@@ -38,26 +38,26 @@ struct Plane {
   }
 };
 
-/// Tangential spring, dashpot and Coulomb slider over a stretch of contact of any length.
+/// Tangential spring, dashpot and Coulomb slider over an interval of contact of any length.
 ///
 ///   J = -T (K_t s_mid + eta_t v_mid)    |J| <= mu_f P    v_mid = v + J/(2 m_t)
 ///
 /// by the implicit midpoint rule: the energy of spring and motion is kept exactly but for what
 /// dashpot and slider take, and no stiffness or damping makes it unstable. P is the impulse of the
-/// normal spring and dashpot in the same stretch; m_t the mass that answers a tangential impulse,
+/// normal spring and dashpot in the same interval; m_t the effective mass of a tangential impulse,
 /// 1/m_t = 1/m_i + 1/m_j + l_i^2/I_i + l_j^2/I_j with lever arms l. The slider is in series with
 /// spring and dashpot: while it slides, they stretch at the rate at which they carry the Coulomb
-/// force, which goes linearly through the stretch to mu_f N at its end:
+/// force, which goes linearly through the interval to mu_f N at its end:
 ///
 ///   eta_t s' + K_t s = mu_f N(t)
 ///
-/// but no further than the surfaces move. Where that would make the slider give energy (a stretch
-/// too long for the change of N), they stretch by the midpoint rule, and the spring alone holds no
-/// more than the mean Coulomb force: then it never does. Second order in T, also where sliding
-/// ends.
+/// but no further than the surfaces move. Where that would make the slider give energy (an interval
+/// too long for the change of N), they stretch by the midpoint rule, and the spring alone carries
+/// no more than the mean Coulomb force: then it never does. The law is of second order in T, also
+/// where sliding ends.
 ///
-/// The same law resists rolling, elastic-plastic, with m_r that answers in place of m_t
-/// (event_stepping/contact_bodies.h).
+/// The same law resists rolling, elastic-plastic, with the effective mass of rolling m_r in place
+/// of m_t (event_stepping/contact_bodies.h).
 ///
 /// Source: P. A. Cundall and O. D. L. Strack, Geotechnique 29 (1979) 47; van der Hoef et al.,
 /// Adv. Chem. Eng. 31 (2006) 65, eq. 27-29. Rolling: S. Luding, Granular Matter 10 (2008) 235;
@@ -72,14 +72,17 @@ class TangentialSpring {
                                                 const Vector3& velocity, double time,
                                                 double inverse_mass, double normal_impulse,
                                                 double normal_force_at_end) const {
-    const Vector3 held = sticking(displacement, velocity, time, inverse_mass);
+    const Vector3 sticking_impulse =
+        impulse_of_sticking(displacement, velocity, time, inverse_mass);
     const double limit = p_.friction * std::max(normal_impulse, 0.0);
     TangentialStep step;
-    if (norm(held) > limit) {
-      step = slide(displacement, velocity, time, inverse_mass, held, limit, normal_force_at_end);
+    if (norm(sticking_impulse) > limit) {
+      step = slide(displacement, velocity, time, inverse_mass, sticking_impulse, limit,
+                   normal_force_at_end);
     } else {
-      const Vector3 middle = velocity + (0.5 * inverse_mass) * held;
-      step = {held, displacement + time * middle, p_.damping * dot(middle, middle) * time, 0.0};
+      const Vector3 middle = velocity + (0.5 * inverse_mass) * sticking_impulse;
+      step = {sticking_impulse, displacement + time * middle,
+              p_.damping * dot(middle, middle) * time, 0.0};
     }
     return step;
   }
@@ -95,49 +98,54 @@ class TangentialSpring {
   }
 
  private:
-  /// Force per v_mid.
-  double answer_in(double time) const { return 0.5 * time * p_.stiffness + p_.damping; }
+  /// The force per v_mid: what spring and dashpot are worth as a dashpot, [mass/time].
+  double effective_damping(double time) const { return 0.5 * time * p_.stiffness + p_.damping; }
 
-  /// The impulse as long as the slider holds.
-  Vector3 sticking(const Vector3& displacement, const Vector3& velocity, double time,
-                   double inverse_mass) const {
-    const double answer = answer_in(time);
-    const double softened = time / (1.0 + 0.5 * time * answer * inverse_mass);
-    return (-softened * p_.stiffness) * displacement - (softened * answer) * velocity;
+  /// The impulse that keeps the surfaces together, whatever the limit of the slider.
+  Vector3 impulse_of_sticking(const Vector3& displacement, const Vector3& velocity, double time,
+                              double inverse_mass) const {
+    const double damping = effective_damping(time);
+    const double softened = time / (1.0 + 0.5 * time * damping * inverse_mass);
+    return (-softened * p_.stiffness) * displacement - (softened * damping) * velocity;
   }
 
-  /// A stretch whose impulse would have to be `held`, above `limit`. Vectors by value: those of the
-  /// caller need no place in memory then, unless something slides.
+  /// An interval in which sticking would take `sticking_impulse`, which is above `limit`. Vectors
+  /// are passed by value: those of the caller need no place in memory then, unless something
+  /// slides.
   [[gnu::noinline]] TangentialStep slide(Vector3 displacement, Vector3 velocity, double time,
-                                         double inverse_mass, Vector3 held, double limit,
-                                         double normal_force_at_end) const {
+                                         double inverse_mass, Vector3 sticking_impulse,
+                                         double limit, double normal_force_at_end) const {
     TangentialStep step;
-    const Vector3 direction = (-1.0 / norm(held)) * held;
+    const Vector3 direction = (-1.0 / norm(sticking_impulse)) * sticking_impulse;
     step.impulse = -limit * direction;
     const Vector3 middle = velocity + (0.5 * inverse_mass) * step.impulse;
     const double work = -dot(step.impulse, middle);
     const double end = p_.friction * std::max(normal_force_at_end, 0.0);
-    settle(step, displacement,
-           carried(displacement, direction, time * middle, time, limit / time, end), work, time);
+    set_losses(
+        step, displacement,
+        displacement_after_sliding(displacement, direction, time * middle, time, limit / time, end),
+        work, time);
     if (step.friction < 0.0)
-      settle(step, displacement,
-             carried_by_midpoint(displacement, direction, answer_in(time), time, limit / time),
-             work, time);
+      set_losses(step, displacement,
+                 displacement_by_midpoint(displacement, direction, effective_damping(time), time,
+                                          limit / time),
+                 work, time);
     return step;
   }
 
   /// The step's energies, from the work of the Coulomb force on the surfaces.
-  void settle(TangentialStep& step, const Vector3& before, const Vector3& after, double work,
-              double time) const {
+  void set_losses(TangentialStep& step, const Vector3& before, const Vector3& after, double work,
+                  double time) const {
     const Vector3 stretch = after - before;
     step.displacement = after;
     step.damped = p_.damping * dot(stretch, stretch) / time;
     step.friction = stored_energy(before) - stored_energy(after) + work - step.damped;
   }
 
-  /// Displacement after a stretch of sliding under the Coulomb force of given mean and end.
-  Vector3 carried(const Vector3& before, const Vector3& direction, const Vector3& way, double time,
-                  double mean, double end) const {
+  /// The displacement after an interval of sliding under the Coulomb force of given mean and end.
+  Vector3 displacement_after_sliding(const Vector3& before, const Vector3& direction,
+                                     const Vector3& way, double time, double mean,
+                                     double end) const {
     if (p_.stiffness == 0.0) return before + way;
     const double lag = p_.damping / p_.stiffness;
     const double rate = 2.0 * (end - mean) / time;
@@ -150,11 +158,11 @@ class TangentialSpring {
     return dot(after - before, direction) > dot(way, direction) ? before + way : after;
   }
 
-  Vector3 carried_by_midpoint(const Vector3& before, const Vector3& direction, double answer,
-                              double time, double mean) const {
-    const Vector3 after = before + (time / answer) * (mean * direction - p_.stiffness * before);
-    const double held = p_.stiffness * norm(after);
-    return held > mean ? (mean / held) * after : after;
+  Vector3 displacement_by_midpoint(const Vector3& before, const Vector3& direction, double damping,
+                                   double time, double mean) const {
+    const Vector3 after = before + (time / damping) * (mean * direction - p_.stiffness * before);
+    const double spring_force = p_.stiffness * norm(after);
+    return spring_force > mean ? (mean / spring_force) * after : after;
   }
 
   TangentialParameters p_;

@@ -17,7 +17,7 @@ namespace cohesion::event_stepping {
 /// The relative motion at n-1/2 is followed exactly to n+1/2: straight flight to the touch; contact
 /// under the constant force as SpherePair follows it; and in the gap, along the line of centres,
 /// the parabola of the constant force, up to touch or rupture, whichever comes first. The pair may
-/// turn in the gap: half of the impulse of a stretch acts where it begins and half where it ends,
+/// turn in the gap: half of the impulse of a segment acts where it begins and half where it ends,
 /// which keeps the angular momentum exactly and is exact head-on. So the gap may be as wide as the
 /// particles.
 ///
@@ -59,8 +59,8 @@ class BridgePair {
       m.state = spanned;
     bool straight = true;
     double left = window.length();
-    for (int stretches = 0; left > 0.0; stretches++) {
-      if (stretches == max_stretches) {
+    for (int segments = 0; left > 0.0; segments++) {
+      if (segments == max_segments) {
         step.normal.unresolved = true;
         break;
       }
@@ -74,8 +74,8 @@ class BridgePair {
     }
     step.inside = m.state != apart;
     step.overlap_at_end = m.state == in_contact ? m.overlap : core_ - norm(m.at.separation);
-    step.acts = !straight;
-    if (!step.acts) return step;  // not to carry the rounding of no change into the motion
+    step.interacts = !straight;
+    if (!step.interacts) return step;  // not to carry the rounding of no change into the motion
     step.change.velocity = m.at.velocity - grid.velocity;
     step.change.separation = m.at.separation - window.after * m.at.velocity - grid.separation;
     return step;
@@ -84,7 +84,7 @@ class BridgePair {
  private:
   /// A pair falls back into contact after each of its bounces, of which a step holds few: more
   /// often only by rounding.
-  static constexpr int max_stretches = 1000;
+  static constexpr int max_segments = 1000;
 
   enum State { apart, spanned, in_contact };
   struct Motion {
@@ -107,7 +107,7 @@ class BridgePair {
 
   double touch(Motion& m, double time, NormalRecord& record) const {
     bool touching = true;
-    const double taken = contact_.turn(m.at, time, touching, m.overlap, record);
+    const double taken = contact_.advance_inside(m.at, time, touching, m.overlap, record);
     if (!touching) m.state = range_ > 0.0 ? spanned : apart;
     return taken;
   }
@@ -141,7 +141,7 @@ class BridgePair {
     record.dissipated += force_ * (distance - core_);
   }
 
-  /// After a stretch of the bridge's pull.
+  /// After a segment of the bridge's pull.
   RelativeState pulled(const RelativeState& start, double time) const {
     const double kick = 0.5 * time * pull_;
     RelativeState end = start;

@@ -6,10 +6,11 @@
 
 namespace cohesion::event_stepping {
 
-/// Two spheres that touch, or a sphere and a wall: how they answer, and how their surfaces move.
+/// Two spheres that touch, or a sphere and a wall: their effective masses, and how their surfaces
+/// move.
 ///
-/// The lever arms of two spheres share the distance of their centres in proportion to the radii, so
-/// that angular momentum is kept exactly; beside a wall, the limit of a large sphere, the arm is
+/// The lever arms of two spheres divide the distance of their centres in proportion to the radii,
+/// so that angular momentum is kept exactly; beside a wall, the limit of a large sphere, the arm is
 /// the radius.
 class ContactBodies {
  public:
@@ -20,33 +21,37 @@ class ContactBodies {
         reduced_mass_(1.0 / inverse_mass_),
         lever_i_(j.radius > 0.0 ? i.radius / (i.radius + j.radius) : 0.0),
         rolling_radius_(j.radius > 0.0 ? lever_i_ * j.radius : i.radius),
-        spin_share_i_(inverse_inertia(i)),
-        spin_share_j_(inverse_inertia(j)) {}
+        inverse_inertia_i_(inverse_inertia(i)),
+        inverse_inertia_j_(inverse_inertia(j)) {}
 
   bool are(const Body& i, const Body& j) const { return i == i_ && j == j_; }
   bool is_wall() const { return !(j_.radius > 0.0); }
-  /// Of the centres of spheres that touch, [length].
+  /// Distance of the centres of spheres that touch, beside a wall the radius, [length].
   double distance() const { return i_.radius + j_.radius; }
   double inverse_mass() const { return inverse_mass_; }
   double reduced_mass() const { return reduced_mass_; }
-  /// The part of a relative change that falls to particle i (with a minus sign) and j.
-  double share_i() const { return reduced_mass_ * i_.inverse_mass; }
-  double share_j() const { return reduced_mass_ * j_.inverse_mass; }
-  /// What an angular impulse changes of the spins, [1/(mass length^2)].
-  double spin_share_i() const { return spin_share_i_; }
-  double spin_share_j() const { return spin_share_j_; }
+  /// The fraction mu/m of a relative change that falls to particle i (with a minus sign) and j,
+  /// [1].
+  double motion_fraction_i() const { return reduced_mass_ * i_.inverse_mass; }
+  double motion_fraction_j() const { return reduced_mass_ * j_.inverse_mass; }
+  /// 1/I_i and 1/I_j, [1/(mass length^2)].
+  double inverse_inertia_i() const { return inverse_inertia_i_; }
+  double inverse_inertia_j() const { return inverse_inertia_j_; }
 
-  /// R = R_i R_j/(R_i + R_j), beside a wall R_i, [length].
+  /// The lever of rolling, R = R_i R_j/(R_i + R_j), beside a wall R_i, [length].
   double rolling_radius() const { return rolling_radius_; }
-  /// 1/m_t that answers an impulse in the plane of contact, [1/mass].
-  double sliding_answer() const {
+  /// 1/m_t = 1/m_i + 1/m_j + l_i^2/I_i + l_j^2/I_j, of an impulse in the plane of contact, with
+  /// lever arms l, [1/mass].
+  ///
+  /// Source: derived here, from what an impulse changes of both velocities and spins.
+  double inverse_sliding_mass() const {
     const double square = distance() * distance();
     const double i = is_wall() ? 1.0 : lever_i_, j = 1.0 - i;
-    return inverse_mass_ + square * (i * i * spin_share_i_ + j * j * spin_share_j_);
+    return inverse_mass_ + square * (i * i * inverse_inertia_i_ + j * j * inverse_inertia_j_);
   }
-  /// 1/m_r = R^2 (1/I_i + 1/I_j), [1/mass].
-  double rolling_answer() const {
-    return rolling_radius_ * rolling_radius_ * (spin_share_i_ + spin_share_j_);
+  /// 1/m_r = R^2 (1/I_i + 1/I_j), of an impulse that resists rolling, [1/mass].
+  double inverse_rolling_mass() const {
+    return rolling_radius_ * rolling_radius_ * (inverse_inertia_i_ + inverse_inertia_j_);
   }
 
   /// Where the surfaces touch, for a separation of the centres (to the foot of the normal).
@@ -54,7 +59,7 @@ class ContactBodies {
    public:
     Touch(const ContactBodies& bodies, const Vector3& separation)
         : Touch(bodies, separation, 1.0 / norm(separation)) {}
-    /// `inverse`: of the length of the separation.
+    /// `inverse`: one over the length of the separation.
     [[gnu::always_inline]] Touch(const ContactBodies& bodies, const Vector3& separation,
                                  double inverse)
         : bodies_(bodies),
@@ -63,17 +68,18 @@ class ContactBodies {
 
     const contact::Plane& plane() const { return plane_; }
 
-    /// How fast the surfaces part in the plane of contact, [length/time].
-    [[gnu::always_inline]] Vector3 slides(const Vector3& velocity, const Vector3& spin_i,
-                                          const Vector3& spin_j) const {
-      return slides_across(plane_.part_in(velocity), spin_i, spin_j);
+    /// The velocity of j's surface against i's in the plane of contact, [length/time].
+    [[gnu::always_inline]] Vector3 sliding_velocity(const Vector3& velocity, const Vector3& spin_i,
+                                                    const Vector3& spin_j) const {
+      return sliding_velocity_across(plane_.part_in(velocity), spin_i, spin_j);
     }
-    /// `across`: the velocity's part in the plane.
-    [[gnu::always_inline]] Vector3 slides_across(const Vector3& across, const Vector3& spin_i,
-                                                 const Vector3& spin_j) const {
+    /// The same, where `across` is the part of the relative velocity in the plane.
+    [[gnu::always_inline]] Vector3 sliding_velocity_across(const Vector3& across,
+                                                           const Vector3& spin_i,
+                                                           const Vector3& spin_j) const {
       return across - cross(lever_i_ * spin_i + (1.0 - lever_i_) * spin_j, plane_.normal);
     }
-    /// How fast they roll on each other, [length/time]:
+    /// The velocity at which they roll on each other, [length/time]:
     ///
     ///   v_r = R (w_i - w_j), the part across n
     ///
@@ -83,19 +89,20 @@ class ContactBodies {
     ///
     /// Source: S. Luding, Granular Matter 10 (2008) 235; Y. Wang, F. Alonso-Marroquin, W. W. Guo,
     /// Particuology 23 (2015) 49.
-    [[gnu::always_inline]] Vector3 rolls(const Vector3& spin_i, const Vector3& spin_j) const {
+    [[gnu::always_inline]] Vector3 rolling_velocity(const Vector3& spin_i,
+                                                    const Vector3& spin_j) const {
       return bodies_.rolling_radius_ * plane_.part_in(spin_i - spin_j);
     }
 
-    /// Adds an impulse on j's surface to what has no torques yet.
-    [[gnu::always_inline]] void slide(const Vector3& impulse, Action& action) const {
+    /// Adds an impulse on j's surface to an action that has no torques yet.
+    [[gnu::always_inline]] void add_sliding_impulse(const Vector3& impulse, Action& action) const {
       const Vector3 turn = cross(plane_.normal, impulse);
       action.impulse += impulse;
       action.torque_i = -lever_i_ * turn;
       action.torque_j = (lever_i_ - 1.0) * turn;
     }
-    /// Adds what the rolling spring does: no force, but the torques R F and -R F.
-    [[gnu::always_inline]] void roll(const Vector3& impulse, Action& action) const {
+    /// Adds the impulse of the rolling spring, which is no force, but the torques R F and -R F.
+    [[gnu::always_inline]] void add_rolling_impulse(const Vector3& impulse, Action& action) const {
       action.torque_i += bodies_.rolling_radius_ * impulse;
       action.torque_j -= bodies_.rolling_radius_ * impulse;
     }
@@ -113,8 +120,8 @@ class ContactBodies {
   double reduced_mass_;
   double lever_i_;  // of two spheres: i's part of the distance
   double rolling_radius_;
-  double spin_share_i_;
-  double spin_share_j_;
+  double inverse_inertia_i_;
+  double inverse_inertia_j_;
 };
 
 }  // namespace cohesion::event_stepping

@@ -24,7 +24,7 @@ struct ContactMemory {
   static ContactMemory seen_inside() { return {inside, -1.0, 0.0, {}, {}}; }
   bool in_range() const { return phase == inside || lasted(); }
   /// Through a step of one force: springs and impulses are of this grid point after
-  /// OneForce::hold().
+  /// OneForce::advance_lasting().
   bool lasted() const { return phase == lasting || phase == leaving; }
 
   /// Numbers that an engine keeps: without friction, with it, and with rolling friction.

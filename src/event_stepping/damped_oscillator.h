@@ -37,8 +37,8 @@ class DampedOscillator {
     const double q_squared = (w0 - alpha) * (w0 + alpha);
     // Critical damping as rounding leaves it is critical damping.
     const double nearly_zero = 16.0 * std::numeric_limits<double>::epsilon() * w0_squared;
-    oscillates_ = q_squared > nearly_zero;
-    creeps_ = q_squared < -nearly_zero;
+    underdamped_ = q_squared > nearly_zero;
+    overdamped_ = q_squared < -nearly_zero;
     q_ = std::sqrt(std::abs(q_squared));
   }
 
@@ -53,7 +53,7 @@ class DampedOscillator {
   };
 
   Propagator propagator(double t) const {
-    if (creeps_) {
+    if (overdamped_) {
       // The slow mode exp(-slow t) and the fast one exp(-(alpha + q) t), put together without
       // differences of nearly equal numbers, near critical damping and far beyond.
       const double slow = w0_squared_ / (alpha_ + q_);
@@ -63,8 +63,8 @@ class DampedOscillator {
       return {t, slow_mode + slow * s, s, -w0_squared_ * s, fast_mode - slow * s};
     }
     const double decay = std::exp(-alpha_ * t);
-    const double c = oscillates_ ? decay * std::cos(q_ * t) : decay;
-    const double s = oscillates_ ? decay * std::sin(q_ * t) / q_ : decay * t;
+    const double c = underdamped_ ? decay * std::cos(q_ * t) : decay;
+    const double s = underdamped_ ? decay * std::sin(q_ * t) / q_ : decay * t;
     return {t, c + alpha_ * s, s, -w0_squared_ * s, c - alpha_ * s};
   }
 
@@ -74,12 +74,12 @@ class DampedOscillator {
   GridSpring on_grid(double t, double mass) const {
     const double lost = -std::expm1(-2.0 * alpha_ * t);
     double curvature;  // 1 + d - 2 c
-    if (creeps_) {
+    if (overdamped_) {
       const double slow = w0_squared_ / (alpha_ + q_);
       curvature = std::expm1(-slow * t) * std::expm1(-(alpha_ + q_) * t);
     } else {
       const double faded = std::expm1(-alpha_ * t);
-      const double turned = oscillates_ ? std::sin(0.5 * q_ * t) : 0.0;
+      const double turned = underdamped_ ? std::sin(0.5 * q_ * t) : 0.0;
       curvature = faded * faded + 4.0 * std::exp(-alpha_ * t) * turned * turned;
     }
     return {mass * curvature / (t * t), mass * lost / t};
@@ -125,14 +125,14 @@ class DampedOscillator {
   /// When the rate is first zero; infinity if never.
   double turning_time(Overlap start, double drive) const {
     const double pull = w0_squared_ * start.x - drive + alpha_ * start.v;
-    if (oscillates_) {
+    if (underdamped_) {
       const double sign = start.v < 0.0 ? -1.0 : 1.0;
       return std::atan2(sign * q_ * start.v, sign * pull) / q_;
     }
     const bool one_sign = (start.v > 0.0 && pull > 0.0) || (start.v < 0.0 && pull < 0.0);
     if (!one_sign || std::abs(start.v) * 1e-300 >= std::abs(pull)) return never();
     const double ratio = start.v / pull;
-    if (!creeps_) return ratio;
+    if (!overdamped_) return ratio;
     return q_ * ratio < 1.0 ? std::atanh(q_ * ratio) / q_ : never();
   }
 
@@ -158,8 +158,8 @@ class DampedOscillator {
   double inverse_w0_squared_;
   double alpha_;
   double q_;
-  bool oscillates_;
-  bool creeps_;
+  bool underdamped_;
+  bool overdamped_;
 };
 
 /// K' and eta' on a grid of step t [time] of a spring and dashpot that act on `mass`; the spring

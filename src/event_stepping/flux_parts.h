@@ -13,17 +13,17 @@ struct FluxParts {
   enum Part { contact, adhesion, parts };
   std::array<MomentumFlux, parts> of{};
 
-  /// One step of a pair that stands at `separation` on the grid: `share` of it. `on_j` is all of
-  /// the impulse on j [momentum], friction included, `by_contact` what is not adhesion's.
-  void add(double share, const Vector3& separation, const Vector3& on_j,
+  /// Adds `fraction` of one step of a pair that stands at `separation` on the grid. `on_j` is all
+  /// of the impulse on j [momentum], friction included, `by_contact` what is not adhesion's.
+  void add(double fraction, const Vector3& separation, const Vector3& on_j,
            const Vector3& by_contact) {
-    add(contact, share, momentum_flux(separation, by_contact));
-    add(adhesion, share, momentum_flux(separation, on_j - by_contact));
+    add(contact, fraction, momentum_flux(separation, by_contact));
+    add(adhesion, fraction, momentum_flux(separation, on_j - by_contact));
   }
 
  private:
-  void add(Part part, double share, const MomentumFlux& flux) {
-    for (std::size_t k = 0; k < flux.size(); k++) of[part][k] += share * flux[k];
+  void add(Part part, double fraction, const MomentumFlux& flux) {
+    for (std::size_t k = 0; k < flux.size(); k++) of[part][k] += fraction * flux[k];
   }
 };
 

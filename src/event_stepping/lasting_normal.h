@@ -17,6 +17,9 @@ namespace cohesion::event_stepping {
 /// which a damped overlap x obeys exactly, whatever the step (GridSpring). x_e is where the spring
 /// balances the pull of the adhesion and the turning of the line of centres, L^2/D^3 with the L of
 /// the grid, which central forces keep.
+///
+/// Source: derived here, from the closed form of damped_oscillator.h at three grid points; see
+/// docs/lammps-package/pair_gran_hamaker.md, What the scheme is for.
 class LastingNormal {
  public:
   /// distance [length]: of the centres of bodies that touch; pull [force]; step [time]; wall: does
@@ -48,16 +51,16 @@ class LastingNormal {
 
   const GridSpring& constants() const { return constants_; }
 
-  /// What the grid shows. The way across bends the distance by what is right to the fourth order of
-  /// its angle.
+  /// What the grid shows of a contact. The distance bends by the way across, which is right to the
+  /// fourth order of its angle.
   struct Sample {
     double inverse;  // of the distance
     double overlap;
     double radial;   // velocity of the half step before
     double way;      // along the normal, in a step of that velocity
     double bent;     // what a straight flight across adds to the distance in a step
-    double gone;     // by how much the distance has grown since one step before
-    double stretch;  // overlap over that of rest
+    double gone;     // by how much the distance has grown in the step before
+    double stretch;  // overlap beyond that of equilibrium
   };
   [[gnu::always_inline]] Sample at(const RelativeState& grid) const {
     Sample s;
@@ -85,7 +88,8 @@ class LastingNormal {
     return {next * inverse_step_ - s.radial,
             s.overlap > 0.0 && s.overlap > s.way && end > certain * std::abs(s.way)};
   }
-  /// Of spring and dashpot, that change the radial velocity by `change` in a step, [force].
+  /// The force of spring and dashpot where the radial velocity changes by `change` in a step,
+  /// [force].
   double repulsion(double change) const { return reduced_mass_ * change * inverse_step_ + pull_; }
 
   /// The true radial velocity at the grid point, less that of the half step before.
@@ -95,12 +99,12 @@ class LastingNormal {
     return -(propagator_.vx * before + propagator_.vv * rate) - s.radial;
   }
 
-  /// Lost in the dashpot since the last grid point: of the square of the speed of a swing the grid
-  /// sees (sin(q dt/2)/(q dt/2))^2.
+  /// What the dashpot has taken since the last grid point, [energy]. Of the square of the speed of
+  /// an oscillation the grid sees (sin(q dt/2)/(q dt/2))^2.
   double damped(const Sample& s) const { return damping_ * step_ * s.radial * s.radial / seen_; }
 
  private:
-  /// Of the way of a step that the predicted overlap must be more than.
+  /// The fraction of the way of a step that the predicted overlap must exceed.
   static constexpr double certain = 0.1;
 
   double step_;

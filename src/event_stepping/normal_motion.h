@@ -26,6 +26,9 @@ struct NormalRecord {
 /// gap, spring-dashpot with constant force in contact. The tail is an edge of height `tail_energy`:
 /// crossed inwards with a gain in speed, outwards with a loss, or, when the energy does not
 /// suffice, reflected (capture). x is the overlap, negative in the gap.
+///
+/// Source: contact as in damped_oscillator.h; gap and edge derived here, see
+/// docs/lammps-package/pair_gran_hamaker.md, What the scheme is for.
 class NormalMotion {
  public:
   /// `step` [time]: the length of the steps that will be asked for most.
@@ -42,22 +45,22 @@ class NormalMotion {
   double range() const { return adhesion_.cutoff; }
   double reduced_mass() const { return reduced_mass_; }
 
-  /// From outside to inside at s.x: the speed gains the tail's energy and, below the edge, the work
-  /// of the adhesion up to there. The direction of v is kept.
+  /// Enters the range at s.x: the speed gains the tail's energy and, below the edge, the work of
+  /// the adhesion up to there. The direction of v is kept.
   Overlap enter(Overlap s) const {
     const double gain = edge_ + 2.0 * pull_ * within_range(s.x);
     return {s.x, std::copysign(std::sqrt(s.v * s.v + gain), s.v)};
   }
 
-  /// A contact that certainly lasts for all of `time`, followed like by advance(); false, and
-  /// nothing done, where that is not certain.
+  /// Follows a contact that certainly lasts for all of `time`, as advance() does. Returns false,
+  /// and does nothing, where that is not certain.
   bool advance_lasting(Overlap& s, double time, double outward, double& x_integral,
                        NormalRecord& record) const {
     if (!(s.x > 0.0) || time != whole_step_.time) return false;
     const double drive = pull_ - outward;
     const Overlap end = contact_.after(whole_step_, s, drive);
     if (!DampedOscillator::stays_positive(s, end)) return false;
-    stay(s, end, time, drive, x_integral, record);
+    record_contact(s, end, time, drive, x_integral, record);
     return true;
   }
 
@@ -113,7 +116,7 @@ class NormalMotion {
   /// A pair that turns round this often in one step rattles in a well far too thin for the step.
   static constexpr int max_phases = 1000;
 
-  /// A stretch of gap between the overlaps `low` < `high` <= 0 with a constant acceleration.
+  /// An interval of gap between the overlaps `low` < `high` <= 0 with a constant acceleration.
   struct Gap {
     double low, high, drive;
   };
@@ -121,11 +124,12 @@ class NormalMotion {
   /// How far overlap x is within the range, [length].
   double within_range(double x) const { return std::max(adhesion_.cutoff + x, 0.0); }
 
-  /// At the edge, moving out. False: gone, slowed down by the tail. True: captured.
+  /// A pair at the edge that moves out. Returns false where it leaves, slowed down by the tail, and
+  /// true where it is captured.
   bool leave(Overlap& s) const {
-    const double rest = s.v * s.v - edge_;
-    s.v = rest > 0.0 ? -std::sqrt(rest) : -s.v;
-    return !(rest > 0.0);
+    const double remaining = s.v * s.v - edge_;
+    s.v = remaining > 0.0 ? -std::sqrt(remaining) : -s.v;
+    return !(remaining > 0.0);
   }
 
   double in_contact(Overlap& s, double time, double drive, double& x_integral,
@@ -137,13 +141,13 @@ class NormalMotion {
       time = zero;
       end = {0.0, std::min(contact_.after(zero, s, drive).v, 0.0)};
     }
-    stay(s, end, time, drive, x_integral, record);
+    record_contact(s, end, time, drive, x_integral, record);
     return time;
   }
 
-  /// Books a stretch of contact, from s to `end`.
-  void stay(Overlap& s, Overlap end, double time, double drive, double& x_integral,
-            NormalRecord& record) const {
+  /// Records an interval of contact, from s to `end`.
+  void record_contact(Overlap& s, Overlap end, double time, double drive, double& x_integral,
+                      NormalRecord& record) const {
     record.contact_time += time;
     record.repulsion_impulse += reduced_mass_ * (drive * time - (end.v - s.v));
     record.repulsion_at_end =
@@ -155,9 +159,9 @@ class NormalMotion {
     s = end;
   }
 
-  /// An edge at touch, against which its turning presses a captured pair: bounces that are a
-  /// hundredth of a step and shorter never end, and count as the dashpot's. Returns the time at
-  /// rest.
+  /// Brings to rest a captured pair that its turning presses against an edge at touch: bounces that
+  /// take a hundredth of a step and less never end, and their energy counts as the dashpot's.
+  /// Returns the time at rest.
   double come_to_rest(Overlap& s, double time, double drive, NormalRecord& record) const {
     if (-2.0 * s.v < 0.01 * whole_step_.time * drive || drive >= 0.0) return 0.0;
     record.dissipated += 0.5 * reduced_mass_ * s.v * s.v;
@@ -165,8 +169,9 @@ class NormalMotion {
     return time;
   }
 
-  /// A pair that its turning presses against the edge, too slow for tail and contact: the bounces
-  /// that fit into `time` leave it as it is. At rest: all of the time. Returns the time they take.
+  /// Skips the bounces, within `time`, of a pair that its turning presses against the edge and that
+  /// is too slow for tail and contact: whole ones leave it as it is. Returns the time they take;
+  /// for a pair at rest that is all of it.
   double whole_bounces(const Overlap& s, double time, const Gap& gap, double& x_integral) const {
     if (s.x != gap.low || s.v < 0.0 || gap.drive >= 0.0 || edge_ == 0.0) return 0.0;
     if (s.v * s.v >= -2.0 * gap.drive * (gap.high - gap.low)) return 0.0;

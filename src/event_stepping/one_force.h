@@ -20,8 +20,9 @@ class OneForce {
         step_(step),
         reduced_mass_(bodies.reduced_mass()),
         normal_(normal, bodies.reduced_mass(), bodies.distance(), pull, step, bodies.is_wall()),
-        sliding_(contact::tangential_contact(parameters, normal), step, bodies.sliding_answer()),
-        rolling_(contact::rolling_contact(parameters, normal), step, bodies.rolling_answer()),
+        sliding_(contact::tangential_contact(parameters, normal), step,
+                 bodies.inverse_sliding_mass()),
+        rolling_(contact::rolling_contact(parameters, normal), step, bodies.inverse_rolling_mass()),
         steady_(is_steady()) {}
 
   const SpringOnGrid& sliding() const { return sliding_; }
@@ -34,12 +35,12 @@ class OneForce {
   /// The true radial velocity at the grid point, less that of the half step before.
   double ahead(const RelativeState& grid) const { return normal_.ahead(normal_.at(grid)); }
 
-  /// A contact that has lasted, or can: the force times dt that it needs if it goes on. Settles the
-  /// springs in the plane of contact, and what was lost since the last grid point, if somebody asks
-  /// for `losses`. False: it does not certainly last for this step, and is to leave().
+  /// A contact that has lasted, or can: sets the force times dt that it needs if it goes on, the
+  /// springs in the plane of contact, and what was lost since the last grid point, if `losses` is
+  /// not null. False: it does not certainly last for this step, and needs end_lasting().
   template <int SIZE>
-  [[gnu::always_inline]] bool hold(const PairMotion& grid, ContactMemory& memory, Action& action,
-                                   ContactLosses* losses) const {
+  [[gnu::always_inline]] bool advance_lasting(const PairMotion& grid, ContactMemory& memory,
+                                              Action& action, ContactLosses* losses) const {
     const LastingNormal::Sample now = normal_.at(grid.relative);
     const LastingNormal::Force normal = normal_.force(now);
     const bool lasted = memory.phase == ContactMemory::lasting;
@@ -56,15 +57,17 @@ class OneForce {
       SpringOnGrid::Losses of_sliding, of_rolling;
       const Vector3 across =
           grid.relative.velocity - (now.radial * now.inverse) * grid.relative.separation;
-      const Vector3 slides = touch.slides_across(across, grid.spin_i, grid.spin_j);
-      touch.slide(sliding_.rub(touch.plane(), slides, limiting, lasted, memory.sliding,
-                               losses ? &of_sliding : nullptr),
-                  action);
+      const Vector3 slides = touch.sliding_velocity_across(across, grid.spin_i, grid.spin_j);
+      touch.add_sliding_impulse(
+          sliding_.advance_lasting(touch.plane(), slides, limiting, lasted, memory.sliding,
+                                   losses ? &of_sliding : nullptr),
+          action);
       if constexpr (SIZE >= ContactMemory::with_rolling) {
-        const Vector3 rolls = touch.rolls(grid.spin_i, grid.spin_j);
-        touch.roll(rolling_.rub(touch.plane(), rolls, limiting, lasted, memory.rolling,
-                                losses ? &of_rolling : nullptr),
-                   action);
+        const Vector3 rolls = touch.rolling_velocity(grid.spin_i, grid.spin_j);
+        touch.add_rolling_impulse(
+            rolling_.advance_lasting(touch.plane(), rolls, limiting, lasted, memory.rolling,
+                                     losses ? &of_rolling : nullptr),
+            action);
       }
       if (losses) {
         losses->tangential_damping = of_sliding.damped;
@@ -75,10 +78,10 @@ class OneForce {
     return steady_ && normal.lasts;
   }
 
-  /// A contact that hold() has settled is followed from this grid point on. Adds to `losses`, if
-  /// somebody asks.
+  /// After advance_lasting(): the contact is followed from this grid point on. Adds to `losses`
+  /// unless it is null.
   template <int SIZE>
-  void leave(const PairMotion& grid, ContactMemory& memory, ContactLosses* losses) const {
+  void end_lasting(const PairMotion& grid, ContactMemory& memory, ContactLosses* losses) const {
     memory.phase = ContactMemory::leaving;
     if constexpr (SIZE >= ContactMemory::with_friction) {
       const LastingNormal::Sample now = normal_.at(grid.relative);
@@ -86,28 +89,28 @@ class OneForce {
       const double last = normal_.repulsion(2.0 * normal_.ahead(now));
       const Touch touch(bodies_, grid.relative.separation, now.inverse);
       SpringOnGrid::Losses lost;
-      sliding_.leave(touch.slides(grid.relative.velocity, grid.spin_i, grid.spin_j), repulsion,
-                     last, memory.sliding, losses ? &lost : nullptr);
+      sliding_.end_lasting(touch.sliding_velocity(grid.relative.velocity, grid.spin_i, grid.spin_j),
+                           repulsion, last, memory.sliding, losses ? &lost : nullptr);
       if (losses) losses->friction += lost.friction;
       if constexpr (SIZE >= ContactMemory::with_rolling) {
         lost = {};
-        rolling_.leave(touch.rolls(grid.spin_i, grid.spin_j), repulsion, last, memory.rolling,
-                       losses ? &lost : nullptr);
+        rolling_.end_lasting(touch.rolling_velocity(grid.spin_i, grid.spin_j), repulsion, last,
+                             memory.rolling, losses ? &lost : nullptr);
         if (losses) losses->rolling += lost.friction;
       }
     }
   }
 
-  /// The same again of a contact that has been settled.
+  /// What advance_lasting() has set for a contact that lasted already, again.
   template <int SIZE>
-  Action held(const PairMotion& grid, const ContactMemory& memory) const {
+  Action lasting_action(const PairMotion& grid, const ContactMemory& memory) const {
     const Vector3& s = grid.relative.separation;
     const LastingNormal::Sample now = normal_.at(grid.relative);
     Action action{(reduced_mass_ * normal_.force(now).change * now.inverse) * s, {}, {}};
     if constexpr (SIZE >= ContactMemory::with_friction)
-      Touch(bodies_, s).slide(memory.sliding.impulse, action);
+      Touch(bodies_, s).add_sliding_impulse(memory.sliding.impulse, action);
     if constexpr (SIZE >= ContactMemory::with_rolling)
-      Touch(bodies_, s).roll(memory.rolling.impulse, action);
+      Touch(bodies_, s).add_rolling_impulse(memory.rolling.impulse, action);
     return action;
   }
 
@@ -122,11 +125,15 @@ class OneForce {
   /// the normals: 2 sum cos^2 = 8 springs on one sphere's mass, 2 on that of a pair. Spheres that
   /// all spin alike, each surface sliding twice, have 2 sum sin^2 (5/2)/7 = 40/7 times that of a
   /// pair's sliding; spheres that roll against all their neighbours 8 times.
+  ///
+  /// Source: derived here; the limits are in docs/lammps-package/pair_gran_hamaker.md, What the
+  /// scheme is for.
   bool is_steady() const {
     const GridSpring& spring = normal_.constants();
     const double normal =
         (spring.stiffness + 2.0 * spring.damping / step_) * step_ * step_ * bodies_.inverse_mass();
-    return 4.0 * normal < 4.0 && 40.0 / 7.0 * sliding_.swing() + 8.0 * rolling_.swing() < 4.0;
+    return 4.0 * normal < 4.0 &&
+           40.0 / 7.0 * sliding_.frequency_squared() + 8.0 * rolling_.frequency_squared() < 4.0;
   }
 
   ContactBodies bodies_;

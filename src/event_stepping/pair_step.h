@@ -13,9 +13,9 @@ struct RelativeState {
   Vector3 velocity;
 };
 
-/// The stretch of time one grid step stands for, as seen from the grid point: positions x_n meet
-/// the velocities of n-1/2, so that the true state at n-1/2 is one half step of straight flight
-/// away. The first step of a run starts at the grid point itself: before = 0.
+/// The interval of time that one grid step stands for, as seen from the grid point: positions x_n
+/// meet the velocities of n-1/2, so that the true state at n-1/2 is one half step of straight
+/// flight away. The first step of a run starts at the grid point itself: before = 0.
 struct StepWindow {
   double before;  ///< [time]
   double after;   ///< [time]
@@ -29,7 +29,7 @@ struct PairStep {
   NormalRecord normal{};
   double overlap_at_end = 0.0;  ///< negative: gap
   bool inside = false;          ///< inside the range of the adhesion at the end of the step
-  bool acts = true;             ///< false: the pair flies straight, and nothing changes
+  bool interacts = true;        ///< false: the pair flies straight, and nothing changes
 };
 
 }  // namespace cohesion::event_stepping

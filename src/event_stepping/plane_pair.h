@@ -11,6 +11,8 @@ namespace cohesion::event_stepping {
 /// A sphere and a plane: the limit of SpherePair for an infinite second radius. The separation
 /// points from the sphere's centre to the foot of the normal; only its length changes, so nothing
 /// turns.
+///
+/// Source: normal_motion.h.
 class PlanePair {
  public:
   using Attraction = contact::Adhesion;

@@ -17,7 +17,7 @@ struct SampledStep {
 };
 
 /// One contact whose forces are taken where it stands on the grid: the scheme to compare with.
-/// Pair: SampledPair or SampledWell. Everything that does not change from step to step is worked
+/// Pair: SampledHamaker or SampledWell. Everything that does not change from step to step is worked
 /// out once; pairs of equal bodies can share it.
 template <class Pair>
 class SampledContact {
@@ -32,11 +32,11 @@ class SampledContact {
         normal_contact_(contact::normal_contact(parameters, bodies_.reduced_mass())),
         pair_(normal_contact_, attraction, bodies_.distance(), window.length()),
         sliding_(contact::tangential_contact(parameters, normal_contact_), 2.0 * window.after,
-                 bodies_.sliding_answer()),
+                 bodies_.inverse_sliding_mass()),
         rolling_(contact::rolling_contact(parameters, normal_contact_), 2.0 * window.after,
-                 bodies_.rolling_answer()) {}
+                 bodies_.inverse_rolling_mass()) {}
 
-  bool joins(const Body& i, const Body& j) const { return bodies_.are(i, j); }
+  bool is_between(const Body& i, const Body& j) const { return bodies_.are(i, j); }
   const ContactBodies& bodies() const { return bodies_; }
   /// Gap up to which the pair attracts in this scheme, [length].
   double range() const { return pair_.range(); }
@@ -48,8 +48,8 @@ class SampledContact {
   /// `memory`, of which the phase says whether the pair is in range, and the losses of the step
   /// around the grid point (of springs in the plane of contact: the one before it) are changed.
   template <int SIZE>
-  [[gnu::always_inline]] SampledStep act(const PairMotion& grid, ContactMemory& memory,
-                                         ContactLosses* losses) const {
+  [[gnu::always_inline]] SampledStep compute(const PairMotion& grid, ContactMemory& memory,
+                                             ContactLosses* losses) const {
     const Vector3& s = grid.relative.separation;
     const PairStep normal = pair_.advance(grid.relative, window_, memory.in_range());
     memory.phase = normal.inside ? ContactMemory::inside : ContactMemory::beyond;
@@ -60,19 +60,20 @@ class SampledContact {
     if constexpr (SIZE >= ContactMemory::with_friction) {
       const ContactBodies::Touch touch(bodies_, s);
       SpringOnGrid::Losses lost;
-      step.friction =
-          rub(sliding_, touch, touch.slides(grid.relative.velocity, grid.spin_i, grid.spin_j),
-              normal, memory.sliding, losses ? &lost : nullptr);
-      touch.slide(step.friction, step.action);
+      step.friction = spring_impulse(
+          sliding_, touch, touch.sliding_velocity(grid.relative.velocity, grid.spin_i, grid.spin_j),
+          normal, memory.sliding, losses ? &lost : nullptr);
+      touch.add_sliding_impulse(step.friction, step.action);
       if (losses) {
         losses->tangential_damping = lost.damped;
         losses->friction = lost.friction;
       }
       if constexpr (SIZE >= ContactMemory::with_rolling) {
         lost = {};
-        touch.roll(rub(rolling_, touch, touch.rolls(grid.spin_i, grid.spin_j), normal,
-                       memory.rolling, losses ? &lost : nullptr),
-                   step.action);
+        touch.add_rolling_impulse(
+            spring_impulse(rolling_, touch, touch.rolling_velocity(grid.spin_i, grid.spin_j),
+                           normal, memory.rolling, losses ? &lost : nullptr),
+            step.action);
         if (losses) losses->rolling = lost.damped + lost.friction;
       }
     }
@@ -86,7 +87,7 @@ class SampledContact {
     return (step.repulsion / norm(s)) * s + step.friction;
   }
 
-  /// What is stored at the grid point. `memory`: after act().
+  /// What is stored at the grid point. `memory`: after compute().
   StoredEnergies stored(const PairMotion& grid, const ContactMemory& memory) const {
     const double overlap = bodies_.distance() - norm(grid.relative.separation);
     return {pair_.spring_energy(overlap), sliding_.stored_energy(memory.sliding.stretch),
@@ -95,15 +96,16 @@ class SampledContact {
   }
 
  private:
-  [[gnu::always_inline]] Vector3 rub(const SpringOnGrid& spring, const ContactBodies::Touch& touch,
-                                     const Vector3& rate, const PairStep& normal,
-                                     SpringOnGrid::Memory& memory,
-                                     SpringOnGrid::Losses* lost) const {
+  [[gnu::always_inline]] Vector3 spring_impulse(const SpringOnGrid& spring,
+                                                const ContactBodies::Touch& touch,
+                                                const Vector3& rate, const PairStep& normal,
+                                                SpringOnGrid::Memory& memory,
+                                                SpringOnGrid::Losses* lost) const {
     // The first step of a run is half of one, from the grid point on.
     const double part = window_.length() / (2.0 * window_.after);
     if (normal.normal.contact_time > 0.0)
-      return part *
-             spring.rub(touch.plane(), rate, normal.normal.repulsion_at_end, true, memory, lost);
+      return part * spring.advance_lasting(touch.plane(), rate, normal.normal.repulsion_at_end,
+                                           true, memory, lost);
     if (lost) *lost = {0.0, spring.lost_at_end(rate, memory)};
     memory = {};
     return {};

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "contact/adhesion.h"
-#include "event_stepping/sampled_pair.h"
+#include "event_stepping/sampled_repulsion.h"
 #include "square_well/impulses.h"
 
 namespace cohesion::event_stepping {

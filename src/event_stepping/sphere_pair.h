@@ -15,6 +15,8 @@ namespace cohesion::event_stepping {
 /// symmetric in time, keeps the angular momentum of the pair exactly and its energy up to what the
 /// dashpot takes. Turning of the pair: angular momentum L constant, centrifugal acceleration
 /// L^2/R^3 taken at R = contact distance while inside (relative error: overlap/R).
+///
+/// Source: derived here, see docs/lammps-package/pair_gran_hamaker.md, What the scheme is for.
 class SpherePair {
  public:
   using Attraction = contact::Adhesion;
@@ -41,7 +43,7 @@ class SpherePair {
                                           bool inside) const {
     PairStep step;
     RelativeState now{grid.separation - window.before * grid.velocity, grid.velocity};
-    if (inside && turn_in_contact(now, window.length(), step.overlap_at_end, step.normal)) {
+    if (inside && advance_lasting(now, window.length(), step.overlap_at_end, step.normal)) {
       step.inside = true;
     } else {
       Followed followed = follow_events(now, window.length(), inside);
@@ -55,11 +57,11 @@ class SpherePair {
     return step;
   }
 
-  /// Motion inside the range for at most `time`: along the normal in closed form, around it with
-  /// constant angular momentum. Returns the time until the pair left the range (`inside` is then
-  /// false), or `time`; `overlap` is where the surfaces are then.
-  double turn(RelativeState& now, double time, bool& inside, double& overlap,
-              NormalRecord& record) const {
+  /// Advances a pair inside the range for at most `time`: along the normal in closed form, around
+  /// it with constant angular momentum. Returns the time until the pair left the range (`inside` is
+  /// then false), or `time`; `overlap` is where the surfaces are then.
+  double advance_inside(RelativeState& now, double time, bool& inside, double& overlap,
+                        NormalRecord& record) const {
     Start start = along_normal(now);
     Overlap surface = start.surface;
     double integral = 0.0;
@@ -73,7 +75,7 @@ class SpherePair {
 
  private:
   /// A pair flies in, turns and flies out again; more often only by rounding at a grazed edge.
-  static constexpr int max_stretches = 100;
+  static constexpr int max_segments = 100;
 
   /// A state as the motion along the normal sees it.
   struct Start {
@@ -98,9 +100,9 @@ class SpherePair {
             {contact_distance_ - distance, -radial}};
   }
 
-  /// A contact that certainly lasts for all of `time`, as most steps of most contacts are: like
-  /// turn(); false, and nothing done, where that is not certain.
-  bool turn_in_contact(RelativeState& now, double time, double& overlap,
+  /// Advances a contact that certainly lasts for all of `time`, as most contacts in most steps, as
+  /// advance_inside() does. Returns false, and does nothing, where that is not certain.
+  bool advance_lasting(RelativeState& now, double time, double& overlap,
                        NormalRecord& record) const {
     Start start = along_normal(now);
     Overlap surface = start.surface;
@@ -125,11 +127,11 @@ class SpherePair {
     const double cosine = (1.0 - half_squared) * scale;
     const double sine = 2.0 * half * scale;  // per sideways speed
     const double distance = contact_distance_ - end.x;
-    const double stretch = start.distance / distance;
+    const double speed_up = start.distance / distance;
     const double radial = -start.surface.v;
     // Of the velocity: along the old velocity across the normal, and along the old normal.
-    const double across = stretch * cosine - end.v * sine;
-    const double along = -stretch * sine * start.sideways_squared - end.v * cosine;
+    const double across = speed_up * cosine - end.v * sine;
+    const double along = -speed_up * sine * start.sideways_squared - end.v * cosine;
     const Vector3 s = now.separation;
     now.separation = (distance * (cosine - sine * radial) * start.inverse_distance) * s +
                      (distance * sine) * now.velocity;
@@ -143,14 +145,14 @@ class SpherePair {
     bool inside;
   };
 
-  /// Everything that can happen to a pair in `time`, one stretch after the other.
+  /// Follows everything that can happen to a pair in `time`, one segment after the other.
   [[gnu::noinline]] Followed follow_events(const RelativeState& start, double time,
                                            bool inside) const {
     Followed now{start, {}, 0.0, inside};
     if (!inside) now.inside = starts_inside(now.state);
     double left = time;
-    for (int stretches = 0; left > 0.0; stretches++) {
-      if (stretches == max_stretches) {
+    for (int segments = 0; left > 0.0; segments++) {
+      if (segments == max_segments) {
         now.normal.unresolved = true;
         break;
       }
@@ -158,7 +160,7 @@ class SpherePair {
         left -= fly(now.state, left, now.inside);
         continue;
       }
-      left -= turn(now.state, left, now.inside, now.overlap, now.normal);
+      left -= advance_inside(now.state, left, now.inside, now.overlap, now.normal);
       if (now.normal.unresolved) break;
     }
     if (!now.inside) now.overlap = contact_distance_ - norm(now.state.separation);
@@ -167,8 +169,8 @@ class SpherePair {
 
   double outer_distance() const { return contact_distance_ + motion_.range(); }
 
-  /// A pair that counts as outside but was pushed inside between two steps enters where it is, if
-  /// it approaches or already overlaps.
+  /// Lets a pair that counts as outside, but was pushed inside between two steps, enter where it
+  /// is, if it approaches or already overlaps.
   bool starts_inside(RelativeState& now) const {
     const double distance = norm(now.separation);
     if (distance >= outer_distance()) return false;
@@ -184,7 +186,7 @@ class SpherePair {
     now.velocity -= (entered.v - approach) * normal;
   }
 
-  /// Straight flight until the edge is met or the time is over.
+  /// Flies straight until the edge is met or the time is over; returns the time it took.
   double fly(RelativeState& now, double time, bool& inside) const {
     const double approach = -dot(now.separation, now.velocity);
     const double speed_squared = dot(now.velocity, now.velocity);

@@ -16,14 +16,14 @@ class SpringOnGrid {
     Vector3 impulse{};  ///< of the last step, half of which its force is still to do, [momentum]
   };
 
-  /// step [time]; answer [1/mass]: the inverse mass that answers the spring.
-  SpringOnGrid(const contact::TangentialParameters& p, double step, double answer)
+  /// step [time]; inverse_mass [1/mass]: the effective one of the motion that stretches the spring.
+  SpringOnGrid(const contact::TangentialParameters& p, double step, double inverse_mass)
       : law_(p),
-        constants_(spring_on_grid(p.stiffness, p.damping, 1.0 / answer, step)),
-        ends_(ends_on_grid(p.stiffness, p.damping, 1.0 / answer, step)),
+        constants_(spring_on_grid(p.stiffness, p.damping, 1.0 / inverse_mass, step)),
+        ends_(ends_on_grid(p.stiffness, p.damping, 1.0 / inverse_mass, step)),
         friction_(p.friction),
         step_(step),
-        answer_(answer) {}
+        inverse_mass_(inverse_mass) {}
 
   /// What a spring, dashpot and slider lose, [energy].
   struct Losses {
@@ -35,16 +35,17 @@ class SpringOnGrid {
   /// [length/time], and the force of normal spring and dashpot. Gives the impulse at the grid
   /// point. `lasted`: through the last step, too, whose losses are told, if asked for. A step that
   /// was followed has half of its impulse still to do.
-  [[gnu::always_inline]] Vector3 rub(const contact::Plane& plane, const Vector3& rate,
-                                     double repulsion, bool lasted, Memory& memory,
-                                     Losses* losses) const {
+  [[gnu::always_inline]] Vector3 advance_lasting(const contact::Plane& plane, const Vector3& rate,
+                                                 double repulsion, bool lasted, Memory& memory,
+                                                 Losses* losses) const {
     const Vector3 turned = plane.turned_into(memory.stretch);
     const Vector3 stretched = turned + step_ * rate;
     // What was followed has slipped already, and does not stretch by the whole rate.
     const Vector3 before = lasted ? turned : stretched;
     Vector3 s = stretched;
-    Vector3 force = lasted ? held(constants_, s, rate)
-                           : held(ends_.first, s, rate + (0.5 * answer_) * memory.impulse);
+    Vector3 force =
+        lasted ? sticking_force(constants_, s, rate)
+               : sticking_force(ends_.first, s, rate + (0.5 * inverse_mass_) * memory.impulse);
     const double limit = friction_ * std::max(repulsion, 0.0);
     const double square = dot(force, force);
     const bool slips = square > limit * limit;
@@ -66,23 +67,23 @@ class SpringOnGrid {
     return lasted ? impulse : mean;
   }
 
-  /// After rub() with the same `rate` and `repulsion`: the impulse of which half is left to do up
-  /// to the true velocity, with the normal force `last` in that. What it takes less of the motion
-  /// than the half that was to come is lost.
-  void leave(const Vector3& rate, double repulsion, double last, Memory& memory,
-             Losses* losses) const {
+  /// Ends a lasting contact, after advance_lasting() with the same `rate` and `repulsion`: sets the
+  /// impulse of which half is left to do up to the true velocity, where the normal force is `last`.
+  /// What it takes less of the motion than the half that was to come is lost.
+  void end_lasting(const Vector3& rate, double repulsion, double last, Memory& memory,
+                   Losses* losses) const {
     const Vector3 planned = memory.impulse;
     const bool slips =
         norm(planned) >= (1.0 - rounding) * step_ * friction_ * std::max(repulsion, 0.0);
-    if (!slips) memory.impulse = step_ * held(ends_.last, memory.stretch, rate);
+    if (!slips) memory.impulse = step_ * sticking_force(ends_.last, memory.stretch, rate);
     const double limit = step_ * friction_ * std::max(last, 0.0), size = norm(memory.impulse);
     if (size > 0.0 && (slips || size > limit)) memory.impulse = (limit / size) * memory.impulse;
     if (losses)
-      losses->friction +=
-          0.5 * dot(planned - memory.impulse, rate + (0.25 * answer_) * (planned + memory.impulse));
+      losses->friction += 0.5 * dot(planned - memory.impulse,
+                                    rate + (0.25 * inverse_mass_) * (planned + memory.impulse));
   }
 
-  /// What is lost when a contact of one force has ended, with what the spring held.
+  /// What is lost when a contact of one force has ended, with what the spring stored.
   double lost_at_end(const Vector3& rate, const Memory& memory) const {
     return law_.stored_energy(memory.stretch) - 0.5 * dot(memory.impulse, rate);
   }
@@ -95,12 +96,12 @@ class SpringOnGrid {
                                                         const Vector3& shift, const Vector3& rate,
                                                         const PairStep& normal,
                                                         Vector3& mean) const {
-    contact::TangentialStep step =
-        law_.advance(plane.turned_into(stretch) + shift, rate, normal.normal.contact_time, answer_,
-                     normal.normal.repulsion_impulse, normal.normal.repulsion_at_end);
+    contact::TangentialStep step = law_.advance(
+        plane.turned_into(stretch) + shift, rate, normal.normal.contact_time, inverse_mass_,
+        normal.normal.repulsion_impulse, normal.normal.repulsion_at_end);
     step.displacement += shift;
-    mean = rate + (0.5 * answer_) * step.impulse + (2.0 / step_) * shift;
-    if (normal.overlap_at_end <= 0.0) {  // parted: what the spring still held is lost
+    mean = rate + (0.5 * inverse_mass_) * step.impulse + (2.0 / step_) * shift;
+    if (normal.overlap_at_end <= 0.0) {  // parted: what the spring still stored is lost
       step.friction += law_.stored_energy(step.displacement);
       step.displacement = {};
     }
@@ -108,19 +109,20 @@ class SpringOnGrid {
   }
 
   /// (w dt)^2 of one force by itself, and what its dashpot is as good as.
-  double swing() const {
-    if (!acts()) return 0.0;
-    return (constants_.stiffness + 2.0 * constants_.damping / step_) * step_ * step_ * answer_;
+  double frequency_squared() const {
+    if (!is_present()) return 0.0;
+    return (constants_.stiffness + 2.0 * constants_.damping / step_) * step_ * step_ *
+           inverse_mass_;
   }
 
-  /// Without a slider that holds there is no force.
-  bool acts() const { return friction_ > 0.0; }
+  /// A spring whose slider has no friction gives no force.
+  bool is_present() const { return friction_ > 0.0; }
   double stored_energy(const Vector3& stretch) const { return law_.stored_energy(stretch); }
 
  private:
   static constexpr double rounding = 1e-12;
 
-  static Vector3 held(const GridSpring& spring, const Vector3& s, const Vector3& rate) {
+  static Vector3 sticking_force(const GridSpring& spring, const Vector3& s, const Vector3& rate) {
     return -spring.stiffness * s - spring.damping * rate;
   }
 
@@ -129,7 +131,7 @@ class SpringOnGrid {
   GridEnds ends_;
   double friction_;
   double step_;
-  double answer_;
+  double inverse_mass_;
 };
 
 }  // namespace cohesion::event_stepping

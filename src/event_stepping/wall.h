@@ -108,7 +108,7 @@ class FarFromWalls {
     }
   }
 
-  bool holds(const double* centre) const {
+  bool contains(const double* centre) const {
     return centre[0] > low_[0] && centre[0] < high_[0] && centre[1] > low_[1] &&
            centre[1] < high_[1] && centre[2] > low_[2] && centre[2] < high_[2] &&
            centre[0] * centre[0] + centre[1] * centre[1] < square_;

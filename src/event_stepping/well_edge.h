@@ -15,7 +15,7 @@ class WellEdge : public WellPair {
            double contact_distance, double step)
       : WellPair(spring, well, contact_distance, 0.0, step) {}
 
-  /// Stored by what follows the contact.
+  /// The spring's energy is that of the style that follows the contact.
   double spring_energy(double /*overlap*/) const { return 0.0; }
 };
 

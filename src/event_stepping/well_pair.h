@@ -22,6 +22,8 @@ namespace cohesion::event_stepping {
 /// Which surface is next is decided by the flag `inside` and the sense of the motion, not by the
 /// distance alone (hard_sphere/crossing.h): what other contacts do to a pair between two steps can
 /// put it beyond the edge or short of it. It has its event then as soon as it moves that way.
+///
+/// Source: square_well/impulses.h (impulses at the edge), sphere_pair.h (contact).
 class WellPair {
  public:
   /// No force; `cutoff` the gap at the edge, `tail_energy` the depth.
@@ -34,7 +36,7 @@ class WellPair {
 
   double range() const { return range_; }
   double spring_energy(double overlap) const { return contact_.spring_energy(overlap); }
-  /// Of a pair in the well, wherever it stands.
+  /// The energy of a pair in the well, wherever it is, [energy].
   double adhesion_energy(double /*overlap*/) const { return -depth_; }
 
   bool within_reach(const RelativeState& grid, const StepWindow& window) const {
@@ -55,7 +57,7 @@ class WellPair {
     PairStep step;
     if (inside && meets_nothing(grid, window)) {
       step.inside = true;
-      step.acts = false;
+      step.interacts = false;
       step.overlap_at_end = core_ - norm(grid.separation + window.after * grid.velocity);
       return step;
     }
@@ -65,8 +67,8 @@ class WellPair {
     if (m.touching && !m.inside) approach(m);
     double left = window.length();
     bool straight = true;
-    for (int stretches = 0; left > 0.0; stretches++) {
-      if (stretches == max_stretches) {
+    for (int segments = 0; left > 0.0; segments++) {
+      if (segments == max_segments) {
         step.normal.unresolved = true;
         break;
       }
@@ -79,7 +81,7 @@ class WellPair {
       m.at.separation += next.wait * m.at.velocity;
       left -= next.wait;
       if (next.with == contact)
-        left -= turn(m, left, step.normal);
+        left -= advance_contact(m, left, step.normal);
       else if (next.with == edge_from_outside)
         approach(m);
       else
@@ -88,7 +90,7 @@ class WellPair {
     }
     step.inside = m.inside;
     step.overlap_at_end = m.touching ? m.overlap : core_ - norm(m.at.separation);
-    step.acts = !straight;
+    step.interacts = !straight;
     if (straight) return step;  // not to carry the rounding of no change into the motion
     step.change.velocity = m.at.velocity - grid.velocity;
     step.change.separation = m.at.separation - window.after * m.at.velocity - grid.separation;
@@ -109,7 +111,7 @@ class WellPair {
  private:
   /// More than any well has that is wide enough to be one; a pair along whose edge nearly nothing
   /// moves could have any number of captures.
-  static constexpr int max_stretches = 1000;
+  static constexpr int max_segments = 1000;
   /// Normal speed over speed that is rounding.
   static constexpr double rounding = 1e-15;
 
@@ -125,7 +127,8 @@ class WellPair {
     double overlap;  ///< while touching
   };
 
-  /// Certain for most pairs within their well: farther from contact and edge than they can fly.
+  /// Whether the pair is farther from contact and edge than it can fly, as most pairs in their
+  /// wells are.
   bool meets_nothing(const RelativeState& grid, const StepWindow& window) const {
     return is_clear_by(std::max(window.before, window.after) * norm(grid.velocity),
                        grid.separation);
@@ -170,9 +173,9 @@ class WellPair {
     });
   }
 
-  double turn(Motion& m, double time, NormalRecord& record) const {
+  double advance_contact(Motion& m, double time, NormalRecord& record) const {
     m.touching = true;
-    return contact_.turn(m.at, time, m.touching, m.overlap, record);
+    return contact_.advance_inside(m.at, time, m.touching, m.overlap, record);
   }
 
   SpherePair contact_;

@@ -12,19 +12,19 @@
 #include "hamaker/small_gap.h"
 
 /// The table of forms of the attraction: the one place that knows them all.
-/// To add one: its header beside this file, its two laws in AnyLawOf, and its row in `forms`.
+/// To add one: its header beside this file, its two laws in LawVariant, and its row in `forms`.
 namespace cohesion::hamaker {
 
-/// Holder<law> for the law that was chosen: one std::visit leads to a loop that knows it.
-template <template <class...> class Holder>
-using AnyLawOf = std::variant<Holder<Law<SmallGap>>, Holder<Law<Exact>>,
-                              Holder<Law<Rough<SmallGap>>>, Holder<Law<Rough<Exact>>>>;
+/// A Wrapper of the law that was chosen: one std::visit leads to a loop that knows its type.
+template <template <class...> class Wrapper>
+using LawVariant = std::variant<Wrapper<Law<SmallGap>>, Wrapper<Law<Exact>>,
+                                Wrapper<Law<Rough<SmallGap>>>, Wrapper<Law<Rough<Exact>>>>;
 
-template <class Held>
-using Itself = Held;
+template <class T>
+using Identity = T;
 
-using AnyLaw = AnyLawOf<Itself>;        ///< one law
-using AnyLaws = AnyLawOf<std::vector>;  ///< laws of many pairs of types, all of one kind
+using AnyLaw = LawVariant<Identity>;      ///< one law
+using AnyLaws = LawVariant<std::vector>;  ///< laws of many pairs of types, all of one kind
 
 struct Form {
   std::string_view name;

@@ -10,21 +10,21 @@
 
 namespace cohesion::hard_sphere {
 
-/// The straight flight that a particle is on: x(t) = end - (dt - t) velocity, t from the start of
-/// the step. `end` is where the engine will find it at the end of the step.
+/// The free flight of a particle: x(t) = end - (dt - t) velocity, t from the start of the step.
+/// `end` is where the engine will find it at the end of the step.
 struct Flight {
   Vector3 end;
   Vector3 velocity;
-  double since = 0.0;  ///< time of its last event in this step, [time]
+  double last_event = 0.0;  ///< time of its last event in this step, [time]
   Vector3 spin;
-  int depth = -1;       ///< EventKey::depth of that; -1: none in this step
-  int collisions = 0;   ///< in this step
-  int events = 0;       ///< in this step
-  double hit = -never;  ///< time of its last collision in this step, [time]
+  int causal_depth = -1;           ///< EventKey::causal_depth of that; -1: none in this step
+  int collisions = 0;              ///< in this step
+  int events = 0;                  ///< in this step
+  double last_collision = -never;  ///< time of its last collision in this step, [time]
 
   Vector3 at(double left) const { return end - left * velocity; }
-  /// Of the chain of events at this time that ends here.
-  int depth_at(double time) const { return time == since ? depth : -1; }
+  /// The length of the chain of events at this time that ends with the last event; -1: none.
+  int causal_depth_at(double time) const { return time == last_event ? causal_depth : -1; }
 };
 
 inline bool same(const Vector3& a, const Vector3& b) {
@@ -32,8 +32,9 @@ inline bool same(const Vector3& a, const Vector3& b) {
 }
 inline bool same(const Flight& a, const Flight& b) {
   return same(a.end, b.end) && same(a.velocity, b.velocity) && same(a.spin, b.spin) &&
-         a.since == b.since && a.depth == b.depth && a.collisions == b.collisions &&
-         a.events == b.events && a.hit == b.hit;
+         a.last_event == b.last_event && a.causal_depth == b.causal_depth &&
+         a.collisions == b.collisions && a.events == b.events &&
+         a.last_collision == b.last_collision;
 }
 
 struct Body {
@@ -48,7 +49,7 @@ struct Body {
   }
 };
 
-/// Periodic image of a particle: what is added to its position at the end of the step and to its
+/// Periodic image of a particle: what it adds to the position at the end of the step and to the
 /// velocity.
 struct Image {
   Vector3 displacement;  ///< [length]
@@ -58,57 +59,58 @@ struct Image {
 };
 
 /// Two bodies, or a body and a wall, that may meet in this step.
-struct Link {
+struct CandidatePair {
   int i;      ///< body with the lower tag
   int j;      ///< body, or -1 - number of the wall
   int image;  ///< of j
-  int law;
-  Surfaces at;
+  int law;    ///< index into the laws of the simulation
+  Surfaces surfaces;
   bool inside = false;  ///< in the well
-  Surface next = Surface::core;
+  Surface next_surface = Surface::core;
   unsigned version = 0;  ///< of its prediction
 
-  bool of_wall() const { return j < 0; }
+  bool with_wall() const { return j < 0; }
   int wall() const { return -1 - j; }
 };
 
-/// Place of an event in the order: by time; of events at the same instant causes before what they
-/// cause; then by the lower, then the higher tag. A wall counts as tag -1, -2, ...
+/// The place of an event in the order: events go by time; of those at the same instant causes come
+/// before what they cause; then they go by the lower, then the higher tag. A wall counts as tag -1,
+/// -2, ...
 struct EventKey {
   double time;
-  int depth;  ///< of the chain of events of that instant that led to it
+  int causal_depth;  ///< of the chain of events of that instant that led to it
   std::int64_t tag_i;
   std::int64_t tag_j;
 
   bool operator<(const EventKey& b) const {
     if (time != b.time) return time < b.time;
-    if (depth != b.depth) return depth < b.depth;
+    if (causal_depth != b.causal_depth) return causal_depth < b.causal_depth;
     return tag_i != b.tag_i ? tag_i < b.tag_i : tag_j < b.tag_j;
   }
 };
 
-/// An event that was carried out.
+/// An event that has been executed.
 struct Event {
   EventKey key;
-  int link;
+  int candidate;       ///< index of its candidate pair
   bool elastic;        ///< a collision made elastic by the rule against inelastic collapse
   bool was_inside;     ///< in the well before
   double distance;     ///< of the centres, of a centre and a wall, [length]
   Vector3 separation;  ///< from i to j, [length]
-  Vector3 place;       ///< of i, [length]
+  Vector3 position;    ///< of i, [length]
   Impact impact;
 
   MomentumFlux momentum_flux() const { return cohesion::momentum_flux(separation, impact.on_j); }
 };
 
-/// The flight of a body after an event, for those that follow the body elsewhere.
-struct News {
+/// The flight of a body after an event, as a message to the processes that simulate the body too.
+struct RemoteUpdate {
   EventKey key;
   int body;
   int partner;  ///< body or wall
   Flight flight;
 
-  bool operator==(const News& b) const { return body == b.body && same(flight, b.flight); }
+  bool operator==(const RemoteUpdate& b) const { return body == b.body && same(flight, b.flight); }
 };
 
 }  // namespace cohesion::hard_sphere

@@ -15,7 +15,7 @@ struct Partner {
   double radius;           ///< [length]
 };
 
-/// What a collision hands over.
+/// The impulses of a collision, and what they dissipate.
 struct Collision {
   double normal = 0.0;      ///< J, [momentum], positive repels
   Vector3 tangential;       ///< on j, its reverse on i, [momentum]
@@ -33,7 +33,7 @@ struct Collision {
 /// C0^2 (1 - e^2)/(2 B2) by the normal impulse, S0^2/(2 B1) by sticking, P S0 - P^2 B1/2 by sliding
 /// with the tangential impulse P.
 ///
-/// B2 > 0 is the caller's to see to.
+/// The caller ensures B2 > 0.
 ///
 /// Source: Hoomans et al., Chem. Eng. Sci. 51 (1996) 99, section 2.3.
 inline Collision collide(const Vector3& k, const Partner& i, const Partner& j, double restitution,

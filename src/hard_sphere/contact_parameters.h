@@ -8,7 +8,7 @@
 
 namespace cohesion::hard_sphere {
 
-/// The impacts of a pair of materials, as users give them.
+/// Parameters of the impacts of a pair of materials, as users give them.
 struct ContactParameters {
   double restitution = 1.0;      ///< e, [1]
   double friction = 0.0;         ///< mu_f, [1]

@@ -8,7 +8,8 @@
 #include "hard_sphere/impact.h"
 #include "vector3.h"
 
-/// When partners that fly straight meet the next surface.
+/// When two bodies in free flight meet the next surface: the roots of |r + w t| = S, B. J. Alder,
+/// T. E. Wainwright, J. Chem. Phys. 31 (1959) 459.
 ///
 /// The state decides which surface that can be, not the distance alone: a flag says whether the
 /// pair is in its well, the sign of b = r.w whether it closes in. So round-off at a surface that
@@ -22,16 +23,16 @@ inline constexpr double never = std::numeric_limits<double>::infinity();
 /// Distances of centres (of a centre to a wall) at which something happens, [length].
 struct Surfaces {
   double core;  ///< hard core
-  double edge;  ///< of the well; not above core: there is none
-  bool well() const { return edge > core; }
+  double edge;  ///< of the well; not above core: there is no well
+  bool has_well() const { return edge > core; }
 };
 
 struct Crossing {
-  double wait = never;  ///< from now, [time]
+  double wait = never;  ///< time from now until the crossing, [time]
   Surface surface = Surface::core;
 };
 
-/// Time until |r + w t| has fallen to S: b = r.w, ww = w.w, c = r.r - S^2.
+/// Time until |r + w t| has fallen to S, [time]: b = r.w, ww = w.w, c = r.r - S^2.
 inline double time_to_fall(double b, double ww, double c) {
   if (b >= 0.0) return never;
   if (c <= 0.0) return 0.0;
@@ -39,7 +40,7 @@ inline double time_to_fall(double b, double ww, double c) {
   return discriminant < 0.0 ? never : c / (std::sqrt(discriminant) - b);
 }
 
-/// Time until |r + w t| has risen to S from inside.
+/// Time until |r + w t| has risen to S from inside, [time].
 inline double time_to_rise(double b, double ww, double c) {
   if (ww == 0.0) return never;
   if (b >= 0.0 && c >= 0.0) return b > 0.0 ? 0.0 : never;
@@ -51,21 +52,23 @@ inline double time_to_rise(double b, double ww, double c) {
 /// v_j.v_j). An impulse that small changes no digit of them: the pair would have its event again at
 /// once, for ever. Such a pair counts as neither approaching nor parting; it moves by less than
 /// 1e-15 of its flight.
-inline bool stands(double b, double rr, double vv) { return b * b <= 1e-30 * rr * vv; }
+inline bool normal_speed_is_round_off(double b, double rr, double vv) {
+  return b * b <= 1e-30 * rr * vv;
+}
 
-/// The next surface of two spheres, r = x_j - x_i now, w = v_j - v_i, vv as above.
-inline Crossing next_crossing(const Vector3& r, const Vector3& w, double vv, const Surfaces& at,
-                              bool inside) {
+/// The next surface that two spheres meet, with r = x_j - x_i now, w = v_j - v_i, and vv as above.
+inline Crossing next_crossing(const Vector3& r, const Vector3& w, double vv,
+                              const Surfaces& surfaces, bool inside) {
   const double b = dot(r, w), ww = dot(w, w), rr = dot(r, r);
   if (!inside && b >= 0.0) return {};
-  const bool entering = !inside && at.well();
-  const double inner = entering ? at.edge : at.core;
+  const bool entering = !inside && surfaces.has_well();
+  const double inner = entering ? surfaces.edge : surfaces.core;
   const double fall = time_to_fall(b, ww, rr - inner * inner);
   if (entering) return {fall, Surface::edge_inward};
-  if (fall < never && !stands(b, rr, vv)) return {fall, Surface::core};
+  if (fall < never && !normal_speed_is_round_off(b, rr, vv)) return {fall, Surface::core};
   if (!inside) return {};
-  const double c = rr - at.edge * at.edge;
-  if (c >= 0.0 && stands(b, rr, vv)) return {};
+  const double c = rr - surfaces.edge * surfaces.edge;
+  if (c >= 0.0 && normal_speed_is_round_off(b, rr, vv)) return {};
   return {time_to_rise(b, ww, c), Surface::edge_outward};
 }
 

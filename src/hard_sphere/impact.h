@@ -24,13 +24,13 @@ inline void require_valid(const Law& law) {
   require_non_negative("depth D of the well", law.depth);
 }
 
-/// The surface that the centre of a partner meets, and the way it goes.
+/// The surface that the centre of a partner meets, and the direction in which it crosses.
 enum class Surface { core, edge_inward, edge_outward };
 
 enum class Kind { collision, approach, escape, capture };
 inline constexpr std::array kind_names{"collision", "approach", "escape", "capture"};
 
-/// What happens where partner j meets a surface of partner i.
+/// The outcome of partner j meeting a surface of partner i.
 struct Impact {
   Kind kind = Kind::collision;
   bool inside = false;  ///< in the well afterwards
@@ -40,7 +40,8 @@ struct Impact {
   double energy_change = 0.0;  ///< of kinetic energy, rotation included, [energy]
 };
 
-/// k: unit vector from i to j (from the particle's centre to the wall).
+/// Computes the impact at a surface; k is the unit vector from i to j (from the particle's centre
+/// to the wall). The laws and their sources: collision.h, square_well/impulses.h.
 inline Impact impact(Surface surface, const Vector3& k, const Law& law, const Partner& i,
                      const Partner& j) {
   Impact now;

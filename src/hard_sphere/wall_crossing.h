@@ -13,7 +13,7 @@ using event_stepping::WallState;
 /// A wall in uniform motion over a step.
 struct MovingWall {
   Wall wall;
-  WallState end;           ///< where it is at the end of the step, and its velocity
+  WallState end;           ///< its displacement at the end of the step, and its velocity
   double rim_speed = 0.0;  ///< of a turning cylinder, [length/time]
 
   WallState at(double time_left) const {
@@ -22,39 +22,40 @@ struct MovingWall {
 };
 
 /// The next surface that a centre at h over a plane, moving with dh/dt = u, meets.
-inline Crossing next_crossing_of_plane(double h, double u, const Surfaces& at, bool inside) {
+inline Crossing next_crossing_of_plane(double h, double u, const Surfaces& surfaces, bool inside) {
   if (u == 0.0 || (u > 0.0 && !inside)) return {};
-  if (u > 0.0) return {h >= at.edge ? 0.0 : (at.edge - h) / u, Surface::edge_outward};
-  const bool core = inside || !at.well();
-  const double surface = core ? at.core : at.edge;
+  if (u > 0.0) return {h >= surfaces.edge ? 0.0 : (surfaces.edge - h) / u, Surface::edge_outward};
+  const bool core = inside || !surfaces.has_well();
+  const double surface = core ? surfaces.core : surfaces.edge;
   return {h <= surface ? 0.0 : (surface - h) / u, core ? Surface::core : Surface::edge_inward};
 }
 
-/// The same inside a cylinder of radius R: r, w across the axis. The particle leaves the well of
-/// the wall where its distance from the axis falls to R - edge.
+/// The same inside a cylinder of radius R, with r and w across the axis. The particle leaves the
+/// well of the wall where its distance from the axis falls to R - edge.
 inline Crossing next_crossing_of_cylinder(const Vector3& r, const Vector3& w, double radius,
-                                          const Surfaces& at, bool inside) {
+                                          const Surfaces& surfaces, bool inside) {
   const double b = dot(r, w), ww = dot(w, w), rr = dot(r, r);
   const auto c = [&](double gap) { return rr - (radius - gap) * (radius - gap); };
-  if (!inside && at.well()) return {time_to_rise(b, ww, c(at.edge)), Surface::edge_inward};
-  const double leave = inside ? time_to_fall(b, ww, c(at.edge)) : never;
+  if (!inside && surfaces.has_well())
+    return {time_to_rise(b, ww, c(surfaces.edge)), Surface::edge_inward};
+  const double leave = inside ? time_to_fall(b, ww, c(surfaces.edge)) : never;
   if (leave < never) return {leave, Surface::edge_outward};
   // A wall curves towards a particle that runs along it.
-  if (b == 0.0 && ww > 0.0 && c(at.core) >= 0.0) return {0.0, Surface::core};
-  return {time_to_rise(b, ww, c(at.core)), Surface::core};
+  if (b == 0.0 && ww > 0.0 && c(surfaces.core) >= 0.0) return {0.0, Surface::core};
+  return {time_to_rise(b, ww, c(surfaces.core)), Surface::core};
 }
 
-/// The next surface of a wall, for a centre at x now with velocity v, `left` before the end of the
-/// step.
+/// The next surface of a wall that a centre meets which is at x now and has the velocity v, `left`
+/// [time] before the end of the step.
 inline Crossing next_crossing(const MovingWall& wall, const Vector3& x, const Vector3& v,
-                              double left, const Surfaces& at, bool inside) {
+                              double left, const Surfaces& surfaces, bool inside) {
   if (wall.wall.shape == Wall::z_cylinder)
-    return next_crossing_of_cylinder({x.x, x.y, 0.0}, {v.x, v.y, 0.0}, wall.wall.position, at,
+    return next_crossing_of_cylinder({x.x, x.y, 0.0}, {v.x, v.y, 0.0}, wall.wall.position, surfaces,
                                      inside);
   const WallState now = wall.at(left);
   const double h = wall.wall.nearest(x, now, 0.0).distance;
   const double u = dot(wall.wall.normal(), v - now.velocity);
-  return next_crossing_of_plane(h, u, at, inside);
+  return next_crossing_of_plane(h, u, surfaces, inside);
 }
 
 }  // namespace cohesion::hard_sphere

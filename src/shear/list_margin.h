@@ -5,16 +5,16 @@
 
 namespace cohesion::shear {
 
-/// By how much a shear of this strain lengthens a vector at most, and shortens it: the larger
-/// singular value of (1 strain; 0 1). The singular values s and 1/s have the sum of squares
-/// 2 + strain^2, so s - 1/s = |strain|.
+/// The largest principal stretch of a shear of this strain, the factor by which it lengthens a
+/// vector at most, and shortens it: the larger singular value of (1 strain; 0 1). The singular
+/// values s and 1/s have the sum of squares 2 + strain^2, so s - 1/s = |strain|.
 inline double largest_stretch(double strain) {
   const double g = std::abs(strain);
   return 0.5 * (g + std::sqrt(g * g + 4.0));
 }
 
-/// How far a particle may move, beyond what the shear of the whole box does to it, before a list of
-/// neighbours may miss a pair, [length]; negative: the list may miss one already.
+/// The largest nonaffine displacement, beyond what the shear of the whole box does to a particle,
+/// before a list of neighbours may miss a pair, [length]; negative: the list may miss one already.
 ///
 /// A list holds all pairs that were closer than list_reach [length] when the box had some strain;
 /// since then it was sheared by `strain` more. Forces act up to force_reach [length].

@@ -8,14 +8,14 @@
 
 namespace cohesion::shear {
 
-/// Sums over particles from which mean profile and fluctuations follow: plain numbers, to be added
-/// over ranks. To keep the differences small, positions are from the middle of the box and
+/// The sums over particles from which mean profile and fluctuations follow: plain numbers, to be
+/// added over ranks. To keep the differences small, positions are from the middle of the box and
 /// velocities from a profile near the mean one.
 struct ProfileSums {
   enum { mass, y, yy, u, yu = u + 3, uu = yu + 3, count = uu + 6 };
   std::array<double, count> values{};
 
-  /// Mass [mass], position along the gradient [length], velocity [length/time].
+  /// Adds a particle: mass [mass], position along the gradient [length], velocity [length/time].
   void add(double m, double at, const Vector3& v) {
     values[mass] += m;
     values[y] += m * at;
@@ -32,7 +32,7 @@ struct ProfileSums {
   }
 };
 
-/// Mean velocity u(y) = intercept + slope y along the flow, and what the particles move beyond it.
+/// The mean velocity u(y) = intercept + slope y along the flow, and the fluctuations v' about it.
 struct MeanProfile {
   double slope = 0.0;      ///< [1/time]
   double intercept = 0.0;  ///< at y = 0, [length/time]
@@ -43,9 +43,9 @@ struct MeanProfile {
   double at(double position) const { return intercept + slope * position; }
 };
 
-/// The line through the velocities along the flow with the least mass-weighted sum of squares;
-/// across the flow the mean is taken off. No particles: all zero. All at one height: a line without
-/// slope.
+/// Fits the line through the velocities along the flow with the least mass-weighted sum of squares;
+/// across the flow the mean is subtracted. No particles: all zero. All at one height: a line
+/// without slope.
 inline MeanProfile fit(const ProfileSums& sums) {
   using S = ProfileSums;
   MeanProfile profile;
@@ -59,14 +59,15 @@ inline MeanProfile fit(const ProfileSums& sums) {
   const double yy = mean_yy - y * y;
   double yu[3];
   for (int k = 0; k < 3; k++) yu[k] = s[S::yu + k] / profile.mass - y * u[k];
-  // A spread that is the rounding of the difference is none.
+  // A spread that is only the rounding of the difference counts as none.
   if (yy > 8.0 * std::numeric_limits<double>::epsilon() * mean_yy) profile.slope = yu[0] / yy;
   profile.intercept = u[0] - profile.slope * y;
 
   constexpr int first[6] = {0, 1, 2, 0, 0, 1}, second[6] = {0, 1, 2, 1, 2, 2};
   for (int k = 0; k < 6; k++)
     profile.fluctuation[k] = s[S::uu + k] / profile.mass - u[first[k]] * u[second[k]];
-  // Taking b y off the velocity along the flow: <(x - b y)^2> = xx - b xy for the b that fits best.
+  // Subtracting b y from the velocity along the flow: <(x - b y)^2> = xx - b xy for the b that fits
+  // best.
   profile.fluctuation[0] -= profile.slope * yu[0];
   profile.fluctuation[3] -= profile.slope * yu[1];
   profile.fluctuation[4] -= profile.slope * yu[2];

@@ -6,7 +6,7 @@
 
 namespace cohesion::shear {
 
-/// Strain of a box sheared at a rate that may change between steps of a grid in time.
+/// The strain of a box that is sheared at a rate which may change between steps of a grid in time.
 ///
 /// While rate and step stay the same the strain is worked out from the number of steps since they
 /// changed, not summed up: n steps leave two roundings, not n, and it does not matter where a run
@@ -22,15 +22,16 @@ struct BoxStrain {
     return at_change + rate * (time_step * static_cast<double>(step - step_of_change));
   }
 
-  /// From the end of step `step` on, the rate and the step are these.
+  /// Sets the rate and the time step from the end of step `step` on.
   void continue_with(std::int64_t step, double new_rate, double new_time_step) {
     if (new_rate == rate && new_time_step == time_step) return;
     *this = {at(step), step, new_rate, new_time_step};
   }
 };
 
-/// Where the images across the gradient direction stand: Lees and Edwards, J. Phys. C 5 (1972)
-/// 1921. A lattice of images shifted by tilt along the flow is the same for tilt and tilt + length.
+/// The shift of the periodic images across the gradient direction. Source: A. W. Lees, S. F.
+/// Edwards, J. Phys. C 5 (1972) 1921. A lattice of images shifted by tilt along the flow is the
+/// same for tilt and tilt + length.
 struct ImageShift {
   double start = 0.0;   ///< tilt at strain 0, [length]
   double height = 1.0;  ///< of the box in the gradient direction, [length]
@@ -44,7 +45,7 @@ struct ImageShift {
   }
   /// Tilt after so many whole lengths were counted back, [length].
   double tilt(double strain, double lengths) const { return whole(strain) - lengths * length; }
-  /// By how much the image above is faster, for a rate [1/time], [length/time].
+  /// The velocity of the image above relative to the box, for a rate [1/time], [length/time].
   double velocity(double rate) const { return rate * height; }
 };
 

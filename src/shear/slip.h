@@ -9,17 +9,18 @@
 
 namespace cohesion::shear {
 
-/// Layers across the gradient: how far the mean velocity of each is from the mean profile. Plain
-/// sums, to be added over ranks.
+/// Sums over layers across the gradient, which tell how far the mean velocity of each is from the
+/// mean profile: plain numbers, to be added over ranks.
 class Layers {
  public:
-  /// So many layers over the height of the box [length], whose middle is y = 0.
+  /// Divides the height of the box [length], whose middle is y = 0, into `number` layers.
   Layers(int number, double box_height) : height(box_height), values(3 * number, 0.0) {}
 
   int number() const { return static_cast<int>(values.size()) / 3; }
   std::vector<double>& sums() { return values; }
 
-  /// Mass [mass], position in the box [length], velocity along the flow [length/time].
+  /// Adds a particle: mass [mass], position in the box [length], velocity along the flow
+  /// [length/time].
   void add(double mass, double y, double u) {
     const int n = number();
     const int layer = std::clamp(static_cast<int>((y / height + 0.5) * n), 0, n - 1);
@@ -29,7 +30,7 @@ class Layers {
   }
 
   double mass(int layer) const { return values[3 * layer]; }
-  /// Of the particles in the layer; 0 without any.
+  /// Mean position of the particles in the layer, [length]; 0 without any.
   double mean_position(int layer) const { return mean(layer, 1); }
   double mean_velocity(int layer) const { return mean(layer, 2); }
 
@@ -38,8 +39,8 @@ class Layers {
   double slip(const MeanProfile& profile) const {
     double square = 0.0, all = 0.0;
     for (int i = 0; i < number(); i++) {
-      const double away = mean_velocity(i) - profile.at(mean_position(i));
-      square += mass(i) * away * away;
+      const double slip_of_layer = mean_velocity(i) - profile.at(mean_position(i));
+      square += mass(i) * slip_of_layer * slip_of_layer;
       all += mass(i);
     }
     return all > 0.0 ? std::sqrt(square / all) : 0.0;

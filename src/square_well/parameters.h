@@ -12,17 +12,19 @@ namespace cohesion::square_well {
 
 /// The well between two materials, as users give it. Its edge is where the centres are
 /// ratio_i r_i + ratio_j r_j apart; beside a wall, where the gap is (ratio_i - 1) r_i.
+///
+/// Source: M. Weber, thesis, ch. 3 (square-well model); unlike ratios: derived here.
 struct Parameters {
   double depth = 0.0;    ///< D, [energy]; 0: no well
   double ratio_i = 1.0;  ///< r_out/r of the particles of the first material, [1]
   double ratio_j = 1.0;  ///< of the second
 };
 
-/// `well D ratio`: one ratio for both.
+/// The well of `well D ratio`, which has one ratio for both.
 inline Parameters well(double depth, double ratio) { return {depth, ratio, ratio}; }
 
-/// Above, another sphere of the same size fits between a wall and one that it attracts, and two
-/// between two that attract each other.
+/// The largest r_out/r: above it, another sphere of the same size fits between a wall and one that
+/// it attracts, and two between two that attract each other.
 inline constexpr double largest_ratio = 3.0;
 
 /// Throws InvalidParameter unless D >= 0 and both ratios are from 1 to largest_ratio, all finite.
@@ -38,7 +40,7 @@ inline void require_valid(const Parameters& p) {
   }
 }
 
-/// Unlike materials: the geometric mean of the depths; each its own ratio.
+/// The well of unlike materials: the geometric mean of the depths, and each its own ratio.
 inline Parameters mixed(const Parameters& a, const Parameters& b) {
   return {geometric_mean(a.depth, b.depth), a.ratio_i, b.ratio_j};
 }
@@ -63,8 +65,8 @@ struct EdgeBounds {
   double outside;  ///< [1]
 };
 
-/// Beside a wall the sum of the radii is that of the one sphere, and the distance that of its
-/// centre. Where rounding could decide, neither bound does.
+/// The bounds of a well. Beside a wall the sum of the radii is that of the one sphere, and the
+/// distance that of its centre. Where rounding could decide, neither bound does.
 inline EdgeBounds edge_bounds(const Parameters& p, bool wall) {
   constexpr double rounding = 1e-12;
   const double other = wall ? p.ratio_i : p.ratio_j;

@@ -11,23 +11,23 @@
 
 namespace cohesion::statistics {
 
-/// What a watched number is made of, and how far it may move.
+/// A number that the rule watches: what it is made of, and how far it may change.
 struct Watched {
   std::size_t terms;  ///< ratios whose sum it is
   double tolerance;   ///< of the relative change from block to block [1]; BlockRule::any
 };
 
-/// Tells when blocks of a run are alike: M. Weber, thesis, chapter 4. From a progress of `start` on
-/// (in any unit that grows with the run: collisions per particle, time, strain) the run is cut into
-/// blocks of equal progress. The rule is met when every watched number, averaged over the last
-/// block, differs from that of the block before by less than its tolerance.
+/// Tells when blocks of a run are alike. Source: M. Weber, thesis, chapter 4. From a progress of
+/// `start` on (in any unit that grows with the run: collisions per particle, time, strain) the run
+/// is cut into blocks of equal progress. The rule is met when every watched number, averaged over
+/// the last block, differs from that of the block before by less than its tolerance.
 ///
 /// Two blocks that end a run have been chosen for being alike, so their difference says nothing
 /// about the error. That comes from all blocks, each cut into batches.
 class BlockRule {
  public:
   static constexpr int batches_per_block = 16;
-  /// Tolerance of a number that is reported and not waited for.
+  /// The tolerance of a number that is reported and not waited for.
   static constexpr double any = std::numeric_limits<double>::max();
 
   /// Throws InvalidParameter for a start below zero, a block or tolerance that is not above.
@@ -39,13 +39,13 @@ class BlockRule {
       require_positive("tolerance", w.tolerance);
       tolerances_.push_back(w.tolerance);
       series_.emplace_back(w.terms);
-      open_.resize(open_.size() + w.terms);
+      open_batch_.resize(open_batch_.size() + w.terms);
     }
   }
 
-  /// The progress since the run began, and what the terms of all watched numbers, one after the
-  /// other, have gained since the sample before. True when a block has ended. Where samples are
-  /// farther apart than batches or blocks these are longer.
+  /// Adds a sample: the progress since the run began, and what the terms of all watched numbers,
+  /// one after the other, have gained since the sample before. Returns whether a block has ended.
+  /// Where samples are farther apart than batches or blocks these are longer.
   bool add(double progress, const std::vector<Ratio>& gains) {
     if (progress < start_) return false;
     const double now = std::floor((progress - start_) / batch_);
@@ -53,7 +53,7 @@ class BlockRule {
       batches_passed_ = now;
       return false;
     }
-    for (std::size_t k = 0; k < gains.size(); k++) open_[k] += gains[k];
+    for (std::size_t k = 0; k < gains.size(); k++) open_batch_[k] += gains[k];
     if (now <= batches_passed_) return false;
     const bool block_ended = whole_blocks(now) > whole_blocks(batches_passed_);
     batches_passed_ = now;
@@ -71,9 +71,10 @@ class BlockRule {
     return blocks() >= 2;
   }
 
-  /// Of a watched number between the last two blocks: difference over mean size [1]; 0 where both
-  /// are the same, 0 included; infinite while there are fewer than two blocks, and where a term has
-  /// counted nothing in one of them: that a ratio over nothing stays says nothing.
+  /// Relative change of a watched number between the last two blocks: difference over mean size
+  /// [1]; 0 where both are the same, 0 included; infinite while there are fewer than two blocks,
+  /// and where a term has counted nothing in one of them: that a ratio over nothing stays says
+  /// nothing.
   double change(std::size_t w) const {
     const int last = blocks() - 1;
     if (last < 1 || !counted_in_block(w, last) || !counted_in_block(w, last - 1))
@@ -83,29 +84,29 @@ class BlockRule {
     return std::abs(now - before) / (0.5 * (std::abs(now) + std::abs(before)));
   }
 
-  /// Of a watched number, in block b counted from 0.
-  double in_block(std::size_t w, int b) const { return series_[w].over(begin(b), ends_[b]); }
+  /// The value of a watched number in block b, counted from 0.
+  double in_block(std::size_t w, int b) const { return series_[w].value_over(begin(b), ends_[b]); }
 
-  /// Of a watched number, over all batches since the start.
+  /// The mean of a watched number over all batches since the start.
   Mean mean(std::size_t w) const { return series_[w].mean(); }
 
-  /// All that the rule remembers, as plain numbers.
+  /// The state of the rule as plain numbers, for restore().
   std::vector<double> state() const {
     std::vector<double> numbers{start_, batch_, batches_passed_, static_cast<double>(ends_.size()),
                                 static_cast<double>(series_.front().batches())};
     for (const std::size_t end : ends_) numbers.push_back(static_cast<double>(end));
-    append(numbers, open_);
+    append(numbers, open_batch_);
     for (const WatchedSeries& series : series_) append(numbers, series.sums());
     return numbers;
   }
 
-  /// Goes on from the state of a rule with the same start and block that watched as many terms.
+  /// Continues from the state of a rule with the same start and block that watched as many terms.
   /// Throws InvalidParameter when it was another.
   void restore(const std::vector<double>& numbers) {
     const std::size_t head = 5, n = numbers.size();
     const std::size_t blocks = n < head ? 0 : static_cast<std::size_t>(numbers[3]);
     const std::size_t batches = n < head ? 0 : static_cast<std::size_t>(numbers[4]);
-    require(n == head + blocks + 2 * open_.size() * (1 + batches), "numbers in the restart",
+    require(n == head + blocks + 2 * open_batch_.size() * (1 + batches), "numbers in the restart",
             static_cast<double>(n), "watch the same values as the run that wrote it");
     require(numbers[0] == start_, "start in the restart", numbers[0],
             "give the same start as the run that wrote it");
@@ -120,7 +121,7 @@ class BlockRule {
       at += 2;
       return ratio;
     };
-    for (Ratio& ratio : open_) ratio = next();
+    for (Ratio& ratio : open_batch_) ratio = next();
     for (WatchedSeries& series : series_) {
       series = WatchedSeries(series.terms());
       std::vector<Ratio> batch(series.terms());
@@ -140,18 +141,18 @@ class BlockRule {
   static double whole_blocks(double batches) { return std::floor(batches / batches_per_block); }
 
   void close_batch() {
-    const Ratio* batch = open_.data();
+    const Ratio* batch = open_batch_.data();
     for (WatchedSeries& series : series_) {
       series.add(batch);
       batch += series.terms();
     }
-    open_.assign(open_.size(), {});
+    open_batch_.assign(open_batch_.size(), {});
   }
 
   static void append(std::vector<double>& numbers, const std::vector<Ratio>& ratios) {
     for (const Ratio& ratio : ratios) {
-      numbers.push_back(ratio.above);
-      numbers.push_back(ratio.below);
+      numbers.push_back(ratio.numerator);
+      numbers.push_back(ratio.denominator);
     }
   }
 
@@ -159,7 +160,7 @@ class BlockRule {
   double batches_passed_ = -1.0;  // whole batches since the start; below 0: not there yet
   std::vector<double> tolerances_;
   std::vector<WatchedSeries> series_;
-  std::vector<Ratio> open_;        // of the batch that has not ended
+  std::vector<Ratio> open_batch_;  // of the batch that has not ended
   std::vector<std::size_t> ends_;  // of blocks: batches up to there
 };
 

@@ -8,10 +8,10 @@
 
 namespace cohesion::statistics {
 
-/// Standard error of the mean of correlated values by blocking: H. Flyvbjerg, H. G. Petersen,
-/// J. Chem. Phys. 91 (1989) 461. Neighbours are averaged in pairs, again and again; at each level
-/// the error is estimated as if the n values left were independent, sqrt(sum of squares/(n(n-1))).
-/// It grows until the blocks are longer than the correlation and then stays.
+/// Standard error of the mean of correlated values by blocking. Source: H. Flyvbjerg, H. G.
+/// Petersen, J. Chem. Phys. 91 (1989) 461. Neighbours are averaged in pairs, again and again; at
+/// each level the error is estimated as if the n values left were independent, sqrt(sum of
+/// squares/(n(n-1))). It grows until the blocks are longer than the correlation and then stays.
 class Blocking {
  public:
   static constexpr std::size_t least = 8;  ///< values that a level needs for an estimate
@@ -28,11 +28,11 @@ class Blocking {
   }
 
   std::size_t size() const { return levels.size(); }
-  /// At a level, 0 the values themselves: the estimate, in the unit of the values.
+  /// The estimate at a level, in the unit of the values; level 0 are the values themselves.
   double error_at(std::size_t level) const { return levels[level].error; }
 
-  /// At the finest level that no coarser one exceeds by more than two of its standard errors,
-  /// error/sqrt(2(n - 1)) each. 0 for fewer than two values: not known.
+  /// The estimate at the finest level that no coarser one exceeds by more than two of its standard
+  /// errors, error/sqrt(2(n - 1)) each. 0 for fewer than two values: not known.
   double error() const {
     for (std::size_t j = 0; j < levels.size(); j++)
       if (stays_from(j)) return levels[j].error;

@@ -82,8 +82,8 @@ LAMMPS = {
         stock(hooke(), walled=True), None,
         stock(hooke(), f"fix w all wall/gran hooke/history {scenes.STIFFNESS} NULL {scenes.GAMMA} NULL "
               f"{scenes.FRICTION} 1 {PLANES}\n", walled=True)),
-    "energy book, *event*": output(EVENT, "compute out all gran/energy\n", "uncompute out\n"),
-    "energy book, *sampled*": output(SAMPLED, "compute out all gran/energy\n", "uncompute out\n"),
+    "energy tally, *event*": output(EVENT, "compute out all gran/energy\n", "uncompute out\n"),
+    "energy tally, *sampled*": output(SAMPLED, "compute out all gran/energy\n", "uncompute out\n"),
     "stress split, not read": output(EVENT, "compute out all gran/stress\n", "uncompute out\n"),
     "stress split, every step": output(EVENT, "compute out all gran/stress\n", "uncompute out\n", EVERY_STEP),
     "profile of the flow, every step": output(
@@ -110,7 +110,7 @@ LIGGGHTS = {
     "rolling epsd2 of the engine beside cohesion hamaker": (
         Case("liggghts+", LIGGGHTS_PAIR), None,
         Case("liggghts+", gran(LIGGGHTS_HAMAKER + " rolling_friction epsd2", scenes.hamaker_properties()))),
-    "energy book": tuple(Case("liggghts+", LIGGGHTS_PAIR, extra) for extra in (
+    "energy tally": tuple(Case("liggghts+", LIGGGHTS_PAIR, extra) for extra in (
         "", "compute out all gran/energy\nuncompute out\n", "compute out all gran/energy\n")),
     "agglomerates, every 10": tuple(Case("liggghts+", LIGGGHTS_PAIR, extra) for extra in (
         "", "fix done all agglomerates 10\nunfix done\n", "fix done all agglomerates 10\n")),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs of the event scheme that go on from the forces of another: the motion, and the energy book of compute
+"""Runs of the event scheme that go on from the forces of another: the motion, and the energy tally of compute
 gran/energy that is first looked at on their first line."""
 import math
 import sys
@@ -20,7 +20,7 @@ WELL = "well 1e-10 1.01"
 HAMAKER = f"hamaker 7.49e-19 cutoff {CUT} {OUT}"
 TANGENTIAL = 2 / 7 * STIFFNESS
 ADHESION = 7.49e-19 * R / 6 / CUT**2  # force at a wall; half of that between spheres
-RUBS = "friction 0.3 rolling_friction 0.1"
+FRICTION = "friction 0.3 rolling_friction 0.1"
 CONTACT = f"stiffness {STIFFNESS} restitution 0.9"
 PERIOD = 40 * DT
 SPIN = numpy.array([300.0, 100.0, -200.0])
@@ -51,7 +51,7 @@ def scene(style, words, oblique=0.0, scheme="event", walls="", x=5e-3):
 class ContinuedRun(ScriptTestCase):
     def book(self, pair, runs, ranks=1, head="read_data data.spheres", boundary="p p p",
              dt=DT):
-        """The lines of the last run, by name, and the end of the motion. COMPUTE in `runs` opens the book."""
+        """The lines of the last run, by name, and the end of the motion. COMPUTE in `runs` begins the tally."""
         opened = ("compute book all gran/energy\nthermo_style custom step c_book[*]\n"
                   "thermo_modify norm no format float %.17g")
         output = self.goes(f"""
@@ -73,8 +73,8 @@ write_dump all custom end.txt id x y z vx vy vz omegax omegay omegaz modify form
         names, rows = thermo_lines(output)
         return dict(zip(names, numpy.array(rows).T)), engine.dump(self.folder, "end.txt")
 
-    def check(self, atoms, pair, rubs=False, boundary="p p p"):
-        """What a book holds that is opened between two runs, or after a restart, against one that was there
+    def check(self, atoms, pair, friction=False, boundary="p p p"):
+        """What a tally has that begins between two runs, or after a restart, against one that was there
         from the start."""
         engine.write_spheres(self.folder, atoms, 3 * [(0.0, 0.01)], 1)
         whole, end = self.book(pair, f"COMPUTE\nrun {STEPS}", boundary=boundary)
@@ -90,7 +90,7 @@ write_dump all custom end.txt id x y z vx vy vz omegax omegay omegaz modify form
         ways = [("from the first run on", f"COMPUTE\nrun {SPLIT}\nrun {rest}", {}),
                 ("between runs, after one of no steps", halves.replace("COMPUTE", "run 0\nCOMPUTE"), {}),
                 ("restart", f"COMPUTE\nrun {rest}", {"head": "read_restart restart.half"})]
-        if rubs:
+        if friction:
             ways.append(("between runs, two ranks", halves, {"ranks": 2}))
         for name, runs, options in ways:
             with self.subTest(name):
@@ -101,7 +101,7 @@ write_dump all custom end.txt id x y z vx vy vz omegax omegay omegaz modify form
                 stored = numpy.array([book[key] - whole[key] for key in STORED])
                 moves = numpy.array([book[key] - whole[key] for key in MOTION])
                 room = numpy.full(4, rounding)
-                if rubs:
+                if friction:
                     # Friction moves what the normal motion has left, along the plane of contact of mid-step:
                     # in the half step after the grid the normal turns by v dt/(2 R), and surfaces fly
                     # u dt/2; their places are known up to the product.
@@ -134,18 +134,18 @@ write_dump all custom end.txt id x y z vx vy vz omegax omegay omegaz modify form
     def test_with_friction(self):
         for name, words in (("hamaker", HAMAKER), ("square_well", WELL)):
             with self.subTest(name):
-                whole = self.check(*scene(name, f"{words} {RUBS}", oblique=1.0, x=0.0), rubs=True)
+                whole = self.check(*scene(name, f"{words} {FRICTION}", oblique=1.0, x=0.0), friction=True)
                 for key in STORED:
                     self.assertNotEqual(whole[key][0], 0.0)
 
     def test_moving_walls(self):
-        for words, oblique in ((HAMAKER, 0.0), (f"{HAMAKER} {RUBS}", 1.0)):
+        for words, oblique in ((HAMAKER, 0.0), (f"{HAMAKER} {FRICTION}", 1.0)):
             with self.subTest(words):
                 self.check(*scene("hamaker", words, oblique, walls=f"xplane 0 NULL wiggle x 1e-7 {PERIOD:.17g}"),
-                           rubs=oblique > 0, boundary="f p p")
+                           friction=oblique > 0, boundary="f p p")
 
     def test_packing(self):
-        """Where each sphere has up to six contacts: a book that is opened between two runs has what the splitting of
+        """Where each sphere has up to six contacts: a tally that begins between two runs has what the splitting of
         one step leaves, second order in the step, of the energies of all springs and of the adhesion. Motion and book
         then go on as if there had been no stop, to the last bit."""
         random = numpy.random.default_rng(3)
@@ -154,8 +154,8 @@ write_dump all custom end.txt id x y z vx vy vz omegax omegay omegaz modify form
             {"type": 1, "diameter": DIAMETER, "density": 2650.0, "x": x, "v": random.uniform(-SPEED, SPEED, 3),
              "omega": random.uniform(-50, 50, 3)}
             for x in numpy.array(numpy.meshgrid(places, places, places)).reshape(3, -1).T], 3 * [(0.0, 0.006)], 1)
-        for rubs in ("", RUBS):
-            words = f"{CONTACT} {HAMAKER} {rubs}"
+        for friction in ("", FRICTION):
+            words = f"{CONTACT} {HAMAKER} {friction}"
             pair = (f"pair_style gran/hamaker\npair_coeff * * {words}\nfix w all wall/gran/hamaker {words} "
                     "xplane 0 0.006 yplane 0 0.006 zplane 0 NULL\nfix g all gravity 9.81 vector 0 0 -1\n")
             apart = []
@@ -174,7 +174,7 @@ write_dump all custom end.txt id x y z vx vy vz omegax omegay omegaz modify form
                 for key in MOTION:
                     self.assertEqual(first[key], last[key])
                 apart.append(sum(abs(first[key] - last[key]) for key in STORED) / last["c_book[3]"])
-                print(f"packing {rubs}: t_c/{part}: {apart[-1]:.1e} of the springs", file=sys.stderr)
+                print(f"packing {friction}: t_c/{part}: {apart[-1]:.1e} of the springs", file=sys.stderr)
             # Between the 4 of first order and the 16 of second.
             self.assertLess(apart[1], apart[0] / 8)
 

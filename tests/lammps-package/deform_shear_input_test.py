@@ -84,7 +84,7 @@ class Refusals(unittest.TestCase):
             (head("prism 0 10 0 8 0 6 6 0 0") + SHEAR, "tilt xy is 6", "half the length"),
             (head("prism 0 10 0 8 0 6 0 0 2") + SHEAR, "tilt yz is 2", "make it 0"))
 
-    def test_companions(self):
+    def test_incompatible_fixes(self):
         begin = head() + PAIR + SHEAR
         self.stop(*[(begin + f"fix other all {fix}\n" + MOVE + "run 1\n", *words)
                     for fix, *words in (

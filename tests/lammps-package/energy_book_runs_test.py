@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""compute gran/energy over runs: its book is opened with the first run, whoever looks and when, and has what a
+"""compute gran/energy over runs: its tally begins with the first run, whoever asks and when, and has what a
 change of the box between two runs puts in."""
 import unittest
 
@@ -50,7 +50,7 @@ class Runs(FolderTestCase):
         """Two spheres that rub each other while they fall: friction and gravity leave an error of the step."""
         self.write([((2e-3, 2e-3, 2e-3), (0.1, 0.0, 0.0)), ((3.02e-3, 2.2e-3, 2e-3), (-0.1, 0.0, 0.0))],
                    (5e-3, 5e-3, 5e-3))
-        # The field grows, so that a book opened a step too late or too early would have another beginning.
+        # The field grows, so that a tally begun a step too late or too early would have another beginning.
         script = (HEAD % ("p p p", "friction 0.3 hamaker 5e-19 cutoff 4e-10 1e-7") +
                   "variable g equal 9.81+step\nfix fall all gravity v_g vector 0 0 -1\n" + TAIL)
         looks = {

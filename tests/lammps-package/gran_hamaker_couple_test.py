@@ -267,7 +267,7 @@ class Conservation(unittest.TestCase):
         for division in (4, 16):
             box = Box(0.0, division, head_on=True)
             residual = numpy.abs(box.book[10]).max()
-            report(f"energy book, head-on, t_c/{division}: {residual / box.energy:.1e} of all")
+            report(f"energy tally, head-on, t_c/{division}: {residual / box.energy:.1e} of all")
             self.assertGreater(box.book[6][-1], 1e-2 * box.energy)
             self.assertLess(residual, box.rounding)
 
@@ -279,10 +279,10 @@ class Conservation(unittest.TestCase):
         overlap = Box.SPEED * math.sqrt(Box.MU / pair_motion.STIFFNESS) + 2 * Pair(
             Box.A).adhesion / pair_motion.STIFFNESS
         for division in (4, 16):
-            # The book is opened half a step after the start, before any contact.
+            # The tally begins half a step after the start, before any contact.
             box = Box(0.0, division, apart=True)
             residual = numpy.abs(box.book[10])
-            report(f"energy book, oblique, no friction, t_c/{division}: "
+            report(f"energy tally, oblique, no friction, t_c/{division}: "
                    f"{residual.max() / box.energy:.1e} of all in contact, "
                    f"{residual[-1] / box.energy:.1e} after it")
             self.assertLess(residual.max(), 1.5 * (overlap / reach)**2 * box.energy)
@@ -300,7 +300,7 @@ class Conservation(unittest.TestCase):
             box = Box(0.3, division)
             residual = numpy.abs(box.book[10]).max()
             bound = 8 * 0.3 * Box.SPEED * T_C / division / (2 * reach) * box.energy
-            report(f"energy book, friction 0.3, t_c/{division}: {residual / box.energy:.1e} of all, "
+            report(f"energy tally, friction 0.3, t_c/{division}: {residual / box.energy:.1e} of all, "
                    f"{residual / bound:.2f} of the bound; lost in dashpots "
                    f"{box.book[6][-1] / box.energy:.3f} + {box.book[7][-1] / box.energy:.3f}, in "
                    f"sliding {box.book[8][-1] / box.energy:.3f}")

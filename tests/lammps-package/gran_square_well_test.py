@@ -176,7 +176,7 @@ class Passes(unittest.TestCase):
         numpy.testing.assert_allclose(table["PotEng"], -depth * steps_of, rtol=0, atol=1e-25)
         self.assertEqual((steps_of.max(), steps_of[-1]), (5, 0))
         energy = 0.5 * mass * speed**2 * len(offsets)
-        report(f"passes: energy book {numpy.abs(table['c_book[10]']).max() / energy:.1e} of all")
+        report(f"passes: energy tally {numpy.abs(table['c_book[10]']).max() / energy:.1e} of all")
         # Two events of each couple, some ten roundings each.
         self.assertLess(numpy.abs(table["c_book[10]"]).max(), 2 * 5 * 10 * 2.0**-53 * 2 * energy)
 

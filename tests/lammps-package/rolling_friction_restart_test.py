@@ -150,7 +150,7 @@ class Input(Rolling):
             "rolling_friction -1 zplane 0 NULL" + self.MOVE, 1))
 
     def test_gravity_of_a_variable_beside_the_pressure(self):
-        """The engine works out a virial only in steps that were asked for before: who asks for the book must
+        """The engine works out a virial only in steps that were asked for before: who asks for the tally must
         not make it forget that the pressure has to be asked for."""
         found = []
         for gravity in ("9.81", "v_g"):

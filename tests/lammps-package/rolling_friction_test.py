@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Rolling friction of gran/hamaker and wall/gran/hamaker in LAMMPS, against closed forms; and
-gravity in the energy book."""
+gravity in the energy tally."""
 import math
 import unittest
 
@@ -119,7 +119,7 @@ class OnePair(Rolling):
             energy = thermo["c_book[2]"][0]
             self.assertGreater(thermo["c_book[13]"][-1], 0.9 * energy)
             residual = numpy.abs(thermo["c_book[10]"]).max() / energy
-            report(f"pair, {scheme}: energy book {residual:.1e}")
+            report(f"pair, {scheme}: energy tally {residual:.1e}")
             self.assertLess(residual, 4 * 2.0**-53 * steps)
 
     def test_swings_at_the_closed_form(self):
@@ -177,7 +177,7 @@ class Impacts(unittest.TestCase):
             box = Box(0.3, division, rolling=0.2)
             residual = numpy.abs(box.book[10]).max()
             bound = 8 * (0.3 + 0.2) * Box.SPEED * T_C / division / (2 * reach) * box.energy
-            report(f"rolling impacts, t_c/{division}: energy book {residual / box.energy:.1e} of all, "
+            report(f"rolling impacts, t_c/{division}: energy tally {residual / box.energy:.1e} of all, "
                    f"{residual / bound:.2f} of the bound; lost in rolling "
                    f"{box.book[13][-1] / box.energy:.4f}")
             self.assertLess(residual, bound)
@@ -190,7 +190,7 @@ class Impacts(unittest.TestCase):
 
 class Gravity(Rolling):
     def test_a_ball_thrown_up_that_bounces(self):
-        # In flight the book closes to rounding. In contact half of the weight's impulse of a step acts before
+        # In flight the tally closes to rounding. In contact half of the weight's impulse of a step acts before
         # what the contact does, half after it. At an edge of contact the path differs from that by
         # up to v dt/4 (the impulse v m (1 + e) of the first or last step, at its middle), m g of
         # that in energy; four bounces have eight edges. Against m v^2/2: 4 g dt/v. What contact
@@ -218,7 +218,7 @@ class Gravity(Rolling):
             residuals.append(numpy.abs(book["c_book[10]"]).max() / energy)
             bounces = (numpy.diff(numpy.sign(path[:, 0, 5])) > 0).sum()
             self.assertGreater(bounces, 2)
-            report(f"thrown up, {bounces} bounces at t_c/{parts}: energy book {residuals[-1]:.1e}")
+            report(f"thrown up, {bounces} bounces at t_c/{parts}: energy tally {residuals[-1]:.1e}")
             impact = math.sqrt(0.05**2 + 2 * G * 1e-3)
             self.assertLess(residuals[-1], 4 * G * dt / impact)
         self.assertLess(residuals[3], residuals[0] / 8)

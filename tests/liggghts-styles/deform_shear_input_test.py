@@ -48,7 +48,7 @@ class Refusals(unittest.TestCase):
                 ("0 10 0 8 0 6 0 0 2", "p p p", "tilt yz is 2", "make it 0"))),
             (head("compute flow all shear/profile\n", boundary="p f p"), "periodic"))
 
-    def test_companions(self):
+    def test_incompatible_fixes(self):
         self.stop(*((head(SHEAR + fix), *words) for fix, *words in (
                 ("fix other all momentum 10 linear 1 1 1\n", "fix other momentum", "the profile has"),
                 ("fix other all deform 1 xz erate 1\n", "fix other deform changes the box"),

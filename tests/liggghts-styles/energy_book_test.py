@@ -15,7 +15,7 @@ PRINT = ("thermo_style custom step c_book " + " ".join(f"c_book[{k}]" for k in r
          + "\nthermo {every}\nthermo_modify norm no " + " ".join(f"format {k} %.17g" for k in range(2, 16)) + "\n")
 DT = 5e-7
 T_C = math.pi * math.sqrt(MASS / 2 / STIFFNESS)
-# (w dt)^2/8, w the tangential frequency sqrt(7/2 K/m) of kt = kn: what the book of leapfrog moves by, of the
+# (w dt)^2/8, w the tangential frequency sqrt(7/2 K/m) of kt = kn: what the tally of leapfrog moves by, of the
 # energy of the impact; entry and exit at any phase of the step change it by a factor of some.
 STEP_ERROR = 4 * (math.sqrt(3.5) * math.pi / T_C * DT)**2 / 8
 SLIDING = "model hooke/stiffness tangential history cohesion "
@@ -51,7 +51,7 @@ def oblique():
 
 
 class Runs(unittest.TestCase):
-    """The book over runs: opened with the first, whoever looks and when."""
+    """The tally over runs: it begins with the first, whoever asks and when."""
 
     def end(self, how):
         """The last line, asked for when all is over."""
@@ -173,7 +173,7 @@ class Balance(unittest.TestCase):
         rows = books(go("model hooke/stiffness tangential off cohesion hamaker", hamaker(0),
                         [sphere((0, 0, 3e-3), (0, 0, 0.1)), sphere((4e-3, 0, 0))], steps=1000,
                         extra="fix g all gravity 9.81 vector 0 0 -1\n"))
-        # Both fall as in closed form, which leapfrog with a constant force meets; the places of the book are half a
+        # Both fall as in closed form, which leapfrog with a constant force meets; the places of the tally are half a
         # step on, to where the velocity of the half step leads: by g t dt/2 less after the time t.
         g, time = 9.81, 1000 * DT
         fall = 2 * (g * time**2 / 2 + g * time * DT / 2) - 0.1 * time
@@ -233,7 +233,7 @@ class SeveralWays(unittest.TestCase):
 
 
 class SharedPairs(unittest.TestCase):
-    """A pair that two ranks, or two images of the box, have: it is in the book once."""
+    """A pair that two ranks, or two images of the box, have: it is in the tally once."""
 
     MODELS = SLIDING + "hamaker" + FULL
 

@@ -273,7 +273,7 @@ class Memory(unittest.TestCase):
                     self.assertAlmostEqual(0.5 * mass * size**2, start + depth, delta=few)
 
     def test_pairs_that_are_passed_over_change_nothing(self):
-        """Those known to be outside are, but not while a book is kept."""
+        """Those known to be outside are, but not while a tally is active."""
         plain, watched = (Run(script(self.spheres, MODELS, square_well(DEPTH), every=20, steps=2000, extra=book,
                                      **self.options)).frames("out.txt")
                           for book in ("", "compute book all gran/energy\n"))

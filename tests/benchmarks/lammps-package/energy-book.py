@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the energy book of pair_style gran/hamaker misses in a dense gas with damping and friction.
+"""What the energy tally of pair_style gran/hamaker misses in a dense gas with damping and friction.
 
   energy-book.py LMP_WITH_PLUGIN_COMMAND PLUGIN
 

@@ -3,7 +3,7 @@
 """What a cohesion costs per contact and step, against the engine's own `cohesion sjkr`, in one run.
 
   cohesion-cost.py LAUNCHER [--turns N] [--cells N] [--steps N]
-  cohesion-cost.py LAUNCHER --count [--cells N] [--steps N]      instructions, with and without energy book
+  cohesion-cost.py LAUNCHER --count [--cells N] [--steps N]      instructions, with and without energy tally
 
 Spheres at rest on the sites of a periodic fcc lattice, each in contact with twelve others; and the same with
 the contacts opened to gaps within the range of the attraction. Runs take turns; times are those of the

@@ -118,25 +118,25 @@ TEST(ForStiffness, ScalesToKeepTheEscapeVelocityAndLeavesToKeepTheForce) {
 
 TEST(ForStiffness, LogSaysWhatIsKept) {
   const hamaker::Parameters real{5e-19, 4e-10, 1e-7};
-  const auto told = [&](const Material& m) {
-    return told_scaling(100.0, m, real, for_stiffness(100.0, m, real));
+  const auto note = [&](const Material& m) {
+    return scaling_note(100.0, m, real, for_stiffness(100.0, m, real));
   };
-  EXPECT_EQ(told({1e4, Keep::escape_velocity})
+  EXPECT_EQ(note({1e4, Keep::escape_velocity})
                 .find("adhesion scaled from stiffness 10000 to 100, which keeps the escape "
                       "velocity: A 5e-19 -> "),
             0u);
-  EXPECT_EQ(told({1e4, Keep::force}),
+  EXPECT_EQ(note({1e4, Keep::force}),
             "adhesion of stiffness 10000 left at stiffness 100, which keeps the pull-off force");
-  EXPECT_EQ(told({}), "");
-  EXPECT_EQ(told({100.0, Keep::escape_velocity}), "");
+  EXPECT_EQ(note({}), "");
+  EXPECT_EQ(note({100.0, Keep::escape_velocity}), "");
 }
 
 TEST(Material, MixedIsTheGeometricMeanOfWhatBothTell) {
   const Material a{100.0, Keep::force}, b{400.0, Keep::force};
   EXPECT_DOUBLE_EQ(mixed(a, b).stiffness, 200.0);
   EXPECT_EQ(mixed(a, b).keep, Keep::force);
-  EXPECT_FALSE(mixed(a, {}).told());
-  EXPECT_FALSE(mixed({}, {0.0, Keep::force}).told());
+  EXPECT_FALSE(mixed(a, {}).is_given());
+  EXPECT_FALSE(mixed({}, {0.0, Keep::force}).is_given());
   expect_refused([&] { mixed(a, {400.0, Keep::escape_velocity}); }, "tell the pair what to keep");
 }
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "agglomerates/disjoint_sets.h"
+#include "agglomerates/fragment.h"
 #include "agglomerates/membership.h"
-#include "agglomerates/piece.h"
 #include "agglomerates/size_statistics.h"
 
 namespace cohesion::agglomerates {
@@ -63,19 +63,19 @@ TEST(DisjointSets, AChainOfAnyLengthIsOne) {
   EXPECT_EQ(sets.size(7), n);
 }
 
-TEST(Piece, OfTwoRanksIsThatOfOne) {
+TEST(Fragments, OfTwoRanksMergeToThatOfOne) {
   const std::vector<Vector3> places{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0}};
-  Piece whole{4.0};
-  for (const Vector3& place : places) whole.add(place);
-  std::vector<Piece> parts;
-  for (const Vector3& place : places) {
+  Fragment whole{4.0};
+  for (const Vector3& position : places) whole.add(position);
+  std::vector<Fragment> parts;
+  for (const Vector3& position : places) {
     parts.push_back({4.0});
-    parts.back().add(place);
+    parts.back().add(position);
     parts.push_back({2.0});
     parts.back().add(Vector3{5.0, 5.0, 5.0});
   }
   parts[2].wraps = 1.0;
-  const std::vector<Piece> together = put_together(parts);
+  const std::vector<Fragment> together = merge_fragments(parts);
   ASSERT_EQ(together.size(), 2u);
   EXPECT_EQ(together[0].label, 2.0);
   EXPECT_EQ(together[0].count, 4.0);
@@ -110,20 +110,20 @@ TEST(Membership, WhoseBeginningWasNotSeenDoesNotCount) {
 TEST(SizeDistribution, PutsLargeOnesInTheLastEntry) {
   SizeDistribution d(4);
   for (const double size : {1.0, 2.0, 2.0, 4.0, 9.0}) d.add(size);
-  EXPECT_EQ(d.now(), (std::vector<double>{1.0, 2.0, 0.0, 2.0}));
-  d.pass(0.5);
+  EXPECT_EQ(d.current(), (std::vector<double>{1.0, 2.0, 0.0, 2.0}));
+  d.add_time(0.5);
   d.clear();
   d.add(3.0, 7.0);
-  d.pass(2.0);
+  d.add_time(2.0);
   EXPECT_EQ(d.sums(), (std::vector<double>{0.5, 1.0, 14.0, 1.0}));
 }
 
 TEST(TimeWeightedSize, LeavesOutTimesWithoutAgglomerates) {
   TimeWeightedSize size;
   EXPECT_EQ(size.mean(), 0.0);
-  size.pass(1.0, 2.0, 6.0);
-  size.pass(5.0, 0.0, 0.0);
-  size.pass(3.0, 1.0, 7.0);
+  size.add_time(1.0, 2.0, 6.0);
+  size.add_time(5.0, 0.0, 0.0);
+  size.add_time(3.0, 1.0, 7.0);
   EXPECT_EQ(size.mean(), 6.0);
 }
 

@@ -19,20 +19,21 @@ struct Spheres {
   Vector3 displacement;
   double exponent = 1.0;
 
-  SampledContact contact() const {
-    SampledContact c;
+  ContactSample contact() const {
+    ContactSample c;
     const Vector3 way = xi - xj;
     c.normal = (1.0 / norm(way)) * way;
     c.overlap = 2.0 * radius - norm(way);
     if (c.overlap <= 0.0) return c;
     c.exponent = exponent;
     c.stiffness = stiffness * std::pow(c.overlap / 1e-6, exponent - 1.0);
-    c.repulsion = c.stiffness * c.overlap - damping * c.leaves(half);
+    c.repulsion = c.stiffness * c.overlap - damping * c.separation_speed(half);
     c.lever_i = c.lever_j = radius - 0.5 * c.overlap;
     c.displacement = displacement;
     c.tangential_stiffness = 0.3 * stiffness;
     c.tangential_damping = 0.5 * damping;
-    c.tangential = -c.tangential_stiffness * displacement - c.tangential_damping * c.slides(half);
+    c.tangential =
+        -c.tangential_stiffness * displacement - c.tangential_damping * c.sliding_velocity(half);
     return c;
   }
 };
@@ -44,16 +45,16 @@ double kinetic(const Motion& m) {
   return of(m.i) + of(m.j);
 }
 
-/// Largest change of the book's total over an impact of t = 2e-4 s.
+/// Largest change of the tally's total over an impact of t = 2e-4 s.
 double largest_residual(Spheres s, double dt) {
   Losses lost;
   double worst = 0.0, start = kinetic(s.half);
   for (int step = 0; step * dt < 2e-4; step++) {
     s.xi += dt * s.half.i.velocity;
     s.xj += dt * s.half.j.velocity;
-    SampledContact c = s.contact();
+    ContactSample c = s.contact();
     if (c.overlap > 0.0) {
-      s.displacement += dt * c.slides(s.half);
+      s.displacement += dt * c.sliding_velocity(s.half);
       s.displacement -= dot(s.displacement, c.normal) * c.normal;
       c = s.contact();
     } else {
@@ -95,7 +96,7 @@ Spheres oblique(double exponent) {
 
 }  // namespace
 
-TEST(SampledWork, BookOfAnImpactClosesAtSecondOrder) {
+TEST(SampledWork, TallyOfAnImpactClosesAtSecondOrder) {
   for (const double exponent : {1.0, 1.5}) {
     const double coarse = largest_residual(oblique(exponent), 1e-6);
     const double fine = largest_residual(oblique(exponent), 1e-7);
@@ -117,7 +118,7 @@ TEST(SampledWork, HalfAStepOnIsAsFarAgain) {
 }
 
 TEST(SampledWork, SlidingLeavesTheDashpotNothing) {
-  SampledContact c;
+  ContactSample c;
   c.normal = {1.0, 0.0, 0.0};
   c.overlap = 1e-6;
   c.stiffness = stiffness;
@@ -133,7 +134,7 @@ TEST(SampledWork, SlidingLeavesTheDashpotNothing) {
 }
 
 TEST(SampledWork, TorqueThatResistsRollingTakesItsWork) {
-  SampledContact c;
+  ContactSample c;
   c.normal = {1.0, 0.0, 0.0};
   c.rolling_i = {0.0, -2.0, 0.0};
   c.rolling_j = {0.0, 2.0, 0.0};
@@ -145,7 +146,7 @@ TEST(SampledWork, TorqueThatResistsRollingTakesItsWork) {
 }
 
 TEST(SampledWork, WhatHasPartedStoresNothing) {
-  SampledContact c;
+  ContactSample c;
   c.normal = {1.0, 0.0, 0.0};
   c.overlap = 1e-8;
   c.stiffness = c.tangential_stiffness = stiffness;

@@ -103,7 +103,7 @@ TEST(BridgePair, WhatDoesNotTouchFliesOnToTheLastBit) {
     for (int n = 0; n < static_cast<int>(0.1 * core / 0.1 / dt) + 1; n++) {
       run.step();
       nearest = std::min(nearest, run.distance());
-      EXPECT_FALSE(run.last().acts);
+      EXPECT_FALSE(run.last().interacts);
       EXPECT_FALSE(run.last().inside);
       EXPECT_EQ(run.state().velocity.x, velocity.x);
       EXPECT_EQ(run.state().velocity.y, velocity.y);

@@ -47,7 +47,7 @@ TEST(FluxParts, OfASampledContactTheSpringAndFrictionAreOfContact) {
     // A pair that flew into the contact from outside of the well gets the impulse of its edge, too.
     ContactMemory memory;
     ContactLosses lost;
-    const SampledStep step = c.act<ContactMemory::with_friction>(grid, memory, &lost);
+    const SampledStep step = c.compute<ContactMemory::with_friction>(grid, memory, &lost);
     // The overlap is a difference of numbers a thousand times larger.
     const Vector3 by_contact = c.by_contact(grid, step);
     EXPECT_NEAR(by_contact.x / normal, 1.0, 1e-12);

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "event_stepping/contact_on_grid.h"
 #include "event_stepping/pair_run.h"
+#include "event_stepping/two_pass_contact.h"
 
 namespace cohesion::event_stepping {
 
@@ -37,7 +37,7 @@ class ManySpheres {
 
   void step() {
     look();
-    friction_ ? act<ContactMemory::with_rolling>() : act<ContactMemory::normal_only>();
+    friction_ ? compute<ContactMemory::with_rolling>() : compute<ContactMemory::normal_only>();
     for (int i = 0; i < size(); i++) x_[i] += dt_ * v_[i];
     first_ = false;
   }
@@ -70,7 +70,7 @@ class ManySpheres {
   long lasting = 0, followed = 0, collisions = 0;  ///< of contacts in all steps
 
  private:
-  using Contact = ContactOnGrid<SpherePair>;
+  using Contact = TwoPassContact<SpherePair>;
   struct Near {
     int i, j;
     ContactMemory memory;
@@ -129,13 +129,13 @@ class ManySpheres {
   }
 
   template <int SIZE>
-  void act() {
+  void compute() {
     const int n = size();
     std::vector<Vector3> dv(n), dw(n), v = v_, w = w_;
-    std::vector<char> restless(n, 0), marked(n, 0);
+    std::vector<char> disturbed(n, 0), marked(n, 0);
     std::vector<Followed<SIZE>> follow;
-    const auto is_restless = [&](const Near& p) { return restless[p.i] || restless[p.j]; };
-    const auto announce = [&](std::size_t k, const PairMotion& grid) {
+    const auto is_disturbed = [&](const Near& p) { return disturbed[p.i] || disturbed[p.j]; };
+    const auto add_followed = [&](std::size_t k, const PairMotion& grid) {
       const Near& p = near_[k];
       follow.push_back({static_cast<int>(k), contact_.start<SIZE>(grid, {}, p.memory), {}});
       marked[p.i] = marked[p.j] = 1;
@@ -154,33 +154,35 @@ class ManySpheres {
       Action action;
       if (!lasted && contact_.can_last(grid.relative, p.memory)) {
         candidates.push_back(k);
-      } else if (lasted && contact_.one_force().hold<SIZE>(grid, p.memory, action, nullptr)) {
+      } else if (lasted &&
+                 contact_.one_force().advance_lasting<SIZE>(grid, p.memory, action, nullptr)) {
         give(p, action, dv, dw);
         lasting++;
       } else {
-        if (lasted) contact_.one_force().leave<SIZE>(grid, p.memory, nullptr);
-        if (!beyond || contact_.within_reach(grid.relative, 0.0)) restless[p.i] = restless[p.j] = 1;
-        announce(k, grid);
+        if (lasted) contact_.one_force().end_lasting<SIZE>(grid, p.memory, nullptr);
+        if (!beyond || contact_.within_reach(grid.relative, 0.0))
+          disturbed[p.i] = disturbed[p.j] = 1;
+        add_followed(k, grid);
       }
     }
     for (std::size_t k = 0; k < near_.size(); k++) {
       Near& p = near_[k];
-      if (p.memory.phase != ContactMemory::lasting || !is_restless(p)) continue;
+      if (p.memory.phase != ContactMemory::lasting || !is_disturbed(p)) continue;
       const PairMotion grid = motion(p, v_, w_);
-      const Action a = contact_.one_force().held<SIZE>(grid, p.memory);
+      const Action a = contact_.one_force().lasting_action<SIZE>(grid, p.memory);
       give(p, {-a.impulse, -a.torque_i, -a.torque_j}, dv, dw);
       lasting--;
-      contact_.one_force().leave<SIZE>(grid, p.memory, nullptr);
-      announce(k, grid);
+      contact_.one_force().end_lasting<SIZE>(grid, p.memory, nullptr);
+      add_followed(k, grid);
     }
     for (const std::size_t k : candidates) {
       Near& p = near_[k];
       const PairMotion grid = motion(p, v_, w_);
       Action action;
-      if (is_restless(p)) {
-        announce(k, grid);
+      if (is_disturbed(p)) {
+        add_followed(k, grid);
       } else {
-        contact_.one_force().hold<SIZE>(grid, p.memory, action, nullptr);
+        contact_.one_force().advance_lasting<SIZE>(grid, p.memory, action, nullptr);
         give(p, action, dv, dw);
         lasting++;
       }
@@ -199,8 +201,8 @@ class ManySpheres {
       const PairMotion grid = motion(p, v_, w_);
       const Action owed = contact_.owed<SIZE>(grid.relative, p.memory);
       give(p, owed, v, w);
-      add(p, contact_.done<SIZE>(grid, contact_.one_force().held<SIZE>(grid, p.memory), owed,
-                                 p.memory));
+      add(p, contact_.lasting_change<SIZE>(
+                 grid, contact_.one_force().lasting_action<SIZE>(grid, p.memory), owed, p.memory));
     }
     for (Followed<SIZE>& f : follow) {
       const Near& p = near_[f.pair];
@@ -217,7 +219,7 @@ class ManySpheres {
                               spun[p.j] - own.spin_j};
       const bool in = p.memory.in_range();
       f.step = contact_.follow<SIZE>(f.start, others, f.step.rolled(), in);
-      give(p, contact_.close<SIZE>(f.start, others, f.step, p.memory), dv, dw);
+      give(p, contact_.finish<SIZE>(f.start, others, f.step, p.memory), dv, dw);
       collisions += !in && p.memory.in_range();
     }
     for (int i = 0; i < n; i++) {

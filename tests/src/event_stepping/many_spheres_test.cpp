@@ -253,9 +253,9 @@ TEST(ManySpheres, SpheresThatSpinAlikeInAClosePackingStaySteady) {
     const Body body = ManySpheres::body();
     const SpringOnGrid spring(
         contact::tangential_contact(p, contact::normal_contact(p, thesis::reduced_mass)), dt,
-        ContactBodies(body, body).sliding_answer());
+        ContactBodies(body, body).inverse_sliding_mass());
     EXPECT_EQ(spheres.lasting > 0, c.one_force);
-    EXPECT_LT(most, start / (c.one_force ? 1.0 - 10.0 / 7.0 * spring.swing() : 1.0));
+    EXPECT_LT(most, start / (c.one_force ? 1.0 - 10.0 / 7.0 * spring.frequency_squared() : 1.0));
     EXPECT_LT(spheres.sums().kinetic, start * (c.one_force ? eps : 1.0));
   }
 }

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "event_stepping/contact_on_grid.h"
 #include "event_stepping/pair_run.h"
+#include "event_stepping/two_pass_contact.h"
 
 namespace cohesion::event_stepping {
 
-/// One contact with spins on a grid, as an engine moves it, and its book of energies.
+/// One contact with spins on a grid, as an engine moves it, and its tally of energies.
 template <class Pair, int SIZE>
 class PairOnGrid {
  public:
-  ContactOnGrid<Pair> contact;
+  TwoPassContact<Pair> contact;
   Body body[2];
   double dt;
   Vector3 x[2]{}, v[2]{}, spin[2]{};
@@ -42,9 +42,9 @@ class PairOnGrid {
     Action action;
     now = {};
     if (begins) energy = true_kinetic(memory) + sum(contact.stored(grid, memory)) + lost;
-    lasted =
-        (goes_on || begins) && contact.one_force().template hold<SIZE>(grid, memory, action, &now);
-    if (goes_on && !lasted) contact.one_force().template leave<SIZE>(grid, memory, &now);
+    lasted = (goes_on || begins) &&
+             contact.one_force().template advance_lasting<SIZE>(grid, memory, action, &now);
+    if (goes_on && !lasted) contact.one_force().template end_lasting<SIZE>(grid, memory, &now);
     // Since the last grid point.
     if (goes_on || begins) lost += sum(now);
     if (!begins) energy = true_kinetic(memory) + sum(contact.stored(grid, memory)) + lost;
@@ -56,7 +56,7 @@ class PairOnGrid {
       const FollowedStart begin = contact.template start<SIZE>(grid, truth(), memory);
       followed = contact.template follow<SIZE>(begin, {}, {}, in_range);
       followed = contact.template follow<SIZE>(begin, {}, followed.rolled(), in_range);
-      action = contact.template close<SIZE>(begin, {}, followed, memory);
+      action = contact.template finish<SIZE>(begin, {}, followed, memory);
       now = contact.template losses<SIZE>(followed);
       lost += sum(now);
       by_this = contact.by_contact(begin, followed.normal, action);

@@ -44,9 +44,9 @@ struct Pressed : PairOnGrid<Pair, size> {
     this->memory = before;
   }
   double radius() const { return this->contact.bodies().rolling_radius(); }
-  double answer() const { return this->contact.bodies().rolling_answer(); }
+  double answer() const { return this->contact.bodies().inverse_rolling_mass(); }
   /// On the grid.
-  Vector3 rolls() const { return radius() * (spin[0] - spin[1]); }
+  Vector3 rolling_velocity() const { return radius() * (spin[0] - spin[1]); }
   double energy_of_spin() const {
     double sum = 0.5 / inverse_inertia(body[0]) * dot(spin[0], spin[0]);
     if (body[1].inverse_mass > 0.0) sum += 0.5 / inverse_inertia(body[1]) * dot(spin[1], spin[1]);
@@ -115,8 +115,8 @@ TEST(RollingFriction, LastingItSwingsAndDecaysExactlyAtAnyStep) {
     ASSERT_TRUE(pair.lasted);
     const Vector3 expected = ((part(n) - part(n - 1)) / dt) * v0;
     // Some ten roundings of spins, and what they become in the swing.
-    EXPECT_NEAR(pair.rolls().y, expected.y, 16 * eps * n * norm(v0));
-    EXPECT_NEAR(pair.rolls().z, expected.z, 16 * eps * n * norm(v0));
+    EXPECT_NEAR(pair.rolling_velocity().y, expected.y, 16 * eps * n * norm(v0));
+    EXPECT_NEAR(pair.rolling_velocity().z, expected.z, 16 * eps * n * norm(v0));
   }
   EXPECT_LT(std::exp(-swing.alpha * steps * dt), 0.3);
   EXPECT_EQ(pair.spin[0].x, 7.0);
@@ -212,9 +212,9 @@ TEST(RollingFriction, FollowedItHoldsAgainstWhatOthersDoInTheStep) {
     truth.spin_i += inverse_inertia(small) * owed.torque_i;
     if (n > 0) truth.spin_i += 0.5 * others.spin_i;
     const FollowedStart begins = pair.contact.start<size>(grid, truth, memory);
-    const auto alone = pair.contact.follow<size>(begins, {}, {}, memory.in_range());
-    const auto f = pair.contact.follow<size>(begins, others, alone.rolled(), memory.in_range());
-    const Action action = pair.contact.close<size>(begins, others, f, memory);
+    const auto predicted = pair.contact.follow<size>(begins, {}, {}, memory.in_range());
+    const auto f = pair.contact.follow<size>(begins, others, predicted.rolled(), memory.in_range());
+    const Action action = pair.contact.finish<size>(begins, others, f, memory);
     grid.spin_i += inverse_inertia(small) * action.torque_i;
     grid.spin_i += (n > 0 ? 1.0 : 0.5) * others.spin_i;
     EXPECT_EQ(f.rolling.friction, 0.0);
@@ -231,7 +231,7 @@ TEST(RollingFriction, FollowedItHoldsAgainstWhatOthersDoInTheStep) {
 TEST(RollingFriction, ChangesSignWithTheExchangeOfTheParticles) {
   const contact::ContactParameters p = rolling(0.1);
   const contact::Adhesion a{pull, thesis::range, pull * thesis::range};
-  const ContactOnGrid<SpherePair> there(p, a, small, large, dt), back(p, a, large, small, dt);
+  const TwoPassContact<SpherePair> there(p, a, small, large, dt), back(p, a, large, small, dt);
   const PairMotion grid{
       {{1.29e-3, 3e-5, -2e-5}, {0.01, 0.02, -0.01}}, {3.0, -4.0, 5.0}, {1., 7., -2.}};
   const PairMotion reverse{
@@ -243,14 +243,14 @@ TEST(RollingFriction, ChangesSignWithTheExchangeOfTheParticles) {
       one.rolling.stretch = {0.0, length, -length};
       two.rolling.stretch = -one.rolling.stretch;
       Action from_there, from_back;
-      const auto act = [&](const ContactOnGrid<SpherePair>& c, const PairMotion& at,
+      const auto act = [&](const TwoPassContact<SpherePair>& c, const PairMotion& at,
                            const PairMotion& beside, ContactMemory& memory, Action& action) {
         if (memory.phase == ContactMemory::lasting)
-          return c.one_force().hold<size>(at, memory, action, nullptr);
+          return c.one_force().advance_lasting<size>(at, memory, action, nullptr);
         const FollowedStart begins = c.start<size>(at, at, memory);
-        const auto alone = c.follow<size>(begins, {}, {}, memory.in_range());
-        const auto f = c.follow<size>(begins, beside, alone.rolled(), memory.in_range());
-        action = c.close<size>(begins, beside, f, memory);
+        const auto predicted = c.follow<size>(begins, {}, {}, memory.in_range());
+        const auto f = c.follow<size>(begins, beside, predicted.rolled(), memory.in_range());
+        action = c.finish<size>(begins, beside, f, memory);
         return false;
       };
       const bool lasts = kind.phase == ContactMemory::lasting;
@@ -315,7 +315,7 @@ TEST(RollingFriction, AWallIsTheLimitOfALargeSphere) {
   EXPECT_LT(norm(beside.spin[0]), 4.0);
 }
 
-TEST(RollingFriction, NoFollowedStepGivesEnergyAllBooksCloseAndSlidingIsCapped) {
+TEST(RollingFriction, NoFollowedStepGivesEnergyAllTalliesCloseAndSlidingIsCapped) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   int slid = 0, lasted = 0;
@@ -336,7 +336,7 @@ TEST(RollingFriction, NoFollowedStepGivesEnergyAllBooksCloseAndSlidingIsCapped) 
     const double start = pair.energy_of_spin();
     // In the first step of a lasting contact the spring has been stretched by the step before.
     if (lasts) {
-      const Vector3 in_plane{0.0, pair.rolls().y, pair.rolls().z};
+      const Vector3 in_plane{0.0, pair.rolling_velocity().y, pair.rolling_velocity().z};
       pair.memory.rolling.stretch = -dt * in_plane;
     }
     double balance = 0.0;

@@ -238,7 +238,7 @@ TEST(SpherePair, IsReversible) {
       }
 }
 
-TEST(SpherePair, JitterBetweenStepsDoesNotLeakEnergyFromTheBooks) {
+TEST(SpherePair, JitterBetweenStepsDoesNotLeakEnergyFromTheTally) {
   // A captured elastic pair whose distance others change by up to +-`jitter` between steps. The
   // work of the shift is the change of the stored energy; everything else must balance to rounding.
   std::mt19937 random(5);

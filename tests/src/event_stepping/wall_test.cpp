@@ -108,9 +108,9 @@ TEST(FarFromWalls, AgreesWithTheDistanceFromEachWall) {
         least = std::min(least, wall.nearest(centre, now, 0.0).distance);
       const double x[] = {centre.x, centre.y, centre.z};
       if (std::abs(least - reach) > 1e-14) {
-        EXPECT_EQ(far.holds(x), least > reach);
+        EXPECT_EQ(far.contains(x), least > reach);
       }
-      found += far.holds(x);
+      found += far.contains(x);
     }
     EXPECT_EQ(found > 0, walls[0].position != 0.1);
   }

@@ -17,8 +17,8 @@ constexpr Surfaces bare{1.0, 1.0};
 constexpr Vector3 still{};
 
 /// With speeds of the pair of order 1.
-Crossing next_crossing(const Vector3& r, const Vector3& w, const Surfaces& at, bool inside) {
-  return cohesion::hard_sphere::next_crossing(r, w, 1.0, at, inside);
+Crossing next_crossing(const Vector3& r, const Vector3& w, const Surfaces& surfaces, bool inside) {
+  return cohesion::hard_sphere::next_crossing(r, w, 1.0, surfaces, inside);
 }
 
 // Distances of order 1 are rounded by a few 1e-16; times are distances over speeds of order 1.

@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "constants.h"
-#include "shear/since_list.h"
+#include "shear/nonaffine_displacements.h"
 
 namespace cohesion::shear {
 
@@ -23,7 +23,7 @@ TEST(LongestFlight, IsTheBoundOfPairsInAFlowAndIsAttained) {
         const double place = 2.0 * pi * n / 400, motion = 2.0 * pi * k / 400;
         // The lower one flies one way of its own, the upper one the other.
         const double low = 4.0, high = low + reach * std::sin(place);
-        const double along = 2.0 * own * std::cos(motion) + flow.at(high) - flow.at(low);
+        const double along = 2.0 * own * std::cos(motion) + flow.affine(high) - flow.affine(low);
         farthest = std::max(farthest, time * std::hypot(along, 2.0 * own * std::sin(motion)));
       }
     const double rounding = 16 * std::numeric_limits<double>::epsilon() * bound;

@@ -113,8 +113,8 @@ TEST(WatchedSeries, IsARatioOfSumsAndItsError) {
   WatchedSeries series(2);
   const Ratio batches[3][2] = {{{1, 2}, {3, 1}}, {{3, 1}, {0, 1}}, {{0, 0}, {0, 0}}};
   for (const auto& batch : batches) series.add(batch);
-  EXPECT_DOUBLE_EQ(series.over(0, 1), 3.5);
-  EXPECT_DOUBLE_EQ(series.over(2, 3), 0.0);
+  EXPECT_DOUBLE_EQ(series.value_over(0, 1), 3.5);
+  EXPECT_DOUBLE_EQ(series.value_over(2, 3), 0.0);
   const Mean mean = series.mean();
   EXPECT_DOUBLE_EQ(mean.value, 4.0 / 3.0 + 1.5);
   // Residuals: (1 - 4/3 2)/1 + (3 - 1.5)/(2/3), (3 - 4/3)/1 + (0 - 1.5)/(2/3), 0.

@@ -53,7 +53,7 @@ def run(atoms, coefficients, dt, steps, every=0, style="gran/hamaker", skin=1e-4
         size=(0.064, 0.25, 0.004)):
     """Runs couples; gives snapshots (snapshot, couple, atom, column), without the id, and LAMMPS's
     output. `every`: steps between snapshots; 0 for the
-    first and the last only, and no energy book."""
+    first and the last only, and no energy tally."""
     with engine.temporary_folder() as folder:
         engine.write_spheres(folder, atoms, [(0.0, length) for length in size], types)
         (Path(folder) / "coefficients.txt").write_text(

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#include "fix_wall_hamaker.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "atom.h"
+#include "contact/adhesion.h"
+#include "domain.h"
+#include "error.h"
+#include "given_keywords.h"
+#include "hamaker_keywords.h"
+#include "largest_radii.h"
+#include "law_from_script.h"
+#include "sphere.h"
+#include "update.h"
+#include "words_of_law.h"
+
+using namespace LAMMPS_NS;
+using namespace FixConst;
+
+namespace hamaker = cohesion::hamaker;
+
+static const char* const usage =
+    "fix wall/hamaker takes 'hamaker A cutoff H_cut H_out' and at least one plane, 'xplane lo hi', "
+    "'yplane lo hi' or 'zplane lo hi', NULL for no wall on a side; and if wanted 'form' with a "
+    "name and 'asperity' with a radius";
+
+FixWallHamaker::FixWallHamaker(LAMMPS* lammps, int narg, char** arg)
+    : Fix(lammps, narg, arg),
+      given(hamaker::none),
+      form(hamaker::forms.data()),
+      law(form->law(given, false)),
+      watch(lammps),
+      summed(false) {
+  read(narg, arg);
+  std::fill_n(mine, 4, 0.0);
+  scalar_flag = vector_flag = 1;
+  size_vector = 3;
+  extscalar = extvector = 1;
+  global_freq = 1;
+  energy_global_flag = 1;
+  virial_global_flag = virial_peratom_flag = 1;
+}
+
+void FixWallHamaker::read(int narg, char** arg) {
+  const std::string where = std::string("fix ") + arg[0] + " wall/hamaker";
+  WordsOfLaw all(lmp, where, 3, narg, arg, {{"hamaker", 1}, {"cutoff", 2}});
+  const std::vector<ContactKeyword<hamaker::Parameters>> keywords = hamaker_keywords();
+  GivenKeywords given_words(lmp, where);
+  hamaker::Parameters p = hamaker::none;
+  char** const words = all.get();
+  const int count = all.count();
+  for (int i = 0; i < count;) {
+    const std::string word = words[i];
+    const int left = count - i - 1;
+    const auto row = std::find_if(keywords.begin(), keywords.end(),
+                                  [&](const auto& k) { return word == k.name; });
+    if (row != keywords.end()) {
+      const int stop = std::min(i + 1 + row->values, count);
+      read_keywords(lmp, where, keywords, i, stop, words, p, given_words);
+      i = stop;
+    } else if (word == "form") {
+      if (left < 1) error->all(FLERR, "fix wall/hamaker: form takes a name");
+      given_words.note(1, words + i);
+      form = hamaker_form_from_script(lmp, where, words[i + 1]);
+      i += 2;
+    } else if (word == "xplane" || word == "yplane" || word == "zplane") {
+      if (left < 2)
+        error->all(FLERR, "fix wall/hamaker: " + word + " takes two positions, NULL for no wall");
+      read_planes(word, words + i + 1);
+      i += 3;
+    } else {
+      error->all(FLERR, "fix wall/hamaker: unknown keyword '" + word +
+                            "'; valid ones: hamaker, cutoff, xplane, yplane, zplane, form, "
+                            "asperity");
+    }
+  }
+  if (planes.empty() || !given_words.has("hamaker") || !given_words.has("cutoff"))
+    error->all(FLERR, usage);
+  given = p;
+  law = from_script(lmp, where, [&] { return form->law(p, p.asperity_radius != 0.0); });
+}
+
+void FixWallHamaker::read_planes(const std::string& word, char** positions) {
+  const int dimension = word[0] - 'x';
+  if (domain->periodicity[dimension])
+    error->all(FLERR,
+               "fix wall/hamaker: no " + word + " in a periodic direction; use 'boundary f' there");
+  const bool lower = strcmp(positions[0], "NULL") != 0, upper = strcmp(positions[1], "NULL") != 0;
+  if (!lower && !upper)
+    error->all(FLERR, "fix wall/hamaker: " + word + " NULL NULL is no wall; give a position");
+  if (lower) add_plane(dimension, 1, word, positions[0]);
+  if (upper) add_plane(dimension, -1, word, positions[1]);
+  const auto count = planes.size();
+  if (lower && upper && !(planes[count - 2].position < planes[count - 1].position))
+    error->all(FLERR, "fix wall/hamaker: " + word + " " + positions[0] + " " + positions[1] +
+                          ": the first position must be below the second");
+}
+
+void FixWallHamaker::add_plane(int dimension, int side, const std::string& word, char* text) {
+  const double position = utils::numeric(FLERR, text, false, lmp);
+  if (!std::isfinite(position))
+    error->all(FLERR, "fix wall/hamaker: " + word + " position " + text + " must be finite");
+  planes.push_back({dimension, side, position});
+}
+
+int FixWallHamaker::setmask() { return POST_FORCE | MIN_POST_FORCE; }
+
+void FixWallHamaker::init() {
+  if (!atom->radius_flag)
+    error->all(FLERR,
+               "fix wall/hamaker acts on spheres and needs an atom style with radii, for "
+               "instance 'atom_style sphere'");
+  const std::vector<double> smallest = smallest_radii(lmp, largest_radii(lmp, groupbit), groupbit);
+  for (int type = 1; type <= atom->ntypes; type++)
+    require_far_below_radius(lmp, std::string("fix ") + id + " wall/hamaker", *form, given,
+                             smallest[type], std::numeric_limits<double>::infinity());
+}
+
+void FixWallHamaker::setup(int vflag) { post_force(vflag); }
+void FixWallHamaker::min_setup(int vflag) { post_force(vflag); }
+void FixWallHamaker::min_post_force(int vflag) { post_force(vflag); }
+
+void FixWallHamaker::post_force(int vflag) {
+  v_init(vflag);
+  if (update->whichflag == 1 && watch.due(update->setupflag)) give_advice();
+  std::fill_n(mine, 4, 0.0);
+  summed = false;
+  std::visit([this](const auto& chosen) { attract(chosen); }, law);
+}
+
+void FixWallHamaker::give_advice() {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  const std::string where = std::string("fix ") + id + " wall/hamaker";
+  const Circumstances now = of_group(lmp, watch.now(), groupbit);
+  const std::vector<LightestParticle>& lightest = now.lightest;
+  std::vector<AdvisedContact> contacts;
+  for (int type = 1; type <= atom->ntypes; type++) {
+    if (!std::isfinite(lightest[type].radius)) continue;  // no particles yet
+    const auto adhesion = std::visit(
+        [&](const auto& chosen) {
+          return cohesion::contact::adhesion_of(chosen,
+                                                cohesion::sphere_and_plane(lightest[type].radius));
+        },
+        law);
+    if (adhesion.force == 0.0) continue;
+    contacts.push_back(
+        {fmt::format("{} - wall", type), lightest[type], {infinite, infinite}, {}, adhesion});
+  }
+  advise_of_attraction(lmp, where, "use fix wall/gran/hamaker, which sees it at any step", contacts,
+                       now, given_advice);
+}
+
+template <class Law>
+void FixWallHamaker::attract(const Law& chosen) {
+  for (const Plane& plane : planes) {
+    const int d = plane.dimension;
+    for (int i = 0; i < atom->nlocal; i++) {
+      if (!(atom->mask[i] & groupbit)) continue;
+      const double distance = plane.side * (atom->x[i][d] - plane.position);
+      const double gap = distance - atom->radius[i];
+      if (gap >= chosen.outer_cutoff() || distance < 0.0) continue;
+      const cohesion::PairGeometry geometry = cohesion::sphere_and_plane(atom->radius[i]);
+      const double pull = plane.side * chosen.force(gap, geometry);
+      atom->f[i][d] -= pull;
+      mine[0] += chosen.energy(gap, geometry);
+      mine[1 + d] += pull;
+      if (evflag) v_tally(d, i, -pull * atom->x[i][d]);
+    }
+  }
+}
+
+void FixWallHamaker::sum() {
+  if (!summed) MPI_Allreduce(mine, total, 4, MPI_DOUBLE, MPI_SUM, world);
+  summed = true;
+}
+
+/// Energy of all particles with the walls.
+double FixWallHamaker::compute_scalar() {
+  sum();
+  return total[0];
+}
+
+/// Force on the walls.
+double FixWallHamaker::compute_vector(int n) {
+  sum();
+  return total[1 + n];
+}

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#ifdef PAIR_CLASS
+// clang-format off
+PairStyle(hamaker,PairHamaker);
+// clang-format on
+#else
+
+#ifndef LMP_PAIR_HAMAKER_H
+#define LMP_PAIR_HAMAKER_H
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "bound_pairs.h"
+#include "contact_advice.h"
+#include "hamaker/forms.h"
+#include "pair.h"
+#include "type_pair_table.h"
+
+namespace LAMMPS_NS {
+
+/// pair_style hamaker [cutoff H_cut H_out] [form name]: Hamaker attraction between spheres, laid
+/// over any contact style with hybrid/overlay. The law is src/hamaker/law.h; doc:
+/// docs/lammps-package/pair_hamaker.md
+class PairHamaker : public Pair, public BoundPairs {
+ public:
+  explicit PairHamaker(class LAMMPS*);
+  ~PairHamaker() override;
+
+  void compute(int, int) override;
+  void settings(int, char**) override;
+  void coeff(int, char**) override;
+  void init_style() override;
+  double init_one(int, int) override;
+  double single(int, int, int, int, double, double, double, double&) override;
+
+  void* extract(const char*, int&) override;
+  void append_bound(std::vector<std::array<int, 2> >&) const override;
+
+  void write_restart(FILE*) override;
+  void read_restart(FILE*) override;
+  void write_restart_settings(FILE*) override;
+  void read_restart_settings(FILE*) override;
+  void write_data(FILE*) override;
+  void write_data_all(FILE*) override;
+
+ private:
+  using Parameters = cohesion::hamaker::Parameters;
+
+  template <bool TALLY, bool NEWTON, class Law>
+  void compute_pairs(const std::vector<Law>&);
+
+  void give_advice();
+  std::vector<AdvisedContact> advised_contacts() const;
+  bool attracts() const;
+  bool may_attract() const;
+  void allocate();
+  Parameters of_type(int);
+  void give(int, int, const Parameters&);
+  void check_parameters(const std::string& where, const Parameters&);
+  static void write_coefficients(FILE*, const Parameters&);
+
+  double surface_cutoff;  // default of pair_coeff
+  double outer_cutoff;    // default of pair_coeff
+  const cohesion::hamaker::Form* form;
+  double** hamaker_constant;  // by type pair; fix adapt writes it
+  TypePairTable<Parameters> parameters;
+  cohesion::hamaker::AnyLaws laws;  // by type pair, built at init
+  std::vector<bool> prepared;       // by type pair: whether it is this style's in this run
+  std::vector<double> largest_radius, smallest_radius;  // by type, at init
+  bool needs_list;                                      // whether any pair is looked at in this run
+  bool warned;                                          // of numbers without keywords
+  ContactWatch watch;
+  cohesion::advice::GivenAdvice given_advice;
+};
+
+}  // namespace LAMMPS_NS
+
+#endif
+#endif

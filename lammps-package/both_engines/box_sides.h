@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef COHESION_BOX_SIDES_H
+#define COHESION_BOX_SIDES_H
+
+#include <array>
+
+#include "domain.h"
+
+namespace LAMMPS_NS {
+
+/// The sides of the box that scripts can change between runs; those that the engine wraps around
+/// the particles move by themselves.
+class BoxSides {
+ public:
+  void store(const Domain* d) {
+    sides_ = of(d);
+    known_ = true;
+  }
+  /// Whether they have changed since store(); not before the first.
+  bool changed(const Domain* d) const { return known_ && of(d) != sides_; }
+
+ private:
+  static std::array<double, 12> of(const Domain* d) {
+    std::array<double, 12> sides{};
+    for (int k = 0; k < 3; k++) {
+      constexpr int first_wrapped = 2;
+      if (d->boundary[k][0] < first_wrapped) sides[k] = d->boxlo[k];
+      if (d->boundary[k][1] < first_wrapped) sides[3 + k] = d->boxhi[k];
+      sides[6 + k] = d->periodicity[k];
+    }
+    sides[9] = d->xy;
+    sides[10] = d->xz;
+    sides[11] = d->yz;
+    return sides;
+  }
+
+  std::array<double, 12> sides_{};
+  bool known_ = false;
+};
+
+}  // namespace LAMMPS_NS
+
+#endif

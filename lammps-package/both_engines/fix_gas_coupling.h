@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifdef FIX_CLASS
+// clang-format off
+FixStyle(gas/coupling,FixGasCoupling);
+// clang-format on
+#else
+
+#ifndef LMP_FIX_GAS_COUPLING_H
+#define LMP_FIX_GAS_COUPLING_H
+
+#include <string>
+#include <vector>
+
+#include "drag/gas_on_particle.h"
+#include "fix.h"
+
+namespace LAMMPS_NS {
+
+/// fix gas/coupling: the gas as each particle feels it. A gas solver sets it through
+/// extract(); the fix keeps it until it is set again, moves it with the particles and applies the
+/// forces in every step, with the particle's own velocity. The laws are in
+/// src/drag/particle_drag.h; doc: docs/lammps-package/fix_gas_coupling.md
+class FixGasCoupling : public Fix {
+ public:
+  FixGasCoupling(class LAMMPS*, int, char**);
+  ~FixGasCoupling() override;
+
+  int setmask() override;
+  void init() override;
+  void setup(int) override;
+  void post_force(int) override;
+  void* extract(const char*, int&) override;
+  double compute_vector(int) override;
+  double memory_usage() override;
+
+  void grow_arrays(int) override;
+  void copy_arrays(int, int, int) override;
+  void set_arrays(int) override;
+  int pack_exchange(int, double*) override;
+  int unpack_exchange(int, double*) override;
+  int pack_restart(int, double*) override;
+  void unpack_restart(int, int) override;
+  int size_restart(int) override;
+  int maxsize_restart() override;
+
+ private:
+  cohesion::drag::GasOnParticle& gas(int i) {
+    return *reinterpret_cast<cohesion::drag::GasOnParticle*>(rows[i]);
+  }
+  void apply_forces(bool setting_up);
+  std::string unseen_fixes() const;
+  std::vector<bool> components_set_afterwards();
+  void find_gravity();
+
+  double** rows;      // per atom, a GasOnParticle
+  double impulse[6];  // of this rank since the solver reset it: drag, pressure
+  double force[6];    // of this rank in this step: drag, pressure
+  double gravity[6];  // of this rank's particles, lowest and highest: extract()
+  std::string unseen;
+};
+
+}  // namespace LAMMPS_NS
+
+#endif
+#endif

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "fragment_exchange.h"
+
+#include <algorithm>
+
+#include "lmptype.h"
+
+using namespace LAMMPS_NS;
+using namespace cohesion::agglomerates;
+
+static constexpr int FRAGMENT = sizeof(Fragment) / sizeof(double);
+static_assert(FRAGMENT == 7, "fragments are sent as plain numbers");
+
+std::vector<Fragment> LAMMPS_NS::merge_across_ranks(MPI_Comm world,
+                                                    const std::vector<Fragment>& mine,
+                                                    std::vector<double>& sizes) {
+  int ranks;
+  MPI_Comm_size(world, &ranks);
+  const auto home = [ranks](const Fragment& p) {
+    return static_cast<int>(static_cast<tagint>(p.label) % ranks);
+  };
+  std::vector<int> send(ranks, 0), receive(ranks), send_at(ranks, 0), receive_at(ranks, 0);
+  for (const Fragment& p : mine) send[home(p)]++;
+  MPI_Alltoall(send.data(), 1, MPI_INT, receive.data(), 1, MPI_INT, world);
+  for (int r = 1; r < ranks; r++) {
+    send_at[r] = send_at[r - 1] + send[r - 1];
+    receive_at[r] = receive_at[r - 1] + receive[r - 1];
+  }
+  std::vector<Fragment> outgoing(mine.size()), incoming(receive_at.back() + receive.back());
+  std::vector<int> next = send_at, where;
+  for (const Fragment& p : mine) {
+    where.push_back(next[home(p)]++);
+    outgoing[where.back()] = p;
+  }
+  MPI_Datatype fragment;
+  MPI_Type_contiguous(FRAGMENT, MPI_DOUBLE, &fragment);
+  MPI_Type_commit(&fragment);
+  MPI_Alltoallv(outgoing.data(), send.data(), send_at.data(), fragment, incoming.data(),
+                receive.data(), receive_at.data(), fragment, world);
+  MPI_Type_free(&fragment);
+
+  const std::vector<Fragment> whole = merge_fragments(incoming);
+  std::vector<double> merged_sizes, returned(mine.size());
+  for (const Fragment& p : incoming)
+    merged_sizes.push_back(
+        std::lower_bound(whole.begin(), whole.end(), p.label, [](const Fragment& a, double b) {
+          return a.label < b;
+        })->count);
+  MPI_Alltoallv(merged_sizes.data(), receive.data(), receive_at.data(), MPI_DOUBLE, returned.data(),
+                send.data(), send_at.data(), MPI_DOUBLE, world);
+  sizes.clear();
+  for (const int k : where) sizes.push_back(returned[k]);
+  return whole;
+}

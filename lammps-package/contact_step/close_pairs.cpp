@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#include "close_pairs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "atom.h"
+#include "box_shear.h"
+#include "neigh_list.h"
+#include "neighbor.h"
+
+using namespace LAMMPS_NS;
+
+void ClosePairs::start(double allowed) {
+  allowed_ = allowed;
+  positions_.clear();
+}
+
+void ClosePairs::update(const NeighList& list, double reach, int** has_history) {
+  const bool new_list = neighbor->ago == 0;
+  if (new_list || positions_.empty() || reach + come_closer() > allowed_)
+    find(list, new_list ? has_history : nullptr);
+  reach_ = reach;
+}
+
+/// By how much the gap of a pair may have shrunk since the pairs were found, [length].
+double ClosePairs::come_closer() const {
+  const double* const now = atom->x[0];
+  const double* const then = positions_.data();
+  const double* const radius = atom->radius;
+  double furthest = 0.0, growth = 0.0;
+  for (std::size_t k = 0; k < positions_.size(); k += 3) {
+    const double dx = now[k] - then[k], dy = now[k + 1] - then[k + 1],
+                 dz = now[k + 2] - then[k + 2];
+    furthest = std::max(furthest, dx * dx + dy * dy + dz * dz);
+  }
+  if (std::memcmp(radius, radii_.data(), radii_.size() * sizeof(double)) != 0)
+    for (std::size_t i = 0; i < radii_.size(); i++)
+      growth = std::max(growth, radius[i] - radii_[i]);
+  return 2.0 * (std::sqrt(furthest) + growth);
+}
+
+/// The pairs whose gap is below `allowed`: all others are too far apart until particles have moved
+/// or grown.
+void ClosePairs::find(const NeighList& list, int** has_history) {
+  count_ = 0;
+  positions_.clear();
+  if (atom->nlocal + atom->nghost == 0) return;
+  const int movers = number_of_movers(lmp);
+  positions_.assign(atom->x[0], atom->x[0] + 3 * movers);
+  radii_.assign(atom->radius, atom->radius + movers);
+  const double* const x = atom->x[0];
+  const double* const radius = atom->radius;
+  for (int ii = 0; ii < list.inum; ii++) {
+    const int i = list.ilist[ii];
+    const int* const neighbors = list.firstneigh[i];
+    const int count = list.numneigh[i];
+    const double xi = x[3 * i], yi = x[3 * i + 1], zi = x[3 * i + 2];
+    // With room for what other contacts do to a pair within a step.
+    const double near_i = 1.0001 * radius[i] + allowed_;
+    if (pairs_.size() < count_ + count) pairs_.resize(2 * count_ + count);
+    ClosePair* const first = pairs_.data() + count_;
+    ClosePair* last = first;
+    for (int jj = 0; jj < count; jj++) {
+      const int j = neighbors[jj] & NEIGHMASK;
+      const double dx = x[3 * j] - xi;
+      const double dy = x[3 * j + 1] - yi;
+      const double dz = x[3 * j + 2] - zi;
+      const double near = near_i + radius[j];
+      *last = {i, j, jj};  // no branch: which pairs are near cannot be predicted
+      last += dx * dx + dy * dy + dz * dz <= near * near;
+    }
+    count_ = last - pairs_.data();
+    if (has_history) forget_others(has_history[i], count, first, last);
+  }
+}
+
+/// Only a particle that was put elsewhere can have left a partner that is not near any more.
+void ClosePairs::forget_others(int* has_history, int count, const ClosePair* near,
+                               const ClosePair* end) {
+  for (int jj = 0; jj < count; jj++) {
+    if (near != end && near->place == jj)
+      near++;
+    else
+      has_history[jj] = 0;
+  }
+}

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#include "contact_impulses.h"
+
+#include <cstring>
+
+using namespace LAMMPS_NS;
+
+void ContactImpulses::begin_step(double kick, Known known) {
+  kick_ = kick;
+  known_ = known;
+  ended_ = false;
+}
+
+/// Numbers that are all alike to the bit, and the first of them is 0.
+static bool all_zero(const double* numbers, int count) {
+  return numbers[0] == 0.0 && std::memcmp(numbers, numbers + 1, (count - 1) * sizeof(double)) == 0;
+}
+
+void ContactImpulses::store_other(Numbers& before, const double* const* now, int particles) {
+  const int n = 3 * particles;
+  before.clear();
+  if (n > 0 && !all_zero(now[0], n)) before.assign(now[0], now[0] + n);
+}
+
+void ContactImpulses::subtract_other(Numbers& before, const double* const* now, int particles) {
+  const int n = 3 * particles;
+  if (n > 0 && before.empty())
+    before.assign(now[0], now[0] + n);
+  else
+    for (int k = 0; k < n; k++) before[k] = now[0][k] - before[k];
+}
+
+void ContactImpulses::begin_contacts() {
+  if (known_ == Known::nobody) return;
+  store_other(forces_, atom->f, atom->nlocal);
+  if (known_ == Known::forces_and_torques) store_other(torques_, atom->torque, atom->nlocal);
+}
+
+void ContactImpulses::end_contacts() {
+  if (known_ == Known::nobody) return;
+  subtract_other(forces_, atom->f, atom->nlocal);
+  if (known_ == Known::forces_and_torques) subtract_other(torques_, atom->torque, atom->nlocal);
+  ended_ = true;
+}
+
+void ContactImpulses::save_other_forces(double* forces) const {
+  const int n = 3 * atom->nlocal;
+  if (n == 0) return;
+  const double* const all = atom->f[0];
+  for (int k = 0; k < n; k++) forces[k] = all[k] - forces_[k];
+}

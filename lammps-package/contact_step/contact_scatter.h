@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#ifndef COHESION_CONTACT_SCATTER_H
+#define COHESION_CONTACT_SCATTER_H
+
+#include "atom.h"
+#include "event_stepping/sampled_contact.h"
+#include "event_stepping/two_pass_contact.h"
+#include "fix_event_step.h"
+
+// How the impulses of contacts reach the particles, from pairs and walls alike.
+//
+// Here, and where the laws of a step are, local variables of a struct type are not `const`: GCC 12
+// keeps such in memory, the others in registers, which costs a sampled contact a tenth.
+
+namespace LAMMPS_NS {
+
+using cohesion::vector;
+using cohesion::Vector3;
+
+inline void add(double* to, double factor, const cohesion::Vector3& a) {
+  to[0] += factor * a.x;
+  to[1] += factor * a.y;
+  to[2] += factor * a.z;
+}
+
+/// `history` of a contact: what ContactMemory keeps, of its sizes; a sampled one has the in-range
+/// flag in the place of the phase, and the stretch of its springs.
+using HistorySize = cohesion::event_stepping::ContactMemory::Size;
+
+/// What contacts do to particles in a step: of one process, and of one kind of contact.
+template <class Contact, int SIZE>
+class ContactsOfStep {
+ public:
+  using Action = cohesion::event_stepping::Action;
+  using PairMotion = cohesion::event_stepping::PairMotion;
+
+  ContactsOfStep(Atom* atom, FixEventStep* step)
+      : step_(step), kick_(step->impulses.kick()), nlocal_(atom->nlocal) {}
+
+  /// Force that stands for an impulse.
+  double kick() const { return kick_; }
+
+  /// Force and torque on the particles of this process.
+  [[gnu::always_inline]] void apply(int i, int j, const Action& a) const {
+    step_->impulses.push<SIZE>(i, -a.impulse, a.torque_i);
+    if (j >= 0 && j < nlocal_) step_->impulses.push<SIZE>(j, a.impulse, a.torque_j);
+  }
+  void apply_reversed(int i, int j, const Action& a) const {
+    apply(i, j, {-a.impulse, -a.torque_i, -a.torque_j});
+  }
+
+  /// Adds what `a` changes of the motion of both particles to `to`.
+  void change(double* const* to, int i, int j, const Action& a) const {
+    change_i(to, i, a);
+    if (j >= 0) change_j(to, j, a);
+  }
+  void change_i(double* const* to, int i, const Action& a) const {
+    const auto body = step_->body(i);
+    add(to[i], -body.inverse_mass, a.impulse);
+    if (SIZE > 3) add(to[i] + 3, cohesion::event_stepping::inverse_inertia(body), a.torque_i);
+  }
+  void change_j(double* const* to, int j, const Action& a) const {
+    const auto body = step_->body(j);
+    add(to[j], body.inverse_mass, a.impulse);
+    if (SIZE > 3) add(to[j] + 3, cohesion::event_stepping::inverse_inertia(body), a.torque_j);
+  }
+
+  /// Adds D, V and changes of spins to `predicted` of the step.
+  void add_predicted(int i, int j, const Contact& c, const PairMotion& change) const {
+    add_predicted_i(i, c, change);
+    if (j >= 0) add_predicted_j(j, c, change);
+  }
+  void add_predicted_i(int i, const Contact& c, const PairMotion& change) const {
+    add_motion(step_->predicted[i], -c.bodies().motion_fraction_i(), change, change.spin_i);
+  }
+  void add_predicted_j(int j, const Contact& c, const PairMotion& change) const {
+    add_motion(step_->predicted[j], c.bodies().motion_fraction_j(), change, change.spin_j);
+  }
+
+  /// The fraction of a pair's energies that this process counts: a pair of two processes, or of two
+  /// images, is met twice. j < 0: a wall.
+  double owned_fraction(int j) const { return j < 0 || j < nlocal_ ? 1.0 : 0.5; }
+
+ private:
+  static void add_motion(double* to, double factor, const PairMotion& change,
+                         const cohesion::Vector3& spin) {
+    add(to, factor, change.relative.separation);
+    add(to + 3, factor, change.relative.velocity);
+    if (SIZE > 3) add(to + 6, 1.0, spin);
+  }
+
+  FixEventStep* step_;
+  double kick_;
+  int nlocal_;
+};
+
+/// Contacts that have lasted and go on to last, where nobody asks what they do: what most contacts
+/// of a bed need, and only that, so that memory and motion stay in registers.
+template <class Contact, int SIZE>
+class LastingForces {
+ public:
+  LastingForces(Atom* atom, FixEventStep* step)
+      : forces_(atom->f[0]),
+        torques_(atom->torque[0]),
+        kick_(step->impulses.kick()),
+        nlocal_(atom->nlocal) {}
+
+  /// False: nothing is done, the contact is to be taken in another way.
+  [[gnu::always_inline]] bool apply(const Contact& c, int i, int j,
+                                    const cohesion::event_stepping::PairMotion& grid,
+                                    double* history) const {
+    using namespace cohesion::event_stepping;
+    if (history[0] != ContactMemory::lasting) return false;
+    ContactMemory memory = ContactMemory::as_stored(history, SIZE);
+    memory.phase = ContactMemory::lasting;
+    Action action;
+    if (!c.one_force().template advance_lasting<SIZE>(grid, memory, action, nullptr)) return false;
+    memory.to(history, SIZE);
+    const Vector3 pushed = kick_ * action.impulse;
+    add(forces_ + 3 * i, -1.0, pushed);
+    if (SIZE >= ContactMemory::with_friction) add(torques_ + 3 * i, kick_, action.torque_i);
+    if (j >= nlocal_) return true;
+    add(forces_ + 3 * j, 1.0, pushed);
+    if (SIZE >= ContactMemory::with_friction) add(torques_ + 3 * j, kick_, action.torque_j);
+    return true;
+  }
+
+ private:
+  double* forces_;
+  double* torques_;
+  double kick_;
+  int nlocal_;
+};
+
+/// Sampled contacts of which nobody asks what they do, likewise.
+template <class Contact, int SIZE>
+class SampledForces {
+ public:
+  SampledForces(Atom* atom, FixEventStep* step)
+      : forces_(atom->f),
+        torques_(atom->torque),
+        kick_(step->impulses.kick()),
+        nlocal_(atom->nlocal) {}
+
+  /// Gives whether the contact remembers anything.
+  [[gnu::always_inline]] bool apply(const Contact& c, int i, int j,
+                                    const cohesion::event_stepping::PairMotion& grid,
+                                    double* history) const {
+    using namespace cohesion::event_stepping;
+    ContactMemory memory = ContactMemory::as_stored(history, SIZE);
+    const Action action = c.template compute<SIZE>(grid, memory, nullptr).action;
+    memory.to(history, SIZE);
+    add(forces_[i], -kick_, action.impulse);
+    if (SIZE >= ContactMemory::with_friction) add(torques_[i], kick_, action.torque_i);
+    if (j >= nlocal_) return memory.in_range();
+    add(forces_[j], kick_, action.impulse);
+    if (SIZE >= ContactMemory::with_friction) add(torques_[j], kick_, action.torque_j);
+    return memory.in_range();
+  }
+
+ private:
+  double* const* forces_;
+  double* const* torques_;
+  double kick_;
+  int nlocal_;
+};
+
+/// A sampled contact acts; gives what it does.
+template <int SIZE, class Contact>
+cohesion::event_stepping::SampledStep sample(const ContactsOfStep<Contact, SIZE>& scatter,
+                                             FixEventStep* step, const Contact& c, int i, int j,
+                                             const cohesion::event_stepping::PairMotion& grid,
+                                             cohesion::event_stepping::ContactMemory& memory) {
+  using namespace cohesion::event_stepping;
+  ContactLosses lost;
+  SampledStep now =
+      c.template compute<SIZE>(grid, memory, step->energy_tally.is_active() ? &lost : nullptr);
+  scatter.apply(i, j, now.action);
+  if (step->energy_tally.is_active()) {
+    const double fraction = scatter.owned_fraction(j);
+    step->energy_tally.store(fraction, c.stored(grid, memory));
+    step->energy_tally.add_losses(fraction, {lost.normal_damping, 0.0, 0.0, 0.0}, 0.5);
+    step->energy_tally.add_losses(fraction,
+                                  {0.0, lost.tangential_damping, lost.friction, lost.rolling}, 0.0);
+    const Action half{0.5 * now.action.impulse, 0.5 * now.action.torque_i,
+                      0.5 * now.action.torque_j};
+    scatter.change(step->energy_tally.owed(), i, j, half);
+  }
+  return now;
+}
+
+}  // namespace LAMMPS_NS
+
+#endif

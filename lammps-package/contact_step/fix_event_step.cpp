@@ -1,0 +1,400 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#include "fix_event_step.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <string>
+
+#include "atom.h"
+#include "box_shear.h"
+#include "comm.h"
+#include "domain.h"
+#include "energy_companions.h"
+#include "error.h"
+#include "force.h"
+#include "gravity.h"
+#include "memory.h"
+#include "modify.h"
+#include "output.h"
+#include "pair_members.h"
+#include "shear/flight.h"
+#include "unturned_spheres.h"
+#include "update.h"
+
+using namespace LAMMPS_NS;
+using cohesion::vector;
+using cohesion::Vector3;
+
+static constexpr char ID[] = "COHESION_EVENT_STEP";
+static constexpr char PLACE[] = "COHESION_EVENT_STEP_PLACE";
+
+// What the next run needs of a particle: forces, torques, what the tally saves, and forces of all
+// but contacts, where they begin.
+static constexpr int TORQUE = 3, NOTED = 6, FROM_OTHERS = NOTED + ContactEnergyTally::OF_PARTICLE,
+                     LAST = FROM_OTHERS + 3;
+
+static void put(const Vector3& a, double* values) {
+  values[0] = a.x;
+  values[1] = a.y;
+  values[2] = a.z;
+}
+
+FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
+    : Fix(lammps, narg, arg),
+      owed(nullptr),
+      predicted(nullptr),
+      impulses(lammps),
+      energy_tally(lammps),
+      watch(lammps),
+      forwarded_flags(nullptr),
+      forwarded_values(nullptr),
+      values_each(PREDICTED),
+      may_have_contacts(true),
+      idle(false),
+      resuming(false),
+      starting(false),
+      running(false),
+      tallies_begun(false),
+      other_box(false),
+      warned_of_unturned(false),
+      last_dt(0.0),
+      last(lammps, LAST),
+      other_forces(lammps, 3),
+      contacts(nullptr),
+      inverse_mass(nullptr),
+      longest_flight(0.0),
+      unresolved(0.0),
+      flux_readers(std::make_shared<char>()),
+      flux_wanted(false) {
+  nevery = 1;
+  comm_forward = 1 + PREDICTED;
+  restart_peratom = 1;
+  restart_global = 1;
+  create_attribute = 1;
+  FixEventStep::grow_arrays(atom->nmax);
+  atom->add_callback(Atom::GROW);
+  atom->add_callback(Atom::RESTART);
+}
+
+FixEventStep::~FixEventStep() {
+  atom->delete_callback(id, Atom::GROW);
+  atom->delete_callback(id, Atom::RESTART);
+  memory->destroy(owed);
+  memory->destroy(predicted);
+  memory->destroy(contacts);
+  memory->destroy(inverse_mass);
+}
+
+void FixEventStep::reserve(LAMMPS* lmp) {
+  Modify* modify = lmp->modify;
+  if (modify->find_fix(ID) < 0 && modify->find_fix(PLACE) < 0)
+    modify->add_fix(std::string(PLACE) + " all DUMMY");
+}
+
+FixEventStep* FixEventStep::of(LAMMPS* lmp) {
+  Modify* modify = lmp->modify;
+  reserve(lmp);
+  if (modify->find_fix(ID) < 0) modify->replace_fix(PLACE, std::string(ID) + " all EVENT_STEP", 1);
+  return static_cast<FixEventStep*>(modify->fix[modify->find_fix(ID)]);
+}
+
+int FixEventStep::setmask() {
+  return FixConst::INITIAL_INTEGRATE | FixConst::PRE_FORCE | FixConst::POST_FORCE |
+         FixConst::END_OF_STEP | FixConst::POST_RUN;
+}
+
+void FixEventStep::init() {
+  if (utils::strmatch(update->integrate_style, "^respa"))
+    error->all(FLERR, "scheme event follows contacts over the whole step; use 'run_style verlet'");
+  if (force->newton_pair)
+    error->all(FLERR,
+               "scheme event works out every contact on both sides; put 'newton off' before the "
+               "box is made");
+  if (comm->ghost_velocity == 0)
+    error->all(FLERR,
+               "scheme event needs the velocities of ghost particles; add 'comm_modify vel yes'");
+
+  styles.clear();
+  walls.clear();
+  advised.clear();
+  mobile.look_up(modify);
+  bool before_me = true;
+  for (int i = 0; i < modify->nfix; i++) {
+    Fix* const fix = modify->fix[i];
+    if (auto* wall = dynamic_cast<EventWalls*>(fix)) {
+      walls.push_back(wall);
+      styles.push_back(wall);
+    }
+    if (auto* one = dynamic_cast<AdvisedStyle*>(fix)) advised.push_back(one);
+    if (fix == this) before_me = false;
+    if (fix->rigid_flag)
+      error->all(FLERR, std::string("scheme event cannot follow contacts of rigid bodies (fix ") +
+                            fix->id + ")");
+    if (before_me && MobileParticles::integrates(fix))
+      error->all(FLERR, std::string("fix ") + fix->id +
+                            " integrates the motion: put it behind the pair_style and wall "
+                            "commands of scheme event");
+  }
+  for (const PairMember& member : pair_members(force)) {
+    if (auto* pairs = dynamic_cast<EventContacts*>(member.pair)) styles.push_back(pairs);
+    if (auto* one = dynamic_cast<AdvisedStyle*>(member.pair)) advised.push_back(one);
+  }
+  may_have_contacts = std::any_of(styles.begin(), styles.end(),
+                                  [](const EventContacts* s) { return s->may_have_contacts(); });
+  any_event_scheme = std::any_of(styles.begin(), styles.end(),
+                                 [](const EventContacts* some) { return some->is_event_scheme(); });
+  any_other_forces = any_event_scheme && others_may_act();
+  warn_of_unturned_once();
+}
+
+/// Whether anything but contacts may act on a particle.
+bool FixEventStep::others_may_act() const {
+  if (force->bond || force->angle || force->dihedral || force->improper || force->kspace)
+    return true;
+  for (const PairMember& member : pair_members(force))
+    if (!dynamic_cast<EventContacts*>(member.pair)) return true;
+  constexpr int may_act = FixConst::PRE_FORCE | FixConst::PRE_REVERSE | FixConst::POST_FORCE;
+  for (int i = 0; i < modify->nfix; i++) {
+    Fix* const fix = modify->fix[i];
+    const bool of_contacts = fix == this || dynamic_cast<EventWalls*>(fix);
+    if (!of_contacts && (modify->fmask[i] & may_act)) return true;
+  }
+  return false;
+}
+
+/// A warning that was given is not given again.
+void FixEventStep::warn_of_unturned_once() {
+  if (warned_of_unturned) return;
+  std::vector<bool> has_friction(atom->ntypes + 1, false);
+  for (int type = 1; type <= atom->ntypes; type++)
+    for (const EventContacts* some : styles)
+      has_friction[type] = has_friction[type] || some->has_friction(type);
+  warned_of_unturned = warn_of_unturned(lmp, mobile, has_friction);
+}
+
+/// Whether a step has nothing to do for any particle.
+bool FixEventStep::is_idle() const {
+  return !may_have_contacts && !energy_tally.has_readers() && flux_readers.use_count() == 1;
+}
+
+/// Updates how far the fastest particle or ghost may fly, and all masses.
+void FixEventStep::update_speeds_and_masses() {
+  const int all = atom->nlocal + atom->nghost;
+  longest_flight = cohesion::shear::longest_flight(fastest_of(atom, domain, number_of_movers(lmp)),
+                                                   rate_of_shear(domain).amount,
+                                                   neighbor->cutneighmax, 0.5 * update->dt);
+  update_masses(all);
+}
+
+/// Masses may change in any step (fix adapt); to see that they have not costs next to nothing.
+/// Groups count as they were when the list of neighbours was new: ghosts get theirs only then.
+void FixEventStep::update_masses(int all) {
+  const double* const mass = atom->rmass;
+  if (neighbor->ago == 0 || known_masses.empty()) {
+    for (int i = 0; i < all; i++) inverse_mass[i] = mobile.inverse_mass(atom->mask[i], mass[i]);
+  } else {
+    if (std::memcmp(known_masses.data(), mass, all * sizeof(double)) == 0) return;
+    for (int i = 0; i < all; i++)
+      if (inverse_mass[i] != 0.0) inverse_mass[i] = 1.0 / mass[i];
+  }
+  known_masses.assign(mass, mass + all);
+}
+
+double FixEventStep::half_kick() const { return 0.5 * update->dt; }
+
+/* ---------------------------------------------------------------------- */
+
+void FixEventStep::setup_pre_force(int) {
+  resuming = last_dt > 0.0;
+  starting = !resuming;
+  other_box = resuming && box.changed(domain);
+  predictor_due = false;
+  idle = is_idle();
+  if (idle) {
+    known_masses.clear();
+    impulses.disable();
+  }
+  if (!resuming) {
+    const std::vector<double> weight = weights(lmp);
+    for (int i = 0; i < atom->nlocal; i++) std::copy_n(&weight[3 * i], 3, other_forces.of(i));
+    other_forces_known = true;
+    advise_if_due(true);
+    predictor_due = true;
+    return;
+  }
+  update_speeds_and_masses();
+  update_readers();
+  advise_if_due(true);
+  if (other_box)
+    for (EventWalls* wall : walls) wall->reset_in_range();
+  if (!energy_tally.is_active()) return;
+  for (int i = 0; i < atom->nlocal; i++) energy_tally.restore_motion(i, last.of(i) + NOTED);
+  energy_tally.reset_normal();
+  for (EventContacts* some : styles) some->store_energies_at_setup();
+}
+
+/// With the first forces of a step, when fixes have changed what they change before.
+bool FixEventStep::run_predictor() {
+  if (!predictor_due) return false;
+  predictor_due = false;
+  begin_step();
+  impulses.begin_contacts();
+  for (EventContacts* some : styles) some->classify();
+  if (any_event_scheme) {
+    forward_disturbed();
+    const int all = atom->nlocal + atom->nghost;
+    any_disturbed_now =
+        std::any_of(disturbed.begin(), disturbed.begin() + all, [](char is) { return is != 0; });
+    for (EventContacts* some : styles) some->follow_disturbed();
+    for (EventContacts* some : styles) some->couple_lasting();
+    if (any_followed_now || comm->nprocs > 1) {
+      forward_to_ghosts(owed, OWED);
+      for (EventContacts* some : styles) some->predict();
+      forward_to_ghosts(predicted, PREDICTED);
+    }
+  }
+  return true;
+}
+
+/// The first step has no half kick before it: what its velocities are, they truly are.
+void FixEventStep::setup(int) {
+  post_force(0);
+  if (idle) impulses.disable();
+  constexpr double none[ContactEnergyTally::OF_PARTICLE] = {};
+  if (energy_tally.is_active() && starting)
+    for (int i = 0; i < atom->nlocal; i++) energy_tally.restore_motion(i, none);
+}
+
+void FixEventStep::initial_integrate(int) {
+  running = true;  // a run without set-up begins here
+  starting = false;
+  if (energy_tally.is_active() && !tallies_begun) {
+    // They begin with what there is before this step.
+    update->ntimestep--;
+    begin_tallies();
+    update->ntimestep++;
+  }
+  if (!resuming) {
+    // Forces are all there when the next step begins.
+    if (!idle && any_event_scheme) save_other_forces();
+    return;
+  }
+  // The same momentum, should the step be another now.
+  const double ratio = last_dt / update->dt;
+  for (int i = 0; i < atom->nlocal; i++) {
+    const double* const then = last.of(i);
+    put(ratio * vector(then), atom->f[i]);
+    put(ratio * vector(then + TORQUE), atom->torque[i]);
+    std::copy_n(then + FROM_OTHERS, 3, other_forces.of(i));
+  }
+  resuming = false;
+  other_forces_known = true;
+  last.free();
+}
+
+/// What forces that are no contacts' have done in the step that ends.
+void FixEventStep::save_other_forces() {
+  if (any_other_forces)
+    impulses.save_other_forces(other_forces.of(0));
+  else if (other_forces_known)
+    for (int i = 0; i < atom->nlocal; i++) other_forces.clear(i);
+  other_forces_known = any_other_forces;
+}
+
+/// Tallies begin when all fixes have been set up; a run of no step ends then.
+void FixEventStep::begin_tallies() {
+  for_each_energy_tally(modify, [](EnergyTallyCompute& compute) { compute.begin_run(); });
+  tallies_begun = true;
+}
+
+void FixEventStep::pre_force(int) {
+  if (idle) return;
+  advise_if_due(false);
+  predictor_due = true;
+}
+
+void FixEventStep::post_force(int) {
+  run_corrector([] {});
+}
+
+/// Forces that a run takes over from the last one excuse nothing: its step, its coefficients and
+/// its particles may be others.
+void FixEventStep::advise_if_due(bool setup) {
+  if (advised.empty() || !watch.due(setup)) return;
+  for (AdvisedStyle* one : advised) one->give_advice(watch.now());
+}
+
+void FixEventStep::begin_step() {
+  const int all = atom->nlocal + atom->nghost;
+  update_speeds_and_masses();
+  update_readers();
+  // The engine's half kick makes of a force f the momentum f dt/2; the other half went before, but
+  // for the first step, which has no half before it.
+  using Known = ContactImpulses::Known;
+  const Known known = any_other_forces ? Known::forces : Known::nobody;
+  impulses.begin_step((starting ? 2.0 : 1.0) / update->dt,
+                      energy_tally.is_active() ? Known::forces_and_torques : known);
+  if (any_event_scheme) {
+    std::fill_n(contacts, all, 0);
+    disturbed.assign(all, 0);
+    followed.assign(all, 0);
+    followed_ghosts.clear();
+    any_followed_now = false;
+  }
+  energy_tally.begin_step();
+}
+
+void FixEventStep::update_readers() {
+  energy_tally.update_readers();
+  flux_wanted = flux_readers.use_count() > 1;
+}
+
+void FixEventStep::end_of_step() {
+  if (idle || !energy_tally.is_active()) return;
+  for (int i = 0; i < atom->nlocal; i++)
+    energy_tally.end_step(i, body(i), half_kick() * impulses.force(i),
+                          half_kick() * impulses.torque(i));
+  const std::vector<double> weight = weights(lmp);
+  double power = 0.0;  // of all forces but those of contacts, and gravity
+  for (int i = 0; i < atom->nlocal; i++)
+    if (inverse_mass[i] != 0.0)
+      power += dot(impulses.other_force(i) - vector(&weight[3 * i]), energy_tally.true_velocity(i));
+  energy_tally.add_work(2.0 * half_kick() * power);
+}
+
+void FixEventStep::post_run() {
+  report_unresolved();
+  if (energy_tally.is_active()) {
+    if (!tallies_begun) begin_tallies();
+    for_each_energy_tally(modify, [](EnergyTallyCompute& compute) { compute.end_run(); });
+  }
+  tallies_begun = false;
+  running = false;
+  box.store(domain);
+  if (resuming) return;  // no step was made: what was taken over is what the next run goes on from
+  last.grow(atom->nmax);
+  for (int i = 0; i < atom->nlocal; i++) save_last(i, last.of(i));
+  last_dt = update->dt;
+}
+
+/// What the next run needs of a particle.
+void FixEventStep::save_last(int i, double* values) const {
+  std::copy_n(atom->f[i], 3, values);
+  std::copy_n(atom->torque[i], 3, values + TORQUE);
+  energy_tally.save_motion(i, values + NOTED);
+  put(impulses.other_force(i), values + FROM_OTHERS);
+}
+
+void FixEventStep::report_unresolved() {
+  double all = 0.0;
+  MPI_Allreduce(&unresolved, &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  unresolved = 0.0;
+  if (all > 0.0 && comm->me == 0)
+    error->warning(FLERR,
+                   "scheme event: {} times in this run a pair, or a particle and a wall, turned "
+                   "round a thousand times within one step, between contact and the edge of the "
+                   "adhesion or along that edge, and was not followed to the end of that step: use "
+                   "a smaller time step",
+                   all);
+}

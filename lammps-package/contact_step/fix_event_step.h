@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#ifdef FIX_CLASS
+// clang-format off
+FixStyle(EVENT_STEP,FixEventStep);
+// clang-format on
+#else
+
+#ifndef LMP_FIX_EVENT_STEP_H
+#define LMP_FIX_EVENT_STEP_H
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+#include "atom.h"
+#include "atom_numbers.h"
+#include "box_sides.h"
+#include "contact_advice.h"
+#include "contact_energy_tally.h"
+#include "contact_impulses.h"
+#include "event_stepping/flux_parts.h"
+#include "event_stepping/two_pass_contact.h"
+#include "fix.h"
+#include "mobile_particles.h"
+
+namespace LAMMPS_NS {
+
+/// What follows contacts in the event scheme: pair styles and walls. FixEventStep::run_corrector()
+/// calls all of this with the first forces of a step; the corrector is each style's own part of
+/// Pair::compute or Fix::post_force.
+class EventContacts {
+ public:
+  /// Lets contacts that last act, and adds the others to those that are followed, with what leads
+  /// to the true motion of their particles, which are disturbed.
+  virtual void classify() = 0;
+  /// Adds lasting contacts of disturbed particles to those that are followed, too, and undoes what
+  /// they did.
+  virtual void follow_disturbed() = 0;
+  /// Adds what lasting contacts do to particles that have a followed one, and what leads to the
+  /// true motion of these.
+  virtual void couple_lasting() = 0;
+  /// The predictor: every followed contact by itself, as if its particles had no other.
+  virtual void predict() = 0;
+  /// Whether friction turns particles of this type.
+  virtual bool has_friction(int type) const = 0;
+  /// Whether any contact may act in this run.
+  virtual bool may_have_contacts() const { return true; }
+  /// Whether contacts are those of scheme event, which takes account of what they do to each other
+  /// within a step; else they are sampled.
+  virtual bool is_event_scheme() const = 0;
+  /// Adds what the contacts store to the energy tally, where a run takes over the forces of the
+  /// last one.
+  virtual void store_energies_at_setup() = 0;
+
+ protected:
+  ~EventContacts() = default;
+};
+
+/// Those of walls.
+class EventWalls : public EventContacts {
+ public:
+  /// Sets whether particles are in range by where they are, when something else than their motion
+  /// has brought them there.
+  virtual void reset_in_range() = 0;
+
+ protected:
+  ~EventWalls() = default;
+};
+
+/// What contacts must know of each particle and ghost.
+struct Bodies {
+  const double* radius;
+  const double* inverse_mass;
+
+  cohesion::event_stepping::Body operator[](int i) const { return {radius[i], inverse_mass[i]}; }
+};
+
+/// What all styles of the event scheme share, made by the first of them. A contact that lasts needs
+/// one force. The others are followed in closed form from the true motion at the grid point, to
+/// which `owed` leads, and which needs all contacts of a particle: in a predictor each by itself,
+/// what it does added to `predicted`, and in a corrector with half of what the others do.
+///
+/// A particle is disturbed by a followed contact with an event, or by a young one. Contacts of
+/// disturbed particles are followed, too: one force among such drains energy.
+///
+/// Order within a step, with its first forces: all styles classify(); forward_disturbed();
+/// follow_disturbed(); couple_lasting(); forward_to_ghosts(owed); predict();
+/// forward_to_ghosts(predicted). Then the corrector of each style.
+///
+/// A fix cannot make another one in its constructor: those that need this one call of() in
+/// post_constructor(); the order above does not depend on the order of the fixes.
+///
+/// A run that continues another, in the same input or from a restart, starts from the forces the
+/// last step ended with: the grid holds positions at n and velocities at n-1/2, and the forces of
+/// step n cannot be worked out again from the velocities at n.
+class FixEventStep : public Fix {
+ public:
+  FixEventStep(class LAMMPS*, int, char**);
+  ~FixEventStep() override;
+
+  /// Keeps the place in the list of fixes, before those that integrate: for the constructor of a
+  /// pair style, which may run while a restart file is read. The fix itself finds what the file
+  /// holds for it only afterwards.
+  static void reserve(class LAMMPS*);
+  /// The one of this run; made when there is none. Not before a restart file has been read to its
+  /// end, and not after the engine has begun to init its fixes.
+  static FixEventStep* of(class LAMMPS*);
+
+  int setmask() override;
+  void init() override;
+  void setup_pre_force(int) override;
+  void setup(int) override;
+  void initial_integrate(int) override;
+  void pre_force(int) override;
+  void post_force(int) override;
+  void end_of_step() override;
+  void post_run() override;
+
+  int pack_forward_comm(int, int*, double*, int, int*) override;
+  void unpack_forward_comm(int, int, double*) override;
+  void grow_arrays(int) override;
+  void copy_arrays(int, int, int) override;
+  void set_arrays(int) override;
+  int pack_exchange(int, double*) override;
+  int unpack_exchange(int, double*) override;
+  void write_restart(FILE*) override;
+  void restart(char*) override;
+  int pack_restart(int, double*) override;
+  void unpack_restart(int, int) override;
+  int maxsize_restart() override;
+  int size_restart(int) override;
+  double memory_usage() override;
+
+  /// The forces of the last step are taken over: nothing may be followed.
+  bool resumes() const { return resuming; }
+  /// A run that does so finds another box than the last one left, and particles elsewhere.
+  bool box_changed() const { return other_box; }
+  /// The first step of a run that takes over nothing.
+  bool starts() const { return starting; }
+  /// Particle or ghost i; a particle that nothing integrates has inverse mass 0.
+  cohesion::event_stepping::Body body(int i) const { return bodies()[i]; }
+  Bodies bodies() const { return {atom->radius, inverse_mass}; }
+  /// A contact of the event scheme, or a sampled one, in this step.
+  template <class Contact>
+  Contact contact(const cohesion::contact::ContactParameters& parameters,
+                  const typename Contact::Attraction& attraction,
+                  const cohesion::event_stepping::Body& i,
+                  const cohesion::event_stepping::Body& j) const {
+    if constexpr (Contact::on_grid)
+      return {parameters, attraction, i, j, 2.0 * half_kick()};
+    else
+      return {parameters, attraction, i, j, {starting ? 0.0 : half_kick(), half_kick()}};
+  }
+  /// What force times this adds to the momentum until the motion of the step ends, [time].
+  double half_kick() const;
+  /// How far a particle or ghost of this rank may fly in half a step, [length].
+  double flight() const { return longest_flight; }
+
+  /// Adds a followed contact of particle or ghost i in this step, before it adds to `owed` or
+  /// `predicted`. The first entry is what all forces but those of contacts do; ghosts have it from
+  /// their owners.
+  void add_followed(int i) {
+    if (contacts[i]++ != 0) return;
+    any_followed_now = true;
+    std::fill_n(owed[i], OWED, 0.0);
+    std::fill_n(predicted[i], PREDICTED, 0.0);
+    if (i >= atom->nlocal) {
+      followed_ghosts.push_back(i);
+      return;
+    }
+    followed[i] = 1;
+    if (!other_forces_known) return;
+    const auto does = cohesion::event_stepping::by_acceleration(
+        inverse_mass[i] * cohesion::vector(other_forces.of(i)), 2.0 * half_kick());
+    if (!starting) add(owed[i], 0.5 * does.velocity);
+    add(predicted[i], does.separation);
+    add(predicted[i] + 3, does.velocity);
+  }
+  /// Marks both particles of a contact that has an event, or is young; j < 0: a wall.
+  void disturb(int i, int j) {
+    disturbed[i] = 1;
+    if (j >= 0) disturbed[j] = 1;
+  }
+  bool is_disturbed(int i) const { return disturbed[i] != 0; }
+  /// Whether i is, or j (below 0: a wall, which never is).
+  bool is_disturbed(int i, int j) const { return is_disturbed(i) || (j >= 0 && is_disturbed(j)); }
+  /// Whether any particle or ghost is.
+  bool any_disturbed() const { return any_disturbed_now; }
+  /// Counts one more contact of a particle that has a followed one.
+  void count_contact(int i) { contacts[i]++; }
+  bool any_followed() const { return any_followed_now; }
+  /// Whether particle or ghost i has a followed contact in this step.
+  bool is_followed(int i) const { return contacts[i] != 0; }
+  /// Whether i is a particle of this rank with one contact only.
+  bool has_one_contact(int i) const { return i < atom->nlocal && contacts[i] == 1; }
+
+  /// Per atom and ghost with a followed contact: `owed`, what leads from the velocity and spin on
+  /// the grid to the true ones; `predicted`, the change of position, velocity and spin in the step.
+  static constexpr int OWED = 6, PREDICTED = 9;
+  double** owed;
+  double** predicted;
+  /// What contacts do in this step.
+  ContactImpulses impulses;
+  /// The energy of contacts.
+  ContactEnergyTally energy_tally;
+
+  /// Sum of the contacts of pairs so far; it goes on while somebody holds what add_flux_reader()
+  /// gives.
+  cohesion::event_stepping::FluxParts flux;
+  [[nodiscard]] ContactEnergyTally::Reader add_flux_reader() const { return flux_readers; }
+  bool sums_flux() const { return flux_wanted; }
+
+  /// Counts a contact whose step was cut short.
+  void count_unresolved(double fraction) { unresolved += fraction; }
+  /// Runs all that comes before the corrector, if it has not been run in this step, and then the
+  /// corrector of the caller.
+  template <class Corrector>
+  void run_corrector(const Corrector& corrector) {
+    const bool first = run_predictor();
+    corrector();
+    if (first) impulses.end_contacts();
+  }
+
+ private:
+  bool run_predictor();
+  void begin_step();
+  void save_last(int i, double* values) const;
+  void advise_if_due(bool setup);
+  bool is_idle() const;
+  void update_readers();
+  void update_speeds_and_masses();
+  void update_masses(int all);
+  void report_unresolved();
+  void forward_disturbed();
+  void forward_to_ghosts(double** values, int each);
+  void forward_flagged(std::vector<char>& flags, double** values, int each);
+  void begin_tallies();
+  void warn_of_unturned_once();
+  bool others_may_act() const;
+  void save_other_forces();
+
+  static void add(double* to, const cohesion::Vector3& a) {
+    to[0] += a.x;
+    to[1] += a.y;
+    to[2] += a.z;
+  }
+
+  std::vector<EventContacts*> styles;  // those of this run
+  std::vector<EventWalls*> walls;      // of them
+  std::vector<AdvisedStyle*> advised;  // the same
+  ContactWatch watch;
+
+  char* forwarded_flags;      // per atom and ghost, of what goes to ghosts now: whether it has any
+  double** forwarded_values;  // those, `values_each` of each
+  int values_each;
+  bool may_have_contacts;  // whether any pair or wall may have one, in this run
+  bool idle;               // no contact is computed, and nobody reads what they do
+  bool resuming;
+  bool starting;
+  bool running;
+  bool tallies_begun;  // in this run
+  bool other_box;
+  bool warned_of_unturned;
+  BoxSides box;                // at the end of the last run
+  double last_dt;              // of the step that `last` is from; 0: there was none
+  AtomNumbers last;            // from the end of a run to the first step of the next: save_last()
+  AtomNumbers other_forces;    // force of all but contacts at the last grid point
+  bool predictor_due = false;  // in this step: run_corrector()
+  bool any_event_scheme = false;    // any style, in this run
+  bool any_other_forces = false;    // anything but contacts, likewise, where that matters
+  bool other_forces_known = false;  // in `other_forces`, which is 0 otherwise
+  int* contacts;                    // per atom and ghost, this step
+  std::vector<char> followed;       // per atom: 1 if it is, or 0; of ghosts what their owners sent
+  std::vector<int> followed_ghosts;
+  std::vector<char> disturbed;       // per atom and ghost: 1 with an event or a young contact, or 0
+  bool any_disturbed_now = false;    // of those
+  bool any_followed_now = false;     // the same
+  double* inverse_mass;              // per atom and ghost
+  std::vector<double> known_masses;  // the masses inverse_mass is of; empty: of none
+  double longest_flight;
+  double unresolved;                        // steps of contacts that were cut short, in this run
+  ContactEnergyTally::Reader flux_readers;  // copies of this are out
+  bool flux_wanted;
+  MobileParticles mobile;
+};
+
+}  // namespace LAMMPS_NS
+
+#endif
+#endif

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#include "pair_hard_square_well.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "atom.h"
+#include "comm.h"
+#include "engine_api.h"
+#include "error.h"
+#include "fix_hard_events.h"
+#include "force.h"
+#include "largest_radii.h"
+#include "memory.h"
+#include "modify.h"
+#include "neigh_list.h"
+#include "plausible_sizes.h"
+#include "restart_format.h"
+#include "square_well/capture.h"
+#include "update.h"
+
+using namespace LAMMPS_NS;
+using namespace cohesion::hard_sphere;
+using cohesion::Vector3;
+
+// Reach of the list beyond the contact, as a fraction of the skin. Where the engine's own check
+// keeps the list, particles may be half a skin away from where they were; the events of the step
+// then turn some away farther.
+static constexpr double REACH = 0.25;
+static constexpr int LAYOUT = 2;  // of settings and HardContact in restart files
+
+PairHardSquareWell::PairHardSquareWell(LAMMPS* lammps)
+    : Pair(lammps),
+      given_(lammps),
+      events_(nullptr),
+      history_(modify, "NEIGH_HISTORY_HARD_SQUARE_WELL") {
+  single_enable = 0;
+  restartinfo = 1;
+  no_virial_fdotr_compute = 1;
+  finitecutflag = 1;
+  beyond_contact = 1;
+}
+
+PairHardSquareWell::~PairHardSquareWell() {
+  if (!allocated) return;
+  memory->destroy(setflag);
+  memory->destroy(cutsq);
+}
+
+void PairHardSquareWell::allocate() {
+  allocated = 1;
+  const int types = atom->ntypes;
+  memory->create(setflag, types + 1, types + 1, "pair:setflag");
+  memory->create(cutsq, types + 1, types + 1, "pair:cutsq");
+  given_.make_room(types, setflag);
+}
+
+/// Adds the virial of the events, which have been executed, and the energy of the wells.
+void PairHardSquareWell::compute(int eflag, int vflag) {
+  ev_init(eflag, vflag);
+  given_.require_committed("pair_style hard/square_well");
+  if (neighbor->ago == 0) check_radii(lmp, "pair_style hard/square_well", largest_radius_);
+  if (vflag_either) {
+    const double per_time = -1.0 / update->dt;
+    for (const Event& event : events_->simulation().events) {
+      const CandidatePair& candidate = events_->simulation().candidates[event.candidate];
+      if (candidate.with_wall()) continue;
+      const auto on_i = per_time * event.impact.on_j;
+      const auto& r = event.separation;
+      ev_tally_xyz(candidate.i, candidate.j, atom->nlocal, 0, 0.0, 0.0, on_i.x, on_i.y, on_i.z,
+                   -r.x, -r.y, -r.z);
+    }
+  }
+  if (!eflag_either) return;
+  for (int ii = 0; ii < list->inum; ii++) {
+    const int i = list->ilist[ii];
+    for (int jj = 0; jj < list->numneigh[i]; jj++) {
+      if (!history_->firstflag[i][jj]) continue;
+      const int j = list->firstneigh[i][jj] & NEIGHMASK;
+      const double depth = given_(atom->type[i], atom->type[j]).well.depth;
+      ev_tally(i, j, atom->nlocal, 0, -depth, 0.0, 0.0, 0.0, 0.0, 0.0);
+    }
+  }
+}
+
+/// A pair is bound while it is in its well.
+void PairHardSquareWell::append_bound(std::vector<std::array<int, 2>>& pairs) const {
+  for (int ii = 0; ii < list->inum; ii++) {
+    const int i = list->ilist[ii];
+    for (int jj = 0; jj < list->numneigh[i]; jj++)
+      if (history_->firstflag[i][jj]) pairs.push_back({i, list->firstneigh[i][jj] & NEIGHMASK});
+  }
+}
+
+void PairHardSquareWell::append_held(std::vector<std::array<int, 2>>& pairs) const {
+  const auto difference = [](const double* a, const double* b) {
+    return Vector3{a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+  };
+  const std::size_t before = pairs.size();
+  append_bound(pairs);
+  const auto parts = [&](const std::array<int, 2>& pair) {
+    const auto [i, j] = pair;
+    const auto& well = contact_of_types(atom->type[i], atom->type[j]).well;
+    return !cohesion::square_well::will_be_captured(
+        difference(atom->x[j], atom->x[i]), difference(atom->v[i], atom->v[j]),
+        cohesion::square_well::edge(well, atom->radius[i], atom->radius[j]), well.depth,
+        1.0 / atom->rmass[i] + 1.0 / atom->rmass[j]);
+  };
+  pairs.erase(
+      std::remove_if(pairs.begin() + static_cast<std::ptrdiff_t>(before), pairs.end(), parts),
+      pairs.end());
+}
+
+std::vector<Law> PairHardSquareWell::laws() const {
+  std::vector<Law> all;
+  for (const HardContact& c : given_) all.push_back(c.law());
+  return all;
+}
+
+Surfaces PairHardSquareWell::surfaces(int i, int j) const {
+  const HardContact& c = contact_of_types(atom->type[i], atom->type[j]);
+  const double core = atom->radius[i] + atom->radius[j];
+  if (c.well.depth == 0.0) return {core, core};
+  return {core, cohesion::square_well::edge(c.well, atom->radius[i], atom->radius[j])};
+}
+
+double PairHardSquareWell::list_reach() const { return REACH * neighbor->skin; }
+
+void PairHardSquareWell::give(int i, int j, const HardContact& c) {
+  given_(i, j) = given_(j, i) = c;
+  given_(j, i).well = cohesion::square_well::reversed(c.well);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PairHardSquareWell::settings(int narg, char** arg) {
+  const std::string where = "pair_style hard/square_well";
+  GivenKeywords given(lmp, where);
+  for (int i = 0; i < narg; i += 2) {
+    const std::string word = arg[i];
+    if (word != "collapse" && word != "contact_time" && word != "limit" && word != "record")
+      error->all(FLERR, where + ": unknown keyword '" + word +
+                            "'; valid ones: collapse, contact_time, limit, record");
+    if (i + 1 == narg)
+      error->all(FLERR, where + ": " + word +
+                            (word == "record" ? " takes a file name" : " takes a number"));
+    given.note(1, arg + i);
+    const std::string value = arg[i + 1];
+    if (word == "record") {
+      record_file_ = value;
+    } else if (word == "collapse" && value == "off") {
+      rules_.collapse = 0;
+    } else if (word == "contact_time") {
+      rules_.contact_time = utils::numeric(FLERR, arg[i + 1], false, lmp);
+      if (!(std::isfinite(rules_.contact_time) && rules_.contact_time >= 0.0))
+        error->all(FLERR,
+                   where + ": contact_time " + value + " must be a finite number not below zero");
+    } else {
+      const int number = utils::inumeric(FLERR, arg[i + 1], false, lmp);
+      if (number < 1)
+        error->all(FLERR, where + ": " + word + " " + value + " must be at least 1" +
+                              (word == "collapse" ? ", or 'off'" : ""));
+      (word == "collapse" ? rules_.collapse : rules_.limit) = number;
+    }
+  }
+}
+
+void PairHardSquareWell::coeff(int narg, char** arg) {
+  if (narg < 4)
+    error->all(FLERR,
+               "pair_coeff of hard/square_well takes 'i j restitution e [friction mu] [well D "
+               "ratio]'");
+  if (!allocated) allocate();
+  const std::string where =
+      std::string("pair_coeff ") + arg[0] + " " + arg[1] + " of hard/square_well";
+  HardContact c;
+  GivenKeywords given(lmp, where);
+  for (int at = 2; at < narg;) {
+    const int words = read_hard_keyword(lmp, where, at, narg, arg, c, given);
+    if (words == 0)
+      error->all(FLERR, where + ": unknown keyword '" + arg[at] +
+                            "'; valid ones: restitution, friction, well");
+    at += words;
+  }
+  require_valid(lmp, where, c, given);
+  given_.assign(where, arg, [&](int i, int j) { give(i, j, c); });
+}
+
+void PairHardSquareWell::init_style() {
+  if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag || !atom->torque_flag)
+    error->all(FLERR, "pair_style hard/square_well acts between spheres; use 'atom_style sphere'");
+  if (update->whichflag == 2)
+    error->all(FLERR, "pair_style hard/square_well follows motion in time; it cannot be minimized");
+  events_ = FixHardEvents::of(lmp);
+  given_.commit();
+  require_plausible_radii(lmp, "pair_style hard/square_well");
+  largest_radius_ = largest_radii(lmp);
+  engine_api::request_history_list(neighbor, this, instance_me);
+  history_.init(this, 1);
+}
+
+double PairHardSquareWell::init_one(int i, int j) {
+  if (given_.to_mix("pair_style hard/square_well", i, j))
+    give(i, j, {mixed(given_(i, i), given_(j, j))});
+  const double edge =
+      cohesion::square_well::edge(given_(i, j).well, largest_radius_[i], largest_radius_[j]);
+  require_plausible_range(lmp, "pair_style hard/square_well", edge);
+  return edge + list_reach();
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PairHardSquareWell::write_restart(FILE* fp) {
+  write_restart_settings(fp);
+  given_.write(fp);
+}
+
+void PairHardSquareWell::read_restart(FILE* fp) {
+  read_restart_settings(fp);
+  allocate();
+  given_.read(fp, [this](int i, int j, const HardContact& c) { give(i, j, c); });
+}
+
+void PairHardSquareWell::write_restart_settings(FILE* fp) {
+  write_layout(fp, LAYOUT);
+  const int numbers[2] = {rules_.collapse, rules_.limit};
+  fwrite(numbers, sizeof(int), 2, fp);
+  fwrite(&rules_.contact_time, sizeof(double), 1, fp);
+}
+
+void PairHardSquareWell::read_restart_settings(FILE* fp) {
+  require_layout(lmp, fp, "pair_style hard/square_well", LAYOUT);
+  int numbers[2] = {0, 0};
+  if (comm->me == 0) {
+    utils::sfread(FLERR, numbers, sizeof(int), 2, fp, nullptr, error);
+    utils::sfread(FLERR, &rules_.contact_time, sizeof(double), 1, fp, nullptr, error);
+  }
+  MPI_Bcast(numbers, 2, MPI_INT, 0, world);
+  MPI_Bcast(&rules_.contact_time, 1, MPI_DOUBLE, 0, world);
+  rules_.collapse = numbers[0];
+  rules_.limit = numbers[1];
+}

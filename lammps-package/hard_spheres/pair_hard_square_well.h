@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#ifdef PAIR_CLASS
+// clang-format off
+PairStyle(hard/square_well,PairHardSquareWell);
+// clang-format on
+#else
+
+#ifndef LMP_PAIR_HARD_SQUARE_WELL_H
+#define LMP_PAIR_HARD_SQUARE_WELL_H
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "bound_pairs.h"
+#include "hard_contact_from_script.h"
+#include "hard_sphere/event_simulation.h"
+#include "pair.h"
+#include "pair_history.h"
+#include "type_pair_table.h"
+
+namespace LAMMPS_NS {
+
+/// pair_style hard/square_well: hard spheres with square wells whose impulses act at their times
+/// within the step. The laws and the event-driven simulation are in src/hard_sphere and
+/// src/square_well; FixHardEvents runs it. Doc: docs/lammps-package/pair_hard_square_well.md
+class PairHardSquareWell : public Pair, public BoundPairs {
+ public:
+  explicit PairHardSquareWell(class LAMMPS*);
+  ~PairHardSquareWell() override;
+
+  void compute(int, int) override;
+  void settings(int, char**) override;
+  void coeff(int, char**) override;
+  void init_style() override;
+  double init_one(int, int) override;
+  void write_restart(FILE*) override;
+  void read_restart(FILE*) override;
+  void write_restart_settings(FILE*) override;
+  void read_restart_settings(FILE*) override;
+  void append_bound(std::vector<std::array<int, 2> >&) const override;
+  void append_held(std::vector<std::array<int, 2> >&) const override;
+
+  const cohesion::hard_sphere::EventRules& rules() const { return rules_; }
+  const std::string& record_file() const { return record_file_; }
+  /// One number for each pair: whether it is in its well.
+  const PairHistory& history() const { return history_; }
+  int of_types(int i, int j) const { return given_.number(i, j); }
+  /// The laws of all pairs of types, by of_types().
+  std::vector<cohesion::hard_sphere::Law> laws() const;
+  const HardContact& contact_of_types(int i, int j) const { return given_(i, j); }
+  cohesion::hard_sphere::Surfaces surfaces(int i, int j) const;
+  /// How far beyond the range of a contact the list of neighbours reaches, besides the skin,
+  /// [length].
+  double list_reach() const;
+
+ private:
+  void allocate();
+  void give(int i, int j, const HardContact&);
+
+  cohesion::hard_sphere::EventRules rules_;
+  std::string record_file_;
+  TypePairTable<HardContact> given_;
+  std::vector<double> largest_radius_;
+  class FixHardEvents* events_;
+  PairHistory history_;
+};
+
+}  // namespace LAMMPS_NS
+
+#endif
+#endif

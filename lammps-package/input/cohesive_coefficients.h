@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#ifndef COHESION_COHESIVE_COEFFICIENTS_H
+#define COHESION_COHESIVE_COEFFICIENTS_H
+
+#include <algorithm>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "advice/stiffness_scaling.h"
+#include "cohesive_contact_from_script.h"
+#include "comm.h"
+#include "pointers.h"
+#include "restart_format.h"
+#include "type_pair_table.h"
+
+namespace LAMMPS_NS {
+
+/// Settings of a pair style with cohesion and its coefficients by pair of types: read from a script
+/// or a restart file, mixed, and made laws for a run.
+template <class Cohesion>
+class CohesiveCoefficients : protected Pointers {
+ public:
+  using Parameters = typename Cohesion::Parameters;
+
+  explicit CohesiveCoefficients(LAMMPS* lammps)
+      : Pointers(lammps), scheme_(Scheme::event), given_(lammps) {}
+
+  static std::string where() { return std::string("pair_style ") + Cohesion::STYLE; }
+
+  /// What `pair_style` says.
+  void read_settings(int narg, char** arg);
+  /// Room for pairs of `types` types. `set` is the engine's table of those that were given.
+  void make_room(int types, int** set) { given_.make_room(types, set); }
+  /// What `pair_coeff` says.
+  void read(int narg, char** arg);
+  /// The laws are made anew, by prepare().
+  void start() {
+    given_.commit();
+    laws_.assign(given_.size(), cohesion_.no_law());
+    prepared_.assign(given_.size(), false);
+  }
+  void require_committed() const { given_.require_committed(where()); }
+  /// Whether types i and j are this style's in the run; those of other styles of a hybrid are not.
+  bool has(int i, int j) const { return prepared_[of_types(i, j)]; }
+  /// Makes the law of types i and j, mixed when they were not given. Returns the gap up to which
+  /// the scheme has to see particles of these radii, [length].
+  double prepare(int i, int j, double radius_i, double radius_j);
+  /// Stops LAMMPS where particles of these radii are too small for what prepare() took.
+  void require_short(int i, int j, double radius_i, double radius_j) const {
+    cohesion_.require_short(lmp, where_types(i, j), given_(i, j), radius_i, radius_j);
+  }
+
+  /// With `per_pair`, how many numbers the histories of that file hold for each pair; 0: there are
+  /// none.
+  void write_settings(FILE*, int per_pair) const;
+  /// Returns that number.
+  int read_settings(FILE*);
+  void write(FILE* fp) const { given_.write(fp); }
+  void read(FILE* fp) {
+    given_.read(fp, [this](int i, int j, const Parameters& p) { give(i, j, p); });
+  }
+
+  Scheme scheme() const { return scheme_; }
+  int pairs_of_types() const { return given_.size(); }
+  /// The number of a pair of types.
+  int of_types(int i, int j) const { return given_.number(i, j); }
+  const cohesion::contact::ContactParameters& contact(int of_types) const {
+    return given_[of_types].contact;
+  }
+  cohesion::advice::Material material(int of_types) const {
+    return Cohesion::material(given_[of_types]);
+  }
+  /// Whether any contact resists rolling. Of the given ones: mixing adds none.
+  bool any_rolls() const {
+    return std::any_of(given_.begin(), given_.end(),
+                       [](const Parameters& p) { return p.contact.rolling_friction > 0.0; });
+  }
+  /// Whether any contact of this type has friction.
+  bool has_friction(int type, int types) const {
+    const auto any_between = [&](int other) {
+      const auto& contact = given_(type, other).contact;
+      return contact.friction > 0.0 || contact.rolling_friction > 0.0;
+    };
+    for (int other = 1; other <= types; other++)
+      if (any_between(other)) return true;
+    return false;
+  }
+  /// Whether anything can happen between particles of any types.
+  bool any_active() const {
+    if constexpr (Cohesion::HAS_CONTACT)
+      return true;
+    else
+      return std::any_of(given_.begin(), given_.end(), &Cohesion::attracts);
+  }
+  /// As a pair of src/event_stepping takes it.
+  template <class Attraction>
+  Attraction attraction(int of_types, double radius_i, double radius_j) const {
+    return Cohesion::template of_pair<Attraction>(laws_[of_types], radius_i, radius_j);
+  }
+
+ private:
+  Parameters contact_from_script(const std::string& here, int narg, char** arg) {
+    if constexpr (Cohesion::HAS_CONTACT)
+      return cohesive_contact_from_script<Cohesion>(lmp, here, 2, narg, arg);
+    else
+      return Cohesion::from_script(lmp, here, 2, narg, arg);
+  }
+  static std::string where_types(int i, int j) {
+    return where() + ", types " + std::to_string(i) + " and " + std::to_string(j);
+  }
+  void give(int i, int j, const Parameters& p) {
+    given_(i, j) = p;
+    given_(j, i) = Cohesion::reversed(p);
+  }
+
+  Scheme scheme_;
+  Cohesion cohesion_;
+  TypePairTable<Parameters> given_;
+  std::vector<typename Cohesion::Law> laws_;  // by of_types(); of a scaled adhesion, if wished
+  std::vector<bool> prepared_;                // the same
+};
+
+template <class Cohesion>
+void CohesiveCoefficients<Cohesion>::read_settings(int narg, char** arg) {
+  if (!Cohesion::HAS_CONTACT && narg > 0)
+    error->all(FLERR, where() + " takes no keywords, not '" + arg[0] + "'");
+  GivenKeywords given(lmp, where());
+  for (int i = 0; i < narg; i += 2) {
+    const std::string word = arg[i];
+    if (word != "scheme" && !is_setting<Cohesion>(word))
+      error->all(FLERR, where() + ": unknown keyword '" + word +
+                            "'; valid ones: " + setting_names<Cohesion>());
+    if (i + 1 == narg) error->all(FLERR, where() + ": " + word + " takes a name");
+    given.note(1, arg + i);
+    if (word == "scheme")
+      scheme_ = scheme_from_script(lmp, where(), arg[i + 1]);
+    else
+      cohesion_.set(lmp, where(), word, arg[i + 1]);
+  }
+}
+
+template <class Cohesion>
+void CohesiveCoefficients<Cohesion>::read(int narg, char** arg) {
+  const std::string here =
+      std::string("pair_coeff ") + arg[0] + " " + arg[1] + " of " + Cohesion::STYLE;
+  const Parameters p = contact_from_script(here, narg, arg);
+  given_.assign(here, arg, [&](int i, int j) { give(i, j, p); });
+}
+
+template <class Cohesion>
+double CohesiveCoefficients<Cohesion>::prepare(int i, int j, double radius_i, double radius_j) {
+  const std::string here = where_types(i, j);
+  if (given_.to_mix(where(), i, j))
+    give(i, j, LAMMPS_NS::from_script(lmp, here, [&] {
+           return Cohesion::mixed(given_(i, i), given_(j, j));
+         }));
+  const Parameters scaled = cohesion_.scaled(lmp, here, given_(i, j));
+  laws_[of_types(j, i)] = cohesion_.law(lmp, here, Cohesion::reversed(scaled));
+  laws_[of_types(i, j)] = cohesion_.law(lmp, here, scaled);
+  prepared_[of_types(i, j)] = prepared_[of_types(j, i)] = true;
+  return Cohesion::range(scheme_, scaled, radius_i, radius_j);
+}
+
+/* ---------------------------------------------------------------------- */
+
+template <class Cohesion>
+void CohesiveCoefficients<Cohesion>::write_settings(FILE* fp, int per_pair) const {
+  write_layout(fp, Cohesion::RESTART_LAYOUT);
+  const int numbers[3] = {cohesion_.settings(), static_cast<int>(scheme_), per_pair};
+  fwrite(numbers, sizeof(int), 3, fp);
+}
+
+template <class Cohesion>
+int CohesiveCoefficients<Cohesion>::read_settings(FILE* fp) {
+  require_layout(lmp, fp, where(), Cohesion::RESTART_LAYOUT);
+  int numbers[3] = {0, 0, 0};
+  if (comm->me == 0) utils::sfread(FLERR, numbers, sizeof(int), 3, fp, nullptr, error);
+  MPI_Bcast(numbers, 3, MPI_INT, 0, world);
+  cohesion_.restore_settings(numbers[0]);
+  scheme_ = static_cast<Scheme>(numbers[1]);
+  return numbers[2];
+}
+
+}  // namespace LAMMPS_NS
+
+#endif

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#ifndef COHESION_WALLS_FROM_SCRIPT_H
+#define COHESION_WALLS_FROM_SCRIPT_H
+
+#include <string>
+#include <vector>
+
+#include "event_stepping/wall.h"
+#include "lammps.h"
+
+namespace LAMMPS_NS {
+
+/// Reads the walls of a fix and their motion:
+/// `xplane lo hi | yplane lo hi | zplane lo hi | zcylinder R`, one or more, and at most one of
+/// `wiggle dim amplitude period | shear dim v | translate dim v`. Stops LAMMPS, with `where` in
+/// front of the message, at what cannot be right.
+class WallsFromScript {
+ public:
+  static constexpr char keywords[] = "xplane, yplane, zplane, zcylinder, wiggle, shear, translate";
+
+  WallsFromScript(LAMMPS* lmp, std::string where) : lmp_(lmp), where_(std::move(where)) {}
+
+  /// Reads the keyword arg[0] with its values; returns the number of words that belong to it, 0
+  /// when it is none of these.
+  int read(int narg, char** arg);
+  /// Checks the walls and their motion, after the last keyword.
+  void finish();
+
+  std::vector<cohesion::event_stepping::Wall> walls;
+  cohesion::event_stepping::WallMotion motion;
+
+ private:
+  double number(const char* text) const;
+  int read_wall(const std::string& word, int narg, char** arg);
+  void read_motion(char** words);
+  void add_plane(int dimension, double side, const std::string& word, const char* text);
+
+  LAMMPS* lmp_;
+  std::string where_;
+  char** motion_words_ = nullptr;
+};
+
+}  // namespace LAMMPS_NS
+
+#endif

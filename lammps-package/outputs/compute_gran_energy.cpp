@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#include "compute_gran_energy.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "atom.h"
+#include "domain.h"
+#include "energy_tally.h"
+#include "error.h"
+#include "event_stepping/pair_motion.h"
+#include "fix_event_step.h"
+#include "gravity.h"
+#include "update.h"
+
+using namespace LAMMPS_NS;
+using namespace cohesion::energy_tally;
+using cohesion::Vector3;
+
+ComputeGranEnergy::ComputeGranEnergy(LAMMPS* lammps, int narg, char** arg)
+    : Compute(lammps, narg, arg), step(FixEventStep::of(lammps)), before() {
+  if (narg != 3) error->all(FLERR, "compute gran/energy takes no further arguments");
+  if (igroup != 0)
+    error->all(FLERR, "compute gran/energy balances all particles; its group must be 'all'");
+  scalar_flag = vector_flag = 1;
+  extscalar = extvector = 1;
+  size_vector = ENTRIES;
+  vector = new double[ENTRIES];
+  reader = step->energy_tally.add_reader();
+  add_sums(before, -1.0);
+}
+
+ComputeGranEnergy::~ComputeGranEnergy() { delete[] vector; }
+
+void ComputeGranEnergy::init() {
+  if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag)
+    error->all(FLERR, "compute gran/energy balances spheres; use 'atom_style sphere'");
+  require_fixed_box(lmp, std::string("compute ") + id + " gran/energy");
+}
+
+/// Those of this process, so far.
+void ComputeGranEnergy::add_sums(double* entries, double factor) const {
+  const ContactEnergyTally::Sums& sums = step->energy_tally.sums();
+  entries[NORMAL_DAMPING] += factor * sums.lost.normal_damping;
+  entries[TANGENTIAL_DAMPING] += factor * sums.lost.tangential_damping;
+  entries[FRICTION] += factor * sums.lost.friction;
+  entries[ROLLING] += factor * sums.lost.rolling;
+  entries[EXTERNAL_WORK] += factor * sums.external_work;
+}
+
+void ComputeGranEnergy::compute_vector() {
+  invoked_vector = update->ntimestep;
+  work_out();
+  tally.update(lmp, std::string("compute ") + id + " gran/energy", vector);
+}
+
+void ComputeGranEnergy::begin_run() {
+  work_out();
+  tally.begin_run(lmp, std::string("compute ") + id + " gran/energy", vector);
+}
+
+void ComputeGranEnergy::end_run() {
+  work_out();
+  tally.end_run(vector);
+}
+
+/// All entries but what is missing.
+void ComputeGranEnergy::work_out() {
+  particles.check(lmp, std::string("compute ") + id + " gran/energy");
+  double mine[ENTRIES];
+  std::copy_n(before, static_cast<int>(ENTRIES), mine);
+  add_sums(mine, 1.0);
+  const std::vector<double> weight = weights(lmp);
+  // Of the true motion at the grid point.
+  for (int i = 0; i < atom->nlocal; i++) {
+    const auto body = step->body(i);
+    if (body.inverse_mass == 0.0) continue;
+    const double inverse_inertia = cohesion::event_stepping::inverse_inertia(body);
+    double place[3];
+    domain->unmap(atom->x[i], atom->image[i], place);
+    add_body(mine, 1.0 / body.inverse_mass, 1.0 / inverse_inertia,
+             step->energy_tally.true_velocity(i), step->energy_tally.true_spin(i),
+             cohesion::vector(&weight[3 * i]), cohesion::vector(place));
+  }
+  const cohesion::event_stepping::StoredEnergies& contacts = step->energy_tally.sums().stored;
+  mine[SPRING] = contacts.spring;
+  mine[TANGENTIAL_SPRING] = contacts.tangential_spring;
+  mine[ADHESION] = contacts.adhesion;
+  mine[ROLLING_SPRING] = contacts.rolling_spring;
+  MPI_Allreduce(mine, vector, ENTRIES, MPI_DOUBLE, MPI_SUM, world);
+}
+
+/// Kinetic and stored energy.
+double ComputeGranEnergy::compute_scalar() {
+  if (invoked_vector != update->ntimestep) compute_vector();
+  invoked_scalar = update->ntimestep;
+  return scalar = stored(vector);
+}

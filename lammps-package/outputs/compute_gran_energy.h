@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#ifdef COMPUTE_CLASS
+// clang-format off
+ComputeStyle(gran/energy,ComputeGranEnergy);
+// clang-format on
+#else
+
+#ifndef LMP_COMPUTE_GRAN_ENERGY_H
+#define LMP_COMPUTE_GRAN_ENERGY_H
+
+#include <memory>
+
+#include "compute.h"
+#include "energy_companions.h"
+#include "energy_tally.h"
+
+namespace LAMMPS_NS {
+
+/// compute ID all gran/energy: the energy tally of contacts at the grid point, with the true
+/// motion there. Doc: docs/lammps-package/compute_gran_energy.md
+class ComputeGranEnergy : public Compute, public EnergyTallyCompute {
+ public:
+  ComputeGranEnergy(class LAMMPS*, int, char**);
+  ~ComputeGranEnergy() override;
+
+  void init() override;
+  void compute_vector() override;
+  double compute_scalar() override;
+  void begin_run() override;
+  void end_run() override;
+
+ private:
+  void add_sums(double* entries, double factor) const;
+  void work_out();
+
+  class FixEventStep* step;
+  std::shared_ptr<const void> reader;              // keeps the tally of contacts active
+  double before[cohesion::energy_tally::ENTRIES];  // what that had summed when this was defined
+  TallyOfRuns tally;
+  SameParticles particles;
+};
+
+}  // namespace LAMMPS_NS
+
+#endif
+#endif

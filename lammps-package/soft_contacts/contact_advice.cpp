@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#include "contact_advice.h"
+
+#include <mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "announced_particles.h"
+#include "atom.h"
+#include "box_shear.h"
+#include "comm.h"
+#include "contact/contact_parameters.h"
+#include "domain.h"
+#include "error.h"
+#include "fix.h"
+#include "gravity.h"
+#include "law_from_script.h"
+#include "mobile_particles.h"
+#include "modify.h"
+#include "neighbor.h"
+#include "update.h"
+
+using namespace LAMMPS_NS;
+namespace advice = cohesion::advice;
+
+namespace {
+
+constexpr int ALL = 1, ANY_GROUP = ~0;  // bits of masks
+
+/// What the fixes gravity of these groups put on a particle together, [length/time^2].
+double gravity_of_fixes(const Modify* modify, int mask) {
+  double sum[3] = {0.0, 0.0, 0.0};
+  for (int k = 0; k < modify->nfix; k++) {
+    Fix* const fix = modify->fix[k];
+    int dimension = 0;
+    if (!utils::strmatch(fix->style, "^gravity") || !(fix->groupbit & mask)) continue;
+    if (const auto* of_fix = static_cast<double*>(fix->extract("gvec", dimension)))
+      for (int d = 0; d < 3; d++) sum[d] += of_fix[d];
+  }
+  return std::hypot(sum[0], sum[1], sum[2]);
+}
+
+/// The largest acceleration that the fixes of the step put on a particle of the group, or will on
+/// one that is announced; where there is none yet, that of all fixes together.
+double gravity(LAMMPS* lmp, int groupbit) {
+  const Atom* const atom = lmp->atom;
+  double g = atom->natoms == 0 ? gravity_of_fixes(lmp->modify, ANY_GROUP) : 0.0;
+  const std::vector<double> weight = weights(lmp);
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    const double* const w = &weight[3 * i];
+    const double mass = atom->rmass ? atom->rmass[i] : atom->mass[atom->type[i]];
+    g = std::max(g, std::hypot(w[0], w[1], w[2]) / mass);
+  }
+  for (const AnnouncedParticle& p : announced_particles(lmp))
+    if (p.mask & groupbit) g = std::max(g, gravity_of_fixes(lmp->modify, p.mask));
+  double all = 0.0;
+  MPI_Allreduce(&g, &all, 1, MPI_DOUBLE, MPI_MAX, lmp->world);
+  return all;
+}
+
+/// The lightest particles of the group, those that fixes have announced among them, and the
+/// fastest.
+void scan_particles(LAMMPS* lmp, int groupbit, Circumstances& now) {
+  const Atom* const atom = lmp->atom;
+  const double none = std::numeric_limits<double>::infinity();
+  std::vector<LightestParticle> mine(atom->ntypes + 1, {none, none});
+  MobileParticles mobile;
+  mobile.look_up(lmp->modify);
+  const auto take = [&](int type, int mask, double radius, double mass) {
+    if (!(mask & groupbit)) return;
+    LightestParticle& lightest = mine[type];
+    lightest.radius = std::min(lightest.radius, radius);
+    if (mobile.inverse_mass(mask, mass) > 0.0) lightest.mass = std::min(lightest.mass, mass);
+  };
+  for (const AnnouncedParticle& p : announced_particles(lmp))
+    if (p.type <= atom->ntypes) take(p.type, p.mask, p.radius, p.mass);
+  const cohesion::shear::BoxShear flow = rate_of_shear(lmp->domain);
+  double fastest = 0.0;
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    const int type = atom->type[i];
+    const double* const v = atom->v[i];
+    fastest = std::max(fastest, std::hypot(flow.nonaffine(v[0], atom->x[i][1]), v[1], v[2]));
+    take(type, atom->mask[i], atom->radius[i], atom->rmass ? atom->rmass[i] : atom->mass[type]);
+  }
+  // The speed with the other sign in place of a type 0: the least of all is looked for.
+  mine[0] = {-fastest, none};
+  now.lightest.resize(mine.size());
+  MPI_Allreduce(mine.data(), now.lightest.data(), 2 * static_cast<int>(mine.size()), MPI_DOUBLE,
+                MPI_MIN, lmp->world);
+  now.run.fastest = -now.lightest[0].radius;
+  now.lightest[0] = {none, none};
+}
+
+}  // namespace
+
+Circumstances LAMMPS_NS::of_group(LAMMPS* lmp, const Circumstances& now, int groupbit) {
+  Circumstances of_group = now;
+  if (groupbit == ALL) return of_group;
+  scan_particles(lmp, groupbit, of_group);
+  of_group.run.gravity = gravity(lmp, groupbit);
+  return of_group;
+}
+
+/// In how many steps each fix that changes particles does so.
+std::vector<int> ContactWatch::adapted_every() const {
+  std::vector<int> steps;
+  for (int k = 0; k < modify->nfix; k++)
+    if (utils::strmatch(modify->fix[k]->style, "^adapt") && modify->fix[k]->nevery > 0)
+      steps.push_back(modify->fix[k]->nevery);
+  return steps;
+}
+
+bool ContactWatch::due(bool setup) {
+  const double dt = update->dt;
+  if (setup)
+    watch_.set_up(adapted_every());
+  else if (!watch_.may_differ(neighbor->ago == 0, static_cast<long>(update->ntimestep), dt))
+    return false;
+  scan_particles(lmp, ALL, now_);
+  if (!setup && !watch_.worse(now_.lightest, now_.run.fastest, dt)) return false;
+  watch_.judged(now_.lightest, now_.run.fastest, dt);
+  now_.run = {now_.run.fastest, gravity(lmp, ALL), dt, rate_of_shear(domain).amount};
+  now_.within_run = !setup;
+  return true;
+}
+
+AdvisedContact LAMMPS_NS::advised_contact(const std::string& name, const LightestParticle& i,
+                                          const LightestParticle& j,
+                                          const cohesion::contact::ContactParameters& contact,
+                                          const cohesion::contact::Adhesion& adhesion) {
+  AdvisedContact c{name, i, j, {}, adhesion};
+  if (!c.moves()) return c;
+  const auto spring = cohesion::contact::normal_contact(contact, c.reduced_mass());
+  const double tangential = cohesion::contact::tangential_contact(contact, spring).stiffness;
+  c.springs.stiffness = spring.stiffness();
+  c.springs.damping = spring.damping();
+  if (contact.friction > 0.0) c.springs.tangential_stiffness = tangential;
+  if (contact.rolling_friction > 0.0) c.springs.rolling_stiffness = tangential;
+  return c;
+}
+
+static void print(LAMMPS* lmp, const advice::Report& report) {
+  if (lmp->comm->me == 0) {
+    utils::logmesg(lmp, report.table);
+    for (const advice::Warning& warning : report.warnings) lmp->error->warning(FLERR, warning.text);
+  }
+  if (!report.stop.empty()) lmp->error->all(FLERR, report.stop);
+}
+
+void LAMMPS_NS::advise(LAMMPS* lmp, const std::string& style, const advice::SchemeLimits& limits,
+                       const std::vector<AdvisedContact>& contacts, const Circumstances& now,
+                       advice::GivenAdvice& given_advice) {
+  print(lmp, from_script(lmp, style, [&] {
+          return given_advice.only_new(advice::report(style, limits, contacts, now.run), contacts,
+                                       now);
+        }));
+}
+
+void LAMMPS_NS::advise_of_attraction(LAMMPS* lmp, const std::string& style, std::string_view remedy,
+                                     const std::vector<AdvisedContact>& contacts,
+                                     const Circumstances& now, advice::GivenAdvice& given_advice) {
+  advice::SchemeLimits limits = advice::sampled_scheme;
+  limits.remedy = remedy;
+  print(lmp, from_script(lmp, style, [&] {
+          return given_advice.only_new(advice::attraction_report(style, limits, contacts, now.run),
+                                       contacts, now);
+        }));
+}

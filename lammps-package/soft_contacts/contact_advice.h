@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#ifndef COHESION_CONTACT_ADVICE_H
+#define COHESION_CONTACT_ADVICE_H
+
+#include <string>
+#include <vector>
+
+#include "advice/contact_report.h"
+#include "advice/given_advice.h"
+#include "advice/watch.h"
+#include "contact/contact_parameters.h"
+#include "pointers.h"
+
+namespace LAMMPS_NS {
+
+using cohesion::advice::AdvisedContact;
+using cohesion::advice::Circumstances;
+using cohesion::advice::LightestParticle;
+
+/// A style that has something to say of its contacts before the first step of a run, and when what
+/// it said may no longer hold.
+class AdvisedStyle {
+ public:
+  virtual void give_advice(const Circumstances&) = 0;
+
+ protected:
+  ~AdvisedStyle() = default;
+};
+
+/// Sees when contacts have to be judged: in each set-up of a run, and within one, whether it was
+/// set up or not, where the step became longer, or where the list of neighbours is new or fix adapt
+/// has acted, and lighter or faster particles are there.
+class ContactWatch : protected Pointers {
+ public:
+  explicit ContactWatch(LAMMPS* lammps) : Pointers(lammps), now_() {}
+
+  /// Whether they have to be judged now, by now(), which is of all ranks. To be called in each
+  /// step, on all ranks, when the list of neighbours is that of the step.
+  bool due(bool setup);
+  const Circumstances& now() const { return now_; }
+  /// What they are judged by besides has changed.
+  void forget() { watch_.forget(); }
+
+ private:
+  std::vector<int> adapted_every() const;
+
+  Circumstances now_;
+  cohesion::advice::Watch watch_;
+};
+
+/// `now` as far as the particles of a group go, of which some may be still to come. All ranks call
+/// it.
+Circumstances of_group(LAMMPS*, const Circumstances& now, int groupbit);
+
+/// A contact between these two; without springs when neither moves.
+AdvisedContact advised_contact(const std::string& name, const LightestParticle& i,
+                               const LightestParticle& j,
+                               const cohesion::contact::ContactParameters&,
+                               const cohesion::contact::Adhesion&);
+
+/// Prints the table of numbers that decide whether the run can be right, warns where one says that
+/// it will not be, and stops LAMMPS where one says that it must blow up (advice/contact_report.h);
+/// of what `given_advice` holds it says only what is new.
+void advise(LAMMPS*, const std::string& style, const cohesion::advice::SchemeLimits&,
+            const std::vector<AdvisedContact>&, const Circumstances&,
+            cohesion::advice::GivenAdvice& given_advice);
+
+/// The same of an attraction alone, laid over the contacts of another style. `remedy`: what else
+/// than a smaller step helps.
+void advise_of_attraction(LAMMPS*, const std::string& style, std::string_view remedy,
+                          const std::vector<AdvisedContact>&, const Circumstances&,
+                          cohesion::advice::GivenAdvice& given_advice);
+
+}  // namespace LAMMPS_NS
+
+#endif

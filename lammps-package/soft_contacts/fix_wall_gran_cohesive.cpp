@@ -1,0 +1,392 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#include "fix_wall_gran_cohesive.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "atom.h"
+#include "cohesion_laws.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "flight_report.h"
+#include "largest_radii.h"
+#include "neighbor.h"
+#include "update.h"
+#include "walls_from_script.h"
+
+using namespace LAMMPS_NS;
+using namespace cohesion::event_stepping;
+using cohesion::Vector3;
+
+// Numbers of a restart file in front of the forces: time origin, walls, numbers of history each.
+static constexpr int HEAD = 3;
+
+template <class Cohesion>
+FixWallGranCohesive<Cohesion>::FixWallGranCohesive(LAMMPS* lammps, int narg, char** arg)
+    : Fix(lammps, narg, arg),
+      where(std::string("fix ") + arg[0] + " wall/" + Cohesion::STYLE),
+      scheme(Scheme::event),
+      law(attraction.no_law()),
+      time_origin(update->ntimestep),
+      per_wall(HistorySize::normal_only),
+      history(lammps),
+      sizes(),
+      step(nullptr) {
+  read(narg, arg);
+  if (parameters.contact.friction > 0.0) per_wall = HistorySize::with_friction;
+  if (parameters.contact.rolling_friction > 0.0) per_wall = HistorySize::with_rolling;
+  history.start(static_cast<int>(walls.size()), per_wall);
+  forces.start(static_cast<int>(walls.size()));
+
+  vector_flag = array_flag = 1;
+  size_vector = WallForces::EACH;
+  size_array_rows = static_cast<int>(walls.size());
+  size_array_cols = WallForces::EACH;
+  extvector = extarray = 1;
+  global_freq = 1;
+  restart_peratom = restart_global = 1;
+  create_attribute = 1;
+  time_depend = !motion.still();
+  FixWallGranCohesive<Cohesion>::grow_arrays(atom->nmax);
+  for (int i = 0; i < atom->nlocal; i++) FixWallGranCohesive<Cohesion>::set_arrays(i);
+  atom->add_callback(Atom::GROW);
+  atom->add_callback(Atom::RESTART);
+}
+
+template <class Cohesion>
+FixWallGranCohesive<Cohesion>::~FixWallGranCohesive() {
+  atom->delete_callback(id, Atom::GROW);
+  atom->delete_callback(id, Atom::RESTART);
+}
+
+template <class Cohesion>
+void FixWallGranCohesive<Cohesion>::post_constructor() {
+  step = FixEventStep::of(lmp);
+}
+
+/* ---------------------------------------------------------------------- */
+
+template <class Cohesion>
+void FixWallGranCohesive<Cohesion>::read(int narg, char** arg) {
+  std::vector<char*> contact_words;
+  GivenKeywords given(lmp, where);
+  WallsFromScript from_words(lmp, where);
+  for (int iarg = 3; iarg < narg;) {
+    const std::string word = arg[iarg];
+    const int left = narg - iarg - 1;
+    const int values = values_of_contact_keyword<Cohesion>(word);
+    if (values >= 0) {
+      const int stop = std::min(iarg + 1 + values, narg);
+      contact_words.insert(contact_words.end(), arg + iarg, arg + stop);
+      iarg = stop;
+    } else if (word == "scheme" || is_setting<Cohesion>(word)) {
+      if (left < 1) error->all(FLERR, where + ": " + word + " takes a name");
+      given.note(1, arg + iarg);
+      if (word == "scheme")
+        scheme = scheme_from_script(lmp, where, arg[iarg + 1]);
+      else
+        attraction.set(lmp, where, word, arg[iarg + 1]);
+      iarg += 2;
+    } else if (const int taken = from_words.read(left + 1, arg + iarg)) {
+      iarg += taken;
+    } else {
+      error->all(FLERR, where + ": unknown keyword '" + word +
+                            "'; valid ones: " + contact_keyword_names<Cohesion>() + ", " +
+                            setting_names<Cohesion>() + ", " + WallsFromScript::keywords);
+    }
+  }
+  from_words.finish();
+  walls = from_words.walls;
+  motion = from_words.motion;
+  parameters = cohesive_contact_from_script<Cohesion>(
+      lmp, where, 0, static_cast<int>(contact_words.size()), contact_words.data());
+  if (parameters.contact.rolling_friction > 0.0 && motion.rim_speed != 0.0)
+    error->all(FLERR, where +
+                          ": rolling_friction does not know how fast a cylinder turns, and would "
+                          "resist what rolls along with it: take it away, or shear along z only");
+  given_parameters = parameters;
+  parameters = attraction.scaled(lmp, where, parameters);
+  law = attraction.law(lmp, where, parameters);
+  if (scheme == Scheme::sampled) contacts.template emplace<static_cast<int>(Scheme::sampled)>();
+}
+
+template <class Cohesion>
+int FixWallGranCohesive<Cohesion>::setmask() {
+  return FixConst::POST_FORCE;
+}
+
+template <class Cohesion>
+void FixWallGranCohesive<Cohesion>::init() {
+  if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag || !atom->torque_flag)
+    error->all(FLERR, where + " acts on spheres; use 'atom_style sphere'");
+  if (update->whichflag == 2)
+    error->all(FLERR, where + " follows motion in time; it cannot be minimized");
+  const std::vector<double> smallest = smallest_radii(lmp, largest_radii(lmp, groupbit), groupbit);
+  for (int type = 1; type <= atom->ntypes; type++)
+    attraction.require_short(lmp, where, given_parameters, smallest[type],
+                             std::numeric_limits<double>::infinity());
+  sizes = {};  // not known: particles may have come since the last run
+}
+
+template <class Cohesion>
+void FixWallGranCohesive<Cohesion>::setup(int) {
+  post_force(0);
+}
+
+template <class Cohesion>
+void FixWallGranCohesive<Cohesion>::post_force(int) {
+  if (step->resumes()) return;
+  step->run_corrector(
+      [this] { with_contacts([this](auto& shared, auto size) { compute_forces<size>(shared); }); });
+}
+
+template <class Cohesion>
+void FixWallGranCohesive<Cohesion>::give_advice(const Circumstances& of_all) {
+  const Circumstances now = of_group(lmp, of_all, groupbit);
+  advise(lmp, where, limits_of(scheme),
+         from_script(lmp, where, [&] { return advised_contacts(now.lightest); }), now,
+         given_advice);
+}
+
+template <class Cohesion>
+std::vector<AdvisedContact> FixWallGranCohesive<Cohesion>::advised_contacts(
+    const std::vector<LightestParticle>& lightest) const {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  std::vector<AdvisedContact> advised;
+  for (int type = 1; type <= atom->ntypes; type++) {
+    if (!std::isfinite(lightest[type].radius)) continue;  // no particles yet
+    advised.push_back(advised_contact(
+        fmt::format("{} - wall", type), lightest[type], {infinite, infinite}, parameters.contact,
+        Cohesion::template of_wall<cohesion::contact::Adhesion>(law, lightest[type].radius)));
+    advised.back().material = Cohesion::material(parameters);
+    advised.back().material_words = Cohesion::MATERIAL_WORDS;
+  }
+  return advised;
+}
+
+template <class Cohesion>
+void FixWallGranCohesive<Cohesion>::check_flight(int i, const WallPoint& point, bool inside) {
+  if (point.distance <= 0.0 && inside)
+    error->one(FLERR, where + ": the centre of particle " + std::to_string(atom->tag[i]) +
+                          " went through the wall; use a larger stiffness");
+  const double flight = update->dt * norm(vector(atom->v[i]) - point.velocity);
+  if (flight > atom->radius[i])
+    error->one(FLERR, where + ": particle " + std::to_string(atom->tag[i]) + " moves " +
+                          std::to_string(flight / atom->radius[i]) +
+                          " radii in one step and could miss the wall; use a smaller time step. " +
+                          "There " + report_flight(lmp, i));
+}
+
+/// How far the walls move in a step, [length]; infinite in a sheared box, where the mean flow,
+/// which step->flight() leaves out, may carry particles into any wall, or a wall against them.
+template <class Cohesion>
+double FixWallGranCohesive<Cohesion>::wall_travel(const WallState& now) const {
+  if (domain->deform_vremap) return std::numeric_limits<double>::infinity();
+  if (motion.still()) return 0.0;
+  return update->dt * norm(now.velocity);
+}
+
+template <class Cohesion>
+void FixWallGranCohesive<Cohesion>::update_sizes() {
+  sizes = {std::numeric_limits<double>::infinity(), 0.0, 0.0};
+  for (int i = 0; i < atom->nlocal; i++) {
+    const double radius = atom->radius[i];
+    sizes = {std::min(sizes.smallest_radius, radius), std::max(sizes.largest_radius, radius),
+             std::max(sizes.largest_range, Cohesion::range(scheme, parameters, radius, 0.0))};
+  }
+}
+
+/// Calls what(i, wall, contact, point, history) for the particles that may touch a wall in this
+/// step.
+template <class Cohesion>
+template <class Contact, class What>
+void FixWallGranCohesive<Cohesion>::for_each_near(std::vector<Contact>& shared, const What& what) {
+  shared.clear();
+  const WallState now = state();
+  // What moves less than a radius in a step cannot matter beyond two. Each is asked when particles
+  // may be new, or faster than that.
+  const double flight = 2.0 * step->flight() + wall_travel(now);
+  const bool ask_each = step->starts() || neighbor->ago == 0 || flight > sizes.smallest_radius;
+  if (ask_each) update_sizes();
+  const FarFromWalls far(walls, now.displacement, 2.0 * sizes.largest_radius + sizes.largest_range);
+
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!ask_each && far.contains(atom->x[i]) && atom->radius[i] <= sizes.largest_radius) continue;
+    if (!(atom->mask[i] & groupbit)) continue;
+    const Vector3 centre = vector(atom->x[i]);
+    const double range = Cohesion::range(scheme, parameters, atom->radius[i], 0.0);
+    for (int w = 0; w < static_cast<int>(walls.size()); w++) {
+      double& phase = *history.of(i, w);
+      const WallPoint point = walls[w].nearest(centre, now, motion.rim_speed);
+      // A particle that the wall meets for the first time is where it is; it did not fall into the
+      // range.
+      if (phase < 0.0 || (step->starts() && phase == 0.0)) {
+        phase = 0.0;
+        if (point.distance > 0.0 && point.distance < atom->radius[i] + range_at_start(range))
+          ContactMemory::seen_inside().to(&phase, per_wall);
+      }
+      // No particle is faster than the step's fastest.
+      if (phase != 0.0 || flight > atom->radius[i]) check_flight(i, point, phase != 0.0);
+      if (point.distance <= 0.0 || point.distance > 2.0 * atom->radius[i] + range) continue;
+      if (step->body(i).inverse_mass == 0.0) continue;
+      what(i, w, contact(shared, i), point, &phase);
+    }
+  }
+}
+
+template <class Cohesion>
+void FixWallGranCohesive<Cohesion>::classify() {
+  forces.clear();
+  near_now.clear();
+  with_contacts([this](auto& shared, auto size) { classify<size>(shared); });
+}
+
+static int partner(std::size_t near) { return -1 - static_cast<int>(near); }
+
+/// Returns what adds the forces of contacts on the walls.
+template <class Cohesion>
+template <int SIZE>
+auto FixWallGranCohesive<Cohesion>::force_adder(const ContactsOfStep<EventContact, SIZE>& scatter) {
+  return [&scatter, this](int j, const PairMotion&, const Vector3& impulse, const auto& by_contact,
+                          double factor) {
+    add_wall_force(scatter, near_now[-1 - j], impulse, by_contact(), factor);
+  };
+}
+
+template <class Cohesion>
+template <int SIZE>
+void FixWallGranCohesive<Cohesion>::classify(std::vector<EventContact>& shared) {
+  contacts_now.clear();
+  const ContactsOfStep<EventContact, SIZE> scatter(atom, step);
+  for_each_near(shared, [&](int i, int w, int c, const WallPoint& point, double* values) {
+    const Near near{i, w, c, point, values};
+    const PairMotion grid = on_grid(near);
+    if (values[0] == ContactMemory::beyond &&
+        !shared[c].within_reach(grid.relative, step->flight()))
+      return;
+    near_now.push_back(near);
+    contacts_now.classify<SIZE>(scatter, step, shared[c], c, i, partner(near_now.size() - 1), grid,
+                                values, force_adder<SIZE>(scatter));
+  });
+}
+
+template <class Cohesion>
+template <int SIZE>
+void FixWallGranCohesive<Cohesion>::classify(std::vector<SampledContact>& shared) {
+  for_each_near(shared, [&](int i, int w, int c, const WallPoint& point, double* values) {
+    const Near near{i, w, c, point, values};
+    if (values[0] == 0.0 && !shared[c].within_reach(on_grid(near).relative)) return;
+    near_now.push_back(near);
+  });
+}
+
+template <class Cohesion>
+void FixWallGranCohesive<Cohesion>::follow_disturbed() {
+  with_event_contacts([this](auto& shared, auto size) { follow_disturbed<size>(shared); });
+}
+
+template <class Cohesion>
+void FixWallGranCohesive<Cohesion>::couple_lasting() {
+  with_event_contacts([this](auto& shared, auto size) { couple_lasting<size>(shared); });
+}
+
+template <class Cohesion>
+void FixWallGranCohesive<Cohesion>::predict() {
+  with_event_contacts([this](auto& shared, auto size) {
+    contacts_now.predict(ContactsOfStep<EventContact, size>(atom, step), step, shared);
+  });
+}
+
+template <class Cohesion>
+template <int SIZE>
+void FixWallGranCohesive<Cohesion>::follow_disturbed(std::vector<EventContact>& shared) {
+  const ContactsOfStep<EventContact, SIZE> scatter(atom, step);
+  contacts_now.follow_disturbed<SIZE>(
+      scatter, step, shared,
+      [this](const LastingContact& p) { return on_grid(near_now[-1 - p.j]); },
+      force_adder<SIZE>(scatter));
+}
+
+template <class Cohesion>
+template <int SIZE>
+void FixWallGranCohesive<Cohesion>::couple_lasting(std::vector<EventContact>& shared) {
+  contacts_now.couple_lasting<SIZE>(
+      ContactsOfStep<EventContact, SIZE>(atom, step), step, shared,
+      [this](const LastingContact& p) { return on_grid(near_now[-1 - p.j]); });
+}
+
+/// Adds the force on a wall, and its work to the energy tally; with factor -1 undoes both.
+template <class Cohesion>
+template <class Contact, int SIZE>
+void FixWallGranCohesive<Cohesion>::add_wall_force(const ContactsOfStep<Contact, SIZE>& scatter,
+                                                   const Near& near, const Vector3& impulse,
+                                                   const Vector3& by_contact, double factor) {
+  step->energy_tally.add_work(-factor * dot(near.point.velocity, impulse));
+  const double kick = factor * scatter.kick();
+  forces.add(near.wall, kick * impulse, kick * (impulse - by_contact));
+}
+
+template <class Cohesion>
+template <int SIZE>
+void FixWallGranCohesive<Cohesion>::compute_forces(std::vector<EventContact>& shared) {
+  const ContactsOfStep<EventContact, SIZE> scatter(atom, step);
+  contacts_now.correct(scatter, step, shared, force_adder<SIZE>(scatter));
+}
+
+template <class Cohesion>
+template <int SIZE>
+void FixWallGranCohesive<Cohesion>::compute_forces(std::vector<SampledContact>& shared) {
+  const ContactsOfStep<SampledContact, SIZE> scatter(atom, step);
+  for (std::size_t k = 0; k < near_now.size(); k++) {
+    const Near& near = near_now[k];
+    const SampledContact& c = shared[near.contact];
+    const PairMotion grid = on_grid(near);
+    ContactMemory known = ContactMemory::from(near.history, SIZE);
+    const SampledStep now = sample(scatter, step, c, near.i, partner(k), grid, known);
+    known.to(near.history, SIZE);
+    add_wall_force(scatter, near, now.action.impulse, c.by_contact(grid, now), 1.0);
+  }
+}
+
+/// The force on one wall: along three axes all of it, along the same three that of adhesion.
+template <class Cohesion>
+double FixWallGranCohesive<Cohesion>::compute_array(int wall, int which) {
+  return forces.all(world)[WallForces::EACH * wall + which];
+}
+
+/// The force on all walls.
+template <class Cohesion>
+double FixWallGranCohesive<Cohesion>::compute_vector(int which) {
+  return forces.sum(world, which);
+}
+
+/* ---------------------------------------------------------------------- */
+
+/// Time origin of the motion, and the force on the walls, which a run that continues another does
+/// not work out again.
+template <class Cohesion>
+void FixWallGranCohesive<Cohesion>::write_restart(FILE* fp) {
+  forces.write_restart(fp, world,
+                       {static_cast<double>(time_origin), static_cast<double>(walls.size()),
+                        static_cast<double>(per_wall)});
+}
+
+template <class Cohesion>
+void FixWallGranCohesive<Cohesion>::restart(char* buf) {
+  const auto* values = reinterpret_cast<double*>(buf);
+  time_origin = static_cast<bigint>(values[0]);
+  if (values[1] != static_cast<double>(walls.size()) || values[2] != per_wall)
+    error->all(FLERR,
+               where +
+                   ": other walls than in the restart file, or friction or rolling "
+                   "friction in one of them only: {} walls with {} numbers of history each "
+                   "there, {} with {} here; give the fix another ID",
+               static_cast<int>(values[1]), static_cast<int>(values[2]), walls.size(), per_wall);
+  if (comm->me == 0) forces.put_back(values + HEAD);
+}
+
+#define COHESION_INSTANTIATE(style, Law) template class LAMMPS_NS::FixWallGranCohesive<Law>;
+COHESION_CONTACT_LAWS(COHESION_INSTANTIATE)

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#ifndef LMP_FIX_WALL_GRAN_COHESIVE_H
+#define LMP_FIX_WALL_GRAN_COHESIVE_H
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "atom.h"
+#include "cohesive_contact_from_script.h"
+#include "contact_advice.h"
+#include "event_contact.h"
+#include "event_stepping/sampled_contact.h"
+#include "event_stepping/wall.h"
+#include "fix.h"
+#include "fix_event_step.h"
+#include "guarded.h"
+#include "update.h"
+#include "wall_forces.h"
+#include "wall_history.h"
+
+namespace LAMMPS_NS {
+
+/// Walls that act on spheres as PairGranCohesive lets spheres act on each other; a wall is a
+/// partner of infinite mass and radius. `Cohesion`: as there.
+template <class Cohesion>
+class FixWallGranCohesive : public Fix, public EventWalls, public AdvisedStyle {
+ public:
+  FixWallGranCohesive(class LAMMPS*, int, char**);
+  ~FixWallGranCohesive() override;
+
+  void post_constructor() override;
+  int setmask() override;
+  void init() override;
+  void setup(int) override;
+  void post_force(int) override;
+  bool is_event_scheme() const override { return scheme == Scheme::event; }
+  void classify() override;
+  void follow_disturbed() override;
+  void couple_lasting() override;
+  void predict() override;
+  void store_energies_at_setup() override;
+  void give_advice(const Circumstances&) override;
+  void reset_in_range() override;
+  bool has_friction(int) const override { return per_wall > HistorySize::normal_only; }
+
+  double compute_vector(int) override;
+  double compute_array(int, int) override;
+
+  void grow_arrays(int nmax) override { history.grow(nmax); }
+  void copy_arrays(int i, int j, int) override { history.copy(i, j); }
+  void set_arrays(int i) override { history.begin(i); }
+  int pack_exchange(int i, double* buf) override { return history.pack(i, buf); }
+  int unpack_exchange(int i, double* buf) override { return history.unpack(i, buf); }
+  void write_restart(FILE*) override;
+  void restart(char*) override;
+  int pack_restart(int i, double* buf) override { return history.pack_restart(i, buf); }
+  void unpack_restart(int i, int nth) override { history.unpack_restart(i, atom->extra[i], nth); }
+  int maxsize_restart() override { return history.size_restart(); }
+  int size_restart(int) override { return history.size_restart(); }
+  double memory_usage() override { return history.bytes(); }
+
+ private:
+  using EventContact = cohesion::event_stepping::TwoPassContact<typename Cohesion::EventWall>;
+  using SampledContact = cohesion::event_stepping::SampledContact<typename Cohesion::Sampled>;
+  /// Those of the particles near a wall, equal neighbours shared. One alternative per scheme, in
+  /// the order of Scheme.
+  using AnyContacts = std::variant<std::vector<EventContact>, std::vector<SampledContact> >;
+  using Wall = cohesion::event_stepping::Wall;
+
+  /// A particle that may touch a wall in this step. The k-th is the contact of i with j = -1 - k.
+  struct Near {
+    int i;
+    int wall;
+    int contact;
+    cohesion::event_stepping::WallPoint point;
+    double* history;
+  };
+
+  void read(int, char**);
+  /// Of a range [length], as far as a particle of which nothing is remembered is in it.
+  static double range_at_start(double range) { return Cohesion::FORMS_AT_TOUCH ? 0.0 : range; }
+  template <class Contact>
+  int contact(std::vector<Contact>&, int i);
+  void check_flight(int i, const cohesion::event_stepping::WallPoint&, bool inside);
+  cohesion::event_stepping::WallState state() const;
+  double wall_travel(const cohesion::event_stepping::WallState&) const;
+  void update_sizes();
+  template <class Contact, class What>
+  void for_each_near(std::vector<Contact>&, const What&);
+  template <int SIZE>
+  void classify(std::vector<EventContact>&);
+  template <int SIZE>
+  void classify(std::vector<SampledContact>&);
+  template <int SIZE>
+  void compute_forces(std::vector<EventContact>&);
+  template <int SIZE>
+  void compute_forces(std::vector<SampledContact>&);
+  template <class Contact, int SIZE>
+  void add_wall_force(const ContactsOfStep<Contact, SIZE>&, const Near&,
+                      const cohesion::Vector3& impulse, const cohesion::Vector3& by_contact,
+                      double factor);
+  template <int SIZE>
+  auto force_adder(const ContactsOfStep<EventContact, SIZE>&);
+  cohesion::event_stepping::PairMotion on_grid(const Near&) const;
+  template <int SIZE>
+  void follow_disturbed(std::vector<EventContact>&);
+  template <int SIZE>
+  void couple_lasting(std::vector<EventContact>&);
+  std::vector<AdvisedContact> advised_contacts(const std::vector<LightestParticle>&) const;
+  template <class What>
+  void with_contacts(const What& what) {
+    guarded(lmp, where, [&] {
+      std::visit(
+          [&](auto& shared) {
+            if (per_wall == HistorySize::with_rolling)
+              what(shared, std::integral_constant<int, HistorySize::with_rolling>());
+            else if (per_wall == HistorySize::with_friction)
+              what(shared, std::integral_constant<int, HistorySize::with_friction>());
+            else
+              what(shared, std::integral_constant<int, HistorySize::normal_only>());
+          },
+          contacts);
+    });
+  }
+  /// The same, in scheme event only.
+  template <class What>
+  void with_event_contacts(const What& what) {
+    with_contacts([&](auto& shared, auto size) {
+      if constexpr (std::decay_t<decltype(shared)>::value_type::on_grid) what(shared, size);
+    });
+  }
+
+  std::string where;  // in front of messages
+  cohesion::advice::GivenAdvice given_advice;
+  Scheme scheme;
+  Cohesion attraction;
+  typename Cohesion::Parameters given_parameters;
+  typename Cohesion::Parameters parameters;  // with adhesion scaled, if wished
+  typename Cohesion::Law law;
+  std::vector<Wall> walls;
+  cohesion::event_stepping::WallMotion motion;
+  bigint time_origin;
+
+  int per_wall;  // values of history (HistorySize)
+  WallHistory history;
+  AnyContacts contacts;
+  StepContacts contacts_now;  // event scheme: those of this step
+  std::vector<Near> near_now;
+  /// Of the particles, when the list of neighbours was new.
+  struct Sizes {
+    double smallest_radius, largest_radius, largest_range;
+  } sizes;
+  FixEventStep* step;
+
+  WallForces forces;
+};
+
+/// Equal particles that come one after the other share a contact.
+template <class Cohesion>
+template <class Contact>
+inline int FixWallGranCohesive<Cohesion>::contact(std::vector<Contact>& shared, int i) {
+  const cohesion::event_stepping::Body particle = step->body(i), wall{0.0, 0.0};
+  if (shared.empty() || !shared.back().is_between(particle, wall))
+    shared.push_back(step->contact<Contact>(
+        parameters.contact,
+        Cohesion::template of_wall<typename Contact::Attraction>(law, particle.radius), particle,
+        wall));
+  return static_cast<int>(shared.size()) - 1;
+}
+
+template <class Cohesion>
+cohesion::event_stepping::WallState FixWallGranCohesive<Cohesion>::state() const {
+  const double time = static_cast<double>(update->ntimestep - time_origin) * update->dt;
+  const double half = 0.5 * update->dt;
+  return motion.over(time, {step->starts() ? 0.0 : half, half});
+}
+
+template <class Cohesion>
+cohesion::event_stepping::PairMotion FixWallGranCohesive<Cohesion>::on_grid(
+    const Near& near) const {
+  return {{near.point.separation, near.point.velocity - vector(atom->v[near.i])},
+          vector(atom->omega[near.i]),
+          {}};
+}
+
+}  // namespace LAMMPS_NS
+
+#endif

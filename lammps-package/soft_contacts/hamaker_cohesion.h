@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#ifndef COHESION_HAMAKER_COHESION_H
+#define COHESION_HAMAKER_COHESION_H
+
+#include <array>
+#include <map>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "cohesion_law.h"
+#include "contact/adhesion.h"
+#include "event_stepping/plane_pair.h"
+#include "event_stepping/sampled_hamaker.h"
+#include "event_stepping/sphere_pair.h"
+#include "hamaker/forms.h"
+
+namespace LAMMPS_NS {
+
+/// Hamaker attraction as gran/hamaker and wall/gran/hamaker take it. The object holds the style's
+/// settings: the form.
+class HamakerCohesion : public CohesionLaw<cohesion::hamaker::Parameters> {
+ public:
+  static constexpr char STYLE[] = "gran/hamaker";
+  static constexpr std::array SETTINGS{"form"};
+  static constexpr char MATERIAL_WORDS[] = "'material_stiffness K_m'";
+  static constexpr int RESTART_LAYOUT = 4;
+
+  /// What a script says about the contact of two materials.
+  struct Parameters {
+    cohesion::contact::ContactParameters contact;
+    cohesion::hamaker::Parameters hamaker = cohesion::hamaker::none;
+    cohesion::advice::Material material;
+  };
+  using Law = cohesion::hamaker::AnyLaw;
+  using EventPair = cohesion::event_stepping::SpherePair;
+  using EventWall = cohesion::event_stepping::PlanePair;
+  using Sampled = cohesion::event_stepping::SampledHamaker;
+
+  static std::vector<ContactKeyword<Parameters> > keywords();
+  static void require_valid(LAMMPS*, const std::string& where, const Parameters&,
+                            const GivenKeywords& given);
+  /// With advice::mixed, and throws as that.
+  static Parameters mixed(const Parameters&, const Parameters&);
+  static double range(Scheme, const Parameters&, double radius_i, double radius_j);
+
+  /// Stops LAMMPS at a range that is not far below the radii [length]; radius_j infinite: a wall.
+  void require_short(LAMMPS* lmp, const std::string& where, const Parameters& p, double radius_i,
+                     double radius_j) const {
+    require_far_below_radius(lmp, where, *form_, p.hamaker, radius_i, radius_j);
+  }
+
+  void set(LAMMPS*, const std::string& where, const std::string& word, const char* value);
+  int settings() const { return static_cast<int>(form_ - cohesion::hamaker::forms.data()); }
+  void restore_settings(int number) { form_ = &cohesion::hamaker::forms[number]; }
+
+  static cohesion::advice::Material material(const Parameters& p) { return p.material; }
+  /// With the adhesion scaled to the stiffness when that is wished; what was done is printed, where
+  /// it is not what was printed last of `where`.
+  Parameters scaled(LAMMPS*, const std::string& where, Parameters);
+  Law law(LAMMPS*, const std::string& where, const Parameters&) const;
+  Law no_law() const { return form_->law(cohesion::hamaker::none, false); }
+
+  template <class Attraction>
+  static Attraction of_pair(const Law& law, double radius_i, double radius_j) {
+    return attraction<Attraction>(law, cohesion::two_spheres(radius_i, radius_j));
+  }
+  template <class Attraction>
+  static Attraction of_wall(const Law& law, double radius) {
+    return attraction<Attraction>(law, cohesion::sphere_and_plane(radius));
+  }
+
+ private:
+  template <class Attraction>
+  static Attraction attraction(const Law& law, const cohesion::PairGeometry& geometry) {
+    if constexpr (std::is_same_v<Attraction, cohesion::contact::Adhesion>)
+      return std::visit([&](const auto& l) { return cohesion::contact::adhesion_of(l, geometry); },
+                        law);
+    else
+      return {law, geometry};
+  }
+
+  std::map<std::string, std::string> told_;  // what scaled() has printed, by `where`
+  const cohesion::hamaker::Form* form_ = cohesion::hamaker::forms.data();
+};
+
+}  // namespace LAMMPS_NS
+
+#endif

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#include "pair_gran_cohesive.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <type_traits>
+
+#include "atom.h"
+#include "cohesion_laws.h"
+#include "engine_api.h"
+#include "error.h"
+#include "fix_event_step.h"
+#include "flight_report.h"
+#include "force.h"
+#include "guarded.h"
+#include "largest_radii.h"
+#include "memory.h"
+#include "modify.h"
+#include "neigh_list.h"
+#include "plausible_sizes.h"
+#include "update.h"
+
+using namespace LAMMPS_NS;
+using namespace cohesion::event_stepping;
+using cohesion::Vector3;
+
+template <class Cohesion>
+PairGranCohesive<Cohesion>::PairGranCohesive(LAMMPS* lammps)
+    : Pair(lammps),
+      coefficients(lammps),
+      close_pairs(lammps),
+      largest_range(0.0),
+      friction(false),
+      is_active(false),
+      needs_list(true),
+      history_stale(false),
+      per_pair(0),
+      step(nullptr),
+      history(modify, history_id(Cohesion::STYLE)) {
+  single_enable = 0;
+  restartinfo = 1;
+  no_virial_fdotr_compute = 1;
+  finitecutflag = 1;
+  beyond_contact = 1;
+  FixEventStep::reserve(lmp);
+}
+
+template <class Cohesion>
+PairGranCohesive<Cohesion>::~PairGranCohesive() {
+  if (!allocated) return;
+  memory->destroy(setflag);
+  memory->destroy(cutsq);
+}
+
+template <class Cohesion>
+void PairGranCohesive<Cohesion>::allocate() {
+  allocated = 1;
+  const int types = atom->ntypes;
+  memory->create(setflag, types + 1, types + 1, "pair:setflag");
+  memory->create(cutsq, types + 1, types + 1, "pair:cutsq");
+  coefficients.make_room(types, setflag);
+}
+
+/* ---------------------------------------------------------------------- */
+
+template <class Cohesion>
+void PairGranCohesive<Cohesion>::coeff(int narg, char** arg) {
+  if (narg < 4)
+    error->all(FLERR, std::string("pair_coeff of ") + Cohesion::STYLE + " takes 'i j " +
+                          Cohesion::COEFFICIENTS);
+  if (!allocated) allocate();
+  coefficients.read(narg, arg);
+}
+
+template <class Cohesion>
+void PairGranCohesive<Cohesion>::init_style() {
+  if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag || !atom->torque_flag)
+    error->all(FLERR, coefficients.where() + " acts between spheres; use 'atom_style sphere'");
+  step = FixEventStep::of(lmp);
+  require_plausible_radii(lmp, coefficients.where());
+  largest_radius = largest_radii(lmp);
+  smallest_radius = smallest_radii(lmp, largest_radius);
+  coefficients.start();
+  is_active = coefficients.any_active();
+  if (coefficients.scheme() == Scheme::event)
+    any_contacts.template emplace<static_cast<int>(Scheme::event)>();
+  else
+    any_contacts.template emplace<static_cast<int>(Scheme::sampled)>();
+  std::visit([this](auto& contacts) { contacts.last.resize(coefficients.pairs_of_types()); },
+             any_contacts);
+  friction = false;
+  largest_range = 0.0;
+  close_pairs.start(flight_allowance());
+  needs_list = is_active || per_pair > 0 || bound_pairs_are_read();
+  if (!needs_list) {
+    list = nullptr;
+    return;
+  }
+  engine_api::request_history_list(neighbor, this, instance_me);
+  const int needed = values_per_pair();
+  if (per_pair == 0) per_pair = needed;
+  if (per_pair < needed)
+    error->all(FLERR,
+               coefficients.where() +
+                   ": rolling_friction cannot begin here: the contacts of the run before, or "
+                   "of the restart file, remember no rolling; give it from the first run on");
+  history.init(this, per_pair);
+}
+
+template <class Cohesion>
+bool PairGranCohesive<Cohesion>::bound_pairs_are_read() const {
+  return std::any_of(modify->fix, modify->fix + modify->nfix,
+                     [](Fix* fix) { return dynamic_cast<BoundPairsReader*>(fix) != nullptr; });
+}
+
+template <class Cohesion>
+int PairGranCohesive<Cohesion>::values_per_pair() const {
+  return coefficients.any_rolls() ? HistorySize::with_rolling : HistorySize::with_friction;
+}
+
+/// The part of the skin that is for the flight of both particles within a step: a fifth; the flight
+/// is far less where the engine's own check of the list holds at all.
+template <class Cohesion>
+double PairGranCohesive<Cohesion>::flight_allowance() const {
+  return 0.2 * neighbor->skin;
+}
+
+template <class Cohesion>
+double PairGranCohesive<Cohesion>::init_one(int i, int j) {
+  const double range = coefficients.prepare(i, j, largest_radius[i], largest_radius[j]);
+  coefficients.require_short(i, j, smallest_radius[i], smallest_radius[j]);
+  require_plausible_range(lmp, coefficients.where(), largest_radius[i] + largest_radius[j] + range);
+  const auto& contact = coefficients.contact(coefficients.of_types(i, j));
+  friction = friction || contact.friction > 0.0;
+  if (!needs_list) return largest_radius[i] + largest_radius[j];
+  largest_range = std::max(largest_range, range);
+  close_pairs.start(largest_range + flight_allowance());
+  return largest_radius[i] + largest_radius[j] + range + flight_allowance();
+}
+
+template <class Cohesion>
+void PairGranCohesive<Cohesion>::give_advice(const Circumstances& now) {
+  if (!Cohesion::HAS_CONTACT) return;
+  const std::string where = coefficients.where();
+  advise(lmp, where, limits_of(coefficients.scheme()),
+         from_script(lmp, where, [&] { return advised_contacts(now.lightest); }), now,
+         given_advice);
+}
+
+/// The contacts between particles of the types that are this style's.
+template <class Cohesion>
+std::vector<AdvisedContact> PairGranCohesive<Cohesion>::advised_contacts(
+    const std::vector<LightestParticle>& lightest) const {
+  std::vector<AdvisedContact> contacts;
+  for (int i = 1; i <= atom->ntypes; i++)
+    for (int j = i; j <= atom->ntypes; j++) {
+      const LightestParticle &a = lightest[i], &b = lightest[j];
+      if (!coefficients.has(i, j)) continue;
+      if (!std::isfinite(a.radius) || !std::isfinite(b.radius)) continue;  // no particles yet
+      const int types = coefficients.of_types(i, j);
+      contacts.push_back(
+          advised_contact(fmt::format("{} - {}", i, j), a, b, coefficients.contact(types),
+                          coefficients.template attraction<cohesion::contact::Adhesion>(
+                              types, a.radius, b.radius)));
+      contacts.back().material = coefficients.material(types);
+      contacts.back().material_words = Cohesion::MATERIAL_WORDS;
+    }
+  return contacts;
+}
+
+/* ---------------------------------------------------------------------- */
+
+template <class Cohesion>
+void PairGranCohesive<Cohesion>::write_restart(FILE* fp) {
+  write_restart_settings(fp);
+  coefficients.write(fp);
+}
+
+template <class Cohesion>
+void PairGranCohesive<Cohesion>::read_restart(FILE* fp) {
+  read_restart_settings(fp);
+  allocate();
+  coefficients.read(fp);
+}
+
+#define COHESION_INSTANTIATE(style, Law) template class LAMMPS_NS::PairGranCohesive<Law>;
+COHESION_PAIR_LAWS(COHESION_INSTANTIATE)

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#ifndef LMP_PAIR_GRAN_COHESIVE_H
+#define LMP_PAIR_GRAN_COHESIVE_H
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "bound_pairs.h"
+#include "close_pairs.h"
+#include "cohesive_coefficients.h"
+#include "contact_advice.h"
+#include "event_contact.h"
+#include "event_stepping/sampled_contact.h"
+#include "pair.h"
+#include "pair_history.h"
+
+namespace LAMMPS_NS {
+
+/// Particles and ghosts as the grid has them: places, velocities of the half step before.
+struct ParticlesOnGrid {
+  const double *x, *v, *spin;  // three numbers of each
+  const int* type;
+  Bodies bodies;
+
+  [[gnu::always_inline]] cohesion::event_stepping::RelativeState relative_state(int i,
+                                                                                int j) const {
+    return {vector(x + 3 * j) - vector(x + 3 * i), vector(v + 3 * j) - vector(v + 3 * i)};
+  }
+  [[gnu::always_inline]] cohesion::event_stepping::PairMotion motion(int i, int j) const {
+    return {relative_state(i, j), vector(spin + 3 * i), vector(spin + 3 * j)};
+  }
+};
+
+/// Spheres with a linear spring-dashpot contact, friction and a cohesion, in the event scheme or
+/// sampled. `Cohesion` (cohesion_law.h) says what is its own: name, keywords, law, range, and which
+/// pairs of src/event_stepping follow it.
+template <class Cohesion>
+class PairGranCohesive : public Pair, public BoundPairs, public EventContacts, public AdvisedStyle {
+ public:
+  explicit PairGranCohesive(class LAMMPS*);
+  ~PairGranCohesive() override;
+
+  void compute(int, int) override;
+  void settings(int narg, char** arg) override { coefficients.read_settings(narg, arg); }
+  void coeff(int, char**) override;
+  void init_style() override;
+  double init_one(int, int) override;
+  void write_restart(FILE*) override;
+  void read_restart(FILE*) override;
+  /// Histories that nothing was written to count as none.
+  void write_restart_settings(FILE* fp) override {
+    coefficients.write_settings(fp, history_stale ? 0 : per_pair);
+  }
+  /// The histories of the file stay as long as they are, whether anything rolls now or not.
+  void read_restart_settings(FILE* fp) override {
+    per_pair = coefficients.read_settings(fp);
+    history_stale = per_pair == 0;
+  }
+  void append_bound(std::vector<std::array<int, 2>>&) const override;
+  bool may_have_contacts() const override { return needs_list; }
+  bool is_event_scheme() const override {
+    return is_active && coefficients.scheme() == Scheme::event;
+  }
+  void classify() override;
+  void follow_disturbed() override;
+  void couple_lasting() override;
+  void predict() override;
+  void store_energies_at_setup() override;
+  void give_advice(const Circumstances&) override;
+  bool has_friction(int type) const override {
+    return coefficients.has_friction(type, atom->ntypes);
+  }
+
+ private:
+  /// The contacts of a step, and by type pair which of them was used last.
+  template <class Contact>
+  struct Contacts {
+    std::vector<Contact> all;
+    std::vector<int> last;
+
+    static constexpr int NONE = -1;
+    void clear() {
+      all.clear();
+      std::fill(last.begin(), last.end(), NONE);
+    }
+  };
+  /// One alternative per scheme, in the order of Scheme.
+  using EventContact = cohesion::event_stepping::TwoPassContact<typename Cohesion::EventPair>;
+  using SampledContact = cohesion::event_stepping::SampledContact<typename Cohesion::Sampled>;
+  using AnyContacts = std::variant<Contacts<EventContact>, Contacts<SampledContact>>;
+
+  void allocate();
+  double flight_allowance() const;
+  int values_per_pair() const;
+  bool bound_pairs_are_read() const;
+  template <class Contact>
+  int contact(Contacts<Contact>&, const ParticlesOnGrid&, int i, int j);
+  template <class Contact>
+  int new_contact(Contacts<Contact>&, int of_types, int i, int j);
+  ParticlesOnGrid particles() const;
+  bool is_within(double gap, int i, int j) const;
+  /// Gap up to which a pair of which nothing is remembered is in range, [length].
+  template <class Contact>
+  static double range_at_start(const Contact& contact) {
+    return Cohesion::FORMS_AT_TOUCH ? 0.0 : contact.range();
+  }
+  bool moves(int i, int j) const;
+  template <class What>
+  void for_each_listed(const What&) const;
+  void reset_in_range(bool discard_all);
+  void find_close();
+  template <class What>
+  void for_each_close(const What&);
+  template <int SIZE>
+  void classify(Contacts<EventContact>&);
+  template <int SIZE>
+  void classify(Contacts<SampledContact>&);
+  template <int SIZE>
+  void classify_one(const ContactsOfStep<EventContact, SIZE>&, const EventContact&, int contact,
+                    int i, int j, int& has_history, double* values);
+  template <int SIZE>
+  void follow_disturbed(Contacts<EventContact>&);
+  template <int SIZE>
+  void couple_lasting(Contacts<EventContact>&);
+  template <int SIZE>
+  void compute_forces(Contacts<EventContact>&);
+  template <int SIZE>
+  void compute_forces(Contacts<SampledContact>&);
+  template <int SIZE>
+  bool sample(const ContactsOfStep<SampledContact, SIZE>&, const SampledContact&, int i, int j,
+              double* values);
+  void tally(int i, int j, const cohesion::Vector3& separation, double energy,
+             const cohesion::Vector3& impulse);
+  auto flux_sum();
+  template <class What>
+  void with_contacts(const What&);
+  template <class What>
+  void with_event_contacts(const What&);
+  void tally_energies_at_setup();
+  template <class What>
+  void for_each_with_history(const What&);
+  std::vector<AdvisedContact> advised_contacts(const std::vector<LightestParticle>&) const;
+
+  CohesiveCoefficients<Cohesion> coefficients;
+  cohesion::advice::GivenAdvice given_advice;
+  AnyContacts any_contacts;
+  std::vector<double> largest_radius, smallest_radius;  // by type, at init
+  StepContacts contacts_now;                            // event scheme: those of this step
+  ClosePairs close_pairs;                               // those that may touch in a step
+  double largest_range;                                 // up to which the scheme has to see a pair
+  bool friction;                                        // whether any contact has friction
+  bool is_active;                                       // whether anything can happen in this run
+  bool needs_list;                                      // whether any pair is visited in this run
+  bool history_stale;  // since nothing has acted, histories are not those of the pairs as they are
+  int per_pair;        // values of history (HistorySize); 0: there is none yet
+  class FixEventStep* step;
+  PairHistory history;
+};
+
+template <class Cohesion>
+inline ParticlesOnGrid PairGranCohesive<Cohesion>::particles() const {
+  return {atom->x[0], atom->v[0], atom->omega[0], atom->type, step->bodies()};
+}
+
+/// Pairs of equal particles that come one after the other share a contact. NONE: neither is moved
+/// by anything.
+template <class Cohesion>
+template <class Contact>
+[[gnu::always_inline]] inline int PairGranCohesive<Cohesion>::contact(
+    Contacts<Contact>& contacts, const ParticlesOnGrid& particles, int i, int j) {
+  const int types = coefficients.of_types(particles.type[i], particles.type[j]);
+  const int last = contacts.last[types];
+  if (last != Contacts<Contact>::NONE &&
+      contacts.all[last].is_between(particles.bodies[i], particles.bodies[j]))
+    return last;
+  return new_contact(contacts, types, i, j);
+}
+
+template <class Cohesion>
+template <class Contact>
+[[gnu::noinline]] int PairGranCohesive<Cohesion>::new_contact(Contacts<Contact>& contacts,
+                                                              int of_types, int i, int j) {
+  if (!moves(i, j)) return Contacts<Contact>::NONE;
+  const cohesion::event_stepping::Body a = step->body(i), b = step->body(j);
+  contacts.all.push_back(step->contact<Contact>(
+      coefficients.contact(of_types),
+      coefficients.template attraction<typename Contact::Attraction>(of_types, a.radius, b.radius),
+      a, b));
+  return contacts.last[of_types] = static_cast<int>(contacts.all.size()) - 1;
+}
+
+template <class Cohesion>
+bool PairGranCohesive<Cohesion>::is_within(double gap, int i, int j) const {
+  return norm(particles().relative_state(i, j).separation) <
+         atom->radius[i] + atom->radius[j] + gap;
+}
+
+/// Pairs of which neither is moved by anything are not followed.
+template <class Cohesion>
+bool PairGranCohesive<Cohesion>::moves(int i, int j) const {
+  return step->body(i).inverse_mass != 0.0 || step->body(j).inverse_mass != 0.0;
+}
+
+}  // namespace LAMMPS_NS
+
+#endif

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// The part of PairGranCohesive that knows pairs at set-up of a run, and between two steps.
+#include <algorithm>
+
+#include "atom.h"
+#include "cohesion_laws.h"
+#include "fix_event_step.h"
+#include "neigh_list.h"
+#include "pair_gran_cohesive.h"
+
+using namespace LAMMPS_NS;
+using namespace cohesion::event_stepping;
+using cohesion::Vector3;
+
+/// Calls what(i, j, has_history, values): whether the pair has a history, and that.
+template <class Cohesion>
+template <class What>
+void PairGranCohesive<Cohesion>::for_each_listed(const What& what) const {
+  for (int ii = 0; ii < list->inum; ii++) {
+    const int i = list->ilist[ii];
+    for (int jj = 0; jj < list->numneigh[i]; jj++)
+      what(i, list->firstneigh[i][jj] & NEIGHMASK, history->firstflag[i][jj],
+           &history->firstvalue[i][per_pair * jj]);
+  }
+}
+
+/// Sets which pairs are in range by where they are: after steps in which no pair had a history
+/// (`discard_all`), or when something else than their motion has brought particles where they are;
+/// then pairs that are still in range keep theirs.
+template <class Cohesion>
+void PairGranCohesive<Cohesion>::reset_in_range(bool discard_all) {
+  history_stale = false;
+  std::visit(
+      [this, discard_all](auto& contacts) {
+        contacts.clear();
+        for_each_listed([&](int i, int j, int& has_history, double* values) {
+          // Contacts are made for those only that some contact could reach.
+          bool near = moves(i, j) && is_within(largest_range, i, j);
+          if (near) {
+            const auto& law = contacts.all[contact(contacts, particles(), i, j)];
+            const bool remembers = has_history && !discard_all;
+            near = is_within(remembers ? law.range() : range_at_start(law), i, j);
+          }
+          if (near && has_history && !discard_all) return;
+          (near ? ContactMemory::seen_inside() : ContactMemory()).to(values, per_pair);
+          has_history = near;
+        });
+      },
+      any_contacts);
+}
+
+/// Adds the energies of the pairs at the grid point to the energy tally, for a run that takes over
+/// the forces of the last one.
+template <class Cohesion>
+void PairGranCohesive<Cohesion>::store_energies_at_setup() {
+  if (!is_active) return;
+  if (history_stale) reset_in_range(true);
+  if (step->box_changed()) reset_in_range(false);
+  if (!step->energy_tally.is_active()) return;
+  for_each_with_history([this](int, int j, const StoredEnergies& stored) {
+    step->energy_tally.store_normal(j < atom->nlocal ? 1.0 : 0.5, stored);
+  });
+}
+
+template <class Cohesion>
+void PairGranCohesive<Cohesion>::tally_energies_at_setup() {
+  for_each_with_history([this](int i, int j, const StoredEnergies& stored) {
+    const Vector3 d = particles().relative_state(i, j).separation;
+    ev_tally_xyz(i, j, atom->nlocal, 0, stored.spring + stored.adhesion, 0.0, 0.0, 0.0, 0.0, -d.x,
+                 -d.y, -d.z);
+  });
+}
+
+/// Calls what(i, j, energies) for each pair with a history.
+template <class Cohesion>
+template <class What>
+void PairGranCohesive<Cohesion>::for_each_with_history(const What& what) {
+  std::visit(
+      [&](auto& contacts) {
+        contacts.clear();
+        for_each_listed([&](int i, int j, int has_history, const double* values) {
+          if (!has_history || !moves(i, j)) return;
+          const auto& c = contacts.all[contact(contacts, particles(), i, j)];
+          what(i, j, c.stored(particles().motion(i, j), ContactMemory::from(values, per_pair)));
+        });
+      },
+      any_contacts);
+}
+
+static bool is_inside(int has_history, const double* values) {
+  return has_history && ContactMemory::from(values, HistorySize::normal_only).in_range();
+}
+
+/// Appends the pairs within the range of contact and adhesion, of those that have a history or,
+/// where nothing acts, would have one.
+template <class Cohesion>
+void PairGranCohesive<Cohesion>::append_bound(std::vector<std::array<int, 2>>& pairs) const {
+  for_each_listed([&](int i, int j, int has_history, const double* values) {
+    if (history_stale ? moves(i, j) && is_within(0.0, i, j) : is_inside(has_history, values))
+      pairs.push_back({i, j});
+  });
+}
+
+#define COHESION_INSTANTIATE(style, Law)                          \
+  template void PairGranCohesive<Law>::reset_in_range(bool);      \
+  template void PairGranCohesive<Law>::tally_energies_at_setup(); \
+  template void PairGranCohesive<Law>::store_energies_at_setup(); \
+  template void PairGranCohesive<Law>::append_bound(std::vector<std::array<int, 2>>&) const;
+COHESION_PAIR_LAWS(COHESION_INSTANTIATE)

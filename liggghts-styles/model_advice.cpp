@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "model_advice.h"
+
+#include <mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <set>
+
+#include "atom.h"
+#include "box_shear.h"
+#include "comm.h"
+#include "error.h"
+#include "fix_mesh_surface.h"
+#include "fix_template_sphere.h"
+#include "fix_wall_gran.h"
+#include "force.h"
+#include "gravity_of_fixes.h"
+#include "guarded.h"
+#include "integrated_particles.h"
+#include "liggghts_api.h"
+#include "neighbor.h"
+#include "pair_gran.h"
+#include "sphere.h"
+#include "update.h"
+
+namespace LIGGGHTS {
+namespace Cohesion {
+
+using namespace LAMMPS_NS;
+namespace advice = cohesion::advice;
+using advice::LightestParticle;
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// Where the spring is that of the types alone; no other can be given its material.
+constexpr const char* material_words =
+    "'material_stiffness on' with fix property/global materialStiffness";
+
+void take_lighter(LightestParticle& lightest, double radius, double mass) {
+  lightest.radius = std::min(lightest.radius, radius);
+  lightest.mass = std::min(lightest.mass, mass);
+}
+
+/// Particles that are still to come; they are of the mean density of their template.
+void count_templates(Modify* modify, std::vector<LightestParticle>& lightest) {
+  for (int k = 0; k < modify->nfix; k++) {
+    auto* const spheres = dynamic_cast<FixTemplateSphere*>(modify->fix[k]);
+    if (!spheres || spheres->number_spheres() != 1 || spheres->is_relative()) continue;
+    const double radius = spheres->min_rad();
+    const double density = spheres->massexpect() / spheres->volexpect();
+    for (int type = spheres->mintype(); type <= spheres->maxtype(); type++)
+      take_lighter(lightest[type], radius, density * cohesion::sphere_volume(radius));
+  }
+}
+
+std::set<int> types_of(const FixWallGran& wall) {
+  if (!wall.is_mesh_wall()) return {wall.atom_type_wall()};
+  std::set<int> types;
+  for (int k = 0; k < wall.n_meshes(); k++) types.insert(wall.mesh_list()[k]->atomTypeWall());
+  return types;
+}
+
+}  // namespace
+
+/// The lightest particles and the fastest.
+void ContactWatch::scan_particles() {
+  const Atom* const atom = lmp_->atom;
+  const MobileParticles mobile(lmp_->modify);
+  std::vector<LightestParticle> mine(atom->ntypes + 1, {infinite, infinite});
+  // The speed with the other sign in place of a type 0: the least of all is looked for.
+  mine[0] = {-fastest_of(atom, lmp_->domain, atom->nlocal), infinite};
+  count_templates(lmp_->modify, mine);
+  for (int i = 0; i < atom->nlocal; i++)
+    take_lighter(mine[atom->type[i]], atom->radius[i],
+                 mobile.moves(atom->mask[i]) ? atom->rmass[i] : infinite);
+  now_.lightest.resize(mine.size());
+  MPI_Allreduce(mine.data(), now_.lightest.data(), 2 * static_cast<int>(mine.size()), MPI_DOUBLE,
+                MPI_MIN, lmp_->world);
+  now_.run.fastest = -now_.lightest[0].radius;
+  now_.lightest[0] = {infinite, infinite};
+}
+
+/// In how many steps each fix that changes particles does so.
+std::vector<int> ContactWatch::adapted_every() const {
+  std::vector<int> steps;
+  for (int k = 0; k < lmp_->modify->nfix; k++) {
+    const Fix* const fix = lmp_->modify->fix[k];
+    if (std::strncmp(fix->style, "adapt", 5) == 0 && fix->nevery > 0) steps.push_back(fix->nevery);
+  }
+  return steps;
+}
+
+bool ContactWatch::due(bool setup) {
+  const double dt = lmp_->update->dt;
+  if (setup)
+    watch_.set_up(adapted_every());
+  else if (!watch_.may_differ(lmp_->neighbor->ago == 0, static_cast<long>(lmp_->update->ntimestep),
+                              dt))
+    return false;
+  scan_particles();
+  if (!setup && !watch_.worse(now_.lightest, now_.run.fastest, dt)) return false;
+  watch_.judged(now_.lightest, now_.run.fastest, dt);
+  now_.run = {now_.run.fastest, GravityOfFixes(lmp_->modify).largest(), dt,
+              rate_of_shear(lmp_->domain).amount};
+  now_.within_run = !setup;
+  return true;
+}
+
+ContactAdvice::ContactAdvice(LAMMPS* lmp, FixWallGran* wall, const std::string& model,
+                             const NormalModelProbe& normal, Adhesion adhesion)
+    : lmp_(lmp), wall_(wall), model_(model), normal_(normal), adhesion_(std::move(adhesion)) {}
+
+void ContactAdvice::give(const advice::Circumstances& now) {
+  std::string who = model_ + (wall_ ? std::string(", fix wall/gran ") + wall_->id : "");
+  if (normal_.exponent() != 1.0)
+    who += " (" + normal_.name() + ": linear springs that an impact presses as far)";
+  const advice::Report report = guarded(lmp_, who, [&] {
+    const std::vector<advice::AdvisedContact> all = contacts(now);
+    const advice::SchemeLimits& limits =
+        event_ ? advice::event_scheme_one_pass : advice::sampled_scheme;
+    return given_advice_.only_new(advice::report(who, limits, all, now.run), all, now);
+  });
+  if (lmp_->comm->me == 0) {
+    engine_api::tell(lmp_, report.table);
+    for (const advice::Warning& warning : report.warnings)
+      lmp_->error->warning(FLERR, warning.text.c_str());
+  }
+  if (!report.stop.empty()) lmp_->error->all(FLERR, report.stop.c_str());
+}
+
+std::vector<advice::AdvisedContact> ContactAdvice::contacts(
+    const advice::Circumstances& now) const {
+  const std::vector<LightestParticle>& lightest = now.lightest;
+  std::vector<advice::AdvisedContact> contacts;
+  const auto add = [&](const std::string& name, int i, int j, const LightestParticle& partner) {
+    advice::AdvisedContact c{name, lightest[i], partner, {}, {}};
+    if (!c.moves()) return;
+    adhesion_(c, i, j);
+    if (normal_.is_of_types()) c.material_words = material_words;
+    set_springs(c, i, j, now.run);
+    contacts.push_back(c);
+  };
+  for (int i = 1; i <= lmp_->atom->ntypes; i++) {
+    if (!std::isfinite(lightest[i].radius)) continue;  // no particles
+    if (wall_) {
+      const std::set<int> types = types_of(*wall_);
+      for (const int j : types)
+        add(std::to_string(i) + " - wall" + (types.size() > 1 ? " of " + std::to_string(j) : ""), i,
+            j, {infinite, infinite});
+      continue;
+    }
+    for (int j = i; j <= lmp_->atom->ntypes; j++)
+      if (std::isfinite(lightest[j].radius))
+        add(std::to_string(i) + " - " + std::to_string(j), i, j, lightest[j]);
+  }
+  return contacts;
+}
+
+void ContactAdvice::set_springs(advice::AdvisedContact& c, int itype, int jtype,
+                                const advice::RunNumbers& run) const {
+  const NormalModelProbe::Pair pair{itype,
+                                    jtype,
+                                    c.i.radius,
+                                    c.j.radius,
+                                    c.reduced_mass(),
+                                    advice::approach_speed(run, c),
+                                    wall_ != nullptr};
+  c.springs = normal_.springs(pair);
+  // Told where the impact goes: not every dashpot of the engine changes with the overlap as
+  // power_law_spring.h has it.
+  if (c.springs.exponent != 1.0)
+    c.springs =
+        normal_.springs(pair, advice::largest_overlap(c.springs, c.reduced_mass(), c.adhesion.force,
+                                                      advice::touching_speed(run, c)));
+  if (!has("tangential", "history") || coefficient("coeffFrict", itype, jtype) == 0.0)
+    c.springs.tangential_stiffness = 0.0;
+  // The spring of rolling model epsd2 is the tangential one, with the reduced radius as lever.
+  if (!has("rolling_friction", "epsd2") || coefficient("coeffRollFrict", itype, jtype) == 0.0)
+    c.springs.rolling_stiffness = 0.0;
+}
+
+bool ContactAdvice::has_friction(int type) const {
+  const bool slides = has("tangential", "history") || has("tangential", "no_history");
+  const bool rolls = has("rolling_friction", "epsd2") || has("rolling_friction", "cdt");
+  // The properties end at the last type that there is.
+  const int types = lmp_->force->registry.max_type();
+  for (int other = 1; type <= types && other <= types; other++)
+    if ((slides && coefficient("coeffFrict", type, other) > 0.0) ||
+        (rolls && coefficient("coeffRollFrict", type, other) > 0.0))
+      return true;
+  return false;
+}
+
+bool ContactAdvice::has(const char* kind, const char* model) const {
+  return wall_ ? wall_->contact_match(kind, model)
+               : static_cast<PairGran*>(lmp_->force->pair)->contact_match(kind, model);
+}
+
+/// Of a model that the contact has.
+double ContactAdvice::coefficient(const char* name, int itype, int jtype) const {
+  return lmp_->force->registry.getMatrixProperty(name, model_.c_str())->data[itype][jtype];
+}
+
+}  // namespace Cohesion
+}  // namespace LIGGGHTS

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef COHESION_MODEL_ADVICE_H
+#define COHESION_MODEL_ADVICE_H
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "advice/contact_report.h"
+#include "advice/given_advice.h"
+#include "advice/watch.h"
+#include "contact/adhesion.h"
+#include "normal_model_probe.h"
+
+namespace LAMMPS_NS {
+class LAMMPS;
+class FixWallGran;
+}  // namespace LAMMPS_NS
+
+namespace LIGGGHTS {
+namespace Cohesion {
+
+/// Sees when contacts have to be judged: in each set-up of a run, and within one, whether it was
+/// set up or not, where the step became longer, or where the list of neighbours is new or fix adapt
+/// has acted, and lighter or faster particles are there. Particles of templates count as there.
+class ContactWatch {
+ public:
+  explicit ContactWatch(LAMMPS_NS::LAMMPS* lmp) : lmp_(lmp), now_() {}
+
+  /// Whether they have to be judged now, by now(), which is of all ranks. To be called in each
+  /// step, on all ranks, when the list of neighbours is that of the step.
+  bool due(bool setup);
+  const cohesion::advice::Circumstances& now() const { return now_; }
+
+ private:
+  void scan_particles();
+  std::vector<int> adapted_every() const;
+
+  LAMMPS_NS::LAMMPS* lmp_;
+  cohesion::advice::Circumstances now_;
+  cohesion::advice::Watch watch_;
+};
+
+/// What a contact model has to say of a run before it can go wrong: the table of numbers that
+/// decide whether the run can be right, warnings, and an error where it must blow up
+/// (src/advice/contact_report.h); no table and no warning twice.
+class ContactAdvice {
+ public:
+  /// Sets adhesion and material of a contact of these types, whose radii are known.
+  using Adhesion =
+      std::function<void(cohesion::advice::AdvisedContact& contact, int itype, int jtype)>;
+
+  /// model: who speaks; wall: null for pairs; adhesion: of two, or of one beside the wall.
+  ContactAdvice(LAMMPS_NS::LAMMPS* lmp, LAMMPS_NS::FixWallGran* wall, const std::string& model,
+                const NormalModelProbe& normal, Adhesion adhesion);
+
+  void give(const cohesion::advice::Circumstances& now);
+  /// Under scheme event; else sampled.
+  void of_events(bool event) { event_ = event; }
+
+  /// Whether friction, sliding or rolling, may act on a particle of this type.
+  bool has_friction(int type) const;
+
+ private:
+  std::vector<cohesion::advice::AdvisedContact> contacts(
+      const cohesion::advice::Circumstances& now) const;
+  void set_springs(cohesion::advice::AdvisedContact& contact, int itype, int jtype,
+                   const cohesion::advice::RunNumbers& run) const;
+  bool has(const char* kind, const char* model) const;
+  double coefficient(const char* name, int itype, int jtype) const;
+
+  LAMMPS_NS::LAMMPS* lmp_;
+  LAMMPS_NS::FixWallGran* wall_;
+  std::string model_;
+  const NormalModelProbe& normal_;
+  Adhesion adhesion_;
+  bool event_ = false;
+  cohesion::advice::GivenAdvice given_advice_;
+};
+
+}  // namespace Cohesion
+}  // namespace LIGGGHTS
+
+#endif

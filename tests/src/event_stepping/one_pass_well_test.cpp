@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "event_stepping/one_pass_well.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "event_stepping/pair_run.h"
+
+namespace cohesion::event_stepping {
+namespace {
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+constexpr double pi = 3.14159265358979;
+constexpr double core = 2.0 * thesis::radius;
+constexpr double mu_depth = 5e-11;  // [J]
+/// Thin, as the thesis has it, and as wide as the particles.
+const std::vector<double> ratios{1.001, 1.01, 1.5, 2.0};
+const std::vector<double> parts{4.0, 10.0, 50.0};
+constexpr int phases = 8;  // of what happens within the step
+
+contact::LinearSpringDashpot spring(double damping) {
+  return {thesis::contact().stiffness, damping, thesis::reduced_mass};
+}
+contact::Adhesion well(double ratio, double depth = mu_depth) {
+  return {0.0, (ratio - 1.0) * core, depth};
+}
+/// 2 D/mu, [velocity^2]
+double gained(double depth = mu_depth) { return 2.0 * depth / thesis::reduced_mass; }
+
+/// Two spheres in a plane on an engine's grid.
+struct Pair {
+  const OnePassContact& law;
+  double x, y, vx, vy;
+  double others = 0.0;  ///< along the line of centres, known to the law
+  GridMemory memory{};
+  GridStep last{};
+
+  /// One that is to meet the edge of its well a share `phase` of a step after a grid point, at
+  /// normal speed and with a speed across.
+  Pair(const OnePassContact& law_, double speed, double across, double phase)
+      : law(law_), vx(-speed), vy(across) {
+    const double wait = law.step() * (2.0 + (phase + 0.37) / phases);
+    x = core + law.range() + speed * wait;
+    y = -across * wait;
+  }
+  double distance() const { return std::hypot(x, y); }
+  double energy() const { return 0.5 * (vx * vx + vy * vy); }  // over mu
+  double turning() const { return x * vy - y * vx; }
+
+  void step() {
+    const double dt = law.step();
+    x += dt * vx;
+    y += dt * vy;
+    const double r = distance(), nx = x / r, ny = y / r;
+    const GridPoint at{r, vx * nx + vy * ny, std::abs(vy * nx - vx * ny)};
+    if (!law.follow_lasting(at, memory, last)) last = law.follow(at, others, dt, memory);
+    const double push = dt * (last.force / thesis::reduced_mass + others);
+    vx += push * nx;
+    vy += push * ny;
+  }
+  /// Until it has been inside and is out again; false: not within the time [time].
+  bool parts_within(double time) {
+    bool was_inside = memory.inside();
+    for (int n = 0; n < time / law.step(); n++) {
+      step();
+      was_inside = was_inside || memory.inside();
+      if (was_inside && memory.phase == GridMemory::beyond) return true;
+    }
+    return false;
+  }
+  void until(GridMemory::Phase phase) {
+    for (int n = 0; n < 100000 && memory.phase != phase; n++) step();
+    EXPECT_EQ(memory.phase, phase);
+  }
+};
+
+/// What rounding of the distance does to a velocity on the grid in `points` grid points.
+double rounding(const OnePassContact& law, double points) {
+  return points * eps * (core + law.range()) / law.step();
+}
+
+/// Long enough for two ways across the well and a contact.
+double long_enough(double ratio, double speed) {
+  return 4.0 * (ratio - 1.0) * core / speed + 8.0 * thesis::contact_time;
+}
+
+}  // namespace
+
+TEST(OnePassWell, ApproachAndEscapeChangeTheEnergyByTheDepth) {
+  for (const double ratio : ratios)
+    for (const double part : parts)
+      for (int phase = 0; phase < phases; phase++)
+        for (const double across : {0.0, 0.03}) {
+          const OnePassWell law(spring(0.0), well(ratio), core, thesis::contact_time / part);
+          Pair pair(law, 0.02, across, phase);
+          const double before = pair.energy(), turning = pair.turning();
+          pair.until(GridMemory::within);
+          const double speed = std::sqrt(2.0 * before + gained());
+          // What turning does in contact counts as constant there: it changes by 3 overlap/core.
+          const double normal = std::sqrt(0.02 * 0.02 + gained());
+          const double overlap = normal * thesis::contact_time / pi / core;
+          const double room = 3.0 * across * across * overlap * overlap / 0.02;
+          EXPECT_NEAR(std::sqrt(2.0 * pair.energy()), speed,
+                      rounding(law, 2.0 * part + 20.0) + room)
+              << ratio << " " << part;
+          ASSERT_TRUE(pair.parts_within(long_enough(ratio, 0.02))) << ratio << " " << part;
+          EXPECT_NEAR(std::sqrt(2.0 * pair.energy()), std::sqrt(2.0 * before),
+                      rounding(law, 2.0 * part + 20.0) * speed / 0.02 + room)
+              << ratio << " " << part << " " << phase;
+          EXPECT_NEAR(pair.turning(), turning, 1e4 * eps * core * 0.1);
+        }
+}
+
+TEST(OnePassWell, EscapesHeadOnAtTheVelocityOfTheClosedFormForAnyStepAndPhase) {
+  const auto law = spring(thesis::contact().damping);
+  const double e = law.restitution();
+  for (const double depth : {1e-11, 5e-11, 1e-10}) {
+    const double escape = std::sqrt(gained(depth) * (1.0 / (e * e) - 1.0));
+    for (const double ratio : ratios)
+      for (const double part : parts)
+        for (int phase = 0; phase < phases; phase++)
+          for (const double factor : {0.999, 1.001}) {
+            const OnePassWell contact(law, well(ratio, depth), core, thesis::contact_time / part);
+            Pair pair(contact, factor * escape, 0.0, phase);
+            // Just above it flies away from the edge at e sqrt(2e-3) of the speed.
+            EXPECT_EQ(pair.parts_within(long_enough(ratio, escape)), factor > 1.0)
+                << depth << " " << ratio << " " << part << " " << phase;
+          }
+  }
+}
+
+TEST(OnePassWell, RestitutionInTheWellIsThatOfTheSpring) {
+  const auto law = spring(thesis::contact().damping);
+  for (const double ratio : ratios)
+    for (const double part : parts)
+      for (int phase = 0; phase < phases; phase++) {
+        const OnePassWell contact(law, well(ratio), core, thesis::contact_time / part);
+        const double speed = 0.05, e = law.restitution();
+        Pair pair(contact, speed, 0.0, phase);
+        ASSERT_TRUE(pair.parts_within(long_enough(ratio, speed)));
+        const double back = std::sqrt(e * e * (speed * speed + gained()) - gained());
+        EXPECT_NEAR(pair.vx, back, rounding(contact, 2.0 * part + 20.0)) << ratio << " " << part;
+      }
+}
+
+TEST(OnePassWell, ObliquePairsFlyStraightThroughTheWell) {
+  // A pair that misses the contact: two crossings, and the energy at the end that of the start; the
+  // angle between is that of two refractions, sin a = b/R outside and b v/(v' R) inside.
+  for (const double ratio : {1.5, 2.0})
+    for (const double part : parts)
+      for (int phase = 0; phase < phases; phase++) {
+        const OnePassWell law(spring(0.0), well(ratio), core, thesis::contact_time / part);
+        const double speed = 0.05, edge = ratio * core;
+        Pair pair(law, speed, 0.0, phase);
+        pair.y = 0.95 * edge;
+        pair.x = std::sqrt(edge * edge - pair.y * pair.y) + pair.x - edge;
+        ASSERT_TRUE(pair.parts_within(long_enough(ratio, speed)));
+        const double inside = std::sqrt(speed * speed + gained());
+        const double turned = 2.0 * (std::asin(0.95) - std::asin(0.95 * speed / inside));
+        // The impulse acts at a grid point, and there along its line of centres: up to a step of
+        // flight from where it is due.
+        const double angle = std::atan2(-pair.vy, -pair.vx);
+        EXPECT_NEAR(angle, turned, 4.0 * law.step() * inside / edge) << ratio << " " << part;
+        EXPECT_NEAR(std::hypot(pair.vx, pair.vy), speed, rounding(law, 20.0));
+      }
+}
+
+TEST(OnePassWell, WithoutDepthIsTheContactAlone) {
+  const auto law = spring(thesis::contact().damping);
+  for (const double ratio : {1.0, 1.01, 2.0})
+    for (int phase = 0; phase < phases; phase++) {
+      const OnePassWell contact(law, well(ratio, 0.0), core, thesis::contact_time / 10.0);
+      Pair pair(contact, 0.02, 0.0, phase);
+      ASSERT_TRUE(pair.parts_within(long_enough(ratio, 0.02)));
+      EXPECT_NEAR(pair.vx, law.restitution() * 0.02, rounding(contact, 40.0)) << ratio;
+    }
+}
+
+TEST(OnePassWell, ACapturedPairKeepsItsEnergyForAThousandBounces) {
+  const double speed = 0.01;  // of sqrt(2 D/mu) = 0.012 m/s that it would need
+  for (const double ratio : ratios)
+    for (const double part : parts)
+      for (const double across : {0.0, 0.004}) {
+        if (ratio > 1.1 && part > 4.0) continue;  // it would take many steps in flight
+        const OnePassWell law(spring(0.0), well(ratio), core, thesis::contact_time / part);
+        Pair pair(law, speed, across, 0.0);
+        pair.x = core + 0.5 * law.range();
+        pair.y = 0.0;
+        pair.memory.phase = GridMemory::within;
+        const double before = pair.energy();
+        const double bounce = 2.0 * law.range() / speed + thesis::contact_time;
+        for (int n = 0; n < 1000.0 * bounce / law.step(); n++) {
+          pair.step();
+          ASSERT_TRUE(pair.memory.inside());
+        }
+        pair.until(GridMemory::within);
+        // Rounding in each step with an event, felt along the normal, and in each contact what
+        // turning changes by, as above.
+        const double events = 1000.0 * (part + 5.0);
+        const double overlap = speed * thesis::contact_time / pi / core;
+        const double turned = across / speed * overlap;
+        EXPECT_NEAR(std::sqrt(pair.energy() / before), 1.0,
+                    std::sqrt(events) * rounding(law, 4.0) / speed + 3000.0 * turned * turned)
+            << ratio << " " << part << " " << across;
+      }
+}
+
+TEST(OnePassWell, RestsUnderLoadOnTheContactAndAtTheEdge) {
+  const auto law = spring(thesis::contact().damping);
+  for (const double part : parts)
+    for (const double load : {-9.81, 9.81}) {
+      const OnePassWell contact(law, well(1.01), core, thesis::contact_time / part);
+      Pair pair(contact, 0.0, 0.0, 0.0);
+      pair.x = load < 0.0 ? core * (1.0 - 1e-9) : core + contact.range();
+      pair.y = pair.vx = pair.vy = 0.0;
+      pair.others = load;
+      pair.memory.phase = GridMemory::within;
+      for (int n = 0; n < 800.0 * part; n++) {
+        pair.step();
+        EXPECT_TRUE(pair.memory.inside());
+      }
+      // In contact it presses the spring on the grid; at the edge it hangs, turned back from where
+      // a step under the load takes it.
+      const double overlap = thesis::reduced_mass * 9.81 / contact.spring().stiffness;
+      const double fall = 0.5 * 9.81 * contact.step() * contact.step();
+      if (load < 0.0)
+        EXPECT_NEAR(core - pair.distance(), overlap, 4.0 * eps * core + 1e-9 * overlap) << part;
+      else
+        EXPECT_NEAR(pair.distance(), core + contact.range(), 2.0 * fall) << part;
+    }
+}
+
+TEST(OnePassWell, ABoundPairBetweenEventsHasNoForce) {
+  const OnePassWell law(spring(0.0), well(1.5), core, thesis::contact_time / 10.0);
+  GridMemory memory;
+  memory.phase = GridMemory::within;
+  EXPECT_EQ(law.follow({1.2 * core, 0.01, 0.02}, 9.81, law.step(), memory).force, 0.0);
+  EXPECT_EQ(memory.phase, GridMemory::within);
+  // A run that starts with a pair in its well does not let it fall in.
+  GridMemory unknown;
+  EXPECT_EQ(law.follow({1.2 * core, 0.01, 0.02}, 0.0, 0.5 * law.step(), unknown).force, 0.0);
+  EXPECT_EQ(unknown.phase, GridMemory::within);
+}
+
+TEST(OnePassWell, ExtremesStayFinite) {
+  for (const double damping : {0.0, 1.0, 1e3})
+    for (const double ratio : {1.0, 1.0 + 1e-9, 1.001, 3.0})
+      for (const double depth : {0.0, 1e-20, 1e-11, 1e-3})
+        for (const double speed : {0.0, 1e-9, 0.02, 1.0})
+          for (const double across : {0.0, 0.5}) {
+            const OnePassWell law(spring(damping), well(ratio, depth), core,
+                                  thesis::contact_time / 4);
+            Pair pair(law, speed, across, 3.0);
+            for (int n = 0; n < 1000; n++) pair.step();
+            EXPECT_TRUE(std::isfinite(pair.x) && std::isfinite(pair.vy))
+                << damping << " " << ratio << " " << depth << " " << speed << " " << across;
+          }
+}
+
+}  // namespace cohesion::event_stepping
