@@ -37,6 +37,8 @@ namespace ContactModels {
 /// `Attraction` says what is its own:
 ///
 ///   MODEL                          name in a script
+///   OnePassLaw                     what follows a contact of scheme event: OnePassContact, or one
+///                                  that derives from it
 ///   BINDS_WHAT_ENTERED             true: what entered is bound, wherever it stands
 ///   Attraction(lmp, owner, wall)   wall: null for pairs
 ///   registerSettings(settings)     its keywords
@@ -177,6 +179,11 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     events_->connect(
         *normal_,
         [this](int i, int j, double ri, double rj) { return attraction_.adhesion(i, j, ri, rj); },
+        [](const auto& spring, const auto& adhesion, double distance, double step) {
+          using Law = typename Attraction::OnePassLaw;
+          return std::unique_ptr<Cohesion::EventContacts::OnePassContact>(
+              new Law(spring, adhesion, distance, step));
+        },
         registry.max_type());
   }
 

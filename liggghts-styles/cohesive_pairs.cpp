@@ -3,6 +3,7 @@
 // The engine's headers want mpi.h before them.
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "atom.h"
 #include "cohesive_pairs.h"
@@ -23,6 +24,11 @@ std::map<const IContactHistorySetup*, const CohesivePairs*>& known() {
   return styles;
 }
 
+std::set<std::string>& model_names() {
+  static std::set<std::string> names;
+  return names;
+}
+
 double gap(const Atom* atom, int i, int j) {
   const double *a = atom->x[i], *b = atom->x[j];
   const double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
@@ -30,6 +36,14 @@ double gap(const Atom* atom, int i, int j) {
 }
 
 }  // namespace
+
+void note_cohesion_model(const std::string& name) { model_names().insert(name); }
+
+std::string cohesion_models() {
+  std::string all;
+  for (const std::string& name : model_names()) all += (all.empty() ? "" : ", ") + name;
+  return all;
+}
 
 CohesivePairs::CohesivePairs(LAMMPS* lmp, IContactHistorySetup* owner, bool wall)
     : lmp_(lmp), owner_(owner), pair_(wall ? nullptr : static_cast<PairGran*>(owner)) {
@@ -71,9 +85,9 @@ std::vector<const BoundPairs*> LAMMPS_NS::bound_pairs(LAMMPS* lmp, const std::st
   const auto* const pair = dynamic_cast<PairGran*>(lmp->force->pair_match("gran", 1));
   const CohesivePairs* const pairs = pair ? CohesivePairs::of(pair) : nullptr;
   if (!pairs)
-    stop(
-        lmp, FLERR, where,
-        ": no pair_style says which pairs are bound; use 'pair_style gran' with 'cohesion hamaker' "
-        "or 'cohesion square_well'");
+    stop(lmp, FLERR, where,
+         ": no pair_style says which pairs are bound; use 'pair_style gran' with one of the "
+         "cohesion models ",
+         LIGGGHTS::Cohesion::cohesion_models());
   return {pairs};
 }

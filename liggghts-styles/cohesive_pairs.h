@@ -2,6 +2,8 @@
 #ifndef COHESION_COHESIVE_PAIRS_H
 #define COHESION_COHESIVE_PAIRS_H
 
+#include <string>
+
 #include "bound_pairs.h"
 #include "contact_interface.h"
 
@@ -12,6 +14,11 @@ class PairGran;
 
 namespace LIGGGHTS {
 namespace Cohesion {
+
+/// Notes a cohesion model of this package that is registered.
+void note_cohesion_model(const std::string& name);
+/// The names of those, with commas.
+std::string cohesion_models();
 
 /// Pairs of pair_style gran, of which a cohesion says which it binds. The engine keeps its models
 /// out of reach; so each makes itself known by the pair style, or the fix of a wall, that it is a

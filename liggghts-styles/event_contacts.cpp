@@ -10,8 +10,6 @@
 #include "domain.h"
 #include "error.h"
 #include "event_contacts.h"
-#include "event_stepping/one_pass_contact.h"
-#include "event_stepping/one_pass_well.h"
 #include "fix_contact_advice.h"
 #include "fix_mesh_surface.h"
 #include "fix_wall_gran.h"
@@ -64,9 +62,11 @@ EventContacts::EventContacts(LAMMPS* lmp, IContactHistorySetup* owner, FixWallGr
 
 EventContacts::~EventContacts() = default;
 
-void EventContacts::connect(const NormalModelProbe& normal, Adhesion adhesion, int types) {
+void EventContacts::connect(const NormalModelProbe& normal, Adhesion adhesion, MakeLaw maker,
+                            int types) {
   normal_ = &normal;
   adhesion_ = std::move(adhesion);
+  make_law_ = maker;
   types_ = types;
   known_.clear();
   known_.resize((types + 1) * (types + 1));
@@ -76,8 +76,7 @@ void EventContacts::connect(const NormalModelProbe& normal, Adhesion adhesion, i
   if (!others_)
     lmp_->error->all(FLERR, (who_ + ", scheme event, fix wall/gran " + wall_->id +
                              ": needs a pair_style gran of scheme event, too; without attraction "
-                             "between particles, use 'cohesion hamaker scheme event' with "
-                             "hamakerConstant 0")
+                             "between particles, use it with a strength of 0 between them")
                                 .c_str());
   late_ = hidden_fix<FixContactAdvice>(lmp_).late_warning(who_ + seen_too_late);
   const auto reject = [&](const std::string& why) {
@@ -125,10 +124,7 @@ void EventContacts::make_law(KnownContact& k, const ContactModels::SurfacesClose
                                                         reduced_mass);
     const auto adhesion = adhesion_(d.itype, d.jtype, d.radi, k.rj);
     k.well = adhesion.force == 0.0;
-    if (k.well)
-      k.law = std::make_unique<OnePassWell>(spring, adhesion, d.radsum, dt);
-    else
-      k.law = std::make_unique<OnePassContact>(spring, adhesion, d.radsum, dt);
+    k.law = make_law_(spring, adhesion, d.radsum, dt);
     // The effective mass at the surface of solid spheres, which turn: 1/m + r^2/I of each.
     const double tangential_mass =
         reduced_mass / (1.0 + 1.0 / MobileParticles::inertia_factor(lmp_->domain->dimension));

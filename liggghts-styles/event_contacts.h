@@ -12,6 +12,7 @@
 #include "contact/adhesion.h"
 #include "contact_interface.h"
 #include "event_stepping/grid_point.h"
+#include "event_stepping/one_pass_contact.h"
 #include "fix_others.h"
 #include "integrated_particles.h"
 #include "normal_model_probe.h"
@@ -27,22 +28,26 @@ namespace Cohesion {
 struct LateWarning;
 
 /// The contacts of one pair style or wall under scheme event: brings what the engine knows of a
-/// contact to event_stepping/one_pass_contact.h, or one_pass_well.h where what attracts is a square
-/// well, and keeps its memory in the engine's contact history, with which it goes through exchange
-/// and restart. Others act as in the step before.
+/// contact to the law that follows it (event_stepping/one_pass_contact.h), and keeps its memory in
+/// the engine's contact history, with which it goes through exchange and restart. Others act as in
+/// the step before.
 class EventContacts {
  public:
   using Adhesion =
       std::function<cohesion::contact::Adhesion(int itype, int jtype, double ri, double rj)>;
+  using OnePassContact = cohesion::event_stepping::OnePassContact;
+  using MakeLaw = std::unique_ptr<OnePassContact> (*)(const cohesion::contact::LinearSpringDashpot&,
+                                                      const cohesion::contact::Adhesion&,
+                                                      double contact_distance, double step);
 
   /// who: in messages; wall: null for pairs. Adds to the history of contacts.
   EventContacts(LAMMPS_NS::LAMMPS* lmp, IContactHistorySetup* owner, LAMMPS_NS::FixWallGran* wall,
                 const std::string& who);
   ~EventContacts();
 
-  /// `adhesion`: of two types and radii; rj infinite: beside a wall. Stops where the normal model
-  /// is none that the scheme can follow.
-  void connect(const NormalModelProbe& normal, Adhesion adhesion, int types);
+  /// `adhesion`: of two types and radii; rj infinite: beside a wall; maker: of what follows it.
+  /// Stops where the normal model is none that the scheme can follow.
+  void connect(const NormalModelProbe& normal, Adhesion adhesion, MakeLaw maker, int types);
 
   /// r: distance of the centres, or from the wall; normal: from j, or the wall, to i. False, and
   /// `step` of no meaning: the contact does nothing.
@@ -93,6 +98,7 @@ class EventContacts {
   int offset_;
   const NormalModelProbe* normal_ = nullptr;
   Adhesion adhesion_;
+  MakeLaw make_law_ = nullptr;
   FixOthers* others_ = nullptr;
   MobileParticles mobile_;
   std::vector<KnownContact> known_;  // the last of each two types

@@ -28,6 +28,11 @@ bool has_our_cohesion(const IContactHistorySetup& owner) {
   return CohesivePairs::of(&owner) != nullptr;
 }
 
+std::string has_none() {
+  return " has none of the cohesion models " + cohesion_models() +
+         ", which keep the tally; without attraction, use one with a strength of 0";
+}
+
 [[noreturn]] void reject(LAMMPS* lmp, const std::string& why) {
   lmp->error->all(FLERR, ("compute gran/energy: " + why).c_str());
   std::abort();  // not reached
@@ -66,19 +71,12 @@ void FixSampledEnergyTally::post_run() {
 
 void FixSampledEnergyTally::init() {
   auto* const pair = dynamic_cast<PairGran*>(force->pair);
-  if (!pair || !has_our_cohesion(*pair))
-    reject(
-        lmp,
-        "pair_style gran has none of the cohesion models hamaker and square_well, which keep the "
-        "tally; without attraction, use 'cohesion hamaker' with hamakerConstant 0");
+  if (!pair || !has_our_cohesion(*pair)) reject(lmp, std::string("pair_style gran") + has_none());
   for (int k = 0; k < modify->nfix; k++) {
     Fix* const fix = modify->fix[k];
     if (std::strncmp(fix->style, "wall/gran", 9) == 0 &&
         !has_our_cohesion(static_cast<FixWallGran&>(*fix)))
-      reject(lmp,
-             std::string("fix wall/gran ") + fix->id +
-                 " has none of the cohesion models hamaker and square_well, which keep the tally; "
-                 "without attraction, use 'cohesion hamaker' with hamakerConstant 0");
+      reject(lmp, std::string("fix wall/gran ") + fix->id + has_none());
     if (std::strncmp(fix->style, "multisphere", 11) == 0 ||
         std::strncmp(fix->style, "rigid", 5) == 0)
       reject(lmp,

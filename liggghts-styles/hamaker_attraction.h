@@ -9,6 +9,7 @@
 #include "contact/adhesion.h"
 #include "contact_range.h"
 #include "encounter.h"
+#include "event_stepping/one_pass_contact.h"
 #include "hamaker/law.h"
 #include "hamaker/small_gap.h"
 #include "normal_model_probe.h"
@@ -25,6 +26,7 @@ class HamakerAttraction : public AttractionEnergy {
  public:
   static constexpr const char* MODEL = "hamaker";
   static constexpr bool BINDS_WHAT_ENTERED = false;
+  using OnePassLaw = cohesion::event_stepping::OnePassContact;
 
   HamakerAttraction(LAMMPS_NS::LAMMPS* lmp, IContactHistorySetup*, LAMMPS_NS::FixWallGran* wall)
       : lmp_(lmp), is_wall_(wall != nullptr) {}

@@ -8,6 +8,7 @@
 #include "fix_insert_stream.h"
 #include "global_properties.h"
 // clang-format on
+#include "cohesive_pairs.h"
 #include "contact_models.h"
 #include "fix_wall_gran_base.h"
 #include "pair_gran_base.h"
@@ -54,6 +55,7 @@ template <int CohesionModel>
 bool register_with_each_normal_model(const char* name) {
   using namespace ContactModels;
   Factory::instance().addCohesionModel(name, CohesionModel);
+  note_cohesion_model(name);
   register_with_each_tangential_model<CohesionModel, HOOKE>();
   register_with_each_tangential_model<CohesionModel, HOOKE_STIFFNESS>();
   register_with_each_tangential_model<CohesionModel, HERTZ>();

@@ -8,6 +8,7 @@
 #include "advice/stiffness_scaling.h"
 #include "contact_range.h"
 #include "encounter.h"
+#include "event_stepping/one_pass_well.h"
 #include "lammps.h"
 #include "normal_model_probe.h"
 #include "sampled_energy_tally.h"
@@ -32,6 +33,7 @@ class SquareWellAttraction final : public AttractionEnergy {
  public:
   static constexpr const char* MODEL = "square_well";
   static constexpr bool BINDS_WHAT_ENTERED = true;
+  using OnePassLaw = cohesion::event_stepping::OnePassWell;
 
   SquareWellAttraction(LAMMPS_NS::LAMMPS* lmp, IContactHistorySetup* owner,
                        LAMMPS_NS::FixWallGran* wall);

@@ -13,10 +13,12 @@
 #include "domain.h"
 #include "error.h"
 #include "given_keywords.h"
+#include "hamaker_keywords.h"
 #include "largest_radii.h"
 #include "law_from_script.h"
 #include "sphere.h"
 #include "update.h"
+#include "words_of_law.h"
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
@@ -24,9 +26,9 @@ using namespace FixConst;
 namespace hamaker = cohesion::hamaker;
 
 static const char* const usage =
-    "fix wall/hamaker takes 'A H_cut H_out' and at least one plane, 'xplane lo hi', 'yplane lo hi' "
-    "or 'zplane lo hi', NULL for no wall on a side; and if wanted 'form' with a name and "
-    "'asperity' with a radius";
+    "fix wall/hamaker takes 'hamaker A cutoff H_cut H_out' and at least one plane, 'xplane lo hi', "
+    "'yplane lo hi' or 'zplane lo hi', NULL for no wall on a side; and if wanted 'form' with a "
+    "name and 'asperity' with a radius";
 
 FixWallHamaker::FixWallHamaker(LAMMPS* lammps, int narg, char** arg)
     : Fix(lammps, narg, arg),
@@ -46,34 +48,40 @@ FixWallHamaker::FixWallHamaker(LAMMPS* lammps, int narg, char** arg)
 }
 
 void FixWallHamaker::read(int narg, char** arg) {
-  if (narg < 6) error->all(FLERR, usage);
   const std::string where = std::string("fix ") + arg[0] + " wall/hamaker";
-  hamaker::Parameters p{utils::numeric(FLERR, arg[3], false, lmp),
-                        utils::numeric(FLERR, arg[4], false, lmp),
-                        utils::numeric(FLERR, arg[5], false, lmp), 0.0};
-  GivenKeywords keywords(lmp, where);
-  for (int iarg = 6; iarg < narg;) {
-    const std::string word = arg[iarg++];
-    const int values = narg - iarg;
-    if (word == "form") {
-      if (values < 1) error->all(FLERR, "fix wall/hamaker: form takes a name");
-      keywords.note(1, arg + iarg - 1);
-      form = hamaker_form_from_script(lmp, where, arg[iarg++]);
-    } else if (word == "asperity") {
-      if (values < 1) error->all(FLERR, "fix wall/hamaker: asperity takes a radius");
-      keywords.note(1, arg + iarg - 1);
-      p.asperity_radius = utils::numeric(FLERR, arg[iarg++], false, lmp);
+  WordsOfLaw all(lmp, where, 3, narg, arg, {{"hamaker", 1}, {"cutoff", 2}});
+  const std::vector<ContactKeyword<hamaker::Parameters>> keywords = hamaker_keywords();
+  GivenKeywords given_words(lmp, where);
+  hamaker::Parameters p = hamaker::none;
+  char** const words = all.get();
+  const int count = all.count();
+  for (int i = 0; i < count;) {
+    const std::string word = words[i];
+    const int left = count - i - 1;
+    const auto row = std::find_if(keywords.begin(), keywords.end(),
+                                  [&](const auto& k) { return word == k.name; });
+    if (row != keywords.end()) {
+      const int stop = std::min(i + 1 + row->values, count);
+      read_keywords(lmp, where, keywords, i, stop, words, p, given_words);
+      i = stop;
+    } else if (word == "form") {
+      if (left < 1) error->all(FLERR, "fix wall/hamaker: form takes a name");
+      given_words.note(1, words + i);
+      form = hamaker_form_from_script(lmp, where, words[i + 1]);
+      i += 2;
     } else if (word == "xplane" || word == "yplane" || word == "zplane") {
-      if (values < 2)
+      if (left < 2)
         error->all(FLERR, "fix wall/hamaker: " + word + " takes two positions, NULL for no wall");
-      read_planes(word, arg + iarg);
-      iarg += 2;
+      read_planes(word, words + i + 1);
+      i += 3;
     } else {
       error->all(FLERR, "fix wall/hamaker: unknown keyword '" + word +
-                            "'; valid ones: xplane, yplane, zplane, form, asperity");
+                            "'; valid ones: hamaker, cutoff, xplane, yplane, zplane, form, "
+                            "asperity");
     }
   }
-  if (planes.empty()) error->all(FLERR, usage);
+  if (planes.empty() || !given_words.has("hamaker") || !given_words.has("cutoff"))
+    error->all(FLERR, usage);
   given = p;
   law = from_script(lmp, where, [&] { return form->law(p, p.asperity_radius != 0.0); });
 }

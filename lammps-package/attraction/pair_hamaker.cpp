@@ -12,6 +12,7 @@
 #include "engine_api.h"
 #include "error.h"
 #include "force.h"
+#include "hamaker_keywords.h"
 #include "largest_radii.h"
 #include "law_from_script.h"
 #include "memory.h"
@@ -22,6 +23,7 @@
 #include "sphere.h"
 #include "update.h"
 #include "vector3.h"
+#include "words_of_law.h"
 
 using namespace LAMMPS_NS;
 namespace hamaker = cohesion::hamaker;
@@ -38,6 +40,7 @@ PairHamaker::PairHamaker(LAMMPS* lammps)
       hamaker_constant(nullptr),
       parameters(lammps),
       needs_list(true),
+      warned(false),
       watch(lammps) {
   single_enable = 1;
   restartinfo = 1;
@@ -197,19 +200,29 @@ double PairHamaker::single(int i, int j, int itype, int jtype, double rsq, doubl
 /* ---------------------------------------------------------------------- */
 
 void PairHamaker::settings(int narg, char** arg) {
-  if (narg != 2 && narg != 4)
-    error->all(FLERR,
-               "pair_style hamaker takes two values, 'hamaker H_cut H_out': surface and "
-               "outer cut-off, both distances; and if wanted 'form' with a name");
-  surface_cutoff = utils::numeric(FLERR, arg[0], false, lmp);
-  outer_cutoff = utils::numeric(FLERR, arg[1], false, lmp);
-  check_parameters("pair_style hamaker", {0.0, surface_cutoff, outer_cutoff});
-  form = hamaker::forms.data();
-  if (narg == 2) return;
-  if (strcmp(arg[2], "form") != 0)
-    error->all(FLERR,
-               std::string("pair_style hamaker: unknown keyword '") + arg[2] + "'; valid: form");
-  form = hamaker_form_from_script(lmp, "pair_style hamaker", arg[3]);
+  struct Settings {
+    double surface_cutoff = 0.0, outer_cutoff = 0.0;
+    const hamaker::Form* form = hamaker::forms.data();
+  };
+  static const std::vector<ContactKeyword<Settings>> keywords{
+      {"cutoff", 2,
+       [](Settings& s, const double* v) {
+         s.surface_cutoff = v[0];
+         s.outer_cutoff = v[1];
+       }},
+      {"form", 1, nullptr, [](Settings& s, const char* name) {
+         s.form = &cohesion::find_by_name(hamaker::forms, "form", name);
+       }}};
+  const std::string where = "pair_style hamaker";
+  WordsOfLaw words(lmp, where, 0, narg, arg, {{"cutoff", 2}});
+  warned = words.by_place();
+  GivenKeywords given(lmp, where);
+  Settings s;
+  read_keywords(lmp, where, keywords, 0, words.count(), words.get(), s, given);
+  surface_cutoff = s.surface_cutoff;
+  outer_cutoff = s.outer_cutoff;
+  form = s.form;
+  if (given.has("cutoff")) check_parameters(where, {0.0, surface_cutoff, outer_cutoff});
 }
 
 void PairHamaker::check_parameters(const std::string& where, const Parameters& p) {
@@ -217,22 +230,20 @@ void PairHamaker::check_parameters(const std::string& where, const Parameters& p
 }
 
 void PairHamaker::coeff(int narg, char** arg) {
-  // 3 or 5 without the keyword, 2 more with it
-  const bool asperity = narg >= 5 && strcmp(arg[narg - 2], "asperity") == 0;
-  const int values = asperity ? narg - 2 : narg;
-  if (values != 3 && values != 5)
+  if (narg < 3)
     error->all(FLERR,
-               "pair_coeff of hamaker takes 'i j A' or 'i j A H_cut H_out', and after it if wanted "
-               "'asperity' with a radius");
+               "pair_coeff of hamaker takes 'i j hamaker A', and if wanted 'cutoff H_cut H_out', "
+               "both distances, and 'asperity' with a radius");
   if (!allocated) allocate();
-
-  Parameters p{utils::numeric(FLERR, arg[2], false, lmp), surface_cutoff, outer_cutoff, 0.0};
-  if (asperity) p.asperity_radius = utils::numeric(FLERR, arg[narg - 1], false, lmp);
-  if (values == 5) {
-    p.surface_cutoff = utils::numeric(FLERR, arg[3], false, lmp);
-    p.outer_cutoff = utils::numeric(FLERR, arg[4], false, lmp);
-  }
   const std::string here = std::string("pair_coeff ") + arg[0] + " " + arg[1] + " of hamaker";
+  WordsOfLaw words(lmp, here, 2, narg, arg, {{"hamaker", 1}, {"cutoff", 2}}, !warned);
+  warned = warned || words.by_place();
+  GivenKeywords given(lmp, here);
+  Parameters p{0.0, surface_cutoff, outer_cutoff, 0.0};
+  read_keywords(lmp, here, hamaker_keywords(), 0, words.count(), words.get(), p, given);
+  if (!given.has("hamaker")) error->all(FLERR, here + " needs 'hamaker A'");
+  if (!given.has("cutoff") && outer_cutoff == 0.0)
+    error->all(FLERR, here + ": needs 'cutoff H_cut H_out', both distances, here or in pair_style");
   check_parameters(here, p);
   parameters.assign(here, arg, [&](int i, int j) { give(i, j, p); });
 }
@@ -295,7 +306,7 @@ void PairHamaker::give(int i, int j, const Parameters& p) {
 }
 
 /// Bound are the pairs that attract each other where they are, of which something moves one.
-void PairHamaker::append_bound(std::vector<std::array<int, 2> >& pairs) const {
+void PairHamaker::append_bound(std::vector<std::array<int, 2>>& pairs) const {
   if (!needs_list) return;
   MobileParticles mobile;
   mobile.look_up(modify);
@@ -372,7 +383,8 @@ void PairHamaker::write_data_all(FILE* fp) {
 }
 
 void PairHamaker::write_coefficients(FILE* fp, const Parameters& p) {
-  fprintf(fp, " %.17g %.17g %.17g", p.hamaker_constant, p.surface_cutoff, p.outer_cutoff);
+  fprintf(fp, " hamaker %.17g cutoff %.17g %.17g", p.hamaker_constant, p.surface_cutoff,
+          p.outer_cutoff);
   if (p.asperity_radius > 0.0) fprintf(fp, " asperity %.17g", p.asperity_radius);
   fprintf(fp, "\n");
 }

@@ -20,8 +20,8 @@ PairStyle(hamaker,PairHamaker);
 
 namespace LAMMPS_NS {
 
-/// pair_style hamaker H_cut H_out [form name]: Hamaker attraction between spheres, laid over any
-/// contact style with hybrid/overlay. The law is src/hamaker/law.h; doc:
+/// pair_style hamaker [cutoff H_cut H_out] [form name]: Hamaker attraction between spheres, laid
+/// over any contact style with hybrid/overlay. The law is src/hamaker/law.h; doc:
 /// docs/lammps-package/pair_hamaker.md
 class PairHamaker : public Pair, public BoundPairs {
  public:
@@ -70,6 +70,7 @@ class PairHamaker : public Pair, public BoundPairs {
   std::vector<bool> prepared;       // by type pair: whether it is this style's in this run
   std::vector<double> largest_radius, smallest_radius;  // by type, at init
   bool needs_list;                                      // whether any pair is looked at in this run
+  bool warned;                                          // of numbers without keywords
   ContactWatch watch;
   cohesion::advice::GivenAdvice given_advice;
 };

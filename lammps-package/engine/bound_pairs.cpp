@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-only
 #include "bound_pairs.h"
 
+#include "cohesion_laws.h"
 #include "message.h"
 #include "pair_members.h"
 
@@ -12,8 +13,7 @@ std::vector<const BoundPairs*> LAMMPS_NS::bound_pairs(LAMMPS* lmp, const std::st
     if (const auto* source = dynamic_cast<const BoundPairs*>(member.pair))
       sources.push_back(source);
   if (sources.empty())
-    stop(lmp, FLERR, where,
-         ": no pair_style says which pairs are bound; use gran/hamaker, gran/square_well, "
-         "hamaker, square_well or hard/square_well");
+    stop(lmp, FLERR, where, ": no pair_style says which pairs are bound; use ",
+         cohesive_pair_styles(), ", hamaker or hard/square_well");
   return sources;
 }

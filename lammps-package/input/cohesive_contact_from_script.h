@@ -15,7 +15,7 @@
 #include "utils.h"
 
 // What scripts say about cohesive contacts, whatever the cohesion. `Cohesion` is one of
-// hamaker_cohesion.h, square_well_cohesion.h; its Parameters have a member `contact`, the contact
+// cohesion_laws.h; its Parameters have a member `contact`, the contact
 // without cohesion.
 
 namespace LAMMPS_NS {
@@ -97,17 +97,14 @@ std::string contact_keyword_names() {
 void require_valid(LAMMPS*, const std::string& where, const cohesion::contact::ContactParameters&,
                    const GivenKeywords& given);
 
-/// Reads the keywords from arg[first] on; `where` stands in front of every message. Stops LAMMPS at
-/// a keyword or value that cannot be right.
-template <class Cohesion>
-typename Cohesion::Parameters cohesive_contact_from_script(LAMMPS* lmp, const std::string& where,
-                                                           int first, int narg, char** arg) {
-  typename Cohesion::Parameters p;
-  GivenKeywords given(lmp, where);
+/// Reads keywords of these rows from arg[first] on and notes them; `where` stands in front of every
+/// message. Stops LAMMPS at a keyword or value that cannot be right.
+template <class Keywords, class Parameters>
+void read_keywords(LAMMPS* lmp, const std::string& where, const Keywords& keywords, int first,
+                   int narg, char** arg, Parameters& p, GivenKeywords& given) {
   for (int i = first; i < narg;) {
-    const auto& keyword = *from_script(lmp, where, [&] {
-      return &cohesion::find_by_name(contact_keywords<Cohesion>(), "keyword", arg[i]);
-    });
+    const auto& keyword = *from_script(
+        lmp, where, [&] { return &cohesion::find_by_name(keywords, "keyword", arg[i]); });
     if (i + keyword.values >= narg)
       lmp->error->all(FLERR, where + ": keyword '" + keyword.name + "' takes " +
                                  std::to_string(keyword.values) + " value(s)");
@@ -122,6 +119,15 @@ typename Cohesion::Parameters cohesive_contact_from_script(LAMMPS* lmp, const st
     }
     i += 1 + keyword.values;
   }
+}
+
+/// Reads the keywords of a contact and its cohesion from arg[first] on.
+template <class Cohesion>
+typename Cohesion::Parameters cohesive_contact_from_script(LAMMPS* lmp, const std::string& where,
+                                                           int first, int narg, char** arg) {
+  typename Cohesion::Parameters p;
+  GivenKeywords given(lmp, where);
+  read_keywords(lmp, where, contact_keywords<Cohesion>(), first, narg, arg, p, given);
   require_valid(lmp, where, p.contact, given);
   Cohesion::require_valid(lmp, where, p, given);
   return p;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "cohesion_laws.h"
 #include "comm.h"
 #include "error.h"
 #include "fix_event_step.h"
@@ -25,10 +26,8 @@ void ComputeGranStress::init() {
   };
   if (members.empty()) return;
   if (std::none_of(members.begin(), members.end(), known))
-    error->all(FLERR,
-               "compute {} gran/stress does not know what pair_style {} carries; it sums "
-               "gran/hamaker, gran/square_well and square_well",
-               id, force->pair_style);
+    error->all(FLERR, "compute {} gran/stress does not know what pair_style {} carries; it sums {}",
+               id, force->pair_style, cohesive_pair_styles());
   for (const PairMember& member : members)
     if (!known(member) && comm->me == 0)
       error->warning(FLERR,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-only
 // Names every style of the package to the engine; called by plugin.cpp when the version is right.
 
+#include <string_view>
+
 #include "compute_gran_energy.h"
 #include "compute_gran_stress.h"
 #include "compute_hard_events.h"
@@ -12,17 +14,14 @@
 #include "fix_gas_coupling.h"
 #include "fix_hard_events.h"
 #include "fix_stationary.h"
-#include "fix_wall_gran_hamaker.h"
-#include "fix_wall_gran_square_well.h"
+#include "fix_wall_gran_styles.h"
 #include "fix_wall_hamaker.h"
 #include "fix_wall_hard_square_well.h"
 #include "lammps.h"
 #include "lammpsplugin.h"
-#include "pair_gran_hamaker.h"
-#include "pair_gran_square_well.h"
+#include "pair_gran_styles.h"
 #include "pair_hamaker.h"
 #include "pair_hard_square_well.h"
-#include "pair_square_well.h"
 #include "version.h"
 
 using namespace LAMMPS_NS;
@@ -45,11 +44,15 @@ struct PairRow {
   lammpsplugin_factory1* factory;
 };
 
+#define COHESION_SAME_NAME(style, Law) static_assert(std::string_view(Law::STYLE) == #style);
+COHESION_PAIR_LAWS(COHESION_SAME_NAME)
+
 constexpr PairRow pairs[] = {
+#define PAIR_CLASS
+#define PairStyle(name, Style) {#name, &make_pair<Style>},
+#include "pair_gran_styles.h"
+#undef PAIR_CLASS
     {"hamaker", &make_pair<PairHamaker>},
-    {"square_well", &make_pair<PairSquareWell>},
-    {"gran/hamaker", &make_pair<PairGranHamaker>},
-    {"gran/square_well", &make_pair<PairGranSquareWell>},
     {"hard/square_well", &make_pair<PairHardSquareWell>},
 };
 
@@ -65,8 +68,10 @@ constexpr Row fixes[] = {
     {"deform/shear", &make<FixDeformShear>},
     {"gas/coupling", &make<FixGasCoupling>},
     {"stationary", &make<FixStationary>},
-    {"wall/gran/hamaker", &make<FixWallGranHamaker>},
-    {"wall/gran/square_well", &make<FixWallGranSquareWell>},
+#define FIX_CLASS
+#define FixStyle(name, Style) {#name, &make<Style>},
+#include "fix_wall_gran_styles.h"
+#undef FIX_CLASS
     {"wall/hamaker", &make<FixWallHamaker>},
     {"wall/hard/square_well", &make<FixWallHardSquareWell>},
 };

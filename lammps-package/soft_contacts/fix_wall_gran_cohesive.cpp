@@ -7,14 +7,13 @@
 #include <limits>
 
 #include "atom.h"
+#include "cohesion_laws.h"
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
 #include "flight_report.h"
-#include "hamaker_cohesion.h"
 #include "largest_radii.h"
 #include "neighbor.h"
-#include "square_well_cohesion.h"
 #include "update.h"
 #include "walls_from_script.h"
 
@@ -226,7 +225,7 @@ void FixWallGranCohesive<Cohesion>::for_each_near(std::vector<Contact>& shared, 
       // range.
       if (phase < 0.0 || (step->starts() && phase == 0.0)) {
         phase = 0.0;
-        if (point.distance > 0.0 && point.distance < atom->radius[i] + range)
+        if (point.distance > 0.0 && point.distance < atom->radius[i] + range_at_start(range))
           ContactMemory::seen_inside().to(&phase, per_wall);
       }
       // No particle is faster than the step's fastest.
@@ -389,5 +388,5 @@ void FixWallGranCohesive<Cohesion>::restart(char* buf) {
   if (comm->me == 0) forces.put_back(values + HEAD);
 }
 
-template class LAMMPS_NS::FixWallGranCohesive<HamakerCohesion>;
-template class LAMMPS_NS::FixWallGranCohesive<SquareWellCohesion>;
+#define COHESION_INSTANTIATE(style, Law) template class LAMMPS_NS::FixWallGranCohesive<Law>;
+COHESION_CONTACT_LAWS(COHESION_INSTANTIATE)

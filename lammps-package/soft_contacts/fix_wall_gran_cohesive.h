@@ -78,6 +78,8 @@ class FixWallGranCohesive : public Fix, public EventWalls, public AdvisedStyle {
   };
 
   void read(int, char**);
+  /// Of a range [length], as far as a particle of which nothing is remembered is in it.
+  static double range_at_start(double range) { return Cohesion::FORMS_AT_TOUCH ? 0.0 : range; }
   template <class Contact>
   int contact(std::vector<Contact>&, int i);
   void check_flight(int i, const cohesion::event_stepping::WallPoint&, bool inside);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-only
 // The part of FixWallGranCohesive that knows contacts at set-up of a run.
 #include "atom.h"
+#include "cohesion_laws.h"
 #include "fix_wall_gran_cohesive.h"
-#include "hamaker_cohesion.h"
-#include "square_well_cohesion.h"
 
 using namespace LAMMPS_NS;
 using namespace cohesion::event_stepping;
@@ -13,11 +12,11 @@ void FixWallGranCohesive<Cohesion>::reset_in_range() {
   const WallState now = state();
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
-    const double reach =
-        atom->radius[i] + Cohesion::range(scheme, parameters, atom->radius[i], 0.0);
+    const double range = Cohesion::range(scheme, parameters, atom->radius[i], 0.0);
     for (int w = 0; w < static_cast<int>(walls.size()); w++) {
       double* const values = history.of(i, w);
       const WallPoint point = walls[w].nearest(vector(atom->x[i]), now, motion.rim_speed);
+      const double reach = atom->radius[i] + (values[0] > 0.0 ? range : range_at_start(range));
       const bool inside = point.distance > 0.0 && point.distance < reach;
       if (inside && values[0] > 0.0) continue;
       (inside ? ContactMemory::seen_inside() : ContactMemory()).to(values, per_wall);
@@ -44,7 +43,7 @@ void FixWallGranCohesive<Cohesion>::continue_run() {
   });
 }
 
-template void FixWallGranCohesive<HamakerCohesion>::reset_in_range();
-template void FixWallGranCohesive<HamakerCohesion>::continue_run();
-template void FixWallGranCohesive<SquareWellCohesion>::reset_in_range();
-template void FixWallGranCohesive<SquareWellCohesion>::continue_run();
+#define COHESION_INSTANTIATE(style, Law)                    \
+  template void FixWallGranCohesive<Law>::reset_in_range(); \
+  template void FixWallGranCohesive<Law>::continue_run();
+COHESION_CONTACT_LAWS(COHESION_INSTANTIATE)

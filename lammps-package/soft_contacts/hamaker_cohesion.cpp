@@ -2,28 +2,24 @@
 #include "hamaker_cohesion.h"
 
 #include "comm.h"
+#include "hamaker_keywords.h"
 #include "named_table.h"
 
 using namespace LAMMPS_NS;
 using Parameters = HamakerCohesion::Parameters;
 
-std::vector<ContactKeyword<Parameters> > HamakerCohesion::keywords() {
+static cohesion::hamaker::Parameters& hamaker_of(Parameters& p) { return p.hamaker; }
+
+std::vector<ContactKeyword<Parameters>> HamakerCohesion::keywords() {
   using P = Parameters;
-  return {
-      {"hamaker", 1, [](P& p, const double* v) { p.hamaker.hamaker_constant = v[0]; }},
-      {"cutoff", 2,
-       [](P& p, const double* v) {
-         p.hamaker.surface_cutoff = v[0];
-         p.hamaker.outer_cutoff = v[1];
-       }},
-      {"material_stiffness", 1, [](P& p, const double* v) { p.material.stiffness = v[0]; }},
-      {"material_keep", 1, nullptr,
-       [](P& p, const char* word) {
-         p.material.keep =
-             cohesion::find_by_name(cohesion::advice::keeps, "material_keep", word).keep;
-       }},
-      {"asperity", 1, [](P& p, const double* v) { p.hamaker.asperity_radius = v[0]; }},
-  };
+  auto rows = hamaker_keywords<P, &hamaker_of>();
+  rows.push_back(
+      {"material_stiffness", 1, [](P& p, const double* v) { p.material.stiffness = v[0]; }});
+  rows.push_back({"material_keep", 1, nullptr, [](P& p, const char* word) {
+                    p.material.keep =
+                        cohesion::find_by_name(cohesion::advice::keeps, "material_keep", word).keep;
+                  }});
+  return rows;
 }
 
 void HamakerCohesion::require_valid(LAMMPS* lmp, const std::string& where, const Parameters& p,

@@ -8,8 +8,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "advice/stiffness_scaling.h"
-#include "cohesive_contact_from_script.h"
+#include "cohesion_law.h"
 #include "contact/adhesion.h"
 #include "event_stepping/plane_pair.h"
 #include "event_stepping/sampled_hamaker.h"
@@ -18,21 +17,14 @@
 
 namespace LAMMPS_NS {
 
-/// Hamaker attraction as gran/hamaker and wall/gran/hamaker take it: what PairGranCohesive and
-/// FixWallGranCohesive must be told of a cohesion. The object holds the style's settings.
-class HamakerCohesion {
+/// Hamaker attraction as gran/hamaker and wall/gran/hamaker take it. The object holds the style's
+/// settings: the form.
+class HamakerCohesion : public CohesionLaw<cohesion::hamaker::Parameters> {
  public:
   static constexpr char STYLE[] = "gran/hamaker";
-  static constexpr char HISTORY_ID[] = "NEIGH_HISTORY_GRAN_HAMAKER";
-  /// What pair_coeff takes behind `i j`, for messages.
-  static constexpr char COEFFICIENTS[] = "stiffness K ...', see its page for the other keywords";
-  /// Keywords of the style besides `scheme`, one value each.
   static constexpr std::array SETTINGS{"form"};
-  /// How a script tells the material of a contact.
   static constexpr char MATERIAL_WORDS[] = "'material_stiffness K_m'";
-  static constexpr int RESTART_LAYOUT = 4;  ///< of settings and Parameters in restart files
-  /// Whether the style follows contacts, by a scheme and with advice, or lies over another's.
-  static constexpr bool HAS_CONTACT = true;
+  static constexpr int RESTART_LAYOUT = 4;
 
   /// What a script says about the contact of two materials.
   struct Parameters {
@@ -48,11 +40,8 @@ class HamakerCohesion {
   static std::vector<ContactKeyword<Parameters> > keywords();
   static void require_valid(LAMMPS*, const std::string& where, const Parameters&,
                             const GivenKeywords& given);
-  /// Unlike materials, as contact::mixed, hamaker::mixed and advice::mixed, and throws as the last.
+  /// With advice::mixed, and throws as that.
   static Parameters mixed(const Parameters&, const Parameters&);
-  /// The same contact seen from the other side.
-  static const Parameters& reversed(const Parameters& p) { return p; }
-  /// Gap up to which the scheme has to see a pair, [length].
   static double range(Scheme, const Parameters&, double radius_i, double radius_j);
 
   /// Stops LAMMPS at a range that is not far below the radii [length]; radius_j infinite: a wall.
@@ -62,18 +51,16 @@ class HamakerCohesion {
   }
 
   void set(LAMMPS*, const std::string& where, const std::string& word, const char* value);
-  /// The settings as a number, for restart files.
   int settings() const { return static_cast<int>(form_ - cohesion::hamaker::forms.data()); }
   void restore_settings(int number) { form_ = &cohesion::hamaker::forms[number]; }
 
   static cohesion::advice::Material material(const Parameters& p) { return p.material; }
-  /// The parameters of a run: with the adhesion scaled to the stiffness when that is wished; what
-  /// was done is printed, where it is not what was printed last of `where`.
+  /// With the adhesion scaled to the stiffness when that is wished; what was done is printed, where
+  /// it is not what was printed last of `where`.
   Parameters scaled(LAMMPS*, const std::string& where, Parameters);
   Law law(LAMMPS*, const std::string& where, const Parameters&) const;
   Law no_law() const { return form_->law(cohesion::hamaker::none, false); }
 
-  /// The attraction as a pair of src/event_stepping takes it.
   template <class Attraction>
   static Attraction of_pair(const Law& law, double radius_i, double radius_j) {
     return attraction<Attraction>(law, cohesion::two_spheres(radius_i, radius_j));

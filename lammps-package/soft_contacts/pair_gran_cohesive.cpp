@@ -7,19 +7,18 @@
 #include <type_traits>
 
 #include "atom.h"
+#include "cohesion_laws.h"
 #include "engine_api.h"
 #include "error.h"
 #include "fix_event_step.h"
 #include "flight_report.h"
 #include "force.h"
 #include "guarded.h"
-#include "hamaker_cohesion.h"
 #include "largest_radii.h"
 #include "memory.h"
 #include "modify.h"
 #include "neigh_list.h"
 #include "plausible_sizes.h"
-#include "square_well_cohesion.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -38,7 +37,7 @@ PairGranCohesive<Cohesion>::PairGranCohesive(LAMMPS* lammps)
       history_stale(false),
       per_pair(0),
       step(nullptr),
-      history(modify, Cohesion::HISTORY_ID) {
+      history(modify, history_id(Cohesion::STYLE)) {
   single_enable = 0;
   restartinfo = 1;
   no_virial_fdotr_compute = 1;
@@ -185,6 +184,5 @@ void PairGranCohesive<Cohesion>::read_restart(FILE* fp) {
   coefficients.read(fp);
 }
 
-template class LAMMPS_NS::PairGranCohesive<HamakerCohesion>;
-template class LAMMPS_NS::PairGranCohesive<SquareWellCohesion>;
-template class LAMMPS_NS::PairGranCohesive<SquareWellOverlay>;
+#define COHESION_INSTANTIATE(style, Law) template class LAMMPS_NS::PairGranCohesive<Law>;
+COHESION_PAIR_LAWS(COHESION_INSTANTIATE)

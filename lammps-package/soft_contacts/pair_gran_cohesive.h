@@ -35,8 +35,8 @@ struct ParticlesOnGrid {
 };
 
 /// Spheres with a linear spring-dashpot contact, friction and a cohesion, in the event scheme or
-/// sampled. `Cohesion` (hamaker_cohesion.h, square_well_cohesion.h) says what is its own: name,
-/// keywords, law, range, and which pairs of src/event_stepping follow it.
+/// sampled. `Cohesion` (cohesion_law.h) says what is its own: name, keywords, law, range, and which
+/// pairs of src/event_stepping follow it.
 template <class Cohesion>
 class PairGranCohesive : public Pair, public BoundPairs, public EventContacts, public AdvisedStyle {
  public:
@@ -102,6 +102,11 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventContacts, p
   int new_contact(Contacts<Contact>&, int of_types, int i, int j);
   ParticlesOnGrid particles() const;
   bool is_within(double gap, int i, int j) const;
+  /// Gap up to which a pair of which nothing is remembered is in range, [length].
+  template <class Contact>
+  static double range_at_start(const Contact& contact) {
+    return Cohesion::FORMS_AT_TOUCH ? 0.0 : contact.range();
+  }
   bool moves(int i, int j) const;
   template <class What>
   void for_each_listed(const What&) const;

@@ -3,11 +3,10 @@
 #include <algorithm>
 
 #include "atom.h"
+#include "cohesion_laws.h"
 #include "fix_event_step.h"
-#include "hamaker_cohesion.h"
 #include "neigh_list.h"
 #include "pair_gran_cohesive.h"
-#include "square_well_cohesion.h"
 
 using namespace LAMMPS_NS;
 using namespace cohesion::event_stepping;
@@ -50,10 +49,13 @@ void PairGranCohesive<Cohesion>::reset_in_range(bool discard_all) {
         contacts.clear();
         for_each_listed([&](int i, int j, int& has_history, double* values) {
           // Contacts are made for those only that some contact could reach.
-          const bool near =
-              moves(i, j) && is_within(largest_range, i, j) &&
-              is_within(contacts.all[contact(contacts, particles(), i, j)].range(), i, j);
-          if (near && is_inside(has_history, values) && !discard_all) return;
+          const bool inside = !discard_all && is_inside(has_history, values);
+          bool near = moves(i, j) && is_within(largest_range, i, j);
+          if (near) {
+            const auto& law = contacts.all[contact(contacts, particles(), i, j)];
+            near = is_within(inside ? law.range() : range_at_start(law), i, j);
+          }
+          if (near && inside) return;
           const bool remembered = has_history && !discard_all;
           const ContactMemory known =
               moved(remembered ? ContactMemory::from(values, per_pair) : ContactMemory(), near);
@@ -110,18 +112,9 @@ void PairGranCohesive<Cohesion>::append_bound(std::vector<std::array<int, 2>>& p
   });
 }
 
-template void PairGranCohesive<HamakerCohesion>::reset_in_range(bool);
-template void PairGranCohesive<HamakerCohesion>::tally_energies_at_setup();
-template void PairGranCohesive<HamakerCohesion>::continue_run();
-template void PairGranCohesive<HamakerCohesion>::append_bound(
-    std::vector<std::array<int, 2>>&) const;
-template void PairGranCohesive<SquareWellCohesion>::reset_in_range(bool);
-template void PairGranCohesive<SquareWellCohesion>::tally_energies_at_setup();
-template void PairGranCohesive<SquareWellCohesion>::continue_run();
-template void PairGranCohesive<SquareWellCohesion>::append_bound(
-    std::vector<std::array<int, 2>>&) const;
-template void PairGranCohesive<SquareWellOverlay>::reset_in_range(bool);
-template void PairGranCohesive<SquareWellOverlay>::tally_energies_at_setup();
-template void PairGranCohesive<SquareWellOverlay>::continue_run();
-template void PairGranCohesive<SquareWellOverlay>::append_bound(
-    std::vector<std::array<int, 2>>&) const;
+#define COHESION_INSTANTIATE(style, Law)                          \
+  template void PairGranCohesive<Law>::reset_in_range(bool);      \
+  template void PairGranCohesive<Law>::tally_energies_at_setup(); \
+  template void PairGranCohesive<Law>::continue_run();            \
+  template void PairGranCohesive<Law>::append_bound(std::vector<std::array<int, 2>>&) const;
+COHESION_PAIR_LAWS(COHESION_INSTANTIATE)

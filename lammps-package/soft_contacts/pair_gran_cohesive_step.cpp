@@ -5,16 +5,15 @@
 #include <type_traits>
 
 #include "atom.h"
+#include "cohesion_laws.h"
 #include "error.h"
 #include "fix_event_step.h"
 #include "flight_report.h"
 #include "guarded.h"
-#include "hamaker_cohesion.h"
 #include "largest_radii.h"
 #include "neigh_list.h"
 #include "neighbor.h"
 #include "pair_gran_cohesive.h"
-#include "square_well_cohesion.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -169,7 +168,7 @@ void PairGranCohesive<Cohesion>::classify_one(const ContactsOfStep<EventContact,
     if (!law.within_reach(particles().relative_state(i, j), step->flight())) return;
     std::fill_n(values, per_pair, 0.0);
     // A pair that a run starts with is where it is; it did not fall into the range.
-    if (step->starts() && is_within(law.range(), i, j))
+    if (step->starts() && is_within(range_at_start(law), i, j))
       ContactMemory::seen_inside().to(values, per_pair);
   }
   has_history = 1;
@@ -256,7 +255,7 @@ void PairGranCohesive<Cohesion>::compute_forces(Contacts<SampledContact>& contac
                        if (!has_history) {
                          if (!law.within_reach(grid.relative_state(i, j))) return;
                          std::fill_n(values, per_pair, 0.0);
-                         if (step->starts()) values[0] = is_within(law.range(), i, j);
+                         if (step->starts()) values[0] = is_within(range_at_start(law), i, j);
                        }
                        if (recorded || values[0] < 0.0)
                          has_history = sample<SIZE>(scatter, law, i, j, values);
@@ -290,24 +289,11 @@ void PairGranCohesive<Cohesion>::tally(int i, int j, const Vector3& separation, 
                -separation.y, -separation.z);
 }
 
-template void PairGranCohesive<HamakerCohesion>::compute(int, int);
-template void PairGranCohesive<HamakerCohesion>::classify();
-template void PairGranCohesive<HamakerCohesion>::follow_disturbed();
-template void PairGranCohesive<HamakerCohesion>::couple_lasting();
-template void PairGranCohesive<HamakerCohesion>::predict();
-template void PairGranCohesive<HamakerCohesion>::tally(int, int, const Vector3&, double,
-                                                       const Vector3&);
-template void PairGranCohesive<SquareWellCohesion>::compute(int, int);
-template void PairGranCohesive<SquareWellCohesion>::classify();
-template void PairGranCohesive<SquareWellCohesion>::follow_disturbed();
-template void PairGranCohesive<SquareWellCohesion>::couple_lasting();
-template void PairGranCohesive<SquareWellCohesion>::predict();
-template void PairGranCohesive<SquareWellCohesion>::tally(int, int, const Vector3&, double,
-                                                          const Vector3&);
-template void PairGranCohesive<SquareWellOverlay>::compute(int, int);
-template void PairGranCohesive<SquareWellOverlay>::classify();
-template void PairGranCohesive<SquareWellOverlay>::follow_disturbed();
-template void PairGranCohesive<SquareWellOverlay>::couple_lasting();
-template void PairGranCohesive<SquareWellOverlay>::predict();
-template void PairGranCohesive<SquareWellOverlay>::tally(int, int, const Vector3&, double,
-                                                         const Vector3&);
+#define COHESION_INSTANTIATE(style, Law)                  \
+  template void PairGranCohesive<Law>::compute(int, int); \
+  template void PairGranCohesive<Law>::classify();          \
+  template void PairGranCohesive<Law>::follow_disturbed();        \
+  template void PairGranCohesive<Law>::couple_lasting();            \
+  template void PairGranCohesive<Law>::predict();    \
+  template void PairGranCohesive<Law>::tally(int, int, const Vector3&, double, const Vector3&);
+COHESION_PAIR_LAWS(COHESION_INSTANTIATE)

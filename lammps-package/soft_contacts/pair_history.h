@@ -2,12 +2,22 @@
 #ifndef COHESION_PAIR_HISTORY_H
 #define COHESION_PAIR_HISTORY_H
 
+#include <algorithm>
+#include <cctype>
 #include <string>
 
 #include "fix_neigh_history.h"
 #include "modify.h"
 
 namespace LAMMPS_NS {
+
+/// The fix ID of what pair_style `style` remembers: NEIGH_HISTORY_GRAN_HAMAKER of gran/hamaker.
+inline std::string history_id(const std::string& style) {
+  std::string id = "NEIGH_HISTORY_" + style;
+  std::transform(id.begin(), id.end(), id.begin(),
+                 [](unsigned char c) { return c == '/' ? '_' : std::toupper(c); });
+  return id;
+}
 
 /// What a pair style remembers of each pair, kept by a fix of the engine. The fix gets its place in
 /// the list of fixes when the pair style is made: the engine wants it before fixes that move

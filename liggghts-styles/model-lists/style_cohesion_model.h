@@ -1,4 +1,3 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The engine's headers include this list to name its models; these are ours.
-#include "cohesion_model_hamaker.h"
-#include "cohesion_model_square_well.h"
+#include "cohesion_models.h"

@@ -5,13 +5,17 @@ namespace cohesion::contact {
 
 /// A short-ranged attraction as closed-form contact motion sees it: a constant force from the gap
 /// H_cut inwards, in contact too, and a tail beyond it that is so thin that it is crossed at once.
+/// One that forms at touch, as a liquid bridge, acts in the gap only between two that have touched.
 struct Adhesion {
   double force = 0.0;        ///< F_ad, [force]
   double cutoff = 0.0;       ///< H_cut, [length]
   double tail_energy = 0.0;  ///< E_tail, [energy]: work of the attraction from far away to H_cut
+  bool forms_at_touch = false;
 
-  /// W = E_tail + F_ad H_cut, [energy]: what the pair gains on its way to first touch.
+  /// W = E_tail + F_ad H_cut, [energy]: what the pair pays on its way from last touch.
   double well_energy() const { return tail_energy + force * cutoff; }
+  /// What it gains on its way to first touch, [energy].
+  double approach_energy() const { return forms_at_touch ? 0.0 : well_energy(); }
 };
 
 /// The adhesion of a pair under `law` (hamaker/law.h); none at all when it has no force.

@@ -31,7 +31,9 @@ namespace cohesion::contact {
 /// The pair escapes when mu w^2/2 > W. The escape velocity needs no search over speeds: the motion
 /// run backwards from w = sqrt(2 W/mu) is the same motion with -zeta.
 ///
-///   F_ad -> 0:   v_esc = sqrt(2 W/mu (1/e^2 - 1))
+/// An adhesion that forms at touch has u = v: no W is gained on the way in.
+///
+///   F_ad -> 0:   v_esc = sqrt(2 W/mu (1/e^2 - 1)), sqrt(2 W/mu)/e of one that forms at touch
 ///   W -> 0:      v_esc = c(zeta) F_ad/sqrt(mu K), c -> sqrt(4 pi zeta) for zeta -> 0
 ///   in general:  v_esc/b is a function of zeta and W/(F_ad^2/K) alone
 ///
@@ -50,6 +52,8 @@ class AdhesiveContact {
     zeta_ = 0.5 * spring.damping() / impedance;
     b_ = adhesion.force / impedance;
     well_speed_ = std::sqrt(2.0 * adhesion.well_energy() / spring.reduced_mass());
+    approach_speed_ = std::sqrt(2.0 * adhesion.approach_energy() / spring.reduced_mass());
+    unpaid_ = adhesion.forms_at_touch ? well_speed_ * well_speed_ : 0.0;
   }
 
   const LinearSpringDashpot& spring() const { return spring_; }
@@ -63,7 +67,7 @@ class AdhesiveContact {
   double spring_adhesion_energy() const { return 0.5 * adhesion_.force * static_overlap(); }
 
   /// Speed u at first touch of a pair that approaches at `far_speed`; [length/time].
-  double entry_speed(double far_speed) const { return std::hypot(far_speed, well_speed_); }
+  double entry_speed(double far_speed) const { return std::hypot(far_speed, approach_speed_); }
 
   /// Largest overlap [length] of a pair that touches at `entry_speed` u [length/time]; the static
   /// overlap when an overdamped pair creeps towards it from outside.
@@ -88,7 +92,8 @@ class AdhesiveContact {
   /// captured. Throws InvalidParameter unless far_speed > 0.
   double effective_restitution(double far_speed) const {
     require_positive("approach speed", far_speed);
-    if (zeta_ == 0.0) return 1.0;
+    const double deficit = unpaid_ / far_speed / far_speed;
+    if (zeta_ == 0.0) return std::sqrt(std::max(1.0 - deficit, 0.0));
     const double u = entry_speed(far_speed);
     const Motion m(u, b_, zeta_);
     const auto time = m.return_time();
@@ -97,18 +102,18 @@ class AdhesiveContact {
     const double w = m.return_speed(*time);
     const double left = w * (u + b_) < far_speed * far_speed
                             ? (w - well_speed_) / far_speed * ((w + well_speed_) / far_speed)
-                            : 1.0 - m.lost(*time) / far_speed / far_speed;
+                            : 1.0 - m.lost(*time) / far_speed / far_speed - deficit;
     return left > 0.0 ? std::sqrt(left) : 0.0;
   }
 
   /// v_esc [length/time], the far approach speed above which the pair comes apart again: 0 without
-  /// attraction or without dashpot, infinite with attraction at zero restitution.
+  /// attraction or without any loss, infinite with attraction at zero restitution.
   double escape_velocity() const {
     const double scale = std::max(b_, well_speed_);
-    if (scale == 0.0 || zeta_ == 0.0) return 0.0;
+    if (scale == 0.0 || zeta_ == 0.0) return std::sqrt(unpaid_);
     const Motion backwards(well_speed_ / scale, b_ / scale, -zeta_);
     if (!backwards.oscillates()) return std::numeric_limits<double>::infinity();
-    return scale * std::sqrt(-backwards.lost(*backwards.return_time()));
+    return scale * std::sqrt(unpaid_ / scale / scale - backwards.lost(*backwards.return_time()));
   }
 
  private:
@@ -205,8 +210,10 @@ class AdhesiveContact {
   Adhesion adhesion_;
   double w0_;
   double zeta_;
-  double b_;           // F_ad/sqrt(mu K), [speed]
-  double well_speed_;  // sqrt(2 W/mu)
+  double b_;               // F_ad/sqrt(mu K), [speed]
+  double well_speed_;      // sqrt(2 W/mu)
+  double approach_speed_;  // the same of what is gained on the way in
+  double unpaid_;          // difference of their squares
 };
 
 }  // namespace cohesion::contact

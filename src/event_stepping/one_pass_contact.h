@@ -41,7 +41,8 @@ class OnePassContact {
   /// contact_distance [length]: of the centres at touch, or the radius beside a wall; step [time].
   OnePassContact(const contact::LinearSpringDashpot& spring, const contact::Adhesion& adhesion,
                  double contact_distance, double step)
-      : OnePassContact(spring, adhesion, contact_distance, step, adhesion.cutoff) {}
+      : OnePassContact(spring, adhesion, contact_distance, step, adhesion.cutoff, adhesion.cutoff) {
+  }
   virtual ~OnePassContact() = default;
 
   double range() const { return range_; }
@@ -94,15 +95,17 @@ class OnePassContact {
   virtual double adhesion_energy(double overlap) const { return motion_.adhesion_energy(overlap); }
 
  protected:
-  /// range [length]: gap at which a pair is inside, the adhesion's or that of a derived law.
+  /// range [length]: gap up to which a pair is inside, the adhesion's or that of a derived law;
+  /// entry [length]: gap at which it comes inside.
   OnePassContact(const contact::LinearSpringDashpot& spring, const contact::Adhesion& adhesion,
-                 double contact_distance, double step, double range)
+                 double contact_distance, double step, double range, double entry)
       : motion_(spring, adhesion, step),
         oscillator_(spring.stiffness() / spring.reduced_mass(),
                     0.5 * spring.damping() / spring.reduced_mass()),
         propagator_(oscillator_.propagator(step)),
         contact_distance_(contact_distance),
         range_(range),
+        entry_(entry),
         reduced_mass_(spring.reduced_mass()),
         pull_(adhesion.force / spring.reduced_mass()),
         step_(step),
@@ -119,6 +122,7 @@ class OnePassContact {
 
   double contact_distance() const { return contact_distance_; }
   double outer_distance() const { return contact_distance_ + range_; }
+  double entry_distance() const { return contact_distance_ + entry_; }
 
   /// A step in which `move` (true: there was an event) does what no lasting contact does.
   template <class Move>
@@ -129,7 +133,7 @@ class OnePassContact {
     const bool known_by_grid = memory.known_by_grid();
     bool inside = memory.inside();
     // A pair that a run starts with is where it is; it did not fall into the range.
-    if (first && memory.phase == GridMemory::beyond) inside = at.distance < outer_distance();
+    if (first && memory.phase == GridMemory::beyond) inside = at.distance < entry_distance();
     Flight now{at.distance, first ? at.radial : true_radial(at, others, memory), at.sideways};
     const Flight start = now;
     const bool lasting = inside && lasts(now, others, step.normal);
@@ -229,7 +233,7 @@ class OnePassContact {
   /// Lets a pair that counts as outside, but was pushed inside, enter where it is, if it approaches
   /// or already overlaps.
   bool starts_inside(Flight& now) const {
-    if (now.distance >= outer_distance()) return false;
+    if (now.distance >= entry_distance()) return false;
     if (now.radial >= 0.0 && now.distance >= contact_distance_) return false;
     enter(now);
     return true;
@@ -242,7 +246,7 @@ class OnePassContact {
   /// Flies outside the range until its edge is met or the time is over; returns the time it took.
   /// Across the normal the flight is straight; along it `others` act.
   double fly(Flight& now, double time, double others, bool& inside) const {
-    const double outer = outer_distance();
+    const double outer = entry_distance();
     const Flight start = now;
     double t = time;
     if (start.distance >= outer) {
@@ -295,6 +299,7 @@ class OnePassContact {
   DampedOscillator::Propagator propagator_;
   double contact_distance_;
   double range_;
+  double entry_;
   double reduced_mass_;
   double pull_;
   double step_;

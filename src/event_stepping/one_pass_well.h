@@ -28,7 +28,7 @@ class OnePassWell final : public OnePassContact {
   OnePassWell(const contact::LinearSpringDashpot& spring, const contact::Adhesion& well,
               double contact_distance, double step)
       : OnePassContact(spring, well.cutoff > 0.0 ? contact::Adhesion{} : well, contact_distance,
-                       step, well.cutoff),
+                       step, well.cutoff, well.cutoff),
         depth_(well.tail_energy),
         inverse_mass_(1.0 / spring.reduced_mass()) {}
 

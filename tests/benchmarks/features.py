@@ -6,7 +6,7 @@ from cohesion_tests.progress import Progress
 from scenes import LIGGGHTS_CONTACT, gran, hamaker, hooke, ours, overlay, well
 
 TITLE = "Features of the particle engines"
-HAMAKER_STYLE = f"hamaker {scenes.CUT} {scenes.OUT}"
+HAMAKER_STYLE = f"hamaker cutoff {scenes.CUT} {scenes.OUT}"
 WELL = "gran/square_well"
 WALL = f"stiffness {scenes.STIFFNESS} restitution {scenes.RESTITUTION} friction {scenes.FRICTION}"
 PLANES = "zplane {low!r} {high!r}"
@@ -57,10 +57,10 @@ LAMMPS = {
     "contact style of ours, *sampled*; without: stock": (stock(hooke()), None, package(ours(scheme="sampled"))),
     "contact style of ours, *event*; without: stock": (stock(hooke()), None, package(ours())),
     "cohesion laid over: hybrid/overlay hamaker; without: stock": (
-        stock(hooke()), package(overlay(HAMAKER_STYLE, 0)), package(overlay(HAMAKER_STYLE, scenes.HAMAKER))),
+        stock(hooke()), package(overlay(HAMAKER_STYLE, "hamaker 0")), package(overlay(HAMAKER_STYLE, f"hamaker {scenes.HAMAKER}"))),
     "cohesion laid over: hybrid/overlay square_well; without: stock": (
-        stock(hooke()), package(overlay("square_well", f"0 {scenes.RATIO}")),
-        package(overlay("square_well", f"{scenes.DEPTH} {scenes.RATIO}"))),
+        stock(hooke()), package(overlay("square_well", f"well 0 {scenes.RATIO}")),
+        package(overlay("square_well", f"well {scenes.DEPTH} {scenes.RATIO}"))),
     "cohesion, gran/hamaker *event*": cohesion("event", "gran/hamaker", hamaker(), hamaker(0)),
     "cohesion, gran/hamaker *sampled*": cohesion("sampled", "gran/hamaker", hamaker(), hamaker(0)),
     "cohesion, gran/square_well *event*": cohesion("event", WELL, well(), well(0)),
@@ -73,7 +73,7 @@ LAMMPS = {
         stock(hooke(0, history=False)), stock(hooke(0)), stock(hooke())),
     "rolling friction, *event*": tuple(map(rolling, ("", "rolling_friction 0", "rolling_friction 0.1"))),
     "ghost velocities, asked of the engine with hamaker alone": tuple(
-        ghosts and package(f"pair_style {HAMAKER_STYLE}\npair_coeff * * {scenes.HAMAKER}\n", ghosts=ghosts)
+        ghosts and package(f"pair_style {HAMAKER_STYLE}\npair_coeff * * hamaker {scenes.HAMAKER}\n", ghosts=ghosts)
         for ghosts in ("no", None, "yes")),
     "wall of ours, *event*, beside the engine's; without: no wall": (
         package(EVENT, walled=True), None,

@@ -140,7 +140,7 @@ class Particles(ScriptTestCase):
 
 
 class AttractionAlone(ScriptTestCase):
-    SCRIPT = TWO + """pair_style hybrid/overlay gran/hooke/history 800 NULL 0.001 NULL 0.3 0 hamaker 4e-10 1e-7
+    SCRIPT = TWO + """pair_style hybrid/overlay gran/hooke/history 800 NULL 0.001 NULL 0.3 0 hamaker cutoff 4e-10 1e-7
 pair_coeff * * gran/hooke/history
 pair_coeff * * hamaker %s
 """ + MOVE + "timestep %s\nrun 5\nrun 5\n"
@@ -155,7 +155,7 @@ pair_coeff * * hamaker %s
         self.assertNotIn(ADVICE, self.goes(self.SCRIPT % ("0", "4e-7")))
 
     def test_beside_a_wall(self):
-        wall = TWO + f"pair_style none\nfix wall all wall/hamaker 5e-19 4e-10 1e-7 xplane 0 NULL\n{MOVE}"
+        wall = TWO + f"pair_style none\nfix wall all wall/hamaker hamaker 5e-19 cutoff 4e-10 1e-7 xplane 0 NULL\n{MOVE}"
         for step, said in (("4e-7", 1), ("3.9e-8", 0)):
             output = self.goes(f"{wall}timestep {step}\nrun 5\nrun 5\n")
             self.assertEqual(output.count("1 - wall: a pair at 0.01"), said, output)

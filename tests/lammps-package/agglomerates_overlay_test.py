@@ -18,9 +18,9 @@ boundary p p p
 comm_modify vel yes
 neighbor 0.3 bin
 read_data data.spheres
-pair_style hybrid/overlay gran/hooke/history 800 NULL 1 NULL 0 0 hamaker 1e-3 %(range)s
+pair_style hybrid/overlay gran/hooke/history 800 NULL 1 NULL 0 0 hamaker cutoff 1e-3 %(range)s
 pair_coeff * * gran/hooke/history
-pair_coeff * * hamaker %(constant)s
+pair_coeff * * hamaker hamaker %(constant)s
 %(more)s
 fix set all agglomerates 1
 fix move all nve/sphere
@@ -51,7 +51,7 @@ class Overlay(ScriptTestCase):
         x = numpy.array([[1.0, 1.0, 1.0], [2.1, 1.0, 1.0], [5.0, 1.0, 1.0], [6.1, 1.0, 1.0]])
         alone = [[0.0, 1.0]] * 2
         numpy.testing.assert_array_equal(self.sets(x, constant="0"), alone + alone)
-        of_second = self.sets(x, more="pair_coeff 1 1 hamaker 0\npair_coeff 1 2 hamaker 0", types=[1, 1, 2, 2])
+        of_second = self.sets(x, more="pair_coeff 1 1 hamaker hamaker 0\npair_coeff 1 2 hamaker hamaker 0", types=[1, 1, 2, 2])
         numpy.testing.assert_array_equal(of_second, alone + [[3.0, 2.0]] * 2)
         held = self.sets(x, more="group still id 1 2\nfix still still freeze")
         numpy.testing.assert_array_equal(held, alone + [[3.0, 2.0]] * 2)

@@ -220,7 +220,7 @@ class Agglomerates(FolderTestCase):
         """Nothing is followed between particles that nothing moves, whether the well is deep or D = 0: of a
         frozen row of three and a sphere that overlaps its end, only the latter two are bound."""
         x = numpy.array([[4.0 + 0.99 * k, 4.0, 3.0] for k in range(4)])
-        law = ("pair_style square_well\npair_coeff * * {} 1.2\n"
+        law = ("pair_style square_well\npair_coeff * * well {} 1.2\n"
                "group frozen id 1 2 3\ngroup free id 4\n")
         for depth in (0, 1e-9):
             for ranks in (1, 2):

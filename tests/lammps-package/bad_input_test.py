@@ -8,7 +8,7 @@ from cohesion_tests.test_cases import ScriptTestCase
 
 class BadInput(ScriptTestCase):
     def test_the_right_input_is_accepted(self):
-        self.goes(SPHERES + PAIR + "fix wall all wall/hamaker 1e-19 4e-10 1e-7 xplane 0 NULL\n"
+        self.goes(SPHERES + PAIR + "fix wall all wall/hamaker hamaker 1e-19 cutoff 4e-10 1e-7 xplane 0 NULL\n"
                   "fix gas all gas/coupling\n" + TAIL)
 
     # The Hamaker constant
@@ -16,19 +16,19 @@ class BadInput(ScriptTestCase):
         for value, shown in (("-1e-19", "A = -1e-19"), ("1e400", "1e400"), ("nan", "nan"),
                              ("inf", "inf"), ("abc", "abc")):
             with self.subTest(value):
-                self.stops(SPHERES + "pair_style hamaker 4e-10 1e-7\npair_coeff 1 2 " + value +
+                self.stops(SPHERES + "pair_style hamaker cutoff 4e-10 1e-7\npair_coeff 1 2 hamaker " + value +
                            TAIL, *([shown] if value != "1e400" else []))
 
     def test_pair_constant_message_names_place_and_remedy(self):
-        self.stops(SPHERES + "pair_style hamaker 4e-10 1e-7\npair_coeff 1 2 -1e-19" + TAIL,
+        self.stops(SPHERES + "pair_style hamaker cutoff 4e-10 1e-7\npair_coeff 1 2 hamaker -1e-19" + TAIL,
                    "pair_coeff 1 2", "hamaker", "A = -1e-19", "not below zero")
 
     def test_wall_constant(self):
         for value in ("-1e-19", "1e400", "nan", "inf"):
             with self.subTest(value):
-                self.stops(SPHERES + PAIR + f"fix wall all wall/hamaker {value} 4e-10 1e-7 "
+                self.stops(SPHERES + PAIR + f"fix wall all wall/hamaker hamaker {value} cutoff 4e-10 1e-7 "
                            "xplane 0 NULL" + TAIL)
-        self.stops(SPHERES + PAIR + "fix wall all wall/hamaker -1e-19 4e-10 1e-7 xplane 0 NULL" +
+        self.stops(SPHERES + PAIR + "fix wall all wall/hamaker hamaker -1e-19 cutoff 4e-10 1e-7 xplane 0 NULL" +
                    TAIL, "fix wall wall/hamaker", "A = -1e-19", "not below zero")
 
     # The cut-offs
@@ -41,13 +41,13 @@ class BadInput(ScriptTestCase):
                 ("1e-7", "1e-7", ["H_cut = 1e-07", "smaller than the outer cut-off"]),
                 ("2e-7", "1e-7", ["H_cut = 2e-07", "smaller than the outer cut-off"])):
             with self.subTest(cut=cut, out=out, where="pair_style"):
-                self.stops(SPHERES + f"pair_style hamaker {cut} {out}\npair_coeff * * 1e-19" +
+                self.stops(SPHERES + f"pair_style hamaker cutoff {cut} {out}\npair_coeff * * hamaker 1e-19" +
                            TAIL, *words)
             with self.subTest(cut=cut, out=out, where="pair_coeff"):
-                self.stops(SPHERES + "pair_style hamaker 4e-10 1e-7\npair_coeff * * 1e-19 "
-                           f"{cut} {out}" + TAIL, *words)
+                self.stops(SPHERES + "pair_style hamaker cutoff 4e-10 1e-7\npair_coeff * * hamaker 1e-19 "
+                           f"cutoff {cut} {out}" + TAIL, *words)
             with self.subTest(cut=cut, out=out, where="wall"):
-                self.stops(SPHERES + PAIR + f"fix wall all wall/hamaker 1e-19 {cut} {out} "
+                self.stops(SPHERES + PAIR + f"fix wall all wall/hamaker hamaker 1e-19 cutoff {cut} {out} "
                            "xplane 0 NULL" + TAIL, *words)
 
     def test_outer_cutoff_beyond_the_neighbour_range(self):
@@ -61,14 +61,15 @@ class BadInput(ScriptTestCase):
 
     def test_constant_that_is_raised_where_pairs_have_no_list(self):
         none = SPHERES + PAIR.replace("1e-19", "0") + "fix move all nve\n"
-        self.goes(none + 'run 1\nrun 4 every 2 "pair_coeff * * 1e-19"\n')
-        self.stops(none + 'run 1\nrun 4 pre no every 2 "pair_coeff * * 1e-19"\n', "pair_style hamaker",
+        self.goes(none + 'run 1\nrun 4 every 2 "pair_coeff * * hamaker 1e-19"\n')
+        self.stops(none + 'run 1\nrun 4 pre no every 2 "pair_coeff * * hamaker 1e-19"\n', "pair_style hamaker",
                    "an A was raised", "without fix adapt", "before the run", after_a_run=True)
 
     def test_coefficients_that_no_set_up_takes(self):
         contact = "stiffness 800 restitution 0.9"
         for style, first, then in (
-                ("hamaker 4e-10 1e-7", "1e-19", "2e-19"), ("square_well", "0 1.1", "1e-11 1.1"),
+                ("hamaker cutoff 4e-10 1e-7", "hamaker 1e-19", "hamaker 2e-19"),
+                ("square_well", "well 0 1.1", "well 1e-11 1.1"),
                 ("gran/hamaker", contact, contact + " hamaker 1e-19 cutoff 4e-10 1e-7"),
                 ("gran/square_well", contact, contact + " well 1e-11 1.1"),
                 ("hard/square_well", "restitution 0.9", "restitution 0.9 well 1e-11 1.1")):
@@ -96,24 +97,24 @@ class BadInput(ScriptTestCase):
 
     # What else is missing or wrong
     def test_pair_arguments(self):
-        self.stops(SPHERES + "pair_style hamaker 4e-10\n", "H_cut H_out")
-        self.stops(SPHERES + "pair_style hamaker 4e-10 1e-7\npair_coeff * *\n", "i j A")
-        self.stops(SPHERES + "pair_style hamaker 4e-10 1e-7\npair_coeff * * 1e-19 4e-10\n",
-                   "i j A H_cut H_out")
+        self.stops(SPHERES + "pair_style hamaker cutoff 4e-10\n", "'cutoff' takes 2 value")
+        self.stops(SPHERES + "pair_style hamaker cutoff 4e-10 1e-7\npair_coeff * *\n", "i j hamaker A")
+        self.stops(SPHERES + "pair_style hamaker cutoff 4e-10 1e-7\npair_coeff * * hamaker 1e-19 cutoff 4e-10\n",
+                   "'cutoff' takes 2 value")
 
     def test_no_coefficients_to_mix(self):
-        self.stops(SPHERES + "pair_style hamaker 4e-10 1e-7\npair_coeff 1 1 1e-19\n" + TAIL)
+        self.stops(SPHERES + "pair_style hamaker cutoff 4e-10 1e-7\npair_coeff 1 1 hamaker 1e-19\n" + TAIL)
 
     def test_atoms_without_radii(self):
         self.stops(POINTS + PAIR + TAIL, "pair_style hamaker", "atom_style sphere")
-        self.stops(POINTS + "pair_style none\nfix wall all wall/hamaker 1e-19 4e-10 1e-7 xplane 0 "
+        self.stops(POINTS + "pair_style none\nfix wall all wall/hamaker hamaker 1e-19 cutoff 4e-10 1e-7 xplane 0 "
                    "NULL" + TAIL, "fix wall/hamaker", "atom_style sphere")
         self.stops(POINTS + "pair_style none\nfix gas all gas/coupling" + TAIL, "fix gas/coupling",
                    "atom_style sphere")
 
     def test_wall_planes(self):
-        wall = SPHERES + PAIR + "fix wall all wall/hamaker 1e-19 4e-10 1e-7"
-        self.stops(wall, "A H_cut H_out", "xplane lo hi")
+        wall = SPHERES + PAIR + "fix wall all wall/hamaker hamaker 1e-19 cutoff 4e-10 1e-7"
+        self.stops(wall, "hamaker A cutoff H_cut H_out", "xplane lo hi")
         self.stops(wall + " cylinder 0 1", "'cylinder'", "xplane, yplane, zplane")
         self.stops(wall + " xplane 0 NULL yplane 0", "yplane takes two positions")
         self.stops(wall + " zplane 0 NULL", "no zplane in a periodic direction", "boundary f")

@@ -30,7 +30,7 @@ MOTION = ["c_book[1]", "c_book[2]"]
 LOST = ["c_book[6]", "c_book[7]", "c_book[8]", "c_book[13]"]
 
 OVERLAY = (f"pair_style hybrid/overlay gran/hamaker square_well\npair_coeff * * gran/hamaker {CONTACT} {HAMAKER}\n"
-           "pair_coeff * * square_well 1e-10 1.01\n")
+           "pair_coeff * * square_well well 1e-10 1.01\n")
 
 
 def scene(style, words, oblique=0.0, scheme="event", walls="", x=5e-3):

@@ -17,7 +17,7 @@ SIZE = 0.02
 class WallHamaker(FolderTestCase):
     FORM = "small_gap"
     LAW = (7.49e-19, 4e-10, 1e-7)
-    WORDS = "7.49e-19 4e-10 1e-7"
+    WORDS = "hamaker 7.49e-19 cutoff 4e-10 1e-7"
     GAPS = [-1e-6, 0.0, 3e-10, 5e-10, 1e-9, 1e-8, 9e-8, 2e-7]
 
     def spheres(self, axis, dimension):
@@ -99,18 +99,18 @@ class WallHamaker(FolderTestCase):
 class ExactForm(WallHamaker):
     FORM = "exact"
     LAW = (7.49e-19, 4e-10, 4e-4)
-    WORDS = "7.49e-19 4e-10 4e-4 form exact"
+    WORDS = "hamaker 7.49e-19 cutoff 4e-10 4e-4 form exact"
     GAPS = [-1e-6, 3e-10, 5e-10, 1e-8, 1e-6, 2e-5, 3e-4, 5e-4]
 
 
 class SmallGapWithAsperities(WallHamaker):
     LAW = (7.49e-19, 4e-10, 1e-7, 2e-8)
-    WORDS = "7.49e-19 4e-10 1e-7 asperity 2e-8"
+    WORDS = "hamaker 7.49e-19 cutoff 4e-10 1e-7 asperity 2e-8"
 
 
 class ExactFormWithAsperities(ExactForm):
     LAW = (7.49e-19, 4e-10, 4e-4, 2e-8)
-    WORDS = "7.49e-19 4e-10 4e-4 asperity 2e-8 form exact"
+    WORDS = "hamaker 7.49e-19 cutoff 4e-10 4e-4 asperity 2e-8 form exact"
 
 
 if __name__ == "__main__":

@@ -13,5 +13,5 @@ inline std::vector<std::string> load_styles() {
 
 /// For spheres that exert no forces on each other.
 inline std::vector<std::string> no_contacts() {
-  return {"pair_style hamaker 4e-10 1e-7", "pair_coeff * * 0"};
+  return {"pair_style hamaker cutoff 4e-10 1e-7", "pair_coeff * * hamaker 0"};
 }

@@ -136,7 +136,7 @@ class Pairs(unittest.TestCase):
                                       f"stiffness 5000 restitution {e} well {depth} {ratio}"
                                       if not more else
                                       f"gran/hamaker stiffness 5000 restitution {e}\n"
-                                      f"pair_coeff * * square_well {depth} {ratio}", dt, 200)
+                                      f"pair_coeff * * square_well well {depth} {ratio}", dt, 200)
                 self.assertGreater(path[-1, 1, 1] - path[-1, 0, 1], 1.02)
                 contact, adhesion = totals[-1, 0, 0], totals[-1, 1, 0]
                 # Where the grid stands when an impulse acts: within the well or the overlap of a
@@ -256,7 +256,7 @@ class Input(unittest.TestCase):
                  ("hard/square_well", "restitution 1", "hard/square_well"),
                  (f"hybrid/overlay {hooke} zero 1.0", None, "hybrid/overlay"),
                  (f"hybrid/overlay {hooke} square_well", None, None)]
-        members = {"gran/hooke/history": "", "square_well": "0.05 1.1", "zero": ""}
+        members = {"gran/hooke/history": "", "square_well": "well 0.05 1.1", "zero": ""}
         for style, words, foreign in cases:
             pairs = (f"pair_coeff * * {words}\n" if words is not None else
                      "".join(f"pair_coeff * * {name} {members[name]}\n" for name in members

@@ -5,16 +5,36 @@ import unittest
 from cohesion_tests.lammps_scenes import two_at_rest as scene
 from cohesion_tests.test_cases import ScriptTestCase
 
-PAIR = scene.SPHERES + "pair_style hamaker 4e-10 1e-7 "
-COEFF = PAIR + "form exact\npair_coeff 1 2 1e-19 "
-WALL = scene.SPHERES + scene.PAIR + "fix wall all wall/hamaker 1e-19 4e-10 1e-7 "
+PAIR = scene.SPHERES + "pair_style hamaker cutoff 4e-10 1e-7 "
+COEFF = PAIR + "form exact\npair_coeff 1 2 hamaker 1e-19 "
+WALL = scene.SPHERES + scene.PAIR + "fix wall all wall/hamaker hamaker 1e-19 cutoff 4e-10 1e-7 "
 
 
 class HamakerKeywords(ScriptTestCase):
     def test_the_right_input_is_accepted(self):
-        self.goes(PAIR + "form small_gap\npair_coeff * * 1e-19 4e-10 1e-7 asperity 0\n"
-                  "fix wall all wall/hamaker 1e-19 4e-10 1e-7 asperity 1e-8 xplane 0 NULL form exact\n"
+        self.goes(PAIR + "form small_gap\npair_coeff * * hamaker 1e-19 cutoff 4e-10 1e-7 asperity 0\n"
+                  "fix wall all wall/hamaker hamaker 1e-19 cutoff 4e-10 1e-7 asperity 1e-8 xplane 0 NULL form exact\n"
                   + scene.TAIL)
+
+    def test_numbers_without_keywords_are_taken_with_a_warning(self):
+        right = scene.SPHERES + ("pair_style hamaker cutoff 4e-10 1e-7 form small_gap\n"
+                                 "pair_coeff * * hamaker 1e-19 cutoff 4e-10 2e-7 asperity 0\n")
+        wall = "fix wall all wall/hamaker hamaker 1e-19 cutoff 4e-10 1e-7 xplane 0 NULL\n"
+        self.assertNotIn("without keywords", self.goes(right + wall + scene.TAIL))
+        for text, instead in (
+                (right.replace("cutoff 4e-10 1e-7", "4e-10 1e-7") + wall,
+                 "pair_style hamaker: numbers without keywords; write 'cutoff 4e-10 1e-7'"),
+                (right.replace("hamaker 1e-19 cutoff", "1e-19") + wall,
+                 "pair_coeff * * of hamaker: numbers without keywords; write 'hamaker 1e-19 cutoff 4e-10 2e-7'"),
+                (right.replace("hamaker 1e-19 cutoff 4e-10 2e-7", "1e-19") + wall, "write 'hamaker 1e-19'"),
+                (right + wall.replace("hamaker 1e-19 cutoff", "1e-19"),
+                 "fix wall wall/hamaker: numbers without keywords; write 'hamaker 1e-19 cutoff 4e-10 1e-7'"),
+                (scene.SPHERES.replace("newton off", "newton off\ncomm_modify vel yes")
+                 + "pair_style square_well\npair_coeff * * 1e-11 1.1\n",
+                 "of square_well: numbers without keywords; write 'well 1e-11 1.1'")):
+            output = self.goes(text + scene.TAIL)
+            self.assertEqual(output.count("without keywords"), 1, output)
+            self.assertIn(instead, " ".join(output.split()))
 
     def test_unknown_form(self):
         self.stops(PAIR + "form full\n", "pair_style hamaker", "unknown form 'full'",
@@ -25,15 +45,19 @@ class HamakerKeywords(ScriptTestCase):
     def test_unknown_keyword(self):
         self.stops(PAIR + "shape exact\n", "pair_style hamaker", "'shape'", "form")
         self.stops(WALL + "xplane 0 NULL shape exact\n", "'shape'",
-                   "xplane, yplane, zplane, form, asperity")
-        self.stops(COEFF + "4e-10 1e-7 asparity 1e-8\n", "pair_coeff of hamaker", "'asperity'")
+                   "hamaker, cutoff, xplane, yplane, zplane, form, asperity")
+        self.stops(COEFF + "cutoff 4e-10 1e-7 asparity 1e-8\n", "pair_coeff 1 2 of hamaker", "'asparity'",
+                   "hamaker, cutoff, asperity")
 
     def test_missing_value(self):
-        self.stops(PAIR + "form\n", "H_cut H_out", "'form' with a name")
-        self.stops(COEFF + "asperity\n", "i j A H_cut H_out", "'asperity' with a radius")
-        self.stops(COEFF + "4e-10 1e-7 asperity\n", "i j A H_cut H_out", "'asperity' with a radius")
+        self.stops(PAIR + "form\n", "pair_style hamaker", "'form' takes 1 value")
+        self.stops(COEFF + "asperity\n", "pair_coeff 1 2 of hamaker", "'asperity' takes 1 value")
+        self.stops(COEFF + "cutoff 4e-10\n", "pair_coeff 1 2 of hamaker", "'cutoff' takes 2 value")
+        self.stops(scene.SPHERES + "pair_style hamaker\npair_coeff 1 2 hamaker 1e-19\n", "cutoff H_cut H_out",
+                   "or in pair_style")
+        self.stops(COEFF.replace("hamaker 1e-19", "asperity 0"), "needs 'hamaker A'")
         self.stops(WALL + "xplane 0 NULL form\n", "form takes a name")
-        self.stops(WALL + "xplane 0 NULL asperity\n", "asperity takes a radius")
+        self.stops(WALL + "xplane 0 NULL asperity\n", "'asperity' takes 1 value")
         self.stops(WALL + "form exact asperity 1e-8\n", "at least one plane")
 
     def test_asperity_radius(self):

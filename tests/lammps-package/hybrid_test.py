@@ -15,8 +15,8 @@ STYLES = {
     "gran/hamaker scheme sampled": f"{CONTACT} hamaker 5e-19 cutoff 4e-10 1e-7",
     "gran/square_well": f"{CONTACT} well 1e-12 1.1",
     "gran/square_well scheme sampled": f"{CONTACT} well 1e-12 1.1",
-    "hamaker 4e-10 1e-7": "5e-19",
-    "square_well": "1e-12 1.1",
+    "hamaker cutoff 4e-10 1e-7": "hamaker 5e-19",
+    "square_well": "well 1e-12 1.1",
     "hard/square_well": "restitution 0.9 well 1e-12 1.1",
 }
 OTHER = "gran/hooke/history 800 NULL 0.001 NULL 0.3 0"

@@ -35,13 +35,13 @@ def gran(cut, out, form=""):
 
 
 def overlay(cut, out, form=""):
-    return f"pair_style hamaker {cut} {out} {form}\npair_coeff * * 5e-19"
+    return f"pair_style hamaker cutoff {cut} {out} {form}\npair_coeff * * hamaker 5e-19"
 
 
 NONE = f"pair_style gran/hamaker\npair_coeff * * {CONTACT}\n"
 WALLS = (lambda cut, out, form="": NONE + f"fix w all wall/gran/hamaker {form} {CONTACT} hamaker 5e-19 "
          f"cutoff {cut} {out} zplane 0 NULL",
-         lambda cut, out, form="": NONE + f"fix w all wall/hamaker 5e-19 {cut} {out} zplane 0 NULL {form}")
+         lambda cut, out, form="": NONE + f"fix w all wall/hamaker hamaker 5e-19 cutoff {cut} {out} zplane 0 NULL {form}")
 
 
 class Sizes(ScriptTestCase):

@@ -16,14 +16,17 @@ COMMANDS = {
     "pair_gran_hamaker": ("pair_style gran/hamaker ", "pair_style gran/hamaker\npair_coeff 1 1 "),
     "pair_gran_square_well": ("pair_style gran/square_well ", "pair_style gran/square_well\npair_coeff 1 1 "),
     "pair_hard_square_well": ("pair_style hard/square_well ", "pair_style hard/square_well\npair_coeff 1 1 "),
-    "pair_hamaker": ("pair_style hamaker 4e-10 1e-7 ",),
+    "pair_gran_liquid_bridge": ("pair_style gran/liquid_bridge ", "pair_style gran/liquid_bridge\npair_coeff 1 1 "),
+    "pair_hamaker": ("pair_style hamaker ", "pair_style hamaker cutoff 4e-10 1e-7\npair_coeff 1 1 "),
+    "pair_square_well": ("pair_style square_well\npair_coeff 1 1 ",),
     "fix_wall_gran_hamaker": ("fix w all wall/gran/hamaker ",),
     "fix_wall_gran_square_well": ("fix w all wall/gran/square_well ",),
-    "fix_wall_hamaker": ("fix w all wall/hamaker 1e-19 4e-10 1e-7 ",),
+    "fix_wall_gran_liquid_bridge": ("fix w all wall/gran/liquid_bridge ",),
+    "fix_wall_hamaker": ("fix w all wall/hamaker ",),
     "fix_wall_hard_square_well": ("fix w all wall/hard/square_well ",),
 }
 # Whose messages are written beside what reads, not made of it; one of the walls shares its list with the others.
-WRITTEN_BY_HAND = ("pair_hard_square_well", "pair_hamaker", "fix_wall_hamaker", "fix_wall_hard_square_well")
+WRITTEN_BY_HAND = ("pair_hard_square_well", "fix_wall_hamaker", "fix_wall_hard_square_well")
 UNKNOWN = "no_such_keyword"
 
 
@@ -72,7 +75,7 @@ class KeywordLists(ScriptTestCase):
                 self.assertEqual(described(page) - listed, set())
 
     def test_a_wall_takes_what_its_pair_style_takes(self):
-        for style in ("gran_hamaker", "gran_square_well"):
+        for style in ("gran_hamaker", "gran_square_well", "gran_liquid_bridge"):
             with self.subTest(style):
                 self.assertEqual(self.listed(f"pair_{style}") - self.listed(f"fix_wall_{style}"), set())
 

@@ -39,7 +39,7 @@ class Twice(ScriptTestCase):
         self.refuses(wall + " stiffness 300 zplane 0 NULL", "fix w wall/gran/hamaker", "stiffness", 200, 300)
         self.refuses(wall + " form exact form small_gap zplane 0 NULL", "fix w wall/gran/hamaker", "form",
                      "exact", "small_gap")
-        self.refuses(SOFT + "fix w all wall/hamaker 1e-19 4e-10 1e-7 zplane 0 NULL form exact form small_gap",
+        self.refuses(SOFT + "fix w all wall/hamaker hamaker 1e-19 cutoff 4e-10 1e-7 zplane 0 NULL form exact form small_gap",
                      "fix w wall/hamaker", "form", "exact", "small_gap")
         self.refuses(HARD + "fix w all wall/hard/square_well restitution 0.9 well off well off zplane 0 NULL",
                      "fix w wall/hard/square_well", "well", "off", "off")

@@ -46,7 +46,7 @@ class PairHamaker(FolderTestCase):
     GIVEN = (5e-19, 6e-10, 3e-8)
     GAPS = [-1e-6, -1e-10, 0.0, 1e-10, 3.9e-10, 5e-10, 7e-10, 1e-9, 1e-8, 2.9e-8, 9e-8, 1.5e-7,
             2.5e-7]
-    COEFF11 = "1e-19"  # the cut-offs are those of pair_style
+    COEFF11 = "hamaker 1e-19"  # the cut-offs are those of pair_style
 
     def given(self, gaps, mixing="yes", script="in.pairs", skin=1e-4, **more):
         self.atoms = couples(gaps)
@@ -173,13 +173,13 @@ class SmallGapWithAsperities(PairHamaker):
     PARAMETERS = {(1, 1): (1e-19, 4e-10, 1e-7, 2e-8), (2, 2): (7.49e-19, 8e-10, 2e-7)}
     MIXED = ((1e-19 * 7.49e-19) ** 0.5, 8e-10, 2e-7, 2e-8)
     GIVEN = (5e-19, 6e-10, 3e-8, 1e-9)
-    COEFF11 = "1e-19 asperity 2e-8"
+    COEFF11 = "hamaker 1e-19 asperity 2e-8"
 
 
 class ExactFormWithAsperities(ExactForm):
     PARAMETERS = {(1, 1): (1e-19, 4e-10, 1e-7, 2e-8), (2, 2): (7.49e-19, 8e-10, 6e-4, 1e-8)}
     MIXED = ((1e-19 * 7.49e-19) ** 0.5, 8e-10, 6e-4, 2e-8)
-    COEFF11 = "1e-19 asperity 2e-8"
+    COEFF11 = "hamaker 1e-19 asperity 2e-8"
 
 
 if __name__ == "__main__":

@@ -15,7 +15,7 @@ atom_style sphere
 region box block 0 1 0 1 0 1
 create_box 1 box
 """
-USE = BOX + "pair_style hamaker 4e-10 1e-7\nprint 'style is there'\n"
+USE = BOX + "pair_style hamaker cutoff 4e-10 1e-7\nprint 'style is there'\n"
 PRELOAD = os.environ.get("COHESION_PRELOAD", "")  # set for an engine without the command
 
 

@@ -22,9 +22,10 @@ neighbor 1e-4 bin
 """
 # Settings, coefficients, and which layout they have.
 STYLES = {
-    "hamaker": ("1e-9 1e-8", "1e-19", 2),
+    "hamaker": ("cutoff 1e-9 1e-8", "hamaker 1e-19", 2),
     "gran/hamaker": ("", "stiffness 800", 4),
     "gran/square_well": ("", "stiffness 800 well 1e-12 1.01", 3),
+    "gran/liquid_bridge": ("", "stiffness 800 bridge 1e-5 1e-5", 1),
     "hard/square_well": ("", "restitution 0.9", 2),
 }
 MARK = 0x436f6800  # restart_format.h

@@ -28,7 +28,7 @@ fix ins {} pour 5 2 4711 region top vol 0.1 50 diam one 1e-4 dens 2650 2650
 class WallOfAGroup(ScriptTestCase):
     def test_cutoffs_beside_dust(self):
         for wall in (f"wall/gran/hamaker {CONTACT} {HAMAKER} xplane 0 NULL",
-                     "wall/hamaker 5e-19 4e-10 1e-7 xplane 0 NULL"):
+                     "wall/hamaker hamaker 5e-19 cutoff 4e-10 1e-7 xplane 0 NULL"):
             with self.subTest(wall):
                 self.goes(f"{HEAD}fix w big {wall}{TAIL}")
                 self.stops(f"{HEAD}fix w all {wall}{TAIL}", "H_out = 1e-07: must not be above 5e-08")

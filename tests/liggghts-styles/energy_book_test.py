@@ -277,7 +277,7 @@ class Refusals(unittest.TestCase):
         models = SLIDING + "hamaker"
         self.refused(script(oblique(), models, hamaker(0), extra=BOOK, walls=[
             "fix bare all wall/gran model hooke/stiffness tangential history primitive type 2 zplane -5e-3"]),
-            "compute gran/energy: fix wall/gran bare has none of the cohesion models", "hamakerConstant 0")
+            "compute gran/energy: fix wall/gran bare has none of the cohesion models", "a strength of 0")
         # A pair style without: the compute exists once a model of ours was named.
         self.refused(script(oblique(), models, hamaker(0),
                             extra=BOOK + "pair_style gran model hooke/stiffness tangential history\npair_coeff * *\n"),

@@ -11,12 +11,13 @@ import numpy
 
 from cohesion_tests import lammps
 from cohesion_tests.liggghts_scenes.scene import (CUT, DAMPING, DENSITY, MASS, OUT, RADIUS, RATIO, STIFFNESS, frames,
-                                                  hamaker, sphere, square_well)
+                                                  hamaker, liquid_bridge, sphere, square_well)
 
 COUNT, CELLS, PITCH = 500, 8, 1.4e-3
 SIZE = CELLS * PITCH
 SPEED = 0.1
 A, DEPTH = 1e-11, 4e-9  # a pair gains 8e-10 and 4e-9 J; it approaches with 5e-9 J
+FORCE, GAP = 4e-4, 1e-5  # of bridges, which take 4e-9 J
 DT, STEPS, EVERY = 2e-6, 40000, 200
 LAMMPS = """plugin load {plugin}
 units si
@@ -37,12 +38,16 @@ run {steps}
 SCENES = {
     "hamaker": (
         f"pair_style hybrid/overlay gran/hooke {STIFFNESS} NULL {2 * DAMPING / MASS!r} NULL 0 0 "
-        f"hamaker {CUT!r} {OUT!r}\npair_coeff * * gran/hooke\npair_coeff * * hamaker {A!r}",
+        f"hamaker {CUT!r} {OUT!r}\npair_coeff * * gran/hooke\npair_coeff * * hamaker hamaker {A!r}",
         hamaker(A)),
     "square_well": (
         "pair_style gran/square_well scheme sampled\npair_coeff * * "
         f"stiffness {STIFFNESS} damping {DAMPING!r} well {DEPTH!r} {RATIO!r}",
-        square_well(DEPTH))}
+        square_well(DEPTH)),
+    "liquid_bridge": (
+        "pair_style gran/liquid_bridge scheme sampled\npair_coeff * * "
+        f"stiffness {STIFFNESS} damping {DAMPING!r} bridge {FORCE!r} {GAP!r}",
+        liquid_bridge(FORCE, GAP))}
 
 
 def start(seed):

@@ -3,6 +3,7 @@
 """Time of a step of scheme event over that of LAMMPS' gran/hooke/history, on the same spheres.
 
   cost-per-step.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--turns N] [--steps N] [--scene NAME] [--instructions]
+                   [--law hamaker | liquid_bridge]
 
 Two scenes of 4000 equal spheres, t_c/20, restitution 0.9: a gas at solid fraction 0.55, and a packing
 with six lasting contacts each. Both styles start from the same positions and velocities and run in
@@ -20,14 +21,18 @@ from cohesion_tests.instruction_count import per_step
 from cohesion_tests.thermo import processor_seconds, thermo_end
 
 SCENES = ("gas", "packing")
-CASES = ((0.0, 0.0), (0.3, 0.0), (0.0, 2e-18), (0.3, 2e-18))  # friction, A [J]
+STRENGTHS = {"hamaker": 2e-18, "liquid_bridge": 1e-4}  # A [J], F_b [N]
+STYLES = {"hamaker": "event", "liquid_bridge": "bridge"}  # in.cost_per_step
 
 
 def main():
     words = measuring_program.words(__doc__, ("--turns", {"type": int, "default": 11}),
                                     ("--steps", {"type": int, "default": 1000}),
                                     ("--scene", {"choices": SCENES, "action": "append"}),
+                                    ("--law", {"choices": STRENGTHS, "default": "hamaker"}),
                                     ("--instructions", {"action": "store_true"}))
+    ours, strength = STYLES[words.law], STRENGTHS[words.law]
+    cases = ((0.0, 0.0), (0.3, 0.0), (0.0, strength), (0.3, strength))  # friction, A or F_b
 
     def cost(folder, scene, style, mu, constant):
         """Per particle and step: nanoseconds of a processor, or instructions; contacts per particle."""
@@ -40,18 +45,18 @@ def main():
         return 1e9 * processor_seconds(output, 0) / (words.steps * atoms), contacts
 
     unit = "[1] " if words.instructions else "[ns]"
-    print(f"scene    friction     A [J]   stock {unit}  contacts   event {unit}  contacts   ratio")
+    print(f"scene    friction  strength   stock {unit}  contacts   event {unit}  contacts   ratio")
     for scene in words.scene or SCENES:
         with engine.temporary_folder() as folder:
             engine.run("in.cost_per_step", folder, scene=scene, make="yes", style="stock", mu=0.3,
                        A=0.0, steps=500)
-            for mu, constant in CASES:
+            for mu, constant in cases:
                 turns = []
                 for turn in range(1 if words.instructions else words.turns):
-                    order = ("stock", "event") if turn % 2 == 0 else ("event", "stock")
+                    order = ("stock", ours) if turn % 2 == 0 else (ours, "stock")
                     done = {style: cost(folder, scene, style, mu, constant)
                             for style in order}
-                    turns.append([*done["stock"], *done["event"]])
+                    turns.append([*done["stock"], *done[ours]])
                 stock, of_stock, event, of_event = numpy.array(turns).T
                 low, middle, high = numpy.percentile(event / stock, (25, 50, 75))
                 print(f"{scene:8s}{mu:9g}{constant:10g}{numpy.median(stock):13.1f}"

@@ -19,7 +19,7 @@ import tempfile
 
 from cohesion_tests import launcher
 from cohesion_tests.instruction_count import per_step
-from cohesion_tests.liggghts_scenes.scene import contact, hamaker, square_well
+from cohesion_tests.liggghts_scenes.scene import contact, hamaker, liquid_bridge, square_well
 from cohesion_tests.spread import spread
 
 COHESION = {
@@ -27,7 +27,8 @@ COHESION = {
     "sjkr": (" cohesion sjkr", "fix k all property/global cohesionEnergyDensity peratomtypepair 2 "
              "1e4 1e4 1e4 1e4\n"),
     "hamaker": (" cohesion hamaker", hamaker(1e-14)),
-    "square_well": (" cohesion square_well", square_well(1e-11, ratio=1.02))}
+    "square_well": (" cohesion square_well", square_well(1e-11, ratio=1.02)),
+    "liquid_bridge": (" cohesion liquid_bridge", liquid_bridge(1e-6, 2e-5))}
 SCRIPT = """units si
 atom_style granular
 atom_modify map array

@@ -30,8 +30,7 @@ contact::Adhesion adhesion_of(const hamaker::Parameters& c) {
 
 TEST(StiffnessScaling, KeepsEscapeVelocityAndRestitutionAtAnySpeed) {
   // Force-dominated, well-dominated and mixed (F_ad^2/(2K) over W: infinite, 1e-3 and 0.8).
-  const contact::Adhesion cases[] = {
-      {1.3e-4, 0.0, 0.0}, {1.3e-5, 4e-10, 1e-13}, {1.3e-4, 4e-11, 8e-15}};
+  const double cases[][3] = {{1.3e-4, 0.0, 0.0}, {1.3e-5, 4e-10, 1e-13}, {1.3e-4, 4e-11, 8e-15}};
   for (const double e : {0.1, 0.9487, 0.9999})
     for (const auto& [force, cutoff, tail] : cases)
       for (double ratio = 1.0; ratio <= 1.1e4; ratio *= 10.0) {

@@ -69,6 +69,29 @@ TEST(AdhesiveContact, EscapeVelocityAgreesWithAnIntegrationAtAnyDampingAndDepth)
   EXPECT_LT(relative(unit(0.99, 1.0, 0.5).escape_velocity(), 12323277602.69372067), 1e-12);
 }
 
+TEST(AdhesiveContact, WhatFormsAtTouchGivesNothingOnTheWayIn) {
+  // Force, gap of rupture, v_esc of the thesis' particle: Taylor integration of the contact from
+  // touch to parting, and bisection for the speed that then has F h_r left, as above.
+  const double expected[][3] = {{1e-5, 1e-5, 0.017927077155182931587},
+                                {1e-4, 5e-5, 0.12685323669388274131},
+                                {1e-3, 1e-6, 0.061695478506996175052}};
+  for (const auto& [force, gap, speed] : expected) {
+    const AdhesiveContact bridge(bed, {force, gap, 0.0, true});
+    EXPECT_LT(relative(bridge.escape_velocity(), speed), 1e-13) << force;
+    EXPECT_EQ(bridge.entry_speed(0.1), 0.1);
+    EXPECT_EQ(bridge.effective_restitution((1.0 - 1e-12) * speed), 0.0);
+    EXPECT_GT(bridge.effective_restitution((1.0 + 1e-12) * speed), 0.0);
+    // Far from that: what is left of the speed at which it parts, of the work F h_r.
+    const double w = bridge.exit_speed(1.0), lost = 2.0 * force * gap / bed.reduced_mass();
+    EXPECT_LT(relative(bridge.effective_restitution(1.0), std::sqrt(w * w - lost)), 1e-13);
+  }
+  // Elastic: all of F h_r has to be paid, and nothing else.
+  const AdhesiveContact elastic(LinearSpringDashpot(1.0, 0.0, 1.0), {2.0, 0.25, 0.0, true});
+  EXPECT_DOUBLE_EQ(elastic.escape_velocity(), 1.0);
+  EXPECT_EQ(elastic.effective_restitution(0.5), 0.0);
+  EXPECT_DOUBLE_EQ(elastic.effective_restitution(2.0), std::sqrt(0.75));
+}
+
 TEST(AdhesiveContact, OverlapAndExitAgreeWithAnIntegration) {
   // K = mu = F_ad = 1, Taylor integration as above.
   EXPECT_LT(relative(unit(0.3, 1.0, 0.0).exit_speed(5.0), 0.56954899534687502758), 1e-13);

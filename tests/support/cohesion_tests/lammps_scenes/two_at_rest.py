@@ -17,4 +17,4 @@ timestep 1e-7
 SPHERES = HEAD % {"atoms": "sphere", "sizes": "set group all diameter 1e-3 density 2650"}
 POINTS = HEAD % {"atoms": "atomic", "sizes": "mass * 1e-6\ncomm_modify cutoff 1e-3"}
 TAIL = "\nfix move all nve\nrun 1\n"
-PAIR = "pair_style hamaker 4e-10 1e-7\npair_coeff * * 1e-19\n"
+PAIR = "pair_style hamaker cutoff 4e-10 1e-7\npair_coeff * * hamaker 1e-19\n"

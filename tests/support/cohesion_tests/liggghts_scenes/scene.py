@@ -65,6 +65,11 @@ def square_well(depth, wall=None, ratio=RATIO):
             + f"fix ratio all property/global wellRatio peratomtype {2 * (repr(float(ratio)) + ' ')}\n")
 
 
+def liquid_bridge(force, gap):
+    """The properties of cohesion liquid_bridge; beside a wall twice the force."""
+    return _matrix("bridgeForce", force, 2 * force) + _matrix("bridgeRuptureGap", gap, gap)
+
+
 def sphere(place, velocity=(0, 0, 0), spin=(0, 0, 0), radius=RADIUS):
     return dict(place=place, velocity=velocity, spin=spin, radius=radius)
 

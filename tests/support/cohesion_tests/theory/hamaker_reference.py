@@ -59,7 +59,7 @@ def energy(form, gap, ri, rj, A, cut, out, asperity=0.0):
 
 def words(A, cut, out, asperity=0.0):
     """The parameters as a script gives them."""
-    return f"{A:.17g} {cut:.17g} {out:.17g}" + (f" asperity {asperity:.17g}" if asperity else "")
+    return f"hamaker {A:.17g} cutoff {cut:.17g} {out:.17g}" + (f" asperity {asperity:.17g}" if asperity else "")
 
 
 def position_tolerance(length, gap, cut):

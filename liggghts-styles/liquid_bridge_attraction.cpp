@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "liquid_bridge_attraction.h"
+
+#include <mpi.h>
+// The engine's header of properties wants mpi.h before it.
+#include <algorithm>
+
+#include "atom.h"
+#include "contact_models.h"
+#include "event_stepping/sampled_bridge.h"
+#include "fix_mesh_surface.h"
+#include "global_properties.h"
+#include "mesh_contact.h"
+#include "property_registry.h"
+#include "update.h"
+
+namespace LIGGGHTS {
+namespace Cohesion {
+
+namespace {
+
+constexpr const char* asked_for_by = "cohesion model liquid_bridge";
+constexpr const char* force_property = "bridgeForce";
+constexpr const char* gap_property = "bridgeRuptureGap";
+
+MatrixProperty* make_force(PropertyRegistry& registry, const char* caller, bool) {
+  return MODEL_PARAMS::createPerTypePairProperty(registry, force_property, caller);
+}
+MatrixProperty* make_gap(PropertyRegistry& registry, const char* caller, bool) {
+  return MODEL_PARAMS::createPerTypePairProperty(registry, gap_property, caller);
+}
+
+/// Without this flag the engine forgets the contact when it makes a new list.
+void remember(const ContactModels::SurfacesCloseData& d, bool something) {
+  if (!d.contact_flags) return;
+  if (something)
+    *d.contact_flags |= ContactModels::CONTACT_COHESION_MODEL;
+  else
+    *d.contact_flags &= ~ContactModels::CONTACT_COHESION_MODEL;
+}
+
+}  // namespace
+
+LiquidBridgeAttraction::LiquidBridgeAttraction(LAMMPS* lmp, IContactHistorySetup* owner,
+                                               FixWallGran* wall)
+    : lmp_(lmp) {
+  // "0": the same seen from the other particle.
+  offset_ = owner->add_history_value("bridged", "0");
+  if (wall) owner->add_history_value("bridgeLastStep", "0");
+}
+
+void LiquidBridgeAttraction::connect(PropertyRegistry& registry, const NormalModelProbe&) {
+  registry.registerProperty(force_property, &make_force);
+  registry.registerProperty(gap_property, &make_gap);
+  double** force = registry.getMatrixProperty(force_property, asked_for_by)->data;
+  double** gap = registry.getMatrixProperty(gap_property, asked_for_by)->data;
+  is_active_ = false;
+  widest_gap_ = 0.0;
+  laws_.fill(
+      lmp_, MODEL, registry.max_type(),
+      [&](int i, int j) {
+        const cohesion::liquid_bridge::Parameters law{force[i][j], gap[i][j]};
+        require_valid(law);
+        is_active_ = is_active_ || law.force > 0.0;
+        if (law.force > 0.0) widest_gap_ = std::max(widest_gap_, law.rupture_gap);
+        return law;
+      },
+      [&](int i, int j) {
+        return shown(force_property, force[i][j]) + ", " + shown(gap_property, gap[i][j]);
+      });
+}
+
+ContactRange LiquidBridgeAttraction::range() const {
+  ContactRange range;
+  if (!is_active_) return range;  // the engine looks as far as it does without
+  range.gap = widest_gap_;
+  range.margin = MARGIN;
+  range.source = gap_property;
+  return range;
+}
+
+double LiquidBridgeAttraction::force(const Encounter& e) {
+  const auto& d = e.data;
+  const cohesion::liquid_bridge::Parameters& law = laws_.of(d.itype, d.jtype);
+  const bool bridged = law.force > 0.0 && cohesion::event_stepping::sampled_bridge(
+                                              law.rupture_gap, e.gap, was_bridged(e));
+  if (d.computeflag) {
+    double* const history = d.contact_history + offset_;
+    history[BRIDGED] = bridged;
+    if (d.mesh) history[LAST_STEP] = static_cast<double>(lmp_->update->ntimestep);
+    remember(d, bridged);
+  }
+  return bridged ? law.force : 0.0;
+}
+
+/// A step that is computed again, as each run does with the last one, finds the same.
+bool LiquidBridgeAttraction::was_bridged(const Encounter& e) const {
+  const auto& d = e.data;
+  const double* const history = d.contact_history + offset_;
+  const double last_step = static_cast<double>(lmp_->update->ntimestep - 1);
+  if (!d.mesh || !d.shearupdate || history[LAST_STEP] == last_step) return history[BRIDGED] != 0.0;
+  const double* const before = history_before(*d.fix_mesh, d.j, d.i, lmp_->atom->x[d.i], d.radi,
+                                              offset_ + LAST_STEP, last_step);
+  return before && before[offset_ + BRIDGED] != 0.0;
+}
+
+}  // namespace Cohesion
+}  // namespace LIGGGHTS

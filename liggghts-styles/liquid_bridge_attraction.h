@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef COHESION_LIQUID_BRIDGE_ATTRACTION_H
+#define COHESION_LIQUID_BRIDGE_ATTRACTION_H
+
+#include <cmath>
+
+#include "advice/stiffness_scaling.h"
+#include "contact_range.h"
+#include "encounter.h"
+#include "event_stepping/one_pass_bridge.h"
+#include "lammps.h"
+#include "liquid_bridge/parameters.h"
+#include "normal_model_probe.h"
+#include "sampled_energy_tally.h"
+#include "table_of_types.h"
+
+namespace LIGGGHTS {
+namespace Cohesion {
+
+/// Of the cohesion model liquid_bridge (liquid_bridge/parameters.h). Whether a contact has its
+/// bridge goes with the engine's contact history through exchange and restart.
+class LiquidBridgeAttraction final : public AttractionEnergy {
+ public:
+  static constexpr const char* MODEL = "liquid_bridge";
+  static constexpr bool BINDS_WHAT_ENTERED = true;
+  using OnePassLaw = cohesion::event_stepping::OnePassBridge;
+
+  LiquidBridgeAttraction(LAMMPS_NS::LAMMPS* lmp, IContactHistorySetup* owner,
+                         LAMMPS_NS::FixWallGran* wall);
+
+  void registerSettings(Settings&) {}
+
+  /// Reads fix property/global bridgeForce and bridgeRuptureGap (peratomtypepair). A parameter that
+  /// cannot be right stops the engine with the types and the values given.
+  void connect(PropertyRegistry& registry, const NormalModelProbe&);
+
+  ContactRange range() const;
+  bool is_active() const { return is_active_; }
+  /// Most of the pairs that it has to see: apart, and without a bridge. One with a triangle of a
+  /// mesh may have it from another.
+  bool is_out_of_reach(const ContactModels::SurfacesCloseData& near, bool) const {
+    return !near.mesh && near.contact_history[offset_ + BRIDGED] == 0.0;
+  }
+  static constexpr bool is_idle(const ContactModels::SurfacesCloseData&) { return false; }
+  static constexpr bool is_idle_in_contact(const ContactModels::SurfacesCloseData&) {
+    return false;
+  }
+
+  /// While the pair has its bridge.
+  bool binds(int, int, double, double, double gap, const double* history) const {
+    return is_active_ ? history && history[offset_ + BRIDGED] != 0.0 : gap < 0.0;
+  }
+  /// rj infinite: beside a wall.
+  cohesion::contact::Adhesion adhesion(int itype, int jtype, double ri, double rj) const {
+    return adhesion_of(laws_.of(itype, jtype), ri, std::isfinite(rj) ? rj : 0.0);
+  }
+  /// The spring has no part in it.
+  static cohesion::advice::Material material(int, int) { return {}; }
+
+  double force(const Encounter& encounter);
+  /// Zero at touch.
+  double energy(int itype, int jtype, double, double, double gap, bool bridged) const override {
+    return bridged ? laws_.of(itype, jtype).force * gap : 0.0;
+  }
+
+ private:
+  // What is remembered of a contact; the last beside walls alone, for contacts with meshes.
+  enum { BRIDGED, LAST_STEP };
+  /// How far beyond the gap of rupture the model sees, over the radius: a pair whose bridge broke
+  /// must be seen so.
+  static constexpr double MARGIN = 0.01;
+
+  bool was_bridged(const Encounter& encounter) const;
+
+  LAMMPS_NS::LAMMPS* lmp_;
+  int offset_;  // of what is remembered in the history of a contact
+  TableOfTypes<cohesion::liquid_bridge::Parameters> laws_;
+  double widest_gap_ = 0.0;
+  bool is_active_ = false;
+};
+
+}  // namespace Cohesion
+}  // namespace LIGGGHTS
+
+#endif

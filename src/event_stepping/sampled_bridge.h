@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "contact/adhesion.h"
+#include "event_stepping/sampled_repulsion.h"
+
+namespace cohesion::event_stepping {
+
+/// Whether a pair that stands at `gap` [length] has its bridge for the step, `bridged`: whether it
+/// had one. range [length]: gap of rupture.
+inline bool sampled_bridge(double range, double gap, bool bridged) {
+  return gap < 0.0 || (bridged && gap < range);
+}
+
+/// A liquid bridge (bridge_pair.h) as the scheme to compare with: it forms and breaks where the
+/// pair is found at a grid point, and pulls for the whole step. First order in the step; a touch
+/// that begins and ends between two grid points is missed.
+///
+/// Sphere and sphere, or sphere and plane with the separation from the centre to the foot of the
+/// normal.
+class SampledBridge {
+ public:
+  /// Force and, as cutoff, the gap of rupture; no tail.
+  using Attraction = contact::Adhesion;
+
+  SampledBridge(const contact::LinearSpringDashpot& spring, const contact::Adhesion& bridge,
+                double contact_distance, double /*step*/)
+      : spring_(spring),
+        contact_distance_(contact_distance),
+        range_(bridge.cutoff),
+        force_(bridge.force) {}
+
+  double range() const { return range_; }
+
+  bool within_reach(const RelativeState& grid, const StepWindow&) const {
+    return norm(grid.separation) <= contact_distance_ + range_;
+  }
+
+  PairStep advance(const RelativeState& grid, const StepWindow& window, bool inside) const {
+    PairStep step;
+    const double distance = norm(grid.separation);
+    const Vector3 normal = (1.0 / distance) * grid.separation;
+    const double time = window.length();
+    const double overlap = contact_distance_ - distance;
+    const double rate = -dot(normal, grid.velocity);
+    const double repulsion = sampled_repulsion(spring_, overlap, rate, time, step.normal);
+    step.inside = sampled_bridge(range_, -overlap, inside);
+    // Its energy is counted from the touch: what it did not do since then, or had done when it
+    // broke, from where the step began.
+    if (step.inside != inside)
+      step.normal.dissipated +=
+          (step.inside ? 1.0 : -1.0) * force_ * (overlap - window.before * rate);
+    const double attraction = step.inside ? force_ : 0.0;
+    step.change.velocity = (time * (repulsion - attraction) / spring_.reduced_mass()) * normal;
+    step.overlap_at_end = overlap;
+    return step;
+  }
+
+  double spring_energy(double overlap) const {
+    return overlap > 0.0 ? 0.5 * spring_.stiffness() * overlap * overlap : 0.0;
+  }
+  /// Of a pair that has its bridge, zero at touch.
+  double adhesion_energy(double overlap) const { return -force_ * overlap; }
+
+ private:
+  contact::LinearSpringDashpot spring_;
+  double contact_distance_;
+  double range_;
+  double force_;
+};
+
+}  // namespace cohesion::event_stepping
