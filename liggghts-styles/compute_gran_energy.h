@@ -2,7 +2,7 @@
 #ifndef COHESION_COMPUTE_GRAN_ENERGY_H
 #define COHESION_COMPUTE_GRAN_ENERGY_H
 
-#include "energy_companions.h"
+#include "energy_tally_of_runs.h"
 #include "energy_tally.h"
 #include "liggghts_api.h"
 

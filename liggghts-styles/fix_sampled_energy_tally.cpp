@@ -8,7 +8,7 @@
 #include <string>
 
 #include "cohesive_pairs.h"
-#include "energy_companions.h"
+#include "energy_tally_of_runs.h"
 #include "error.h"
 #include "fix_wall_gran.h"
 #include "force.h"

@@ -14,7 +14,7 @@ namespace Cohesion {
 /// there is a compute gran/energy.
 class FixSampledEnergyTally : public LAMMPS_NS::Fix {
  public:
-  static constexpr const char* STYLE = "cohesion_book";
+  static constexpr const char* STYLE = "cohesion_energy_tally";
 
   FixSampledEnergyTally(LAMMPS_NS::LAMMPS* engine, int count, char** words);
 

@@ -10,7 +10,7 @@
 #include "box_shear.h"
 #include "comm.h"
 #include "domain.h"
-#include "energy_companions.h"
+#include "energy_tally_of_runs.h"
 #include "error.h"
 #include "force.h"
 #include "gravity.h"
@@ -202,8 +202,6 @@ void FixEventStep::update_masses(int all) {
 }
 
 double FixEventStep::half_kick() const { return 0.5 * update->dt; }
-
-/* ---------------------------------------------------------------------- */
 
 void FixEventStep::setup_pre_force(int) {
   resuming = last_dt > 0.0;

@@ -11,7 +11,7 @@ ComputeStyle(gran/energy,ComputeGranEnergy);
 #include <memory>
 
 #include "compute.h"
-#include "energy_companions.h"
+#include "energy_tally_of_runs.h"
 #include "energy_tally.h"
 
 namespace LAMMPS_NS {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef COHESION_ENERGY_COMPANIONS_H
-#define COHESION_ENERGY_COMPANIONS_H
+#ifndef COHESION_ENERGY_TALLY_OF_RUNS_H
+#define COHESION_ENERGY_TALLY_OF_RUNS_H
 
 #include <string>
 
