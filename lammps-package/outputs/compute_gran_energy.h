@@ -11,8 +11,8 @@ ComputeStyle(gran/energy,ComputeGranEnergy);
 #include <memory>
 
 #include "compute.h"
-#include "energy_tally_of_runs.h"
 #include "energy_tally.h"
+#include "energy_tally_of_runs.h"
 
 namespace LAMMPS_NS {
 

@@ -289,11 +289,11 @@ void PairGranCohesive<Cohesion>::tally(int i, int j, const Vector3& separation, 
                -separation.y, -separation.z);
 }
 
-#define COHESION_INSTANTIATE(style, Law)                  \
-  template void PairGranCohesive<Law>::compute(int, int); \
-  template void PairGranCohesive<Law>::classify();          \
-  template void PairGranCohesive<Law>::follow_disturbed();        \
-  template void PairGranCohesive<Law>::couple_lasting();            \
-  template void PairGranCohesive<Law>::predict();    \
+#define COHESION_INSTANTIATE(style, Law)                   \
+  template void PairGranCohesive<Law>::compute(int, int);  \
+  template void PairGranCohesive<Law>::classify();         \
+  template void PairGranCohesive<Law>::follow_disturbed(); \
+  template void PairGranCohesive<Law>::couple_lasting();   \
+  template void PairGranCohesive<Law>::predict();          \
   template void PairGranCohesive<Law>::tally(int, int, const Vector3&, double, const Vector3&);
 COHESION_PAIR_LAWS(COHESION_INSTANTIATE)
