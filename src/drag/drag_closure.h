@@ -12,10 +12,8 @@
 #include "drag/syamlal_obrien.h"
 #include "drag/validity.h"
 
-/// The table of drag closures: the one place that knows them all.
-/// To add one: its header beside this file, its row in `closures`, its formula in
-/// tests/support/cohesion_tests/theory/closure_formulas.py, its row in
-/// docs/openfoam-coupling/drag_closures.md.
+/// The table of drag closures, or drag laws as users call them: the one place that knows them all.
+/// How to add one: CONTRIBUTING.md.
 namespace cohesion::drag {
 
 /// Drag per volume of solid and unit slip, beta/(1 - eps), [mass/(volume time)]; arguments as in
@@ -33,7 +31,7 @@ struct Closure {
   PerSolidVolume per_solid_volume;
   Validity validity;
   WithExponent with_exponent;    ///< none when the closure has no exponent to choose
-  std::string_view no_exponent;  ///< why there is none
+  std::string_view no_exponent;  ///< why there is none, as a message has it after "as"
 };
 
 inline constexpr std::array closures{
