@@ -8,18 +8,21 @@
 #include "void_fraction/particle_centre.h"
 #include "void_fraction/sphere_overlap.h"
 
-/// The table of void-fraction kernels: the one place that knows them all.
-/// To add one: its header beside this file, its row in `kernels`, its test, its row in
-/// docs/openfoam-coupling/void_fraction.md.
+/// The table of void-fraction kernels: the one place that knows them all. How to add one:
+/// CONTRIBUTING.md.
 ///
-/// A kernel says which share of a sphere's volume a cell gets. What the shares of all cells lack of
-/// 1, or have too much, is not the kernel's: who adds them up scales them to 1, so that the sphere
-/// keeps its volume beside walls too, and where a point lies on a face of two cells.
+/// A kernel says which share of a sphere's volume a cell gets, from the sphere and that cell alone.
+/// A cell that has no point within `reach` of the centre gets none, and one that has all of those
+/// gets all: of such cells the kernel may not be asked. What the shares of all cells lack of 1, or
+/// have too much, is not the kernel's: who adds them up scales them to 1, so that the sphere keeps
+/// its volume beside walls too, and where a point lies on a face of two cells.
 namespace cohesion::void_fraction {
 
 struct Kernel {
   std::string_view name;
-  double reach;  ///< from the centre to the last cell that may get a share, in radii [1]
+  /// From the centre to the farthest point by which a cell may get a share, in radii [1]; 0: all
+  /// goes to the cell of the centre.
+  double reach;
   double (*share)(const Sphere&, const Cell&);
 };
 
