@@ -21,7 +21,8 @@ class BoundPairs {
   ~BoundPairs() = default;
 };
 
-/// A fix that reads them.
+/// A fix that reads them. By this a pair style in which nothing acts knows that it must keep its
+/// list of neighbours all the same; it asks the fixes and no computes.
 class BoundPairsReader {
  protected:
   ~BoundPairsReader() = default;

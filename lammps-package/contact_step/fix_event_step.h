@@ -25,9 +25,10 @@ FixStyle(EVENT_STEP,FixEventStep);
 
 namespace LAMMPS_NS {
 
-/// What follows contacts in the event scheme: pair styles and walls. FixEventStep::run_corrector()
-/// calls all of this with the first forces of a step; the corrector is each style's own part of
-/// Pair::compute or Fix::post_force.
+/// The pair styles and walls with soft contacts, of either scheme: what FixEventStep orders within
+/// a step. FixEventStep::run_corrector() calls all of this with the first forces of a step; the
+/// corrector is each style's own part of Pair::compute or Fix::post_force. In the sampled scheme
+/// classify() finds the close pairs alone, and contacts are computed in that part.
 class EventContacts {
  public:
   /// Lets contacts that last act, and adds the others to those that are followed, with what leads

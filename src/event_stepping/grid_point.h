@@ -13,7 +13,8 @@ struct GridPoint {
   double sideways;  ///< speed across the normal, 0 beside a wall, [length/time]
 };
 
-/// What is remembered of a pair from one grid point to the next.
+/// What OnePassContact remembers of a pair from one grid point to the next; of two passes and of
+/// sampled contacts it is ContactMemory.
 struct GridMemory {
   /// `beyond`: outside the range, known by the grid. `lasting`: in contact all through the last
   /// step. `entered`, `left`: inside or outside after a step with an event. `within`: inside
