@@ -34,10 +34,10 @@ print "found particles ${particles} side ${side} plate ${plate} pulled ${pulled}
 
 # Energy of the wells [J], a few steps later. Then the places and velocities.
 LOOK_AT_WELLS = """
-compute book all gran/energy
-thermo_style custom step c_book[5]
+compute tally all gran/energy
+thermo_style custom step c_tally[5]
 run 10
-variable held equal c_book[5]
+variable held equal c_tally[5]
 print "found held ${held} plate_pull ${plate_pull}"
 write_dump all custom places id x y vx vy modify format float %.17g
 """
@@ -101,7 +101,7 @@ class Mechanisms(unittest.TestCase):
 
     def test_square_wells_each_by_itself(self):
         """The energy is D for each pair of particles that is nearer than the edge of its well and 2 D for each particle
-        that is nearer to a wall than the edge of its. The book is some half a step away from the places."""
+        that is nearer to a wall than the edge of its. The tally is some half a step away from the places."""
         # It takes longer until particles come to the side walls.
         for scheme, given, settle in (("event", (1, 0, 0), 0.02), ("event", (0, 1, 0), 0.04),
                                       ("event", (0, 0, 1), 0.02), ("event", (0, 0, 0), 0.02),

@@ -16,14 +16,14 @@ OVERLAP = SPEED * math.sqrt(MU / STIFFNESS)
 DT = pair_motion.CONTACT_TIME / 20
 PART = 100  # steps in which one couple meets: 10 before and 20 of the contact
 DEFINE = """
-compute book all gran/energy
+compute tally all gran/energy
 compute stress all gran/stress
-thermo_style custom step c_book[6] c_stress[1][2]
+thermo_style custom step c_tally[6] c_stress[1][2]
 thermo_modify norm no format float %.17g
 """
 DELETE = """
 thermo_style custom step
-uncompute book
+uncompute tally
 uncompute stress
 """
 
@@ -78,14 +78,14 @@ thermo {PART}
 
     def test_a_second_one_beside_the_first(self):
         rows = self.rows(f"""{DEFINE}run {PART}
-compute book2 all gran/energy
+compute tally2 all gran/energy
 compute stress2 all gran/stress
-thermo_style custom step c_book[6] c_stress[1][2] c_book2[6] c_stress2[1][2] c_book[10] c_book2[10]
+thermo_style custom step c_tally[6] c_stress[1][2] c_tally2[6] c_stress2[1][2] c_tally[10] c_tally2[10]
 thermo_modify norm no format float %.17g
 run {PART}
-uncompute book
+uncompute tally
 uncompute stress
-thermo_style custom step c_book2[6] c_stress2[1][2]
+thermo_style custom step c_tally2[6] c_stress2[1][2]
 thermo_modify norm no format float %.17g
 run {PART}
 """)

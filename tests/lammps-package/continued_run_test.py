@@ -25,9 +25,9 @@ CONTACT = f"stiffness {STIFFNESS} restitution 0.9"
 PERIOD = 40 * DT
 SPIN = numpy.array([300.0, 100.0, -200.0])
 
-STORED = ["c_book[3]", "c_book[4]", "c_book[12]", "c_book[5]"]  # springs, of which two tangential; adhesion
-MOTION = ["c_book[1]", "c_book[2]"]
-LOST = ["c_book[6]", "c_book[7]", "c_book[8]", "c_book[13]"]
+STORED = ["c_tally[3]", "c_tally[4]", "c_tally[12]", "c_tally[5]"]  # springs, of which two tangential; adhesion
+MOTION = ["c_tally[1]", "c_tally[2]"]
+LOST = ["c_tally[6]", "c_tally[7]", "c_tally[8]", "c_tally[13]"]
 
 OVERLAY = (f"pair_style hybrid/overlay gran/hamaker square_well\npair_coeff * * gran/hamaker {CONTACT} {HAMAKER}\n"
            "pair_coeff * * square_well well 1e-10 1.01\n")
@@ -49,10 +49,10 @@ def scene(style, words, oblique=0.0, scheme="event", walls="", x=5e-3):
 
 
 class ContinuedRun(ScriptTestCase):
-    def book(self, pair, runs, ranks=1, head="read_data data.spheres", boundary="p p p",
+    def tally(self, pair, runs, ranks=1, head="read_data data.spheres", boundary="p p p",
              dt=DT):
         """The lines of the last run, by name, and the end of the motion. COMPUTE in `runs` begins the tally."""
-        opened = ("compute book all gran/energy\nthermo_style custom step c_book[*]\n"
+        opened = ("compute tally all gran/energy\nthermo_style custom step c_tally[*]\n"
                   "thermo_modify norm no format float %.17g")
         output = self.goes(f"""
 plugin load ${{plugin}}
@@ -77,11 +77,11 @@ write_dump all custom end.txt id x y z vx vy vz omegax omegay omegaz modify form
         """What a tally has that begins between two runs, or after a restart, against one that was there
         from the start."""
         engine.write_spheres(self.folder, atoms, 3 * [(0.0, 0.01)], 1)
-        whole, end = self.book(pair, f"COMPUTE\nrun {STEPS}", boundary=boundary)
+        whole, end = self.tally(pair, f"COMPUTE\nrun {STEPS}", boundary=boundary)
         whole = {name: values[SPLIT:] for name, values in whole.items()}
         rest = STEPS - SPLIT
         halves = f"run {SPLIT}\nCOMPUTE\nrun {rest}"
-        self.book(pair, f"run {SPLIT}\nwrite_restart restart.half", boundary=boundary)
+        self.tally(pair, f"run {SPLIT}\nwrite_restart restart.half", boundary=boundary)
         kinetic = MASS * SPEED**2
         # Places of 0.01 m, rounded to 2^-53, in some ten operations against a spring stretched by 2e-6 m at
         # most; twice that for the file.
@@ -94,12 +94,12 @@ write_dump all custom end.txt id x y z vx vy vz omegax omegay omegaz modify form
             ways.append(("between runs, two ranks", halves, {"ranks": 2}))
         for name, runs, options in ways:
             with self.subTest(name):
-                book, again = self.book(pair, runs, boundary=boundary, **options)
+                tally, again = self.tally(pair, runs, boundary=boundary, **options)
                 # The places' rounding, times pi/t_c a speed, over R a spin; a force that is lost makes 1 1/s.
                 numpy.testing.assert_allclose(again, end, rtol=0,
                                               atol=20 * 2**-53 * 0.01 * math.pi / CONTACT_TIME / R)
-                stored = numpy.array([book[key] - whole[key] for key in STORED])
-                moves = numpy.array([book[key] - whole[key] for key in MOTION])
+                stored = numpy.array([tally[key] - whole[key] for key in STORED])
+                moves = numpy.array([tally[key] - whole[key] for key in MOTION])
                 room = numpy.full(4, rounding)
                 if friction:
                     # Friction moves what the normal motion has left, along the plane of contact of mid-step:
@@ -115,10 +115,10 @@ write_dump all custom end.txt id x y z vx vy vz omegax omegay omegaz modify form
                 self.assertGreater(abs(numpy.array([whole[key][0] for key in STORED])).max(), 1e3 * rounding)
                 # From the second line on all is as it was; the residual counts from the opening.
                 self.assertLess(max(abs(stored[:, 1:]).max(), abs(moves[:, 1:]).max()), rounding)
-                lost = numpy.array([book[key] - whole[key] + whole[key][0] - book[key][0] for key in LOST])
+                lost = numpy.array([tally[key] - whole[key] + whole[key][0] - tally[key][0] for key in LOST])
                 self.assertLess(abs(lost).max(), rounding)
-                missing = book["c_book[10]"] - book["c_book[10]"][0]
-                self.assertLess(abs(missing - whole["c_book[10]"] + whole["c_book[10]"][0]).max(),
+                missing = tally["c_tally[10]"] - tally["c_tally[10]"][0]
+                self.assertLess(abs(missing - whole["c_tally[10]"] + whole["c_tally[10]"][0]).max(),
                                 room.sum() + 4 * rounding)
         return whole
 
@@ -146,7 +146,7 @@ write_dump all custom end.txt id x y z vx vy vz omegax omegay omegaz modify form
 
     def test_packing(self):
         """Where each sphere has up to six contacts: a tally that begins between two runs has what the splitting of
-        one step leaves, second order in the step, of the energies of all springs and of the adhesion. Motion and book
+        one step leaves, second order in the step, of the energies of all springs and of the adhesion. Motion and tally
         then go on as if there had been no stop, to the last bit."""
         random = numpy.random.default_rng(3)
         places = R + 0.998 * DIAMETER * numpy.arange(6)
@@ -161,26 +161,26 @@ write_dump all custom end.txt id x y z vx vy vz omegax omegay omegaz modify form
             apart = []
             for part in (5, 20):
                 def after(runs):
-                    lines, end = self.book(pair, runs, boundary="f f f", dt=CONTACT_TIME / part)
+                    lines, end = self.tally(pair, runs, boundary="f f f", dt=CONTACT_TIME / part)
                     return {name: values[-1] for name, values in lines.items()}, end
 
                 (last, _), (first, _) = (after(f"COMPUTE\nrun {6 * part}\n{more}") for more in ("", "run 0"))
                 whole, end = after(f"COMPUTE\nrun {12 * part}")
                 for opened in ("COMPUTE", "COMPUTE\nrun 0"):
-                    book, again = after(f"run {6 * part}\n{opened}\nrun {6 * part}")
+                    tally, again = after(f"run {6 * part}\n{opened}\nrun {6 * part}")
                     numpy.testing.assert_array_equal(again, end)
                     for key in STORED + MOTION:
-                        self.assertEqual(book[key], whole[key], (key, opened))
+                        self.assertEqual(tally[key], whole[key], (key, opened))
                 for key in MOTION:
                     self.assertEqual(first[key], last[key])
-                apart.append(sum(abs(first[key] - last[key]) for key in STORED) / last["c_book[3]"])
+                apart.append(sum(abs(first[key] - last[key]) for key in STORED) / last["c_tally[3]"])
                 print(f"packing {friction}: t_c/{part}: {apart[-1]:.1e} of the springs", file=sys.stderr)
             # Between the 4 of first order and the 16 of second.
             self.assertLess(apart[1], apart[0] / 8)
 
     def test_range_that_a_script_changes(self):
         """Between two runs a law begins, becomes wider, or the box smaller: a pair that is in range then is held, and
-        did not fall into it. Whether a book is kept does not matter."""
+        did not fall into it. Whether a tally is kept does not matter."""
         speed, before, after = 2.7e-3, 5, 20
         time = after * DT
         depth, width = 1e-11, 0.1 * DIAMETER
@@ -206,8 +206,8 @@ write_dump all custom end.txt id x y z vx vy vz omegax omegay omegaz modify form
                     change = (f"pair_coeff * * {CONTACT} {then}" if then else
                               "change_box all x final 5.5e-6 0.0099945 remap units box")
                     runs = f"run {before}\n{change}\nrun {after}"
-                    book, end = self.book(pair + first, "COMPUTE\n" + runs)
-                    numpy.testing.assert_array_equal(self.book(pair + first, runs)[1], end)
+                    tally, end = self.tally(pair + first, "COMPUTE\n" + runs)
+                    numpy.testing.assert_array_equal(self.tally(pair + first, runs)[1], end)
                     found = (end[0] - end[1])[4]
                     if name == "square_well":
                         # One that parts turns round at the edge. Places of 0.01 m are rounded to 2^-53.
@@ -215,7 +215,7 @@ write_dump all custom end.txt id x y z vx vy vz omegax omegay omegaz modify form
                     else:
                         # A run goes on with the force of the step before it, of no law: that of one step is missing.
                         self.assertAlmostEqual(found, parts * speed - pull * time, delta=1.1 * pull * DT)
-                    self.assertLess(book["c_book[5]"][-1], -0.9 * depth)
+                    self.assertLess(tally["c_tally[5]"][-1], -0.9 * depth)
 
 
 if __name__ == "__main__":

@@ -95,7 +95,7 @@ class Refusals(unittest.TestCase):
                         ("move linear 1 0 0", "fix other move", "paths"),
                         ("viscous 1", "fix other viscous", "another velocity"),
                         ("deform/shear rate 1", "multiple fixes change box"))],
-                  (begin + MOVE + "compute book all gran/energy\nrun 1\n", "compute book gran/energy",
+                  (begin + MOVE + "compute tally all gran/energy\nrun 1\n", "compute tally gran/energy",
                    "fix shear deform/shear", "changes the box"),
                   (begin + "fix other all nvt temp 1 1 1\nrun 1\n", "fix other nvt", "nvt/sllod"),
                   (begin + MOVE + "run_style respa 2 2\nrun 1\n", "run_style verlet"),

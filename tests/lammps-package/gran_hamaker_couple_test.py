@@ -263,15 +263,15 @@ class Conservation(unittest.TestCase):
         # Positions up to 0.03 m are rounded, thirty times the distance that counts.
         self.assertLess(drift, 60 * 4 * 2.0**-53 * 30 * scale)
 
-    def test_energy_book_head_on_closes_to_rounding(self):
+    def test_energy_tally_head_on_closes_to_rounding(self):
         for division in (4, 16):
             box = Box(0.0, division, head_on=True)
-            residual = numpy.abs(box.book[10]).max()
+            residual = numpy.abs(box.tally[10]).max()
             report(f"energy tally, head-on, t_c/{division}: {residual / box.energy:.1e} of all")
-            self.assertGreater(box.book[6][-1], 1e-2 * box.energy)
+            self.assertGreater(box.tally[6][-1], 1e-2 * box.energy)
             self.assertLess(residual, box.rounding)
 
-    def test_energy_book_without_friction_closes_after_contact(self):
+    def test_energy_tally_without_friction_closes_after_contact(self):
         # In contact the centrifugal force is that at touching centres, which the energy of turning,
         # L^2/(2 mu r^2), sees as an error of 1.5 (x/R)^2 of itself, whatever the step. x: from
         # SPEED, and from the adhesion, 2 F_ad/K.
@@ -281,15 +281,15 @@ class Conservation(unittest.TestCase):
         for division in (4, 16):
             # The tally begins half a step after the start, before any contact.
             box = Box(0.0, division, apart=True)
-            residual = numpy.abs(box.book[10])
+            residual = numpy.abs(box.tally[10])
             report(f"energy tally, oblique, no friction, t_c/{division}: "
                    f"{residual.max() / box.energy:.1e} of all in contact, "
                    f"{residual[-1] / box.energy:.1e} after it")
             self.assertLess(residual.max(), 1.5 * (overlap / reach)**2 * box.energy)
-            self.assertEqual(box.book[3][-1], 0.0)
+            self.assertEqual(box.tally[3][-1], 0.0)
             self.assertLess(residual[-1], box.rounding)
 
-    def test_energy_book_with_friction_is_of_first_order(self):
+    def test_energy_tally_with_friction_is_of_first_order(self):
         # The impulse of friction acts at the grid point, across the normal there; by n+1/2 the
         # normal has turned by v dt/(2 R), so that it has a part along the normal: of the impulse,
         # below 2 mu_f mu (1 + e) v, that part times the speed v along the normal before and after.
@@ -298,17 +298,17 @@ class Conservation(unittest.TestCase):
         residuals = []
         for division in (4, 8, 16, 32):
             box = Box(0.3, division)
-            residual = numpy.abs(box.book[10]).max()
+            residual = numpy.abs(box.tally[10]).max()
             bound = 8 * 0.3 * Box.SPEED * T_C / division / (2 * reach) * box.energy
             report(f"energy tally, friction 0.3, t_c/{division}: {residual / box.energy:.1e} of all, "
                    f"{residual / bound:.2f} of the bound; lost in dashpots "
-                   f"{box.book[6][-1] / box.energy:.3f} + {box.book[7][-1] / box.energy:.3f}, in "
-                   f"sliding {box.book[8][-1] / box.energy:.3f}")
+                   f"{box.tally[6][-1] / box.energy:.3f} + {box.tally[7][-1] / box.energy:.3f}, in "
+                   f"sliding {box.tally[8][-1] / box.energy:.3f}")
             self.assertLess(residual, bound)
             residuals.append(residual)
             for k in (6, 7, 8):  # what is lost is lost
-                self.assertGreaterEqual(numpy.diff(box.book[k]).min(), -box.rounding)
-                self.assertGreater(box.book[k][-1], 1e-3 * box.energy)
+                self.assertGreaterEqual(numpy.diff(box.tally[k]).min(), -box.rounding)
+                self.assertGreater(box.tally[k][-1], 1e-3 * box.energy)
         self.assertLess(residuals[3], residuals[0] / 4)
 
     def test_energies_are_those_of_the_laws(self):
@@ -320,7 +320,7 @@ class Conservation(unittest.TestCase):
         law = numpy.vectorize(lambda h: 0.0 if h >= CUT else hamaker_reference.energy(
             "small_gap", h, *(0.5 * box.DIAMETERS), box.A, CUT, OUT))
         adhesion = law(gap)
-        for found, expected in ((box.book[3], spring), (box.book[5], adhesion),
+        for found, expected in ((box.tally[3], spring), (box.tally[5], adhesion),
                                 (box.thermo["PotEng"], spring + adhesion)):
             expected = expected.sum(axis=1)
             self.assertGreater(numpy.abs(expected).max(), 0.0)
@@ -335,7 +335,7 @@ class Conservation(unittest.TestCase):
         path, output = couples.run(atoms, ["* * " + pair.words()], dt, 250, every=1)
         names, lines = thermo_lines(output)
         thermo = dict(zip(names, numpy.array(lines).T))
-        potential = thermo["c_book[3]"] + thermo["c_book[5]"]
+        potential = thermo["c_tally[3]"] + thermo["c_tally[5]"]
         force = path[1:-1, 0, 1, 10]
         distance = relative(path[:, 0].reshape(-1, 2, 15))[:, 1]
         way = distance[2:] - distance[:-2]

@@ -87,14 +87,14 @@ class HeadOn(unittest.TestCase):
             # The gap is rounded by 3e-17 m, in contact that is w0 3e-17 m = 1e-12 m/s.
             numpy.testing.assert_allclose(out, math.sqrt(w**2 - 2 * FORCE * GAP / MU), rtol=1e-9)
             names, lines = thermo_lines(output)
-            book = dict(zip(names, numpy.array(lines).T))
+            tally = dict(zip(names, numpy.array(lines).T))
             energy = 20 * 0.5 * MU * speed**2
             # Nothing is stored, all that is lost counts as normal damping, and the sum is right at
             # each grid point: roundings of the energy, and of the gap at the force of the contact.
             lost = energy - 20 * 0.5 * MU * out[0]**2
-            self.assertAlmostEqual(book["c_book[6]"][-1] / lost, 1, delta=1e-9)
-            self.assertEqual(book["PotEng"][-1], 0.0)
-            self.assertLess(numpy.abs(book["c_book[10]"]).max(),
+            self.assertAlmostEqual(tally["c_tally[6]"][-1] / lost, 1, delta=1e-9)
+            self.assertEqual(tally["PotEng"][-1], 0.0)
+            self.assertLess(numpy.abs(tally["c_tally[10]"]).max(),
                             math.sqrt(20 * 10 * division) * 3e-17 * 1.0 +
                             10 * division * 2.0**-53 * energy)
 

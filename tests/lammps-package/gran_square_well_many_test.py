@@ -54,7 +54,7 @@ class Many(Gas):
             self.follow(None, ["* * " + words(depth, ratio, 0.0)], dt, steps, boundary="p p p",
                         every=max(1, steps // 50))
             table, _ = gas.table(self.output)
-            # step pe press book[1..10]: kinetic, rotational, spring, tangential, adhesion, ...
+            # step pe press tally[1..10]: kinetic, rotational, spring, tangential, adhesion, ...
             total = table[:, 3:8].sum(axis=1)
             drift = numpy.abs(total - total[0]).max() / table[0, 3]
             report(f"elastic gas, phi {phi}, D {depth:g} J, ratio {ratio}, t_c/{division}, 20 "

@@ -176,11 +176,11 @@ class Passes(unittest.TestCase):
         numpy.testing.assert_allclose(table["PotEng"], -depth * steps_of, rtol=0, atol=1e-25)
         self.assertEqual((steps_of.max(), steps_of[-1]), (5, 0))
         energy = 0.5 * mass * speed**2 * len(offsets)
-        report(f"passes: energy tally {numpy.abs(table['c_book[10]']).max() / energy:.1e} of all")
+        report(f"passes: energy tally {numpy.abs(table['c_tally[10]']).max() / energy:.1e} of all")
         # Two events of each couple, some ten roundings each.
-        self.assertLess(numpy.abs(table["c_book[10]"]).max(), 2 * 5 * 10 * 2.0**-53 * 2 * energy)
+        self.assertLess(numpy.abs(table["c_tally[10]"]).max(), 2 * 5 * 10 * 2.0**-53 * 2 * energy)
 
-    def test_energy_book_closes_in_contact(self):
+    def test_energy_tally_closes_in_contact(self):
         # Head-on, so that nothing turns: see gran_hamaker_couple_test.py for the roundings.
         depth, speed, dt = 5e-11, 0.02, T_C / 4
         atoms = []
@@ -190,10 +190,10 @@ class Passes(unittest.TestCase):
                                    style="gran/square_well", skin=4e-4)
         names, lines = thermo_lines(output)
         table = dict(zip(names, numpy.array(lines).T))
-        energy = table["c_book[1]"][0]
-        report(f"book, head-on: {numpy.abs(table['c_book[10]']).max() / energy:.1e} of all")
-        self.assertGreater(table["c_book[6]"][-1], 1e-2 * energy)
-        self.assertLess(numpy.abs(table["c_book[10]"]).max(),
+        energy = table["c_tally[1]"][0]
+        report(f"tally, head-on: {numpy.abs(table['c_tally[10]']).max() / energy:.1e} of all")
+        self.assertGreater(table["c_tally[6]"][-1], 1e-2 * energy)
+        self.assertLess(numpy.abs(table["c_tally[10]"]).max(),
                         math.sqrt(20 * 100) * 3e-17 * 3e-2 + 100 * 2.0**-53 * energy)
         out = relative(path[-1])[:, 4]
         inside = RESTITUTION**2 * (speed**2 + well_speed(depth)**2)

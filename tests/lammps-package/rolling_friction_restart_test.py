@@ -96,8 +96,8 @@ class Ended(Rolling):
         words = (f"stiffness {STIFFNESS} restitution 0.9 friction 10 hamaker {A} cutoff {CUT} {OUT} "
                  "rolling_friction ")
         again = "comm_modify vel yes\nneighbor 1e-4 bin\n"
-        move = (f"fix move all nve/sphere\ntimestep {T_C / 10:.17g}\ncompute book all gran/energy\n"
-                "thermo 1\nthermo_style custom step c_book[4]\n")
+        move = (f"fix move all nve/sphere\ntimestep {T_C / 10:.17g}\ncompute tally all gran/energy\n"
+                "thermo 1\nthermo_style custom step c_tally[4]\n")
         end = ("run 7\nwrite_dump all custom end.txt id x y z vx vy vz omegax omegay omegaz "
                "modify format float %.17g sort id\n")
         styles = (("gran/hamaker", "", ""), ("hybrid/overlay gran/hamaker square_well", "gran/hamaker ",
@@ -124,7 +124,7 @@ class Ended(Rolling):
                     code, output = engine.run_text(text + end, self.folder)
                     self.assertEqual(code, 0, output)
                     names, lines = thermo_lines(output)
-                    self.assertGreater(lines[1][names.index("c_book[4]")], 0.0)
+                    self.assertGreater(lines[1][names.index("c_tally[4]")], 0.0)
                     tables.append(engine.dump(self.folder, "end.txt"))
                 near(*tables)
                 ends.append(tables[0])
@@ -156,8 +156,8 @@ class Input(Rolling):
         for gravity in ("9.81", "v_g"):
             output = self.ends(
                 "pair_coeff * * stiffness 800\nvariable g equal 9.81\n"
-                f"fix weight all gravity {gravity} vector 0 0 -1\ncompute book all gran/energy\nthermo 3\n"
-                "thermo_style custom step press c_book c_book[9] c_book[11]\n"
+                f"fix weight all gravity {gravity} vector 0 0 -1\ncompute tally all gran/energy\nthermo 3\n"
+                "thermo_style custom step press c_tally c_tally[9] c_tally[11]\n"
                 "thermo_modify format float %.17g\nfix move all nve/sphere\nrun 10\n", 0, lines=True)
             found.append(thermo_lines(output)[1])
         self.assertEqual([row[0] for row in found[0]], [0, 3, 6, 9, 10])

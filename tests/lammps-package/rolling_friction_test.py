@@ -60,8 +60,8 @@ class OnAPlane(Rolling):
         # Springs and dashpots are at rest: 0.05 s are 400 contact times, of which each takes 1/e.
         self.assertLess(max(abs(path[-1, 3]), RADIUS * abs(path[-1, 7])), 2.0**-53 * speed)
         # All of the energy is lost, to rolling nearly: the sliding spring takes part in the last swing.
-        energy = thermo["c_book[1]"][0] + thermo["c_book[2]"][0]
-        lost = thermo["c_book[13]"][-1] - thermo["c_book[13]"][0]
+        energy = thermo["c_tally[1]"][0] + thermo["c_tally[2]"][0]
+        lost = thermo["c_tally[13]"][-1] - thermo["c_tally[13]"][0]
         self.assertAlmostEqual(lost / energy, 1.0, delta=spring / way)
 
     def test_a_slope_holds_it_below_mu_r_and_not_above(self):
@@ -116,9 +116,9 @@ class OnePair(Rolling):
                 # The overlap is 2.4e-7 m of places of 1e-3 m.
                 self.assertAlmostEqual(found, 1.0, delta=ROUNDING)
             numpy.testing.assert_allclose(path[:, 0, 7], -path[:, 1, 7], rtol=1e-12)
-            energy = thermo["c_book[2]"][0]
-            self.assertGreater(thermo["c_book[13]"][-1], 0.9 * energy)
-            residual = numpy.abs(thermo["c_book[10]"]).max() / energy
+            energy = thermo["c_tally[2]"][0]
+            self.assertGreater(thermo["c_tally[13]"][-1], 0.9 * energy)
+            residual = numpy.abs(thermo["c_tally[10]"]).max() / energy
             report(f"pair, {scheme}: energy tally {residual:.1e}")
             self.assertLess(residual, 4 * 2.0**-53 * steps)
 
@@ -167,7 +167,7 @@ class Impacts(unittest.TestCase):
         self.assertLess(drift, 60 * 4 * 2.0**-53 * 30 * scale * DIAMETER)
         self.assertGreater(numpy.abs(box.spin[-1] - without.spin[-1]).max(), 1e-2 * scale * DIAMETER)
 
-    def test_energy_book_is_of_first_order(self):
+    def test_energy_tally_is_of_first_order(self):
         # As with friction (gran_hamaker_couple_test): the angular impulse of rolling is below
         # R mu_R 2 mu (1 + e) v, and by n+1/2 a part v dt/(2 R) of it is along the normal. Friction
         # and rolling friction act on the same spins in turn: second order, and smaller here. Order 1 is
@@ -175,15 +175,15 @@ class Impacts(unittest.TestCase):
         reach, residuals = 0.5 * Box.DIAMETERS.sum(), []
         for division in (4, 8, 16, 32):
             box = Box(0.3, division, rolling=0.2)
-            residual = numpy.abs(box.book[10]).max()
+            residual = numpy.abs(box.tally[10]).max()
             bound = 8 * (0.3 + 0.2) * Box.SPEED * T_C / division / (2 * reach) * box.energy
             report(f"rolling impacts, t_c/{division}: energy tally {residual / box.energy:.1e} of all, "
                    f"{residual / bound:.2f} of the bound; lost in rolling "
-                   f"{box.book[13][-1] / box.energy:.4f}")
+                   f"{box.tally[13][-1] / box.energy:.4f}")
             self.assertLess(residual, bound)
-            self.assertGreaterEqual(numpy.diff(box.book[13]).min(), -box.rounding)
-            self.assertGreater(box.book[13][-1], 1e-3 * box.energy)
-            self.assertEqual(box.book[12][-1], 0.0)
+            self.assertGreaterEqual(numpy.diff(box.tally[13]).min(), -box.rounding)
+            self.assertGreater(box.tally[13][-1], 1e-3 * box.energy)
+            self.assertEqual(box.tally[12][-1], 0.0)
             residuals.append(residual)
         self.assertGreater(residuals[1] / residuals[3], 4**0.75)
 
@@ -199,23 +199,23 @@ class Gravity(Rolling):
         for parts in (5, 10, 20, 40):
             dt = WALL_TIME / parts
             steps = int(0.1 / dt)
-            path, book = self.run_spheres([ball(RADIUS + 1e-3, (0.01, 0.0, 0.05), (0.0, 3.0, 0.0))],
+            path, tally = self.run_spheres([ball(RADIUS + 1e-3, (0.01, 0.0, 0.05), (0.0, 3.0, 0.0))],
                                           dt, steps, 1, gz=-G,
                                           wall=f"stiffness {STIFFNESS} restitution 0.9 friction 0.3 "
                                                "zplane 0 NULL")
             # A few roundings of m g z.
-            numpy.testing.assert_allclose(book["c_book[11]"], MASS * G * path[:, 0, 2], rtol=1e-14)
-            mechanical = sum(book[f"c_book[{k}]"] for k in (1, 2, 3, 4, 5, 11, 12))
-            numpy.testing.assert_allclose(book["c_book"], mechanical, rtol=1e-14)
-            energy = book["c_book"][0]
-            flies = book["c_book[6]"] == 0.0  # before the first bounce
+            numpy.testing.assert_allclose(tally["c_tally[11]"], MASS * G * path[:, 0, 2], rtol=1e-14)
+            mechanical = sum(tally[f"c_tally[{k}]"] for k in (1, 2, 3, 4, 5, 11, 12))
+            numpy.testing.assert_allclose(tally["c_tally"], mechanical, rtol=1e-14)
+            energy = tally["c_tally"][0]
+            flies = tally["c_tally[6]"] == 0.0  # before the first bounce
             self.assertGreater(flies.sum(), 10 * parts)
-            self.assertLess(numpy.abs(book["c_book[10]"][flies]).max(),
+            self.assertLess(numpy.abs(tally["c_tally[10]"][flies]).max(),
                             8 * 2.0**-53 * flies.sum() * energy)
             # All forces but those of the contact and the weight: roundings of the work they do,
             # in a bounce twice the energy.
-            self.assertLess(numpy.abs(book["c_book[9]"]).max(), 10 * 4 * 2.0**-53 * energy)
-            residuals.append(numpy.abs(book["c_book[10]"]).max() / energy)
+            self.assertLess(numpy.abs(tally["c_tally[9]"]).max(), 10 * 4 * 2.0**-53 * energy)
+            residuals.append(numpy.abs(tally["c_tally[10]"]).max() / energy)
             bounces = (numpy.diff(numpy.sign(path[:, 0, 5])) > 0).sum()
             self.assertGreater(bounces, 2)
             report(f"thrown up, {bounces} bounces at t_c/{parts}: energy tally {residuals[-1]:.1e}")
@@ -226,17 +226,17 @@ class Gravity(Rolling):
     def test_through_a_periodic_side(self):
         # Down a periodic direction the potential goes on falling.
         dt = WALL_TIME / 10
-        path, book = self.run_spheres([ball(1e-3, (0.3, 0.0, 0.0))], dt, 4000, 100,
+        path, tally = self.run_spheres([ball(1e-3, (0.3, 0.0, 0.0))], dt, 4000, 100,
                                       box=((0.0, 0.004), (-0.02, 0.02), (-0.01, 0.02)),
                                       boundary="p p f", gx=G)
         t = dt * 100 * numpy.arange(41)
         fallen = 0.3 * t + 0.5 * G * t**2
         self.assertGreater(fallen[-1], 0.008)
-        numpy.testing.assert_allclose(book["c_book[11]"], -MASS * G * fallen,
+        numpy.testing.assert_allclose(tally["c_tally[11]"], -MASS * G * fallen,
                                       rtol=1e-12, atol=1e-14 * MASS * G)
         # The speed is rounded alike in many steps.
-        self.assertLess(numpy.abs(book["c_book[10]"]).max(),
-                        4000 * 2 * 2.0**-53 * book["c_book[1]"][-1])
+        self.assertLess(numpy.abs(tally["c_tally[10]"]).max(),
+                        4000 * 2 * 2.0**-53 * tally["c_tally[1]"][-1])
 
 
 if __name__ == "__main__":

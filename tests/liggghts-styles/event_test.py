@@ -328,7 +328,7 @@ class Input(unittest.TestCase):
         self.refused(start.format("hooke", " limitForce on scheme event"), "cuts the force off")
         self.refused(start.format("hooke", " scheme exact"), "scheme exact: must be event or sampled")
         self.refused(start.format("hooke", " scheme event"), "compute gran/energy knows no contacts of it",
-                     extra="compute book all gran/energy\n")
+                     extra="compute tally all gran/energy\n")
         self.refused(start.format("hooke", " scheme sampled"), "needs a pair_style gran of scheme event, too",
                      walls=["fix plate all wall/gran " + start.format("hooke", "") +
                             " primitive type 2 zplane -0.009 scheme event"])

@@ -274,9 +274,9 @@ class Memory(unittest.TestCase):
 
     def test_pairs_that_are_passed_over_change_nothing(self):
         """Those known to be outside are, but not while a tally is active."""
-        plain, watched = (Run(script(self.spheres, MODELS, square_well(DEPTH), every=20, steps=2000, extra=book,
+        plain, watched = (Run(script(self.spheres, MODELS, square_well(DEPTH), every=20, steps=2000, extra=tally,
                                      **self.options)).frames("out.txt")
-                          for book in ("", "compute book all gran/energy\n"))
+                          for tally in ("", "compute tally all gran/energy\n"))
         self.assertEqual(plain, watched)
 
     def test_two_ranks_equal_one(self):

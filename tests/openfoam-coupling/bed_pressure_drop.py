@@ -2,7 +2,7 @@
 """The function object bedPressureDrop. Gas through a bed of spheres that are held: the drop is Ergun's, and the same
 in a column along any direction. Spheres that the gas just carries: drop over weight is 1 but for the momentum that
 they gain. In both forms, with an ideal gas, on 2 ranks and in a round column that leans the drop is what the gas
-puts on the particles by the engine's book. And what is no column is refused."""
+puts on the particles by the engine's tally. And what is no column is refused."""
 
 import re
 import unittest

@@ -7,7 +7,7 @@
 
 Printed per scheme and step: kinetic energy (rotation included) over that of the start, mean over each
 fifth of the run; what of it the liveliest sphere has at the end; the largest speed there; what the energy
-book does not account for, over the largest kinetic energy, in all of the run and in its second half, when
+tally does not account for, over the largest kinetic energy, in all of the run and in its second half, when
 the bed rests; seconds of processor time.
 """
 from cohesion_tests import lammps as engine, measuring_program

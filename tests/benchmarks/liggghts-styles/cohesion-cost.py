@@ -44,7 +44,7 @@ create_atoms 1 box
 set group all diameter 1e-3 density 2650
 {properties}pair_style gran model hertz tangential history{cohesion}
 pair_coeff * *
-{book}fix move all nve/sphere
+{tally}fix move all nve/sphere
 timestep 1e-7
 thermo 1000000
 run {steps}
@@ -53,7 +53,7 @@ run {steps}
 
 def seconds(program, cohesion, distance, cells, steps):
     words, properties = COHESION[cohesion]
-    text = SCRIPT.format(lattice=distance * 2**0.5, cells=cells, steps=steps, cohesion=words, book="",
+    text = SCRIPT.format(lattice=distance * 2**0.5, cells=cells, steps=steps, cohesion=words, tally="",
                          properties=contact() + properties)
     with tempfile.TemporaryDirectory() as folder:
         (pathlib.Path(folder) / "in.script").write_text(text)
@@ -64,7 +64,7 @@ def seconds(program, cohesion, distance, cells, steps):
     return resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
 
 
-def counted(program, cohesion, distance, cells, steps, book):
+def counted(program, cohesion, distance, cells, steps, tally):
     """Instructions of one step."""
     os.environ.update(COHESION_LMP=program, OMP_NUM_THREADS="1")
     words, properties = COHESION[cohesion]
@@ -72,7 +72,7 @@ def counted(program, cohesion, distance, cells, steps, book):
         script = pathlib.Path(folder) / "in.script"
         script.write_text(SCRIPT.format(
             lattice=distance * 2**0.5, cells=cells, steps="${steps}", cohesion=words, properties=contact() + properties,
-            book="compute book all gran/energy\n" if book else ""))
+            tally="compute tally all gran/energy\n" if tally else ""))
         return per_step(script, folder, steps)
 
 
@@ -81,7 +81,7 @@ def count(program, contacts, distance, cells, steps):
     for name in COHESION:
         print(f"{name:24}{counted(program, name, distance, cells, steps, False) / contacts:10.1f}", flush=True)
         if name in ("hamaker", "square_well"):
-            print(f"{name + ', book':24}{counted(program, name, distance, cells, steps, True) / contacts:10.1f}",
+            print(f"{name + ', tally':24}{counted(program, name, distance, cells, steps, True) / contacts:10.1f}",
                   flush=True)
 
 

@@ -55,7 +55,7 @@ TEST(SampledBridge, TakesItsWorkToTheOrderOfTheStep) {
   }
 }
 
-TEST(SampledBridge, BooksWhatItDidNotDo) {
+TEST(SampledBridge, TalliesWhatItDidNotDo) {
   // Through the touch with no spring to speak of: the energy with what is stored and lost is that
   // of before, at once, as the force is constant.
   contact::ContactParameters soft;

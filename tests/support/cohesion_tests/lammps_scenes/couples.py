@@ -59,7 +59,7 @@ def run(atoms, coefficients, dt, steps, every=0, style="gran/hamaker", skin=1e-4
         (Path(folder) / "coefficients.txt").write_text(
             "".join(f"pair_coeff {line}\n" for line in coefficients))
         output = engine.run("in.couples", folder, style=style, skin=skin, dt=dt, steps=steps,
-                            every=every or steps, book="yes" if every else "no")
+                            every=every or steps, tally="yes" if every else "no")
         path = [table[:, 1:].reshape(-1, 2, table.shape[1] - 1)
                 for table in engine.dumps(folder, "path.txt")]
     return numpy.array(path), output

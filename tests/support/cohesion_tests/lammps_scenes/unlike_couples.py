@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Couples of unlike spheres in which the books of energy and momentum are kept step by step."""
+"""Couples of unlike spheres in which the tallies of energy and momentum are kept step by step."""
 import math
 
 import numpy
@@ -12,7 +12,7 @@ from cohesion_tests.thermo import thermo_columns
 
 class Box:
     """40 couples of unlike spheres followed step by step; unless `apart`, some are overlapped from
-    the start. Books close at grid points; momentum at n+1/2, where the grid has positions
+    the start. Tallies close at grid points; momentum at n+1/2, where the grid has positions
     x + v' dt/2 and velocities v' = v + f dt/(2 m)."""
     DIAMETERS, DENSITIES = numpy.array((1e-3, 0.6e-3)), numpy.array((2650.0, 5300.0))
     MASSES = math.pi / 6 * DENSITIES * DIAMETERS**3
@@ -47,8 +47,8 @@ class Box:
         self.places = path[..., 0:3]
         self.x = self.places + 0.5 * dt * self.v
         self.thermo = thermo_columns(output)
-        self.book = {k: self.thermo[f"c_book[{k}]"] for k in range(1, 14)}
-        self.energy = self.book[1][0] + self.book[2][0]
+        self.tally = {k: self.thermo[f"c_tally[{k}]"] for k in range(1, 14)}
+        self.energy = self.tally[1][0] + self.tally[2][0]
         self.centre = numpy.array([atom["x"] for atom in atoms]).reshape(-1, 2, 3).mean(
             axis=1, keepdims=True)
         # A gap is rounded by 3e-18 m in each step, at random; springs pull with 3e-2 N at most. And

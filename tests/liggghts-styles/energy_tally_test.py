@@ -10,8 +10,8 @@ from cohesion_tests.liggghts_scenes.scene import MASS, RADIUS, STIFFNESS, contac
 
 (KINETIC, ROTATIONAL, SPRING, TANGENTIAL, ADHESION, DAMPING, TANGENTIAL_DAMPING, FRICTION, WORK, RESIDUAL,
  GRAVITY, ROLLING_SPRING, ROLLING) = range(1, 14)
-BOOK = "compute book all gran/energy\n"
-PRINT = ("thermo_style custom step c_book " + " ".join(f"c_book[{k}]" for k in range(1, 14))
+TALLY = "compute tally all gran/energy\n"
+PRINT = ("thermo_style custom step c_tally " + " ".join(f"c_tally[{k}]" for k in range(1, 14))
          + "\nthermo {every}\nthermo_modify norm no " + " ".join(f"format {k} %.17g" for k in range(2, 16)) + "\n")
 DT = 5e-7
 T_C = math.pi * math.sqrt(MASS / 2 / STIFFNESS)
@@ -23,7 +23,7 @@ FULL = " rolling_friction epsd2"
 FLOOR = "primitive type 2 zplane -5e-3"
 
 
-def books(run):
+def tallies(run):
     """One list per line of thermo output: step, scalar, entries; of all runs."""
     if run.code:
         raise AssertionError(run.output[-3000:])
@@ -42,7 +42,7 @@ def entry(row, k):
 
 def go(models, properties, spheres, every=10, steps=400, dt=DT, extra="", inputs=None, **options):
     return Run(script(spheres, models, properties, dt=dt, steps=steps, every=max(steps, 1),
-                      extra=BOOK + PRINT.format(every=every) + extra, **options), inputs=inputs)
+                      extra=TALLY + PRINT.format(every=every) + extra, **options), inputs=inputs)
 
 
 def oblique():
@@ -57,8 +57,8 @@ class Runs(unittest.TestCase):
         """The last line, asked for when all is over."""
         run = Run(script(oblique(), SLIDING + "hamaker", hamaker(1e-14), dt=DT,
                          run=how + PRINT.format(every=1) + "run 0\n",
-                         extra=BOOK + "thermo_style custom step\nthermo 1000\n"))
-        return books(run)[-1]
+                         extra=TALLY + "thermo_style custom step\nthermo 1000\n"))
+        return tallies(run)[-1]
 
     def test_what_is_missing_does_not_depend_on_who_looks(self):
         first = self.end(PRINT.format(every=1) + "run 400\n")
@@ -69,12 +69,12 @@ class Runs(unittest.TestCase):
     def change_box(self, spheres, sides):
         """Between two runs; one more sphere, which meets nothing, has energy before."""
         return Run(script([*spheres, sphere((0, 5e-3, 0), (0, 0, 0.5))], "model hooke/stiffness tangential off "
-                          "cohesion hamaker", hamaker(0), dt=DT, extra=BOOK + PRINT.format(every=1000),
+                          "cohesion hamaker", hamaker(0), dt=DT, extra=TALLY + PRINT.format(every=1000),
                           run=f"run 10\nchange_box all x final {sides} units box\nrun 400\n"))
 
     def test_box_that_changes_nothing_but_itself(self):
         run = self.change_box([], "-0.01 0.011")
-        self.assertEqual([entry(row, k) for row in books(run) for k in (WORK, RESIDUAL)], 8 * [0.0])
+        self.assertEqual([entry(row, k) for row in tallies(run) for k in (WORK, RESIDUAL)], 8 * [0.0])
         self.assertNotIn("the box was changed", run.output)
 
     def test_box_that_presses_two_spheres_into_each_other(self):
@@ -82,7 +82,7 @@ class Runs(unittest.TestCase):
         run = self.change_box([sphere((0, 0, 0)), sphere((apart, 0, 0))],
                               f"-0.01 {0.02 * shrunk - 0.01!r} remap")
         work = 0.5 * STIFFNESS * (2 * RADIUS - apart * shrunk)**2
-        rows = books(run)
+        rows = tallies(run)
         self.assertEqual(len(rows), 4)
         self.assertEqual([entry(row, k) for row in rows[:2] for k in (WORK, RESIDUAL)], 4 * [0.0])
         self.assertGreater(entry(rows[1], KINETIC), 0.01 * work)
@@ -111,7 +111,7 @@ class Balance(unittest.TestCase):
                     with self.subTest(models=models):
                         # hertz/stiffness: constants of other units, as stiff as hertz.
                         options = dict(contacts=contact(stiffness=4e6, gamman=5e7)) if "z/" in normal else {}
-                        rows = books(go(models, hamaker(0), oblique(), steps=1200, **options))
+                        rows = tallies(go(models, hamaker(0), oblique(), steps=1200, **options))
                         self.closes(rows, STEP_ERROR)
                         end = rows[-1]
                         self.assertEqual([entry(end, k) for k in (SPRING, TANGENTIAL, ADHESION, ROLLING_SPRING)],
@@ -124,7 +124,7 @@ class Balance(unittest.TestCase):
 
     def test_head_on_loss_is_the_restitutions(self):
         # hooke, e = 0.9: 19 % in the dashpot, at a step of t_c/400 within (w dt)^2.
-        rows = books(go("model hooke tangential off cohesion hamaker", hamaker(0),
+        rows = tallies(go("model hooke tangential off cohesion hamaker", hamaker(0),
                         [sphere((0, 0, 0), (0.05, 0, 0)), sphere((2 * RADIUS + 1e-6, 0, 0), (-0.05, 0, 0))],
                         dt=1e-7, steps=3000, every=100))
         self.assertAlmostEqual(entry(rows[-1], DAMPING) / entry(rows[0], KINETIC), 1 - 0.81, delta=2e-4)
@@ -137,17 +137,17 @@ class Balance(unittest.TestCase):
                  steps=0, walls=[FLOOR])
         # -A R*/6 (1/H - 1/H_out), R* = r/2 and r: positions are good to 1e-18 m of 1e-6.
         expected = -A * 1.5 * RADIUS / 6 * (1 / gap - 1 / out)
-        self.assertAlmostEqual(entry(books(run)[0], ADHESION), expected, delta=1e-9 * abs(expected))
+        self.assertAlmostEqual(entry(tallies(run)[0], ADHESION), expected, delta=1e-9 * abs(expected))
 
     def test_hamaker_at_a_resolved_cutoff(self):
         # H_cut = 1e-6 m is crossed in 20 steps.
-        rows = books(go(SLIDING + "hamaker" + FULL, hamaker(1e-12), oblique(), steps=800))
+        rows = tallies(go(SLIDING + "hamaker" + FULL, hamaker(1e-12), oblique(), steps=800))
         self.assertLess(min(entry(row, ADHESION) for row in rows), -1e-12)
         self.closes(rows, 3 * STEP_ERROR)
 
     def test_edge_of_a_well_is_exact(self):
         depth = 5e-11
-        rows = books(go("model hooke/stiffness tangential off cohesion square_well", square_well(depth),
+        rows = tallies(go("model hooke/stiffness tangential off cohesion square_well", square_well(depth),
                         [sphere((0, 0, 0), (0.05, 0, 0)), sphere((2 * RADIUS + 12e-6, 0, 0), (-0.05, 0, 0))],
                         every=1, steps=150))
         self.assertEqual({entry(row, ADHESION) for row in rows}, {0.0, -depth})
@@ -155,7 +155,7 @@ class Balance(unittest.TestCase):
         self.assertAlmostEqual(entry(rows[-1], KINETIC) - entry(rows[0], KINETIC), depth, delta=1e-12 * rows[0][1])
 
     def test_moving_wall_puts_work_in(self):
-        rows = books(go(SLIDING + "hamaker" + FULL, hamaker(0), [sphere((0, 0, -5e-3 + RADIUS - 1e-6))],
+        rows = tallies(go(SLIDING + "hamaker" + FULL, hamaker(0), [sphere((0, 0, -5e-3 + RADIUS - 1e-6))],
                         steps=2000, every=100, walls=["primitive type 2 zplane -5e-3 shear x 0.1"],
                         extra="fix g all gravity 9.81 vector 0 0 -1\n"))
         work = entry(rows[-1], WORK)
@@ -163,14 +163,14 @@ class Balance(unittest.TestCase):
         self.closes(rows, 0.01, energy=work)
 
     def test_other_forces_are_work(self):
-        rows = books(go("model hooke/stiffness tangential off cohesion hamaker", hamaker(0),
+        rows = tallies(go("model hooke/stiffness tangential off cohesion hamaker", hamaker(0),
                         [sphere((0, 0, 0), (0.01, 0, 0)), sphere((4e-3, 0, 0))], steps=200,
                         extra="fix push all addforce 1e-5 0 0\n"))
         self.assertGreater(entry(rows[-1], WORK), 0.1 * entry(rows[-1], KINETIC))
         self.closes(rows, 1e-12, energy=rows[-1][1])
 
     def test_gravity_is_stored(self):
-        rows = books(go("model hooke/stiffness tangential off cohesion hamaker", hamaker(0),
+        rows = tallies(go("model hooke/stiffness tangential off cohesion hamaker", hamaker(0),
                         [sphere((0, 0, 3e-3), (0, 0, 0.1)), sphere((4e-3, 0, 0))], steps=1000,
                         extra="fix g all gravity 9.81 vector 0 0 -1\n"))
         # Both fall as in closed form, which leapfrog with a constant force meets; the places of the tally are half a
@@ -189,7 +189,7 @@ class Balance(unittest.TestCase):
             ends = []
             for walls in ([FLOOR], wall(models)):
                 with self.subTest(law=law, walls=walls):
-                    rows = books(go(models, properties,
+                    rows = tallies(go(models, properties,
                                     [sphere((1e-3, 1e-3, -5e-3 + RADIUS + 5e-6), (0.05, 0.02, -0.05), (10, 20, 30))],
                                     steps=1500, walls=walls, inputs={"plate.stl": mesh}))
                     self.closes(rows, 3 * STEP_ERROR)
@@ -210,9 +210,9 @@ class SeveralWays(unittest.TestCase):
                           (0.02 * (j - 1), 0.01 * (k - 1), -0.05), (10, 20 * i, -5 * k))
                    for i in range(3) for j in range(3) for k in range(3)]
         text = script(spheres, models or self.MODELS, properties or hamaker(1e-13), dt=DT, every=10000,
-                      walls=[FLOOR], run=run, extra="fix g all gravity 9.81 vector 0 0 -1\n" + BOOK
+                      walls=[FLOOR], run=run, extra="fix g all gravity 9.81 vector 0 0 -1\n" + TALLY
                       + PRINT.format(every=100))
-        return books(Run(text.replace("create_box", "processors 2 1 1\ncreate_box") if ranks else text, ranks=ranks))
+        return tallies(Run(text.replace("create_box", "processors 2 1 1\ncreate_box") if ranks else text, ranks=ranks))
 
     def test_many_contacts_close(self):
         rows = self.packing()
@@ -220,7 +220,7 @@ class SeveralWays(unittest.TestCase):
         self.assertLess(abs(entry(rows[-1], RESIDUAL)), 0.01 * energy)
         self.assertGreater(entry(rows[-1], FRICTION) + entry(rows[-1], DAMPING), 0.01 * energy)
 
-    def test_two_ranks_and_two_runs_keep_the_same_book(self):
+    def test_two_ranks_and_two_runs_keep_the_same_tally(self):
         whole = self.packing()
         for name, rows in (("ranks", self.packing(ranks=2)), ("runs", self.packing(run="run 1000\nrun 1000\n"))):
             with self.subTest(name):
@@ -243,8 +243,8 @@ class SharedPairs(unittest.TestCase):
             x = s["place"][0] + centre - RADIUS - 1e-6
             s["place"] = (x - 0.02 if x > 0.01 else x, *s["place"][1:])
         text = script(spheres, self.MODELS, hamaker(1e-12), dt=DT, every=10000, boundary=boundary, run="run 600\n",
-                      extra=BOOK + PRINT.format(every=20))
-        return books(Run(text.replace("create_box", "processors 2 1 1\ncreate_box") if ranks else text, ranks=ranks))
+                      extra=TALLY + PRINT.format(every=20))
+        return tallies(Run(text.replace("create_box", "processors 2 1 1\ncreate_box") if ranks else text, ranks=ranks))
 
     def test_it_is_counted_once(self):
         alone = self.rows(0.003)
@@ -267,39 +267,39 @@ class Refusals(unittest.TestCase):
 
     def test_input(self):
         models = SLIDING + "hamaker"
-        for compute, message in (("compute book all gran/energy yes\n", "takes no further arguments; 'yes' was given"),
-                                 ("group few id 1\ncompute book few gran/energy\n", "its group must be 'all', not 'few'"),
-                                 (BOOK + "compute again all gran/energy\n", "there is one already")):
+        for compute, message in (("compute tally all gran/energy yes\n", "takes no further arguments; 'yes' was given"),
+                                 ("group few id 1\ncompute tally few gran/energy\n", "its group must be 'all', not 'few'"),
+                                 (TALLY + "compute again all gran/energy\n", "there is one already")):
             with self.subTest(message=message):
                 self.refused(script(oblique(), models, hamaker(0), extra=compute), "gran/energy", message)
 
-    def test_walls_and_bodies_that_keep_no_book(self):
+    def test_walls_and_bodies_that_keep_no_tally(self):
         models = SLIDING + "hamaker"
-        self.refused(script(oblique(), models, hamaker(0), extra=BOOK, walls=[
+        self.refused(script(oblique(), models, hamaker(0), extra=TALLY, walls=[
             "fix bare all wall/gran model hooke/stiffness tangential history primitive type 2 zplane -5e-3"]),
             "compute gran/energy: fix wall/gran bare has none of the cohesion models", "a strength of 0")
         # A pair style without: the compute exists once a model of ours was named.
         self.refused(script(oblique(), models, hamaker(0),
-                            extra=BOOK + "pair_style gran model hooke/stiffness tangential history\npair_coeff * *\n"),
+                            extra=TALLY + "pair_style gran model hooke/stiffness tangential history\npair_coeff * *\n"),
                      "pair_style gran has none of the cohesion models")
 
     def test_a_box_that_is_sheared(self):
         self.refused(script([sphere((0.01, 0.005, 0.01)), sphere((0.01, 0.015, 0.01))], SLIDING + "hamaker",
                             hamaker(0), boundary="p p p", box="0 0.02 0 0.02 0 0.02 0 0 0",
-                            extra="fix shear all deform/shear rate 20\n" + BOOK),
-                     "compute book gran/energy: fix shear deform/shear changes the box")
+                            extra="fix shear all deform/shear rate 20\n" + TALLY),
+                     "compute tally gran/energy: fix shear deform/shear changes the box")
 
     def test_particles_that_come_or_go_are_warned_of(self):
         gone = "run 10\ngroup few id 1\ndelete_atoms group few\nrun 10\n"
         for run, warned in ((gone, True), ("run 10\nrun 10\n", False)):
             with self.subTest(warned=warned):
-                done = Run(script(oblique(), SLIDING + "hamaker", hamaker(0), extra=BOOK + PRINT.format(every=10),
+                done = Run(script(oblique(), SLIDING + "hamaker", hamaker(0), extra=TALLY + PRINT.format(every=10),
                                   run=run))
                 self.assertEqual(done.code, 0, done.output[-2000:])
                 self.assertEqual("there were 2 particles and now are 1; the energy" in done.output, warned)
 
     def test_taken_back_it_costs_and_stops_nothing(self):
-        text = script(oblique(), SLIDING + "hamaker", hamaker(0), extra=BOOK, run="run 1\nuncompute book\nrun 400\n")
+        text = script(oblique(), SLIDING + "hamaker", hamaker(0), extra=TALLY, run="run 1\nuncompute tally\nrun 400\n")
         self.assertEqual(Run(text).code, 0)
 
 

@@ -23,7 +23,7 @@ pair_coeff * * stiffness 800 restitution 0.9 %s
 TAIL = """
 fix move all nve/sphere
 timestep 5e-6
-compute book all gran/energy
+compute tally all gran/energy
 thermo_modify norm no
 """
 
@@ -41,7 +41,7 @@ class Runs(FolderTestCase):
 
     def looked_at(self, text, ranks=1):
         """Entry 10 and the scalar, asked for when all is over."""
-        output = self.run_script(text + "thermo_style custom step c_book[10] c_book\n"
+        output = self.run_script(text + "thermo_style custom step c_tally[10] c_tally\n"
                                  "thermo_modify norm no format float %.17g\nrun 0\n", ranks)
         rows = [line.split() for line in output.splitlines() if line.startswith("     ")]
         return [float(word) for word in [row for row in rows if len(row) == 3 and row[0] == "150"][-1][1:]]
@@ -54,24 +54,24 @@ class Runs(FolderTestCase):
         script = (HEAD % ("p p p", "friction 0.3 hamaker 5e-19 cutoff 4e-10 1e-7") +
                   "variable g equal 9.81+step\nfix fall all gravity v_g vector 0 0 -1\n" + TAIL)
         looks = {
-            "from the start": "thermo 1\nthermo_style custom step c_book c_book[10]\nrun 150\n",
+            "from the start": "thermo 1\nthermo_style custom step c_tally c_tally[10]\nrun 150\n",
             "at the end": "thermo_style custom step\nrun 150\n",
-            "a mean": "thermo_style custom step\nfix mean all ave/time 150 1 150 c_book[10]\nrun 150\n",
+            "a mean": "thermo_style custom step\nfix mean all ave/time 150 1 150 c_tally[10]\nrun 150\n",
             "in the second run": "thermo_style custom step\nrun 60\nrun 90\n",
             "after a run of no step": "thermo_style custom step\nrun 0\nrun 150\n"}
         found = {name: self.looked_at(script + how) for name, how in looks.items()}
         first = found["from the start"]
         self.assertGreater(abs(first[0]), 1e-9 * first[1])
-        for name, book in found.items():
+        for name, tally in found.items():
             with self.subTest(name):
-                self.assertEqual(book, first)
+                self.assertEqual(tally, first)
         on_two = self.looked_at(script + looks["at the end"], ranks=2)
         self.assertAlmostEqual(on_two[0] / first[0], 1, delta=1e-6)  # other sums, of much the same
 
     def entries(self, text, ranks=1, change="x final 0 ${side} remap"):
         """Entries 3, 9, 10 and 1 at the beginning and end of each run."""
         output = self.run_script(text + "thermo 1000\n"
-                                 "thermo_style custom step c_book[3] c_book[9] c_book[10] c_book[1]\n"
+                                 "thermo_style custom step c_tally[3] c_tally[9] c_tally[10] c_tally[1]\n"
                                  "thermo_modify norm no format float %.17g\nrun 10\n"
                                  f"change_box all {change} units box\nrun 200\n", ranks)
         rows = [[float(word) for word in line.split()] for line in output.splitlines()

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the energy tally of pair_style gran/hamaker misses in a dense gas with damping and friction.
 
-  energy-book.py LMP_WITH_PLUGIN_COMMAND PLUGIN
+  energy-tally.py LMP_WITH_PLUGIN_COMMAND PLUGIN
 
 512 spheres, solid fraction 0.5, 20 collisions per particle (Enskog's rate): residual of compute
 gran/energy at the end, over the kinetic energy of the start, against the step.
