@@ -23,7 +23,7 @@ from cohesion_tests.coupling.test_case import CoupledTestCase
 # Shear wave: cells along an edge and their size [m]; start values of k, epsilon; amplitude [m/s]
 N, H, K0, EPSILON0, WAVE = 8, 0.02, 1.0, 10.0, 1e-5
 NU, WAVE_DT, WAVE_STEPS = 1e-3, 1e-3, 20
-PAGE = SOURCE / "docs/openfoam-coupling/cohesiveBedFoam.md"
+PAGE = SOURCE / "docs/openfoam-coupling/turbulence_and_sources.md"
 
 
 def laminar(case):
