@@ -119,13 +119,13 @@ def command_of(text):
 
 
 def time_of(text):
-    """The first sentence that says how long it takes, or the remark beside a command."""
+    """The remark beside a command, or the first sentence that says how long it takes on how many cores."""
     remark = re.search(r"#\s*(\d[^\n]*\b(?:s|min|minutes|hours)\b[^\n]*)", command_of(text))
     if remark:
         return remark[1].strip() + "."
-    prose = re.sub(r"^(```.*?^```|\|.*?$)", "", text, flags=re.M | re.S)
-    for sentence in re.split(r"(?<=[.;:])\s+", prose):
-        if re.search(r"\b(took|takes?)\b", sentence) and re.search(r"\d[\d.]* (?:s|min|minutes|hours?)\b|an hour", sentence):
+    prose = re.sub(r"^```.*?^```|^\|.*?$|^#.*?$", "", text, flags=re.M | re.S)
+    for sentence in re.split(r"(?<=[.;])\s+|\n\s*\n", prose):
+        if re.search(r"\bcores?\b|processor", sentence) and re.search(r"\d (?:s|min|minutes|hours?)\b|an hour", sentence):
             return " ".join(sentence.split())
     return ""
 
@@ -165,7 +165,9 @@ def styles(site):
                 continue
             whole = (site.source / page).read_text()
             for line in re.findall(r"^# (.*)$", without_blocks(whole), re.M):
-                for name in re.sub(r" command$", "", line).split(" command, "):
+                if not re.search(r" (command|model)$", line):
+                    continue
+                for name in re.sub(r" (command|model)$", "", line).split(" command, "):
                     rows.append(f"| {name} | [{page.stem}]({page}) |")
         text += "\n".join(sorted(rows, key=str.lower)) + "\n"
     return text
