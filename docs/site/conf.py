@@ -20,6 +20,9 @@ html_css_files = ["site.css"]
 html_show_sourcelink = False
 highlight_language = "none"
 mathjax_path = "mathjax/MathJax.js?config=TeX-AMS_CHTML"
+# Debian's MathJax is version 2, which MyST and Sphinx would take for version 3.
+myst_update_mathjax = False
+mathjax2_config = {"tex2jax": {"processClass": "math", "ignoreClass": "wy-body-for-nav"}}
 MATHJAX = Path("/usr/share/javascript/mathjax")
 if MATHJAX.exists():
     html_static_path.append(str(Path("mathjax-of-debian")))

@@ -207,7 +207,7 @@ def main(source, folder):
     shutil.copy(here / "conf.py", folder)
     if MATHJAX.exists():
         shutil.copytree(MATHJAX, folder / "mathjax-of-debian/mathjax", symlinks=False,
-                        ignore=shutil.ignore_patterns("unpacked", "test", "docs", "SVG"))
+                        ignore=shutil.ignore_patterns("unpacked", "test", "docs"))
 
 
 if __name__ == "__main__":
