@@ -18,7 +18,7 @@ class LeftOut(unittest.TestCase):
         """With a build folder of this summary and these files."""
         with tempfile.TemporaryDirectory(prefix="cohesion-") as name:
             build = Path(name)
-            (build / "summary.txt").write_text(f"Cohesion 0.1.0\n  {summary}\n")
+            (build / "summary.txt").write_text(f"Cohesion 0.2.0\n  {summary}\n")
             for file in files:
                 (build / file).parent.mkdir(exist_ok=True)
                 (build / file).touch()

@@ -9,7 +9,7 @@ from pathlib import Path
 
 SCRIPTS = Path(sys.argv.pop(1)).resolve()
 SOURCED = f"set -euo pipefail; source '{SCRIPTS}/steps.sh'; source '{SCRIPTS}/engine_sources.sh'; sleep() {{ :; }}\n"
-SUMMARY = """Cohesion 0.1.0
+SUMMARY = """Cohesion 0.2.0
   LAMMPS package: for LAMMPS 4 Feb 2025 (stock)
   LIGGGHTS styles: left out, COHESION_LIGGGHTS is OFF
   OpenFOAM coupling: {coupling}
