@@ -3,12 +3,13 @@
 #                   [RANKS n] [TIMEOUT seconds] [COST seconds] [PROCESSORS n] [ENVIRONMENT name=value...]
 #                   [MODULES folder...])
 #
-# A ctest test; with RANKS under mpiexec. Labels: unit, regression, verification, mpi; what is
-# labelled mpi runs on 2 ranks and so takes 2 cores. The timeout (600 s) is a guard against hangs, far
-# above what a test takes: ranks that share a busy machine wait for each other. Tests of high COST begin first, so that
-# no long one is left over when the others have ended; by itself ctest knows what they took the last time in this build
-# folder. Python finds the packages of tests/support and examples/common, and what lies in the folders of MODULES. An
-# engine on one process starts no daemon of Open MPI, which takes longer than most scripts, and looks for no network.
+# A ctest test; with RANKS under mpiexec. Labels: unit, regression, verification, mpi, long; what is labelled mpi runs
+# on 2 ranks and so takes 2 cores, and what is labelled long is left out by scripts/run-tests. The timeout (600 s) is
+# a guard against hangs, far above what a test takes: ranks that share a busy machine wait for each other. Tests of
+# high COST begin first, so that no long one is left over when the others have ended; by itself ctest knows what they
+# took the last time in this build folder. Python finds the packages of tests/support and examples/common, and what
+# lies in the folders of MODULES. An engine on one process starts no daemon of Open MPI, which takes longer than most
+# scripts, and looks for no network.
 function(cohesion_add_test)
   cmake_parse_arguments(T "" "NAME;RANKS;TIMEOUT;COST;PROCESSORS" "LABELS;COMMAND;ENVIRONMENT;MODULES" ${ARGN})
   set(processors 1)

@@ -18,7 +18,7 @@ SIZE = CELLS * PITCH
 SPEED = 0.1
 A, DEPTH = 1e-11, 4e-9  # a pair gains 8e-10 and 4e-9 J; it approaches with 5e-9 J
 FORCE, GAP = 4e-4, 1e-5  # of bridges, which take 4e-9 J
-DT, STEPS, EVERY = 2e-6, 40000, 200
+DT, STEPS, EVERY = 2e-6, 20000, 200
 LAMMPS = """plugin load {plugin}
 units si
 atom_style sphere
