@@ -9,7 +9,7 @@ import sys
 import unittest
 from pathlib import Path
 
-from cohesion_studies import expected
+from cohesion_studies import expected, package_tree
 from cohesion_studies.bed import analyse, figures
 
 SOURCE = Path(__file__).resolve().parents[2]
@@ -36,7 +36,7 @@ def ergun_and_tolerance(bed, found):
 class FluidisedBed(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.out = Path(BUILD) / "fluidised-bed"
+        cls.out = package_tree.results(Path(BUILD), "fluidised-bed")
         command = [sys.executable, str(BED / "run.py"), "--build", BUILD, "--out", str(cls.out)]
         if subprocess.run(command).returncode != 0:
             # Results of another build or of other settings: replace them.
