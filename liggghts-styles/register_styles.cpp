@@ -10,9 +10,11 @@
 #include <dlfcn.h>
 #include <mpi.h>
 // The engine's headers want mpi.h before them.
+#include <cstdio>
 #include <map>
 #include <string>
 
+#include "cohesion_version.h"
 #include "compute_gran_energy.h"
 #include "compute_shear_profile.h"
 #include "domain.h"
@@ -56,9 +58,19 @@ Compute* make_compute(LAMMPS* lmp, int, int narg, char** arg) {
   return new Style(lmp, narg, arg);
 }
 
+/// Once for an engine, which `clear` makes anew.
+void say_version(const LAMMPS* lmp) {
+  static const LAMMPS* told = nullptr;
+  if (told == lmp) return;
+  told = lmp;
+  for (FILE* const file : {lmp->screen, lmp->logfile})
+    if (file) std::fputs("Cohesion " COHESION_VERSION "\n", file);
+}
+
 }  // namespace
 
 void register_styles(LAMMPS* lmp) {
+  say_version(lmp);
   Fixes& fixes = *fixes_of(*lmp->modify);
   fixes["agglomerates"] = &make_fix<FixAgglomerates>;
   fixes["deform/shear"] = &make_fix<FixDeformShear>;

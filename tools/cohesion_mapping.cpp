@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "advice/law_mapping.h"
+#include "cohesion_version.h"
 #include "contact/contact_parameters.h"
 #include "square_well/parameters.h"
 
@@ -242,6 +243,7 @@ int main(int argc, char** argv) {
   CLI::App app{
       "Square wells and Hamaker attractions of equal head-on escape velocity.\n"
       "Any consistent set of units. Manual: docs/tools/cohesion-mapping.md"};
+  app.set_version_flag("--version", "cohesion-mapping, Cohesion " COHESION_VERSION);
   app.require_subcommand(1);
   CLI::App* to_well = app.add_subcommand("to-well", "depth D of the well for Hamaker constants");
   add_options(*to_well, request);

@@ -88,7 +88,7 @@ def main():
     args = arguments()
     expected.rows(HERE / "expected.csv")
     args.build = args.build.resolve()
-    out = (args.out or args.build / "bubbling-hard-sphere").resolve()
+    out = program.out_folder(args, "bubbling-hard-sphere").resolve()
     env = environment(args.build, ["lammps"])
     mark = fingerprint(args.build, env)
     changed = {} if args.time is None else {"endTime": args.time}

@@ -103,7 +103,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
     program.folder_words(parser, "BUILD/cohesion-mapping", "results")
     args = parser.parse_args()
-    out = (args.out or args.build / "cohesion-mapping").resolve()
+    out = program.out_folder(args, "cohesion-mapping").resolve()
     out.mkdir(parents=True, exist_ok=True)
     mapping = Program(args.build)
     program.leave_table(out, text(*thesis_table(mapping)))

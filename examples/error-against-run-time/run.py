@@ -53,7 +53,7 @@ def arguments():
     if args.wish is not None and not args.wish > 0:
         parser.error(f"--wish {args.wish}: it must be above zero")
     args.scenes = args.scenes or sorted((HERE / "scenes").glob("*.yaml"))
-    args.out = args.out or args.build / "error-against-run-time"
+    args.out = program.out_folder(args, "error-against-run-time")
     return args
 
 

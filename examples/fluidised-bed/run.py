@@ -3,7 +3,7 @@
 table of the characteristic velocities and a picture.
 
     run.py [--engine liggghts] [--schedule brief|thesis] [--hamaker A] [--seed N] [--beside FOLDER]
-           [--out FOLDER] [--overwrite] [--build FOLDER]
+           [--out FOLDER] [--overwrite] [--build FOLDER] [--case FOLDER]
 
 Without --schedule the cycle is `short`; --hamaker is the Hamaker constant of the cohesive case [J].
 """
@@ -14,6 +14,7 @@ from pathlib import Path
 
 import picture
 from cohesion_studies import program
+from cohesion_studies.bed import bed_case
 from cohesion_studies.bed.bed_case import ENGINES, MARK, SCHEDULES, BedRun, fingerprint
 from cohesion_studies.bed.figures import evaluate
 from cohesion_studies.foam_case import CaseError, environment
@@ -37,6 +38,7 @@ def arguments():
     parser.add_argument("--hamaker", type=float, default=7.49e-19, metavar="A",
                         help="Hamaker constant of the cohesive case [J] (%(default)s)")
     program.folder_words(parser, "BUILD/fluidised-bed, for LIGGGHTS BUILD/fluidised-bed-liggghts", "cases and results")
+    bed_case.case_word(parser)
     parser.add_argument("--overwrite", action="store_true",
                         help="replace the results of an earlier run")
     return parser.parse_args()
@@ -79,9 +81,9 @@ def earlier(folder, kinds):
 
 def main():
     args = arguments()
+    bed_case.use(args.case)
     args.build = args.build.resolve()
-    out = args.out or args.build / ("fluidised-bed" if args.engine == "lammps"
-                                    else f"fluidised-bed-{args.engine}")
+    out = program.out_folder(args, "fluidised-bed" if args.engine == "lammps" else f"fluidised-bed-{args.engine}")
     common = {"engine": args.engine, "schedule": args.schedule}
     if args.seed is not None:
         common["seed"], = seeds_of(common, [args.seed])

@@ -6,13 +6,14 @@ table has for its rows. Runs that are finished are not made again: after an inte
 with the others.
 
     study.py TABLE.csv [--seeds N ...] [--together N] [--out FOLDER] [--overwrite] [--build FOLDER]
+             [--case FOLDER]
 """
 
 import argparse
 from math import isnan, isqrt, sqrt
-from pathlib import Path
 
-from cohesion_studies import expected, program
+from cohesion_studies import expected, package_tree, program
+from cohesion_studies.bed import bed_case
 from cohesion_studies.bed.bed_case import ENGINES, MARK, SCHEDULES, BedRun, fingerprint, geometry_of, parameters
 from cohesion_studies.bed.geometry import GeometryError
 from cohesion_studies.foam_case import environment
@@ -122,19 +123,22 @@ def difference(one, other, figure):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
-    parser.add_argument("table", type=Path, help="CSV: name, and columns of " + ", ".join(parameters("lammps")))
+    parser.add_argument("table", type=package_tree.example,
+                        help="CSV: name, and columns of " + ", ".join(parameters("lammps")))
     parser.add_argument("--seeds", type=int, nargs="+", metavar="N",
                         help="of the beds of each row ("
                              + "; ".join(f"{engine}: {' '.join(map(str, seeds))}" for engine, seeds in SEEDS.items())
                              + ")")
     program.together_words(parser)
     program.folder_words(parser, "BUILD/TABLE")
+    bed_case.case_word(parser)
     parser.add_argument("--overwrite", action="store_true", help="replace the runs of other settings")
     args = parser.parse_args()
+    bed_case.use(args.case)
     if args.seeds and len(set(args.seeds)) < len(args.seeds):
         parser.error("--seeds: one stands twice, and both runs would be made in the same folder")
     build = args.build.resolve()
-    out = (args.out or build / args.table.stem).resolve()
+    out = program.out_folder(args, args.table.stem).resolve()
     table = rows(args.table)
     expected.rows(args.table.parent / "expected.csv")
     seeds = {name: seeds_of(row, args.seeds) for name, row in table.items()}

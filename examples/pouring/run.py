@@ -59,7 +59,7 @@ class Pouring(ScriptRun):
 def main():
     args = arguments()
     expected.rows(HERE / "expected.csv")
-    out = (args.out or args.build / "pouring").resolve()
+    out = program.out_folder(args, "pouring").resolve()
     engine = launcher(args.build)
     jobs = [Pouring(out, engine, seed, *kind) for kind in KINDS for seed in args.seeds]
     require_ours(jobs, MARK, args.overwrite)

@@ -89,7 +89,7 @@ class ShearRun(ScriptRun):
 def main():
     args = arguments()
     args.build = args.build.resolve()
-    out = (args.out or args.build / ("shear-full" if args.full else "shear")).resolve()
+    out = program.out_folder(args, "shear-full" if args.full else "shear").resolve()
     runs, rule = (sweep.full(), sweep.THESIS) if args.full else (sweep.subset(), sweep.SHORT)
     engine = launcher(args.build)
     jobs = [ShearRun(run, rule, out, engine) for run in runs]

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-only
 // Names every style of the package to the engine; called by plugin.cpp when the version is right.
 
+#include <string>
 #include <string_view>
 
+#include "cohesion_version.h"
 #include "compute_gran_energy.h"
 #include "compute_gran_stress.h"
 #include "compute_hard_events.h"
@@ -22,6 +24,7 @@
 #include "pair_gran_styles.h"
 #include "pair_hamaker.h"
 #include "pair_hard_square_well.h"
+#include "utils.h"
 #include "version.h"
 
 using namespace LAMMPS_NS;
@@ -107,4 +110,7 @@ extern "C" void cohesion_register_styles(void* lmp, void* handle, void* regfunc)
   };
   register_all("fix", fixes);
   register_all("compute", computes);
+
+  const std::string said = "Cohesion " COHESION_VERSION ", built for LAMMPS " LAMMPS_VERSION "\n";
+  utils::logmesg(static_cast<LAMMPS*>(lmp), said);
 }

@@ -34,7 +34,8 @@ std::string dem_engine_library(const DemEngineRow& engine) {
   if (access(library.c_str(), F_OK) == 0) return library;
   const std::string name(engine.name);
   throw DemEngineError("this build has no particle engine '" + name + "': there is no '" + library +
-                       "'. Install the engine (scripts/setup does), configure the package with -D" +
+                       "'. Install its Debian package, cohesion-" + name +
+                       ", or the engine (scripts/setup does), configure the package with -D" +
                        std::string(engine.option) +
                        "=ON and build it again, or name the file of "
                        "an adapter in the entry 'library' of " +

@@ -19,6 +19,7 @@ Usage
 */
 
 #include "fvCFD.H"
+#include "cohesion_version.h"
 #include "fixedFluxPressureFvPatchScalarField.H"
 #include "fvOptions.H"
 #include "gasMass.H"
@@ -44,6 +45,7 @@ int main(int argc, char* argv[])
     #include "postProcess.H"
 
     #include "setRootCase.H"
+    Info<< "Cohesion " COHESION_VERSION << nl;
     requireParallel();
     completeState::setAsideIncomplete(args);
     #include "createTime.H"

@@ -9,7 +9,7 @@ import sys
 import unittest
 from pathlib import Path
 
-from cohesion_studies import expected
+from cohesion_studies import expected, package_tree
 from cohesion_studies.bed import analyse, figures
 
 SOURCE = Path(__file__).resolve().parents[2]
@@ -37,7 +37,8 @@ class FluidisedBed(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         # Those of the main job are where scripts/run-bed leaves them.
-        cls.out = Path(BUILD) / ("fluidised-bed" if SCHEDULE == "short" else f"tests/examples/fluidised-bed-{SCHEDULE}")
+        name = "fluidised-bed" if SCHEDULE == "short" else f"fluidised-bed-{SCHEDULE}"
+        cls.out = package_tree.results(Path(BUILD), name)
         command = [sys.executable, str(BED / "run.py"), "--build", BUILD, "--out", str(cls.out), "--schedule", SCHEDULE]
         if subprocess.run(command).returncode != 0:
             # Results of another build or of other settings: replace them.

@@ -4,7 +4,7 @@
 import re
 from pathlib import Path
 
-SUMMARY = "summary.txt"  # in the build folder, by CMake: what is built, and what is left out for which reason
+from cohesion_studies.package_tree import SUMMARY  # what is built, and what is left out for which reason
 
 
 def missing(build, file, *parts):
@@ -18,4 +18,4 @@ def missing(build, file, *parts):
     reason = re.search(rf"^ *({'|'.join(parts)}): left out, (.*)", text, re.M)
     if reason:
         return f"the {reason[1]} was left out of '{build}': {reason[2]}"
-    return f"'{file}' does not exist: build the package first (scripts/setup does)"
+    return f"'{file}' does not exist: build the package first (scripts/setup does), or install this part of it"

@@ -7,6 +7,7 @@ import shutil
 import subprocess
 from pathlib import Path
 
+from cohesion_studies import package_tree
 from cohesion_studies.build_summary import missing
 from cohesion_studies.job_pool import RunError, dies_with_us
 
@@ -25,7 +26,7 @@ def environment(build, engines=()):
     """Environment (dict) in which the programs of the build folder `build` run, with the particle engines `engines`.
 
     Raises CaseError when the folder has not been built, or without one of the engines."""
-    build = Path(build).resolve()
+    build = package_tree.tree(build)
     for file, part in ((SCRIPT, "OpenFOAM coupling"), *(ADAPTERS[engine] for engine in sorted(engines))):
         reason = missing(build, file, part)
         if reason:

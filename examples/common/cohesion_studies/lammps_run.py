@@ -5,11 +5,10 @@ import json
 import os
 import re
 import subprocess
-from pathlib import Path
 
 import numpy as np
 
-from cohesion_studies import thermo
+from cohesion_studies import package_tree, thermo
 from cohesion_studies.build_summary import missing
 from cohesion_studies.job_pool import Job, dies_with_us
 
@@ -22,7 +21,7 @@ class NotBuilt(RuntimeError):
 
 def launcher(build):
     """Program and plugin of the build folder; raises NotBuilt when it has not been built."""
-    build = Path(build).resolve()
+    build = package_tree.tree(build)
     files = "lammps/stock/lmp-cohesion", "lammps/stock/cohesionplugin.so"
     for file in files:
         reason = missing(build, file, "LAMMPS package", "stock LAMMPS")

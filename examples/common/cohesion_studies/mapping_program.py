@@ -3,7 +3,9 @@
 
 import csv
 import subprocess
-from pathlib import Path
+
+from cohesion_studies import package_tree
+from cohesion_studies.build_summary import missing
 
 
 class MappingError(RuntimeError):
@@ -14,10 +16,11 @@ class MappingProgram:
     """cohesion-mapping of a build folder."""
 
     def __init__(self, build):
-        self.file = Path(build).resolve() / "tools/cohesion-mapping"
-        if not self.file.is_file():
-            raise MappingError(f"'{self.file}' does not exist: build the package first "
-                               "(scripts/setup does)")
+        build = package_tree.tree(build)
+        self.file = build / "tools/cohesion-mapping"
+        reason = missing(build, "tools/cohesion-mapping", "tools")
+        if reason:
+            raise MappingError(reason)
 
     def table(self, way, values, *pair):
         """Rows (dict of numbers by column) for Hamaker constants (way to-well) or depths (to-hamaker); `pair`:

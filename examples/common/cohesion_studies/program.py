@@ -5,9 +5,8 @@ import argparse
 import sys
 from pathlib import Path
 
+from cohesion_studies import package_tree
 from cohesion_studies.job_pool import cores
-
-ROOT = Path(__file__).resolve().parents[3]
 
 
 def one_or_more(text):
@@ -19,10 +18,16 @@ def one_or_more(text):
 
 
 def folder_words(parser, out, of="runs and results"):
-    """--out and --build; `out`: what --out is when not given, as the help says it."""
+    """--out and --build; `out`: what --out is when not given, as the help says it. BUILD, with an installation, is the
+    current folder."""
     parser.add_argument("--out", type=Path, metavar="FOLDER", help=f"folder for {of} ({out})")
-    parser.add_argument("--build", type=Path, default=ROOT / "build", metavar="FOLDER",
-                        help="build folder of the package")
+    parser.add_argument("--build", type=package_tree.tree, default=package_tree.own_tree(), metavar="FOLDER",
+                        help="build folder of the package, or prefix of an installation (%(default)s)")
+
+
+def out_folder(args, name):
+    """--out; where it is not given, the folder `name` in the build folder, or beside us with an installation."""
+    return args.out or package_tree.results(args.build, name)
 
 
 def together_words(parser):

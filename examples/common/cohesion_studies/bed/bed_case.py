@@ -6,15 +6,15 @@ import re
 import shutil
 from pathlib import Path
 
-from cohesion_studies import foam_case, program
+from cohesion_studies import foam_case, package_tree
 from cohesion_studies.bed import figures, geometry
 from cohesion_studies.bed.geometry import Geometry
 from cohesion_studies.foam_case import FoamCase
-from cohesion_studies.job_pool import Job, digest_of
+from cohesion_studies.job_pool import Job, RunError, digest_of
 from cohesion_studies.study_table import number
 
 
-CASE = program.ROOT / "examples/fluidised-bed/case"
+CASE = package_tree.EXAMPLES / "fluidised-bed/case"
 ENGINES = ("lammps", "liggghts")
 SCHEDULES = ("short", "brief", "thesis")  # of the gas velocity
 GEOMETRY = ("across", "up")  # cells, of constant/bed; `width` is a variable of the script too
@@ -22,6 +22,21 @@ COUPLING, CONTROL = "constant/couplingProperties", "system/controlDict"
 ENTRIES = {"voidFraction": COUPLING, "smoothingWidth": COUPLING, "deltaT": CONTROL}  # that a bed may have of its own
 DERIVED = ("plugin", "seed", "node")  # variables that no row of a table gives
 MARK = "settings.json"  # in the folder of a case that was made here: it may be made anew
+
+
+def case_word(parser):
+    """--case."""
+    parser.add_argument("--case", type=Path, metavar="FOLDER",
+                        help="your own copy of the case, changed, in place of that of the example")
+
+
+def use(case):
+    """Beds are made of the folder `case` from here on, when it is given."""
+    global CASE
+    if case is not None:
+        if not (case / COUPLING).is_file():
+            raise RunError(f"--case '{case}' is no case of a bed: it has no {COUPLING}")
+        CASE = case.resolve()
 
 
 def in_case(entry):
@@ -110,6 +125,7 @@ class BedRun(Job):
 def fingerprint(build, env):
     """Of all that a run depends on, programs included: tells an earlier run of the same. What reads its figures is not
     in it: figures.programs()."""
+    build = package_tree.tree(build)
     folders = [Path(f) for f in env["LD_LIBRARY_PATH"].split(":") if f.startswith(str(build))]
     files = [*CASE.rglob("*"), build / "openfoam/cohesiveBedFoam",
              *(f for folder in folders for f in folder.glob("*.so")),
