@@ -3,9 +3,10 @@
 #
 #   find_package(LAMMPS)
 #
-# Without LAMMPS_ROOT two engines are looked for:
+# Without LAMMPS_ROOT these engines are looked for:
 #   stock    the system's package, with the complete headers that scripts/setup fetches
 #   current  a recent release with `plugin load`, built by scripts/setup
+#   newest   Debian unstable's, built by scripts/setup, where COHESION_NEWEST_LAMMPS is ON
 # With LAMMPS_ROOT that one alone, called "given". LAMMPS_ROOT is its source tree (an installed one
 # lacks headers that styles need), built in LAMMPS_BUILD: a build folder or an install prefix,
 # LAMMPS_ROOT/build unless given. LAMMPS_ROOT may also be a prefix into which all headers were put.
@@ -15,7 +16,13 @@
 
 set(LAMMPS_ROOT "" CACHE PATH "LAMMPS to use instead of the system's")
 set(LAMMPS_BUILD "" CACHE PATH "Build folder or install prefix of LAMMPS_ROOT (LAMMPS_ROOT/build)")
+option(COHESION_NEWEST_LAMMPS "Test the newest LAMMPS, too (scripts/setup --newest-lammps builds it)" OFF)
 set(LAMMPS_ENGINES "")
+# Those from source that are wanted
+set(LAMMPS_FROM_SOURCE current)
+if(COHESION_NEWEST_LAMMPS)
+  list(APPEND LAMMPS_FROM_SOURCE newest)
+endif()
 
 # cohesion_add_lammps(name folders-of-headers folders-of-library-and-program)
 function(cohesion_add_lammps name headers hints)
@@ -72,10 +79,11 @@ if(LAMMPS_ROOT)
 else()
   cohesion_add_lammps(stock ${COHESION_CACHE}/lammps-stock/src
     "/usr/lib/${CMAKE_LIBRARY_ARCHITECTURE};/usr/lib;/usr/bin")
-  if(EXISTS ${COHESION_CACHE}/lammps-current/done)
-    cohesion_add_lammps(current ${COHESION_CACHE}/lammps-current/src
-      ${COHESION_CACHE}/lammps-current/build)
-  endif()
+  foreach(name IN LISTS LAMMPS_FROM_SOURCE)
+    if(EXISTS ${COHESION_CACHE}/lammps-${name}/done)
+      cohesion_add_lammps(${name} ${COHESION_CACHE}/lammps-${name}/src ${COHESION_CACHE}/lammps-${name}/build)
+    endif()
+  endforeach()
 endif()
 
 if(LAMMPS_ENGINES)

@@ -50,6 +50,21 @@ upstream_tarball() {
   find "$2" -maxdepth 1 -name "$1_*.orig.tar.*" ! -name '*.asc'
 }
 
+# unpack PACKAGE FOLDER TREE words-for-tar...: the tarball in a folder, into a tree that has src/, whether or not the
+# tarball has a folder of its own around it all. The tarball is gone afterwards.
+unpack() {
+  local tarball sources
+  tarball=$(upstream_tarball "$1" "$2")
+  mkdir -p "$2/unpacked" "$3"
+  tar -xf "$tarball" -C "$2/unpacked" "${@:4}"
+  sources=("$2"/unpacked{,/*}/src)
+  sources=("${sources[@]%/src}")
+  [ -d "${sources[0]}/src" ] || sources=("${sources[@]:1}")
+  [ -d "${sources[0]}/src" ] || { echo "$tarball has no src/, neither at its top nor in a folder"; return 1; }
+  mv -t "$3" "${sources[0]}"/*
+  rm -rf "$2/unpacked" "$tarball"
+}
+
 # An entry of /etc/os-release; empty when it has none of that name
 os_release() {
   # shellcheck disable=SC1091
@@ -101,9 +116,7 @@ fetch_lammps_headers() {
   rm -rf "$folder"
   mkdir -p "$folder"
   fetch_headers lammps "$version" "$folder"
-  tar -xf "$(upstream_tarball lammps "$folder")" -C "$folder" --strip-components=1 \
-    --wildcards '*/src/*.h'
-  rm -f "$folder"/lammps_*
+  unpack lammps "$folder" "$folder" --wildcards '*/src/*.h'
   echo "$version" >"$folder/done"
 }
 
@@ -123,13 +136,11 @@ fetch_openfoam_headers() {
     return 0
   fi
   rm -rf "$folder"
-  mkdir -p "$folder/source"
+  mkdir -p "$folder"
   fetch_headers openfoam "$version" "$folder"
-  tar -xf "$(upstream_tarball openfoam "$folder")" -C "$folder/source" --strip-components=1 \
-    --wildcards '*/src/OpenFOAM' '*/src/OSspecific/POSIX' '*/src/finiteVolume' \
-    '*/src/meshTools' '*/src/lagrangian/basic' '*/src/TurbulenceModels' \
+  unpack openfoam "$folder" "$folder/source" --wildcards '*/src/OpenFOAM' '*/src/OSspecific/POSIX' \
+    '*/src/finiteVolume' '*/src/meshTools' '*/src/lagrangian/basic' '*/src/TurbulenceModels' \
     '*/src/transportModels/incompressible'
-  rm -f "$folder"/openfoam_*
   for module in OpenFOAM finiteVolume meshTools; do
     link_headers "$folder/source/src/$module" "$folder/lnInclude/$module"
   done
@@ -142,56 +153,56 @@ fetch_openfoam_headers() {
   echo "$version" >"$folder/done"
 }
 
-# Not to be had is no failure: the tests and CMake's summary say so and go on without it.
-build_current_lammps() {
-  local folder=$cache/lammps-current
+# build_lammps NAME SUITE: another LAMMPS to test against. Not to be had is no failure: the tests and CMake's summary say
+# so and go on without it.
+build_lammps() {
+  local folder=$cache/lammps-$1
   [ ! -e "$folder/done" ] || return 0
-  if [ "${COHESION_CURRENT_LAMMPS:-yes}" != yes ]; then
-    skip_current_lammps "COHESION_CURRENT_LAMMPS is not 'yes'"
-    return 0
-  fi
   rm -rf "$folder"
   mkdir -p "$folder"
-  attempt make_current_lammps "$folder"
+  attempt make_lammps "$1" "$2" "$folder"
   [ "$status" = 0 ] || return 0
-  rm -f "$cache/lammps-current.missing"
+  rm -f "$folder.missing"
   touch "$folder/done"
 }
 
-# In a folder; fails when it has said why there is none.
-make_current_lammps() {
-  local log=$cache/logs/lammps-current
-  or_skip "its source could not be fetched, see $log-source" \
-    logged "$log-source" fetch_source lammps trixie "$1"
-  or_skip "its source could not be unpacked" unpack_current_lammps "$1"
-  or_skip "it could not be built, see $log-build" logged "$log-build" compile_current_lammps "$1"
+build_current_lammps() {
+  if [ "${COHESION_CURRENT_LAMMPS:-yes}" = yes ] || [ -e "$cache/lammps-current/done" ]; then
+    build_lammps current trixie
+  else
+    skip_lammps current "COHESION_CURRENT_LAMMPS is not 'yes'"
+  fi
 }
 
-# or_skip REASON command...
+# In a folder; fails when it has said why there is none.
+make_lammps() {
+  local log=$cache/logs/lammps-$1
+  or_skip "$1" "its source could not be fetched, see $log-source" \
+    logged "$log-source" fetch_source lammps "$2" "$3"
+  or_skip "$1" "its source could not be unpacked" unpack lammps "$3" "$3" \
+    --exclude=doc --exclude=examples --exclude=potentials --exclude=bench
+  or_skip "$1" "it could not be built, see $log-build" logged "$log-build" compile_lammps "$3"
+}
+
+# or_skip NAME REASON command...
 or_skip() {
-  local reason=$1
-  shift
+  local name=$1 reason=$2
+  shift 2
   attempt "$@"
   [ "$status" != 0 ] || return 0
-  skip_current_lammps "$reason"
+  skip_lammps "$name" "$reason"
   return 1
 }
 
-unpack_current_lammps() {
-  tar -xf "$(upstream_tarball lammps "$1")" -C "$1" --strip-components=1 --exclude='*/doc' \
-    --exclude='*/examples' --exclude='*/potentials' --exclude='*/bench'
-  rm -f "$1"/lammps_*
-}
-
 # Compiled in two thirds of the time that -O3 takes: it is there to test against, in short runs.
-compile_current_lammps() {
+compile_lammps() {
   cmake -S "$1/cmake" -B "$1/build" -G Ninja -DCMAKE_BUILD_TYPE=Release \
     -DCMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG" -DBUILD_SHARED_LIBS=ON -DBUILD_MPI=ON \
     -DBUILD_OMP=OFF -DPKG_PLUGIN=ON -DPKG_GRANULAR=ON
   cmake --build "$1/build" --parallel "$cores"
 }
 
-skip_current_lammps() {
-  echo "    going on without the current LAMMPS: $1"
-  echo "$1" >"$cache/lammps-current.missing"
+skip_lammps() {
+  echo "    going on without the $1 LAMMPS: $2"
+  echo "$2" >"$cache/lammps-$1.missing"
 }

@@ -6,6 +6,7 @@
 
 #include "bed/surface.h"
 
+#include "coupling/fromFirstRank.H"
 #include "coupling/input/readPositive.H"
 
 #include <vector>
@@ -86,7 +87,7 @@ void Foam::functionObjects::bedHeight::sortCells(const dictionary& dict)
         volumes_[layer_[celli]] += mesh_.V()[celli];
     }
     Pstream::listCombineGather(volumes_, plusEqOp<scalar>());
-    Pstream::listCombineScatter(volumes_);
+    fromFirstRank(volumes_);
     const label empty = volumes_.find(0);
     if (empty >= 0)
     {
@@ -133,7 +134,7 @@ Foam::scalar Foam::functionObjects::bedHeight::surfaceHeight() const
         gas[layer_[celli]] += voidFraction[celli]*mesh_.V()[celli];
     }
     Pstream::listCombineGather(gas, plusEqOp<scalar>());
-    Pstream::listCombineScatter(gas);
+    fromFirstRank(gas);
 
     std::vector<double> voidFractions;
     forAll(gas, layer)

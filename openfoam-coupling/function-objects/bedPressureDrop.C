@@ -8,6 +8,8 @@
 
 #include "sphere.h"
 
+#include "coupling/fromFirstRank.H"
+
 namespace Foam
 {
 namespace functionObjects
@@ -140,7 +142,7 @@ Foam::scalar Foam::functionObjects::bedPressureDrop::superficialVelocity() const
         }
     }
     Pstream::listCombineGather(in, plusEqOp<scalar>());
-    Pstream::listCombineScatter(in);
+    fromFirstRank(in);
 
     scalar all = 0;
     if (inlets_.size())

@@ -6,6 +6,8 @@
 #include "addToRunTimeSelectionTable.H"
 #include "fvMesh.H"
 
+#include "coupling/fromFirstRank.H"
+
 namespace Foam
 {
 namespace functionObjects
@@ -79,7 +81,7 @@ Foam::vector Foam::functionObjects::forceBudget::removedMomentum() const
     }
     // Particles that are left have gone to other ranks, or have been removed.
     Pstream::mapCombineGather(left, plusEqOp<vector>());
-    Pstream::mapCombineScatter(left);
+    fromFirstRank(left);
     vector sum = Zero;
     for (const label id : elsewhere)
     {

@@ -7,6 +7,8 @@
 #include "Pstream.H"
 #include "UIndirectList.H"
 
+#include "coupling/fromFirstRank.H"
+
 #include <algorithm>
 #include <fstream>
 #include <iomanip>
@@ -64,8 +66,8 @@ void Foam::storedPositions::store
     {
         write(timeName);
     }
-    Pstream::scatter(ids_);
-    Pstream::scatter(positions_);
+    fromFirstRank(ids_);
+    fromFirstRank(positions_);
 }
 
 
@@ -149,10 +151,10 @@ bool Foam::storedPositions::restore(const scalar time)
             read(last);
         }
     }
-    Pstream::scatter(found);
-    Pstream::scatter(time_);
-    Pstream::scatter(ids_);
-    Pstream::scatter(positions_);
+    fromFirstRank(found);
+    fromFirstRank(time_);
+    fromFirstRank(ids_);
+    fromFirstRank(positions_);
     return found;
 }
 

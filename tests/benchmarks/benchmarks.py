@@ -47,7 +47,7 @@ def main():
     for name, what in NAMES.items():
         one = commands.add_parser(name, help=what)
         importlib.import_module(name).add_words(one)
-        one.add_argument("--lammps", choices=("stock", "current"), default="stock")
+        one.add_argument("--lammps", choices=("stock", "current", "newest"), default="stock")
         one.add_argument("--small", action="store_true")
         one.add_argument("--page", type=Path)
         if name in PICTURES:

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What failed, found nothing or was left out does not pass for done. steps_test.py FOLDER_OF_THE_SCRIPTS"""
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -14,6 +15,7 @@ SUMMARY = """Cohesion 0.2.0
   LIGGGHTS styles: left out, COHESION_LIGGGHTS is OFF
   OpenFOAM coupling: {coupling}
   current LAMMPS: left out, its source could not be fetched
+  newest LAMMPS: left out, it could not be built
 """
 
 
@@ -96,6 +98,40 @@ exit 1
 esac
 """)
         self.goes("installed liblammps.so", "20250204+dfsg.1")
+
+
+class Tarball(Steps):
+    def unpack(self, root, files=("src/version.h", "src/atom.h", "cmake/CMakeLists.txt", "lib/poems/src/body.h")):
+        source = self.folder / "source"
+        for file in files:
+            (source / file).parent.mkdir(parents=True, exist_ok=True)
+            (source / file).write_text(file)
+        where, what = (source, ".") if root == "." else (self.folder, "source")
+        subprocess.run(["tar", "-C", where, "-czf", self.folder / "lammps_1.orig.tar.gz", what], check=True)
+        return f"unpack lammps '{self.folder}' '{self.folder}/tree' --exclude=cmake\n"
+
+    def test_with_and_without_a_folder_around_it_all(self):
+        for root in (".", "source"):
+            with self.subTest(root):
+                self.goes(self.unpack(root))
+                tree = self.folder / "tree"
+                self.assertEqual((tree / "src/atom.h").read_text(), "src/atom.h")
+                self.assertEqual(sorted(p.name for p in tree.iterdir()), ["lib", "src"])
+                self.assertFalse((self.folder / "unpacked").exists())
+                shutil.rmtree(tree)
+
+    def test_of_something_else_is_a_failure(self):
+        for root in (".", "source"):
+            text = self.unpack(root, files=("lib/poems/src/body.h",))
+            self.fails(text + "echo went on", "lammps_1.orig.tar.gz has no src/")
+
+
+class Words(Steps):
+    def test_that_setup_does_not_know(self):
+        done = subprocess.run([SCRIPTS / "setup", "--newest-lamps"], text=True, capture_output=True)
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn("does not know '--newest-lamps'", done.stderr)
+        self.assertNotIn("==>", done.stdout)
 
 
 class OtherSystems(Steps):

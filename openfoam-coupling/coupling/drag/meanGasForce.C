@@ -7,6 +7,7 @@
 #include "drag/particle_drag.h"
 #include "sphere.h"
 
+#include "coupling/fromFirstRank.H"
 #include "coupling/particles/engineView.H"
 
 
@@ -57,7 +58,7 @@ Foam::vectorField Foam::meanGasForce::over(const scalar dt)
     }
     // Particles that are left have gone to other ranks, or have been removed.
     Pstream::mapCombineGather(before_, plusEqOp<vector>());
-    Pstream::mapCombineScatter(before_);
+    fromFirstRank(before_);
     for (const label i : arrived)
     {
         force[i] -= before_.lookup(particles.id[i], Zero)/dt;

@@ -5,6 +5,8 @@
 #include "PstreamReduceOps.H"
 #include "polyMesh.H"
 
+#include "coupling/fromFirstRank.H"
+
 #include <algorithm>
 #include <vector>
 
@@ -28,7 +30,7 @@ Foam::particleExchange::particleExchange
     bounds.inflate(1e-9);
     rankBounds_[Pstream::myProcNo()] = bounds;
     Pstream::gatherList(rankBounds_);
-    Pstream::scatterList(rankBounds_);
+    fromFirstRank(rankBounds_);
 }
 
 

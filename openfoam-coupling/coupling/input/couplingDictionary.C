@@ -8,6 +8,7 @@
 
 #include "nearest_name.h"
 
+#include "coupling/fromFirstRank.H"
 #include "dem-engines/load_dem_engine.h"
 
 #include <array>
@@ -139,7 +140,7 @@ std::string list(const Keywords& table)
 void reportUnknown(const Foam::dictionary& dict, const UnknownEntries& unknown, const Keywords& table)
 {
     Foam::string misspelt(unknown.misspelt);
-    Foam::Pstream::scatter(misspelt);
+    Foam::fromFirstRank(misspelt);
     if (misspelt.size())
     {
         FatalIOErrorInFunction(dict)

@@ -10,6 +10,8 @@
 #include "argList.H"
 #include "dictionary.H"
 
+#include "coupling/fromFirstRank.H"
+
 #include <string>
 
 namespace
@@ -57,7 +59,7 @@ Foam::DynamicList<Foam::instant> completeTimes(const Foam::fileName& path)
             }
         }
     }
-    Foam::Pstream::scatter(complete);
+    Foam::fromFirstRank(complete);
     return complete;
 }
 
@@ -72,7 +74,7 @@ bool startsFromLatest(const Foam::argList& args)
         latest =
             Foam::dictionary(file).getOrDefault<Foam::word>("startFrom", "latestTime") == "latestTime";
     }
-    Foam::Pstream::scatter(latest);
+    Foam::fromFirstRank(latest);
     return latest;
 }
 
@@ -247,7 +249,7 @@ void Foam::completeState::unmarkLaterTimes(const Time& time)
 Foam::fileName Foam::completeState::restartFile(const Time& time)
 {
     fileName file(time.timePath()/"uniform/particles.restart");
-    Pstream::scatter(file);
+    fromFirstRank(file);
     return file;
 }
 
@@ -255,7 +257,7 @@ Foam::fileName Foam::completeState::restartFile(const Time& time)
 Foam::fileName Foam::completeState::engineFile(const Time& time)
 {
     fileName file(time.path()/"particles.restart");
-    Pstream::scatter(file);
+    fromFirstRank(file);
     return file;
 }
 
@@ -300,6 +302,6 @@ int64_t Foam::completeState::engineSteps(const Time& time)
         IFstream file(time.timePath()/mark_);
         steps = dictionary(file).get<int64_t>("engineSteps");
     }
-    Pstream::scatter(steps);
+    fromFirstRank(steps);
     return steps;
 }

@@ -6,6 +6,8 @@
 #include "drag/exchange_error.h"
 #include "sphere.h"
 
+#include "coupling/fromFirstRank.H"
+
 #include <algorithm>
 
 using namespace cohesion;
@@ -88,7 +90,7 @@ void Foam::stabilityMonitor::warn()
     }
     // All criteria at once: ranks wait for each other a single time.
     Pstream::listCombineGather(largest, maxEqOp<scalar>());
-    Pstream::listCombineScatter(largest);
+    fromFirstRank(largest);
     forAll(largest, k)
     {
         stepCriterion& criterion = *ofParticles_[k];
