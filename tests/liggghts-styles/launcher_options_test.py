@@ -40,6 +40,11 @@ class Options(unittest.TestCase):
         stock, launcher = (self.outcome(way, options, **given) for way in ("stock", "launcher"))
         self.assertEqual(stock[0] == 0, code == 0, stock[1]["printed"][-20:])
         self.assertEqual(set(stock[1]), {"printed", "in.script", *files})
+        # A line, in one place or more, says that it is the launcher; nothing else does.
+        said = [[line for line in text if line.startswith("Cohesion ")] for text in launcher[1].values()]
+        self.assertEqual(max(map(len, said)), 1)
+        for text, lines in zip(launcher[1].values(), said):
+            text[:] = [line for line in text if line not in lines]
         self.assertEqual(launcher, stock)
         return launcher[1]
 
