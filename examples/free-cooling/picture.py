@@ -7,7 +7,8 @@ import analyse
 import theory
 from cohesion_studies.drawing import circles, pyplot, save
 
-COLOURS = {"e 0.9": "#1f6f8b", "D 0.02": "#ef8354", "D 0.2": "#7a5195", "phi 0.02": "0.5", "phi 0.02, D 0.02": "#c8553d"}
+COLOURS = {"e 0.9": "#1f6f8b", "D 0.02": "#ef8354", "D 0.2": "#7a5195", "phi 0.02": "0.5",
+           "phi 0.02, D 0.02": "#c8553d"}
 SLICE = 1.0  # thickness, in diameters, of centres that a slice shows
 
 
