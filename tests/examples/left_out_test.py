@@ -40,6 +40,7 @@ class LeftOut(unittest.TestCase):
 
     def test_engine_alone(self):
         self.stops("shear/run.py", LAMMPS)
+        self.stops("free-cooling/run.py", LAMMPS)
         self.stops("pouring/run.py", LAMMPS.replace("LAMMPS package", "stock LAMMPS"))
 
 
