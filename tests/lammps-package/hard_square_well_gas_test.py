@@ -100,13 +100,13 @@ class Reference(unittest.TestCase):
         self.compare(3, 0.3, 1.0)
 
     def test_spheres_with_damping(self):
-        self.compare(3, 0.3, 0.9)
+        self.compare(3, 0.3, 0.9, divisions=(10, 1))
 
     def test_discs(self):
         self.compare(2, 0.4, 1.0, lengths=5)
 
     def test_discs_with_damping_and_friction(self):
-        self.compare(2, 0.4, 0.9, 0.3, lengths=5)
+        self.compare(2, 0.4, 0.9, 0.3, lengths=5, divisions=(10, 1))
 
     def test_spheres_with_friction(self):
         self.compare(3, 0.2, 0.9, 0.3, divisions=(10,))

@@ -13,7 +13,7 @@ from cohesion_tests.coupling.fields import field
 from cohesion_tests.coupling.held_layers import CELL, G, RHO
 from cohesion_tests.coupling.test_case import CoupledTestCase
 
-STEPS = 50
+STEPS = 25
 # Of couplingProperties
 SETTINGS = {
     "cell": {},

@@ -49,9 +49,9 @@ def blow(column, slip, ranks):
     # The gas is set in motion within one step: what few corrections leave of that dies out slowly.
     case.set("system/fvSolution", "PIMPLE/nCorrectors", 8)
     case.set("system/fvSolution", "PIMPLE/nOuterCorrectors", 8)
-    case.set("system/controlDict", "endTime", 20e-4)
+    case.set("system/controlDict", "endTime", 10e-4)
     case.set("system/controlDict", "deltaT", 1e-4)
-    case.set("system/controlDict", "writeInterval", 20e-4)
+    case.set("system/controlDict", "writeInterval", 10e-4)
     case.mesh()
     return case, case.solve(ranks=ranks)
 
@@ -60,7 +60,7 @@ def unevenness(case, ranks):
     """Largest difference of a cell's flux eps U from the mean over its row, over that [1]."""
     if ranks > 1:
         case.run("reconstructPar")
-    eps, velocity = (field(case, "0.002", name) for name in ("voidFraction", "U"))
+    eps, velocity = (field(case, "0.001", name) for name in ("voidFraction", "U"))
     flux = eps[:, None] * velocity.reshape(-1, 3)
     return np.linalg.norm(flux - [0, 0, SUPERFICIAL], axis=1).max() / SUPERFICIAL
 
