@@ -93,14 +93,14 @@ class Agglomerates(FolderTestCase):
         x, v, first, second = passing()
         self.write(x, v)
         last = (first[0], second[1])
-        dt, end = 0.001, 3.5
+        dt, end = 0.005, 3.5
         durations = [b - a for a, b in (first, second, last)]
         for ranks, each in ((1, 1), (2, 1), (1, 10)):
             with self.subTest(ranks=ranks, each=each):
                 output = self.run_script(
-                    self.FLIGHT.replace("agglomerates 1", f"agglomerates {each}") +
-                    f"thermo 100\nthermo_style custom step {FIELDS} f_set[3][2] f_set[1][2]\n"
-                    "thermo_modify format float %.15g\nrun 3500\n", ranks=ranks)
+                    self.FLIGHT.replace("agglomerates 1", f"agglomerates {each}") + f"timestep {dt}\n"
+                    f"thermo 20\nthermo_style custom step {FIELDS} f_set[3][2] f_set[1][2]\n"
+                    f"thermo_modify format float %.15g\nrun {round(end / dt)}\n", ranks=ranks)
                 names, rows = thermo_lines(output)
                 row = dict(zip(names, rows[-1]))
                 self.assertEqual(row["f_set[6]"], 3)

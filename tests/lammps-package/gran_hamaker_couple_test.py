@@ -178,7 +178,7 @@ class Oblique(unittest.TestCase):
         # 1.5e-3, twice, at a turning rate of 50/s: 2e-6.
         for pair in (Pair(), Pair(7.49e-19)):
             found = self.results(pair, 0.0, 4)
-            for k in range(0, len(self.ANGLES), 2):
+            for k in range(0, len(self.ANGLES), 4):
                 expected = couples.leaves_at(pair, self.SPEED, self.ANGLES[k]) / self.SPEED
                 error = numpy.abs(found[k, :, :2] - expected).max()
                 report(f"oblique, A {pair.A:g} J, {math.degrees(self.ANGLES[k]):.0f} degrees: "

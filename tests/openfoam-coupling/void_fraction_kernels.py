@@ -288,9 +288,10 @@ class VoidFractionKernels(CoupledTestCase):
         """A sphere in the centre of a cell, smoothed: summed over the other two directions it has the
         profile of smooth(), whose second moment is the square of the width, on coarse and on fine cells."""
         width, d = 4e-3, 1e-3
-        place, volume = (0.03, 0.03, 0.102), np.pi / 6 * d**3
-        for n in (15, 45):
+        volume = np.pi / 6 * d**3
+        for n in (15, 27):
             cell = 0.06 / n
+            place = (0.03, 0.03, (int(0.1 / cell) + 0.5) * cell)
             found, _ = solid(self.column, f"width-{n}", "particleCentre", [place], d,
                              cells=(n, n, 3 * n + n // 3), width=width)
             # Each cell's 1 - x is rounded to 1e-16 of its volume, and so is each cell's share of that.

@@ -4,7 +4,7 @@
 spheres that meet and a third that strikes two; with walls a sphere that meets one and one that flies into the edge
 of two. stability_judge.py says what is compared, and what the verdicts mean.
 
-  stability-campaign.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--table FILE] [--points N] [--law TEXT] [--together N]
+  stability-campaign.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--table FILE.md] [--points N] [--law TEXT] [--together N]
   stability-campaign.py LMP_WITH_PLUGIN_COMMAND PLUGIN --law NAME --point K     one point, with all that was said
 
 Points are the same in every run: number K of a law is drawn with seeds of its own. `silent` in the table is a case
@@ -15,6 +15,7 @@ import re
 import sys
 from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
 
 import numpy
 
@@ -26,6 +27,8 @@ from cohesion_tests.progress import Progress
 
 HEAD = ("| point | first | error | second | error | said |", "|---|---|---|---|---|---|")
 STEPS = (2, 3, 4, 5, 10, 15, 20)
+# What stands apart, by what comes behind the name of the page
+APART = {"_pairs": "pairs", "_walls": "walls"}
 PAGE = """# Stability at the ends of all parameters
 
 Written by `tests/benchmarks/lammps-package/stability-campaign.py`, on the stock engine. Every law and scheme at corners
@@ -119,26 +122,40 @@ def words_of(*kinds):
 
 
 def details(law, results):
+    """Corners, what was wrong at the random points, and refusals."""
     limit = len(results[0][1].law.corners)
     first, inner = [row for row in results if row[0] < limit], [row for row in results if row[0] >= limit]
-    lines = ["", f"## {law}", *(corners(first) if first else []), "", f"{len(inner)} random points:"]
-    if not results[0][1].law.hard:
-        lines += by_steps(inner)
+    lines = ["", f"## {law}", *(corners(first) if first else [])]
     # Of sampled forces many are wrong, and say so.
     shown = ("silent", "elsewhere", "crashed") + (() if results[0][1].law.scheme == "sampled" else ("warned",))
     bad = [(n, p, r) for n, p, r in inner if any(kind(v, r.said) in shown for v in r.verdicts.values())]
     if bad:
-        lines += ["", f"Wrong ({', '.join(words_of(*shown))}), with the number of the point:", "", *HEAD]
+        lines += ["", f"Wrong of the random points ({', '.join(words_of(*shown))}), with their numbers:", "", *HEAD]
         lines += [f"| {n}: {p.text()} | {cells(r)}" for n, p, r in bad]
     refused = reasons(results)
     return lines + (["", "Refused:", "", *refused] if refused else [])
 
 
-def report(rows):
-    lines = [*PAGE, *summary(rows)]
+def steps_of(law, results):
+    """Section of the random points by their step; hard spheres know none."""
+    inner = [row for row in results if row[0] >= len(row[1].law.corners)]
+    return [] if results[0][1].law.hard else ["", f"## {law}", "", f"{len(inner)} random points:", *by_steps(inner)]
+
+
+def report(rows, name):
+    """File name -> text: the page `name` (without .md), and the pages of APART."""
+    lines = [*PAGE, *summary(rows), "", "Corners, what was wrong and why points were refused: of "
+             + ", of ".join(f"[{what}]({name}{end}.md)" for end, what in APART.items()) + "."]
     for law, results in rows.items():
-        lines += details(law, results)
-    return "\n".join(lines) + "\n"
+        lines += steps_of(law, results)
+    pages = {f"{name}.md": lines}
+    for end, what in APART.items():
+        own = [details(law, results) for law, results in rows.items()
+               if law.startswith("fix wall/") == (what == "walls")]
+        if own:
+            pages[f"{name}{end}.md"] = [f"# Stability of {what}: corners, and what was wrong", "",
+                                        f"[Stability]({name}.md) says what the words mean.", *sum(own, [])]
+    return {file: "\n".join(text) + "\n" for file, text in pages.items()}
 
 
 def campaign(laws, count, together, engine):
@@ -155,7 +172,8 @@ def campaign(laws, count, together, engine):
 
 def main():
     words = measuring_program.words(
-        __doc__, ("--table", {"metavar": "FILE", "help": "where to write the page as well"}),
+        __doc__, ("--table", {"metavar": "FILE.md", "type": Path, "help": "where to write the page as well; beside it, "
+                              "with _pairs and _walls behind its name, what stands apart"}),
         ("--points", {"type": int, "default": 250, "help": "random ones of each law"}),
         ("--law", {"default": "", "help": "only those whose name has this"}),
         ("--point", {"type": int, "help": "only this one"}),
@@ -168,11 +186,11 @@ def main():
             point = make(law, words.point)
             print(law.name, point.text(), judge(point, engine), sep="\n")
         return
-    page = report(campaign(laws, words.points, words.together, engine))
-    print(page)
-    if words.table:
-        with open(words.table, "w") as file:
-            file.write(page)
+    page = words.table or Path("stability.md")
+    for file, text_of_page in report(campaign(laws, words.points, words.together, engine), page.stem).items():
+        print(text_of_page)
+        if words.table:
+            (page.parent / file).write_text(text_of_page)
 
 
 if __name__ == "__main__":
