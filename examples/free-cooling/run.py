@@ -13,11 +13,13 @@ from pathlib import Path
 import analyse
 import picture
 import theory
-from cohesion_studies import expected, program, study_table
-from cohesion_studies.job_pool import RunError, carry_out, digest_of, require_ours
-from cohesion_studies.lammps_run import MARK, NotBuilt, ScriptRun, launcher
+from cohesion_studies import expected, program
+from cohesion_studies.expected_study import carry_out_study
+from cohesion_studies.job_pool import RunError, digest_of
+from cohesion_studies.lammps_run import NotBuilt, ScriptRun, launcher
 
 HERE = Path(__file__).resolve().parent
+EXPECTED = HERE / "expected.csv"
 
 # Variables of in.cooling, which in KINDS are others.
 GAS = {"side": 13, "phi": 0.1, "e": 0.9, "D": 0.0, "w": 1.25, "growth": 1.1, "intervals": 32}
@@ -72,15 +74,12 @@ class Cooling(ScriptRun):
 
 def main():
     args = arguments()
-    expected.rows(HERE / "expected.csv")
+    expected.rows(EXPECTED)  # refused before anything is run
     out = program.out_folder(args, "free-cooling").resolve()
     engine = launcher(args.build)
     jobs = [Cooling(out, engine, kind, seed, **changed)
             for kind, changed, seeds in KINDS for seed in range(1, seeds + 1)]
-    require_ours(jobs, MARK, args.overwrite)
-    kinds = study_table.by_kind(jobs, carry_out(jobs, args.together))
-    program.leave_table(out, study_table.side_by_side(kinds) + "\n\n"
-                        + expected.text(HERE / "expected.csv", study_table.means_of(kinds)))
+    carry_out_study(jobs, args, out, EXPECTED)
     picture.draw(out / "result.png", jobs)
 
 

@@ -11,11 +11,13 @@ from pathlib import Path
 
 import analyse
 import picture
-from cohesion_studies import expected, program, study_table
-from cohesion_studies.job_pool import RunError, carry_out, digest_of, require_ours
-from cohesion_studies.lammps_run import MARK, NotBuilt, ScriptRun, launcher
+from cohesion_studies import expected, program
+from cohesion_studies.expected_study import carry_out_study
+from cohesion_studies.job_pool import RunError, digest_of
+from cohesion_studies.lammps_run import NotBuilt, ScriptRun, launcher
 
 HERE = Path(__file__).resolve().parent
+EXPECTED = HERE / "expected.csv"
 
 # Variables of in.pouring. The columns, 1.5 diameters apart, fill a box 24 diameters wide.
 BED = {"count": 500, "columns": 16, "height": 48, "e": 0.9, "mu": 0.3, "time": 0.6}
@@ -58,14 +60,11 @@ class Pouring(ScriptRun):
 
 def main():
     args = arguments()
-    expected.rows(HERE / "expected.csv")
+    expected.rows(EXPECTED)  # refused before anything is run
     out = program.out_folder(args, "pouring").resolve()
     engine = launcher(args.build)
     jobs = [Pouring(out, engine, seed, *kind) for kind in KINDS for seed in args.seeds]
-    require_ours(jobs, MARK, args.overwrite)
-    kinds = study_table.by_kind(jobs, carry_out(jobs, args.together))
-    program.leave_table(out, study_table.side_by_side(kinds) + "\n\n"
-                        + expected.text(HERE / "expected.csv", study_table.means_of(kinds)))
+    carry_out_study(jobs, args, out, EXPECTED)
     picture.draw(out / "result.png", jobs)
 
 

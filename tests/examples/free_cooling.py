@@ -16,6 +16,7 @@ import analyse
 import run
 import theory
 from cohesion_studies import expected
+from cohesion_studies.job_pool import carry_out
 from cohesion_studies.lammps_run import tables
 
 SOURCE = Path(__file__).resolve().parents[2]
@@ -34,7 +35,7 @@ class SmallGas(unittest.TestCase):
         engine = run.launcher(BUILD)
         cls.jobs = [run.Cooling(Path(cls.keeper.name), engine, kind, seed, **changed)
                     for kind, seed, changed in (("small", 1, SMALL), ("small", 2, SMALL), ("wells", 1, WELLS))]
-        cls.results = run.carry_out(cls.jobs, 2)
+        cls.results = carry_out(cls.jobs, 2)
         cls.free, cls.wells = cls.results[:2], cls.results[2]
 
     def test_haffs_law_with_the_rate_of_kinetic_theory(self):
@@ -96,7 +97,7 @@ class SmallGas(unittest.TestCase):
 
     def test_finished_runs_are_taken_over(self):
         before = [(job.folder / "log").stat().st_mtime_ns for job in self.jobs]
-        self.assertEqual(str(run.carry_out(self.jobs, 2)), str(self.results))  # as texts, in which nan is nan
+        self.assertEqual(str(carry_out(self.jobs, 2)), str(self.results))  # as texts, in which nan is nan
         self.assertEqual([(job.folder / "log").stat().st_mtime_ns for job in self.jobs], before)
 
 

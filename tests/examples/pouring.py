@@ -14,7 +14,8 @@ import numpy as np
 import analyse
 import run
 from cohesion_studies import expected
-from cohesion_studies.lammps_run import tables
+from cohesion_studies.job_pool import carry_out, require_ours
+from cohesion_studies.lammps_run import MARK, tables
 
 SOURCE = Path(__file__).resolve().parents[2]
 
@@ -33,7 +34,7 @@ class SmallBed(unittest.TestCase):
         engine = run.launcher(BUILD)
         cls.jobs = [run.Pouring(Path(cls.keeper.name), engine, 1, dt, run.CONTACT, **SMALL)
                     for dt in (run.STEP, run.STEP / 4)]
-        cls.results = run.carry_out(cls.jobs, 2)
+        cls.results = carry_out(cls.jobs, 2)
 
     def test_energy_is_kept_but_for_the_bound(self):
         """What the step leaves is at most g dt/2 times the impulse of the walls; digits: 15, summed over some
@@ -76,16 +77,16 @@ class SmallBed(unittest.TestCase):
 
     def test_finished_runs_are_taken_over(self):
         before = [(job.folder / "log").stat().st_mtime_ns for job in self.jobs]
-        self.assertEqual(run.carry_out(self.jobs, 2), self.results)
+        self.assertEqual(carry_out(self.jobs, 2), self.results)
         self.assertEqual([(job.folder / "log").stat().st_mtime_ns for job in self.jobs], before)
 
     def test_runs_of_other_settings_and_what_is_no_run_are_kept(self):
         first = self.jobs[0]
-        run.require_ours(self.jobs, run.MARK)
+        require_ours(self.jobs, MARK)
         other = run.Pouring(Path(self.keeper.name), first.engine, 1, run.STEP, run.CONTACT, **{**SMALL, "time": 0.2})
         self.assertEqual(other.folder, first.folder)
         with self.assertRaisesRegex(run.RunError, "--overwrite"):
-            run.require_ours([other], run.MARK)
+            require_ours([other], MARK)
         with tempfile.TemporaryDirectory(prefix="cohesion-") as out:
             folder = Path(out) / first.folder.name
             folder.mkdir()
