@@ -2,6 +2,7 @@
 """links.py SOURCE_DIR: every link in a page leads somewhere: to a file or folder of the repository, and to a heading
 that is there, by the rule with which GitHub names headings. Web addresses are not asked for."""
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -62,10 +63,11 @@ def anchors(text):
 
 
 def pages(folder):
-    """Those that git has or would take: what builds leave behind is not looked at."""
-    listed = subprocess.run(["git", "-C", folder, "ls-files", "-co", "--exclude-standard", "*.md"], text=True,
-                            stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
-    if listed.returncode == 0:
+    """Those that git has or would take: what builds leave behind is not looked at. Without git, or in a copy that is no
+    clone, all but what is in a folder `build`."""
+    git = ["git", "-C", folder, "ls-files", "-co", "--exclude-standard", "*.md"]
+    listed = shutil.which("git") and subprocess.run(git, text=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
+    if listed and listed.returncode == 0:
         return [file for file in map(folder.joinpath, listed.stdout.split("\n")[:-1]) if file.exists()]
     return [file for file in sorted(folder.rglob("*.md")) if "build" not in file.relative_to(folder).parts]
 

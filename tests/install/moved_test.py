@@ -2,7 +2,7 @@
 """An installation in a temporary prefix, moved to another folder: no file of it names where it came from, and its
 programs run there, found by its environment file alone.
 
-    moved_test.py CMAKE BUILD SOURCE VERSION"""
+    moved_test.py CMAKE GENERATOR BUILD SOURCE VERSION"""
 
 import os
 import re
@@ -13,7 +13,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-CMAKE, BUILD, SOURCE, VERSION = sys.argv[1:5]
+CMAKE, GENERATOR, BUILD, SOURCE, VERSION = sys.argv[1:6]
 HERE = Path(__file__).resolve().parent
 KEPT = ("HOME", "LANG", "OMP_NUM_THREADS", "OMPI_MCA_ess_singleton_isolated", "OMPI_MCA_pml")
 
@@ -139,7 +139,8 @@ class Moved(unittest.TestCase):
     def test_project_that_calls_a_law(self):
         for file in ("CMakeLists.txt", "force.cpp"):
             shutil.copy(HERE / "project" / file, self.work)
-        output = self.call("cmake -S . -B build >log && cmake --build build >>log && build/force")
+        # With the generator of the build: another may not be there.
+        output = self.call(f"cmake -S . -B build -G '{GENERATOR}' >log && cmake --build build >>log && build/force")
         # A R*/(6 H^2) of two spheres of 0.5 mm, 2 nm apart
         self.assertAlmostEqual(float(output) / (7.49e-19 / 6 * 0.25e-3 / 2e-9**2), 1, delta=1e-12)
 
