@@ -119,6 +119,10 @@ if(OpenFOAM_FOUND AND NOT TARGET OpenFOAM::OpenFOAM)
     # fvc::reconstruct is wrong in all cells that are not boxes along the axes.
     __restrict__=)
   target_compile_options(OpenFOAM::OpenFOAM INTERFACE -ftemplate-depth-100 -pthread)
+  if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+    target_compile_options(OpenFOAM::OpenFOAM INTERFACE
+      "SHELL:-include ${CMAKE_CURRENT_LIST_DIR}/openfoam_without_deprecated.h")
+  endif()
   # Classes that only a case names are found by the libraries' static initialisers.
   target_link_options(OpenFOAM::OpenFOAM INTERFACE -Wl,--no-as-needed)
   target_link_libraries(OpenFOAM::OpenFOAM INTERFACE

@@ -258,7 +258,8 @@ class Energy(unittest.TestCase):
 
     def test_a_heap_comes_to_rest(self):
         """Spheres fall on a plate, with friction: at the end less than a millionth of the energy of one that falls by
-        its own diameter is left to each."""
+        its own diameter is left to each. How soon depends on the pile that they happen to make, which rounding decides:
+        it took 0.4 to 0.9 s. Of the energy that is left half goes in 0.1 s, about."""
         for weights, part in ((0, 10), (20, 10), (20, 4)):
             with self.subTest(weights=weights, part=part):
                 numbers = random.Random(3)
@@ -270,7 +271,7 @@ class Energy(unittest.TestCase):
                 plate = f"fix plate all wall/gran {models('history')} primitive type 2 zplane 0.0 {EVENT}"
                 dt = 0.53 * CONTACT_TIME / part  # the spring of friction makes contacts so much shorter
                 end = frames(spheres, models("history") + EVENT, hamaker(constant, cut=CUT, out=OUT), dt=dt,
-                             steps=int(0.6 / dt), every=int(0.6 / dt), boundary="p p f",
+                             steps=int(1.2 / dt), every=int(1.2 / dt), boundary="p p f",
                              box=f"0 {edge * cell} 0 {edge * cell} -1e-3 2e-2", skin=2e-4, walls=[plate],
                              extra="fix g all gravity 9.81 vector 0 0 -1\n")[-1]
                 left = sum(0.5 * MASS * sum(v * v for v in row[3:6]) for row in end.values())

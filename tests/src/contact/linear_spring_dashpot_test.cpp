@@ -39,8 +39,8 @@ Collision integrate(double stiffness, double damping, double mass) {
 }
 
 // The particle of the thesis' bed: 1 mm, 2650 kg/m3, K = 800 N/m, eta = 0.79e-3 kg/s.
-const double mass = 2650.0 * sphere_volume(0.5e-3);
-const LinearSpringDashpot bed(800.0, 0.79e-3, reduced_mass(mass, mass));
+const double sphere_mass = 2650.0 * sphere_volume(0.5e-3);
+const LinearSpringDashpot bed(800.0, 0.79e-3, reduced_mass(sphere_mass, sphere_mass));
 
 }  // namespace
 
