@@ -27,7 +27,7 @@ if(OpenFOAM_TREE)
   set(OpenFOAM_finiteVolume_INCLUDE ${OpenFOAM_TREE}/src/finiteVolume/lnInclude)
   set(OpenFOAM_meshTools_INCLUDE ${OpenFOAM_TREE}/src/meshTools/lnInclude)
   set(OpenFOAM_lagrangian_INCLUDE ${OpenFOAM_TREE}/src/lagrangian/basic/lnInclude)
-  foreach(part turbulenceModels incompressible phaseIncompressible)
+  foreach(part turbulenceModels incompressible)
     list(APPEND OpenFOAM_turbulence_INCLUDE ${OpenFOAM_TREE}/src/TurbulenceModels/${part}/lnInclude)
   endforeach()
   # Its headers name each other by their folders.
@@ -74,7 +74,7 @@ endforeach()
 find_library(OpenFOAM_Pstream_LIBRARY Pstream PATHS ${OpenFOAM_PSTREAM_HINTS} NO_DEFAULT_PATH)
 find_path(OpenFOAM_BIN_DIR blockMesh PATHS ${OpenFOAM_BIN_HINTS} NO_DEFAULT_PATH)
 find_path(OpenFOAM_HEADERS fvMesh.H PATHS ${OpenFOAM_finiteVolume_INCLUDE} NO_DEFAULT_PATH)
-find_path(OpenFOAM_TURBULENCE_HEADERS PhaseIncompressibleTurbulenceModel.H
+find_path(OpenFOAM_TURBULENCE_HEADERS incompressibleTurbulenceModel.H
   PATHS ${OpenFOAM_turbulence_INCLUDE} NO_DEFAULT_PATH)
 mark_as_advanced(OpenFOAM_Pstream_LIBRARY OpenFOAM_BIN_DIR OpenFOAM_HEADERS
   OpenFOAM_TURBULENCE_HEADERS)

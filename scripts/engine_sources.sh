@@ -146,7 +146,7 @@ fetch_openfoam_headers() {
   done
   link_headers "$folder/source/src/OSspecific/POSIX" "$folder/lnInclude/OSspecific"
   link_headers "$folder/source/src/lagrangian/basic" "$folder/lnInclude/lagrangian"
-  for module in turbulenceModels incompressible phaseIncompressible; do
+  for module in turbulenceModels incompressible; do
     link_headers "$folder/source/src/TurbulenceModels/$module" "$folder/lnInclude/turbulence"
   done
   echo "${version%%.*}" >"$folder/api"

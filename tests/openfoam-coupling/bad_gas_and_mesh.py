@@ -71,7 +71,7 @@ CASES = {
          "transportProperties"]),
     "ideal gas without warmth": (
         lambda c: ideal_gas(c, temperature=0),
-        ["temperature = 0: must be a finite number greater than zero", "transportProperties.idealGas"]),
+        ["temperature = 0: must be a finite number greater than zero", "transportProperties/idealGas"]),
     "ideal gas without pressure": (
         lambda c: ideal_gas(c, pressure=-1e5),
         ["pressure = -100000: must be a finite number greater than zero"]),

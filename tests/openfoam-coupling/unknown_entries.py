@@ -25,10 +25,10 @@ REFUSED = {
     "entry of the engine": (
         lambda c: append(c, COUPLING, "lammpsCoeffs { scripts \"log\"; }"),
         ["unknown entry 'scripts' (the nearest known one is 'script')", "Known are script, log, variables, library",
-         "couplingProperties.lammpsCoeffs"]),
+         "couplingProperties/lammpsCoeffs"]),
     "entry of the other engine": (
         lambda c: append(c, COUPLING, "liggghtsCoeffs { variable { dt 1e-5; } }"),
-        ["unknown entry 'variable' (the nearest known one is 'variables')", "couplingProperties.liggghtsCoeffs"]),
+        ["unknown entry 'variable' (the nearest known one is 'variables')", "couplingProperties/liggghtsCoeffs"]),
     "misspelt entry of an included file": (
         lambda c: ((c.folder / "constant/mine").write_text("width 0.06; dragfactor 2;\n"),
                    append(c, COUPLING, '#include "mine"')),

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "writeParticleCloud.H"
 
+#include "Cloud.H"
 #include "IOField.H"
-#include "passiveParticleCloud.H"
+#include "passiveParticle.H"
 
 namespace
 {
@@ -10,14 +11,14 @@ namespace
 template<class Type>
 bool writeField
 (
-    const Foam::passiveParticleCloud& cloud,
+    const Foam::Cloud<Foam::passiveParticle>& cloud,
     const Foam::word& name,
     const Foam::UList<Type>& values
 )
 {
     return Foam::IOField<Type>
     (
-        cloud.fieldIOobject(name, Foam::IOobject::NO_READ),
+        Foam::IOobject(name, cloud.time().timeName(), cloud, Foam::IOobject::NO_READ, Foam::IOobject::NO_WRITE),
         Foam::Field<Type>(values)
     ).write();
 }
@@ -27,7 +28,8 @@ bool writeField
 
 bool Foam::writeParticleCloud(const polyMesh& mesh, const particleRows& particles)
 {
-    passiveParticleCloud cloud(mesh, "particles", IDLList<passiveParticle>());
+    // What passiveParticleCloud is made from has changed with the releases, what its base class is made from has not.
+    Cloud<passiveParticle> cloud(mesh, "particles", IDLList<passiveParticle>());
     forAll(particles.cells, i)
     {
         cloud.addParticle(new passiveParticle(mesh, particles.positions[i], particles.cells[i]));
