@@ -8,8 +8,7 @@
 # a guard against hangs, far above what a test takes: ranks that share a busy machine wait for each other. Tests of
 # high COST begin first, so that no long one is left over when the others have ended; by itself ctest knows what they
 # took the last time in this build folder. Python finds the packages of tests/support and examples/common, and what
-# lies in the folders of MODULES. An engine on one process starts no daemon of Open MPI, which takes longer than most
-# scripts, and looks for no network.
+# lies in the folders of MODULES. MPI looks for no network.
 function(cohesion_add_test)
   cmake_parse_arguments(T "" "NAME;RANKS;TIMEOUT;COST;PROCESSORS" "LABELS;COMMAND;ENVIRONMENT;MODULES" ${ARGN})
   set(processors 1)
@@ -32,7 +31,7 @@ function(cohesion_add_test)
   set(modules ${PROJECT_SOURCE_DIR}/tests/support ${PROJECT_SOURCE_DIR}/examples/common ${T_MODULES})
   list(JOIN modules ":" modules)
   set(environment OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
-    OMPI_MCA_mpi_yield_when_idle=1 OMPI_MCA_ess_singleton_isolated=1 OMPI_MCA_pml=ob1
+    OMPI_MCA_mpi_yield_when_idle=1 OMPI_MCA_pml=ob1
     OMP_NUM_THREADS=1 PYTHONDONTWRITEBYTECODE=1
     "PYTHONPATH=${modules}"
     ${T_ENVIRONMENT})

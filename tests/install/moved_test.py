@@ -15,7 +15,7 @@ from pathlib import Path
 
 CMAKE, GENERATOR, BUILD, SOURCE, VERSION = sys.argv[1:6]
 HERE = Path(__file__).resolve().parent
-KEPT = ("HOME", "LANG", "OMP_NUM_THREADS", "OMPI_MCA_ess_singleton_isolated", "OMPI_MCA_pml")
+KEPT = ("HOME", "LANG", "OMP_NUM_THREADS", "OMPI_MCA_pml")
 
 
 class Moved(unittest.TestCase):

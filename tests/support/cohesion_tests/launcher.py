@@ -4,7 +4,8 @@ import os
 import subprocess
 
 # Open MPI's daemon of a single rank, its folder, which that daemon keeps apart from others', and its search for
-# networks take longer than most runs of the tests; other MPIs ignore all of it.
+# networks take longer than most runs of the tests; other MPIs ignore all of it. Without the daemon the folder is the
+# same for all: one that ends removes it under another that starts.
 HERE_ONLY = {"OMPI_MCA_pml": "ob1", "OMPI_MCA_btl": "self,vader", "OMP_NUM_THREADS": "1"}
 ALONE = {"OMPI_MCA_ess_singleton_isolated": "1", "OMPI_MCA_orte_create_session_dirs": "0"}
 
