@@ -46,6 +46,7 @@ FixHardEvents::FixHardEvents(LAMMPS* lammps, int narg, char** arg)
       time_warp_(lammps, simulation_),
       origin_(nullptr),
       outside_(nullptr),
+      kick_(nullptr),
       farthest_squared_(0.0),
       warned_(false) {
   comm_forward = ORIGIN;
@@ -62,6 +63,7 @@ FixHardEvents::~FixHardEvents() {
   atom->delete_callback(id, Atom::GROW);
   memory->destroy(origin_);
   memory->destroy(outside_);
+  memory->destroy(kick_);
 }
 
 FixHardEvents* FixHardEvents::of(LAMMPS* lmp) {
@@ -70,7 +72,9 @@ FixHardEvents* FixHardEvents::of(LAMMPS* lmp) {
   return static_cast<FixHardEvents*>(modify->fix[modify->find_fix(ID)]);
 }
 
-int FixHardEvents::setmask() { return FixConst::PRE_EXCHANGE | FixConst::PRE_FORCE; }
+int FixHardEvents::setmask() {
+  return FixConst::INITIAL_INTEGRATE | FixConst::PRE_EXCHANGE | FixConst::PRE_FORCE;
+}
 
 void FixHardEvents::init() {
   pair_ = dynamic_cast<PairHardSquareWell*>(force->pair_match("hard/square_well", 1));
@@ -111,6 +115,13 @@ void FixHardEvents::init() {
   for (const HardWalls* walls : walls_)
     for (int type = 0; type <= atom->ntypes; type++)
       simulation_.laws.push_back(type == 0 ? Law{} : walls->law_of_type(type));
+}
+
+/// Notes the kicks of this step, whose forces the engine clears before pre_force.
+void FixHardEvents::initial_integrate(int) {
+  for (int i = 0; i < atom->nlocal; i++)
+    kick_[i] = kick_of(vector(atom->f[i]), mobile_.inverse_mass(atom->mask[i], atom->rmass[i]),
+                       update->dt);
 }
 
 /// Keeps particles at the boundary whose free flight leads through a wall out of the box, until
@@ -234,9 +245,11 @@ void FixHardEvents::pre_force(int) {
 /// but for round-off.
 void FixHardEvents::load_flights() {
   update_images();
-  for (int i = 0; i < atom->nlocal; i++)
-    simulation_.bodies[i].flight = {
-        vector(atom->x[i]), vector(atom->v[i]), 0.0, vector(atom->omega[i]), 0, 0};
+  for (int i = 0; i < atom->nlocal; i++) {
+    Flight& flight = simulation_.bodies[i].flight;
+    flight = {vector(atom->x[i]), vector(atom->v[i]), 0.0, vector(atom->omega[i]), 0, 0};
+    flight.kick = kick_[i];
+  }
   for (const RemoteParticle& remote : remote_) {
     const int g = remote.ghost;
     const Image& image = simulation_.images[remote.image];
@@ -271,7 +284,7 @@ void FixHardEvents::stop_at_limit() const {
   error->one(FLERR,
              "pair_style hard/square_well: more than {} events of one particle in step {}, at "
              "particles {} and {} (negative: a wall); they had {} and {}. Particles are pressed "
-             "together: use a smaller time step, keyword contact_time, or a larger limit",
+             "together: use a smaller time step, keyword rest or contact_time, or a larger limit",
              simulation_.rules.limit, update->ntimestep, a.tag, tag_j, a.flight.events,
              candidate.with_wall() ? 0 : simulation_.bodies[candidate.j].flight.events);
 }
@@ -341,24 +354,33 @@ void FixHardEvents::unpack_forward_comm(int n, int first, double* buf) {
 void FixHardEvents::grow_arrays(int nmax) {
   memory->grow(origin_, nmax, ORIGIN, "hard_events:origin");
   memory->grow(outside_, nmax, 3, "hard_events:outside");
+  memory->grow(kick_, nmax, "hard_events:kick");
 }
 
-void FixHardEvents::copy_arrays(int i, int j, int) { std::copy_n(outside_[i], 3, outside_[j]); }
+void FixHardEvents::copy_arrays(int i, int j, int) {
+  std::copy_n(outside_[i], 3, outside_[j]);
+  kick_[j] = kick_[i];
+}
 
-void FixHardEvents::set_arrays(int i) { std::fill_n(outside_[i], 3, 0.0); }
+void FixHardEvents::set_arrays(int i) {
+  std::fill_n(outside_[i], 3, 0.0);
+  kick_[i] = 0.0;
+}
 
 int FixHardEvents::pack_exchange(int i, double* buf) {
   std::copy_n(outside_[i], 3, buf);
-  return 3;
+  buf[3] = kick_[i];
+  return 4;
 }
 
 int FixHardEvents::unpack_exchange(int i, double* buf) {
   std::copy_n(buf, 3, outside_[i]);
-  return 3;
+  kick_[i] = buf[3];
+  return 4;
 }
 
 double FixHardEvents::memory_usage() {
-  return static_cast<double>((ORIGIN + 3) * sizeof(double)) * atom->nmax +
+  return static_cast<double>((ORIGIN + 4) * sizeof(double)) * atom->nmax +
          static_cast<double>(sizeof(Body) * simulation_.bodies.size() +
                              (sizeof(CandidatePair) + sizeof(HistorySlots) + 2 * sizeof(int)) *
                                  simulation_.candidates.size());

@@ -59,6 +59,7 @@ class FixHardEvents : public Fix {
 
   int setmask() override;
   void init() override;
+  void initial_integrate(int) override;
   void pre_exchange() override;
   void setup_pre_force(int) override;
   void pre_force(int) override;
@@ -133,6 +134,7 @@ class FixHardEvents : public Fix {
   HardEventTimeWarp time_warp_;
   double** origin_;   // per atom and ghost: process, index there, position there
   double** outside_;  // per atom:// how far the free flight led out of the box
+  double* kick_;      // per atom: Flight::kick
   // Of own particles since the list was made.
   cohesion::shear::NonaffineDisplacements displacements_;
   double farthest_squared_;  // the largest of displacements_, squared

@@ -30,7 +30,7 @@ void FixHardEvents::set_up_candidates() {
   displacements_.set_reference(atom->nlocal > 0 ? atom->x[0] : nullptr, atom->nlocal, domain->xy);
   for (int i = 0; i < atom->nlocal; i++) {
     for (int axis = 0; axis < 3; axis++) atom->x[i][axis] += outside_[i][axis];
-    FixHardEvents::set_arrays(i);
+    std::fill_n(outside_[i], 3, 0.0);
     track_displacement(i, vector(atom->x[i]) - simulation_.dt() * vector(atom->v[i]),
                        simulation_.dt());
   }

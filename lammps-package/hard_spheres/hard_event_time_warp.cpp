@@ -61,7 +61,7 @@ void HardEventTimeWarp::run_window(double until) {
       error->all(FLERR,
                  "pair_style hard/square_well: in step {} the processes do not agree on the events "
                  "after {} exchanges: particles are pressed together. Use a smaller time step or "
-                 "keyword contact_time",
+                 "keyword rest or contact_time",
                  update->ntimestep, round);
     if (differs < never) simulation_.rollback_and_run(differs, incoming, until);
   }

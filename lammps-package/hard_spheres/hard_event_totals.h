@@ -19,8 +19,10 @@ struct HardEventTotals {
   std::array<ByKind, 2> sums{};                      ///< of pairs, of walls
   std::array<cohesion::MomentumFlux, kinds> flux{};  ///< of pairs: Event::momentum_flux()
   bool flux_wanted = false;
-  double elastic = 0.0;      ///< collisions made elastic against inelastic collapse
-  double most_events = 0.0;  ///< most events of one particle in one step
+  double elastic = 0.0;        ///< collisions made elastic against inelastic collapse
+  double at_rest = 0.0;        ///< collisions to which the rule of rest gave speed
+  double given_at_rest = 0.0;  ///< kinetic energy that it gave them, [energy]
+  double most_events = 0.0;    ///< most events of one particle in one step
 
   void add(const cohesion::hard_sphere::Event& event, bool wall) {
     const auto kind = static_cast<std::size_t>(event.impact.kind);
@@ -30,6 +32,8 @@ struct HardEventTotals {
     by[impulse][kind] += std::abs(event.impact.normal);
     by[virial][kind] += event.impact.normal * event.distance;
     elastic += event.elastic;
+    at_rest += event.impact.given_at_rest > 0.0;
+    given_at_rest += event.impact.given_at_rest;
     if (!flux_wanted || wall) return;
     const auto of_event = event.momentum_flux();
     for (std::size_t k = 0; k < of_event.size(); k++) flux[kind][k] += of_event[k];

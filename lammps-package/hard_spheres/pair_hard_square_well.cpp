@@ -28,7 +28,7 @@ using cohesion::Vector3;
 // keeps the list, particles may be half a skin away from where they were; the events of the step
 // then turn some away farther.
 static constexpr double REACH = 0.25;
-static constexpr int LAYOUT = 2;  // of settings and HardContact in restart files
+static constexpr int LAYOUT = 3;  // of settings and HardContact in restart files
 
 PairHardSquareWell::PairHardSquareWell(LAMMPS* lammps)
     : Pair(lammps),
@@ -139,9 +139,10 @@ void PairHardSquareWell::settings(int narg, char** arg) {
   GivenKeywords given(lmp, where);
   for (int i = 0; i < narg; i += 2) {
     const std::string word = arg[i];
-    if (word != "collapse" && word != "contact_time" && word != "limit" && word != "record")
+    if (word != "collapse" && word != "contact_time" && word != "rest" && word != "limit" &&
+        word != "record")
       error->all(FLERR, where + ": unknown keyword '" + word +
-                            "'; valid ones: collapse, contact_time, limit, record");
+                            "'; valid ones: rest, collapse, contact_time, limit, record");
     if (i + 1 == narg)
       error->all(FLERR, where + ": " + word +
                             (word == "record" ? " takes a file name" : " takes a number"));
@@ -149,13 +150,17 @@ void PairHardSquareWell::settings(int narg, char** arg) {
     const std::string value = arg[i + 1];
     if (word == "record") {
       record_file_ = value;
-    } else if (word == "collapse" && value == "off") {
-      rules_.collapse = 0;
-    } else if (word == "contact_time") {
-      rules_.contact_time = utils::numeric(FLERR, arg[i + 1], false, lmp);
-      if (!(std::isfinite(rules_.contact_time) && rules_.contact_time >= 0.0))
+    } else if ((word == "collapse" || word == "rest") && value == "off") {
+      if (word == "rest")
+        rules_.rest = 0.0;
+      else
+        rules_.collapse = 0;
+    } else if (word == "contact_time" || word == "rest") {
+      const double number = utils::numeric(FLERR, arg[i + 1], false, lmp);
+      if (!(std::isfinite(number) && number >= 0.0))
         error->all(FLERR,
-                   where + ": contact_time " + value + " must be a finite number not below zero");
+                   where + ": " + word + " " + value + " must be a finite number not below zero");
+      (word == "rest" ? rules_.rest : rules_.contact_time) = number;
     } else {
       const int number = utils::inumeric(FLERR, arg[i + 1], false, lmp);
       if (number < 1)
@@ -226,18 +231,22 @@ void PairHardSquareWell::write_restart_settings(FILE* fp) {
   write_layout(fp, LAYOUT);
   const int numbers[2] = {rules_.collapse, rules_.limit};
   fwrite(numbers, sizeof(int), 2, fp);
-  fwrite(&rules_.contact_time, sizeof(double), 1, fp);
+  const double reals[2] = {rules_.contact_time, rules_.rest};
+  fwrite(reals, sizeof(double), 2, fp);
 }
 
 void PairHardSquareWell::read_restart_settings(FILE* fp) {
   require_layout(lmp, fp, "pair_style hard/square_well", LAYOUT);
   int numbers[2] = {0, 0};
+  double reals[2] = {0.0, 0.0};
   if (comm->me == 0) {
     utils::sfread(FLERR, numbers, sizeof(int), 2, fp, nullptr, error);
-    utils::sfread(FLERR, &rules_.contact_time, sizeof(double), 1, fp, nullptr, error);
+    utils::sfread(FLERR, reals, sizeof(double), 2, fp, nullptr, error);
   }
   MPI_Bcast(numbers, 2, MPI_INT, 0, world);
-  MPI_Bcast(&rules_.contact_time, 1, MPI_DOUBLE, 0, world);
+  MPI_Bcast(reals, 2, MPI_DOUBLE, 0, world);
   rules_.collapse = numbers[0];
   rules_.limit = numbers[1];
+  rules_.contact_time = reals[0];
+  rules_.rest = reals[1];
 }

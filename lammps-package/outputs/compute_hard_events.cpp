@@ -9,12 +9,15 @@
 
 using namespace LAMMPS_NS;
 
-// Quantities by kind of pairs, then two numbers of the run, then the same quantities of walls.
+// Quantities by kind of pairs, then two numbers of the run, then the same quantities of walls, then
+// two of the rule of rest.
 static constexpr int BY_KIND = HardEventTotals::quantities * HardEventTotals::kinds;
 static constexpr int ELASTIC = BY_KIND;
 static constexpr int MOST_EVENTS = BY_KIND + 1;
 static constexpr int WALLS = BY_KIND + 2;
-static constexpr int ENTRIES = WALLS + BY_KIND;
+static constexpr int AT_REST = WALLS + BY_KIND;
+static constexpr int GIVEN_AT_REST = AT_REST + 1;
+static constexpr int ENTRIES = AT_REST + 2;
 
 ComputeHardEvents::ComputeHardEvents(LAMMPS* lammps, int narg, char** arg)
     : Compute(lammps, narg, arg), events_(FixHardEvents::of(lammps)) {
@@ -47,6 +50,8 @@ void ComputeHardEvents::compute_vector() {
         mine[walls * WALLS + quantity * HardEventTotals::kinds + kind] =
             totals.sums[walls][quantity][kind];
   mine[ELASTIC] = totals.elastic;
+  mine[AT_REST] = totals.at_rest;
+  mine[GIVEN_AT_REST] = totals.given_at_rest;
   MPI_Allreduce(mine, vector, ENTRIES, MPI_DOUBLE, MPI_SUM, world);
   MPI_Allreduce(&totals.most_events, vector + MOST_EVENTS, 1, MPI_DOUBLE, MPI_MAX, world);
 }

@@ -21,6 +21,7 @@ struct Flight {
   int collisions = 0;              ///< in this step
   int events = 0;                  ///< in this step
   double last_collision = -never;  ///< time of its last collision in this step, [time]
+  double kick = 0.0;  ///< change of its velocity by other forces in this step, [length/time]
 
   Vector3 at(double left) const { return end - left * velocity; }
   /// The length of the chain of events at this time that ends with the last event; -1: none.
@@ -35,6 +36,11 @@ inline bool same(const Flight& a, const Flight& b) {
          a.last_event == b.last_event && a.causal_depth == b.causal_depth &&
          a.collisions == b.collisions && a.events == b.events &&
          a.last_collision == b.last_collision;
+}
+
+/// The change of velocity, [length/time], by a force in a step of length `dt`.
+inline double kick_of(const Vector3& force, double inverse_mass, double dt) {
+  return dt * inverse_mass * norm(force);
 }
 
 struct Body {

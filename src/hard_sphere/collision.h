@@ -17,9 +17,10 @@ struct Partner {
 
 /// The impulses of a collision, and what they dissipate.
 struct Collision {
-  double normal = 0.0;      ///< J, [momentum], positive repels
-  Vector3 tangential;       ///< on j, its reverse on i, [momentum]
-  double dissipated = 0.0;  ///< [energy]
+  double normal = 0.0;         ///< J, [momentum], positive repels
+  Vector3 tangential;          ///< on j, its reverse on i, [momentum]
+  double dissipated = 0.0;     ///< [energy]; below 0: given
+  double given_at_rest = 0.0;  ///< kinetic energy above what restitution e leaves, [energy]
 };
 
 /// Collision of hard spheres with restitution and Coulomb friction.
@@ -33,17 +34,26 @@ struct Collision {
 /// C0^2 (1 - e^2)/(2 B2) by the normal impulse, S0^2/(2 B1) by sticking, P S0 - P^2 B1/2 by sliding
 /// with the tangential impulse P.
 ///
+/// Where restitution would part the two with less than `least_speed` U [length/time], e C0 < U,
+/// they part with U: J = (C0 + U)/B2, which takes (C0^2 - U^2)/(2 B2).
+///
 /// The caller ensures B2 > 0.
 ///
 /// Source: Hoomans et al., Chem. Eng. Sci. 51 (1996) 99, section 2.3.
 inline Collision collide(const Vector3& k, const Partner& i, const Partner& j, double restitution,
-                         double friction) {
+                         double friction, double least_speed = 0.0) {
   const double b2 = i.inverse_mass + j.inverse_mass;
   const Vector3 relative = i.velocity - j.velocity;
   const double c0 = dot(k, relative);
   Collision done;
   done.normal = (1.0 + restitution) * c0 / b2;
   done.dissipated = 0.5 * c0 * c0 * (1.0 - restitution * restitution) / b2;
+  if (restitution * c0 < least_speed) {
+    const double slow = restitution * c0;
+    done.normal = (c0 + least_speed) / b2;
+    done.dissipated = 0.5 * (c0 - least_speed) * (c0 + least_speed) / b2;
+    done.given_at_rest = 0.5 * (least_speed - slow) * (least_speed + slow) / b2;
+  }
   if (friction == 0.0 || done.normal <= 0.0) return done;
 
   const Vector3 sliding = relative - c0 * k + cross(i.radius * i.spin + j.radius * j.spin, k);

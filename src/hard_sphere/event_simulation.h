@@ -7,16 +7,9 @@
 
 #include "hard_sphere/bodies.h"
 #include "hard_sphere/concave_wall.h"
+#include "hard_sphere/event_rules.h"
 
 namespace cohesion::hard_sphere {
-
-/// The rules of a run: those against inelastic collapse, and limits.
-struct EventRules {
-  int collapse = 100;  ///< collisions of a particle in a step before the rest are elastic; 0: off
-  double contact_time = 0.0;  ///< collisions sooner after a particle's last one are elastic, [time]
-  int limit = 100000;         ///< events of a particle in a step before the step is given up
-  bool distributed = false;   ///< other processes simulate some of the bodies too
-};
 
 /// Event-driven simulation of one step of free flight: B. J. Alder, T. E. Wainwright, J. Chem.
 /// Phys. 31 (1959) 459. The events are executed in order of time.
@@ -312,10 +305,11 @@ class EventSimulation {
     const Vector3 k{separation.x / distance, separation.y / distance, separation.z / distance};
     Law law = laws[candidate.law];
     const bool is_collision = candidate.next_surface == Surface::core;
-    const bool elastic = is_collision && (collapse_rule_applies(candidate.i, when.time) ||
-                                          collapse_rule_applies(candidate.j, when.time));
+    const bool elastic = is_collision && (made_elastic(candidate.i, when.time) ||
+                                          made_elastic(candidate.j, when.time));
     if (elastic) law.restitution = 1.0, law.friction = 0.0;
-    Impact now = impact(candidate.next_surface, k, law, bodies[candidate.i].partner(), partner);
+    Impact now = impact(candidate.next_surface, k, law, bodies[candidate.i].partner(), partner,
+                        rest_speed(candidate));
     if (elastic && candidate.with_wall()) keep_off_concave_wall(candidate, k, now);
 
     events.push_back({when, n, elastic, candidate.inside, distance, separation,
@@ -348,12 +342,16 @@ class EventSimulation {
     return std::max(rules.contact_time, rules.collapse > 0 ? dt_ / rules.collapse : 0.0);
   }
 
-  /// Whether the rules against inelastic collapse make a collision of this body elastic.
-  bool collapse_rule_applies(int body, double time) const {
-    if (body < 0) return false;
-    const Flight& flight = bodies[body].flight;
-    return (rules.collapse > 0 && flight.collisions >= rules.collapse) ||
-           time - flight.last_collision < rules.contact_time;
+  bool made_elastic(int body, double time) const {
+    return body >= 0 && rules.make_elastic(bodies[body].flight, time);
+  }
+
+  /// The least speed with which a collision parts its partners, by the rule of rest, [length/time].
+  double rest_speed(const CandidatePair& candidate) const {
+    if (laws[candidate.law].takes_nothing()) return 0.0;
+    const double of_i = rules.rest_speed(bodies[candidate.i].flight);
+    return candidate.with_wall() ? of_i
+                                 : std::max(of_i, rules.rest_speed(bodies[candidate.j].flight));
   }
 
   int most_events(const CandidatePair& candidate) const {

@@ -15,6 +15,9 @@ struct Law {
   double restitution = 1.0;  ///< e, [1]
   double friction = 0.0;     ///< mu_f, [1]
   double depth = 0.0;        ///< D, [energy]; 0: hard core alone
+
+  /// Whether collisions take no energy.
+  bool takes_nothing() const { return restitution == 1.0 && friction == 0.0; }
 };
 
 inline void require_valid(const Law& law) {
@@ -38,20 +41,23 @@ struct Impact {
   Vector3 on_j;         ///< impulse, its reverse on i, [momentum]
   Vector3 twist;        ///< k x tangential impulse: spins change by -radius twist/I, [momentum]
   double energy_change = 0.0;  ///< of kinetic energy, rotation included, [energy]
+  double given_at_rest = 0.0;  ///< Collision::given_at_rest, [energy]
 };
 
 /// Computes the impact at a surface; k is the unit vector from i to j (from the particle's centre
-/// to the wall). The laws and their sources: collision.h, square_well/impulses.h.
+/// to the wall), `least_speed` that of collide(). The laws and their sources: collision.h,
+/// square_well/impulses.h.
 inline Impact impact(Surface surface, const Vector3& k, const Law& law, const Partner& i,
-                     const Partner& j) {
+                     const Partner& j, double least_speed = 0.0) {
   Impact now;
   if (surface == Surface::core) {
-    const Collision hit = collide(k, i, j, law.restitution, law.friction);
+    const Collision hit = collide(k, i, j, law.restitution, law.friction, least_speed);
     now.inside = law.depth > 0.0;
     now.normal = hit.normal;
     now.on_j = hit.normal * k + hit.tangential;
     now.twist = cross(k, hit.tangential);
     now.energy_change = -hit.dissipated;
+    now.given_at_rest = hit.given_at_rest;
     return now;
   }
   const double b = i.inverse_mass + j.inverse_mass;

@@ -101,6 +101,21 @@ TEST(Collision, WallIsAPartnerOfInfiniteMass) {
   EXPECT_NEAR(norm(slip(i, wall)), 0.0, round_off);
 }
 
+TEST(Collision, LeavesWithTheLeastSpeedWhereRestitutionWouldLeaveLess) {
+  const double least = 2.0 * dot(k, one.velocity - two.velocity), e = 0.6;
+  const Impact h = impact(Surface::core, k, {e, 0.0, 0.0}, one, two, least);
+  const Partner i = after(one, h, -1.0), j = after(two, h, 1.0);
+  EXPECT_NEAR(dot(k, j.velocity - i.velocity), least, round_off);
+  EXPECT_NEAR(energy(i) + energy(j) - energy(one) - energy(two), h.energy_change, round_off);
+  EXPECT_GT(h.energy_change, 0.0);
+  const Impact without = hit(e, 0.0, one, two);
+  EXPECT_NEAR(h.given_at_rest, h.energy_change - without.energy_change, round_off);
+
+  const Impact unchanged = impact(Surface::core, k, {e, 0.0, 0.0}, one, two, 0.29 * least);
+  EXPECT_EQ(unchanged.normal, without.normal);
+  EXPECT_EQ(unchanged.given_at_rest, 0.0);
+}
+
 TEST(Collision, LawRefusesWhatCannotBe) {
   expect_refused([] { require_valid(Law{1.1, 0.0, 0.0}); }, "restitution e = 1.1");
   expect_refused([] { require_valid(Law{std::nan(""), 0.0, 0.0}); }, "restitution");

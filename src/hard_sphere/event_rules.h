@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "hard_sphere/bodies.h"
+
+namespace cohesion::hard_sphere {
+
+/// The rules of a run: those against inelastic collapse, and limits.
+///
+/// The rule of rest: a collision that takes energy leaves with a speed along the line of centres of
+/// at least
+///
+///   u' = C a dt n                 a dt: kick, the change of velocity by other forces in this step
+///                                 n: collisions of the particle in this step before this one
+///
+/// by the particle for which that is more. So what comes to rest goes on with an agitation that
+/// each step of its weight would give it anyway, and a contact that hands on the momentum F dt in a
+/// step has at most
+///
+///   N = 1/2 + sqrt(1/4 + 2 F/(C m a))
+///
+/// collisions in it, m the reduced mass: the k-th has an impulse of at least m C a dt (k - 1). The
+/// force F on a contact of a bed need not be that of the weight above it: a row of spheres that
+/// just fits between two walls is pressed flat with a force that has no bound. That is why u' grows
+/// with n; a constant one leaves a number that grows with F, not its square root.
+struct EventRules {
+  int collapse = 100;  ///< collisions of a particle in a step before the rest are elastic; 0: off
+  double contact_time = 0.0;  ///< collisions sooner after a particle's last one are elastic, [time]
+  double rest = 0.1;          ///< C of the rule of rest, [1]; 0: off
+  int limit = 100000;         ///< events of a particle in a step before the step is given up
+  bool distributed = false;   ///< other processes simulate some of the bodies too
+
+  /// Whether the rules against inelastic collapse make a collision elastic that this body has at
+  /// `time`.
+  bool make_elastic(const Flight& flight, double time) const {
+    return (collapse > 0 && flight.collisions >= collapse) ||
+           time - flight.last_collision < contact_time;
+  }
+
+  /// The least speed with which the rule of rest lets a body leave, [length/time].
+  double rest_speed(const Flight& flight) const { return rest * flight.kick * flight.collisions; }
+};
+
+}  // namespace cohesion::hard_sphere

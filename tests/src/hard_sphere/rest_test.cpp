@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "hard_sphere/event_simulation.h"
+
+// The rule of rest: spheres that come to rest under gravity.
+namespace {
+
+using namespace cohesion::hard_sphere;
+using cohesion::Vector3;
+
+constexpr double gravity = 1.0, dt = 0.01;
+
+/// Spheres of diameter 1 and mass 1 over a floor, y = 0, that fall along -y; walls at x = 0 and
+/// x = `width` where that is above 0.
+struct Bed {
+  EventSimulation simulation;
+  std::map<std::pair<int, int>, double> impulse;  // of a contact in this step
+  std::map<std::pair<int, int>, int> collisions;
+  double taken = 0.0, given = 0.0, from_floor = 0.0, fastest = 0.0;
+  int at_rest = 0, most_events = 0;
+
+  Bed(const std::vector<Vector3>& places, const Law& law, double width = 0.0) {
+    simulation.laws = {law};
+    simulation.walls = {{{Wall::y_plane, 1.0, 0.0}, {}, 0.0}};
+    if (width > 0.0) {
+      simulation.walls.push_back({{Wall::x_plane, 1.0, 0.0}, {}, 0.0});
+      simulation.walls.push_back({{Wall::x_plane, -1.0, width}, {}, 0.0});
+    }
+    for (const Vector3& place : places) {
+      Body body;
+      body.tag = static_cast<int>(simulation.bodies.size()) + 1;
+      body.radius = 0.5;
+      body.inverse_mass = 1.0;
+      body.inverse_inertia = 10.0;
+      body.flight.end = place;
+      simulation.bodies.push_back(body);
+    }
+    const int count = static_cast<int>(places.size());
+    for (int i = 0; i < count; i++) {
+      for (int j = i + 1; j < count; j++) simulation.candidates.push_back({i, j, 0, 0, {1.0, 1.0}});
+      for (int w = 0; w < static_cast<int>(simulation.walls.size()); w++)
+        simulation.candidates.push_back({i, -1 - w, 0, 0, {0.5, 0.5}});
+    }
+    simulation.index_candidates();
+  }
+
+  double height() const {
+    double sum = 0.0;
+    for (const Body& body : simulation.bodies) sum += body.flight.end.y;
+    return sum;
+  }
+  double motion() const {
+    double sum = 0.0;
+    for (const Body& body : simulation.bodies)
+      sum += 0.5 * dot(body.flight.velocity, body.flight.velocity) +
+             0.5 * dot(body.flight.spin, body.flight.spin) / body.inverse_inertia;
+    return sum;
+  }
+
+  /// Kick, flight and events, as an engine's step.
+  void step() {
+    for (Body& body : simulation.bodies) {
+      const Vector3 v = body.flight.velocity - Vector3{0.0, gravity * dt, 0.0};
+      body.flight = {body.flight.end + dt * v, v, 0.0, body.flight.spin};
+      body.flight.kick = kick_of({0.0, -gravity, 0.0}, body.inverse_mass, dt);
+    }
+    simulation.begin_step(dt);
+    for (int n = 0; n < static_cast<int>(simulation.candidates.size()); n++) simulation.predict(n);
+    simulation.order_queue();
+    simulation.run(dt);
+    count_events();
+  }
+
+  void count_events() {
+    impulse.clear(), collisions.clear();
+    for (const Event& event : simulation.events) {
+      const CandidatePair& candidate = simulation.candidates[event.candidate];
+      impulse[{candidate.i, candidate.j}] += event.impact.normal;
+      collisions[{candidate.i, candidate.j}]++;
+      taken -= event.impact.energy_change;
+      given += event.impact.given_at_rest;
+      at_rest += event.impact.given_at_rest > 0.0;
+      if (candidate.j == -1) from_floor += event.impact.normal;
+    }
+    for (const Body& body : simulation.bodies) {
+      most_events = std::max(most_events, body.flight.events);
+      fastest = std::max(fastest, norm(body.flight.velocity));
+    }
+  }
+
+  /// Fails where a contact has had more collisions in the last step than its impulse allows; the
+  /// reduced mass of two spheres is 1/2, of one and a wall 1.
+  void expect_bounded() const {
+    for (const auto& [contact, number] : collisions) {
+      const double kick = simulation.rules.rest * gravity * dt * (contact.second < 0 ? 1.0 : 0.5);
+      EXPECT_LE(number, 0.5 + std::sqrt(0.25 + 2.0 * impulse.at(contact) / kick) * (1.0 + 1e-12));
+    }
+  }
+};
+
+std::vector<Vector3> column(int count, double gap) {
+  std::vector<Vector3> places;
+  for (int n = 0; n < count; n++) places.push_back({0.0, 0.5 + gap + n * (1.0 + gap), 0.0});
+  return places;
+}
+
+/// A row that fills the width from wall to wall when it lies flat; every second sphere is raised.
+std::vector<Vector3> row_that_just_fits(int count, double raised) {
+  std::vector<Vector3> places;
+  const double step = std::sqrt(1.0 - raised * raised), left = 0.5 * (count - 1) * (1.0 - step);
+  for (int n = 0; n < count; n++)
+    places.push_back({0.5 + left + n * step, 0.5 + n % 2 * raised, 0.0});
+  return places;
+}
+
+// Bounces from the height h last sqrt(2 h/g) (1 + e)/(1 - e) in all. From bounce to bounce the
+// grid of kicks adds g dt at most, so speeds do not stay above g dt/(1 - e); the rule's own, C g dt
+// n, are less up to 20 collisions in a step. The floor gives the momentum that gravity has given.
+TEST(Rest, SphereBouncesToRestOnAFloor) {
+  const double e = 0.5, h = 2.0, speed = gravity * dt / (1.0 - e);
+  Bed bed(column(1, h), {e, 0.0, 0.0});
+  const double rest = std::sqrt(2.0 * h / gravity) * (1.0 + e) / (1.0 - e);
+  const int steps = static_cast<int>(std::ceil(rest / dt));
+  for (int n = 0; n < steps; n++) bed.step();
+  EXPECT_GT(bed.fastest, 1.9);
+  bed.fastest = 0.0;
+  for (int n = 0; n < 1000; n++) {
+    bed.step();
+    EXPECT_LT(bed.height() - 0.5, speed * dt + 0.5 * speed * speed / gravity);
+  }
+  EXPECT_LT(bed.fastest, speed);
+  EXPECT_LE(bed.most_events, 20);
+  EXPECT_NEAR(bed.from_floor,
+              gravity * dt * (steps + 1000) + bed.simulation.bodies[0].flight.velocity.y, 1e-11);
+}
+
+TEST(Rest, FirstCollisionOfAStepAndElasticSpheresAreAsEver) {
+  for (const double e : {0.3, 1.0}) {
+    Bed bed(column(5, 0.1), {e, 0.0, 0.0});
+    for (int n = 0; n < 1000; n++) {
+      bed.step();
+      std::vector<int> seen(5, 0);
+      for (const Event& event : bed.simulation.events) {
+        const CandidatePair& candidate = bed.simulation.candidates[event.candidate];
+        const bool alone = candidate.j < 0 || seen[candidate.j] == 0;
+        if (e == 1.0 || (seen[candidate.i] == 0 && alone)) {
+          EXPECT_EQ(event.impact.given_at_rest, 0.0);
+        }
+        seen[candidate.i]++;
+        if (candidate.j >= 0) seen[candidate.j]++;
+      }
+    }
+    EXPECT_EQ(bed.at_rest > 100, e < 1.0);
+  }
+}
+
+TEST(Rest, WithoutForcesNothingIsGiven) {
+  Bed bed(column(5, 0.1), {0.1, 0.3, 0.0});
+  for (Body& body : bed.simulation.bodies) body.flight.velocity = {0.0, -1.0, 0.0};
+  for (Body& body : bed.simulation.bodies) {
+    body.flight.end += 2.0 * body.flight.velocity;
+    body.flight.kick = kick_of({}, body.inverse_mass, 2.0);
+  }
+  bed.simulation.begin_step(2.0);
+  for (int n = 0; n < static_cast<int>(bed.simulation.candidates.size()); n++)
+    bed.simulation.predict(n);
+  bed.simulation.order_queue();
+  bed.simulation.run(2.0);
+  bed.count_events();
+  EXPECT_GT(bed.simulation.events.size(), 20u);
+  EXPECT_EQ(bed.at_rest, 0);
+}
+
+// Energy: what collisions take, less what the rule gives, is what motion loses, to round-off.
+TEST(Rest, ColumnsComeToRestWithAsManyCollisionsAsTheirWeightAllows) {
+  for (const int count : {5, 40}) {
+    Bed bed(column(count, 0.01), {0.9, 0.0, 0.0});
+    bed.simulation.rules.collapse = 0;
+    for (int n = 0; n < 1000; n++) {
+      const double before = bed.motion(), taken = bed.taken;
+      double kicked = 0.0;  // by gravity, in this step
+      for (const Body& body : bed.simulation.bodies)
+        kicked += gravity * dt * (0.5 * gravity * dt - body.flight.velocity.y);
+      bed.step();
+      bed.expect_bounded();
+      EXPECT_NEAR(bed.motion() + (bed.taken - taken), before + kicked, 1e-12);
+    }
+    ASSERT_EQ(bed.simulation.overrun(), -1);
+    EXPECT_GT(bed.given, 0.0);
+    // The largest speed of the rule, in the collisions at the floor, which hand on the weight of
+    // all, of a sphere with two contacts; and gaps that its steps leave.
+    const EventRules& rules = bed.simulation.rules;
+    const double most = 1.0 + std::sqrt(2.0 * count / (0.5 * rules.rest));
+    const double speed = rules.rest * gravity * dt * 2.0 * most;
+    EXPECT_LT(bed.motion(), 0.5 * count * speed * speed);
+    EXPECT_LT(bed.height() - 0.5 * count * count, 0.5 * count * (count + 1) * speed * dt);
+  }
+}
+
+// The flatter the row lies, the larger the force that its weight presses it to the walls with, and
+// it has no room when it lies flat. Without the rule its collisions have no end.
+TEST(Rest, RowThatJustFitsBetweenTwoWallsIsHeldUp) {
+  const int count = 7;
+  for (const bool with_rule : {false, true}) {
+    Bed bed(row_that_just_fits(count, 0.05), {0.9, 0.3, 0.0}, count);
+    bed.simulation.rules.limit = 5000;
+    if (!with_rule) bed.simulation.rules.rest = 0.0;
+    for (int n = 0; n < 1000 && bed.simulation.overrun() < 0; n++) {
+      bed.step();
+      if (with_rule) bed.expect_bounded();
+    }
+    EXPECT_EQ(bed.simulation.overrun() < 0, with_rule);
+    EXPECT_LT(bed.height(), count * (0.5 + 0.05));
+    EXPECT_GE(bed.height(), count * 0.5 - 1e-12);
+  }
+}
+
+}  // namespace
