@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Drops 500 hard spheres in a plane into a box, with several seeds, time steps and contact times, as many runs at
-a time as there are cores, and ends in a table, figures beside those expected, and a picture. Runs that are
-finished are not run again.
+"""Drops 500 hard spheres in a plane into a box, with several seeds and time steps, as many runs at a time as there
+are cores, and ends in a table, figures beside those expected, and a picture. Runs that are finished are not run
+again.
 
     run.py [--build FOLDER] [--out FOLDER] [--seeds N ...] [--together N] [--overwrite]
 """
@@ -22,8 +22,8 @@ EXPECTED = HERE / "expected.csv"
 # Variables of in.pouring. The columns, 1.5 diameters apart, fill a box 24 diameters wide.
 BED = {"count": 500, "columns": 16, "height": 48, "e": 0.9, "mu": 0.3, "time": 0.6}
 SPACING = 1.5 * analyse.DIAMETER
-STEP, CONTACT = 1e-4, 1e-6  # s; the step is that of Hoomans et al.
-KINDS = ((STEP, CONTACT), (2 * STEP, CONTACT))
+STEP = 1e-4  # s; of Hoomans et al.
+STEPS = (STEP, STEP / 2, 2 * STEP)
 
 
 def arguments():
@@ -39,12 +39,12 @@ def arguments():
 class Pouring(ScriptRun):
     """One run of in.pouring."""
 
-    def __init__(self, out, engine, seed, dt, contact, **changed):
-        self.given = {**BED, **changed, "seed": seed, "dt": dt, "contact": contact}
-        self.dt, self.kind = dt, f"dt {dt:g} s, contact {contact:g} s"
+    def __init__(self, out, engine, seed, dt, **changed):
+        self.given = {**BED, **changed, "seed": seed, "dt": dt}
+        self.dt, self.kind = dt, f"dt {dt:g} s"
         self.width = self.given["columns"] * SPACING
         programs = digest_of([HERE / "in.pouring", engine[1]])
-        super().__init__(out / f"dt-{dt:g}-contact-{contact:g}-seed-{seed}", HERE / "in.pouring", engine,
+        super().__init__(out / f"dt-{dt:g}-seed-{seed}", HERE / "in.pouring", engine,
                          {**self.given, "programs": programs}, work=1 / dt, readers=digest_of([analyse.__file__]))
 
     def variables(self):
@@ -54,7 +54,7 @@ class Pouring(ScriptRun):
         return analyse.figures(self.folder, self.log(), self.width, self.dt)
 
     def share(self):
-        row = self.last_row(columns=8)
+        row = self.last_row(columns=9)
         return row[0] * self.dt / self.given["time"] if row else 0.0
 
 
@@ -63,7 +63,7 @@ def main():
     expected.rows(EXPECTED)  # refused before anything is run
     out = program.out_folder(args, "pouring").resolve()
     engine = launcher(args.build)
-    jobs = [Pouring(out, engine, seed, *kind) for kind in KINDS for seed in args.seeds]
+    jobs = [Pouring(out, engine, seed, dt) for dt in STEPS for seed in args.seeds]
     carry_out_study(jobs, args, out, EXPECTED)
     picture.draw(out / "result.png", jobs)
 

@@ -52,10 +52,12 @@ class Input(ScriptTestCase):
         self.goes(script("pair_style hard/square_well\npair_coeff * * restitution 1 well 0 1\n"))
 
     def test_wrong_settings(self):
-        for words, expected in (("colapse off", ("colapse", "collapse, contact_time, limit")),
+        for words, expected in (("colapse off", ("colapse", "rest, collapse, contact_time, limit")),
                                 ("collapse 0", ("at least 1", "off")),
                                 ("limit 0", ("at least 1",)),
-                                ("contact_time -1", ("not below zero",)),
+                                ("contact_time -1", ("contact_time -1", "not below zero")),
+                                ("rest -0.1", ("rest -0.1", "not below zero")),
+                                ("rest no", ("instead of 'no'",)),
                                 ("record", ("takes a file name",)),
                                 ("record no/such/folder/f", ("cannot open", "no/such/folder/f"))):
             with self.subTest(words):

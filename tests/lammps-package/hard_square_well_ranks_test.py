@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy
 
 from cohesion_tests import lammps as engine
-from cohesion_tests.lammps_scenes.hard_gas import Gas, fluid
+from cohesion_tests.lammps_scenes.hard_gas import Gas, RowThatJustFits, fluid
 
 DEPTH, RATIO = 0.3, 1.1
 
@@ -69,6 +69,19 @@ class RanksAndRestart(unittest.TestCase):
                                 "fix sides all wall/hard/square_well restitution 0.3 friction 0.3 "
                                 f"yplane 0 {gas.length:.17g}"])
         self.assertGreater(table["c_events[17]"][-1], 0)
+        self.assertGreater(table["c_events[35]"][-1], 1000)
+
+    def test_bed_that_is_pressed_on_a_row_which_just_fits(self):
+        """The floor's row fills the width to round-off when it lies flat: most of all collisions."""
+        gas = RowThatJustFits(10, 4)
+        table = self.same(gas, ["* * restitution 0.9 friction 0.3"], 0.01, 400, (2, 4), 2e4, skin=0.3,
+                          boundary="f f p",
+                          more=["fix down all gravity 1.0 vector 0 -1 0",
+                                "fix sides all wall/hard/square_well restitution 0.9 friction 0.3 "
+                                f"xplane 0 {gas.length} yplane 0 NULL"])
+        self.assertGreater(table["c_events[35]"][-1], 1e4)
+        self.assertGreater(table["c_events[36]"][-1], 0)
+        self.assertLess(table["c_events[18]"][-1], 3000)
 
 
 if __name__ == "__main__":

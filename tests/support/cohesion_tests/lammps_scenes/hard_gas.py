@@ -56,6 +56,21 @@ class Gas:
         return hard.run(folder, pair, dt, steps, dimension=self.dimension, **options)
 
 
+class RowThatJustFits(Gas):
+    """Discs of diameter 1 at rest in a box `count` wide and high: a row that fills the width when it lies flat on the
+    floor, each second one raised, and `rows` loose ones over it."""
+
+    def __init__(self, count, rows, raised=0.05):
+        super().__init__(count + sum(count - row % 2 for row in range(1, rows + 1)), 0.5, 2)
+        self.length = float(count)
+        self.v[:] = 0.0
+        step = math.sqrt(1 - raised**2)
+        places = [(count / 2 + (n - (count - 1) / 2) * step, 0.5 + n % 2 * raised) for n in range(count)]
+        for row in range(1, rows + 1):
+            places += [(0.5 + row % 2 / 2 + n, 0.5 + raised + 1.01 * row) for n in range(count - row % 2)]
+        self.x[:, :2] = places
+
+
 def fluid():
     """1372 spheres with a well of half their size: a liquid's many partners."""
     return Gas(1372, 0.3, seed=4)
