@@ -15,12 +15,12 @@ class RanksAndRestart(unittest.TestCase):
     """Every number is worked out by each rank alike: files of events and ends are the same, all
     digits, which is what 1e5 events, 100 and more for each particle, need."""
 
-    def same(self, gas, pair, dt, steps, ranks, least, spin=None, **options):
+    def same(self, gas, pair, dt, steps, ranks, least, spin=None, rules="", **options):
         with engine.temporary_folder() as folder:
             gas.write(folder, spin)
 
             def go(name, **more):
-                path, table, _ = gas.run(folder, pair, dt, steps, style=f"record {name}", **options,
+                path, table, _ = gas.run(folder, pair, dt, steps, style=f"record {name} {rules}", **options,
                                          **more)
                 lines = (Path(folder) / name).read_text().splitlines()
                 return path[-1], [line for line in lines if line[:1] != "#"], table
@@ -61,15 +61,19 @@ class RanksAndRestart(unittest.TestCase):
                   more=["fix sides all wall/hard/square_well restitution 0.8 friction 0.3 "
                         f"yplane 0 {gas.length:.17g}"])
 
-    def test_bed_where_the_rule_against_collapse_acts(self):
+    def bed(self, rules, least):
         gas = Gas(100, 0.5, 2, (0.4, 0.6), seed=3)
-        table = self.same(gas, [f"* * restitution 0.3 friction 0.3 well {DEPTH} {RATIO}"], 0.02, 40,
-                          (2, 4), 5e3, skin=1.0, boundary="p f p",
-                          more=["fix down all gravity 5.0 vector 0 -1 0",
-                                "fix sides all wall/hard/square_well restitution 0.3 friction 0.3 "
-                                f"yplane 0 {gas.length:.17g}"])
-        self.assertGreater(table["c_events[17]"][-1], 0)
-        self.assertGreater(table["c_events[35]"][-1], 1000)
+        return self.same(gas, [f"* * restitution 0.3 friction 0.3 well {DEPTH} {RATIO}"], 0.02, 40, (2, 4), least,
+                         rules=rules, skin=1.0, boundary="p f p",
+                         more=["fix down all gravity 5.0 vector 0 -1 0",
+                               "fix sides all wall/hard/square_well restitution 0.3 friction 0.3 "
+                               f"yplane 0 {gas.length:.17g}"])
+
+    def test_bed_where_the_rule_against_collapse_acts(self):
+        self.assertGreater(self.bed("rest off", 5e3)["c_events[17]"][-1], 0)
+
+    def test_bed_where_the_rule_of_rest_acts(self):
+        self.assertGreater(self.bed("", 1e3)["c_events[35]"][-1], 100)
 
     def test_bed_that_is_pressed_on_a_row_which_just_fits(self):
         """The floor's row fills the width to round-off when it lies flat: most of all collisions."""

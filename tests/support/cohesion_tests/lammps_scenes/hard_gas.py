@@ -58,16 +58,16 @@ class Gas:
 
 class RowThatJustFits(Gas):
     """Discs of diameter 1 at rest in a box `count` wide and high: a row that fills the width when it lies flat on the
-    floor, each second one raised, and `rows` loose ones over it."""
+    floor, each second one raised, and over it `rows` with one less, apart from each other."""
 
     def __init__(self, count, rows, raised=0.05):
-        super().__init__(count + sum(count - row % 2 for row in range(1, rows + 1)), 0.5, 2)
+        super().__init__(count + rows * (count - 1), 0.5, 2)
         self.length = float(count)
         self.v[:] = 0.0
         step = math.sqrt(1 - raised**2)
         places = [(count / 2 + (n - (count - 1) / 2) * step, 0.5 + n % 2 * raised) for n in range(count)]
         for row in range(1, rows + 1):
-            places += [(0.5 + row % 2 / 2 + n, 0.5 + raised + 1.01 * row) for n in range(count - row % 2)]
+            places += [(0.6 + row % 2 / 2 + 1.04 * n, 0.5 + raised + 1.01 * row) for n in range(count - 1)]
         self.x[:, :2] = places
 
 
