@@ -89,7 +89,6 @@ def figures(folder, log, width, dt):
             "overlap_diameters": float(max(0.0, 1 - closest(places) / DIAMETER)),
             "collisions": float(table["v_collisions"][-1]),
             "collisions_per_step": float(np.polyfit(table["Step"][rest], table["v_collisions"][rest], 1)[0]),
-            "motion_at_rest": float(found["motion"][rest].mean()),
             "given_percent": 100 * float(table["v_given"][-1] / (table["c_motion"][0] + table["f_down"][0])),
             "share_at_rest": float(table["v_at_rest"][-1] / table["v_collisions"][-1])}
 

@@ -28,7 +28,7 @@ STEPS = (STEP, STEP / 2, 2 * STEP)
 
 def arguments():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
-    parser.add_argument("--seeds", type=int, nargs="+", default=[1, 2, 3], metavar="N",
+    parser.add_argument("--seeds", type=int, nargs="+", default=list(range(1, 11)), metavar="N",
                         help="of the places from which the spheres fall (%(default)s)")
     parser.add_argument("--overwrite", action="store_true", help="replace runs of other settings")
     program.folder_words(parser, "BUILD/pouring")

@@ -32,7 +32,7 @@ class SmallBed(unittest.TestCase):
         cls.keeper = tempfile.TemporaryDirectory(prefix="cohesion-")
         cls.addClassCleanup(cls.keeper.cleanup)
         engine = run.launcher(BUILD)
-        cls.jobs = [run.Pouring(Path(cls.keeper.name), engine, 1, dt, run.CONTACT, **SMALL)
+        cls.jobs = [run.Pouring(Path(cls.keeper.name), engine, 1, dt, **SMALL)
                     for dt in (run.STEP, run.STEP / 4)]
         cls.results = carry_out(cls.jobs, 2)
 
@@ -70,7 +70,7 @@ class SmallBed(unittest.TestCase):
             self.assertLess(result["whole_bed"], HEXAGONAL)
 
     def test_expected_are_figures_of_the_first_kind_of_run(self):
-        kind = run.Pouring(Path(), run.launcher(BUILD), 1, *run.KINDS[0]).kind
+        kind = run.Pouring(Path(), run.launcher(BUILD), 1, run.STEPS[0]).kind
         for row in expected.rows(run.HERE / "expected.csv"):
             self.assertEqual(row["case"], kind)
             self.assertIn(row["quantity"], self.results[0])
@@ -83,7 +83,7 @@ class SmallBed(unittest.TestCase):
     def test_runs_of_other_settings_and_what_is_no_run_are_kept(self):
         first = self.jobs[0]
         require_ours(self.jobs, MARK)
-        other = run.Pouring(Path(self.keeper.name), first.engine, 1, run.STEP, run.CONTACT, **{**SMALL, "time": 0.2})
+        other = run.Pouring(Path(self.keeper.name), first.engine, 1, run.STEP, **{**SMALL, "time": 0.2})
         self.assertEqual(other.folder, first.folder)
         with self.assertRaisesRegex(run.RunError, "--overwrite"):
             require_ours([other], MARK)
