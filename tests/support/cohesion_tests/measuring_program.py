@@ -18,9 +18,10 @@ def words(description, *options, liggghts=False):
     for name, keywords in options:
         parser.add_argument(name, **keywords)
     given = parser.parse_args()
-    os.environ["COHESION_LMP"] = given.lmp
+    # Engines run in folders of their own, where a relative path would lead elsewhere; a bare name is looked for in PATH.
+    os.environ["COHESION_LMP"] = os.path.abspath(given.lmp) if os.sep in given.lmp else given.lmp
     if given.plugin:
-        os.environ["COHESION_PLUGIN"] = given.plugin
+        os.environ["COHESION_PLUGIN"] = os.path.abspath(given.plugin)
     else:
         os.environ["COHESION_SCRIPTS"] = str(LIGGGHTS_SCENES)
     return given
