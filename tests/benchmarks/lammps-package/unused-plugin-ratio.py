@@ -12,15 +12,16 @@ import os
 import statistics
 
 from cohesion_tests import lammps as engine
+from cohesion_tests.launcher import given_program
 from cohesion_tests.thermo import loop_seconds
 
 
 def main():
     words = argparse.ArgumentParser(description=__doc__,
                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    words.add_argument("lmp")
-    words.add_argument("with_command")
-    words.add_argument("plugin")
+    words.add_argument("lmp", type=given_program)
+    words.add_argument("with_command", type=given_program)
+    words.add_argument("plugin", type=given_program)
     words.add_argument("--pairs", type=int, default=15)
     words.add_argument("--side", type=int, default=20, help="spheres per edge")
     words.add_argument("--steps", type=int, default=4000)

@@ -88,7 +88,7 @@ def count(program, contacts, distance, cells, steps):
 def main():
     words = argparse.ArgumentParser(description=__doc__,
                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    words.add_argument("launcher")
+    words.add_argument("launcher", type=launcher.given_program)
     words.add_argument("--turns", type=int, default=7)
     words.add_argument("--count", action="store_true", help="instructions in place of times; wants valgrind")
     words.add_argument("--cells", type=int, default=12)

@@ -13,6 +13,7 @@ import sys
 
 import numpy
 
+from cohesion_tests.launcher import given_program
 from cohesion_tests.liggghts_scenes import extremes
 from cohesion_tests.liggghts_scenes.extremes_points import CORNERS, LAWS, random_point
 from cohesion_tests.progress import Progress
@@ -20,7 +21,7 @@ from cohesion_tests.progress import Progress
 
 def main():
     words = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    words.add_argument("launcher")
+    words.add_argument("launcher", type=given_program)
     words.add_argument("--table", metavar="FILE", help="where to write the page as well")
     words.add_argument("--points", type=int, default=100, help="random ones of each law")
     words.add_argument("--seed", type=int, default=4711)

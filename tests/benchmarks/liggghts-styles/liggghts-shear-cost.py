@@ -36,7 +36,7 @@ def counted(program, steps, profile, extra):
 def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("launcher", help="liggghts-cohesion")
+    parser.add_argument("launcher", type=launcher.given_program, help="liggghts-cohesion")
     parser.add_argument("--steps", type=int, default=500)
     words = parser.parse_args()
     for name, case in CASES.items():

@@ -11,7 +11,6 @@ printed are the medians with the quarter and three quarter points. A script that
 within the limit is named and left out.
 """
 import argparse
-import os
 import pathlib
 import re
 import resource
@@ -62,15 +61,15 @@ def without_times(output):
 def main():
     words = argparse.ArgumentParser(description=__doc__,
                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    words.add_argument("stock")
-    words.add_argument("launcher")
-    words.add_argument("preload")
+    words.add_argument("stock", type=launcher.given_program)
+    words.add_argument("launcher", type=launcher.given_program)
+    words.add_argument("preload", type=launcher.given_program)
     words.add_argument("scripts", nargs="+")
     words.add_argument("--pairs", type=int, default=5)
     words.add_argument("--limit", type=float, default=300.0)
     words = words.parse_args()
     ways = {"stock": (words.stock, None), "launcher": (words.launcher, None),
-            "preload": (words.stock, os.path.abspath(words.preload))}
+            "preload": (words.stock, words.preload)}
     print(f"{'script':40} {'same numbers':>14}  {'time':52}processor time\n{'':40} {'launch preload':>14}  "
           + 2 * f"{'launch':26}{'preload':26}")
     for script in words.scripts:

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <tuple>
@@ -32,8 +33,10 @@ class HalfSpace : public Cell {
 }  // namespace
 
 TEST(VoidFractionKernels, GiveAllToACellThatHoldsAll) {
-  for (const Kernel& kernel : kernels)
-    EXPECT_EQ(kernel.share({{0.5, 0.6, 0.4}, 0.3}, unit_cell), 1.0) << kernel.name;
+  for (const Kernel& kernel : kernels) {
+    const double radius = 0.3 / std::max(1.0, kernel.reach);  // the nearest face is at 0.4
+    EXPECT_EQ(kernel.share({{0.5, 0.6, 0.4}, radius}, unit_cell), 1.0) << kernel.name;
+  }
 }
 
 TEST(VoidFractionKernels, GiveNothingBeyondTheirReach) {

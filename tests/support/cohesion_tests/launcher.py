@@ -16,6 +16,12 @@ def short_start(ranks=0):
     return HERE_ONLY if ranks else {**HERE_ONLY, **ALONE}
 
 
+def given_program(word):
+    """A program or library of a command line (argparse's `type`): engines run in folders of their own, where a relative
+    path would lead elsewhere; a bare name is looked for in PATH."""
+    return os.path.abspath(word) if os.sep in word else word
+
+
 class Ended:
     """A process that has ended: its `code`, and its `output`, errors included."""
 

@@ -4,6 +4,7 @@ those that know LIGGGHTS too, `LIGGGHTS_COHESION [options]`."""
 import argparse
 import os
 
+from cohesion_tests.launcher import given_program
 from cohesion_tests.liggghts import SCENES as LIGGGHTS_SCENES
 
 
@@ -12,8 +13,9 @@ def words(description, *options, liggghts=False):
     whether a LIGGGHTS is taken as well, which has no plugin. Names the engine to lammps.py."""
     parser = argparse.ArgumentParser(description=description,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("lmp", help="program that knows `plugin load`" + (", or liggghts-cohesion" if liggghts else ""))
-    parser.add_argument("plugin", help="plugin built for it; of liggghts-cohesion none",
+    parser.add_argument("lmp", type=given_program,
+                        help="program that knows `plugin load`" + (", or liggghts-cohesion" if liggghts else ""))
+    parser.add_argument("plugin", type=given_program, help="plugin built for it; of liggghts-cohesion none",
                         **({"nargs": "?"} if liggghts else {}))
     for name, keywords in options:
         parser.add_argument(name, **keywords)
