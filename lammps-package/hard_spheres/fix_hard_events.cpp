@@ -3,21 +3,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <string>
 
 #include "atom.h"
+#include "bound_pairs.h"
 #include "box_shear.h"
 #include "comm.h"
 #include "domain.h"
 #include "engine_api.h"
 #include "error.h"
-#include "flight_report.h"
 #include "force.h"
 #include "memory.h"
 #include "modify.h"
 #include "output.h"
 #include "pair_hard_square_well.h"
-#include "shear/list_margin.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -26,32 +26,30 @@ using cohesion::vector;
 using cohesion::Vector3;
 
 static constexpr char ID[] = "COHESION_HARD_EVENTS";
-static constexpr int ORIGIN = 5;
-// Fraction of a distance by which a ghost's own position may be off, with room: boxes of up to 1e6
-// diameters.
-static constexpr double TOLERANCE = 1e-9;
+static constexpr int ORIGIN = 2;
 // Overlap that is warned of, as a fraction of a distance: above what a data file's decimals leave.
 static constexpr double OVERLAP = 1e-6;
+// Steps after which the clock starts anew, so that times and places keep their digits.
+static constexpr int STEPS_OF_A_CLOCK = 100;
 static constexpr int FIXED_BOUNDARY = 1;  // Domain::boundary
-
-static void put(const Vector3& a, double* to) {
-  to[0] = a.x;
-  to[1] = a.y;
-  to[2] = a.z;
-}
 
 FixHardEvents::FixHardEvents(LAMMPS* lammps, int narg, char** arg)
     : Fix(lammps, narg, arg),
       pair_(nullptr),
       time_warp_(lammps, simulation_),
+      columns_(nullptr),
       origin_(nullptr),
-      outside_(nullptr),
-      kick_(nullptr),
+      new_clock_(true),
+      place_rounding_(0.0),
+      time_of_clock_(0.0),
+      age_(0),
       farthest_squared_(0.0),
+      needs_ghosts_(false),
       warned_(false) {
   comm_forward = ORIGIN;
   create_attribute = 1;
   restart_pbc = 1;
+  restart_global = 1;
   force_reneighbor = 1;
   next_reneighbor = -1;
   FixHardEvents::grow_arrays(atom->nmax);
@@ -61,9 +59,8 @@ FixHardEvents::FixHardEvents(LAMMPS* lammps, int narg, char** arg)
 
 FixHardEvents::~FixHardEvents() {
   atom->delete_callback(id, Atom::GROW);
+  memory->destroy(columns_);
   memory->destroy(origin_);
-  memory->destroy(outside_);
-  memory->destroy(kick_);
 }
 
 FixHardEvents* FixHardEvents::of(LAMMPS* lmp) {
@@ -93,35 +90,32 @@ void FixHardEvents::init() {
     error->all(FLERR,
                "pair_style hard/square_well needs the velocities of ghost particles; add "
                "'comm_modify vel yes'");
+  if (neighbor->nex_mol > 0)
+    error->all(FLERR,
+               "pair_style hard/square_well does not know 'neigh_modify exclude molecule'; exclude "
+               "types or groups");
   mobile_.look_up(modify);
   walls_.clear();
-  wall_.clear();
+  needs_ghosts_ = comm->nprocs > 1 || utils::strmatch(force->pair_style, "^hybrid");
   for (int i = 0; i < modify->nfix; i++) {
     Fix* const fix = modify->fix[i];
     if (fix->rigid_flag)
       error->all(FLERR,
                  std::string("pair_style hard/square_well cannot follow rigid bodies (fix ") +
                      fix->id + ")");
-    auto* walls = dynamic_cast<HardWalls*>(fix);
-    if (!walls) continue;
-    walls_.push_back(walls);
-    for (int w = 0; w < static_cast<int>(walls->hard_walls().size()); w++)
-      wall_.push_back({walls, w});
+    if (auto* walls = dynamic_cast<HardWalls*>(fix)) walls_.push_back(walls);
+    if (dynamic_cast<BoundPairsReader*>(fix)) needs_ghosts_ = true;
   }
   if (!record_) record_ = std::make_unique<HardEventRecord>(lmp, pair_->record_file());
   simulation_.rules = pair_->rules();
-  simulation_.rules.distributed = comm->nprocs > 1;
-  simulation_.laws = pair_->laws();
-  for (const HardWalls* walls : walls_)
-    for (int type = 0; type <= atom->ntypes; type++)
-      simulation_.laws.push_back(type == 0 ? Law{} : walls->law_of_type(type));
+  simulation_.alone = comm->nprocs == 1;
 }
 
 /// Notes the kicks of this step, whose forces the engine clears before pre_force.
 void FixHardEvents::initial_integrate(int) {
   for (int i = 0; i < atom->nlocal; i++)
-    kick_[i] = kick_of(vector(atom->f[i]), mobile_.inverse_mass(atom->mask[i], atom->rmass[i]),
-                       update->dt);
+    columns_[i][KICK] = kick_of(vector(atom->f[i]),
+                                mobile_.inverse_mass(atom->mask[i], atom->rmass[i]), update->dt);
 }
 
 /// Keeps particles at the boundary whose free flight leads through a wall out of the box, until
@@ -146,7 +140,7 @@ void FixHardEvents::pre_exchange() {
         double& x = atom->x[i][axis];
         const double before = x - update->dt * atom->v[i][axis];
         if ((side == 0 ? x >= low : x < high) || before < low || before >= high) continue;
-        outside_[i][axis] = x - last;
+        columns_[i][OUTSIDE + axis] = x - last;
         x = last;
       }
     }
@@ -155,24 +149,50 @@ void FixHardEvents::pre_exchange() {
 
 /// The run starts here: nothing has moved.
 void FixHardEvents::setup_pre_force(int) {
-  simulation_.begin_step(0.0);
   round_positions();
-  set_up_candidates();
+  set_rules();
+  const auto known = all_inside_at_edge();
+  inside_.insert(inside_.end(), known.begin(), known.end());
+  std::sort(inside_.begin(), inside_.end());
+  start_clock(0.0);
+  load_all(0.0);
+  set_up_events();
   warn_of_overlaps();
   next_reneighbor = update->ntimestep + 1;
+  new_clock_ = true;
+}
+
+/// What happens between which types, as the script has it.
+void FixHardEvents::set_rules() {
+  const int kinds = atom->ntypes + 1;
+  simulation_.pairs = PairRules(kinds);
+  for (int i = 0; i < kinds; i++)
+    for (int j = i; j < kinds; j++) {
+      if (i > 0 && pair_->acts_between(i, j))
+        simulation_.pairs.set(i, j, pair_->contact_of_types(i, j));
+      else
+        simulation_.pairs.forbid(i, j);
+    }
+  for (int n = 0; n < neighbor->nex_type; n++)
+    simulation_.pairs.forbid(neighbor->ex1_type[n], neighbor->ex2_type[n]);
+  for (int n = 0; n < neighbor->nex_group; n++)
+    simulation_.pairs.forbid_groups(neighbor->ex1_bit[n], neighbor->ex2_bit[n]);
 }
 
 /// Warns of cores that overlap. They part as soon as they move apart, but no event accounts for
 /// their energy.
 void FixHardEvents::warn_of_overlaps() const {
   double mine[2] = {0.0, 0.0}, all[2];  // number, deepest as a fraction of the distance
-  for (int n = 0; n < static_cast<int>(simulation_.candidates.size()); n++) {
-    const CandidatePair& candidate = simulation_.candidates[n];
-    const double overlap = 1.0 - simulation_.distance_at_start(n) / candidate.surfaces.core;
-    if (overlap < OVERLAP || candidate.i >= atom->nlocal) continue;
+  simulation_.for_each_pair([&](int i, const Neighbour& n) {
+    if (!n.is_wall() && simulation_.bodies[n.body].tag < simulation_.bodies[i].tag &&
+        simulation_.bodies[n.body].remote)
+      return;
+    const double overlap =
+        1.0 - simulation_.distance(i, n, simulation_.end()) / simulation_.surfaces(i, n.body).core;
+    if (overlap < OVERLAP) return;
     mine[0] += 1.0;
     mine[1] = std::max(mine[1], overlap);
-  }
+  });
   MPI_Allreduce(&mine[0], &all[0], 1, MPI_DOUBLE, MPI_SUM, world);
   MPI_Allreduce(&mine[1], &all[1], 1, MPI_DOUBLE, MPI_MAX, world);
   if (all[0] > 0.0 && comm->me == 0)
@@ -192,6 +212,7 @@ void FixHardEvents::match_restart() {
   wrap_into_box(atom, domain);
   round_positions();
   next_reneighbor = update->ntimestep + 1;
+  new_clock_ = true;
 }
 
 /// Rounds positions in a tilted box. A run begins there with positions that the engine has
@@ -205,139 +226,83 @@ void FixHardEvents::round_positions() {
 }
 
 void FixHardEvents::pre_force(int) {
-  simulation_.begin_step(update->dt);
+  const double dt = update->dt;
+  const bool new_list = neighbor->ago == 0;
   farthest_squared_ = 0.0;
-  if (neighbor->ago == 0)
-    set_up_candidates();
-  else
-    load_flights();
-  const bool alone = comm->nprocs == 1;
-  long counts[2] = {0, 0}, all[2] = {0, 0};
-  for (int n = 0; n < static_cast<int>(simulation_.candidates.size()); n++)
-    counts[0] += with_remote_body(simulation_.candidates[n]) ? simulation_.may_meet(n, TOLERANCE)
-                                                             : simulation_.predict(n);
-  counts[1] = !warned_ && totals_.elastic > 0.0;
-  if (alone)
-    std::copy_n(counts, 2, all);
-  else
-    MPI_Allreduce(counts, all, 2, MPI_LONG, MPI_SUM, world);
-  if (all[1] > 0 && !warned_) {
-    warned_ = true;
-    if (comm->me == 0)
-      error->warning(FLERR,
-                     "pair_style hard/square_well: the rule against inelastic collapse (keywords "
-                     "collapse and contact_time) has made collisions elastic and frictionless; "
-                     "compute hard/events counts them");
+  changed_.clear();
+  if (new_list) put_back_outside();
+  const bool new_clock = new_clock_ || ++age_ > STEPS_OF_A_CLOCK || box_is_another(dt);
+  const bool set_back = !new_clock && simulation_.end() > time_of_clock_;
+  if (new_clock) {
+    inside_ = all_inside_at_edge();
+    start_clock(dt);
+    load_all(dt);
+    set_up_events();
+    stored_.clear();
+    simulation_.begin_step(dt);
+  } else {
+    if (new_list && (comm->nprocs > 1 || !has_the_same_bodies())) {
+      inside_ = all_inside_at_edge();
+      if (!keep_bodies(dt)) set_up_events();
+      stored_.clear();
+    }
+    if (set_back) simulation_.set_clock_back();
+    simulation_.begin_step(dt);
+    load_changes(dt);
   }
-  if (all[0] > 0) {
-    run_events(all[0]);
-    store_results();
-    record_->write(simulation_);
-    comm->forward_comm();
+  if (new_clock || set_back) set_time_of_clock();
+  new_clock_ = false;
+  if (new_list) {
+    displacements_.set_reference(atom->nlocal > 0 ? atom->x[0] : nullptr, atom->nlocal, domain->xy);
+    for (int i = 0; i < atom->nlocal; i++)
+      track_displacement(i, vector(atom->x[i]) - dt * vector(atom->v[i]), dt);
   }
-  check_list();
+  predict_changes();
+  run_events();
+  store_events();
+  store_flights();
+  if (needs_ghosts_) check_list();
   match_restart();
 }
 
-/* ---------------------------------------------------------------------- */
-
-/// Sets the flights of this step. Those of remote particles come from their ghosts, which are right
-/// but for round-off.
-void FixHardEvents::load_flights() {
-  update_images();
-  for (int i = 0; i < atom->nlocal; i++) {
-    Flight& flight = simulation_.bodies[i].flight;
-    flight = {vector(atom->x[i]), vector(atom->v[i]), 0.0, vector(atom->omega[i]), 0, 0};
-    flight.kick = kick_[i];
-  }
-  for (const RemoteParticle& remote : remote_) {
-    const int g = remote.ghost;
-    const Image& image = simulation_.images[remote.image];
-    simulation_.bodies[remote.body].flight = {vector(atom->x[g]) - image.displacement,
-                                              vector(atom->v[g]) - image.velocity,
-                                              0.0,
-                                              vector(atom->omega[g]),
-                                              0,
-                                              0};
-  }
-  for (std::size_t n = 0; n < wall_.size(); n++)
-    simulation_.walls[n] = wall_[n].first->over_step(wall_[n].second);
+/// Predicts the events of those whose flights others have changed, on all processes.
+void FixHardEvents::predict_changes() {
+  int mine[2] = {!changed_.empty(), !warned_ && totals_.elastic > 0.0}, all[2];
+  if (comm->nprocs == 1)
+    std::copy_n(mine, 2, all);
+  else
+    MPI_Allreduce(mine, all, 2, MPI_INT, MPI_MAX, world);
+  if (all[0] && comm->nprocs > 1) time_warp_.share_changes(changed_);
+  for (const auto& changed : changed_) simulation_.predict(changed.body);
+  simulation_.predict_at_moving_walls();
+  if (!all[1]) return;
+  warned_ = true;
+  if (comm->me == 0)
+    error->warning(FLERR,
+                   "pair_style hard/square_well: the rule against inelastic collapse (keywords "
+                   "collapse and contact_time) has made collisions elastic and frictionless; "
+                   "compute hard/events counts them");
 }
 
 /// Executes the events of the step.
-void FixHardEvents::run_events(long expected_events) {
-  if (comm->nprocs == 1) {
-    simulation_.order_queue();
-    simulation_.run(update->dt);
-  } else {
-    time_warp_.load_borders();
-    time_warp_.run_step(expected_events);
-  }
-  if (simulation_.overrun() >= 0) stop_at_limit();
+void FixHardEvents::run_events() {
+  if (comm->nprocs == 1)
+    simulation_.run(simulation_.end());
+  else
+    time_warp_.run_step();
+  if (simulation_.overrun().first >= 0) stop_at_limit();
 }
 
 void FixHardEvents::stop_at_limit() const {
-  const CandidatePair& candidate = simulation_.candidates[simulation_.overrun()];
-  const Body& a = simulation_.bodies[candidate.i];
-  const auto tag_j = candidate.with_wall() ? static_cast<std::int64_t>(candidate.j)
-                                           : simulation_.bodies[candidate.j].tag;
+  const auto [i, j] = simulation_.overrun();
+  const Body& a = simulation_.bodies[i];
   error->one(FLERR,
              "pair_style hard/square_well: more than {} events of one particle in step {}, at "
              "particles {} and {} (negative: a wall); they had {} and {}. Particles are pressed "
              "together: use a smaller time step, keyword rest or contact_time, or a larger limit",
-             simulation_.rules.limit, update->ntimestep, a.tag, tag_j, a.flight.events,
-             candidate.with_wall() ? 0 : simulation_.bodies[candidate.j].flight.events);
-}
-
-/// Writes what the events have changed to the engine's arrays, to histories and sums.
-void FixHardEvents::store_results() {
-  for (const Event& event : simulation_.events) {
-    const CandidatePair& candidate = simulation_.candidates[event.candidate];
-    for (const int body : {candidate.i, candidate.j}) {
-      if (body < 0 || body >= atom->nlocal) continue;
-      const Flight& now = simulation_.bodies[body].flight;
-      put(now.end, atom->x[body]);
-      put(now.velocity, atom->v[body]);
-      put(now.spin, atom->omega[body]);
-      totals_.most_events = std::max(totals_.most_events, static_cast<double>(now.events));
-      const double left = update->dt - event.key.time;
-      const Vector3 position =
-          body == candidate.i ? event.position : event.position + event.separation;
-      if (body == candidate.i || candidate.image == 0)
-        track_displacement(body, position, left);
-      else
-        track_displacement(body, position - simulation_.images[candidate.image].at(left), left);
-    }
-    store_inside(event.candidate);
-    if (candidate.i < atom->nlocal) totals_.add(event, candidate.with_wall());
-  }
-}
-
-/// Notes the nonaffine displacement of particle i, which is at `position`, `left` before the end of
-/// the step.
-void FixHardEvents::track_displacement(int i, const Vector3& position, double left) {
-  farthest_squared_ =
-      std::max(farthest_squared_,
-               displacements_.squared(i, position, shear_since(displacements_, domain, left)));
-}
-
-/// Stops when the list of neighbours may have missed a pair.
-void FixHardEvents::check_list() {
-  for (int i = 0; i < atom->nlocal; i++) track_displacement(i, vector(atom->x[i]), 0.0);
-  const double extra = pair_->list_reach() + neighbor->skin;
-  const double largest = std::max(std::abs(shear_since(displacements_, domain).amount),
-                                  std::abs(shear_since(displacements_, domain, update->dt).amount));
-  const double margin =
-      cohesion::shear::list_margin(neighbor->cutneighmax, neighbor->cutneighmax - extra, largest);
-  const double flown = std::sqrt(farthest_squared_);
-  if (flown <= margin) return;
-  error->one(FLERR,
-             "pair_style hard/square_well: in step {} particles are up to {} away from where they "
-             "were when the neighbour list was made, and could miss a partner; the list allows for "
-             "{}. Use a smaller time step or 'neighbor' with a skin above {}, with 'neigh_modify "
-             "delay 0 every 1 check yes'. The fastest: {}",
-             update->ntimestep, flown, margin,
-             neighbor->skin * (1.0 + 2.0 * (flown - margin) / extra), report_fastest(lmp));
+             simulation_.rules.limit, update->ntimestep, a.tag,
+             j < 0 ? static_cast<std::int64_t>(j) : simulation_.bodies[j].tag, a.course.events,
+             j < 0 ? 0 : simulation_.bodies[j].course.events);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -353,35 +318,49 @@ void FixHardEvents::unpack_forward_comm(int n, int first, double* buf) {
 
 void FixHardEvents::grow_arrays(int nmax) {
   memory->grow(origin_, nmax, ORIGIN, "hard_events:origin");
-  memory->grow(outside_, nmax, 3, "hard_events:outside");
-  memory->grow(kick_, nmax, "hard_events:kick");
+  memory->grow(columns_, nmax, COLUMNS, "hard_events:columns");
 }
 
 void FixHardEvents::copy_arrays(int i, int j, int) {
-  std::copy_n(outside_[i], 3, outside_[j]);
-  kick_[j] = kick_[i];
+  std::copy_n(columns_[i], COLUMNS, columns_[j]);
 }
 
+/// A particle whose flight is not known yet.
 void FixHardEvents::set_arrays(int i) {
-  std::fill_n(outside_[i], 3, 0.0);
-  kick_[i] = 0.0;
+  std::fill_n(columns_[i], COLUMNS, 0.0);
+  columns_[i][SINCE] = std::nan("");
 }
 
 int FixHardEvents::pack_exchange(int i, double* buf) {
-  std::copy_n(outside_[i], 3, buf);
-  buf[3] = kick_[i];
-  return 4;
+  std::copy_n(columns_[i], COLUMNS, buf);
+  return COLUMNS;
 }
 
 int FixHardEvents::unpack_exchange(int i, double* buf) {
-  std::copy_n(buf, 3, outside_[i]);
-  kick_[i] = buf[3];
-  return 4;
+  std::copy_n(buf, COLUMNS, columns_[i]);
+  return COLUMNS;
+}
+
+/// The pairs at the edges of their wells, by tags: of these the places do not tell whether they are
+/// inside.
+void FixHardEvents::write_restart(FILE* fp) {
+  const auto pairs = all_inside_at_edge();
+  if (comm->me != 0) return;
+  const auto number = static_cast<std::int64_t>(pairs.size());
+  const int bytes = static_cast<int>(sizeof(number) + pairs.size() * sizeof(pairs[0]));
+  fwrite(&bytes, sizeof(int), 1, fp);
+  fwrite(&number, sizeof(number), 1, fp);
+  fwrite(pairs.data(), sizeof(pairs[0]), pairs.size(), fp);
+}
+
+void FixHardEvents::restart(char* buf) {
+  std::int64_t number = 0;
+  memcpy(&number, buf, sizeof(number));
+  inside_.resize(number);
+  memcpy(inside_.data(), buf + sizeof(number), number * sizeof(inside_[0]));
 }
 
 double FixHardEvents::memory_usage() {
-  return static_cast<double>((ORIGIN + 4) * sizeof(double)) * atom->nmax +
-         static_cast<double>(sizeof(Body) * simulation_.bodies.size() +
-                             (sizeof(CandidatePair) + sizeof(HistorySlots) + 2 * sizeof(int)) *
-                                 simulation_.candidates.size());
+  return static_cast<double>((ORIGIN + COLUMNS) * sizeof(double)) * atom->nmax +
+         simulation_.bytes();
 }

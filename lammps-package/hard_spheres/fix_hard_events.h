@@ -8,8 +8,10 @@ FixStyle(HARD_EVENTS,FixHardEvents);
 #ifndef LMP_FIX_HARD_EVENTS_H
 #define LMP_FIX_HARD_EVENTS_H
 
+#include <array>
+#include <cstdint>
 #include <memory>
-#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "atom.h"
@@ -17,7 +19,7 @@ FixStyle(HARD_EVENTS,FixHardEvents);
 #include "hard_event_record.h"
 #include "hard_event_time_warp.h"
 #include "hard_event_totals.h"
-#include "hard_sphere/event_simulation.h"
+#include "hard_sphere/time_warp.h"
 #include "mobile_particles.h"
 #include "shear/nonaffine_displacements.h"
 
@@ -26,16 +28,9 @@ namespace LAMMPS_NS {
 /// A fix whose walls take part in the event-driven simulation.
 class HardWalls {
  public:
-  virtual const std::vector<cohesion::event_stepping::Wall>& hard_walls() const = 0;
-  /// Whether the walls act on particle i.
-  virtual bool acts_on(int i) const = 0;
-  /// Wall w and its motion over the step that ends now.
-  virtual cohesion::hard_sphere::MovingWall over_step(int w) const = 0;
-  virtual bool still() const = 0;
-  virtual cohesion::hard_sphere::Law law_of_type(int type) const = 0;
-  virtual cohesion::hard_sphere::Surfaces surfaces_of(int i) const = 0;
-  /// Whether particle i is in the well of wall w; negative: not known yet.
-  virtual double& inside(int i, int w) = 0;
+  virtual int number_of_walls() const = 0;
+  /// Wall w and its motion over the step that ends now, at the time `when` of the simulation.
+  virtual cohesion::hard_sphere::HardWall wall(int w, double when) const = 0;
 
  protected:
   ~HardWalls() = default;
@@ -44,10 +39,15 @@ class HardWalls {
 /// The fix that executes the events of a step, for pair_style hard/square_well and its walls; the
 /// first of them makes it.
 ///
-/// In pre_force the engine has moved every particle straight to the end of the step. The candidate
-/// pairs are the pairs of the neighbour list and the particles with the walls; their events are
-/// executed in order (src/hard_sphere/event_simulation.h), and positions and velocities corrected.
-/// Positions are those of the owner of a particle with a periodic image, never a ghost's own, so
+/// In pre_force the engine has moved every particle straight to the end of the step. Flights of the
+/// simulation (src/hard_sphere/event_simulation.h) last over many steps: a particle where its
+/// flight has led it in the engine, too, goes on with it; one that the engine has given another
+/// velocity or place gets a new one. Then the events are executed, and places and velocities
+/// written to the engine's arrays.
+///
+/// The simulation does not wrap particles that leave a periodic box: its places are those of the
+/// engine and as many boxes as the particle has gone since the simulation's clock was started.
+/// Particles of other processes take part by their owners' flights, never by what a ghost has, so
 /// that every process works out the same numbers.
 class FixHardEvents : public Fix {
  public:
@@ -70,74 +70,92 @@ class FixHardEvents : public Fix {
   void set_arrays(int) override;
   int pack_exchange(int, double*) override;
   int unpack_exchange(int, double*) override;
+  void write_restart(FILE*) override;
+  void restart(char*) override;
   double memory_usage() override;
 
   const cohesion::hard_sphere::EventSimulation& simulation() const { return simulation_; }
   const HardEventTotals& totals() const { return totals_; }
   /// Asks for totals().flux to be summed from here on.
   void sum_flux() { totals_.flux_wanted = true; }
+  /// Collective: the pairs that are in their wells, an own particle and an own one or a
+  /// ghost, and their places and velocities seen from the first.
+  struct PairInWell {
+    int i, j;
+    cohesion::Vector3 separation, relative_velocity;
+  };
+  std::vector<PairInWell> pairs_in_wells();
 
  private:
-  struct HistorySlots {  // of a candidate pair; two for a pair through the boundary
-    int* flag[2];
-    double* value[2];
-  };
-  struct SecondEntry {  // of such a pair in the list of neighbours
-    int i, j, image;
-    int* flag;
-    double* value;
-  };
-  struct RemoteParticle {  // a particle that another process owns
-    int body, ghost, image, owner;
-  };
-  struct Shift {  // in boxes
-    int x, y, z;
-    bool operator==(const Shift& b) const { return x == b.x && y == b.y && z == b.z; }
-  };
+  /// What the engine keeps per particle, from step to step and on its way between processes: the
+  /// flight (EventSimulation::flights), the engine's image flags when the clock was started, how
+  /// far the free flight led out of the box, and Body::kick.
+  enum Column { PLACE = 0, VELOCITY = 3, SINCE = 6, DEPTH = 7, IMAGE = 8, OUTSIDE = 9, KICK = 12 };
+  static constexpr int COLUMNS = 13;
 
+  void set_rules();
   void warn_of_overlaps() const;
+  void predict_changes();
   void match_restart();
   void round_positions();
-  void set_up_candidates();
-  void set_body(int body, int i);
-  int body_of(int i);
-  int image_of(const Shift&);
-  Shift shift_of(int ghost) const;
-  void update_images();
-  void add_pairs();
-  void add_second_entries();
-  void add_walls();
-  void find_wells_of_new_pairs();
-  void store_inside(int candidate);
-  bool with_remote_body(const cohesion::hard_sphere::CandidatePair& b) const {
-    return b.i >= atom->nlocal || b.j >= atom->nlocal;
-  }
-  void load_flights();
-  void run_events(long expected_events);
   void stop_at_limit() const;
-  void store_results();
-  void track_displacement(int i, const cohesion::Vector3& position, double left);
+  void run_events();
+
+  // In fix_hard_events_results.cpp
+  void store_events();
+  void store_flights();
   void check_list();
+  void track_displacement(int i, const cohesion::Vector3& position, double left);
+
+  // In fix_hard_events_flights.cpp
+  struct Observed {
+    cohesion::Vector3 place, velocity;
+    double velocity_rounding;  // of a velocity that has been through the boundary of a sheared box
+  };
+  void put_back_outside();
+  cohesion::Vector3 boxes_gone(int i) const;
+  void note_image(int i);
+  bool box_is_another(double dt) const;
+  void start_clock(double dt);
+  void set_time_of_clock();
+  bool has_the_same_bodies() const;
+  Observed observed(int i, double end) const;
+  bool goes_on(int i, const Observed&, double end) const;
+  using RemoteParticles = std::vector<std::pair<int, BorderExchange::Request> >;  // by a ghost
+  void load_all(double dt);
+  void load_bodies(const RemoteParticles&, double dt);
+  void load_body(int i, double dt);
+  bool keep_bodies(double dt);
+  void load_changes(double dt);
+  void load_walls(double when);
+  cohesion::hard_sphere::Body matter_of(int i) const;
+  RemoteParticles remote_particles();
+  void share_flights(const RemoteParticles&);
+  void note_origins();
+  void set_up_events();
+  std::vector<cohesion::hard_sphere::EventSimulation::Tags> all_inside_at_edge() const;
 
   class PairHardSquareWell* pair_;
   std::vector<HardWalls*> walls_;
-  std::vector<std::pair<HardWalls*, int> > wall_;  // by number
   MobileParticles mobile_;
 
-  // Bodies: own particles, then those in remote_.
-  cohesion::hard_sphere::EventSimulation simulation_;
-  std::vector<HistorySlots> slots_;  // by candidate
-  std::vector<SecondEntry> second_entries_;
-  std::vector<Shift> shifts_;  // by image
-  std::vector<RemoteParticle> remote_;
-  std::unordered_map<std::uint64_t, int> remote_body_;
+  // Bodies: own particles, then those of other processes.
+  cohesion::hard_sphere::TimeWarp simulation_;
   HardEventTimeWarp time_warp_;
-  double** origin_;   // per atom and ghost: process, index there, position there
-  double** outside_;  // per atom:// how far the free flight led out of the box
-  double* kick_;      // per atom: Flight::kick
+  double** columns_;                   // per particle, see Column
+  double** origin_;                    // per particle and ghost: process, index there
+  std::vector<std::uint32_t> stored_;  // versions of the flights that are in columns_
+  // Bodies that others have changed in this step
+  std::vector<HardEventTimeWarp::ChangedBody> changed_;
+  std::vector<cohesion::hard_sphere::EventSimulation::Tags> inside_;  // as set_up() takes them
+  bool new_clock_;                                                    // in the next step
+  double place_rounding_;  // by which places may differ that are the same, [length]
+  double time_of_clock_;   // until it is set back, [time]
+  int age_;                // steps since the clock was started
   // Of own particles since the list was made.
   cohesion::shear::NonaffineDisplacements displacements_;
   double farthest_squared_;  // the largest of displacements_, squared
+  bool needs_ghosts_;        // partners must be among the ghosts of the last list
   bool warned_;
   HardEventTotals totals_;
   std::unique_ptr<HardEventRecord> record_;

@@ -23,22 +23,10 @@ static constexpr double PLANE_OVER_SPHERE = 2.0;
 FixWallHardSquareWell::FixWallHardSquareWell(LAMMPS* lammps, int narg, char** arg)
     : Fix(lammps, narg, arg),
       where_(std::string("fix ") + arg[0] + " wall/hard/square_well"),
-      time_origin_(update->ntimestep),
-      inside_(nullptr) {
+      time_origin_(update->ntimestep) {
   read(narg, arg);
-  restart_peratom = restart_global = 1;
-  create_attribute = 1;
+  restart_global = 1;
   time_depend = !motion_.still();
-  FixWallHardSquareWell::grow_arrays(atom->nmax);
-  for (int i = 0; i < atom->nlocal; i++) FixWallHardSquareWell::set_arrays(i);
-  atom->add_callback(Atom::GROW);
-  atom->add_callback(Atom::RESTART);
-}
-
-FixWallHardSquareWell::~FixWallHardSquareWell() {
-  atom->delete_callback(id, Atom::GROW);
-  atom->delete_callback(id, Atom::RESTART);
-  memory->destroy(inside_);
 }
 
 void FixWallHardSquareWell::read(int narg, char** arg) {
@@ -86,11 +74,16 @@ void FixWallHardSquareWell::init() {
   }
 }
 
-bool FixWallHardSquareWell::acts_on(int i) const { return atom->mask[i] & groupbit; }
-
-MovingWall FixWallHardSquareWell::over_step(int w) const {
+HardWall FixWallHardSquareWell::wall(int w, double when) const {
   const double time = static_cast<double>(update->ntimestep - time_origin_) * update->dt;
-  return {walls_[w], motion_.over(time, {update->dt, 0.0}), motion_.rim_speed};
+  HardWall wall;
+  wall.moving = {walls_[w], motion_.over(time, {update->dt, 0.0}), motion_.rim_speed, when};
+  wall.groups = groupbit;
+  wall.moves = !motion_.still();
+  wall.of_kind.resize(atom->ntypes + 1);
+  for (int type = 1; type <= atom->ntypes; type++)
+    wall.of_kind[type] = {law_of_type(type), ratio(type)};
+  return wall;
 }
 
 const HardContact& FixWallHardSquareWell::pair_contact(int type) const {
@@ -108,38 +101,12 @@ Law FixWallHardSquareWell::law_of_type(int type) const {
   return law;
 }
 
-Surfaces FixWallHardSquareWell::surfaces_of(int i) const {
-  const double radius = atom->radius[i];
-  const int type = atom->type[i];
-  return {radius, law_of_type(type).depth > 0.0 ? ratio(type) * radius : radius};
-}
-
 /* ---------------------------------------------------------------------- */
-
-void FixWallHardSquareWell::grow_arrays(int nmax) {
-  memory->grow(inside_, nmax, size(), "wall/hard/square_well:inside");
-}
-
-void FixWallHardSquareWell::copy_arrays(int i, int j, int) {
-  std::copy_n(inside_[i], size(), inside_[j]);
-}
-
-void FixWallHardSquareWell::set_arrays(int i) { std::fill_n(inside_[i], size(), -1.0); }
-
-int FixWallHardSquareWell::pack_exchange(int i, double* buf) {
-  std::copy_n(inside_[i], size(), buf);
-  return size();
-}
-
-int FixWallHardSquareWell::unpack_exchange(int i, double* buf) {
-  std::copy_n(buf, size(), inside_[i]);
-  return size();
-}
 
 /// Time origin of the motion, and how many walls there were.
 void FixWallHardSquareWell::write_restart(FILE* fp) {
   if (comm->me != 0) return;
-  const double values[] = {static_cast<double>(time_origin_), static_cast<double>(size())};
+  const double values[] = {static_cast<double>(time_origin_), static_cast<double>(walls_.size())};
   const int bytes = sizeof(values);
   fwrite(&bytes, sizeof(int), 1, fp);
   fwrite(values, sizeof(double), 2, fp);
@@ -148,26 +115,7 @@ void FixWallHardSquareWell::write_restart(FILE* fp) {
 void FixWallHardSquareWell::restart(char* buf) {
   double values[2];
   memcpy(values, buf, sizeof(values));
-  if (values[1] != size())
+  if (values[1] != static_cast<double>(walls_.size()))
     error->all(FLERR, where_ + ": other walls than in the restart file; give the fix another ID");
   time_origin_ = static_cast<bigint>(values[0]);
-}
-
-int FixWallHardSquareWell::pack_restart(int i, double* buf) {
-  buf[0] = size_restart(i);
-  return 1 + pack_exchange(i, buf + 1);
-}
-
-void FixWallHardSquareWell::unpack_restart(int i, int nth) {
-  double* const values = atom->extra[i];
-  int m = 0;
-  for (int n = 0; n < nth; n++) m += static_cast<int>(values[m]);
-  unpack_exchange(i, values + m + 1);
-}
-
-int FixWallHardSquareWell::maxsize_restart() { return size_restart(0); }
-int FixWallHardSquareWell::size_restart(int) { return 1 + size(); }
-
-double FixWallHardSquareWell::memory_usage() {
-  return static_cast<double>(sizeof(double)) * size() * atom->nmax;
 }

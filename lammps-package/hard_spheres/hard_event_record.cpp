@@ -41,7 +41,7 @@ void HardEventRecord::write(const EventSimulation& simulation) {
   if (!wanted_) return;
   std::vector<Line> mine;
   for (const Event& event : simulation.events)
-    if (simulation.candidates[event.candidate].i < atom->nlocal)
+    if (event.i < atom->nlocal)
       mine.push_back({event.key, static_cast<int>(event.impact.kind), event.elastic});
 
   const int bytes = static_cast<int>(mine.size() * sizeof(Line));
@@ -56,7 +56,7 @@ void HardEventRecord::write(const EventSimulation& simulation) {
                    [](const Line& a, const Line& b) { return a.key < b.key; });
   for (const Line& line : all)
     fprintf(file_, BIGINT_FORMAT " %.17g %s%s %" PRId64 " %" PRId64 "\n", update->ntimestep,
-            line.key.time / update->dt, line.key.tag_j < 0 ? "wall_" : "",
+            (line.key.time - simulation.start()) / update->dt, line.key.tag_j < 0 ? "wall_" : "",
             line.elastic ? "elastic" : kind_names[line.kind], line.key.tag_i, line.key.tag_j);
   fflush(file_);
 }

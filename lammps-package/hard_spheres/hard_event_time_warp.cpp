@@ -2,93 +2,130 @@
 #include "hard_event_time_warp.h"
 
 #include <algorithm>
+#include <map>
 
 #include "atom.h"
+#include "comm.h"
 #include "error.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
 using namespace cohesion::hard_sphere;
 
-// Events of a window per particle. How often a window is repeated goes with the length of the
-// chains of events that cross from one process to another and back: two to three times here.
-static constexpr double EVENTS_OF_A_WINDOW = 0.25;
+// Events of a window, of all processes, per particle, and at least. The more, the more of what is
+// worked out ahead is undone; the fewer, the more often processes wait for each other.
+static constexpr double EVENTS_OF_A_WINDOW = 0.1, LEAST_EVENTS = 100.0;
+static constexpr int WINDOWS_OF_FIRST_STEP = 16;
 
-HardEventTimeWarp::HardEventTimeWarp(LAMMPS* lammps, EventSimulation& simulation)
-    : Pointers(lammps), simulation_(simulation), border_(world), own_(0) {}
+HardEventTimeWarp::HardEventTimeWarp(LAMMPS* lammps, TimeWarp& simulation)
+    : Pointers(lammps), simulation_(simulation), border_(world), own_(0), events_per_time_(-1.0) {}
+
+HardEventTimeWarp::SharedBody HardEventTimeWarp::share(int body, int slot, bool moved) const {
+  const Body& b = simulation_.bodies[body];
+  return {slot, moved, b.kick, simulation_.flights[body], b.course};
+}
 
 void HardEventTimeWarp::plan(const std::vector<BorderExchange::Request>& remote) {
   own_ = atom->nlocal;
   owners_.clear();
   for (const BorderExchange::Request& request : remote) owners_.push_back(request.owner);
   border_.plan(remote, own_);
-}
-
-void HardEventTimeWarp::load_borders() {
-  std::vector<std::vector<Flight> > out(border_.peers().size());
-  std::vector<std::vector<Flight> > in;
+  std::vector<std::vector<SharedBody> > out(border_.peers().size()), in;
   for (int p = 0; p < static_cast<int>(out.size()); p++)
-    for (const int i : border_.followed_by(p)) out[p].push_back(simulation_.bodies[i].flight);
+    for (const int i : border_.followed_by(p)) out[p].push_back(share(i, 0, false));
   border_.exchange(out, in);
   for (int p = 0; p < static_cast<int>(in.size()); p++)
-    for (int slot = 0; slot < static_cast<int>(in[p].size()); slot++)
-      simulation_.bodies[border_.local(p, slot)].flight = in[p][slot];
+    for (int slot = 0; slot < static_cast<int>(in[p].size()); slot++) {
+      const int body = border_.local(p, slot);
+      const auto version = simulation_.flights[body].version;
+      simulation_.flights[body] = in[p][slot].flight;
+      simulation_.flights[body].version = version;
+      simulation_.bodies[body].course = in[p][slot].course;
+      simulation_.bodies[body].kick = in[p][slot].kick;
+    }
 }
 
-void HardEventTimeWarp::run_step(long expected_events) {
-  const double dt = update->dt;
-  for (int n = 0; n < static_cast<int>(simulation_.candidates.size()); n++)
-    if (with_remote_body(simulation_.candidates[n])) simulation_.predict(n);
-  simulation_.order_queue();
-  const double of_a_window = EVENTS_OF_A_WINDOW * static_cast<double>(atom->natoms);
-  const int windows = 1 + static_cast<int>(static_cast<double>(expected_events) / of_a_window);
-  for (int n = 1; n <= windows && simulation_.overrun() < 0; n++)
-    run_window(n == windows ? dt : n * dt / windows);
+void HardEventTimeWarp::share_changes(std::vector<ChangedBody>& changed) {
+  std::vector<std::vector<SharedBody> > out(border_.peers().size()), in;
+  for (const ChangedBody& own : changed)
+    for (const BorderExchange::Follower& follower : border_.followers(own.body))
+      out[follower.peer].push_back(share(own.body, follower.slot, own.moved));
+  border_.exchange(out, in);
+  for (int p = 0; p < static_cast<int>(in.size()); p++)
+    for (const SharedBody& remote : in[p]) {
+      const int body = border_.local(p, remote.slot);
+      simulation_.bodies[body].kick = remote.kick;
+      simulation_.change_flight(body, remote.flight, remote.course, remote.moved);
+      changed.push_back({body, remote.moved});
+    }
 }
 
-/// Runs the window until no process has received another update than it has assumed. `from` is the
-/// global virtual time.
-void HardEventTimeWarp::run_window(double until) {
-  simulation_.begin_window();
-  simulation_.run(until);
-  double from = 0.0;
+void HardEventTimeWarp::run_step() {
+  const double start = simulation_.start(), dt = simulation_.end() - start;
+  const double of_a_window =
+      std::max(EVENTS_OF_A_WINDOW * static_cast<double>(atom->natoms), LEAST_EVENTS);
+  const int windows = events_per_time_ < 0.0
+                          ? WINDOWS_OF_FIRST_STEP
+                          : 1 + static_cast<int>(events_per_time_ * dt / of_a_window);
+  double from = start;
+  for (int n = 1; n <= windows && simulation_.overrun().first < 0; n++) {
+    const double until = n == windows ? simulation_.end() : start + n * dt / windows;
+    run_window(from, until);
+    from = until;
+  }
+  double mine = 0.0, all = 0.0;
+  for (const Event& event : simulation_.events) mine += event.i < own_;
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  events_per_time_ = dt > 0.0 ? all / dt : -1.0;
+}
+
+/// Runs the window until no process is told other updates than it has assumed.
+void HardEventTimeWarp::run_window(double from, double until) {
+  simulation_.begin_window(from);
   for (int round = 0;; round++) {
-    const std::vector<RemoteUpdate> incoming = exchange_updates(from);
-    const double differs = simulation_.first_difference(from, incoming);
-    MPI_Allreduce(&differs, &from, 1, MPI_DOUBLE, MPI_MIN, world);
-    if (from == never) break;
+    simulation_.run_window(until);
+    exchange_updates();
+    const TimeWarp::Difference mine = simulation_.first_difference();
+    struct {
+      double time;
+      int depth;
+    } differs{mine.time, mine.depth}, first{never, 0};
+    MPI_Allreduce(&differs, &first, 1, MPI_DOUBLE_INT, MPI_MINLOC, world);
+    if (first.time == never) break;
     if (round > simulation_.rules.limit)
       error->all(FLERR,
                  "pair_style hard/square_well: in step {} the processes do not agree on the events "
                  "after {} exchanges: particles are pressed together. Use a smaller time step or "
                  "keyword rest or contact_time",
                  update->ntimestep, round);
-    if (differs < never) simulation_.rollback_and_run(differs, incoming, until);
+    simulation_.assume_what_was_told({first.time, first.depth});
   }
+  simulation_.end_window();
 }
 
-/// Sends the updates of own particles from a time on to those who simulate them, but not the ones
-/// of events with a partner that the receiver owns: it has executed these itself. Returns those
-/// that came, in order.
-std::vector<RemoteUpdate> HardEventTimeWarp::exchange_updates(double from) {
-  std::vector<std::vector<RemoteUpdate> > out(border_.peers().size()), in;
-  for (const RemoteUpdate& own : simulation_.outgoing) {
-    if (own.body >= own_ || own.key.time < from) continue;
-    const int owner = own.partner >= own_ ? owners_[own.partner - own_] : -1;
-    for (const BorderExchange::Follower& follower : border_.followers(own.body)) {
-      if (border_.peers()[follower.peer] == owner) continue;
-      out[follower.peer].push_back(own);
-      out[follower.peer].back().body = follower.slot;
+/// Tells those who have own particles as remote ones what these do now, where that has changed;
+/// each receiver leaves out the events with a particle of its own, which it executes itself.
+void HardEventTimeWarp::exchange_updates() {
+  std::vector<std::vector<SharedUpdate> > out(border_.peers().size()), in;
+  for (const int body : simulation_.take_changed_bodies()) {
+    const std::vector<BorderExchange::Follower>& followers = border_.followers(body);
+    if (followers.empty()) continue;
+    const std::vector<RemoteUpdate> updates = simulation_.updates_of(body);
+    for (const BorderExchange::Follower& follower : followers) {
+      if (updates.empty()) out[follower.peer].push_back({follower.slot, -1, true, {}});
+      for (const RemoteUpdate& one : updates) {
+        const int owner = one.partner < own_ ? comm->me : owners_[one.partner - own_];
+        out[follower.peer].push_back({follower.slot, owner, false, one});
+      }
     }
   }
   border_.exchange(out, in);
-  std::vector<RemoteUpdate> all;
-  for (int p = 0; p < static_cast<int>(in.size()); p++)
-    for (RemoteUpdate remote : in[p]) {
-      remote.body = border_.local(p, remote.body);
-      all.push_back(remote);
+  for (int p = 0; p < static_cast<int>(in.size()); p++) {
+    std::map<int, std::vector<RemoteUpdate> > told;
+    for (const SharedUpdate& shared : in[p]) {
+      std::vector<RemoteUpdate>& of_body = told[border_.local(p, shared.slot)];
+      if (!shared.none && shared.owner_of_partner != comm->me) of_body.push_back(shared.update);
     }
-  std::stable_sort(all.begin(), all.end(),
-                   [](const RemoteUpdate& a, const RemoteUpdate& b) { return a.key < b.key; });
-  return all;
+    for (auto& [body, updates] : told) simulation_.tell(body, std::move(updates));
+  }
 }

@@ -5,42 +5,60 @@
 #include <vector>
 
 #include "border_exchange.h"
-#include "hard_sphere/event_simulation.h"
+#include "hard_sphere/time_warp.h"
 #include "pointers.h"
 
 namespace LAMMPS_NS {
 
-/// Runs the events of a step on many processes: Time Warp in rounds, see EventSimulation for the
-/// algorithm and its source.
+/// Runs the events of a step on many processes (src/hard_sphere/time_warp.h): brings updates of
+/// particles from their owners to those who have them as remote ones, until all agree.
 ///
-/// Each process simulates its own particles and those of others that these may meet, the remote
-/// ones. In each round the owner of a particle sends its updates to those who simulate it too, and
-/// each rolls back to the first difference, until there is none. The bodies of the simulation are
-/// the own particles, then the remote ones.
+/// The bodies of the simulation are the own particles, then the remote ones.
 class HardEventTimeWarp : protected Pointers {
  public:
-  HardEventTimeWarp(class LAMMPS*, cohesion::hard_sphere::EventSimulation&);
+  HardEventTimeWarp(class LAMMPS*, cohesion::hard_sphere::TimeWarp&);
 
-  /// Collective, with a new list of neighbours: sets the remote particles of this process, in the
-  /// order of their bodies.
+  /// A body whose flight, or what its events depend on, others have changed. `moved`: as in
+  /// EventSimulation::change_flight().
+  struct ChangedBody {
+    int body;
+    bool moved;
+  };
+
+  /// Collective: sets the remote particles of this process, in the order of their bodies, and their
+  /// flights as they are on their own processes.
   void plan(const std::vector<BorderExchange::Request>& remote);
-  /// Collective: sets the flights of the remote particles as they are on their own processes.
-  void load_borders();
-  /// Collective: executes the events of a step; `expected_events`: about how many there are, on all
-  /// processes. Ends early when there is no end of events (EventSimulation::overrun).
-  void run_step(long expected_events);
+  /// Collective: changes remote bodies as their own processes have changed them, and adds them to
+  /// those changed.
+  void share_changes(std::vector<ChangedBody>& changed);
+  /// Collective: executes the events of a step. Ends early when there is no end of events
+  /// (EventSimulation::overrun).
+  void run_step();
 
  private:
-  bool with_remote_body(const cohesion::hard_sphere::CandidatePair& candidate) const {
-    return candidate.i >= own_ || candidate.j >= own_;
-  }
-  void run_window(double until);
-  std::vector<cohesion::hard_sphere::RemoteUpdate> exchange_updates(double from);
+  struct SharedBody {
+    int slot;
+    bool moved;
+    double kick;
+    cohesion::hard_sphere::Flight flight;
+    cohesion::hard_sphere::Course course;
+  };
+  struct SharedUpdate {
+    int slot;
+    int owner_of_partner;
+    bool none;  // the particle has no updates any more
+    cohesion::hard_sphere::RemoteUpdate update;
+  };
 
-  cohesion::hard_sphere::EventSimulation& simulation_;
+  SharedBody share(int body, int slot, bool moved) const;
+  void run_window(double from, double until);
+  void exchange_updates();
+
+  cohesion::hard_sphere::TimeWarp& simulation_;
   BorderExchange border_;
   int own_;                  // number of own particles
   std::vector<int> owners_;  // of the remote particles
+  double events_per_time_;   // of all processes, in the last step
 };
 
 }  // namespace LAMMPS_NS

@@ -28,13 +28,10 @@ using cohesion::Vector3;
 // keeps the list, particles may be half a skin away from where they were; the events of the step
 // then turn some away farther.
 static constexpr double REACH = 0.25;
-static constexpr int LAYOUT = 3;  // of settings and HardContact in restart files
+static constexpr int LAYOUT = 4;  // of settings and HardContact in restart files
 
 PairHardSquareWell::PairHardSquareWell(LAMMPS* lammps)
-    : Pair(lammps),
-      given_(lammps),
-      events_(nullptr),
-      history_(modify, "NEIGH_HISTORY_HARD_SQUARE_WELL") {
+    : Pair(lammps), given_(lammps), events_(nullptr) {
   single_enable = 0;
   restartinfo = 1;
   no_virial_fdotr_compute = 1;
@@ -64,65 +61,37 @@ void PairHardSquareWell::compute(int eflag, int vflag) {
   if (vflag_either) {
     const double per_time = -1.0 / update->dt;
     for (const Event& event : events_->simulation().events) {
-      const CandidatePair& candidate = events_->simulation().candidates[event.candidate];
-      if (candidate.with_wall()) continue;
+      if (event.with_wall()) continue;
       const auto on_i = per_time * event.impact.on_j;
       const auto& r = event.separation;
-      ev_tally_xyz(candidate.i, candidate.j, atom->nlocal, 0, 0.0, 0.0, on_i.x, on_i.y, on_i.z,
-                   -r.x, -r.y, -r.z);
+      ev_tally_xyz(event.i, event.j, atom->nlocal, 0, 0.0, 0.0, on_i.x, on_i.y, on_i.z, -r.x, -r.y,
+                   -r.z);
     }
   }
   if (!eflag_either) return;
-  for (int ii = 0; ii < list->inum; ii++) {
-    const int i = list->ilist[ii];
-    for (int jj = 0; jj < list->numneigh[i]; jj++) {
-      if (!history_->firstflag[i][jj]) continue;
-      const int j = list->firstneigh[i][jj] & NEIGHMASK;
-      const double depth = given_(atom->type[i], atom->type[j]).well.depth;
-      ev_tally(i, j, atom->nlocal, 0, -depth, 0.0, 0.0, 0.0, 0.0, 0.0);
-    }
-  }
+  events_->simulation().for_each_pair([this](int i, const Neighbour& n) {
+    if (!n.inside || n.is_wall()) return;
+    const Body &a = events_->simulation().bodies[i], &b = events_->simulation().bodies[n.body];
+    const double depth = contact_of_types(a.kind, b.kind).well.depth;
+    ev_tally(i, n.body, atom->nlocal, 0, -depth, 0.0, 0.0, 0.0, 0.0, 0.0);
+  });
 }
 
 /// A pair is bound while it is in its well.
 void PairHardSquareWell::append_bound(std::vector<std::array<int, 2>>& pairs) const {
-  for (int ii = 0; ii < list->inum; ii++) {
-    const int i = list->ilist[ii];
-    for (int jj = 0; jj < list->numneigh[i]; jj++)
-      if (history_->firstflag[i][jj]) pairs.push_back({i, list->firstneigh[i][jj] & NEIGHMASK});
-  }
+  for (const FixHardEvents::PairInWell& pair : events_->pairs_in_wells())
+    pairs.push_back({pair.i, pair.j});
 }
 
 void PairHardSquareWell::append_held(std::vector<std::array<int, 2>>& pairs) const {
-  const auto difference = [](const double* a, const double* b) {
-    return Vector3{a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-  };
-  const std::size_t before = pairs.size();
-  append_bound(pairs);
-  const auto parts = [&](const std::array<int, 2>& pair) {
-    const auto [i, j] = pair;
+  for (const auto& [i, j, separation, relative_velocity] : events_->pairs_in_wells()) {
     const auto& well = contact_of_types(atom->type[i], atom->type[j]).well;
-    return !cohesion::square_well::will_be_captured(
-        difference(atom->x[j], atom->x[i]), difference(atom->v[i], atom->v[j]),
-        cohesion::square_well::edge(well, atom->radius[i], atom->radius[j]), well.depth,
-        1.0 / atom->rmass[i] + 1.0 / atom->rmass[j]);
-  };
-  pairs.erase(
-      std::remove_if(pairs.begin() + static_cast<std::ptrdiff_t>(before), pairs.end(), parts),
-      pairs.end());
-}
-
-std::vector<Law> PairHardSquareWell::laws() const {
-  std::vector<Law> all;
-  for (const HardContact& c : given_) all.push_back(c.law());
-  return all;
-}
-
-Surfaces PairHardSquareWell::surfaces(int i, int j) const {
-  const HardContact& c = contact_of_types(atom->type[i], atom->type[j]);
-  const double core = atom->radius[i] + atom->radius[j];
-  if (c.well.depth == 0.0) return {core, core};
-  return {core, cohesion::square_well::edge(c.well, atom->radius[i], atom->radius[j])};
+    if (cohesion::square_well::will_be_captured(
+            separation, -relative_velocity,
+            cohesion::square_well::edge(well, atom->radius[i], atom->radius[j]), well.depth,
+            1.0 / atom->rmass[i] + 1.0 / atom->rmass[j]))
+      pairs.push_back({i, j});
+  }
 }
 
 double PairHardSquareWell::list_reach() const { return REACH * neighbor->skin; }
@@ -201,13 +170,13 @@ void PairHardSquareWell::init_style() {
   given_.commit();
   require_plausible_radii(lmp, "pair_style hard/square_well");
   largest_radius_ = largest_radii(lmp);
-  engine_api::request_history_list(neighbor, this, instance_me);
-  history_.init(this, 1);
+  acts_.assign(given_.size(), false);
 }
 
 double PairHardSquareWell::init_one(int i, int j) {
   if (given_.to_mix("pair_style hard/square_well", i, j))
     give(i, j, {mixed(given_(i, i), given_(j, j))});
+  acts_[given_.number(i, j)] = acts_[given_.number(j, i)] = true;
   const double edge =
       cohesion::square_well::edge(given_(i, j).well, largest_radius_[i], largest_radius_[j]);
   require_plausible_range(lmp, "pair_style hard/square_well", edge);

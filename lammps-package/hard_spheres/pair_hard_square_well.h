@@ -16,7 +16,6 @@ PairStyle(hard/square_well,PairHardSquareWell);
 #include "hard_contact_from_script.h"
 #include "hard_sphere/event_simulation.h"
 #include "pair.h"
-#include "pair_history.h"
 #include "type_pair_table.h"
 
 namespace LAMMPS_NS {
@@ -43,13 +42,9 @@ class PairHardSquareWell : public Pair, public BoundPairs {
 
   const cohesion::hard_sphere::EventRules& rules() const { return rules_; }
   const std::string& record_file() const { return record_file_; }
-  /// One number for each pair: whether it is in its well.
-  const PairHistory& history() const { return history_; }
-  int of_types(int i, int j) const { return given_.number(i, j); }
-  /// The laws of all pairs of types, by of_types().
-  std::vector<cohesion::hard_sphere::Law> laws() const;
   const HardContact& contact_of_types(int i, int j) const { return given_(i, j); }
-  cohesion::hard_sphere::Surfaces surfaces(int i, int j) const;
+  /// Whether this style acts between two types: in pair_style hybrid not between all.
+  bool acts_between(int i, int j) const { return acts_[given_.number(i, j)]; }
   /// How far beyond the range of a contact the list of neighbours reaches, besides the skin,
   /// [length].
   double list_reach() const;
@@ -63,7 +58,7 @@ class PairHardSquareWell : public Pair, public BoundPairs {
   TypePairTable<HardContact> given_;
   std::vector<double> largest_radius_;
   class FixHardEvents* events_;
-  PairHistory history_;
+  std::vector<bool> acts_;  // by pair of types
 };
 
 }  // namespace LAMMPS_NS

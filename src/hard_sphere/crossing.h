@@ -56,6 +56,19 @@ inline bool normal_speed_is_round_off(double b, double rr, double vv) {
   return b * b <= 1e-30 * rr * vv;
 }
 
+/// Whether a pair may meet a surface within the time `left`: a test without roots, with b, ww, rr
+/// as above; no means no. What falls needs (r^2 - S^2)/(-2 b) at least, since it gets no faster;
+/// what is inside the edge then has not crossed it before. The surfaces may be off by 1e-7 of them.
+inline bool may_meet_within(double left, double b, double ww, double rr, const Surfaces& surfaces,
+                            bool inside) {
+  constexpr double room = 1.0 + 1e-6, for_long = 1e100;
+  left = left < for_long ? left : for_long;
+  const double inner = inside ? surfaces.core : surfaces.edge;
+  const bool falls = (b < 0.0) & (rr - room * inner * inner <= -2.0 * room * b * left);
+  const bool rises = room * (rr + left * (2.0 * b + left * ww)) >= surfaces.edge * surfaces.edge;
+  return falls | (inside & rises);
+}
+
 /// The next surface that two spheres meet, with r = x_j - x_i now, w = v_j - v_i, and vv as above.
 inline Crossing next_crossing(const Vector3& r, const Vector3& w, double vv,
                               const Surfaces& surfaces, bool inside) {

@@ -33,18 +33,17 @@ struct EventRules {
   double contact_time = 0.0;  ///< collisions sooner after a particle's last one are elastic, [time]
   double rest = 1.0;          ///< C of the rule of rest, [1]; 0: off
   int limit = 100000;         ///< events of a particle in a step before the step is given up
-  bool distributed = false;   ///< other processes simulate some of the bodies too
 
-  /// Whether the rules against inelastic collapse make a collision elastic that this body has at
-  /// `time`.
-  bool make_elastic(const Flight& flight, double time) const {
-    return (collapse > 0 && flight.collisions >= collapse) ||
-           time - flight.last_collision < contact_time;
+  /// Whether the rules against inelastic collapse make a collision elastic that a body has at
+  /// `time`, with what it has done before in the step.
+  bool make_elastic(const Course& course, double time) const {
+    return (collapse > 0 && course.collisions >= collapse) ||
+           time - course.last_collision < contact_time;
   }
 
   /// The least speed with which the rule of rest lets a body leave, [length/time].
-  double rest_speed(const Flight& flight) const {
-    return rest * flight.kick * std::sqrt(static_cast<double>(flight.collisions));
+  double rest_speed(double kick, const Course& course) const {
+    return rest * kick * std::sqrt(static_cast<double>(course.collisions));
   }
 };
 

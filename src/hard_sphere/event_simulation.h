@@ -2,387 +2,322 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
-#include "hard_sphere/bodies.h"
 #include "hard_sphere/concave_wall.h"
 #include "hard_sphere/event_rules.h"
+#include "hard_sphere/predictions.h"
 
 namespace cohesion::hard_sphere {
 
-/// Event-driven simulation of one step of free flight: B. J. Alder, T. E. Wainwright, J. Chem.
-/// Phys. 31 (1959) 459. The events are executed in order of time.
+/// Event-driven simulation of bodies in free flight: B. J. Alder, T. E. Wainwright, J. Chem. Phys.
+/// 31 (1959) 459. The events are executed in order of time.
 ///
-/// The event queue, a heap, holds the next event of every candidate pair that has one in the step.
-/// After an event only the candidates of its particles are predicted again; the predictions that
-/// these replace stay in the queue and are known by their version.
+/// Flights and predictions last until something changes them, however many steps of an engine that
+/// takes. After an event only the events of its two bodies are predicted again.
 ///
-/// A prediction depends on nothing but the candidate and the flights of its two bodies: it starts
-/// from the later of their last events. So it is the same, bit by bit, wherever and whenever it is
-/// made.
-///
-/// Other processes may simulate some of the bodies at the same time. The simulation is then an
-/// optimistic parallel one with rollback, Time Warp in rounds: D. R. Jefferson, Virtual Time, ACM
-/// Trans. Program. Lang. Syst. 7 (1985) 404. Each process runs ahead through a window of the step
-/// with the updates that it has received, and saves each flight that it changes. In each round the
-/// processes exchange their updates. Where those that come differ from those that a process has
-/// assumed, it rolls back to the first difference and runs on with them; as the whole lists are
-/// compared, there are no antimessages. The first difference of all processes is Jefferson's global
-/// virtual time: no process will roll back behind it, since every event before it has been worked
-/// out from what truly went before. So the order of events is that of one process, and every round
-/// brings it at least one event farther.
-class EventSimulation {
- private:
-  struct PredictedEvent {
-    double time;
-    int candidate;
-    unsigned version;
-    int causal_depth;
-  };
-
-  /// A flight before an event or an update changed it: what a rollback restores.
-  struct SavedFlight {
-    double time;
-    int body;
-    Flight before;
-  };
-
-  /// The order of the queue.
-  struct Later {
-    const EventSimulation& simulation;
-    bool operator()(const PredictedEvent& a, const PredictedEvent& b) const {
-      return a.time != b.time ? a.time > b.time : simulation.key(b) < simulation.key(a);
-    }
-  };
-
+/// Times count from start_clock().
+class EventSimulation : public Predictions {
  public:
-  std::vector<Body> bodies;
-  std::vector<CandidatePair> candidates;
-  std::vector<Image> images{Image{}};
-  std::vector<Law> laws;
-  std::vector<MovingWall> walls;
+  virtual ~EventSimulation() = default;
+
   EventRules rules;
+  std::vector<Event> events;  ///< of this step
 
-  std::vector<Event> events;           ///< of this step, in order
-  std::vector<RemoteUpdate> outgoing;  ///< of this window, with rules.distributed
-  /// Of this window, in order: those from other processes that this run assumes.
-  std::vector<RemoteUpdate> received;
-
-  /// Finds the candidates of each body, after bodies and candidates have been set.
-  void index_candidates() {
-    first_.assign(bodies.size() + 1, 0);
-    for (const CandidatePair& b : candidates) {
-      first_[b.i + 1]++;
-      if (!b.with_wall()) first_[b.j + 1]++;
-    }
-    for (std::size_t i = 1; i < first_.size(); i++) first_[i] += first_[i - 1];
-    of_body_.resize(first_.back());
-    std::vector<int> next(first_.begin(), first_.end() - 1);
-    for (int n = 0; n < static_cast<int>(candidates.size()); n++) {
-      of_body_[next[candidates[n].i]++] = n;
-      if (!candidates[n].with_wall()) of_body_[next[candidates[n].j]++] = n;
-    }
+  /// The time is 0 from here on, and the box as given. Before set_up().
+  void start_clock(const PeriodicBox& box) {
+    box_ = box;
+    start_ = end_ = 0.0;
   }
 
-  /// The number of the candidate of two bodies; -1: none. After index_candidates().
-  int find(int i, int j, int image) const {
-    for (int n = first_[i]; n < first_[i + 1]; n++) {
-      const CandidatePair& b = candidates[of_body_[n]];
-      if (b.i == i && b.j == j && b.image == image) return of_body_[n];
-    }
-    return -1;
+  /// Finds the neighbours of all bodies and predicts all events, after bodies, flights, rules or
+  /// walls have been set. `lifetime`: Neighbourhoods::build(). A pair is in its well if it is
+  /// nearer than the edge; one at the edge, to round-off, if it is among `inside`, which is in
+  /// order.
+  void set_up(double lifetime, const std::vector<Tags>& inside) {
+    overrun_ = {-1, -1};
+    neighbourhoods_.build(box_, bodies, flights, pairs, walls, end_, lifetime);
+    for (int i = 0; i < count(); i++) find_wells(i, inside);
+    predict_all();
   }
 
-  /// Empties the queue, before the bodies' flights of a step of length `dt` [time] are set.
-  void begin_step(double dt) {
-    dt_ = dt;
-    queue_.clear();
-    events.clear();
-    overrun_ = -1;
-    begin_window();
+  /// Arranges the bodies anew, between two steps: body n is the one that was old[n], with all that
+  /// it has and predicts, or a new one where that is below 0. Those that are not there are gone.
+  /// The matter and flights of new ones have to be set, and take_in() has to follow.
+  void arrange(const std::vector<int>& old) {
+    std::vector<int> numbers(bodies.size(), -1);
+    for (int n = 0; n < static_cast<int>(old.size()); n++)
+      if (old[n] >= 0) numbers[old[n]] = n;
+    neighbourhoods_.arrange(old, numbers, end_);
+    arrange_predictions(old, numbers);
   }
 
-  /// Adds the first event of candidate n, when it has one in this step, at the end of the queue,
-  /// which is not in order then; returns whether it has one.
-  bool predict(int n) {
-    CandidatePair& candidate = candidates[n];
-    candidate.version++;
-    const double time = time_of_next(candidate);
-    if (!(time <= dt_)) return false;
-    queue_.push_back({time, n, candidate.version, causal_depth(candidate, time)});
+  /// Finds neighbours, wells and events of the bodies that arrange() has made, as set_up() does;
+  /// false: that cannot be done, and set_up() has to follow.
+  bool take_in(const std::vector<int>& added, const std::vector<Tags>& inside) {
+    for (const int i : added)
+      if (!neighbourhoods_.add(i, flights[i], end_)) return false;
+    for (const int i : added) find_wells(i, inside);
+    for (const int i : added) predict(i);
     return true;
   }
 
-  double dt() const { return dt_; }
-
-  /// Distance of the partners of candidate n when the step began, [length].
-  double distance_at_start(int n) const {
-    const CandidatePair& candidate = candidates[n];
-    if (candidate.with_wall()) {
-      const MovingWall& wall = walls[candidate.wall()];
-      return wall.wall.nearest(bodies[candidate.i].flight.at(dt_), wall.at(dt_), 0.0).distance;
+  /// Time 0 is at the end of the last step from here on: what is far from it has fewer digits. A
+  /// flight goes on from where it is then.
+  void set_clock_back() {
+    const double now = end_;
+    for (int i = 0; i < count(); i++) {
+      Flight& flight = flights[i];
+      if (flight.since != now) bodies[i].course.causal_depth = -1;
+      flight.place = flight.at(now);
+      flight.since = 0.0;
+      flight.version++;
     }
-    return norm(relative_motion(candidate, dt_).first);
+    box_.edges = box_.at(now);
+    for (HardWall& wall : walls) wall.moving.when -= now;
+    neighbourhoods_.set_clock_back(now);
+    start_ = end_ = 0.0;
+    predict_all();
   }
 
-  /// Whether the partners of candidate n, a pair without events so far, come nearer to a surface
-  /// than the fraction `tolerance` [1] of its distance: for flights that are known to round-off
-  /// only.
-  bool may_meet(int n, double tolerance) const {
-    const CandidatePair& candidate = candidates[n];
-    const auto [r, w] = relative_motion(candidate, 0.0);
-    const double ww = dot(w, w), b = dot(r, w);
-    const double back = ww * dt_ > b && b > 0.0 ? b / ww : b > 0.0 ? dt_ : 0.0;
-    const double least = norm(r - back * w);
-    if (!candidate.inside)
-      return least < (1.0 + tolerance) * (candidate.surfaces.has_well() ? candidate.surfaces.edge
-                                                                        : candidate.surfaces.core);
-    return least < (1.0 + tolerance) * candidate.surfaces.core ||
-           std::max(norm(r), norm(r - dt_ * w)) > (1.0 - tolerance) * candidate.surfaces.edge;
+  /// The pairs in their wells and at the edge, in order: what set_up() cannot see.
+  std::vector<Tags> inside_at_edge() const {
+    std::vector<Tags> all;
+    for (int i = 0; i < count(); i++)
+      for (const Neighbour* n = neighbourhoods_.begin(i); n != neighbourhoods_.end(i); n++)
+        if (n->inside && over_edge(i, *n) >= -at_edge) all.push_back(tags(i, n->body));
+    std::sort(all.begin(), all.end());
+    return all;
   }
 
-  /// Brings the queue into order after predictions in any order.
-  void order_queue() { std::make_heap(queue_.begin(), queue_.end(), Later{*this}); }
+  /// The next step of the engine begins, of length `dt` [time].
+  void begin_step(double dt) {
+    start_ = end_;
+    end_ += dt;
+    step_++;
+    events.clear();
+  }
+  double start() const { return start_; }
+  double end() const { return end_; }
+  const PeriodicBox& box() const { return box_; }
 
-  void begin_window() {
-    saved_flights_.clear();
-    outgoing.clear();
-    received.clear();
-    processed_ = 0;
-    window_start_ = events.size();
+  /// A body that others have given another flight since the beginning of the step. `moved`: it has
+  /// been put elsewhere, and wells that it is in or not in are no events. predict() has to follow,
+  /// after all bodies have their flights.
+  void change_flight(int body, const Flight& flight, const Course& course, bool moved) {
+    set_flight(body, flight, course);
+    const Vector3 place = flight.at(start_);
+    if (moved || !neighbourhoods_.is_home(body, place, start_))
+      neighbourhoods_.renew(body, flights[body], start_, false);
+    if (!moved) return;
+    for (Neighbour* n = neighbourhoods_.begin(body); n != neighbourhoods_.end(body); n++)
+      if (n->has_well)
+        neighbourhoods_.set_inside(body, *n,
+                                   distance(body, *n, start_) < surfaces(body, n->body).edge);
   }
 
-  /// Executes the events and applies the received updates up to the time `until`.
+  /// Executes the events up to the time `until`.
   void run(double until) {
-    while (overrun_ < 0) {
-      while (!queue_.empty() &&
-             queue_.front().version != candidates[queue_.front().candidate].version)
-        pop();
-      const bool own = !queue_.empty() && queue_.front().time <= until;
-      if (processed_ < received.size() &&
-          !(own && key(queue_.front()) < received[processed_].key)) {
-        apply_update(received[processed_++]);
-      } else if (own) {
-        const PredictedEvent next = queue_.front();
-        pop();
-        execute(next.candidate, key(next));
-      } else {
-        return;
-      }
+    while (calendar_.next().time <= until && overrun_.first < 0) advance(calendar_.next().body);
+  }
+
+  /// A body with more events in a step than the limit, and its partner in the last of them; -1:
+  /// none. run() stops there.
+  const std::pair<int, int>& overrun() const { return overrun_; }
+
+  /// How the events of a body in this step are counted.
+  Course& course_of(int body) {
+    Course& course = bodies[body].course;
+    if (course.step != step_) {
+      course.step = step_;
+      course.collisions = course.events = 0;
+      course.last_collision = -never;
+    }
+    return course;
+  }
+
+  /// Calls f(i, neighbour) for each body i of this process and neighbour, pairs of two of them
+  /// once.
+  template <class F>
+  void for_each_pair(const F& f) const {
+    for (int i = 0; i < count(); i++) {
+      if (bodies[i].remote) continue;
+      for (const Neighbour* n = neighbourhoods_.begin(i); n != neighbourhoods_.end(i); n++)
+        if (n->body < i || bodies[n->body].remote) f(i, *n);
     }
   }
 
-  /// Runs the window again from the time `from` on, with the updates of `incoming` from there on.
-  void rollback_and_run(double from, const std::vector<RemoteUpdate>& incoming, double until) {
-    rollback(from);
-    received.resize(processed_);
-    for (const RemoteUpdate& u : incoming)
-      if (u.key.time >= from) received.push_back(u);
-    run(until);
+  double bytes() const {
+    return neighbourhoods_.bytes() + calendar_.bytes() +
+           static_cast<double>((sizeof(Body) + sizeof(Flight) + sizeof(PredictedEvents)) *
+                               bodies.size());
   }
 
-  /// The time, from `from` on, of the first update in which `incoming` differs from what this run
-  /// has assumed; never: none.
-  double first_difference(double from, const std::vector<RemoteUpdate>& incoming) const {
-    auto known = received.begin() + first_update(received, from);
-    for (const RemoteUpdate& u : incoming) {
-      if (u.key.time < from) continue;
-      if (known == received.end()) return u.key.time;
-      if (!(u == *known)) return std::min(u.key.time, known->key.time);
-      ++known;
+ protected:
+  /// Called before an event changes the flights of its bodies, and after that, before their next
+  /// events are predicted.
+  virtual void before_event(const Event& /*event*/) {}
+  virtual void after_event(const Event& /*event*/) {}
+  /// Whether former homes must be found.
+  virtual bool keeps_former_homes() const { return false; }
+
+  /// Sets whether a body and its neighbours are in their wells, as set_up() does.
+  void find_wells(int i, const std::vector<Tags>& inside) {
+    for (Neighbour* n = neighbourhoods_.begin(i); n != neighbourhoods_.end(i); n++) {
+      if (!n->has_well) continue;
+      const double over = over_edge(i, *n);
+      const bool is_inside =
+          over < -at_edge ||
+          (over <= at_edge && std::binary_search(inside.begin(), inside.end(), tags(i, n->body)));
+      neighbourhoods_.set_inside(i, *n, is_inside);
     }
-    return known == received.end() ? never : known->key.time;
   }
 
-  /// A candidate of a body with more events than the limit; -1: none. run() stops there.
-  int overrun() const { return overrun_; }
+  /// Does what comes first for a body, when its turn has come: an event, or what it has to predict
+  /// again.
+  void advance(int i) {
+    PredictedEvents& list = predicted_[i];
+    if (list.empty()) {
+      const double now = list.horizon();
+      if (now >= neighbourhoods_.leave_time(i, flights[i])) renew_home(i, now);
+      predict(i);
+    } else if (is_stale(list.front())) {
+      list.pop();
+      enter(i);
+    } else {
+      execute(i, list.front());
+    }
+  }
+
+  void set_flight(int body, const Flight& flight, const Course& course) {
+    const std::uint32_t version = flights[body].version + 1;
+    flights[body] = flight;
+    flights[body].version = version;
+    bodies[body].course = course;
+  }
+
+  void renew_home(int body, double now) {
+    neighbourhoods_.renew(body, flights[body], now, keeps_former_homes());
+  }
+
+  std::pair<int, int> overrun_{-1, -1};
 
  private:
-  EventKey key(const PredictedEvent& p) const {
-    const CandidatePair& candidate = candidates[p.candidate];
-    return {p.time, p.causal_depth, bodies[candidate.i].tag,
-            candidate.with_wall() ? candidate.j : bodies[candidate.j].tag};
+  // A pair nearer to the edge of its well than this fraction of it is at the edge, to round-off.
+  static constexpr double at_edge = 1e-10;
+
+  /// How far a neighbour is outside of the edge of its well now, as a fraction of that, [1].
+  double over_edge(int i, const Neighbour& n) const {
+    return distance(i, n, end_) / surfaces(i, n.body).edge - 1.0;
   }
 
-  int causal_depth(const CandidatePair& candidate, double time) const {
-    const int of_i = bodies[candidate.i].flight.causal_depth_at(time);
-    return 1 + (candidate.with_wall()
-                    ? of_i
-                    : std::max(of_i, bodies[candidate.j].flight.causal_depth_at(time)));
+  static Partner partner_of(const Body& body, const Flight& flight) {
+    return {flight.velocity, body.course.spin, body.inverse_mass, body.inverse_inertia,
+            body.radius};
   }
 
-  void pop() {
-    std::pop_heap(queue_.begin(), queue_.end(), Later{*this});
-    queue_.pop_back();
-  }
-
-  double time_of_next(CandidatePair& candidate) const {
-    const Flight& a = bodies[candidate.i].flight;
-    Crossing crossing;
-    double now = a.last_event;
-    if (candidate.with_wall()) {
-      crossing = next_crossing(walls[candidate.wall()], a.at(dt_ - now), a.velocity, dt_ - now,
-                               candidate.surfaces, candidate.inside);
-    } else {
-      const Flight& b = bodies[candidate.j].flight;
-      now = std::max(now, b.last_event);
-      const auto [r, w] = relative_motion(candidate, dt_ - now);
-      const double vv = std::max(dot(a.velocity, a.velocity), dot(b.velocity, b.velocity));
-      crossing = next_crossing(r, w, vv, candidate.surfaces, candidate.inside);
+  /// What a body has to do with when it meets a neighbour.
+  struct Meeting {
+    Vector3 separation;  // from the body to it, [length]
+    Partner partner;     // the neighbour
+    Law law;
+  };
+  Meeting meeting(int i, const Neighbour& n, double time) const {
+    if (n.is_wall()) {
+      const HardWall& wall = walls[n.wall()];
+      const auto point = wall.moving.wall.nearest(flights[i].at(time), wall.moving.at(time),
+                                                  wall.moving.rim_speed);
+      return {point.separation, {point.velocity, {}, 0.0, 0.0, 0.0}, wall.law(bodies[i])};
     }
-    candidate.next_surface = crossing.surface;
-    return now + crossing.wait;
+    Partner partner = partner_of(bodies[n.body], flights[n.body]);
+    partner.velocity += neighbourhoods_.image(n.image).velocity;
+    return {relative_motion(i, n.body, n.image, time).first, partner,
+            pairs.law(bodies[i], bodies[n.body])};
   }
 
-  void predict_all(int body, int but = -1) {
-    for (int n = first_[body]; n < first_[body + 1]; n++)
-      if (of_body_[n] != but && predict(of_body_[n]))
-        std::push_heap(queue_.begin(), queue_.end(), Later{*this});
-  }
-
-  static std::ptrdiff_t first_update(const std::vector<RemoteUpdate>& all, double from) {
-    return std::find_if(all.begin(), all.end(),
-                        [from](const RemoteUpdate& u) { return u.key.time >= from; }) -
-           all.begin();
-  }
-
-  /// Undoes what this window has executed and applied from a time on.
-  void rollback(double from) {
-    overrun_ = -1;
-    for (; events.size() > window_start_ && events.back().key.time >= from; events.pop_back())
-      candidates[events.back().candidate].inside = events.back().was_inside;
-    while (!outgoing.empty() && outgoing.back().key.time >= from) outgoing.pop_back();
-    processed_ = std::min(processed_, static_cast<std::size_t>(first_update(received, from)));
-    std::vector<int> touched;
-    for (; !saved_flights_.empty() && saved_flights_.back().time >= from;
-         saved_flights_.pop_back()) {
-      bodies[saved_flights_.back().body].flight = saved_flights_.back().before;
-      touched.push_back(saved_flights_.back().body);
+  void execute(int of_body, const PredictedEvent predicted) {
+    const EventKey when = key(of_body, predicted);
+    const double time = predicted.time;
+    int i = of_body, j = predicted.partner, image = predicted.image;
+    if (j >= 0 && bodies[j].tag < bodies[i].tag) {
+      std::swap(i, j);
+      image = neighbourhoods_.image(image).reverse;
     }
-    std::sort(touched.begin(), touched.end());
-    touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
-    for (const int body : touched) predict_all(body);
-  }
+    Neighbour& pair = *neighbourhoods_.find_neighbour(i, j, image);
+    const Course& course_i = course_of(i);
+    const Course* const course_j = j < 0 ? nullptr : &course_of(j);
 
-  void save_flight(int body, double time) {
-    if (rules.distributed) saved_flights_.push_back({time, body, bodies[body].flight});
-  }
-
-  void apply_update(const RemoteUpdate& incoming) {
-    save_flight(incoming.body, incoming.key.time);
-    bodies[incoming.body].flight = incoming.flight;
-    predict_all(incoming.body);
-  }
-
-  /// Position and velocity of j as seen from i. Prediction and event use the same numbers: they
-  /// must not differ about which way a pair goes.
-  std::pair<Vector3, Vector3> relative_motion(const CandidatePair& candidate, double left) const {
-    const Flight &a = bodies[candidate.i].flight, &b = bodies[candidate.j].flight;
-    const Image& image = images[candidate.image];
-    const Vector3 w = b.velocity + image.velocity - a.velocity;
-    return {b.end - a.end + image.displacement - left * w, w};
-  }
-
-  /// Where j is as seen from i, and its state.
-  std::pair<Vector3, Partner> partner_of_i(const CandidatePair& candidate, double left) const {
-    if (candidate.with_wall()) {
-      const MovingWall& wall = walls[candidate.wall()];
-      const auto point =
-          wall.wall.nearest(bodies[candidate.i].flight.at(left), wall.at(left), wall.rim_speed);
-      return {point.separation, {point.velocity, {}, 0.0, 0.0, 0.0}};
-    }
-    Partner partner = bodies[candidate.j].partner();
-    partner.velocity += images[candidate.image].velocity;
-    return {relative_motion(candidate, left).first, partner};
-  }
-
-  void execute(int n, const EventKey& when) {
-    CandidatePair& candidate = candidates[n];
-    const double left = dt_ - when.time;
-    const auto [separation, partner] = partner_of_i(candidate, left);
+    auto [separation, partner, law] = meeting(i, pair, time);
     const double distance = norm(separation);
     const Vector3 k{separation.x / distance, separation.y / distance, separation.z / distance};
-    Law law = laws[candidate.law];
-    const bool is_collision = candidate.next_surface == Surface::core;
-    const bool elastic = is_collision && (made_elastic(candidate.i, when.time) ||
-                                          made_elastic(candidate.j, when.time));
+    const bool is_collision = predicted.surface == Surface::core;
+    const double rest = is_collision && !law.takes_nothing() ? rest_speed(i, j) : 0.0;
+    const bool elastic = is_collision && (rules.make_elastic(course_i, time) ||
+                                          (course_j && rules.make_elastic(*course_j, time)));
     if (elastic) law.restitution = 1.0, law.friction = 0.0;
-    Impact now = impact(candidate.next_surface, k, law, bodies[candidate.i].partner(), partner,
-                        rest_speed(candidate));
-    if (elastic && candidate.with_wall()) keep_off_concave_wall(candidate, k, now);
+    Impact now =
+        impact(predicted.surface, k, law, partner_of(bodies[i], flights[i]), partner, rest);
+    if (elastic && j < 0) keep_off_concave_wall(i, pair, k, now);
 
-    events.push_back({when, n, elastic, candidate.inside, distance, separation,
-                      bodies[candidate.i].flight.at(left), now});
-    candidate.inside = now.inside;
-    apply_impulse(candidate.i, candidate.j, -1.0, now, when, is_collision);
-    if (!candidate.with_wall())
-      apply_impulse(candidate.j, candidate.i, 1.0, now, when, is_collision);
-    predict_all(candidate.i);
-    if (!candidate.with_wall()) predict_all(candidate.j, n);
-    if (most_events(candidate) > rules.limit) overrun_ = n;
+    events.push_back(
+        {when, i, j, image, elastic, pair.inside, distance, separation, flights[i].at(time), now});
+    before_event(events.back());
+    neighbourhoods_.set_inside(i, pair, now.inside);
+    apply_impulse(i, -1.0, now, when, is_collision);
+    if (j >= 0) apply_impulse(j, 1.0, now, when, is_collision);
+    after_event(events.back());
+    predict(i);
+    if (j >= 0) predict(j, i, neighbourhoods_.image(image).reverse);
+    if (std::max(course_i.events, course_j ? course_j->events : 0) > rules.limit) overrun_ = {i, j};
   }
 
   /// Turns an elastic collision of the rule against collapse so that it leaves a cylinder for
   /// time_off_wall().
-  void keep_off_concave_wall(const CandidatePair& candidate, const Vector3& k, Impact& now) const {
-    const Wall& wall = walls[candidate.wall()].wall;
+  void keep_off_concave_wall(int i, const Neighbour& pair, const Vector3& k, Impact& now) const {
+    const Wall& wall = walls[pair.wall()].moving.wall;
     if (wall.shape != Wall::z_cylinder) return;
-    const Body& body = bodies[candidate.i];
-    const Vector3& before = body.flight.velocity;
+    const Body& body = bodies[i];
+    const Vector3& before = flights[i].velocity;
     const Vector3 after =
         leaving_concave_wall(before - body.inverse_mass * now.on_j, k,
-                             wall.position - candidate.surfaces.core, time_off_wall());
+                             wall.position - surfaces(i, pair.body).core, time_off_wall());
     now.on_j = (1.0 / body.inverse_mass) * (before - after);
     now.normal = dot(k, now.on_j);
   }
 
   /// How long an elastic collision keeps a particle off a concave wall, [time].
   double time_off_wall() const {
-    return std::max(rules.contact_time, rules.collapse > 0 ? dt_ / rules.collapse : 0.0);
-  }
-
-  bool made_elastic(int body, double time) const {
-    return body >= 0 && rules.make_elastic(bodies[body].flight, time);
+    return std::max(rules.contact_time,
+                    rules.collapse > 0 ? (end_ - start_) / rules.collapse : 0.0);
   }
 
   /// The least speed with which a collision parts its partners, by the rule of rest, [length/time].
-  double rest_speed(const CandidatePair& candidate) const {
-    if (laws[candidate.law].takes_nothing()) return 0.0;
-    const double of_i = rules.rest_speed(bodies[candidate.i].flight);
-    return candidate.with_wall() ? of_i
-                                 : std::max(of_i, rules.rest_speed(bodies[candidate.j].flight));
+  double rest_speed(int i, int j) const {
+    const double of_i = rules.rest_speed(bodies[i].kick, bodies[i].course);
+    return j < 0 ? of_i : std::max(of_i, rules.rest_speed(bodies[j].kick, bodies[j].course));
   }
 
-  int most_events(const CandidatePair& candidate) const {
-    const int of_i = bodies[candidate.i].flight.events;
-    return candidate.with_wall() ? of_i : std::max(of_i, bodies[candidate.j].flight.events);
-  }
-
-  void apply_impulse(int body, int partner, double side, const Impact& now, const EventKey& when,
+  void apply_impulse(int body, double side, const Impact& now, const EventKey& when,
                      bool is_collision) {
-    save_flight(body, when.time);
     Body& b = bodies[body];
-    const Vector3 change = (side * b.inverse_mass) * now.on_j;
-    b.flight.velocity += change;
-    b.flight.end += (dt_ - when.time) * change;
-    b.flight.spin -= (b.radius * b.inverse_inertia) * now.twist;
-    b.flight.last_event = when.time;
-    b.flight.causal_depth = when.causal_depth;
-    b.flight.collisions += is_collision;
-    if (is_collision) b.flight.last_collision = when.time;
-    b.flight.events++;
-    if (rules.distributed) outgoing.push_back({when, body, partner, b.flight});
+    Flight& flight = flights[body];
+    flight.place = flight.at(when.time);
+    flight.velocity += (side * b.inverse_mass) * now.on_j;
+    flight.since = when.time;
+    flight.version++;
+    Course& course = b.course;
+    course.spin -= (b.radius * b.inverse_inertia) * now.twist;
+    course.causal_depth = when.causal_depth;
+    course.collisions += is_collision;
+    if (is_collision) course.last_collision = when.time;
+    course.events++;
   }
 
-  double dt_ = 0.0;
-  std::vector<int> first_,
-      of_body_;  // candidates of body i: of_body_[first_[i]] ... [first_[i + 1] - 1]
-  std::vector<PredictedEvent> queue_;
-  std::vector<SavedFlight> saved_flights_;  // of this window, with rules.distributed
-  std::size_t processed_ = 0;               // received updates that have been applied
-  std::size_t window_start_ = 0;            // of the window, in `events`
-  int overrun_ = -1;
+  PeriodicBox box_;
+  double start_ = 0.0, end_ = 0.0;  // of the step
+  int step_ = 0;
 };
 
 }  // namespace cohesion::hard_sphere

@@ -7,17 +7,17 @@
 namespace cohesion::hard_sphere {
 
 using event_stepping::Wall;
-using event_stepping::WallMotion;
 using event_stepping::WallState;
 
-/// A wall in uniform motion over a step.
+/// A wall in uniform motion.
 struct MovingWall {
   Wall wall;
-  WallState end;           ///< its displacement at the end of the step, and its velocity
+  WallState state;         ///< its displacement at the time `when`, and its velocity
   double rim_speed = 0.0;  ///< of a turning cylinder, [length/time]
+  double when = 0.0;       ///< [time]
 
-  WallState at(double time_left) const {
-    return {end.displacement - time_left * end.velocity, end.velocity};
+  WallState at(double time) const {
+    return {state.displacement + (time - when) * state.velocity, state.velocity};
   }
 };
 
@@ -45,14 +45,14 @@ inline Crossing next_crossing_of_cylinder(const Vector3& r, const Vector3& w, do
   return {time_to_rise(b, ww, c(surfaces.core)), Surface::core};
 }
 
-/// The next surface of a wall that a centre meets which is at x now and has the velocity v, `left`
-/// [time] before the end of the step.
+/// The next surface of a wall that a centre meets which is at x at the time `when` and has the
+/// velocity v.
 inline Crossing next_crossing(const MovingWall& wall, const Vector3& x, const Vector3& v,
-                              double left, const Surfaces& surfaces, bool inside) {
+                              double when, const Surfaces& surfaces, bool inside) {
   if (wall.wall.shape == Wall::z_cylinder)
     return next_crossing_of_cylinder({x.x, x.y, 0.0}, {v.x, v.y, 0.0}, wall.wall.position, surfaces,
                                      inside);
-  const WallState now = wall.at(left);
+  const WallState now = wall.at(when);
   const double h = wall.wall.nearest(x, now, 0.0).distance;
   const double u = dot(wall.wall.normal(), v - now.velocity);
   return next_crossing_of_plane(h, u, surfaces, inside);

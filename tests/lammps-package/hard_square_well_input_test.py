@@ -93,7 +93,9 @@ class Input(ScriptTestCase):
         self.stops(script(tail="group one type 1\ncompute h one hard/events\n"), "must be 'all'")
 
     def test_a_step_too_long_for_the_list_names_the_skin(self):
-        self.stops(script(speed="100"), "in step 1", "skin above")
+        """On several processes: one alone has no border beyond which it knows nothing."""
+        self.stops(script(speed="100"), "in step 1", "skin above", ranks=2)
+        self.goes(script(speed="100"))
 
     def test_a_flight_longer_than_the_box_is_refused(self):
         self.stops(script(speed="2000").replace("boundary f f f", "boundary p p p"), "box is 10")

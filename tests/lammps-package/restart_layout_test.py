@@ -26,7 +26,7 @@ STYLES = {
     "gran/hamaker": ("", "stiffness 800", 4),
     "gran/square_well": ("", "stiffness 800 well 1e-12 1.01", 3),
     "gran/liquid_bridge": ("", "stiffness 800 bridge 1e-5 1e-5", 1),
-    "hard/square_well": ("", "restitution 0.9", 3),
+    "hard/square_well": ("", "restitution 0.9", 4),
 }
 MARK = 0x436f6800  # restart_format.h
 

@@ -1,13 +1,73 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "hard_sphere/event_simulation.h"
 
-/// Spheres of two sizes in a box of six walls, without any engine: every pair and every wall is a
-/// candidate. Of mass 1 and 2.
+/// A box that is not periodic and holds what is from `low` to `high`.
+inline cohesion::hard_sphere::PeriodicBox closed_box(const cohesion::Vector3& low,
+                                                     const cohesion::Vector3& high) {
+  cohesion::hard_sphere::PeriodicBox box;
+  box.origin = low;
+  box.edges.xx = high.x - low.x;
+  box.edges.yy = high.y - low.y;
+  box.edges.zz = high.z - low.z;
+  return box;
+}
+
+/// The same law between spheres, and between them and walls, with a well up to `ratio` radii.
+inline cohesion::hard_sphere::ContactParameters contact(const cohesion::hard_sphere::Law& law,
+                                                        double ratio = 1.0) {
+  return {law.restitution, law.friction, cohesion::square_well::well(law.depth, ratio)};
+}
+
+/// Gives a body another place and velocity at the beginning of the step, as an engine does it.
+inline void change_flight(cohesion::hard_sphere::EventSimulation& simulation, int body,
+                          const cohesion::Vector3& place, const cohesion::Vector3& velocity,
+                          bool moved = false) {
+  cohesion::hard_sphere::Flight flight;
+  flight.place = place;
+  flight.velocity = velocity;
+  flight.since = simulation.start();
+  cohesion::hard_sphere::Course course = simulation.bodies[body].course;
+  course.causal_depth = -1;
+  simulation.change_flight(body, flight, course, moved);
+}
+
+/// A kick at the beginning of the step.
+inline void kick(cohesion::hard_sphere::EventSimulation& simulation, int body,
+                 const cohesion::Vector3& change) {
+  const auto& flight = simulation.flights[body];
+  change_flight(simulation, body, flight.at(simulation.start()), flight.velocity + change);
+}
+
+inline double kinetic_energy_of(const cohesion::hard_sphere::EventSimulation& simulation) {
+  double sum = 0.0;
+  for (std::size_t n = 0; n < simulation.bodies.size(); n++) {
+    const auto& body = simulation.bodies[n];
+    if (body.inverse_mass == 0.0) continue;
+    const auto &v = simulation.flights[n].velocity, &spin = body.course.spin;
+    sum += 0.5 * dot(v, v) / body.inverse_mass + 0.5 * dot(spin, spin) / body.inverse_inertia;
+  }
+  return sum;
+}
+
+/// Whether two events are the same to the last bit.
+inline bool same_bits(const cohesion::hard_sphere::Event& a,
+                      const cohesion::hard_sphere::Event& b) {
+  using cohesion::hard_sphere::same;
+  return a.key.time == b.key.time && a.key.causal_depth == b.key.causal_depth &&
+         a.key.tag_i == b.key.tag_i && a.key.tag_j == b.key.tag_j &&
+         a.impact.kind == b.impact.kind && a.impact.inside == b.impact.inside &&
+         a.was_inside == b.was_inside && a.elastic == b.elastic &&
+         same(a.separation, b.separation) && same(a.impact.on_j, b.impact.on_j) &&
+         same(a.impact.twist, b.impact.twist);
+}
+
+/// Spheres of two sizes in a box of six walls, without any engine. Of mass 1 and 2.
 struct BoxOfSpheres {
   using EventSimulation = cohesion::hard_sphere::EventSimulation;
   using Vector3 = cohesion::Vector3;
@@ -18,11 +78,11 @@ struct BoxOfSpheres {
   explicit BoxOfSpheres(int edge, const cohesion::hard_sphere::Law& law, double ratio = 1.2,
                         double space = 1.6) {
     using namespace cohesion::hard_sphere;
-    simulation.laws = {law};
+    simulation.pairs.set(0, 0, contact(law, ratio));
     const double length = edge * space;
     for (const Wall::Shape shape : {Wall::x_plane, Wall::y_plane, Wall::z_plane}) {
-      simulation.walls.push_back({{shape, 1.0, 0.0}, {}, 0.0});
-      simulation.walls.push_back({{shape, -1.0, length}, {}, 0.0});
+      simulation.walls.push_back({{{shape, 1.0, 0.0}, {}}, {{law, ratio}}});
+      simulation.walls.push_back({{{shape, -1.0, length}, {}}, {{law, ratio}}});
     }
     for (int n = 0; n < edge * edge * edge; n++) {
       Body body;
@@ -31,60 +91,24 @@ struct BoxOfSpheres {
       body.radius = n % 2 ? 0.5 : 0.4;
       body.inverse_mass = 1.0 / mass;
       body.inverse_inertia = 1.0 / (0.4 * mass * body.radius * body.radius);
-      const auto place = [&](int i) { return space * (i + 0.5); };
-      body.flight.end = {place(n % edge), place(n / edge % edge), place(n / edge / edge)};
-      body.flight.velocity = {std::sin(12.3 * n + 1), std::sin(7.7 * n + 2), std::sin(3.1 * n + 3)};
       simulation.bodies.push_back(body);
+      const auto place = [&](int i) { return space * (i + 0.5); };
+      Flight flight;
+      flight.place = {place(n % edge), place(n / edge % edge), place(n / edge / edge)};
+      flight.velocity = {std::sin(12.3 * n + 1), std::sin(7.7 * n + 2), std::sin(3.1 * n + 3)};
+      simulation.flights.push_back(flight);
     }
-    const auto edge_of = [&](double core) { return law.depth > 0.0 ? ratio * core : core; };
-    for (int i = 0; i < static_cast<int>(simulation.bodies.size()); i++) {
-      for (int j = i + 1; j < static_cast<int>(simulation.bodies.size()); j++) {
-        const double core = simulation.bodies[i].radius + simulation.bodies[j].radius;
-        simulation.candidates.push_back({i, j, 0, 0, {core, edge_of(core)}});
-      }
-      const double core = simulation.bodies[i].radius;
-      for (int w = 0; w < 6; w++)
-        simulation.candidates.push_back({i, -1 - w, 0, 0, {core, edge_of(core)}});
-    }
-    simulation.index_candidates();
-  }
-
-  /// Straight flight, as an engine would do it.
-  void fly(double dt) {
-    for (auto& body : simulation.bodies) {
-      auto& flight = body.flight;
-      flight = {flight.end + dt * flight.velocity, flight.velocity, 0.0, flight.spin};
-    }
-  }
-
-  void begin(double dt) {
-    fly(dt);
-    simulation.begin_step(dt);
-    for (int n = 0; n < static_cast<int>(simulation.candidates.size()); n++) simulation.predict(n);
-    simulation.order_queue();
+    simulation.neighbourhoods().bodies_of_box = static_cast<double>(simulation.bodies.size());
+    simulation.start_clock(closed_box({}, {length, length, length}));
+    simulation.set_up(never, {});
   }
 
   void step(double dt) {
-    begin(dt);
-    simulation.run(dt);
+    simulation.begin_step(dt);
+    simulation.run(simulation.end());
     all.insert(all.end(), simulation.events.begin(), simulation.events.end());
   }
 
-  double kinetic_energy() const {
-    double sum = 0.0;
-    for (const auto& body : simulation.bodies) {
-      const auto& f = body.flight;
-      sum += 0.5 * dot(f.velocity, f.velocity) / body.inverse_mass +
-             0.5 * dot(f.spin, f.spin) / body.inverse_inertia;
-    }
-    return sum;
-  }
-
-  double farthest_from(const BoxOfSpheres& other) const {
-    double farthest = 0.0;
-    for (std::size_t n = 0; n < simulation.bodies.size(); n++)
-      farthest = std::max(
-          farthest, norm(simulation.bodies[n].flight.end - other.simulation.bodies[n].flight.end));
-    return farthest;
-  }
+  Vector3 place(int body) const { return simulation.flights[body].at(simulation.end()); }
+  double kinetic_energy() const { return kinetic_energy_of(simulation); }
 };

@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cfenv>
 #include <cmath>
+#include <random>
 
 #include "hard_sphere/wall_crossing.h"
 
@@ -99,17 +102,18 @@ TEST(Crossing, OverlappingCoresMeetNowOrPart) {
 }
 
 TEST(Crossing, Plane) {
-  const MovingWall wall{{Wall::x_plane, 1.0, 2.0}, {{0.3, 0.0, 0.0}, {0.5, 0.0, 0.0}}, 0.0};
-  // 0.4 before the end of the step the plane is at 2.3 - 0.2.
-  const Crossing in = next_crossing(wall, {5.1, 0.0, 0.0}, {-1.0, 3.0, 0.0}, 0.4, well, false);
+  const MovingWall wall{
+      {Wall::x_plane, 1.0, 2.0}, {{0.3, 0.0, 0.0}, {0.5, 0.0, 0.0}}, 0.0, /*when=*/1.0};
+  // At 2.3 at the time 1; 0.4 before the plane is at 2.3 - 0.2.
+  const Crossing in = next_crossing(wall, {5.1, 0.0, 0.0}, {-1.0, 3.0, 0.0}, 0.6, well, false);
   EXPECT_NEAR(in.wait, 1.0, round_off);
   EXPECT_EQ(in.surface, Surface::edge_inward);
-  const Crossing hit = next_crossing(wall, {5.1, 0.0, 0.0}, {-1.0, 3.0, 0.0}, 0.4, bare, false);
+  const Crossing hit = next_crossing(wall, {5.1, 0.0, 0.0}, {-1.0, 3.0, 0.0}, 0.6, bare, false);
   EXPECT_NEAR(hit.wait, 2.0 / 1.5, round_off);
-  const Crossing out = next_crossing(wall, {3.1, 0.0, 0.0}, {1.0, 0.0, 0.0}, 0.4, well, true);
+  const Crossing out = next_crossing(wall, {3.1, 0.0, 0.0}, {1.0, 0.0, 0.0}, 0.6, well, true);
   EXPECT_NEAR(out.wait, 1.0, round_off);
   EXPECT_EQ(out.surface, Surface::edge_outward);
-  EXPECT_EQ(next_crossing(wall, {5.1, 0.0, 0.0}, {0.6, 0.0, 0.0}, 0.4, well, false).wait, never);
+  EXPECT_EQ(next_crossing(wall, {5.1, 0.0, 0.0}, {0.6, 0.0, 0.0}, 0.6, well, false).wait, never);
 }
 
 TEST(Crossing, CylinderFromInside) {
@@ -130,6 +134,89 @@ TEST(Crossing, CylinderFromInside) {
   EXPECT_NEAR(from_axis({-8.8, 0.0, 0.0}, out.wait), 8.5, 10 * round_off);
   EXPECT_EQ(next_crossing(wall, {-8.8, 0.0, 0.0}, {0.1, 1.0, 0.0}, 0.0, well, true).surface,
             Surface::core);
+}
+
+/// Pairs of all kinds: far and near, on their surfaces to round-off, slow and fast, and such as
+/// graze one of them, by a fraction of it down to round-off.
+struct RandomPair {
+  Vector3 r, w;
+  Surfaces surfaces;
+  bool inside;
+  double vv;
+
+  explicit RandomPair(std::mt19937& random) {
+    std::normal_distribution<double> normal;
+    std::uniform_real_distribution<double> uniform;
+    const auto direction = [&] {
+      const Vector3 v{normal(random), normal(random), normal(random)};
+      return (1.0 / norm(v)) * v;
+    };
+    const auto small = [&] { return std::pow(10.0, -16.0 * uniform(random)); };
+    const auto sign = [&] { return random() % 2 ? 1.0 : -1.0; };
+    surfaces = {1.0, random() % 3 ? 1.0 + 2.0 * uniform(random) : 1.0};
+    inside = surfaces.has_well() && random() % 2;
+    const double edge = inside ? surfaces.edge : 10.0 * surfaces.edge;
+    double distance = surfaces.core + (edge - surfaces.core) * uniform(random);
+    if (random() % 4 == 0) distance = surfaces.core * (1.0 + sign() * small());
+    if (random() % 4 == 0) distance = surfaces.edge * (1.0 + sign() * small());
+    r = distance * direction();
+    w = direction();
+    if (random() % 2) {
+      const Vector3 across = cross(r, w);
+      const double nearest =
+          (random() % 2 ? surfaces.core : surfaces.edge) * (1.0 + sign() * small());
+      const double sine = std::min(nearest / distance, 1.0);
+      const Vector3 along = (1.0 / distance) * r, sideways = cross(along, across);
+      w = (sine / norm(sideways)) * sideways + sign() * std::sqrt(1.0 - sine * sine) * along;
+    }
+    w = std::pow(10.0, 6.0 * uniform(random) - 3.0) * w;
+    vv = dot(w, w) * (random() % 2 ? 1.0 : 1.0 / small());
+  }
+};
+
+// It may say that there could be something where there is nothing; but not the other way, and not
+// with surfaces of single precision either.
+TEST(Crossing, WhatMeetsNothingHasNoCrossing) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> uniform;
+  int nothing = 0, crossings = 0;
+  for (int n = 0; n < 300000; n++) {
+    const RandomPair pair(random);
+    const Crossing next =
+        cohesion::hard_sphere::next_crossing(pair.r, pair.w, pair.vv, pair.surfaces, pair.inside);
+    const double b = dot(pair.r, pair.w), ww = dot(pair.w, pair.w), rr = dot(pair.r, pair.r);
+    const bool crosses = next.wait < never;
+    const double flight = crosses ? next.wait : 10.0 * norm(pair.r) / norm(pair.w);
+    const double times[] = {flight,
+                            flight * std::pow(10.0, 4.0 * uniform(random) - 2.0),
+                            flight * (1.0 + std::pow(10.0, -16.0 * uniform(random))),
+                            flight * (1.0 - std::pow(10.0, -16.0 * uniform(random))),
+                            0.0,
+                            never};
+    const Surfaces rounded{static_cast<float>(pair.surfaces.core),
+                           static_cast<float>(pair.surfaces.edge)};
+    crossings += crosses;
+    for (const double left : times) {
+      if (may_meet_within(left, b, ww, rr, pair.surfaces, pair.inside) &&
+          may_meet_within(left, b, ww, rr, rounded, pair.inside))
+        continue;
+      nothing++;
+      ASSERT_TRUE(next.wait > left || !crosses) << n << " b " << b << " ww " << ww << " rr " << rr;
+    }
+  }
+  EXPECT_GT(crossings, 150000);
+  EXPECT_GT(nothing, 150000);
+}
+
+// Pairs that stand have nothing before them, in a well too, and asking is no invalid operation.
+TEST(Crossing, WhatStandsMeetsNothing) {
+  std::feclearexcept(FE_ALL_EXCEPT);
+  for (volatile double left : {0.0, 1.0, never}) {
+    EXPECT_FALSE(may_meet_within(left, 0.0, 0.0, 1.44, bare, false));
+    EXPECT_FALSE(may_meet_within(left, 0.0, 0.0, 4.0, well, false));
+    EXPECT_FALSE(may_meet_within(left, 0.0, 0.0, 1.44, well, true));
+  }
+  EXPECT_FALSE(std::fetestexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW));
 }
 
 }  // namespace

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// The part of FixHardEvents that brings what the events have done to the engine.
+#include <algorithm>
+#include <cmath>
+
+#include "atom.h"
+#include "box_shear.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "fix_hard_events.h"
+#include "flight_report.h"
+#include "neighbor.h"
+#include "pair_hard_square_well.h"
+#include "shear/list_margin.h"
+#include "update.h"
+
+using namespace LAMMPS_NS;
+using namespace cohesion::hard_sphere;
+using cohesion::vector;
+using cohesion::Vector3;
+
+static void put(const Vector3& a, double* to) {
+  to[0] = a.x;
+  to[1] = a.y;
+  to[2] = a.z;
+}
+
+/// Writes what the events have changed besides flights, and adds them to the sums.
+void FixHardEvents::store_events() {
+  for (const Event& event : simulation_.events) {
+    for (const int body : {event.i, event.j}) {
+      if (body < 0 || body >= atom->nlocal) continue;
+      const Course& course = simulation_.bodies[body].course;
+      put(course.spin, atom->omega[body]);
+      totals_.most_events = std::max(totals_.most_events, static_cast<double>(course.events));
+    }
+    if (event.i < atom->nlocal) totals_.add(event, event.with_wall());
+  }
+  record_->write(simulation_);
+}
+
+/// Writes the flights to the engine's arrays: places at the end of the step, in its boxes.
+void FixHardEvents::store_flights() {
+  const double end = simulation_.end();
+  const PeriodicBox::Edges h = simulation_.box().at(end), &rates = simulation_.box().rates;
+  const bool all = stored_.empty();
+  stored_.resize(atom->nlocal);
+  for (int i = 0; i < atom->nlocal; i++) {
+    const Flight& flight = simulation_.flights[i];
+    const Vector3 boxes = boxes_gone(i);
+    if (simulation_.bodies[i].inverse_mass == 0.0) {
+      // The engine's own numbers stay.
+    } else if (same(boxes, {})) {
+      put(flight.at(end), atom->x[i]);
+      put(flight.velocity, atom->v[i]);
+    } else {
+      put(flight.at(end) - h * boxes, atom->x[i]);
+      put(flight.velocity - rates * boxes, atom->v[i]);
+    }
+    if (!all && stored_[i] == flight.version) continue;
+    stored_[i] = flight.version;
+    put(flight.place, columns_[i] + PLACE);
+    put(flight.velocity, columns_[i] + VELOCITY);
+    columns_[i][SINCE] = flight.since;
+    columns_[i][DEPTH] = simulation_.bodies[i].course.causal_depth;
+  }
+  if (!simulation_.events.empty() || comm->nprocs > 1) comm->forward_comm();
+}
+
+/// Notes the nonaffine displacement of particle i, which is at `position`, `left` before the end of
+/// the step.
+void FixHardEvents::track_displacement(int i, const Vector3& position, double left) {
+  farthest_squared_ =
+      std::max(farthest_squared_,
+               displacements_.squared(i, position, shear_since(displacements_, domain, left)));
+}
+
+/// Stops when a particle may have met one that is no ghost of its process.
+void FixHardEvents::check_list() {
+  const double dt = update->dt, end = simulation_.end();
+  for (int i = 0; i < atom->nlocal; i++) track_displacement(i, vector(atom->x[i]), 0.0);
+  for (const Event& event : simulation_.events) {
+    const double left = end - event.key.time;
+    const PeriodicBox::Edges h = simulation_.box().at(event.key.time);
+    if (event.i < atom->nlocal)
+      track_displacement(event.i, event.position - h * boxes_gone(event.i), left);
+    if (event.with_wall() || event.j >= atom->nlocal) continue;
+    const Vector3 image = simulation_.neighbourhoods().image(event.image).at(event.key.time);
+    track_displacement(event.j, event.position + event.separation - image - h * boxes_gone(event.j),
+                       left);
+  }
+  const double extra = pair_->list_reach() + neighbor->skin;
+  const double largest = std::max(std::abs(shear_since(displacements_, domain).amount),
+                                  std::abs(shear_since(displacements_, domain, dt).amount));
+  const double margin =
+      cohesion::shear::list_margin(neighbor->cutneighmax, neighbor->cutneighmax - extra, largest);
+  const double flown = std::sqrt(farthest_squared_);
+  if (flown <= margin) return;
+  error->one(FLERR,
+             "pair_style hard/square_well: in step {} particles are up to {} away from where they "
+             "were when the neighbour list was made, and could miss a partner; the list allows for "
+             "{}. Use a smaller time step or 'neighbor' with a skin above {}, with 'neigh_modify "
+             "delay 0 every 1 check yes'. The fastest: {}",
+             update->ntimestep, flown, margin,
+             neighbor->skin * (1.0 + 2.0 * (flown - margin) / extra), report_fastest(lmp));
+}

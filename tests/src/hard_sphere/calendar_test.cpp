@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hard_sphere/calendar.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <map>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using cohesion::hard_sphere::Calendar;
+
+constexpr double never = std::numeric_limits<double>::infinity();
+
+/// A calendar and the sorted map that it has to agree with. Of the same time ranks decide, which
+/// are never equal.
+class Compared {
+ public:
+  explicit Compared(int bodies) : entries_(bodies) {
+    calendar_.reset(static_cast<std::size_t>(bodies));
+    for (int n = 0; n < bodies; n++) entries_[n] = reference_.end();
+  }
+
+  void set(int body, double time, bool behind_all) {
+    const int rank = behind_all ? next_rank_ : -next_rank_;
+    next_rank_++;
+    if (entries_[body] != reference_.end()) reference_.erase(entries_[body]);
+    entries_[body] = reference_.insert({{time, rank}, body});
+    Calendar::Entry entry;
+    entry.time = time;
+    entry.body = body;
+    entry.depth = rank;
+    calendar_.set(entry, [](const Calendar::Entry& x, const Calendar::Entry& y) {
+      EXPECT_EQ(x.time, y.time);
+      EXPECT_NE(x.body, y.body);
+      return x.depth < y.depth;
+    });
+  }
+
+  double time_of(int body) const {
+    return entries_[body] == reference_.end() ? never : entries_[body]->first.first;
+  }
+
+  /// The body that is next; -1: none.
+  int next() const { return never_or_none() ? -1 : reference_.begin()->second; }
+
+  void check() {
+    const auto entry = calendar_.next();
+    if (never_or_none()) {
+      ASSERT_EQ(entry.time, never);
+      return;
+    }
+    ASSERT_EQ(entry.time, reference_.begin()->first.first);
+    ASSERT_EQ(entry.body, reference_.begin()->second);
+  }
+
+ private:
+  bool never_or_none() const {
+    return reference_.empty() || reference_.begin()->first.first == never;
+  }
+
+  Calendar calendar_;
+  int next_rank_ = 1;
+  std::multimap<std::pair<double, int>, int> reference_;
+  std::vector<std::multimap<std::pair<double, int>, int>::iterator> entries_;
+};
+
+TEST(Calendar, HasNobodyAtFirst) {
+  EXPECT_EQ(Calendar{}.next().time, never);
+  for (const int bodies : {0, 1, 2, 3, 1000}) Compared(bodies).check();
+}
+
+// Of few times, so that most of them are tied; what decides ties changes with a body's time, and
+// sometimes without it. A body that has nothing before it is never first.
+TEST(Calendar, NextIsTheFirstOfASortedMap) {
+  std::mt19937 random(7);
+  for (const int bodies : {1, 2, 3, 4, 5, 7, 8, 9, 31, 100})
+    for (int again = 0; again < 3; again++) {
+      Compared calendar(bodies);
+      for (int n = 0; n < 2000; n++) {
+        const int body = static_cast<int>(random() % bodies);
+        double time = static_cast<double>(random() % 6);
+        if (random() % 20 == 0) time = never;
+        if (random() % 4 == 0) time = calendar.time_of(body);
+        calendar.set(body, time, random() % 2);
+        calendar.check();
+        if (HasFatalFailure()) return;
+      }
+    }
+}
+
+// As bodies do it: what is next gets a later time, and some others with it. Waits of all sizes,
+// with ties.
+TEST(Calendar, TimeGoesOn) {
+  std::mt19937 random(5);
+  std::normal_distribution<double> normal;
+  for (const double now : {0.0, 1e3, -7.0})
+    for (const bool tied : {false, true}) {
+      const int bodies = 200;
+      Compared calendar(bodies);
+      const auto wait = [&] {
+        const double size = std::exp2(std::floor(8.0 * normal(random)));
+        return tied ? size * static_cast<double>(random() % 3)
+                    : size * std::abs(normal(random)) + 1e-9;
+      };
+      for (int body = 0; body < bodies; body++) calendar.set(body, now + wait(), true);
+      for (int n = 0; n < 5000; n++) {
+        const int first = calendar.next();
+        ASSERT_GE(first, 0);
+        const double time = calendar.time_of(first);
+        calendar.set(first, time + wait(), random() % 2);
+        for (int k = 0; k < 2; k++)
+          calendar.set(static_cast<int>(random() % bodies), time + wait(), random() % 2);
+        calendar.check();
+        if (HasFatalFailure()) return;
+      }
+    }
+}
+
+// Bodies that are predicted again and again leave nothing behind that grows.
+TEST(Calendar, TakesNoMoreMemoryThanAFewTimesItsEntries) {
+  Calendar calendar;
+  const int bodies = 1000;
+  calendar.reset(bodies);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> uniform;
+  for (int step = 0; step < 1000; step++)
+    for (int body = 0; body < bodies; body++) {
+      Calendar::Entry entry;
+      entry.time = 0.01 * step + 10.0 * uniform(random);
+      entry.body = body;
+      calendar.set(entry, [](const Calendar::Entry&, const Calendar::Entry&) { return false; });
+    }
+  EXPECT_LT(calendar.bytes(), 5.0 * sizeof(Calendar::Entry) * bodies);
+}
+
+}  // namespace

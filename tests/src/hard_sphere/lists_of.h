@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include "hard_sphere/event_simulation.h"
+#include "hard_sphere/gas_of_spheres.h"
+
+/// Compares the lists of a simulation with a search through all images of all pairs.
+class ListsOf {
+  using Body = cohesion::hard_sphere::Body;
+  using Image = cohesion::hard_sphere::Image;
+  using Neighbour = cohesion::hard_sphere::Neighbour;
+  using Vector3 = cohesion::Vector3;
+
+ public:
+  /// A distance that rounds to a surface, by the fraction `round_off`, can be on either side of it.
+  explicit ListsOf(cohesion::hard_sphere::EventSimulation& simulation, double round_off = 1e-12)
+      : simulation_(simulation),
+        lists_(simulation.neighbourhoods()),
+        now_(simulation.end()),
+        round_off_(round_off),
+        count_(static_cast<int>(simulation.bodies.size())) {}
+
+  int within = 0;  // pairs nearer than the edge, each counted twice
+
+  void check() {
+    for (int i = 0; i < count_; i++) {
+      check_list(i);
+      for (int j = 0; j < count_; j++) {
+        if (j == i) continue;
+        for_each_image(simulation_.box(), now_, place(j) - place(i), 1,
+                       [&](const Vector3& boxes, const Vector3& r) { check(i, j, boxes, r); });
+      }
+    }
+  }
+
+ private:
+  Vector3 place(int i) const { return simulation_.flights[i].at(now_); }
+
+  void check(int i, int j, const Vector3& boxes, const Vector3& r) {
+    const Body &a = simulation_.bodies[i], &b = simulation_.bodies[j];
+    const auto surfaces = simulation_.surfaces(i, j);
+    const double distance = norm(r);
+    if (a.inverse_mass + b.inverse_mass > 0.0) {
+      EXPECT_GE(distance, surfaces.core * (1.0 - round_off_)) << i << ' ' << j;
+    }
+    if (distance >= surfaces.edge * (1.0 - round_off_)) return;
+    within++;
+    const Neighbour* const n = find(i, j, boxes);
+    ASSERT_TRUE(n) << i << ' ' << j;
+    EXPECT_EQ(n->inside, surfaces.has_well()) << i << ' ' << j;
+    EXPECT_NEAR(simulation_.distance(i, *n, now_), distance, round_off_);
+  }
+
+  /// What lists contain besides: what is not in its well is not there by its flag, nobody is there
+  /// twice, and both agree about a pair.
+  void check_list(int i) {
+    for (const Neighbour* n = lists_.begin(i); n != lists_.end(i); n++) {
+      const auto surfaces = simulation_.surfaces(i, n->body);
+      if (n->inside) {
+        EXPECT_LT(simulation_.distance(i, *n, now_), surfaces.edge * (1.0 + round_off_)) << i;
+      } else if (surfaces.has_well()) {
+        EXPECT_GT(simulation_.distance(i, *n, now_), surfaces.edge * (1.0 - round_off_)) << i;
+      }
+      EXPECT_EQ(lists_.find_neighbour(i, n->body, n->image), n);
+      if (n->is_wall()) continue;
+      const Image &image = lists_.image(n->image), &reverse = lists_.image(image.reverse);
+      EXPECT_TRUE(cohesion::hard_sphere::same(reverse.displacement, -image.displacement));
+      EXPECT_TRUE(cohesion::hard_sphere::same(reverse.velocity, -image.velocity));
+      const Neighbour* const back = lists_.find_neighbour(n->body, i, image.reverse);
+      ASSERT_TRUE(back) << i << ' ' << n->body;
+      EXPECT_EQ(back->inside, n->inside) << i << ' ' << n->body;
+    }
+  }
+
+  const Neighbour* find(int i, int j, const Vector3& boxes) {
+    const auto& box = simulation_.box();
+    for (const Neighbour* n = lists_.begin(i); n != lists_.end(i); n++) {
+      if (n->body != j) continue;
+      const Image& image = lists_.image(n->image);
+      if (cohesion::hard_sphere::same(image.displacement, box.edges * boxes) &&
+          cohesion::hard_sphere::same(image.velocity, box.rates * boxes))
+        return n;
+    }
+    return nullptr;
+  }
+
+  cohesion::hard_sphere::EventSimulation& simulation_;
+  cohesion::hard_sphere::Neighbourhoods& lists_;
+  double now_, round_off_;
+  int count_;
+};

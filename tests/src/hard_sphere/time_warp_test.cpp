@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hard_sphere/time_warp.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "hard_sphere/box_of_spheres.h"
+
+namespace {
+
+using namespace cohesion::hard_sphere;
+using cohesion::Vector3;
+
+/// Several simulations of the same bodies, each of which has its own part of them; the others are
+/// remote there. Updates go from owners to all others, until none differ, as processes do it.
+class Parts {
+ public:
+  int rounds = 0;
+
+  Parts(const EventSimulation& whole, int parts, double lifetime = never) : simulations_(parts) {
+    for (int p = 0; p < parts; p++) {
+      TimeWarp& part = simulations_[p];
+      part.alone = false;
+      part.bodies = whole.bodies;
+      part.flights = whole.flights;
+      part.pairs = whole.pairs;
+      part.walls = whole.walls;
+      part.rules = whole.rules;
+      for (Body& body : part.bodies) body.remote = owner(body.tag - 1) != p;
+      part.neighbourhoods().bodies_of_box = static_cast<double>(whole.bodies.size());
+      part.start_clock(whole.box());
+      part.set_up(lifetime, {});
+    }
+  }
+
+  void step(double dt, int windows) {
+    for (TimeWarp& part : simulations_) part.begin_step(dt);
+    const double start = simulations_[0].start(), end = simulations_[0].end();
+    double from = start;
+    for (int n = 1; n <= windows; n++) {
+      const double until = n == windows ? end : start + n * dt / windows;
+      run_window(from, until);
+      from = until;
+    }
+  }
+
+  const Flight& flight(int body) const { return simulations_[owner(body)].flights[body]; }
+  const Course& course(int body) const { return simulations_[owner(body)].bodies[body].course; }
+
+  /// The events of all parts in this step, those of two parts once, in order.
+  std::vector<Event> events() const {
+    std::vector<Event> all;
+    for (std::size_t p = 0; p < simulations_.size(); p++)
+      for (const Event& event : simulations_[p].events)
+        if (owner(event.i) == static_cast<int>(p)) all.push_back(event);
+    std::sort(all.begin(), all.end(), [](const Event& a, const Event& b) { return a.key < b.key; });
+    return all;
+  }
+
+  /// Every process has the same flights of all bodies.
+  void expect_agreement() const {
+    for (const TimeWarp& part : simulations_)
+      for (std::size_t n = 0; n < part.bodies.size(); n++) {
+        EXPECT_TRUE(same(part.flights[n], flight(static_cast<int>(n)))) << n;
+        EXPECT_TRUE(same(part.bodies[n].course.spin, course(static_cast<int>(n)).spin)) << n;
+      }
+  }
+
+ private:
+  int owner(std::int64_t body) const {
+    return static_cast<int>(body % static_cast<std::int64_t>(simulations_.size()));
+  }
+
+  void run_window(double from, double until) {
+    for (TimeWarp& part : simulations_) part.begin_window(from);
+    for (;; rounds++) {
+      for (TimeWarp& part : simulations_) part.run_window(until);
+      for (std::size_t p = 0; p < simulations_.size(); p++)
+        for (const int body : simulations_[p].take_changed_bodies())
+          tell_others(static_cast<int>(p), body);
+      TimeWarp::Difference first;
+      for (TimeWarp& part : simulations_) first = std::min(first, part.first_difference());
+      if (first.time == never) break;
+      for (TimeWarp& part : simulations_) part.assume_what_was_told(first);
+      ASSERT_LT(rounds, 100000);
+    }
+    for (TimeWarp& part : simulations_) part.end_window();
+  }
+
+  void tell_others(int from, int body) {
+    const std::vector<RemoteUpdate> all = simulations_[from].updates_of(body);
+    for (int p = 0; p < static_cast<int>(simulations_.size()); p++) {
+      if (p == from) continue;
+      std::vector<RemoteUpdate> told;
+      for (const RemoteUpdate& update : all)
+        if (update.partner < 0 || owner(update.partner) != p) told.push_back(update);
+      simulations_[p].tell(body, told);
+    }
+  }
+
+  std::vector<TimeWarp> simulations_;
+};
+
+void expect_the_same(EventSimulation& whole, Parts& split, int steps, double dt, int windows,
+                     std::size_t& events) {
+  for (int n = 0; n < steps; n++) {
+    whole.begin_step(dt);
+    whole.run(whole.end());
+    split.step(dt, windows);
+    split.expect_agreement();
+    const std::vector<Event> found = split.events();
+    ASSERT_EQ(found.size(), whole.events.size());
+    for (std::size_t k = 0; k < found.size(); k++)
+      ASSERT_TRUE(same_bits(found[k], whole.events[k])) << k;
+    events += found.size();
+  }
+  for (std::size_t n = 0; n < whole.bodies.size(); n++)
+    ASSERT_TRUE(same(whole.flights[n], split.flight(static_cast<int>(n)))) << n;
+}
+
+// Neighbours belong to different parts nearly always: nearly every event is one of two parts.
+TEST(TimeWarp, PartsDoWhatOneDoesInABox) {
+  for (const Law& law : {Law{0.9, 0.3, 0.3}, Law{1.0, 0.0, 0.3}, Law{0.9, 0.3, 0.0}})
+    for (const int parts : {2, 3, 5})
+      for (const int windows : {1, 4}) {
+        BoxOfSpheres whole(3, law);
+        Parts split(whole.simulation, parts);
+        std::size_t events = 0;
+        expect_the_same(whole.simulation, split, 20, 0.3, windows, events);
+        EXPECT_GT(events, 100u);
+      }
+}
+
+constexpr double lifetime_of_homes = 0.5;  // of several in a run
+
+/// A gas with wells in a periodic box.
+void set_gas(EventSimulation& gas, int edge, double space, const Law& law, double ratio,
+             double rate) {
+  std::mt19937 random(7);
+  std::normal_distribution<> normal;
+  gas.pairs.set(0, 0, contact(law, ratio));
+  PeriodicBox box;
+  box.edges.xx = box.edges.yy = box.edges.zz = edge * space;
+  box.rates.xy = rate * edge * space;
+  box.periodic = {true, true, true};
+  for (int n = 0; n < edge * edge * edge; n++) {
+    Body body;
+    body.tag = n + 1;
+    body.radius = 0.5;
+    body.inverse_mass = 1.0;
+    body.inverse_inertia = 10.0;
+    gas.bodies.push_back(body);
+    Flight flight;
+    flight.place = {space * (n % edge + 0.5), space * (n / edge % edge + 0.5),
+                    space * (n / edge / edge + 0.5)};
+    flight.velocity = {normal(random) + rate * (flight.place.y - 0.5 * edge * space),
+                       normal(random), normal(random)};
+    gas.flights.push_back(flight);
+  }
+  gas.neighbourhoods().bodies_of_box = static_cast<double>(gas.bodies.size());
+  gas.start_clock(box);
+  gas.set_up(lifetime_of_homes, {});
+}
+
+TEST(TimeWarp, PartsDoWhatOneDoesInPeriodicBoxes) {
+  for (const double rate : {0.0, 0.2})
+    for (const int parts : {2, 5})
+      for (const double dt : {0.05, 0.4}) {
+        EventSimulation whole;
+        set_gas(whole, 5, 1.3, {0.95, 0.2, 0.5}, 1.3, rate);
+        Parts split(whole, parts, lifetime_of_homes);
+        std::size_t events = 0;
+        expect_the_same(whole, split, dt < 0.1 ? 16 : 3, dt, 2, events);
+        EXPECT_GT(events, 500u);
+      }
+}
+
+// A blow runs down a row of touching spheres in no time: events of one instant, one causing the
+// next, with tags that do not rise along the row.
+TEST(TimeWarp, PartsAgreeOnEventsOfOneInstant) {
+  EventSimulation whole;
+  whole.pairs.set(0, 0, contact({}));
+  const int places[] = {3, 0, 4, 1, 5, 2};
+  for (int n = 0; n < 6; n++) {
+    Body body;
+    body.tag = n + 1;
+    body.radius = 0.5;
+    body.inverse_mass = 1.0;
+    whole.bodies.push_back(body);
+    Flight flight;
+    flight.place = {static_cast<double>(places[n]), 0.0, 0.0};
+    if (places[n] == 0) {
+      flight.velocity = {2.0, 0.0, 0.0};
+      flight.place.x = -1.0;
+    }
+    whole.flights.push_back(flight);
+  }
+  whole.neighbourhoods().bodies_of_box = 6;
+  for (const int parts : {2, 3}) {
+    EventSimulation one;
+    one.pairs = whole.pairs, one.bodies = whole.bodies, one.flights = whole.flights;
+    one.neighbourhoods().bodies_of_box = 6;
+    one.start_clock(closed_box({-2.0, -1.0, -1.0}, {9.0, 1.0, 1.0}));
+    one.set_up(never, {});
+    Parts split(one, parts);
+    std::size_t events = 0;
+    expect_the_same(one, split, 1, 1.0, 1, events);
+    ASSERT_EQ(events, 5u);
+    for (int n = 0; n < 5; n++) EXPECT_EQ(one.events[n].key.causal_depth, n);
+  }
+}
+
+}  // namespace
