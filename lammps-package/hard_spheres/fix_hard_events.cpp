@@ -242,9 +242,10 @@ void FixHardEvents::pre_force(int) {
     simulation_.begin_step(dt);
   } else {
     if (new_list && (comm->nprocs > 1 || !has_the_same_bodies())) {
-      inside_ = all_inside_at_edge();
-      if (!keep_bodies(dt)) set_up_events();
-      stored_.clear();
+      if (!keep_bodies(dt)) {
+        set_up_events();
+        stored_.clear();
+      }
     }
     if (set_back) simulation_.set_clock_back();
     simulation_.begin_step(dt);

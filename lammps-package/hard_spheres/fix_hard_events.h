@@ -11,6 +11,7 @@ FixStyle(HARD_EVENTS,FixHardEvents);
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -118,22 +119,32 @@ class FixHardEvents : public Fix {
   bool box_is_another(double dt) const;
   void start_clock(double dt);
   void set_time_of_clock();
-  bool has_the_same_bodies() const;
   Observed observed(int i, double end) const;
   bool goes_on(int i, const Observed&, double end) const;
-  using RemoteParticles = std::vector<std::pair<int, BorderExchange::Request> >;  // by a ghost
-  void load_all(double dt);
-  void load_bodies(const RemoteParticles&, double dt);
   void load_body(int i, double dt);
-  bool keep_bodies(double dt);
   void load_changes(double dt);
   void load_walls(double when);
+
+  // In fix_hard_events_bodies.cpp
+  using RemoteParticles = std::vector<std::pair<int, BorderExchange::Request> >;  // by a ghost
+  using NumbersByTag = std::unordered_map<std::int64_t, int>;
+  using PairsByTag = std::vector<cohesion::hard_sphere::EventSimulation::Tags>;
   cohesion::hard_sphere::Body matter_of(int i) const;
+  bool has_the_same_bodies() const;
+  void load_all(double dt);
+  void load_bodies(const RemoteParticles&, double dt);
+  bool keep_bodies(double dt);
+  NumbersByTag displaced_bodies() const;
+  int number_of(const cohesion::hard_sphere::Body&, int number, const NumbersByTag&) const;
+  void keep_numbers(RemoteParticles&, const NumbersByTag& displaced) const;
   RemoteParticles remote_particles();
-  void share_flights(const RemoteParticles&);
+  void plan_exchange(const RemoteParticles&);
   void note_origins();
   void set_up_events();
-  std::vector<cohesion::hard_sphere::EventSimulation::Tags> all_inside_at_edge() const;
+  PairsByTag all_inside_at_edge() const;
+  void note_inside_at_edge(const NumbersByTag& displaced, const std::vector<int>& old);
+  void note_own_inside_at_edge();
+  PairsByTag gathered(const PairsByTag& mine) const;
 
   class PairHardSquareWell* pair_;
   std::vector<HardWalls*> walls_;
@@ -147,8 +158,8 @@ class FixHardEvents : public Fix {
   std::vector<std::uint32_t> stored_;  // versions of the flights that are in columns_
   // Bodies that others have changed in this step
   std::vector<HardEventTimeWarp::ChangedBody> changed_;
-  std::vector<cohesion::hard_sphere::EventSimulation::Tags> inside_;  // as set_up() takes them
-  bool new_clock_;                                                    // in the next step
+  PairsByTag inside_;      // as set_up() takes them
+  bool new_clock_;         // in the next step
   double place_rounding_;  // by which places may differ that are the same, [length]
   double time_of_clock_;   // until it is set back, [time]
   int age_;                // steps since the clock was started

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <unordered_map>
-#include <unordered_set>
 
 #include "atom.h"
 #include "comm.h"
@@ -20,8 +18,6 @@ using namespace cohesion::hard_sphere;
 using cohesion::vector;
 using cohesion::Vector3;
 
-// Strain of the box for which a particle's neighbours are found: the more, the more of them.
-static constexpr double STRAIN_OF_A_HOME = 0.4;
 // By how much numbers of a flight may differ from the engine's that has gone the same way, in units
 // in the last place of a box length: some roundings on each side.
 static constexpr double ROUNDINGS = 64.0 * std::numeric_limits<double>::epsilon();
@@ -96,15 +92,6 @@ void FixHardEvents::start_clock(double dt) {
   }
 }
 
-/// Whether the bodies of the simulation are the own particles, in the same order and of the same
-/// matter.
-bool FixHardEvents::has_the_same_bodies() const {
-  if (static_cast<int>(simulation_.bodies.size()) != atom->nlocal) return false;
-  for (int i = 0; i < atom->nlocal; i++)
-    if (!same_matter(matter_of(i), simulation_.bodies[i])) return false;
-  return true;
-}
-
 /// Where a particle is at the end of the step, in the simulation's box, and its velocity.
 FixHardEvents::Observed FixHardEvents::observed(int i, double end) const {
   const Vector3 x = vector(atom->x[i]), v = vector(atom->v[i]), boxes = boxes_gone(i);
@@ -122,22 +109,6 @@ bool FixHardEvents::goes_on(int i, const Observed& now, double end) const {
                                  : same(now.velocity, flight.velocity);
   const Vector3 off = now.place - flight.at(end);
   return same_velocity && dot(off, off) <= place_rounding_ * place_rounding_;
-}
-
-/// Loads all bodies and their flights, before a step of length `dt` begins.
-void FixHardEvents::load_all(double dt) {
-  load_walls(simulation_.end() + dt);
-  const RemoteParticles remote = remote_particles();
-  load_bodies(remote, dt);
-  share_flights(remote);
-}
-
-/// Loads all own bodies, and the remote ones but for their flights.
-void FixHardEvents::load_bodies(const RemoteParticles& remote, double dt) {
-  simulation_.bodies.assign(atom->nlocal + remote.size(), Body{});
-  simulation_.flights.resize(simulation_.bodies.size());
-  for (int i = 0; i < atom->nlocal; i++) load_body(i, dt);
-  for (const auto& [ghost, request] : remote) simulation_.bodies[request.local] = matter_of(ghost);
 }
 
 /// Loads a body and its flight: from what the engine has brought along with the particle, where it
@@ -166,42 +137,6 @@ void FixHardEvents::load_body(int i, double dt) {
   flight.velocity = now.velocity;
   flight.since = start;
   body.course.causal_depth = -1;
-}
-
-/// Takes the bodies that the engine has now, before a step of length `dt` begins: those that were
-/// there before stay as they are. Returns whether that could be done; if not, all are loaded.
-bool FixHardEvents::keep_bodies(double dt) {
-  const RemoteParticles remote = remote_particles();
-  std::unordered_map<std::int64_t, int> before;
-  for (int n = 0; n < static_cast<int>(simulation_.bodies.size()); n++)
-    before[simulation_.bodies[n].tag] = n;
-  std::vector<int> old, added;
-  bool same = true;
-  const auto look_for = [&](int i) {
-    const Body now = matter_of(i);
-    const auto found = before.find(now.tag);
-    const bool known =
-        found != before.end() && simulation_.bodies[found->second].remote == now.remote;
-    if (known)
-      same = same && same_matter(simulation_.bodies[found->second], now);
-    else
-      added.push_back(static_cast<int>(old.size()));
-    old.push_back(known ? found->second : -1);
-  };
-  for (int i = 0; i < atom->nlocal; i++) look_for(i);
-  for (const auto& [ghost, request] : remote) look_for(ghost);
-  if (same) {
-    simulation_.arrange(old);
-    for (const int n : added)
-      if (n < atom->nlocal)
-        load_body(n, dt);
-      else
-        simulation_.bodies[n] = matter_of(remote[n - atom->nlocal].first);
-  } else {
-    load_bodies(remote, dt);
-  }
-  share_flights(remote);
-  return same && simulation_.take_in(added, inside_);
 }
 
 /// Loads the flights that others have changed, in the step that has begun, and what their events
@@ -245,60 +180,6 @@ void FixHardEvents::load_walls(double when) {
 
 /* ---------------------------------------------------------------------- */
 
-/// What the engine says of a particle or ghost, apart from its motion.
-Body FixHardEvents::matter_of(int i) const {
-  Body b;
-  b.inverse_mass = mobile_.inverse_mass(atom->mask[i], atom->rmass[i]);
-  b.radius = atom->radius[i];
-  b.inverse_inertia =
-      b.inverse_mass / (mobile_.inertia_factor(atom->mask[i]) * b.radius * b.radius);
-  b.tag = atom->tag[i];
-  b.kind = atom->type[i];
-  b.groups = atom->mask[i];
-  b.remote = i >= atom->nlocal;
-  return b;
-}
-
-/// Collective: the particles of other processes that are ghosts here, with one ghost of each; their
-/// bodies follow the own ones.
-FixHardEvents::RemoteParticles FixHardEvents::remote_particles() {
-  RemoteParticles remote;
-  if (comm->nprocs == 1) return remote;
-  note_origins();
-  std::unordered_set<std::int64_t> known;
-  for (int i = atom->nlocal; i < atom->nlocal + atom->nghost; i++) {
-    const auto owner = static_cast<int>(origin_[i][0]), index = static_cast<int>(origin_[i][1]);
-    if (owner == comm->me || !known.insert(atom->tag[i]).second) continue;
-    const int body = atom->nlocal + static_cast<int>(remote.size());
-    remote.push_back({i, {owner, index, body}});
-  }
-  return remote;
-}
-
-/// Collective: flights of remote bodies as they are on their own processes.
-void FixHardEvents::share_flights(const RemoteParticles& remote) {
-  if (comm->nprocs == 1) return;
-  std::vector<BorderExchange::Request> requests;
-  for (const auto& [ghost, request] : remote) requests.push_back(request);
-  time_warp_.plan(requests);
-}
-
-/// Tells ghosts whose they are.
-void FixHardEvents::note_origins() {
-  for (int i = 0; i < atom->nlocal; i++) {
-    origin_[i][0] = comm->me;
-    origin_[i][1] = i;
-  }
-  engine_api::forward_comm(comm, this);
-}
-
-/// Finds neighbours and events of all bodies, before a step begins.
-void FixHardEvents::set_up_events() {
-  const double rate = simulation_.box().strain_rate();
-  simulation_.neighbourhoods().bodies_of_box = static_cast<double>(atom->natoms);
-  simulation_.set_up(rate > 0.0 ? STRAIN_OF_A_HOME / rate : never, inside_);
-}
-
 /// Collective: sets how long the clock can go on: as long as the fastest particle takes for the
 /// shortest edge of the box, so that times have as many digits as places.
 void FixHardEvents::set_time_of_clock() {
@@ -312,53 +193,4 @@ void FixHardEvents::set_time_of_clock() {
   double shortest = std::min(edges.xx, edges.yy);
   if (domain->dimension == 3) shortest = std::min(shortest, edges.zz);
   time_of_clock_ = fastest > 0.0 ? shortest / std::sqrt(fastest) : never;
-}
-
-/// Collective: the pairs at the edges of their wells of all processes, in order.
-std::vector<EventSimulation::Tags> FixHardEvents::all_inside_at_edge() const {
-  using Tags = EventSimulation::Tags;
-  std::vector<Tags> mine = simulation_.inside_at_edge(), all;
-  if (comm->nprocs == 1) return mine;
-  const int bytes = static_cast<int>(mine.size() * sizeof(Tags));
-  std::vector<int> sizes(comm->nprocs), starts(comm->nprocs, 0);
-  MPI_Allgather(&bytes, 1, MPI_INT, sizes.data(), 1, MPI_INT, world);
-  for (int p = 1; p < comm->nprocs; p++) starts[p] = starts[p - 1] + sizes[p - 1];
-  all.resize((starts.back() + sizes.back()) / sizeof(Tags));
-  MPI_Allgatherv(mine.data(), bytes, MPI_BYTE, all.data(), sizes.data(), starts.data(), MPI_BYTE,
-                 world);
-  std::sort(all.begin(), all.end());
-  return all;
-}
-
-/// Collective: the pairs that are in their wells after the events of the step; those through the
-/// boundary from both sides.
-std::vector<FixHardEvents::PairInWell> FixHardEvents::pairs_in_wells() {
-  note_origins();
-  // The copies of a body here, the own one first
-  std::unordered_map<tagint, std::vector<int> > copies;
-  std::vector<PairInWell> pairs;
-  simulation_.for_each_pair([&](int i, const Neighbour& n) {
-    if (!n.inside || n.is_wall()) return;
-    const auto [r, w] = simulation_.relative_motion(i, n.body, n.image, simulation_.end());
-    pairs.push_back({i, n.body, r, w});
-    copies[simulation_.bodies[n.body].tag];
-    if (n.image == 0 || simulation_.bodies[n.body].remote) return;
-    pairs.push_back({n.body, i, -r, -w});
-    copies[simulation_.bodies[i].tag];
-  });
-  for (int i = 0; i < atom->nlocal + atom->nghost; i++) {
-    const auto found = copies.find(atom->tag[i]);
-    if (found != copies.end()) found->second.push_back(i);
-  }
-  for (PairInWell& pair : pairs) {
-    const Vector3 place = vector(atom->x[pair.i]) + pair.separation;
-    double nearest = never;
-    for (const int copy : copies[simulation_.bodies[pair.j].tag]) {
-      const double away = norm(vector(atom->x[copy]) - place);
-      if (away >= nearest) continue;
-      nearest = away;
-      pair.j = copy;
-    }
-  }
-  return pairs;
 }

@@ -2,7 +2,6 @@
 #include "hard_event_time_warp.h"
 
 #include <algorithm>
-#include <map>
 
 #include "atom.h"
 #include "comm.h"
@@ -14,7 +13,7 @@ using namespace cohesion::hard_sphere;
 
 // Events of a window, of all processes, per particle, and at least. The more, the more of what is
 // worked out ahead is undone; the fewer, the more often processes wait for each other.
-static constexpr double EVENTS_OF_A_WINDOW = 0.1, LEAST_EVENTS = 100.0;
+static constexpr double EVENTS_OF_A_WINDOW = 0.2, LEAST_EVENTS = 100.0;
 static constexpr int WINDOWS_OF_FIRST_STEP = 16;
 
 HardEventTimeWarp::HardEventTimeWarp(LAMMPS* lammps, TimeWarp& simulation)
@@ -30,6 +29,14 @@ void HardEventTimeWarp::plan(const std::vector<BorderExchange::Request>& remote)
   owners_.clear();
   for (const BorderExchange::Request& request : remote) owners_.push_back(request.owner);
   border_.plan(remote, own_);
+}
+
+bool HardEventTimeWarp::is_shared(int own) const {
+  return comm->nprocs > 1 && !border_.followers(own).empty();
+}
+
+void HardEventTimeWarp::share_flights() {
+  if (comm->nprocs == 1) return;
   std::vector<std::vector<SharedBody> > out(border_.peers().size()), in;
   for (int p = 0; p < static_cast<int>(out.size()); p++)
     for (const int i : border_.followed_by(p)) out[p].push_back(share(i, 0, false));
@@ -106,26 +113,29 @@ void HardEventTimeWarp::run_window(double from, double until) {
 /// Tells those who have own particles as remote ones what these do now, where that has changed;
 /// each receiver leaves out the events with a particle of its own, which it executes itself.
 void HardEventTimeWarp::exchange_updates() {
-  std::vector<std::vector<SharedUpdate> > out(border_.peers().size()), in;
+  updates_out_.resize(border_.peers().size());
+  for (std::vector<SharedUpdate>& out : updates_out_) out.clear();
   for (const int body : simulation_.take_changed_bodies()) {
     const std::vector<BorderExchange::Follower>& followers = border_.followers(body);
     if (followers.empty()) continue;
     const std::vector<RemoteUpdate> updates = simulation_.updates_of(body);
     for (const BorderExchange::Follower& follower : followers) {
-      if (updates.empty()) out[follower.peer].push_back({follower.slot, -1, true, {}});
+      std::vector<SharedUpdate>& out = updates_out_[follower.peer];
+      if (updates.empty()) out.push_back({follower.slot, -1, true, {}});
       for (const RemoteUpdate& one : updates) {
         const int owner = one.partner < own_ ? comm->me : owners_[one.partner - own_];
-        out[follower.peer].push_back({follower.slot, owner, false, one});
+        out.push_back({follower.slot, owner, false, one});
       }
     }
   }
-  border_.exchange(out, in);
-  for (int p = 0; p < static_cast<int>(in.size()); p++) {
-    std::map<int, std::vector<RemoteUpdate> > told;
-    for (const SharedUpdate& shared : in[p]) {
-      std::vector<RemoteUpdate>& of_body = told[border_.local(p, shared.slot)];
-      if (!shared.none && shared.owner_of_partner != comm->me) of_body.push_back(shared.update);
+  border_.exchange(updates_out_, updates_in_);
+  for (int p = 0; p < static_cast<int>(updates_in_.size()); p++) {
+    std::vector<RemoteUpdate>* told = nullptr;
+    int of_slot = -1;  // the updates of a body follow each other
+    for (const SharedUpdate& shared : updates_in_[p]) {
+      if (shared.slot != of_slot) told = &simulation_.tell(border_.local(p, shared.slot));
+      of_slot = shared.slot;
+      if (!shared.none && shared.owner_of_partner != comm->me) told->push_back(shared.update);
     }
-    for (auto& [body, updates] : told) simulation_.tell(body, std::move(updates));
   }
 }

@@ -25,9 +25,12 @@ class HardEventTimeWarp : protected Pointers {
     bool moved;
   };
 
-  /// Collective: sets the remote particles of this process, in the order of their bodies, and their
-  /// flights as they are on their own processes.
+  /// Collective: sets the remote particles of this process, in the order of their bodies.
   void plan(const std::vector<BorderExchange::Request>& remote);
+  /// Whether other processes have an own particle as a remote one.
+  bool is_shared(int own) const;
+  /// Collective: gives remote bodies the flights that they have on their own processes.
+  void share_flights();
   /// Collective: changes remote bodies as their own processes have changed them, and adds them to
   /// those changed.
   void share_changes(std::vector<ChangedBody>& changed);
@@ -59,6 +62,7 @@ class HardEventTimeWarp : protected Pointers {
   int own_;                  // number of own particles
   std::vector<int> owners_;  // of the remote particles
   double events_per_time_;   // of all processes, in the last step
+  std::vector<std::vector<SharedUpdate> > updates_out_, updates_in_;  // by peer, keep their memory
 };
 
 }  // namespace LAMMPS_NS

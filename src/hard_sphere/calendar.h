@@ -26,6 +26,13 @@ class Calendar {
     nodes_.assign(2 * leaves_, Entry{});
   }
 
+  /// Makes room for more bodies; false: there was not enough, and reset() has been called.
+  bool make_room(std::size_t bodies) {
+    if (bodies <= leaves_) return true;
+    reset(bodies);
+    return false;
+  }
+
   const Entry& next() const { return nodes_[1]; }
 
   /// Sets what is next for a body. `before(a, b)` says whether entry a comes before entry b of the

@@ -34,19 +34,15 @@ class Cells {
   /// Takes out the point of a body at this place.
   void remove(int cell, const Vector3& point, int body, const Folds& folds) {
     const std::size_t last = first(cell) + sizes_[cell] - 1;
-    std::size_t n = first(cell);
-    while (n < last && !(bodies_[n] == body && folds_[n] == folds && x_[n] == point.x &&
-                         y_[n] == point.y && z_[n] == point.z))
-      n++;
-    put(n, {x_[last], y_[last], z_[last]}, bodies_[last], folds_[last]);
+    put(find(cell, point, body, folds), {x_[last], y_[last], z_[last]}, bodies_[last],
+        folds_[last]);
     put(last, {nowhere, nowhere, nowhere}, -1, {});
     sizes_[cell]--;
   }
 
-  /// Gives bodies other numbers.
-  void renumber(const std::vector<int>& numbers) {
-    for (int& body : bodies_)
-      if (body >= 0) body = numbers[body];
+  /// Gives the body of a point at this place another number.
+  void renumber(int cell, const Vector3& point, int body, const Folds& folds, int number) {
+    bodies_[find(cell, point, body, folds)] = number;
   }
 
   /// Calls near(body, folds, square) for each point of `cells` cells from the first on for which
@@ -84,6 +80,15 @@ class Cells {
   static constexpr double nowhere = 1e100;
 
   std::size_t first(int cell) const { return static_cast<std::size_t>(cell) * room_; }
+
+  std::size_t find(int cell, const Vector3& point, int body, const Folds& folds) const {
+    const std::size_t last = first(cell) + sizes_[cell] - 1;
+    std::size_t n = first(cell);
+    while (n < last && !(bodies_[n] == body && folds_[n] == folds && x_[n] == point.x &&
+                         y_[n] == point.y && z_[n] == point.z))
+      n++;
+    return n;
+  }
 
   void put(std::size_t n, const Vector3& point, int body, const Folds& folds) {
     x_[n] = point.x, y_[n] = point.y, z_[n] = point.z;

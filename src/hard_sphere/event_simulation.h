@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -47,11 +48,9 @@ class EventSimulation : public Predictions {
   /// it has and predicts, or a new one where that is below 0. Those that are not there are gone.
   /// The matter and flights of new ones have to be set, and take_in() has to follow.
   void arrange(const std::vector<int>& old) {
-    std::vector<int> numbers(bodies.size(), -1);
-    for (int n = 0; n < static_cast<int>(old.size()); n++)
-      if (old[n] >= 0) numbers[old[n]] = n;
-    neighbourhoods_.arrange(old, numbers, end_);
-    arrange_predictions(old, numbers);
+    const Renumbering to(old, bodies.size());
+    neighbourhoods_.arrange(to, end_);
+    arrange_predictions(to);
   }
 
   /// Finds neighbours, wells and events of the bodies that arrange() has made, as set_up() does;
@@ -84,12 +83,18 @@ class EventSimulation : public Predictions {
 
   /// The pairs in their wells and at the edge, in order: what set_up() cannot see.
   std::vector<Tags> inside_at_edge() const {
-    std::vector<Tags> all;
-    for (int i = 0; i < count(); i++)
+    std::vector<int> all(bodies.size());
+    std::iota(all.begin(), all.end(), 0);
+    return inside_at_edge(all);
+  }
+  /// Those of some bodies.
+  std::vector<Tags> inside_at_edge(const std::vector<int>& of) const {
+    std::vector<Tags> found;
+    for (const int i : of)
       for (const Neighbour* n = neighbourhoods_.begin(i); n != neighbourhoods_.end(i); n++)
-        if (n->inside && over_edge(i, *n) >= -at_edge) all.push_back(tags(i, n->body));
-    std::sort(all.begin(), all.end());
-    return all;
+        if (n->inside && over_edge(i, *n) >= -at_edge) found.push_back(tags(i, n->body));
+    std::sort(found.begin(), found.end());
+    return found;
   }
 
   /// The next step of the engine begins, of length `dt` [time].

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 #include <vector>
 
 #include "hard_sphere/bodies.h"
 #include "hard_sphere/box_flow.h"
 #include "hard_sphere/cells.h"
+#include "hard_sphere/renumbering.h"
 
 namespace cohesion::hard_sphere {
 
@@ -95,12 +95,15 @@ class Homes {
     put_in(body);
   }
 
-  /// Arranges homes anew: that of body n is the one of the body that was old[n]; a new body, below
-  /// 0, has none yet. Those that are gone have been taken out. `numbers`: the reverse.
-  void arrange_homes(const std::vector<int>& old, const std::vector<int>& numbers) {
-    const std::vector<Home> before = std::exchange(homes_, {});
-    for (const int i : old) homes_.push_back(i < 0 ? Home{} : before[i]);
-    cells_.renumber(numbers);
+  /// Gives bodies other numbers. New ones have no home yet, those that are gone have been taken
+  /// out.
+  void arrange_homes(const Renumbering& to) {
+    for (const int n : to.changed()) {
+      if (to.old(n) < 0) continue;
+      const Home& home = homes_[to.old(n)];
+      cells_.renumber(home.cell, home.folded, to.old(n), home.folds, n);
+    }
+    to.apply(homes_);
   }
 
   /// Whether the class of sizes of a body that is new has been there since make_homes(); sets it.

@@ -17,9 +17,10 @@ struct Neighbour {
   int body;  ///< or -1 - number of the wall
   float core;
   float edge;  ///< Surfaces, [length]
-  int image : 30;
+  int image : 29;
   bool has_well : 1;
   bool inside : 1;  ///< in the well
+  bool former : 1;  ///< perhaps only by a home that one of them had
 
   Surfaces rounded_surfaces() const { return {core, edge}; }
   bool is_wall() const { return body < 0; }
@@ -97,13 +98,10 @@ class Neighbourhoods : public Homes {
     if (!n.is_wall()) reverse_of(i, n)->inside = inside;
   }
 
-  /// Arranges the lists anew: body n is the one that was old[n], or a new one where that is below
-  /// 0, for which add() has to follow. Bodies that are not there are gone. `numbers`: the number of
-  /// each old body; -1: gone.
-  void arrange(const std::vector<int>& old, const std::vector<int>& numbers, double now) {
+  /// Gives bodies other numbers. For new ones add() has to follow.
+  void arrange(const Renumbering& to, double now) {
     forget_former_homes(now);
-    for (int i = 0; i < static_cast<int>(numbers.size()); i++) {
-      if (numbers[i] >= 0) continue;
+    for (const int i : to.gone()) {
       while (begin(i) != end(i))
         if (begin(i)->is_wall())
           rows_.remove(i, begin(i));
@@ -111,12 +109,19 @@ class Neighbourhoods : public Homes {
           remove_pair(i, begin(i));
       take_out(i, home(i));
     }
-    rows_.arrange(old);
-    for (int i = 0; i < static_cast<int>(old.size()); i++)
+    std::vector<int> concerned;  // who have neighbours with another number
+    for (const int n : to.changed())
+      if (to.old(n) >= 0)
+        for (const Neighbour* k = begin(to.old(n)); k != end(to.old(n)); k++)
+          if (!k->is_wall()) concerned.push_back(k->body);
+    std::sort(concerned.begin(), concerned.end());
+    concerned.erase(std::unique(concerned.begin(), concerned.end()), concerned.end());
+    for (const int i : concerned)
       for (Neighbour* n = begin(i); n != end(i); n++)
-        if (!n->is_wall()) n->body = numbers[n->body];
-    arrange_homes(old, numbers);
-    last_found_.assign(old.size(), -1);
+        if (!n->is_wall()) n->body = to.now(n->body);
+    rows_.arrange(to);
+    arrange_homes(to);
+    last_found_.resize(to.count(), -1);
   }
 
   /// Gives a new body a home and neighbours; false: it is of another size than any body before, and
@@ -148,7 +153,10 @@ class Neighbourhoods : public Homes {
       if (n->is_wall()) {
         walls_before_.push_back(*n);
         rows_.remove(i, n);
-      } else if (mark_known(*n) || keep_former) {
+      } else if (mark_known(*n)) {
+        n++;
+      } else if (keep_former) {
+        n->former = true;
         n++;
       } else {
         remove_pair(i, n);
@@ -165,16 +173,16 @@ class Neighbourhoods : public Homes {
   }
 
   void forget_former_homes(double now) {
-    constexpr double rounding = 1.0 + 1e-6;  // of the surfaces in lists
     for (const Former& former : former_) take_out(former.body, former.home);
     for (const Former& former : former_) {
       const int i = former.body;
       for (Neighbour* n = begin(i); n != end(i);)
-        if (n->is_wall() || can_be_within(rounding * std::max(n->core, n->edge), i, n->body,
-                                          images_[n->image].displacement, now))
-          n++;
-        else
+        if (n->former && !may_meet(i, *n, now)) {
           remove_pair(i, n);
+        } else {
+          n->former = false;
+          n++;
+        }
     }
     former_.clear();
   }
@@ -208,10 +216,11 @@ class Neighbourhoods : public Homes {
 
   /// Marks the one of found_ that is this neighbour; whether there is one. A body can be there with
   /// several images.
-  bool mark_known(const Neighbour& n) {
+  bool mark_known(Neighbour& n) {
     for (int number = last_found_[n.body]; number >= 0; number--)
       if (found_[number].body == n.body && found_[number].image == n.image) {
         known_[number] = true;
+        n.former = n.former || found_[number].former;
         return true;
       }
     return false;
@@ -220,7 +229,7 @@ class Neighbourhoods : public Homes {
   /// Sets found_ to the bodies that body i may meet.
   void find_neighbours(int i, double now) {
     found_.clear();
-    find(i, now, [this, i](int j, const Folds& boxes, double square) {
+    find(i, now, [this, i, now](int j, const Folds& boxes, double square) {
       const Body &a = body(i), &b = body(j);
       if (!pairs_->meet(a, b)) return;
       const Surfaces surfaces = pairs_->surfaces(a, b);
@@ -231,7 +240,15 @@ class Neighbourhoods : public Homes {
         for (const Neighbour& n : found_)
           if (n.body == j && n.image == image) return;
       found_.push_back(neighbour(j, surfaces, image));
+      found_.back().former = !former_.empty() && !may_meet(i, found_.back(), now);
     });
+  }
+
+  /// Whether a body could meet a neighbour while both are in their homes.
+  bool may_meet(int i, const Neighbour& n, double now) const {
+    constexpr double rounding = 1.0 + 1e-6;  // of the surfaces in lists
+    return can_be_within(rounding * std::max(n.core, n.edge), i, n.body,
+                         images_[n.image].displacement, now);
   }
 
   static Neighbour neighbour(int body, const Surfaces& surfaces, int image) {
@@ -240,6 +257,7 @@ class Neighbourhoods : public Homes {
             static_cast<float>(surfaces.edge),
             image,
             surfaces.has_well(),
+            false,
             false};
   }
 

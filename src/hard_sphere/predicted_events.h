@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "hard_sphere/crossing.h"
+#include "hard_sphere/renumbering.h"
 
 namespace cohesion::hard_sphere {
 
@@ -33,12 +34,19 @@ class alignas(64) PredictedEvents {
   const PredictedEvent& front() const { return events_[0]; }
   double next_time() const { return count_ > 0 ? events_[0].time : horizon_; }
 
-  /// Gives partners other numbers; false: one is gone, whose number is -1.
-  bool renumber(const std::vector<int>& numbers) {
+  /// Whether all partners keep their numbers.
+  bool keep_partners(const Renumbering& to) const {
+    for (int n = 0; n < count_; n++)
+      if (events_[n].partner >= 0 && !to.keeps(events_[n].partner)) return false;
+    return true;
+  }
+
+  /// Gives partners other numbers; false: one is gone.
+  bool renumber(const Renumbering& to) {
     for (int n = 0; n < count_; n++) {
       int& partner = events_[n].partner;
       if (partner < 0) continue;
-      partner = numbers[partner];
+      partner = to.now(partner);
       if (partner < 0) return false;
     }
     return true;

@@ -81,29 +81,27 @@ class Predictions {
     for (int i = 0; i < count(); i++) predict(i);
   }
 
-  /// Arranges bodies, flights and what they predict: EventSimulation::arrange(). `numbers`: the
-  /// number of each old body; -1: gone.
-  void arrange_predictions(const std::vector<int>& old, const std::vector<int>& numbers) {
-    const std::vector<Body> bodies_before = std::exchange(bodies, {});
-    const std::vector<Flight> flights_before = std::exchange(flights, {});
-    const std::vector<PredictedEvents> before = std::exchange(predicted_, {});
-    bodies.resize(old.size());
-    flights.resize(old.size());
-    predicted_.resize(old.size());
-    for (std::size_t n = 0; n < old.size(); n++) {
-      if (old[n] < 0) continue;
-      bodies[n] = bodies_before[old[n]];
-      flights[n] = flights_before[old[n]];
-      predicted_[n] = before[old[n]];
+  /// Gives bodies other numbers, and their flights and what they predict:
+  /// EventSimulation::arrange().
+  void arrange_predictions(const Renumbering& to) {
+    std::vector<int> concerned;  // with another number or with partners that have another one
+    for (int i = 0; i < count(); i++) {
+      if (to.keeps(i) && predicted_[i].keep_partners(to)) continue;
+      // Before numbers change, by which entries of the same time are in order.
+      calendar_.set({never, i, -1, -1}, Before{*this});
+      if (to.now(i) >= 0) concerned.push_back(to.now(i));
     }
-    calendar_.reset(old.size());
-    for (int n = 0; n < count(); n++) {
-      if (old[n] < 0) continue;
-      if (predicted_[n].renumber(numbers))
+    to.apply(bodies);
+    to.apply(flights);
+    to.apply(predicted_);
+    const bool room = calendar_.make_room(bodies.size());
+    for (const int n : concerned)
+      if (predicted_[n].renumber(to))
         enter(n);
       else
         predict(n);
-    }
+    for (int n = 0; !room && n < count(); n++)
+      if (to.old(n) >= 0) enter(n);
   }
 
   /// Predicts the events of a body but those with one partner.

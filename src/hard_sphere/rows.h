@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <utility>
 #include <vector>
+
+#include "hard_sphere/renumbering.h"
 
 namespace cohesion::hard_sphere {
 
@@ -23,17 +24,15 @@ class Rows {
     items_.resize(first);
   }
 
-  /// Arranges the rows anew: row n is the one that was old[n], or a new one that is empty where
-  /// that is below 0. Each has the room that it needs and some more.
-  void arrange(const std::vector<int>& old) {
-    const Rows before = std::exchange(*this, Rows{});
-    std::vector<int> rooms;
-    for (const int row : old) rooms.push_back(row < 0 ? 8 : room_for(before.rows_[row].size));
-    reset(rooms);
-    for (std::size_t n = 0; n < old.size(); n++) {
-      if (old[n] < 0) continue;
-      std::copy(before.begin(old[n]), before.end(old[n]), begin(static_cast<int>(n)));
-      rows_[n].size = before.rows_[old[n]].size;
+  /// Gives rows other numbers. New ones are empty, and take the room of those that are gone.
+  void arrange(const Renumbering& to) {
+    std::vector<Row> free;
+    for (const int row : to.gone()) free.push_back(rows_[row]);
+    to.apply(rows_);
+    for (const int row : to.changed()) {
+      if (to.old(row) >= 0 || free.empty()) continue;
+      rows_[row] = {free.back().first, 0, free.back().room};
+      free.pop_back();
     }
   }
 
@@ -63,8 +62,8 @@ class Rows {
 
  private:
   struct Row {
-    std::size_t first;
-    int size, room;
+    std::size_t first = 0;
+    int size = 0, room = 0;
   };
 
   /// Gives a row that is full twice the room. The old place stays unused until reset().

@@ -65,10 +65,12 @@ class TimeWarp : public EventSimulation {
     applied_.resize(bodies.size(), 0);
     own_changed_.clear();
     pending_ = {};
+    until_ = ahead_ = -never;
   }
 
   /// Runs to the time `until` with the updates that are assumed.
   void run_window(double until) {
+    until_ = until;
     while (overrun_.first < 0) {
       while (!pending_.empty() && !is_pending(pending_.top())) pending_.pop();
       const Calendar::Entry next = calendar_.next();
@@ -117,11 +119,12 @@ class TimeWarp : public EventSimulation {
     return all;
   }
 
-  /// What the owner of a remote body says that it does in this window, apart from events with
-  /// bodies of this process.
-  void tell(int body, std::vector<RemoteUpdate> updates) {
-    told_[body] = std::move(updates);
+  /// The list, empty and to be filled in order, of what the owner of a remote body says that it
+  /// does in this window, apart from events with bodies of this process.
+  std::vector<RemoteUpdate>& tell(int body) {
     remote_changed_.push_back(body);
+    told_[body].clear();
+    return told_[body];
   }
 
   /// The time and the depth of the first difference between what was told and what is assumed.
@@ -153,6 +156,7 @@ class TimeWarp : public EventSimulation {
   /// could hand each other a chain of events of one instant without end, each the cause of the
   /// other's next.
   void assume_what_was_told(const Difference& first) {
+    ahead_ = until_;
     for (const int body : remote_changed_) {
       const std::size_t n = agreed(body);
       std::vector<RemoteUpdate>& assumed = assumed_[body];
@@ -321,6 +325,7 @@ class TimeWarp : public EventSimulation {
   /// Looks for those who meet a body on its flight from a place in the order on, but have gone on
   /// since then, and undoes what they did after that.
   void look_ahead(int body, const EventKey& from) {
+    if (from.time > ahead_) return;
     meets_.clear();
     for (const Neighbour* n = neighbourhoods_.begin(body); n != neighbourhoods_.end(body); n++) {
       if (n->is_wall() || flights[n->body].since < from.time) continue;
@@ -378,6 +383,9 @@ class TimeWarp : public EventSimulation {
   std::vector<std::vector<RemoteUpdate> > assumed_, told_;  // by body
   std::vector<std::size_t> applied_;                        // how many of assumed_
   std::priority_queue<Pending> pending_;
+  double until_ = -never;  // the end of the window, once it has been run
+  double ahead_ =
+      -never;  // until when bodies can have gone on of which others are put back, [time]
   std::vector<int> touched_;    // put back, and not looked after yet
   std::vector<EventKey> from_;  // from where on a body is put back
   std::vector<int> meets_;

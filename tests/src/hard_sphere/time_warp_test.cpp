@@ -95,10 +95,9 @@ class Parts {
     const std::vector<RemoteUpdate> all = simulations_[from].updates_of(body);
     for (int p = 0; p < static_cast<int>(simulations_.size()); p++) {
       if (p == from) continue;
-      std::vector<RemoteUpdate> told;
+      std::vector<RemoteUpdate>& told = simulations_[p].tell(body);
       for (const RemoteUpdate& update : all)
         if (update.partner < 0 || owner(update.partner) != p) told.push_back(update);
-      simulations_[p].tell(body, told);
     }
   }
 

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// The part of FixHardEvents that keeps the bodies of the simulation those that this process has and
+// those that it shares with others.
+#include <algorithm>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "atom.h"
+#include "comm.h"
+#include "engine_api.h"
+#include "fix_hard_events.h"
+
+using namespace LAMMPS_NS;
+using namespace cohesion::hard_sphere;
+using cohesion::vector;
+using cohesion::Vector3;
+
+// Strain of the box for which a particle's neighbours are found: the more, the more of them.
+static constexpr double STRAIN_OF_A_HOME = 0.4;
+
+/// Whether the bodies of the simulation are the own particles, in the same order and of the same
+/// matter.
+bool FixHardEvents::has_the_same_bodies() const {
+  if (static_cast<int>(simulation_.bodies.size()) != atom->nlocal) return false;
+  for (int i = 0; i < atom->nlocal; i++)
+    if (!same_matter(matter_of(i), simulation_.bodies[i])) return false;
+  return true;
+}
+
+/// Loads all bodies and their flights, before a step of length `dt` begins.
+void FixHardEvents::load_all(double dt) {
+  load_walls(simulation_.end() + dt);
+  const RemoteParticles remote = remote_particles();
+  load_bodies(remote, dt);
+  plan_exchange(remote);
+  time_warp_.share_flights();
+}
+
+/// Loads all own bodies, and the remote ones but for their flights.
+void FixHardEvents::load_bodies(const RemoteParticles& remote, double dt) {
+  simulation_.bodies.assign(atom->nlocal + remote.size(), Body{});
+  simulation_.flights.resize(simulation_.bodies.size());
+  for (int i = 0; i < atom->nlocal; i++) load_body(i, dt);
+  for (const auto& [ghost, request] : remote) simulation_.bodies[request.local] = matter_of(ghost);
+}
+
+/// Collective: takes the bodies that the engine has now, before a step of length `dt` begins: those
+/// that were there before stay as they are. Returns whether that could be done; if not, all are
+/// loaded, and set_up_events() has to follow.
+bool FixHardEvents::keep_bodies(double dt) {
+  RemoteParticles remote = remote_particles();
+  const NumbersByTag displaced = displaced_bodies();
+  keep_numbers(remote, displaced);
+  plan_exchange(remote);
+  std::vector<int> old, added;
+  bool same = true;
+  const auto look_for = [&](int i) {
+    const Body now = matter_of(i);
+    const int number = static_cast<int>(old.size());
+    const int last = number_of(now, number, displaced);
+    if (last >= 0)
+      same = same && same_matter(simulation_.bodies[last], now);
+    else
+      added.push_back(number);
+    old.push_back(last);
+  };
+  for (int i = 0; i < atom->nlocal; i++) look_for(i);
+  for (const auto& [ghost, request] : remote) look_for(ghost);
+  note_inside_at_edge(displaced, old);
+  if (!same) {
+    note_own_inside_at_edge();
+    load_bodies(remote, dt);
+    time_warp_.share_flights();
+    return false;
+  }
+  simulation_.arrange(old);
+  for (const int n : added)
+    if (n < atom->nlocal)
+      load_body(n, dt);
+    else
+      simulation_.bodies[n] = matter_of(remote[n - atom->nlocal].first);
+  time_warp_.share_flights();
+  stored_.resize(atom->nlocal);
+  for (int i = 0; i < atom->nlocal; i++)
+    if (old[i] != i) stored_[i] = simulation_.flights[i].version - 1;
+  if (simulation_.take_in(added, inside_)) return true;
+  note_own_inside_at_edge();
+  return false;
+}
+
+/// The number that the simulation has for a body, which may be `number`; -1: none.
+int FixHardEvents::number_of(const Body& now, int number, const NumbersByTag& displaced) const {
+  const auto is_that = [&](int n) {
+    return n < static_cast<int>(simulation_.bodies.size()) &&
+           simulation_.bodies[n].tag == now.tag && simulation_.bodies[n].remote == now.remote;
+  };
+  if (is_that(number)) return number;
+  const auto found = displaced.find(now.tag);
+  return found != displaced.end() && is_that(found->second) ? found->second : -1;
+}
+
+/// The bodies that are not the own particles of the same numbers.
+FixHardEvents::NumbersByTag FixHardEvents::displaced_bodies() const {
+  NumbersByTag displaced;
+  for (int n = 0; n < static_cast<int>(simulation_.bodies.size()); n++) {
+    const Body& body = simulation_.bodies[n];
+    if (n >= atom->nlocal || body.remote || body.tag != atom->tag[n]) displaced[body.tag] = n;
+  }
+  return displaced;
+}
+
+/// Arranges remote particles so that those that were there before, by tag, keep their numbers where
+/// that can be.
+void FixHardEvents::keep_numbers(RemoteParticles& remote, const NumbersByTag& displaced) const {
+  constexpr int nobody = -1;
+  RemoteParticles arranged(remote.size(), {nobody, {}}), others;
+  for (const auto& particle : remote) {
+    const auto found = displaced.find(atom->tag[particle.first]);
+    const int n = found == displaced.end() ? -1 : found->second - atom->nlocal;
+    if (n >= 0 && n < static_cast<int>(remote.size()) && simulation_.bodies[found->second].remote)
+      arranged[n] = particle;
+    else
+      others.push_back(particle);
+  }
+  for (auto& particle : arranged)
+    if (particle.first == nobody) {
+      particle = others.back();
+      others.pop_back();
+    }
+  for (std::size_t n = 0; n < arranged.size(); n++)
+    arranged[n].second.local = atom->nlocal + static_cast<int>(n);
+  remote = std::move(arranged);
+}
+
+/// What the engine says of a particle or ghost, apart from its motion.
+Body FixHardEvents::matter_of(int i) const {
+  Body b;
+  b.inverse_mass = mobile_.inverse_mass(atom->mask[i], atom->rmass[i]);
+  b.radius = atom->radius[i];
+  b.inverse_inertia =
+      b.inverse_mass / (mobile_.inertia_factor(atom->mask[i]) * b.radius * b.radius);
+  b.tag = atom->tag[i];
+  b.kind = atom->type[i];
+  b.groups = atom->mask[i];
+  b.remote = i >= atom->nlocal;
+  return b;
+}
+
+/// Collective: the particles of other processes that are ghosts here, with one ghost of each; their
+/// bodies follow the own ones.
+FixHardEvents::RemoteParticles FixHardEvents::remote_particles() {
+  RemoteParticles remote;
+  if (comm->nprocs == 1) return remote;
+  note_origins();
+  std::unordered_set<std::int64_t> known;
+  for (int i = atom->nlocal; i < atom->nlocal + atom->nghost; i++) {
+    const auto owner = static_cast<int>(origin_[i][0]), index = static_cast<int>(origin_[i][1]);
+    if (owner == comm->me || !known.insert(atom->tag[i]).second) continue;
+    const int body = atom->nlocal + static_cast<int>(remote.size());
+    remote.push_back({i, {owner, index, body}});
+  }
+  return remote;
+}
+
+/// Collective: asks the owners of remote particles for what these do.
+void FixHardEvents::plan_exchange(const RemoteParticles& remote) {
+  if (comm->nprocs == 1) return;
+  std::vector<BorderExchange::Request> requests;
+  for (const auto& [ghost, request] : remote) requests.push_back(request);
+  time_warp_.plan(requests);
+}
+
+/// Tells ghosts whose they are.
+void FixHardEvents::note_origins() {
+  for (int i = 0; i < atom->nlocal; i++) {
+    origin_[i][0] = comm->me;
+    origin_[i][1] = i;
+  }
+  engine_api::forward_comm(comm, this);
+}
+
+/// Finds neighbours and events of all bodies, before a step begins.
+void FixHardEvents::set_up_events() {
+  const double rate = simulation_.box().strain_rate();
+  simulation_.neighbourhoods().bodies_of_box = static_cast<double>(atom->natoms);
+  simulation_.set_up(rate > 0.0 ? STRAIN_OF_A_HOME / rate : never, inside_);
+}
+
+/// Collective: the pairs in their wells and at the edge of all processes, in order.
+FixHardEvents::PairsByTag FixHardEvents::all_inside_at_edge() const {
+  return gathered(simulation_.inside_at_edge());
+}
+
+/// Collective: sets inside_ to the pairs in their wells and at the edge that other processes may
+/// not know yet: those of own bodies that they have got or have now. `old`: EventSimulation::
+/// arrange().
+void FixHardEvents::note_inside_at_edge(const NumbersByTag& displaced,
+                                        const std::vector<int>& old) {
+  std::vector<int> of;
+  for (const auto& [tag, n] : displaced)
+    if (!simulation_.bodies[n].remote) of.push_back(n);
+  for (int i = 0; i < atom->nlocal; i++)
+    if (old[i] == i && time_warp_.is_shared(i)) of.push_back(i);
+  inside_ = gathered(simulation_.inside_at_edge(of));
+}
+
+/// Adds those to inside_ that this process knows.
+void FixHardEvents::note_own_inside_at_edge() {
+  const auto own = simulation_.inside_at_edge();
+  inside_.insert(inside_.end(), own.begin(), own.end());
+  std::sort(inside_.begin(), inside_.end());
+}
+
+/// Collective: the pairs of all processes, in order.
+FixHardEvents::PairsByTag FixHardEvents::gathered(const PairsByTag& mine) const {
+  using Tags = EventSimulation::Tags;
+  if (comm->nprocs == 1) return mine;
+  const int bytes = static_cast<int>(mine.size() * sizeof(Tags));
+  std::vector<int> sizes(comm->nprocs), starts(comm->nprocs, 0);
+  MPI_Allgather(&bytes, 1, MPI_INT, sizes.data(), 1, MPI_INT, world);
+  for (int p = 1; p < comm->nprocs; p++) starts[p] = starts[p - 1] + sizes[p - 1];
+  std::vector<Tags> all((starts.back() + sizes.back()) / sizeof(Tags));
+  MPI_Allgatherv(mine.data(), bytes, MPI_BYTE, all.data(), sizes.data(), starts.data(), MPI_BYTE,
+                 world);
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+/// Collective: the pairs that are in their wells after the events of the step; those through the
+/// boundary from both sides.
+std::vector<FixHardEvents::PairInWell> FixHardEvents::pairs_in_wells() {
+  note_origins();
+  // The copies of a body here, the own one first
+  std::unordered_map<tagint, std::vector<int> > copies;
+  std::vector<PairInWell> pairs;
+  simulation_.for_each_pair([&](int i, const Neighbour& n) {
+    if (!n.inside || n.is_wall()) return;
+    const auto [r, w] = simulation_.relative_motion(i, n.body, n.image, simulation_.end());
+    pairs.push_back({i, n.body, r, w});
+    copies[simulation_.bodies[n.body].tag];
+    if (n.image == 0 || simulation_.bodies[n.body].remote) return;
+    pairs.push_back({n.body, i, -r, -w});
+    copies[simulation_.bodies[i].tag];
+  });
+  for (int i = 0; i < atom->nlocal + atom->nghost; i++) {
+    const auto found = copies.find(atom->tag[i]);
+    if (found != copies.end()) found->second.push_back(i);
+  }
+  for (PairInWell& pair : pairs) {
+    const Vector3 place = vector(atom->x[pair.i]) + pair.separation;
+    double nearest = never;
+    for (const int copy : copies[simulation_.bodies[pair.j].tag]) {
+      const double away = norm(vector(atom->x[copy]) - place);
+      if (away >= nearest) continue;
+      nearest = away;
+      pair.j = copy;
+    }
+  }
+  return pairs;
+}
