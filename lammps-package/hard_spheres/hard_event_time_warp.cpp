@@ -37,6 +37,7 @@ bool HardEventTimeWarp::is_shared(int own) const {
 
 void HardEventTimeWarp::share_flights() {
   if (comm->nprocs == 1) return;
+  for (int i = 0; i < own_; i++) simulation_.bodies[i].shared = is_shared(i);
   std::vector<std::vector<SharedBody> > out(border_.peers().size()), in;
   for (int p = 0; p < static_cast<int>(out.size()); p++)
     for (const int i : border_.followed_by(p)) out[p].push_back(share(i, 0, false));
@@ -115,11 +116,10 @@ void HardEventTimeWarp::run_window(double from, double until) {
 void HardEventTimeWarp::exchange_updates() {
   updates_out_.resize(border_.peers().size());
   for (std::vector<SharedUpdate>& out : updates_out_) out.clear();
+  std::vector<RemoteUpdate> updates;
   for (const int body : simulation_.take_changed_bodies()) {
-    const std::vector<BorderExchange::Follower>& followers = border_.followers(body);
-    if (followers.empty()) continue;
-    const std::vector<RemoteUpdate> updates = simulation_.updates_of(body);
-    for (const BorderExchange::Follower& follower : followers) {
+    simulation_.find_updates(body, updates);
+    for (const BorderExchange::Follower& follower : border_.followers(body)) {
       std::vector<SharedUpdate>& out = updates_out_[follower.peer];
       if (updates.empty()) out.push_back({follower.slot, -1, true, {}});
       for (const RemoteUpdate& one : updates) {

@@ -29,7 +29,8 @@ class HardEventTimeWarp : protected Pointers {
   void plan(const std::vector<BorderExchange::Request>& remote);
   /// Whether other processes have an own particle as a remote one.
   bool is_shared(int own) const;
-  /// Collective: gives remote bodies the flights that they have on their own processes.
+  /// Collective: gives remote bodies the flights that they have on their own processes, and notes
+  /// which own ones are shared.
   void share_flights();
   /// Collective: changes remote bodies as their own processes have changed them, and adds them to
   /// those changed.

@@ -56,6 +56,7 @@ struct Body {
   int kind = 0;         ///< of the material
   int groups = -1;      ///< bits of the groups that it belongs to
   bool remote = false;  ///< another process has it too, and decides on its flight
+  bool shared = true;   ///< if not remote: other processes have it too, or may have
   Course course;
 };
 

@@ -94,16 +94,16 @@ class TimeWarp : public EventSimulation {
         events.end());
   }
 
-  /// Own bodies whose updates in this window are others than at the last call.
+  /// Own bodies that are shared whose updates in this window are others than at the last call.
   std::vector<int> take_changed_bodies() {
     std::sort(own_changed_.begin(), own_changed_.end());
     own_changed_.erase(std::unique(own_changed_.begin(), own_changed_.end()), own_changed_.end());
     return std::exchange(own_changed_, {});
   }
 
-  /// The updates of a body in this window, in order.
-  std::vector<RemoteUpdate> updates_of(int body) const {
-    std::vector<RemoteUpdate> all;
+  /// Sets `all` to the updates of a body in this window, in order.
+  void find_updates(int body, std::vector<RemoteUpdate>& all) const {
+    all.clear();
     Flight flight = flights[body];
     Course course = bodies[body].course;
     for (int n = last_[body]; n >= 0;) {
@@ -116,7 +116,6 @@ class TimeWarp : public EventSimulation {
       n = past.previous;
     }
     std::reverse(all.begin(), all.end());
-    return all;
   }
 
   /// The list, empty and to be filled in order, of what the owner of a remote body says that it
@@ -227,7 +226,11 @@ class TimeWarp : public EventSimulation {
   void note(Change& change, int side, int body) {
     change.past[side] = {body, last_[body], flights[body], bodies[body].course};
     last_[body] = static_cast<int>(changes_.size());
-    if (!bodies[body].remote) own_changed_.push_back(body);
+    note_changed(body);
+  }
+
+  void note_changed(int body) {
+    if (!bodies[body].remote && bodies[body].shared) own_changed_.push_back(body);
   }
 
   bool is_pending(const Pending& p) const {
@@ -303,7 +306,7 @@ class TimeWarp : public EventSimulation {
       if (past.body < 0) continue;
       set_flight(past.body, past.flight, past.course);
       last_[past.body] = past.previous;
-      if (!bodies[past.body].remote) own_changed_.push_back(past.body);
+      note_changed(past.body);
       from_[past.body] = std::min(from_[past.body], change.key);
       touched_.push_back(past.body);
     }

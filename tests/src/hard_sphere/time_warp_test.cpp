@@ -92,7 +92,8 @@ class Parts {
   }
 
   void tell_others(int from, int body) {
-    const std::vector<RemoteUpdate> all = simulations_[from].updates_of(body);
+    std::vector<RemoteUpdate> all;
+    simulations_[from].find_updates(body, all);
     for (int p = 0; p < static_cast<int>(simulations_.size()); p++) {
       if (p == from) continue;
       std::vector<RemoteUpdate>& told = simulations_[p].tell(body);
