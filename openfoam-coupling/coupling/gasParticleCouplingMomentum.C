@@ -38,6 +38,11 @@ void Foam::gasParticleCoupling::setCoefficients(const volVectorField& U)
         rho *= averaging_.gather(density_.ratio().primitiveField());
     }
 
+    const bool mixes = drag_.mixture().mixes;
+    if (mixes)
+    {
+        sizesAt_.set(engineView(particles.radius, particles.count), mesh_.V(), averaging_);
+    }
     monitor_.startStep(step_->subSteps());
     const bool transmits = hasLastGradient_ && !form_.gas_takes_all;
     coefficient_.setSize(particles.count);
@@ -49,13 +54,12 @@ void Foam::gasParticleCoupling::setCoefficients(const volVectorField& U)
         const scalar slip = mag(gasAt_.velocity()[i] - velocity[i]);
         const scalar radius = particles.radius[i];
         const scalar mass = particles.mass[i];
-        const scalar b =
-            drag_.coefficient(voidFraction, slip, radius, rho[i])*form_.drag_over_a(voidFraction);
+        const particleDrag::Sphere sphere{voidFraction, slip, radius, rho[i]};
+        const auto [b, reynolds] = mixes ? drag_(sphere, form_, sizesAt_.around(i)) : drag_(sphere, form_);
         coefficient_[i] = b;
         sourceCoefficient_[i] = drag::source_coefficient(b, mass, dt, response_.free);
         transmittedVolume_[i] =
             transmits ? drag::transmitted_volume(b, mass, sphere_volume(radius), dt) : 0;
-        const scalar reynolds = drag_.reynolds(voidFraction, slip, radius, rho[i]);
         monitor_.add({position[i], voidFraction, reynolds, b, radius, mass, rho[i]});
     }
     monitor_.endStep(particles.count);

@@ -38,7 +38,15 @@ class DragLaw {
                                                                   density, viscosity));
   }
 
-  /// b of the drag b (u - v) on a sphere, [force time/length].
+  /// b of the drag b (u - v) on a sphere among spheres of other sizes, [force time/length]: `mixed`
+  /// of size_mixture.h, `sauter` mean of those around [length].
+  double coefficient_among(double mixed, double sauter, double void_fraction, double slip,
+                           double diameter, double density, double viscosity) const {
+    return mixed * sphere_volume(0.5 * diameter) *
+           per_solid_volume(void_fraction, slip, sauter, density, viscosity);
+  }
+
+  /// b of the drag b (u - v) on a sphere among equal ones, [force time/length].
   double coefficient(double void_fraction, double slip, double diameter, double density,
                      double viscosity) const {
     return sphere_volume(0.5 * diameter) *

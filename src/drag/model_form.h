@@ -4,6 +4,8 @@
 #include <array>
 #include <string_view>
 
+#include "drag/size_mixture.h"
+
 /// How gas and particles share the pressure gradient.
 ///
 /// Form A: the gas takes the share eps of grad p, a particle -V_p grad p and its drag F_drag
@@ -25,15 +27,17 @@ namespace cohesion::drag {
 
 struct ModelForm {
   std::string_view name;
-  /// Drag over that of form A [1], at the void fraction eps in (0, 1].
+  /// Drag of equal spheres over that of form A [1], at the void fraction eps in (0, 1].
   double (*drag_over_a)(double void_fraction);
+  /// That of a sphere among others over that of equal ones with their Sauter mean, per volume [1].
+  double (*mixed_drag)(const MixtureLaw&, double void_fraction, double d, const SizesAround&);
   /// Whether the gas takes all of grad p - rho g, particles then rho g in the place of grad p.
   bool gas_takes_all;
 };
 
 inline constexpr std::array model_forms{
-    ModelForm{"A", [](double) { return 1.0; }, false},
-    ModelForm{"B", [](double void_fraction) { return 1.0 / void_fraction; }, true},
+    ModelForm{"A", [](double) { return 1.0; }, &mixed_drag, false},
+    ModelForm{"B", [](double void_fraction) { return 1.0 / void_fraction; }, &mixed_total, true},
 };
 
 }  // namespace cohesion::drag

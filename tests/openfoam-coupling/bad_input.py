@@ -83,6 +83,9 @@ CASES = {
     "negative drag": (
         lambda c: c.set(COUPLING, "dragFactor", -1),
         ["dragFactor = -1: must be a finite number greater than zero"]),
+    "misspelt mixture": (
+        lambda c: c.set(COUPLING, "dragMixture", "vanderhoef"),
+        ["unknown dragMixture 'vanderhoef'", "valid names: none, carmanKozeny, vanDerHoef"]),
     "misspelt form": (
         lambda c: c.set(COUPLING, "form", "C"),
         ["unknown form 'C'", "valid names: A, B"]),

@@ -13,10 +13,11 @@ from cohesion_tests.refusals import assert_says
 
 NUMBER = 40
 MIXTURE = "the drag of each sphere is the closure's for its own diameter and the void fraction of its cells."
-WARNING = "may be off by a factor of about five at a size ratio of four"
+WARNING = "may be off by a factor of about three at a size ratio of four"
+CURE = "add an entry dragMixture to constant/couplingProperties: carmanKozeny or vanDerHoef"
 
 
-def lines(column, name, kinds, ranks=1):
+def lines(column, name, kinds, ranks=1, mixture="none"):
     """What is said of spheres of `kinds` in turn, (diameter [m], density [kg/m3]): the line, and the one after it if
     it belongs to it."""
     case = column(name)
@@ -26,7 +27,7 @@ def lines(column, name, kinds, ranks=1):
     (case.folder / "spheres").write_text(
         f"Spheres\n\n{NUMBER} atoms\n1 atom types\n\n0 0.06 xlo xhi\n0 0.06 ylo yhi\n0 0.2 zlo zhi\n\n"
         f"Atoms\n\n{atoms}\n")
-    append(case, COUPLING, "lammpsCoeffs { variables { data spheres; } }")
+    append(case, COUPLING, f"lammpsCoeffs {{ variables {{ data spheres; }} }} dragMixture {mixture};")
     append(case, "constant/g", "value (0 0 0);")
     append(case, "system/controlDict", "endTime 1e-4; writePrecision 17;")
     case.mesh()
@@ -41,7 +42,8 @@ class ParticleLine(CoupledTestCase):
         self.expect_equal(f"{what}: what is said", found[0], line)
         if mixture is None:
             return self.expect_equal(f"{what}: what is said behind it", found[1], "")
-        assert_says(self, found[1], f"A mixture, largest over smallest diameter {mixture:g}: ", MIXTURE, WARNING)
+        assert_says(self, found[1], f"A mixture, largest over smallest diameter {mixture:g}: ", MIXTURE, WARNING,
+                    CURE)
 
     def test_alike(self):
         self.check("alike", lines(self.column, "alike", [(3e-4, 1500.0)]),
@@ -66,6 +68,13 @@ class ParticleLine(CoupledTestCase):
                 " Geldart's group B")
         for ranks in (1, 2):
             self.check(f"mixture, {ranks} ranks", lines(self.column, f"mixture-{ranks}", kinds, ranks), said, 4)
+
+    def test_law_for_mixtures(self):
+        for name, widest, beyond in (("fitted", 8e-4, False), ("beyond", 10e-4, True)):
+            found = lines(self.column, name, [(2e-4, 1500.0), (widest, 1500.0)], mixture="vanDerHoef")[1]
+            assert_says(self, found, "that of dragMixture vanDerHoef over the closure, by its diameter over the Sauter"
+                        " mean of its cells")
+            self.expect_equal(f"{name}: range of the law is told", "fitted for ratios up to 4" in found, beyond)
 
 
 if __name__ == "__main__":

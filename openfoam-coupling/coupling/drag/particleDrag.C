@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "particleDrag.H"
 
+#include "drag/stokes_scaled.h"
+
 #include "coupling/input/selectRow.H"
 
 using namespace cohesion;
@@ -38,5 +40,47 @@ drag::DragLaw readLaw(const Foam::dictionary& dict)
 Foam::particleDrag::particleDrag(const dictionary& dict, const scalar mu)
 :
     law_(readLaw(dict)),
+    mixture_(selectRow(dict, "dragMixture", drag::mixture_laws, "none")),
     mu_(mu)
 {}
+
+
+Foam::particleDrag::Drag Foam::particleDrag::operator()
+(
+    const Sphere& sphere,
+    const drag::ModelForm& form
+) const
+{
+    const auto& [voidFraction, slip, radius, rho] = sphere;
+    return
+    {
+        law_.coefficient(voidFraction, slip, 2*radius, rho, mu_)*form.drag_over_a(voidFraction),
+        drag::superficial_reynolds(voidFraction, slip, 2*radius, rho, mu_)
+    };
+}
+
+
+Foam::particleDrag::Drag Foam::particleDrag::operator()
+(
+    const Sphere& sphere,
+    const drag::ModelForm& form,
+    const drag::SizesAround& around
+) const
+{
+    const auto& [voidFraction, slip, radius, rho] = sphere;
+    const scalar mixed = form.mixed_drag(mixture_, voidFraction, 2*radius, around);
+    if (mixed <= 0)
+    {
+        FatalErrorInFunction
+            << "dragMixture " << mixture_.name.data() << " gives a sphere of " << 2*radius << " m no drag: around it"
+            << " are spheres of a Sauter mean of " << around.sauter << " m and a spread <d^4>/(<d^2> <d>^2) of "
+            << around.spread << ", far beyond sizes of a ratio of four, which it was fitted for" << nl
+            << "    Take dragMixture carmanKozeny" << exit(FatalError);
+    }
+    return
+    {
+        law_.coefficient_among(mixed, around.sauter, voidFraction, slip, 2*radius, rho, mu_)
+       *form.drag_over_a(voidFraction),
+        drag::superficial_reynolds(voidFraction, slip, around.sauter, rho, mu_)
+    };
+}

@@ -28,7 +28,7 @@ using Keywords = std::vector<Keyword>;
 //- What the coupling reads, but for the dictionaries of the engines
 const Keywords keywords
 {
-    {"demEngine"}, {"form"}, {"drag"}, {"dragFactor"}, {"dragExponent"}, {"response"}, {"slip"},
+    {"demEngine"}, {"form"}, {"drag"}, {"dragFactor"}, {"dragExponent"}, {"dragMixture"}, {"response"}, {"slip"},
     {"voidFraction"}, {"smoothingWidth"}, {"minVoidFraction"}, {"depth"}, {"particleGravity"}
 };
 

@@ -94,10 +94,47 @@ struct Particles
     }
 };
 
+//- ratio: largest over smallest diameter
+void reportMixture(const scalar ratio, const cohesion::drag::MixtureLaw& law)
+{
+    Info<< "    A mixture, largest over smallest diameter " << sixDigits(ratio).c_str()
+        << ": the drag of each sphere is ";
+    if (law.mixes)
+    {
+        Info<< "that of dragMixture " << law.name.data() << " over the closure, by its diameter over the"
+            << " Sauter mean of its cells";
+        if (ratio > cohesion::drag::largest_mixed_ratio)
+        {
+            Info<< "; the law was fitted for ratios up to " << cohesion::drag::largest_mixed_ratio;
+        }
+    }
+    else
+    {
+        Info<< "the closure's for its own diameter and the void fraction of its cells. That is no law for"
+            << " mixtures: it may be off by a factor of about three at a size ratio of four. For one add an entry"
+            << " dragMixture to constant/couplingProperties:";
+        const char* between = " ";
+        for (const auto& row : cohesion::drag::mixture_laws)
+        {
+            if (row.mixes)
+            {
+                Info<< between << row.name.data();
+                between = " or ";
+            }
+        }
+    }
+    Info<< endl;
+}
+
 } // End anonymous namespace
 
 
-void Foam::reportParticles(const coupledParticles& particles, const scalar rho)
+void Foam::reportParticles
+(
+    const coupledParticles& particles,
+    const scalar rho,
+    const cohesion::drag::MixtureLaw& mixture
+)
 {
     const Particles all(particles);
     const bool sizes = all.diameter.wide();
@@ -121,10 +158,6 @@ void Foam::reportParticles(const coupledParticles& particles, const scalar rho)
     Info<< endl;
     if (all.diameter.most > mixtureFrom*all.diameter.least)
     {
-        Info<< "    A mixture, largest over smallest diameter "
-            << sixDigits(all.diameter.most/all.diameter.least).c_str()
-            << ": the drag of each sphere is the closure's for its own diameter and the void fraction of"
-            << " its cells. That is no law for mixtures: it may be off by a factor of about five at a size"
-            << " ratio of four" << endl;
+        reportMixture(all.diameter.most/all.diameter.least, mixture);
     }
 }

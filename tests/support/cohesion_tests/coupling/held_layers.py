@@ -56,6 +56,8 @@ def blow(column, name, settings, superficial=SUPERFICIAL, ranks=1, script="packe
     case.set("system/controlDict", "deltaT", DT)
     case.set("system/controlDict", "endTime", STEPS * DT)
     case.set("system/controlDict", "writeInterval", STEPS * DT / 2)
+    if ranks > 1:
+        case.set("system/decomposeParDict", "coeffs/n", f"(2 {ranks // 2} 1)")
     case.mesh()
     log = case.solve(ranks=ranks)
     errors = re.findall(r"Continuity error, mean of the sizes: (\S+)", log)
