@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+
+#include "powder/sizes.h"
+#include "validation.h"
+
+/// Steps and cells of a run. Any consistent set of units.
+namespace cohesion::powder {
+
+/// The settled bed.
+struct Bed {
+  double area;           ///< of the cross-section, [length^2]
+  double height;         ///< [length]
+  double void_fraction;  ///< [1]
+};
+
+/// Throws InvalidParameter unless area and height are positive and the void fraction is one.
+inline void require_valid(const Bed& bed) {
+  require_positive("area of the bed", bed.area);
+  require_positive("height of the bed", bed.height);
+  require(bed.void_fraction > 0.0 && bed.void_fraction < 1.0, "void fraction of the bed",
+          bed.void_fraction, "must lie between 0 and 1");
+}
+
+/// How many spheres a bed has, [1].
+inline double number_of_grains(const Bed& bed, const Sizes& sizes) {
+  require_valid(bed);
+  return (1.0 - bed.void_fraction) * bed.area * bed.height * sizes.number_per_solid_volume();
+}
+
+/// The largest number of two digits that is not above a positive one.
+inline double two_digits_below(double value) {
+  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
+  return std::floor(value / unit * (1.0 + 1e-12)) * unit;
+}
+
+/// Steps of a contact that scheme event is given: the bed of the examples is the same at a quarter
+/// and an eighth of it.
+inline constexpr double steps_per_contact = 8.0;
+/// Edge of a cell over the largest diameter, for a kernel that spreads spheres over cells.
+inline constexpr double cell_over_diameter = 3.0;
+/// Courant number of the gas at twice the minimum fluidisation.
+inline constexpr double courant = 0.5;
+
+/// Particle step, [time], of the shortest contact time.
+inline double particle_step(double contact_time) {
+  return two_digits_below(contact_time / steps_per_contact);
+}
+
+/// Gas step, [time], a whole number of particle steps: for a gas that passes cells of this edge
+/// [length] between the grains at `velocity` [length/time].
+inline double gas_step(double cell, double velocity, double particle_step) {
+  return particle_step * std::max(1.0, std::floor(courant * cell / velocity / particle_step));
+}
+
+}  // namespace cohesion::powder

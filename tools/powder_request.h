@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "powder/fluidisation.h"
+#include "powder/grain_contact.h"
+#include "validation.h"
+
+namespace cohesion::tools {
+
+/// What the command line says, in SI units.
+struct Request {
+  std::vector<double> diameters, shares, percentiles;
+  double density = 0.0;
+  powder::Elastic elastic{0.0, 0.3};
+  double stiffness = 0.0;  // of the springs; 0: the softest that will do
+  double overlap = 0.01;
+  double restitution = 0.9, friction = 0.3;
+  double hamaker = 0.0, surface_energy = 0.0, asperity = 0.0;
+  std::vector<double> cutoffs{4e-10, 1e-7};
+  powder::Gas gas{1.205, 1.82e-5};
+  double gravity = 9.81, speed = 0.0;
+  double width = 0.0, depth = 0.0, column = 0.0, height = 0.0, void_fraction = 0.42;
+  std::string keep = "velocity";
+  std::string lammps = "lmp-cohesion", plugin = "cohesionplugin.so";
+  bool measure = false, csv = false;
+  std::string folder;  // of a case to write
+  double grains = 20000.0;
+};
+
+inline void add_options(CLI::App& app, Request& r) {
+  auto* sizes = app.add_option_group("sizes");
+  sizes->add_option("--diameter", r.diameters, "diameter, or those of a distribution [m]");
+  sizes->add_option("--percentiles", r.percentiles, "d10 d50 d90 by mass, in place of it [m]")
+      ->expected(3);
+  sizes->require_option(1);
+  app.add_option("--mass-share", r.shares, "of each diameter, of any unit; not given: equal");
+  app.add_option("--density", r.density, "of the grains [kg/m3]")->required();
+  auto* springs = app.add_option_group("elasticity");
+  springs->add_option("--young", r.elastic.young, "Young's modulus [Pa]")
+      ->check(CLI::PositiveNumber);
+  springs->add_option("--stiffness", r.stiffness, "of the springs of the run [N/m]")
+      ->check(CLI::PositiveNumber);
+  springs->require_option(1, 2);
+  app.add_option("--poisson", r.elastic.poisson, "Poisson's ratio")->capture_default_str();
+  app.add_option("--restitution", r.restitution, "without cohesion")
+      ->check(CLI::Range(0.01, 1.0))
+      ->capture_default_str();
+  app.add_option("--friction", r.friction, "coefficient of friction")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  auto* cohesion = app.add_option_group("cohesion");
+  cohesion->add_option("--hamaker", r.hamaker, "Hamaker constant [J]")
+      ->check(CLI::NonNegativeNumber);
+  cohesion->add_option("--surface-energy", r.surface_energy, "of each surface [J/m2]")
+      ->check(CLI::NonNegativeNumber);
+  cohesion->require_option(0, 1);
+  app.add_option("--cutoff", r.cutoffs, "H_cut H_out of the attraction [m]")
+      ->expected(2)
+      ->capture_default_str();
+  app.add_option("--asperity", r.asperity, "radius of asperities, 0: smooth [m]")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  app.add_option("--keep", r.keep, "what springs softer than the material keep of it")
+      ->check(CLI::IsMember({"velocity", "force"}))
+      ->capture_default_str();
+  app.add_option("--overlap", r.overlap, "largest overlap over the diameter")
+      ->check(CLI::Range(1e-5, 0.1))
+      ->capture_default_str();
+  app.add_option("--speed", r.speed, "of impacts; not given: twice the largest u_mf [m/s]")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--gas-density", r.gas.density, "[kg/m3]")->capture_default_str();
+  app.add_option("--gas-viscosity", r.gas.viscosity, "[Pa s]")->capture_default_str();
+  app.add_option("--gravity", r.gravity, "[m/s2]")->capture_default_str();
+  app.add_option("--void-fraction", r.void_fraction, "of the settled bed")->capture_default_str();
+  auto* width = app.add_option("--width", r.width, "of a bed in a box [m]");
+  auto* depth = app.add_option("--depth", r.depth, "of a bed in a box [m]");
+  width->needs(depth);
+  depth->needs(width);
+  auto* column =
+      app.add_option("--column", r.column, "diameter of a round bed [m]")->excludes(width);
+  auto* height = app.add_option("--height", r.height, "of the settled bed [m]");
+  for (auto* length : {width, depth, column, height}) length->check(CLI::PositiveNumber);
+  app.add_flag("--measure", r.measure, "measure what a step takes in a short run of LAMMPS");
+  app.add_option("--lammps", r.lammps, "program for --measure")->capture_default_str();
+  app.add_option("--plugin", r.plugin, "file that it loads")->capture_default_str();
+  app.add_option("--write", r.folder, "folder of a coupled case of the bed, in a box")
+      ->needs(width);
+  app.add_option("--grains", r.grains, "the most that it has; a larger bed is written smaller")
+      ->check(CLI::Range(100.0, 1e8))
+      ->capture_default_str();
+  app.add_flag("--csv", r.csv, "comma-separated values with all digits");
+}
+
+/// Throws InvalidParameter for what would have no effect, and where what belongs together is not.
+inline void require_together(const Request& r) {
+  require(r.shares.empty() || r.percentiles.empty(), "mass share",
+          r.shares.empty() ? 0.0 : r.shares.front(),
+          "percentiles have their own: leave --mass-share out, or give --diameter");
+  const bool area = r.width > 0.0 || r.column > 0.0;
+  require(area == (r.height > 0.0), "height of the bed", r.height,
+          "a bed takes --height and either --width and --depth or --column");
+  require(r.asperity == 0.0 || r.keep == "force" || r.stiffness > 0.0, "asperity radius",
+          r.asperity,
+          "the adhesion of rough grains is not scaled to soft springs: add --keep force, or give "
+          "--stiffness");
+}
+
+}  // namespace cohesion::tools
