@@ -200,11 +200,11 @@ void print_plan(const Lines& print, const Request& r, const Powder& p, const Spr
   const double step = particle_step(s.used.contact_time);
   const double cell = cell_over_diameter * p.sizes.largest();
   const double velocity = 2.0 * p.fastest_fluidisation / r.void_fraction;
-  const double gas = gas_step(cell, velocity, step);
+  const double gas = gas_step(cell, velocity, r.gravity, step);
   print.heading("Run");
   print({"particle_step", "particle step, t_c/8, scheme event", step, "s"});
   print({"cell", "cells, three of the largest diameter", cell, "m"});
-  print({"gas_step", "gas step, Courant number 0.5 at 2 u_mf", gas, "s"});
+  print({"gas_step", "gas step, a whole number of these", gas, "s"});
   print({"steps_per_second", "particle steps in a second", 1.0 / step, "1"});
   if (r.height == 0.0) return;
   const Bed bed{area_of(r), r.height, r.void_fraction};
@@ -278,7 +278,7 @@ void write_case(const Request& r, const Powder& p, const Springs& s) {
                                   r.density,
                                   contact_words(r, p, s),
                                   step,
-                                  gas_step(cell, velocity / r.void_fraction, step),
+                                  gas_step(cell, velocity / r.void_fraction, r.gravity, step),
                                   cell,
                                   r.gas.density,
                                   r.gas.viscosity,

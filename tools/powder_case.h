@@ -34,7 +34,8 @@ struct PowderCase {
   };
 
   /// Of the bed asked for, or, where that has more than so many grains, one of its shape that has
-  /// not. The box is three times as high as the bed.
+  /// not. The box is three times as high as the bed, or as the lattice that the grains are poured
+  /// from.
   Box box(double width, double depth, const powder::Bed& bed, double most) const {
     const double all = powder::number_of_grains(bed, sizes);
     const double scale = std::min(1.0, std::cbrt(most / all));
@@ -46,6 +47,9 @@ struct PowderCase {
     box.cells[2] = 3 * std::max(2, static_cast<int>(std::ceil(height / cell)));
     box.grains = std::round(powder::number_of_grains(
         {box.edge(0, cell) * box.edge(1, cell), height, bed.void_fraction}, sizes));
+    double lattice = 0.0;
+    for (const Layer& layer : layers(box)) lattice += layer.thickness();
+    box.cells[2] = std::max(box.cells[2], static_cast<int>(std::ceil(lattice / cell)));
     return box;
   }
 
@@ -64,12 +68,12 @@ struct PowderCase {
 
  private:
   static std::filesystem::path template_folder() {
-    namespace fs = std::filesystem;
-    const fs::path here = fs::read_symlink("/proc/self/exe").parent_path();
-    for (const fs::path& place : {here / "powder-case", here / "../share/cohesion/powder-case"})
-      if (fs::exists(place)) return place;
-    throw std::runtime_error(
-        "the files of powder-case are neither beside this program nor in ../share/cohesion");
+    const auto folder =
+        std::filesystem::read_symlink("/proc/self/exe").parent_path() / "powder-case";
+    if (!std::filesystem::exists(folder))
+      throw std::runtime_error("the files of the case are not where they were installed, in " +
+                               folder.string());
+    return folder;
   }
 
   static std::string entry(const char* name, double value) {
@@ -97,42 +101,58 @@ struct PowderCase {
            "contact                 \"" + contact + "\";\n";
   }
 
-  /// Diameters in the numbers of the distribution, at random on a loose lattice.
-  void write_grains(const std::filesystem::path& file, const Box& b) const {
-    const auto count = static_cast<int>(b.grains);
+  /// Grains of one size, a layer of the loose lattice that they are poured from.
+  struct Layer {
+    double diameter;
+    int across[2];
+    int grains;
+
+    double thickness() const { return 1.05 * diameter; }
+  };
+
+  /// The grains of all sizes, layers of them in any order.
+  std::vector<Layer> layers(const Box& box) const {
+    std::vector<Layer> all;
+    int left = static_cast<int>(box.grains);
+    for (const powder::Size& size : sizes.all()) {
+      Layer layer{size.diameter, {1, 1}, 0};
+      for (int k = 0; k < 2; k++)
+        layer.across[k] = std::max(1, static_cast<int>(box.edge(k, cell) / (1.05 * size.diameter)));
+      const bool last = &size == &sizes.all().back();
+      int of_size =
+          last ? left : static_cast<int>(std::round(box.grains * sizes.number_share(size)));
+      for (left -= of_size; of_size > 0; of_size -= layer.grains) {
+        layer.grains = std::min(of_size, layer.across[0] * layer.across[1]);
+        all.push_back(layer);
+      }
+    }
     std::mt19937 random(4711);
-    const std::vector<double> diameters = shuffled_diameters(count, random);
-    const double spacing = 1.05 * sizes.largest();
-    const int nx = std::max(1, static_cast<int>(b.edge(0, cell) / spacing));
-    const int ny = std::max(1, static_cast<int>(b.edge(1, cell) / spacing));
-    const double dx = b.edge(0, cell) / nx, dy = b.edge(1, cell) / ny;
-    if ((count / (nx * ny) + 1) * spacing > b.edge(2, cell))
-      throw std::runtime_error(
-          "the grains do not fit loosely into a box three times as high as the bed: their sizes "
-          "differ too much");
+    std::shuffle(all.begin(), all.end(), random);
+    return all;
+  }
+
+  void write_grains(const std::filesystem::path& file, const Box& b) const {
     std::ofstream out(file);
     out.precision(9);
     out << "Grains\n\n"
-        << count << " atoms\n1 atom types\n\n0 " << b.edge(0, cell) << " xlo xhi\n0 "
+        << b.grains << " atoms\n1 atom types\n\n0 " << b.edge(0, cell) << " xlo xhi\n0 "
         << b.edge(1, cell) << " ylo yhi\n0 " << b.edge(2, cell) << " zlo zhi\n\nAtoms # sphere\n\n";
-    std::uniform_real_distribution<double> jitter(-0.02 * sizes.largest(), 0.02 * sizes.largest());
-    for (int n = 0; n < count; n++)
-      out << n + 1 << " 1 " << diameters[n] << ' ' << density << ' '
-          << (n % nx + 0.5) * dx + jitter(random) << ' '
-          << (n / nx % ny + 0.5) * dy + jitter(random) << ' ' << (n / (nx * ny) + 0.5) * spacing
-          << '\n';
-  }
-
-  std::vector<double> shuffled_diameters(int count, std::mt19937& random) const {
-    std::vector<double> diameters;
-    double due = 0.0;
-    for (const powder::Size& size : sizes.all()) {
-      due += count * sizes.number_share(size);
-      while (static_cast<double>(diameters.size()) + 0.5 < due) diameters.push_back(size.diameter);
+    std::mt19937 random(4711);
+    int number = 0;
+    double below = 0.0;
+    for (const Layer& layer : layers(b)) {
+      const double d = layer.diameter;
+      // No closer to others than they can be and not touch.
+      std::uniform_real_distribution<double> jitter(-0.02 * d, 0.02 * d);
+      for (int n = 0; n < layer.grains; n++) {
+        out << ++number << " 1 " << d << ' ' << density;
+        const int site[] = {n % layer.across[0], n / layer.across[0]};
+        for (int k = 0; k < 2; k++)
+          out << ' ' << (site[k] + 0.5) * b.edge(k, cell) / layer.across[k] + jitter(random);
+        out << ' ' << below + 0.5 * layer.thickness() << '\n';
+      }
+      below += layer.thickness();
     }
-    diameters.resize(count, sizes.all().back().diameter);
-    std::shuffle(diameters.begin(), diameters.end(), random);
-    return diameters;
   }
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "powder/sizes.h"
@@ -43,6 +44,8 @@ inline constexpr double steps_per_contact = 8.0;
 inline constexpr double cell_over_diameter = 3.0;
 /// Courant number of the gas at twice the minimum fluidisation.
 inline constexpr double courant = 0.5;
+/// Gas step over the time in which a grain falls through a cell, at most.
+inline constexpr double falls_per_step = 0.1;
 
 /// Particle step, [time], of the shortest contact time.
 inline double particle_step(double contact_time) {
@@ -50,9 +53,12 @@ inline double particle_step(double contact_time) {
 }
 
 /// Gas step, [time], a whole number of particle steps: for a gas that passes cells of this edge
-/// [length] between the grains at `velocity` [length/time].
-inline double gas_step(double cell, double velocity, double particle_step) {
-  return particle_step * std::max(1.0, std::floor(courant * cell / velocity / particle_step));
+/// [length] between the grains at `velocity` [length/time], and a tenth of the time in which a
+/// grain falls through one.
+inline double gas_step(double cell, double velocity, double gravity, double particle_step) {
+  const double longest =
+      std::min(courant * cell / velocity, falls_per_step * std::sqrt(2.0 * cell / gravity));
+  return particle_step * std::max(1.0, std::floor(longest / particle_step));
 }
 
 }  // namespace cohesion::powder

@@ -128,6 +128,12 @@ class Moved(unittest.TestCase):
         self.require("tools/cohesion-mapping")
         self.assertEqual(self.call("cohesion-mapping --version").strip(), f"cohesion-mapping, Cohesion {VERSION}")
 
+    def test_powder(self):
+        self.require("tools/cohesion-powder")
+        self.call("cohesion-powder --diameter 1e-3 --density 2500 --stiffness 100 --width 0.02 --depth 0.02 --height 0.02"
+                  " --write case")
+        self.assertTrue((self.work / "case/Allrun").exists())
+
     def test_studies(self):
         self.assertIn("fluidised-bed", self.call("cohesion-studies"))
         self.assertIn("--build", self.call("cohesion-studies fluidised-bed study --help"))

@@ -76,6 +76,11 @@ class ParticleLine(CoupledTestCase):
                         " mean of its cells")
             self.expect_equal(f"{name}: range of the law is told", "fitted for ratios up to 4" in found, beyond)
 
+    def test_law_for_mixtures_among_equal_spheres(self):
+        found = lines(self.column, "equal", [(2e-4, 1500.0)], mixture="vanDerHoef")[1]
+        assert_says(self, found, "Largest over smallest diameter 1: the drag of each sphere is that of dragMixture"
+                    " vanDerHoef", "of equal ones up to 1.064 times the closure's")
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -69,7 +69,7 @@ Foam::particleDrag::Drag Foam::particleDrag::operator()
 {
     const auto& [voidFraction, slip, radius, rho] = sphere;
     const scalar mixed = form.mixed_drag(mixture_, voidFraction, 2*radius, around);
-    if (mixed <= 0)
+    if (!(mixed > 0))
     {
         FatalErrorInFunction
             << "dragMixture " << mixture_.name.data() << " gives a sphere of " << 2*radius << " m no drag: around it"

@@ -97,12 +97,16 @@ struct Particles
 //- ratio: largest over smallest diameter
 void reportMixture(const scalar ratio, const cohesion::drag::MixtureLaw& law)
 {
-    Info<< "    A mixture, largest over smallest diameter " << sixDigits(ratio).c_str()
-        << ": the drag of each sphere is ";
+    Info<< (ratio > mixtureFrom ? "    A mixture, largest" : "    Largest") << " over smallest diameter "
+        << sixDigits(ratio).c_str() << ": the drag of each sphere is ";
     if (law.mixes)
     {
         Info<< "that of dragMixture " << law.name.data() << " over the closure, by its diameter over the"
             << " Sauter mean of its cells";
+        if (law.cubic > 0)
+        {
+            Info<< ", of equal ones up to " << sixDigits(1 + law.cubic).c_str() << " times the closure's";
+        }
         if (ratio > cohesion::drag::largest_mixed_ratio)
         {
             Info<< "; the law was fitted for ratios up to " << cohesion::drag::largest_mixed_ratio;
@@ -156,7 +160,7 @@ void Foam::reportParticles
             << char(cohesion::bed::geldart_group(all.meanDensity() - rho, all.sauter()));
     }
     Info<< endl;
-    if (all.diameter.most > mixtureFrom*all.diameter.least)
+    if (mixture.mixes || all.diameter.most > mixtureFrom*all.diameter.least)
     {
         reportMixture(all.diameter.most/all.diameter.least, mixture);
     }

@@ -23,8 +23,10 @@ TEST(PowderPlan, TheGasStepIsAWholeNumberOfParticleSteps) {
   const double step = particle_step(8.8e-5);
   EXPECT_NEAR(step, 1.1e-5, 1e-19);
   // Half a cell at 1.5 m/s takes 1e-3 s.
-  EXPECT_NEAR(gas_step(3e-3, 1.5, step), 90.0 * step, 1e-12);
-  EXPECT_EQ(gas_step(1e-6, 1.5, step), step);
+  EXPECT_NEAR(gas_step(3e-3, 1.5, 9.81, step), 90.0 * step, 1e-12);
+  EXPECT_EQ(gas_step(1e-6, 1.5, 9.81, step), step);
+  // In slow gas: 0.1 sqrt(2 3e-3/6) s
+  EXPECT_NEAR(gas_step(3e-3, 1e-3, 6.0, step), 287.0 * step, 1e-12);
 }
 
 TEST(PowderPlan, WhatIsNoBedIsRefused) {

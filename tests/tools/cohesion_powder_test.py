@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""cohesion-powder: its numbers beside formulas written out again, and what it refuses."""
+import math
+import tempfile
+import unittest
+from pathlib import Path
+
+from cohesion_tests import powder as program
+from cohesion_tests.theory.closure_formulas import DOUBLE, ergun_pressure_gradient
+
+RHO, MU, G = 1.205, 1.82e-5, 9.81  # of the gas, unless told
+GLASS = ("--diameter", 5e-4, "--density", 2500, "--young", 63e9, "--poisson", 0.22, "--hamaker", 6.5e-20)
+BED = ("--width", 0.05, "--depth", 0.04, "--height", 0.1)
+
+
+class Numbers(unittest.TestCase):
+    def near(self, found, expected, relative=1e-12):
+        self.assertAlmostEqual(found / expected, 1, delta=relative)
+
+    def test_glass(self):
+        found = program.values(*GLASS, *BED)
+        d, density, eps = 5e-4, 2500, 0.42
+        self.near(ergun_pressure_gradient(DOUBLE, eps, found["u_mf_ergunWenYu"], d, RHO, MU),
+                  (1 - eps) * (density - RHO) * G)
+        mass = density * math.pi / 6 * d**3
+        pull_off = 6.5e-20 / 6 * 0.25 * d / 4e-10**2
+        self.near(found["pull_off"], pull_off)
+        self.near(found["bond"], pull_off / (mass * G))
+        speed = 2 * max(value for name, value in found.items() if name.startswith("u_mf_") and "wen_yu" not in name)
+        self.near(found["impact_speed"], speed)
+        # 4/5 E* sqrt(R*) ... : largest overlap of Hertz's impact
+        modulus = 63e9 / (2 * (1 - 0.22**2))
+        overlap = (15 * mass / 2 * speed**2 / (16 * modulus * math.sqrt(d / 4))) ** 0.4
+        self.near(found["hertz_time"], 2.9432 * overlap / speed)
+        self.near(found["material_stiffness"], mass / 2 * speed**2 / overlap**2)
+        area, height = 0.05 * 0.04, 0.1
+        self.near(found["grains"], (1 - eps) * area * height / (math.pi / 6 * d**3))
+        self.near(found["mass"], (1 - eps) * area * height * density)
+        self.near(found["pressure_drop"], (1 - eps) * (density - RHO) * G * height)
+
+    def test_springs_are_soft_enough_and_not_softer(self):
+        found = program.values(*GLASS, "--overlap", 0.005)
+        # Of an impact without loss; restitution makes it less.
+        mass = 2500 * math.pi / 6 * 5e-4**3
+        overlap = found["impact_speed"] * math.sqrt(mass / 2 / found["stiffness"]) / 5e-4
+        self.assertLess(overlap, 0.0055)
+        self.assertGreater(overlap, 0.0045)
+
+    def test_soft_springs_keep_what_is_asked(self):
+        velocity, force = (program.values(*GLASS, "--keep", keep) for keep in ("velocity", "force"))
+        self.near(velocity["escape_over_material"], 1)
+        self.near(velocity["pull_off_over_material"],
+                  math.sqrt(velocity["stiffness"] / velocity["material_stiffness"]))
+        self.near(force["pull_off_over_material"], 1)
+        # F_ad^2/(2 K) is more than in the material, W what it was.
+        self.assertGreater(force["escape_over_material"], 1)
+
+    def test_stiffness_given_is_used(self):
+        found = program.values("--diameter", 1e-3, "--density", 2650, "--stiffness", 800, "--hamaker", 7.49e-19)
+        self.assertEqual((found["stiffness"], found["material_stiffness"]), (800, 800))
+        # t_c/8 in two digits, not above
+        step = found["contact_time"] / 8
+        self.assertLessEqual(found["particle_step"], step)
+        self.assertGreater(found["particle_step"], 0.9 * step)
+        steps = found["gas_step"] / found["particle_step"]
+        self.assertAlmostEqual(steps, round(steps), delta=1e-9)
+
+    def test_surface_energy_is_that_of_derjaguin(self):
+        found = program.values(*GLASS[:-2], "--surface-energy", 0.02)
+        self.near(found["pull_off"], 4 * math.pi * 0.02 * 0.25 * 5e-4)
+
+    def test_distributions(self):
+        found = program.values("--diameter", 1e-4, 4e-4, *GLASS[2:])
+        self.near(found["sauter_mean"], 1.6e-4)
+        self.near(found["size_ratio"], 4)
+        # F_ad goes with d, the weight with its cube.
+        self.near(found["bond_largest"], found["bond"] / 16)
+        found = program.values("--percentiles", 2e-5, 4e-5, 8e-5, *GLASS[2:])
+        self.near(found["sauter_mean"], 1e-6 / 0.02875)
+
+
+class Refusals(unittest.TestCase):
+    def refused(self, words, *parts, code=1):
+        found, output, error = program.call(*words)
+        self.assertNotEqual(found, 0, output)
+        for part in parts:
+            self.assertIn(part, error + output)
+
+    def test_what_makes_no_sense(self):
+        self.refused(("--density", 2500, "--young", 1e9), "--diameter")
+        self.refused((*GLASS[:2], "--density", 1, *GLASS[4:]), "density of the grains = 1: must be above that of the gas")
+        self.refused((*GLASS, "--mass-share", 1, 2), "number of mass shares = 2", "one for each diameter")
+        self.refused((*GLASS, "--height", 0.1), "height of the bed", "--width and --depth or --column")
+        self.refused((*GLASS, "--width", 0.1), "--width requires --depth")
+        self.refused((*GLASS, "--asperity", 1e-7), "asperity", "--keep force")
+        self.refused((*GLASS, "--surface-energy", 0.1), "--surface-energy")
+        self.refused(("--percentiles", 3, 2, 4, *GLASS[2:]), "d10 = 3: must be below d50")
+        self.refused(("--diameter", 5e-4, "--density", 2500, "--young", 63e9, "--poisson", 0.7), "Poisson's ratio = 0.7: must lie between 0 and 0.5")
+        self.refused((*GLASS, *BED, "--void-fraction", 1.2), "void fraction = 1.2: must lie between 0 and 1")
+
+    def test_a_folder_with_files_is_left_alone(self):
+        with tempfile.TemporaryDirectory() as folder:
+            (Path(folder) / "mine").write_text("data")
+            self.refused((*GLASS, *BED, "--write", folder), folder, "not empty")
+            self.assertEqual([file.name for file in Path(folder).iterdir()], ["mine"])
+
+    def test_an_engine_that_is_not_there(self):
+        code, _, error = program.call(*GLASS, "--measure", "--lammps", "no-such-program")
+        self.assertEqual(code, 0)
+        self.assertIn("'no-such-program' did not run, so that nothing is measured", error)
+
+
+class WrittenCase(unittest.TestCase):
+    def test_grains_are_those_of_the_distribution(self):
+        with tempfile.TemporaryDirectory() as folder:
+            case = Path(folder) / "case"
+            code, _, error = program.call("--diameter", 2e-4, 4e-4, "--mass-share", 1, 3, *GLASS[2:], *BED, "--grains",
+                                          5000, "--write", case)
+            self.assertEqual(code, 0, error)
+            lines = (case / "grains.data").read_text().split("# sphere")[1].split("\n")
+            grains = [list(map(float, line.split())) for line in lines if line]
+            small, large = (sum(row[2] == d for row in grains) for d in (2e-4, 4e-4))
+            self.assertLessEqual(small + large, 5000)
+            self.assertGreater(small + large, 2000)
+            # One grain of each may be rounded away.
+            self.assertAlmostEqual(small / large, 1 / 3 * 8, delta=2 * 8 / 3 / large * 4)
+            box = [float((case / "constant/powder").read_text().split(name)[1].split(";")[0])
+                   for name in ("width", "depth", "top")]
+            for row in grains:
+                for place, edge in zip(row[4:], box):
+                    self.assertTrue(0.5 * row[2] * 0.9 < place < edge - 0.5 * row[2] * 0.9, row)
+
+
+if __name__ == "__main__":
+    unittest.main()
