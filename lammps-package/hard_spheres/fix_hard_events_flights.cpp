@@ -8,7 +8,6 @@
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"
-#include "engine_api.h"
 #include "fix_hard_events.h"
 #include "pair_hard_square_well.h"
 #include "update.h"

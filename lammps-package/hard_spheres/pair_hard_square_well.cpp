@@ -7,7 +7,6 @@
 
 #include "atom.h"
 #include "comm.h"
-#include "engine_api.h"
 #include "error.h"
 #include "fix_hard_events.h"
 #include "force.h"
@@ -15,6 +14,7 @@
 #include "memory.h"
 #include "modify.h"
 #include "neigh_list.h"
+#include "neighbor.h"
 #include "plausible_sizes.h"
 #include "restart_format.h"
 #include "square_well/capture.h"

@@ -319,8 +319,9 @@ class TimeWarp : public EventSimulation {
       return;
     }
     Event& event = events[change.event];
-    Neighbour* const pair = neighbourhoods_.find_neighbour(event.i, event.j, event.image);
-    if (pair) neighbourhoods_.set_inside(event.i, *pair, event.was_inside);
+    // Former neighbours stay in the lists until the window is over.
+    Neighbour& pair = *neighbourhoods_.find_neighbour(event.i, event.j, event.image);
+    neighbourhoods_.set_inside(event.i, pair, event.was_inside);
     event.i = -1;
     any_undone_ = true;
   }
