@@ -16,7 +16,7 @@
 namespace cohesion::tools {
 
 /// A coupled case of a powder in a box: the files of powder-case beside this program, with what is
-/// the powder's in constant/powder, constant/grains and grains.data. SI units.
+/// the powder's in constant/powder, grains and mixture and in grains.data. SI units.
 struct PowderCase {
   powder::Sizes sizes;
   double density;       ///< of the grains
@@ -63,6 +63,9 @@ struct PowderCase {
     fs::copy(template_folder(), folder, fs::copy_options::recursive);
     std::ofstream(folder / "constant/powder") << gas_entries(box);
     std::ofstream(folder / "constant/grains") << script_variables(box);
+    // Among equal grains the law would raise the drag by some per cent.
+    std::ofstream(folder / "constant/mixture")
+        << "dragMixture     " << (sizes.all().size() > 1 ? "vanDerHoef" : "none") << ";\n";
     write_grains(folder / "grains.data", box);
   }
 
