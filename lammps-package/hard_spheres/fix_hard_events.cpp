@@ -29,7 +29,8 @@ static constexpr char ID[] = "COHESION_HARD_EVENTS";
 static constexpr int ORIGIN = 2;
 // Overlap that is warned of, as a fraction of a distance: above what a data file's decimals leave.
 static constexpr double OVERLAP = 1e-6;
-// Steps after which the clock starts anew, so that times and places keep their digits.
+// Steps after which the clock starts anew where somebody has gone out of the box, so that places
+// keep their digits.
 static constexpr int STEPS_OF_A_CLOCK = 100;
 static constexpr int FIXED_BOUNDARY = 1;  // Domain::boundary
 
@@ -231,7 +232,7 @@ void FixHardEvents::pre_force(int) {
   farthest_squared_ = 0.0;
   changed_.clear();
   if (new_list) put_back_outside();
-  const bool new_clock = new_clock_ || ++age_ > STEPS_OF_A_CLOCK || box_is_another(dt);
+  const bool new_clock = new_clock_ || box_is_another(dt) || clock_is_due();
   const bool set_back = !new_clock && simulation_.end() > time_of_clock_;
   if (new_clock) {
     inside_ = all_inside_at_edge();
@@ -264,6 +265,17 @@ void FixHardEvents::pre_force(int) {
   store_flights();
   if (needs_ghosts_) check_list();
   match_restart();
+}
+
+/// Collective: whether the clock has gone for long, and a particle has gone out of the box since it
+/// was started.
+bool FixHardEvents::clock_is_due() {
+  if (++age_ <= STEPS_OF_A_CLOCK) return false;
+  age_ = 0;
+  int mine = 0, all = 0;
+  for (int i = 0; i < atom->nlocal && !mine; i++) mine = !same(boxes_gone(i), {});
+  MPI_Allreduce(&mine, &all, 1, MPI_INT, MPI_MAX, world);
+  return all;
 }
 
 /// Predicts the events of those whose flights others have changed, on all processes.

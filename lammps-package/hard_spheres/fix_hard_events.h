@@ -98,6 +98,7 @@ class FixHardEvents : public Fix {
   void warn_of_overlaps() const;
   void predict_changes();
   void match_restart();
+  bool clock_is_due();
   void round_positions();
   void stop_at_limit() const;
   void run_events();
