@@ -155,24 +155,36 @@ struct Springs {
 Springs springs_of(const Request& r, const Powder& p) {
   const double d = p.sizes.smallest(), mass = p.mass(d);
   const bool elastic = r.elastic.young > 0.0;
-  const double real = elastic ? linear_stiffness(r.elastic, d, mass, p.speed) : r.stiffness;
+  const double real =
+      elastic ? sticking_stiffness(r.elastic, d, mass, r.restitution, p.adhesion, p.speed)
+              : r.stiffness;
   double soft = r.stiffness;
   if (soft == 0.0) {
     const double pressure = r.density * (1.0 - r.void_fraction) * r.gravity * r.height;
-    soft = two_digits_below(1.1 * softest_stiffness(d, mass, r.restitution, p.adhesion.force,
-                                                    {p.speed, pressure}, r.overlap));
-    soft = std::min(soft, real);
+    const bool scales = r.keep == "velocity";
+    soft = softest_stiffness(d, mass, r.restitution, p.adhesion.force, {p.speed, pressure},
+                             r.overlap, scales ? real : 0.0);
+    // The scaled cut-off has to stay below the outer one.
+    const double k = r.cutoffs[0] / r.cutoffs[1];
+    if (scales) soft = std::max(soft, 1.1 * real * std::pow(k * (2.0 - k), 2));
+    soft = std::min(two_digits_below(1.1 * soft), real);
   }
   const advice::Material material{
       real, r.keep == "force" ? advice::Keep::force : advice::Keep::escape_velocity};
   const bool scaled = advice::is_scaled(material, soft) && p.adhesion.force > 0.0;
-  const contact::Adhesion used =
-      scaled ? advice::StiffnessScaling(real, soft).adhesion(p.adhesion) : p.adhesion;
+  contact::Adhesion used = p.adhesion;
+  if (scaled) {
+    const advice::StiffnessScaling scaling(real, soft);
+    used = scaling.adhesion(p.adhesion);
+    // As the engine will: throws where the outer cut-off leaves no room.
+    scaling.hamaker({p.hamaker_constant, r.cutoffs[0], r.cutoffs[1]});
+  }
   const auto spring =
       contact::LinearSpringDashpot::from_restitution(soft, r.restitution, 0.5 * mass);
   return {pair_numbers(real, r.restitution, mass, p.adhesion),
           pair_numbers(soft, r.restitution, mass, used),
-          advice::over_material(contact::AdhesiveContact(spring, used), material)};
+          used.force > 0.0 ? advice::over_material(contact::AdhesiveContact(spring, used), material)
+                           : advice::OverMaterial{1.0, 1.0}};
 }
 
 void print_contact(const Lines& print, const Request& r, const Powder& p, const Springs& s) {

@@ -20,7 +20,7 @@ class EngineCost {
   /// `program`: LAMMPS that knows `plugin`, by its path or by its name on the PATH; `plugin`: file
   /// of this package's plugin, as a script names it.
   EngineCost(std::string program, std::string plugin)
-      : program_(std::move(program)), plugin_(std::move(plugin)) {}
+      : program_(from_anywhere(program)), plugin_(from_anywhere(plugin)) {}
 
   /// Seconds per grain and step of a simple cubic packing in which each grain presses on six, of
   /// spheres of this diameter [m] and density [kg/m3] with these lines of pair style and
@@ -48,6 +48,11 @@ class EngineCost {
   const std::string& said() const { return said_; }
 
  private:
+  /// A path that is one from another folder, too; a name without a folder stays as it is.
+  static std::string from_anywhere(const std::string& file) {
+    return file.find('/') == std::string::npos ? file : std::filesystem::absolute(file).string();
+  }
+
   static constexpr int edge = 16, grains = edge * edge * edge, steps = 200;
 
   std::string script(double diameter, double density, const std::string& pair_lines,

@@ -16,7 +16,7 @@
 namespace cohesion::tools {
 
 /// A coupled case of a powder in a box: the files of powder-case beside this program, with what is
-/// the powder's in constant/powder, grains and mixture and in grains.data. SI units.
+/// the powder's in constant/powder, grains, mixture and gravity and in grains.data. SI units.
 struct PowderCase {
   powder::Sizes sizes;
   double density;       ///< of the grains
@@ -40,16 +40,16 @@ struct PowderCase {
     const double all = powder::number_of_grains(bed, sizes);
     const double scale = std::min(1.0, std::cbrt(most / all));
     const auto whole = [&](double length) {
-      return std::max(2, static_cast<int>(std::floor(scale * length / cell)));
+      // A whole number of cells stays one.
+      return std::max(2, static_cast<int>(std::floor(scale * length / cell * (1.0 + 1e-9))));
     };
     Box box{{whole(width), whole(depth), 0}, 0.0};
     const double height = scale * bed.height;
     box.cells[2] = 3 * std::max(2, static_cast<int>(std::ceil(height / cell)));
     box.grains = std::round(powder::number_of_grains(
         {box.edge(0, cell) * box.edge(1, cell), height, bed.void_fraction}, sizes));
-    double lattice = 0.0;
-    for (const Layer& layer : layers(box)) lattice += layer.thickness();
-    box.cells[2] = std::max(box.cells[2], static_cast<int>(std::ceil(lattice / cell)));
+    box.cells[2] =
+        std::max(box.cells[2], static_cast<int>(std::ceil(height_of_lattice(box) / cell)));
     return box;
   }
 
@@ -59,13 +59,15 @@ struct PowderCase {
     if (fs::exists(folder) && !fs::is_empty(folder))
       throw std::runtime_error("--write " + folder.string() +
                                ": the folder is there and not empty; name a new one");
+    const fs::path from = template_folder();
     fs::create_directories(folder);
-    fs::copy(template_folder(), folder, fs::copy_options::recursive);
+    fs::copy(from, folder, fs::copy_options::recursive);
     std::ofstream(folder / "constant/powder") << gas_entries(box);
     std::ofstream(folder / "constant/grains") << script_variables(box);
     // Among equal grains the law would raise the drag by some per cent.
     std::ofstream(folder / "constant/mixture")
         << "dragMixture     " << (sizes.all().size() > 1 ? "vanDerHoef" : "none") << ";\n";
+    std::ofstream(folder / "constant/gravity") << "gravityOfPowder (0 0 " << -gravity << ");\n";
     write_grains(folder / "grains.data", box);
   }
 
@@ -101,6 +103,7 @@ struct PowderCase {
     return "// Variables of grains.lmp, SI units.\n" + entry("dt", particle_step) +
            entry("width", b.edge(0, cell)) + entry("depth", b.edge(1, cell)) +
            entry("top", b.edge(2, cell)) + entry("gravity", gravity) + entry("skin", skin) +
+           entry("settle", std::max(0.05, 1.5 * std::sqrt(2.0 * height_of_lattice(b) / gravity))) +
            "contact                 \"" + contact + "\";\n";
   }
 
@@ -132,6 +135,12 @@ struct PowderCase {
     std::mt19937 random(4711);
     std::shuffle(all.begin(), all.end(), random);
     return all;
+  }
+
+  double height_of_lattice(const Box& box) const {
+    double height = 0.0;
+    for (const Layer& layer : layers(box)) height += layer.thickness();
+    return height;
   }
 
   void write_grains(const std::filesystem::path& file, const Box& b) const {

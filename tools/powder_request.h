@@ -103,10 +103,10 @@ inline void require_together(const Request& r) {
   const bool area = r.width > 0.0 || r.column > 0.0;
   require(area == (r.height > 0.0), "height of the bed", r.height,
           "a bed takes --height and either --width and --depth or --column");
-  require(r.asperity == 0.0 || r.keep == "force" || r.stiffness > 0.0, "asperity radius",
+  require(r.asperity == 0.0 || r.keep == "force" || r.elastic.young == 0.0, "asperity radius",
           r.asperity,
           "the adhesion of rough grains is not scaled to soft springs: add --keep force, or give "
-          "--stiffness");
+          "--stiffness in place of --young");
 }
 
 }  // namespace cohesion::tools

@@ -49,11 +49,30 @@ inline double hertz_contact_time(const Elastic& material, double diameter, doubl
          speed;
 }
 
-/// K of the linear spring that an impact at `speed` presses as far, [force/length].
-inline double linear_stiffness(const Elastic& material, double diameter, double mass,
-                               double speed) {
+/// K of the linear spring that an impact at `speed` presses as far, [force/length], while the
+/// force `pull_off` [force] holds.
+inline double linear_stiffness(const Elastic& material, double diameter, double mass, double speed,
+                               double pull_off = 0.0) {
   require_positive("impact speed", speed);
-  return advice::linear_springs(hertz(material, diameter), 0.5 * mass, 0.0, speed).stiffness;
+  return advice::linear_springs(hertz(material, diameter), 0.5 * mass, pull_off, speed).stiffness;
+}
+
+/// That of the fastest impact that sticks: at the escape velocity which it gives, with what the
+/// adhesion adds on the way to touch. Of one without loss, or without adhesion, at `speed`.
+inline double sticking_stiffness(const Elastic& material, double diameter, double mass,
+                                 double restitution, const contact::Adhesion& adhesion,
+                                 double speed) {
+  double stiffness = linear_stiffness(material, diameter, mass, speed, adhesion.force);
+  if (adhesion.force == 0.0 || restitution == 1.0) return stiffness;
+  // The velocity hardly moves the stiffness: a few rounds are enough for round-off.
+  for (int round = 0; round < 60; round++) {
+    const contact::AdhesiveContact contact(
+        contact::LinearSpringDashpot::from_restitution(stiffness, restitution, 0.5 * mass),
+        adhesion);
+    stiffness = linear_stiffness(material, diameter, mass,
+                                 contact.entry_speed(contact.escape_velocity()), adhesion.force);
+  }
+  return stiffness;
 }
 
 /// The Hamaker constant whose smooth spheres with the cut-off H_cut pull as the surface energy
@@ -75,15 +94,18 @@ struct Load {
 /// The softest spring, [force/length], that keeps overlaps below `overlap` over the diameter [1]:
 /// of impacts at the speed of the load with the restitution e, of a pair that the adhesion
 /// `pull_off` [force] holds, and under the pressure of the bed, which puts the force p d^2 on a
-/// contact. mass: of one grain.
+/// contact. mass: of one grain. scaled_from: K of the material where the adhesion is scaled with
+/// the spring, F_ad sqrt(K/K_m) (advice/stiffness_scaling.h); 0: it is not.
 inline double softest_stiffness(double diameter, double mass, double restitution, double pull_off,
-                                const Load& load, double overlap) {
+                                const Load& load, double overlap, double scaled_from = 0.0) {
   require_positive("overlap", overlap);
   const double most = overlap * diameter;
   const double of_impacts =
       contact::LinearSpringDashpot::from_maximum_overlap(most, load.speed, restitution, 0.5 * mass)
           .stiffness();
-  return std::max(of_impacts, std::max(pull_off, load.pressure * diameter * diameter) / most);
+  const double held = pull_off / most;
+  return std::max({of_impacts, scaled_from > 0.0 ? held * held / scaled_from : held,
+                   load.pressure * diameter * diameter / most});
 }
 
 /// Numbers of a pair of grains with one spring.

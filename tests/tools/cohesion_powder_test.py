@@ -32,7 +32,9 @@ class Numbers(unittest.TestCase):
         modulus = 63e9 / (2 * (1 - 0.22**2))
         overlap = (15 * mass / 2 * speed**2 / (16 * modulus * math.sqrt(d / 4))) ** 0.4
         self.near(found["hertz_time"], 2.9432 * overlap / speed)
-        self.near(found["material_stiffness"], mass / 2 * speed**2 / overlap**2)
+        without = program.values(*GLASS[:-2])
+        self.near(without["material_stiffness"], mass / 2 * speed**2 / overlap**2)
+        self.assertEqual((without["escape_over_material"], without["pull_off_over_material"]), (1, 1))
         area, height = 0.05 * 0.04, 0.1
         self.near(found["grains"], (1 - eps) * area * height / (math.pi / 6 * d**3))
         self.near(found["mass"], (1 - eps) * area * height * density)
@@ -98,6 +100,11 @@ class Refusals(unittest.TestCase):
         self.refused(("--diameter", 5e-4, "--density", 2500, "--young", 63e9, "--poisson", 0.7), "Poisson's ratio = 0.7: must lie between 0 and 0.5")
         self.refused((*GLASS, *BED, "--void-fraction", 1.2), "void fraction = 1.2: must lie between 0 and 1")
 
+    def test_soft_springs_leave_room_for_the_cut_off(self):
+        self.refused((*GLASS, "--stiffness", 1e-3), "outer cut-off", "too small for the softened contact")
+        found = program.values("--diameter", 1e-3, "--density", 2500, "--young", 2e11, "--hamaker", 1e-19, "--speed", 0.01)
+        self.assertAlmostEqual(found["escape_over_material"], 1, delta=1e-9)
+
     def test_a_folder_with_files_is_left_alone(self):
         with tempfile.TemporaryDirectory() as folder:
             (Path(folder) / "mine").write_text("data")
@@ -115,8 +122,9 @@ class WrittenCase(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             case = Path(folder) / "case"
             code, _, error = program.call("--diameter", 2e-4, 4e-4, "--mass-share", 1, 3, *GLASS[2:], *BED, "--grains",
-                                          5000, "--write", case)
+                                          5000, "--gravity", 1.62, "--write", case)
             self.assertEqual(code, 0, error)
+            self.assertIn("gravityOfPowder (0 0 -1.62);", (case / "constant/gravity").read_text())
             lines = (case / "grains.data").read_text().split("# sphere")[1].split("\n")
             grains = [list(map(float, line.split())) for line in lines if line]
             small, large = (sum(row[2] == d for row in grains) for d in (2e-4, 4e-4))

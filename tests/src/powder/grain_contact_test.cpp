@@ -85,6 +85,27 @@ TEST(GrainContact, TheSoftestSpringBearsImpactsAdhesionAndBed) {
                       softest(1e-9, 0.0, pressure)}));
 }
 
+// F_ad sqrt(K/K_m)/K is the overlap.
+TEST(GrainContact, TheSoftestSpringBearsAScaledAdhesion) {
+  const double pull_off = 2e-6, material = 1e4, overlap = 0.01;
+  const double k = softest_stiffness(d, mass, 0.8, pull_off, {1e-9, 0.0}, overlap, material);
+  EXPECT_NEAR(pull_off * std::sqrt(k / material) / k, overlap * d, 1e-12 * d);
+}
+
+TEST(GrainContact, StickingPairsPressTheSpringOfTheirOwnEscapeVelocity) {
+  const contact::Adhesion adhesion{8e-6, 4e-10, 3e-15};
+  const double k = sticking_stiffness(glass, d, mass, 0.9, adhesion, speed);
+  const contact::AdhesiveContact contact(
+      contact::LinearSpringDashpot::from_restitution(k, 0.9, 0.5 * mass), adhesion);
+  const double entry = contact.entry_speed(contact.escape_velocity());
+  EXPECT_NEAR(linear_stiffness(glass, d, mass, entry, adhesion.force) / k, 1.0, 1e-12);
+  // Far slower than impacts, and softer: K goes as the fifth root of the square of the speed, at
+  // least as what holds the pair has it.
+  EXPECT_LT(k, linear_stiffness(glass, d, mass, speed));
+  EXPECT_EQ(sticking_stiffness(glass, d, mass, 0.9, {}, speed),
+            linear_stiffness(glass, d, mass, speed));
+}
+
 TEST(GrainContact, NumbersOfAPairAreThoseOfItsContact) {
   const contact::Adhesion adhesion{1e-6, 4e-10, 2e-16};
   const PairNumbers n = pair_numbers(100.0, 0.8, mass, adhesion);
