@@ -12,6 +12,7 @@
 #include "advice/law_mapping.h"
 #include "cohesion_version.h"
 #include "contact/contact_parameters.h"
+#include "given_once.h"
 #include "square_well/parameters.h"
 
 namespace {
@@ -226,16 +227,6 @@ void add_options(CLI::App& app, Request& r) {
   app.add_flag("--csv", r.csv, "comma-separated values with all digits");
 }
 
-/// Throws CLI::ArgumentMismatch for an option that the command line names twice.
-void require_once(const CLI::Option& option, int argc, char** argv) {
-  int named = 0;
-  for (int i = 1; i < argc; i++) {
-    const std::string word(argv[i]);
-    named += option.check_name(word.substr(0, word.find('=')));
-  }
-  if (named > 1) throw CLI::ArgumentMismatch(option.get_name() + ": given twice");
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -252,14 +243,9 @@ int main(int argc, char** argv) {
   CLI::App* to_hamaker = app.add_subcommand("to-hamaker", "Hamaker constant A for depths");
   add_options(*to_hamaker, request);
   to_hamaker->add_option("--depth", request.depths, "depths D of wells [energy]")->required();
-  // A list is given once with all its values: given twice it would be taken for the sum of both.
   try {
     app.parse(argc, argv);
-    for (CLI::App* way : app.get_subcommands()) {
-      for (const CLI::Option* option : way->get_options()) require_once(*option, argc, argv);
-      for (CLI::App* group : way->get_subcommands([](CLI::App*) { return true; }))
-        for (const CLI::Option* option : group->get_options()) require_once(*option, argc, argv);
-    }
+    for (const CLI::App* way : app.get_subcommands()) tools::require_given_once(*way, argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error);
   }

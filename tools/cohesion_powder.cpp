@@ -3,6 +3,7 @@
 // Manual: docs/tools/cohesion-powder.md
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <iostream>
 #include <string>
@@ -12,12 +13,17 @@
 #include "cohesion_version.h"
 #include "drag/drag_closure.h"
 #include "engine_cost.h"
+#include "given_once.h"
 #include "powder/fluidisation.h"
 #include "powder/grain_contact.h"
+#include "powder/parcels.h"
 #include "powder/plan.h"
 #include "powder/sizes.h"
+#include "powder/springs.h"
 #include "powder_case.h"
+#include "powder_contacts.h"
 #include "powder_request.h"
+#include "powder_vessel.h"
 
 namespace {
 
@@ -39,8 +45,8 @@ class Lines {
     if (csv_) std::puts("name,value,unit");
   }
 
-  void heading(const char* text) const {
-    if (!csv_) std::printf("\n%s\n", text);
+  void heading(const std::string& text) const {
+    if (!csv_) std::printf("\n%s\n", text.c_str());
   }
   void operator()(const Line& line) const {
     if (csv_)
@@ -67,23 +73,41 @@ Sizes sizes_of(const Request& r) {
   return Sizes(sizes);
 }
 
+advice::Keep keep_of(const Request& r) {
+  const auto named = [&](const advice::KeepName& k) { return r.keep == k.name; };
+  return std::find_if(advice::keeps.begin(), advice::keeps.end(), named)->keep;
+}
+
 /// The numbers of a powder that the lines are made of.
 class Powder {
  public:
   explicit Powder(const Request& r)
-      : sizes(sizes_of(r)), mean{sizes.sauter(), r.density}, request_(r) {
+      : sizes(sizes_of(r)),
+        mean{sizes.sauter(), r.density},
+        parcels(r.coarse_graining),
+        request_(r) {
     require_lifted(mean, r.gas, r.gravity);
     require_positive("cut-off H_cut", r.cutoffs.at(0));
-    slowest_fluidisation = fastest_fluidisation = fluidisation(drag::closures.front());
-    for (const drag::Closure& closure : drag::closures) {
-      slowest_fluidisation = std::min(slowest_fluidisation, fluidisation(closure));
+    for (const drag::Closure& closure : drag::closures)
       fastest_fluidisation = std::max(fastest_fluidisation, fluidisation(closure));
-    }
-    speed = r.speed > 0.0 ? r.speed : 2.0 * fastest_fluidisation;
-    hamaker_constant = r.surface_energy > 0.0
-                           ? hamaker_of_surface_energy(r.surface_energy, r.cutoffs[0])
-                           : r.hamaker;
+    const double constant = r.surface_energy > 0.0
+                                ? hamaker_of_surface_energy(r.surface_energy, r.cutoffs[0])
+                                : r.hamaker;
+    hamaker = {constant, r.cutoffs[0], r.cutoffs.at(1), r.asperity};
     adhesion = adhesion_at(sizes.smallest());
+    speed = r.speed > 0.0 ? r.speed : 2.0 * fastest_fluidisation;
+    springs = springs_of({sizes.smallest(), mass(sizes.smallest()), hamaker, adhesion},
+                         {r.restitution,
+                          {speed, pressure_of(r.height, r.void_fraction, r.density * r.gravity)},
+                          r.overlap,
+                          keep_of(r),
+                          r.stiffness,
+                          r.elastic});
+    const double steps = r.engine == "liggghts" ? steps_per_contact_liggghts : steps_per_contact;
+    step = particle_step(parcels.time(springs.used.contact_time), steps);
+    cell = cell_over_diameter * parcels.length(sizes.largest());
+    velocity = 2.0 * fastest_fluidisation;
+    gas_step = powder::gas_step(cell, velocity / r.void_fraction, r.gravity, step);
   }
 
   double fluidisation(const drag::Closure& closure) const {
@@ -96,19 +120,39 @@ class Powder {
 
   /// Of two grains of a diameter, with the asperities of the request.
   contact::Adhesion adhesion_at(double diameter) const {
-    const hamaker::Parameters p{hamaker_constant, request_.cutoffs.at(0), request_.cutoffs.at(1),
-                                request_.asperity};
-    const hamaker::AnyLaw law = hamaker::forms.front().law(p, request_.asperity > 0.0);
+    const hamaker::AnyLaw law = hamaker::forms.front().law(hamaker, hamaker.asperity_radius > 0.0);
     const PairGeometry geometry = two_spheres(0.5 * diameter, 0.5 * diameter);
     return std::visit([&](const auto& l) { return contact::adhesion_of(l, geometry); }, law);
   }
 
+  /// Of the spheres that are computed, each size a type.
+  Sizes computed() const {
+    std::vector<Size> all = sizes.all();
+    for (Size& size : all) size.diameter = parcels.length(size.diameter);
+    return Sizes(all);
+  }
+  tools::PowderContacts contacts() const {
+    std::vector<double> diameters;
+    for (const Size& size : sizes.all()) diameters.push_back(parcels.length(size.diameter));
+    return {diameters,
+            request_.density,
+            parcels.stiffness(springs.used.stiffness),
+            request_.restitution,
+            request_.friction,
+            {parcels.energy(hamaker.hamaker_constant), parcels.length(hamaker.surface_cutoff),
+             parcels.length(hamaker.outer_cutoff), parcels.length(hamaker.asperity_radius)},
+            {parcels.stiffness(springs.material.stiffness), keep_of(request_)}};
+  }
+
   Sizes sizes;
   Grain mean;
-  double slowest_fluidisation, fastest_fluidisation;  // by the closures
-  double speed;                                       // of impacts
-  double hamaker_constant;
-  contact::Adhesion adhesion;  // of two of the smallest
+  Parcels parcels;
+  double fastest_fluidisation = 0.0;  // by the closures
+  double speed;                       // of impacts
+  hamaker::Parameters hamaker;
+  contact::Adhesion adhesion;             // of two of the smallest
+  Springs springs;                        // of the grains
+  double step, cell, velocity, gas_step;  // of the run
 
  private:
   const Request& request_;
@@ -137,7 +181,7 @@ void print_powder(const Lines& print, const Request& r, const Powder& p) {
 
 void print_adhesion(const Lines& print, const Powder& p) {
   print.heading("Cohesion, two of the smallest grains");
-  print({"hamaker", "Hamaker constant A", p.hamaker_constant, "J"});
+  print({"hamaker", "Hamaker constant A", p.hamaker.hamaker_constant, "J"});
   print({"pull_off", "pull-off force F_ad", p.adhesion.force, "N"});
   print({"bond", "Bond number F_ad/(m g)", p.adhesion.force / p.weight(p.sizes.smallest()), "1"});
   if (p.sizes.largest() > p.sizes.smallest())
@@ -145,49 +189,8 @@ void print_adhesion(const Lines& print, const Powder& p) {
            p.adhesion_at(p.sizes.largest()).force / p.weight(p.sizes.largest()), "1"});
 }
 
-/// The springs of a run.
-struct Springs {
-  PairNumbers material, used;
-  advice::OverMaterial over;
-};
-
-/// Of a powder that is given by a stiffness, the springs are the material.
-Springs springs_of(const Request& r, const Powder& p) {
-  const double d = p.sizes.smallest(), mass = p.mass(d);
-  const bool elastic = r.elastic.young > 0.0;
-  const double real =
-      elastic ? sticking_stiffness(r.elastic, d, mass, r.restitution, p.adhesion, p.speed)
-              : r.stiffness;
-  double soft = r.stiffness;
-  if (soft == 0.0) {
-    const double pressure = r.density * (1.0 - r.void_fraction) * r.gravity * r.height;
-    const bool scales = r.keep == "velocity";
-    soft = softest_stiffness(d, mass, r.restitution, p.adhesion.force, {p.speed, pressure},
-                             r.overlap, scales ? real : 0.0);
-    // The scaled cut-off has to stay below the outer one.
-    const double k = r.cutoffs[0] / r.cutoffs[1];
-    if (scales) soft = std::max(soft, 1.1 * real * std::pow(k * (2.0 - k), 2));
-    soft = std::min(two_digits_below(1.1 * soft), real);
-  }
-  const advice::Material material{
-      real, r.keep == "force" ? advice::Keep::force : advice::Keep::escape_velocity};
-  const bool scaled = advice::is_scaled(material, soft) && p.adhesion.force > 0.0;
-  contact::Adhesion used = p.adhesion;
-  if (scaled) {
-    const advice::StiffnessScaling scaling(real, soft);
-    used = scaling.adhesion(p.adhesion);
-    // As the engine will: throws where the outer cut-off leaves no room.
-    scaling.hamaker({p.hamaker_constant, r.cutoffs[0], r.cutoffs[1]});
-  }
-  const auto spring =
-      contact::LinearSpringDashpot::from_restitution(soft, r.restitution, 0.5 * mass);
-  return {pair_numbers(real, r.restitution, mass, p.adhesion),
-          pair_numbers(soft, r.restitution, mass, used),
-          used.force > 0.0 ? advice::over_material(contact::AdhesiveContact(spring, used), material)
-                           : advice::OverMaterial{1.0, 1.0}};
-}
-
-void print_contact(const Lines& print, const Request& r, const Powder& p, const Springs& s) {
+void print_contact(const Lines& print, const Request& r, const Powder& p) {
+  const Springs& s = p.springs;
   print.heading("Contact of two of the smallest grains");
   print({"impact_speed", "speed of impacts", p.speed, "m/s"});
   if (r.elastic.young > 0.0)
@@ -203,70 +206,60 @@ void print_contact(const Lines& print, const Request& r, const Powder& p, const 
   print({"pull_off_over_material", "pull-off force over the material's", s.over.force, "1"});
 }
 
-/// Area of the bed: of a box or of a round column.
-double area_of(const Request& r) {
-  return r.column > 0.0 ? 0.25 * pi * r.column * r.column : r.width * r.depth;
-}
+tools::PowderVessel::Section section_of(const Request& r) { return {r.width, r.depth, r.column}; }
 
-void print_plan(const Lines& print, const Request& r, const Powder& p, const Springs& s) {
-  const double step = particle_step(s.used.contact_time);
-  const double cell = cell_over_diameter * p.sizes.largest();
-  const double velocity = 2.0 * p.fastest_fluidisation / r.void_fraction;
-  const double gas = gas_step(cell, velocity, r.gravity, step);
-  print.heading("Run");
-  print({"particle_step", "particle step, t_c/8, scheme event", step, "s"});
-  print({"cell", "cells, three of the largest diameter", cell, "m"});
-  print({"gas_step", "gas step, a whole number of these", gas, "s"});
-  print({"steps_per_second", "particle steps in a second", 1.0 / step, "1"});
+Bed bed_of(const Request& r) { return {section_of(r).area(), r.height, r.void_fraction}; }
+
+void print_plan(const Lines& print, const Request& r, const Powder& p) {
+  print.heading("Run, " + r.engine);
+  const bool coarse = p.parcels.ratio() > 1.0;
+  if (coarse) {
+    print(
+        {"coarse_graining", "spheres computed, over the grains' diameter", p.parcels.ratio(), "1"});
+    print({"bond_computed", "their Bond number, of the smallest",
+           p.adhesion.force / p.weight(p.sizes.smallest()) / p.parcels.ratio(), "1"});
+  }
+  print({"particle_step", "particle step, a part of t_c, scheme event", p.step, "s"});
+  print({"cell", "cells, three of the largest diameter", p.cell, "m"});
+  print({"gas_step", "gas step, a whole number of these", p.gas_step, "s"});
+  print({"steps_per_second", "particle steps in a second", 1.0 / p.step, "1"});
   if (r.height == 0.0) return;
-  const Bed bed{area_of(r), r.height, r.void_fraction};
-  print({"grains", "grains of the bed", number_of_grains(bed, p.sizes), "1"});
-  print({"mass", "mass of the bed", (1.0 - bed.void_fraction) * bed.area * bed.height * r.density,
-         "kg"});
+  const Bed bed = bed_of(r);
+  const double grains = number_of_grains(bed, p.sizes);
+  print({"grains", "grains of the bed", grains, "1"});
+  if (coarse) print({"spheres", "spheres computed of the bed", p.parcels.number(grains), "1"});
+  print({"mass", "mass of the bed", mass_of(bed, r.density), "kg"});
   print({"pressure_drop", "pressure drop, fluidised",
-         (1.0 - bed.void_fraction) * (r.density - r.gas.density) * r.gravity * bed.height, "Pa"});
+         pressure_of(bed.height, bed.void_fraction, (r.density - r.gas.density) * r.gravity),
+         "Pa"});
 }
 
-/// Words of pair_coeff for gran/hamaker.
-std::string contact_words(const Request& r, const Powder& p, const Springs& s) {
-  char text[400];
-  std::snprintf(text, sizeof text,
-                "stiffness %.6g restitution %.6g friction %.6g hamaker %.6g cutoff %.6g %.6g",
-                s.used.stiffness, r.restitution, r.friction, p.hamaker_constant, r.cutoffs[0],
-                r.cutoffs[1]);
-  std::string line(text);
-  if (r.asperity > 0.0) {
-    std::snprintf(text, sizeof text, " asperity %.6g", r.asperity);
-    line += text;
-  }
-  if (s.used.stiffness != s.material.stiffness) {
-    std::snprintf(text, sizeof text, " material_stiffness %.6g material_keep %s",
-                  s.material.stiffness, r.keep.c_str());
-    line += text;
-  }
-  return line;
+/// Lines that define the contacts, for the engine of the run.
+std::vector<std::string> script_lines(const Request& r, const Powder& p) {
+  const tools::PowderContacts contacts = p.contacts();
+  if (r.engine == "lammps")
+    return {"pair_style gran/hamaker scheme event", "pair_coeff * * " + contacts.lammps()};
+  std::vector<std::string> lines = contacts.liggghts();
+  lines.push_back("pair_style gran " + contacts.liggghts_model() + " " +
+                  contacts.liggghts_keywords());
+  lines.push_back("pair_coeff * *");
+  return lines;
 }
 
-/// Pair style and coefficients for LAMMPS, each a line.
-std::vector<std::string> script_lines(const Request& r, const Powder& p, const Springs& s) {
-  return {"pair_style  gran/hamaker scheme event", "pair_coeff  * * " + contact_words(r, p, s)};
-}
-
-void print_script(const Lines& print, const Request& r, const Powder& p, const Springs& s) {
-  print.heading("In a LAMMPS script");
-  for (const std::string& line : script_lines(r, p, s)) print.note(line);
+void print_script(const Lines& print, const Request& r, const Powder& p) {
+  print.heading("In a script, " + r.engine);
+  for (const std::string& line : script_lines(r, p)) print.note(line);
   char text[80];
-  std::snprintf(text, sizeof text, "timestep    %.6g", particle_step(s.used.contact_time));
+  std::snprintf(text, sizeof text, "timestep %.6g", p.step);
   print.note(text);
 }
 
 /// What a second of the bed takes, from a short run of LAMMPS.
-void print_cost(const Lines& print, const Request& r, const Powder& p, const Springs& s) {
-  const double step = particle_step(s.used.contact_time);
+void print_cost(const Lines& print, const Request& r, const Powder& p) {
   std::string lines;
-  for (const std::string& line : script_lines(r, p, s)) lines += line + "\n";
+  for (const std::string& line : script_lines(r, p)) lines += line + "\n";
   tools::EngineCost engine(r.lammps, r.plugin);
-  const auto cost = engine.seconds(p.mean.diameter, r.density, lines, step);
+  const auto cost = engine.seconds(p.parcels.length(p.mean.diameter), r.density, lines, p.step);
   print.heading("On this machine, the particles alone, one process");
   if (!cost) {
     std::cerr << "cohesion-powder: '" << r.lammps << "' did not run, so that nothing is measured; "
@@ -274,37 +267,37 @@ void print_cost(const Lines& print, const Request& r, const Powder& p, const Spr
               << engine.said();
     return;
   }
-  print({"seconds_per_grain_step", "per grain and step, in a packing", *cost, "s"});
-  if (r.height > 0.0)
-    print(
-        {"hours_per_second", "for a second of the bed",
-         *cost * number_of_grains({area_of(r), r.height, r.void_fraction}, p.sizes) / step / 3600.0,
-         "h"});
+  print({"seconds_per_grain_step", "per sphere and step, in a packing", *cost, "s"});
+  if (r.height == 0.0) return;
+  const double spheres = p.parcels.number(number_of_grains(bed_of(r), p.sizes));
+  print({"hours_per_second", "for a second of the bed", *cost * spheres / p.step / 3600.0, "h"});
 }
 
-void write_case(const Request& r, const Powder& p, const Springs& s) {
-  const double step = particle_step(s.used.contact_time);
-  const double cell = cell_over_diameter * p.sizes.largest();
-  const double velocity = 2.0 * p.fastest_fluidisation;
-  const tools::PowderCase written{p.sizes,
-                                  r.density,
-                                  contact_words(r, p, s),
-                                  step,
-                                  gas_step(cell, velocity / r.void_fraction, r.gravity, step),
-                                  cell,
-                                  r.gas.density,
-                                  r.gas.viscosity,
+void write_case(const Request& r, const Powder& p) {
+  const Sizes computed = p.computed();
+  const tools::PowderVessel vessel(computed, section_of(r), r.height, r.void_fraction, p.cell,
+                                   r.grains);
+  require(vessel.grains() <= r.grains, "--grains", r.grains,
+          "the smallest vessel, " +
+              std::to_string(vessel.is_round() ? vessel.least_across_column : vessel.least_across) +
+              " cells across, has " + std::to_string(vessel.grains()) + ": give that or more");
+  const tools::PowderCase written{r.engine == "liggghts",
+                                  computed,
+                                  p.parcels.ratio(),
+                                  p.contacts(),
+                                  p.step,
+                                  p.gas_step,
+                                  r.gas,
                                   r.gravity,
-                                  velocity};
-  const Bed bed{r.width * r.depth, r.height, r.void_fraction};
-  const auto box = written.box(r.width, r.depth, bed, r.grains);
-  written.write(r.folder, box);
+                                  p.velocity};
+  written.write(r.folder, vessel);
   std::fprintf(
       stderr,
-      "cohesion-powder: wrote a case to %s: a box of %.3g x %.3g x %.3g m with %.0f grains "
-      "of the %.4g of the bed, %.3g m/s of gas; to run it: %s/Allrun\n",
-      r.folder.c_str(), box.edge(0, cell), box.edge(1, cell), box.edge(2, cell), box.grains,
-      number_of_grains(bed, p.sizes), velocity, r.folder.c_str());
+      "cohesion-powder: wrote a case to %s for %s: a %s of %.3g x %.3g x %.3g m with %d spheres, "
+      "the bed has %.4g grains, %.3g m/s of gas; to run it: %s/Allrun\n",
+      r.folder.c_str(), r.engine == "liggghts" ? "LIGGGHTS" : "LAMMPS",
+      vessel.is_round() ? "column" : "box", vessel.edge(0), vessel.edge(1), vessel.edge(2),
+      vessel.grains(), number_of_grains(bed_of(r), p.sizes), p.velocity, r.folder.c_str());
 }
 
 }  // namespace
@@ -316,19 +309,24 @@ int main(int argc, char** argv) {
       "Manual: docs/tools/cohesion-powder.md"};
   app.set_version_flag("--version", "cohesion-powder, Cohesion " COHESION_VERSION);
   tools::add_options(app, request);
-  CLI11_PARSE(app, argc, argv);
+  try {
+    app.parse(argc, argv);
+    tools::require_given_once(app, argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error);
+  }
+
   try {
     tools::require_together(request);
     const Powder powder(request);
-    const Springs springs = springs_of(request, powder);
     const Lines print(request.csv);
     print_powder(print, request, powder);
     print_adhesion(print, powder);
-    print_contact(print, request, powder, springs);
-    print_plan(print, request, powder, springs);
-    print_script(print, request, powder, springs);
-    if (request.measure) print_cost(print, request, powder, springs);
-    if (!request.folder.empty()) write_case(request, powder, springs);
+    print_contact(print, request, powder);
+    print_plan(print, request, powder);
+    print_script(print, request, powder);
+    if (request.measure) print_cost(print, request, powder);
+    if (!request.folder.empty()) write_case(request, powder);
   } catch (const std::exception& error) {
     std::cerr << "cohesion-powder: " << error.what() << '\n';
     return 1;

@@ -5,56 +5,32 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <random>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
+#include "powder/fluidisation.h"
 #include "powder/plan.h"
 #include "powder/sizes.h"
+#include "powder_contacts.h"
+#include "powder_vessel.h"
 
 namespace cohesion::tools {
 
-/// A coupled case of a powder in a box: the files of powder-case beside this program, with what is
-/// the powder's in constant/powder, grains, mixture and gravity and in grains.data. SI units.
+/// A coupled case of a powder: the files of powder-case beside this program, with what is the
+/// powder's in constant/powder, grains, coupling and gravity, in grains.data, and for LIGGGHTS in
+/// constant/contacts. SI units.
 struct PowderCase {
-  powder::Sizes sizes;
-  double density;       ///< of the grains
-  std::string contact;  ///< words of pair_coeff
-  double particle_step, gas_step, cell;
-  double gas_density, gas_viscosity, gravity;
+  bool liggghts;        ///< the engine, or else LAMMPS
+  powder::Sizes sizes;  ///< of the spheres, which may be parcels
+  double parcel;        ///< their diameter over that of grains
+  PowderContacts contacts;
+  double particle_step, gas_step;
+  powder::Gas gas;
+  double gravity;
   double velocity;  ///< superficial
 
-  /// A box of whole cells with a settled bed in it.
-  struct Box {
-    int cells[3];
-    double grains;
-
-    double edge(int k, double cell) const { return cells[k] * cell; }
-  };
-
-  /// Of the bed asked for, or, where that has more than so many grains, one of its shape that has
-  /// not. The box is three times as high as the bed, or as the lattice that the grains are poured
-  /// from.
-  Box box(double width, double depth, const powder::Bed& bed, double most) const {
-    const double all = powder::number_of_grains(bed, sizes);
-    const double scale = std::min(1.0, std::cbrt(most / all));
-    const auto whole = [&](double length) {
-      // A whole number of cells stays one.
-      return std::max(2, static_cast<int>(std::floor(scale * length / cell * (1.0 + 1e-9))));
-    };
-    Box box{{whole(width), whole(depth), 0}, 0.0};
-    const double height = scale * bed.height;
-    box.cells[2] = 3 * std::max(2, static_cast<int>(std::ceil(height / cell)));
-    box.grains = std::round(powder::number_of_grains(
-        {box.edge(0, cell) * box.edge(1, cell), height, bed.void_fraction}, sizes));
-    box.cells[2] =
-        std::max(box.cells[2], static_cast<int>(std::ceil(height_of_lattice(box) / cell)));
-    return box;
-  }
-
   /// Throws std::runtime_error where the folder is there and not empty, or cannot be written.
-  void write(const std::filesystem::path& folder, const Box& box) const {
+  void write(const std::filesystem::path& folder, const PowderVessel& vessel) const {
     namespace fs = std::filesystem;
     if (fs::exists(folder) && !fs::is_empty(folder))
       throw std::runtime_error("--write " + folder.string() +
@@ -62,13 +38,19 @@ struct PowderCase {
     const fs::path from = template_folder();
     fs::create_directories(folder);
     fs::copy(from, folder, fs::copy_options::recursive);
-    std::ofstream(folder / "constant/powder") << gas_entries(box);
-    std::ofstream(folder / "constant/grains") << script_variables(box);
-    // Among equal grains the law would raise the drag by some per cent.
-    std::ofstream(folder / "constant/mixture")
-        << "dragMixture     " << (sizes.all().size() > 1 ? "vanDerHoef" : "none") << ";\n";
+    // One mesh and one script of two.
+    const fs::path system = folder / "system";
+    const char* shapes[] = {"box", "column"};
+    fs::rename(system / ("blockMeshDict." + std::string(shapes[vessel.is_round()])),
+               system / "blockMeshDict");
+    fs::remove(system / ("blockMeshDict." + std::string(shapes[!vessel.is_round()])));
+    fs::remove(folder / (liggghts ? "grains.lmp" : "grains.liggghts"));
+    write_powder(folder / "constant/powder", vessel);
+    write_variables(folder / "constant/grains", vessel);
+    write_coupling(folder / "constant/coupling");
     std::ofstream(folder / "constant/gravity") << "gravityOfPowder (0 0 " << -gravity << ");\n";
-    write_grains(folder / "grains.data", box);
+    if (liggghts) write_contacts(folder / "constant/contacts");
+    write_grains(folder / "grains.data", vessel);
   }
 
  private:
@@ -81,90 +63,81 @@ struct PowderCase {
     return folder;
   }
 
-  static std::string entry(const char* name, double value) {
-    char text[120];
-    std::snprintf(text, sizeof text, "%-24s%.9g;\n", name, value);
-    return text;
-  }
+  /// An OpenFOAM file of entries.
+  class Entries {
+   public:
+    Entries(const std::filesystem::path& file, const char* title) : out_(file) {
+      out_ << "// " << title << '\n';
+      out_.precision(9);
+    }
+    template <class Value>
+    Entries& operator()(const char* name, const Value& value) {
+      const std::string text(name);
+      out_ << text << std::string(text.size() < 24 ? 24 - text.size() : 1, ' ') << value << ";\n";
+      return *this;
+    }
 
-  std::string gas_entries(const Box& b) const {
-    return "// Of the powder and its bed, SI units.\n" + entry("width", b.edge(0, cell)) +
-           entry("depth", b.edge(1, cell)) + entry("top", b.edge(2, cell)) +
-           "cells                   (" + std::to_string(b.cells[0]) + " " +
-           std::to_string(b.cells[1]) + " " + std::to_string(b.cells[2]) + ");\n" +
-           entry("rows", b.cells[2]) + entry("velocity", velocity) + entry("gasStep", gas_step) +
-           entry("gasDensity", gas_density) +
-           entry("gasKinematicViscosity", gas_viscosity / gas_density);
-  }
-
-  std::string script_variables(const Box& b) const {
-    // A fifth of the skin is for the flights of two grains in a step: 3 m/s each.
-    const double skin = std::max(0.2 * sizes.largest(), 30.0 * particle_step);
-    return "// Variables of grains.lmp, SI units.\n" + entry("dt", particle_step) +
-           entry("width", b.edge(0, cell)) + entry("depth", b.edge(1, cell)) +
-           entry("top", b.edge(2, cell)) + entry("gravity", gravity) + entry("skin", skin) +
-           entry("settle", std::max(0.05, 1.5 * std::sqrt(2.0 * height_of_lattice(b) / gravity))) +
-           "contact                 \"" + contact + "\";\n";
-  }
-
-  /// Grains of one size, a layer of the loose lattice that they are poured from.
-  struct Layer {
-    double diameter;
-    int across[2];
-    int grains;
-
-    double thickness() const { return 1.05 * diameter; }
+   private:
+    std::ofstream out_;
   };
 
-  /// The grains of all sizes, layers of them in any order.
-  std::vector<Layer> layers(const Box& box) const {
-    std::vector<Layer> all;
-    int left = static_cast<int>(box.grains);
-    for (const powder::Size& size : sizes.all()) {
-      Layer layer{size.diameter, {1, 1}, 0};
-      for (int k = 0; k < 2; k++)
-        layer.across[k] = std::max(1, static_cast<int>(box.edge(k, cell) / (1.05 * size.diameter)));
-      const bool last = &size == &sizes.all().back();
-      int of_size =
-          last ? left : static_cast<int>(std::round(box.grains * sizes.number_share(size)));
-      for (left -= of_size; of_size > 0; of_size -= layer.grains) {
-        layer.grains = std::min(of_size, layer.across[0] * layer.across[1]);
-        all.push_back(layer);
-      }
+  void write_powder(const std::filesystem::path& file, const PowderVessel& v) const {
+    Entries entries(file, "Of the powder and its bed, SI units.");
+    if (v.is_round()) {
+      // The square's sides bulge.
+      const double side = v.radius() * v.across_square() / v.cells(0), cosine = std::sqrt(0.5);
+      entries("outer", cosine * v.reach())("outerArc", v.reach())("innerArc", side)(
+          "inner", cosine * 7.0 / 6.0 * side)("acrossSquare", v.across_square())("rings",
+                                                                                 v.rings());
+    } else {
+      entries("width", v.edge(0))("depth", v.edge(1))(
+          "cells", "(" + std::to_string(v.cells(0)) + " " + std::to_string(v.cells(1)) + " " +
+                       std::to_string(v.cells(2)) + ")");
     }
-    std::mt19937 random(4711);
-    std::shuffle(all.begin(), all.end(), random);
-    return all;
+    entries("top", v.edge(2))("rows", v.cells(2))("velocity", velocity)("gasStep", gas_step)(
+        "gasDensity", gas.density)("gasKinematicViscosity", gas.viscosity / gas.density);
   }
 
-  double height_of_lattice(const Box& box) const {
-    double height = 0.0;
-    for (const Layer& layer : layers(box)) height += layer.thickness();
-    return height;
+  void write_variables(const std::filesystem::path& file, const PowderVessel& v) const {
+    // A fifth of the skin is for the flights of two grains in a step: 3 m/s each.
+    const double skin = std::max(0.2 * sizes.largest(), 30.0 * particle_step);
+    Entries entries(file, "Variables of the script, SI units.");
+    entries("dt", particle_step)("round", v.is_round() ? 1 : 0)("radius", v.radius())(
+        "width", v.edge(0))("depth", v.edge(1))("top", v.edge(2))("gravity", gravity)("skin", skin)(
+        "settle", std::max(0.05, 1.5 * std::sqrt(2.0 * v.height_of_lattice() / gravity)));
+    if (liggghts)
+      entries("model", '"' + contacts.liggghts_model() + '"')(
+          "keywords", '"' + contacts.liggghts_keywords() + '"')("wall", sizes.all().size() + 1);
+    else
+      entries("contact", '"' + contacts.lammps() + '"');
   }
 
-  void write_grains(const std::filesystem::path& file, const Box& b) const {
+  void write_coupling(const std::filesystem::path& file) const {
+    // Among equal grains the law of mixtures would raise the drag by some per cent.
+    Entries(file, "Of couplingProperties")("demEngine", liggghts ? "liggghts" : "lammps")(
+        "dragMixture", sizes.all().size() > 1 ? "vanDerHoef" : "none")("coarseGraining", parcel);
+  }
+
+  void write_contacts(const std::filesystem::path& file) const {
+    std::ofstream out(file);
+    out << "# Contacts of grains.liggghts: a type for each size, the last is that of the walls.\n";
+    for (const std::string& line : contacts.liggghts()) out << line << '\n';
+  }
+
+  void write_grains(const std::filesystem::path& file, const PowderVessel& v) const {
     std::ofstream out(file);
     out.precision(9);
-    out << "Grains\n\n"
-        << b.grains << " atoms\n1 atom types\n\n0 " << b.edge(0, cell) << " xlo xhi\n0 "
-        << b.edge(1, cell) << " ylo yhi\n0 " << b.edge(2, cell) << " zlo zhi\n\nAtoms # sphere\n\n";
-    std::mt19937 random(4711);
+    const std::size_t types = sizes.all().size() + (liggghts ? 1 : 0);
+    out << "Grains\n\n" << v.grains() << " atoms\n" << types << " atom types\n\n";
+    const char* names[] = {"x", "y", "z"};
+    for (int k = 0; k < 3; k++)
+      out << v.lower(k) << ' ' << v.upper(k) << ' ' << names[k] << "lo " << names[k] << "hi\n";
+    out << "\nAtoms\n\n";
     int number = 0;
-    double below = 0.0;
-    for (const Layer& layer : layers(b)) {
-      const double d = layer.diameter;
-      // No closer to others than they can be and not touch.
-      std::uniform_real_distribution<double> jitter(-0.02 * d, 0.02 * d);
-      for (int n = 0; n < layer.grains; n++) {
-        out << ++number << " 1 " << d << ' ' << density;
-        const int site[] = {n % layer.across[0], n / layer.across[0]};
-        for (int k = 0; k < 2; k++)
-          out << ' ' << (site[k] + 0.5) * b.edge(k, cell) / layer.across[k] + jitter(random);
-        out << ' ' << below + 0.5 * layer.thickness() << '\n';
-      }
-      below += layer.thickness();
-    }
+    v.for_each_grain([&](std::size_t size, const std::array<double, 3>& place) {
+      out << ++number << ' ' << size + 1 << ' ' << sizes.all()[size].diameter << ' '
+          << contacts.density << ' ' << place[0] << ' ' << place[1] << ' ' << place[2] << '\n';
+    });
   }
 };
 

@@ -25,6 +25,8 @@ struct Request {
   double gravity = 9.81, speed = 0.0;
   double width = 0.0, depth = 0.0, column = 0.0, height = 0.0, void_fraction = 0.42;
   std::string keep = "velocity";
+  double coarse_graining = 1.0;
+  std::string engine = "lammps";
   std::string lammps = "lmp-cohesion", plugin = "cohesionplugin.so";
   bool measure = false, csv = false;
   std::string folder;  // of a case to write
@@ -84,11 +86,17 @@ inline void add_options(CLI::App& app, Request& r) {
       app.add_option("--column", r.column, "diameter of a round bed [m]")->excludes(width);
   auto* height = app.add_option("--height", r.height, "of the settled bed [m]");
   for (auto* length : {width, depth, column, height}) length->check(CLI::PositiveNumber);
+  app.add_option("--coarse-graining", r.coarse_graining,
+                 "diameter of the spheres that are computed over that of the grains")
+      ->check(CLI::Range(1.0, 100.0))
+      ->capture_default_str();
+  app.add_option("--engine", r.engine, "of the run: steps, script and case are for it")
+      ->check(CLI::IsMember({"lammps", "liggghts"}))
+      ->capture_default_str();
   app.add_flag("--measure", r.measure, "measure what a step takes in a short run of LAMMPS");
   app.add_option("--lammps", r.lammps, "program for --measure")->capture_default_str();
   app.add_option("--plugin", r.plugin, "file that it loads")->capture_default_str();
-  app.add_option("--write", r.folder, "folder of a coupled case of the bed, in a box")
-      ->needs(width);
+  app.add_option("--write", r.folder, "folder of a coupled case of the bed")->needs(height);
   app.add_option("--grains", r.grains, "the most that it has; a larger bed is written smaller")
       ->check(CLI::Range(100.0, 1e8))
       ->capture_default_str();
@@ -103,6 +111,8 @@ inline void require_together(const Request& r) {
   const bool area = r.width > 0.0 || r.column > 0.0;
   require(area == (r.height > 0.0), "height of the bed", r.height,
           "a bed takes --height and either --width and --depth or --column");
+  require(!r.measure || r.engine == "lammps", "measurement", 1.0,
+          "--measure runs LAMMPS: leave --engine out");
   require(r.asperity == 0.0 || r.keep == "force" || r.elastic.young == 0.0, "asperity radius",
           r.asperity,
           "the adhesion of rough grains is not scaled to soft springs: add --keep force, or give "

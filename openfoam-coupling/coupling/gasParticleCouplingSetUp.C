@@ -119,7 +119,7 @@ Foam::gasParticleCoupling::gasParticleCoupling
     }
     requireReadState();
     coupledParticles_ = std::make_unique<coupledParticles>(mesh_, *engine_, g_, density_, depthRatio_);
-    reportParticles(*coupledParticles_, rho_, drag_.mixture());
+    reportParticles(*coupledParticles_, rho_, drag_.mixture(), drag_.parcels());
     step_ = std::make_unique<gasStep>(time, engine_->time_step());
 
     if (!continued())

@@ -85,6 +85,13 @@ inline double hamaker_of_surface_energy(double surface_energy, double surface_cu
   return 24.0 * pi * surface_energy * surface_cutoff * surface_cutoff;
 }
 
+/// The Hamaker constant whose smooth spheres of the reduced radius R* [length] pull with this force
+/// at the cut-off H_cut, A = 6 F H_cut^2/R*, [energy].
+inline double hamaker_of_pull_off(double force, double reduced_radius, double surface_cutoff) {
+  require_positive("surface cut-off H_cut", surface_cutoff);
+  return 6.0 * force * surface_cutoff * surface_cutoff / reduced_radius;
+}
+
 /// What a spring has to bear without an overlap beyond a share of the diameter.
 struct Load {
   double speed;     ///< of impacts, [length/time]

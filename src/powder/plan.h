@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "constants.h"
 #include "powder/sizes.h"
 #include "validation.h"
 
@@ -25,10 +26,30 @@ inline void require_valid(const Bed& bed) {
           bed.void_fraction, "must lie between 0 and 1");
 }
 
+/// How far from the axis the corners of a column of `sides` plane sides are whose cross-section is
+/// that of a cylinder of this radius, [length].
+inline double corners_of_equal_area(double radius, int sides) {
+  const double angle = 2.0 * pi / sides;
+  return radius * std::sqrt(angle / std::sin(angle));
+}
+
 /// How many spheres a bed has, [1].
 inline double number_of_grains(const Bed& bed, const Sizes& sizes) {
   require_valid(bed);
   return (1.0 - bed.void_fraction) * bed.area * bed.height * sizes.number_per_solid_volume();
+}
+
+/// Mass of the bed, [mass]; density of the grains [mass/volume].
+inline double mass_of(const Bed& bed, double density) {
+  require_valid(bed);
+  return (1.0 - bed.void_fraction) * bed.area * bed.height * density;
+}
+
+/// What the solid of a height weighs in the gas, by area, [force/length^2]: the pressure that the
+/// lowest grains bear, and the pressure drop of the fluidised bed. weight: of a volume of solid,
+/// (rho_p - rho) g [force/volume].
+inline double pressure_of(double height, double void_fraction, double weight) {
+  return (1.0 - void_fraction) * weight * height;
 }
 
 /// The largest number of two digits that is not above a positive one.
@@ -37,9 +58,10 @@ inline double two_digits_below(double value) {
   return std::floor(value / unit * (1.0 + 1e-12)) * unit;
 }
 
-/// Steps of a contact that scheme event is given: the bed of the examples is the same at a quarter
-/// and an eighth of it.
-inline constexpr double steps_per_contact = 8.0;
+/// Steps of a contact that scheme event is given in LAMMPS: the bed of the examples is the same at
+/// a quarter and an eighth of it. In LIGGGHTS, where others' forces are those of the step before,
+/// it warns of fewer than ten.
+inline constexpr double steps_per_contact = 8.0, steps_per_contact_liggghts = 10.0;
 /// Edge of a cell over the largest diameter, for a kernel that spreads spheres over cells.
 inline constexpr double cell_over_diameter = 3.0;
 /// Courant number of the gas at twice the minimum fluidisation.
@@ -48,8 +70,8 @@ inline constexpr double courant = 0.5;
 inline constexpr double falls_per_step = 0.1;
 
 /// Particle step, [time], of the shortest contact time.
-inline double particle_step(double contact_time) {
-  return two_digits_below(contact_time / steps_per_contact);
+inline double particle_step(double contact_time, double steps) {
+  return two_digits_below(contact_time / steps);
 }
 
 /// Gas step, [time], a whole number of particle steps: for a gas that passes cells of this edge

@@ -86,6 +86,9 @@ CASES = {
     "misspelt mixture": (
         lambda c: c.set(COUPLING, "dragMixture", "vanderhoef"),
         ["unknown dragMixture 'vanderhoef'", "valid names: none, carmanKozeny, vanDerHoef"]),
+    "parcels smaller than grains": (
+        lambda c: c.set(COUPLING, "coarseGraining", 0.5),
+        ["coarseGraining: diameter of parcels over that of grains = 0.5: must be 1 or more"]),
     "misspelt form": (
         lambda c: c.set(COUPLING, "form", "C"),
         ["unknown form 'C'", "valid names: A, B"]),

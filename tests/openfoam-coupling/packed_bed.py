@@ -56,6 +56,13 @@ class PackedBed(CoupledTestCase):
     def test_form_B(self):
         self.check("form_B", {"drag": "diFelice", "form": "B"}, CLOSURES["diFelice"])
 
+    def test_parcels(self):
+        def of_grains(ctx, eps, slip, d, *gas):
+            """Per volume of solid, which grains and parcels have alike."""
+            return CLOSURES["ergunWenYu"](ctx, eps, slip, d / 2, *gas)
+
+        self.check("parcels", {"drag": "ergunWenYu", "coarseGraining": 2}, of_grains)
+
     def test_factor_and_exponent(self):
         def halved(*where):
             return 0.5 * CLOSURES["ergunWenYu"](*where, n="9.6")

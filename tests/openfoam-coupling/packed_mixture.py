@@ -25,15 +25,18 @@ def solid(row):
     return sum(number * np.pi / 6 * d**3 for number, d in row) / CELL
 
 
-def on_spheres(row, law, closure):
-    """The force on a sphere of each kind in a row [N], without that of the gas's weight."""
-    per_volume = [(number / CELL, d) for number, d in row]
-    return forces(law, closure, 1 - solid(row), SUPERFICIAL, per_volume, RHO, MU) if row else np.array([])
+def on_spheres(row, law, closure, parcel=1):
+    """The force on a sphere of each kind in a row [N], without that of the gas's weight; of parcels on all the grains of
+    one."""
+    if not row:
+        return np.array([])
+    per_volume = [(number * parcel**3 / CELL, d / parcel) for number, d in row]
+    return parcel**3 * forces(law, closure, 1 - solid(row), SUPERFICIAL, per_volume, RHO, MU)
 
 
-def drops(law, closure):
+def drops(law, closure, parcel=1):
     """Fall of pressure over each row [Pa], without that of the gas's weight."""
-    return np.array([sum(n * force for (n, _), force in zip(row, on_spheres(row, law, closure)))
+    return np.array([sum(n * force for (n, _), force in zip(row, on_spheres(row, law, closure, parcel)))
                      for row in ROWS]) / CELL * ROW
 
 
@@ -44,14 +47,15 @@ class PackedMixture(CoupledTestCase):
         if ranks > 1:
             case.run("reconstructPar", "-latestTime")
         eps = np.array([1 - solid(row) for row in ROWS])
-        steps = drops(law, CLOSURES[closure])
+        parcel = settings.get("coarseGraining", 1)
+        steps = drops(law, CLOSURES[closure], parcel)
         weight = RHO * G * 9 * ROW
         limit = flux_limit(steps.sum() + weight)
         self.expect_below(f"{name}: error of the flux by the solver's log [m/s]", continuity * HEIGHT / DT, limit)
         off = viscous(eps) + drop_error(limit, steps, eps)
         self.expect_near(f"{name}: pressure drop [Pa]", drop(case, END), steps.sum() + weight, off)
         self.expect_below(f"{name}: that limit over the drop [1]", off / steps.sum(), 1e-3)
-        self.check_forces(name, case, [on_spheres(row, law, CLOSURES[closure]) for row in ROWS], off)
+        self.check_forces(name, case, [on_spheres(row, law, CLOSURES[closure], parcel) for row in ROWS], off)
         self.expect_below(f"{name}: imbalance of momentum [1]", exchange_lines(log)[-1]["imbalance"], 1e-12)
 
     def check_forces(self, name, case, expected, off):
@@ -86,6 +90,12 @@ class PackedMixture(CoupledTestCase):
     def test_ranks(self):
         for ranks in (2, 4):
             self.check(f"ranks_{ranks}", "vanDerHoef", ranks=ranks)
+
+    def test_parcels(self):
+        """Spheres that stand for grains feel the drag of these; so do those of a mixture."""
+        for parcel in (1.5, 3):
+            self.check(f"parcels_{parcel}", "vanDerHoef", coarseGraining=parcel)
+        self.check("parcels_ergun", "carmanKozeny", "ergunWenYu", coarseGraining=2)
 
     def test_free_response(self):
         self.check("free", "vanDerHoef", response="free")

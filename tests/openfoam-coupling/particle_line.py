@@ -17,7 +17,7 @@ WARNING = "may be off by a factor of about three at a size ratio of four"
 CURE = "add an entry dragMixture to constant/couplingProperties: carmanKozeny or vanDerHoef"
 
 
-def lines(column, name, kinds, ranks=1, mixture="none"):
+def lines(column, name, kinds, ranks=1, mixture="none", parcel=1):
     """What is said of spheres of `kinds` in turn, (diameter [m], density [kg/m3]): the line, and the one after it if
     it belongs to it."""
     case = column(name)
@@ -27,7 +27,8 @@ def lines(column, name, kinds, ranks=1, mixture="none"):
     (case.folder / "spheres").write_text(
         f"Spheres\n\n{NUMBER} atoms\n1 atom types\n\n0 0.06 xlo xhi\n0 0.06 ylo yhi\n0 0.2 zlo zhi\n\n"
         f"Atoms\n\n{atoms}\n")
-    append(case, COUPLING, f"lammpsCoeffs {{ variables {{ data spheres; }} }} dragMixture {mixture};")
+    append(case, COUPLING, f"lammpsCoeffs {{ variables {{ data spheres; }} }} dragMixture {mixture};"
+           f"coarseGraining {parcel};")
     append(case, "constant/g", "value (0 0 0);")
     append(case, "system/controlDict", "endTime 1e-4; writePrecision 17;")
     case.mesh()
@@ -75,6 +76,13 @@ class ParticleLine(CoupledTestCase):
             assert_says(self, found, "that of dragMixture vanDerHoef over the closure, by its diameter over the Sauter"
                         " mean of its cells")
             self.expect_equal(f"{name}: range of the law is told", "fitted for ratios up to 4" in found, beyond)
+
+    def test_parcels(self):
+        """2 mm of which each stands for 1000 grains of 0.2 mm: group B, where the spheres would be of group D."""
+        found = lines(self.column, "parcels", [(2e-3, 2500.0)], parcel=10)
+        self.expect_true(f"group of the grains: {found[0]}", found[0].endswith("Geldart's group B"))
+        self.expect_equal("what is said behind it", found[1], "coarseGraining 10: each sphere stands for 1000 grains of"
+                          " 0.1 of its diameter; drag and Geldart's group are theirs")
 
     def test_law_for_mixtures_among_equal_spheres(self):
         found = lines(self.column, "equal", [(2e-4, 1500.0)], mixture="vanDerHoef")[1]

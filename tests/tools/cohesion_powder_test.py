@@ -81,6 +81,53 @@ class Numbers(unittest.TestCase):
         self.near(found["sauter_mean"], 1e-6 / 0.02875)
 
 
+    def test_parcels_are_grains_magnified(self):
+        words = ("--diameter", 1e-3, "--density", 2650, "--stiffness", 800, "--hamaker", 7.49e-19, *BED)
+        grains, parcels = (program.values(*words, *more) for more in ((), ("--coarse-graining", 2)))
+        for same in ("u_mf_beetstra", "bond", "contact_time", "grains", "mass", "pressure_drop", "impact_speed"):
+            self.assertEqual(grains[same], parcels[same])
+        self.near(parcels["spheres"], grains["grains"] / 8)
+        self.near(parcels["bond_computed"], grains["bond"] / 2)
+        self.near(parcels["cell"], 6e-3)
+        # In two digits
+        self.near(parcels["particle_step"], 2 * grains["particle_step"], 0.1)
+        _, output, _ = program.call(*words, "--coarse-graining", 2)
+        self.assertIn("stiffness 1600 restitution 0.9 friction 0.3 hamaker 5.992e-18 cutoff 8e-10 2e-07", output)
+
+    def test_liggghts_has_ten_steps_of_a_contact(self):
+        words = ("--diameter", 1e-3, "--density", 2650, "--stiffness", 800, "--hamaker", 7.49e-19)
+        found = program.values(*words, "--engine", "liggghts")
+        self.assertLessEqual(found["particle_step"], found["contact_time"] / 10)
+        self.assertGreater(found["particle_step"], 0.9 * found["contact_time"] / 10)
+
+
+class LiggghtsProperties(unittest.TestCase):
+    def matrices(self, *words):
+        code, output, error = program.call(*words, "--engine", "liggghts")
+        self.assertEqual(code, 0, error)
+        lines = [line.split() for line in output.split("\n") if "peratomtypepair" in line]
+        return {line[1]: [float(value) for value in line[7:]] for line in lines}
+
+    def test_dashpots_are_of_the_mass_of_each_pair(self):
+        """Of every pair the restitution: e = exp(-pi z/sqrt(1 - z^2)), eta = 2 z sqrt(K m)."""
+        found = self.matrices("--diameter", 1e-3, 2e-3, "--density", 2650, "--stiffness", 800, "--restitution", 0.8)
+        z = -math.log(0.8) / math.hypot(math.pi, math.log(0.8))
+        masses = [2650 * math.pi / 6 * d**3 for d in (1e-3, 2e-3)]
+        pair = masses[0] * masses[1] / sum(masses)
+        for place, mass in ((0, masses[0] / 2), (1, pair), (2, masses[0]), (3, pair), (4, masses[1] / 2), (5, masses[1])):
+            # Six digits are printed.
+            self.assertAlmostEqual(found["gamman_abs"][place] / (2 * z * math.sqrt(800 * mass)), 1, delta=1e-5)
+        self.assertNotIn("hamakerConstant", found)
+
+    def test_rough_grains_have_the_constant_of_their_pull_off_force(self):
+        d, r, cut = 1e-4, 1e-7, 4e-10
+        found = self.matrices("--diameter", d, "--density", 1500, "--stiffness", 10, "--hamaker", 1e-19, "--asperity", r)
+        for place, radius in ((0, d / 4), (1, d / 2)):
+            # Rumpf: a sphere of the asperity's radius, and the bodies behind it
+            share = r / (r + radius) + (cut / (cut + r))**2
+            self.assertAlmostEqual(found["hamakerConstant"][place] / (1e-19 * share), 1, delta=1e-5)
+
+
 class Refusals(unittest.TestCase):
     def refused(self, words, *parts, code=1):
         found, output, error = program.call(*words)
@@ -94,6 +141,13 @@ class Refusals(unittest.TestCase):
         self.refused((*GLASS, "--mass-share", 1, 2), "number of mass shares = 2", "one for each diameter")
         self.refused((*GLASS, "--height", 0.1), "height of the bed", "--width and --depth or --column")
         self.refused((*GLASS, "--width", 0.1), "--width requires --depth")
+        self.refused((*GLASS, "--diameter", 6e-4), "--diameter: given twice")
+        self.refused((*GLASS, "--gravity", 9.8, "--gravity", 1.6), "--gravity")
+        self.refused((*GLASS, "--coarse-graining", 0.5), "--coarse-graining")
+        self.refused((*GLASS, "--measure", "--engine", "liggghts"), "--measure runs LAMMPS")
+        self.refused((*GLASS, *BED, "--grains", 100, "--write", "never-written"), "--grains = 100: the smallest vessel",
+                     "2 cells across")
+        self.assertFalse(Path("never-written").exists())
         self.refused((*GLASS, "--asperity", 1e-7), "asperity", "--keep force")
         self.refused((*GLASS, "--surface-energy", 0.1), "--surface-energy")
         self.refused(("--percentiles", 3, 2, 4, *GLASS[2:]), "d10 = 3: must be below d50")
@@ -125,7 +179,7 @@ class WrittenCase(unittest.TestCase):
                                           5000, "--gravity", 1.62, "--write", case)
             self.assertEqual(code, 0, error)
             self.assertIn("gravityOfPowder (0 0 -1.62);", (case / "constant/gravity").read_text())
-            lines = (case / "grains.data").read_text().split("# sphere")[1].split("\n")
+            lines = (case / "grains.data").read_text().split("Atoms")[1].split("\n")
             grains = [list(map(float, line.split())) for line in lines if line]
             small, large = (sum(row[2] == d for row in grains) for d in (2e-4, 4e-4))
             self.assertLessEqual(small + large, 5000)
@@ -137,6 +191,24 @@ class WrittenCase(unittest.TestCase):
             for row in grains:
                 for place, edge in zip(row[4:], box):
                     self.assertTrue(0.5 * row[2] * 0.9 < place < edge - 0.5 * row[2] * 0.9, row)
+
+    def test_a_column_has_them_inside(self):
+        with tempfile.TemporaryDirectory() as folder:
+            case = Path(folder) / "case"
+            code, _, error = program.call(*GLASS, "--column", 0.02, "--height", 0.02, "--grains", 60000, "--write", case)
+            self.assertEqual(code, 0, error)
+            lines = (case / "grains.data").read_text().split("Atoms")[1].split("\n")
+            grains = [list(map(float, line.split())) for line in lines if line]
+            across = 12 * 1.5e-3  # whole cells, an even number
+            solid = (1 - 0.42) * math.pi / 4 * across**2 * 0.02 / (math.pi / 6 * 5e-4**3)
+            self.assertAlmostEqual(len(grains) / solid, 1, delta=1e-3)
+            for row in grains:
+                self.assertLess(math.hypot(row[4], row[5]), across / 2 - 0.5 * 5e-4)
+            # A grain has a place of its own: two in a line are 1.05 of a diameter apart, 0.04 of which is noise.
+            places = sorted((round(row[6] / 1e-5), row[4], row[5]) for row in grains)
+            for one, other in zip(places, places[1:]):
+                if one[0] == other[0]:
+                    self.assertGreater(math.dist(one[1:], other[1:]), 1e-9)
 
 
 if __name__ == "__main__":

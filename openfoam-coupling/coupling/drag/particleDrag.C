@@ -34,6 +34,19 @@ drag::DragLaw readLaw(const Foam::dictionary& dict)
     }
 }
 
+powder::Parcels readParcels(const Foam::dictionary& dict)
+{
+    try
+    {
+        return powder::Parcels(dict.getOrDefault<Foam::scalar>("coarseGraining", 1));
+    }
+    catch (const InvalidParameter& error)
+    {
+        FatalIOErrorInFunction(dict) << "coarseGraining: " << error.what() << Foam::exit(Foam::FatalIOError);
+        throw;
+    }
+}
+
 } // End anonymous namespace
 
 
@@ -41,6 +54,7 @@ Foam::particleDrag::particleDrag(const dictionary& dict, const scalar mu)
 :
     law_(readLaw(dict)),
     mixture_(selectRow(dict, "dragMixture", drag::mixture_laws, "none")),
+    parcels_(readParcels(dict)),
     mu_(mu)
 {}
 
@@ -52,10 +66,11 @@ Foam::particleDrag::Drag Foam::particleDrag::operator()
 ) const
 {
     const auto& [voidFraction, slip, radius, rho] = sphere;
+    const scalar d = parcels_.drag_diameter(2*radius);
     return
     {
-        law_.coefficient(voidFraction, slip, 2*radius, rho, mu_)*form.drag_over_a(voidFraction),
-        drag::superficial_reynolds(voidFraction, slip, 2*radius, rho, mu_)
+        parcels_.grains()*law_.coefficient(voidFraction, slip, d, rho, mu_)*form.drag_over_a(voidFraction),
+        drag::superficial_reynolds(voidFraction, slip, d, rho, mu_)
     };
 }
 
@@ -69,6 +84,8 @@ Foam::particleDrag::Drag Foam::particleDrag::operator()
 {
     const auto& [voidFraction, slip, radius, rho] = sphere;
     const scalar mixed = form.mixed_drag(mixture_, voidFraction, 2*radius, around);
+    const scalar d = parcels_.drag_diameter(2*radius);
+    const scalar sauter = parcels_.drag_diameter(around.sauter);
     if (!(mixed > 0))
     {
         FatalErrorInFunction
@@ -79,8 +96,8 @@ Foam::particleDrag::Drag Foam::particleDrag::operator()
     }
     return
     {
-        law_.coefficient_among(mixed, around.sauter, voidFraction, slip, 2*radius, rho, mu_)
+        parcels_.grains()*law_.coefficient_among(mixed, sauter, voidFraction, slip, d, rho, mu_)
        *form.drag_over_a(voidFraction),
-        drag::superficial_reynolds(voidFraction, slip, around.sauter, rho, mu_)
+        drag::superficial_reynolds(voidFraction, slip, sauter, rho, mu_)
     };
 }

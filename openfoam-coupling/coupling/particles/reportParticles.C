@@ -137,7 +137,8 @@ void Foam::reportParticles
 (
     const coupledParticles& particles,
     const scalar rho,
-    const cohesion::drag::MixtureLaw& mixture
+    const cohesion::drag::MixtureLaw& mixture,
+    const cohesion::powder::Parcels& parcels
 )
 {
     const Particles all(particles);
@@ -157,9 +158,15 @@ void Foam::reportParticles
     if (all.meanDensity() > rho)
     {
         Info<< "; by both" << (sizes || densities ? " means" : "") << ", in ambient air, Geldart's group "
-            << char(cohesion::bed::geldart_group(all.meanDensity() - rho, all.sauter()));
+            << char(cohesion::bed::geldart_group(all.meanDensity() - rho, parcels.drag_diameter(all.sauter())));
     }
     Info<< endl;
+    if (parcels.ratio() > 1)
+    {
+        Info<< "    coarseGraining " << sixDigits(parcels.ratio()).c_str() << ": each sphere stands for "
+            << sixDigits(parcels.grains()).c_str() << " grains of " << sixDigits(1/parcels.ratio()).c_str()
+            << " of its diameter; drag and Geldart's group are theirs" << endl;
+    }
     if (mixture.mixes || all.diameter.most > mixtureFrom*all.diameter.least)
     {
         reportMixture(all.diameter.most/all.diameter.least, mixture);

@@ -19,8 +19,23 @@ TEST(PowderPlan, GrainsFillTheSolidOfTheBed) {
               1e-6);
 }
 
+// 0.6 0.02 m^2 0.1 m of 2500 kg/m3; the same, 9.8 m/s2, over the area
+TEST(PowderPlan, TheBedWeighsWhatItsSolidDoes) {
+  const Bed bed{0.02, 0.1, 0.4};
+  EXPECT_NEAR(mass_of(bed, 2500.0), 3.0, 1e-14);
+  EXPECT_NEAR(pressure_of(bed.height, bed.void_fraction, 2500.0 * 9.8), 3.0 * 9.8 / 0.02, 1e-11);
+}
+
+// n/2 r^2 sin(2 pi/n)
+TEST(PowderPlan, ColumnsOfPlaneSidesHaveTheAreaOfTheirCylinder) {
+  for (const int sides : {3, 12, 100}) {
+    const double corner = corners_of_equal_area(0.3, sides);
+    EXPECT_NEAR(0.5 * sides * corner * corner * std::sin(2.0 * pi / sides), pi * 0.09, 1e-15);
+  }
+}
+
 TEST(PowderPlan, TheGasStepIsAWholeNumberOfParticleSteps) {
-  const double step = particle_step(8.8e-5);
+  const double step = particle_step(8.8e-5, steps_per_contact);
   EXPECT_NEAR(step, 1.1e-5, 1e-19);
   // Half a cell at 1.5 m/s takes 1e-3 s.
   EXPECT_NEAR(gas_step(3e-3, 1.5, 9.81, step), 90.0 * step, 1e-12);

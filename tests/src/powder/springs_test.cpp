@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "powder/springs.h"
+
+#include <gtest/gtest.h>
+
+#include "hamaker/small_gap.h"
+
+namespace cohesion::powder {
+
+namespace {
+
+constexpr double d = 5e-4;
+const double mass = 2500.0 * sphere_volume(0.5 * d);
+const Elastic glass{63e9, 0.22};
+
+Pair pair_of(double hamaker_constant) {
+  const hamaker::Parameters p{hamaker_constant, 4e-10, 1e-7};
+  // F_ad = A R*/(6 H_cut^2) and the energy up to H_cut, both in closed form
+  const double force = hamaker_constant * 0.25 * d / (6.0 * 4e-10 * 4e-10);
+  const double tail = hamaker_constant * 0.25 * d / 6.0 * (1.0 / 4e-10 - 1.0 / 1e-7);
+  return {d, mass, p, {force, 4e-10, tail}};
+}
+
+Demand demand(advice::Keep keep = advice::Keep::escape_velocity) {
+  return {0.9, {0.4, 1000.0}, 0.01, keep, 0.0, glass};
+}
+
+}  // namespace
+
+TEST(Springs, KeepWhatIsAsked) {
+  const Springs velocity = springs_of(pair_of(6.5e-20), demand());
+  const Springs force = springs_of(pair_of(6.5e-20), demand(advice::Keep::force));
+  EXPECT_TRUE(velocity.are_softer());
+  EXPECT_NEAR(velocity.used.escape_velocity / velocity.material.escape_velocity, 1.0, 1e-9);
+  EXPECT_NEAR(velocity.over.escape_velocity, 1.0, 1e-9);
+  EXPECT_NEAR(force.used.pull_off, force.material.pull_off, 1e-24);
+  EXPECT_GT(force.over.escape_velocity, 1.0);
+}
+
+TEST(Springs, BearTheLoadAndAreNoStifferThanTheMaterial) {
+  Demand heavy = demand();
+  heavy.load.pressure = 1e5;
+  // p d^2 on a contact may press it by d/100.
+  EXPECT_GE(springs_of(pair_of(0.0), heavy).used.stiffness, 1e5 * d / 0.01);
+  heavy.load.pressure = 1e12;
+  const Springs rigid = springs_of(pair_of(0.0), heavy);
+  EXPECT_FALSE(rigid.are_softer());
+  EXPECT_EQ(rigid.over.force, 1.0);
+}
+
+TEST(Springs, GivenAloneAreTheMaterial) {
+  Demand given = demand();
+  given.given = 800.0;
+  given.elastic.young = 0.0;
+  const Springs s = springs_of(pair_of(6.5e-20), given);
+  EXPECT_EQ(s.material.stiffness, 800.0);
+  EXPECT_EQ(s.used.stiffness, 800.0);
+}
+
+// The attraction can be scaled to the least stiffness, and to a tenth and a bit less it cannot.
+TEST(Springs, LeaveTheAttractionRoom) {
+  const hamaker::Parameters p{1e-19, 4e-10, 4e-9};
+  const double least = least_scaled_stiffness(1e4, p);
+  EXPECT_NO_THROW(advice::StiffnessScaling(1e4, least).hamaker(p));
+  EXPECT_THROW(advice::StiffnessScaling(1e4, least / 1.11).hamaker(p), InvalidParameter);
+}
+
+}  // namespace cohesion::powder
