@@ -12,6 +12,7 @@
 #include "cohesion_version.h"
 #include "drag/drag_closure.h"
 #include "engine_cost.h"
+#include "hamaker/range_of_validity.h"
 #include "powder/fluidisation.h"
 #include "powder/grain_contact.h"
 #include "powder/plan.h"
@@ -96,10 +97,12 @@ class Powder {
 
   /// Of two grains of a diameter, with the asperities of the request.
   contact::Adhesion adhesion_at(double diameter) const {
+    const hamaker::Asperity asperity = asperity_of(request_);
     const hamaker::Parameters p{hamaker_constant, request_.cutoffs.at(0), request_.cutoffs.at(1),
-                                request_.asperity};
-    const hamaker::AnyLaw law = hamaker::forms.front().law(p, request_.asperity > 0.0);
+                                asperity.radius, asperity.height};
+    const hamaker::AnyLaw law = hamaker::forms.front().law(p, asperity.radius > 0.0);
     const PairGeometry geometry = two_spheres(0.5 * diameter, 0.5 * diameter);
+    hamaker::require_weakened_by_asperities(hamaker::forms.front(), p, geometry);
     return std::visit([&](const auto& l) { return contact::adhesion_of(l, geometry); }, law);
   }
 
@@ -235,7 +238,10 @@ std::string contact_words(const Request& r, const Powder& p, const Springs& s) {
                 s.used.stiffness, r.restitution, r.friction, p.hamaker_constant, r.cutoffs[0],
                 r.cutoffs[1]);
   std::string line(text);
-  if (r.asperity > 0.0) {
+  if (!r.roughness.empty()) {
+    std::snprintf(text, sizeof text, " roughness %.6g %.6g", r.roughness[0], r.roughness[1]);
+    line += text;
+  } else if (r.asperity > 0.0) {
     std::snprintf(text, sizeof text, " asperity %.6g", r.asperity);
     line += text;
   }
