@@ -13,6 +13,7 @@
 #include "cohesion_version.h"
 #include "contact/contact_parameters.h"
 #include "given_once.h"
+#include "hamaker/roughness.h"
 #include "square_well/parameters.h"
 
 namespace {
@@ -24,7 +25,7 @@ struct Request {
   std::vector<double> radii, densities, masses;
   bool wall = false;
   double stiffness = 0.0, restitution = 0.0, damping = 0.0;
-  std::vector<double> cutoffs;
+  std::vector<double> cutoffs, roughness;
   double asperity = 0.0, ratio = 1.01;
   std::string form = "small_gap", hamaker_scheme = "event", well_scheme = "event";
   double step = 0.0;
@@ -83,11 +84,21 @@ const hamaker::Form* form_of(const Request& r) {
   return nullptr;  // not reached: the names are checked with the command line
 }
 
+hamaker::Asperity asperity_of(const Request& r) {
+  if (r.roughness.empty()) return {r.asperity, 0.0};
+  return hamaker::asperity_of({r.roughness.at(0), r.roughness.at(1)});
+}
+
+advice::HamakerKind kind_of(const Request& r) {
+  const hamaker::Asperity asperity = asperity_of(r);
+  return {form_of(r), r.cutoffs.at(0), r.cutoffs.at(1), asperity.radius, asperity.height};
+}
+
 class Mapping {
  public:
   explicit Mapping(const Request& r)
       : pair_(pair_of(r)),
-        kind_{form_of(r), r.cutoffs.at(0), r.cutoffs.at(1), r.asperity},
+        kind_(kind_of(r)),
         hamaker_step_(step(r.hamaker_scheme, r)),
         well_step_(step(r.well_scheme, r)) {
     const square_well::Parameters well = square_well::well(0.0, r.ratio);
@@ -143,11 +154,16 @@ void print_csv(const std::vector<Row>& rows) {
 
 /// What a LAMMPS script says for both laws of a row.
 void print_coefficients(const Request& request, const advice::HeadOnPair& pair, const Row& r) {
-  char contact[80], hamaker[160], well[80];
+  char contact[80], hamaker[160], rough[80], well[80];
   std::snprintf(contact, sizeof contact, "stiffness %.9g damping %.9g", pair.spring.stiffness(),
                 pair.spring.damping());
-  std::snprintf(hamaker, sizeof hamaker, "hamaker %.9g cutoff %.9g %.9g asperity %.9g",
-                r.hamaker_constant, request.cutoffs[0], request.cutoffs[1], request.asperity);
+  if (request.roughness.empty())
+    std::snprintf(rough, sizeof rough, "asperity %.9g", request.asperity);
+  else
+    std::snprintf(rough, sizeof rough, "roughness %.9g %.9g", request.roughness[0],
+                  request.roughness[1]);
+  std::snprintf(hamaker, sizeof hamaker, "hamaker %.9g cutoff %.9g %.9g %s", r.hamaker_constant,
+                request.cutoffs[0], request.cutoffs[1], rough);
   std::snprintf(well, sizeof well, "well %.9g %.9g", r.depth, request.ratio);
   const auto print = [&](const char* law, const char* cohesion, const std::string& settings) {
     if (request.wall)
@@ -214,8 +230,13 @@ void add_options(CLI::App& app, Request& r) {
   app.add_option("--form", r.form, "of the attraction")
       ->check(CLI::IsMember(forms))
       ->capture_default_str();
-  app.add_option("--asperity", r.asperity, "radius of asperities, 0: smooth [length]")
-      ->capture_default_str();
+  auto* asperity =
+      app.add_option("--asperity", r.asperity, "radius of asperities, 0: smooth [length]")
+          ->capture_default_str();
+  app.add_option("--roughness", r.roughness,
+                 "rms and wavelength of the surface, in place of it [length]")
+      ->expected(2)
+      ->excludes(asperity);
   app.add_option("--ratio", r.ratio, "r_out/r of the well")->capture_default_str();
   app.add_option("--hamaker-scheme", r.hamaker_scheme, "scheme of the Hamaker law")
       ->check(schemes)

@@ -14,6 +14,7 @@
 #include "drag/drag_closure.h"
 #include "engine_cost.h"
 #include "given_once.h"
+#include "hamaker/range_of_validity.h"
 #include "powder/fluidisation.h"
 #include "powder/grain_contact.h"
 #include "powder/parcels.h"
@@ -93,7 +94,8 @@ class Powder {
     const double constant = r.surface_energy > 0.0
                                 ? hamaker_of_surface_energy(r.surface_energy, r.cutoffs[0])
                                 : r.hamaker;
-    hamaker = {constant, r.cutoffs[0], r.cutoffs.at(1), r.asperity};
+    const hamaker::Asperity asperity = asperity_of(r);
+    hamaker = {constant, r.cutoffs[0], r.cutoffs.at(1), asperity.radius, asperity.height};
     adhesion = adhesion_at(sizes.smallest());
     speed = r.speed > 0.0 ? r.speed : 2.0 * fastest_fluidisation;
     springs = springs_of({sizes.smallest(), mass(sizes.smallest()), hamaker, adhesion},
@@ -122,6 +124,7 @@ class Powder {
   contact::Adhesion adhesion_at(double diameter) const {
     const hamaker::AnyLaw law = hamaker::forms.front().law(hamaker, hamaker.asperity_radius > 0.0);
     const PairGeometry geometry = two_spheres(0.5 * diameter, 0.5 * diameter);
+    hamaker::require_weakened_by_asperities(hamaker::forms.front(), hamaker, geometry);
     return std::visit([&](const auto& l) { return contact::adhesion_of(l, geometry); }, law);
   }
 
@@ -139,8 +142,7 @@ class Powder {
             parcels.stiffness(springs.used.stiffness),
             request_.restitution,
             request_.friction,
-            {parcels.energy(hamaker.hamaker_constant), parcels.length(hamaker.surface_cutoff),
-             parcels.length(hamaker.outer_cutoff), parcels.length(hamaker.asperity_radius)},
+            parcels.attraction(hamaker),
             {parcels.stiffness(springs.material.stiffness), keep_of(request_)}};
   }
 
@@ -276,7 +278,7 @@ void print_cost(const Lines& print, const Request& r, const Powder& p) {
 void write_case(const Request& r, const Powder& p) {
   const Sizes computed = p.computed();
   const tools::PowderVessel vessel(computed, section_of(r), r.height, r.void_fraction, p.cell,
-                                   r.grains);
+                                   r.grains, r.seed);
   require(vessel.grains() <= r.grains, "--grains", r.grains,
           "the smallest vessel, " +
               std::to_string(vessel.is_round() ? vessel.least_across_column : vessel.least_across) +

@@ -10,6 +10,7 @@
 #include "advice/stiffness_scaling.h"
 #include "contact/linear_spring_dashpot.h"
 #include "hamaker/forms.h"
+#include "hamaker/roughness.h"
 #include "powder/grain_contact.h"
 #include "sphere.h"
 
@@ -34,7 +35,12 @@ struct PowderContacts {
         text("stiffness %.6g restitution %.6g friction %.6g", stiffness, restitution, friction) +
         text(" hamaker %.6g cutoff %.6g %.6g", hamaker.hamaker_constant, hamaker.surface_cutoff,
              hamaker.outer_cutoff);
-    if (hamaker.asperity_radius > 0.0) words += text(" asperity %.6g", hamaker.asperity_radius);
+    if (hamaker.asperity_height > 0.0) {
+      const hamaker::Roughness r = hamaker::roughness_of(hamaker);
+      words += text(" roughness %.6g %.6g", r.rms, r.wavelength);
+    } else if (hamaker.asperity_radius > 0.0) {
+      words += text(" asperity %.6g", hamaker.asperity_radius);
+    }
     if (tells_material())
       words += text(" material_stiffness %.6g material_keep ", material.stiffness) + kept();
     return words;

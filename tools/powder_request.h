@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "hamaker/roughness.h"
 #include "powder/fluidisation.h"
 #include "powder/grain_contact.h"
 #include "validation.h"
@@ -20,6 +21,7 @@ struct Request {
   double overlap = 0.01;
   double restitution = 0.9, friction = 0.3;
   double hamaker = 0.0, surface_energy = 0.0, asperity = 0.0;
+  std::vector<double> roughness;  // rms and wavelength, in place of the asperity
   std::vector<double> cutoffs{4e-10, 1e-7};
   powder::Gas gas{1.205, 1.82e-5};
   double gravity = 9.81, speed = 0.0;
@@ -31,6 +33,7 @@ struct Request {
   bool measure = false, csv = false;
   std::string folder;  // of a case to write
   double grains = 20000.0;
+  unsigned seed = 4711;
 };
 
 inline void add_options(CLI::App& app, Request& r) {
@@ -63,9 +66,13 @@ inline void add_options(CLI::App& app, Request& r) {
   app.add_option("--cutoff", r.cutoffs, "H_cut H_out of the attraction [m]")
       ->expected(2)
       ->capture_default_str();
-  app.add_option("--asperity", r.asperity, "radius of asperities, 0: smooth [m]")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
+  auto* asperity = app.add_option("--asperity", r.asperity, "radius of asperities, 0: smooth [m]")
+                       ->check(CLI::NonNegativeNumber)
+                       ->capture_default_str();
+  app.add_option("--roughness", r.roughness,
+                 "rms and wavelength of the surface, in place of it [m]")
+      ->expected(2)
+      ->excludes(asperity);
   app.add_option("--keep", r.keep, "what springs softer than the material keep of it")
       ->check(CLI::IsMember({"velocity", "force"}))
       ->capture_default_str();
@@ -100,7 +107,15 @@ inline void add_options(CLI::App& app, Request& r) {
   app.add_option("--grains", r.grains, "the most that it has; a larger bed is written smaller")
       ->check(CLI::Range(100.0, 1e8))
       ->capture_default_str();
+  app.add_option("--seed", r.seed, "of the places from which they are poured")
+      ->capture_default_str();
   app.add_flag("--csv", r.csv, "comma-separated values with all digits");
+}
+
+/// Throws InvalidParameter as hamaker::asperity_of.
+inline hamaker::Asperity asperity_of(const Request& r) {
+  if (r.roughness.empty()) return {r.asperity, 0.0};
+  return hamaker::asperity_of({r.roughness.at(0), r.roughness.at(1)});
 }
 
 /// Throws InvalidParameter for what would have no effect, and where what belongs together is not.
@@ -113,8 +128,9 @@ inline void require_together(const Request& r) {
           "a bed takes --height and either --width and --depth or --column");
   require(!r.measure || r.engine == "lammps", "measurement", 1.0,
           "--measure runs LAMMPS: leave --engine out");
-  require(r.asperity == 0.0 || r.keep == "force" || r.elastic.young == 0.0, "asperity radius",
-          r.asperity,
+  const double asperity = asperity_of(r).radius;
+  require(asperity == 0.0 || r.keep == "force" || r.elastic.young == 0.0, "asperity radius",
+          asperity,
           "the adhesion of rough grains is not scaled to soft springs: add --keep force, or give "
           "--stiffness in place of --young");
 }

@@ -32,8 +32,8 @@ class PowderVessel {
   /// many grains, for one of its shape that has not. It is three times as high as the bed, or as
   /// the lattice. Where the fewest cells hold more grains than asked for, so does it: see grains().
   PowderVessel(const powder::Sizes& sizes, const Section& section, double height,
-               double void_fraction, double cell, double most)
-      : sizes_(&sizes), round_(section.is_round()), cell_(cell) {
+               double void_fraction, double cell, double most, unsigned seed)
+      : sizes_(&sizes), round_(section.is_round()), cell_(cell), seed_(seed) {
     const double all = powder::number_of_grains({section.area(), height, void_fraction}, sizes);
     const double scale = std::min(1.0, std::cbrt(most / all));
     const auto whole = [&](double length) {
@@ -79,7 +79,7 @@ class PowderVessel {
   /// Calls with the index of the size and the place of each grain, the same in every call.
   template <class Take>
   void for_each_grain(const Take& take) const {
-    std::mt19937 random(4711);
+    std::mt19937 random(seed_);
     double below = 0.0;
     for (const Layer& layer : layers_) {
       const double d = layer.diameter;
@@ -132,7 +132,7 @@ class PowderVessel {
       for (left -= of_size; of_size > 0; of_size -= all.back().grains)
         all.push_back({k, size.diameter, std::min(of_size, room)});
     }
-    std::mt19937 random(4711);
+    std::mt19937 random(seed_);
     std::shuffle(all.begin(), all.end(), random);
     return all;
   }
@@ -140,6 +140,7 @@ class PowderVessel {
   const powder::Sizes* sizes_;
   bool round_;
   double cell_;
+  unsigned seed_;
   std::array<int, 3> cells_;
   int grains_;
   std::vector<Layer> layers_;

@@ -28,7 +28,7 @@ namespace hamaker = cohesion::hamaker;
 static const char* const usage =
     "fix wall/hamaker takes 'hamaker A cutoff H_cut H_out' and at least one plane, 'xplane lo hi', "
     "'yplane lo hi' or 'zplane lo hi', NULL for no wall on a side; and if wanted 'form' with a "
-    "name and 'asperity' with a radius";
+    "name and 'asperity' with a radius or 'roughness' with rms and wavelength";
 
 FixWallHamaker::FixWallHamaker(LAMMPS* lammps, int narg, char** arg)
     : Fix(lammps, narg, arg),
@@ -77,11 +77,12 @@ void FixWallHamaker::read(int narg, char** arg) {
     } else {
       error->all(FLERR, "fix wall/hamaker: unknown keyword '" + word +
                             "'; valid ones: hamaker, cutoff, xplane, yplane, zplane, form, "
-                            "asperity");
+                            "asperity, roughness");
     }
   }
   if (planes.empty() || !given_words.has("hamaker") || !given_words.has("cutoff"))
     error->all(FLERR, usage);
+  require_one_roughness(lmp, where, given_words);
   given = p;
   law = from_script(lmp, where, [&] { return form->law(p, p.asperity_radius != 0.0); });
 }

@@ -17,8 +17,9 @@ FixStyle(wall/hamaker,FixWallHamaker);
 
 namespace LAMMPS_NS {
 
-/// fix wall/hamaker A H_cut H_out [form name] [asperity r_a] xplane lo hi ...: Hamaker attraction
-/// of spheres to plane walls, by the law of the pairs. Doc: docs/lammps-package/fix_wall_hamaker.md
+/// fix wall/hamaker hamaker A cutoff H_cut H_out [form name] [asperity r_a | roughness rms lambda]
+/// xplane lo hi ...: Hamaker attraction of spheres to plane walls, by the law of the pairs. Doc:
+/// docs/lammps-package/fix_wall_hamaker.md
 class FixWallHamaker : public Fix {
  public:
   FixWallHamaker(class LAMMPS*, int, char**);

@@ -30,7 +30,7 @@ namespace hamaker = cohesion::hamaker;
 using cohesion::vector;
 using cohesion::Vector3;
 
-static constexpr int LAYOUT = 2;  // of settings and Parameters in restart files
+static constexpr int LAYOUT = 3;  // of settings and Parameters in restart files
 
 PairHamaker::PairHamaker(LAMMPS* lammps)
     : Pair(lammps),
@@ -233,17 +233,19 @@ void PairHamaker::coeff(int narg, char** arg) {
   if (narg < 3)
     error->all(FLERR,
                "pair_coeff of hamaker takes 'i j hamaker A', and if wanted 'cutoff H_cut H_out', "
-               "both distances, and 'asperity' with a radius");
+               "both distances, and 'asperity' with a radius or 'roughness' with rms and "
+               "wavelength");
   if (!allocated) allocate();
   const std::string here = std::string("pair_coeff ") + arg[0] + " " + arg[1] + " of hamaker";
   WordsOfLaw words(lmp, here, 2, narg, arg, {{"hamaker", 1}, {"cutoff", 2}}, !warned);
   warned = warned || words.by_place();
   GivenKeywords given(lmp, here);
-  Parameters p{0.0, surface_cutoff, outer_cutoff, 0.0};
+  Parameters p{0.0, surface_cutoff, outer_cutoff};
   read_keywords(lmp, here, hamaker_keywords(), 0, words.count(), words.get(), p, given);
   if (!given.has("hamaker")) error->all(FLERR, here + " needs 'hamaker A'");
   if (!given.has("cutoff") && outer_cutoff == 0.0)
     error->all(FLERR, here + ": needs 'cutoff H_cut H_out', both distances, here or in pair_style");
+  require_one_roughness(lmp, here, given);
   check_parameters(here, p);
   parameters.assign(here, arg, [&](int i, int j) { give(i, j, p); });
 }
@@ -385,6 +387,11 @@ void PairHamaker::write_data_all(FILE* fp) {
 void PairHamaker::write_coefficients(FILE* fp, const Parameters& p) {
   fprintf(fp, " hamaker %.17g cutoff %.17g %.17g", p.hamaker_constant, p.surface_cutoff,
           p.outer_cutoff);
-  if (p.asperity_radius > 0.0) fprintf(fp, " asperity %.17g", p.asperity_radius);
+  if (p.asperity_height > 0.0) {
+    const hamaker::Roughness r = hamaker::roughness_of(p);
+    fprintf(fp, " roughness %.17g %.17g", r.rms, r.wavelength);
+  } else if (p.asperity_radius > 0.0) {
+    fprintf(fp, " asperity %.17g", p.asperity_radius);
+  }
   fprintf(fp, "\n");
 }

@@ -47,8 +47,9 @@ template <class Parameters>
 struct ContactKeyword {
   const char* name;
   int values;  ///< at most 2
+  /// Throws InvalidParameter for values that it cannot take.
   void (*set)(Parameters&, const double*);
-  /// In place of set() where the value is a word. Throws InvalidParameter for one that it is not.
+  /// In place of set() where the value is a word; throws alike.
   void (*set_word)(Parameters&, const char*) = nullptr;
 };
 
@@ -115,7 +116,7 @@ void read_keywords(LAMMPS* lmp, const std::string& where, const Keywords& keywor
       double values[2] = {0.0, 0.0};
       for (int k = 0; k < keyword.values; k++)
         values[k] = utils::numeric(FLERR, arg[i + 1 + k], false, lmp);
-      keyword.set(p, values);
+      from_script(lmp, where, [&] { return keyword.set(p, values); });
     }
     i += 1 + keyword.values;
   }

@@ -36,8 +36,8 @@ inline const cohesion::hamaker::Form* hamaker_form_from_script(LAMMPS* lmp,
       lmp, where, [&] { return &cohesion::find_by_name(cohesion::hamaker::forms, "form", name); });
 }
 
-/// Stops LAMMPS at cut-offs that are not far below the radii; nothing is asked where there are no
-/// particles yet. radius_j infinite: a wall.
+/// Stops LAMMPS at cut-offs that are not far below the radii, and at asperities too flat for them;
+/// nothing is asked where there are no particles yet. radius_j infinite: a wall.
 inline void require_far_below_radius(LAMMPS* lmp, const std::string& where,
                                      const cohesion::hamaker::Form& form,
                                      const cohesion::hamaker::Parameters& p, double radius_i,
@@ -47,6 +47,7 @@ inline void require_far_below_radius(LAMMPS* lmp, const std::string& where,
                                                 : cohesion::sphere_and_plane(radius_i);
   try {
     cohesion::hamaker::require_far_below_radius(form, p, geometry);
+    cohesion::hamaker::require_weakened_by_asperities(form, p, geometry);
   } catch (const cohesion::InvalidParameter& bad) {
     stop(lmp, FLERR, where, ": ", bad.what(), units_of_lengths(lmp));
   }

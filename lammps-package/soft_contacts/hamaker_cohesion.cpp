@@ -27,6 +27,7 @@ void HamakerCohesion::require_valid(LAMMPS* lmp, const std::string& where, const
   if (p.hamaker.hamaker_constant != 0.0 && !given.has("cutoff"))
     lmp->error->all(FLERR,
                     where + ": keyword 'hamaker' needs 'cutoff H_cut H_out', both distances");
+  require_one_roughness(lmp, where, given);
   if (given.has("material_keep") && !given.has("material_stiffness"))
     lmp->error->all(FLERR, where +
                                ": keyword 'material_keep' needs 'material_stiffness K_m', the "

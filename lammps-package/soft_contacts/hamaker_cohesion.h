@@ -24,7 +24,7 @@ class HamakerCohesion : public CohesionLaw<cohesion::hamaker::Parameters> {
   static constexpr char STYLE[] = "gran/hamaker";
   static constexpr std::array SETTINGS{"form"};
   static constexpr char MATERIAL_WORDS[] = "'material_stiffness K_m'";
-  static constexpr int RESTART_LAYOUT = 4;
+  static constexpr int RESTART_LAYOUT = 5;
 
   /// What a script says about the contact of two materials.
   struct Parameters {

@@ -26,14 +26,16 @@ struct HeadOnPair {
 /// A Hamaker attraction but for its constant.
 struct HamakerKind {
   const hamaker::Form* form;
-  double surface_cutoff;   ///< H_cut, [length]
-  double outer_cutoff;     ///< H_out, [length]
-  double asperity_radius;  ///< [length]; 0: smooth
+  double surface_cutoff;         ///< H_cut, [length]
+  double outer_cutoff;           ///< H_out, [length]
+  double asperity_radius;        ///< [length]; 0: smooth
+  double asperity_height = 0.0;  ///< [length]; 0: the radius
 
   /// Throws InvalidParameter as hamaker::require_valid.
   hamaker::AnyLaw law(double hamaker_constant) const {
-    return form->law({hamaker_constant, surface_cutoff, outer_cutoff, asperity_radius},
-                     asperity_radius > 0.0);
+    return form->law(
+        {hamaker_constant, surface_cutoff, outer_cutoff, asperity_radius, asperity_height},
+        asperity_radius > 0.0);
   }
 };
 

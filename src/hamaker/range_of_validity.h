@@ -3,6 +3,7 @@
 
 #include <sstream>
 #include <string>
+#include <variant>
 
 #include "hamaker/forms.h"
 #include "hamaker/parameters.h"
@@ -27,6 +28,32 @@ inline void require_far_below_radius(const Form& form, const Parameters& p, cons
   };
   require_below("surface cut-off H_cut", p.surface_cutoff, form.largest_surface_cutoff);
   require_below("outer cut-off H_out", p.outer_cutoff, form.largest_outer_cutoff);
+}
+
+/// Up to which asperities may strengthen the force of contact, over that of smooth surfaces, [1]:
+/// as far as the form of small gaps is let be too strong.
+inline constexpr double largest_gain_of_asperities = 1.1;
+
+/// Throws InvalidParameter where asperities are so flat that cap and body are felt as two bodies
+/// (asperity.h): the attraction would be up to twice that of smooth surfaces. g: of the smallest
+/// two particles, or the smallest one and a wall, whose asperities do most.
+inline void require_weakened_by_asperities(const Form& form, const Parameters& p,
+                                           const PairGeometry& g) {
+  if (p.hamaker_constant == 0.0 || p.asperity_radius == 0.0) return;
+  const auto force_of_contact = [&](double radius, double height) {
+    const Parameters of_unit_constant{1.0, p.surface_cutoff, p.outer_cutoff, radius, height};
+    return std::visit([&](const auto& l) { return l.adhesion_force(g); },
+                      form.law(of_unit_constant, radius > 0.0));
+  };
+  const double gain =
+      force_of_contact(p.asperity_radius, p.asperity_height) / force_of_contact(0.0, 0.0);
+  std::ostringstream remedy;
+  remedy << "too low for its radius of " << p.asperity_radius << ": the force of contact would be "
+         << gain
+         << " of that of smooth surfaces, since cap and body are both felt in full; take a larger "
+            "rms, a smaller wavelength, or smooth surfaces";
+  require(gain <= largest_gain_of_asperities, "asperity height", height_of_asperity(p),
+          remedy.str());
 }
 
 }  // namespace cohesion::hamaker

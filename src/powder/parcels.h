@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "hamaker/parameters.h"
 #include "validation.h"
 
 /// Coarse graining: spheres that stand for many grains.
@@ -47,6 +48,12 @@ class Parcels {
   double force(double of_grains) const { return ratio_ * ratio_ * of_grains; }
   double mass(double of_grains) const { return grains() * of_grains; }
   double energy(double of_grains) const { return mass(of_grains); }
+
+  hamaker::Parameters attraction(const hamaker::Parameters& of_grains) const {
+    return {energy(of_grains.hamaker_constant), length(of_grains.surface_cutoff),
+            length(of_grains.outer_cutoff), length(of_grains.asperity_radius),
+            length(of_grains.asperity_height)};
+  }
 
   /// Grains in a parcel.
   double grains() const { return ratio_ * ratio_ * ratio_; }

@@ -113,5 +113,10 @@ class ExactFormWithAsperities(ExactForm):
     WORDS = "hamaker 7.49e-19 cutoff 4e-10 4e-4 asperity 2e-8 form exact"
 
 
+class SmallGapOfRoughSurfaces(WallHamaker):
+    LAW = (7.49e-19, 4e-10, 1e-7, (5e-9, 5e-7))
+    WORDS = "hamaker 7.49e-19 cutoff 4e-10 1e-7 roughness 5e-9 5e-7"
+
+
 if __name__ == "__main__":
     unittest.main()

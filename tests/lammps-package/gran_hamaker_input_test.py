@@ -49,6 +49,9 @@ class Input(ScriptTestCase):
                 ("stiffness 800 hamaker 5e-19", ("cutoff H_cut H_out",)),
                 ("stiffness 800 hamaker 5e-19 cutoff 1e-7 4e-10", ("H_cut", "smaller")),
                 ("stiffness 800 friction nan", ("nan",)),
+                (CONTACT + " asperity 1e-8 roughness 5e-9 5e-7", ("'asperity'", "'roughness'", "not both")),
+                (CONTACT + " roughness 1e-9 1e-8", ("wavelength of the roughness = 1e-08", "at least 10.2785 times")),
+                (CONTACT + " roughness 5e-9 5e-7 material_stiffness 80000", ("without asperities",)),
                 ("stiffness 800 cutoff 4e-10", ("takes 2",))):
             with self.subTest(words):
                 self.stops(script(style + words), *expected)

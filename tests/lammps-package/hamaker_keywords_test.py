@@ -45,9 +45,9 @@ class HamakerKeywords(ScriptTestCase):
     def test_unknown_keyword(self):
         self.stops(PAIR + "shape exact\n", "pair_style hamaker", "'shape'", "form")
         self.stops(WALL + "xplane 0 NULL shape exact\n", "'shape'",
-                   "hamaker, cutoff, xplane, yplane, zplane, form, asperity")
+                   "hamaker, cutoff, xplane, yplane, zplane, form, asperity, roughness")
         self.stops(COEFF + "cutoff 4e-10 1e-7 asparity 1e-8\n", "pair_coeff 1 2 of hamaker", "'asparity'",
-                   "hamaker, cutoff, asperity")
+                   "hamaker, cutoff, asperity, roughness")
 
     def test_missing_value(self):
         self.stops(PAIR + "form\n", "pair_style hamaker", "'form' takes 1 value")
@@ -66,6 +66,28 @@ class HamakerKeywords(ScriptTestCase):
             with self.subTest(value):
                 self.stops(COEFF + f"asperity {value}\n", *words)
                 self.stops(WALL + f"asperity {value} xplane 0 NULL\n", *words)
+
+    def test_roughness(self):
+        right = PAIR + "\npair_coeff * * hamaker 1e-19 roughness 5e-9 5e-7\n"
+        self.goes(right + "fix wall all wall/hamaker hamaker 1e-19 cutoff 4e-10 1e-7 roughness 0 5e-7 xplane 0 NULL\n"
+                  + scene.TAIL)
+        for values, words in (
+                ("-1e-9 5e-7", ("rms roughness = -1e-09", "not below zero")),
+                ("1e-9 0", ("wavelength of the roughness = 0", "greater than zero")),
+                ("1e-9 1e-8", ("wavelength of the roughness = 1e-08", "at least 10.2785 times the rms of 1e-09")),
+                ("1e-9", ("'roughness' takes 2 value",)),
+                ("5e-9 5e-7 asperity 1e-8", ("'asperity'", "'roughness'", "not both"))):
+            with self.subTest(values):
+                self.stops(COEFF + f"roughness {values}\n", "pair_coeff 1 2 of hamaker", *words)
+                self.stops(WALL + f"xplane 0 NULL roughness {values}\n", "fix wall wall/hamaker", *words)
+
+    def test_flat_caps_are_refused_beside_the_particles(self):
+        # 1/(1 + R*/r_a) + 1/(1 + h_a/H_cut)^2 with r_a = 17.2 mm, h_a = 0.1817 nm: 0.986 + 0.473 of the pair.
+        flat = "hamaker 1e-19 cutoff 4e-10 1e-7 roughness 1e-10 1e-5"
+        self.stops(PAIR + f"\npair_coeff * * {flat}\n" + scene.TAIL, "types 1 and 1",
+                   "asperity height = 1.817e-10", "would be 1.4", "smooth surfaces")
+        self.stops(scene.SPHERES + scene.PAIR + f"fix wall all wall/hamaker {flat} xplane 0 NULL\n" + scene.TAIL,
+                   "fix wall wall/hamaker", "asperity height = 1.817e-10")
 
     def test_message_names_the_place(self):
         self.stops(COEFF + "asperity -1e-8\n", "pair_coeff 1 2 of hamaker")

@@ -111,7 +111,7 @@ timestep 1e-6
     def test_are_what_lammps_takes(self):
         material, constant = ByDivision.MATERIALS["the thesis's bed"]
         sphere = ("--radius", 5e-4, *material.words[3:])
-        for kind in ((), ("--form", "exact", "--asperity", 1e-8),
+        for kind in ((), ("--form", "exact", "--asperity", 1e-8), ("--roughness", 5e-9, 5e-7),
                      ("--hamaker-scheme", "sampled", "--well-scheme", "sampled", "--step", 9e-6)):
             words = ("to-well", *sphere, *kind, "--hamaker", constant)
             hamaker, hamaker_pair, well, well_pair = program.script_lines(*words)[0]

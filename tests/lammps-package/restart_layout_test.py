@@ -22,8 +22,8 @@ neighbor 1e-4 bin
 """
 # Settings, coefficients, and which layout they have.
 STYLES = {
-    "hamaker": ("cutoff 1e-9 1e-8", "hamaker 1e-19", 2),
-    "gran/hamaker": ("", "stiffness 800", 4),
+    "hamaker": ("cutoff 1e-9 1e-8", "hamaker 1e-19", 3),
+    "gran/hamaker": ("", "stiffness 800", 5),
     "gran/square_well": ("", "stiffness 800 well 1e-12 1.01", 3),
     "gran/liquid_bridge": ("", "stiffness 800 bridge 1e-5 1e-5", 1),
     "hard/square_well": ("", "restitution 0.9", 4),

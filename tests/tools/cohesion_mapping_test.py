@@ -30,7 +30,7 @@ class ThesisTable(unittest.TestCase):
             self.assertAlmostEqual(row["well_mean"] / speed, 1, delta=1e-12)
 
     def test_there_and_back(self):
-        for kind in ((), ("--wall",), ("--form", "exact", "--asperity", 1e-8)):
+        for kind in ((), ("--wall",), ("--form", "exact", "--asperity", 1e-8), ("--roughness", 5e-9, 5e-7)):
             there = program.table("to-hamaker", *BED, *kind, "--depth", *DEPTHS)
             back = program.table("to-well", *BED, *kind, "--hamaker",
                                  *(repr(row["hamaker_constant"]) for row in there))

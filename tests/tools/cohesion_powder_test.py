@@ -71,6 +71,15 @@ class Numbers(unittest.TestCase):
         found = program.values(*GLASS[:-2], "--surface-energy", 0.02)
         self.near(found["pull_off"], 4 * math.pi * 0.02 * 0.25 * 5e-4)
 
+    def test_rough_grains(self):
+        rms, wavelength, reduced = 5e-9, 5e-7, 0.25 * 5e-4
+        found, smooth = (program.values(*GLASS, "--keep", "force", *more)
+                         for more in (("--roughness", rms, wavelength), ()))
+        self.near(found["pull_off"] / smooth["pull_off"], 1 / (1 + 32 * 1.817 * reduced * rms / wavelength**2)
+                  + 1 / (1 + 1.817 * rms / 4e-10)**2)
+        code, output, error = program.call(*GLASS, "--keep", "force", "--roughness", rms, wavelength)
+        self.assertIn("roughness 5e-09 5e-07", output)
+
     def test_distributions(self):
         found = program.values("--diameter", 1e-4, 4e-4, *GLASS[2:])
         self.near(found["sauter_mean"], 1.6e-4)
@@ -149,6 +158,9 @@ class Refusals(unittest.TestCase):
                      "2 cells across")
         self.assertFalse(Path("never-written").exists())
         self.refused((*GLASS, "--asperity", 1e-7), "asperity", "--keep force")
+        self.refused((*GLASS, "--roughness", 5e-9, 5e-7), "asperity", "--keep force")
+        self.refused((*GLASS, "--roughness", 5e-9, 5e-7, "--asperity", 1e-7), "--asperity")
+        self.refused((*GLASS, "--keep", "force", "--roughness", 1e-10, 1e-5), "asperity height", "of smooth surfaces")
         self.refused((*GLASS, "--surface-energy", 0.1), "--surface-energy")
         self.refused(("--percentiles", 3, 2, 4, *GLASS[2:]), "d10 = 3: must be below d50")
         self.refused(("--diameter", 5e-4, "--density", 2500, "--young", 63e9, "--poisson", 0.7), "Poisson's ratio = 0.7: must lie between 0 and 0.5")

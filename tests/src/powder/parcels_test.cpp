@@ -26,22 +26,17 @@ contact::AdhesiveContact contact_of(const hamaker::Parameters& p, double diamete
           adhesion(p, diameter)};
 }
 
-hamaker::Parameters of_parcels(const Parcels& parcels, const hamaker::Parameters& p) {
-  return {parcels.energy(p.hamaker_constant), parcels.length(p.surface_cutoff),
-          parcels.length(p.outer_cutoff), parcels.length(p.asperity_radius)};
-}
-
 }  // namespace
 
 // Everything is magnified by l: to rounding.
 TEST(Parcels, StickAsTheirGrainsDo) {
-  const hamaker::Parameters rough{1e-19, 4e-10, 1e-7, 2e-8};
-  for (const hamaker::Parameters& p : {attraction, rough})
+  const hamaker::Parameters rough{1e-19, 4e-10, 1e-7, 2e-8}, cap{1e-19, 4e-10, 1e-7, 2e-7, 2e-9};
+  for (const hamaker::Parameters& p : {attraction, rough, cap})
     for (const double l : {1.0, 2.0, 3.5, 10.0}) {
       const Parcels parcels(l);
       const auto grain = contact_of(p, d, stiffness);
       const auto parcel =
-          contact_of(of_parcels(parcels, p), parcels.length(d), parcels.stiffness(stiffness));
+          contact_of(parcels.attraction(p), parcels.length(d), parcels.stiffness(stiffness));
       EXPECT_NEAR(parcel.escape_velocity() / grain.escape_velocity(), 1.0, 1e-12);
       for (const double speed : {0.5, 1.5, 20.0}) {
         const double v = speed * grain.escape_velocity();
@@ -59,7 +54,7 @@ TEST(Parcels, LoseBondNumber) {
   const Parcels parcels(2.0);
   const double grain = adhesion(attraction, d).force / mass(d);
   const double parcel =
-      adhesion(of_parcels(parcels, attraction), parcels.length(d)).force / mass(parcels.length(d));
+      adhesion(parcels.attraction(attraction), parcels.length(d)).force / mass(parcels.length(d));
   EXPECT_NEAR(parcel / grain, 0.5, 1e-14);
   EXPECT_DOUBLE_EQ(parcels.number(8000.0), 1000.0);
   EXPECT_DOUBLE_EQ(parcels.drag_diameter(parcels.length(d)), d);

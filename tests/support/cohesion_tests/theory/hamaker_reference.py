@@ -33,11 +33,21 @@ def exact(gap, ri, rj):
 FORMS = {"small_gap": small_gap, "exact": exact}
 
 
+def cap(asperity):
+    """Radius and height of an asperity: of Rumpf's hemisphere, given by its radius, or of Rabinovich's cap, given by
+    (rms, wavelength) of the surface."""
+    if not isinstance(asperity, tuple):
+        return asperity, asperity
+    rms, wavelength = asperity
+    return wavelength**2 / (32 * 1.817 * rms), 1.817 * rms
+
+
 def rough(form, gap, ri, rj, asperity):
-    """With an asperity between the surfaces, 0 for none."""
-    force, energy = FORMS[form](gap + asperity, ri, rj)
-    if asperity > 0:
-        tip = FORMS[form](gap, asperity, 1 / (1 / ri + 1 / rj))
+    """With an asperity between the surfaces, as cap() takes it; 0 for none."""
+    radius, height = cap(asperity)
+    force, energy = FORMS[form](gap + height, ri, rj)
+    if radius > 0:
+        tip = FORMS[form](gap, radius, 1 / (1 / ri + 1 / rj))
         force, energy = force + tip[0], energy + tip[1]
     return force, energy
 
@@ -59,7 +69,10 @@ def energy(form, gap, ri, rj, A, cut, out, asperity=0.0):
 
 def words(A, cut, out, asperity=0.0):
     """The parameters as a script gives them."""
-    return f"hamaker {A:.17g} cutoff {cut:.17g} {out:.17g}" + (f" asperity {asperity:.17g}" if asperity else "")
+    given = f"hamaker {A:.17g} cutoff {cut:.17g} {out:.17g}"
+    if isinstance(asperity, tuple):
+        return given + " roughness {:.17g} {:.17g}".format(*asperity)
+    return given + (f" asperity {asperity:.17g}" if asperity else "")
 
 
 def position_tolerance(length, gap, cut):
