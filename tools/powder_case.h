@@ -47,7 +47,7 @@ struct PowderCase {
     fs::remove(folder / (liggghts ? "grains.lmp" : "grains.liggghts"));
     write_powder(folder / "constant/powder", vessel);
     write_variables(folder / "constant/grains", vessel);
-    write_coupling(folder / "constant/coupling");
+    write_coupling(folder / "constant/coupling", vessel);
     std::ofstream(folder / "constant/gravity") << "gravityOfPowder (0 0 " << -gravity << ");\n";
     if (liggghts) write_contacts(folder / "constant/contacts");
     write_grains(folder / "grains.data", vessel);
@@ -112,10 +112,14 @@ struct PowderCase {
       entries("contact", '"' + contacts.lammps() + '"');
   }
 
-  void write_coupling(const std::filesystem::path& file) const {
+  void write_coupling(const std::filesystem::path& file, const PowderVessel& v) const {
+    Entries entries(file,
+                    "Of couplingProperties: engine, laws, and how spheres are shared by cells.");
     // Among equal grains the law of mixtures would raise the drag by some per cent.
-    Entries(file, "Of couplingProperties")("demEngine", liggghts ? "liggghts" : "lammps")(
+    entries("demEngine", liggghts ? "liggghts" : "lammps")(
         "dragMixture", sizes.all().size() > 1 ? "vanDerHoef" : "none")("coarseGraining", parcel);
+    // In cells that are no boxes sphereOverlap takes 500 points of a sphere, and this 29.
+    entries("voidFraction", v.is_round() ? "dividedVolume" : "sphereOverlap");
   }
 
   void write_contacts(const std::filesystem::path& file) const {

@@ -1,61 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Reads one finished bed whose gas was raised evenly: minimum fluidisation, overshoot, pressure drop and height."""
+"""What coarse graining changes of the figures of a bed."""
 
 import math
 import statistics
 
-import numpy as np
-
-from cohesion_studies.foam_results import function_table
 from cohesion_studies.study_table import aligned, over_seeds
 
-FIT = 0.2, 0.85  # of the bed's weight: pressure drops between which the resting bed's line is fitted
-WINDOW = 0.01    # s over which the pressure drop is averaged: a hundredth of the ramp, some contacts of bed and plate
-
-
-def course(case):
-    """Time [s], superficial velocity [m/s] and pressure drop over weight, at the gas steps."""
-    table = np.loadtxt(function_table(case, "drop", "bedPressureDrop.dat"))
-    return table[:, 0], table[:, 2], table[:, 5]
-
-
-def smoothed(time, values):
-    """Mean over WINDOW."""
-    width = max(1, round(WINDOW / (time[-1] - time[0]) * (len(time) - 1)))
-    return np.convolve(values, np.ones(width) / width, mode="same")
-
-
-def resting_line(velocity, drop):
-    """a, b of a U + b U^2, of the resting bed's pressure drop over its weight up to the first that is above FIT."""
-    if drop.max() < FIT[1]:
-        raise ValueError(f"the gas has not opened the bed: its pressure drop is at most {drop.max():.3g} of the weight")
-    use = np.arange(len(drop)) < np.argmax(drop > FIT[1])
-    use &= drop > FIT[0]
-    (a, b), *_ = np.linalg.lstsq(np.column_stack([velocity[use], velocity[use]**2]), drop[use], rcond=None)
-    return a, b
-
-
-def figures(case, area, options, ramp):
-    """Of the case in a box of the cross-section `area` [m2]; `options`: of cohesion-powder; ramp: how long the gas
-    rises [s]."""
-    time, velocity, drop = course(case)
-    a, b = resting_line(velocity, drop)
-    heights = np.loadtxt(function_table(case, "height", "bedHeight.dat"))
-    smooth = smoothed(time, drop)
-    rising, held = time < ramp, time > ramp
-    grains = float((case / "grains.data").read_text().split(" atoms")[0].split()[-1])
-    parcel = options["--coarse-graining"] * options["--diameter"]
-    solid = grains * math.pi / 6 * parcel**3
-    return {
-        "U_mf": 2 / (a + math.sqrt(a**2 + 4 * b)),
-        "void_fraction": 1 - solid / area / heights[0, 1],
-        "overshoot": float(smooth[rising].max() - 1),
-        "opens_at": float(velocity[rising][smooth[rising].argmax()]),
-        "pressure": float(drop[held].mean()),
-        "pressure_deviation": float(drop[held].std()),
-        "expansion": float(heights[heights[:, 0] > ramp, 1].mean() / heights[0, 1]),
-        "spheres": grains,
-    }
+FIGURES = ("U_mf", "overshoot", "opens_at", "pressure", "pressure_deviation", "expansion")
 
 
 def changes(kinds):
@@ -64,7 +15,7 @@ def changes(kinds):
     found = {kind: over_seeds(results) for kind, results in kinds.items()}
     (first, of_grains), *others = found.items()
     lines = [("changed against " + first, *(kind for kind, _ in others))]
-    for name in ("U_mf", "overshoot", "opens_at", "pressure", "pressure_deviation", "expansion"):
+    for name in FIGURES:
         lines.append((name, *(change(name, kinds[first], kinds[kind]) for kind, _ in others)))
     seconds = of_grains["processor_seconds"][0]
     lines.append(("times as fast", *(f"{seconds / figures['processor_seconds'][0]:.3g}" for _, figures in others)))

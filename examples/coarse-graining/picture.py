@@ -3,7 +3,7 @@
 
 import numpy as np
 
-import analyse
+from cohesion_studies import raised_gas
 from cohesion_studies.drawing import MARKERS, pyplot, save
 from cohesion_studies.foam_results import function_table
 
@@ -16,9 +16,9 @@ def draw(file, jobs):
         look = {"color": f"C{list(seen).index(job.kind) if job.kind in seen else len(seen)}", "linewidth": 1}
         label = None if job.kind in seen else job.kind
         seen.setdefault(job.kind, job)
-        time, velocity, drop = analyse.course(job.folder)
+        time, velocity, drop = raised_gas.course(job.folder)
         rising = time < job.course["ramp"]
-        drops.plot(velocity[rising], analyse.smoothed(time, drop)[rising], label=label, **look)
+        drops.plot(velocity[rising], raised_gas.smoothed(time, drop)[rising], label=label, **look)
         table = np.loadtxt(function_table(job.folder, "height", "bedHeight.dat"))
         heights.plot(table[:, 0], table[:, 1] / table[0, 1], label=label, **look)
         times.plot(job.options["--coarse-graining"], job.result()["processor_seconds"], MARKERS[0], color=look["color"])

@@ -13,6 +13,7 @@ import numpy as np
 import analyse
 import picture
 import run
+from cohesion_studies import raised_gas
 from cohesion_studies.foam_case import environment
 from cohesion_studies.job_pool import carry_out
 from cohesion_studies.powder_program import PowderProgram
@@ -22,7 +23,7 @@ SOURCE = Path(__file__).resolve().parents[2]
 
 BUILD = sys.argv.pop(1) if len(sys.argv) > 1 else str(SOURCE / "build")
 SMALL = {"--width": 0.012, "--depth": 0.012, "--height": 0.012}
-RAMP, HOLD = 0.2, 0.05
+COURSE = {"fastest": 1.2, "ramp": 0.2, "hold": 0.05}
 
 
 class SmallBed(unittest.TestCase):
@@ -31,7 +32,7 @@ class SmallBed(unittest.TestCase):
         cls.keeper = tempfile.TemporaryDirectory(prefix="cohesion-")
         cls.addClassCleanup(cls.keeper.cleanup)
         env, powder = environment(BUILD, ["lammps"]), PowderProgram(BUILD)
-        cls.jobs = [run.Bed(Path(cls.keeper.name), env, powder, ratio, 5, SMALL, ramp=RAMP, hold=HOLD)
+        cls.jobs = [run.bed(Path(cls.keeper.name), env, powder, ratio, 5, SMALL, COURSE)
                     for ratio in (1, 2)]
         cls.results = carry_out(cls.jobs, 2)
 
@@ -48,7 +49,7 @@ class SmallBed(unittest.TestCase):
         texts = [(job.folder / "constant/grains").read_text() for job in self.jobs]
         self.assertIn("stiffness 100 ", texts[0])
         self.assertIn("stiffness 200 ", texts[1])
-        self.assertIn("hamaker 5.992e-18 cutoff 8e-10 2e-07", texts[1])
+        self.assertIn("hamaker 1.6e-18 cutoff 8e-10 2e-07", texts[1])
 
     def test_the_resting_bed_has_the_drag_of_the_grains(self):
         """The closure at the mean void fraction: the packing is looser at walls, where a layer of a quarter of a sphere
@@ -65,7 +66,7 @@ class Reading(unittest.TestCase):
         """Through what it was made of, to round-off; what comes after the bed has opened is left out."""
         velocity = np.linspace(0, 1, 400)
         drop = np.where(velocity < 0.75, 0.9 * velocity + 0.5 * velocity**2, 1.0)
-        a, b = analyse.resting_line(velocity, drop)
+        a, b = raised_gas.resting_line(velocity, drop)
         self.assertAlmostEqual(a, 0.9, delta=1e-12)
         self.assertAlmostEqual(b, 0.5, delta=1e-12)
 
