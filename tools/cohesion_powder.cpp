@@ -230,6 +230,14 @@ void print_plan(const Lines& print, const Request& r, const Powder& p) {
   const double grains = number_of_grains(bed, p.sizes);
   print({"grains", "grains of the bed", grains, "1"});
   if (coarse) print({"spheres", "spheres computed of the bed", p.parcels.number(grains), "1"});
+  const double across = r.column > 0.0 ? r.column : std::min(r.width, r.depth);
+  const double parcels_across = across / p.parcels.length(p.mean.diameter);
+  if (coarse && parcels_across < Parcels::narrowest_vessel)
+    std::cerr << "cohesion-powder: the bed is " << parcels_across
+              << " parcels across; with fewer than " << Parcels::narrowest_vessel
+              << " walls make it looser than one of grains, and its "
+              << "minimum fluidisation is more than a tenth too high: take a smaller "
+              << "--coarse-graining\n";
   print({"mass", "mass of the bed", mass_of(bed, r.density), "kg"});
   print({"pressure_drop", "pressure drop, fluidised",
          pressure_of(bed.height, bed.void_fraction, (r.density - r.gas.density) * r.gravity),

@@ -4,7 +4,7 @@
 import math
 from pathlib import Path
 
-SIDES = 72  # a bead of a thirtieth of the diameter sees planes that lean by 5 degrees
+SIDES = 72  # a bead sees planes that lean by 5 degrees
 
 
 def corners(radius, sides=SIDES):

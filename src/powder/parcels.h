@@ -32,8 +32,12 @@ namespace cohesion::powder {
 /// Source: dimensions alone. K ~ l and F_ad ~ l^2 are what S. C. Thakur, J. Y. Ooi, H. Ahmadian
 /// (Powder Technol. 293 (2016) 130) found to leave confined compression and unconfined strength of
 /// a cohesive solid as they are.
+/// In a vessel of a few parcels walls decide how loosely they lie, and with that the minimum
+/// fluidisation: narrowest_vessel parcels across raise it by a tenth (examples/coarse-graining).
 class Parcels {
  public:
+  static constexpr double narrowest_vessel = 18.0;
+
   /// Throws InvalidParameter unless 1 <= l < infinity.
   explicit Parcels(double ratio) : ratio_(ratio) {
     require(std::isfinite(ratio) && ratio >= 1.0, "diameter of parcels over that of grains", ratio,

@@ -2,7 +2,10 @@
 """cohesion-powder --measure: the engine runs with the lines that the program prints, and what it took is told."""
 import unittest
 
-from cohesion_tests import lammps as engine, powder as program
+from cohesion_tests import lammps as engine
+from cohesion_tests.csv_program import CsvProgram
+
+program = CsvProgram("COHESION_POWDER")
 
 GLASS = ("--diameter", 5e-4, "--density", 2500, "--young", 63e9, "--hamaker", 6.5e-20, "--width", 0.05, "--depth", 0.04,
          "--height", 0.1)

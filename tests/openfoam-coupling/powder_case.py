@@ -10,11 +10,12 @@ from pathlib import Path
 import numpy as np
 
 from cohesion_studies.foam_case import environment
-from cohesion_tests import powder as program
 from cohesion_tests.coupling.cases import ENGINE, exchange_lines
 from cohesion_tests.coupling.fields import numbers
 from cohesion_tests.coupling.test_case import CoupledTestCase
+from cohesion_tests.csv_program import CsvProgram
 
+program = CsvProgram("COHESION_POWDER")
 G, RHO, MU = 9.81, 1.205, 1.82e-5
 BUILD, WORK = os.environ["COHESION_BUILD"], Path(os.environ["COHESION_WORK"])
 GRAINS = ("--density", 2500, "--stiffness", 100, "--hamaker", 6.5e-20, "--engine", ENGINE)

@@ -1,34 +1,20 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """array-drag: what it prints, spheres from a file, closures beside it, and what it refuses."""
-import csv
 import math
-import os
-import subprocess
 import tempfile
 import unittest
 from pathlib import Path
 
+from cohesion_tests.csv_program import CsvProgram
 from cohesion_tests.theory.closure_formulas import CLOSURES, DOUBLE
 
-PROGRAM = os.environ["ARRAY_DRAG"]
-
-
-def call(*words):
-    done = subprocess.run([PROGRAM, *map(str, words)], capture_output=True, text=True)
-    return done.returncode, done.stdout, done.stderr
-
-
-def values(*words):
-    code, output, error = call(*words, "--csv")
-    if code != 0:
-        raise RuntimeError(error)
-    return {row["name"]: float(row["value"]) for row in csv.DictReader(output.splitlines())}
+program = CsvProgram("ARRAY_DRAG")
 
 
 class ArrayDrag(unittest.TestCase):
     def test_simple_cubic(self):
         """Zick and Homsy: K 28.1 at 0.45. 1 % is asked."""
-        found = values("--array", "sc", "--phi", 0.45, "--diameter", 12)
+        found = program.values("--array", "sc", "--phi", 0.45, "--diameter", 12)
         self.assertAlmostEqual(found["K"] / 28.1, 1, delta=0.01)
         self.assertAlmostEqual(found["F"] / (0.55 * found["K"]), 1, delta=1e-12)
         self.assertAlmostEqual(found["phi"], 0.45, delta=1e-12)
@@ -37,7 +23,7 @@ class ArrayDrag(unittest.TestCase):
 
     def test_closures_stand_beside_it(self):
         """F* = beta d^2/(18 mu (1 - eps) eps), of the formulas written out again."""
-        found = values("--array", "sc", "--phi", 0.45, "--diameter", 8, "--re", 10)
+        found = program.values("--array", "sc", "--phi", 0.45, "--diameter", 8, "--re", 10)
         self.assertAlmostEqual(found["Re"], 10, delta=0.11)
         eps, mu = 0.55, 1 / found["Re"]
         for name, closure in CLOSURES.items():
@@ -50,13 +36,13 @@ class ArrayDrag(unittest.TestCase):
             edge = 2.0
             d = edge * (6 * 0.45 / math.pi)**(1 / 3)
             file.write_text(f"{0.31 / 13 * edge} {0.17 / 13 * edge} {0.43 / 13 * edge} {d}\n")
-            array = values("--array", "sc", "--phi", 0.45, "--diameter", 12.36)
-            read = values("--spheres", file, "--box", edge, edge, edge, "--diameter", 12.36)
+            array = program.values("--array", "sc", "--phi", 0.45, "--diameter", 12.36)
+            read = program.values("--spheres", file, "--box", edge, edge, edge, "--diameter", 12.36)
         self.assertAlmostEqual(read["K"] / array["K"], 1, delta=1e-6)
         self.assertEqual(read["steps"], array["steps"])
 
     def refused(self, words, *parts):
-        code, output, error = call(*words)
+        code, output, error = program.call(*words)
         self.assertNotEqual(code, 0, output)
         for part in parts:
             self.assertIn(part, error + output)

@@ -5,8 +5,10 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from cohesion_tests import powder as program
+from cohesion_tests.csv_program import CsvProgram
 from cohesion_tests.theory.closure_formulas import DOUBLE, ergun_pressure_gradient
+
+program = CsvProgram("COHESION_POWDER")
 
 RHO, MU, G = 1.205, 1.82e-5, 9.81  # of the gas, unless told
 GLASS = ("--diameter", 5e-4, "--density", 2500, "--young", 63e9, "--poisson", 0.22, "--hamaker", 6.5e-20)
@@ -102,6 +104,12 @@ class Numbers(unittest.TestCase):
         self.near(parcels["particle_step"], 2 * grains["particle_step"], 0.1)
         _, output, _ = program.call(*words, "--coarse-graining", 2)
         self.assertIn("stiffness 1600 restitution 0.9 friction 0.3 hamaker 5.992e-18 cutoff 8e-10 2e-07", output)
+
+    def test_few_parcels_across_are_warned_of(self):
+        words = ("--diameter", 1e-3, "--density", 2650, "--stiffness", 800, *BED)
+        for ratio, warned in ((2, False), (3, True)):  # 0.04 m: 20 and 13
+            code, _, error = program.call(*words, "--coarse-graining", ratio)
+            self.assertEqual((code, "parcels across" in error), (0, warned), error)
 
     def test_liggghts_has_ten_steps_of_a_contact(self):
         words = ("--diameter", 1e-3, "--density", 2650, "--stiffness", 800, "--hamaker", 7.49e-19)
