@@ -67,8 +67,8 @@ class Column(RaisedBed):
         forces = np.loadtxt(function_table(self.folder, "forces", "forceBudget.dat"))
         held = forces[:, 0] > self.course["ramp"]
         weight = -forces[-1, 4]
-        return {**found, "walls_carry": float(forces[held, 13].mean() / weight),
-                "gain": float(forces[held, 16].mean() / weight),
+        walls, gain = (float(forces[held, column].mean() / weight) for column in (13, 16))
+        return {**found, "walls_carry": walls, "gain": gain, "pressure_unaccounted": found["pressure"] - (1 + gain - walls),
                 "farthest": farthest(self.folder) / entries(self.folder / "constant/grains")["radius"]}
 
 

@@ -51,7 +51,8 @@ class RaisedBed(Job):
     def figures(self):
         found = raised_gas.figures(self.folder, self.options, self.course["ramp"])
         known = self.powder.values({**self.options, "--void-fraction": found["void_fraction"]})
-        return {**found, "U_mf_of_the_closure": known["u_mf_beetstra"]}
+        return {**found, "U_mf_of_the_closure": known["u_mf_beetstra"],
+                "U_mf_over_closure": found["U_mf"] / known["u_mf_beetstra"]}
 
     def share(self):
         progress = self.case.progress()
