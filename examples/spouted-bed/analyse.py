@@ -15,6 +15,7 @@ from cohesion_studies.case_entries import entries, gravity, particle_variables
 from cohesion_studies.foam_results import function_table, read_cloud, written_times
 
 OPEN = 0.6  # void fraction: halfway between a resting bed's and a dilute spout's, above which the axis is open
+DILUTE = 0.8  # void fraction of a spout
 WINDOW = 0.1  # s over which the share of time with an open axis is taken
 ANNULUS = 0.6  # of the wall's radius: where it begins
 WITHIN = 0.8  # of the resting bed's height: spheres below are of the annulus
@@ -84,8 +85,8 @@ def olazar(bed, height):
     """Minimum spouting velocity in the inlet, of Olazar et al. (1992), for a conical bed of this height."""
     d, rho, nu = bed.spheres["d"], bed.gas["rho"], bed.gas["nu"]
     archimedes = bed.gravity * d**3 * (bed.spheres["density"] - rho) / (rho * nu**2)
-    surface = 2 * bed.wall(height)
-    return 0.126 * sqrt(archimedes) * (surface / bed.vessel["inletDiameter"])**1.68 * bed.vessel["slope"]**-0.57 * nu / d
+    widening = 2 * bed.wall(height) / bed.vessel["inletDiameter"]
+    return 0.126 * sqrt(archimedes) * widening**1.68 * bed.vessel["slope"]**-0.57 * nu / d
 
 
 def column(bed, height, void):
@@ -117,15 +118,12 @@ def share_open(bed, height):
     return time, np.convolve(is_open, kernel, "same") / np.convolve(np.ones_like(time), kernel, "same")
 
 
-def spout_velocities(bed, height):
-    """Of the gas where the spout opens for the first time and where it closes for good: where the share with an open
-    axis rises and falls through half; nan where there is none, or one that does not close."""
+def closing_velocity(bed, height):
+    """Of the gas where the share with an open axis falls through half for the last time; nan without a spout, or with
+    one that is open at the end."""
     time, share = share_open(bed, height)
-    above = share >= 0.5
-    if not above.any() or above[-1]:
-        return float("nan"), float("nan")
-    first, last = np.flatnonzero(above)[[0, -1]]
-    return float(bed.velocity(time[first])), float(bed.velocity(time[last]))
+    above = np.flatnonzero(share >= 0.5)
+    return float(bed.velocity(time[above[-1]])) if len(above) and above[-1] < len(time) - 1 else float("nan")
 
 
 def planes(bed):
@@ -179,6 +177,13 @@ def motion(bed, height):
     return {name: float(np.mean(values)) if values else float("nan") for name, values in found.items()}
 
 
+def dilute_height(heights, profile, height):
+    """Height up to which void fractions on the axis are above DILUTE, half a probe's distance beyond the last of these,
+    over that of the bed."""
+    dilute = len(profile) if profile.min() > DILUTE else int(np.argmax(profile <= DILUTE))
+    return float(min(1, dilute * (heights[1] - heights[0]) / height))
+
+
 def exchange(bed):
     """Over all gas steps, the largest of what gas and spheres do not balance by, of momentum and solid."""
     found = re.findall(r"imbalance (\S+), solid volume error (\S+)", (bed.case / "log.cohesiveBedFoam").read_text())
@@ -194,13 +199,13 @@ def figures(case):
     drop = drop / column(bed, height, void)
     when, heights, values = axis(bed)
     steady = (begin <= when) & (when <= end)
-    profile = values[steady][:, heights < height].mean(axis=0) if steady.any() else np.array([np.nan])
-    opening, closing = spout_velocities(bed, height)
-    correlation = olazar(bed, height)
+    profile = values[steady][:, heights < height].mean(axis=0)
+    closing, correlation = closing_velocity(bed, height), olazar(bed, height)
+    before = time < bed.steady[0]
     return {"resting_height": height, "resting_void_fraction": float(void), "olazar_u_ms": float(correlation),
             "closing_velocity": closing, "closing_over_olazar": closing / correlation,
-            "opening_over_closing": opening / closing,
-            "peak_drop": float(drop[time < bed.steady[0]].max()),
+            "peak_drop": float(drop[before].max()),
+            "peak_velocity": float(bed.velocity(time[before][drop[before].argmax()])),
             "spouting_drop": float(drop[(begin <= time) & (time <= end)].mean()),
-            "axis_void_fraction": float(profile.min()),
+            "axis_void_fraction": float(profile.min()), "dilute_height": dilute_height(heights, profile, height),
             **motion(bed, height), **inside(bed), **exchange(bed)}

@@ -8,6 +8,8 @@ blocks of blockMesh.
 from math import cos, pi, radians, sin, sqrt, tan
 from pathlib import Path
 
+from cohesion_studies import program
+
 FILE = Path(__file__).resolve().parent / "case/constant/vessel"
 
 INLET = 0.02  # radius of the gas inlet [m]
@@ -39,7 +41,8 @@ def point(height, radius, angle):
 def levels():
     """Heights, with the radii of inner block, core and wall."""
     return [(height, INNER * core, core, outer)
-            for height, core, outer in ((0, INLET, BASE), (SHOULDER, CORE, wall(SHOULDER)), (HEIGHT, CORE, wall(HEIGHT)))]
+            for height, core, outer in ((0, INLET, BASE), (SHOULDER, CORE, wall(SHOULDER)),
+                                        (HEIGHT, CORE, wall(HEIGHT)))]
 
 
 def text():
@@ -53,13 +56,14 @@ def text():
                 arcs += [f"    arc {first + k} {first + (k + 1) % 4} {point(height, radius, 90 * (k + 1))}"
                          for k in range(4)]
     rows = [f"    {' '.join(row)}  // {4 * i} to {4 * i + 3}" for i, row in enumerate(vertices)]
-    entries = {"inletDiameter": 2 * INLET, "baseDiameter": 2 * BASE, "coneAngle": ANGLE, "slope": tan(radians(ANGLE / 2)), "shoulder": SHOULDER,
-               "height": HEIGHT, "wallRadius": CORNER * wall(HEIGHT),
+    entries = {"inletDiameter": 2 * INLET, "baseDiameter": 2 * BASE, "coneAngle": ANGLE,
+               "slope": tan(radians(ANGLE / 2)), "shoulder": SHOULDER, "height": HEIGHT,
+               "wallRadius": CORNER * wall(HEIGHT),
                "coneLayers": round(SHOULDER / LAYER), "upperLayers": round((HEIGHT - SHOULDER) / UPPER_LAYER),
                "quarter": SIDES // 4}
     return "\n".join([
-        "// The vessel, written by geometry.py: lengths in m; angle between opposite sides of the cone in degrees, tangent",
-        "// of half of it; layers of cells, cells on a quarter of a circle.",
+        "// The vessel, written by geometry.py: lengths in m; angle between opposite sides of the cone in degrees,",
+        "// tangent of half of it; layers of cells, cells on a quarter of a circle.",
         f"// Polygons of {SIDES} sides have the area of the circles, and their corners {CORNER - 1:.1%} outside.",
         *(f"{name:15} {value:.10g};" for name, value in entries.items()),
         "// Of the block in the middle, of those around it above the inlet, of the wall; from plate to top.",
@@ -67,5 +71,6 @@ def text():
 
 
 if __name__ == "__main__":
+    program.words(__doc__, 0)
     FILE.write_text(text())
     print(FILE)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The bed in three dimensions, drawn by VTK: the half behind the plane z = 0, on its left the spheres by their speed, on
-its right the gas by a slice."""
+"""The bed in three dimensions, drawn by VTK: the half behind the plane z = 0, on its left the spheres by their speed,
+on its right the gas by a slice."""
 
 import contextlib
 import importlib.util

@@ -128,8 +128,8 @@ class Reading(unittest.TestCase):
         self.assertAlmostEqual(area, math.pi, delta=1e-12)
 
     def test_correlation(self):
-        """By hand: Ar = 9.81 (4e-3)^3 2418.795/(1.205 (1.452282e-5)^2) = 5.9753e6, D_b = 0.06 + 0.2 tan 22.5 = 0.142843,
-        Re = 0.126 sqrt(Ar) (3.571068)^1.68 (0.414214)^-0.57 = 4319.5."""
+        """By hand: Ar = 9.81 (4e-3)^3 2418.795/(1.205 (1.452282e-5)^2) = 5.9753e6, D_b = 0.06 + 0.2 tan 22.5 =
+        0.142843, Re = 0.126 sqrt(Ar) (3.571068)^1.68 (0.414214)^-0.57 = 4319.5."""
         archimedes = 9.81 * 64e-9 * 2418.795 / (1.205 * 1.452282e-5**2)
         self.assertAlmostEqual(archimedes, 5.9753e6, delta=50)
         velocity = analyse.olazar(self.bed(), 0.1)
@@ -146,19 +146,24 @@ class Reading(unittest.TestCase):
         found = analyse.depth(walls, np.array([[0, 0, 0], [0.5, 0, -0.75], [0, 1.5, 0]]))
         np.testing.assert_allclose(found, [1, 0.25, -0.5], atol=1e-15)
 
-    def test_opening_and_closing(self):
-        """Open from 0.5 to 3 s but for a moment, shorter than half of the window: at 5 m/s on the way up and down."""
+    def test_closing(self):
+        """Open from 0.5 to 3 s but for a moment, shorter than half of the window: closed at 5 m/s on the way down."""
         bed, time = self.bed(), np.arange(0, 4, 2e-3)
         is_open = (time > 0.5) & (time < 3) & ~((time > 1.5) & (time < 1.54))
-        values = np.where(is_open[:, None], 0.9, 0.4) * np.ones(3)
-        with mock.patch.object(analyse, "axis", lambda bed: (time, np.array([0.01, 0.05, 0.2]), values)):
-            opening, closing = analyse.spout_velocities(bed, 0.1)
-            # Half of the window is open where it is centred on the change, within two rows
-            self.assertAlmostEqual(opening, 5, delta=10 * 4e-3)
-            self.assertAlmostEqual(closing, 5, delta=5 * 4e-3)
-        values[:] = 0.4
-        with mock.patch.object(analyse, "axis", lambda bed: (time, np.array([0.01, 0.05, 0.2]), values)):
-            self.assertTrue(all(map(math.isnan, analyse.spout_velocities(bed, 0.1))))
+
+        def closing(is_open):
+            values = np.where(is_open[:, None], 0.9, 0.4) * np.ones(3)
+            with mock.patch.object(analyse, "axis", lambda bed: (time, np.array([0.01, 0.05, 0.2]), values)):
+                return analyse.closing_velocity(bed, 0.1)
+        # Half of the window is open where it is centred on the change, within two rows
+        self.assertAlmostEqual(closing(is_open), 5, delta=5 * 4e-3)
+        self.assertTrue(math.isnan(closing(np.zeros_like(is_open))))
+        self.assertTrue(math.isnan(closing(time > 0.5)))
+
+    def test_dilute_height(self):
+        heights = np.array([0.005, 0.015, 0.025])
+        for profile, height in ((0.9, 0.85, 0.7), 2 / 3), ((0.9, 0.85, 0.81), 1), ((0.5, 0.9, 0.9), 0):
+            self.assertAlmostEqual(analyse.dilute_height(heights, np.array(profile), 0.03), height, delta=1e-12)
 
     def test_missing_programs_are_said_at_once(self):
         import view
