@@ -40,16 +40,16 @@ def draw(file, folders):
 def draw_views(figure, bed):
     chosen = moments(bed)
     height, _ = analyse.resting(bed)
-    top = min(bed.vessel["height"], 4 * height)
+    top = min(bed.vessel["height"], 3.2 * height)
     images = view.images(bed.case, {time: bed.times[time] for time in chosen}, bed.spheres["d"] / 2, top)
     places = figure.subplots(1, len(images))
     for axes, image, (time, name) in zip(places, images, chosen.items()):
         axes.imshow(image)
         axes.set_axis_off()
         axes.set_title(f"{bed.case.name}, {name}: {time:.2f} s, {bed.velocity(time):.1f} m/s", fontsize=9)
-    for name, place in (("spheres", "left"), ("gas", "right")):
+    for name in view.SPEEDS:
         scale = ScalarMappable(Normalize(0, view.SPEEDS[name]), view.MAPS[name])
-        figure.colorbar(scale, ax=places, location=place, shrink=0.6).set_label(f"{name} [m/s]", fontsize=8)
+        figure.colorbar(scale, ax=places, shrink=0.6).set_label(f"speed of {name} [m/s]", fontsize=8)
 
 
 def draw_curves(drops, open_axis, bed):

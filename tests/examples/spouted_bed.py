@@ -105,7 +105,7 @@ class SmallBeds(unittest.TestCase):
                     mock.patch.object(run.picture, "draw"), contextlib.redirect_stdout(io.StringIO()) as printed, \
                     mock.patch.object(sys, "argv", ["run.py", "--out", out, "--build", BUILD, *words]):
                 run.main()
-            self.assertEqual(len(re.findall(", expected [0-9.]+ to", printed.getvalue())), lines)
+            self.assertEqual(len(re.findall(", expected [-0-9.]+ to", printed.getvalue())), lines)
             self.assertIn("spheres_outside", printed.getvalue())
 
 
