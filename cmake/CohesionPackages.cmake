@@ -57,7 +57,7 @@ cohesion_package(common "environment and module file" "")
 cohesion_package(dev "headers of the laws" "${common}")
 cohesion_package(studies "examples with their programs"
   "${common}, python3, python3-numpy, python3-scipy, python3-matplotlib, python3-yaml"
-  "cohesion-openfoam, cohesion-lammps, cohesion-liggghts, cohesion-tools")
+  "cohesion-openfoam, cohesion-lammps, cohesion-liggghts, cohesion-tools, python3-vtk9, xvfb")
 cohesion_package(doc "manual" "")
 if(BUILD_LAMMPS)
   cohesion_depend_on(engine "${LAMMPS_${COHESION_LAMMPS_ENGINE}_LIBRARY}")

@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs a conical spouted bed, dry and wet, LIGGGHTS beside OpenFOAM in the same vessel, as many at a time as there are
+cores, and ends in a table beside the expectations, and a picture. Beds that are finished are not run again.
+
+    run.py [--beds dry wet] [--seed N] [--time SECONDS] [--out FOLDER] [--overwrite]
+           [--build FOLDER] [--together N]
+"""
+
+import argparse
+import json
+from pathlib import Path
+
+import analyse
+import picture
+import view
+from cohesion_studies import case_entries, expected, foam_results, program, study_table
+from cohesion_studies.foam_case import FoamCase, environment
+from cohesion_studies.job_pool import Job, RunError, carry_out, digest_of, require_ours
+
+HERE = Path(__file__).resolve().parent
+
+# Force of a liquid bridge [N]: of water between spheres of 4 mm, pi d times its surface tension
+BEDS = {"dry": 0, "wet": 9.05e-4}
+VARIABLES = "constant/couplingProperties", "liggghtsCoeffs/variables"
+WALLS = "(inlet plate sides)"  # patches that are the spheres' mesh
+READERS = (analyse, case_entries, foam_results)  # what the figures depend on besides the run
+MARK = "settings.json"  # in the folder of a case that was made here: it may be made anew
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
+    parser.add_argument("--beds", nargs="+", choices=BEDS, default=["dry"],
+                        help="dry, wet: with bridges of water between the spheres, or both (%(default)s)")
+    parser.add_argument("--seed", type=int, default=15485863, metavar="N",
+                        help="of the places from which the spheres are poured, a prime above 10000 (%(default)s)")
+    parser.add_argument("--time", type=float, default=None, metavar="SECONDS",
+                        help="to simulate (that of constant/schedule, which is what expected.csv is of)")
+    parser.add_argument("--overwrite", action="store_true", help="replace beds of other settings")
+    program.folder_words(parser, "BUILD/spouted-bed", "cases and results")
+    program.together_words(parser)
+    return parser.parse_args()
+
+
+def fingerprint(build, env):
+    """Of all that a run depends on, programs included."""
+    folders = [Path(f) for f in env["LD_LIBRARY_PATH"].split(":") if f.startswith(str(build))]
+    files = [*(HERE / "case").rglob("*"), build / "openfoam/cohesiveBedFoam",
+             *(f for folder in folders for f in folder.glob("*.so"))]
+    return digest_of(files)
+
+
+class SpoutedBed(Job):
+    """One bed. `changed`: {file: {entry: value}} that differ from the case."""
+
+    def __init__(self, out, env, mark, kind, seed, changed=None):
+        self.kind, self.env, self.changed = kind, env, changed or {}
+        self.variables = {"bridge": BEDS[kind], "seed": seed}
+        super().__init__(out / kind, {**self.variables, "changed": self.changed, "fingerprint": mark},
+                         readers=digest_of([module.__file__ for module in READERS]))
+
+    def prepare(self):
+        """The case with its mesh, and the spheres' wall from the same."""
+        self.case = FoamCase(HERE / "case", self.folder, self.env, overwrite=True)
+        (self.folder / MARK).write_text(json.dumps(self.settings))
+        for name, value in self.variables.items():
+            self.case.set(VARIABLES[0], f"{VARIABLES[1]}/{name}", value)
+        for file, entries in self.changed.items():
+            for name, value in entries.items():
+                self.case.set(file, name, value)
+        self.case.mesh()
+        self.case.run("surfaceMeshExtract", "-constant", "-time", "none", "-patches", WALLS, "wall.stl")
+        (self.folder / "case.foam").touch()  # what ParaView opens
+
+    def start(self):
+        self.prepare()
+        return self.case.start()
+
+    def figures(self):
+        return analyse.figures(self.folder)
+
+    def share(self):
+        progress = self.case.progress()
+        return progress[0] if progress else 0.0
+
+    def tail(self):
+        return self.case.tail()
+
+
+def main():
+    args = arguments()
+    expected.rows(HERE / "expected.csv")
+    args.build = args.build.resolve()
+    out = program.out_folder(args, "spouted-bed").resolve()
+    env = environment(args.build, ["liggghts"])
+    view.require()
+    mark = fingerprint(args.build, env)
+    changed = {} if args.time is None else {"constant/schedule": {"endTime": args.time}}
+    jobs = [SpoutedBed(out, env, mark, kind, args.seed, changed) for kind in args.beds]
+    require_ours(jobs, MARK, args.overwrite)
+    kinds = study_table.by_kind(jobs, carry_out(jobs, args.together))
+    # What is expected is of a whole run alone.
+    held = "" if changed else "\n\n" + expected.text(HERE / "expected.csv", study_table.means_of(kinds))
+    program.leave_table(out, study_table.side_by_side(kinds) + held)
+    picture.draw(out / "result.png", [job.folder for job in jobs])
+    print(f"ParaView: {out}/*/case.foam, gas and particles together")
+
+
+if __name__ == "__main__":
+    program.run(main, RunError, expected.ExpectationError)
