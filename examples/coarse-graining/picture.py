@@ -30,5 +30,7 @@ def draw(file, jobs):
     first = jobs[0].result()["processor_seconds"] * jobs[0].options["--coarse-graining"]**4
     times.plot(ratios, first / ratios**4, "k:", linewidth=1, label="l$^{-4}$")
     times.set(xscale="log", yscale="log", xlabel="l", ylabel="processor seconds")
+    times.set_xticks(ratios, [f"{ratio:g}" for ratio in ratios])
+    times.set_xticks([], minor=True)
     times.legend(frameon=False)
     save(figure, file, dpi=85)
