@@ -56,7 +56,7 @@ set(common "cohesion-common (= ${version})")
 cohesion_package(common "environment and module file" "")
 cohesion_package(dev "headers of the laws" "${common}")
 cohesion_package(studies "examples with their programs"
-  "${common}, python3, python3-numpy, python3-scipy, python3-matplotlib, python3-yaml"
+  "${common}, python3, python3-numpy, python3-scipy, python3-matplotlib, python3-yaml, python3-vtk9, xvfb"
   "cohesion-openfoam, cohesion-lammps, cohesion-liggghts, cohesion-tools")
 cohesion_package(doc "manual" "")
 if(BUILD_LAMMPS)
