@@ -19,10 +19,10 @@ from cohesion_studies.job_pool import Job, RunError, carry_out, digest_of, requi
 
 HERE = Path(__file__).resolve().parent
 
-# Entries of constant/bed that differ from the case; the number of spheres of one size has the solid volume of both.
-PACKED = {"velocity": 0.4, "endTime": 0.1}
+# Entries of constant/bed that differ from the case; those of one size have the solid volume of both.
+PACKED = {"first": 0.4, "velocity": 0.4, "endTime": 0.1}
 KINDS = {"between": {}, "above": {"velocity": 2.0},
-         "small": {"small": 3290, "large": 0, **PACKED}, "large": {"small": 0, "large": 710, **PACKED}}
+         "small": {"small": 4439, "large": 0, **PACKED}, "large": {"small": 0, "large": 959, **PACKED}}
 SEED = "constant/couplingProperties", "lammpsCoeffs/variables/seed"
 READERS = (analyse, case_entries, ergun, foam_results)  # what the figures depend on besides the run
 MARK = "settings.json"  # in the folder of a case that was made here: it may be made anew

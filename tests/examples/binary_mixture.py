@@ -23,7 +23,7 @@ from cohesion_studies.foam_results import written_times
 from cohesion_tests.coupling.cases import exchange_lines
 
 BUILD = sys.argv.pop(1) if len(sys.argv) > 1 else str(Path(__file__).resolve().parents[2] / "build")
-SMALL = {"width": 0.0225, "across": 3, "height": 0.09, "up": 12, "small": 330, "large": 70, "settle": 0.2,
+SMALL = {"width": 0.02, "across": 4, "height": 0.09, "up": 18, "small": 330, "large": 70, "settle": 0.2,
          "endTime": 0.1}
 STEPS = 200  # gas steps
 
