@@ -2,53 +2,16 @@
 """The bed in three dimensions, drawn by VTK: the half behind the plane z = 0, on its left the spheres by their speed,
 on its right the gas by a slice."""
 
-import contextlib
-import importlib.util
-import os
-import shutil
-import subprocess
-
 import numpy as np
 
 from cohesion_studies.drawing import pyplot
 from cohesion_studies.foam_results import read_cloud
-from cohesion_studies.job_pool import RunError, dies_with_us
+from cohesion_studies.vtk_screen import require, screen
 
 SPEEDS = {"spheres": 1.5, "gas": 20.0}  # where the colours end [m/s]
 MAPS = {"spheres": "turbo", "gas": "YlGnBu"}  # of matplotlib
 SIZE = 460, 800  # of a picture [pixels]
 WALL = 0.25  # its opacity
-
-
-def require():
-    """Raises RunError where VTK, or the X server that it draws on, is missing."""
-    for there, what in ((importlib.util.find_spec("vtk"), "python3-vtk9"), (shutil.which("Xvfb"), "xvfb")):
-        if not there:
-            raise RunError(f"the picture needs Debian's package {what}, which scripts/setup installs")
-
-
-@contextlib.contextmanager
-def screen():
-    """An X server without a screen: Debian's VTK draws on no other."""
-    reader, writer = os.pipe()
-    before = os.environ.get("DISPLAY")
-    server = subprocess.Popen(
-        dies_with_us(["Xvfb", "-displayfd", str(writer), "-screen", "0", "640x480x24", "-nolisten", "tcp"]),
-        pass_fds=[writer], stderr=subprocess.DEVNULL)
-    os.close(writer)
-    try:
-        with open(reader) as told:
-            number = told.readline().strip()
-        if not number:
-            raise RunError("Xvfb, on which the picture is drawn, did not start")
-        os.environ["DISPLAY"] = f":{number}"
-        yield
-    finally:
-        server.terminate()
-        server.wait()
-        os.environ.pop("DISPLAY", None)
-        if before is not None:
-            os.environ["DISPLAY"] = before
 
 
 def colours(vtk, name):

@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""VTK without a screen: Debian's draws on an X server alone."""
+
+import contextlib
+import importlib.util
+import os
+import shutil
+import subprocess
+
+from cohesion_studies.job_pool import RunError, dies_with_us
+
+
+def require():
+    """Raises RunError where VTK, or the X server that it draws on, is missing."""
+    for there, what in ((importlib.util.find_spec("vtk"), "python3-vtk9"), (shutil.which("Xvfb"), "xvfb")):
+        if not there:
+            raise RunError(f"the picture needs Debian's package {what}, which scripts/setup installs")
+
+
+@contextlib.contextmanager
+def screen():
+    """An X server without a screen: Debian's VTK draws on no other."""
+    reader, writer = os.pipe()
+    before = os.environ.get("DISPLAY")
+    server = subprocess.Popen(
+        dies_with_us(["Xvfb", "-displayfd", str(writer), "-screen", "0", "640x480x24", "-nolisten", "tcp"]),
+        pass_fds=[writer], stderr=subprocess.DEVNULL)
+    os.close(writer)
+    try:
+        with open(reader) as told:
+            number = told.readline().strip()
+        if not number:
+            raise RunError("Xvfb, on which the picture is drawn, did not start")
+        os.environ["DISPLAY"] = f":{number}"
+        yield
+    finally:
+        server.terminate()
+        server.wait()
+        os.environ.pop("DISPLAY", None)
+        if before is not None:
+            os.environ["DISPLAY"] = before
