@@ -13,7 +13,7 @@ from pathlib import Path
 
 import analyse
 import picture
-from cohesion_studies import case_entries, ergun, expected, foam_results, program, study_table, vtk_spheres
+from cohesion_studies import case_entries, ergun, expected, foam_results, program, study_table, vtk_screen
 from cohesion_studies.foam_case import FoamCase, environment
 from cohesion_studies.job_pool import Job, RunError, carry_out, digest_of, require_ours
 
@@ -96,7 +96,7 @@ def main():
     args.build = args.build.resolve()
     out = program.out_folder(args, "binary-mixture").resolve()
     env = environment(args.build, ["lammps"])
-    vtk_spheres.require()
+    vtk_screen.require()
     mark = fingerprint(args.build, env)
     changed = {} if args.time is None else {"endTime": args.time}
     jobs = [MixedBed(out, env, mark, kind, seed, changed if kind in ("between", "above") else None)

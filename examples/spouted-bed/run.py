@@ -12,8 +12,7 @@ from pathlib import Path
 
 import analyse
 import picture
-import view
-from cohesion_studies import case_entries, expected, foam_results, program, study_table
+from cohesion_studies import case_entries, expected, foam_results, program, study_table, vtk_screen
 from cohesion_studies.foam_case import FoamCase, environment
 from cohesion_studies.job_pool import Job, RunError, carry_out, digest_of, require_ours
 
@@ -92,7 +91,7 @@ def main():
     args.build = args.build.resolve()
     out = program.out_folder(args, "spouted-bed").resolve()
     env = environment(args.build, ["liggghts"])
-    view.require()
+    vtk_screen.require()
     mark = fingerprint(args.build, env)
     changed = {} if args.time is None else {"constant/schedule": {"endTime": args.time}}
     jobs = [SpoutedBed(out, env, mark, kind, args.seed, changed) for kind in args.beds]

@@ -19,7 +19,7 @@ import analyse
 import geometry
 import picture
 import run
-from cohesion_studies import expected
+from cohesion_studies import expected, vtk_screen
 from cohesion_studies.foam_results import vector_list
 from cohesion_tests.coupling.cases import exchange_lines
 
@@ -166,10 +166,9 @@ class Reading(unittest.TestCase):
             self.assertAlmostEqual(analyse.dilute_height(heights, np.array(profile), 0.03), height, delta=1e-12)
 
     def test_missing_programs_are_said_at_once(self):
-        import view
-        with mock.patch.object(view, "shutil", types.SimpleNamespace(which=lambda name: None)):
+        with mock.patch.object(vtk_screen, "shutil", types.SimpleNamespace(which=lambda name: None)):
             with self.assertRaisesRegex(run.RunError, "package xvfb"):
-                view.require()
+                vtk_screen.require()
 
 
 if __name__ == "__main__":
