@@ -67,6 +67,11 @@ class Bed:
         return pi / 3 * height * (low**2 + low * high + high**2)
 
 
+def mean(values):
+    """nan without values."""
+    return float(np.mean(values)) if len(values) else float("nan")
+
+
 def resting(bed):
     """Height and void fraction of the resting bed: that of a layer between a tenth and a half of the highest sphere's
     height, and the height of the cone that all spheres fill with it."""
@@ -174,12 +179,14 @@ def motion(bed, height):
             middle += list(velocities[low & (radius < bed.vessel["inletDiameter"] / 4), 1])
     found = {"fountain_height": highest, "share_in_fountain": above, "annulus_velocity": annulus,
              "spout_velocity": middle}
-    return {name: float(np.mean(values)) if values else float("nan") for name, values in found.items()}
+    return {name: mean(values) for name, values in found.items()}
 
 
 def dilute_height(heights, profile, height):
     """Height up to which void fractions on the axis are above DILUTE, half a probe's distance beyond the last of these,
     over that of the bed."""
+    if np.isnan(profile).any():
+        return float("nan")
     dilute = len(profile) if profile.min() > DILUTE else int(np.argmax(profile <= DILUTE))
     return float(min(1, dilute * (heights[1] - heights[0]) / height))
 
@@ -199,13 +206,13 @@ def figures(case):
     drop = drop / column(bed, height, void)
     when, heights, values = axis(bed)
     steady = (begin <= when) & (when <= end)
-    profile = values[steady][:, heights < height].mean(axis=0)
+    profile = np.array([mean(probe) for probe in values[steady][:, heights < height].T])
     closing, correlation = closing_velocity(bed, height), olazar(bed, height)
     before = time < bed.steady[0]
     return {"resting_height": height, "resting_void_fraction": float(void), "olazar_u_ms": float(correlation),
             "closing_velocity": closing, "closing_over_olazar": closing / correlation,
             "peak_drop": float(drop[before].max()),
             "peak_velocity": float(bed.velocity(time[before][drop[before].argmax()])),
-            "spouting_drop": float(drop[(begin <= time) & (time <= end)].mean()),
+            "spouting_drop": mean(drop[(begin <= time) & (time <= end)]),
             "axis_void_fraction": float(profile.min()), "dilute_height": dilute_height(heights, profile, height),
             **motion(bed, height), **inside(bed), **exchange(bed)}

@@ -42,7 +42,7 @@ def draw_views(figure, bed):
     height, _ = analyse.resting(bed)
     top = min(bed.vessel["height"], 3.2 * height)
     images = view.images(bed.case, {time: bed.times[time] for time in chosen}, bed.spheres["d"] / 2, top)
-    places = figure.subplots(1, len(images))
+    places = figure.subplots(1, len(images), squeeze=False)[0]
     for axes, image, (time, name) in zip(places, images, chosen.items()):
         axes.imshow(image)
         axes.set_axis_off()

@@ -18,8 +18,9 @@ from cohesion_studies.job_pool import Job, RunError, carry_out, digest_of, requi
 
 HERE = Path(__file__).resolve().parent
 
-# Force of a liquid bridge [N]: of water between spheres of 4 mm, pi d times its surface tension
-BEDS = {"dry": 0, "wet": 9.05e-4}
+# Variables of the script. Bridges of water between spheres of 4 mm: pi d times its surface tension [N]; scheme event
+# wants ten steps in the swing of the tangential spring.
+BEDS = {"dry": {"bridge": 0, "dt": 2.5e-5}, "wet": {"bridge": 9.05e-4, "dt": 2e-5}}
 VARIABLES = "constant/couplingProperties", "liggghtsCoeffs/variables"
 WALLS = "(inlet plate sides)"  # patches that are the spheres' mesh
 READERS = (analyse, case_entries, foam_results)  # what the figures depend on besides the run
@@ -53,7 +54,7 @@ class SpoutedBed(Job):
 
     def __init__(self, out, env, mark, kind, seed, changed=None):
         self.kind, self.env, self.changed = kind, env, changed or {}
-        self.variables = {"bridge": BEDS[kind], "seed": seed}
+        self.variables = {**BEDS[kind], "seed": seed}
         super().__init__(out / kind, {**self.variables, "changed": self.changed, "fingerprint": mark},
                          readers=digest_of([module.__file__ for module in READERS]))
 
