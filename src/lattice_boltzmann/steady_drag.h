@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <vector>
@@ -9,93 +10,178 @@
 #include "lattice_boltzmann/arrays.h"
 #include "lattice_boltzmann/flow.h"
 #include "lattice_boltzmann/relaxation.h"
+#include "lattice_boltzmann/speed_control.h"
 #include "lattice_boltzmann/walls.h"
 #include "sphere.h"
 #include "validation.h"
 
 namespace cohesion::lattice_boltzmann {
 
+/// Length of a vector.
+inline double size_of(const Vector& v) { return std::hypot(v[0], v[1], v[2]); }
+
 /// How a flow is driven, and when it is steady. Lattice units.
 struct Course {
   double viscosity;         ///< [spacing^2/step]
   Vector body_force;        ///< [spacing/step^2]
-  double tolerance = 1e-6;  ///< of the velocity that is yet to come, over it, [1]
+  double speed = 0.0;       ///< superficial, along the force, to which the force is made to lead,
+                            ///< [spacing/step]; 0: the force is as given
+  double tolerance = 1e-6;  ///< of the velocity, or the force, that is yet to come, over it, [1]
   long most_steps = 1000000;
 };
 
 /// What a steady flow through an array of fixed spheres gives.
 struct SteadyDrag {
   Vector superficial;          ///< [spacing/step]
-  std::vector<Vector> forces;  ///< on each sphere by its surface: F_total less V_p g
+  Vector body_force;           ///< [spacing/step^2]
+  std::vector<Vector> forces;  ///< on each sphere by its surface, F_total less V_p g: its drag
   double balance;              ///< error of their sum against the force on the fluid nodes, [1]
   double solid;                ///< fraction of the spheres, [1]
   double diameter;             ///< Sauter mean, [spacing]
   long steps;
 };
 
-/// Told between looks at the flow: steps done, and the change of the velocity that is yet to come,
-/// [1].
+/// Told between looks at the flow: steps done, and the change that is yet to come, [1].
 using Told = std::function<void(long, double)>;
 
-/// Runs the flow from rest until what is left of its change, taken for a geometric series, is below
-/// the tolerance. Throws InvalidParameter when it is not within the steps given, or blows up.
-inline SteadyDrag steady_drag(const Array& array, const Course& course, const Told& told = {}) {
-  const Grid grid(array.nodes);
-  const Walls walls(grid, array.spheres);
-  Flow flow(grid, walls, Relaxation(course.viscosity), static_cast<int>(array.spheres.size()));
-  flow.set_body_force(course.body_force);
-  const auto speed = [&] {
-    const Vector u = flow.superficial_velocity();
-    double along = 0.0;
-    for (int k = 0; k < 3; k++) along += u[k] * course.body_force[k];
-    return along;
-  };
+/// What is yet to come of a number that is looked at now and then, over it, its changes taken for a
+/// geometric series. [1]
+class YetToCome {
+ public:
+  double after(double now) {
+    const double change = now - last_, earlier = last_ - before_;
+    const bool shrinks = change * earlier > 0.0 && std::abs(change) < std::abs(earlier);
+    const double rest = std::abs(change / now);
+    before_ = last_;
+    last_ = now;
+    if (looks_++ < 3) return 1.0;
+    return shrinks ? rest * std::abs(change / (earlier - change)) : rest;
+  }
+
+ private:
+  double before_ = 0.0, last_ = 0.0;
+  int looks_ = 0;
+};
+
+/// A flow through an array on its course.
+class DrivenFlow {
+ public:
+  DrivenFlow(const Array& array, const Course& course, const Shared& shared)
+      : course_(course),
+        grid_(array.nodes),
+        walls_(grid_, array.spheres),
+        flow_(grid_, walls_, Relaxation(course.viscosity), shared),
+        control_(course.speed, grid_.volume(), static_cast<double>(walls_.fluid_nodes())),
+        force_(size_of(course.body_force)) {
+    require_positive("body force", force_);
+    for (int k = 0; k < 3; k++) along_[k] = course.body_force[k] / force_;
+    flow_.set_body_force(course.body_force);
+  }
+
+  /// Goes on by so many steps, and calls each() when the forces on spheres in one are known.
+  template <class F>
+  void advance(int steps, F each) {
+    for (int i = 0; i < steps; i++) {
+      flow_.step();
+      each();
+      if (course_.speed > 0.0) drive(control_.next(force_, held()));
+    }
+    if (course_.speed > 0.0) control_.set_speed(speed());
+  }
+  void advance(int steps) {
+    advance(steps, [] {});
+  }
+
+  /// Means of so many steps more: what goes to and fro between them, sound and the momentum of
+  /// every second step, is no force.
+  SteadyDrag measured(const std::vector<FixedSphere>& spheres, int steps) {
+    SteadyDrag found{{}, {}, std::vector<Vector>(spheres.size(), Vector{}), 0.0, 0.0, 0.0, 0};
+    double force = 0.0, sum = 0.0;
+    advance(steps, [&] {
+      force += force_ / steps;
+      sum += held() / steps;
+      for (std::size_t s = 0; s < spheres.size(); s++)
+        for (int k = 0; k < 3; k++) found.forces[s][k] += flow_.forces()[s][k] / steps;
+    });
+    found.superficial = flow_.superficial_velocity();
+    double squares = 0.0, cubes = 0.0;
+    for (const FixedSphere& sphere : spheres) {
+      const double d = 2.0 * sphere.radius;
+      squares += d * d;
+      cubes += d * d * d;
+    }
+    for (int k = 0; k < 3; k++) found.body_force[k] = force * along_[k];
+    found.balance = std::abs(sum / (force * static_cast<double>(walls_.fluid_nodes())) - 1.0);
+    found.solid = pi / 6.0 * cubes / grid_.volume();
+    found.diameter = cubes / squares;
+    return found;
+  }
+
+  /// Superficial, along the force.
+  double speed() { return along(flow_.superficial_velocity()); }
+  double force() const { return force_; }
+  const Flow& flow() const { return flow_; }
+  const Walls& walls() const { return walls_; }
+  const Grid& grid() const { return grid_; }
+
+ private:
+  double along(const Vector& v) const {
+    return v[0] * along_[0] + v[1] * along_[1] + v[2] * along_[2];
+  }
+
+  double held() const {
+    double sum = 0.0;
+    for (const Vector& force : flow_.forces()) sum += along(force);
+    return sum;
+  }
+
+  void drive(double force) {
+    force_ = force;
+    Vector of{};
+    for (int k = 0; k < 3; k++) of[k] = force * along_[k];
+    flow_.set_body_force(of);
+  }
+
+  Course course_;
+  Grid grid_;
+  Walls walls_;
+  Flow flow_;
+  SpeedControl control_;
+  double force_;
+  Vector along_{};
+};
+
+/// Runs a flow from rest until what is yet to come of its velocity, or of the force that keeps it,
+/// is below the tolerance. Throws InvalidParameter when it is not within the steps given, or blows
+/// up.
+inline SteadyDrag steady_drag(const Array& array, const Course& course, const Told& told = {},
+                              const Shared& shared = one_by_one) {
+  DrivenFlow driven(array, course, shared);
   const int interval = 100;
+  YetToCome rest;
   long steps = 0;
-  double before = 0.0, last = 0.0, left = 1.0;
-  while (left > course.tolerance) {
+  for (double left = 1.0; left > course.tolerance;) {
     require(steps < course.most_steps, "largest number of steps", course.most_steps,
             "the flow is not steady by then: allow more, or a larger tolerance");
-    for (int i = 0; i < interval; i++, steps++) flow.step();
-    const double now = speed(), change = now - last;
-    require(std::isfinite(now), "velocity", now, "the flow is unstable: take a smaller body force");
-    if (steps >= 3 * interval) {
-      const double rest = std::abs(change / now), earlier = last - before;
-      const bool shrinks = change * earlier > 0.0 && std::abs(change) < std::abs(earlier);
-      left = shrinks ? rest * std::abs(change / (earlier - change)) : rest;
-    }
-    before = last;
-    last = now;
+    driven.advance(interval);
+    steps += interval;
+    const double speed = driven.speed();
+    require(std::isfinite(speed), "velocity", speed,
+            "the flow is unstable: take a smaller body force or speed");
+    left = rest.after(course.speed > 0.0 ? driven.force() : speed);
+    if (course.speed > 0.0) left = std::max(left, std::abs(speed / course.speed - 1.0));
     if (told) told(steps, left);
   }
-  SteadyDrag found{flow.superficial_velocity(), flow.forces(), 0.0, 0.0, 0.0, steps + 1};
-  // Of two steps: momentum that goes to and fro between them is no force.
-  flow.step();
-  double squares = 0.0, cubes = 0.0, sum = 0.0, force = 0.0;
-  for (std::size_t s = 0; s < array.spheres.size(); s++) {
-    for (int k = 0; k < 3; k++) {
-      found.forces[s][k] = 0.5 * (found.forces[s][k] + flow.forces()[s][k]);
-      sum += found.forces[s][k] * course.body_force[k];
-    }
-    const double d = 2.0 * array.spheres[s].radius;
-    squares += d * d;
-    cubes += d * d * d;
-  }
-  for (int k = 0; k < 3; k++) force += course.body_force[k] * course.body_force[k];
-  found.balance = std::abs(sum / (force * static_cast<double>(walls.fluid_nodes())) - 1.0);
-  found.solid = pi / 6.0 * cubes / grid.volume();
-  found.diameter = cubes / squares;
+  SteadyDrag found = driven.measured(array.spheres, interval);
+  found.steps = steps + interval;
   return found;
 }
-
-/// Length of a vector.
-inline double size_of(const Vector& v) { return std::hypot(v[0], v[1], v[2]); }
 
 /// F* = F_drag/(3 pi mu d U), F_drag = (1 - phi) F_total, of the mean over the spheres, F_total = g
 /// V/N: the force by which the fluid is driven in the whole box, spheres included. [1]
 inline double mean_drag(const SteadyDrag& drag, const Array& array, const Course& course) {
   const double volume = Grid(array.nodes).volume() / static_cast<double>(array.spheres.size());
-  return (1.0 - drag.solid) * size_of(course.body_force) * volume /
+  return (1.0 - drag.solid) * size_of(drag.body_force) * volume /
          (3.0 * pi * course.viscosity * drag.diameter * size_of(drag.superficial));
 }
 

@@ -50,9 +50,16 @@ class Grid {
 struct Link {
   std::size_t node;  ///< in the fluid, no image
   int q;             ///< velocity
-  int sphere;
-  double distance;  ///< from the node to the wall, over the link's length; 1/2 where the node
-                    ///< behind is in no fluid, for whoever interpolates
+  double distance;   ///< from the node to the wall, over the link's length; 1/2 where the node
+                     ///< behind is in no fluid, for whoever interpolates
+
+  bool halved() const { return distance == 0.5; }
+};
+
+/// Nodes of the fluid side by side along x.
+struct Run {
+  std::size_t first;
+  int nodes;
 };
 
 /// Which nodes are fluid, and all links that a sphere cuts.
@@ -69,11 +76,15 @@ class Walls {
       fill(static_cast<int>(s));
     }
     copy_images();
+    find_runs();
     find_links();
   }
 
   bool is_fluid(std::size_t node) const { return owner_[node] == fluid; }
-  const std::vector<Link>& links() const { return links_; }
+  int spheres() const { return static_cast<int>(spheres_.size()); }
+  const std::vector<Link>& links(int sphere) const { return links_[sphere]; }
+  /// Of a layer of the box, 0 to nodes(2) - 1.
+  const std::vector<Run>& runs(int z) const { return runs_[z]; }
   /// Nodes of the box in fluid.
   std::size_t fluid_nodes() const { return fluid_nodes_; }
 
@@ -113,18 +124,33 @@ class Walls {
               wrapped(x, grid_.nodes(0)), wrapped(y, grid_.nodes(1)), wrapped(z, grid_.nodes(2)))];
   }
 
-  void find_links() {
+  void find_runs() {
+    runs_.resize(grid_.nodes(2));
     for (int z = 0; z < grid_.nodes(2); z++)
       for (int y = 0; y < grid_.nodes(1); y++)
         for (int x = 0; x < grid_.nodes(0); x++) {
           const std::size_t node = grid_.index(x, y, z);
           if (!is_fluid(node)) continue;
           fluid_nodes_++;
+          if (x > 0 && is_fluid(node - 1))
+            runs_[z].back().nodes++;
+          else
+            runs_[z].push_back({node, 1});
+        }
+  }
+
+  void find_links() {
+    links_.resize(spheres_.size());
+    for (int z = 0; z < grid_.nodes(2); z++)
+      for (int y = 0; y < grid_.nodes(1); y++)
+        for (int x = 0; x < grid_.nodes(0); x++) {
+          const std::size_t node = grid_.index(x, y, z);
+          if (!is_fluid(node)) continue;
           for (int q = 1; q < directions; q++) {
             const std::int32_t hit = owner_[node + grid_.offset(q)];
             if (hit == fluid) continue;
             const bool room = is_fluid(node - grid_.offset(q));
-            links_.push_back({node, q, hit, room ? distance(spheres_[hit], q, {x, y, z}) : 0.5});
+            links_[hit].push_back({node, q, room ? distance(spheres_[hit], q, {x, y, z}) : 0.5});
           }
         }
   }
@@ -144,8 +170,9 @@ class Walls {
 
   Grid grid_;
   std::vector<FixedSphere> spheres_;
-  std::vector<std::int32_t> owner_;  // sphere that a node is in
-  std::vector<Link> links_;
+  std::vector<std::int32_t> owner_;       // sphere that a node is in
+  std::vector<std::vector<Link>> links_;  // of each sphere
+  std::vector<std::vector<Run>> runs_;    // of each layer
   std::size_t fluid_nodes_ = 0;
 };
 

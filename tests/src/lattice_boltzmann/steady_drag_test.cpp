@@ -33,12 +33,14 @@ TEST(SteadyDrag, SimpleCubicIsThatOfZickAndHomsy) {
   EXPECT_NEAR(coefficient(cubic_array(sc, 0.45, 12.0), slow(0.3)) / 28.1, 1.0, 0.01);
 }
 
-// What the fluid is pushed by is what the spheres hold: to what is left of the transient.
+// What the fluid is pushed by is what the spheres hold, once nothing changes any more.
 TEST(SteadyDrag, ForcesBalance) {
   for (const CubicArray* kind : {&sc, &bcc, &fcc}) {
     const Array array = cubic_array(*kind, 0.3, 8.0);
-    const SteadyDrag drag = steady_drag(array, slow(0.1));
-    EXPECT_LT(drag.balance, 1e-7) << kind->name;
+    DrivenFlow driven(array, slow(0.3), one_by_one);
+    driven.advance(6000);
+    const SteadyDrag drag = driven.measured(array.spheres, 100);
+    EXPECT_LT(drag.balance, 1e-10) << kind->name;
     EXPECT_EQ(drag.forces.size(), static_cast<std::size_t>(kind->spheres));
     EXPECT_NEAR(drag.solid, 0.3, 1e-12);
     // Alike by symmetry but for where the nodes are.
@@ -71,6 +73,19 @@ TEST(SteadyDrag, InertiaAddsToIt) {
   const SteadyDrag drag = steady_drag(array, fast);
   EXPECT_GT(reynolds(drag, fast), 3.0);
   EXPECT_GT(mean_drag(drag, array, fast) / (1.0 - drag.solid), 1.005 * creeping);
+}
+
+// The force found for a speed is the force that gives the speed: to the tolerance of both.
+TEST(SteadyDrag, LeadsToASpeed) {
+  const Array array = cubic_array(sc, 0.3, 8.0);
+  Course led = slow(0.05, 1e-7);
+  led.speed = 0.01;
+  led.tolerance = 1e-5;
+  const SteadyDrag drag = steady_drag(array, led);
+  EXPECT_NEAR(drag.superficial[0] / 0.01, 1.0, 2e-5);
+  Course driven = slow(0.05, drag.body_force[0]);
+  driven.tolerance = 1e-5;
+  EXPECT_NEAR(steady_drag(array, driven).superficial[0] / 0.01, 1.0, 4e-5);
 }
 
 TEST(SteadyDrag, WhatCannotBeIsRefused) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "constants.h"
 
@@ -29,12 +30,13 @@ TEST(Walls, LinksEndOnTheSphere) {
   const Grid grid({20, 18, 16});
   const FixedSphere sphere{{19.3, 0.4, 8.1}, 6.2};
   const Walls walls(grid, {sphere});
-  ASSERT_GT(walls.links().size(), 100u);
+  ASSERT_EQ(walls.spheres(), 1);
+  ASSERT_GT(walls.links(0).size(), 100u);
   int found = 0;
   for (int z = 0; z < 16; z++)
     for (int y = 0; y < 18; y++)
       for (int x = 0; x < 20; x++)
-        for (const Link& link : walls.links()) {
+        for (const Link& link : walls.links(0)) {
           if (link.node != grid.index(x, y, z)) continue;
           double squares = 0.0;
           const int node[] = {x, y, z};
@@ -47,7 +49,7 @@ TEST(Walls, LinksEndOnTheSphere) {
           EXPECT_FALSE(walls.is_fluid(link.node + grid.offset(link.q)));
           found++;
         }
-  EXPECT_EQ(found, static_cast<int>(walls.links().size()));
+  EXPECT_EQ(found, static_cast<int>(walls.links(0).size()));
   const double inside = 20.0 * 18.0 * 16.0 - static_cast<double>(walls.fluid_nodes());
   EXPECT_GT(inside, 4.0 / 3.0 * pi * std::pow(5.7, 3));
   EXPECT_LT(inside, 4.0 / 3.0 * pi * std::pow(6.7, 3));
@@ -57,8 +59,28 @@ TEST(Walls, LinksEndOnTheSphere) {
 TEST(Walls, LinksOfNarrowGapsAreHalved) {
   const Walls walls(Grid({24, 16, 16}), {{{7.0, 8.0, 8.0}, 4.6}, {{17.0, 8.0, 8.0}, 4.6}});
   bool halved = false;
-  for (const Link& link : walls.links()) halved |= link.distance == 0.5;
+  for (const int sphere : {0, 1})
+    for (const Link& link : walls.links(sphere)) halved |= link.halved();
   EXPECT_TRUE(halved);
+}
+
+// Runs are all nodes of the fluid, each once, and no other.
+TEST(Walls, RunsAreTheNodesOfTheFluid) {
+  const Grid grid({14, 12, 10});
+  const Walls walls(grid, {{{13.2, 0.4, 5.1}, 4.2}});
+  std::vector<int> seen(grid.size(), 0);
+  for (int z = 0; z < 10; z++)
+    for (const auto& run : walls.runs(z))
+      for (int i = 0; i < run.nodes; i++) seen[run.first + i]++;
+  std::size_t nodes = 0;
+  for (int z = 0; z < 10; z++)
+    for (int y = 0; y < 12; y++)
+      for (int x = 0; x < 14; x++) {
+        const std::size_t node = grid.index(x, y, z);
+        EXPECT_EQ(seen[node], walls.is_fluid(node) ? 1 : 0);
+        nodes += seen[node];
+      }
+  EXPECT_EQ(nodes, walls.fluid_nodes());
 }
 
 TEST(Walls, WhatDoesNotFitIsRefused) {
