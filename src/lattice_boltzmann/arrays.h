@@ -36,6 +36,27 @@ struct Array {
   std::vector<FixedSphere> spheres;
 };
 
+/// Sauter mean of the diameters, [spacing].
+inline double sauter_mean(const Array& array) {
+  double squares = 0.0, cubes = 0.0;
+  for (const FixedSphere& s : array.spheres) {
+    squares += s.radius * s.radius;
+    cubes += s.radius * s.radius * s.radius;
+  }
+  return 2.0 * cubes / squares;
+}
+
+inline double volume(const Array& array) {
+  return static_cast<double>(array.nodes[0]) * array.nodes[1] * array.nodes[2];
+}
+
+/// Of the spheres in the box, which must not overlap, [1].
+inline double solid_fraction(const Array& array) {
+  double cubes = 0.0;
+  for (const FixedSphere& s : array.spheres) cubes += s.radius * s.radius * s.radius;
+  return 4.0 / 3.0 * pi * cubes / volume(array);
+}
+
 /// One cube of an array with the fraction of solid `phi`, of spheres whose diameter is as near to
 /// `diameter` as a whole number of nodes lets it. The array is a little off the nodes, for the
 /// places of nodes among walls not to be all alike. Throws InvalidParameter unless 0 < phi <=

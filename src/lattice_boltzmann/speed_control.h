@@ -10,7 +10,8 @@ namespace cohesion::lattice_boltzmann {
 ///
 /// along its direction; lattice units. With F = lambda V U both rates, of sum 1/tau + 1/tau_F +
 /// lambda and product 1/(tau tau_F), are of flows that settle. Of the last step alone it would
-/// answer to what it has itself done to the nodes at walls.
+/// answer to what it has itself done to the nodes at walls; and momentum that goes to and fro from
+/// step to step, which nothing damps in narrow gaps, does not count.
 class SpeedControl {
  public:
   /// speed [spacing/step]; volume of the box and its nodes in the fluid, [spacing^3]
@@ -24,7 +25,8 @@ class SpeedControl {
   /// [spacing^4/step^2], both along the direction: the next body force, [spacing/step^2].
   double next(double driven, double held) {
     speed_ += (driven * fluid_ - held) / volume_;
-    held_ += (held - held_) / mean_time;
+    held_ += (0.5 * (held + held_before_) - held_) / mean_time;
+    held_before_ = held;
     return (held_ + volume_ * (asked_ - speed_) / time) / fluid_;
   }
 
@@ -32,7 +34,7 @@ class SpeedControl {
   static constexpr double time = 50.0, mean_time = 10.0;  // tau and tau_F, [step]
 
   double asked_, volume_, fluid_;
-  double speed_ = 0.0, held_ = 0.0;
+  double speed_ = 0.0, held_ = 0.0, held_before_ = 0.0;
 };
 
 }  // namespace cohesion::lattice_boltzmann

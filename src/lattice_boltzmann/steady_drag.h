@@ -36,8 +36,6 @@ struct SteadyDrag {
   Vector body_force;           ///< [spacing/step^2]
   std::vector<Vector> forces;  ///< on each sphere by its surface, F_total less V_p g: its drag
   double balance;              ///< error of their sum against the force on the fluid nodes, [1]
-  double solid;                ///< fraction of the spheres, [1]
-  double diameter;             ///< Sauter mean, [spacing]
   long steps;
 };
 
@@ -94,26 +92,18 @@ class DrivenFlow {
 
   /// Means of so many steps more: what goes to and fro between them, sound and the momentum of
   /// every second step, is no force.
-  SteadyDrag measured(const std::vector<FixedSphere>& spheres, int steps) {
-    SteadyDrag found{{}, {}, std::vector<Vector>(spheres.size(), Vector{}), 0.0, 0.0, 0.0, 0};
+  SteadyDrag measured(int steps) {
+    SteadyDrag found{{}, {}, std::vector<Vector>(walls_.spheres(), Vector{}), 0.0, 0};
     double force = 0.0, sum = 0.0;
     advance(steps, [&] {
       force += force_ / steps;
       sum += held() / steps;
-      for (std::size_t s = 0; s < spheres.size(); s++)
+      for (std::size_t s = 0; s < found.forces.size(); s++)
         for (int k = 0; k < 3; k++) found.forces[s][k] += flow_.forces()[s][k] / steps;
     });
     found.superficial = flow_.superficial_velocity();
-    double squares = 0.0, cubes = 0.0;
-    for (const FixedSphere& sphere : spheres) {
-      const double d = 2.0 * sphere.radius;
-      squares += d * d;
-      cubes += d * d * d;
-    }
     for (int k = 0; k < 3; k++) found.body_force[k] = force * along_[k];
     found.balance = std::abs(sum / (force * static_cast<double>(walls_.fluid_nodes())) - 1.0);
-    found.solid = pi / 6.0 * cubes / grid_.volume();
-    found.diameter = cubes / squares;
     return found;
   }
 
@@ -151,12 +141,9 @@ class DrivenFlow {
   Vector along_{};
 };
 
-/// Runs a flow from rest until what is yet to come of its velocity, or of the force that keeps it,
-/// is below the tolerance. Throws InvalidParameter when it is not within the steps given, or blows
-/// up.
-inline SteadyDrag steady_drag(const Array& array, const Course& course, const Told& told = {},
-                              const Shared& shared = one_by_one) {
-  DrivenFlow driven(array, course, shared);
+/// Runs a flow until what is yet to come of its velocity, or of the force that keeps it, is below
+/// the tolerance. Throws InvalidParameter when it is not within the steps given, or blows up.
+inline SteadyDrag steady_drag(DrivenFlow& driven, const Course& course, const Told& told = {}) {
   const int interval = 100;
   YetToCome rest;
   long steps = 0;
@@ -167,27 +154,44 @@ inline SteadyDrag steady_drag(const Array& array, const Course& course, const To
     steps += interval;
     const double speed = driven.speed();
     require(std::isfinite(speed), "velocity", speed,
-            "the flow is unstable: take a smaller body force or speed");
+            "the flow is unstable: take a smaller body force or speed, or more spacings to a "
+            "diameter");
     left = rest.after(course.speed > 0.0 ? driven.force() : speed);
     if (course.speed > 0.0) left = std::max(left, std::abs(speed / course.speed - 1.0));
     if (told) told(steps, left);
   }
-  SteadyDrag found = driven.measured(array.spheres, interval);
+  SteadyDrag found = driven.measured(interval);
   found.steps = steps + interval;
   return found;
 }
 
-/// F* = F_drag/(3 pi mu d U), F_drag = (1 - phi) F_total, of the mean over the spheres, F_total = g
-/// V/N: the force by which the fluid is driven in the whole box, spheres included. [1]
-inline double mean_drag(const SteadyDrag& drag, const Array& array, const Course& course) {
-  const double volume = Grid(array.nodes).volume() / static_cast<double>(array.spheres.size());
-  return (1.0 - drag.solid) * size_of(drag.body_force) * volume /
-         (3.0 * pi * course.viscosity * drag.diameter * size_of(drag.superficial));
+/// The same of a flow that starts at rest.
+inline SteadyDrag steady_drag(const Array& array, const Course& course) {
+  DrivenFlow driven(array, course, one_by_one);
+  return steady_drag(driven, course);
 }
 
-/// Re = U d/nu, superficial.
-inline double reynolds(const SteadyDrag& drag, const Course& course) {
-  return size_of(drag.superficial) * drag.diameter / course.viscosity;
+/// F = force/(3 pi mu d U) of the drag along the flow on a sphere, U superficial. [1]
+inline double drag_on(const SteadyDrag& drag, const Array& array, const Course& course,
+                      std::size_t sphere) {
+  double along = 0.0;
+  for (int k = 0; k < 3; k++) along += drag.forces[sphere][k] * drag.body_force[k];
+  return along / (size_of(drag.body_force) * 6.0 * pi * course.viscosity *
+                  array.spheres[sphere].radius * size_of(drag.superficial));
+}
+
+/// F* = F_drag/(3 pi mu d U), F_drag = (1 - phi) F_total, of the mean over the spheres, F_total = g
+/// V/N: the force by which the fluid is driven in the whole box, spheres included; d the Sauter
+/// mean. [1]
+inline double mean_drag(const SteadyDrag& drag, const Array& array, const Course& course) {
+  const double each = volume(array) / static_cast<double>(array.spheres.size());
+  return (1.0 - solid_fraction(array)) * size_of(drag.body_force) * each /
+         (3.0 * pi * course.viscosity * sauter_mean(array) * size_of(drag.superficial));
+}
+
+/// Re = U d/nu, superficial, d the Sauter mean.
+inline double reynolds(const SteadyDrag& drag, const Array& array, const Course& course) {
+  return size_of(drag.superficial) * sauter_mean(array) / course.viscosity;
 }
 
 }  // namespace cohesion::lattice_boltzmann
