@@ -21,8 +21,9 @@ def fingerprint(template, build, env, others=()):
 
 
 class CaseJob(Job):
-    """`kind`: beside which others of its kind stand in tables; `template`: the case that it is made of, where
-    copied() is not another's; `readers`: the modules that read its figures; `folder`, `settings` and `work` as in Job. To be defined by a kind of run: change(), figures()."""
+    """`kind`: beside which others of its kind stand in tables; `template`: the case that it is made of, where copied() is
+    not another's; `readers`: the modules that read its figures; `folder`, `settings` and `work` as in Job. To be defined
+    by a kind of run: change(), figures()."""
 
     case = None  # FoamCase, once it has been made
 
