@@ -233,11 +233,11 @@ void print_plan(const Lines& print, const Request& r, const Powder& p) {
   const double across = r.column > 0.0 ? r.column : std::min(r.width, r.depth);
   const double parcels_across = across / p.parcels.length(p.mean.diameter);
   if (coarse && parcels_across < Parcels::narrowest_vessel)
-    std::cerr << "cohesion-powder: the bed is " << parcels_across
-              << " parcels across; with fewer than " << Parcels::narrowest_vessel
-              << " walls make it looser than one of grains, and its "
-              << "minimum fluidisation is more than a tenth too high: take a smaller "
-              << "--coarse-graining\n";
+    std::cerr
+        << "cohesion-powder: the bed is " << parcels_across << " parcels across; with fewer than "
+        << Parcels::narrowest_vessel
+        << " it was found looser than one of grains, most likely for its walls, and its minimum "
+        << "fluidisation more than a tenth too high: take a smaller --coarse-graining\n";
   print({"mass", "mass of the bed", mass_of(bed, r.density), "kg"});
   print({"pressure_drop", "pressure drop, fluidised",
          pressure_of(bed.height, bed.void_fraction, (r.density - r.gas.density) * r.gravity),

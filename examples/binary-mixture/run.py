@@ -8,16 +8,17 @@ in a table beside the expectations, and a picture. Beds that are finished are no
 """
 
 import argparse
-import json
 from pathlib import Path
 
 import analyse
 import picture
 from cohesion_studies import case_entries, ergun, expected, foam_results, program, study_table, vtk_screen
-from cohesion_studies.foam_case import FoamCase, environment
-from cohesion_studies.job_pool import Job, RunError, carry_out, digest_of, require_ours
+from cohesion_studies.case_job import MARK, CaseJob, fingerprint
+from cohesion_studies.foam_case import environment
+from cohesion_studies.job_pool import RunError, carry_out, require_ours
 
 HERE = Path(__file__).resolve().parent
+CASE = HERE / "case"
 
 # Entries of constant/bed that differ from the case; those of one size have the solid volume of both.
 PACKED = {"first": 0.4, "velocity": 0.4, "endTime": 0.1}
@@ -25,7 +26,6 @@ KINDS = {"between": {}, "above": {"velocity": 2.0},
          "small": {"small": 4439, "large": 0, **PACKED}, "large": {"small": 0, "large": 959, **PACKED}}
 SEED = "constant/couplingProperties", "lammpsCoeffs/variables/seed"
 READERS = (analyse, case_entries, ergun, foam_results)  # what the figures depend on besides the run
-MARK = "settings.json"  # in the folder of a case that was made here: it may be made anew
 
 
 def arguments():
@@ -42,52 +42,27 @@ def arguments():
     return parser.parse_args()
 
 
-def fingerprint(build, env):
-    """Of all that a run depends on, programs included."""
-    folders = [Path(f) for f in env["LD_LIBRARY_PATH"].split(":") if f.startswith(str(build))]
-    files = [*(HERE / "case").rglob("*"), build / "openfoam/cohesiveBedFoam",
-             *(f for folder in folders for f in folder.glob("*.so"))]
-    return digest_of(files)
-
-
-class MixedBed(Job):
+class MixedBed(CaseJob):
     """One bed. `changed`: entries of constant/bed that differ from those of its kind."""
 
     def __init__(self, out, env, mark, kind, seed, changed=None):
-        self.kind, self.env, self.seed = kind, env, seed
-        self.changed = {**KINDS[kind], **(changed or {})}
-        size = {**case_entries.entries(HERE / "case/constant/bed"), **self.changed}
-        super().__init__(out / f"{kind}-seed-{seed}", {"kind": kind, **self.changed, "seed": seed, "fingerprint": mark},
-                         work=(size["endTime"] + size["settle"]) * (size["small"] + size["large"]),
-                         readers=digest_of([module.__file__ for module in READERS]))
+        self.seed, self.changed = seed, {**KINDS[kind], **(changed or {})}
+        size = {**case_entries.entries(CASE / "constant/bed"), **self.changed}
+        super().__init__(out / f"{kind}-seed-{seed}", kind, env,
+                         {"kind": kind, **self.changed, "seed": seed, "fingerprint": mark}, READERS, CASE,
+                         work=(size["endTime"] + size["settle"]) * (size["small"] + size["large"]))
 
     @property
     def packed(self):
         return self.kind in ("small", "large")
 
-    def prepare(self):
-        """Makes the case."""
-        self.case = FoamCase(HERE / "case", self.folder, self.env, overwrite=True)
-        (self.folder / MARK).write_text(json.dumps(self.settings))
+    def change(self):
         for name, value in self.changed.items():
             self.case.set("constant/bed", name, value)
         self.case.set(*SEED, self.seed)
-        self.case.mesh()
-        (self.folder / "case.foam").touch()  # what ParaView opens
-
-    def start(self):
-        self.prepare()
-        return self.case.start()
 
     def figures(self):
         return (analyse.packed_figures if self.packed else analyse.figures)(self.folder)
-
-    def share(self):
-        progress = self.case.progress()
-        return progress[0] if progress else 0.0
-
-    def tail(self):
-        return self.case.tail()
 
 
 def main():
@@ -97,7 +72,7 @@ def main():
     out = program.out_folder(args, "binary-mixture").resolve()
     env = environment(args.build, ["lammps"])
     vtk_screen.require()
-    mark = fingerprint(args.build, env)
+    mark = fingerprint(CASE, args.build, env)
     changed = {} if args.time is None else {"endTime": args.time}
     jobs = [MixedBed(out, env, mark, kind, seed, changed if kind in ("between", "above") else None)
             for seed in args.seeds for kind in args.kinds]

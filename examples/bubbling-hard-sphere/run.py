@@ -8,22 +8,22 @@ finished are not run again.
 """
 
 import argparse
-import json
 import shutil
 from pathlib import Path
 
 import analyse
 import picture
 from cohesion_studies import case_entries, cavities, ergun, expected, foam_results, program, study_table
-from cohesion_studies.foam_case import FoamCase, environment
-from cohesion_studies.job_pool import Job, RunError, carry_out, digest_of, require_ours
+from cohesion_studies.case_job import MARK, CaseJob, fingerprint
+from cohesion_studies.foam_case import environment
+from cohesion_studies.job_pool import RunError, carry_out, require_ours
 
 HERE = Path(__file__).resolve().parent
+CASE = HERE / "case"
 
 BEDS = ("b", "c", "d")
 SCRIPT = "constant/couplingProperties", "lammpsCoeffs/variables"
 READERS = (analyse, case_entries, cavities, ergun, foam_results)  # what the figures depend on besides the run
-MARK = "settings.json"  # in the folder of a case that was made here: it may be made anew
 
 
 def arguments():
@@ -40,48 +40,27 @@ def arguments():
     return parser.parse_args()
 
 
-def fingerprint(build, env):
-    """Of all that a run depends on, programs included."""
-    folders = [Path(f) for f in env["LD_LIBRARY_PATH"].split(":") if f.startswith(str(build))]
-    files = [*(HERE / "case").rglob("*"), build / "openfoam/cohesiveBedFoam",
-             *(f for folder in folders for f in folder.glob("*.so"))]
-    return digest_of(files)
-
-
-class HardBed(Job):
+class HardBed(CaseJob):
     """One bed. `changed`: entries of constant/bed that differ from the case."""
 
     def __init__(self, out, env, mark, bed, dissipation, seed, changed=None):
-        self.bed, self.env, self.changed = bed, env, changed or {}
+        self.bed, self.changed = bed, changed or {}
         self.variables = {"dissipation": dissipation, "seed": seed}
-        self.kind = bed if dissipation else f"{bed}-elastic"
-        size = {**case_entries.entries(HERE / f"case/constant/bed.{bed}"), **self.changed}
-        super().__init__(out / f"{self.kind}-seed-{seed}",
-                         {"bed": bed, **self.changed, **self.variables, "fingerprint": mark},
-                         work=size["endTime"] * size["count"],
-                         readers=digest_of([module.__file__ for module in READERS]))
+        kind = bed if dissipation else f"{bed}-elastic"
+        size = {**case_entries.entries(CASE / f"constant/bed.{bed}"), **self.changed}
+        super().__init__(out / f"{kind}-seed-{seed}", kind, env,
+                         {"bed": bed, **self.changed, **self.variables, "fingerprint": mark}, READERS, CASE,
+                         work=size["endTime"] * size["count"])
 
-    def start(self):
-        self.case = FoamCase(HERE / "case", self.folder, self.env, overwrite=True)
-        (self.folder / MARK).write_text(json.dumps(self.settings))
+    def change(self):
         shutil.copy(self.folder / f"constant/bed.{self.bed}", self.folder / "constant/bed")
         for name, value in self.changed.items():
             self.case.set("constant/bed", name, value)
         for name, value in self.variables.items():
             self.case.set(SCRIPT[0], f"{SCRIPT[1]}/{name}", value)
-        self.case.mesh()
-        (self.folder / "case.foam").touch()  # what ParaView opens
-        return self.case.start()
 
     def figures(self):
         return analyse.figures(self.folder)
-
-    def share(self):
-        progress = self.case.progress()
-        return progress[0] if progress else 0.0
-
-    def tail(self):
-        return self.case.tail()
 
 
 def main():
@@ -90,7 +69,7 @@ def main():
     args.build = args.build.resolve()
     out = program.out_folder(args, "bubbling-hard-sphere").resolve()
     env = environment(args.build, ["lammps"])
-    mark = fingerprint(args.build, env)
+    mark = fingerprint(CASE, args.build, env)
     changed = {} if args.time is None else {"endTime": args.time}
     jobs = [HardBed(out, env, mark, bed, dissipation, seed, changed)
             for seed in args.seeds for bed in args.beds for dissipation in (1, 0)]

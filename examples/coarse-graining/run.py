@@ -12,10 +12,11 @@ from pathlib import Path
 import analyse
 import picture
 from cohesion_studies import expected, program, study_table
+from cohesion_studies.case_job import MARK
 from cohesion_studies.foam_case import environment
 from cohesion_studies.job_pool import RunError, carry_out, require_ours
 from cohesion_studies.powder_program import PowderError, PowderProgram
-from cohesion_studies.raised_bed import MARK, RaisedBed
+from cohesion_studies.raised_bed import RaisedBed
 
 HERE = Path(__file__).resolve().parent
 EXPECTED = HERE / "expected.csv"

@@ -15,11 +15,12 @@ import picture
 import wall
 from cohesion_studies import expected, program, study_table
 from cohesion_studies.case_entries import entries
+from cohesion_studies.case_job import MARK
 from cohesion_studies.foam_case import environment
 from cohesion_studies.foam_results import function_table, read_cloud, written_times
 from cohesion_studies.job_pool import RunError, carry_out, digest_of, require_ours
 from cohesion_studies.powder_program import PowderError, PowderProgram
-from cohesion_studies.raised_bed import MARK, RaisedBed
+from cohesion_studies.raised_bed import RaisedBed
 
 HERE = Path(__file__).resolve().parent
 EXPECTED = HERE / "expected.csv"
@@ -56,6 +57,7 @@ class Column(RaisedBed):
 
     def change(self):
         """LIGGGHTS meets the wall as a mesh."""
+        super().change()
         if self.engine == "liggghts":
             size = entries(self.folder / "constant/grains")
             wall.write_stl(self.folder / "column.stl", size["radius"], size["top"])

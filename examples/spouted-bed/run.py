@@ -7,16 +7,17 @@ cores, and ends in a table beside the expectations, and a picture. Beds that are
 """
 
 import argparse
-import json
 from pathlib import Path
 
 import analyse
 import picture
 from cohesion_studies import case_entries, expected, foam_results, program, study_table, vtk_screen
-from cohesion_studies.foam_case import FoamCase, environment
-from cohesion_studies.job_pool import Job, RunError, carry_out, digest_of, require_ours
+from cohesion_studies.case_job import MARK, CaseJob, fingerprint
+from cohesion_studies.foam_case import environment
+from cohesion_studies.job_pool import RunError, carry_out, require_ours
 
 HERE = Path(__file__).resolve().parent
+CASE = HERE / "case"
 
 # Variables of the script. Bridges of water between spheres of 4 mm: pi d times its surface tension [N]; scheme event
 # wants ten steps in the swing of the tangential spring.
@@ -24,7 +25,6 @@ BEDS = {"dry": {"bridge": 0, "dt": 2.5e-5}, "wet": {"bridge": 9.05e-4, "dt": 2e-
 VARIABLES = "constant/couplingProperties", "liggghtsCoeffs/variables"
 WALLS = "(inlet plate sides)"  # patches that are the spheres' mesh
 READERS = (analyse, case_entries, foam_results)  # what the figures depend on besides the run
-MARK = "settings.json"  # in the folder of a case that was made here: it may be made anew
 
 
 def arguments():
@@ -41,49 +41,28 @@ def arguments():
     return parser.parse_args()
 
 
-def fingerprint(build, env):
-    """Of all that a run depends on, programs included."""
-    folders = [Path(f) for f in env["LD_LIBRARY_PATH"].split(":") if f.startswith(str(build))]
-    files = [*(HERE / "case").rglob("*"), build / "openfoam/cohesiveBedFoam",
-             *(f for folder in folders for f in folder.glob("*.so"))]
-    return digest_of(files)
-
-
-class SpoutedBed(Job):
+class SpoutedBed(CaseJob):
     """One bed. `changed`: {file: {entry: value}} that differ from the case."""
 
     def __init__(self, out, env, mark, kind, seed, changed=None):
-        self.kind, self.env, self.changed = kind, env, changed or {}
-        self.variables = {**BEDS[kind], "seed": seed}
-        super().__init__(out / kind, {**self.variables, "changed": self.changed, "fingerprint": mark},
-                         readers=digest_of([module.__file__ for module in READERS]))
+        self.changed, self.variables = changed or {}, {**BEDS[kind], "seed": seed}
+        super().__init__(out / kind, kind, env, {**self.variables, "changed": self.changed, "fingerprint": mark}, READERS,
+                         CASE)
 
-    def prepare(self):
-        """The case with its mesh, and the spheres' wall from the same."""
-        self.case = FoamCase(HERE / "case", self.folder, self.env, overwrite=True)
-        (self.folder / MARK).write_text(json.dumps(self.settings))
+    def change(self):
         for name, value in self.variables.items():
             self.case.set(VARIABLES[0], f"{VARIABLES[1]}/{name}", value)
         for file, entries in self.changed.items():
             for name, value in entries.items():
                 self.case.set(file, name, value)
-        self.case.mesh()
-        self.case.run("surfaceMeshExtract", "-constant", "-time", "none", "-patches", WALLS, "wall.stl")
-        (self.folder / "case.foam").touch()  # what ParaView opens
 
-    def start(self):
-        self.prepare()
-        return self.case.start()
+    def prepare(self):
+        """The case with its mesh, and the spheres' wall from the same."""
+        super().prepare()
+        self.case.run("surfaceMeshExtract", "-constant", "-time", "none", "-patches", WALLS, "wall.stl")
 
     def figures(self):
         return analyse.figures(self.folder)
-
-    def share(self):
-        progress = self.case.progress()
-        return progress[0] if progress else 0.0
-
-    def tail(self):
-        return self.case.tail()
 
 
 def main():
@@ -93,7 +72,7 @@ def main():
     out = program.out_folder(args, "spouted-bed").resolve()
     env = environment(args.build, ["liggghts"])
     vtk_screen.require()
-    mark = fingerprint(args.build, env)
+    mark = fingerprint(CASE, args.build, env)
     changed = {} if args.time is None else {"constant/schedule": {"endTime": args.time}}
     jobs = [SpoutedBed(out, env, mark, kind, args.seed, changed) for kind in args.beds]
     require_ours(jobs, MARK, args.overwrite)

@@ -2,11 +2,13 @@
 """The bed in three dimensions, drawn by VTK: the half behind the plane z = 0, on its left the spheres by their speed,
 on its right the gas by a slice."""
 
+import functools
+
 import numpy as np
 
+from cohesion_studies import vtk_screen
 from cohesion_studies.drawing import pyplot
 from cohesion_studies.foam_results import read_cloud
-from cohesion_studies.vtk_screen import require, screen
 
 SPEEDS = {"spheres": 1.5, "gas": 20.0}  # where the colours end [m/s]
 MAPS = {"spheres": "turbo", "gas": "YlGnBu"}  # of matplotlib
@@ -113,40 +115,13 @@ def vessel(vtk, case):
 
 
 def images(case, folders, radius, height):
-    """Pictures of written times, {time: folder}, arrays (up to down, across, 3); radius of the spheres and height shown
-    [m]."""
-    require()
-    import vtk  # takes a second
-    with screen():
-        window = vtk.vtkRenderWindow()
-        window.SetOffScreenRendering(1)
-        window.SetMultiSamples(8)
-        window.SetSize(*SIZE)
-        try:
-            return [image(vtk, window, (vessel(vtk, case), spheres(vtk, folder, radius), gas(vtk, case, time)), height)
-                    for time, folder in folders.items()]
-        finally:
-            window.Finalize()  # before its server ends
+    """Pictures of written times, {time: folder}, as vtk_screen.images() gives them; radius of the spheres and height
+    shown [m]."""
+    middle = 0, height / 2, 0
+    position = -0.35, height / 2 + 0.9, 3  # from above and a little from the left
 
+    def drawn(vtk, time):
+        actors = vessel(vtk, case), spheres(vtk, folders[time], radius), gas(vtk, case, time)
+        return actors, middle, position, 0.54 * height
 
-def image(vtk, window, actors, height):
-    from vtk.util.numpy_support import vtk_to_numpy
-    renderer = vtk.vtkRenderer()
-    renderer.SetBackground(1, 1, 1)
-    for actor in actors:
-        renderer.AddActor(actor)
-    camera = renderer.GetActiveCamera()
-    camera.SetFocalPoint(0, height / 2, 0)
-    camera.SetPosition(-0.35, height / 2 + 0.9, 3)  # from above and a little from the left
-    camera.ParallelProjectionOn()
-    camera.SetParallelScale(0.54 * height)
-    renderer.ResetCameraClippingRange()
-    window.AddRenderer(renderer)
-    window.Render()
-    grab = vtk.vtkWindowToImageFilter()
-    grab.SetInput(window)
-    grab.ReadFrontBufferOff()
-    grab.Update()
-    window.RemoveRenderer(renderer)
-    across, up, _ = grab.GetOutput().GetDimensions()
-    return vtk_to_numpy(grab.GetOutput().GetPointData().GetScalars()).reshape(up, across, 3)[::-1].copy()
+    return vtk_screen.images(SIZE, [functools.partial(drawn, time=time) for time in folders])

@@ -10,6 +10,8 @@
 #include "drag/ergun_wen_yu.h"
 #include "drag/hill_koch_ladd.h"
 #include "drag/syamlal_obrien.h"
+#include "drag/tang.h"
+#include "drag/tenneti.h"
 #include "drag/validity.h"
 
 /// The table of drag closures, or drag laws as users call them: the one place that knows them all.
@@ -47,6 +49,9 @@ inline constexpr std::array closures{
             HillKochLadd::no_exponent},
     Closure{Beetstra::name, &Beetstra::per_solid_volume, Beetstra::validity, nullptr,
             Beetstra::no_exponent},
+    Closure{Tenneti::name, &Tenneti::per_solid_volume, Tenneti::validity, nullptr,
+            Tenneti::no_exponent},
+    Closure{Tang::name, &Tang::per_solid_volume, Tang::validity, nullptr, Tang::no_exponent},
 };
 
 }  // namespace cohesion::drag

@@ -32,8 +32,9 @@ namespace cohesion::powder {
 /// Source: dimensions alone. K ~ l and F_ad ~ l^2 are what S. C. Thakur, J. Y. Ooi, H. Ahmadian
 /// (Powder Technol. 293 (2016) 130) found to leave confined compression and unconfined strength of
 /// a cohesive solid as they are.
-/// In a vessel of a few parcels walls decide how loosely they lie, and with that the minimum
+/// In a vessel of a few parcels they lie more loosely than grains, with a higher minimum
 /// fluidisation: narrowest_vessel parcels across raise it by a tenth (examples/coarse-graining).
+/// Walls are the likely cause; a wider vessel, which would show it, was not computed.
 class Parcels {
  public:
   static constexpr double narrowest_vessel = 18.0;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""VTK without a screen: Debian's draws on an X server alone."""
+"""Pictures by VTK without a screen: Debian's draws on an X server alone."""
 
 import contextlib
 import importlib.util
@@ -39,3 +39,43 @@ def screen():
         os.environ.pop("DISPLAY", None)
         if before is not None:
             os.environ["DISPLAY"] = before
+
+
+def images(size, scenes):
+    """Pictures of `size` pixels, arrays (up to down, across, 3). `scenes`: of each a function scene(vtk) that gives its
+    actors; and of the camera, which sees without perspective, where it looks, where it is and half the height that it
+    shows [m]."""
+    require()
+    import vtk  # takes a second
+    with screen():
+        window = vtk.vtkRenderWindow()
+        window.SetOffScreenRendering(1)
+        window.SetMultiSamples(8)
+        window.SetSize(*size)
+        try:
+            return [image(vtk, window, *scene(vtk)) for scene in scenes]
+        finally:
+            window.Finalize()  # before its server ends
+
+
+def image(vtk, window, actors, focus, position, half):
+    from vtk.util.numpy_support import vtk_to_numpy
+    renderer = vtk.vtkRenderer()
+    renderer.SetBackground(1, 1, 1)
+    for actor in actors:
+        renderer.AddActor(actor)
+    camera = renderer.GetActiveCamera()
+    camera.SetFocalPoint(*focus)
+    camera.SetPosition(*position)
+    camera.ParallelProjectionOn()
+    camera.SetParallelScale(half)
+    renderer.ResetCameraClippingRange()
+    window.AddRenderer(renderer)
+    window.Render()
+    grab = vtk.vtkWindowToImageFilter()
+    grab.SetInput(window)
+    grab.ReadFrontBufferOff()
+    grab.Update()
+    window.RemoveRenderer(renderer)
+    across, up, _ = grab.GetOutput().GetDimensions()
+    return vtk_to_numpy(grab.GetOutput().GetPointData().GetScalars()).reshape(up, across, 3)[::-1].copy()

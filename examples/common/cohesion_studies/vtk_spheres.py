@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Spheres of a box in three dimensions, drawn by VTK: pictures as arrays, for matplotlib."""
 
+import functools
+
 import numpy as np
 
-from cohesion_studies.vtk_screen import require, screen
+from cohesion_studies import vtk_screen
 
 
 def spheres(vtk, places, radius, colour):
@@ -39,40 +41,11 @@ def edges(vtk, box):
 
 def images(scenes, box, size):
     """Pictures of `scenes`, each a list of (places, radius, colour), in a box from 0 to `box` [m], y upwards; `size` in
-    pixels. Arrays (up to down, across, 3)."""
-    require()
-    import vtk  # takes a second
-    with screen():
-        window = vtk.vtkRenderWindow()
-        window.SetOffScreenRendering(1)
-        window.SetMultiSamples(8)
-        window.SetSize(*size)
-        try:
-            return [image(vtk, window, [*(spheres(vtk, *group) for group in scene), edges(vtk, box)], box)
-                    for scene in scenes]
-        finally:
-            window.Finalize()  # before its server ends
-
-
-def image(vtk, window, actors, box):
-    from vtk.util.numpy_support import vtk_to_numpy
-    renderer = vtk.vtkRenderer()
-    renderer.SetBackground(1, 1, 1)
-    for actor in actors:
-        renderer.AddActor(actor)
+    pixels. As vtk_screen.images() gives them."""
     middle, far = np.array(box) / 2, 10 * max(box)
-    camera = renderer.GetActiveCamera()
-    camera.SetFocalPoint(*middle)
-    camera.SetPosition(*(middle + far * np.array([0.35, 0.3, 1.0])))  # from the right and a little above
-    camera.ParallelProjectionOn()
-    camera.SetParallelScale(0.56 * box[1])
-    renderer.ResetCameraClippingRange()
-    window.AddRenderer(renderer)
-    window.Render()
-    grab = vtk.vtkWindowToImageFilter()
-    grab.SetInput(window)
-    grab.ReadFrontBufferOff()
-    grab.Update()
-    window.RemoveRenderer(renderer)
-    across, up, _ = grab.GetOutput().GetDimensions()
-    return vtk_to_numpy(grab.GetOutput().GetPointData().GetScalars()).reshape(up, across, 3)[::-1].copy()
+    position = middle + far * np.array([0.35, 0.3, 1.0])  # from the right and a little above
+
+    def drawn(vtk, scene):
+        return [*(spheres(vtk, *group) for group in scene), edges(vtk, box)], middle, position, 0.56 * box[1]
+
+    return vtk_screen.images(size, [functools.partial(drawn, scene=scene) for scene in scenes])

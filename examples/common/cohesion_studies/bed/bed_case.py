@@ -6,11 +6,12 @@ import re
 import shutil
 from pathlib import Path
 
-from cohesion_studies import foam_case, package_tree
+from cohesion_studies import case_job, foam_case, package_tree
 from cohesion_studies.bed import figures, geometry
 from cohesion_studies.bed.geometry import Geometry
+from cohesion_studies.case_job import MARK
 from cohesion_studies.foam_case import FoamCase
-from cohesion_studies.job_pool import Job, RunError, digest_of
+from cohesion_studies.job_pool import Job, RunError
 from cohesion_studies.study_table import number
 
 
@@ -21,7 +22,6 @@ GEOMETRY = ("across", "up")  # cells, of constant/bed; `width` is a variable of 
 COUPLING, CONTROL = "constant/couplingProperties", "system/controlDict"
 ENTRIES = {"voidFraction": COUPLING, "smoothingWidth": COUPLING, "deltaT": CONTROL}  # that a bed may have of its own
 DERIVED = ("plugin", "seed", "node")  # variables that no row of a table gives
-MARK = "settings.json"  # in the folder of a case that was made here: it may be made anew
 
 
 def case_word(parser):
@@ -125,9 +125,5 @@ class BedRun(Job):
 def fingerprint(build, env):
     """Of all that a run depends on, programs included: tells an earlier run of the same. What reads its figures is not
     in it: figures.programs()."""
-    build = package_tree.tree(build)
-    folders = [Path(f) for f in env["LD_LIBRARY_PATH"].split(":") if f.startswith(str(build))]
-    files = [*CASE.rglob("*"), build / "openfoam/cohesiveBedFoam",
-             *(f for folder in folders for f in folder.glob("*.so")),
-             *(Path(module.__file__) for module in (geometry, foam_case)), Path(__file__)]
-    return digest_of(files)
+    own = [*(module.__file__ for module in (geometry, foam_case)), __file__]
+    return case_job.fingerprint(CASE, build, env, own)

@@ -90,6 +90,32 @@ def beetstra(m, eps, slip, d, rho, mu):
     return 3 * m.pi * mu * d * velocity * scaled / slip / (m.pi / 6 * d**3)
 
 
+def tenneti(m, eps, slip, d, rho, mu):
+    """As a force, which they scale with the superficial velocity, and the drag that is eps of it."""
+    n = m.mpf
+    phi, velocity = 1 - eps, eps * slip
+    reynolds = velocity * d * rho / mu
+    single = drag_coefficient(m, reynolds) * rho * m.pi / 8 * d**2 * velocity**2
+    of_solid = n("5.81") * phi / (1 - phi) ** 3 + n("0.48") * phi ** (n(1) / 3) / (1 - phi) ** 4
+    of_both = phi**3 * reynolds * (n("0.95") + n("0.61") * phi**3 / (1 - phi) ** 2)
+    total = single / (1 - phi) ** 3 + 3 * m.pi * mu * d * velocity * (of_solid + of_both)
+    return eps * total / slip / (m.pi / 6 * d**3)
+
+
+def tang(m, eps, slip, d, rho, mu):
+    """From a Reynolds number of 1000 on a force with the square of the slip, as src/drag/tang.h says."""
+    n = m.mpf
+    phi, velocity = 1 - eps, eps * slip
+    reynolds = velocity * d * rho / mu
+    if reynolds > 1000:
+        return tang(m, eps, 1000 / reynolds * slip, d, rho, mu) * reynolds / 1000
+    scaled = (10 * phi / (1 - phi) ** 2 + (1 - phi) ** 2 * (1 + n("1.5") * m.sqrt(phi))
+              + (n("0.11") * phi * (1 + phi) - n("0.00456") / (1 - phi) ** 4
+                 + (n("0.169") * (1 - phi) + n("0.0644") / (1 - phi) ** 4) * reynolds ** -n("0.343"))
+              * reynolds)
+    return 3 * m.pi * mu * d * velocity * scaled / slip / (m.pi / 6 * d**3)
+
+
 CLOSURES = {
     "syamlalOBrien": syamlal_obrien,
     "ergunWenYu": ergun_wen_yu,
@@ -97,4 +123,6 @@ CLOSURES = {
     "diFelice": di_felice,
     "hillKochLadd": hill_koch_ladd,
     "beetstra": beetstra,
+    "tenneti": tenneti,
+    "tang": tang,
 }
