@@ -10,8 +10,8 @@ namespace cohesion::gas {
 ///   mu = mu0 (T/T0)^(3/2) (T0 + S)/(T + S)
 ///
 /// mu0 at T0. It tends to T^(3/2) for T << S and to sqrt(T) for T >> S, and does not depend on the
-/// pressure. Source: W. Sutherland, Phil. Mag. 36 (1893) 507; as F. M. White prints it, Viscous
-/// fluid flow (2006), eq. 1-36.
+/// pressure. Source: W. Sutherland, Phil. Mag. 36 (1893) 507; F. M. White, Viscous fluid flow
+/// (2006), ch. 1.
 struct Sutherland {
   double viscosity;    ///< mu0, [Pa s]
   double temperature;  ///< T0, [K]
