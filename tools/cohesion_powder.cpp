@@ -312,8 +312,9 @@ void print_script(const Lines& print, const Request& r, const Powder& p) {
 
 /// What a second of the bed takes, from a short run of LAMMPS.
 void print_cost(const Lines& print, const Request& r, const Powder& p) {
-  std::string lines;
-  for (const std::string& line : script_lines(r, p)) lines += line + "\n";
+  const tools::PowderContacts contacts = p.contacts();
+  const std::string lines = "pair_style " + contacts.lammps_style() + " scheme event\n" +
+                            contacts.lammps_for_all() + "\n";
   tools::EngineCost engine(r.lammps, r.plugin);
   const auto cost = engine.seconds(p.parcels.length(p.mean.diameter), r.density, lines, p.step);
   print.heading("On this machine, the particles alone, one process");

@@ -34,11 +34,13 @@ struct PowderContacts {
   }
 
   /// LAMMPS' pair_style, and its pair_coeffs: one for all types, or with wells, each two of which
-  /// have a depth of their own, one for each two.
+  /// have a depth of their own, one for each two. lammps_for_all(): that of the first for all.
   std::string lammps_style() const { return has_wells() ? "gran/square_well" : "gran/hamaker"; }
+  std::string lammps_for_all() const {
+    return "pair_coeff * * " + (has_wells() ? lammps_well(pair(0, 0)) : lammps());
+  }
   std::vector<std::string> lammps_pairs() const {
-    const bool all = !has_wells() || diameters.size() == 1;
-    if (all) return {"pair_coeff * * " + (has_wells() ? lammps_well(pair(0, 0)) : lammps())};
+    if (!has_wells() || diameters.size() == 1) return {lammps_for_all()};
     std::vector<std::string> lines;
     for (std::size_t i = 0; i < diameters.size(); i++)
       for (std::size_t j = i; j < diameters.size(); j++)
