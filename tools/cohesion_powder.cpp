@@ -104,7 +104,8 @@ class Powder {
                           r.overlap,
                           keep_of(r),
                           r.stiffness,
-                          r.elastic});
+                          r.elastic,
+                          well_ratio_of(r)});
     const double steps = r.engine == "liggghts" ? steps_per_contact_liggghts : steps_per_contact;
     step = particle_step(parcels.time(springs.used.contact_time), steps);
     cell = cell_over_diameter * parcels.length(sizes.largest());
@@ -122,8 +123,10 @@ class Powder {
 
   /// Of two grains of a diameter, with the asperities of the request.
   contact::Adhesion adhesion_at(double diameter) const {
+    return adhesion_of(two_spheres(0.5 * diameter, 0.5 * diameter));
+  }
+  contact::Adhesion adhesion_of(const PairGeometry& geometry) const {
     const hamaker::AnyLaw law = hamaker::forms.front().law(hamaker, hamaker.asperity_radius > 0.0);
-    const PairGeometry geometry = two_spheres(0.5 * diameter, 0.5 * diameter);
     hamaker::require_weakened_by_asperities(hamaker::forms.front(), hamaker, geometry);
     return std::visit([&](const auto& l) { return contact::adhesion_of(l, geometry); }, law);
   }
@@ -143,7 +146,18 @@ class Powder {
             request_.restitution,
             request_.friction,
             parcels.attraction(hamaker),
-            {parcels.stiffness(springs.material.stiffness), keep_of(request_)}};
+            {parcels.stiffness(springs.material.stiffness), keep_of(request_)},
+            well_ratio_of(request_)};
+  }
+
+  /// Depth of the well of two grains, and of one at a wall, where the run has wells.
+  double well_depth(double diameter) const {
+    return powder::well_depth(springs.material.stiffness, request_.restitution,
+                              0.5 * mass(diameter), adhesion_at(diameter));
+  }
+  double well_depth_at_wall(double diameter) const {
+    return powder::well_depth(springs.material.stiffness, request_.restitution, mass(diameter),
+                              adhesion_of(sphere_and_plane(0.5 * diameter)));
   }
 
   Sizes sizes;
@@ -162,6 +176,8 @@ class Powder {
 
 void print_powder(const Lines& print, const Request& r, const Powder& p) {
   print.heading("Powder and gas");
+  print({"gas_density", "density of the gas", r.gas.density, "kg/m3"});
+  print({"gas_viscosity", "viscosity of the gas", r.gas.viscosity, "Pa s"});
   print({"sauter_mean", "Sauter mean diameter", p.mean.diameter, "m"});
   if (p.sizes.largest() > p.sizes.smallest())
     print({"size_ratio", "largest over smallest diameter", p.sizes.largest() / p.sizes.smallest(),
@@ -191,6 +207,29 @@ void print_adhesion(const Lines& print, const Powder& p) {
            p.adhesion_at(p.sizes.largest()).force / p.weight(p.sizes.largest()), "1"});
 }
 
+/// Of the well in place of the attraction.
+void print_well(const Lines& print, const Request& r, const Powder& p) {
+  const double smallest = p.sizes.smallest(), depth = p.well_depth(smallest);
+  const double width = square_well::width(square_well::well(depth, well_ratio_of(r)),
+                                          0.5 * smallest, 0.5 * smallest);
+  print({"well_depth", "depth of the square well", depth, "J"});
+  if (p.sizes.largest() > smallest)
+    print({"well_depth_largest", "of two of the largest", p.well_depth(p.sizes.largest()), "J"});
+  print({"well_depth_wall", "of the smallest at a wall", p.well_depth_at_wall(smallest), "J"});
+  print({"well_width", "width of the well", width, "m"});
+  const double weight = p.weight(smallest), bond = pull_over_force(depth, width, weight);
+  print({"well_bond", "depth over width and weight", bond, "1"});
+  print(
+      {"well_width_bond", "width at which that is the Bond number", depth / p.adhesion.force, "m"});
+  if (bond < 1.0 && p.adhesion.force > weight)
+    std::cerr
+        << "cohesion-powder: wells as wide as these hold pairs up to the escape velocity, but "
+           "not against a weight (depth over width and weight "
+        << bond << ", Bond number " << p.adhesion.force / weight
+        << "): where grains hang on each other take a narrower --well-ratio, or --law "
+           "hamaker\n";
+}
+
 void print_contact(const Lines& print, const Request& r, const Powder& p) {
   const Springs& s = p.springs;
   print.heading("Contact of two of the smallest grains");
@@ -206,6 +245,7 @@ void print_contact(const Lines& print, const Request& r, const Powder& p) {
   print(
       {"escape_over_material", "escape velocity over the material's", s.over.escape_velocity, "1"});
   print({"pull_off_over_material", "pull-off force over the material's", s.over.force, "1"});
+  if (well_ratio_of(r) > 0.0) print_well(print, r, p);
 }
 
 tools::PowderVessel::Section section_of(const Request& r) { return {r.width, r.depth, r.column}; }
@@ -247,8 +287,11 @@ void print_plan(const Lines& print, const Request& r, const Powder& p) {
 /// Lines that define the contacts, for the engine of the run.
 std::vector<std::string> script_lines(const Request& r, const Powder& p) {
   const tools::PowderContacts contacts = p.contacts();
-  if (r.engine == "lammps")
-    return {"pair_style gran/hamaker scheme event", "pair_coeff * * " + contacts.lammps()};
+  if (r.engine == "lammps") {
+    std::vector<std::string> lines = contacts.lammps_pairs();
+    lines.insert(lines.begin(), "pair_style " + contacts.lammps_style() + " scheme event");
+    return lines;
+  }
   std::vector<std::string> lines = contacts.liggghts();
   lines.push_back("pair_style gran " + contacts.liggghts_model() + " " +
                   contacts.liggghts_keywords());
@@ -259,6 +302,9 @@ std::vector<std::string> script_lines(const Request& r, const Powder& p) {
 void print_script(const Lines& print, const Request& r, const Powder& p) {
   print.heading("In a script, " + r.engine);
   for (const std::string& line : script_lines(r, p)) print.note(line);
+  if (r.engine == "lammps" && well_ratio_of(r) > 0.0)
+    for (const auto& wall : p.contacts().lammps_walls())
+      print.note("# walls, " + wall.group + ": " + wall.contact);
   char text[80];
   std::snprintf(text, sizeof text, "timestep %.6g", p.step);
   print.note(text);
@@ -266,8 +312,9 @@ void print_script(const Lines& print, const Request& r, const Powder& p) {
 
 /// What a second of the bed takes, from a short run of LAMMPS.
 void print_cost(const Lines& print, const Request& r, const Powder& p) {
-  std::string lines;
-  for (const std::string& line : script_lines(r, p)) lines += line + "\n";
+  const tools::PowderContacts contacts = p.contacts();
+  const std::string lines = "pair_style " + contacts.lammps_style() + " scheme event\n" +
+                            contacts.lammps_for_all() + "\n";
   tools::EngineCost engine(r.lammps, r.plugin);
   const auto cost = engine.seconds(p.parcels.length(p.mean.diameter), r.density, lines, p.step);
   print.heading("On this machine, the particles alone, one process");
@@ -286,7 +333,7 @@ void print_cost(const Lines& print, const Request& r, const Powder& p) {
 void write_case(const Request& r, const Powder& p) {
   const Sizes computed = p.computed();
   const tools::PowderVessel vessel(computed, section_of(r), r.height, r.void_fraction, p.cell,
-                                   r.grains, r.seed);
+                                   r.grains, r.seed, std::max(1.0, well_ratio_of(r)));
   require(vessel.grains() <= r.grains, "--grains", r.grains,
           "the smallest vessel, " +
               std::to_string(vessel.is_round() ? vessel.least_across_column : vessel.least_across) +
@@ -328,6 +375,7 @@ int main(int argc, char** argv) {
 
   try {
     tools::require_together(request);
+    request.gas = tools::gas_of(request);
     const Powder powder(request);
     const Lines print(request.csv);
     print_powder(print, request, powder);

@@ -17,8 +17,8 @@
 namespace cohesion::tools {
 
 /// A coupled case of a powder: the files of powder-case beside this program, with what is the
-/// powder's in constant/powder, grains, coupling and gravity, in grains.data, and for LIGGGHTS in
-/// constant/contacts. SI units.
+/// powder's in constant/powder, grains, coupling, gravity and contacts, in grains.data, and for
+/// LAMMPS in constant/walls. SI units.
 struct PowderCase {
   bool liggghts;        ///< the engine, or else LAMMPS
   powder::Sizes sizes;  ///< of the spheres, which may be parcels
@@ -49,7 +49,8 @@ struct PowderCase {
     write_variables(folder / "constant/grains", vessel);
     write_coupling(folder / "constant/coupling", vessel);
     std::ofstream(folder / "constant/gravity") << "gravityOfPowder (0 0 " << -gravity << ");\n";
-    if (liggghts) write_contacts(folder / "constant/contacts");
+    write_contacts(folder / "constant/contacts");
+    if (!liggghts) write_walls(folder / "constant/walls", vessel.is_round());
     write_grains(folder / "grains.data", vessel);
   }
 
@@ -100,7 +101,10 @@ struct PowderCase {
 
   void write_variables(const std::filesystem::path& file, const PowderVessel& v) const {
     // A fifth of the skin is for the flights of two grains in a step: 3 m/s each.
-    const double skin = std::max(0.2 * sizes.largest(), 30.0 * particle_step);
+    // LIGGGHTS sees a well at a wall within half of it, and its own margin.
+    const double skin =
+        std::max({0.2 * sizes.largest(), 30.0 * particle_step,
+                  1.1 * std::max(0.0, contacts.well_ratio - 0.98) * sizes.largest()});
     Entries entries(file, "Variables of the script, SI units.");
     entries("dt", particle_step)("round", v.is_round() ? 1 : 0)("radius", v.radius())(
         "width", v.edge(0))("depth", v.edge(1))("top", v.edge(2))("gravity", gravity)("skin", skin)(
@@ -108,8 +112,6 @@ struct PowderCase {
     if (liggghts)
       entries("model", '"' + contacts.liggghts_model() + '"')(
           "keywords", '"' + contacts.liggghts_keywords() + '"')("wall", sizes.all().size() + 1);
-    else
-      entries("contact", '"' + contacts.lammps() + '"');
   }
 
   void write_coupling(const std::filesystem::path& file, const PowderVessel& v) const {
@@ -124,8 +126,38 @@ struct PowderCase {
 
   void write_contacts(const std::filesystem::path& file) const {
     std::ofstream out(file);
-    out << "# Contacts of grains.liggghts: a type for each size, the last is that of the walls.\n";
-    for (const std::string& line : contacts.liggghts()) out << line << '\n';
+    if (liggghts) {
+      out << "# Contacts of grains.liggghts: a type for each size, the last is that of the "
+             "walls.\n";
+      for (const std::string& line : contacts.liggghts()) out << line << '\n';
+      return;
+    }
+    out << "# Contacts of grains.lmp: a type for each size.\n"
+        << "pair_style " << contacts.lammps_style() << " scheme event\n";
+    for (const std::string& line : contacts.lammps_pairs()) out << line << '\n';
+  }
+
+  /// LAMMPS' walls, whose contact is in the command.
+  void write_walls(const std::filesystem::path& file, bool round) const {
+    std::ofstream out(file);
+    out << "# Walls of grains.lmp.\n";
+    for (const PowderContacts::LammpsWall& wall : contacts.lammps_walls()) {
+      const std::string suffix = wall.of_group.empty() ? "" : '_' + wall.group;
+      const auto fix = [&](const char* name, const std::string& of) {
+        out << "fix " << name << suffix << ' ' << wall.group << " wall/" << contacts.lammps_style()
+            << ' ' << wall.contact << ' ' << of << " scheme event\n";
+      };
+      if (!wall.of_group.empty()) out << wall.of_group << '\n';
+      if (round) {
+        fix("sides", "zcylinder ${radius}");
+      } else {
+        fix("side_x", "xplane 0 ${width}");
+        fix("side_y", "yplane 0 ${depth}");
+      }
+      out << "# The plate, and a screen over the outlet: a grain that is thrown this high falls "
+             "back.\n";
+      fix("plate", "zplane 0 ${top}");
+    }
   }
 
   void write_grains(const std::filesystem::path& file, const PowderVessel& v) const {

@@ -12,6 +12,7 @@
 #include "hamaker/forms.h"
 #include "hamaker/roughness.h"
 #include "powder/grain_contact.h"
+#include "powder/wells.h"
 #include "sphere.h"
 
 namespace cohesion::tools {
@@ -23,18 +24,54 @@ struct PowderContacts {
   double stiffness, restitution, friction;
   hamaker::Parameters hamaker;
   advice::Material material;  ///< that the springs stand for
+  double well_ratio = 0.0;    ///< r_out/r of wells in place of the attraction; 0: no wells
+
+  bool has_wells() const { return well_ratio > 0.0; }
 
   /// Whether the attraction is that of a stiffer material: else material_stiffness changes nothing.
   bool tells_material() const {
-    return material.stiffness != stiffness && hamaker.hamaker_constant > 0.0;
+    return !has_wells() && material.stiffness != stiffness && hamaker.hamaker_constant > 0.0;
+  }
+
+  /// LAMMPS' pair_style, and its pair_coeffs: one for all types, or with wells, each two of which
+  /// have a depth of their own, one for each two. lammps_for_all(): that of the first for all.
+  std::string lammps_style() const { return has_wells() ? "gran/square_well" : "gran/hamaker"; }
+  std::string lammps_for_all() const {
+    return "pair_coeff * * " + (has_wells() ? lammps_well(pair(0, 0)) : lammps());
+  }
+  std::vector<std::string> lammps_pairs() const {
+    if (!has_wells() || diameters.size() == 1) return {lammps_for_all()};
+    std::vector<std::string> lines;
+    for (std::size_t i = 0; i < diameters.size(); i++)
+      for (std::size_t j = i; j < diameters.size(); j++)
+        lines.push_back("pair_coeff " + std::to_string(i + 1) + ' ' + std::to_string(j + 1) + ' ' +
+                        lammps_well(pair(i, j)));
+    return lines;
+  }
+
+  /// Particles that walls have the same contact with, and its words.
+  struct LammpsWall {
+    std::string group;     // of the script's, `all` too
+    std::string of_group;  // the line that makes it; empty: it is there
+    std::string contact;
+  };
+  std::vector<LammpsWall> lammps_walls() const {
+    if (!has_wells()) return {{"all", "", lammps()}};
+    const std::size_t wall = diameters.size();
+    if (wall == 1) return {{"all", "", lammps_well(pair(0, wall))}};
+    std::vector<LammpsWall> walls;
+    for (std::size_t i = 0; i < wall; i++) {
+      const std::string type = std::to_string(i + 1), name = "size_" + type;
+      walls.push_back({name, "group " + name + " type " + type, lammps_well(pair(i, wall))});
+    }
+    return walls;
   }
 
   /// Words of LAMMPS' pair_coeff and walls of gran/hamaker.
   std::string lammps() const {
     std::string words =
-        text("stiffness %.6g restitution %.6g friction %.6g", stiffness, restitution, friction) +
-        text(" hamaker %.6g cutoff %.6g %.6g", hamaker.hamaker_constant, hamaker.surface_cutoff,
-             hamaker.outer_cutoff);
+        lammps_contact() + text(" hamaker %.6g cutoff %.6g %.6g", hamaker.hamaker_constant,
+                                hamaker.surface_cutoff, hamaker.outer_cutoff);
     if (hamaker.asperity_height > 0.0) {
       const hamaker::Roughness r = hamaker::roughness_of(hamaker);
       words += text(" roughness %.6g %.6g", r.rms, r.wavelength);
@@ -61,6 +98,11 @@ struct PowderContacts {
         matrix("gammat_abs", [&](const Pair& p) { return 0.5 * dashpot(p.mass); }),
         matrix("coefficientFriction", [&](const Pair&) { return friction; })};
     if (hamaker.hamaker_constant == 0.0) return lines;
+    if (has_wells()) {
+      lines.push_back(matrix("wellDepth", [&](const Pair& p) { return depth(p); }));
+      lines.push_back(ratios());
+      return lines;
+    }
     lines.push_back(
         matrix("hamakerConstant", [&](const Pair& p) { return smooth_constant(p.geometry); }));
     lines.push_back(scalar("hamakerSurfaceCutoff", hamaker.surface_cutoff));
@@ -73,7 +115,8 @@ struct PowderContacts {
   /// The models that go with these properties, and their keywords.
   std::string liggghts_model() const {
     const std::string engine = "model hooke/stiffness tangential history";
-    return hamaker.hamaker_constant == 0.0 ? engine : engine + " cohesion hamaker";
+    if (hamaker.hamaker_constant == 0.0) return engine;
+    return engine + " cohesion " + (has_wells() ? "square_well" : "hamaker");
   }
   std::string liggghts_keywords() const {
     std::string words = "absolute_damping on tangential_damping on";
@@ -105,6 +148,22 @@ struct PowderContacts {
     return "";
   }
 
+  std::string lammps_contact() const {
+    return text("stiffness %.6g restitution %.6g friction %.6g", stiffness, restitution, friction);
+  }
+  std::string lammps_well(const Pair& p) const {
+    return lammps_contact() + text(" well %.6g %.12g", depth(p), well_ratio);
+  }
+
+  /// D of the well that holds the two up to the escape velocity of their material.
+  double depth(const Pair& p) const {
+    const auto attraction = hamaker::forms.front().law(hamaker, hamaker.asperity_radius > 0.0);
+    return powder::well_depth(
+        material.stiffness, restitution, p.mass,
+        std::visit([&](const auto& law) { return contact::adhesion_of(law, p.geometry); },
+                   attraction));
+  }
+
   /// A of smooth surfaces whose pull-off force is that of the attraction.
   double smooth_constant(const PairGeometry& g) const {
     if (hamaker.asperity_radius == 0.0) return hamaker.hamaker_constant;
@@ -131,6 +190,13 @@ struct PowderContacts {
       for (std::size_t j = 0; j < types; j++)
         line += text(" %.6g", value(pair(std::min({i, j, types - 2}), std::max(i, j))));
     return line;
+  }
+
+  /// r_out/r of each type; a wall's is not used.
+  std::string ratios() const {
+    std::string line = "fix wellRatio all property/global wellRatio peratomtype";
+    for (std::size_t i = 0; i < diameters.size(); i++) line += text(" %.12g", well_ratio);
+    return line + " 1";
   }
 
   static std::string scalar(const char* name, double value) {

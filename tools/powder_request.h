@@ -5,9 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "gas/named_gases.h"
 #include "hamaker/roughness.h"
+#include "named_table.h"
 #include "powder/fluidisation.h"
 #include "powder/grain_contact.h"
+#include "powder/wells.h"
 #include "validation.h"
 
 namespace cohesion::tools {
@@ -23,7 +26,11 @@ struct Request {
   double hamaker = 0.0, surface_energy = 0.0, asperity = 0.0;
   std::vector<double> roughness;  // rms and wavelength, in place of the asperity
   std::vector<double> cutoffs{4e-10, 1e-7};
+  std::string law = "hamaker";
+  double well_ratio = 0.0;  // 0: not given
   powder::Gas gas{1.205, 1.82e-5};
+  std::string gas_name;  // empty: the gas is that above
+  double pressure = 101325.0, temperature = 293.15;
   double gravity = 9.81, speed = 0.0;
   double width = 0.0, depth = 0.0, column = 0.0, height = 0.0, void_fraction = 0.42;
   std::string keep = "velocity";
@@ -35,6 +42,24 @@ struct Request {
   double grains = 20000.0;
   unsigned seed = 4711;
 };
+
+inline void add_gas_options(CLI::App& app, Request& r) {
+  auto* density = app.add_option("--gas-density", r.gas.density, "[kg/m3]")->capture_default_str();
+  auto* viscosity =
+      app.add_option("--gas-viscosity", r.gas.viscosity, "[Pa s]")->capture_default_str();
+  std::vector<std::string> names;
+  for (const gas::NamedGas& gas : gas::named_gases) names.emplace_back(gas.name);
+  auto* name = app.add_option("--gas", r.gas_name, "in place of its density and viscosity")
+                   ->check(CLI::IsMember(names))
+                   ->excludes(density)
+                   ->excludes(viscosity);
+  app.add_option("--pressure", r.pressure, "of this gas, absolute [Pa]")
+      ->capture_default_str()
+      ->needs(name);
+  app.add_option("--temperature", r.temperature, "of this gas [K]")
+      ->capture_default_str()
+      ->needs(name);
+}
 
 inline void add_options(CLI::App& app, Request& r) {
   auto* sizes = app.add_option_group("sizes");
@@ -73,6 +98,11 @@ inline void add_options(CLI::App& app, Request& r) {
                  "rms and wavelength of the surface, in place of it [m]")
       ->expected(2)
       ->excludes(asperity);
+  app.add_option("--law", r.law, "that the run has for the cohesion")
+      ->check(CLI::IsMember({"hamaker", "square_well"}))
+      ->capture_default_str();
+  app.add_option("--well-ratio", r.well_ratio, "r_out/r of a square well; not given: 1.01")
+      ->check(CLI::PositiveNumber);
   app.add_option("--keep", r.keep, "what springs softer than the material keep of it")
       ->check(CLI::IsMember({"velocity", "force"}))
       ->capture_default_str();
@@ -81,8 +111,7 @@ inline void add_options(CLI::App& app, Request& r) {
       ->capture_default_str();
   app.add_option("--speed", r.speed, "of impacts; not given: twice the largest u_mf [m/s]")
       ->check(CLI::PositiveNumber);
-  app.add_option("--gas-density", r.gas.density, "[kg/m3]")->capture_default_str();
-  app.add_option("--gas-viscosity", r.gas.viscosity, "[Pa s]")->capture_default_str();
+  add_gas_options(app, r);
   app.add_option("--gravity", r.gravity, "[m/s2]")->capture_default_str();
   app.add_option("--void-fraction", r.void_fraction, "of the settled bed")->capture_default_str();
   auto* width = app.add_option("--width", r.width, "of a bed in a box [m]");
@@ -118,6 +147,21 @@ inline hamaker::Asperity asperity_of(const Request& r) {
   return hamaker::asperity_of({r.roughness.at(0), r.roughness.at(1)});
 }
 
+/// The gas given by its density and viscosity, or by its name and state. Throws InvalidParameter as
+/// gas::density_and_viscosity.
+inline powder::Gas gas_of(const Request& r) {
+  if (r.gas_name.empty()) return r.gas;
+  const auto state = gas::density_and_viscosity(find_by_name(gas::named_gases, "gas", r.gas_name),
+                                                r.pressure, r.temperature);
+  return {state.density, state.viscosity};
+}
+
+/// r_out/r of square wells in place of the attraction; 0: no wells.
+inline double well_ratio_of(const Request& r) {
+  if (r.law != "square_well") return 0.0;
+  return r.well_ratio > 0.0 ? r.well_ratio : powder::usual_well_ratio;
+}
+
 /// Throws InvalidParameter for what would have no effect, and where what belongs together is not.
 inline void require_together(const Request& r) {
   require(r.shares.empty() || r.percentiles.empty(), "mass share",
@@ -128,8 +172,15 @@ inline void require_together(const Request& r) {
           "a bed takes --height and either --width and --depth or --column");
   require(!r.measure || r.engine == "lammps", "measurement", 1.0,
           "--measure runs LAMMPS: leave --engine out");
+  const bool well = r.law == "square_well";
+  require(well || r.well_ratio == 0.0, "ratio r_out/r of the well", r.well_ratio,
+          "add --law square_well, or leave --well-ratio out");
+  require(!well || r.hamaker > 0.0 || r.surface_energy > 0.0, "Hamaker constant", r.hamaker,
+          "a square well stands for a cohesion: give --hamaker or --surface-energy");
+  require(!well || r.keep == "velocity", "pull-off force", 0.0,
+          "a square well has none to keep: leave --keep out");
   const double asperity = asperity_of(r).radius;
-  require(asperity == 0.0 || r.keep == "force" || r.elastic.young == 0.0, "asperity radius",
+  require(asperity == 0.0 || well || r.keep == "force" || r.elastic.young == 0.0, "asperity radius",
           asperity,
           "the adhesion of rough grains is not scaled to soft springs: add --keep force, or give "
           "--stiffness in place of --young");

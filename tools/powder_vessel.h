@@ -31,9 +31,16 @@ class PowderVessel {
   /// For a settled bed of this section, height and void fraction, or, where that has more than so
   /// many grains, for one of its shape that has not. It is three times as high as the bed, or as
   /// the lattice. Where the fewest cells hold more grains than asked for, so does it: see grains().
+  /// spread: over the distance of the grains in the lattice, which are out of the reach of others'
+  /// wells of this ratio r_out/r then.
   PowderVessel(const powder::Sizes& sizes, const Section& section, double height,
-               double void_fraction, double cell, double most, unsigned seed)
-      : sizes_(&sizes), round_(section.is_round()), cell_(cell), seed_(seed) {
+               double void_fraction, double cell, double most, unsigned seed, double spread = 1.0)
+      : sizes_(&sizes),
+        round_(section.is_round()),
+        cell_(cell),
+        seed_(seed),
+        spacing_(1.05 * spread),
+        clear_of_wall_(0.53 * spread) {
     const double all = powder::number_of_grains({section.area(), height, void_fraction}, sizes);
     const double scale = std::min(1.0, std::cbrt(most / all));
     const auto whole = [&](double length) {
@@ -72,7 +79,7 @@ class PowderVessel {
 
   double height_of_lattice() const {
     double height = 0.0;
-    for (const Layer& layer : layers_) height += layer.thickness();
+    for (const Layer& layer : layers_) height += thickness(layer);
     return height;
   }
 
@@ -89,8 +96,8 @@ class PowderVessel {
       for (int n = 0; n < layer.grains; n++)
         take(layer.size,
              std::array<double, 3>{sites[n][0] + jitter(random), sites[n][1] + jitter(random),
-                                   below + 0.5 * layer.thickness()});
-      below += layer.thickness();
+                                   below + 0.5 * thickness(layer)});
+      below += thickness(layer);
     }
   }
 
@@ -100,21 +107,22 @@ class PowderVessel {
     std::size_t size;
     double diameter;
     int grains;
-
-    double thickness() const { return 1.05 * diameter; }
   };
+
+  double thickness(const Layer& layer) const { return spacing_ * layer.diameter; }
 
   /// Where a layer has grains: all over the cross-section, clear of walls.
   std::vector<std::array<double, 2>> sites_of(double d) const {
     std::array<int, 2> across;
-    for (int k = 0; k < 2; k++) across[k] = std::max(1, static_cast<int>(edge(k) / (1.05 * d)));
+    for (int k = 0; k < 2; k++) across[k] = std::max(1, static_cast<int>(edge(k) / (spacing_ * d)));
     const double origin = round_ ? -radius() : 0.0;
     std::vector<std::array<double, 2>> sites;
     for (int j = 0; j < across[1]; j++)
       for (int i = 0; i < across[0]; i++) {
         const std::array<double, 2> site{origin + (i + 0.5) * edge(0) / across[0],
                                          origin + (j + 0.5) * edge(1) / across[1]};
-        if (!round_ || std::hypot(site[0], site[1]) < radius() - 0.53 * d) sites.push_back(site);
+        if (!round_ || std::hypot(site[0], site[1]) < radius() - clear_of_wall_ * d)
+          sites.push_back(site);
       }
     return sites;
   }
@@ -141,6 +149,7 @@ class PowderVessel {
   bool round_;
   double cell_;
   unsigned seed_;
+  double spacing_, clear_of_wall_;  // of the lattice, over the diameter
   std::array<int, 3> cells_;
   int grains_;
   std::vector<Layer> layers_;

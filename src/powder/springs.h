@@ -9,6 +9,7 @@
 #include "hamaker/parameters.h"
 #include "powder/grain_contact.h"
 #include "powder/plan.h"
+#include "powder/wells.h"
 
 /// The springs of a run, beside those of the material. Any consistent set of units.
 namespace cohesion::powder {
@@ -21,6 +22,7 @@ struct Demand {
   advice::Keep keep;          ///< what springs softer than the material keep of it
   double given = 0.0;         ///< stiffness that is used whatever they do, [force/length]; 0: none
   Elastic elastic{0.0, 0.0};  ///< material; Young's modulus 0: the springs given are the material
+  double well_ratio = 0.0;    ///< r_out/r of a well in place of the attraction; 0: no well
 };
 
 /// Two grains in contact, of the smallest size.
@@ -47,22 +49,53 @@ inline double least_scaled_stiffness(double real, const hamaker::Parameters& p) 
   return 1.1 * real * std::pow(k * (2.0 - k), 2);
 }
 
+/// Two digits that are not below what is needed, and no stiffer than the material.
+inline double rounded_stiffness(double needed, double material) {
+  return std::min(two_digits_below(1.1 * needed), material);
+}
+
+/// The stiffness of the material, as a linear spring, [force/length].
+inline double material_stiffness(const Pair& pair, const Demand& demand) {
+  if (demand.elastic.young == 0.0) return demand.given;
+  return sticking_stiffness(demand.elastic, pair.diameter, pair.mass, demand.restitution,
+                            pair.adhesion, demand.load.speed);
+}
+
+/// With a square well in place of the attraction (powder/wells.h), which presses nothing: springs
+/// bear impacts at the speed that it gives those of the load. Throws InvalidParameter as
+/// well_depth, and unless the ratio of the well is one.
+inline Springs springs_with_well(const Pair& pair, const Demand& demand) {
+  const double e = demand.restitution, mu = 0.5 * pair.mass, radius = 0.5 * pair.diameter;
+  const double real = material_stiffness(pair, demand);
+  const square_well::Parameters well =
+      square_well::well(well_depth(real, e, mu, pair.adhesion), demand.well_ratio);
+  square_well::require_valid(well);
+  double soft = demand.given;
+  if (soft == 0.0) {
+    const Load load{std::hypot(demand.load.speed, std::sqrt(2.0 * well.depth / mu)),
+                    demand.load.pressure};
+    soft = rounded_stiffness(
+        softest_stiffness(pair.diameter, pair.mass, e, 0.0, load, demand.overlap), real);
+  }
+  const PairNumbers of_material = pair_numbers(real, e, pair.mass, pair.adhesion);
+  const PairNumbers used =
+      pair_numbers(soft, e, pair.mass, square_well::adhesion_of(well, radius, radius));
+  if (well.depth == 0.0) return {of_material, used, {1.0, 1.0}};
+  return {of_material, used, {used.escape_velocity / of_material.escape_velocity, 0.0}};
+}
+
 /// The springs given, or the softest that will do, in two digits; no stiffer than the material.
 /// Throws InvalidParameter where those given leave the attraction no room below its outer cut-off.
 inline Springs springs_of(const Pair& pair, const Demand& demand) {
-  const bool elastic = demand.elastic.young > 0.0;
-  const double d = pair.diameter,
-               real = elastic ? sticking_stiffness(demand.elastic, d, pair.mass, demand.restitution,
-                                                   pair.adhesion, demand.load.speed)
-                              : demand.given;
+  if (demand.well_ratio > 0.0) return springs_with_well(pair, demand);
+  const double real = material_stiffness(pair, demand);
   double soft = demand.given;
   if (soft == 0.0) {
     const bool scales = demand.keep == advice::Keep::escape_velocity;
-    soft = softest_stiffness(d, pair.mass, demand.restitution, pair.adhesion.force, demand.load,
-                             demand.overlap, scales ? real : 0.0);
+    soft = softest_stiffness(pair.diameter, pair.mass, demand.restitution, pair.adhesion.force,
+                             demand.load, demand.overlap, scales ? real : 0.0);
     if (scales) soft = std::max(soft, least_scaled_stiffness(real, pair.hamaker));
-    // Two digits that are not below what is needed.
-    soft = std::min(two_digits_below(1.1 * soft), real);
+    soft = rounded_stiffness(soft, real);
   }
   const advice::Material material{real, demand.keep};
   contact::Adhesion used = pair.adhesion;

@@ -46,7 +46,7 @@ class SmallBed(unittest.TestCase):
         grains, parcels = (result["spheres"] for result in self.results)
         # Each number is rounded to a whole one.
         self.assertAlmostEqual(grains, 8 * parcels, delta=4.5)
-        texts = [(job.folder / "constant/grains").read_text() for job in self.jobs]
+        texts = [(job.folder / "constant/contacts").read_text() for job in self.jobs]
         self.assertIn("stiffness 100 ", texts[0])
         self.assertIn("stiffness 200 ", texts[1])
         self.assertIn("hamaker 1.6e-18 cutoff 8e-10 2e-07", texts[1])

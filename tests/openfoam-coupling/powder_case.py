@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A case as cohesion-powder writes it runs unedited to its end, in a box and in a round column, of one size, of a
-distribution and of parcels, for each engine: the pressure drop is what the gas puts on the grains, and they stay in."""
+distribution, of parcels and with square wells, for each engine: the pressure drop is what the gas puts on the grains, and they stay in."""
 
 import os
 import subprocess
@@ -81,6 +81,19 @@ class PowderCase(CoupledTestCase):
 
     def test_column(self):
         self.check("column", "--diameter", 5e-4, *COLUMN, across=0.009)
+
+    def test_square_wells(self):
+        """The engine prints the escape velocity of each two types, which is that of the material."""
+        words = ("--diameter", 4e-4, 6e-4, "--law", "square_well")
+        self.check("wells", *words, *BOX)
+        said = program.values(*words, *GRAINS)
+        rows = [line.split() for line in (WORK / f"wells/log.{ENGINE}").read_text().split("\n")]
+        # The last but one column, of which three digits are printed.
+        self.expect_true("the engine's table has the column", any(row[-2:] == ["v_esc", "tail/spring"] for row in rows))
+        pairs = [row for row in rows if row[:3] == ["1", "-", "1"]]
+        self.expect_true("the engine's table has the pairs of the smallest", len(pairs) > 0)
+        self.expect_near("v_esc of the engine's table over the program's [1]",
+                         float(pairs[0][-2]) / said["material_escape"], 1, 5e-3)
 
     def test_parcels(self):
         log = self.check("parcels", "--diameter", 2.5e-4, "--coarse-graining", 2, *BOX)

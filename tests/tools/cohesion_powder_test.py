@@ -111,11 +111,89 @@ class Numbers(unittest.TestCase):
             code, _, error = program.call(*words, "--coarse-graining", ratio)
             self.assertEqual((code, "parcels across" in error), (0, warned), error)
 
+    def test_a_gas_by_name(self):
+        words = ("--diameter", 5e-4, "--density", 2500, "--stiffness", 800)
+        self.near(program.values(*words)["gas_density"], RHO)
+        self.near(program.values(*words)["gas_viscosity"], MU)
+        # Ideal gas, and Sutherland's law with the constants of White's table
+        found = program.values(*words, "--gas", "nitrogen", "--pressure", 3e5, "--temperature", 600)
+        self.near(found["gas_density"], 3e5 * 28.01348 / 8314.46261815324 / 600)
+        self.near(found["gas_viscosity"], 1.663e-5 * (600 / 273)**1.5 * (273 + 107) / (600 + 107))
+        # 20 C and one atmosphere unless told: the air that is taken without a name, to a part in two hundred.
+        found = program.values(*words, "--gas", "air")
+        self.near(found["gas_density"], 101325 * 28.96546 / 8314.46261815324 / 293.15)
+        self.near(found["gas_density"], RHO, 0.005)
+        self.near(found["gas_viscosity"], MU, 0.005)
+        # All that sees the gas sees this one.
+        same = program.values(*words, "--gas-density", found["gas_density"], "--gas-viscosity", found["gas_viscosity"])
+        self.assertEqual(found, same)
+
     def test_liggghts_has_ten_steps_of_a_contact(self):
         words = ("--diameter", 1e-3, "--density", 2650, "--stiffness", 800, "--hamaker", 7.49e-19)
         found = program.values(*words, "--engine", "liggghts")
         self.assertLessEqual(found["particle_step"], found["contact_time"] / 10)
         self.assertGreater(found["particle_step"], 0.9 * found["contact_time"] / 10)
+
+
+class SquareWell(unittest.TestCase):
+    WELL = ("--law", "square_well")
+
+    def test_depth_is_that_of_the_escape_velocity_of_the_material(self):
+        found = program.values(*GLASS, *self.WELL)
+        hamaker = program.values(*GLASS)
+        reduced = 0.5 * 2500 * math.pi / 6 * 5e-4**3
+        # v^2 = (2 D/m)(1/e^2 - 1)
+        speed = math.sqrt(2 * found["well_depth"] / reduced * (1 / 0.9**2 - 1))
+        self.assertAlmostEqual(speed / hamaker["material_escape"], 1, delta=1e-12)
+        self.assertAlmostEqual(found["escape_over_material"], 1, delta=1e-12)
+        self.assertEqual(found["pull_off_over_material"], 0)
+        self.assertAlmostEqual(found["well_width"] / 5e-6, 1, delta=1e-12)
+        weight = 2 * reduced * G
+        self.assertAlmostEqual(found["well_bond"] * weight * found["well_width"] / found["well_depth"], 1, delta=1e-12)
+        # A well that bears what the attraction bears is as narrow as that.
+        narrow = program.values(*GLASS, *self.WELL, "--well-ratio", 1 + found["well_width_bond"] / 5e-4)
+        # 1 + 3e-6 leaves 11 digits of the width.
+        self.assertAlmostEqual(narrow["well_bond"] / found["bond"], 1, delta=1e-9)
+        self.assertEqual(narrow["well_depth"], found["well_depth"])
+        for words, warned in (((), True), (("--well-ratio", 1 + found["well_width_bond"] / 5e-4), False)):
+            _, output, error = program.call(*GLASS, *self.WELL, *words)
+            self.assertEqual("not against a weight" in error, warned, error)
+        self.assertIn("well 1.4798", output)
+        self.assertIn(" 1.00000", output.split("friction 0.3 well ")[1].split("\n")[0])
+        # What is the powder's and not the law's
+        for same in ("bond", "pull_off", "material_stiffness", "u_mf_beetstra"):
+            self.assertEqual(found[same], hamaker[same])
+
+    def test_rough_grains_may_have_soft_springs(self):
+        found = program.values(*GLASS, *self.WELL, "--asperity", 1e-7)
+        self.assertAlmostEqual(found["escape_over_material"], 1, delta=1e-12)
+        self.assertLess(found["well_depth"], program.values(*GLASS, *self.WELL)["well_depth"])
+
+    def test_scripts_name_each_pair_and_each_wall(self):
+        two = ("--diameter", 2e-4, 4e-4, *GLASS[2:], *self.WELL, "--well-ratio", 1.02)
+        found = program.values(*two)
+        _, lammps, _ = program.call(*two)
+        self.assertIn("pair_style gran/square_well scheme event", lammps)
+        self.assertNotIn("material_stiffness", lammps)
+        depths = {line.split("stiffness")[0].strip(): float(line.split(" well ")[1].split()[0])
+                  for line in lammps.split("\n") if " friction 0.3 well " in line}
+        self.assertEqual(list(depths), ["pair_coeff 1 1", "pair_coeff 1 2", "pair_coeff 2 2", "# walls, size_1:",
+                                        "# walls, size_2:"])
+        # Six digits are printed.
+        for name, value in (("pair_coeff 1 1", "well_depth"), ("pair_coeff 2 2", "well_depth_largest"),
+                            ("# walls, size_1:", "well_depth_wall")):
+            self.assertAlmostEqual(depths[name] / found[value], 1, delta=1e-5)
+        _, liggghts, _ = program.call(*two, "--engine", "liggghts")
+        matrix = [float(word) for word in liggghts.split("global wellDepth peratomtypepair 3")[1].split("\n")[0].split()]
+        expected = [depths[name] for name in ("pair_coeff 1 1", "pair_coeff 1 2", "# walls, size_1:", "pair_coeff 1 2",
+                                              "pair_coeff 2 2", "# walls, size_2:", "# walls, size_1:", "# walls, size_2:")]
+        self.assertEqual(matrix[:8], expected)
+        self.assertIn("fix wellRatio all property/global wellRatio peratomtype 1.02 1.02 1", liggghts)
+        self.assertIn("cohesion square_well", liggghts)
+
+    def test_parcels_have_the_depth_of_their_volume(self):
+        depth = lambda *more: float(program.call(*GLASS, *self.WELL, *more)[1].split(" friction 0.3 well ")[1].split()[0])
+        self.assertAlmostEqual(depth("--coarse-graining", 2) / depth() / 8, 1, delta=1e-5)
 
 
 class LiggghtsProperties(unittest.TestCase):
@@ -170,6 +248,21 @@ class Refusals(unittest.TestCase):
         self.refused((*GLASS, "--roughness", 5e-9, 5e-7, "--asperity", 1e-7), "--asperity")
         self.refused((*GLASS, "--keep", "force", "--roughness", 1e-10, 1e-5), "asperity height", "of smooth surfaces")
         self.refused((*GLASS, "--surface-energy", 0.1), "--surface-energy")
+        self.refused((*GLASS, "--gas", "steam"), "steam", "nitrogen")
+        self.refused((*GLASS, "--gas", "air", "--gas-density", 1.2), "--gas-density excludes --gas")
+        self.refused((*GLASS, "--gas-viscosity", 2e-5, "--gas", "air"), "--gas-viscosity excludes --gas")
+        self.refused((*GLASS, "--pressure", 2e5), "--pressure requires --gas")
+        self.refused((*GLASS, "--temperature", 300), "--temperature requires --gas")
+        self.refused((*GLASS, "--gas", "helium", "--temperature", 900), "temperature of helium = 900", "200 and 600 K")
+        self.refused((*GLASS, "--gas", "carbon-dioxide", "--pressure", 2e6), "pressure of carbon-dioxide = 2e+06", "ideal")
+        well = ("--law", "square_well")
+        self.refused((*GLASS, "--well-ratio", 1.02), "well = 1.02", "add --law square_well")
+        self.refused((*GLASS, *well, "--keep", "force"), "none to keep")
+        self.refused((*GLASS[:-2], *well), "give --hamaker or --surface-energy")
+        self.refused((*GLASS, *well, "--restitution", 1), "restitution e = 1", "no pair sticks")
+        self.refused((*GLASS, *well, "--well-ratio", 0.99), "well = 0.99: must be a finite number not below 1")
+        self.refused((*GLASS, *well, "--well-ratio", 4), "well = 4: must not be above 3")
+        self.refused((*GLASS, "--law", "velcro"), "velcro")
         self.refused(("--percentiles", 3, 2, 4, *GLASS[2:]), "d10 = 3: must be below d50")
         self.refused(("--diameter", 5e-4, "--density", 2500, "--young", 63e9, "--poisson", 0.7), "Poisson's ratio = 0.7: must lie between 0 and 0.5")
         self.refused((*GLASS, *BED, "--void-fraction", 1.2), "void fraction = 1.2: must lie between 0 and 1")
@@ -211,6 +304,23 @@ class WrittenCase(unittest.TestCase):
             for row in grains:
                 for place, edge in zip(row[4:], box):
                     self.assertTrue(0.5 * row[2] * 0.9 < place < edge - 0.5 * row[2] * 0.9, row)
+
+    def test_walls_of_square_wells_are_those_of_each_size(self):
+        with tempfile.TemporaryDirectory() as folder:
+            words = (*GLASS[2:], *BED, "--grains", 4000, "--law", "square_well", "--well-ratio", 1.1)
+            case = Path(folder) / "case"
+            code, _, error = program.call("--diameter", 2e-4, 4e-4, *words, "--write", case)
+            self.assertEqual(code, 0, error)
+            walls = (case / "constant/walls").read_text().split("\n")
+            fixes = [line.split()[:4] for line in walls if line.startswith("fix")]
+            self.assertEqual(fixes, [["fix", f"{name}_size_{k}", f"size_{k}", "wall/gran/square_well"]
+                                     for k in (1, 2) for name in ("side_x", "side_y", "plate")])
+            self.assertEqual(sum(line.startswith("group size_") for line in walls), 2)
+            # No grain begins in the well of another.
+            lines = (case / "grains.data").read_text().split("Atoms")[1].split("\n")
+            grains = [list(map(float, line.split()))[2:] for line in lines if line]
+            for one, other in zip(grains, grains[1:]):
+                self.assertGreater(math.dist(one[2:], other[2:]), 1.1 * 0.5 * (one[0] + other[0]))
 
     def test_a_column_has_them_inside(self):
         with tempfile.TemporaryDirectory() as folder:

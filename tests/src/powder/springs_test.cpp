@@ -57,6 +57,41 @@ TEST(Springs, GivenAloneAreTheMaterial) {
   EXPECT_EQ(s.used.stiffness, 800.0);
 }
 
+// A well has the escape velocity whatever the spring is, and no force.
+TEST(Springs, WithAWellKeepTheEscapeVelocityWhereverTheyAreSoft) {
+  Demand well = demand();
+  well.well_ratio = 1.01;
+  for (const double given : {0.0, 10.0, 1e4}) {
+    well.given = given;
+    const Springs s = springs_of(pair_of(6.5e-20), well);
+    EXPECT_NEAR(s.over.escape_velocity, 1.0, 1e-12);
+    EXPECT_NEAR(s.used.escape_velocity / s.material.escape_velocity, 1.0, 1e-12);
+    EXPECT_EQ(s.over.force, 0.0);
+    EXPECT_GT(s.material.pull_off, 0.0);
+  }
+}
+
+// mu (v^2 + 2 D/mu) = K x^2 at the largest overlap x of an impact without loss, x = 0.01 d; loss
+// makes it less, and two digits of at most a tenth more make the spring stiffer.
+TEST(Springs, WithAWellBearWhatItAddsToImpacts) {
+  Demand well = demand();
+  well.well_ratio = 1.01;
+  well.load = {1e-3, 0.0};  // slow: most is the well's
+  const Springs s = springs_of(pair_of(6.5e-20), well);
+  const double e = well.restitution, mu = 0.5 * mass, v = s.used.escape_velocity;
+  const double squared = 1e-6 + v * v / (1.0 / (e * e) - 1.0);  // 2 D/mu of the escape velocity
+  const double lossless = mu * squared / (1e-4 * d * d);
+  EXPECT_LT(s.used.stiffness, 1.1 * lossless);
+  // From the overlap with loss: no less than e of that without.
+  EXPECT_GT(s.used.stiffness, e * e * lossless);
+}
+
+TEST(Springs, RefuseAWellWithinTheGrains) {
+  Demand well = demand();
+  well.well_ratio = 0.9;
+  EXPECT_THROW(springs_of(pair_of(6.5e-20), well), InvalidParameter);
+}
+
 // The attraction can be scaled to the least stiffness, and to a tenth and a bit less it cannot.
 TEST(Springs, LeaveTheAttractionRoom) {
   const hamaker::Parameters p{1e-19, 4e-10, 4e-9};
