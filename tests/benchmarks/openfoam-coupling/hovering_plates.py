@@ -10,12 +10,13 @@ weight lifts.
 A pile of 310 spheres, 7.5 diameters high, or of so many, begins in the air, its lower end at a face between cells six
 diameters above the inlet, in a box six diameters wide that is periodic across. The gas blows at `ratio` times the
 minimum fluidisation velocity of the law at a void fraction of 0.4. For cells of so many diameters, smoothing over so
-many, and each slip: the share of the spheres that, 0.6 and 0.8 s later, are at rest above an empty row of cells, and the
-mean speed of all. --rows: besides, of each row with spheres, the force of the gas over their weight, as the spheres feel
-it and as the law has it at the row's void fraction on paper.
+many, and each slip: the share of the spheres that, 0.6 and 0.8 s later, are at rest above an empty row of cells, and
+the mean speed of all. --rows: besides, of each row with spheres, the force of the gas over their weight, as the
+spheres feel it and as the law has it at the row's void fraction on paper.
 
-Then the bound on paper: `n` rows of cells that are full, at the void fraction 0.4, under one that is filled to the share
-f, hover when n (F - 1) = f (1 - F_f), F and F_f the force over the weight in both; up to which ratio some f does.
+Then the bound on paper: `n` rows of cells that are full, at the void fraction 0.4, under one that is filled to the
+share f, hover when n (F - 1) = f (1 - F_f), F and F_f the force over the weight in both; up to which ratio some f
+does.
 """
 import argparse
 import re
