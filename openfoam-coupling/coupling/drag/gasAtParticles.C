@@ -18,6 +18,65 @@ struct Slip
 
 constexpr std::array slips{Slip{"cell", false}, Slip{"interpolated", true}};
 
+//- Whether the boundary's values are the case's, and not those that periodic, mirrored or flat meshes make
+bool given(const Foam::fvPatch& patch)
+{
+    return !patch.coupled() && !Foam::fvPatch::constraintType(patch.type());
+}
+
+//- A copy, not registered, whose values at the boundary are its own
+template<class Type>
+Foam::GeometricField<Type, Foam::fvPatchField, Foam::volMesh> freeCopy
+(
+    const Foam::GeometricField<Type, Foam::fvPatchField, Foam::volMesh>& field
+)
+{
+    using namespace Foam;
+    return GeometricField<Type, fvPatchField, volMesh>
+    (
+        IOobject(field.name() + "Beside", field.instance(), field.db(), IOobject::NO_READ, IOobject::NO_WRITE, false),
+        field,
+        fvPatchField<Type>::calculatedType()
+    );
+}
+
+//- The void fraction, at the boundary that of the cell at it
+Foam::volScalarField voidFractionBeside(const Foam::volScalarField& voidFraction)
+{
+    using namespace Foam;
+    volScalarField beside(freeCopy(voidFraction));
+    forAll(beside.boundaryField(), patchi)
+    {
+        fvPatchScalarField& values = beside.boundaryFieldRef()[patchi];
+        if (given(values.patch()))
+        {
+            values == values.patchInternalField();
+        }
+    }
+    return beside;
+}
+
+//- The gas velocity between the particles: at the boundary that of the cell along it, and across it that of the flux
+//  through it in the cell's void fraction
+Foam::volVectorField velocityBeside(const Foam::volScalarField& voidFraction, const Foam::volVectorField& U)
+{
+    using namespace Foam;
+    volVectorField beside(freeCopy(U));
+    forAll(beside.boundaryField(), patchi)
+    {
+        fvPatchVectorField& values = beside.boundaryFieldRef()[patchi];
+        if (given(values.patch()))
+        {
+            const fvPatchScalarField& ofPatch = voidFraction.boundaryField()[patchi];
+            const vectorField n(values.patch().nf());
+            const vectorField inside(values.patchInternalField());
+            const scalarField across((n & values)*ofPatch/ofPatch.patchInternalField());
+            values == inside + n*(across - (n & inside));
+        }
+    }
+    return beside;
+}
+
 } // End anonymous namespace
 
 
@@ -34,8 +93,10 @@ void Foam::gasAtParticles::interpolate
     const particleExchange& exchange
 )
 {
-    const interpolationCellPoint<scalar> voidFractionAt(voidFraction);
-    const interpolationCellPoint<vector> velocityAt(U);
+    const volScalarField besideVoidFraction(voidFractionBeside(voidFraction));
+    const volVectorField besideU(velocityBeside(voidFraction, U));
+    const interpolationCellPoint<scalar> voidFractionAt(besideVoidFraction);
+    const interpolationCellPoint<vector> velocityAt(besideU);
     const labelList& cells = exchange.cells();
     const List<point>& positions = exchange.positions();
     scalarList voidFractions(cells.size(), Zero);
