@@ -127,6 +127,7 @@ void run(const ArrayDragRequest& r) {
   require(size_of(r.direction) > 0.0, "direction", 0.0, "must not be the null vector");
   require(r.sizes.size() == r.counts.size(), "number of --counts", r.counts.size(),
           "must be that of --sizes");
+  require(r.random() || r.arrays == 1, "--arrays", r.arrays, "is of random arrays alone");
   share_among(r.threads);
   const std::vector<Vector> directions =
       r.tensor ? std::vector<Vector>{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}} : std::vector{r.direction};

@@ -51,10 +51,9 @@ class Flow {
   void step() {
     shared_(directions, [this](int q) { populations_.wrap(q); });
     shared_(walls_->spheres(), [this](int sphere) { forces_[sphere] = reflect(sphere); });
-    shared_(grid_.nodes(2), [this](int z) {
-      for (const Run& run : walls_->runs(z))
-        collide(populations_.row(run.first), run.nodes, relaxation_, body_force_);
-    });
+    const Row row = populations_.row();
+    shared_(grid_.nodes(2),
+            [&](int z) { collide(row, walls_->runs(z), relaxation_, body_force_); });
     populations_.turn();
   }
 
@@ -96,12 +95,20 @@ class Flow {
   /// Turns round what has come to a sphere; the force on it.
   Vector reflect(int sphere) {
     Vector force{};
-    for (const Link& link : walls_->links(sphere)) {
-      const Populations::AlongLink f = populations_.along(link);
-      const double k = (1.0 - 2.0 * link.distance) / (1.0 + 2.0 * link.distance);
-      const double came = link.halved() ? f.gone : f.gone + k * (f.behind - f.back);
-      populations_.reflect(link, came);
-      for (int d = 0; d < 3; d++) force[d] += velocity[link.q][d] * (f.gone + came);
+    for (int q = 1; q < directions; q++) {
+      const Populations::AlongLinks f = populations_.along(q);
+      double turned = 0.0;
+      for (const Link& link : walls_->links(sphere, q)) {
+        const double gone = f.gone[link.node];
+        double came = gone;
+        if (!link.halved()) {
+          const double k = (1.0 - 2.0 * link.distance) / (1.0 + 2.0 * link.distance);
+          came += k * (f.behind[link.node] - f.back[link.node]);
+        }
+        f.came[link.node] = came;
+        turned += gone + came;
+      }
+      for (int d = 0; d < 3; d++) force[d] += velocity[q][d] * turned;
     }
     return force;
   }

@@ -34,36 +34,30 @@ class Populations {
     return ahead_ ? at(opposite(q), node + grid_.offset(q)) : at(q, node);
   }
 
-  /// Where the collisions of a row of nodes read and write.
-  Row row(std::size_t first) {
+  /// Where collisions read and write.
+  Row row() {
     Row row;
     for (int q = 0; q < directions; q++) {
-      double* streamed = array(q) + (first - grid_.offset(q));
-      double* home = array(opposite(q)) + first;
+      double* streamed = array(q) - grid_.offset(q);
+      double* home = array(opposite(q));
       row.in[q] = ahead_ ? home : streamed;
       row.out[opposite(q)] = ahead_ ? home : streamed;
     }
     return row;
   }
 
-  /// f_q(x), f_q(x - c_q) and f_-q(x) of a link's node x; the second has no meaning where the link
-  /// is halved.
-  struct AlongLink {
-    double gone, behind, back;
+  /// By the node x of a link along velocity q: f_q(x), f_q(x - c_q) and f_-q(x), and where what
+  /// comes back from the wall goes for the next collision to read it. The second has no meaning
+  /// where the link is halved.
+  struct AlongLinks {
+    const double *gone, *behind, *back;
+    double* came;
   };
-  AlongLink along(const Link& link) const {
-    const std::ptrdiff_t c = grid_.offset(link.q);
-    const int back = opposite(link.q);
-    if (ahead_) return {at(back, link.node + c), at(back, link.node), at(link.q, link.node - c)};
-    return {at(link.q, link.node), at(link.q, link.node - c), at(back, link.node)};
-  }
-
-  /// Gives a link's node what comes back from the wall, where its next collision reads it.
-  void reflect(const Link& link, double came) {
-    if (ahead_)
-      array(link.q)[link.node] = came;
-    else
-      array(opposite(link.q))[link.node + grid_.offset(link.q)] = came;
+  AlongLinks along(int q) {
+    const std::ptrdiff_t c = grid_.offset(q);
+    double *to = array(q), *fro = array(opposite(q));
+    if (ahead_) return {fro + c, fro, to - c, to};
+    return {to, to - c, fro, fro + c};
   }
 
   /// Makes the box periodic for velocity q: what the next collision reads, or what the last one

@@ -46,10 +46,9 @@ class Grid {
   std::array<int, 3> nodes_;
 };
 
-/// A link from a node in the fluid along a velocity into a sphere.
+/// A link from a node in the fluid into a sphere.
 struct Link {
   std::size_t node;  ///< in the fluid, no image
-  int q;             ///< velocity
   double distance;   ///< from the node to the wall, over the link's length; 1/2 where the node
                      ///< behind is in no fluid, for whoever interpolates
 
@@ -82,7 +81,10 @@ class Walls {
 
   bool is_fluid(std::size_t node) const { return owner_[node] == fluid; }
   int spheres() const { return static_cast<int>(spheres_.size()); }
-  const std::vector<Link>& links(int sphere) const { return links_[sphere]; }
+  /// Those along velocity q into a sphere.
+  const std::vector<Link>& links(int sphere, int q) const {
+    return links_[sphere * directions + q];
+  }
   /// Of a layer of the box, 0 to nodes(2) - 1.
   const std::vector<Run>& runs(int z) const { return runs_[z]; }
   /// Nodes of the box in fluid.
@@ -140,7 +142,7 @@ class Walls {
   }
 
   void find_links() {
-    links_.resize(spheres_.size());
+    links_.resize(spheres_.size() * directions);
     for (int z = 0; z < grid_.nodes(2); z++)
       for (int y = 0; y < grid_.nodes(1); y++)
         for (int x = 0; x < grid_.nodes(0); x++) {
@@ -150,7 +152,8 @@ class Walls {
             const std::int32_t hit = owner_[node + grid_.offset(q)];
             if (hit == fluid) continue;
             const bool room = is_fluid(node - grid_.offset(q));
-            links_[hit].push_back({node, q, room ? distance(spheres_[hit], q, {x, y, z}) : 0.5});
+            links_[hit * directions + q].push_back(
+                {node, room ? distance(spheres_[hit], q, {x, y, z}) : 0.5});
           }
         }
   }
@@ -171,7 +174,7 @@ class Walls {
   Grid grid_;
   std::vector<FixedSphere> spheres_;
   std::vector<std::int32_t> owner_;       // sphere that a node is in
-  std::vector<std::vector<Link>> links_;  // of each sphere
+  std::vector<std::vector<Link>> links_;  // of each sphere and velocity
   std::vector<std::vector<Run>> runs_;    // of each layer
   std::size_t fluid_nodes_ = 0;
 };

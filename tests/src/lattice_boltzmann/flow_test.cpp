@@ -29,14 +29,14 @@ class FlowOnPaper {
       for (int q = 0; q < directions; q++) next[q][n] = now_[q][neighbour(n, opposite(q))];
     held = {};
     for (int s = 0; s < walls_.spheres(); s++)
-      for (const Link& link : walls_.links(s)) {
-        const int n = number(link.node), back = opposite(link.q);
-        const double k = (1.0 - 2.0 * link.distance) / (1.0 + 2.0 * link.distance);
-        const double came =
-            now_[link.q][n] + k * (now_[link.q][neighbour(n, back)] - now_[back][n]);
-        next[back][n] = came;
-        for (int d = 0; d < 3; d++) held[d] += velocity[link.q][d] * (now_[link.q][n] + came);
-      }
+      for (int q = 1; q < directions; q++)
+        for (const Link& link : walls_.links(s, q)) {
+          const int n = number(link.node), back = opposite(q);
+          const double k = (1.0 - 2.0 * link.distance) / (1.0 + 2.0 * link.distance);
+          const double came = now_[q][n] + k * (now_[q][neighbour(n, back)] - now_[back][n]);
+          next[back][n] = came;
+          for (int d = 0; d < 3; d++) held[d] += velocity[q][d] * (now_[q][n] + came);
+        }
     for (int n = 0; n < 504; n++)
       if (walls_.is_fluid(node(n))) collide(next, n);
     now_ = next;
