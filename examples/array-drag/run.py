@@ -125,7 +125,8 @@ def figures(name, row, result):
     if row and row["array"] == "sc":
         found["over_zick_homsy"] = result["K"] / ZICK_HOMSY[row["phi"]]
     if row and row["array"] == "random":
-        found["over_beetstra"] = result["F"] / result["F_beetstra"]
+        if str(row["sizes"]) == "1":
+            found["over_beetstra"] = result["F"] / result["F_beetstra"]
         for size in ("_1", "_2"):
             for law in ("carmanKozeny", "vanDerHoef"):
                 if f"F_{law}{size}" in result:
