@@ -29,7 +29,7 @@ def beside_laws(axis, names, results, title):
     errors = np.array([2 * results[name].get("F_error", 0.0) for name in names])
     axis.errorbar(phi, measured / over, errors / over, fmt="ko", capsize=3, label="measured")
     for law in LAWS:
-        axis.plot(phi, [results[name][f"F_{law}"] for name in names] / over, "-", label=law)
+        axis.plot(phi, [results[name][f"F_{law}"] for name in names] / over, ".-", label=law)
     axis.set_xlabel("fraction of solid")
     axis.set_ylabel("F over F of beetstra")
     axis.set_title(title)
