@@ -18,8 +18,8 @@ BUILD = sys.argv.pop(1) if len(sys.argv) > 1 else str(SOURCE / "build")
 
 TABLE = """name, array, phi, counts, sizes, diameter, re, speed, arrays
 sc-0.45, sc, 0.45, , , 12, , , 1
-random-0.4, , 0.4, 16, , 8, , , 4
-random-0.4-re-10, , 0.4, 12, , 8, 10, , 2
+few-0.4, , 0.4, 16, , 8, , , 4
+few-0.4-re-10, , 0.4, 12, , 8, 10, , 2
 mixture-2-0.4, , 0.4, 32 4, 1 2, 8, , , 2
 """
 
@@ -40,15 +40,15 @@ class ArrayDragExample(unittest.TestCase):
             text = (out / "runs/result.txt").read_text()
             rows = {line.split()[0]: line.split() for line in text.split("\n\n")[0].splitlines()}
             found = {name: dict(zip(words[1::2], map(float, words[2::2]))) for name, words in rows.items()}
-            self.assertEqual(set(found), {"sc-0.45", "random-0.4", "random-0.4-re-10", "mixture-2-0.4", *run.PAIRS})
+            self.assertEqual(set(found), {"sc-0.45", "few-0.4", "few-0.4-re-10", "mixture-2-0.4", *run.PAIRS})
             held = expected.held(EXAMPLE / "expected.csv", found)
             self.assertEqual(len(held), 3)
             for line, holds in held:
                 self.assertTrue(holds, line)
             # Three standard errors of four arrays of 16 spheres, some 8 % each, and 3 % of the law
-            self.assertAlmostEqual(found["random-0.4"]["over_beetstra"], 1, delta=0.15)
-            self.assertAlmostEqual(found["random-0.4-re-10"]["Re"], 10, delta=0.1)
-            self.assertIn("over_tang", found["random-0.4-re-10"])
+            self.assertAlmostEqual(found["few-0.4"]["over_beetstra"], 1, delta=0.15)
+            self.assertAlmostEqual(found["few-0.4-re-10"]["Re"], 10, delta=0.1)
+            self.assertIn("over_tang", found["few-0.4-re-10"])
             self.assertIn("over_vanDerHoef_2", found["mixture-2-0.4"])
             self.assertGreater((out / "runs/result.png").stat().st_size, 20000)
             with mock.patch.object(run.DragRun, "start", side_effect=AssertionError("done again")):
