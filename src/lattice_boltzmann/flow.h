@@ -29,8 +29,11 @@ inline void one_by_one(int count, const std::function<void(int)>& part) {
 ///
 ///   f_-q(x, t + 1) = f~_q(x) + k (f~_q(x - c_q) - f~_-q(x)),     k = (1 - 2 delta)/(1 + 2 delta),
 ///
-/// delta being the distance to the wall; where x - c_q is in a sphere k = 0. The force on a sphere
-/// is the momentum that its links turn round (A. J. C. Ladd, J. Fluid Mech. 271 (1994) 285).
+/// delta being the distance to the wall; where x - c_q is in a sphere k = 0. What comes back is the
+/// mean of this and of what came back the step before: nothing else where the flow is steady, and
+/// without it coarse flows with inertia drift away, since the interpolation, whose weights are not
+/// all positive, feeds what goes to and fro from step to step. The force on a sphere is the momentum
+/// that its links turn round (A. J. C. Ladd, J. Fluid Mech. 271 (1994) 285).
 ///
 /// What is computed does not depend on how the work is shared, to the last bit.
 class Flow {
@@ -43,7 +46,11 @@ class Flow {
         shared_(std::move(shared)),
         populations_(grid),
         forces_(walls.spheres(), Vector{}),
-        layers_(grid.nodes(2), Vector{}) {}
+        layers_(grid.nodes(2), Vector{}) {
+    for (int sphere = 0; sphere < walls.spheres(); sphere++)
+      for (int q = 0; q < directions; q++)
+        came_before_.emplace_back(walls.links(sphere, q).size(), 0.0);
+  }
 
   /// Per mass of fluid, [spacing/step^2].
   void set_body_force(const Vector& force) { body_force_ = force; }
@@ -98,6 +105,7 @@ class Flow {
     for (int q = 1; q < directions; q++) {
       const Populations::AlongLinks f = populations_.along(q);
       double turned = 0.0;
+      double* before = came_before_[sphere * directions + q].data();
       for (const Link& link : walls_->links(sphere, q)) {
         const double gone = f.gone[link.node];
         double came = gone;
@@ -105,6 +113,8 @@ class Flow {
           const double k = (1.0 - 2.0 * link.distance) / (1.0 + 2.0 * link.distance);
           came += k * (f.behind[link.node] - f.back[link.node]);
         }
+        came = 0.5 * (came + *before);
+        *before++ = came;
         f.came[link.node] = came;
         turned += gone + came;
       }
@@ -119,6 +129,7 @@ class Flow {
   Shared shared_;
   Vector body_force_{};
   Populations populations_;
+  std::vector<std::vector<double>> came_before_;  // by each link, in the last step
   std::vector<Vector> forces_;
   std::vector<Vector> layers_;  // sums over them
 };

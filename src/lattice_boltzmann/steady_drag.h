@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <vector>
@@ -43,7 +44,8 @@ struct SteadyDrag {
 using Told = std::function<void(long, double)>;
 
 /// What is yet to come of a number that is looked at now and then, over it, its changes taken for a
-/// geometric series. [1]
+/// geometric series; the largest of the last looks, since what swings stands still where it turns.
+/// [1]
 class YetToCome {
  public:
   double after(double now) {
@@ -52,12 +54,15 @@ class YetToCome {
     const double rest = std::abs(change / now);
     before_ = last_;
     last_ = now;
+    std::rotate(found_.begin(), found_.begin() + 1, found_.end());
+    found_.back() = shrinks ? rest * std::abs(change / (earlier - change)) : rest;
     if (looks_++ < 3) return 1.0;
-    return shrinks ? rest * std::abs(change / (earlier - change)) : rest;
+    return *std::max_element(found_.begin(), found_.end());
   }
 
  private:
   double before_ = 0.0, last_ = 0.0;
+  std::array<double, 3> found_{};
   int looks_ = 0;
 };
 

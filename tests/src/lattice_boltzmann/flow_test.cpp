@@ -28,12 +28,16 @@ class FlowOnPaper {
     for (int n = 0; n < 504; n++)
       for (int q = 0; q < directions; q++) next[q][n] = now_[q][neighbour(n, opposite(q))];
     held = {};
+    std::size_t cut = 0;
     for (int s = 0; s < walls_.spheres(); s++)
       for (int q = 1; q < directions; q++)
         for (const Link& link : walls_.links(s, q)) {
           const int n = number(link.node), back = opposite(q);
           const double k = (1.0 - 2.0 * link.distance) / (1.0 + 2.0 * link.distance);
-          const double came = now_[q][n] + k * (now_[q][neighbour(n, back)] - now_[back][n]);
+          double came = now_[q][n] + k * (now_[q][neighbour(n, back)] - now_[back][n]);
+          if (cut == before_.size()) before_.push_back(0.0);
+          came = 0.5 * (came + before_[cut]);
+          before_[cut++] = came;
           next[back][n] = came;
           for (int d = 0; d < 3; d++) held[d] += velocity[q][d] * (now_[q][n] + came);
         }
@@ -102,6 +106,7 @@ class FlowOnPaper {
   const Walls& walls_;
   Relaxation relaxation_;
   std::vector<std::vector<double>> now_;
+  std::vector<double> before_;  // what came back by each link
 };
 
 }  // namespace

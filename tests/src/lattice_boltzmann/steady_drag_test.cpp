@@ -75,6 +75,30 @@ TEST(SteadyDrag, InertiaAddsToIt) {
   EXPECT_GT(mean_drag(drag, array, fast) / (1.0 - solid_fraction(array)), 1.005 * creeping);
 }
 
+// Eight spacings to a diameter and a gap of half a spacing: the flow stays where it is steady, to the
+// round-off of its forces, for 20 times as long as it takes to get there.
+TEST(SteadyDrag, CoarseFlowWithInertiaStays) {
+  const Array array = cubic_array(sc, 0.45, 8.0);
+  Course course = slow(0.016, 1e-6);  // Re = 10
+  course.speed = 0.02;
+  course.tolerance = 1e-9;
+  DrivenFlow driven(array, course, one_by_one);
+  const double force = size_of(steady_drag(driven, course).body_force);
+  driven.advance(30000);
+  const SteadyDrag later = driven.measured(100);
+  EXPECT_NEAR(size_of(later.body_force) / force, 1.0, 1e-8);
+  EXPECT_LT(later.balance, 1e-10);
+}
+
+// A number that swings is not at rest where it turns.
+TEST(YetToCome, IsNotZeroWhereASwingTurns) {
+  YetToCome rest;
+  for (int look = 0; look < 40; look++) {
+    const double left = rest.after(1.0 + 0.01 * std::cos(0.5 * look));
+    EXPECT_GT(left, 1e-3) << look;
+  }
+}
+
 // The force found for a speed is the force that gives the speed: to the tolerance of both.
 TEST(SteadyDrag, LeadsToASpeed) {
   const Array array = cubic_array(sc, 0.3, 8.0);
