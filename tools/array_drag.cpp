@@ -75,7 +75,8 @@ Course course_of(const ArrayDragRequest& r, const Array& array, const Vector& di
                 : dense ? 0.0
                         : 1e-7,
                 r.tolerance,
-                r.most_steps};
+                r.most_steps,
+                r.average};
   for (int k = 0; k < 3; k++) course.body_force[k] = 1e-9 * direction[k] / size_of(direction);
   return course;
 }

@@ -69,6 +69,7 @@ class ArrayDragReport {
     updates_ += nodes_ * static_cast<double>(found.steps);
     steps_ += found.steps;
     balance_ = std::max(balance_, found.balance);
+    if (found.swing > 0.0) swings_.add(found.swing);
     reynolds_.add(reynolds(found, array, course));
     mean_.add(mean_drag(found, array, course));
     std::map<double, Sample> sizes;
@@ -116,6 +117,10 @@ class ArrayDragReport {
     print("Re", re);
     print("F", mean_.mean());
     if (mean_.count() > 1) print("F_error", mean_.error());
+    if (swings_.count() > 0) {
+      print("unsteady", static_cast<double>(swings_.count()));
+      print("F_error_of_time", swings_.mean() * mean_.mean());
+    }
     print("K", mean_.mean() / (1.0 - solid_));
     print("error_of_balance", balance_);
     for (const drag::Closure& closure : drag::closures)
@@ -223,7 +228,7 @@ class ArrayDragReport {
   double balance_ = 0.0, drag_unit_ = 0.0;
   long steps_ = 0;
   drag::SizesAround around_{};
-  Sample reynolds_, mean_;
+  Sample swings_, reynolds_, mean_;
   std::map<double, Sample> sizes_, scatter_;  // by diameter
   std::vector<Driven> rows_;
 };

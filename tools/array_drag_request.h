@@ -19,7 +19,7 @@ struct ArrayDragRequest {
   std::vector<int> counts{54};
   std::uint64_t seed = 1;
   int arrays = 1, threads = 0;
-  long most_steps = 200000;
+  long most_steps = 200000, average = 0;
   std::array<double, 3> direction{1.0, 0.0, 0.0};
   bool csv = false, tensor = false;
 
@@ -69,6 +69,10 @@ inline void add_flow_options(CLI::App& app, ArrayDragRequest& r) {
   app.add_option("--tolerance", r.tolerance, "of what is yet to come, when the flow is steady")
       ->check(CLI::Range(1e-12, 1e-2))
       ->capture_default_str();
+  app.add_option("--average", r.average,
+                 "steps: a flow that is not steady by then is measured in the mean of as many more")
+      ->check(CLI::Range(1000l, 100000000l))
+      ->needs(re);
   app.add_option("--most-steps", r.most_steps, "after which a flow that is not steady is given up")
       ->check(CLI::Range(1000l, 100000000l))
       ->capture_default_str();

@@ -7,19 +7,16 @@ picture. Rows that are done are not done again.
 """
 
 import argparse
-import csv
-import json
-import subprocess
 from pathlib import Path
 
 import picture
 from cohesion_studies import expected, program, study_table
-from cohesion_studies.job_pool import Job, RunError, carry_out, digest_of, dies_with_us, require_ours
-from cohesion_studies.tool_program import ToolError, ToolProgram
+from cohesion_studies.drag_run import MARK, ArrayDrag, DragRun, radius_in_cube
+from cohesion_studies.job_pool import RunError, carry_out, require_ours
+from cohesion_studies.tool_program import ToolError
 
 HERE = Path(__file__).resolve().parent
 EXPECTED = HERE / "expected.csv"
-MARK = "settings.json"  # in the folder of a row
 
 KNOWN = {"array": "random", "phi": 0.3, "counts": 54, "sizes": 1, "diameter": 16, "re": 0, "speed": 0.02, "arrays": 1}
 
@@ -30,48 +27,6 @@ PAIRS = {"pair-along": (1, 0, 0), "pair-across": (0, 1, 0)}
 # Zick and Homsy (1982), table 2, simple cubic: K.
 ZICK_HOMSY = {0.008: 1.525, 0.027: 2.008, 0.064: 2.810, 0.125: 4.292, 0.216: 7.442, 0.343: 15.4, 0.45: 28.1,
               0.5236: 42.1}
-
-
-class ArrayDrag(ToolProgram):
-    name = "array-drag"
-
-
-class DragRun(Job):
-    """array-drag with some words, whose result is what it prints."""
-
-    def __init__(self, folder, tool, words, slice_too=False):
-        self.tool, self.words, self.slice_too = tool, list(map(str, words)), slice_too
-        super().__init__(folder, {"words": self.words, "program": digest_of([tool.file])},
-                         readers=digest_of([__file__]))
-
-    def prepare(self):
-        """Files that the words name."""
-
-    def start(self):
-        self.folder.mkdir(parents=True, exist_ok=True)
-        (self.folder / MARK).write_text(json.dumps(self.settings))
-        self.prepare()
-        command = [self.tool.file, *self.words, "--threads", "1", "--csv"]
-        if self.slice_too:
-            command += ["--slice", "slice.csv"]
-        with open(self.folder / "out", "w") as out, open(self.folder / "log", "w") as log:
-            return subprocess.Popen(dies_with_us(command), cwd=self.folder, stdout=out, stderr=log,
-                                    stdin=subprocess.DEVNULL)
-
-    def figures(self):
-        with open(self.folder / "out", newline="") as out:
-            return {row["name"]: float(row["value"]) for row in csv.DictReader(out)}
-
-    def share(self):
-        """From "array-drag: 12 s, flow 3 of 10, ..."."""
-        lines = (self.folder / "log").read_text().splitlines()
-        if not lines:
-            return 0.0
-        flow, flows = lines[-1].split("flow ")[1].split(",")[0].split(" of ")
-        return (int(flow) - 0.5) / int(flows)
-
-    def tail(self):
-        return "\n".join((self.folder / "log").read_text().splitlines()[-5:])
 
 
 class PairRun(DragRun):
@@ -86,14 +41,9 @@ class PairRun(DragRun):
         (self.folder / "spheres").write_text("".join(f"{middle + side} {middle} {middle} 1\n" for side in (-0.5, 0.5)))
 
     def figures(self):
-        """`over_alone`: the drag on one of the two in an unbounded fluid over that of a sphere alone. A body of
-        hydrodynamic radius a in a periodic box of edge L has 1/K = 1 - 2.8373 a/L + phi for K = F/(6 pi mu a U)
-        (H. Hasimoto, J. Fluid Mech. 5 (1959) 317), so that A = a K, which is measured, gives a. What is left out is of
-        the order (a/L)^3."""
+        """`over_alone`: the drag on one of the two in an unbounded fluid over that of a sphere alone."""
         found = super().figures()
-        measured = found["K"] * 2 * 0.5 / PAIR_BOX  # A/L
-        radius = measured * (1 + found["phi"]) / (1 + 2.8373 * measured)
-        return {**found, "over_alone": radius * PAIR_BOX / (2 * 0.5)}
+        return {**found, "over_alone": radius_in_cube(found["K"], 2, PAIR_BOX)}
 
 
 def row_words(row):

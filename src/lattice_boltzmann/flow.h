@@ -32,8 +32,8 @@ inline void one_by_one(int count, const std::function<void(int)>& part) {
 /// delta being the distance to the wall; where x - c_q is in a sphere k = 0. What comes back is the
 /// mean of this and of what came back the step before: nothing else where the flow is steady, and
 /// without it coarse flows with inertia drift away, since the interpolation, whose weights are not
-/// all positive, feeds what goes to and fro from step to step. The force on a sphere is the momentum
-/// that its links turn round (A. J. C. Ladd, J. Fluid Mech. 271 (1994) 285).
+/// all positive, feeds what goes to and fro from step to step. The force on a sphere is the
+/// momentum that its links turn round (A. J. C. Ladd, J. Fluid Mech. 271 (1994) 285).
 ///
 /// What is computed does not depend on how the work is shared, to the last bit.
 class Flow {

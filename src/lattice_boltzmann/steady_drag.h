@@ -29,15 +29,19 @@ struct Course {
                             ///< [spacing/step]; 0: the force is as given
   double tolerance = 1e-6;  ///< of the velocity, or the force, that is yet to come, over it, [1]
   long most_steps = 1000000;
+  long average = 0;  ///< of a flow that is not steady after so many steps the mean of as many more
+                     ///< is taken; 0: it is an error not to be steady
 };
 
-/// What a steady flow through an array of fixed spheres gives.
+/// What a steady flow through an array of fixed spheres gives, or the mean of one that swings.
 struct SteadyDrag {
   Vector superficial;          ///< [spacing/step]
   Vector body_force;           ///< [spacing/step^2]
   std::vector<Vector> forces;  ///< on each sphere by its surface, F_total less V_p g: its drag
   double balance;              ///< error of their sum against the force on the fluid nodes, [1]
   long steps;
+  double swing = 0.0;  ///< of a flow that is not steady: standard error of the body force over it,
+                       ///< by tenths of the time of the mean, [1]
 };
 
 /// Told between looks at the flow: steps done, and the change that is yet to come, [1].
@@ -146,21 +150,58 @@ class DrivenFlow {
   Vector along_{};
 };
 
+/// Throws InvalidParameter where a flow has blown up.
+inline void require_finite(double speed) {
+  require(std::isfinite(speed), "velocity", speed,
+          "the flow is unstable: take a smaller body force or speed, or more spacings to a "
+          "diameter");
+}
+
+/// Means over so many steps, and how sure they are.
+inline SteadyDrag average_drag(DrivenFlow& driven, long steps, const Told& told) {
+  const int parts = 10, each = static_cast<int>(steps / parts);
+  SteadyDrag mean = driven.measured(each);
+  std::vector<double> forces{size_of(mean.body_force)};
+  for (int part = 1; part < parts; part++) {
+    if (told) told(each * part, 1.0);
+    const SteadyDrag next = driven.measured(each);
+    forces.push_back(size_of(next.body_force));
+    const double share = 1.0 / (part + 1);
+    const auto take = [share](Vector& a, const Vector& b) {
+      for (int k = 0; k < 3; k++) a[k] += share * (b[k] - a[k]);
+    };
+    take(mean.superficial, next.superficial);
+    take(mean.body_force, next.body_force);
+    for (std::size_t s = 0; s < mean.forces.size(); s++) take(mean.forces[s], next.forces[s]);
+    mean.balance = std::max(mean.balance, next.balance);
+  }
+  const double middle = size_of(mean.body_force);
+  double squares = 0.0;
+  for (const double force : forces) squares += std::pow(force / middle - 1.0, 2);
+  mean.swing = std::sqrt(squares / (parts - 1) / parts);
+  return mean;
+}
+
 /// Runs a flow until what is yet to come of its velocity, or of the force that keeps it, is below
-/// the tolerance. Throws InvalidParameter when it is not within the steps given, or blows up.
+/// the tolerance; where an average is asked for and it is not within those steps, the mean of as
+/// many more. Throws InvalidParameter when it is not steady within the steps given, or blows up.
 inline SteadyDrag steady_drag(DrivenFlow& driven, const Course& course, const Told& told = {}) {
   const int interval = 100;
   YetToCome rest;
   long steps = 0;
   for (double left = 1.0; left > course.tolerance;) {
+    if (course.average > 0 && steps >= course.average) {
+      SteadyDrag found = average_drag(driven, course.average, told);
+      found.steps = steps + course.average;
+      require_finite(found.balance);
+      return found;
+    }
     require(steps < course.most_steps, "largest number of steps", course.most_steps,
-            "the flow is not steady by then: allow more, or a larger tolerance");
+            "the flow is not steady by then: allow more, a larger tolerance, or an average");
     driven.advance(interval);
     steps += interval;
     const double speed = driven.speed();
-    require(std::isfinite(speed), "velocity", speed,
-            "the flow is unstable: take a smaller body force or speed, or more spacings to a "
-            "diameter");
+    require_finite(speed);
     left = rest.after(course.speed > 0.0 ? driven.force() : speed);
     if (course.speed > 0.0) left = std::max(left, std::abs(speed / course.speed - 1.0));
     if (told) told(steps, left);

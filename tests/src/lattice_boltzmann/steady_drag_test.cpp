@@ -75,8 +75,8 @@ TEST(SteadyDrag, InertiaAddsToIt) {
   EXPECT_GT(mean_drag(drag, array, fast) / (1.0 - solid_fraction(array)), 1.005 * creeping);
 }
 
-// Eight spacings to a diameter and a gap of half a spacing: the flow stays where it is steady, to the
-// round-off of its forces, for 20 times as long as it takes to get there.
+// Eight spacings to a diameter and a gap of half a spacing: the flow stays where it is steady, to
+// the round-off of its forces, for 20 times as long as it takes to get there.
 TEST(SteadyDrag, CoarseFlowWithInertiaStays) {
   const Array array = cubic_array(sc, 0.45, 8.0);
   Course course = slow(0.016, 1e-6);  // Re = 10
@@ -110,6 +110,23 @@ TEST(SteadyDrag, LeadsToASpeed) {
   Course driven = slow(0.05, drag.body_force[0]);
   driven.tolerance = 1e-5;
   EXPECT_NEAR(steady_drag(array, driven).superficial[0] / 0.01, 1.0, 4e-5);
+}
+
+// The mean of a steady flow is what it is: a flow taken for one that swings, since its tolerance is
+// never met, has the drag of the steady one to what is left after 4000 steps, some 1e-9.
+TEST(SteadyDrag, AverageOfASteadyFlowIsItsDrag) {
+  const Array array = cubic_array(sc, 0.3, 8.0);
+  Course course = slow(0.05, 1e-7);
+  course.speed = 0.01;
+  const SteadyDrag steady = steady_drag(array, course);
+  course.tolerance = 0.0;
+  course.average = 4000;
+  const SteadyDrag mean = steady_drag(array, course);
+  EXPECT_NEAR(mean_drag(mean, array, course) / mean_drag(steady, array, course), 1.0, 1e-7);
+  EXPECT_EQ(mean.steps, 8000);
+  EXPECT_LT(mean.swing, 1e-7);
+  for (std::size_t s = 0; s < array.spheres.size(); s++)
+    EXPECT_NEAR(drag_on(mean, array, course, s) / drag_on(steady, array, course, s), 1.0, 1e-7);
 }
 
 TEST(SteadyDrag, WhatCannotBeIsRefused) {
