@@ -43,7 +43,7 @@ class PairRun(DragRun):
     def figures(self):
         """`over_alone`: the drag on one of the two in an unbounded fluid over that of a sphere alone."""
         found = super().figures()
-        return {**found, "over_alone": radius_in_cube(found["K"], 2, PAIR_BOX)}
+        return {**found, "over_alone": radius_in_cube(found["K"], 2, PAIR_BOX) / 2}
 
 
 def row_words(row):
