@@ -11,7 +11,7 @@ from pathlib import Path
 
 import picture
 from cohesion_studies import expected, program, study_table
-from cohesion_studies.drag_run import MARK, ArrayDrag, DragRun, radius_in_cube
+from cohesion_studies.drag_run import MARK, OFF_NODES, ArrayDrag, DragRun, radius_in_cube
 from cohesion_studies.job_pool import RunError, carry_out, require_ours
 from cohesion_studies.tool_program import ToolError
 
@@ -37,8 +37,8 @@ class PairRun(DragRun):
                                         "--direction", *direction])
 
     def prepare(self):
-        middle = PAIR_BOX / 2
-        (self.folder / "spheres").write_text("".join(f"{middle + side} {middle} {middle} 1\n" for side in (-0.5, 0.5)))
+        x, y, z = PAIR_BOX / 2 + OFF_NODES / PAIR_DIAMETER
+        (self.folder / "spheres").write_text("".join(f"{x + side} {y} {z} 1\n" for side in (-0.5, 0.5)))
 
     def figures(self):
         """`over_alone`: the drag on one of the two in an unbounded fluid over that of a sphere alone."""

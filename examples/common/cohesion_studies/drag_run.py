@@ -5,10 +5,16 @@ import csv
 import json
 import subprocess
 
+import numpy as np
+from scipy.optimize import brentq
+
 from cohesion_studies.job_pool import Job, digest_of, dies_with_us
 from cohesion_studies.tool_program import ToolProgram
 
 MARK = "settings.json"  # in the folder of a run
+
+# Centre of a body from a node, [spacings]: a sphere whose surface passes through nodes is smaller for the flow.
+OFF_NODES = np.array([0.31, 0.17, 0.43])
 
 
 def radius_in_cube(drag, spheres, edge):
@@ -18,10 +24,10 @@ def radius_in_cube(drag, spheres, edge):
     (H. Hasimoto, J. Fluid Mech. 5 (1959) 317), and R K_R is what is measured. What is left out is of the order (R/L)^6
     of a sphere, and for other bodies (R/L)^3 times what sets them apart from one."""
     measured = drag * spheres * 0.5 / edge  # R K_R/L
-    radius = measured
-    for _ in range(100):
-        radius = measured * (1 - 2.8373 * radius + 4.18879 * radius**3)
-    return radius * edge / 0.5
+
+    def off(radius):
+        return radius - measured * (1 - 2.8373 * radius + 4.18879 * radius**3)
+    return brentq(off, 0, 0.4) * edge / 0.5
 
 
 class ArrayDrag(ToolProgram):
