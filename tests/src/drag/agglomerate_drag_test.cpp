@@ -71,15 +71,13 @@ TEST(AgglomerateDrag, APairIsAsOnPaper) {
   EXPECT_NEAR(pair.gyration, a, 1e-18);
   EXPECT_NEAR(EquivalentSphere::hydrodynamic_radius(pair, a), 1.414213562373095 * a, 1e-17);
   EXPECT_NEAR(EquivalentSphere::taken_up(pair, a, 0.8), 0.1 * 4.354648431614540, 1e-15);
-  // Beetstra without inertia, 10 phi/eps^2 + eps^2 (1 + 1.5 phi^(1/2)) of F_drag, at eps = 0.8 and
-  // 0.5645351568: F_drag = 4.194328 and 14.29757, F_total = F_drag/eps = 5.242910 and 25.32627.
-  // f = 25.32627 2^(1/2)/(2 5.242910) = 3.415735, so 1; at eps = 0.95 and 0.8911337892: 1.759265
-  // and 2.558092 of F_drag, 1.851858 and 2.870604 of F_total, f = 1.096110.
-  // At eps = 0.99: 1.227220 and 1.471094, 1.239616 and 1.504007, f = 0.8579232.
+  // Beetstra without inertia, F_drag = 10 phi/eps^2 + eps^2 (1 + 1.5 phi^(1/2)), over eps:
+  // 1.2415610 at eps = 0.99, 1.4273411 at eps_h = 0.97822676, f = 1.4273411 2^(1/2)/(2 1.2415610).
+  // At 0.95 it is 1.096, and 3.416 at 0.8: around is not less there.
   const double slow = 1e-9;
   EXPECT_EQ(factor(law("beetstra"), pair, 0.8, slow), 1.0);
   EXPECT_EQ(factor(law("beetstra"), pair, 0.95, slow), 1.0);
-  EXPECT_NEAR(factor(law("beetstra"), pair, 0.99, slow), 0.8579232, 1e-7);
+  EXPECT_NEAR(factor(law("beetstra"), pair, 0.99, slow), 0.8129142, 1e-7);
 }
 
 // Stokes' drag of one sphere of R_h over that of N spheres.
@@ -134,34 +132,38 @@ TEST(AgglomerateDrag, WhereThereIsNoWayAroundItIsTheClosures) {
     }
 }
 
+// With inertia it need not rise: the agglomerates' is the larger, and crowding adds less to it.
 TEST(AgglomerateDrag, RisesWithTheSolidFractionToOneWithoutAJump) {
   for (const char* name : {"diFelice", "beetstra", "tang"})
     for (const double slip : {0.0, 0.1}) {
       const DragLaw of = law(name);
       const InAgglomerate in = ball(14);
-      double last = 0.0;
+      double last = factor(of, in, 1.0, slip);
       for (double phi = 1e-4; phi < 0.52; phi += 1e-4) {
         const double f = factor(of, in, 1 - phi, slip);
-        EXPECT_GE(f, last) << name << ' ' << phi;
+        if (slip == 0.0) {
+          EXPECT_GE(f, last) << name << ' ' << phi;
+        }
         EXPECT_LE(f, 1.0);
         // The steepest is the way around as it closes, F ~ (1 - c phi)^-n with n up to 5 and c < 2,
         // of which f has passed 1 while phi_h is below 0.95: n c/(1 - 0.95) a part of f.
-        EXPECT_LE(f - last, last > 0.0 ? 5 * 2 / 0.05 * 1e-4 : 1.0) << name << ' ' << phi;
+        EXPECT_LE(f - last, 5 * 2 / 0.05 * 1e-4) << name << ' ' << phi;
         last = f;
       }
       EXPECT_EQ(last, 1.0) << name;
     }
 }
 
-TEST(AgglomerateDrag, FallsWithTheNumber) {
-  for (const Closure& closure : closures) {
-    double last = 1.0;
-    for (const double number : {2.0, 4.0, 16.0, 64.0}) {
-      const double f = factor(DragLaw(closure), chain(number), 1 - 1e-6, 1e-3);
-      EXPECT_LT(f, last) << closure.name << ' ' << number;
-      last = f;
+TEST(AgglomerateDrag, ItIsTheLessTheLargerABallIs) {
+  for (const Closure& closure : closures)
+    for (const double slip : {0.0, 1e-2}) {
+      double last = 1.0;
+      for (const double across : {2.0, 4.0, 8.0, 16.0}) {
+        const double f = factor(DragLaw(closure), ball(across), 1 - 1e-6, slip);
+        EXPECT_LT(f, last) << closure.name << ' ' << across;
+        last = f;
+      }
     }
-  }
 }
 
 // kappa R_g^2 of a chain is below (N a)^2 with the kappa there is; one wider than its number allows
