@@ -239,13 +239,15 @@ class LammpsFamilyEngine : public DemEngine {
     for (int k = 0; k < modify->nfix; k++) {
       if (std::string(modify->fix[k]->style) != "agglomerates") continue;
       if (found)
-        throw DemEngineError("the script '" + script_ + "' has two fixes agglomerates, " +
-                             found->id + " and " + modify->fix[k]->id +
-                             ", and the drag of agglomerates is that of the one there is: keep one");
+        throw DemEngineError(
+            "the script '" + script_ + "' has two fixes agglomerates, " + found->id + " and " +
+            modify->fix[k]->id +
+            ", and the drag of agglomerates is that of the one there is: keep one");
       found = modify->fix[k];
     }
     if (!found)
-      throw DemEngineError("the script '" + script_ + "' has no fix agglomerates, which says what " +
+      throw DemEngineError("the script '" + script_ +
+                           "' has no fix agglomerates, which says what " +
                            "particles are bound to each other; add 'fix sets all agglomerates " +
                            "1000', and a pair style of this package that binds them, or take " +
                            "agglomerateDrag none");
