@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Gas blown through agglomerates that keep their places: the pressure drop, and the force on each of their spheres, are
 those of the law on paper, with every closure, in both forms, on 1 and 2 ranks; a packed bed, and what is bound to its
-own image, are as without the law. And agglomerates that move: what the gas lost is what the particles felt, and they are
-found as they are then."""
+own image, are as without the law. And agglomerates that move: what the gas lost is what the particles felt, they are
+found as they are then, and when a run is continued."""
 
 import re
 import unittest
 
 import numpy as np
 
-from cohesion_tests.coupling.cases import (COUPLING, ENGINE, ENGINES, append, edit, exchange_lines, make_periodic,
-                                           script_file, use_script)
+from cohesion_tests.coupling.cases import (CONTROL, COUPLING, ENGINE, ENGINES, append, edit, exchange_lines,
+                                           make_periodic, script_file, use_script)
 from cohesion_tests.coupling.fields import numbers
 from cohesion_tests.coupling.held_layers import (CELL, DT, G, HEIGHT, MU, RHO, ROW, STEPS, SUPERFICIAL, blow, drop,
                                                 drop_error, flux_limit, viscous)
@@ -178,7 +178,8 @@ class Agglomerates(CoupledTestCase):
     def test_two_fixes_are_refused(self):
         case = self.column("two")
         use_script(case, "cohesive")
-        edit(case, script_file("cohesive"), "fix gas ", "fix one all agglomerates 10\nfix two all agglomerates 1\nfix gas ")
+        edit(case, script_file("cohesive"), "fix gas ",
+             "fix one all agglomerates 10\nfix two all agglomerates 1\nfix gas ")
         self.start(case)
         self.refused("two fixes agglomerates", case, "has two fixes agglomerates, one and two", "keep one")
 
@@ -205,6 +206,30 @@ class Agglomerates(CoupledTestCase):
                                  0 <= float(bound[0]) < 100 < float(bound[-2]))
             self.expect_equal(f"{ranks} ranks: found when they are asked for, and in each step",
                               found[100000], found[1])
+
+    @unittest.skipIf(ENGINE != ENGINES[0], "how scripts continue is tested with both engines in restart.py")
+    def test_continued(self):
+        """A run that is continued in the middle has the agglomerates of one that was not stopped."""
+        found = {}
+        for stops in ((0.01,), (0.005, 0.01)):
+            case = self.column(f"continued_{len(stops)}")
+            use_script(case, "sticking")
+            case.set("system/fvSolution", 'solvers/"p.*"/tolerance', 1e-13)
+            append(case, CONTROL, "startFrom latestTime; writeInterval 0.005; writePrecision 17;")
+            self.start(case)
+            log = ""
+            for end in stops:
+                case.set(CONTROL, "endTime", end)
+                log += case.solve()
+            found[len(stops)] = ([line[0] for line in re.findall(r"(Agglomerates: bound .*)()", log)],
+                                 np.array([line["drag"] for line in exchange_lines(log)]))
+        (counts, drag), (continued, again) = found[1], found[2]
+        self.expect_equal("steps", len(drag), 100)
+        self.expect_equal("agglomerates of all steps", continued, counts)
+        # Nothing is lost of the particles; what the solver of p leaves, 1e-13, may grow by collisions in 50 steps. One
+        # sphere of 1000 whose factor is another, by 0.1 or so, makes 1e-4 of the drag.
+        off = np.abs(again - drag).max() / np.abs(drag).max()
+        self.expect_below("difference of the drag, over the drag", off, 1e-6)
 
 
 if __name__ == "__main__":
