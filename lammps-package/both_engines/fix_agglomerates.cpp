@@ -26,11 +26,12 @@ FixAgglomerates::FixAgglomerates(LAMMPS* lammps, int narg, char** arg)
     : engine_api::StyleFix(lammps, narg, arg),
       label(nullptr),
       position(nullptr),
-      id_and_size(nullptr),
+      of_each(nullptr),
       since(nullptr),
       held_only(false),
       distribution(20),
       last_step(-1),
+      last_look(-1),
       number(0.0),
       particles(0.0),
       largest(0.0),
@@ -48,7 +49,7 @@ FixAgglomerates::FixAgglomerates(LAMMPS* lammps, int narg, char** arg)
   size_vector = 8;
   size_array_rows = static_cast<int>(distribution.current().size());
   size_array_cols = 2;
-  size_peratom_cols = 2;
+  size_peratom_cols = 3;
   global_freq = peratom_freq = nevery;
   extscalar = extvector = extarray = 0;
   restart_global = restart_peratom = 1;
@@ -85,7 +86,7 @@ FixAgglomerates::~FixAgglomerates() {
   atom->delete_callback(id, engine_api::RESTART);
   memory->destroy(label);
   memory->destroy(position);
-  memory->destroy(id_and_size);
+  memory->destroy(of_each);
   memory->destroy(since);
 }
 
@@ -106,7 +107,7 @@ void FixAgglomerates::post_neighbor() {
 void FixAgglomerates::setup(int) {
   find_agglomerates(0.0);
   if (last_step >= 0) return;
-  for (int i = 0; i < atom->nlocal; i++) since[i] = Membership::at_first(id_and_size[i][1] > 1.0);
+  for (int i = 0; i < atom->nlocal; i++) since[i] = Membership::at_first(of_each[i][1] > 1.0);
   last_step = update->ntimestep;
 }
 
@@ -129,10 +130,11 @@ void FixAgglomerates::find_agglomerates(double elapsed) {
     const int mine = propagate_labels();
     MPI_Allreduce(&mine, &changed, 1, MPI_INT, MPI_MAX, world);
   }
-  std::vector<double> sizes;
-  const std::vector<Fragment> whole = merge_across_ranks(world, own_fragments(), sizes);
-  store_sizes(sizes);
+  std::vector<Extent> extents;
+  const std::vector<Fragment> whole = merge_across_ranks(world, own_fragments(), extents);
+  store_extents(extents);
   compute_statistics(whole, elapsed);
+  last_look = update->ntimestep;
 }
 
 /// Joins the bound pairs that this rank has; each set has the smallest label of its own particles.
@@ -210,15 +212,17 @@ std::vector<Fragment> FixAgglomerates::own_fragments() {
   return fragments;
 }
 
-void FixAgglomerates::store_sizes(const std::vector<double>& sizes) {
+void FixAgglomerates::store_extents(const std::vector<Extent>& extents) {
   for (int i = 0; i < atom->nlocal; i++) {
-    id_and_size[i][0] = 0.0;
-    id_and_size[i][1] = atom->mask[i] & groupbit ? 1.0 : 0.0;
+    of_each[i][0] = of_each[i][2] = 0.0;
+    of_each[i][1] = atom->mask[i] & groupbit ? 1.0 : 0.0;
   }
   for (const int i : bound) {
     if (i >= atom->nlocal) break;
-    id_and_size[i][0] = label[i];
-    id_and_size[i][1] = sizes[set_fragment[sets.root(i)]];
+    of_each[i][0] = label[i];
+    const Extent& whole = extents[set_fragment[sets.root(i)]];
+    of_each[i][1] = whole.count;
+    of_each[i][2] = whole.gyration;
   }
 }
 
@@ -244,7 +248,7 @@ void FixAgglomerates::compute_statistics(const std::vector<Fragment>& whole, dou
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
     sums[GROUP] += 1.0;
-    if (id_and_size[i][1] == 1.0) distribution.add(1.0);
+    if (of_each[i][1] == 1.0) distribution.add(1.0);
   }
   std::copy(distribution.current().begin(), distribution.current().end(), sums.begin() + SIZES);
   MPI_Allreduce(MPI_IN_PLACE, sums.data(), static_cast<int>(sums.size()), MPI_DOUBLE, MPI_SUM,
@@ -264,7 +268,7 @@ void FixAgglomerates::compute_statistics(const std::vector<Fragment>& whole, dou
 void FixAgglomerates::add_durations() {
   double mine[2] = {}, all[2];
   for (int i = 0; i < atom->nlocal; i++) {
-    const double duration = since[i].update(id_and_size[i][1] > 1.0, totals.time);
+    const double duration = since[i].update(of_each[i][1] > 1.0, totals.time);
     if (duration < 0.0) continue;
     mine[0] += duration;
     mine[1] += 1.0;
@@ -301,6 +305,15 @@ double FixAgglomerates::compute_array(int row, int column) {
   return totals.time > 0.0 ? distribution.sums()[row] / totals.time : distribution.current()[row];
 }
 
+/// "agglomerates": double** [atoms], the per-atom array of this step, looked for where it is of
+/// another; all ranks ask, between two runs. It adds nothing to what is summed over time.
+void* FixAgglomerates::extract(const char* name, int& dimension) {
+  dimension = 2;
+  if (std::string(name) != "agglomerates") return nullptr;
+  if (last_look != update->ntimestep) find_agglomerates(0.0);
+  return of_each;
+}
+
 /* ---------------------------------------------------------------------- */
 
 int FixAgglomerates::pack_forward_comm(int n, int* list, double* buf, int, int*) {
@@ -321,16 +334,16 @@ void FixAgglomerates::unpack_forward_comm(int n, int first, double* buf) {
 void FixAgglomerates::grow_arrays(int nmax) {
   memory->grow(label, nmax, "agglomerates:label");
   memory->grow(position, nmax, 3, "agglomerates:position");
-  memory->grow(id_and_size, nmax, 2, "agglomerates:id_and_size");
+  memory->grow(of_each, nmax, 3, "agglomerates:of_each");
   memory->grow(since, nmax, "agglomerates:since");
-  array_atom = id_and_size;
+  array_atom = of_each;
 }
 
 void FixAgglomerates::copy_arrays(int i, int j, int) { since[j] = since[i]; }
 
 void FixAgglomerates::set_arrays(int i) {
   since[i] = {};
-  id_and_size[i][0] = id_and_size[i][1] = 0.0;
+  std::fill_n(of_each[i], 3, 0.0);
 }
 
 int FixAgglomerates::pack_exchange(int i, double* buf) {
@@ -381,4 +394,4 @@ void FixAgglomerates::unpack_restart(int i, int nth) {
   since[i].since = values[m + 1];
 }
 
-double FixAgglomerates::memory_usage() { return 7.0 * sizeof(double) * atom->nmax; }
+double FixAgglomerates::memory_usage() { return 8.0 * sizeof(double) * atom->nmax; }

@@ -41,6 +41,7 @@ class FixAgglomerates : public engine_api::StyleFix, public BoundPairsReader {
   double compute_scalar() override { return compute_vector(0); }
   double compute_vector(int) override;
   double compute_array(int, int) override;
+  void* extract(const char*, int&) override;
 
   int pack_forward_comm(int, int*, double*, int, int*) override;
   void unpack_forward_comm(int, int, double*) override;
@@ -63,7 +64,7 @@ class FixAgglomerates : public engine_api::StyleFix, public BoundPairsReader {
   void join_bound_pairs();
   bool propagate_labels();
   std::vector<cohesion::agglomerates::Fragment> own_fragments();
-  void store_sizes(const std::vector<double>&);
+  void store_extents(const std::vector<cohesion::agglomerates::Extent>&);
   void compute_statistics(const std::vector<cohesion::agglomerates::Fragment>&, double elapsed);
   void add_durations();
 
@@ -78,7 +79,7 @@ class FixAgglomerates : public engine_api::StyleFix, public BoundPairsReader {
 
   double* label;                              // per atom and ghost
   double** position;                          // per atom and ghost: unfolded
-  double** id_and_size;                       // per atom
+  double** of_each;                           // per atom: agglomerate, its size, radius of gyration
   cohesion::agglomerates::Membership* since;  // per atom
 
   bool held_only;  // partners are pairs that would not part by themselves
@@ -89,6 +90,7 @@ class FixAgglomerates : public engine_api::StyleFix, public BoundPairsReader {
     double durations = 0.0, finished = 0.0;
   } totals;
   bigint last_step;  // the last sample; -1: none yet
+  bigint last_look;  // the step for which particles know their agglomerate
   double number, particles, largest, group_size, gyration, unfolded, wrapping;
 };
 

@@ -9,11 +9,19 @@ using namespace LAMMPS_NS;
 using namespace cohesion::agglomerates;
 
 static constexpr int FRAGMENT = sizeof(Fragment) / sizeof(double);
-static_assert(FRAGMENT == 7, "fragments are sent as plain numbers");
+static constexpr int EXTENT = sizeof(Extent) / sizeof(double);
+static_assert(FRAGMENT == 7 && EXTENT == 2, "fragments and extents are sent as plain numbers");
+
+static MPI_Datatype numbers(int count) {
+  MPI_Datatype row;
+  MPI_Type_contiguous(count, MPI_DOUBLE, &row);
+  MPI_Type_commit(&row);
+  return row;
+}
 
 std::vector<Fragment> LAMMPS_NS::merge_across_ranks(MPI_Comm world,
                                                     const std::vector<Fragment>& mine,
-                                                    std::vector<double>& sizes) {
+                                                    std::vector<Extent>& extents) {
   int ranks;
   MPI_Comm_size(world, &ranks);
   const auto home = [ranks](const Fragment& p) {
@@ -32,23 +40,21 @@ std::vector<Fragment> LAMMPS_NS::merge_across_ranks(MPI_Comm world,
     where.push_back(next[home(p)]++);
     outgoing[where.back()] = p;
   }
-  MPI_Datatype fragment;
-  MPI_Type_contiguous(FRAGMENT, MPI_DOUBLE, &fragment);
-  MPI_Type_commit(&fragment);
+  MPI_Datatype fragment = numbers(FRAGMENT), of_whole = numbers(EXTENT);
   MPI_Alltoallv(outgoing.data(), send.data(), send_at.data(), fragment, incoming.data(),
                 receive.data(), receive_at.data(), fragment, world);
   MPI_Type_free(&fragment);
 
   const std::vector<Fragment> whole = merge_fragments(incoming);
-  std::vector<double> merged_sizes, returned(mine.size());
+  std::vector<Extent> merged, returned(mine.size());
   for (const Fragment& p : incoming)
-    merged_sizes.push_back(
-        std::lower_bound(whole.begin(), whole.end(), p.label, [](const Fragment& a, double b) {
-          return a.label < b;
-        })->count);
-  MPI_Alltoallv(merged_sizes.data(), receive.data(), receive_at.data(), MPI_DOUBLE, returned.data(),
-                send.data(), send_at.data(), MPI_DOUBLE, world);
-  sizes.clear();
-  for (const int k : where) sizes.push_back(returned[k]);
+    merged.push_back(
+        extent(*std::lower_bound(whole.begin(), whole.end(), p.label,
+                                 [](const Fragment& a, double b) { return a.label < b; })));
+  MPI_Alltoallv(merged.data(), receive.data(), receive_at.data(), of_whole, returned.data(),
+                send.data(), send_at.data(), of_whole, world);
+  MPI_Type_free(&of_whole);
+  extents.clear();
+  for (const int k : where) extents.push_back(returned[k]);
   return whole;
 }

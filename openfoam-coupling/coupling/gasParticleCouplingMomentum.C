@@ -43,6 +43,10 @@ void Foam::gasParticleCoupling::setCoefficients(const volVectorField& U)
     {
         sizesAt_.set(engineView(particles.radius, particles.count), mesh_.V(), averaging_);
     }
+    if (bound_.on())
+    {
+        bound_.look(*engine_);
+    }
     monitor_.startStep(step_->subSteps());
     const bool transmits = hasLastGradient_ && !form_.gas_takes_all;
     coefficient_.setSize(particles.count);
@@ -55,7 +59,8 @@ void Foam::gasParticleCoupling::setCoefficients(const volVectorField& U)
         const scalar radius = particles.radius[i];
         const scalar mass = particles.mass[i];
         const particleDrag::Sphere sphere{voidFraction, slip, radius, rho[i]};
-        const auto [b, reynolds] = mixes ? drag_(sphere, form_, sizesAt_.around(i)) : drag_(sphere, form_);
+        const auto [single, reynolds] = mixes ? drag_(sphere, form_, sizesAt_.around(i)) : drag_(sphere, form_);
+        const scalar b = bound_.on() ? bound_.factor(i, sphere)*single : single;
         coefficient_[i] = b;
         sourceCoefficient_[i] = drag::source_coefficient(b, mass, dt, response_.free);
         transmittedVolume_[i] =
@@ -63,6 +68,10 @@ void Foam::gasParticleCoupling::setCoefficients(const volVectorField& U)
         monitor_.add({position[i], voidFraction, reynolds, b, radius, mass, rho[i]});
     }
     monitor_.endStep(particles.count);
+    if (bound_.on())
+    {
+        bound_.endStep();
+    }
 }
 
 

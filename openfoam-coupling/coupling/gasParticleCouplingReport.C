@@ -106,6 +106,7 @@ void Foam::gasParticleCoupling::report(const scalar total) const
 {
     turnover_.report(*engine_);
     monitor_.report();
+    bound_.report();
     if (Pstream::parRun())
     {
         averaging_.exchange().traffic().report();

@@ -59,6 +59,7 @@ Foam::gasParticleCoupling::gasParticleCoupling
     g_(g),
     form_(selectRow(dict_, "form", drag::model_forms, "A")),
     drag_(dict_, requirePositive(dict_, "viscosity of the gas", mu)),
+    bound_(dict_, drag_),
     response_(selectRow(dict_, "response", drag::responses, "held")),
     gasAt_(dict_),
     minVoidFraction_(dict_.found("minVoidFraction") ? readPositive(dict_, "minVoidFraction") : 0.2),
@@ -120,6 +121,10 @@ Foam::gasParticleCoupling::gasParticleCoupling
     requireReadState();
     coupledParticles_ = std::make_unique<coupledParticles>(mesh_, *engine_, g_, density_, depthRatio_);
     reportParticles(*coupledParticles_, rho_, drag_.mixture(), drag_.parcels());
+    if (bound_.on())
+    {
+        startBound();
+    }
     step_ = std::make_unique<gasStep>(time, engine_->time_step());
 
     if (!continued())
@@ -212,6 +217,19 @@ void Foam::gasParticleCoupling::makeEngine()
         Info<< "Particle engine " << name << " runs " << settings.script.c_str() << ", log in "
             << settings.log.c_str() << endl;
         engine_.reset(coupling::load_dem_engine(library)(settings));
+    }
+    catch (const std::exception& error)
+    {
+        FatalIOErrorInFunction(dict_) << error.what() << exit(FatalIOError);
+    }
+}
+
+
+void Foam::gasParticleCoupling::startBound()
+{
+    try
+    {
+        bound_.start(*engine_);
     }
     catch (const std::exception& error)
     {

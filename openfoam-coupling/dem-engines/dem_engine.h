@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "drag/agglomerate_drag.h"
 #include "drag/gas_on_particle.h"
 
 /// What the coupling needs of a particle engine, in terms of neither the engine nor OpenFOAM.
@@ -74,6 +75,11 @@ class DemEngine {
   /// The gas on each particle, filled in by the coupling and kept by the engine until the next.
   virtual drag::GasOnParticle* gas() = 0;
 
+  /// The agglomerate of each particle as it is now, by the script's fix agglomerates; looked for
+  /// when it is asked for. All ranks ask. Throws DemEngineError, on all ranks, where the script has
+  /// no such fix, or several.
+  virtual const drag::InAgglomerate* agglomerates() = 0;
+
   /// Advances by `steps` of its own steps, gas forces included. With a file named, the state at the
   /// end is also written there, what gas() holds included. Throws DemEngineError, on all ranks.
   virtual void advance(int steps, const std::string& restart = "") = 0;
@@ -98,7 +104,7 @@ class DemEngine {
 };
 
 /// Every engine library exports these two with C linkage; the number changes with this header.
-inline constexpr int dem_engine_interface = 4;
+inline constexpr int dem_engine_interface = 5;
 using DemEngineInterface = int (*)();
 using MakeDemEngine = DemEngine* (*)(const DemEngineSettings&);
 inline constexpr const char* dem_engine_interface_symbol = "cohesion_dem_engine_interface";

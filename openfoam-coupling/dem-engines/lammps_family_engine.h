@@ -45,6 +45,7 @@ class LammpsFamilyEngine : public DemEngine {
   LammpsFamilyEngine(const DemEngineSettings& settings, const ScriptWords& words)
       : words_(words),
         communicator_(settings.communicator),
+        script_(settings.script),
         log_(settings.log),
         folder_(settings.folder),
         on_message_(
@@ -72,6 +73,15 @@ class LammpsFamilyEngine : public DemEngine {
   drag::GasOnParticle* gas() override {
     auto** const all = static_cast<double**>(extract("gas"));
     return all ? reinterpret_cast<drag::GasOnParticle*>(all[0]) : nullptr;
+  }
+
+  const drag::InAgglomerate* agglomerates() override {
+    double** all = nullptr;
+    work([&] {
+      int dimension = 0;
+      all = static_cast<double**>(only_fix_agglomerates()->extract("agglomerates", dimension));
+    });
+    return all ? reinterpret_cast<drag::InAgglomerate*>(all[0]) : nullptr;
   }
 
   void advance(int steps, const std::string& restart) override {
@@ -222,6 +232,28 @@ class LammpsFamilyEngine : public DemEngine {
                            "gas/coupling behind");
   }
 
+  /// Throws DemEngineError where there is none, or several.
+  LAMMPS_NS::Fix* only_fix_agglomerates() {
+    const auto* modify = lammps_->modify;
+    LAMMPS_NS::Fix* found = nullptr;
+    for (int k = 0; k < modify->nfix; k++) {
+      if (std::string(modify->fix[k]->style) != "agglomerates") continue;
+      if (found)
+        throw DemEngineError(
+            "the script '" + script_ + "' has two fixes agglomerates, " + found->id + " and " +
+            modify->fix[k]->id +
+            ", and the drag of agglomerates is that of the one there is: keep one");
+      found = modify->fix[k];
+    }
+    if (!found)
+      throw DemEngineError("the script '" + script_ +
+                           "' has no fix agglomerates, which says what " +
+                           "particles are bound to each other; add 'fix sets all agglomerates " +
+                           "1000', and a pair style of this package that binds them, or take " +
+                           "agglomerateDrag none");
+    return found;
+  }
+
   void command(const std::string& line) { lammps_->input->one(line.c_str()); }
 
   void* extract(const char* name) {
@@ -233,6 +265,7 @@ class LammpsFamilyEngine : public DemEngine {
 
   const ScriptWords words_;
   const MPI_Comm communicator_;
+  const std::string script_;
   const std::string log_;
   WorkingFolder folder_;
   int rank_ = 0;

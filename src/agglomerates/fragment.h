@@ -44,6 +44,19 @@ inline double radius_of_gyration(const Fragment& p) {
   return std::sqrt(std::max(p.square / p.count - dot(mean, mean), 0.0));
 }
 
+/// What each particle of an agglomerate is told about it.
+struct Extent {
+  /// In the place of the radius of gyration: bound to its own periodic image, without an end.
+  static constexpr double endless = -1.0;
+
+  double count;     ///< particles
+  double gyration;  ///< radius_of_gyration() [length], or `endless`
+};
+
+inline Extent extent(const Fragment& whole) {
+  return {whole.count, whole.wraps > 0.0 ? Extent::endless : radius_of_gyration(whole)};
+}
+
 /// Merges the fragments with the same label; returns the agglomerates in the order of the labels.
 inline std::vector<Fragment> merge_fragments(std::vector<Fragment> fragments) {
   std::stable_sort(fragments.begin(), fragments.end(),

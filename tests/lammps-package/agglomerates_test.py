@@ -56,7 +56,7 @@ class Agglomerates(FolderTestCase):
         self.write(x, tilt=tilt, folder=folder)
         output = self.run_script(
             HEAD + "fix set all agglomerates 1 sizes 5\nfix move all nve/sphere\ntimestep 0.001\n"
-            "dump out all custom 1 out.txt id f_set[1] f_set[2]\n"
+            "dump out all custom 1 out.txt id f_set[1] f_set[2] f_set[3]\ndump_modify out format float %.15g\n"
             f"thermo_style custom step {FIELDS} f_set[1][1] f_set[2][1] f_set[3][1] f_set[4][1] "
             "f_set[5][1]\nthermo_modify format float %.15g\nrun 0\n", folder, ranks=ranks)
         found = Search(x, tilt)
@@ -65,7 +65,9 @@ class Agglomerates(FolderTestCase):
         numpy.testing.assert_allclose(values[:9], found.vector(), rtol=0, atol=1e-9)
         self.assertEqual(values[9:], found.sizes_up_to(5))
         table = engine.dump(folder, "out.txt")
-        numpy.testing.assert_array_equal(table[:, 1:], found.of_each())
+        numpy.testing.assert_array_equal(table[:, 1:3], found.of_each())
+        # Mean squares below 200, rounded to 1e-13, over twice a radius of 0.5 and more.
+        numpy.testing.assert_allclose(table[:, 3], found.gyration_of_each(), rtol=0, atol=1e-12)
         return found
 
     def test_constructed(self):

@@ -20,12 +20,12 @@ FIELDS = "f_set " + " ".join(f"f_set[{k}]" for k in range(1, 9))
 
 
 def scene(x, v=None, tilt=0.0, each=1, more="", fields=FIELDS, models=MODELS, properties=LAW,
-          run="run 0\n", every=1, contacts=STIFF):
+          run="run 0\n", every=1, contacts=STIFF, more_columns=()):
     v = numpy.zeros_like(x) if v is None else v
     return script([sphere(a, b, radius=0.5) for a, b in zip(x, v)], models, properties, dt=1e-3,
                   skin=0.3, boundary="p p p", every=every, run=run,
                   box="0 {!r} 0 {!r} 0 {!r} {!r} 0 0".format(*BOX.tolist(), tilt),
-                  columns=["f_set[1]", "f_set[2]"],
+                  columns=["f_set[1]", "f_set[2]", *more_columns],
                   contacts=contacts,
                   extra=f"fix set all agglomerates {each} {more}\n"
                   f"thermo_style custom step {fields}\nthermo_modify format float %.15g\n"
@@ -44,12 +44,15 @@ class Sets(unittest.TestCase):
         x = in_box(x, tilt)
         found = Search(x, tilt)
         values, run = rows(scene(x, tilt=tilt, more="sizes 5", fields=FIELDS + "".join(
-            f" f_set[{size}][1]" for size in range(1, 6))), ranks)
+            f" f_set[{size}][1]" for size in range(1, 6)), more_columns=["f_set[3]"]), ranks)
         # Sums of 300 squares of places in the box, below 1e5, over radii of 1 and more.
         numpy.testing.assert_allclose(values[0, :9], found.vector(), rtol=0, atol=1e-9)
         self.assertEqual(values[0, 9:].tolist(), found.sizes_up_to(5))
         frame = run.frames("out.txt")[0]
-        numpy.testing.assert_array_equal([frame[n] for n in sorted(frame)], found.of_each())
+        table = numpy.array([frame[n] for n in sorted(frame)])
+        numpy.testing.assert_array_equal(table[:, :2], found.of_each())
+        # Mean squares below 200, rounded to 1e-13, over twice a radius of 0.5 and more.
+        numpy.testing.assert_allclose(table[:, 2], found.gyration_of_each(), rtol=0, atol=1e-12)
         return found
 
     def test_constructed(self):

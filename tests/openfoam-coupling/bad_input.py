@@ -49,6 +49,10 @@ SCRIPT_CASES = {
         lambda c: edit(c, SCRIPT, "fix gas      all gas/coupling",
                        "fix gas all gas/coupling\nfix late all addforce 0 0 1e-9"),
         ["has fix gas gas/coupling before fix late addforce", "put fix gas/coupling behind", "couplingProperties"]),
+    "agglomerates that the script does not find": (
+        lambda c: c.set(COUPLING, "agglomerateDrag", "equivalentSphere"),
+        ["has no fix agglomerates", "add 'fix sets all agglomerates 1000'", "or take agglomerateDrag none",
+         "couplingProperties"]),
     "gas step that is no multiple": (
         lambda c: c.set("system/controlDict", "deltaT", 1.05e-4),
         ["deltaT = 0.000105", "10.5 steps", "whole multiple"]),
@@ -86,6 +90,16 @@ CASES = {
     "misspelt mixture": (
         lambda c: c.set(COUPLING, "dragMixture", "vanderhoef"),
         ["unknown dragMixture 'vanderhoef'", "valid names: none, carmanKozeny, vanDerHoef"]),
+    "misspelt law of agglomerates": (
+        lambda c: c.set(COUPLING, "agglomerateDrag", "yes"),
+        ["unknown agglomerateDrag 'yes'", "valid names: none, equivalentSphere", "couplingProperties"]),
+    "agglomerates of parcels": (
+        lambda c: append(c, COUPLING, "agglomerateDrag equivalentSphere; coarseGraining 2;"),
+        ["agglomerateDrag equivalentSphere is a law of equal spheres", "coarseGraining above 1",
+         "Remove one of the entries"]),
+    "agglomerates in a mixture": (
+        lambda c: append(c, COUPLING, "agglomerateDrag equivalentSphere; dragMixture carmanKozeny;"),
+        ["agglomerateDrag equivalentSphere is a law of equal spheres", "a dragMixture"]),
     "parcels smaller than grains": (
         lambda c: c.set(COUPLING, "coarseGraining", 0.5),
         ["coarseGraining: diameter of parcels over that of grains = 0.5: must be 1 or more"]),

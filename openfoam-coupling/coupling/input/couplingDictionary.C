@@ -29,7 +29,8 @@ using Keywords = std::vector<Keyword>;
 const Keywords keywords
 {
     {"demEngine"}, {"form"}, {"drag"}, {"dragFactor"}, {"dragExponent"}, {"dragMixture"}, {"coarseGraining"},
-    {"response"}, {"slip"}, {"voidFraction"}, {"smoothingWidth"}, {"minVoidFraction"}, {"depth"}, {"particleGravity"}
+    {"response"}, {"slip"}, {"voidFraction"}, {"smoothingWidth"}, {"minVoidFraction"}, {"depth"}, {"particleGravity"},
+    {"agglomerateDrag"}
 };
 
 //- What it reads of the dictionary of an engine

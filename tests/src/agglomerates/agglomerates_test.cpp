@@ -84,6 +84,9 @@ TEST(Fragments, OfTwoRanksMergeToThatOfOne) {
   EXPECT_EQ(together[1].count, 4.0);
   EXPECT_EQ(together[1].wraps, 1.0);
   EXPECT_EQ(radius_of_gyration(together[1]), radius_of_gyration(whole));
+  EXPECT_EQ(extent(together[1]).gyration, Extent::endless);
+  EXPECT_EQ(extent(whole).gyration, radius_of_gyration(whole));
+  EXPECT_EQ(extent(whole).count, 4.0);
   // Variances of 0, 1, 2, 2 and of 0, 0, 0, 1.
   EXPECT_NEAR(radius_of_gyration(whole), std::sqrt(0.6875 + 0.1875), 4 * eps);
 }

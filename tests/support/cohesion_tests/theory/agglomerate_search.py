@@ -51,6 +51,12 @@ class Search:
         return [number, number, mean, 0.0, max(self.sizes) / len(self.x), 0.0, 0.0,
                 numpy.mean(gyration) if gyration else 0.0, len(self.wraps)]
 
+    def gyration_of_each(self):
+        """Radius of gyration of the set of each: 0 for a single sphere, -1 where it is bound to its own image."""
+        of_set = {s: -1.0 if s in self.wraps else numpy.sqrt(self.unfolded[self.set_of == s].var(axis=0).sum())
+                  for s in set(self.set_of)}
+        return numpy.array([of_set[s] for s in self.set_of])
+
     def sizes_up_to(self, most):
         """Number of sets of each size, of `most` and more in the last."""
         sizes = self.sizes[self.sizes > 0]

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include "drag/drag_law.h"
+
+/// The drag on spheres that are bound in an agglomerate, over any closure of equal spheres.
+///
+/// The gas goes around an agglomerate as around one sphere, or through it between its spheres,
+/// whichever has the lesser drag:
+///
+///   f = min(1, F_total(eps_h, Re_h) R_h/(N a F_total(eps, Re)))
+///
+/// is the factor on the closure's drag of each of its spheres. F_total(eps, Re) of the closure is
+/// the force over 3 pi mu d U (stokes_scaled.h), U = eps |u - v| the superficial slip, which both
+/// ways have alike; Re = 2 rho U a/mu, Re_h = 2 rho U R_h/mu.
+///
+///   R_h = min((a^2 + kappa R_g^2)^(1/2), N a)    hydrodynamic radius,
+///   R_e = (a^2 + 5/3 R_g^2)^(1/2)                radius of the ball that it takes up,
+///   phi_h = phi R_e^3/(N a^3),  eps_h = 1 - phi_h
+///
+/// with N spheres of the radius a, R_g of gyration of their centres, and phi = 1 - eps the solid
+/// fraction where the sphere is. R_e is the radius of a ball that is filled evenly; with R_h in its
+/// place a settled bed, which is one agglomerate, would be gas around spheres as soon as kappa is
+/// below 5/3.
+///
+/// F_total, not F_drag: n agglomerates in a volume have the pressure gradient n F_total of each.
+/// Beside the pressure on the volume of their spheres that leaves eps F_total for the drag of form
+/// A, with the eps of the solid, the same share as of the spheres' own. So f is that of both forms.
+///
+/// Limits: 1 for N = 1; R_h/(N a) in dilute gas without inertia; 1 where the agglomerates take up
+/// all of the volume: there is no way around them, and before that the closures tend to an infinite
+/// force, so f has no jump that the closure has not. Beyond the closures' ranges their formulas are
+/// used as they are.
+///
+/// Validity: spheres of one size. Agglomerates larger than a cell of the mesh see the solid
+/// fraction inside of themselves and have f = 1, as the mesh resolves the way around them.
+///
+/// Source: the sphere of the same drag that cluster simulations compare with (R. Beetstra, M. A.
+/// van der Hoef, J. A. M. Kuipers, Comput. Fluids 35 (2006) 966); the rest is derived here.
+namespace cohesion::drag {
+
+/// A particle's agglomerate. Nothing but doubles, in this order: engines keep it as a row of
+/// per-particle numbers.
+struct InAgglomerate {
+  double id;        ///< of the agglomerate; of a single sphere 0
+  double number;    ///< N, [1]; of a single sphere 1, of one that was not looked at 0
+  double gyration;  ///< R_g, [length]; below 0: it is bound to its own periodic image
+
+  bool bound() const { return number > 1.0; }
+  bool endless() const { return bound() && gyration < 0.0; }
+};
+static_assert(sizeof(InAgglomerate) == 3 * sizeof(double));
+
+/// What is done with the drag of bound particles.
+struct AgglomerateLaw {
+  std::string_view name;
+  bool reduces;  ///< false: the closure's, as if they were single
+};
+
+inline constexpr std::array agglomerate_laws{
+    AgglomerateLaw{"none", false},
+    AgglomerateLaw{"equivalentSphere", true},
+};
+
+/// The law above.
+struct EquivalentSphere {
+  /// kappa [1]: 5/3 for a dense ball, 0.8 to 1 for fractal ones
+  static constexpr double kappa = 1.0;
+  /// R_g^2 of a ball is 3/5 of the square of its radius.
+  static constexpr double ball = 5.0 / 3.0;
+
+  /// R_h; radius a [length]
+  static double hydrodynamic_radius(const InAgglomerate& of, double radius) {
+    return std::min(extended(radius, kappa, of.gyration), of.number * radius);
+  }
+
+  /// phi_h, [1]
+  static double taken_up(const InAgglomerate& of, double radius, double void_fraction) {
+    const double ratio = extended(radius, ball, of.gyration) / radius;
+    return (1.0 - void_fraction) * ratio * ratio * ratio / of.number;
+  }
+
+  /// f, [1]; void_fraction eps, slip |u - v| [length/time] and radius a [length] of the sphere,
+  /// density [mass/volume] and viscosity [mass/(length time)] of the gas.
+  static double factor(const DragLaw& law, const InAgglomerate& of, double void_fraction,
+                       double slip, double radius, double density, double viscosity) {
+    if (!of.bound() || of.endless()) return 1.0;
+    const double solid = taken_up(of, radius, void_fraction);
+    if (solid >= 1.0) return 1.0;
+    const auto total_per_superficial = [&](double eps, double r) {
+      const double of_law =
+          law.coefficient(eps, void_fraction * slip / eps, 2.0 * r, density, viscosity);
+      return of_law / (eps * eps);
+    };
+    const double around = total_per_superficial(1.0 - solid, hydrodynamic_radius(of, radius));
+    const double own = total_per_superficial(void_fraction, radius);
+    return std::min(1.0, around / (of.number * own));
+  }
+
+ private:
+  static double extended(double radius, double times, double gyration) {
+    return std::sqrt(radius * radius + times * gyration * gyration);
+  }
+};
+
+}  // namespace cohesion::drag
