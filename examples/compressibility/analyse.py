@@ -88,7 +88,7 @@ def flow(log, given):
         shears = np.array([stress[3], stress[4], stress[5], (stress[0] - stress[1]) / 2,
                            (stress[0] + stress[1] - 2 * stress[2]) / math.sqrt(12)]) * passed
         free = 1 / theory.frequency(phi)
-        lags = [max(1, round(n * free / passed[0])) for n in (8, 20)]
+        lags = [max(1, round(n * free / passed[0])) for n in (5, 15)]
 
         def gone(part):
             way = np.concatenate([np.zeros((5, 1)), np.cumsum(part, axis=1)], axis=1)

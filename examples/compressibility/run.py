@@ -27,7 +27,7 @@ KNOWN = {"script": "gas", "lattice": "sc", "side": 8, "phi": 0.3, "e": 1, "D": 0
          "collisions": 2000, "seeds": 1, "K": 66826, "contact": 20, "scheme": "event", "A": 0, "Hc": 0.02, "Ho": 0.2,
          "rate": 0}
 LOOSE = 0.3  # fraction up to which spheres of a simple cubic lattice have room to melt at once
-STEP = {"none": 0.5, "rescale": 0.5, "random": 0.1}  # mean free times
+STEP = {"none": 0.5, "rescale": 0.2, "random": 0.1}  # mean free times; no flight may be half a box long
 MIX = 50  # collisions of a sphere
 SKIN = 0.5
 
@@ -111,17 +111,17 @@ class Flow(Gas):
     read = staticmethod(analyse.flow)
 
     def plan(self, row):
-        every = 5
-        dt = (0.05 if row["rate"] else 0.1) * self.free
+        every = 5 if row["rate"] else 3
+        dt = (0.05 if row["rate"] else 0.2) * self.free
         lines = math.ceil(self.collisions * self.free / dt / every)
         self.given.update(dt=dt, every=every, mix=every * math.ceil(MIX * self.free / dt / every), lines=lines)
 
     def weight(self):
-        return 8 * self.given["lines"] * 5
+        return 8 * self.given["lines"] * self.given["every"]
 
     def share(self):
         rows = self.last_row(15)
-        return rows[0] / (self.given["lines"] * 5) if rows else 0.0
+        return rows[0] / (self.given["lines"] * self.given["every"]) if rows else 0.0
 
 
 SCRIPTS = {"gas": HardGas, "soft": SoftGas, "flow": Flow}
