@@ -22,6 +22,7 @@
 #include "fix_agglomerates.h"
 #include "fix_contact_advice.h"
 #include "fix_deform_shear.h"
+#include "fix_drive.h"
 #include "fix_gas_coupling.h"
 #include "fix_others.h"
 #include "fix_sampled_energy_tally.h"
@@ -74,6 +75,7 @@ void register_styles(LAMMPS* lmp) {
   Fixes& fixes = *fixes_of(*lmp->modify);
   fixes["agglomerates"] = &make_fix<FixAgglomerates>;
   fixes["deform/shear"] = &make_fix<FixDeformShear>;
+  fixes["drive"] = &make_fix<FixDrive>;
   fixes["gas/coupling"] = &make_fix<FixGasCoupling>;
   fixes[FixContactAdvice::STYLE] = &make_fix<FixContactAdvice>;
   fixes[FixSampledEnergyTally::STYLE] = &make_fix<FixSampledEnergyTally>;

@@ -12,6 +12,7 @@
 #include "compute_shear_profile.h"
 #include "fix_agglomerates.h"
 #include "fix_deform_shear.h"
+#include "fix_drive.h"
 #include "fix_event_step.h"
 #include "fix_gas_coupling.h"
 #include "fix_hard_events.h"
@@ -69,6 +70,7 @@ constexpr Row fixes[] = {
     {"HARD_EVENTS", &make<FixHardEvents>},
     {"agglomerates", &make<FixAgglomerates>},
     {"deform/shear", &make<FixDeformShear>},
+    {"drive", &make<FixDrive>},
     {"gas/coupling", &make<FixGasCoupling>},
     {"stationary", &make<FixStationary>},
 #define FIX_CLASS
