@@ -28,7 +28,8 @@ using Keywords = std::vector<Keyword>;
 //- What the coupling reads, but for the dictionaries of the engines
 const Keywords keywords
 {
-    {"demEngine"}, {"form"}, {"drag"}, {"dragFactor"}, {"dragExponent"}, {"dragMixture"}, {"coarseGraining"},
+    {"demEngine"}, {"form"}, {"drag"}, {"dragFactor"}, {"dragExponent"}, {"dragMixture"}, {"dragFilter"},
+    {"coarseGraining"},
     {"response"}, {"slip"}, {"voidFraction"}, {"smoothingWidth"}, {"minVoidFraction"}, {"depth"}, {"particleGravity"}
 };
 

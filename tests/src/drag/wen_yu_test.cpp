@@ -19,7 +19,8 @@ double wen_yu(double eps, double reynolds) {
 }  // namespace
 
 TEST(WenYu, HasTheValuesThatAHandFinds) {
-  // F_drag = eps F_total. eps = 0.5: 2^3.65 = 12.5533456; Re = 100: 1 + 0.15 * 23.6591970 = 4.5488795
+  // F_drag = eps F_total. eps = 0.5: 2^3.65 = 12.5533456; Re = 100: 1 + 0.15 * 23.6591970
+  // = 4.5488795
   EXPECT_NEAR(wen_yu(0.5, 0.0), 12.5533456, 1e-6);
   EXPECT_NEAR(wen_yu(0.5, 100.0), 12.5533456 * 4.5488795, 1e-4);
 }
