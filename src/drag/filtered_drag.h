@@ -25,9 +25,8 @@
 /// 0.001. a is not: it falls from 21.5 to 2.5 at phi = 0.016, and by 5 % at 0.4; the factor falls
 /// there by 0.031 and 0.010 in cells of the size L, by 0.062 and 0.006 in those of 10 L.
 ///
-/// Not here: their factor for parcels. Validity: one kind of grains like those of their
-/// simulations, 75 to 150 um in air, phi up to 0.55, Delta up to some 10 L. The paper itself was
-/// not at hand; coefficients and form are those of CFDEMcoupling-PFM (BeetstraDrag).
+/// Not here: their factor for parcels. Validity: the paper was not at hand; coefficients and form
+/// are those of CFDEMcoupling-PFM (BeetstraDrag), whose pieces end at phi = 0.6.
 ///
 /// Source: S. Radl, S. Sundaresan, Chem. Eng. Sci. 117 (2014) 416.
 namespace cohesion::drag {

@@ -86,6 +86,12 @@ CASES = {
     "misspelt mixture": (
         lambda c: c.set(COUPLING, "dragMixture", "vanderhoef"),
         ["unknown dragMixture 'vanderhoef'", "valid names: none, carmanKozeny, vanDerHoef"]),
+    "misspelt filter": (
+        lambda c: c.set(COUPLING, "dragFilter", "radl"),
+        ["unknown dragFilter 'radl'", "valid names: none, radlSundaresan"]),
+    "filter without gravity": (
+        lambda c: (c.set(COUPLING, "dragFilter", "radlSundaresan"), c.set("constant/g", "value", "(0 0 0)")),
+        ["dragFilter radlSundaresan goes by the speed at which grains fall", "constant/g is zero"]),
     "parcels smaller than grains": (
         lambda c: c.set(COUPLING, "coarseGraining", 0.5),
         ["coarseGraining: diameter of parcels over that of grains = 0.5: must be 1 or more"]),
