@@ -45,7 +45,20 @@ Foam::kineticTheoryModels::rowRadial::rowRadial
 :
     radialModel(dict),
     function_(function)
-{}
+{
+    requireBelowDivergence(dict.get<scalar>("alphaMax"));
+}
+
+
+void Foam::kineticTheoryModels::rowRadial::requireBelowDivergence(const scalar alphaMax) const
+{
+    if (!(alphaMax < function_.largest_fraction))
+    {
+        FatalIOErrorInFunction(dict_)
+            << "alphaMax = " << alphaMax << ": radialModel " << function_.name.data() << " diverges at a solid fraction"
+            << " of " << function_.largest_fraction << ", take an alphaMax below it" << exit(FatalIOError);
+    }
+}
 
 
 Foam::tmp<Foam::volScalarField> Foam::kineticTheoryModels::rowRadial::values
@@ -57,12 +70,8 @@ Foam::tmp<Foam::volScalarField> Foam::kineticTheoryModels::rowRadial::values
 ) const
 {
     const scalar highest = alphaMax.value();
-    if (!(highest < function_.largest_fraction))
-    {
-        FatalIOErrorInFunction(dict_)
-            << "alphaMax = " << highest << ": radialModel " << function_.name.data() << " diverges at a solid fraction"
-            << " of " << function_.largest_fraction << ", take an alphaMax below it" << exit(FatalIOError);
-    }
+    // It may have been given anew since the start.
+    requireBelowDivergence(highest);
     const auto within = [&](const scalar solid) { return function(min(max(solid, scalar(0)), highest)); };
     return eachValue(name, dimless, within, alpha);
 }

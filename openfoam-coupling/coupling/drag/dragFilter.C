@@ -19,7 +19,7 @@ Foam::scalarField cellSizes(const Foam::fvMesh& mesh)
             thickness *= mesh.bounds().span()[d];
         }
     }
-    return Foam::pow(mesh.V().field()/thickness, Foam::scalar(1)/mesh.nGeometricD());
+    return Foam::scalarField(Foam::pow(mesh.V().field()/thickness, Foam::scalar(1)/mesh.nGeometricD()));
 }
 
 } // End anonymous namespace
