@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
-from cohesion_studies.case_entries import entries
+from cohesion_studies.case_entries import entries, gravity
 from cohesion_studies.foam_results import function_table, read_cells, written_times
 
 FROM = 0.3  # share of the time that the bed has to come to its state
@@ -43,7 +43,7 @@ def weight(case):
     """Of the grains over the area [Pa]."""
     _, rows, height = mesh(case)
     layers = fractions(case)[1][0].mean(axis=1)
-    return layers.sum() * height / rows * entries(Path(case) / "constant/thermophysicalProperties.particles")["rho"] * 9.81
+    return layers.sum() * height / rows * entries(Path(case) / "constant/thermophysicalProperties.particles")["rho"] * gravity(case)
 
 
 def pressure(case):
