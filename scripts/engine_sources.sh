@@ -129,7 +129,7 @@ link_headers() {
 }
 
 fetch_openfoam_headers() {
-  local folder=$cache/openfoam-stock version module
+  local folder=$cache/openfoam-stock solver=applications/solvers/multiphase/twoPhaseEulerFoam version module
   version=$(installed libOpenFOAM.so)
   # Another set of headers may be there, of an earlier version of the package.
   if has_version "$folder" "$version" && [ -d "$folder/lnInclude/twoPhase" ]; then
@@ -141,7 +141,7 @@ fetch_openfoam_headers() {
   unpack openfoam "$folder" "$folder/source" --wildcards '*/src/OpenFOAM' '*/src/OSspecific/POSIX' \
     '*/src/finiteVolume' '*/src/meshTools' '*/src/lagrangian/basic' '*/src/TurbulenceModels' \
     '*/src/transportModels/incompressible' '*/src/transportModels/compressible' '*/src/thermophysicalModels/basic' \
-    '*/applications/solvers/multiphase/twoPhaseEulerFoam'
+    "*/$solver"
   for module in OpenFOAM finiteVolume meshTools; do
     link_headers "$folder/source/src/$module" "$folder/lnInclude/$module"
   done
@@ -151,9 +151,11 @@ fetch_openfoam_headers() {
     link_headers "$folder/source/src/TurbulenceModels/$module" "$folder/lnInclude/turbulence"
   done
   # What the models of twoPhaseEulerFoam are made of, of which a library can bring more
-  for module in src/thermophysicalModels/basic src/transportModels/{incompressible/transportModel,compressible} \
-    applications/solvers/multiphase/twoPhaseEulerFoam/{twoPhaseSystem,interfacialModels,phaseCompressibleTurbulenceModels}; do
-    link_headers "$folder/source/$module" "$folder/lnInclude/twoPhase"
+  for module in thermophysicalModels/basic transportModels/{incompressible/transportModel,compressible}; do
+    link_headers "$folder/source/src/$module" "$folder/lnInclude/twoPhase"
+  done
+  for module in twoPhaseSystem interfacialModels phaseCompressibleTurbulenceModels; do
+    link_headers "$folder/source/$solver/$module" "$folder/lnInclude/twoPhase"
   done
   echo "${version%%.*}" >"$folder/api"
   echo "$version" >"$folder/done"

@@ -43,7 +43,8 @@ def weight(case):
     """Of the grains over the area [Pa]."""
     _, rows, height = mesh(case)
     layers = fractions(case)[1][0].mean(axis=1)
-    return layers.sum() * height / rows * entries(Path(case) / "constant/thermophysicalProperties.particles")["rho"] * gravity(case)
+    density = entries(Path(case) / "constant/thermophysicalProperties.particles")["rho"]
+    return layers.sum() * height / rows * density * gravity(case)
 
 
 def pressure(case):
@@ -54,8 +55,8 @@ def pressure(case):
 
 def mean_and_error(times, values, end):
     """Mean of the values from FROM of the time on, and its standard error by the means of BLOCKS equal times."""
-    blocks = [values[(times > low) & (times <= high)]
-              for low, high in zip(*(lambda edges: (edges[:-1], edges[1:]))(np.linspace(FROM * end, end, BLOCKS + 1)))]
+    edges = np.linspace(FROM * end, end, BLOCKS + 1)
+    blocks = [values[(times > low) & (times <= high)] for low, high in zip(edges, edges[1:])]
     means = np.array([block.mean() for block in blocks])
     return means.mean(), means.std(ddof=1) / np.sqrt(BLOCKS)
 
@@ -66,7 +67,7 @@ def figures(case):
     mean, error = mean_and_error(times, expanded, end)
     pressure_times, drop = pressure(case)
     late = pressure_times > FROM * end
-    # Of what fills the column: how much of its height, at the end, is above half the fraction of the start
+    # Up to where layers hold, in the mean, half of what they held at the start
     layers = fractions(case)[1][times > FROM * end].mean(axis=(0, 2))
     full = np.nonzero(layers > 0.3)[0]
     return {"expansion": float(mean), "expansion_error": float(error),

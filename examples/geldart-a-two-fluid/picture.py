@@ -19,7 +19,8 @@ def draw(file, cases):
         axes[1, 0].plot(*analyse.pressure(case), linewidth=0.6)
         columns, rows, height = analyse.mesh(case)
         solid = analyse.fractions(case)[1]
-        for row, (picture, when) in enumerate(((solid[-1], f"{times[-1]:.3g} s"), (solid[len(solid) // 3:].mean(0), "mean"))):
+        shown = (solid[-1], f"{times[-1]:.3g} s"), (solid[len(solid) // 3:].mean(axis=0), "mean")
+        for row, (picture, when) in enumerate(shown):
             axes[row, column].imshow(picture, origin="lower", extent=(0, height * columns / rows, 0, height), vmin=0,
                                      vmax=0.62, cmap="Greys")
             axes[row, column].set_title(f"{name}\n{when}", fontsize=8)

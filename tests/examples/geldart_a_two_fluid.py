@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""geldart_a_two_fluid.py BUILD_FOLDER: a small version of examples/geldart-a-two-fluid, coarse cells for some tenths of a
-second; the reading of expansion and pressure where it is known."""
+"""geldart_a_two_fluid.py BUILD_FOLDER: a small version of examples/geldart-a-two-fluid, coarse cells for some tenths of
+a second; the reading of expansion and pressure where it is known."""
 
 import sys
 import tempfile

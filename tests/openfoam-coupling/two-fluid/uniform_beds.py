@@ -34,7 +34,7 @@ WIGGLE, UNEVEN, START, TOLERANCE = 5e-3, 2e-3, 1e-6, 1e-3
 
 def slip_of(law, d, density, solid):
     """Slip [m/s] at which the drag holds up grains in form A, beta/(1 - eps) slip = eps (rho_s - rho) g, and the time
-    [s] in which they come to it: that of all the momentum that the drag changes, of the effective mass rho_s at least."""
+    [s] in which they come to it in gas that stays at rest."""
     eps = 1 - solid
 
     def excess(slip):

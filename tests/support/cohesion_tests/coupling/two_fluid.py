@@ -62,7 +62,8 @@ def without_stress(case):
     edit(case, "system/fvSolution", implicitPhasePressure="no")
     replace(case, "system/fvSchemes", "    default                         none;",
             "    default                         none;\n"
-            "    div((((alpha.particles*thermo:rho.particles)*nuEff.particles)*dev2(T(grad(U.particles))))) Gauss linear;")
+            "    div((((alpha.particles*thermo:rho.particles)*nuEff.particles)*dev2(T(grad(U.particles)))))"
+            " Gauss linear;")
     path = case.folder / "system/controlDict"
     text = path.read_text()
     path.write_text(text[:text.index("functions")])
