@@ -81,6 +81,8 @@ function(cohesion_summary)
   cohesion_report("LIGGGHTS styles" COHESION_LIGGGHTS LIGGGHTS "for LIGGGHTS ${LIGGGHTS_VERSION}")
   cohesion_report("OpenFOAM coupling" COHESION_OPENFOAM OpenFOAM
     "for OpenFOAM v${OpenFOAM_VERSION}")
+  cohesion_report("two-fluid models" COHESION_TWO_FLUID OpenFOAMTwoFluid
+    "for twoPhaseEulerFoam of OpenFOAM v${OpenFOAMTwoFluid_VERSION}")
   cohesion_report("tools" COHESION_TOOLS CLI11 "with CLI11 ${CLI11_VERSION}")
   cohesion_report("tests" COHESION_TESTS GTest "with GoogleTest ${GTest_VERSION}; run ctest")
   cohesion_report("site" COHESION_DOCS Sphinx "with Sphinx ${Sphinx_VERSION}; build the target docs")

@@ -129,10 +129,10 @@ link_headers() {
 }
 
 fetch_openfoam_headers() {
-  local folder=$cache/openfoam-stock version module
+  local folder=$cache/openfoam-stock solver=applications/solvers/multiphase/twoPhaseEulerFoam version module
   version=$(installed libOpenFOAM.so)
   # Another set of headers may be there, of an earlier version of the package.
-  if has_version "$folder" "$version" && [ -d "$folder/lnInclude/turbulence" ]; then
+  if has_version "$folder" "$version" && [ -d "$folder/lnInclude/twoPhase" ]; then
     return 0
   fi
   rm -rf "$folder"
@@ -140,7 +140,8 @@ fetch_openfoam_headers() {
   fetch_headers openfoam "$version" "$folder"
   unpack openfoam "$folder" "$folder/source" --wildcards '*/src/OpenFOAM' '*/src/OSspecific/POSIX' \
     '*/src/finiteVolume' '*/src/meshTools' '*/src/lagrangian/basic' '*/src/TurbulenceModels' \
-    '*/src/transportModels/incompressible'
+    '*/src/transportModels/incompressible' '*/src/transportModels/compressible' '*/src/thermophysicalModels/basic' \
+    "*/$solver"
   for module in OpenFOAM finiteVolume meshTools; do
     link_headers "$folder/source/src/$module" "$folder/lnInclude/$module"
   done
@@ -148,6 +149,13 @@ fetch_openfoam_headers() {
   link_headers "$folder/source/src/lagrangian/basic" "$folder/lnInclude/lagrangian"
   for module in turbulenceModels incompressible; do
     link_headers "$folder/source/src/TurbulenceModels/$module" "$folder/lnInclude/turbulence"
+  done
+  # What the models of twoPhaseEulerFoam are made of, of which a library can bring more
+  for module in thermophysicalModels/basic transportModels/{incompressible/transportModel,compressible}; do
+    link_headers "$folder/source/src/$module" "$folder/lnInclude/twoPhase"
+  done
+  for module in twoPhaseSystem interfacialModels phaseCompressibleTurbulenceModels; do
+    link_headers "$folder/source/$solver/$module" "$folder/lnInclude/twoPhase"
   done
   echo "${version%%.*}" >"$folder/api"
   echo "$version" >"$folder/done"

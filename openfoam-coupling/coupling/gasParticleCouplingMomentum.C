@@ -47,6 +47,10 @@ void Foam::gasParticleCoupling::setCoefficients(const volVectorField& U)
     {
         bound_.look(*engine_);
     }
+    if (filter_.active())
+    {
+        filter_.set(averaging_);
+    }
     monitor_.startStep(step_->subSteps());
     const bool transmits = hasLastGradient_ && !form_.gas_takes_all;
     coefficient_.setSize(particles.count);
@@ -59,8 +63,16 @@ void Foam::gasParticleCoupling::setCoefficients(const volVectorField& U)
         const scalar radius = particles.radius[i];
         const scalar mass = particles.mass[i];
         const particleDrag::Sphere sphere{voidFraction, slip, radius, rho[i]};
-        const auto [single, reynolds] = mixes ? drag_(sphere, form_, sizesAt_.around(i)) : drag_(sphere, form_);
-        const scalar b = bound_.on() ? bound_.factor(i, sphere)*single : single;
+        auto [b, reynolds] = mixes ? drag_(sphere, form_, sizesAt_.around(i)) : drag_(sphere, form_);
+        if (bound_.on())
+        {
+            b *= bound_.factor(i, sphere);
+        }
+        if (filter_.active())
+        {
+            const scalar d = drag_.parcels().drag_diameter(2*radius);
+            b *= filter_.factor(i, voidFraction, {d, mass/sphere_volume(radius)}, rho[i]);
+        }
         coefficient_[i] = b;
         sourceCoefficient_[i] = drag::source_coefficient(b, mass, dt, response_.free);
         transmittedVolume_[i] =

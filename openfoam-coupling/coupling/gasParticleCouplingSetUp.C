@@ -60,6 +60,7 @@ Foam::gasParticleCoupling::gasParticleCoupling
     form_(selectRow(dict_, "form", drag::model_forms, "A")),
     drag_(dict_, requirePositive(dict_, "viscosity of the gas", mu)),
     bound_(dict_, drag_),
+    filter_(dict_, mesh, mu, mag(g)),
     response_(selectRow(dict_, "response", drag::responses, "held")),
     gasAt_(dict_),
     minVoidFraction_(dict_.found("minVoidFraction") ? readPositive(dict_, "minVoidFraction") : 0.2),

@@ -13,6 +13,7 @@
 #include "drag/tang.h"
 #include "drag/tenneti.h"
 #include "drag/validity.h"
+#include "drag/wen_yu.h"
 
 /// The table of drag closures, or drag laws as users call them: the one place that knows them all.
 /// How to add one: CONTRIBUTING.md.
@@ -52,6 +53,7 @@ inline constexpr std::array closures{
     Closure{Tenneti::name, &Tenneti::per_solid_volume, Tenneti::validity, nullptr,
             Tenneti::no_exponent},
     Closure{Tang::name, &Tang::per_solid_volume, Tang::validity, nullptr, Tang::no_exponent},
+    Closure{WenYu::name, &WenYu::per_solid_volume, WenYu::validity, &WenYu::with_exponent, ""},
 };
 
 }  // namespace cohesion::drag

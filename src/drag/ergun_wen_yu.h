@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cmath>
-
-#include "drag/single_sphere.h"
 #include "drag/stokes_scaled.h"
 #include "drag/validity.h"
+#include "drag/wen_yu.h"
 
 namespace cohesion::drag {
 
@@ -32,7 +30,7 @@ namespace cohesion::drag {
 struct ErgunWenYu {
   static constexpr const char* name = "ergunWenYu";
   static constexpr Validity validity{0.36, 1.0, 1000.0};
-  static constexpr double exponent = 4.65;
+  static constexpr double exponent = WenYu::exponent;
 
   /// beta/(1 - eps) as in SyamlalOBrien::per_solid_volume, with Wen and Yu's exponent n [1].
   static double with_exponent(double n, double void_fraction, double slip, double diameter,
@@ -41,7 +39,7 @@ struct ErgunWenYu {
     const double force = void_fraction < 0.8
                              ? (150.0 * (1.0 - void_fraction) + 1.75 * reynolds) /
                                    (18.0 * void_fraction * void_fraction * void_fraction)
-                             : std::pow(void_fraction, -n) * schiller_naumann(reynolds);
+                             : WenYu::scaled_total(n, void_fraction, reynolds);
     return from_total(force, void_fraction, diameter, viscosity);
   }
 

@@ -100,6 +100,12 @@ CASES = {
     "agglomerates in a mixture": (
         lambda c: append(c, COUPLING, "agglomerateDrag equivalentSphere; dragMixture carmanKozeny;"),
         ["agglomerateDrag equivalentSphere is a law of equal spheres", "a dragMixture"]),
+    "misspelt filter": (
+        lambda c: c.set(COUPLING, "dragFilter", "radl"),
+        ["unknown dragFilter 'radl'", "valid names: none, radlSundaresan"]),
+    "filter without gravity": (
+        lambda c: (c.set(COUPLING, "dragFilter", "radlSundaresan"), c.set("constant/g", "value", "(0 0 0)")),
+        ["dragFilter radlSundaresan goes by the speed at which grains fall", "constant/g is zero"]),
     "parcels smaller than grains": (
         lambda c: c.set(COUPLING, "coarseGraining", 0.5),
         ["coarseGraining: diameter of parcels over that of grains = 0.5: must be 1 or more"]),

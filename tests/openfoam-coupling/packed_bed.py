@@ -8,18 +8,20 @@ import unittest
 
 import numpy as np
 
-from cohesion_tests.coupling.cases import drag_report
+from cohesion_tests.coupling.cases import drag_report, edit
 from cohesion_tests.coupling.held_layers import (DT, G, HEIGHT, RHO, ROW, ROWS, STEPS, SUPERFICIAL, blow, drag, drop,
                                                 drop_error, flux_limit, rows, solid, viscous)
 from cohesion_tests.coupling.test_case import CoupledTestCase
 from cohesion_tests.theory.closure_formulas import CLOSURES
+from cohesion_tests.theory.filtered_drag import share
 
 
 class PackedBed(CoupledTestCase):
-    def check(self, name, settings, closure, lowest=0.4):
+    def check(self, name, settings, closure, lowest=0.4, column=None, moved=0.0):
         """The bed with `settings` of the drag in couplingProperties, against `closure`, which holds from the void
-        fraction `lowest` on."""
-        case, continuity, log = blow(self.column, name, settings)
+        fraction `lowest` on; `column`: what makes the case; `moved`: by how much of it drag is off as spheres of its
+        mass would begin to move within a step."""
+        case, continuity, log = blow(column or self.column, name, settings)
         early, late = "0.002", "0.004"
         eps = np.array([1 - solid(row) for row in ROWS])
         # eps grad p = -drag - eps rho g - transport of momentum
@@ -42,7 +44,7 @@ class PackedBed(CoupledTestCase):
         self.expect_near(f"{name}: steady: pressure drop [Pa] at half time", drop(case, early), drop(case, late),
                          2 * solver)
         self.expect_near(f"{name}: pressure drop [Pa]", drop(case, late), expected,
-                         viscous(eps) + solver)
+                         viscous(eps) + solver + moved * expected)
 
         # All void fractions, 0.425 to 0.887, and Reynolds numbers here are where the closures hold, but for one that
         # holds from `lowest` on. One evaluation for each sphere and step.
@@ -64,6 +66,22 @@ class PackedBed(CoupledTestCase):
             return CLOSURES["ergunWenYu"](ctx, eps, slip, d / 2, *gas)
 
         self.check("parcels", {"drag": "ergunWenYu", "coarseGraining": 2}, of_grains)
+
+    def test_filter(self):
+        """In cells of 20 mm, of spheres of 1e5 kg/m3, for which L is some 160 mm, and the factor 0.9. Within a step
+        they would come to no more than b dt/m of the slip, half of it in the mean: 5000 kg/(m3 s) over 1e5 kg/m3."""
+        density = 1e5
+
+        def light(name):
+            case = self.column(name)
+            edit(case, "packed.lmp", "density 1e12", f"density {density!r}")
+            return case
+
+        def filtered(ctx, eps, slip, d, rho, mu):
+            return CLOSURES["beetstra"](ctx, eps, slip, d, rho, mu) * share(1 - eps, ROW, d, density, rho, mu, G)
+
+        self.check("filter", {"drag": "beetstra", "dragFilter": "radlSundaresan"}, filtered, column=light,
+                   moved=5000 / density * DT)
 
     def test_factor_and_exponent(self):
         def halved(*where):

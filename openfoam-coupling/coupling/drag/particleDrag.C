@@ -3,36 +3,13 @@
 
 #include "drag/stokes_scaled.h"
 
+#include "coupling/input/readDragLaw.H"
 #include "coupling/input/selectRow.H"
 
 using namespace cohesion;
 
 namespace
 {
-
-drag::DragLaw readLaw(const Foam::dictionary& dict)
-{
-    const drag::Closure& closure = Foam::selectRow(dict, "drag", drag::closures);
-    std::optional<double> exponent;
-    if (dict.found("dragExponent"))
-    {
-        exponent = dict.get<Foam::scalar>("dragExponent");
-    }
-    try
-    {
-        return drag::DragLaw
-        (
-            closure,
-            dict.getOrDefault<Foam::scalar>("dragFactor", 1),
-            exponent
-        );
-    }
-    catch (const InvalidParameter& error)
-    {
-        FatalIOErrorInFunction(dict) << error.what() << Foam::exit(Foam::FatalIOError);
-        throw;
-    }
-}
 
 powder::Parcels readParcels(const Foam::dictionary& dict)
 {
@@ -52,7 +29,7 @@ powder::Parcels readParcels(const Foam::dictionary& dict)
 
 Foam::particleDrag::particleDrag(const dictionary& dict, const scalar mu)
 :
-    law_(readLaw(dict)),
+    law_(readDragLaw(dict, selectRow(dict, "drag", drag::closures))),
     mixture_(selectRow(dict, "dragMixture", drag::mixture_laws, "none")),
     parcels_(readParcels(dict)),
     mu_(mu)

@@ -80,8 +80,9 @@ TEST(DragClosure, EachFallsWithTheVoidFraction) {
 
 // Steps so short that no slope explains more than `limit` between neighbours: what does is a jump.
 TEST(DragClosure, TheseAreContinuous) {
-  for (const PerSolidVolume law : {&DiFelice::per_solid_volume, &Beetstra::per_solid_volume,
-                                   &Tenneti::per_solid_volume, &Tang::per_solid_volume})
+  for (const PerSolidVolume law :
+       {&DiFelice::per_solid_volume, &Beetstra::per_solid_volume, &Tenneti::per_solid_volume,
+        &Tang::per_solid_volume, &WenYu::per_solid_volume})
     for (const double reynolds : {0.0, 1.0, 50.0, 999.9}) {
       // d ln F/d eps: of eps^-4.7 and of phi/eps^3 at most 13, of sqrt(phi) at most 24, of
       // 0.48 phi^(1/3) at most 16.

@@ -61,7 +61,7 @@ TEST(DragLaw, RefusesAnExponentWhereThereIsNoneAndSaysWhy) {
     expect_refused([&] { DragLaw(closure, 1.0, 4.65); }, who);
     expect_refused([&] { DragLaw(closure, 1.0, 4.65); }, std::string(closure.no_exponent));
     expect_refused([&] { DragLaw(closure, 1.0, 4.65); },
-                   "take one of ergunWenYu, ergunRoweHenwood");
+                   "take one of ergunWenYu, ergunRoweHenwood, wenYu");
   }
 }
 

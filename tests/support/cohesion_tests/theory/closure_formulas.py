@@ -42,6 +42,10 @@ def ergun_wen_yu(m, eps, slip, d, rho, mu, n="4.65"):
     if eps < 0.8:
         # Steady flow, model A: eps grad p = -beta slip
         return eps * ergun_pressure_gradient(m, eps, eps * slip, d, rho, mu) / slip / (1 - eps)
+    return wen_yu(m, eps, slip, d, rho, mu, n)
+
+
+def wen_yu(m, eps, slip, d, rho, mu, n="4.65"):
     coefficient = drag_coefficient(m, eps * slip * d * rho / mu)
     return (m.mpf(3) / 4 * coefficient * eps * rho * slip / d) * eps ** (2 - m.mpf(n))
 
@@ -125,4 +129,5 @@ CLOSURES = {
     "beetstra": beetstra,
     "tenneti": tenneti,
     "tang": tang,
+    "wenYu": wen_yu,
 }

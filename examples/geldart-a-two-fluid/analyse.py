@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a case of the two-fluid bed says: expansion and pressure over time."""
+
+import re
+from pathlib import Path
+
+import numpy as np
+
+from cohesion_studies.case_entries import entries, gravity
+from cohesion_studies.foam_results import function_table, read_cells, written_times
+
+FROM = 0.3  # share of the time that the bed has to come to its state
+BLOCKS = 5  # of the rest, for the error
+OUTLET = 1.01e5  # [Pa]
+
+
+def mesh(case):
+    """Columns, rows, height [m] of the mesh."""
+    size = entries(Path(case) / "system/blockMeshDict")
+    return int(size["columns"]), int(size["rows"]), size["height"]
+
+
+def fractions(case):
+    """Times [s] and solid fractions (time, row, column), of the written ones."""
+    columns, rows, _ = mesh(case)
+    found = {time: folder / "alpha.particles" for time, folder in written_times(case).items()
+             if (folder / "alpha.particles").exists()}
+    times = sorted(found)
+    return np.array(times), np.array([read_cells(found[t], columns * rows).reshape(rows, columns) for t in times])
+
+
+def expansion(case):
+    """Times [s] and expansions [1]: twice the height of the centre of mass, over that at the start, less 1."""
+    _, rows, height = mesh(case)
+    times, solid = fractions(case)
+    y = (np.arange(rows) + 0.5) * height / rows
+    layers = solid.mean(axis=2)
+    centre = (layers * y).sum(axis=1) / layers.sum(axis=1)
+    return times, centre / centre[0] - 1
+
+
+def weight(case):
+    """Of the grains over the area [Pa]."""
+    _, rows, height = mesh(case)
+    layers = fractions(case)[1][0].mean(axis=1)
+    density = entries(Path(case) / "constant/thermophysicalProperties.particles")["rho"]
+    return layers.sum() * height / rows * density * gravity(case)
+
+
+def pressure(case):
+    """Times [s] and the drop of pressure over the bed, over its weight [1]."""
+    table = np.loadtxt(function_table(case, "pressureDrop", "surfaceFieldValue.dat"))
+    return table[:, 0], (table[:, 1] - OUTLET) / weight(case)
+
+
+def mean_and_error(times, values, end):
+    """Mean of the values from FROM of the time on, and its standard error by the means of BLOCKS equal times."""
+    edges = np.linspace(FROM * end, end, BLOCKS + 1)
+    blocks = [values[(times > low) & (times <= high)] for low, high in zip(edges, edges[1:])]
+    means = np.array([block.mean() for block in blocks])
+    return means.mean(), means.std(ddof=1) / np.sqrt(BLOCKS)
+
+
+def figures(case):
+    times, expanded = expansion(case)
+    end = times[-1]
+    mean, error = mean_and_error(times, expanded, end)
+    pressure_times, drop = pressure(case)
+    late = pressure_times > FROM * end
+    # Up to where layers hold, in the mean, half of what they held at the start
+    layers = fractions(case)[1][times > FROM * end].mean(axis=(0, 2))
+    full = np.nonzero(layers > 0.3)[0]
+    return {"expansion": float(mean), "expansion_error": float(error),
+            "pressure_mean": float(drop[late].mean()), "pressure_deviation": float(drop[late].std()),
+            "dense_height": float((full[-1] + 1) / len(layers) * mesh(case)[2]) if len(full) else 0.0,
+            "steps": len(re.findall(r"^Time = ", (Path(case) / "log.twoPhaseEulerFoam").read_text(), re.M))}

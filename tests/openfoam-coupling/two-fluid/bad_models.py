@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What libcohesionTwoFluid refuses: twoPhaseEulerFoam stops before the first step, with a message that says what, where
+and what would be right."""
+
+import os
+import unittest
+from pathlib import Path
+
+from cohesion_studies.foam_case import CaseError, environment
+from cohesion_tests.coupling.two_fluid import SOLVER, column, edit, times
+from cohesion_tests.theory.closure_formulas import CLOSURES
+
+WORK, ENV = Path(os.environ["COHESION_WORK"]), environment(os.environ["COHESION_BUILD"])
+
+
+class BadModels(unittest.TestCase):
+    def refused(self, name, *parts, drag="type wenYu;", **theory):
+        case = column(WORK / name, ENV, 4, 0.4, (1.2, 1.8e-5), (75e-6, 1500.0), drag)
+        edit(case, "constant/turbulenceProperties.particles", **theory)
+        times(case, 1e-4, 1e-4)
+        case.mesh()
+        with self.assertRaises(CaseError, msg=f"{name}: runs"):
+            case.run(SOLVER)
+        log = case.log(SOLVER).read_text()
+        for part in parts:
+            with self.subTest(name, says=part):
+                self.assertIn(" ".join(part.split()), " ".join(log.split()))
+        self.assertNotIn("\nTime = ", log.replace("\nTime = 0\n", ""), name)
+
+    def test_names(self):
+        """OpenFOAM's own messages list what there is."""
+        self.refused("drag", "Unknown dragModel", *CLOSURES, drag="type wenyu;")
+        self.refused("radial", "Unknown radialModel", "maAhmadi", "carnahanStarling", radialModel="ma")
+
+    def test_factor_and_exponent(self):
+        where = "phaseProperties"
+        self.refused("factor", "dragFactor = 0: must be a finite number greater than zero", where,
+                     drag="type wenYu; dragFactor 0;")
+        self.refused("exponent", "dragExponent = -1: must be a finite number greater than zero", where,
+                     drag="type wenYu; dragExponent -1;")
+        self.refused("none", "dragExponent = 4.65: drag 'beetstra' has no exponent to choose",
+                     "take one of ergunWenYu, ergunRoweHenwood, wenYu", where, drag="type beetstra; dragExponent 4.65;")
+
+    def test_packing_beyond_the_radial_function(self):
+        self.refused("packing", "alphaMax = 0.65: radialModel maAhmadi diverges at a solid fraction of 0.64356",
+                     "kineticTheoryCoeffs", alphaMax=0.65)
+
+
+if __name__ == "__main__":
+    unittest.main()

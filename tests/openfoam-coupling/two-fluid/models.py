@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Every model of libcohesionTwoFluid at 20 points, made by its name as twoPhaseEulerFoam makes it, against the formula
+as it is printed, and against the solver's own model where there is one of the same law."""
+
+import os
+import subprocess
+import unittest
+from pathlib import Path
+
+import numpy as np
+
+from cohesion_studies.foam_case import environment
+from cohesion_tests.coupling.two_fluid import column, nonuniform
+from cohesion_tests.theory.closure_formulas import CLOSURES, DOUBLE
+
+WORK = Path(os.environ["COHESION_WORK"])
+D, RHO, MU = 1e-3, 1.205, 1.75e-5
+E, ALPHA_MAX = 0.9, 0.643
+# In each cell: solid fraction and slip [m/s]. Of the kinetic theory the cells have the temperatures below beside.
+POINTS = [(1 - eps, slip) for eps in (0.38, 0.55, 0.7, 0.9, 1.0) for slip in (1e-9, 2e-3, 0.4, 20.0)]
+THETA = np.geomspace(1e-6, 1.0, len(POINTS))
+FRACTIONS = np.concatenate([np.linspace(0, 0.64, 18), [ALPHA_MAX, 0.66]])
+
+# The solver has them too.
+SAME_DRAG = {"wenYu": "WenYu", "ergunWenYu": "GidaspowErgunWenYu", "syamlalOBrien": "SyamlalOBrien"}
+SAME_RADIAL = {"carnahanStarling": "CarnahanStarling"}
+
+# Some forty roundings of 1.1e-16 in a law and as many in the fields that its arguments come from; Syamlal and
+# O'Brien's loses a factor of 2400 at the largest Reynolds number (tests/src/drag/drag_closure_test.cpp), and
+# 1 - phi/phi_m near phi_m another 400.
+ROUNDING = 1e-14
+TOLERANCE = {"syamlalOBrien": 2400 * 2 * 1.1e-16, "SyamlalOBrien": 2400 * 2 * 1.1e-16, "maAhmadi": 4e-12}
+
+
+def ma_ahmadi(phi):
+    return ((1 + 2.5 * phi + 4.5904 * phi**2 + 4.515456 * phi**3)
+            / (1 - (phi / 0.64356)**3)**0.67802)
+
+
+def carnahan_starling(phi):
+    """In the three terms of G. A. Mansoori et al. (1971)."""
+    return 1 / (1 - phi) + 3 * phi / (2 * (1 - phi) ** 2) + phi**2 / (2 * (1 - phi) ** 3)
+
+
+def slope(function, phi):
+    """By a step along the imaginary axis: no difference, no error of truncation."""
+    return np.imag(function(phi + 1e-30j)) / 1e-30
+
+
+def models(folder, settings, fractions, slips, theta):
+    """What the program prints: values by (model, name, quantity)."""
+    case = column(folder, environment(os.environ["COHESION_BUILD"]), len(POINTS), 0.2, (RHO, MU), (D, 1500.0),
+                  "type wenYu;")
+    case.run("blockMesh")
+    fields = {"alpha.particles": (fractions, "[0 0 0 0 0 0 0]"), "Theta.particles": (theta, "[0 2 -2 0 0 0 0]")}
+    (case.folder / "0").mkdir()
+    for file in (case.folder / "0.orig").iterdir():
+        (case.folder / "0" / file.name).write_text(file.read_text())
+    radial = carnahan_starling(np.asarray(fractions))
+    fields["g0"] = (radial, "[0 0 0 0 0 0 0]")
+    fields["g0prime"] = (slope(carnahan_starling, np.asarray(fractions)), "[0 0 0 0 0 0 0]")
+    fields["rho"] = ([1500.0 + 100 * k for k in range(len(POINTS))], "[1 -3 0 0 0 0 0]")
+    fields["d"] = (np.linspace(1e-5, 1e-3, len(POINTS)), "[0 1 0 0 0 0 0]")
+    fields["U.particles"] = ([(0, -slip, 0) for slip in slips], "[0 1 -1 0 0 0 0]")
+    fields["U.air"] = ([(0.0, 0.0, 0.0)] * len(POINTS), "[0 1 -1 0 0 0 0]")
+    for name, (values, dimensions) in fields.items():
+        kind = "volVectorField" if name[0] == "U" else "volScalarField"
+        (case.folder / "0" / name).write_text(
+            f"FoamFile {{ version 2.0; format ascii; class {kind}; object {name}; }}\n"
+            f"dimensions {dimensions};\ninternalField {nonuniform(values)};\n"
+            "boundaryField { frontAndBack { type empty; } \".*\" { type zeroGradient; } }\n")
+    (case.folder / "constant/models").write_text(
+        "FoamFile { version 2.0; format ascii; class dictionary; object models; }\n" + settings)
+    said = subprocess.run([os.environ["COHESION_MODEL_VALUES"]], cwd=case.folder, env=case.env, capture_output=True,
+                          text=True)
+    assert said.returncode == 0, said.stdout[-3000:] + said.stderr[-3000:]
+    rows = [line.split() for line in said.stdout.splitlines()]
+    return {tuple(row[:3]): np.array(row[3:], float) for row in rows
+            if row and row[0] in ("drag", "radial", "pressure", "viscosity", "conductivity")}
+
+
+def drag_settings(names, more=""):
+    return (f"drag ({' '.join(names)}); radial (); pressure (); viscosity (); conductivity ();\n"
+            f"e {E}; alphaMax {ALPHA_MAX}; residualRe 1e-300; swarmCorrection {{ type none; }}\n{more}")
+
+
+class Models(unittest.TestCase):
+    def near(self, what, found, expected, tolerance):
+        for point, (value, right) in enumerate(zip(found, expected, strict=True)):
+            with self.subTest(what, point=point):
+                self.assertLessEqual(abs(value / right - 1), tolerance, f"{value!r}, expected {right!r}")
+
+    def drags(self, name, names, more=""):
+        return models(WORK / name, drag_settings(names, more), *zip(*POINTS), THETA)
+
+    def test_each_drag_closure_has_the_values_of_its_formula(self):
+        found = self.drags("drag", [*CLOSURES, *SAME_DRAG.values()])
+        self.assertEqual(len(found), 2 * len(CLOSURES) + 2 * len(SAME_DRAG))
+        for name, closure in CLOSURES.items():
+            tolerance = TOLERANCE.get(name, ROUNDING)
+            per_solid = np.array([closure(DOUBLE, 1 - solid, slip, D, RHO, MU) for solid, slip in POINTS])
+            self.near(f"{name}: CdRe", found["drag", name, "CdRe"], per_solid * D**2 / (0.75 * MU), tolerance)
+            # beta, of at least the solver's residualAlpha of 1e-6
+            solid = np.maximum([point[0] for point in POINTS], 1e-6)
+            self.near(f"{name}: K", found["drag", name, "K"], solid * per_solid, tolerance)
+        for ours, own in SAME_DRAG.items():
+            self.near(f"{ours}: the solver's {own}", found["drag", ours, "CdRe"], found["drag", own, "CdRe"],
+                      2 * TOLERANCE.get(ours, ROUNDING))
+
+    def test_factor_and_exponent(self):
+        found = self.drags("exponent", ["wenYu", "ergunWenYu"], "dragFactor 0.15; dragExponent 9.6;")
+        for name in ("wenYu", "ergunWenYu"):
+            expected = [0.15 * CLOSURES[name](DOUBLE, 1 - solid, slip, D, RHO, MU, n="9.6") * D**2 / (0.75 * MU)
+                        for solid, slip in POINTS]
+            self.near(name, found["drag", name, "CdRe"], expected, ROUNDING)
+
+    def test_radial_functions(self):
+        found = models(WORK / "radial", "drag (); pressure (); viscosity (); conductivity ();"
+                       f"e {E}; alphaMax {ALPHA_MAX};radial (maAhmadi carnahanStarling CarnahanStarling);",
+                       FRACTIONS, [0] * 20, THETA)
+        within = np.minimum(FRACTIONS, ALPHA_MAX)
+        for name, formula in (("maAhmadi", ma_ahmadi), ("carnahanStarling", carnahan_starling)):
+            tolerance = TOLERANCE.get(name, ROUNDING)
+            self.near(f"{name}: g0", found["radial", name, "g0"], formula(within), tolerance)
+            self.near(f"{name}: g0prime", found["radial", name, "g0prime"], slope(formula, within), tolerance)
+        for quantity in ("g0", "g0prime"):
+            # The solver's own goes on above alphaMax.
+            self.near(f"the solver's own: {quantity}", found["radial", "carnahanStarling", quantity][:-1],
+                      found["radial", "CarnahanStarling", quantity][:-1], ROUNDING)
+
+    def test_pressure_viscosity_and_conductivity(self):
+        found = models(WORK / "transport", f"drag (); radial (); e {E}; alphaMax {ALPHA_MAX}; pressure (lun Lun);"
+                       "viscosity (gidaspow Gidaspow); conductivity (gidaspow Gidaspow);",
+                       np.linspace(0.01, 0.64, 20), [0] * 20, THETA)
+        self.assertEqual(len(found), 8)
+        for model, ours, own, quantity in (("pressure", "lun", "Lun", "PsCoeff"),
+                                           ("pressure", "lun", "Lun", "PsCoeffPrime"),
+                                           ("viscosity", "gidaspow", "Gidaspow", "nu"),
+                                           ("conductivity", "gidaspow", "Gidaspow", "kappa")):
+            self.near(f"{ours} {quantity}", found[model, ours, quantity], found[model, own, quantity], ROUNDING)
+        phi = np.linspace(0.01, 0.64, 20)
+        rho = 1500.0 + 100 * np.arange(20)
+        # Lun et al.: rho phi theta (1 + 2 (1 + e) phi g0)
+        self.near("lun by its formula", found["pressure", "lun", "PsCoeff"],
+                  rho * phi * (1 + 2 * (1 + E) * phi * carnahan_starling(phi)), ROUNDING)
+        self.near("its slope", found["pressure", "lun", "PsCoeffPrime"],
+                  rho * slope(lambda x: x * (1 + 2 * (1 + E) * x * carnahan_starling(x)), phi), ROUNDING)
+
+
+if __name__ == "__main__":
+    unittest.main()
