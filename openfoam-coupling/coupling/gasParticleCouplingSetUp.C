@@ -60,6 +60,7 @@ Foam::gasParticleCoupling::gasParticleCoupling
     form_(selectRow(dict_, "form", drag::model_forms, "A")),
     drag_(dict_, requirePositive(dict_, "viscosity of the gas", mu)),
     response_(selectRow(dict_, "response", drag::responses, "held")),
+    liquid_(dict_, drag_.closure()),
     gasAt_(dict_),
     minVoidFraction_(dict_.found("minVoidFraction") ? readPositive(dict_, "minVoidFraction") : 0.2),
     depthRatio_(1),
@@ -78,7 +79,7 @@ Foam::gasParticleCoupling::gasParticleCoupling
         mesh
     ),
     inlets_(voidFraction_),
-    monitor_(mesh, density, drag_.closure(), response_.free, !form_.gas_takes_all),
+    monitor_(mesh, density, drag_.closure(), response_.free, !form_.gas_takes_all, liquid_.addedCoefficient()),
     transmittedFraction_
     (
         IOobject("transmittedFraction", mesh.time().timeName(), mesh),
@@ -212,6 +213,10 @@ void Foam::gasParticleCoupling::makeEngine()
         Info<< "Particle engine " << name << " runs " << settings.script.c_str() << ", log in "
             << settings.log.c_str() << endl;
         engine_.reset(coupling::load_dem_engine(library)(settings));
+        if (!liquid_.active())
+        {
+            engine_->without_liquid();
+        }
     }
     catch (const std::exception& error)
     {

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "drag/gas_on_particle.h"
+#include "liquid/liquid_on_particle.h"
 
 /// What the coupling needs of a particle engine, in terms of neither the engine nor OpenFOAM.
 /// Each engine is a library of its own that is loaded at run time (load_dem_engine.h), since LAMMPS
@@ -74,6 +75,11 @@ class DemEngine {
   /// The gas on each particle, filled in by the coupling and kept by the engine until the next.
   virtual drag::GasOnParticle* gas() = 0;
 
+  /// What added mass and lift need of a liquid beside it, likewise. Kept from the first call on;
+  /// without_liquid() gives it up, with what a state that was read had of it.
+  virtual liquid::LiquidOnParticle* liquid() = 0;
+  virtual void without_liquid() = 0;
+
   /// Advances by `steps` of its own steps, gas forces included. With a file named, the state at the
   /// end is also written there, what gas() holds included. Throws DemEngineError, on all ranks.
   virtual void advance(int steps, const std::string& restart = "") = 0;
@@ -98,7 +104,7 @@ class DemEngine {
 };
 
 /// Every engine library exports these two with C linkage; the number changes with this header.
-inline constexpr int dem_engine_interface = 4;
+inline constexpr int dem_engine_interface = 5;
 using DemEngineInterface = int (*)();
 using MakeDemEngine = DemEngine* (*)(const DemEngineSettings&);
 inline constexpr const char* dem_engine_interface_symbol = "cohesion_dem_engine_interface";

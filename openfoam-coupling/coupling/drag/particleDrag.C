@@ -2,6 +2,7 @@
 #include "particleDrag.H"
 
 #include "drag/stokes_scaled.h"
+#include "sphere.h"
 
 #include "coupling/input/selectRow.H"
 
@@ -12,11 +13,16 @@ namespace
 
 drag::DragLaw readLaw(const Foam::dictionary& dict)
 {
-    const drag::Closure& closure = Foam::selectRow(dict, "drag", drag::closures);
+    const drag::Closure& closure = Foam::selectRow(dict, "drag", drag::all_closures);
     std::optional<double> exponent;
     if (dict.found("dragExponent"))
     {
         exponent = dict.get<Foam::scalar>("dragExponent");
+    }
+    std::optional<double> coefficient;
+    if (dict.found("dragCoefficient"))
+    {
+        coefficient = dict.get<Foam::scalar>("dragCoefficient");
     }
     try
     {
@@ -24,7 +30,8 @@ drag::DragLaw readLaw(const Foam::dictionary& dict)
         (
             closure,
             dict.getOrDefault<Foam::scalar>("dragFactor", 1),
-            exponent
+            exponent,
+            coefficient
         );
     }
     catch (const InvalidParameter& error)
@@ -47,6 +54,24 @@ powder::Parcels readParcels(const Foam::dictionary& dict)
     }
 }
 
+//- Drag over what the closure says, of a sphere of this mass [kg] and radius [m] in a fluid of density rho [1]
+Foam::scalar ofDensities(const drag::DragLaw& law, const Foam::scalar mass, const Foam::scalar radius, const Foam::scalar rho)
+{
+    if (!law.closure().of_densities)
+    {
+        return 1;
+    }
+    try
+    {
+        return law.of_densities(mass/sphere_volume(radius), rho);
+    }
+    catch (const InvalidParameter& error)
+    {
+        FatalErrorInFunction << error.what() << Foam::exit(Foam::FatalError);
+        throw;
+    }
+}
+
 } // End anonymous namespace
 
 
@@ -65,11 +90,12 @@ Foam::particleDrag::Drag Foam::particleDrag::operator()
     const drag::ModelForm& form
 ) const
 {
-    const auto& [voidFraction, slip, radius, rho] = sphere;
+    const auto& [voidFraction, slip, radius, rho, mass] = sphere;
     const scalar d = parcels_.drag_diameter(2*radius);
     return
     {
-        parcels_.grains()*law_.coefficient(voidFraction, slip, d, rho, mu_)*form.drag_over_a(voidFraction),
+        parcels_.grains()*law_.coefficient(voidFraction, slip, d, rho, mu_)*form.drag_over_a(voidFraction)
+       *ofDensities(law_, mass, radius, rho),
         drag::superficial_reynolds(voidFraction, slip, d, rho, mu_)
     };
 }
@@ -82,7 +108,7 @@ Foam::particleDrag::Drag Foam::particleDrag::operator()
     const drag::SizesAround& around
 ) const
 {
-    const auto& [voidFraction, slip, radius, rho] = sphere;
+    const auto& [voidFraction, slip, radius, rho, mass] = sphere;
     const scalar mixed = form.mixed_drag(mixture_, voidFraction, 2*radius, around);
     const scalar d = parcels_.drag_diameter(2*radius);
     const scalar sauter = parcels_.drag_diameter(around.sauter);
@@ -97,7 +123,7 @@ Foam::particleDrag::Drag Foam::particleDrag::operator()
     return
     {
         parcels_.grains()*law_.coefficient_among(mixed, sauter, voidFraction, slip, d, rho, mu_)
-       *form.drag_over_a(voidFraction),
+       *form.drag_over_a(voidFraction)*ofDensities(law_, mass, radius, rho),
         drag::superficial_reynolds(voidFraction, slip, sauter, rho, mu_)
     };
 }

@@ -28,8 +28,8 @@ using Keywords = std::vector<Keyword>;
 //- What the coupling reads, but for the dictionaries of the engines
 const Keywords keywords
 {
-    {"demEngine"}, {"form"}, {"drag"}, {"dragFactor"}, {"dragExponent"}, {"dragMixture"}, {"coarseGraining"},
-    {"response"}, {"slip"}, {"voidFraction"}, {"smoothingWidth"}, {"minVoidFraction"}, {"depth"}, {"particleGravity"}
+    {"demEngine"}, {"form"}, {"drag"}, {"dragFactor"}, {"dragExponent"}, {"dragCoefficient"}, {"dragMixture"}, {"coarseGraining"},
+    {"addedMass"}, {"lift"}, {"liftCoefficient"}, {"response"}, {"slip"}, {"voidFraction"}, {"smoothingWidth"}, {"minVoidFraction"}, {"depth"}, {"particleGravity"}
 };
 
 //- What it reads of the dictionary of an engine
