@@ -11,6 +11,7 @@
 #include "compute_hard_stress.h"
 #include "compute_shear_profile.h"
 #include "fix_agglomerates.h"
+#include "fix_bubbles.h"
 #include "fix_deform_shear.h"
 #include "fix_event_step.h"
 #include "fix_gas_coupling.h"
@@ -68,6 +69,7 @@ constexpr Row fixes[] = {
     {"EVENT_STEP", &make<FixEventStep>},
     {"HARD_EVENTS", &make<FixHardEvents>},
     {"agglomerates", &make<FixAgglomerates>},
+    {"bubbles", &make<FixBubbles>},
     {"deform/shear", &make<FixDeformShear>},
     {"gas/coupling", &make<FixGasCoupling>},
     {"stationary", &make<FixStationary>},
