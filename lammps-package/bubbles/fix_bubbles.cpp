@@ -44,7 +44,7 @@ FixBubbles::FixBubbles(LAMMPS* lammps, int narg, char** arg)
   nevery = utils::inumeric(FLERR, arg[3], false, lmp);
   if (nevery < 1) stop(lmp, FLERR, where, ": N is ", nevery, "; it must be 1 or more");
   read_keywords(narg, arg);
-  if (!atom->tag_enable || !atom->sphere_flag)
+  if (!atom->tag_enable || !atom->radius_flag || !atom->rmass_flag)
     stop(lmp, FLERR, where, " needs spheres with IDs, for instance 'atom_style sphere'");
   if (domain->triclinic) stop(lmp, FLERR, where, " needs a box that is not tilted");
   force_reneighbor = 1;
