@@ -283,10 +283,11 @@ void FixBubbles::tell_engine(long change) {
   }
 }
 
-void FixBubbles::apply(const Gathered& all, const Events& events) {
+/// Makes the rows those of the bubbles after mergers and breaks.
+void FixBubbles::merge_and_halve(std::vector<std::vector<double> >& rows, const Gathered& all,
+                                 const Events& events) const {
   using namespace cohesion::liquid;
   using cohesion::drag::GasOnParticle;
-  auto rows = gas_rows(all, events);
   const auto gas = [&](std::size_t k) -> GasOnParticle& {
     return *reinterpret_cast<GasOnParticle*>(rows[k].data());
   };
@@ -295,28 +296,39 @@ void FixBubbles::apply(const Gathered& all, const Events& events) {
                ? reinterpret_cast<LiquidOnParticle*>(rows[k].data() + GasOnParticle::size)
                : nullptr;
   };
-  const int me = comm->me;
-  if (coupling) {
-    for (const auto& [into, gone] : events.mergers) {
-      // Volumes as they were before they merged: that of the one that is gone is in the list still.
-      const double volume = all.bubbles[gone].volume();
-      // A bubble may have broken after it merged: only its mass tells, twice that of its half.
-      const bool halved =
-          std::any_of(events.born.begin(), events.born.end(),
-                      [&, i = into](const auto& b) { return b.from && *b.from == i; });
-      const double joint = all.bubbles[into].volume() * (halved ? 2.0 : 1.0);
-      merge_rows(gas(into), gas(gone), joint - volume, volume);
-      if (liquid(into)) merge_rows(*liquid(into), *liquid(gone));
-    }
-    for (const auto& fresh : events.born)
-      if (fresh.from) {
-        halve_row(gas(*fresh.from));
-        if (liquid(*fresh.from)) halve_row(*liquid(*fresh.from));
-      }
+  std::vector<char> halved(all.bubbles.size(), 0);
+  for (const auto& fresh : events.born)
+    if (fresh.from) halved[*fresh.from] = 1;
+  for (const auto& [into, gone] : events.mergers) {
+    // The one that is gone is in the list as it was; the other one has its volume, or half of both.
+    const double volume = all.bubbles[gone].volume();
+    const double joint = all.bubbles[into].volume() * (halved[into] ? 2.0 : 1.0);
+    merge_rows(gas(into), gas(gone), joint - volume, volume);
+    if (liquid(into)) merge_rows(*liquid(into), *liquid(gone));
   }
+  for (std::size_t k = 0; k < halved.size(); k++) {
+    if (!halved[k]) continue;
+    halve_row(gas(k));
+    if (liquid(k)) halve_row(*liquid(k));
+  }
+}
+
+void FixBubbles::note_rests(const Gathered& all, const Events& events) {
+  for (std::size_t k = 0; k < all.bubbles.size(); k++) {
+    resting.erase(all.bubbles[k].number);
+    if (!events.gone[k] && all.bubbles[k].rests_until > elapsed)
+      resting[all.bubbles[k].number] = all.bubbles[k].rests_until;
+  }
+  for (const auto& fresh : events.born)
+    if (fresh.bubble.rests_until > elapsed) resting[fresh.bubble.number] = fresh.bubble.rests_until;
+}
+
+void FixBubbles::apply(const Gathered& all, const Events& events) {
+  auto rows = gas_rows(all, events);
+  if (coupling) merge_and_halve(rows, all, events);
   std::vector<int> places;
   for (std::size_t k = 0; k < all.bubbles.size(); k++) {
-    if (all.owner[k] != me) continue;
+    if (all.owner[k] != comm->me) continue;
     if (events.gone[k]) {
       places.push_back(all.index[k]);
     } else if (events.changed[k]) {
@@ -336,13 +348,7 @@ void FixBubbles::apply(const Gathered& all, const Events& events) {
   remove(places);
   const long gone = std::count(events.gone.begin(), events.gone.end(), true);
   if (made || gone) tell_engine(made - gone);
-  for (std::size_t k = 0; k < all.bubbles.size(); k++) {
-    resting.erase(all.bubbles[k].number);
-    if (!events.gone[k] && all.bubbles[k].rests_until > elapsed)
-      resting[all.bubbles[k].number] = all.bubbles[k].rests_until;
-  }
-  for (const auto& fresh : events.born)
-    if (fresh.bubble.rests_until > elapsed) resting[fresh.bubble.number] = fresh.bubble.rests_until;
+  note_rests(all, events);
 }
 
 /// Injected, their volume; removed, theirs; mergers, breaks; what the nozzles owe; inside, their

@@ -48,7 +48,10 @@ class FixBubbles : public Fix {
   Gathered gather() const;
   std::vector<std::vector<double> > gas_rows(const Gathered&,
                                              const cohesion::bubbles::Events&) const;
+  void merge_and_halve(std::vector<std::vector<double> >&, const Gathered&,
+                       const cohesion::bubbles::Events&) const;
   void apply(const Gathered&, const cohesion::bubbles::Events&);
+  void note_rests(const Gathered&, const cohesion::bubbles::Events&);
   void change(int, const cohesion::bubbles::Bubble&);
   void create(const cohesion::bubbles::Events::New&, int owner, const std::vector<double>& row);
   bool is_mine(const cohesion::Vector3&) const;
