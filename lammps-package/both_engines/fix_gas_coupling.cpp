@@ -11,6 +11,7 @@
 #include "drag/particle_drag.h"
 #include "engine_api.h"
 #include "error.h"
+#include "liquid/sphere_in_liquid.h"
 #include "memory.h"
 #include "message.h"
 #include "modify.h"
@@ -20,9 +21,10 @@
 using namespace LAMMPS_NS;
 using namespace FixConst;
 using cohesion::drag::GasOnParticle;
+using cohesion::liquid::LiquidOnParticle;
 
 FixGasCoupling::FixGasCoupling(LAMMPS* lammps, int narg, char** arg)
-    : Fix(lammps, narg, arg), rows(nullptr) {
+    : Fix(lammps, narg, arg), rows(nullptr), liquid_rows(nullptr) {
   if (narg != 3) error->all(FLERR, "fix gas/coupling takes no values: 'fix ID group gas/coupling'");
   peratom_flag = 1;
   size_peratom_cols = GasOnParticle::size;
@@ -46,6 +48,7 @@ FixGasCoupling::~FixGasCoupling() {
   atom->delete_callback(id, engine_api::GROW);
   atom->delete_callback(id, engine_api::RESTART);
   memory->destroy(rows);
+  memory->destroy(liquid_rows);
 }
 
 int FixGasCoupling::setmask() { return POST_FORCE; }
@@ -120,35 +123,86 @@ void FixGasCoupling::apply_forces(bool setting_up) {
   std::fill_n(force, 6, 0.0);
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
-    GasOnParticle& felt = gas(i);
-    const cohesion::drag::ParticleDrag drag(felt.drag_coefficient, atom->rmass[i], dt);
-    const double volume = cohesion::sphere_volume(atom->radius[i]);
-    for (int k = 0; k < 3; k++) {
-      const double pressure = cohesion::drag::pressure_force(volume, felt.pressure_gradient[k]);
-      const double others = atom->f[i][k] + pressure;
-      const double slip = felt.velocity[k] - atom->v[i][k];
-      const double drag_force =
-          setting_up ? drag.force_about(slip, others) : drag.force(slip, others);
-      atom->f[i][k] = others + drag_force;
-      force[k] += drag_force;
-      force[3 + k] += pressure;
-      if (!setting_up) felt.drag_impulse[k] += drag_force * dt;
-    }
+    if (liquid_rows)
+      apply_liquid(i, setting_up);
+    else
+      apply_gas(i, setting_up);
   }
   if (!setting_up)
     for (int k = 0; k < 6; k++) impulse[k] += force[k] * dt;
 }
 
-/// "gas": double** [atoms], each row a GasOnParticle. "gas_impulse": double[6], the impulse of drag
-/// and of pressure on this rank's particles, summed over the steps until the caller resets it.
-/// "gravity": double[6], of the accelerations that fixes gravity give to the particles of this rank
-/// and the group that forces move, along axes on which no fix setforce behind it sets the force:
-/// the lowest of each component, then the highest. "unseen_fixes": char*, fixes that put on forces
-/// after this one; null: none.
+/// Adds what pressure and drag put on a particle in this step.
+void FixGasCoupling::add_force(int i, int k, double pressure, double drag_force, bool setting_up) {
+  force[k] += drag_force;
+  force[3 + k] += pressure;
+  if (!setting_up) gas(i).drag_impulse[k] += drag_force * update->dt;
+}
+
+void FixGasCoupling::apply_gas(int i, bool setting_up) {
+  const GasOnParticle& felt = gas(i);
+  const cohesion::drag::ParticleDrag drag(felt.drag_coefficient, atom->rmass[i], update->dt);
+  const double volume = cohesion::sphere_volume(atom->radius[i]);
+  for (int k = 0; k < 3; k++) {
+    const double pressure = cohesion::drag::pressure_force(volume, felt.pressure_gradient[k]);
+    const double others = atom->f[i][k] + pressure;
+    const double slip = felt.velocity[k] - atom->v[i][k];
+    const double drag_force =
+        setting_up ? drag.force_about(slip, others) : drag.force(slip, others);
+    atom->f[i][k] = others + drag_force;
+    add_force(i, k, pressure, drag_force, setting_up);
+  }
+}
+
+/// With added mass and lift, which count with the drag: all that is not pressure.
+void FixGasCoupling::apply_liquid(int i, bool setting_up) {
+  const GasOnParticle& felt = gas(i);
+  const LiquidOnParticle& beside = liquid(i);
+  const cohesion::liquid::SphereInLiquid sphere{felt.drag_coefficient, beside.drag_per_slip,
+                                                atom->rmass[i], beside.added_mass,
+                                                cohesion::vector(beside.lift)};
+  const cohesion::Vector3 gradient = cohesion::vector(felt.pressure_gradient);
+  const double volume = cohesion::sphere_volume(atom->radius[i]);
+  const cohesion::Vector3 pressure{cohesion::drag::pressure_force(volume, gradient.x),
+                                   cohesion::drag::pressure_force(volume, gradient.y),
+                                   cohesion::drag::pressure_force(volume, gradient.z)};
+  const cohesion::Vector3 others = cohesion::vector(atom->f[i]) + pressure;
+  const cohesion::Vector3 slip = cohesion::vector(felt.velocity) - cohesion::vector(atom->v[i]);
+  const cohesion::Vector3 moving =
+      others + beside.added_mass * cohesion::vector(beside.acceleration);
+  const auto mean =
+      setting_up ? &cohesion::liquid::acceleration_about : &cohesion::liquid::acceleration;
+  const cohesion::Vector3 all = atom->rmass[i] * mean(sphere, slip, moving, update->dt);
+  const cohesion::Vector3 exchanged = all - others;
+  const double total[] = {all.x, all.y, all.z};
+  const double by_pressure[] = {pressure.x, pressure.y, pressure.z};
+  const double beside_pressure[] = {exchanged.x, exchanged.y, exchanged.z};
+  for (int k = 0; k < 3; k++) {
+    atom->f[i][k] = total[k];
+    add_force(i, k, by_pressure[k], beside_pressure[k], setting_up);
+  }
+}
+
+/// "gas": double** [atoms], each row a GasOnParticle. "liquid": likewise of LiquidOnParticle, which
+/// is kept from then on; null where the rows have no particles. "no_liquid": null, and it is not
+/// kept any more. "gas_impulse": double[6], the impulse of drag and of pressure on this rank's
+/// particles, summed over the steps until the caller resets it. "gravity": double[6], of the
+/// accelerations that fixes gravity give to the particles of this rank and the group that forces
+/// move, along axes on which no fix setforce behind it sets the force: the lowest of each
+/// component, then the highest. "unseen_fixes": char*, fixes that put on forces after this one;
+/// null: none.
 void* FixGasCoupling::extract(const char* name, int& dimension) {
   const std::string asked = name;
-  dimension = asked == "gas" ? 2 : 1;
+  dimension = asked == "gas" || asked == "liquid" ? 2 : 1;
   if (asked == "gas") return rows;
+  if (asked == "liquid") {
+    use_liquid();
+    return liquid_rows;
+  }
+  if (asked == "no_liquid") {
+    memory->destroy(liquid_rows);
+    return nullptr;
+  }
   if (asked == "gas_impulse") return impulse;
   if (asked == "gravity") {
     find_gravity();
@@ -170,42 +224,74 @@ double FixGasCoupling::compute_vector(int n) {
 
 /* ---------------------------------------------------------------------- */
 
+/// Makes the rows of the liquid, all zero, unless they are there.
+void FixGasCoupling::use_liquid() {
+  if (liquid_rows) return;
+  // One at least: a rank without particles must hand on what comes to it, too.
+  memory->create(liquid_rows, std::max(atom->nmax, 1), LiquidOnParticle::size,
+                 "gas/coupling:liquid");
+  std::fill_n(liquid_rows[0], std::max(atom->nmax, 1) * LiquidOnParticle::size, 0.0);
+}
+
 void FixGasCoupling::grow_arrays(int nmax) {
   memory->grow(rows, nmax, GasOnParticle::size, "gas/coupling:rows");
+  if (liquid_rows) memory->grow(liquid_rows, nmax, LiquidOnParticle::size, "gas/coupling:liquid");
   array_atom = rows;
 }
 
-void FixGasCoupling::set_arrays(int i) { std::fill_n(rows[i], GasOnParticle::size, 0.0); }
+void FixGasCoupling::set_arrays(int i) {
+  std::fill_n(rows[i], GasOnParticle::size, 0.0);
+  if (liquid_rows) std::fill_n(liquid_rows[i], LiquidOnParticle::size, 0.0);
+}
 
 void FixGasCoupling::copy_arrays(int i, int j, int) {
   std::copy_n(rows[i], GasOnParticle::size, rows[j]);
+  if (liquid_rows) std::copy_n(liquid_rows[i], LiquidOnParticle::size, liquid_rows[j]);
+}
+
+/// Numbers that go with a particle.
+int FixGasCoupling::row_size() const {
+  return GasOnParticle::size + (liquid_rows ? LiquidOnParticle::size : 0);
+}
+
+void FixGasCoupling::copy_row(int i, double* to) const {
+  to = std::copy_n(rows[i], GasOnParticle::size, to);
+  if (liquid_rows) std::copy_n(liquid_rows[i], LiquidOnParticle::size, to);
+}
+
+void FixGasCoupling::set_row(int i, const double* from) {
+  std::copy_n(from, GasOnParticle::size, rows[i]);
+  if (liquid_rows) std::copy_n(from + GasOnParticle::size, LiquidOnParticle::size, liquid_rows[i]);
 }
 
 int FixGasCoupling::pack_exchange(int i, double* buf) {
-  std::copy_n(rows[i], GasOnParticle::size, buf);
-  return GasOnParticle::size;
+  copy_row(i, buf);
+  return row_size();
 }
 
 int FixGasCoupling::unpack_exchange(int i, double* buf) {
-  std::copy_n(buf, GasOnParticle::size, rows[i]);
-  return GasOnParticle::size;
+  set_row(i, buf);
+  return row_size();
 }
 
 int FixGasCoupling::pack_restart(int i, double* buf) {
-  buf[0] = GasOnParticle::size + 1;  // LAMMPS finds the next fix's values by this
-  std::copy_n(rows[i], GasOnParticle::size, buf + 1);
-  return GasOnParticle::size + 1;
+  buf[0] = row_size() + 1;  // LAMMPS finds the next fix's values by this
+  copy_row(i, buf + 1);
+  return row_size() + 1;
 }
 
 void FixGasCoupling::unpack_restart(int i, int nth) {
   const double* values = atom->extra[i];
   for (int k = 0; k < nth; k++) values += static_cast<int>(*values);
-  std::copy_n(values + 1, GasOnParticle::size, rows[i]);
+  if (static_cast<int>(*values) > GasOnParticle::size + 1) use_liquid();
+  set_row(i, values + 1);
 }
 
-int FixGasCoupling::size_restart(int) { return GasOnParticle::size + 1; }
-int FixGasCoupling::maxsize_restart() { return GasOnParticle::size + 1; }
+int FixGasCoupling::size_restart(int) { return row_size() + 1; }
+
+/// Before the rows are read nobody knows whether those of the liquid were written.
+int FixGasCoupling::maxsize_restart() { return GasOnParticle::size + LiquidOnParticle::size + 1; }
 
 double FixGasCoupling::memory_usage() {
-  return static_cast<double>(atom->nmax) * GasOnParticle::size * sizeof(double);
+  return static_cast<double>(atom->nmax) * row_size() * sizeof(double);
 }

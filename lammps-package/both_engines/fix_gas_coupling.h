@@ -13,6 +13,7 @@ FixStyle(gas/coupling,FixGasCoupling);
 
 #include "drag/gas_on_particle.h"
 #include "fix.h"
+#include "liquid/liquid_on_particle.h"
 
 namespace LAMMPS_NS {
 
@@ -47,15 +48,26 @@ class FixGasCoupling : public Fix {
   cohesion::drag::GasOnParticle& gas(int i) {
     return *reinterpret_cast<cohesion::drag::GasOnParticle*>(rows[i]);
   }
+  cohesion::liquid::LiquidOnParticle& liquid(int i) {
+    return *reinterpret_cast<cohesion::liquid::LiquidOnParticle*>(liquid_rows[i]);
+  }
   void apply_forces(bool setting_up);
+  void apply_gas(int i, bool setting_up);
+  void apply_liquid(int i, bool setting_up);
+  void add_force(int i, int k, double pressure, double drag_force, bool setting_up);
+  void use_liquid();
+  int row_size() const;
+  void copy_row(int i, double* to) const;
+  void set_row(int i, const double* from);
   std::string unseen_fixes() const;
   std::vector<bool> components_set_afterwards();
   void find_gravity();
 
-  double** rows;      // per atom, a GasOnParticle
-  double impulse[6];  // of this rank since the solver reset it: drag, pressure
-  double force[6];    // of this rank in this step: drag, pressure
-  double gravity[6];  // of this rank's particles, lowest and highest: extract()
+  double** rows;         // per atom, a GasOnParticle
+  double** liquid_rows;  // per atom, a LiquidOnParticle; null where nobody has asked for them
+  double impulse[6];     // of this rank since the solver reset it: drag, pressure
+  double force[6];       // of this rank in this step: drag, pressure
+  double gravity[6];     // of this rank's particles, lowest and highest: extract()
   std::string unseen;
 };
 

@@ -11,6 +11,7 @@
 #include "compute_hard_stress.h"
 #include "compute_shear_profile.h"
 #include "fix_agglomerates.h"
+#include "fix_bubbles.h"
 #include "fix_deform_shear.h"
 #include "fix_drive.h"
 #include "fix_event_step.h"
@@ -69,6 +70,7 @@ constexpr Row fixes[] = {
     {"EVENT_STEP", &make<FixEventStep>},
     {"HARD_EVENTS", &make<FixHardEvents>},
     {"agglomerates", &make<FixAgglomerates>},
+    {"bubbles", &make<FixBubbles>},
     {"deform/shear", &make<FixDeformShear>},
     {"drive", &make<FixDrive>},
     {"gas/coupling", &make<FixGasCoupling>},

@@ -119,6 +119,18 @@ void Foam::gasParticleCoupling::advanceParticles
         }
     }
     setGasOnParticles(gasVelocity, averaging_.gather(felt), transmittedGradient(gradP));
+    if (liquid_.active())
+    {
+        drag::GasOnParticle* gas = engine_->gas();
+        const auto charge = [gas](const label i, const vector& impulse)
+        {
+            for (direction d = 0; d < 3; ++d)
+            {
+                gas[i].drag_impulse[d] -= impulse[d];
+            }
+        };
+        liquid_.give(engine_->liquid(), U.primitiveField(), mesh_.time().deltaTValue(), averaging_, charge);
+    }
 
     const Time& time = mesh_.time();
     turnover_.start(*engine_, time.deltaTValue());

@@ -5,6 +5,7 @@
 #include "clockTime.H"
 
 #include "drag/momentum_exchange.h"
+#include "liquid/liquid_exchange.h"
 #include "sphere.h"
 
 #include "coupling/particles/engineView.H"
@@ -52,6 +53,10 @@ void Foam::gasParticleCoupling::setCoefficients(const volVectorField& U)
         filter_.set(averaging_);
     }
     monitor_.startStep(step_->subSteps());
+    if (liquid_.active())
+    {
+        liquid_.start(particles.count, U, averaging_);
+    }
     const bool transmits = hasLastGradient_ && !form_.gas_takes_all;
     coefficient_.setSize(particles.count);
     sourceCoefficient_.setSize(particles.count);
@@ -62,7 +67,7 @@ void Foam::gasParticleCoupling::setCoefficients(const volVectorField& U)
         const scalar slip = mag(gasAt_.velocity()[i] - velocity[i]);
         const scalar radius = particles.radius[i];
         const scalar mass = particles.mass[i];
-        const particleDrag::Sphere sphere{voidFraction, slip, radius, rho[i]};
+        const particleDrag::Sphere sphere{voidFraction, slip, radius, rho[i], mass};
         auto [b, reynolds] = mixes ? drag_(sphere, form_, sizesAt_.around(i)) : drag_(sphere, form_);
         if (bound_.on())
         {
@@ -74,15 +79,38 @@ void Foam::gasParticleCoupling::setCoefficients(const volVectorField& U)
             b *= filter_.factor(i, voidFraction, {d, mass/sphere_volume(radius)}, rho[i]);
         }
         coefficient_[i] = b;
-        sourceCoefficient_[i] = drag::source_coefficient(b, mass, dt, response_.free);
+        if (liquid_.active())
+        {
+            setLiquid(i, sphere, b);
+        }
+        const scalar added = liquid_.addedMass(rho[i], sphere_volume(radius));
+        sourceCoefficient_[i] = liquid::source_coefficient(b, mass, added, dt, response_.free);
         transmittedVolume_[i] =
-            transmits ? drag::transmitted_volume(b, mass, sphere_volume(radius), dt) : 0;
-        monitor_.add({position[i], voidFraction, reynolds, b, radius, mass, rho[i]});
+            transmits ? liquid::transmitted_volume(b, mass, added, sphere_volume(radius), dt) : 0;
+        monitor_.add({position[i], voidFraction, reynolds, b, radius, mass, mass + added, rho[i]});
     }
     monitor_.endStep(particles.count);
     if (bound_.on())
     {
         bound_.endStep();
+    }
+}
+
+
+void Foam::gasParticleCoupling::setLiquid(const label i, const particleDrag::Sphere& sphere, const scalar b)
+{
+    const scalar added = liquid_.addedMass(sphere.rho, sphere_volume(sphere.radius));
+    const scalar inertia =
+        liquid::source_inertia(b, sphere.mass, added, mesh_.time().deltaTValue(), response_.free);
+    // Quadratic drag is given per slip, and follows it in each step of the particles.
+    particleDrag::Sphere unitSlip(sphere);
+    unitSlip.slip = 1;
+    const bool quadratic = liquid_.quadratic();
+    liquid_.set(i, drag_, sphere, quadratic ? drag_(unitSlip, form_).coefficient : 0, inertia);
+    if (quadratic)
+    {
+        // What is 0 is a particle that has been inserted since.
+        coefficient_[i] = VSMALL;
     }
 }
 
@@ -118,6 +146,12 @@ void Foam::gasParticleCoupling::setSources(const volVectorField& gradP)
         const scalar perGasMass = 1/(volume(celli)*rho_);
         dragRate_.field()[celli] = rate[celli]*perGasMass;
         dragSource_.field()[celli] = source[celli]*perGasMass;
+    }
+    if (liquid_.active())
+    {
+        scalarField volumes(mesh_.V());
+        volumes *= depthRatio_;
+        liquid_.setCells(averaging_, volumes, rho_);
     }
     if (!form_.gas_takes_all)
     {

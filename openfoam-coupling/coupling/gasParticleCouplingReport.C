@@ -72,6 +72,10 @@ void Foam::gasParticleCoupling::reportBalance
                 (dragSource_[celli] - dragRate_[celli]*U[celli])*rho_
               - transmittedFraction_[celli]*gradP[celli]
             )*volume(celli)*dt;
+        if (liquid_.active())
+        {
+            gasDrag += liquid_.onCell(celli, U[celli], dt)*rho_*volume(celli)*dt;
+        }
         gasPressure +=
             (
                 (1 - fraction)*gradP[celli]

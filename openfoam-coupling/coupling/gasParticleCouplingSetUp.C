@@ -62,6 +62,7 @@ Foam::gasParticleCoupling::gasParticleCoupling
     bound_(dict_, drag_),
     filter_(dict_, mesh, mu, mag(g)),
     response_(selectRow(dict_, "response", drag::responses, "held")),
+    liquid_(dict_, drag_.closure()),
     gasAt_(dict_),
     minVoidFraction_(dict_.found("minVoidFraction") ? readPositive(dict_, "minVoidFraction") : 0.2),
     depthRatio_(1),
@@ -80,7 +81,7 @@ Foam::gasParticleCoupling::gasParticleCoupling
         mesh
     ),
     inlets_(voidFraction_),
-    monitor_(mesh, density, drag_.closure(), response_.free, !form_.gas_takes_all),
+    monitor_(mesh, density, drag_.closure(), response_.free, !form_.gas_takes_all, liquid_.addedCoefficient()),
     transmittedFraction_
     (
         IOobject("transmittedFraction", mesh.time().timeName(), mesh),
@@ -218,6 +219,10 @@ void Foam::gasParticleCoupling::makeEngine()
         Info<< "Particle engine " << name << " runs " << settings.script.c_str() << ", log in "
             << settings.log.c_str() << endl;
         engine_.reset(coupling::load_dem_engine(library)(settings));
+        if (!liquid_.active())
+        {
+            engine_->without_liquid();
+        }
     }
     catch (const std::exception& error)
     {

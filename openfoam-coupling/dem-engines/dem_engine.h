@@ -12,6 +12,7 @@
 
 #include "drag/agglomerate_drag.h"
 #include "drag/gas_on_particle.h"
+#include "liquid/liquid_on_particle.h"
 
 /// What the coupling needs of a particle engine, in terms of neither the engine nor OpenFOAM.
 /// Each engine is a library of its own that is loaded at run time (load_dem_engine.h), since LAMMPS
@@ -79,6 +80,11 @@ class DemEngine {
   /// when it is asked for. All ranks ask. Throws DemEngineError, on all ranks, where the script has
   /// no such fix, or several.
   virtual const drag::InAgglomerate* agglomerates() = 0;
+
+  /// What added mass and lift need of a liquid beside it, likewise. Kept from the first call on;
+  /// without_liquid() gives it up, with what a state that was read had of it.
+  virtual liquid::LiquidOnParticle* liquid() = 0;
+  virtual void without_liquid() = 0;
 
   /// Advances by `steps` of its own steps, gas forces included. With a file named, the state at the
   /// end is also written there, what gas() holds included. Throws DemEngineError, on all ranks.

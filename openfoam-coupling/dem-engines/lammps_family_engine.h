@@ -84,6 +84,13 @@ class LammpsFamilyEngine : public DemEngine {
     return all ? reinterpret_cast<drag::InAgglomerate*>(all[0]) : nullptr;
   }
 
+  liquid::LiquidOnParticle* liquid() override {
+    auto** const all = static_cast<double**>(extract("liquid"));
+    return reinterpret_cast<liquid::LiquidOnParticle*>(all[0]);
+  }
+
+  void without_liquid() override { extract("no_liquid"); }
+
   void advance(int steps, const std::string& restart) override {
     work([&] {
       std::fill_n(static_cast<double*>(extract("gas_impulse")), 6, 0.0);

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <string_view>
 
 #include "drag/beetstra.h"
+#include "drag/constant_coefficient.h"
 #include "drag/di_felice.h"
 #include "drag/ergun_rowe_henwood.h"
 #include "drag/ergun_wen_yu.h"
@@ -31,10 +33,17 @@ using WithExponent = double (*)(double n, double void_fraction, double slip, dou
 
 struct Closure {
   std::string_view name;
-  PerSolidVolume per_solid_volume;
-  Validity validity;
-  WithExponent with_exponent;    ///< none when the closure has no exponent to choose
-  std::string_view no_exponent;  ///< why there is none, as a message has it after "as"
+  PerSolidVolume per_solid_volume = nullptr;
+  Validity validity{};
+  WithExponent with_exponent = nullptr;  ///< none when the closure has no exponent to choose
+  std::string_view no_exponent;          ///< why there is none, as a message has it after "as"
+  /// Whether the drag goes with the square of the slip, and the coefficient b with the slip.
+  bool quadratic = false;
+  /// Whether the closure is that of a coefficient C_d of 1, and the user gives it.
+  bool takes_coefficient = false;
+  /// Drag over what the closure says, [1], of spheres of one density in a fluid of another; none
+  /// where it is the same for all. Not above 0 where there is no such drag.
+  double (*of_densities)(double sphere_density, double density) = nullptr;
 };
 
 inline constexpr std::array closures{
@@ -55,5 +64,25 @@ inline constexpr std::array closures{
     Closure{Tang::name, &Tang::per_solid_volume, Tang::validity, nullptr, Tang::no_exponent},
     Closure{WenYu::name, &WenYu::per_solid_volume, WenYu::validity, &WenYu::with_exponent, ""},
 };
+
+/// Where a closure of one coefficient holds: nowhere it says that it does not.
+inline constexpr Validity anywhere{0.0, std::numeric_limits<double>::infinity(),
+                                   std::numeric_limits<double>::infinity()};
+
+/// Closures of one drag coefficient, for bubbles in an emulsion: no closures of beds.
+inline constexpr std::array coefficient_closures{
+    Closure{ConstantCd::name, &ConstantCd::per_solid_volume, anywhere, nullptr,
+            ConstantCd::no_exponent, true, true, nullptr},
+    Closure{DavidsonTaylor::name, &DavidsonTaylor::per_solid_volume, anywhere, nullptr,
+            DavidsonTaylor::no_exponent, true, false, &DavidsonTaylor::share},
+};
+
+/// All closures: what a coupled case may name.
+inline constexpr auto all_closures = [] {
+  std::array<Closure, closures.size() + coefficient_closures.size()> all{};
+  for (std::size_t i = 0; i < all.size(); i++)
+    all[i] = i < closures.size() ? closures[i] : coefficient_closures[i - closures.size()];
+  return all;
+}();
 
 }  // namespace cohesion::drag

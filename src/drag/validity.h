@@ -3,8 +3,8 @@
 
 namespace cohesion::drag {
 
-/// Where a closure was fitted. There is no lower end of the Reynolds number: every closure has its
-/// Stokes limit there.
+/// Where a closure was fitted. There is no lower end of the Reynolds number: closures
+/// have their Stokes limit there, but for those of one coefficient.
 struct Validity {
   double lowest_void_fraction, highest_void_fraction;  ///< [1]
   double highest_reynolds;                             ///< of stokes_scaled.h, [1]

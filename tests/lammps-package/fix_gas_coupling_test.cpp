@@ -229,6 +229,87 @@ TEST(FixGasCoupling, RestartKeepsTheRows) {
   }
 }
 
+/// A row of the liquid that is different for every particle, and moves none.
+void mark_liquid(Engine& engine, const std::string& fix = "gas") {
+  for (int i = 0; i < engine.atom().nlocal; i++) {
+    cohesion::liquid::LiquidOnParticle& row = engine.liquid(i, fix);
+    row = {};
+    row.added_mass = mark(engine.atom().tag[i], 20) * 1e-12;
+    row.drag_per_slip = mark(engine.atom().tag[i], 21) * 1e-12;
+  }
+}
+
+void expect_marked_liquid(Engine& engine, const std::string& fix = "gas") {
+  for (int i = 0; i < engine.atom().nlocal; i++) {
+    EXPECT_EQ(engine.liquid(i, fix).added_mass, mark(engine.atom().tag[i], 20) * 1e-12);
+    EXPECT_EQ(engine.liquid(i, fix).drag_per_slip, mark(engine.atom().tag[i], 21) * 1e-12);
+    EXPECT_EQ(engine.liquid(i, fix).lift[2], 0.0);
+  }
+}
+
+TEST(FixGasCoupling, RowsOfTheLiquidMoveWithTheParticles) {
+  Engine engine;
+  engine.fill(12, 1e-5, false);
+  mark_rows(engine, 0.0);
+  mark_liquid(engine);
+  engine.command("run 1000 pre no post no");
+  expect_marked_liquid(engine);
+}
+
+TEST(FixGasCoupling, RestartKeepsTheRowsOfTheLiquid) {
+  Engine engine;
+  engine.fill(12, 1e-5, false);
+  mark_rows(engine, 0.0);
+  // One with a liquid, one without: rows of two lengths in the file.
+  engine.command("fix other all gas/coupling");
+  engine.command("run 0");
+  mark_liquid(engine, "other");
+  const std::string file = std::string(std::getenv("COHESION_TEST_FOLDER")) + "/liquid.restart";
+  engine.command("write_restart " + file);
+  engine.command("clear");
+  engine.commands(load_styles());
+  engine.command("newton off");
+  engine.command("read_restart " + file);
+  engine.commands(no_contacts());
+  engine.command("fix gas all gas/coupling");
+  engine.command("fix other all gas/coupling");
+  engine.command("fix move all nve/sphere");
+  engine.command("run 0");
+  ASSERT_EQ(engine.variable("atoms"), 12);
+  expect_marked_liquid(engine, "other");
+  for (int i = 0; i < engine.atom().nlocal; i++)
+    EXPECT_EQ(engine.gas(i).velocity[1], mark(engine.atom().tag[i], 2));
+  engine.extract("no_liquid", "other");
+  mark_liquid(engine);
+  expect_marked_liquid(engine);
+}
+
+// Gravity and the pressure of a liquid at rest on spheres with its added mass: from half step to
+// half step the velocity grows by (rho V - m) g/(m + rho V/2) dt. What the fix tells beside
+// pressure is what the added mass takes.
+TEST(FixGasCoupling, AddedMassIsMovedWithTheSphere) {
+  constexpr double dt = 1e-5, rho = 1e6;
+  constexpr int steps = 20;
+  Engine engine;
+  engine.fill(6, dt, true);
+  auto& atom = engine.atom();
+  std::vector<double> mine(7, 0.0), before(7, 0.0);
+  for (int i = 0; i < atom.nlocal; i++) {
+    engine.liquid(i).added_mass = 0.5 * rho * cohesion::sphere_volume(atom.radius[i]);
+    engine.gas(i).pressure_gradient[2] = -rho * gravity;
+  }
+  for (int i = 0; i < atom.nlocal; i++) mine[atom.tag[i]] = half_step_velocity(engine, i, 2, dt);
+  MPI_Allreduce(mine.data(), before.data(), 7, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
+  engine.command("run " + std::to_string(steps) + " pre no post no");
+  for (int i = 0; i < atom.nlocal; i++) {
+    const double displaced = rho * cohesion::sphere_volume(atom.radius[i]), m = atom.rmass[i];
+    const double gained = (displaced - m) * gravity / (m + 0.5 * displaced) * dt * steps;
+    const double found = half_step_velocity(engine, i, 2, dt) - before[atom.tag[i]];
+    EXPECT_NEAR(found, gained, steps * 8 * rounding);
+    EXPECT_NEAR(engine.gas(i).drag_impulse[2] / (-0.5 * displaced * gained), 1.0, 1e-12);
+  }
+}
+
 TEST(FixGasCoupling, RowsAreOutputPerAtom) {
   Engine engine;
   engine.fill(12, 1e-5, false);

@@ -18,6 +18,7 @@
 #include "variable.h"
 
 #include "drag/gas_on_particle.h"
+#include "liquid/liquid_on_particle.h"
 #include GAS_COUPLING_WORDS
 
 inline constexpr double gravity = 9.81;
@@ -67,6 +68,12 @@ class Engine {
   cohesion::drag::GasOnParticle& gas(int i, const std::string& fix = "gas") {
     return *reinterpret_cast<cohesion::drag::GasOnParticle*>(
         static_cast<double**>(extract("gas", fix))[i]);
+  }
+
+  /// Kept from the first call on.
+  cohesion::liquid::LiquidOnParticle& liquid(int i, const std::string& fix = "gas") {
+    return *reinterpret_cast<cohesion::liquid::LiquidOnParticle*>(
+        static_cast<double**>(extract("liquid", fix))[i]);
   }
 
   double* impulse() { return static_cast<double*>(extract("gas_impulse")); }

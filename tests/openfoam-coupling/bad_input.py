@@ -72,7 +72,25 @@ CASES = {
         ["demEngine", "couplingProperties"]),
     "misspelt drag": (
         lambda c: c.set(COUPLING, "drag", "syamlalObrien"),
-        ["unknown drag 'syamlalObrien'", "valid names: " + ", ".join(CLOSURES)]),
+        ["unknown drag 'syamlalObrien'", "valid names: " + ", ".join([*CLOSURES, "constantCd", "davidsonTaylor"])]),
+    "coefficient of a closure that has its own": (
+        lambda c: append(c, COUPLING, "dragCoefficient 0.44;"),
+        ["dragCoefficient = 0.44: drag 'syamlalOBrien' has its own", "take drag constantCd", "couplingProperties"]),
+    "closure without its coefficient": (
+        lambda c: c.set(COUPLING, "drag", "constantCd"),
+        ["dragCoefficient = 0: drag 'constantCd' needs it", "couplingProperties"]),
+    "added mass below zero": (
+        lambda c: append(c, COUPLING, "addedMass -0.5;"),
+        ["addedMass = -0.5: must be a finite number greater than zero", "couplingProperties"]),
+    "added mass of a word": (
+        lambda c: append(c, COUPLING, "addedMass half;"),
+        ["addedMass is 'half'", "off, on, or the coefficient C", "couplingProperties"]),
+    "misspelt lift": (
+        lambda c: append(c, COUPLING, "lift saffmanmei;"),
+        ["unknown lift 'saffmanmei'", "valid names: none, inviscid, saffmanMei", "couplingProperties"]),
+    "coefficient of no lift": (
+        lambda c: append(c, COUPLING, "liftCoefficient 0.25;"),
+        ["liftCoefficient goes with 'lift inviscid;', and lift is none", "couplingProperties"]),
     "exponent of a closure that has one of its own": (
         lambda c: (c.set(COUPLING, "drag", "diFelice"), c.set(COUPLING, "dragExponent", 9.6)),
         ["dragExponent = 9.6: drag 'diFelice' has no exponent to choose",

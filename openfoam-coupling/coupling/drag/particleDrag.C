@@ -2,6 +2,7 @@
 #include "particleDrag.H"
 
 #include "drag/stokes_scaled.h"
+#include "sphere.h"
 
 #include "coupling/input/readDragLaw.H"
 #include "coupling/input/selectRow.H"
@@ -24,12 +25,30 @@ powder::Parcels readParcels(const Foam::dictionary& dict)
     }
 }
 
+//- Drag over what the closure says, of a sphere of this mass [kg] and radius [m] in a fluid of density rho [1]
+Foam::scalar ofDensities(const drag::DragLaw& law, const Foam::scalar mass, const Foam::scalar radius, const Foam::scalar rho)
+{
+    if (!law.closure().of_densities)
+    {
+        return 1;
+    }
+    try
+    {
+        return law.of_densities(mass/sphere_volume(radius), rho);
+    }
+    catch (const InvalidParameter& error)
+    {
+        FatalErrorInFunction << error.what() << Foam::exit(Foam::FatalError);
+        throw;
+    }
+}
+
 } // End anonymous namespace
 
 
 Foam::particleDrag::particleDrag(const dictionary& dict, const scalar mu)
 :
-    law_(readDragLaw(dict, selectRow(dict, "drag", drag::closures))),
+    law_(readDragLaw(dict, selectRow(dict, "drag", drag::all_closures))),
     mixture_(selectRow(dict, "dragMixture", drag::mixture_laws, "none")),
     parcels_(readParcels(dict)),
     mu_(mu)
@@ -42,11 +61,12 @@ Foam::particleDrag::Drag Foam::particleDrag::operator()
     const drag::ModelForm& form
 ) const
 {
-    const auto& [voidFraction, slip, radius, rho] = sphere;
+    const auto& [voidFraction, slip, radius, rho, mass] = sphere;
     const scalar d = parcels_.drag_diameter(2*radius);
     return
     {
-        parcels_.grains()*law_.coefficient(voidFraction, slip, d, rho, mu_)*form.drag_over_a(voidFraction),
+        parcels_.grains()*law_.coefficient(voidFraction, slip, d, rho, mu_)*form.drag_over_a(voidFraction)
+       *ofDensities(law_, mass, radius, rho),
         drag::superficial_reynolds(voidFraction, slip, d, rho, mu_)
     };
 }
@@ -59,7 +79,7 @@ Foam::particleDrag::Drag Foam::particleDrag::operator()
     const drag::SizesAround& around
 ) const
 {
-    const auto& [voidFraction, slip, radius, rho] = sphere;
+    const auto& [voidFraction, slip, radius, rho, mass] = sphere;
     const scalar mixed = form.mixed_drag(mixture_, voidFraction, 2*radius, around);
     const scalar d = parcels_.drag_diameter(2*radius);
     const scalar sauter = parcels_.drag_diameter(around.sauter);
@@ -74,7 +94,7 @@ Foam::particleDrag::Drag Foam::particleDrag::operator()
     return
     {
         parcels_.grains()*law_.coefficient_among(mixed, sauter, voidFraction, slip, d, rho, mu_)
-       *form.drag_over_a(voidFraction),
+       *form.drag_over_a(voidFraction)*ofDensities(law_, mass, radius, rho),
         drag::superficial_reynolds(voidFraction, slip, sauter, rho, mu_)
     };
 }

@@ -28,9 +28,9 @@ using Keywords = std::vector<Keyword>;
 //- What the coupling reads, but for the dictionaries of the engines
 const Keywords keywords
 {
-    {"demEngine"}, {"form"}, {"drag"}, {"dragFactor"}, {"dragExponent"}, {"dragMixture"}, {"agglomerateDrag"},
-    {"dragFilter"}, {"coarseGraining"}, {"response"}, {"slip"}, {"voidFraction"}, {"smoothingWidth"},
-    {"minVoidFraction"}, {"depth"}, {"particleGravity"}
+    {"demEngine"}, {"form"}, {"drag"}, {"dragFactor"}, {"dragExponent"}, {"dragCoefficient"}, {"dragMixture"},
+    {"agglomerateDrag"}, {"dragFilter"}, {"coarseGraining"}, {"addedMass"}, {"lift"}, {"liftCoefficient"}, {"response"},
+    {"slip"}, {"voidFraction"}, {"smoothingWidth"}, {"minVoidFraction"}, {"depth"}, {"particleGravity"}
 };
 
 //- What it reads of the dictionary of an engine

@@ -19,7 +19,8 @@ Foam::stabilityMonitor::stabilityMonitor
     const gasDensity& density,
     const drag::Closure& closure,
     const bool free,
-    const bool felt
+    const bool felt,
+    const scalar addedMass
 )
 :
     mesh_(mesh),
@@ -27,7 +28,7 @@ Foam::stabilityMonitor::stabilityMonitor
     heldGrowth_(free),
     pressureWaves_(free, felt),
     exchangeError_(free),
-    viscousWaves_(mesh, density, felt),
+    viscousWaves_(mesh, density, felt, addedMass),
     ofParticles_{&heldGrowth_, &pressureWaves_, &exchangeError_, &validity_}
 {}
 
@@ -43,7 +44,7 @@ void Foam::stabilityMonitor::startStep(const label engineSteps)
 
 void Foam::stabilityMonitor::addExchange(const particleInGas& particle)
 {
-    const scalar step = drag::exchange_step(particle.coefficient, particle.mass, dt_);
+    const scalar step = drag::exchange_step(particle.coefficient, particle.inertia, dt_);
     const scalar loading = drag::mass_loading
     (
         particle.voidFraction,

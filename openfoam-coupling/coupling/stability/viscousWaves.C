@@ -6,6 +6,8 @@
 #include "messageStream.H"
 #include "surfaceFields.H"
 
+#include "liquid/liquid_exchange.h"
+
 #include "rankOfLargest.H"
 
 #include <algorithm>
@@ -63,11 +65,18 @@ Foam::scalar threeDigitsUpTo(const Foam::scalar x)
 } // End anonymous namespace
 
 
-Foam::viscousWaves::viscousWaves(const fvMesh& mesh, const gasDensity& density, const bool applies)
+Foam::viscousWaves::viscousWaves
+(
+    const fvMesh& mesh,
+    const gasDensity& density,
+    const bool applies,
+    const scalar addedMass
+)
 :
     mesh_(mesh),
     density_(density),
     applies_(applies),
+    addedMass_(addedMass),
     largest_(applies ? largestWaveNumbers(mesh) : scalarField())
 {}
 
@@ -83,7 +92,19 @@ drag::ViscousStep Foam::viscousWaves::step
 {
     const scalar rho = density_.reference().value()*density_.ratio(celli);
     const scalar viscous = nu[celli]*largest_[celli]*mesh_.time().deltaTValue();
-    return {volumePerDensity*rho/voidFraction[celli], viscous, scalar(engineSteps)};
+    const scalar eps = voidFraction[celli];
+    const scalar displaced = volumePerDensity*rho/eps;
+    if (!(addedMass_ > 0) || !(displaced > 0))
+    {
+        return {displaced, viscous, scalar(engineSteps)};
+    }
+    const scalar densityRatio = (1 - eps)/(eps*displaced);
+    return
+    {
+        liquid::displaced_with_added_mass(eps, densityRatio, addedMass_),
+        viscous*liquid::viscous_share(eps, addedMass_),
+        scalar(engineSteps)
+    };
 }
 
 

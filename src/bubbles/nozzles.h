@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "bubbles/bubble.h"
+#include "validation.h"
+
+namespace cohesion::bubbles {
+
+/// Nozzles on a rectangular grid that share a volume flow [length^3/time] and give bubbles of one
+/// volume [length^3]. Each owes its share of the flow since the start less what it has given, and
+/// gives a bubble when it owes one, unless another is in its place: it then waits, and owes on. The
+/// flow is thus kept whatever the size and whatever waits. They begin in turn, each with the part
+/// of a bubble that spreads the first of all evenly over the time of one.
+class Nozzles {
+ public:
+  /// nx by ny of them about `centre`, `spacing` [length] apart. Throws InvalidParameter.
+  Nozzles(int nx, int ny, const Vector3& centre, double spacing, double flow, double volume)
+      : flow_(flow), volume_(volume) {
+    require(nx > 0, "nozzles along x", nx, "must be 1 or more");
+    require(ny > 0, "nozzles along y", ny, "must be 1 or more");
+    require_non_negative("spacing of the nozzles", spacing);
+    require_non_negative("flow of the nozzles", flow);
+    require_positive("volume of a bubble", volume);
+    for (int j = 0; j < ny; j++)
+      for (int i = 0; i < nx; i++)
+        places_.push_back(
+            centre + Vector3{(i - 0.5 * (nx - 1)) * spacing, (j - 0.5 * (ny - 1)) * spacing, 0.0});
+    const auto n = places_.size();
+    for (std::size_t k = 0; k < n; k++) {
+      // Neighbours do not follow each other: steps of the golden section around the turn.
+      const double turn = 0.6180339887498949 * static_cast<double>(k);
+      owed_.push_back(volume * (turn - std::floor(turn)));
+    }
+  }
+
+  std::size_t count() const { return places_.size(); }
+  const Vector3& place(std::size_t k) const { return places_[k]; }
+  double volume() const { return volume_; }
+
+  /// What each nozzle owes [length^3], to be kept with a state.
+  std::vector<double>& owed() { return owed_; }
+
+  /// Adds the flow of a time [time].
+  void flow_on(double elapsed) {
+    for (double& owed : owed_) owed += flow_ * elapsed / static_cast<double>(places_.size());
+  }
+
+  /// Whether nozzle k gives a bubble now, beside these: it has then given it.
+  bool gives(std::size_t k, const std::vector<Bubble>& bubbles, const Box& box) {
+    if (owed_[k] < volume_) return false;
+    const double radius = radius_of(volume_);
+    for (const Bubble& other : bubbles)
+      if (norm(box.between(places_[k], other.position)) < radius + other.radius) return false;
+    owed_[k] -= volume_;
+    return true;
+  }
+
+ private:
+  double flow_, volume_;
+  std::vector<Vector3> places_;
+  std::vector<double> owed_;
+};
+
+}  // namespace cohesion::bubbles

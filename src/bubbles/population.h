@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "bubbles/breaking.h"
+#include "bubbles/bubble.h"
+#include "bubbles/merging.h"
+#include "bubbles/nozzles.h"
+
+namespace cohesion::bubbles {
+
+/// What is asked of a population of bubbles. Diameters [length]; a largest diameter of 0: nothing
+/// merges; an infinite one for breaking: nothing breaks.
+struct Rules {
+  double top = std::numeric_limits<double>::infinity();  ///< height above which bubbles leave
+  double merge_up_to = 0.0;
+  double break_above = std::numeric_limits<double>::infinity();
+  double rest = 0.0;     ///< of halves, before they merge again [time]
+  double density = 0.0;  ///< of bubbles from nozzles [mass/length^3]
+  Vector3 velocity{};    ///< the same [length/time]
+};
+
+/// Sums since the beginning: numbers [1] and volumes [length^3].
+struct Totals {
+  double injected = 0.0, injected_volume = 0.0;
+  double removed = 0.0, removed_volume = 0.0;
+  double merged = 0.0, broken = 0.0;
+};
+
+/// What a round of events makes of a list of bubbles.
+struct Events {
+  std::vector<bool> gone;  ///< of each that was there
+  std::vector<bool> changed;
+  std::vector<Merger> mergers;
+  /// Bubbles that are new: with the place in the list of the one that they broke off, if any.
+  struct New {
+    Bubble bubble;
+    std::optional<std::size_t> from;
+  };
+  std::vector<New> born;
+};
+
+/// A round of events at a time, in this order: those above the top leave, touching ones merge,
+/// large ones break, nozzles give. `bubbles`, sorted by number, are changed in place; next_number
+/// is the first that none has had.
+inline Events round_of_events(std::vector<Bubble>& bubbles, const Rules& rules, const Box& box,
+                              Nozzles* nozzles, double time, long& next_number, Totals& totals) {
+  Events events;
+  events.gone.assign(bubbles.size(), false);
+  events.changed.assign(bubbles.size(), false);
+  std::vector<Bubble> inside;
+  std::vector<std::size_t> place;
+  for (std::size_t i = 0; i < bubbles.size(); i++) {
+    if (bubbles[i].position.z > rules.top) {
+      events.gone[i] = true;
+      totals.removed += 1.0;
+      totals.removed_volume += bubbles[i].volume();
+    } else {
+      inside.push_back(bubbles[i]);
+      place.push_back(i);
+    }
+  }
+  if (rules.merge_up_to > 0.0)
+    for (const Merger& pair : mergers(inside, box, rules.merge_up_to, time)) {
+      const Merger there{place[pair.into], place[pair.gone]};
+      bubbles[there.into] = merged(bubbles[there.into], bubbles[there.gone], box);
+      events.gone[there.gone] = events.changed[there.into] = true;
+      events.mergers.push_back(there);
+      totals.merged += 1.0;
+    }
+  std::vector<Bubble> present;
+  const std::size_t there_before = bubbles.size();
+  for (std::size_t i = 0; i < there_before; i++) {
+    if (events.gone[i]) continue;
+    if (2.0 * bubbles[i].radius > rules.break_above)
+      if (const auto halves = broken(bubbles[i], next_number, box, time + rules.rest)) {
+        bubbles[i] = halves->first;
+        events.changed[i] = true;
+        events.born.push_back({halves->second, i});
+        present.push_back(halves->second);
+        next_number++;
+        totals.broken += 1.0;
+      }
+    present.push_back(bubbles[i]);
+  }
+  for (std::size_t k = 0; nozzles && k < nozzles->count(); k++) {
+    if (!nozzles->gives(k, present, box)) continue;
+    const Bubble fresh{next_number++, nozzles->place(k), rules.velocity,
+                       radius_of(nozzles->volume()), rules.density * nozzles->volume()};
+    events.born.push_back({fresh, std::nullopt});
+    present.push_back(fresh);
+    totals.injected += 1.0;
+    totals.injected_volume += fresh.volume();
+  }
+  return events;
+}
+
+}  // namespace cohesion::bubbles
