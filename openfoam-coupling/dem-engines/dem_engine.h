@@ -10,8 +10,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "drag/agglomerate_drag.h"
 #include "drag/gas_on_particle.h"
+#include "drag/in_agglomerate.h"
 
 /// What the coupling needs of a particle engine, in terms of neither the engine nor OpenFOAM.
 /// Each engine is a library of its own that is loaded at run time (load_dem_engine.h), since LAMMPS
