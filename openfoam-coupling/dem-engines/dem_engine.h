@@ -10,8 +10,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "drag/agglomerate_drag.h"
 #include "drag/gas_on_particle.h"
+#include "drag/in_agglomerate.h"
 #include "liquid/liquid_on_particle.h"
 
 /// What the coupling needs of a particle engine, in terms of neither the engine nor OpenFOAM.

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "drag/drag_law.h"
+#include "drag/in_agglomerate.h"
 
 /// The drag on spheres that are bound in an agglomerate, over any closure of equal spheres.
 ///
@@ -43,18 +44,6 @@
 /// Source: the sphere of the same drag that cluster simulations compare with (R. Beetstra, M. A.
 /// van der Hoef, J. A. M. Kuipers, Comput. Fluids 35 (2006) 966); the rest is derived here.
 namespace cohesion::drag {
-
-/// A particle's agglomerate. Nothing but doubles, in this order: engines keep it as a row of
-/// per-particle numbers.
-struct InAgglomerate {
-  double id;        ///< of the agglomerate; of a single sphere 0
-  double number;    ///< N, [1]; of a single sphere 1, of one that was not looked at 0
-  double gyration;  ///< R_g, [length]; below 0: it is bound to its own periodic image
-
-  bool bound() const { return number > 1.0; }
-  bool endless() const { return bound() && gyration < 0.0; }
-};
-static_assert(sizeof(InAgglomerate) == 3 * sizeof(double));
 
 /// What is done with the drag of bound particles.
 struct AgglomerateLaw {
