@@ -20,14 +20,16 @@
 /// the force over 3 pi mu d U (stokes_scaled.h), U = eps |u - v| the superficial slip, which both
 /// ways have alike; Re = 2 rho U a/mu, Re_h = 2 rho U R_h/mu.
 ///
-///   R_h = min((a^2 + kappa R_g^2)^(1/2), N a)    hydrodynamic radius,
-///   R_e = (a^2 + 5/3 R_g^2)^(1/2)                radius of the ball that it takes up,
-///   phi_h = phi R_e^3/(N a^3),  eps_h = 1 - phi_h
+///   R_h = R_s phi_s^(c (R_s/(N a))^(1/2)),     c = 0.238,
+///   R_s = (a^2 + 5/3 R_g^2)^(1/2),   phi_s = N a^3/R_s^3,
+///   phi_h = phi R_h^3/(N a^3),  eps_h = 1 - phi_h
 ///
 /// with N spheres of the radius a, R_g of gyration of their centres, and phi = 1 - eps the solid
-/// fraction where the sphere is. R_e is the radius of a ball that is filled evenly; with R_h in its
-/// place a settled bed, which is one agglomerate, would be gas around spheres as soon as kappa is
-/// below 5/3.
+/// fraction where the sphere is. R_s is the ball that is filled evenly and has this R_g, phi_s the
+/// solid fraction in it, and N a/R_s, the drag that its spheres would have alone over that of the
+/// ball, keeps the flow out. R_h is a fit to resolved flow through 22 agglomerates, chains and
+/// dense balls of 2 to 135 spheres, which are 2 % from it (root of the mean square) and 4.5 % at
+/// most; among others the whole law was found within 17 % (examples/agglomerate-drag).
 ///
 /// F_total, not F_drag: n agglomerates in a volume have the pressure gradient n F_total of each.
 /// Beside the pressure on the volume of their spheres that leaves eps F_total for the drag of form
@@ -42,7 +44,7 @@
 /// fraction inside of themselves and have f = 1, as the mesh resolves the way around them.
 ///
 /// Source: the sphere of the same drag that cluster simulations compare with (R. Beetstra, M. A.
-/// van der Hoef, J. A. M. Kuipers, Comput. Fluids 35 (2006) 966); the rest is derived here.
+/// van der Hoef, J. A. M. Kuipers, Comput. Fluids 35 (2006) 966); the rest is of this package.
 namespace cohesion::drag {
 
 /// What is done with the drag of bound particles.
@@ -58,19 +60,21 @@ inline constexpr std::array agglomerate_laws{
 
 /// The law above.
 struct EquivalentSphere {
-  /// kappa [1]: 5/3 for a dense ball, 0.8 to 1 for fractal ones
-  static constexpr double kappa = 1.0;
+  static constexpr double c = 0.238;  ///< [1]
   /// R_g^2 of a ball is 3/5 of the square of its radius.
   static constexpr double ball = 5.0 / 3.0;
 
   /// R_h; radius a [length]
   static double hydrodynamic_radius(const InAgglomerate& of, double radius) {
-    return std::min(extended(radius, kappa, of.gyration), of.number * radius);
+    const double gyration = of.gyration / radius;
+    const double around = std::sqrt(1.0 + ball * gyration * gyration);
+    const double inside = of.number / (around * around * around);
+    return radius * around * std::pow(inside, c * std::sqrt(around / of.number));
   }
 
   /// phi_h, [1]
   static double taken_up(const InAgglomerate& of, double radius, double void_fraction) {
-    const double ratio = extended(radius, ball, of.gyration) / radius;
+    const double ratio = hydrodynamic_radius(of, radius) / radius;
     return (1.0 - void_fraction) * ratio * ratio * ratio / of.number;
   }
 
@@ -89,11 +93,6 @@ struct EquivalentSphere {
     const double around = total_per_superficial(1.0 - solid, hydrodynamic_radius(of, radius));
     const double own = total_per_superficial(void_fraction, radius);
     return std::min(1.0, around / (of.number * own));
-  }
-
- private:
-  static double extended(double radius, double times, double gyration) {
-    return std::sqrt(radius * radius + times * gyration * gyration);
   }
 };
 

@@ -65,19 +65,35 @@ TEST(AgglomerateDrag, ASingleSphereHasTheClosures) {
   EXPECT_NEAR(EquivalentSphere::taken_up(one, a, 0.7), 0.3, 1e-15);
 }
 
-// Worked by hand: R_g = a, so R_h = 2^(1/2) a; R_e^3 = (8/3)^(3/2) a^3 = 4.3546 a^3.
+// Worked by hand: R_g = a, so R_s = (8/3)^(1/2) a, phi_s = 2/(8/3)^(3/2) = 0.4592793, to the power
+// 0.238 (R_s/(2 a))^(1/2) = 0.2150572: R_h = 0.8459184 R_s; phi_h = phi R_h^3/(2 a^3).
 TEST(AgglomerateDrag, APairIsAsOnPaper) {
   const InAgglomerate pair = chain(2);
   EXPECT_NEAR(pair.gyration, a, 1e-18);
-  EXPECT_NEAR(EquivalentSphere::hydrodynamic_radius(pair, a), 1.414213562373095 * a, 1e-17);
-  EXPECT_NEAR(EquivalentSphere::taken_up(pair, a, 0.8), 0.1 * 4.354648431614540, 1e-15);
+  EXPECT_NEAR(EquivalentSphere::hydrodynamic_radius(pair, a), 1.3813748471759153 * a, 1e-17);
+  EXPECT_NEAR(EquivalentSphere::taken_up(pair, a, 0.8), 0.2 * 1.3179673024659382, 1e-15);
   // Beetstra without inertia, F_drag = 10 phi/eps^2 + eps^2 (1 + 1.5 phi^(1/2)), over eps:
-  // 1.2415610 at eps = 0.99, 1.4273411 at eps_h = 0.97822676, f = 1.4273411 2^(1/2)/(2 1.2415610).
-  // At 0.95 it is 1.096, and 3.416 at 0.8: around is not less there.
+  // 1.2415610 at eps = 0.99, 1.2939032 at eps_h = 0.98682033, f
+  // = 1.2939032 1.3813748/(2 1.2415610). At 0.8 it is 1.041: around is not less there.
   const double slow = 1e-9;
   EXPECT_EQ(factor(law("beetstra"), pair, 0.8, slow), 1.0);
-  EXPECT_EQ(factor(law("beetstra"), pair, 0.95, slow), 1.0);
-  EXPECT_NEAR(factor(law("beetstra"), pair, 0.99, slow), 0.8129142, 1e-7);
+  EXPECT_NEAR(factor(law("beetstra"), pair, 0.95, slow), 0.7841166, 1e-7);
+  EXPECT_NEAR(factor(law("beetstra"), pair, 0.99, slow), 0.7198057, 1e-7);
+}
+
+// Resolved flow through agglomerates, examples/agglomerate-drag: N, R_g/a and R_h/a that were
+// measured. The law is a fit to these and others, 4.5 % from them at most.
+TEST(AgglomerateDrag, RadiusIsWhatWasMeasured) {
+  struct Measured {
+    double number, gyration, radius;
+  };
+  for (const auto& [number, gyration, radius] :
+       {Measured{2, 1.0, 1.389}, Measured{10, 5.745, 3.527}, Measured{13, 1.922, 2.661},
+        Measured{30, 4.28, 4.725}, Measured{92, 7.719, 8.045}, Measured{135, 4.382, 5.828}})
+    EXPECT_NEAR(
+        EquivalentSphere::hydrodynamic_radius({1.0, number, gyration * a}, a) / (radius * a), 1.0,
+        0.045)
+        << number;
 }
 
 // Stokes' drag of one sphere of R_h over that of N spheres.
@@ -86,7 +102,7 @@ TEST(AgglomerateDrag, InDiluteSlowGasItIsTheRatioOfTheRadii) {
     for (const double number : {2.0, 10.0, 500.0})
       for (const InAgglomerate& in : {chain(number), ball(std::cbrt(number) * 2)}) {
         const double radii = EquivalentSphere::hydrodynamic_radius(in, a) / (in.number * a);
-        // phi_h = 1e-12 R_e^3/(N a^3), below 3e-8 for the chain of 500, of which the closures'
+        // phi_h = 1e-12 R_h^3/(N a^3), below 3e-8 for the chain of 500, of which the closures'
         // expansions have the root, 3 phi^(1/2)/2^(1/2) at most: 4e-4; the inertia of
         // Re^0.687 at R_h Re/a: 0.15 (500 1e-8)^0.687 = 3e-5, of di Felice's Re^(1/2), 2 0.63/4.8
         // (500 1e-8)^(1/2) = 6e-4.
@@ -167,11 +183,9 @@ TEST(AgglomerateDrag, ItIsTheLessTheLargerABallIs) {
     }
 }
 
-// kappa R_g^2 of a chain is below (N a)^2 with the kappa there is; one wider than its number allows
-// has no more than the drag of its spheres.
 TEST(AgglomerateDrag, ItsRadiusIsNotMoreThanThatOfItsSpheresInARow) {
-  EXPECT_LT(EquivalentSphere::hydrodynamic_radius(chain(5), a), 5 * a);
-  EXPECT_EQ(EquivalentSphere::hydrodynamic_radius({1.0, 2.0, 9 * a}, a), 2 * a);
+  for (const double number : {2.0, 5.0, 50.0, 500.0})
+    EXPECT_LT(EquivalentSphere::hydrodynamic_radius(chain(number), a), number * a);
 }
 
 }  // namespace cohesion::drag

@@ -19,12 +19,18 @@ def total(closure, eps, superficial, radius, rho, mu):
             * scaled_total(closure, eps, superficial, radius, rho, mu))
 
 
-def around(closure, eps, superficial, radius, number, gyration, rho, mu, kappa=1.0):
+def hydrodynamic_radius(radius, number, gyration, c=0.238):
+    """Of an agglomerate [m]."""
+    ball = (radius**2 + 5 / 3 * gyration**2) ** 0.5
+    return ball * (number * radius**3 / ball**3) ** (c * (ball / (number * radius)) ** 0.5)
+
+
+def around(closure, eps, superficial, radius, number, gyration, rho, mu):
     """The force on an agglomerate [N] that the gas goes around; none where there is no way around it."""
-    solid = (1 - eps) * (radius**2 + 5 / 3 * gyration**2) ** 1.5 / (number * radius**3)
+    hydrodynamic = hydrodynamic_radius(radius, number, gyration)
+    solid = (1 - eps) * hydrodynamic**3 / (number * radius**3)
     if solid >= 1:
         return np.inf
-    hydrodynamic = min((radius**2 + kappa * gyration**2) ** 0.5, number * radius)
     return total(closure, 1 - solid, superficial, hydrodynamic, rho, mu)
 
 
