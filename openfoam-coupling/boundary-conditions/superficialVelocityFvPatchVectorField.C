@@ -35,8 +35,16 @@ Foam::superficialVelocityFvPatchVectorField::superficialVelocityFvPatchVectorFie
             << "share = " << share_ << ": must lie above 0 and be at most 1"
             << exit(FatalIOError);
     }
-    // The void fraction is not known yet; the first step sets the value.
-    fvPatchVectorField::operator=(patchInternalField());
+    // The void fraction is not known yet; the first step sets the value. One that has been written is taken for a
+    // gradient before that.
+    if (dict.found("value"))
+    {
+        fvPatchVectorField::operator=(vectorField("value", dict, patch.size()));
+    }
+    else
+    {
+        fvPatchVectorField::operator=(patchInternalField());
+    }
 }
 
 

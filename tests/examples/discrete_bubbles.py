@@ -59,10 +59,12 @@ class SmallReactors(unittest.TestCase):
                 self.assertNotIn("would grow", log)
 
     def test_emulsion_turns(self):
+        """Until bubbles leave they displace their volume over the top, 0.3 m/s of the whole section in the mean: faster in
+        the middle and slower at the walls."""
         for name in ("fast", "merging"):
             with self.subTest(name):
-                self.assertGreater(self.results[name]["in_the_middle"], 0)
-                self.assertLess(self.results[name]["at_the_walls"], 0)
+                self.assertGreater(self.results[name]["in_the_middle"], 0.3)
+                self.assertLess(self.results[name]["at_the_walls"], 0.3)
 
     def test_picture_and_expectations(self):
         file = Path(self.keeper.name) / "result.png"

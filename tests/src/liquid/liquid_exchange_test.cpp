@@ -3,10 +3,84 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+
 #include "drag/viscous_waves.h"
 #include "liquid/sphere_in_liquid.h"
 
 namespace cohesion::liquid {
+namespace {
+
+/// A wave that all cells see, of free spheres in a fluid without viscosity, density and step 1: the
+/// spheres' velocity, their mean in the last step, the fluid's velocity and pressure gradient, and
+/// what is deferred per sphere of volume 1.
+using Wave = std::array<double, 5>;
+
+struct Setting {
+  double solid, density;  ///< share of the spheres, their density
+  double drag;            ///< b
+  int steps;              ///< of the spheres
+  bool free, felt;        ///< response; whether they feel the pressure, form A
+};
+
+/// The wave after a step: what spheres displaced moves the fluid, whose momentum gives the
+/// pressure; the spheres then move with both, by sphere_in_liquid.h.
+Wave advanced(const Setting& s, const Wave& wave) {
+  const auto [start, displaced, before, last, deferred] = wave;
+  const double eps = 1.0 - s.solid, added = 0.5;
+  const double u = -s.solid / eps * displaced, change = u - before;
+  const double w = s.felt ? transmitted_volume(s.drag, s.density, added, 1.0, 1.0) : 0.0;
+  const double known = s.free ? 0.0 : w * last;
+  const double charge = source_coefficient(s.drag, s.density, added, 1.0, s.free) * (u - start) +
+                        source_inertia(s.drag, s.density, added, 1.0, s.free) * change - known;
+  const double gradient =
+      s.felt ? -(eps * change + s.solid * (charge + deferred)) / (eps + s.solid * w) : 0.0;
+  const SphereInLiquid sphere{s.drag, 0.0, s.density, added, {}};
+  double v = start, mean = 0.0;
+  for (int k = 0; k < s.steps; k++) {
+    mean += v / s.steps;
+    v += acceleration(sphere, {u - v, 0.0, 0.0}, {added * change - gradient, 0.0, 0.0},
+                      1.0 / s.steps)
+             .x /
+         s.steps;
+  }
+  return {v, mean, u, gradient, s.density * (v - start) + gradient - (charge + w * gradient)};
+}
+
+/// Whether a wave grows: by its size after many steps, against that after half as many.
+bool grows(const Setting& setting) {
+  Wave wave{1.0, 0.7, -0.3, 0.2, 0.1};
+  const auto size = [&] {
+    double sum = 0.0;
+    for (const double one : wave) sum += one * one;
+    return std::sqrt(sum);
+  };
+  for (int k = 0; k < 200; k++) wave = advanced(setting, wave);
+  const double half = size();
+  for (int k = 0; k < 200; k++) wave = advanced(setting, wave);
+  return size() > 1.5 * half;
+}
+
+}  // namespace
+
+TEST(LiquidExchange, WavesOfSpheresThatFollowGrowAtNoDragUpToTheStatedShares) {
+  for (const double density : {1e-3, 0.0625, 2.5})
+    for (const double drag : {0.05, 0.3, 1.0, 6.0, 50.0}) {
+      EXPECT_FALSE(grows({0.28, density, drag, 1, true, true})) << density << " " << drag;
+      EXPECT_FALSE(grows({0.43, density, drag, 5, true, true})) << density << " " << drag;
+      EXPECT_FALSE(grows({0.43, density, drag, 20, true, true})) << density << " " << drag;
+      EXPECT_FALSE(grows({0.43, density, drag, 5, true, false})) << density << " " << drag;
+    }
+  EXPECT_TRUE(grows({0.5, 1e-3, 0.05, 5, true, true}));
+}
+
+TEST(LiquidExchange, WavesOfLightSpheresThatAreTakenToBeHeldGrowInFormA) {
+  EXPECT_TRUE(grows({0.4, 1e-3, 6.0, 5, false, true}));
+  EXPECT_TRUE(grows({0.3, 1e-3, 0.5, 1, false, true}));
+  EXPECT_FALSE(grows({0.4, 1e-3, 6.0, 5, true, true}));
+  EXPECT_FALSE(grows({0.15, 1e-3, 6.0, 5, false, true}));
+}
 
 TEST(LiquidExchange, WithoutAddedMassIsThatOfAGasToTheLastDigit) {
   for (const bool free : {false, true})
