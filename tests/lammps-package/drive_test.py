@@ -170,13 +170,14 @@ class SoftSpheres(FolderTestCase):
             self.assertAlmostEqual(one["f_drive"][-1] / two["f_drive"][-1], 1, delta=1e-8)
 
     def test_about_the_flow_of_a_sheared_box(self):
-        """Sheared at the rate 1 across 10 diameters the mean flow has 8 times the energy of the motion about it. The line
-        that fits best holds less than the flow that is imposed, by three of 1500 parts of the motion."""
+        """Sheared at the rate 0.3 across 10 diameters the mean flow has half the energy of the motion about it, and shear
+        heats less than collisions take. About the line that fits best there is less motion than about the flow that is
+        imposed, by one of 1500 parts. The slope of that line is known to sqrt(T/(N <y^2>)) = 0.015: six of these."""
         for words in WAYS:
             for ranks in (1, 2):
-                table = self.go(words, steps=2000, ranks=ranks, shear="fix shear all deform/shear rate 1", columns="")
+                table = self.go(words, steps=2000, ranks=ranks, shear="fix shear all deform/shear rate 0.3", columns="")
                 self.assertAlmostEqual(table["c_flow"][-1], 1, delta=0.01)
-                self.assertAlmostEqual(table["c_flow[1]"][-1], 1, delta=0.1)
+                self.assertAlmostEqual(table["c_flow[1]"][-1], 0.3, delta=0.1)
 
 
 HEAD = box() + spheres((1, 0.002, 0.005, 0.005), (1, 0.006, 0.005, 0.005)) + """
