@@ -83,13 +83,59 @@ def limits(found, table):
     return said
 
 
+def depth_of(row):
+    """X = (w^3 - 1)(exp(D) - 1), what the second virial coefficient of wells lacks of 1."""
+    return (row["w"]**3 - 1) * math.expm1(row["D"])
+
+
+def terms(phi, X):
+    return [np.ones_like(X), phi, phi**2, phi * X]
+
+
+def fit(found, table, e):
+    """Coefficients of the law of cohesion at a restitution,
+
+        y over (1 + e)/2 of hard spheres without wells = 1 - X (c_0 + c_1 phi + c_2 phi^2 + c_3 phi X),
+
+    by least squares over the rows that are there, each by its error and half a per cent; c_0 is 1 for elastic spheres, whose
+    limit of few is known. Beside them the root of the mean square of what is left, and the most of it. None of fewer than
+    six rows."""
+    rows = [(row, found[name]) for name, row in table.items() if name.startswith(WELLS) and row["e"] == e]
+    if len(rows) < 6:
+        return None
+    phi, X = (np.array(column, float) for column in zip(*[(row["phi"], depth_of(row)) for row, _ in rows]))
+    r, errors = (np.array([f[key] for _, f in rows]) for key in ("y_over_cs", "y_over_cs_error"))
+    columns, known = np.array(terms(phi, X)).T * X[:, None], 1 - r
+    free = slice(1, None) if e == 1 else slice(0, None)
+    if e == 1:
+        known = known - X
+    weights = 1 / np.hypot(errors, 0.005)
+    best = np.linalg.lstsq(columns[:, free] * weights[:, None], known * weights, rcond=None)[0]
+    left = known - columns[:, free] @ best
+    c = [1.0, *best] if e == 1 else list(best)
+    return {**{f"c_{k}": float(value) for k, value in enumerate(c)}, "left": float(np.sqrt(np.mean(left**2))),
+            "most_left": float(abs(left).max()), "error": float(np.sqrt(np.mean(errors**2)))}
+
+
+def cohesive(law, phi, D, w):
+    """Of fit()."""
+    X = depth_of({"w": w, "D": D})
+    return 1 - X * sum(law[f"c_{k}"] * term for k, term in enumerate(terms(np.asarray(phi), np.full_like(phi, X))))
+
+
 def together(found, table):
     """Rows more, of several."""
     said = limits(found, table)
+    for e in (1, 0.9):
+        law = fit(found, table, e)
+        if law:
+            said[f"plane e {e} law"] = law
     for e in sorted({row["e"] for row in table.values()} - {1}):
-        pairs = [(found[f"hard-{row['phi']:g}"], found[f"hard-{row['phi']:g}-e-{e:g}"], row["phi"])
+        pairs = [(found.get(f"hard-{row['phi']:g}"), found[f"hard-{row['phi']:g}-e-{e:g}"])
                  for name, row in table.items() if name == f"hard-{row['phi']:g}-e-{e:g}"]
-        for elastic, inelastic, phi in pairs:
+        for elastic, inelastic in pairs:
+            if not elastic:
+                continue
             inelastic["over_elastic"] = inelastic["y"] / elastic["y"] / ((1 + e) / 2)
             inelastic["over_elastic_error"] = math.hypot(inelastic["y_error"] / inelastic["y"],
                                                          elastic["y_error"] / elastic["y"])

@@ -97,8 +97,9 @@ def plane(axis, found, table):
         for e, look in ((1, "o"), (0.9, "s")):
             rows = of(table, laws.WELLS, D=D, e=e)
             points(axis, found, rows, "y_over_cs", fmt=look, color=colour, label=f"D/T {D}, e {e}")
-            if rows:
-                axis.plot(phi, laws.cohesive(phi, e, D, 1.05), "-" if e == 1 else "--", color=colour, linewidth=1)
+            law = found.get(f"plane e {e} law")
+            if rows and law:
+                axis.plot(phi, laws.cohesive(law, phi, D, 1.05), "-" if e == 1 else "--", color=colour, linewidth=1)
     axis.axhline(1, color="k", linewidth=0.8)
     axis.set(ylabel="y over (1 + e)/2 of hard spheres", title="wells of r_out/r 1.05; lines: the law")
 

@@ -78,8 +78,8 @@ class HardGas(Gas):
         dt = STEP[row["by"]] * self.free
         # Elastic spheres lose nothing; what their wells take and give back is little.
         every = 3 if row["by"] == "rescale" and row["e"] == 1 else 1
-        self.given.update(self.growing(row, 200), every=every, dt=dt, rest=10, blocks=BLOCKS,
-                          mix=math.ceil(MIX / STEP[row["by"]]),
+        self.given.update(self.growing(row, 200), every=every, dt=dt, blocks=BLOCKS,
+                          rest=every * math.ceil(10 / every), mix=every * math.ceil(MIX / STEP[row["by"]] / every),
                           steps=every * math.ceil(self.collisions / STEP[row["by"]] / BLOCKS / every))
 
     def weight(self):

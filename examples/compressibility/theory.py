@@ -23,7 +23,7 @@ import numpy as np
 
 CLOSE_PACKED = math.pi * math.sqrt(2) / 6
 FREEZING, MELTING = 0.494, 0.545  # Hoover, Ree 1968
-SPARSE = 1e-3  # diameters: steps of integrals over gaps
+FLUID = 0.63  # highest fraction that is called one
 
 
 def carnahan_starling(phi):
@@ -39,7 +39,9 @@ def y_of(chi, phi, e=1.0):
 
 
 def frequency(phi):
-    return 24 * phi * ma_ahmadi(phi) / math.sqrt(math.pi)
+    """Of a fluid; beyond what Ma and Ahmadi have, that of the crystal is as often."""
+    chi = ma_ahmadi(phi) if phi < FLUID else crystal(phi) / (4 * phi)
+    return 24 * phi * chi / math.sqrt(math.pi)
 
 
 def crystal(phi):

@@ -42,7 +42,7 @@ FixDrive::FixDrive(LAMMPS* lammps, int narg, char** arg)
   size_vector = 3;
   extscalar = 1;
   extvector = 0;
-  global_freq = nevery;
+  global_freq = 1;  // what the last action has left
   restart_global = 1;
   time_depend = 1;
 }

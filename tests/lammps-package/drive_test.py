@@ -120,8 +120,8 @@ neigh_modify delay 0 every 1 check yes
 %s
 fix move all nve/sphere
 fix drive all drive 20 temperature 1 %s
-timestep 7.85e-4
-compute tally all gran/energy
+timestep 3.925e-4
+%s
 compute flow all shear/profile
 variable px equal vcm(all,x)
 thermo_style custom step temp f_drive f_drive[1] f_drive[2] c_flow c_flow[1] v_px %s
@@ -133,19 +133,20 @@ TALLY = "c_tally[*]"
 
 
 class SoftSpheres(FolderTestCase):
-    """512 at t_c/20, with and without the Hamaker attraction."""
+    """512 at a fortieth of the contact time, with and without the Hamaker attraction."""
 
-    def go(self, words, adhesion="", ranks=1, steps=20000, shear="", columns=TALLY):
+    def go(self, words, adhesion="", ranks=1, steps=12000, shear="", columns=TALLY):
         tilt = " 0 0 0" if shear else ""
-        text = SOFT % ("prism" if shear else "block", tilt, adhesion, shear, words, columns, steps)
+        tally = "" if shear else "compute tally all gran/energy"
+        text = SOFT % ("prism" if shear else "block", tilt, adhesion, shear, words, tally, columns, steps)
         code, output = engine.run_text(text, self.folder, ranks=ranks)
         self.assertEqual(code, 0, output[-3000:])
         return thermo_columns(output)
 
     def test_power_put_in_is_power_lost(self):
-        """To 1e-3. Velocities on the grid of those in contact are not the true ones within a step, and the fix sees
-        those of the grid: of the order of the share of the motion that is in contact, a tenth, times what a step of a
-        twentieth of the contact changes of it squared, 0.02, and of either sign."""
+        """To 1e-3. The fix sees the velocities of the grid, which in a contact are less than the true ones by (pi dt/t_c)^2/8,
+        8e-4 here, and a tenth of the motion and more, with adhesion, is in contact. A step twice as long leaves four times
+        as much: with adhesion 1.4e-3."""
         for words in WAYS:
             for adhesion in ("", "hamaker 0.02 cutoff 0.005 0.05"):
                 with self.subTest(words, adhesion=adhesion):
@@ -161,21 +162,22 @@ class SoftSpheres(FolderTestCase):
                     self.assertAlmostEqual(table["c_flow"][-1], 1, delta=0.02)
 
     def test_two_ranks(self):
-        """Contacts are added up in another order: rounding grows by about ten in each of the first few collisions."""
+        """Contacts are added up in another order: rounding grows by about ten in each collision, of which a sphere has 2.5 in
+        this time, and the busiest seven: of that the sum over all has less than 1e-8."""
         for words in WAYS:
-            one, two = (self.go(words, ranks=ranks, steps=1000) for ranks in (1, 2))
+            one, two = (self.go(words, ranks=ranks, steps=800) for ranks in (1, 2))
             self.assertGreater(one["f_drive"][-1], 10)
             self.assertAlmostEqual(one["f_drive"][-1] / two["f_drive"][-1], 1, delta=1e-8)
 
     def test_about_the_flow_of_a_sheared_box(self):
-        """Sheared at the rate 1 across 10 diameters the mean flow has 8 times the energy of the motion about it. The line
-        that fits best holds less than the flow that is imposed, by three of 1500 parts of the motion."""
+        """Sheared at the rate 0.3 across 10 diameters the mean flow has half the energy of the motion about it, and shear
+        heats less than collisions take. About the line that fits best there is less motion than about the flow that is
+        imposed, by one of 1500 parts. The slope of that line is known to sqrt(T/(N <y^2>)) = 0.015: six of these."""
         for words in WAYS:
             for ranks in (1, 2):
-                table = self.go(words, steps=4000, ranks=ranks, shear="fix shear all deform/shear rate 1", columns="")
+                table = self.go(words, steps=2000, ranks=ranks, shear="fix shear all deform/shear rate 0.3", columns="")
                 self.assertAlmostEqual(table["c_flow"][-1], 1, delta=0.01)
-                self.assertAlmostEqual(table["c_flow[1]"][-1], 1, delta=0.1)
-                self.assertLess(abs(table["v_px"]).max(), 1e-12)
+                self.assertAlmostEqual(table["c_flow[1]"][-1], 0.3, delta=0.1)
 
 
 HEAD = box() + spheres((1, 0.002, 0.005, 0.005), (1, 0.006, 0.005, 0.005)) + """
