@@ -40,7 +40,7 @@ def replace(case, file, old, new):
 
 def column(folder, env, cells, height, gas, grains, drag):
     """A column of `cells` cells [m]; gas: (density, viscosity), grains: (diameter, density), drag: words of its
-    dictionary."""
+    dictionary. Without the functions of the example."""
     case = FoamCase(CASE, folder, env, overwrite=True)
     edit(case, "system/blockMeshDict", height=height, columns=1, rows=cells, width=height / cells)
     replace(case, "0.orig/U.air", "walls { type noSlip; }", "walls { type slip; }")
@@ -52,6 +52,9 @@ def column(folder, env, cells, height, gas, grains, drag):
     replace(case, "constant/phaseProperties", "d 75e-6;", f"d {grains[0]!r};")
     path = case.folder / "constant/phaseProperties"
     path.write_text(re.sub(r"type +wenYu;\s+dragExponent +4.65;\s+dragFactor +1;", drag, path.read_text()))
+    path = case.folder / "system/controlDict"
+    text = path.read_text()
+    path.write_text(text[:text.index("functions")])
     return case
 
 
@@ -64,9 +67,6 @@ def without_stress(case):
             "    default                         none;\n"
             "    div((((alpha.particles*thermo:rho.particles)*nuEff.particles)*dev2(T(grad(U.particles)))))"
             " Gauss linear;")
-    path = case.folder / "system/controlDict"
-    text = path.read_text()
-    path.write_text(text[:text.index("functions")])
 
 
 def times(case, step, end):
