@@ -54,7 +54,7 @@ def row_words(row):
                   "--arrays", row["arrays"]]
     if row["re"]:
         # What is left of the flow's start is far below what arrays differ by
-        words += ["--re", row["re"], "--speed", row["speed"], "--tolerance", 1e-3]
+        words += ["--re", row["re"], "--speed", row["speed"], "--tolerance", 1e-3, "--average", 10000]
     return words
 
 
