@@ -49,17 +49,12 @@ class SmallBeds(unittest.TestCase):
         self.assertGreater(fast, slow)
         self.assertLess(slow, 1.05)
 
-    def test_the_gas_carries_the_bed(self):
-        """Between its mean over the second half and the weight there is what lifts it: the slow bed hardly moves."""
-        times, drop = analyse.pressure(self.jobs[0].folder)
-        self.assertAlmostEqual(drop[times > END / 2].mean(), 1, delta=0.1)
-
     def test_figures_of_known_fields(self):
-        times = np.arange(1, 101) / 10
+        times = np.arange(100) / 10 + 0.05
         mean, error = analyse.mean_and_error(times, np.where(times > 3, 2.0, 9.0), 10.0)
         self.assertEqual((mean, error), (2.0, 0.0))
         # From 3 s on five blocks of 1.4 s, each with its number
-        steps = np.floor(np.clip((times - 3 - 1e-9) / 1.4, 0, 4.999))
+        steps = np.floor((times - 3) / 1.4)
         mean, error = analyse.mean_and_error(times, steps, 10.0)
         self.assertAlmostEqual(mean, 2.0, delta=1e-12)
         self.assertAlmostEqual(error, np.sqrt(2.5 / 5), delta=1e-12)
