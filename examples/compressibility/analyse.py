@@ -59,7 +59,7 @@ def soft(log, given):
     found["T"] = float(T.mean())
     found["diameter"] = theory.soft_diameter(given["K"])
     if given["e"] < 1:
-        stored = rows["c_tally[3]"] + rows["c_tally[5]"]
+        stored = rows["c_tally[1]"] + rows["c_tally[3]"] + rows["c_tally[5]"]  # and in motion
         found["power"] = float((np.ptp(rows["f_drive"]) - stored[-1] + stored[0]) / np.ptp(rows["c_tally[6]"]))
         found["power_raw"] = float(np.ptp(rows["f_drive"]) / np.ptp(rows["c_tally[6]"]))
     return found
