@@ -6,11 +6,12 @@ drag.
     falling_powder.py BUILD WORK [--seed N ...] [--end S]
 
 2000 grains of 60 um and 1500 kg/m3 with the attraction of Hamaker, 2 % of the volume, thrown at each other at random,
-normal with 0.1 m/s along each axis, fall between walls 0.9 mm apart, to which they stick, too. Contacts, cells and, but
-for 1 %, steps are those that `cohesion-powder` plans for such grains. From the same places and velocities, of each seed,
-a run without a law for agglomerates and one with `equivalentSphere`. Prints the speeds downwards, of all and of those
-that no wall attracts, and how many one does; the share of the exchange in the run by the solver's log; what that says of
-the agglomerates, in the last step and over all; then the means over the seeds, and of each the change of the mean speeds.
+normal with 0.1 m/s along each axis, fall between walls 0.9 mm apart, to which they stick, too. Contacts, cells and,
+but for 1 %, steps are those that `cohesion-powder` plans for such grains. From the same places and velocities, of
+each seed, a run without a law for agglomerates and one with `equivalentSphere`. Prints the speeds downwards, of all
+and of those that no wall attracts, and how many one does; the share of the exchange in the run by the solver's log;
+what that says of the agglomerates, in the last step and over all; then the means over the seeds, and of each the
+change of the mean speeds.
 """
 import argparse
 import re
@@ -72,8 +73,8 @@ lammpsCoeffs {{ variables {{ {' '.join(f'{name} "{value!r}";' for name, value in
 
 
 def run(column, seed, law, end):
-    """Speeds downwards at the end: mean of all, of those that no wall attracts, and what SHARES of the grains exceed; how
-    many a wall attracts; the log; seconds that it took."""
+    """Speeds downwards at the end: mean of all, of those that no wall attracts, and what SHARES of the grains exceed;
+    how many a wall attracts; the log; seconds that it took."""
     case = make(column, seed, law, end)
     begin = time.monotonic()
     log = case.solve()
