@@ -108,6 +108,14 @@ Foam::gasParticleCoupling::gasParticleCoupling
         dimensionedVector(dimAcceleration, Zero)
     )
 {
+    // Their factors are on a coefficient b that a quadratic drag has not
+    if (drag_.closure().quadratic && (bound_.on() || filter_.active()))
+    {
+        FatalIOErrorInFunction(dict_)
+            << "drag " << drag_.closure().name.data() << " has one coefficient, for bubbles: it goes with neither"
+            << " agglomerateDrag nor dragFilter, which are laws of grains" << nl
+            << "    Remove the entry, or take another drag" << exit(FatalIOError);
+    }
     requireDimensions(voidFraction_, dimless, "a share of the volume, and is set from the particles");
     requirePatches(mesh_, dict_);
     setDepthRatio();

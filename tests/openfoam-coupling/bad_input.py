@@ -118,6 +118,11 @@ CASES = {
     "agglomerates in a mixture": (
         lambda c: append(c, COUPLING, "agglomerateDrag equivalentSphere; dragMixture carmanKozeny;"),
         ["agglomerateDrag equivalentSphere is a law of equal spheres", "a dragMixture"]),
+    "agglomerates of bubbles": (
+        lambda c: (c.set(COUPLING, "drag", "constantCd"),
+                   append(c, COUPLING, "dragCoefficient 0.44; agglomerateDrag equivalentSphere;")),
+        ["drag constantCd has one coefficient, for bubbles", "neither agglomerateDrag nor dragFilter",
+         "Remove the entry, or take another drag"]),
     "misspelt filter": (
         lambda c: c.set(COUPLING, "dragFilter", "radl"),
         ["unknown dragFilter 'radl'", "valid names: none, radlSundaresan"]),
