@@ -8,7 +8,7 @@ import unittest
 
 import numpy as np
 
-from cohesion_tests.coupling.cases import drag_report, edit
+from cohesion_tests.coupling.cases import drag_report, edit, script_file
 from cohesion_tests.coupling.held_layers import (DT, G, HEIGHT, RHO, ROW, ROWS, STEPS, SUPERFICIAL, blow, drag, drop,
                                                 drop_error, flux_limit, rows, solid, viscous)
 from cohesion_tests.coupling.test_case import CoupledTestCase
@@ -74,7 +74,7 @@ class PackedBed(CoupledTestCase):
 
         def light(name):
             case = self.column(name)
-            edit(case, "packed.lmp", "density 1e12", f"density {density!r}")
+            edit(case, script_file("packed"), "density 1e12", f"density {density!r}")
             return case
 
         def filtered(ctx, eps, slip, d, rho, mu):
