@@ -201,6 +201,7 @@ void* FixGasCoupling::extract(const char* name, int& dimension) {
   }
   if (asked == "no_liquid") {
     memory->destroy(liquid_rows);
+    liquid_rows = nullptr;  // LIGGGHTS leaves it where it was
     return nullptr;
   }
   if (asked == "gas_impulse") return impulse;
