@@ -48,9 +48,7 @@ class Reactor(CaseJob):
                          work=flow)
 
     def change(self):
-        for file, entries in self.changed.items():
-            for name, value in entries.items():
-                self.case.set(file, name, value)
+        self.set_entries(self.changed)
 
     def figures(self):
         return analyse.figures(self.folder)

@@ -52,9 +52,7 @@ class SpoutedBed(CaseJob):
     def change(self):
         for name, value in self.variables.items():
             self.case.set(VARIABLES[0], f"{VARIABLES[1]}/{name}", value)
-        for file, entries in self.changed.items():
-            for name, value in entries.items():
-                self.case.set(file, name, value)
+        self.set_entries(self.changed)
 
     def prepare(self):
         """The case with its mesh, and the spheres' wall from the same."""

@@ -38,6 +38,12 @@ class CaseJob(Job):
     def change(self):
         """What the settings change of the case, before its mesh is made."""
 
+    def set_entries(self, changed):
+        """`changed`: {file: {entry: value}} of the case."""
+        for file, entries in changed.items():
+            for name, value in entries.items():
+                self.case.set(file, name, value)
+
     def prepare(self):
         """Makes the case, with its mesh."""
         self.case = self.copied()
