@@ -19,7 +19,8 @@
 /// w: random numbers of the variance 1 for each particle, w' what is left of them without their
 /// mean and without what they have of v': w' = w - <w> - v' sum m w.v' / sum m v'.v'. So kicks add
 /// energy and take none, as white noise does in the mean, and theta is T when they have acted.
-/// Where theta is above T there are no kicks: noise heats.
+/// Where theta is above T, or below it by rounding alone, there are no kicks: noise heats, and b
+/// would make a root of rounding, 1e-8 of the speeds, that no two orders of adding up share.
 ///
 /// Symbols: m mass, v velocity [length/time], beyond the mean flow of a sheared box; T the
 /// temperature that is asked for [length^2/time^2]; d 2 or 3 dimensions.
@@ -59,6 +60,8 @@ struct Action {
 
 namespace detail {
 
+constexpr double rounding = 1e-12;  // of sums over many particles, relative
+
 inline Vector3 mean_of(const Sums::Values& sums, int first) {
   return 1.0 / sums[Sums::mass] * vector(&sums[first]);
 }
@@ -93,11 +96,12 @@ inline Action rescaled(const Sums::Values& sums, double T, int dimensions) {
   return action;
 }
 
-/// Kicks all up to the temperature T > 0. Nothing where theta is above it, or with fewer than two
-/// particles.
+/// Kicks all up to the temperature T > 0. Nothing where theta is there or above, or with fewer than
+/// two particles.
 inline Action kicked(const Sums::Values& sums, double T, int dimensions) {
   Action action = detail::measured(sums, dimensions);
-  if (!(action.temperature < T) || sums[Sums::mass] == 0.0) return action;
+  const double known_to = detail::rounding * (T + dot(action.mean, action.mean));
+  if (!(T - action.temperature > known_to) || sums[Sums::mass] == 0.0) return action;
   action.mean_kick = detail::mean_of(sums, Sums::kick);
   const double common = sums[Sums::common] / sums[Sums::mass] - dot(action.mean, action.mean_kick);
   const double spread =
@@ -105,8 +109,7 @@ inline Action kicked(const Sums::Values& sums, double T, int dimensions) {
   const double squares = dimensions * action.temperature;
   if (squares > 0.0) action.along = common / squares;
   const double free = spread - action.along * common;  // sum m w'.w' / sum m
-  constexpr double rounding = 1e-12;
-  if (!(free > rounding * spread)) {
+  if (!(free > detail::rounding * spread)) {
     action.along = 0.0;
     return action;
   }

@@ -119,6 +119,7 @@ neighbor 0.3 bin
 neigh_modify delay 0 every 1 check yes
 %s
 fix move all nve/sphere
+%s
 fix drive all drive 20 temperature 1 %s
 timestep 3.925e-4
 %s
@@ -126,20 +127,22 @@ compute flow all shear/profile
 variable px equal vcm(all,x)
 thermo_style custom step temp f_drive f_drive[1] f_drive[2] c_flow c_flow[1] v_px %s
 thermo_modify norm no lost error format float %%.17g
-thermo 1000
+thermo %d
 run %d
 """
 TALLY = "c_tally[*]"
+# All velocities by some units of their last digit
+NUDGE = "variable nudged atom vx*(1+1e-15*sin(id))\nvelocity all set v_nudged NULL NULL"
 
 
 class SoftSpheres(FolderTestCase):
     """512 at a fortieth of the contact time, with and without the Hamaker attraction."""
 
-    def go(self, words, adhesion="", steps=12000, shear="", columns=TALLY):
+    def go(self, words, adhesion="", steps=12000, shear="", columns=TALLY, nudge="", ranks=1, every=1000):
         tilt = " 0 0 0" if shear else ""
         tally = "" if shear else "compute tally all gran/energy"
-        text = SOFT % ("prism" if shear else "block", tilt, adhesion, shear, words, tally, columns, steps)
-        code, output = engine.run_text(text, self.folder)
+        text = SOFT % ("prism" if shear else "block", tilt, adhesion, shear, nudge, words, tally, columns, every, steps)
+        code, output = engine.run_text(text, self.folder, ranks=ranks)
         self.assertEqual(code, 0, output[-3000:])
         return thermo_columns(output)
 
@@ -160,6 +163,20 @@ class SoftSpheres(FolderTestCase):
                     self.assertAlmostEqual(numpy.ptp(table["c_tally[10]"]) / put_in, 1, delta=1e-3)
                     self.assertLess(abs(table["v_px"]).max(), 1e-12)
                     self.assertAlmostEqual(table["c_flow"][-1], 1, delta=0.02)
+
+    def test_ranks_part_as_rounding_does(self):
+        """Forces are added up in the order of the ranks, and collisions make rounding grow. Two ranks round another way in
+        every step, so that they part from one sooner than a run whose velocities were changed in the last digit once: by
+        sqrt(2000 steps) = 45 at most, and as much again for the luck of either."""
+        for words in WAYS:
+            with self.subTest(words):
+                one, two, nudged = (
+                    self.go(words, "hamaker 0.02 cutoff 0.005 0.05", steps=2000, every=100, **how)["f_drive"][1:]
+                    for how in ({}, {"ranks": 2}, {"nudge": NUDGE}))
+                self.assertGreater(one[-1], 100)
+                by_ranks, by_rounding = (numpy.maximum.accumulate(abs(other / one - 1)) for other in (two, nudged))
+                self.assertLess((by_ranks / (by_rounding + 1e-15)).max(), 45**2)
+                self.assertLess(by_ranks[0], 1e-12)
 
     def test_about_the_flow_of_a_sheared_box(self):
         """Sheared at the rate 0.3 across 10 diameters the mean flow has half the energy of the motion about it, and shear
