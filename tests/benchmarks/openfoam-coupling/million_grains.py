@@ -57,7 +57,8 @@ def make(powder, env, folder, number, engine, steps, ranks):
 
 def run(case, ranks):
     """The solver's log, and the largest resident sizes of its processes together [bytes]."""
-    command = ["/usr/bin/time", "-f", "resident %M", "cohesiveBedFoam"]
+    sizes = case.folder.resolve() / "resident"  # a line of each rank: what mpirun passes on may run together
+    command = ["/usr/bin/time", "-a", "-o", str(sizes), "-f", "%M", "cohesiveBedFoam"]
     if ranks > 1:
         case.set("system/decomposeParDict", "numberOfSubdomains", ranks)
         case.run("decomposePar", "-force")
@@ -65,7 +66,7 @@ def run(case, ranks):
     done = subprocess.run(command, cwd=case.folder, env=case.env, capture_output=True, text=True)
     if done.returncode != 0:
         raise SystemExit(done.stdout[-2000:] + done.stderr[-2000:])
-    return done.stdout, 1024 * sum(int(size) for size in re.findall(r"^resident (\d+)$", done.stderr, re.M))
+    return done.stdout, 1024 * sum(int(size) for size in sizes.read_text().split())
 
 
 def seconds(log, what):
