@@ -10,7 +10,6 @@
 #include <dlfcn.h>
 #include <mpi.h>
 // The engine's headers want mpi.h before them.
-#include <cstdio>
 #include <map>
 #include <string>
 
@@ -18,6 +17,7 @@
 #include "compute_gran_energy.h"
 #include "compute_shear_profile.h"
 #include "domain.h"
+#include "engine_api.h"
 #include "error.h"
 #include "fix_agglomerates.h"
 #include "fix_contact_advice.h"
@@ -59,13 +59,13 @@ Compute* make_compute(LAMMPS* lmp, int, int narg, char** arg) {
   return new Style(lmp, narg, arg);
 }
 
-/// Once for an engine, which `clear` makes anew.
-void say_version(const LAMMPS* lmp) {
+/// Once for an engine, which `clear` makes anew, by rank 0 alone: the others have a screen, too,
+/// but what they write there comes when they end, into a line of rank 0.
+void say_version(LAMMPS* lmp) {
   static const LAMMPS* told = nullptr;
   if (told == lmp) return;
   told = lmp;
-  for (FILE* const file : {lmp->screen, lmp->logfile})
-    if (file) std::fputs("Cohesion " COHESION_VERSION "\n", file);
+  engine_api::tell(lmp, "Cohesion " COHESION_VERSION "\n");
 }
 
 }  // namespace

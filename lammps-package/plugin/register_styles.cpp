@@ -10,6 +10,7 @@
 #include "compute_hard_events.h"
 #include "compute_hard_stress.h"
 #include "compute_shear_profile.h"
+#include "engine_api.h"
 #include "fix_agglomerates.h"
 #include "fix_bubbles.h"
 #include "fix_deform_shear.h"
@@ -26,7 +27,6 @@
 #include "pair_gran_styles.h"
 #include "pair_hamaker.h"
 #include "pair_hard_square_well.h"
-#include "utils.h"
 #include "version.h"
 
 using namespace LAMMPS_NS;
@@ -115,6 +115,6 @@ extern "C" void cohesion_register_styles(void* lmp, void* handle, void* regfunc)
   register_all("fix", fixes);
   register_all("compute", computes);
 
-  const std::string said = "Cohesion " COHESION_VERSION ", built for LAMMPS " LAMMPS_VERSION "\n";
-  utils::logmesg(static_cast<LAMMPS*>(lmp), said);
+  engine_api::tell(static_cast<LAMMPS*>(lmp),
+                   "Cohesion " COHESION_VERSION ", built for LAMMPS " LAMMPS_VERSION "\n");
 }

@@ -21,7 +21,9 @@ PRELOAD = os.environ.get("COHESION_PRELOAD", "")  # set for an engine without th
 
 class Loading(ScriptTestCase):
     def goes(self, script, **options):
-        self.assertIn("style is there", super().goes(script, **options))
+        output = super().goes(script, **options)
+        self.assertIn("style is there", output)
+        return output
 
     def stops(self, script, *words, **options):
         """The loader's own messages stand beside the error."""
@@ -39,7 +41,9 @@ class Plugin(Loading):
         self.goes("plugin load ${plugin}\nplugin load ${plugin}\n" + USE)
 
     def test_load_on_two_ranks(self):
-        self.goes("plugin load ${plugin}\n" + USE, ranks=2)
+        output = self.goes("plugin load ${plugin}\n" + USE, ranks=2)
+        # Of the first rank alone: a line of another comes into one of the first's.
+        self.assertEqual(output.count("Cohesion "), 1, output)
 
     def test_load_again_after_clear(self):
         self.goes("plugin load ${plugin}\nclear\nplugin load ${plugin}\n" + USE)

@@ -74,6 +74,10 @@ class Options(unittest.TestCase):
         self.same(*of, "-sc", "none")
         self.assertIn("print 'n is ${n}'", self.same(*of, "-echo", "both")["printed"])
 
+    def test_ranks(self):
+        """The first one alone says what program it is: a line of another comes into one of the first's."""
+        self.same("-in", "in.script", *N, ranks=2)
+
     def test_partitions(self):
         found = self.same("-in", "in.script", *N, "-partition", "2x1", "-plog", "log", "-pscreen", "screen", ranks=2,
                           files=("log.liggghts", "log.0", "log.1", "screen.0", "screen.1"))
