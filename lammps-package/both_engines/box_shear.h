@@ -70,29 +70,43 @@ inline cohesion::shear::BoxShear shear_since(const cohesion::shear::NonaffineDis
                                     middle_height(domain));
 }
 
-/// Whether x is in the box along each periodic axis.
-inline bool in_box(Domain* domain, double* x) {
+/// Whether x is in the box along each periodic axis, or at most so many boxes outside.
+inline bool in_box(Domain* domain, double* x, double boxes = 0.0) {
   double place[3];
   if (domain->triclinic) domain->x2lamda(x, place);
   const double* const at = domain->triclinic ? place : x;
   const double* const low = domain->triclinic ? domain->boxlo_lamda : domain->boxlo;
   const double* const high = domain->triclinic ? domain->boxhi_lamda : domain->boxhi;
-  for (int k = 0; k < 3; k++)
-    if (domain->periodicity[k] && (at[k] < low[k] || at[k] >= high[k])) return false;
+  for (int k = 0; k < 3; k++) {
+    const double outside = boxes * (high[k] - low[k]);
+    if (domain->periodicity[k] && (at[k] < low[k] - outside || at[k] >= high[k] + outside))
+      return false;
+  }
   return true;
 }
 
 /// Wraps own particles outside the box into it, with the velocity of the image that they become, as
 /// the engine does when it makes lists: for restart files the engine wraps them with the velocity
-/// that they have. All others stay as they are, to the last digit.
-inline void wrap_into_box(Atom* atom, Domain* domain) {
-  const auto height = [](imageint image) { return (image >> IMGBITS & IMGMASK) - IMGMAX; };
+/// that they have. All others stay as they are, to the last digit, and those at most `boxes`
+/// outside.
+inline void wrap_into_box(Atom* atom, Domain* domain, double boxes = 0.0) {
+  const double* const rate = domain->h_rate;
   for (int i = 0; i < atom->nlocal; i++) {
-    if (in_box(domain, atom->x[i])) continue;
-    const auto before = height(atom->image[i]);
+    if (in_box(domain, atom->x[i], boxes)) continue;
+    const imageint before = atom->image[i];
     domain->remap(atom->x[i], atom->image[i]);
-    if (domain->deform_vremap && (atom->mask[i] & domain->deform_groupbit))
-      atom->v[i][0] -= static_cast<double>(height(atom->image[i]) - before) * domain->h_rate[5];
+    if (!domain->deform_vremap || !(atom->mask[i] & domain->deform_groupbit)) continue;
+    const auto gone = [&](int shift) {
+      const auto of = [shift](imageint image) {
+        return static_cast<double>(image >> shift & IMGMASK);
+      };
+      return of(atom->image[i]) - of(before);
+    };
+    const double along[3] = {gone(0), gone(IMGBITS), gone(IMG2BITS)};
+    double* const v = atom->v[i];
+    v[0] -= rate[0] * along[0] + rate[5] * along[1] + rate[4] * along[2];
+    v[1] -= rate[1] * along[1] + rate[3] * along[2];
+    v[2] -= rate[2] * along[2];
   }
 }
 

@@ -32,7 +32,6 @@ static constexpr double OVERLAP = 1e-6;
 // Steps after which the clock starts anew where somebody has gone out of the box, so that places
 // keep their digits.
 static constexpr int STEPS_OF_A_CLOCK = 100;
-static constexpr int FIXED_BOUNDARY = 1;  // Domain::boundary
 
 FixHardEvents::FixHardEvents(LAMMPS* lammps, int narg, char** arg)
     : Fix(lammps, narg, arg),
@@ -110,6 +109,7 @@ void FixHardEvents::init() {
   if (!record_) record_ = std::make_unique<HardEventRecord>(lmp, pair_->record_file());
   simulation_.rules = pair_->rules();
   simulation_.alone = comm->nprocs == 1;
+  bring_home();
 }
 
 /// Notes the kicks of this step, whose forces the engine clears before pre_force.
@@ -117,35 +117,6 @@ void FixHardEvents::initial_integrate(int) {
   for (int i = 0; i < atom->nlocal; i++)
     columns_[i][KICK] = kick_of(vector(atom->f[i]),
                                 mobile_.inverse_mass(atom->mask[i], atom->rmass[i]), update->dt);
-}
-
-/// Keeps particles at the boundary whose free flight leads through a wall out of the box, until
-/// their event turns them round: they would be lost before. One that was outside before the step is
-/// lost as in any run.
-void FixHardEvents::pre_exchange() {
-  for (int axis = 0; axis < 3; axis++)
-    for (int i = 0; domain->periodicity[axis] && i < atom->nlocal; i++)
-      if (std::abs(update->dt * atom->v[i][axis]) >= domain->prd[axis])
-        error->one(FLERR,
-                   "pair_style hard/square_well: in step {} particle {} flies {} along {}, and the "
-                   "box is {} long: use a smaller time step",
-                   update->ntimestep, atom->tag[i], update->dt * atom->v[i][axis], "xyz"[axis],
-                   domain -> prd[axis]);
-  if (domain->triclinic) return;
-  for (int axis = 0; axis < 3; axis++) {
-    const double low = domain->boxlo[axis], high = domain->boxhi[axis];
-    for (int side = 0; side < 2; side++) {
-      if (domain->boundary[axis][side] != FIXED_BOUNDARY) continue;
-      const double last = side == 0 ? low : std::nextafter(high, low);
-      for (int i = 0; i < atom->nlocal; i++) {
-        double& x = atom->x[i][axis];
-        const double before = x - update->dt * atom->v[i][axis];
-        if ((side == 0 ? x >= low : x < high) || before < low || before >= high) continue;
-        columns_[i][OUTSIDE + axis] = x - last;
-        x = last;
-      }
-    }
-  }
 }
 
 /// The run starts here: nothing has moved.

@@ -94,6 +94,9 @@ class FixHardEvents : public Fix {
   enum Column { PLACE = 0, VELOCITY = 3, SINCE = 6, DEPTH = 7, IMAGE = 8, OUTSIDE = 9, KICK = 12 };
   static constexpr int COLUMNS = 13;
 
+  void require_flights_within_box() const;
+  void hold_at_boundary();
+  void bring_home();
   void set_rules();
   void warn_of_overlaps() const;
   void predict_changes();

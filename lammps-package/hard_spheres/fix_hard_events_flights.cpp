@@ -6,9 +6,12 @@
 #include <limits>
 
 #include "atom.h"
+#include "box_shear.h"
 #include "comm.h"
 #include "domain.h"
+#include "error.h"
 #include "fix_hard_events.h"
+#include "irregular.h"
 #include "pair_hard_square_well.h"
 #include "update.h"
 
@@ -22,6 +25,10 @@ using cohesion::Vector3;
 static constexpr double ROUNDINGS = 64.0 * std::numeric_limits<double>::epsilon();
 // A particle that is farther than this from where it was, in radii, has been put there.
 static constexpr double MOVED = 0.1;
+static constexpr int FIXED_BOUNDARY = 1;  // Domain::boundary
+// How far outside the box the engine's own wrapping, which is by one box, is left to work, in
+// boxes: not to the end, where it rounds.
+static constexpr double WRAPPED_BY_ENGINE = 0.5;
 
 /// The bits of image flags of an axis.
 static imageint flag(imageint image, int axis) {
@@ -34,7 +41,60 @@ static PeriodicBox::Edges rates(const Domain* domain) {
   return domain->deform_vremap ? edges(domain->h_rate) : PeriodicBox::Edges{};
 }
 
-/// Puts particles back to where pre_exchange() took them from.
+void FixHardEvents::pre_exchange() {
+  require_flights_within_box();
+  hold_at_boundary();
+  bring_home();
+}
+
+/// Stops where a particle flies a box length in a step.
+void FixHardEvents::require_flights_within_box() const {
+  for (int axis = 0; axis < 3; axis++)
+    for (int i = 0; domain->periodicity[axis] && i < atom->nlocal; i++)
+      if (std::abs(update->dt * atom->v[i][axis]) >= domain->prd[axis])
+        error->one(FLERR,
+                   "pair_style hard/square_well: in step {} particle {} flies {} along {}, and the "
+                   "box is {} long: use a smaller time step",
+                   update->ntimestep, atom->tag[i], update->dt * atom->v[i][axis], "xyz"[axis],
+                   domain -> prd[axis]);
+}
+
+/// Keeps particles at the boundary whose free flight leads through a wall out of the box, until
+/// their event turns them round: they would be lost before. One that was outside before the step is
+/// lost as in any run.
+void FixHardEvents::hold_at_boundary() {
+  if (domain->triclinic) return;
+  for (int axis = 0; axis < 3; axis++) {
+    const double low = domain->boxlo[axis], high = domain->boxhi[axis];
+    for (int side = 0; side < 2; side++) {
+      if (domain->boundary[axis][side] != FIXED_BOUNDARY) continue;
+      const double last = side == 0 ? low : std::nextafter(high, low);
+      for (int i = 0; i < atom->nlocal; i++) {
+        double& x = atom->x[i][axis];
+        const double before = x - update->dt * atom->v[i][axis];
+        if ((side == 0 ? x >= low : x < high) || before < low || before >= high) continue;
+        columns_[i][OUTSIDE + axis] = x - last;
+        x = last;
+      }
+    }
+  }
+}
+
+/// Collective: what the engine does with particles outside the box and on their way to other
+/// processes, for flights of any length. It wraps by one box, and an event at the end of a flight
+/// may lead back over more than that from where it had wrapped the free flight's end; it hands
+/// particles on to the next process along an axis, which from three on is not all.
+void FixHardEvents::bring_home() {
+  wrap_into_box(atom, domain, WRAPPED_BY_ENGINE);
+  const int* const grid = comm->procgrid;
+  if (comm->layout != Comm::LAYOUT_TILED && *std::max_element(grid, grid + 3) <= 3) return;
+  Irregular irregular(lmp);
+  if (domain->triclinic) domain->x2lamda(atom->nlocal);
+  if (irregular.migrate_check()) irregular.migrate_atoms();
+  if (domain->triclinic) domain->lamda2x(atom->nlocal);
+}
+
+/// Puts particles back to where hold_at_boundary() took them from.
 void FixHardEvents::put_back_outside() {
   for (int i = 0; i < atom->nlocal; i++)
     for (int axis = 0; axis < 3; axis++) {
