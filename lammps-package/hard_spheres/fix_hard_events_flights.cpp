@@ -11,7 +11,6 @@
 #include "domain.h"
 #include "error.h"
 #include "fix_hard_events.h"
-#include "irregular.h"
 #include "pair_hard_square_well.h"
 #include "update.h"
 
@@ -80,19 +79,10 @@ void FixHardEvents::hold_at_boundary() {
   }
 }
 
-/// Collective: what the engine does with particles outside the box and on their way to other
-/// processes, for flights of any length. It wraps by one box, and an event at the end of a flight
-/// may lead back over more than that from where it had wrapped the free flight's end; it hands
-/// particles on to the next process along an axis, which from three on is not all.
-void FixHardEvents::bring_home() {
-  wrap_into_box(atom, domain, WRAPPED_BY_ENGINE);
-  const int* const grid = comm->procgrid;
-  if (comm->layout != Comm::LAYOUT_TILED && *std::max_element(grid, grid + 3) <= 3) return;
-  Irregular irregular(lmp);
-  if (domain->triclinic) domain->x2lamda(atom->nlocal);
-  if (irregular.migrate_check()) irregular.migrate_atoms();
-  if (domain->triclinic) domain->lamda2x(atom->nlocal);
-}
+/// Wraps particles that are far outside the box: the engine wraps by one box, and an event at the
+/// end of a flight may lead back over more than that from where it had wrapped the free flight's
+/// end.
+void FixHardEvents::bring_home() { wrap_into_box(atom, domain, WRAPPED_BY_ENGINE); }
 
 /// Puts particles back to where hold_at_boundary() took them from.
 void FixHardEvents::put_back_outside() {
