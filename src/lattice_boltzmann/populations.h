@@ -34,6 +34,14 @@ class Populations {
     return ahead_ ? at(opposite(q), node + grid_.offset(q)) : at(q, node);
   }
 
+  /// In place of f_q(node).
+  void set(int q, std::size_t node, double value) {
+    if (ahead_)
+      values_[opposite(q) * stride_ + node + grid_.offset(q)] = value;
+    else
+      values_[q * stride_ + node] = value;
+  }
+
   /// Where collisions read and write.
   Row row() {
     Row row;
