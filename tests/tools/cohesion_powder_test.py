@@ -120,7 +120,6 @@ class Numbers(unittest.TestCase):
             text = (case / "constant/powder").read_text()
             top, rows = (float(text.split(f"\n{name} ")[1].split(";")[0]) for name in ("top", "rows"))
             self.near(top / rows, 1e-3)
-        self.refused((*GLASS, "--cell", 1), "--cell")
 
     def test_few_parcels_across_are_warned_of(self):
         words = ("--diameter", 1e-3, "--density", 2650, "--stiffness", 800, *BED)
@@ -256,6 +255,7 @@ class Refusals(unittest.TestCase):
         self.refused((*GLASS, "--diameter", 6e-4), "--diameter: given twice")
         self.refused((*GLASS, "--gravity", 9.8, "--gravity", 1.6), "--gravity")
         self.refused((*GLASS, "--coarse-graining", 0.5), "--coarse-graining")
+        self.refused((*GLASS, "--cell", 1), "--cell")
         self.refused((*GLASS, "--measure", "--engine", "liggghts"), "--measure runs LAMMPS")
         self.refused((*GLASS, *BED, "--grains", 100, "--write", "never-written"), "--grains = 100: the smallest vessel",
                      "2 cells across")
