@@ -46,8 +46,8 @@ class MovingCuts(CoupledTestCase):
             self.expect_below(f"{name}, largest difference / largest value", apart, limits[name])
         # Spheres meet, and history counts: of spheres that fly singly the drag lets no difference grow.
         self.expect_below("1e-9 over what became of it", DISTURBANCE / limits["particle velocity"], 1 / 3)
-        rows = np.array(re.findall(rf"^\s*(\d+)\s+{SPHERES}\s+(\d+)\s+\d+\s*$", (case.folder / "log.lammps").read_text(),
-                                   re.M), dtype=int)
+        said = (case.folder / "log.lammps").read_text()
+        rows = np.array(re.findall(rf"^\s*(\d+)\s+{SPHERES}\s+(\d+)\s+\d+\s*$", said, re.M), dtype=int)
         late = rows[rows[:, 0] > 0]
         # A cut between layers of a lattice of ten leaves one rank a layer more; when they have mixed, a sphere or two.
         self.expect_true("the ranks' spheres are counted", len(late) > 10)
