@@ -108,7 +108,7 @@ class Powder {
                           well_ratio_of(r)});
     const double steps = r.engine == "liggghts" ? steps_per_contact_liggghts : steps_per_contact;
     step = particle_step(parcels.time(springs.used.contact_time), steps);
-    cell = cell_over_diameter * parcels.length(sizes.largest());
+    cell = r.cell * parcels.length(sizes.largest());
     velocity = 2.0 * fastest_fluidisation;
     gas_step = powder::gas_step(cell, velocity / r.void_fraction, r.gravity, step);
   }
@@ -262,7 +262,7 @@ void print_plan(const Lines& print, const Request& r, const Powder& p) {
            p.adhesion.force / p.weight(p.sizes.smallest()) / p.parcels.ratio(), "1"});
   }
   print({"particle_step", "particle step, a part of t_c, scheme event", p.step, "s"});
-  print({"cell", "cells, three of the largest diameter", p.cell, "m"});
+  print({"cell", "edge of the cells", p.cell, "m"});
   print({"gas_step", "gas step, a whole number of these", p.gas_step, "s"});
   print({"steps_per_second", "particle steps in a second", 1.0 / p.step, "1"});
   if (r.height == 0.0) return;

@@ -10,6 +10,7 @@
 #include "named_table.h"
 #include "powder/fluidisation.h"
 #include "powder/grain_contact.h"
+#include "powder/plan.h"
 #include "powder/wells.h"
 #include "validation.h"
 
@@ -35,6 +36,7 @@ struct Request {
   double width = 0.0, depth = 0.0, column = 0.0, height = 0.0, void_fraction = 0.42;
   std::string keep = "velocity";
   double coarse_graining = 1.0;
+  double cell = powder::cell_over_diameter;  // over the largest diameter of what is computed
   std::string engine = "lammps";
   std::string lammps = "lmp-cohesion", plugin = "cohesionplugin.so";
   bool measure = false, csv = false;
@@ -125,6 +127,9 @@ inline void add_options(CLI::App& app, Request& r) {
   app.add_option("--coarse-graining", r.coarse_graining,
                  "diameter of the spheres that are computed over that of the grains")
       ->check(CLI::Range(1.0, 100.0))
+      ->capture_default_str();
+  app.add_option("--cell", r.cell, "edge of the cells over the largest diameter that is computed")
+      ->check(CLI::Range(1.5, 20.0))
       ->capture_default_str();
   app.add_option("--engine", r.engine, "of the run: steps, script and case are for it")
       ->check(CLI::IsMember({"lammps", "liggghts"}))

@@ -28,7 +28,7 @@ def entry(case, name):
 
 
 class PowderCase(CoupledTestCase):
-    def check(self, name, *words, across=None):
+    def check(self, name, *words, across=None, cell=1.5e-3):
         case = WORK / name
         subprocess.run(["rm", "-rf", str(case)], check=True)
         code, _, said = program.call(*words, *GRAINS, "--write", case)
@@ -38,11 +38,11 @@ class PowderCase(CoupledTestCase):
         log = (case / "log.cohesiveBedFoam").read_text()
         self.expect_below(f"{name}: imbalance of momentum [1]",
                           max(line["imbalance"] for line in exchange_lines(log)), 1e-10)
-        self.check_drop(name, case)
+        self.check_drop(name, case, cell)
         self.check_places(name, case, across)
         return log
 
-    def check_drop(self, name, case):
+    def check_drop(self, name, case, cell):
         """What the gas loses in pressure it puts on the grains, but for what it keeps of momentum and loses at walls."""
         drop = np.loadtxt(case / "postProcessing/drop/0/bedPressureDrop.dat")
         forces = np.loadtxt(case / "postProcessing/forces/0/forceBudget.dat")
@@ -55,7 +55,7 @@ class PowderCase(CoupledTestCase):
         carried = mean(gas) / area - (mean(-gravity) / area - weight)
         # The superficial flux is the same at all heights and times, and with it the gas's momentum. What leaves with it
         # is as much as comes in but for jets, at the plate those between grains; walls drag on it over half a cell.
-        superficial, top, cell = entry(case, "velocity"), entry(case, "top"), 1.5e-3
+        superficial, top = entry(case, "velocity"), entry(case, "top")
         speed = superficial / 0.42
         off = RHO * superficial * speed + MU * speed / (cell / 2) * 4 * top / np.sqrt(area)
         self.expect_near(f"{name}: pressure drop over weight [1]", mean(drop[:, 3]) / weight, carried / weight,
@@ -75,6 +75,9 @@ class PowderCase(CoupledTestCase):
 
     def test_one_size(self):
         self.check("one", "--diameter", 5e-4, *BOX)
+
+    def test_finer_cells(self):
+        self.check("finer", "--diameter", 5e-4, "--cell", 2, *BOX, cell=1e-3)
 
     def test_two_sizes(self):
         self.check("two", "--diameter", 4e-4, 6e-4, *BOX)

@@ -105,6 +105,22 @@ class Numbers(unittest.TestCase):
         _, output, _ = program.call(*words, "--coarse-graining", 2)
         self.assertIn("stiffness 1600 restitution 0.9 friction 0.3 hamaker 5.992e-18 cutoff 8e-10 2e-07", output)
 
+    def test_cells_are_as_wide_as_asked_for(self):
+        """And the gas step is that of the Courant number in them, but for a whole number of particle steps."""
+        coarse, fine = (program.values(*GLASS, *BED, *more) for more in ((), ("--cell", 2)))
+        self.near(coarse["cell"], 1.5e-3)
+        self.near(fine["cell"], 1e-3)
+        self.near(fine["particle_step"], coarse["particle_step"])
+        self.assertAlmostEqual(fine["gas_step"] / coarse["gas_step"], 2 / 3,
+                               delta=1.5 * fine["particle_step"] / coarse["gas_step"])
+        with tempfile.TemporaryDirectory() as folder:
+            case = Path(folder) / "case"
+            code, _, error = program.call(*GLASS, *BED, "--cell", 2, "--write", case)
+            self.assertEqual(code, 0, error)
+            text = (case / "constant/powder").read_text()
+            top, rows = (float(text.split(f"\n{name} ")[1].split(";")[0]) for name in ("top", "rows"))
+            self.near(top / rows, 1e-3)
+
     def test_few_parcels_across_are_warned_of(self):
         words = ("--diameter", 1e-3, "--density", 2650, "--stiffness", 800, *BED)
         for ratio, warned in ((2, False), (3, True)):  # 0.04 m: 20 and 13
@@ -239,6 +255,7 @@ class Refusals(unittest.TestCase):
         self.refused((*GLASS, "--diameter", 6e-4), "--diameter: given twice")
         self.refused((*GLASS, "--gravity", 9.8, "--gravity", 1.6), "--gravity")
         self.refused((*GLASS, "--coarse-graining", 0.5), "--coarse-graining")
+        self.refused((*GLASS, "--cell", 1), "--cell")
         self.refused((*GLASS, "--measure", "--engine", "liggghts"), "--measure runs LAMMPS")
         self.refused((*GLASS, *BED, "--grains", 100, "--write", "never-written"), "--grains = 100: the smallest vessel",
                      "2 cells across")
