@@ -46,16 +46,24 @@ Foam::fv::suspendedWeight::suspendedWeight
 }
 
 
-Foam::dimensionedScalar Foam::fv::suspendedWeight::meanDensity() const
+std::pair<Foam::dimensionedScalar, Foam::dimensionedVector> Foam::fv::suspendedWeight::means() const
 {
     scalar mass = 0;
+    vector momentum = Zero;
     for (const word& phase : phases_)
     {
         const auto& alpha = mesh_.lookupObject<volScalarField>(IOobject::groupName("alpha", phase));
         const auto& rho = mesh_.lookupObject<volScalarField>(IOobject::groupName("thermo:rho", phase));
-        mass += gSum(alpha.primitiveField()*rho.primitiveField()*mesh_.V().field());
+        const auto& U = mesh_.lookupObject<volVectorField>(IOobject::groupName("U", phase));
+        const scalarField masses(alpha.primitiveField()*rho.primitiveField()*mesh_.V().field());
+        mass += gSum(masses);
+        momentum += gSum(masses*U.oldTime().primitiveField());
     }
-    return dimensionedScalar("meanDensity", dimDensity, mass/gSum(mesh_.V()));
+    return
+    {
+        dimensionedScalar("density", dimDensity, mass/gSum(mesh_.V())),
+        dimensionedVector("velocity", dimVelocity, momentum/mass)
+    };
 }
 
 
@@ -67,5 +75,6 @@ void Foam::fv::suspendedWeight::addSup
     const label
 )
 {
-    eqn += alpha*(rho - meanDensity())*gravity_;
+    const auto mixture = means();
+    eqn += alpha*((rho - mixture.first)*gravity_ - rho*mixture.second/mesh_.time().deltaT());
 }
