@@ -7,6 +7,13 @@
 
 namespace cohesion::kinetic_theory {
 
+/// X of the law below, [1]: what a well adds to the second virial coefficient. Throws
+/// InvalidParameter as square_well::require_valid().
+inline double gathered_by_well(double lambda, double depth_over_t) {
+  square_well::require_valid(square_well::well(depth_over_t, lambda));
+  return (lambda * lambda * lambda - 1.0) * std::expm1(depth_over_t);
+}
+
 /// Excess compressibility of elastic spheres with square wells over that of hard spheres at the
 /// same solid fraction, as measured:
 ///
@@ -23,10 +30,24 @@ namespace cohesion::kinetic_theory {
 /// e = 0.9.
 ///
 /// Source: examples/compressibility.
+struct CohesiveRatio {
+  /// What it was fitted to ends here: the densest gas, and X of lambda = 1.05 at D/T = 1.
+  static constexpr double measured_lambda = 1.05, measured_depth_over_t = 1.0;
+  static constexpr double largest_fraction = 0.5;
+
+  static constexpr double value(double phi, double X) {
+    return 1.0 - X * (1.0 + phi * (2.764 - 0.969 * phi - 4.836 * X));
+  }
+
+  /// d(y/y_HS)/d phi at the same D/T, [1]
+  static constexpr double slope(double phi, double X) {
+    return -X * (2.764 - 2.0 * 0.969 * phi - 4.836 * X);
+  }
+};
+
+/// y/y_HS of the law above, [1]
 inline double cohesive_compressibility_ratio(double phi, double lambda, double depth_over_t) {
-  square_well::require_valid(square_well::well(depth_over_t, lambda));
-  const double X = (lambda * lambda * lambda - 1.0) * std::expm1(depth_over_t);
-  return 1.0 - X * (1.0 + phi * (2.764 - 0.969 * phi - 4.836 * X));
+  return CohesiveRatio::value(phi, gathered_by_well(lambda, depth_over_t));
 }
 
 }  // namespace cohesion::kinetic_theory

@@ -45,6 +45,18 @@ class BadModels(unittest.TestCase):
         self.refused("packing", "alphaMax = 0.65: radialModel maAhmadi diverges at a solid fraction of 0.64356",
                      "kineticTheoryCoeffs", alphaMax=0.65)
 
+    def test_wells(self):
+        def well(words):
+            return f"squareWell; squareWellCoeffs {{ {words} }} unused"
+
+        for name, words, said in (
+                ("depth", "wellDepth -1; wellRatio 1.05; grainMass 1e-9;", "depth D of the well = -1: must be a finite"
+                 " number not below zero"),
+                ("ratio", "wellDepth 1; wellRatio 0.9; grainMass 1e-9;", "ratio r_out/r of the well = 0.9"),
+                ("mass", "wellDepth 1; wellRatio 1.05; grainMass 0;", "mass of a grain = 0"),
+                ("missing", "wellDepth 1; wellRatio 1.05;", "grainMass")):
+            self.refused(f"well-{name}", said, "kineticTheoryCoeffs", granularPressureModel=well(words) + " 0")
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -51,8 +51,8 @@ void print_drags(const dictionary& settings, const fvMesh& mesh, const dimension
 
 void print_kinetic_theory(const dictionary& settings, const fvMesh& mesh) {
   const volScalarField alpha(read("alpha.particles", mesh)), g0(read("g0", mesh)),
-      slope(read("g0prime", mesh)), theta(read("Theta.particles", mesh)), rho(read("rho", mesh)),
-      d(read("d", mesh));
+      slope(read("g0prime", mesh)), theta(read("Theta.particles", mesh)),
+      rho(read("rho.particles", mesh)), d(read("d", mesh));
   const dimensionedScalar e("e", dimless, settings), least("least", dimless, 0.5),
       most("alphaMax", dimless, settings);
   for (const word& name : settings.get<wordList>("radial")) {

@@ -59,7 +59,7 @@ def models(folder, settings, fractions, slips, theta):
     radial = carnahan_starling(np.asarray(fractions))
     fields["g0"] = (radial, "[0 0 0 0 0 0 0]")
     fields["g0prime"] = (slope(carnahan_starling, np.asarray(fractions)), "[0 0 0 0 0 0 0]")
-    fields["rho"] = ([1500.0 + 100 * k for k in range(len(POINTS))], "[1 -3 0 0 0 0 0]")
+    fields["rho.particles"] = ([1500.0 + 100 * k for k in range(len(POINTS))], "[1 -3 0 0 0 0 0]")
     fields["d"] = (np.linspace(1e-5, 1e-3, len(POINTS)), "[0 1 0 0 0 0 0]")
     fields["U.particles"] = ([(0, -slip, 0) for slip in slips], "[0 1 -1 0 0 0 0]")
     fields["U.air"] = ([(0.0, 0.0, 0.0)] * len(POINTS), "[0 1 -1 0 0 0 0]")
@@ -145,6 +145,33 @@ class Models(unittest.TestCase):
                   rho * phi * (1 + 2 * (1 + E) * phi * carnahan_starling(phi)), ROUNDING)
         self.near("its slope", found["pressure", "lun", "PsCoeffPrime"],
                   rho * slope(lambda x: x * (1 + 2 * (1 + E) * x * carnahan_starling(x)), phi), ROUNDING)
+
+    def test_pressure_with_wells(self):
+        """At each point another D/T, from 0.02 to 3e4, beyond what was measured; phi beyond it, too."""
+        depth, ratio, mass, phi = 2e-12, 1.05, 1e-9, np.linspace(0.01, 0.64, 20)
+        wells = "squareWellCoeffs {{ wellDepth {}; wellRatio {}; grainMass {}; }}"
+        settings = (f"drag (); radial (); e {E}; alphaMax {ALPHA_MAX}; pressure (lun squareWell); viscosity ();"
+                    "conductivity ();")
+        theta = np.geomspace(depth / mass / 3e4, depth / mass / 0.02, 20)[::-1]
+        theta = np.concatenate([theta[::2], theta[1::2]])  # cold and warm among thin and dense
+        found = models(WORK / "wells", settings + wells.format(depth, ratio, mass), phi, [0] * 20, theta)
+        gathered = 0.157625 * np.expm1(np.minimum(depth / (mass * theta), 1))
+
+        def excess(x):
+            within = np.where(np.real(x) > 0.5, 0.5, x)
+            left = 1 - gathered * (1 + 2.764 * within - 0.969 * within**2 - 4.836 * within * gathered)
+            return 2 * (1 + E) * x * carnahan_starling(x) * left
+
+        rho = 1500.0 + 100 * np.arange(20)
+        self.near("squareWell", found["pressure", "squareWell", "PsCoeff"], rho * phi * (1 + excess(phi)), ROUNDING)
+        self.near("its slope", found["pressure", "squareWell", "PsCoeffPrime"],
+                  rho * slope(lambda x: x * (1 + excess(x)), phi), ROUNDING)
+        for name, words in (("none", wells.format(0, ratio, mass)), ("no-width", wells.format(depth, 1, mass))):
+            found = models(WORK / f"wells-{name}", settings + words, phi, [0] * 20, theta)
+            for quantity in ("PsCoeff", "PsCoeffPrime"):
+                with self.subTest("without wells to the last digit", name=name, quantity=quantity):
+                    self.assertEqual(list(found["pressure", "squareWell", quantity]),
+                                     list(found["pressure", "lun", quantity]))
 
 
 if __name__ == "__main__":
