@@ -40,7 +40,7 @@ void FixBubbles::init() {
       coupling = static_cast<FixGasCoupling*>(modify->fix[k]);
   const auto bounds = box();
   for (std::size_t k = 0; nozzles && k < nozzles->count(); k++)
-    if (!bounds.holds(nozzles->place(k), cohesion::bubbles::radius_of(nozzles->volume())))
+    if (!bounds.holds(nozzles->place(k), cohesion::bubbles::radius_of(nozzles->most())))
       stop(lmp, FLERR, where, ": a bubble of nozzle ", k + 1, " at ", nozzles->place(k).x, " ",
            nozzles->place(k).y, " ", nozzles->place(k).z, " is not within the box");
   if (next_id < 0) next_id = highest_id() + 1;

@@ -89,9 +89,10 @@ inline Events round_of_events(std::vector<Bubble>& bubbles, const Rules& rules, 
     present.push_back(bubbles[i]);
   }
   for (std::size_t k = 0; nozzles && k < nozzles->count(); k++) {
-    if (!nozzles->gives(k, present, box)) continue;
-    const Bubble fresh{next_number++, nozzles->place(k), rules.velocity,
-                       radius_of(nozzles->volume()), rules.density * nozzles->volume()};
+    const double volume = nozzles->gives(k, present, box);
+    if (!(volume > 0.0)) continue;
+    const Bubble fresh{next_number++, nozzles->place(k), rules.velocity, radius_of(volume),
+                       rules.density * volume};
     events.born.push_back({fresh, std::nullopt});
     present.push_back(fresh);
     totals.injected += 1.0;
