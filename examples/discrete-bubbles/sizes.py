@@ -14,11 +14,12 @@ from cohesion_studies.foam_case import environment
 from cohesion_studies.job_pool import RunError, carry_out, require_ours
 from cohesion_studies.study_table import aligned
 
-# Diameter of the bubbles of nozzles: how many of them along x and y, how far apart [m], and the step of the bubbles [s],
-# a tenth of a contact of theirs at most: pi sqrt(M/(2 K)) = 14, 26 and 40 ms, with M the mass and the added mass.
-NOZZLES = {0.08: (11, 0.085, 1.25e-3), 0.12: (7, 0.12, 2.5e-3), 0.16: (5, 0.17, 2.5e-3)}
+# Diameter of the bubbles of nozzles: how many of them along x and y, how far apart and what waiting bubbles grow to, at
+# most to the walls [m], and the step of the bubbles [s], a tenth of a contact of theirs at most: pi sqrt(M/(2 K)) = 14, 26
+# and 40 ms, with M the mass and the added mass.
+NOZZLES = {0.08: (11, 0.085, 0.14, 1.25e-3), 0.12: (7, 0.12, 0.19, 2.5e-3), 0.16: (5, 0.17, 0.19, 2.5e-3)}
 NONE = 1e-3  # no bubble is that small: none merge
-LARGEST = {NONE: 0.2, 0.3: 0.2, 0.5: 0.35}  # to which bubbles merge: smoothing for them [m]
+LARGEST = (NONE, 0.3, 0.5)  # to which bubbles merge [m]
 GAS_STEP = 0.025
 
 
@@ -26,11 +27,11 @@ class Sized(run.Reactor):
     """A reactor with a flow of gas [m3/s] of bubbles of a size from its nozzles that merge up to another [m]."""
 
     def __init__(self, out, env, mark, flow, diameter, largest, changed=None):
-        count, spacing, step = NOZZLES[diameter]
+        count, spacing, grown, step = NOZZLES[diameter]
         name = f"{flow:g}-{1e3 * diameter:g}-" + ("none" if largest == NONE else f"{1e3 * largest:g}")
         self.flow, self.diameter, self.largest = flow, diameter, largest
         reactor = {"flow": flow, "diameter": diameter, "nozzles": count, "spacing": spacing,
-                   "grow": round(4 / 3 * diameter, 3), "smoothing": LARGEST[largest], **(changed or {})}
+                   "grow": grown, **(changed or {})}
         prefix = "lammpsCoeffs/variables/"
         self.changed = {run.REACTOR: reactor, run.MERGE[0]: {run.MERGE[1]: largest, prefix + "dt": step,
                                                              prefix + "every": round(GAS_STEP / step)}}

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
+#include <optional>
 #include <vector>
 
 #include "bubbles/bubble.h"
@@ -15,8 +17,9 @@ namespace cohesion::bubbles {
 /// gives a bubble when it owes one, unless another is in its place: it then waits, and owes on. The
 /// flow is thus kept whatever the size and whatever waits, as long as nozzles get rid of what they
 /// owe. Bubbles that wait may grow on: one then has all that is owed, as far as there is room, up
-/// to a volume. They begin in turn, each with the part of a bubble that spreads the first of all
-/// evenly over the time of one.
+/// to a volume. Where bubbles merge they blow into the one
+/// that is in their place. They begin in turn, each with the part of a bubble that spreads the
+/// first of all evenly over the time of one.
 class Nozzles {
  public:
   /// nx by ny of them about `centre`, `spacing` [length] apart. Throws InvalidParameter.
@@ -74,6 +77,33 @@ class Nozzles {
     given = std::max(given, volume_);
     owed_[k] -= given;
     return given;
+  }
+
+  /// Which bubble a nozzle blows into, its place in the list, and how much [length^3].
+  struct Fed {
+    std::size_t bubble;
+    double volume;
+  };
+
+  /// Whether nozzle k, whose place is taken, blows into the bubble that is there, the nearest one
+  /// that it may merge with: one that does not rest at this time, up to a joint volume of
+  /// `most_together` [length^3]. `gone`: those of the list that are not there any more.
+  std::optional<Fed> feeds(std::size_t k, const std::vector<Bubble>& bubbles,
+                           const std::vector<bool>& gone, const Box& box, double most_together,
+                           double time) {
+    if (owed_[k] < volume_) return std::nullopt;
+    std::optional<Fed> found;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < bubbles.size(); i++) {
+      const double room = most_together - bubbles[i].volume();
+      if (gone[i] || room < volume_ || bubbles[i].rests_until > time) continue;
+      const double distance = norm(box.between(places_[k], bubbles[i].position));
+      if (distance >= radius_of(volume_) + bubbles[i].radius || distance >= nearest) continue;
+      nearest = distance;
+      found = Fed{i, std::min({owed_[k], most(), room})};
+    }
+    if (found) owed_[k] -= found->volume;
+    return found;
   }
 
  private:
