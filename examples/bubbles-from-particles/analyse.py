@@ -4,6 +4,7 @@
 import numpy as np
 
 G = 9.81
+LARGE = 12  # diameters of a sphere: what is given for bubbles that are larger by itself
 THREE_D = 0.711  # v/sqrt(g d) of a lone bubble (Davies and Taylor; what examples/discrete-bubbles takes)
 TWO_D = 0.48  # the same in a bed of two dimensions (Pyle and Harrison, Chem. Eng. Sci. 22 (1967) 1199)
 
@@ -20,9 +21,17 @@ def mean_and_error(values):
     return float(values.mean()), float(values.std(ddof=1) / np.sqrt(len(values))) if len(values) > 1 else np.nan
 
 
-def figures(lives, velocity, minimum, plate):
-    """{name: (mean, standard error)} of the bubbles `lives`, (diameter, height, rise velocity, ...) of each, at the gas
-    velocity `velocity` in a bed that is fluidised at `minimum`."""
+def figures(lives, velocity, minimum, plate, sphere):
+    """{name: (mean, standard error)} of the bubbles `lives`, (diameter, height, rise velocity, ...) of each, and, as
+    large_..., of those of LARGE diameters `sphere`; at the gas velocity `velocity` in a bed fluidised at `minimum`."""
+    large = of_bubbles([life for life in lives if life[0] >= LARGE * sphere], velocity, minimum, plate)
+    return {**of_bubbles(lives, velocity, minimum, plate),
+            **{f"large_{name}": large[name] for name in ("bubbles", "diameter", "rise_over_root", "over_3d", "over_darton")
+               if name in large}}
+
+
+def of_bubbles(lives, velocity, minimum, plate):
+    """Those of figures() without the large ones."""
     if not len(lives):
         return {"bubbles": (0, np.nan)}
     d, h, v = np.asarray(lives, float)[:, :3].T

@@ -20,8 +20,10 @@ READERS = digest_of([__file__, *(m.__file__ for m in (tracking, case_entries, ca
 
 # Superficial velocity of the gas and that of minimum fluidisation as these beds have it themselves: Ergun's for their
 # resting void fraction, and where the rising branch meets the weight (README of the two examples) [m/s]; what Darton et
-# al. have for the plate, 4 sqrt(A_0) [m]: that of a porous one, and of a jet's share of the plate, 5.9 mm x 1 mm.
-KINDS = {"hard": (2.4, 1.6, 0.03), "non-cohesive": (1.2, 0.727, 9.7e-3), "Hamaker": (1.2, 0.885, 9.7e-3)}
+# al. have for the plate, 4 sqrt(A_0) [m]: that of a porous one, and of a jet's share of the plate, 5.9 mm x 1 mm; the
+# diameter of a sphere [m].
+KINDS = {"hard": (2.4, 1.6, 0.03, 4e-3), "non-cohesive": (1.2, 0.727, 9.7e-3, 1e-3),
+         "Hamaker": (1.2, 0.885, 9.7e-3, 1e-3)}
 # Bed c, a little more than twice as wide: bubbles are then small beside it.
 HARD = {"width": 0.31, "jetFrom": 0.15, "jetTo": 0.16, "middle": 0.155, "sideCells": 15, "count": 4960, "height": 0.8,
         "cellsUp": 40, "endTime": 3}
@@ -88,4 +90,4 @@ class SoftBubbles(BedRun):
         return read_lives(self.folder, *self.sizes(), min(START_UP[1], self.end / 4))
 
     def sizes(self):
-        return 1e-3, 0.08, 0.2
+        return KINDS[self.kind][3], 0.08, 0.2

@@ -65,7 +65,7 @@ def draw_lives(rise, size, kind, of, marker):
     d, h, v = of[:, :3].T
     points = rise.plot(1e3 * d, v, marker, markersize=3, alpha=0.7, label=kind)[0]
     size.plot(1e3 * h, 1e3 * d, marker, markersize=3, alpha=0.7, color=points.get_color(), label=kind)
-    velocity, minimum, plate = KINDS[kind]
+    velocity, minimum, plate, _ = KINDS[kind]
     heights = np.linspace(0, max(h, default=0.05))
     size.plot(1e3 * heights, 1e3 * analyse.darton(velocity - minimum, heights, plate), color=points.get_color(),
               linewidth=0.8)
