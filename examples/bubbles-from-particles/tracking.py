@@ -21,7 +21,7 @@ def solid_share(places, diameter, width, height):
     a circle across them is a whole one."""
     reach = AROUND * diameter
     x, y = places.T
-    mirrored = [places, *(np.column_stack(pair) for pair in ((-x, y), (2 * width - x, y), (x, -y)))]
+    mirrored = [np.column_stack([a, b]) for b in (y, -y) for a in (x, -x, 2 * width - x)]
     near = [images[np.all((images > -reach) & (images < [width + reach, height + reach]), axis=1)] for images in mirrored]
     middles = [(np.arange(n) + 0.5) * size / n for n, size in ((round(height / diameter), height),
                                                                (round(width / diameter), width))]
