@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """bubbles_from_particles.py BUILD_FOLDER: bubbles of examples/bubbles-from-particles where their size and rise are known,
-in pictures that are made up; and 800 hard spheres for 0.2 s from start to table."""
+in pictures that are made up; and 400 hard spheres for 0.1 s from start to table."""
 
 import math
 import sys
@@ -22,7 +22,7 @@ from cohesion_studies.job_pool import carry_out
 BUILD = sys.argv.pop(1) if len(sys.argv) > 1 else str(Path(__file__).resolve().parents[2] / "build")
 D, ACROSS, FILLED, UP = 0.002, 40, 50, 60  # a diameter, which is a cell; the bed's cells, and those of the box
 SMALL = {"width": 0.11, "height": 0.3, "jetFrom": 0.05, "jetTo": 0.06, "middle": 0.055, "sideCells": 5, "cellsUp": 15,
-         "count": 800, "settle": 0.1, "endTime": 0.2}
+         "count": 400, "settle": 0.05, "endTime": 0.1}
 
 
 def picture_of(*holes):
@@ -103,7 +103,7 @@ class SmallBed(unittest.TestCase):
             job = beds.HardBubbles(Path(folder), environment(BUILD, ["lammps"]), "", 1, SMALL)
             result, = carry_out([job], 1)
             # Pictures every 5 ms after the first quarter
-            self.assertEqual(result["pictures"], 30)
+            self.assertEqual(result["pictures"], 15)
             lives = run.pooled([job], [result])
             self.assertEqual(list(lives), ["hard"])
             found = {kind: analyse.figures(of, *beds.KINDS[kind]) for kind, of in lives.items()}
