@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """How much gas the reactor of run.py holds by the size of its bubbles: bubbles of three sizes from the nozzles, that do
-not merge, or merge up to two sizes, slowly and fast; 18 reactors, and a table.
+not merge, or merge up to two sizes, slowly and fast; 17 reactors, and a table.
 
     sizes.py [--flows 0.1 0.3] [--time SECONDS] [--out FOLDER] [--overwrite] [--build FOLDER] [--together N]
 """
@@ -20,6 +20,8 @@ from cohesion_studies.study_table import aligned
 NOZZLES = {0.08: (11, 0.085, 0.14, 1.25e-3), 0.12: (7, 0.12, 0.19, 2.5e-3), 0.16: (5, 0.17, 0.19, 2.5e-3)}
 NONE = 1e-3  # no bubble is that small: none merge
 LARGEST = (NONE, 0.3, 0.5)  # to which bubbles merge [m]
+# Springs of 1500 N/m lost a bubble out of the box there.
+LEFT_OUT = {(0.3, 0.08, 0.5)}
 GAS_STEP = 0.025
 
 
@@ -67,7 +69,8 @@ def main():
     mark = fingerprint(run.CASE, args.build, env)
     changed = {} if args.time is None else {"endTime": args.time, "meanFrom": args.time / 3}
     jobs = [Sized(out, env, mark, flow, diameter, largest, changed)
-            for flow in args.flows for diameter in NOZZLES for largest in LARGEST]
+            for flow in args.flows for diameter in NOZZLES for largest in LARGEST
+            if (flow, diameter, largest) not in LEFT_OUT]
     require_ours(jobs, MARK, args.overwrite)
     program.leave_table(out, table(jobs, carry_out(jobs, args.together)))
 
