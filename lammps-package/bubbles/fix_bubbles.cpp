@@ -40,7 +40,7 @@ void FixBubbles::init() {
       coupling = static_cast<FixGasCoupling*>(modify->fix[k]);
   const auto bounds = box();
   for (std::size_t k = 0; nozzles && k < nozzles->count(); k++)
-    if (!bounds.holds(nozzles->place(k), cohesion::bubbles::radius_of(nozzles->volume())))
+    if (!bounds.holds(nozzles->place(k), cohesion::bubbles::radius_of(nozzles->most())))
       stop(lmp, FLERR, where, ": a bubble of nozzle ", k + 1, " at ", nozzles->place(k).x, " ",
            nozzles->place(k).y, " ", nozzles->place(k).z, " is not within the box");
   if (next_id < 0) next_id = highest_id() + 1;
@@ -127,6 +127,7 @@ std::vector<std::vector<double> > FixBubbles::gas_rows(const Gathered& all,
   for (const auto& pair : events.mergers) wanted[pair.into] = wanted[pair.gone] = 1;
   for (const auto& fresh : events.born)
     if (fresh.from) wanted[*fresh.from] = 1;
+  for (const auto& fed : events.fed) wanted[fed.bubble] = 1;
   constexpr int most =
       cohesion::drag::GasOnParticle::size + cohesion::liquid::LiquidOnParticle::size;
   for (std::size_t k = 0; k < rows.size(); k++) {
@@ -189,7 +190,7 @@ void FixBubbles::tell_engine(long change) {
   }
 }
 
-/// Makes the rows those of the bubbles after mergers and breaks.
+/// Makes the rows those of the bubbles after mergers, breaks and what nozzles blew into them.
 void FixBubbles::merge_and_halve(std::vector<std::vector<double> >& rows, const Gathered& all,
                                  const Events& events) const {
   using namespace cohesion::liquid;
@@ -202,13 +203,16 @@ void FixBubbles::merge_and_halve(std::vector<std::vector<double> >& rows, const 
                ? reinterpret_cast<LiquidOnParticle*>(rows[k].data() + GasOnParticle::size)
                : nullptr;
   };
+  // Several nozzles may have blown into one.
+  std::vector<double> fed(all.bubbles.size());
+  for (const auto& one : events.fed) fed[one.bubble] += one.volume;
   std::vector<char> halved(all.bubbles.size(), 0);
   for (const auto& fresh : events.born)
     if (fresh.from) halved[*fresh.from] = 1;
   for (const auto& [into, gone] : events.mergers) {
     // The one that is gone is in the list as it was; the other one has its volume, or half of both.
     const double volume = all.bubbles[gone].volume();
-    const double joint = all.bubbles[into].volume() * (halved[into] ? 2.0 : 1.0);
+    const double joint = (all.bubbles[into].volume() - fed[into]) * (halved[into] ? 2.0 : 1.0);
     merge_rows(gas(into), gas(gone), joint - volume, volume);
     if (liquid(into)) merge_rows(*liquid(into), *liquid(gone));
   }
@@ -217,6 +221,8 @@ void FixBubbles::merge_and_halve(std::vector<std::vector<double> >& rows, const 
     halve_row(gas(k));
     if (liquid(k)) halve_row(*liquid(k));
   }
+  for (std::size_t k = 0; k < fed.size(); k++)
+    if (fed[k] > 0.0) spread_row(gas(k), all.bubbles[k].volume(), fed[k]);
 }
 
 void FixBubbles::note_rests(const Gathered& all, const Events& events) {

@@ -58,6 +58,7 @@ int FixBubbles::read_nozzles(int at, int narg, char** arg) {
 
 void FixBubbles::read_keywords(int narg, char** arg) {
   GivenKeywords given(lmp, where);
+  double grown = 0.0;  // diameter; 0: none grow
   const auto number = [&](int at) {
     if (at >= narg) stop(lmp, FLERR, where, ": keyword '", arg[at - 1], "' takes a value");
     return utils::numeric(FLERR, arg[at], false, lmp);
@@ -79,6 +80,8 @@ void FixBubbles::read_keywords(int narg, char** arg) {
       rules.velocity.z = number(i + 1);
     } else if (word == "type") {
       type = static_cast<int>(number(i + 1));
+    } else if (word == "grow") {
+      grown = positive(i + 1);
     } else if (word == "top") {
       rules.top = number(i + 1);
     } else if (word == "merge") {
@@ -91,13 +94,20 @@ void FixBubbles::read_keywords(int narg, char** arg) {
         stop(lmp, FLERR, where, ": break rests ", rules.rest, "; not below zero");
     } else {
       stop(lmp, FLERR, where, ": unknown keyword '", word,
-           "'; it takes nozzles, density, velocity, type, top, merge and break");
+           "'; it takes nozzles, density, velocity, type, grow, top, merge and break");
     }
     given.note(values, arg + i);
     i += 1 + values;
   }
   if (nozzles && !(rules.density > 0.0))
     stop(lmp, FLERR, where, ": nozzles need the 'density' of their bubbles, greater than zero");
+  if (grown > 0.0) {
+    if (!nozzles) stop(lmp, FLERR, where, ": 'grow' is of the bubbles of nozzles; there are none");
+    from_script(lmp, where, [&] {
+      nozzles->grow_up_to(cohesion::sphere_volume(0.5 * grown));
+      return 0;
+    });
+  }
   if (type < 1 || type > atom->ntypes)
     stop(lmp, FLERR, where, ": type ", type, "; the box has types 1 to ", atom->ntypes);
 }

@@ -43,7 +43,41 @@ struct Events {
     std::optional<std::size_t> from;
   };
   std::vector<New> born;
+  /// Bubbles that nozzles blew into, after all else.
+  std::vector<Nozzles::Fed> fed;
 };
+
+/// Nozzles give bubbles, or where these merge blow into those in their places, which counts as a
+/// bubble that came and merged. `present`: those of `bubbles` that are there, at `place_of`, and
+/// their new halves.
+inline void nozzles_give(std::vector<Bubble>& bubbles, std::vector<Bubble>& present,
+                         const std::vector<std::size_t>& place_of, const Rules& rules,
+                         const Box& box, Nozzles& nozzles, double time, long& next_number,
+                         Totals& totals, Events& events) {
+  const double most_together = sphere_volume(0.5 * rules.merge_up_to);
+  for (std::size_t k = 0; k < nozzles.count(); k++) {
+    const double volume = nozzles.gives(k, present, box);
+    if (volume > 0.0) {
+      const Bubble fresh{next_number++, nozzles.place(k), rules.velocity, radius_of(volume),
+                         rules.density * volume};
+      events.born.push_back({fresh, std::nullopt});
+      present.push_back(fresh);
+      totals.injected += 1.0;
+      totals.injected_volume += fresh.volume();
+    } else if (const auto fed = nozzles.feeds(k, bubbles, events.gone, box, most_together, time)) {
+      Bubble& one = bubbles[fed->bubble];
+      const Bubble blown{one.number, nozzles.place(k), rules.velocity, radius_of(fed->volume),
+                         rules.density * fed->volume};
+      one = merged(one, blown, box);
+      present[place_of[fed->bubble]] = one;
+      events.changed[fed->bubble] = true;
+      events.fed.push_back(*fed);
+      totals.injected += 1.0;
+      totals.injected_volume += fed->volume;
+      totals.merged += 1.0;
+    }
+  }
+}
 
 /// A round of events at a time, in this order: those above the top leave, touching ones merge,
 /// large ones break, nozzles give. `bubbles`, sorted by number, are changed in place; next_number
@@ -75,6 +109,7 @@ inline Events round_of_events(std::vector<Bubble>& bubbles, const Rules& rules, 
     }
   std::vector<Bubble> present;
   const std::size_t there_before = bubbles.size();
+  std::vector<std::size_t> place_of(there_before, 0);
   for (std::size_t i = 0; i < there_before; i++) {
     if (events.gone[i]) continue;
     if (2.0 * bubbles[i].radius > rules.break_above)
@@ -86,17 +121,12 @@ inline Events round_of_events(std::vector<Bubble>& bubbles, const Rules& rules, 
         next_number++;
         totals.broken += 1.0;
       }
+    place_of[i] = present.size();
     present.push_back(bubbles[i]);
   }
-  for (std::size_t k = 0; nozzles && k < nozzles->count(); k++) {
-    if (!nozzles->gives(k, present, box)) continue;
-    const Bubble fresh{next_number++, nozzles->place(k), rules.velocity,
-                       radius_of(nozzles->volume()), rules.density * nozzles->volume()};
-    events.born.push_back({fresh, std::nullopt});
-    present.push_back(fresh);
-    totals.injected += 1.0;
-    totals.injected_volume += fresh.volume();
-  }
+  if (nozzles)
+    nozzles_give(bubbles, present, place_of, rules, box, *nozzles, time, next_number, totals,
+                 events);
   return events;
 }
 

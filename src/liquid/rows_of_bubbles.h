@@ -39,6 +39,12 @@ inline void merge_rows(LiquidOnParticle& into, const LiquidOnParticle& gone) {
   }
 }
 
+/// Of a bubble that has the volume `volume` [length^3] after a nozzle blew `more` of it into it:
+/// the pressure's force stays. All else is per bubble.
+inline void spread_row(drag::GasOnParticle& row, double volume, double more) {
+  for (double& gradient : row.pressure_gradient) gradient *= (volume - more) / volume;
+}
+
 /// Of one of two halves.
 inline void halve_row(drag::GasOnParticle& whole) {
   whole.drag_coefficient *= std::cbrt(0.5);

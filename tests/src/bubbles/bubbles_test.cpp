@@ -139,6 +139,7 @@ TEST(Bubbles, RoundsKeepCountAndVolume) {
   rules.density = 0.4;
   rules.velocity = {0.0, 0.0, 0.5};
   Nozzles nozzles(3, 3, {0.5, 0.5, 0.1}, 0.2, 0.02, sphere_volume(0.04));
+  nozzles.grow_up_to(sphere_volume(0.06));
   std::vector<Bubble> bubbles;
   Totals totals;
   long next = 1;
@@ -178,18 +179,44 @@ TEST(Bubbles, NozzlesGiveTheFlowInTurnAndWaitWhereTheyAreBlocked) {
   int first = 0, second = 0;
   for (int k = 0; k < 100; k++) {
     nozzles.flow_on(0.01);
-    first += nozzles.gives(0, blocking, box);
-    second += nozzles.gives(1, blocking, box);
+    first += nozzles.gives(0, blocking, box) > 0.0;
+    second += nozzles.gives(1, blocking, box) > 0.0;
   }
   EXPECT_EQ(first, 0);
   EXPECT_EQ(second, 5);
   EXPECT_NEAR(nozzles.owed()[0] / volume, 5.0, 1e-12);
 }
 
+TEST(Bubbles, BubblesThatWaitGrowAsFarAsThereIsRoomUpToALimit) {
+  const double volume = sphere_volume(0.04);
+  const auto one_nozzle = [&] {
+    Nozzles nozzles(1, 1, {0.5, 0.5, 0.1}, 0.4, 10.0 * volume, volume);
+    nozzles.grow_up_to(2.0 * volume);
+    return nozzles;
+  };
+  auto free = one_nozzle(), close = one_nozzle(), blocked = one_nozzle();
+  EXPECT_EQ(free.most(), 2.0 * volume);
+  for (Nozzles* nozzles : {&free, &close, &blocked}) nozzles->flow_on(0.15);
+  // It began with none: the golden section has no turn for the first.
+  EXPECT_NEAR(free.gives(0, {}, box) / volume, 1.5, 4 * rounding);
+  EXPECT_NEAR(free.owed()[0] / volume, 0.0, 4 * rounding);
+  const double room = 0.042;
+  const std::vector<Bubble> near{bubble(1, {0.5, 0.5, 0.1 + room + 0.03}, 0.03)};
+  // Of the sum that is the height, and three times in the volume.
+  EXPECT_NEAR(close.gives(0, near, box) / sphere_volume(room), 1.0, 100 * rounding);
+  const std::vector<Bubble> touching{bubble(1, {0.5, 0.5, 0.1 + 0.039 + 0.03}, 0.03)};
+  EXPECT_EQ(blocked.gives(0, touching, box), 0.0);
+  blocked.flow_on(0.15);
+  EXPECT_NEAR(blocked.gives(0, {}, box) / volume, 2.0, 4 * rounding);
+  EXPECT_NEAR(blocked.owed()[0] / volume, 1.0, 8 * rounding);
+}
+
 TEST(Bubbles, NozzlesRefuseWhatCannotBe) {
   expect_refused([] { Nozzles(0, 1, {}, 0.1, 1.0, 1.0); }, "nozzles along x = 0");
   expect_refused([] { Nozzles(1, 1, {}, 0.1, -1.0, 1.0); }, "flow of the nozzles = -1");
   expect_refused([] { Nozzles(1, 1, {}, 0.1, 1.0, 0.0); }, "volume of a bubble = 0");
+  expect_refused([] { Nozzles(1, 1, {}, 0.1, 1.0, 1.0).grow_up_to(0.5); },
+                 "volume that bubbles grow to = 0.5");
 }
 
 }  // namespace cohesion::bubbles
