@@ -30,7 +30,7 @@ READERS = (analyse, case_entries, foam_results)  # what the figures depend on be
 def arguments():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
     parser.add_argument("--kinds", nargs="+", choices=KINDS, default=list(KINDS), help="of cells (all)")
-    parser.add_argument("--seeds", type=int, nargs="+", default=[1], metavar="N",
+    parser.add_argument("--seeds", type=int, nargs="+", default=[1, 2, 3, 4, 5], metavar="N",
                         help="of the places from which grains start (%(default)s)")
     parser.add_argument("--time", type=float, default=None, metavar="SECONDS",
                         help="to simulate (that of constant/box, which is what expected.csv is of)")
