@@ -18,6 +18,9 @@ class SpeedControl {
   SpeedControl(double speed, double volume, double fluid_nodes)
       : asked_(speed), volume_(volume), fluid_(fluid_nodes) {}
 
+  /// Another speed to lead to, [spacing/step].
+  void ask(double speed) { asked_ = speed; }
+
   /// The speed that the flow has now.
   void set_speed(double speed) { speed_ = speed; }
 

@@ -79,7 +79,7 @@ TEST(MovingSpheres, DragIsTheSameInTheFrameOfTheFluid) {
 
 // The wakes meet the next spheres, and the flow takes longer to be steady.
 TEST(MovingSpheres, DragIsTheSameInTheFrameOfTheFluidWithInertia) {
-  expect_same_drag_in_the_frame_of_the_fluid(20.0, 16.0);
+  expect_same_drag_in_the_frame_of_the_fluid(20.0, 8.0);
 }
 
 }  // namespace cohesion::lattice_boltzmann
