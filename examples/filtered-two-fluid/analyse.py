@@ -78,17 +78,25 @@ def filtered(case, cells, start):
     return rows
 
 
+def sizes(case):
+    """Cells along squares, and their edges [m]: 1, 2, 4 ... to half of the box."""
+    size = entries(Path(case) / "system/blockMeshDict")
+    n = int(size["rows"])
+    return [(2**k, 2**k * size["height"] / n) for k in range(n.bit_length() - 1)]
+
+
+def by_size(case, start):
+    """Edge of squares [m], filtered() of all of them together: drag over the law's, error."""
+    return [(edge, *filtered(case, cells, start)[0][2:4]) for cells, edge in sizes(case)]
+
+
 def main():
     case, start = Path(sys.argv[1]), float(sys.argv[2]) if len(sys.argv) > 2 else 0.5
-    size = entries(case / "system/blockMeshDict")
-    n = int(size["rows"])
-    cells = 1
-    while cells <= n // 2:
-        print(f"filter {cells * size['height'] / n:.4g} m")
+    for cells, edge in sizes(case):
+        print(f"filter {edge:.4g} m")
         for low, high, ratio, error, count in filtered(case, cells, start):
             if count:
                 print(f"  phi {low:.2f} to {high:.2f}: {ratio:.3f} +- {error:.3f} ({count} squares)")
-        cells *= 2
 
 
 if __name__ == "__main__":
