@@ -12,6 +12,7 @@ from cohesion_studies.case_entries import entries
 from cohesion_studies.foam_results import read_cells, written_times
 
 D, MU, RHO = 75e-6, 1.8e-5, 1.2
+TINY = np.finfo(float).tiny
 EDGES = np.array([0, 0.01, 0.03, 0.06, 0.1, 0.2, 0.4])  # of bins of the solid fraction
 
 
@@ -50,12 +51,12 @@ def means(values, cells):
 
 def squares(solid, particles, gas, cells):
     """Of all squares: fraction, drag along gravity [N/m3], vertical slip [m/s], and the law's drag at the mean fraction
-    and slip [N/m3]. Means of velocities are those of the phases' momentum."""
+    and slip [N/m3]. Means of velocities are those of the phases' momentum, 0 of particles where there are none."""
     slip = gas - particles
     drag = wen_yu(solid, np.linalg.norm(slip, axis=2)) * slip[..., 1]
     phi = means(solid, cells)
     mean_slip = (means(gas * (1 - solid)[..., None], cells) / (1 - phi)[:, None]
-                 - means(particles * solid[..., None], cells) / phi[:, None])
+                 - means(particles * solid[..., None], cells) / np.maximum(phi, TINY)[:, None])
     law = wen_yu(phi, np.linalg.norm(mean_slip, axis=1)) * mean_slip[:, 1]
     return phi, means(drag, cells), mean_slip[:, 1], law
 
