@@ -12,6 +12,7 @@ from cohesion_studies.case_entries import entries
 from cohesion_studies.foam_results import read_cells, written_times
 
 D, MU, RHO = 75e-6, 1.8e-5, 1.2
+TINY = np.finfo(float).tiny
 EDGES = np.array([0, 0.01, 0.03, 0.06, 0.1, 0.2, 0.4])  # of bins of the solid fraction
 
 
@@ -50,12 +51,12 @@ def means(values, cells):
 
 def squares(solid, particles, gas, cells):
     """Of all squares: fraction, drag along gravity [N/m3], vertical slip [m/s], and the law's drag at the mean fraction
-    and slip [N/m3]. Means of velocities are those of the phases' momentum."""
+    and slip [N/m3]. Means of velocities are those of the phases' momentum, 0 of particles where there are none."""
     slip = gas - particles
     drag = wen_yu(solid, np.linalg.norm(slip, axis=2)) * slip[..., 1]
     phi = means(solid, cells)
     mean_slip = (means(gas * (1 - solid)[..., None], cells) / (1 - phi)[:, None]
-                 - means(particles * solid[..., None], cells) / phi[:, None])
+                 - means(particles * solid[..., None], cells) / np.maximum(phi, TINY)[:, None])
     law = wen_yu(phi, np.linalg.norm(mean_slip, axis=1)) * mean_slip[:, 1]
     return phi, means(drag, cells), mean_slip[:, 1], law
 
@@ -78,17 +79,25 @@ def filtered(case, cells, start):
     return rows
 
 
+def sizes(case):
+    """Cells along squares, and their edges [m]: 1, 2, 4 ... to half of the box."""
+    size = entries(Path(case) / "system/blockMeshDict")
+    n = int(size["rows"])
+    return [(2**k, 2**k * size["height"] / n) for k in range(n.bit_length() - 1)]
+
+
+def by_size(case, start):
+    """Edge of squares [m], filtered() of all of them together: drag over the law's, error."""
+    return [(edge, *filtered(case, cells, start)[0][2:4]) for cells, edge in sizes(case)]
+
+
 def main():
     case, start = Path(sys.argv[1]), float(sys.argv[2]) if len(sys.argv) > 2 else 0.5
-    size = entries(case / "system/blockMeshDict")
-    n = int(size["rows"])
-    cells = 1
-    while cells <= n // 2:
-        print(f"filter {cells * size['height'] / n:.4g} m")
+    for cells, edge in sizes(case):
+        print(f"filter {edge:.4g} m")
         for low, high, ratio, error, count in filtered(case, cells, start):
             if count:
                 print(f"  phi {low:.2f} to {high:.2f}: {ratio:.3f} +- {error:.3f} ({count} squares)")
-        cells *= 2
 
 
 if __name__ == "__main__":

@@ -8,24 +8,20 @@ they expand beside those expected, and a picture. Runs that are finished are not
 """
 
 import argparse
-import json
-import re
-import subprocess
 from pathlib import Path
 
 import numpy as np
 
 import analyse
 import picture
-from cohesion_studies import case_entries, expected, foam_results, package_tree, program, study_table
-from cohesion_studies.build_summary import missing
+from cohesion_studies import case_entries, expected, foam_results, program, study_table
 from cohesion_studies.case_job import MARK
-from cohesion_studies.foam_case import FoamCase, environment
-from cohesion_studies.job_pool import Job, RunError, carry_out, dies_with_us, digest_of, require_ours
+from cohesion_studies.foam_case import environment
+from cohesion_studies.job_pool import RunError, carry_out, require_ours
+from cohesion_studies.two_fluid_job import TwoFluidJob, require_library
 
 HERE = Path(__file__).resolve().parent
 CASE, EXPECTED = HERE / "case", HERE / "expected.csv"
-SOLVER, LIBRARY = "twoPhaseEulerFoam", "openfoam/libcohesionTwoFluid.so"
 REST, VOID, NOISE = 0.15, 0.4, 0.05  # height [m] and void fraction at the start, and by how much cells differ from it
 WIDTH = 0.15
 
@@ -50,65 +46,30 @@ def arguments():
     return parser.parse_args()
 
 
-class Bed(Job):
+class Bed(TwoFluidJob):
     """One row of BEDS."""
 
-    case = None
-
     def __init__(self, out, env, build, kind, step, end, cell):
-        self.kind, self.env, self.row = kind, env, BEDS[kind]
-        self.step, self.end, self.cell = step, end, cell
-        mark = digest_of([*CASE.rglob("*"), package_tree.tree(build) / LIBRARY])
-        settings = {**self.row, "step": step, "time": end, "cell": cell, "fingerprint": mark}
-        readers = digest_of([module.__file__ for module in (analyse, case_entries, foam_results)])
-        super().__init__(out / kind, settings, work=self.row["height"] / step * end, readers=readers)
+        self.row, self.step, self.cell = BEDS[kind], step, cell
+        super().__init__(out / kind, kind, env, build, CASE, {**self.row, "step": step, "cell": cell}, end,
+                         (analyse, case_entries, foam_results), work=self.row["height"] / step * end)
 
-    def edit(self, file, **words):
-        path = self.folder / file
-        text = path.read_text()
-        for name, value in words.items():
-            text, found = re.subn(rf"(?m)^(\s*{name}\s+)[^;]*;", lambda m, new=value: f"{m[1]}{new};", text)
-            if found != 1:
-                raise RunError(f"{path}: {found} entries '{name}'")
-        path.write_text(text)
+    def columns_and_rows(self):
+        return round(WIDTH / self.cell), round(self.row["height"] / self.cell)
 
-    def prepare(self):
-        self.case = FoamCase(CASE, self.folder, self.env, overwrite=True)
-        (self.folder / MARK).write_text(json.dumps(self.settings))
-        columns, rows = round(WIDTH / self.cell), round(self.row["height"] / self.cell)
+    def change(self):
+        columns, rows = self.columns_and_rows()
         self.edit("system/blockMeshDict", height=self.row["height"], columns=columns, rows=rows)
         self.edit("system/controlDict", deltaT=repr(self.step), endTime=self.end)
         self.edit("constant/gasVelocity", velocity=self.row["velocity"])
         self.edit("constant/phaseProperties", dragExponent=self.row["dragExponent"], dragFactor=self.row["dragFactor"])
-        self.case.mesh()
-        self.fill(columns, rows)
-        (self.folder / "case.foam").touch()
 
-    def fill(self, columns, rows):
+    def solid(self):
         """The bed, in its cells void fractions that differ a little: what is even stays even in two dimensions."""
+        columns, rows = self.columns_and_rows()
         noise = np.random.default_rng(1).uniform(-1, 1, (rows, columns))
         y = (np.arange(rows) + 0.5) * self.row["height"] / rows
-        void = np.where((y < REST)[:, None], VOID * (1 + NOISE * noise), 1.0).ravel()
-        for name, values in (("alpha.air", void), ("alpha.particles", 1 - void)):
-            file = self.folder / "0" / name
-            words = f"nonuniform List<scalar> {len(values)} ({' '.join(f'{value:.8g}' for value in values)})"
-            file.write_text(re.sub(r"internalField uniform \d;", f"internalField {words};", file.read_text()))
-
-    def start(self):
-        self.prepare()
-        with open(self.case.log(SOLVER), "w") as log:
-            return subprocess.Popen(dies_with_us([SOLVER]), cwd=self.folder, env=self.case.env, stdout=log, stderr=log,
-                                    stdin=subprocess.DEVNULL)
-
-    def share(self):
-        with open(self.case.log(SOLVER), "rb") as log:
-            log.seek(0, 2)
-            log.seek(max(0, log.tell() - 4000))
-            found = re.findall(r"^Time = (\S+)", log.read().decode(errors="replace"), re.M)
-        return float(found[-1]) / self.end if found else 0.0
-
-    def tail(self):
-        return self.case.tail(SOLVER)
+        return 1 - np.where((y < REST)[:, None], VOID * (1 + NOISE * noise), 1.0)
 
     def figures(self):
         return analyse.figures(self.folder)
@@ -119,9 +80,7 @@ def main():
     expected.rows(EXPECTED)
     args.build = args.build.resolve()
     out = program.out_folder(args, "geldart-a-two-fluid").resolve()
-    reason = missing(package_tree.tree(args.build), LIBRARY, "two-fluid models")
-    if reason:
-        raise RunError(reason)
+    require_library(args.build)
     env = environment(args.build)
     jobs = [Bed(out, env, args.build, kind, args.step, args.time, args.cell) for kind in args.beds]
     require_ours(jobs, MARK, args.overwrite)

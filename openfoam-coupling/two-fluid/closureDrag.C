@@ -48,7 +48,8 @@ Foam::dragModels::closureDrag::closureDrag
 )
 :
     dragModel(dict, pair, registerObject),
-    law_(readDragLaw(dict, closure))
+    law_(readDragLaw(dict, closure)),
+    filter_(dict, pair)
 {}
 
 
@@ -61,7 +62,7 @@ Foam::tmp<Foam::volScalarField> Foam::dragModels::closureDrag::CdRe() const
         const scalar voidFraction = max(1 - solid, leastGas);
         return law_.per_solid_volume(voidFraction, slip, d, rho, mu)*sqr(d)/(0.75*mu);
     };
-    return eachValue
+    tmp<volScalarField> drag = eachValue
     (
         "CdRe",
         dimless,
@@ -72,4 +73,9 @@ Foam::tmp<Foam::volScalarField> Foam::dragModels::closureDrag::CdRe() const
         gas.rho(),
         gas.mu()()
     );
+    if (filter_.active())
+    {
+        drag.ref() *= filter_.factor(pair_);
+    }
+    return drag;
 }

@@ -54,6 +54,11 @@ inline double stokes_terminal_speed(double diameter, double density, double gas_
   return (density - gas_density) * gravity * diameter * diameter / (18.0 * viscosity);
 }
 
+/// Delta g/v_t^2 [1] of a filter Delta [length]
+inline double filter_over_fall(double filter, double terminal_speed, double gravity) {
+  return filter * gravity / (terminal_speed * terminal_speed);
+}
+
 struct TwoFluidFilter {
   std::string_view name;
   double (*factor)(double phi, double filter_over_length);  ///< none: the closure as it is

@@ -1,28 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dragFilter.H"
 
+#include "coupling/drag/cellSizes.H"
 #include "coupling/input/selectRow.H"
 
 using namespace cohesion;
-
-namespace
-{
-
-//- Edges of cubes of the cells' volumes, on a mesh of fewer dimensions of squares or lengths [m]
-Foam::scalarField cellSizes(const Foam::fvMesh& mesh)
-{
-    Foam::scalar thickness = 1;
-    for (Foam::direction d = 0; d < 3; ++d)
-    {
-        if (mesh.geometricD()[d] < 0)
-        {
-            thickness *= mesh.bounds().span()[d];
-        }
-    }
-    return Foam::scalarField(Foam::pow(mesh.V().field()/thickness, Foam::scalar(1)/mesh.nGeometricD()));
-}
-
-} // End anonymous namespace
 
 
 Foam::dragFilter::dragFilter(const dictionary& dict, const fvMesh& mesh, const scalar mu, const scalar g)

@@ -7,16 +7,17 @@ import unittest
 from pathlib import Path
 
 from cohesion_studies.foam_case import CaseError, environment
-from cohesion_tests.coupling.two_fluid import SOLVER, column, edit, times
+from cohesion_tests.coupling.two_fluid import SOLVER, column, edit, replace, times
 from cohesion_tests.theory.closure_formulas import CLOSURES
 
 WORK, ENV = Path(os.environ["COHESION_WORK"]), environment(os.environ["COHESION_BUILD"])
 
 
 class BadModels(unittest.TestCase):
-    def refused(self, name, *parts, drag="type wenYu;", **theory):
+    def refused(self, name, *parts, drag="type wenYu;", gravity=-9.81, **theory):
         case = column(WORK / name, ENV, 4, 0.4, (1.2, 1.8e-5), (75e-6, 1500.0), drag)
         edit(case, "constant/turbulenceProperties.particles", **theory)
+        replace(case, "constant/g", "(0 -9.81 0)", f"(0 {gravity} 0)")
         times(case, 1e-4, 1e-4)
         case.mesh()
         with self.assertRaises(CaseError, msg=f"{name}: runs"):
@@ -40,6 +41,11 @@ class BadModels(unittest.TestCase):
                      drag="type wenYu; dragExponent -1;")
         self.refused("none", "dragExponent = 4.65: drag 'beetstra' has no exponent to choose",
                      "take one of ergunWenYu, ergunRoweHenwood, wenYu", where, drag="type beetstra; dragExponent 4.65;")
+
+    def test_filter(self):
+        self.refused("filter", "filter", "igcy", "none, igci", "phaseProperties", drag="type wenYu; filter igcy;")
+        self.refused("weightless", "filter igci goes by the speed at which particles fall, and constant/g is zero:"
+                     " remove the entry", "phaseProperties", drag="type wenYu; filter igci;", gravity=0)
 
     def test_packing_beyond_the_radial_function(self):
         self.refused("packing", "alphaMax = 0.65: radialModel maAhmadi diverges at a solid fraction of 0.64356",

@@ -10,6 +10,7 @@
 #include "orderedPhasePair.H"
 #include "radialModel.H"
 #include "twoPhaseSystem.H"
+#include "uniformDimensionedFields.H"
 #include "viscosityModel.H"
 
 #include <cstdio>
@@ -87,6 +88,8 @@ int main(int argc, char** argv) {
   const fvMesh mesh(
       IOobject(fvMesh::defaultRegion, runTime.timeName(), runTime, IOobject::MUST_READ));
   const IOdictionary models(IOobject("models", runTime.constant(), mesh, IOobject::MUST_READ));
-  print_drags(models, mesh, dimensionedVector("g", dimAcceleration, Zero));
+  const uniformDimensionedVectorField g(
+      IOobject("g", runTime.constant(), mesh, IOobject::MUST_READ));
+  print_drags(models, mesh, dimensionedVector(g));
   print_kinetic_theory(models, mesh);
 }
