@@ -39,15 +39,6 @@ class MeshedFlow(Job):
         settings = {"kind": kind, "phi": phi, "re": self.re, "cells": cells, "case": digest_of(CASE.rglob("*"))}
         super().__init__(folder, settings, work=float(cells) ** 4, readers=digest_of([__file__]))
 
-    def edit(self, file, **words):
-        path = self.folder / file
-        text = path.read_text()
-        for name, value in words.items():
-            text, found = re.subn(rf"(?m)^(\s*{name}\s+)[^;]*;", lambda m, new=value: f"{m[1]}{new};", text)
-            if found != 1:
-                raise RunError(f"{path}: {found} entries '{name}'")
-        path.write_text(text)
-
     def prepare(self):
         case = FoamCase(CASE, self.folder, self.env, overwrite=True)
         (self.folder / MARK).write_text(json.dumps(self.settings))
@@ -55,14 +46,14 @@ class MeshedFlow(Job):
         (self.folder / "system/spheres").write_text("".join(
             f"sphere{i} {{ type searchableSphere; centre ({x} {y} {z}); radius {size / 2!r}; }}\n"
             for i, (x, y, z) in enumerate(CENTRES[self.kind])))
-        self.edit("system/blockMeshDict", cells=self.cells // 2)
-        self.edit("system/controlDict", endTime=MOST_ITERATIONS)
+        case.edit("system/blockMeshDict", cells=self.cells // 2)
+        case.edit("system/controlDict", endTime=MOST_ITERATIONS)
         for program in ("blockMesh", "snappyHexMesh -overwrite", "mirrorMesh -overwrite", "topoSet",
                         "createPatch -overwrite", "checkMesh"):
             case.run(*program.split())
         # The superficial velocity is 1
-        self.edit("system/fvOptions", Ubar=f"({1 / self.fluid()!r} 0 0)")
-        self.edit("constant/transportProperties", nu=repr(size / self.re))
+        case.edit("system/fvOptions", Ubar=f"({1 / self.fluid()!r} 0 0)")
+        case.edit("constant/transportProperties", nu=repr(size / self.re))
         (self.folder / "0.orig").rename(self.folder / "0")
 
     def fluid(self):

@@ -67,8 +67,8 @@ class Box(TwoFluidJob):
                          end, (analyse, case_entries, foam_results), work=cells**2 * end / step)
 
     def change(self):
-        self.edit("system/blockMeshDict", columns=self.cells, rows=self.cells)
-        self.edit("system/controlDict", deltaT=repr(self.step), endTime=self.end)
+        self.case.edit("system/blockMeshDict", columns=self.cells, rows=self.cells)
+        self.case.edit("system/controlDict", deltaT=repr(self.step), endTime=self.end)
 
     def solid(self):
         return self.phi * (1 + NOISE * np.random.default_rng(1).uniform(-1, 1, self.cells**2))

@@ -59,10 +59,10 @@ class Bed(TwoFluidJob):
 
     def change(self):
         columns, rows = self.columns_and_rows()
-        self.edit("system/blockMeshDict", height=self.row["height"], columns=columns, rows=rows)
-        self.edit("system/controlDict", deltaT=repr(self.step), endTime=self.end)
-        self.edit("constant/gasVelocity", velocity=self.row["velocity"])
-        self.edit("constant/phaseProperties", dragExponent=self.row["dragExponent"], dragFactor=self.row["dragFactor"])
+        self.case.edit("system/blockMeshDict", height=self.row["height"], columns=columns, rows=rows)
+        self.case.edit("system/controlDict", deltaT=repr(self.step), endTime=self.end)
+        self.case.edit("constant/gasVelocity", velocity=self.row["velocity"])
+        self.case.edit("constant/phaseProperties", dragExponent=self.row["dragExponent"], dragFactor=self.row["dragFactor"])
 
     def solid(self):
         """The bed, in its cells void fractions that differ a little: what is even stays even in two dimensions."""

@@ -57,6 +57,16 @@ class FoamCase:
         its macros, stay as they are."""
         self._call(["foamDictionary", "-disableFunctionEntries", file, "-entry", entry, "-set", str(value)])
 
+    def edit(self, file, **words):
+        """Gives entries of a dictionary, each where it stands, once, other values, without a program of OpenFOAM's."""
+        path = self.folder / file
+        text = path.read_text()
+        for name, value in words.items():
+            text, found = re.subn(rf"(?m)^(\s*{name}\s+)[^;]*;", lambda m, new=value: f"{m[1]}{new};", text)
+            if found != 1:
+                raise CaseError(f"{path}: {found} entries '{name}'")
+        path.write_text(text)
+
     def mesh(self):
         """blockMesh, the sets and patches that have a dictionary, and the start fields."""
         self.run("blockMesh")

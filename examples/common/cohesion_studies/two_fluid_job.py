@@ -34,21 +34,11 @@ class TwoFluidJob(Job):
                          readers=digest_of([module.__file__ for module in readers]))
 
     def change(self):
-        """What the settings change of the case, by edit(), before its mesh is made."""
+        """What the settings change of the case, by case.edit(), before its mesh is made."""
 
     def solid(self):
         """Solid fraction at the start in each cell, in OpenFOAM's order of rows of columns; any shape."""
         raise NotImplementedError
-
-    def edit(self, file, **words):
-        """Gives entries of a dictionary, each where it stands, once, other values."""
-        path = self.folder / file
-        text = path.read_text()
-        for name, value in words.items():
-            text, found = re.subn(rf"(?m)^(\s*{name}\s+)[^;]*;", lambda m, new=value: f"{m[1]}{new};", text)
-            if found != 1:
-                raise RunError(f"{path}: {found} entries '{name}'")
-        path.write_text(text)
 
     def prepare(self):
         self.case = FoamCase(self.template, self.folder, self.env, overwrite=True)
