@@ -211,6 +211,46 @@ TEST(Bubbles, BubblesThatWaitGrowAsFarAsThereIsRoomUpToALimit) {
   EXPECT_NEAR(blocked.owed()[0] / volume, 1.0, 8 * rounding);
 }
 
+TEST(Bubbles, NozzlesBlowIntoTheNearestThatMayMerge) {
+  const double volume = sphere_volume(0.04);
+  Nozzles nozzles(1, 1, {0.5, 0.5, 0.1}, 0.4, 10.0 * volume, volume);
+  nozzles.flow_on(0.25);
+  std::vector<Bubble> all{bubble(1, {0.5, 0.5, 0.19}, 0.06), bubble(2, {0.5, 0.5, 0.16}, 0.04),
+                          bubble(3, {0.5, 0.52, 0.11}, 0.04)};
+  all[2].rests_until = 1.0;
+  const std::vector<bool> gone(3, false);
+  // Room for a bubble more in the second alone, but it is not all there.
+  EXPECT_FALSE(nozzles.feeds(0, all, gone, box, 1.9 * volume, 0.0));
+  EXPECT_FALSE(nozzles.feeds(0, all, {true, true, false}, box, 100.0 * volume, 0.0));
+  const auto fed = nozzles.feeds(0, all, gone, box, 100.0 * volume, 0.0);
+  ASSERT_TRUE(fed);
+  EXPECT_EQ(fed->bubble, 1U);
+  EXPECT_EQ(fed->volume, volume);
+  EXPECT_NEAR(nozzles.owed()[0] / volume, 1.5, 8 * rounding);
+  EXPECT_EQ(nozzles.feeds(0, all, gone, box, 100.0 * volume, 2.0)->bubble, 2U);
+}
+
+TEST(Bubbles, WhatNozzlesBlowIntoABubbleKeepsTheSums) {
+  const double volume = sphere_volume(0.04);
+  Nozzles nozzles(1, 1, {0.5, 0.5, 0.1}, 0.4, 10.0 * volume, volume);
+  nozzles.flow_on(0.15);
+  Rules rules;
+  rules.density = 0.4;
+  rules.velocity = {0.0, 0.0, 0.8};
+  rules.merge_up_to = 0.3;
+  std::vector<Bubble> all{bubble(1, {0.5, 0.52, 0.15}, 0.05, {0.1, 0.0, -0.2})};
+  std::vector<Bubble> apart = all;
+  apart.push_back(bubble(2, nozzles.place(0), 0.04, rules.velocity));
+  Totals totals;
+  long next = 2;
+  const Events events = round_of_events(all, rules, box, &nozzles, 0.0, next, totals);
+  ASSERT_EQ(events.fed.size(), 1U);
+  EXPECT_TRUE(events.born.empty());
+  expect_same(sums(all), sums(apart), 4 * rounding);
+  EXPECT_EQ(totals.injected, 1.0);
+  EXPECT_EQ(totals.merged, 1.0);
+}
+
 TEST(Bubbles, NozzlesRefuseWhatCannotBe) {
   expect_refused([] { Nozzles(0, 1, {}, 0.1, 1.0, 1.0); }, "nozzles along x = 0");
   expect_refused([] { Nozzles(1, 1, {}, 0.1, -1.0, 1.0); }, "flow of the nozzles = -1");

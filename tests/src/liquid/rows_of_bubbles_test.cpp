@@ -25,6 +25,14 @@ TEST(RowsOfBubbles, ARowThatWasGivenStaysMarked) {
   EXPECT_EQ(a.drag_coefficient, tiny);
 }
 
+TEST(RowsOfBubbles, WhatIsBlownInChangesNoForceOfThePressure) {
+  drag::GasOnParticle row{2.0, {1.0, 2.0, 3.0}, {10.0, -20.0, 30.0}, {0.1, 0.2, 0.3}};
+  spread_row(row, 4.0, 1.0);
+  EXPECT_EQ(4.0 * row.pressure_gradient[1], 3.0 * -20.0);
+  EXPECT_EQ(row.drag_coefficient, 2.0);
+  EXPECT_EQ(row.drag_impulse[2], 0.3);
+}
+
 TEST(RowsOfBubbles, TwoEqualMergedAndHalvedAreOneOfThem) {
   const LiquidOnParticle one{0.3, 2.0, {1.0, 2.0, 3.0}, {4.0, 5.0, 6.0}};
   LiquidOnParticle both = one;
