@@ -134,8 +134,8 @@ class DrivenFlow {
     return sum;
   }
 
-  /// To the speed, which grows over the time in which viscosity reaches some spacings from walls: at
-  /// a sudden start layers at walls are thinner than nodes can follow, and fast flows blow up.
+  /// To the speed, which grows over the time in which viscosity reaches some spacings from walls:
+  /// at a sudden start layers at walls are thinner than nodes can follow, and fast flows blow up.
   void lead() {
     constexpr double spacings = 3.0;
     done_ += 1.0;
