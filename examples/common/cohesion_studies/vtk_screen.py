@@ -2,10 +2,13 @@
 """Pictures by VTK without a screen: Debian's draws on an X server alone."""
 
 import contextlib
+import fcntl
 import importlib.util
 import os
 import shutil
 import subprocess
+import tempfile
+from pathlib import Path
 
 from cohesion_studies.job_pool import RunError, dies_with_us
 
@@ -15,6 +18,15 @@ def require():
     for there, what in ((importlib.util.find_spec("vtk"), "python3-vtk9"), (shutil.which("Xvfb"), "xvfb")):
         if not there:
             raise RunError(f"the picture needs Debian's package {what}, which scripts/setup installs")
+
+
+@contextlib.contextmanager
+def one_at_a_time():
+    """Waits for the screens of other programs: an X server that ends removes the socket of its number, also where the
+    next one has taken that number meanwhile."""
+    with open(Path(tempfile.gettempdir()) / f"cohesion-screen-{os.getuid()}", "w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        yield
 
 
 @contextlib.contextmanager
@@ -47,7 +59,7 @@ def images(size, scenes):
     shows [m]."""
     require()
     import vtk  # takes a second
-    with screen():
+    with one_at_a_time(), screen():
         window = vtk.vtkRenderWindow()
         window.SetOffScreenRendering(1)
         window.SetMultiSamples(8)
