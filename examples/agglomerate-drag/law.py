@@ -11,6 +11,8 @@ of that radius among others like them (docs/openfoam-coupling/agglomerate_drag.m
 
 import numpy as np
 
+FITTED = 150  # spheres of the largest agglomerate that the constant is fitted to: larger ones are foretold
+
 
 def beetstra(phi):
     """F* of slow flow through random arrays: van der Hoef, Beetstra, Kuipers, J. Fluid Mech. 528 (2005) 233, eq. 22."""
@@ -61,11 +63,11 @@ def of_suspension(run):
 
 
 def figures(alone, among):
-    """By row: `alone` and `among` are results by name. The row `law` has the constant of all that were measured alone,
-    and how far they are from it."""
-    c = fitted([run for run in alone.values() if run["n"] > 1])
+    """By row: `alone` and `among` are results by name. The row `law` has the constant of those measured alone that have 2
+    to FITTED spheres, and how far they are from it."""
+    c = fitted([run for run in alone.values() if 1 < run["n"] <= FITTED])
     found = {name: of_body(run, c) for name, run in alone.items()}
-    off = np.log([row["over_law"] for row in found.values() if row["n"] > 1])
+    off = np.log([row["over_law"] for row in found.values() if 1 < row["n"] <= FITTED])
     found["law"] = {"c": c, "scatter": float(np.sqrt(np.mean(off**2))), "largest": float(np.exp(np.abs(off).max()) - 1),
                     "of": len(off)}
     return {**found, **{name: of_suspension(run) for name, run in among.items()}}

@@ -29,13 +29,13 @@ SOURCES = {"cooling": {}, "shear": {"speed": 0.5, "rate": 0.02}}
 WANTED = [3, 5, 8, 13, 20, 32, 50, 80, 120, 200, 320]
 
 CHAINS = [1, 2, 3, 5, 10]
-BALLS = [13, 43, 135]
+BALLS = [13, 43, 135, 321]
 
 # Of those among others: fractions of solid, agglomerates to a cube, seeds.
 SUSPENSIONS = {"ball-13": [0.03, 0.1, 0.16], "shear-13": [0.03, 0.1]}
 TOGETHER, SEEDS, SPACINGS = 8, 2, 6
 
-WIDEST = 27.0  # cube for one alone, [diameters]: 108 nodes along an edge; agglomerates that need more are left out
+WIDEST = 47.0  # cube for one alone, [diameters]: 188 nodes along an edge, 1 GB; agglomerates that need more are left out
 
 
 def spacings(edge):
