@@ -56,9 +56,14 @@ def draw(file, table, results, out):
     slow = equal_spheres(table, 0)
     fast = [(re, equal_spheres(table, re)) for re in sorted({row["re"] for row in table.values()} - {0})]
     shown = [names[len(names) // 2] for names in [slow, *(names for _, names in fast[-1:])] if names]
-    figure, axes = pyplot.subplots(1, 1 + len(fast) + len(shown), figsize=(4.6 * (1 + len(fast) + len(shown)), 4.2),
-                                   constrained_layout=True)
-    axes = np.atleast_1d(axes)
+    panels = 1 + len(fast) + len(shown)
+    down = 1 if panels < 4 else 2
+    across = -(-panels // down)
+    figure, axes = pyplot.subplots(down, across, figsize=(4.6 * across, 4.2 * down), constrained_layout=True,
+                                   squeeze=False)
+    axes = axes.ravel()
+    for axis in axes[panels:]:
+        axis.set_visible(False)
     beside_laws(axes[0], slow, results, "slow flow")
     for axis, (re, names) in zip(axes[1:], fast):
         beside_laws(axis, names, results, f"Re {re}")
