@@ -330,14 +330,30 @@ void print_cost(const Lines& print, const Request& r, const Powder& p) {
   print({"hours_per_second", "for a second of the bed", *cost * spheres / p.step / 3600.0, "h"});
 }
 
+/// The vessel of `computed` that holds no more than so many, or the smallest.
+tools::PowderVessel vessel_of(const Request& r, const Powder& p, const Sizes& computed,
+                              double most) {
+  return {computed, section_of(r), r.height, r.void_fraction,
+          p.cell,   most,          r.seed,   std::max(1.0, well_ratio_of(r))};
+}
+
+/// Says which number would do where the smallest vessel holds more: the bed of more grains is
+/// higher, too.
+void require_enough_grains(const Request& r, const Powder& p, const Sizes& computed) {
+  int enough = vessel_of(r, p, computed, r.grains).grains();
+  if (enough <= r.grains) return;
+  for (int n = 0; (n = vessel_of(r, p, computed, enough).grains()) > enough;) enough = n;
+  const int across = section_of(r).is_round() ? tools::PowderVessel::least_across_column
+                                              : tools::PowderVessel::least_across;
+  require(false, "--grains", r.grains,
+          "the smallest vessel of this shape, " + std::to_string(across) + " cells across, has " +
+              std::to_string(enough) + ": give that or more, or a lower bed");
+}
+
 void write_case(const Request& r, const Powder& p) {
   const Sizes computed = p.computed();
-  const tools::PowderVessel vessel(computed, section_of(r), r.height, r.void_fraction, p.cell,
-                                   r.grains, r.seed, std::max(1.0, well_ratio_of(r)));
-  require(vessel.grains() <= r.grains, "--grains", r.grains,
-          "the smallest vessel, " +
-              std::to_string(vessel.is_round() ? vessel.least_across_column : vessel.least_across) +
-              " cells across, has " + std::to_string(vessel.grains()) + ": give that or more");
+  require_enough_grains(r, p, computed);
+  const tools::PowderVessel vessel = vessel_of(r, p, computed, r.grains);
   const tools::PowderCase written{r.engine == "liggghts",
                                   computed,
                                   p.parcels.ratio(),

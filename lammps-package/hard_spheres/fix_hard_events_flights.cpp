@@ -58,22 +58,43 @@ void FixHardEvents::require_flights_within_box() const {
                    domain -> prd[axis]);
 }
 
+/// By how much the boundaries of an axis are farther along it at this place than in the box's
+/// corner: they lean towards the axes above where the box is tilted.
+static double lean(const Domain* domain, int axis, const Vector3& x) {
+  if (!domain->triclinic || axis == 2) return 0.0;
+  const double up = (x.z - domain->boxlo[2]) / domain->prd[2];
+  if (axis == 1) return up * domain->yz;
+  const double back = (x.y - domain->boxlo[1] - up * domain->yz) / domain->prd[1];
+  return back * domain->xy + up * domain->xz;
+}
+
+/// How near to a boundary the engine may round a place in a tilted box to the other side, on its
+/// way to the box's own coordinates and back.
+static double width_of_boundary(const Domain* domain, int axis) {
+  if (!domain->triclinic) return 0.0;
+  const double tilts = std::abs(domain->xy) + std::abs(domain->xz) + std::abs(domain->yz);
+  return ROUNDINGS * (domain->prd[axis] + tilts + std::abs(domain->boxlo[axis]));
+}
+
 /// Keeps particles at the boundary whose free flight leads through a wall out of the box, until
 /// their event turns them round: they would be lost before. One that was outside before the step is
 /// lost as in any run.
 void FixHardEvents::hold_at_boundary() {
-  if (domain->triclinic) return;
-  for (int axis = 0; axis < 3; axis++) {
+  // Each axis after those towards which its boundaries lean.
+  for (int axis = 2; axis >= 0; axis--) {
     const double low = domain->boxlo[axis], high = domain->boxhi[axis];
+    const double width = width_of_boundary(domain, axis);
     for (int side = 0; side < 2; side++) {
       if (domain->boundary[axis][side] != FIXED_BOUNDARY) continue;
-      const double last = side == 0 ? low : std::nextafter(high, low);
+      const double last = side == 0 ? low + width : std::nextafter(high, low) - width;
       for (int i = 0; i < atom->nlocal; i++) {
         double& x = atom->x[i][axis];
-        const double before = x - update->dt * atom->v[i][axis];
-        if ((side == 0 ? x >= low : x < high) || before < low || before >= high) continue;
-        columns_[i][OUTSIDE + axis] = x - last;
-        x = last;
+        const Vector3 place = vector(atom->x[i]), start = place - update->dt * vector(atom->v[i]);
+        const double leant = lean(domain, axis, place), now = x - leant;
+        const double before = x - update->dt * atom->v[i][axis] - lean(domain, axis, start);
+        if ((side == 0 ? now >= last : now <= last) || before < low || before >= high) continue;
+        columns_[i][OUTSIDE + axis] = now - last;
+        x = last + leant;
       }
     }
   }

@@ -259,5 +259,51 @@ class BetweenWalls(unittest.TestCase):
         numpy.testing.assert_allclose(path[-1, :, 1:4], exact.place(exact.now), rtol=0, atol=1e-11)
 
 
+class TiltedBox(unittest.TestCase):
+    """A box tilted in all three ways, fixed along one axis: particles turn round at a plane within a step, by whose end
+    free flight would have taken them out of the box, and go on as in closed form. Where they hit it the plane is at the
+    box's boundary, which leans. Lengths are dyadic, so that what rounds is the engine's way to the box's own
+    coordinates and back, some ten times 1.8e-15 in each step: 1e-13."""
+    EDGE, DT, STEPS = 10.0, 0.4, 4
+    XY, XZ, YZ = 2.5, 1.75, 2.0
+    ALONG = ((0, -0.5, 1), (1, 0, 0), (1, 0, 0))  # in which direction the boundary of each axis is nowhere farther
+
+    def lean(self, axis, place):
+        """Of the boundary of an axis, by hand: the box's edges are (10, 0, 0), (2.5, 10, 0) and (1.75, 2, 10)."""
+        up = place[2] / self.EDGE
+        back = (place[1] - up * self.YZ) / self.EDGE
+        return (back * self.XY + up * self.XZ, up * self.YZ, 0.0)[axis]
+
+    def turn(self, axis, side):
+        middle = numpy.full(3, 5.0)
+        plane = self.EDGE * side + self.lean(axis, middle)
+        out = 2 * side - 1
+        speeds = numpy.linspace(0.5, 6, 5)
+        atoms = []
+        for n, speed in enumerate(speeds):
+            place = middle + (n - 2) * numpy.array(self.ALONG[axis])
+            self.assertAlmostEqual(self.lean(axis, place), self.lean(axis, middle), delta=1e-14)
+            place[axis] = plane - 0.875 * out
+            atoms.append(hard.atom(place, out * speed * numpy.eye(3)[axis], 0.125, 1.3))
+        self.assertGreater(speeds[-1] * self.DT, 0.875)  # out of the box
+        with engine.temporary_folder() as folder:
+            engine.write_spheres(folder, atoms, 3 * [(0.0, self.EDGE)], 1, tilt=(self.XY, self.XZ, self.YZ))
+            where = f"{plane!r} NULL" if side == 0 else f"NULL {plane!r}"
+            path, _, _ = hard.run(
+                folder, ["* * restitution 1"], self.DT, self.STEPS, skin=0.05, every=1,
+                boundary=" ".join("f" if k == axis else "p" for k in range(3)),
+                more=[f"fix side all wall/hard/square_well restitution 1 well off {'xyz'[axis]}plane {where}"])
+        time = self.DT * numpy.arange(self.STEPS + 1)[:, None]
+        distance = 0.125 + abs(0.75 - speeds * time)
+        self.assertLess(distance.max(), self.EDGE - 0.125)
+        numpy.testing.assert_allclose(path[:, :, 1 + axis], plane - out * distance, rtol=0, atol=1e-13)
+
+    def test_at_each_boundary(self):
+        for axis in range(3):
+            for side in (0, 1):
+                with self.subTest(axis="xyz"[axis], side=side):
+                    self.turn(axis, side)
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -260,6 +260,14 @@ class Refusals(unittest.TestCase):
         self.refused((*GLASS, *BED, "--grains", 100, "--write", "never-written"), "--grains = 100: the smallest vessel",
                      "2 cells across")
         self.assertFalse(Path("never-written").exists())
+        with tempfile.TemporaryDirectory() as folder:
+            for more in ((), ("--column", 0.05)):
+                words = (*GLASS, *(BED if not more else ("--height", 0.1)), *more, "--write", Path(folder) / f"case-{len(more)}")
+                _, _, said = program.call(*words, "--grains", 100)
+                enough = int(said.split(" has ")[1].split(":")[0])
+                self.refused((*words, "--grains", enough - 1), f"has {enough}:")
+                code, _, said = program.call(*words, "--grains", enough)
+                self.assertEqual(code, 0, said)
         self.refused((*GLASS, "--asperity", 1e-7), "asperity", "--keep force")
         self.refused((*GLASS, "--roughness", 5e-9, 5e-7), "asperity", "--keep force")
         self.refused((*GLASS, "--roughness", 5e-9, 5e-7, "--asperity", 1e-7), "--asperity")
