@@ -64,15 +64,13 @@ def weight(case):
     return layers.sum() * height / rows * density * gravity(case)
 
 
-def gas_density():
-    """At the outlet [kg/m3], an ideal gas of 28.9 kg/kmol and 293 K: that of both kinds of cases."""
-    return OUTLET * 28.9 / (8314.46 * 293)
-
-
 def pressure(case):
     """Times [s] and the drop of pressure over the bed, over its weight [1]."""
     table = np.loadtxt(function_table(case, "pressureDrop", "surfaceFieldValue.dat"))
-    drop = table[:, 1] * gas_density() if of_grains(case) else table[:, 1] - OUTLET
+    if of_grains(case):  # per density of the gas, and 0 at the outlet
+        drop = table[:, 1] * entries(Path(case) / "constant/transportProperties")["rho"]
+    else:
+        drop = table[:, 1] - OUTLET
     return table[:, 0], drop / weight(case)
 
 
@@ -84,17 +82,18 @@ def mean_and_error(times, values, end):
     return means.mean(), means.std(ddof=1) / np.sqrt(BLOCKS)
 
 
-def figures(case):
+def figures(case, end=None):
+    """Of a finished case, or of its first `end` seconds."""
     times, expanded = expansion(case)
-    end = times[-1]
+    end = end or times[-1]
     mean, error = mean_and_error(times, expanded, end)
     pressure_times, drop = pressure(case)
-    late = pressure_times > FROM * end
+    late = (pressure_times > FROM * end) & (pressure_times <= end)
     # Up to where layers hold, in the mean, half of what they held at the start
-    layers = fractions(case)[1][times > FROM * end].mean(axis=(0, 2))
+    layers = fractions(case)[1][(times > FROM * end) & (times <= end)].mean(axis=(0, 2))
     full = np.nonzero(layers > 0.3)[0]
     log = Path(case) / ("log.cohesiveBedFoam" if of_grains(case) else "log.twoPhaseEulerFoam")
     return {"expansion": float(mean), "expansion_error": float(error),
             "pressure_mean": float(drop[late].mean()), "pressure_deviation": float(drop[late].std()),
             "dense_height": float((full[-1] + 1) / len(layers) * mesh(case)[2]) if len(full) else 0.0,
-            "steps": len(re.findall(r"^Time = ", log.read_text(), re.M))}
+            "steps": len(re.findall(r"^Time = ", log.read_text(), re.M)) * end / times[-1]}

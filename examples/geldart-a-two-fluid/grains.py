@@ -68,10 +68,21 @@ class GrainBed(CaseJob):
         return analyse.figures(self.folder)
 
 
-def fluids(out, beds):
-    """{bed: [result]} of what run.py has left of these beds in the folder `out`."""
-    files = {bed: out / bed / RESULT for bed in beds}
-    return {bed: [json.loads(file.read_text())] for bed, file in files.items() if file.exists()}
+def seconds_per_second(result, end):
+    """Of a processor, over those that were simulated."""
+    return {"seconds_per_second": result["processor_seconds"] / end}
+
+
+def fluids(out, bed, end):
+    """[figures] of the first `end` seconds of the two fluids that run.py has left in the folder `out`; none without."""
+    file = out / bed / RESULT
+    if not file.exists():
+        return []
+    result = json.loads(file.read_text())
+    simulated = result["settings"]["time"]
+    if simulated < end:
+        return []
+    return [{**analyse.figures(out / bed, end), **seconds_per_second(result, simulated)}]
 
 
 def main():
@@ -83,12 +94,15 @@ def main():
     mark = fingerprint(CASE, args.build, env)
     jobs = [GrainBed(out, env, mark, bed, args.ratio, args.time) for bed in args.beds]
     require_ours(jobs, MARK, args.overwrite)
-    kinds = study_table.by_kind(jobs, carry_out(jobs, args.together))
-    beside = {name: results for bed, job in zip(args.beds, jobs)
-              for name, results in (*fluids(out, [bed]).items(), (job.name, kinds[job.name]))}
-    text = study_table.side_by_side(beside, digits=3)
-    print(text)
-    program.leave_table(out, text + "\n\n" + expected.text(EXPECTED, study_table.means_of(kinds)))
+    results = [{**result, **seconds_per_second(result, args.time)} for result in carry_out(jobs, args.together)]
+    kinds = study_table.by_kind(jobs, results)
+    beside = {}
+    for bed, job in zip(args.beds, jobs):
+        beside |= {kind: found for kind, found in ((bed, fluids(out, bed, args.time)), (job.kind, kinds[job.kind])) if found}
+    # What is expected is of whole runs alone.
+    whole = args.time == case_entries.entries(CASE / analyse.BED)["endTime"]
+    held = "\n\n" + expected.text(EXPECTED, study_table.means_of(kinds)) if whole else ""
+    program.leave_table(out, study_table.side_by_side(beside, digits=3) + held, "grains.txt")
     picture.draw(out / "grains.png", [job.folder for job in jobs])
     print(f"ParaView: {out}/grains-*/case.foam")
 
