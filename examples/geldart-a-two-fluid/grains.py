@@ -103,7 +103,7 @@ def main():
     whole = args.time == case_entries.entries(CASE / analyse.BED)["endTime"]
     held = "\n\n" + expected.text(EXPECTED, study_table.means_of(kinds)) if whole else ""
     program.leave_table(out, study_table.side_by_side(beside, digits=3) + held, "grains.txt")
-    picture.draw(out / "grains.png", [job.folder for job in jobs])
+    picture.draw(out / "grains.png", [out / kind for kind in beside], args.time)
     print(f"ParaView: {out}/grains-*/case.foam")
 
 
