@@ -57,8 +57,6 @@ class CohesiveWaves(unittest.TestCase):
         replace(case, "0.orig/alpha.particles", "uniform 0", nonuniform(solid))
         replace(case, "0.orig/alpha.air", "uniform 1", nonuniform(1 - solid))
         replace(case, "system/fvSolution", "tolerance 1e-7;", "tolerance 1e-8; maxIter 60;")
-        # Else MULES lets no fraction rise above those around it.
-        edit(case, "system/fvSolution", smoothLimiter="0.1; extremaCoeff 1")
         step = np.sqrt(square_of_period(depth_over_t)) / STEPS
         times(case, step, (steps + 0.5) * step)
         edit(case, "system/controlDict", writeControl="timeStep", writeInterval=STEPS // WRITTEN)
