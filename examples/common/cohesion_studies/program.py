@@ -47,9 +47,9 @@ def words(doc, count):
     return sys.argv[1:]
 
 
-def leave_table(out, text):
-    """Into result.txt of the folder `out`, and printed."""
-    file = out / "result.txt"
+def leave_table(out, text, name="result.txt"):
+    """Into the file `name` of the folder `out`, and printed."""
+    file = out / name
     file.write_text(text + "\n")
     print(f"{text}\n\ntable:   {file}")
 

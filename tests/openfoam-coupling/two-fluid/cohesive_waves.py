@@ -65,8 +65,6 @@ class CohesiveWaves(unittest.TestCase):
         replace(case, "0.orig/alpha.particles", "uniform 0", nonuniform(solid))
         replace(case, "0.orig/alpha.air", "uniform 1", nonuniform(1 - solid))
         replace(case, "system/fvSolution", "tolerance 1e-7;", "tolerance 1e-8; maxIter 60;")
-        # Else MULES lets no fraction rise above those around it.
-        edit(case, "system/fvSolution", smoothLimiter="0.1; extremaCoeff 1")
         edit(case, "system/fvSolution", nOuterCorrectors=correctors)
         times(case, step, (share * STEPS * finer + 0.5) * step)
         edit(case, "system/controlDict", writeControl="timeStep", writeInterval=STEPS * finer // WRITTEN)
