@@ -155,6 +155,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
 
   [[gnu::noinline]] void follow_near(SurfacesCloseData& near, ForceData& on_i, ForceData& on_j) {
     const double r = std::sqrt(near.rsq);
+    if (events_->is_far(near, r)) return;
     const double inverse = 1.0 / r;
     const double normal[3] = {inverse * near.delta[0], inverse * near.delta[1],
                               inverse * near.delta[2]};
@@ -184,7 +185,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
           return std::unique_ptr<Cohesion::EventContacts::OnePassContact>(
               new Law(spring, adhesion, distance, step));
         },
-        registry.max_type());
+        attraction_.range(), registry.max_type());
   }
 
   bool binds(int itype, int jtype, double ri, double rj, double gap,

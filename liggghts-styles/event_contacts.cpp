@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "contact_models.h"
-#include "contact_range.h"
 #include "domain.h"
 #include "error.h"
 #include "event_contacts.h"
@@ -16,6 +15,7 @@
 #include "guarded.h"
 #include "hidden_fix.h"
 #include "mesh_contact.h"
+#include "neighbor.h"
 #include "update.h"
 #include "vector3.h"
 
@@ -63,10 +63,11 @@ EventContacts::EventContacts(LAMMPS* lmp, IContactHistorySetup* owner, FixWallGr
 EventContacts::~EventContacts() = default;
 
 void EventContacts::connect(const NormalModelProbe& normal, Adhesion adhesion, MakeLaw maker,
-                            int types) {
+                            const ContactRange& range, int types) {
   normal_ = &normal;
   adhesion_ = std::move(adhesion);
   make_law_ = maker;
+  range_ = range;
   types_ = types;
   known_.clear();
   known_.resize((types + 1) * (types + 1));
@@ -154,6 +155,20 @@ const double* EventContacts::last_record(const ContactModels::SurfacesCloseData&
   return before ? before + offset_ : nullptr;
 }
 
+bool EventContacts::is_far(const ContactModels::SurfacesCloseData& d, double r) const {
+  // A triangle of a mesh has the memory of its neighbours; how far nothing attracts is not told.
+  if (d.is_wall || !(range_.gap + range_.ratio > 0.0)) return false;
+  // With a new list the engine has the memory, but not whose it is.
+  if (lmp_->neighbor->ago == 0) return false;
+  if (*d.contact_flags & ContactModels::CONTACT_COHESION_MODEL) return false;
+  const double dt = lmp_->update->dt;
+  const cohesion::Vector3 w = cohesion::vector(d.v_i) - cohesion::vector(d.v_j);
+  const double closing = std::max(-dot(w, cohesion::vector(d.delta)) / r, 0.0);
+  const double inwards = closing + 2.0 * others_->largest() * dt;
+  const double outer = d.radsum + range_.gap + range_.ratio * d.radsum;
+  return r > (1.0 + 1e-12) * (outer + dt * inwards);
+}
+
 bool EventContacts::follow(const ContactModels::SurfacesCloseData& d, double r,
                            const double* normal, GridStep& step) {
   const bool first = d.computeflag && !d.shearupdate;
@@ -163,6 +178,7 @@ bool EventContacts::follow(const ContactModels::SurfacesCloseData& d, double r,
   if (!k) return false;
   if (!d.computeflag || (first && others_->last_step() == lmp_->update->dt)) {
     if (repeat(d, step)) {
+      remember(d, true);
       exclude_impulse(*k, d, normal, step);
       return true;
     }

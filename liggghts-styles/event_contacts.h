@@ -11,6 +11,7 @@
 #include "atom.h"
 #include "contact/adhesion.h"
 #include "contact_interface.h"
+#include "contact_range.h"
 #include "event_stepping/grid_point.h"
 #include "event_stepping/one_pass_contact.h"
 #include "fix_others.h"
@@ -45,14 +46,20 @@ class EventContacts {
                 const std::string& who);
   ~EventContacts();
 
-  /// `adhesion`: of two types and radii; rj infinite: beside a wall; maker: of what follows it.
+  /// `adhesion`: of two types and radii; rj infinite: beside a wall; maker: of what follows it;
+  /// range: beyond which nothing acts.
   /// Stops where the normal model is none that the scheme can follow.
-  void connect(const NormalModelProbe& normal, Adhesion adhesion, MakeLaw maker, int types);
+  void connect(const NormalModelProbe& normal, Adhesion adhesion, MakeLaw maker,
+               const ContactRange& range, int types);
 
   /// r: distance of the centres, or from the wall; normal: from j, or the wall, to i. False, and
   /// `step` of no meaning: the contact does nothing.
   bool follow(const ContactModels::SurfacesCloseData& d, double r, const double* normal,
               cohesion::event_stepping::GridStep& step);
+
+  /// Whether a pair at this distance of the centres has no memory and nothing can happen to it in
+  /// this step, as most that the engine shows: follow() would find out by looking at far more.
+  bool is_far(const ContactModels::SurfacesCloseData& d, double r) const;
 
   /// Whether the grid has a contact with this history in the range of its attraction.
   bool in_range(const double* history) const;
@@ -99,6 +106,7 @@ class EventContacts {
   const NormalModelProbe* normal_ = nullptr;
   Adhesion adhesion_;
   MakeLaw make_law_ = nullptr;
+  ContactRange range_;
   FixOthers* others_ = nullptr;
   MobileParticles mobile_;
   std::vector<KnownContact> known_;  // the last of each two types

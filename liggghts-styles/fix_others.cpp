@@ -4,6 +4,7 @@
 #include <mpi.h>
 // The engine's headers want mpi.h before them.
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <string>
 
@@ -51,14 +52,24 @@ void FixOthers::init() {
 void FixOthers::setup_pre_force(int) {
   const int all = atom->nlocal + atom->nghost;
   for (int i = 0; i < all; i++) set_arrays(i);
+  largest_squared_ = 0.0;
   begin_step();
 }
 
 void FixOthers::initial_integrate(int) {
   last_step_ = update->dt;
-  for (int i = 0; i < atom->nlocal; i++)
+  largest_squared_ = 0.0;
+  for (int i = 0; i < atom->nlocal; i++) {
+    const double* const f = atom->f[0] + 3 * i;
+    double* const to = acceleration_[0] + 3 * i;
     for (int k = 0; k < 3; k++)
-      acceleration_[i][k] = (atom->f[i][k] - excluded_[i][k]) / atom->rmass[i];
+      to[k] = (any_excluded_ ? f[k] - excluded_[i][k] : f[k]) / atom->rmass[i];
+    update_largest(to);
+  }
+}
+
+void FixOthers::update_largest(const double* a) {
+  largest_squared_ = std::max(largest_squared_, a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
 }
 
 void FixOthers::pre_force(int) {
@@ -67,7 +78,11 @@ void FixOthers::pre_force(int) {
 }
 
 void FixOthers::begin_step() {
-  for (int i = 0; i < atom->nlocal; i++) std::fill_n(excluded_[i], 3, 0.0);
+  if (any_excluded_)
+    for (int i = 0; i < atom->nlocal; i++) std::fill_n(excluded_[i], 3, 0.0);
+  any_excluded_ = false;
+  // Not to be a last digit less.
+  largest_ = (1.0 + 1e-12) * std::sqrt(largest_squared_);
 }
 
 void FixOthers::grow_arrays(int most) {
@@ -85,25 +100,27 @@ void FixOthers::set_arrays(int i) {
   std::fill_n(excluded_[i], 3, 0.0);
 }
 
+/// What was excluded is in the acceleration by then.
 int FixOthers::pack_exchange(int i, double* buffer) {
   std::copy_n(acceleration_[i], 3, buffer);
-  std::copy_n(excluded_[i], 3, buffer + 3);
-  return 6;
+  return 3;
 }
 
 int FixOthers::unpack_exchange(int i, double* buffer) {
+  set_arrays(i);
   std::copy_n(buffer, 3, acceleration_[i]);
-  std::copy_n(buffer + 3, 3, excluded_[i]);
-  return 6;
+  update_largest(buffer);
+  return 3;
 }
 
 int FixOthers::pack_comm(int count, int* list, double* buffer, int, int*) {
-  for (int k = 0; k < count; k++) std::copy_n(acceleration_[list[k]], 3, buffer + 3 * k);
+  for (int k = 0; k < count; k++) std::copy_n(acceleration_[0] + 3 * list[k], 3, buffer + 3 * k);
   return comm_forward;
 }
 
 void FixOthers::unpack_comm(int count, int first, double* buffer) {
-  for (int k = 0; k < count; k++) std::copy_n(buffer + 3 * k, 3, acceleration_[first + k]);
+  std::copy_n(buffer, 3 * count, acceleration_[0] + 3 * first);
+  for (int k = 0; k < count; k++) update_largest(buffer + 3 * k);
 }
 
 void FixOthers::write_restart(FILE* file) {

@@ -37,10 +37,13 @@ class FixOthers : public LAMMPS_NS::Fix {
   double memory_usage() override;
 
   /// Of particle or ghost i; nothing while a run is set up, [length/time^2].
-  cohesion::Vector3 acceleration(int i) const { return cohesion::vector(acceleration_[i]); }
+  cohesion::Vector3 acceleration(int i) const { return cohesion::vector(acceleration_[0] + 3 * i); }
+  /// No acceleration of a particle or ghost of this rank is larger, [length/time^2].
+  double largest() const { return largest_; }
   /// Excludes a force on particle i in this step that the next step does not have, [force].
   void exclude(int i, const cohesion::Vector3& excluded) {
     if (i >= atom->nlocal) return;
+    any_excluded_ = true;
     excluded_[i][0] += excluded.x;
     excluded_[i][1] += excluded.y;
     excluded_[i][2] += excluded.z;
@@ -50,9 +53,12 @@ class FixOthers : public LAMMPS_NS::Fix {
 
  private:
   void begin_step();
+  void update_largest(const double* acceleration);
 
   double** acceleration_ = nullptr;
   double** excluded_ = nullptr;  // per particle, from the forces of a step to the next
+  bool any_excluded_ = false;    // in this step, by this rank; else all of it is 0
+  double largest_squared_ = 0.0, largest_ = 0.0;
   double last_step_ = 0.0;
 };
 

@@ -7,6 +7,7 @@
 
 #include "atom.h"
 #include "box_shear.h"
+#include "fetch_ahead.h"
 #include "neigh_list.h"
 #include "neighbor.h"
 
@@ -22,6 +23,30 @@ void ClosePairs::update(const NeighList& list, double reach, int** has_history) 
   if (new_list || positions_.empty() || reach + come_closer() > allowed_)
     find(list, new_list ? has_history : nullptr);
   reach_ = reach;
+}
+
+/// Puts the near ones of some close pairs into `near`, and returns their end.
+NearPair* ClosePairs::find_near(const ClosePair* first, const ClosePair* stop,
+                                const RememberedPairs& known, NearPair* near) const {
+  const double* const x = atom->x[0];
+  const double* const radius = atom->radius;
+  NearPair* last = near;
+  for (const ClosePair* p = first; p != stop; p++) {
+    const int i = p->i, j = p->j;
+    const double dx = x[3 * j] - x[3 * i], dy = x[3 * j + 1] - x[3 * i + 1],
+                 dz = x[3 * j + 2] - x[3 * i + 2];
+    const double reach = radius[i] + radius[j] + reach_;
+    int* const marked = known.has_history[i] + p->place;
+    *last = {i, j, marked, known.history[i] + known.each * p->place};
+    // No branch: which pairs are near cannot be predicted.
+    last += (*marked != 0) | (dx * dx + dy * dy + dz * dz <= 1.0002 * reach * reach);
+  }
+  for (const NearPair* p = near; p != last; p++) {
+    fetch_ahead(p->history, known.each);
+    fetch_ahead(atom->v[0] + 3 * p->j, 3);
+    fetch_ahead(atom->omega[0] + 3 * p->j, 3);
+  }
+  return last;
 }
 
 /// By how much the gap of a pair may have shrunk since the pairs were found, [length].

@@ -2,6 +2,8 @@
 #ifndef COHESION_CLOSE_PAIRS_H
 #define COHESION_CLOSE_PAIRS_H
 
+#include <algorithm>
+#include <cstddef>
 #include <vector>
 
 #include "atom.h"
@@ -13,6 +15,21 @@ namespace LAMMPS_NS {
 struct ClosePair {
   int i, j;
   int place;  ///< of j in i's list of neighbours
+};
+
+/// What is remembered of the pairs of the engine's list, by particle and place in its list of
+/// neighbours.
+struct RememberedPairs {
+  int* const* has_history;
+  double* const* history;
+  int each;  ///< numbers of history
+};
+
+/// Two particles of which one remembers something, or that may touch in this step.
+struct NearPair {
+  int i, j;
+  int* has_history;
+  double* history;
 };
 
 /// The pairs of the engine's list of neighbours that are near each other. Most pairs of that list
@@ -31,27 +48,25 @@ class ClosePairs : protected Pointers {
   /// `has_history` (by particle and place in its list of neighbours).
   void update(const class NeighList& list, double reach, int** has_history);
 
-  /// Calls what(pair, has_history) for the pairs that have a history or a gap below `reach`, in the
-  /// order of the list.
+  /// Calls what(NearPair) for the pairs that have a history or a gap below `reach`, in the order of
+  /// the list; some at a time, whose memory, which lies far apart, is fetched meanwhile.
   template <class What>
-  [[gnu::always_inline]] void for_each_near(int* const* has_history, const What& what) const {
-    const double* const x = atom->x[0];
-    const double* const radius = atom->radius;
+  [[gnu::always_inline]] void for_each_near(const RememberedPairs& known, const What& what) const {
+    NearPair some[AT_A_TIME];
     const ClosePair* const end = pairs_.data() + count_;
-    for (const ClosePair* p = pairs_.data(); p != end; p++) {
-      const int i = p->i, j = p->j;
-      int& marked = has_history[i][p->place];
-      if (!marked) {
-        const double dx = x[3 * j] - x[3 * i], dy = x[3 * j + 1] - x[3 * i + 1],
-                     dz = x[3 * j + 2] - x[3 * i + 2];
-        const double near = radius[i] + radius[j] + reach_;
-        if (dx * dx + dy * dy + dz * dz > 1.0002 * near * near) continue;
-      }
-      what(*p, marked);
+    for (const ClosePair* p = pairs_.data(); p != end;) {
+      const ClosePair* const stop = p + std::min<std::ptrdiff_t>(end - p, AT_A_TIME);
+      const NearPair* const last = find_near(p, stop, known, some);
+      for (const NearPair* near = some; near != last; near++) what(*near);
+      p = stop;
     }
   }
 
  private:
+  static constexpr int AT_A_TIME = 64;
+
+  NearPair* find_near(const ClosePair* first, const ClosePair* stop, const RememberedPairs& known,
+                      NearPair* near) const;
   double come_closer() const;
   void find(const NeighList&, int** has_history);
   static void forget_others(int* has_history, int count, const ClosePair* near,

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "atom.h"
+#include "fetch_ahead.h"
 #include "pointers.h"
 #include "vector3.h"
 
@@ -35,11 +36,18 @@ class ContactImpulses : protected Pointers {
   template <int SIZE>
   [[gnu::always_inline]] void push(int i, const cohesion::Vector3& pushed,
                                    const cohesion::Vector3& turned) {
-    add(atom->f[i], pushed);
-    if (SIZE > 3) add(atom->torque[i], turned);
+    add(atom->f[0] + 3 * i, pushed);
+    if (SIZE > 3) add(atom->torque[0] + 3 * i, turned);
     if (!ended_) return;
     add(&forces_[3 * i], pushed);
     if (SIZE > 3 && known_ == Known::forces_and_torques) add(&torques_[3 * i], turned);
+  }
+
+  /// Soon something is pushed that has torques, or none.
+  template <int SIZE>
+  void fetch(int i) const {
+    fetch_ahead(atom->f[0] + 3 * i, 3);
+    if (SIZE > 3) fetch_ahead(atom->torque[0] + 3 * i, 3);
   }
 
   /// The force and torque of contacts on particle i, after end_contacts().

@@ -45,24 +45,37 @@ class ContactsOfStep {
     step_->impulses.push<SIZE>(i, -a.impulse, a.torque_i);
     if (j >= 0 && j < nlocal_) step_->impulses.push<SIZE>(j, a.impulse, a.torque_j);
   }
+  /// apply() comes soon.
+  void fetch(int i, int j) const {
+    step_->impulses.fetch<SIZE>(i);
+    if (j >= 0 && j < nlocal_) step_->impulses.fetch<SIZE>(j);
+  }
   void apply_reversed(int i, int j, const Action& a) const {
     apply(i, j, {-a.impulse, -a.torque_i, -a.torque_j});
   }
 
-  /// Adds what `a` changes of the motion of both particles to `to`.
-  void change(double* const* to, int i, int j, const Action& a) const {
-    change_i(to, i, a);
-    if (j >= 0) change_j(to, j, a);
+  /// Adds what `a` changes of the motion of both particles to what to(particle) gives.
+  template <class To>
+  void change(const To& to, int i, int j, const Action& a) const {
+    change_i(to(i), i, a);
+    if (j >= 0) change_j(to(j), j, a);
   }
-  void change_i(double* const* to, int i, const Action& a) const {
+  void change_i(double* to, int i, const Action& a) const {
     const auto body = step_->body(i);
-    add(to[i], -body.inverse_mass, a.impulse);
-    if (SIZE > 3) add(to[i] + 3, cohesion::event_stepping::inverse_inertia(body), a.torque_i);
+    add(to, -body.inverse_mass, a.impulse);
+    if (SIZE > 3) add(to + 3, cohesion::event_stepping::inverse_inertia(body), a.torque_i);
   }
-  void change_j(double* const* to, int j, const Action& a) const {
+  void change_j(double* to, int j, const Action& a) const {
     const auto body = step_->body(j);
-    add(to[j], body.inverse_mass, a.impulse);
-    if (SIZE > 3) add(to[j] + 3, cohesion::event_stepping::inverse_inertia(body), a.torque_j);
+    add(to, body.inverse_mass, a.impulse);
+    if (SIZE > 3) add(to + 3, cohesion::event_stepping::inverse_inertia(body), a.torque_j);
+  }
+  /// The same to what the contacts of a followed one owe, and to that of the tally.
+  void add_owed(int i, int j, const Action& a) const {
+    change([this](int k) { return step_->owed(k); }, i, j, a);
+  }
+  void add_owed_of_tally(int i, int j, const Action& a) const {
+    change([this](int k) { return step_->energy_tally.owed()[k]; }, i, j, a);
   }
 
   /// Adds D, V and changes of spins to `predicted` of the step.
@@ -71,10 +84,10 @@ class ContactsOfStep {
     if (j >= 0) add_predicted_j(j, c, change);
   }
   void add_predicted_i(int i, const Contact& c, const PairMotion& change) const {
-    add_motion(step_->predicted[i], -c.bodies().motion_fraction_i(), change, change.spin_i);
+    add_motion(step_->predicted(i), -c.bodies().motion_fraction_i(), change, change.spin_i);
   }
   void add_predicted_j(int j, const Contact& c, const PairMotion& change) const {
-    add_motion(step_->predicted[j], c.bodies().motion_fraction_j(), change, change.spin_j);
+    add_motion(step_->predicted(j), c.bodies().motion_fraction_j(), change, change.spin_j);
   }
 
   /// The fraction of a pair's energies that this process counts: a pair of two processes, or of two
@@ -184,7 +197,7 @@ cohesion::event_stepping::SampledStep sample(const ContactsOfStep<Contact, SIZE>
                                   {0.0, lost.tangential_damping, lost.friction, lost.rolling}, 0.0);
     const Action half{0.5 * now.action.impulse, 0.5 * now.action.torque_i,
                       0.5 * now.action.torque_j};
-    scatter.change(step->energy_tally.owed(), i, j, half);
+    scatter.add_owed_of_tally(i, j, half);
   }
   return now;
 }

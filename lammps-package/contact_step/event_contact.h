@@ -131,11 +131,11 @@ struct StepContacts {
       if (memory.phase != ContactMemory::beyond ? !c.is_idle(grid.relative, memory, 0.0)
                                                 : c.within_reach(grid.relative, 0.0))
         step->disturb(i, j);
-      add_followed<SIZE>(scatter, step, c, {i, j, contact, history}, grid, memory);
+      add_followed<SIZE>(c, {i, j, contact, history}, grid, memory);
     }
     if (step->energy_tally.is_active()) {
       step->energy_tally.store(scatter.owned_fraction(j), c.stored(grid, memory));
-      scatter.change(step->energy_tally.owed(), i, j, c.template owed<SIZE>(grid.relative, memory));
+      scatter.add_owed_of_tally(i, j, c.template owed<SIZE>(grid.relative, memory));
     }
   }
 
@@ -155,10 +155,11 @@ struct StepContacts {
       ContactMemory memory = ContactMemory::from(p.history, SIZE);
       const PairMotion grid = grid_of(p);
       if (step->is_disturbed(p.i, p.j))
-        add_followed<SIZE>(scatter, step, c, p, grid, memory);
+        add_followed<SIZE>(c, p, grid, memory);
       else
         advance_lasting<SIZE>(scatter, step, c, p, grid, memory, on_impulse);
     }
+    begin_followed<SIZE>(scatter, step, all);
   }
 
   /// Adds what lasting contacts owe, and do, to particles that have a followed one.
@@ -180,12 +181,12 @@ struct StepContacts {
           const PairMotion does = c.template lasting_change<SIZE>(grid, action(), owed, memory);
           if (i) {
             step->count_contact(p.i);
-            scatter.change_i(step->owed, p.i, owed);
+            scatter.change_i(step->owed(p.i), p.i, owed);
             scatter.add_predicted_i(p.i, c, does);
           }
           if (j) {
             step->count_contact(p.j);
-            scatter.change_j(step->owed, p.j, owed);
+            scatter.change_j(step->owed(p.j), p.j, owed);
             scatter.add_predicted_j(p.j, c, does);
           }
         });
@@ -215,18 +216,19 @@ struct StepContacts {
   template <int SIZE, class Contact>
   void predict(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
                const std::vector<Contact>& all) {
-    for (FollowedContact& p : followed) {
-      LAMMPS_NS::change(p.start.truth, step->owed[p.i], p.j >= 0 ? step->owed[p.j] : nullptr);
+    const auto fetch = [step](const FollowedContact& p) { fetch_motions(step, p); };
+    for_each_followed(fetch, [&](FollowedContact& p) {
+      LAMMPS_NS::change(p.start.truth, step->owed(p.i), p.j >= 0 ? step->owed(p.j) : nullptr);
       const bool only = SIZE < HistorySize::with_rolling && step->has_one_contact(p.i) &&
                         (p.j < 0 || step->has_one_contact(p.j));
-      if (only) continue;
+      if (only) return;
       const Contact& c = all[p.contact];
       const auto f = c.template follow<SIZE>(p.start, {}, {}, p.in_range);
-      if (!f.normal.interacts) continue;
+      if (!f.normal.interacts) return;
       p.change = f.change;
       if constexpr (SIZE >= HistorySize::with_rolling) p.rolled = f.rolled();
-      scatter.add_predicted(p.i, p.j, c, p.change);
-    }
+      scatter.add_predicted(p.i, p.j, c, f.change);
+    });
   }
 
   /// The corrector: every followed contact with half of what the others do before it and half
@@ -235,10 +237,15 @@ struct StepContacts {
   void correct(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
                const std::vector<Contact>& all, const OnImpulse& on_impulse) {
     using namespace cohesion::event_stepping;
-    for (FollowedContact& p : followed) {
+    const auto fetch = [&](const FollowedContact& p) {
+      fetch_motions(step, p);
+      fetch_ahead(p.history, SIZE);
+      scatter.fetch(p.i, p.j);
+    };
+    for_each_followed(fetch, [&](FollowedContact& p) {
       const Contact& c = all[p.contact];
       const PairMotion others = change_by_others(
-          step->predicted[p.i], p.j >= 0 ? step->predicted[p.j] : nullptr, p.change);
+          step->predicted(p.i), p.j >= 0 ? step->predicted(p.j) : nullptr, p.change);
       ContactMemory memory = ContactMemory::as_stored(p.history, SIZE);
       const FollowedStep<SIZE> f = c.template follow<SIZE>(p.start, others, p.rolled, p.in_range);
       const Action action = c.template finish<SIZE>(p.start, others, f, memory);
@@ -250,12 +257,27 @@ struct StepContacts {
       on_impulse(
           p.j, p.start.truth, action.impulse,
           [&] { return c.by_contact(p.start, f.normal, action); }, 1.0);
-    }
+    });
   }
 
  private:
   using ContactMemory = cohesion::event_stepping::ContactMemory;
   using PairMotion = cohesion::event_stepping::PairMotion;
+
+  /// Calls what(contact) for all that are followed, and fetch(contact) some contacts before.
+  template <class Fetch, class What>
+  [[gnu::always_inline]] void for_each_followed(const Fetch& fetch, const What& what) {
+    constexpr int before = 6;
+    FollowedContact* const end = followed.end();
+    for (FollowedContact* p = followed.begin(); p != end; p++) {
+      if (end - p > before) fetch(p[before]);
+      what(*p);
+    }
+  }
+  static void fetch_motions(const FixEventStep* step, const FollowedContact& p) {
+    step->fetch_motion(p.i);
+    if (p.j >= 0) step->fetch_motion(p.j);
+  }
 
   template <int SIZE, class Contact, class OnImpulse>
   bool advance_lasting(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
@@ -293,12 +315,11 @@ struct StepContacts {
     c.one_force().template end_lasting<SIZE>(grid, memory,
                                              step->energy_tally.is_active() ? &lost : nullptr);
     step->energy_tally.add_losses(scatter.owned_fraction(p.j), lost, 0.0);
-    add_followed<SIZE>(scatter, step, c, p, grid, memory);
+    add_followed<SIZE>(c, p, grid, memory);
   }
 
   template <int SIZE, class Contact>
-  void add_followed(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
-                    const Contact& c, const LastingContact& p, const PairMotion& grid,
+  void add_followed(const Contact& c, const LastingContact& p, const PairMotion& grid,
                     const ContactMemory& memory) {
     FollowedContact& now = followed.add();
     now.i = p.i;
@@ -308,12 +329,23 @@ struct StepContacts {
     now.in_range = memory.in_range();
     now.start = c.template start<SIZE>(grid, grid, memory);
     now.change = {};
-    now.rolled = {};
+    if constexpr (SIZE >= HistorySize::with_rolling) now.rolled = {};
     memory.to(p.history, SIZE);
-    step->add_followed(p.i);
-    if (p.j >= 0) step->add_followed(p.j);
-    scatter.change(step->owed, p.i, p.j,
-                   c.template owed<SIZE>(grid.relative.separation, now.start.ahead, memory));
+  }
+
+  /// Adds what followed contacts owe to their particles.
+  template <int SIZE, class Contact>
+  void begin_followed(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
+                      const std::vector<Contact>& all) {
+    const auto fetch = [step](const FollowedContact& p) { fetch_motions(step, p); };
+    for_each_followed(fetch, [&](const FollowedContact& p) {
+      step->add_followed(p.i);
+      if (p.j >= 0) step->add_followed(p.j);
+      scatter.add_owed(
+          p.i, p.j,
+          all[p.contact].template owed<SIZE>(p.start.truth.relative.separation, p.start.ahead,
+                                             ContactMemory::as_stored(p.history, SIZE)));
+    });
   }
 };
 

@@ -42,14 +42,12 @@ static void put(const Vector3& a, double* values) {
 
 FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
     : Fix(lammps, narg, arg),
-      owed(nullptr),
-      predicted(nullptr),
       impulses(lammps),
       energy_tally(lammps),
       watch(lammps),
       forwarded_flags(nullptr),
       forwarded_values(nullptr),
-      values_each(PREDICTED),
+      values_each(FollowedMotion::PREDICTED),
       may_have_contacts(true),
       idle(false),
       resuming(false),
@@ -68,7 +66,7 @@ FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
       flux_readers(std::make_shared<char>()),
       flux_wanted(false) {
   nevery = 1;
-  comm_forward = 1 + PREDICTED;
+  comm_forward = 1 + FollowedMotion::PREDICTED;
   restart_peratom = 1;
   restart_global = 1;
   create_attribute = 1;
@@ -80,8 +78,6 @@ FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
 FixEventStep::~FixEventStep() {
   atom->delete_callback(id, Atom::GROW);
   atom->delete_callback(id, Atom::RESTART);
-  memory->destroy(owed);
-  memory->destroy(predicted);
   memory->destroy(contacts);
   memory->destroy(inverse_mass);
 }
@@ -248,9 +244,9 @@ bool FixEventStep::run_predictor() {
     for (EventContacts* some : styles) some->follow_disturbed();
     for (EventContacts* some : styles) some->couple_lasting();
     if (any_followed_now || comm->nprocs > 1) {
-      forward_to_ghosts(owed, OWED);
+      forward_to_ghosts(&FixEventStep::owed, FollowedMotion::OWED);
       for (EventContacts* some : styles) some->predict();
-      forward_to_ghosts(predicted, PREDICTED);
+      forward_to_ghosts(&FixEventStep::predicted, FollowedMotion::PREDICTED);
     }
   }
   return true;

@@ -20,6 +20,7 @@ FixStyle(EVENT_STEP,FixEventStep);
 #include "contact_impulses.h"
 #include "event_stepping/flux_parts.h"
 #include "event_stepping/two_pass_contact.h"
+#include "fetch_ahead.h"
 #include "fix.h"
 #include "mobile_particles.h"
 
@@ -31,11 +32,11 @@ namespace LAMMPS_NS {
 /// classify() finds the close pairs alone, and contacts are computed in that part.
 class EventContacts {
  public:
-  /// Lets contacts that last act, and adds the others to those that are followed, with what leads
-  /// to the true motion of their particles, which are disturbed.
+  /// Lets contacts that last act, and adds the others, whose particles are disturbed, to those that
+  /// are followed.
   virtual void classify() = 0;
   /// Adds lasting contacts of disturbed particles to those that are followed, too, and undoes what
-  /// they did.
+  /// they did. Then adds what leads to the true motion of the particles of all that are followed.
   virtual void follow_disturbed() = 0;
   /// Adds what lasting contacts do to particles that have a followed one, and what leads to the
   /// true motion of these.
@@ -66,6 +67,14 @@ class EventWalls : public EventContacts {
 
  protected:
   ~EventWalls() = default;
+};
+
+/// What followed contacts of a particle or ghost share in a step: `owed`, what leads from the
+/// velocity and spin on the grid to the true ones; `predicted`, the change of position, velocity
+/// and spin in the step. Two lines of a cache.
+struct alignas(64) FollowedMotion {
+  static constexpr int OWED = 6, PREDICTED = 9;
+  double owed[OWED], predicted[PREDICTED];
 };
 
 /// What contacts must know of each particle and ghost.
@@ -163,8 +172,7 @@ class FixEventStep : public Fix {
   void add_followed(int i) {
     if (contacts[i]++ != 0) return;
     any_followed_now = true;
-    std::fill_n(owed[i], OWED, 0.0);
-    std::fill_n(predicted[i], PREDICTED, 0.0);
+    motions[i] = {};
     if (i >= atom->nlocal) {
       followed_ghosts.push_back(i);
       return;
@@ -173,9 +181,9 @@ class FixEventStep : public Fix {
     if (!other_forces_known) return;
     const auto does = cohesion::event_stepping::by_acceleration(
         inverse_mass[i] * cohesion::vector(other_forces.of(i)), 2.0 * half_kick());
-    if (!starting) add(owed[i], 0.5 * does.velocity);
-    add(predicted[i], does.separation);
-    add(predicted[i] + 3, does.velocity);
+    if (!starting) add(owed(i), 0.5 * does.velocity);
+    add(predicted(i), does.separation);
+    add(predicted(i) + 3, does.velocity);
   }
   /// Marks both particles of a contact that has an event, or is young; j < 0: a wall.
   void disturb(int i, int j) {
@@ -195,11 +203,12 @@ class FixEventStep : public Fix {
   /// Whether i is a particle of this rank with one contact only.
   bool has_one_contact(int i) const { return i < atom->nlocal && contacts[i] == 1; }
 
-  /// Per atom and ghost with a followed contact: `owed`, what leads from the velocity and spin on
-  /// the grid to the true ones; `predicted`, the change of position, velocity and spin in the step.
-  static constexpr int OWED = 6, PREDICTED = 9;
-  double** owed;
-  double** predicted;
+  /// Of an atom or ghost with a followed contact (FollowedMotion).
+  double* owed(int i) { return motions[i].owed; }
+  double* predicted(int i) { return motions[i].predicted; }
+  void fetch_motion(int i) const {
+    fetch_ahead(motions[i].owed, FollowedMotion::OWED + FollowedMotion::PREDICTED);
+  }
   /// What contacts do in this step.
   ContactImpulses impulses;
   /// The energy of contacts.
@@ -233,8 +242,9 @@ class FixEventStep : public Fix {
   void update_masses(int all);
   void report_unresolved();
   void forward_disturbed();
-  void forward_to_ghosts(double** values, int each);
-  void forward_flagged(std::vector<char>& flags, double** values, int each);
+  using NumbersOf = double* (FixEventStep::*)(int i);
+  void forward_to_ghosts(NumbersOf, int each);
+  void forward_flagged(std::vector<char>& flags, NumbersOf, int each);
   void begin_tallies();
   void warn_of_unturned_once();
   bool others_may_act() const;
@@ -251,8 +261,8 @@ class FixEventStep : public Fix {
   std::vector<AdvisedStyle*> advised;  // the same
   ContactWatch watch;
 
-  char* forwarded_flags;      // per atom and ghost, of what goes to ghosts now: whether it has any
-  double** forwarded_values;  // those, `values_each` of each
+  char* forwarded_flags;       // per atom and ghost, of what goes to ghosts now: whether it has any
+  NumbersOf forwarded_values;  // those, `values_each` of each
   int values_each;
   bool may_have_contacts;  // whether any pair or wall may have one, in this run
   bool idle;               // no contact is computed, and nobody reads what they do
@@ -271,7 +281,8 @@ class FixEventStep : public Fix {
   bool any_other_forces = false;    // anything but contacts, likewise, where that matters
   bool other_forces_known = false;  // in `other_forces`, which is 0 otherwise
   int* contacts;                    // per atom and ghost, this step
-  std::vector<char> followed;       // per atom: 1 if it is, or 0; of ghosts what their owners sent
+  std::vector<FollowedMotion> motions;
+  std::vector<char> followed;  // per atom: 1 if it is, or 0; of ghosts what their owners sent
   std::vector<int> followed_ghosts;
   std::vector<char> disturbed;       // per atom and ghost: 1 with an event or a young contact, or 0
   bool any_disturbed_now = false;    // of those

@@ -19,13 +19,13 @@ void FixEventStep::forward_disturbed() { forward_flagged(disturbed, nullptr, 0);
 
 /// Brings `each` values of particles with a followed contact to their ghosts; ghosts whose owners
 /// have none get 0.
-void FixEventStep::forward_to_ghosts(double** values, int each) {
-  for (int i : followed_ghosts) std::fill_n(values[i], each, 0.0);
+void FixEventStep::forward_to_ghosts(NumbersOf values, int each) {
+  for (int i : followed_ghosts) std::fill_n((this->*values)(i), each, 0.0);
   forward_flagged(followed, values, each);
 }
 
 /// Gives ghosts the flags of their owners, and those that are flagged `each` of their values.
-void FixEventStep::forward_flagged(std::vector<char>& flags, double** values, int each) {
+void FixEventStep::forward_flagged(std::vector<char>& flags, NumbersOf values, int each) {
   std::fill(flags.begin() + atom->nlocal, flags.end(), 0);
   forwarded_flags = flags.data();
   forwarded_values = values;
@@ -41,7 +41,7 @@ int FixEventStep::pack_forward_comm(int n, int* list, double* buf, int, int*) {
   for (int k = 0; k < n; k++) {
     if (!forwarded_flags[list[k]]) continue;
     *end++ = k;
-    if (values_each > 0) end = std::copy_n(forwarded_values[list[k]], values_each, end);
+    if (values_each > 0) end = std::copy_n((this->*forwarded_values)(list[k]), values_each, end);
   }
   if (end - buf < (1 + values_each) * n) *end++ = -1.0;
   return static_cast<int>(end - buf);
@@ -51,14 +51,13 @@ void FixEventStep::unpack_forward_comm(int n, int first, double* buf) {
   for (int k = 0; k < n && *buf >= 0.0; k++) {
     const int i = first + static_cast<int>(*buf++);
     forwarded_flags[i] = 1;
-    if (values_each > 0) std::copy_n(buf, values_each, forwarded_values[i]);
+    if (values_each > 0) std::copy_n(buf, values_each, (this->*forwarded_values)(i));
     buf += values_each;
   }
 }
 
 void FixEventStep::grow_arrays(int nmax) {
-  memory->grow(owed, nmax, OWED, "event_step:owed");
-  memory->grow(predicted, nmax, PREDICTED, "event_step:predicted");
+  motions.resize(nmax);
   memory->grow(contacts, nmax, "event_step:contacts");
   if (last.has_room()) last.grow(nmax);
   other_forces.grow(nmax);
@@ -129,8 +128,7 @@ int FixEventStep::maxsize_restart() { return last.size_restart(); }
 int FixEventStep::size_restart(int) { return last.size_restart(); }
 
 double FixEventStep::memory_usage() {
-  const double numbers = OWED + PREDICTED + 1;
-  return (numbers * sizeof(double) + sizeof(int)) * atom->nmax + impulses.bytes() +
+  return (sizeof(double) + sizeof(int) + sizeof(FollowedMotion)) * atom->nmax + impulses.bytes() +
          static_cast<double>(disturbed.capacity() + followed.capacity()) +
          static_cast<double>(sizeof(int)) * followed_ghosts.capacity() +
          sizeof(double) * known_masses.capacity() + other_forces.bytes() + last.bytes() +

@@ -117,13 +117,10 @@ void PairGranCohesive<Cohesion>::find_close() {
 template <class Cohesion>
 template <class What>
 [[gnu::always_inline]] inline void PairGranCohesive<Cohesion>::for_each_close(const What& what) {
-  double* const* const values_of = history->firstvalue;
-  const int each = per_pair;
-  close_pairs.for_each_near(
-      history->firstflag,
-      [&](const ClosePair& pair, int& has_history) __attribute__((always_inline)) {
-        what(pair.i, pair.j, has_history, values_of[pair.i] + each * pair.place);
-      });
+  close_pairs.for_each_near({history->firstflag, history->firstvalue, per_pair},
+                            [&](const NearPair& pair) __attribute__((always_inline)) {
+                              what(pair.i, pair.j, *pair.has_history, pair.history);
+                            });
 }
 
 /// Adds what a contact does to the sums of momentum flux, if somebody reads them.
