@@ -12,8 +12,8 @@ namespace cohesion::hard_sphere {
 class Calendar {
  public:
   struct Entry {
-    double time = std::numeric_limits<double>::infinity();  ///< [time]
-    int body = -1;                                          ///< whose turn it is
+    double time = never;  ///< [time]
+    int body = -1;        ///< whose turn it is
     // The place among those of the same time; must not change while the entry is there.
     int partner = -1;
     int depth = -1;
@@ -36,19 +36,23 @@ class Calendar {
   const Entry& next() const { return nodes_[1]; }
 
   /// Sets what is next for a body. `before(a, b)` says whether entry a comes before entry b of the
-  /// same time.
-  template <class Before>
-  void set(const Entry& entry, const Before& before) {
+  /// same time. `rises(body, parts)` is called for each body with something before it that comes
+  /// first in one of so many parts of all, a power of 2, and did not so far: its turn is one of
+  /// about the next `parts`.
+  template <class Before, class Rises>
+  void set(const Entry& entry, const Before& before, const Rises& rises) {
     std::size_t node = leaves_ + entry.body;
     nodes_[node] = entry;
-    for (; node > 1; node /= 2) {
+    for (std::size_t parts = leaves_ / 2; node > 1; node /= 2, parts /= 2) {
       const Entry &a = nodes_[node], &b = nodes_[node ^ 1];
       const bool b_first =
           b.time < a.time || (b.time == a.time && b.body >= 0 && (a.body < 0 || before(b, a)));
       const Entry& first = b_first ? b : a;
       Entry& above = nodes_[node / 2];
       // Nothing changes farther up where the body had not come first and does not now.
-      if (above.body == first.body && first.body != entry.body) return;
+      const bool same = above.body == first.body;
+      if (same && first.body != entry.body) return;
+      if (!same && first.time < never) rises(first.body, parts);
       above = first;
     }
   }
@@ -56,6 +60,8 @@ class Calendar {
   double bytes() const { return static_cast<double>(nodes_.capacity() * sizeof(Entry)); }
 
  private:
+  static constexpr double never = std::numeric_limits<double>::infinity();
+
   std::size_t leaves_ = 1;
   std::vector<Entry> nodes_ = std::vector<Entry>(2);
 };

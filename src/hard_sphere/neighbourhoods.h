@@ -7,6 +7,7 @@
 #include "hard_sphere/homes.h"
 #include "hard_sphere/images.h"
 #include "hard_sphere/pair_rules.h"
+#include "hard_sphere/prefetch.h"
 #include "hard_sphere/rows.h"
 
 namespace cohesion::hard_sphere {
@@ -91,6 +92,14 @@ class Neighbourhoods : public Homes {
       if (n->body == partner && n->image == image) return n;
     return nullptr;
   }
+
+  /// Asks for the memory of a body's home and of where its list is.
+  void foresee_body(int body) const {
+    prefetch(home(body));
+    rows_.foresee(body);
+  }
+  /// Asks for the memory of a list.
+  void foresee_list(int body) const { prefetch(begin(body), end(body)); }
 
   /// Notes for both of a pair, or for a body at a wall, whether it is in its well.
   void set_inside(int i, Neighbour& n, bool inside) {

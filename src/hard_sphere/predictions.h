@@ -9,6 +9,7 @@
 #include "hard_sphere/calendar.h"
 #include "hard_sphere/neighbourhoods.h"
 #include "hard_sphere/predicted_events.h"
+#include "hard_sphere/prefetch.h"
 
 namespace cohesion::hard_sphere {
 
@@ -88,7 +89,7 @@ class Predictions {
     for (int i = 0; i < count(); i++) {
       if (to.keeps(i) && predicted_[i].keep_partners(to)) continue;
       // Before numbers change, by which entries of the same time are in order.
-      calendar_.set({never, i, -1, -1}, Before{*this});
+      calendar_.set({never, i, -1, -1}, Before{*this}, [](int, std::size_t) {});
       if (to.now(i) >= 0) concerned.push_back(to.now(i));
     }
     to.apply(bodies);
@@ -145,7 +146,8 @@ class Predictions {
       entry.partner = list.front().partner;
       entry.depth = key(body, list.front()).causal_depth;
     }
-    calendar_.set(entry, Before{*this});
+    calendar_.set(entry, Before{*this},
+                  [this](int comes, std::size_t parts) { foresee(comes, parts); });
   }
 
   bool is_stale(const PredictedEvent& event) const {
@@ -206,6 +208,44 @@ class Predictions {
       return predictions.key(a) < predictions.key(b);
     }
   };
+
+  /// Asks for the memory that the turn of a body will read, a turn that is one of about the next
+  /// `parts`. Who comes next is anywhere in the box, so that nearly all of it is in no cache. It
+  /// hangs together in a chain: what is predicted names the partner, lists name the neighbours. A
+  /// link is asked for when the one before has had time to come.
+  void foresee(int i, std::size_t parts) const {
+    switch (parts) {
+      case 64:
+        return foresee_body(i);
+      case 16:
+        neighbourhoods_.foresee_list(i);
+        if (partner_of_next(i) >= 0) foresee_body(partner_of_next(i));
+        return;
+      case 8:
+        foresee_neighbours(i);
+        if (partner_of_next(i) >= 0) neighbourhoods_.foresee_list(partner_of_next(i));
+        return;
+      case 2:
+        if (partner_of_next(i) >= 0) foresee_neighbours(partner_of_next(i));
+        return;
+      default:
+        return;
+    }
+  }
+  void foresee_body(int i) const {
+    prefetch(predicted_[i]);
+    prefetch(flights[i]);
+    prefetch(bodies[i]);
+    neighbourhoods_.foresee_body(i);
+  }
+  void foresee_neighbours(int i) const {
+    for (const Neighbour* n = neighbourhoods_.begin(i); n != neighbourhoods_.end(i); n++)
+      if (!n->is_wall()) prefetch(flights[n->body]);
+  }
+  /// The body of the next event; below 0: none.
+  int partner_of_next(int i) const {
+    return predicted_[i].empty() ? -1 : predicted_[i].front().partner;
+  }
 
   /// Finds which neighbours of a body it may meet before `horizon`, without roots and without
   /// branches that depend on it; returns how many, their numbers are in near_.

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "hard_sphere/prefetch.h"
 #include "hard_sphere/renumbering.h"
 
 namespace cohesion::hard_sphere {
@@ -43,6 +44,9 @@ class Rows {
   Item* end(int row) { return begin(row) + rows_[row].size; }
   const Item* begin(int row) const { return items_.data() + rows_[row].first; }
   const Item* end(int row) const { return begin(row) + rows_[row].size; }
+
+  /// Asks for the memory of where a row is.
+  void foresee(int row) const { prefetch(rows_[row]); }
 
   void add(int row, const Item& item) {
     Row& r = rows_[row];

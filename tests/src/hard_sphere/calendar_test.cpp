@@ -34,11 +34,16 @@ class Compared {
     entry.time = time;
     entry.body = body;
     entry.depth = rank;
-    calendar_.set(entry, [](const Calendar::Entry& x, const Calendar::Entry& y) {
-      EXPECT_EQ(x.time, y.time);
-      EXPECT_NE(x.body, y.body);
-      return x.depth < y.depth;
-    });
+    calendar_.set(
+        entry,
+        [](const Calendar::Entry& x, const Calendar::Entry& y) {
+          EXPECT_EQ(x.time, y.time);
+          EXPECT_NE(x.body, y.body);
+          return x.depth < y.depth;
+        },
+        [this](int risen, std::size_t parts) {
+          if (parts == 1) risen_ = risen;
+        });
   }
 
   double time_of(int body) const {
@@ -56,6 +61,8 @@ class Compared {
     }
     ASSERT_EQ(entry.time, reference_.begin()->first.first);
     ASSERT_EQ(entry.body, reference_.begin()->second);
+    // Of one body alone there are no parts.
+    if (entries_.size() > 1) ASSERT_EQ(risen_, entry.body);
   }
 
  private:
@@ -64,6 +71,7 @@ class Compared {
   }
 
   Calendar calendar_;
+  int risen_ = -1;  // the last that came first of all
   int next_rank_ = 1;
   std::multimap<std::pair<double, int>, int> reference_;
   std::vector<std::multimap<std::pair<double, int>, int>::iterator> entries_;
@@ -121,6 +129,32 @@ TEST(Calendar, TimeGoesOn) {
     }
 }
 
+// Who comes first in a half, a quarter and so on of all is told of once, in each of them that it
+// comes first in from there on, in the order of the sizes.
+TEST(Calendar, TellsWhoRises) {
+  Calendar calendar;
+  calendar.reset(8);
+  std::vector<std::pair<int, std::size_t> > told;
+  const auto set = [&](int body, double time) {
+    told.clear();
+    Calendar::Entry entry;
+    entry.time = time;
+    entry.body = body;
+    calendar.set(
+        entry, [](const Calendar::Entry&, const Calendar::Entry&) { return false; },
+        [&](int risen, std::size_t parts) { told.emplace_back(risen, parts); });
+    return told;
+  };
+  using Told = std::vector<std::pair<int, std::size_t> >;
+  EXPECT_EQ(set(0, 3.0), (Told{{0, 4}, {0, 2}, {0, 1}}));
+  EXPECT_EQ(set(2, 4.0), (Told{{2, 4}}));
+  EXPECT_EQ(set(7, 1.0), (Told{{7, 4}, {7, 2}, {7, 1}}));
+  // Still first, and nobody else of its half: nothing new. Behind 0 and 2, the first of all is 0.
+  EXPECT_EQ(set(7, 2.0), Told{});
+  EXPECT_EQ(set(7, 5.0), (Told{{0, 1}}));
+  EXPECT_EQ(set(0, 6.0), (Told{{2, 2}, {2, 1}}));
+}
+
 // Bodies that are predicted again and again leave nothing behind that grows.
 TEST(Calendar, TakesNoMoreMemoryThanAFewTimesItsEntries) {
   Calendar calendar;
@@ -133,7 +167,9 @@ TEST(Calendar, TakesNoMoreMemoryThanAFewTimesItsEntries) {
       Calendar::Entry entry;
       entry.time = 0.01 * step + 10.0 * uniform(random);
       entry.body = body;
-      calendar.set(entry, [](const Calendar::Entry&, const Calendar::Entry&) { return false; });
+      calendar.set(
+          entry, [](const Calendar::Entry&, const Calendar::Entry&) { return false; },
+          [](int, std::size_t) {});
     }
   EXPECT_LT(calendar.bytes(), 5.0 * sizeof(Calendar::Entry) * bodies);
 }
