@@ -62,7 +62,9 @@ class Compared {
     ASSERT_EQ(entry.time, reference_.begin()->first.first);
     ASSERT_EQ(entry.body, reference_.begin()->second);
     // Of one body alone there are no parts.
-    if (entries_.size() > 1) ASSERT_EQ(risen_, entry.body);
+    if (entries_.size() > 1) {
+      ASSERT_EQ(risen_, entry.body);
+    }
   }
 
  private:
