@@ -36,8 +36,8 @@ class Calendar {
   const Entry& next() const { return nodes_[1]; }
 
   /// Sets what is next for a body. `before(a, b)` says whether entry a comes before entry b of the
-  /// same time. `rises(body, parts)` is called for each body with something before it that comes
-  /// first in one of so many parts of all, a power of 2, and did not so far: its turn is one of
+  /// same time. `rises(body, parts)` is called for each body that comes first in one of so many
+  /// parts of all, a power of 2, and did not so far, or had nothing before it: its turn is one of
   /// about the next `parts`.
   template <class Before, class Rises>
   void set(const Entry& entry, const Before& before, const Rises& rises) {
@@ -52,7 +52,7 @@ class Calendar {
       // Nothing changes farther up where the body had not come first and does not now.
       const bool same = above.body == first.body;
       if (same && first.body != entry.body) return;
-      if (!same && first.time < never) rises(first.body, parts);
+      if (first.time < never && !(same && above.time < never)) rises(first.body, parts);
       above = first;
     }
   }
