@@ -7,9 +7,9 @@
 
 #include "atom.h"
 #include "box_shear.h"
-#include "fetch_ahead.h"
 #include "neigh_list.h"
 #include "neighbor.h"
+#include "prefetch.h"
 
 using namespace LAMMPS_NS;
 
@@ -42,9 +42,9 @@ NearPair* ClosePairs::find_near(const ClosePair* first, const ClosePair* stop,
     last += (*marked != 0) | (dx * dx + dy * dy + dz * dz <= 1.0002 * reach * reach);
   }
   for (const NearPair* p = near; p != last; p++) {
-    fetch_ahead(p->history, known.each);
-    fetch_ahead(atom->v[0] + 3 * p->j, 3);
-    fetch_ahead(atom->omega[0] + 3 * p->j, 3);
+    cohesion::prefetch_numbers(p->history, known.each);
+    cohesion::prefetch_numbers(atom->v[0] + 3 * p->j, 3);
+    cohesion::prefetch_numbers(atom->omega[0] + 3 * p->j, 3);
   }
   return last;
 }

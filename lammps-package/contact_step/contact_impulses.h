@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "atom.h"
-#include "fetch_ahead.h"
 #include "pointers.h"
+#include "prefetch.h"
 #include "vector3.h"
 
 namespace LAMMPS_NS {
@@ -46,8 +46,8 @@ class ContactImpulses : protected Pointers {
   /// Soon something is pushed that has torques, or none.
   template <int SIZE>
   void fetch(int i) const {
-    fetch_ahead(atom->f[0] + 3 * i, 3);
-    if (SIZE > 3) fetch_ahead(atom->torque[0] + 3 * i, 3);
+    cohesion::prefetch_numbers(atom->f[0] + 3 * i, 3);
+    if (SIZE > 3) cohesion::prefetch_numbers(atom->torque[0] + 3 * i, 3);
   }
 
   /// The force and torque of contacts on particle i, after end_contacts().

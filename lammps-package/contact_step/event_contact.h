@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "contact_scatter.h"
+#include "prefetch.h"
 
 // What pairs and walls of the event scheme share: which of their contacts last and which are
 // followed, and predictor and corrector of those.
@@ -239,7 +240,7 @@ struct StepContacts {
     using namespace cohesion::event_stepping;
     const auto fetch = [&](const FollowedContact& p) {
       fetch_motions(step, p);
-      fetch_ahead(p.history, SIZE);
+      cohesion::prefetch_numbers(p.history, SIZE);
       scatter.fetch(p.i, p.j);
     };
     for_each_followed(fetch, [&](FollowedContact& p) {

@@ -20,9 +20,9 @@ FixStyle(EVENT_STEP,FixEventStep);
 #include "contact_impulses.h"
 #include "event_stepping/flux_parts.h"
 #include "event_stepping/two_pass_contact.h"
-#include "fetch_ahead.h"
 #include "fix.h"
 #include "mobile_particles.h"
+#include "prefetch.h"
 
 namespace LAMMPS_NS {
 
@@ -207,7 +207,7 @@ class FixEventStep : public Fix {
   double* owed(int i) { return motions[i].owed; }
   double* predicted(int i) { return motions[i].predicted; }
   void fetch_motion(int i) const {
-    fetch_ahead(motions[i].owed, FollowedMotion::OWED + FollowedMotion::PREDICTED);
+    cohesion::prefetch_numbers(motions[i].owed, FollowedMotion::OWED + FollowedMotion::PREDICTED);
   }
   /// What contacts do in this step.
   ContactImpulses impulses;

@@ -7,8 +7,8 @@
 #include "hard_sphere/homes.h"
 #include "hard_sphere/images.h"
 #include "hard_sphere/pair_rules.h"
-#include "hard_sphere/prefetch.h"
 #include "hard_sphere/rows.h"
+#include "prefetch.h"
 
 namespace cohesion::hard_sphere {
 

@@ -9,7 +9,7 @@
 #include "hard_sphere/calendar.h"
 #include "hard_sphere/neighbourhoods.h"
 #include "hard_sphere/predicted_events.h"
-#include "hard_sphere/prefetch.h"
+#include "prefetch.h"
 
 namespace cohesion::hard_sphere {
 

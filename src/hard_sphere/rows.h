@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "hard_sphere/prefetch.h"
 #include "hard_sphere/renumbering.h"
+#include "prefetch.h"
 
 namespace cohesion::hard_sphere {
 
