@@ -109,6 +109,7 @@ class FixHardEvents : public Fix {
   // In fix_hard_events_results.cpp
   void store_events();
   void store_flights();
+  void foresee_displacements(const cohesion::hard_sphere::Event&) const;
   void check_list();
   void track_displacement(int i, const cohesion::Vector3& position, double left);
 

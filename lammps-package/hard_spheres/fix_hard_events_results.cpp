@@ -12,6 +12,7 @@
 #include "flight_report.h"
 #include "neighbor.h"
 #include "pair_hard_square_well.h"
+#include "prefetch.h"
 #include "shear/list_margin.h"
 #include "update.h"
 
@@ -19,6 +20,9 @@ using namespace LAMMPS_NS;
 using namespace cohesion::hard_sphere;
 using cohesion::vector;
 using cohesion::Vector3;
+
+// Events between the one whose particles' memory is asked for and the one that is looked at.
+static constexpr std::size_t AHEAD = 8;
 
 static void put(const Vector3& a, double* to) {
   to[0] = a.x;
@@ -76,11 +80,24 @@ void FixHardEvents::track_displacement(int i, const Vector3& position, double le
                displacements_.squared(i, position, shear_since(displacements_, domain, left)));
 }
 
+/// Asks for the memory that the displacements of an event's particles are worked out from.
+void FixHardEvents::foresee_displacements(const Event& event) const {
+  for (const int i : {event.i, event.j}) {
+    if (i < 0 || i >= atom->nlocal) continue;
+    displacements_.foresee(i);
+    cohesion::prefetch(columns_[i][IMAGE]);
+    cohesion::prefetch(atom->image[i]);
+  }
+}
+
 /// Stops when a particle may have met one that is no ghost of its process.
 void FixHardEvents::check_list() {
   const double dt = update->dt, end = simulation_.end();
   for (int i = 0; i < atom->nlocal; i++) track_displacement(i, vector(atom->x[i]), 0.0);
-  for (const Event& event : simulation_.events) {
+  const std::vector<Event>& events = simulation_.events;
+  for (std::size_t n = 0; n < events.size(); n++) {
+    const Event& event = events[n];
+    foresee_displacements(events[std::min(n + AHEAD, events.size() - 1)]);
     const double left = end - event.key.time;
     const PeriodicBox::Edges h = simulation_.box().at(event.key.time);
     if (event.i < atom->nlocal)

@@ -12,8 +12,9 @@ using namespace LAMMPS_NS;
 using namespace cohesion::hard_sphere;
 
 // Events of a window, of all processes, per particle, and at least. The more, the more of what is
-// worked out ahead is undone; the fewer, the more often processes wait for each other.
-static constexpr double EVENTS_OF_A_WINDOW = 0.2, LEAST_EVENTS = 100.0;
+// worked out ahead is undone, and the less of what is kept for that stays in a cache; the fewer,
+// the more often processes wait for each other.
+static constexpr double EVENTS_OF_A_WINDOW = 0.05, LEAST_EVENTS = 100.0;
 static constexpr int WINDOWS_OF_FIRST_STEP = 16;
 
 HardEventTimeWarp::HardEventTimeWarp(LAMMPS* lammps, TimeWarp& simulation)

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <queue>
 #include <utility>
 #include <vector>
@@ -48,9 +49,7 @@ class TimeWarp : public EventSimulation {
   /// A window of the step begins, at the time `from`: what has been done is final.
   void begin_window(double from) {
     neighbourhoods_.forget_former_homes(from);
-    for (const Change& change : changes_)
-      for (const Past& past : change.past)
-        if (past.body >= 0) last_[past.body] = -1;
+    first_change_ += static_cast<std::int64_t>(changes_.size());
     changes_.clear();
     for (const int body : remote_changed_) {
       assumed_[body].clear();
@@ -106,7 +105,7 @@ class TimeWarp : public EventSimulation {
     all.clear();
     Flight flight = flights[body];
     Course course = bodies[body].course;
-    for (int n = last_[body]; n >= 0;) {
+    for (int n = last_change(body); n >= 0;) {
       const Change& change = changes_[n];
       const Past& past = change.of(body);
       all.push_back({change.key, change.past[0].body == body ? change.partner : change.past[0].body,
@@ -223,9 +222,16 @@ class TimeWarp : public EventSimulation {
     bool operator<(const Pending& b) const { return b.key < key; }
   };
 
+  /// The last change of a body in this window; -1: none.
+  int last_change(int body) const {
+    const std::int64_t n = last_[body] - first_change_;
+    return n < 0 ? -1 : static_cast<int>(n);
+  }
+  void set_last_change(int body, int n) { last_[body] = n < 0 ? -1 : first_change_ + n; }
+
   void note(Change& change, int side, int body) {
-    change.past[side] = {body, last_[body], flights[body], bodies[body].course};
-    last_[body] = static_cast<int>(changes_.size());
+    change.past[side] = {body, last_change(body), flights[body], bodies[body].course};
+    set_last_change(body, static_cast<int>(changes_.size()));
     note_changed(body);
   }
 
@@ -275,7 +281,8 @@ class TimeWarp : public EventSimulation {
   /// Undoes what a body did from a place in the order on.
   void undo_from(int body, const EventKey& key) {
     int first = -1;
-    for (int n = last_[body]; n >= 0 && !(changes_[n].key < key); n = changes_[n].of(body).previous)
+    for (int n = last_change(body); n >= 0 && !(changes_[n].key < key);
+         n = changes_[n].of(body).previous)
       first = n;
     if (first >= 0) undo(first);
   }
@@ -288,8 +295,8 @@ class TimeWarp : public EventSimulation {
       const Change& change = changes_[top];
       bool last = true;
       for (const Past& past : change.past)
-        if (past.body >= 0 && last_[past.body] != top) {
-          stack.push_back(last_[past.body]);
+        if (past.body >= 0 && last_change(past.body) != top) {
+          stack.push_back(last_change(past.body));
           last = false;
           break;
         }
@@ -305,7 +312,7 @@ class TimeWarp : public EventSimulation {
     for (const Past& past : change.past) {
       if (past.body < 0) continue;
       set_flight(past.body, past.flight, past.course);
-      last_[past.body] = past.previous;
+      set_last_change(past.body, past.previous);
       note_changed(past.body);
       from_[past.body] = std::min(from_[past.body], change.key);
       touched_.push_back(past.body);
@@ -342,7 +349,7 @@ class TimeWarp : public EventSimulation {
 
   bool is_done(int n) const {
     const Past& past = changes_[n].past[0];
-    for (int k = last_[past.body]; k >= n; k = changes_[k].of(past.body).previous)
+    for (int k = last_change(past.body); k >= n; k = changes_[k].of(past.body).previous)
       if (k == n) return true;
     return false;
   }
@@ -353,7 +360,7 @@ class TimeWarp : public EventSimulation {
     const Flight& a = flights[body];
     const Tags both = tags(body, neighbour.body);
     int first = -1;
-    for (int n = last_[neighbour.body]; n >= 0 && from < changes_[n].key;) {
+    for (int n = last_change(neighbour.body); n >= 0 && from < changes_[n].key;) {
       const Past& past = changes_[n].of(neighbour.body);
       const Flight& b = past.flight;
       const double begin = std::max({from.time, a.since, b.since});
@@ -382,7 +389,9 @@ class TimeWarp : public EventSimulation {
   }
 
   std::vector<Change> changes_;  // of this window
-  std::vector<int> last_;        // change of a body in it; -1: none
+  // Changes are numbered through all windows: what is below the first one of this window is over.
+  std::vector<std::int64_t> last_;  // change of a body
+  std::int64_t first_change_ = 0;   // number of changes_[0]
   std::vector<int> own_changed_, remote_changed_;
   std::vector<std::vector<RemoteUpdate> > assumed_, told_;  // by body
   std::vector<std::size_t> applied_;                        // how many of assumed_

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "prefetch.h"
 #include "vector3.h"
 
 namespace cohesion::shear {
@@ -39,6 +40,9 @@ class NonaffineDisplacements {
   BoxShear shear_since_reference(double tilt, double height, double middle) const {
     return {(tilt - tilt_) / height, middle};
   }
+
+  /// Asks for the memory of a particle's reference.
+  void foresee(std::size_t i) const { prefetch_numbers(positions_.data() + 3 * i, 3); }
 
   /// Square of the nonaffine displacement of particle i, which is at `position`, [length^2].
   double squared(std::size_t i, const Vector3& position, const BoxShear& shear) const {
