@@ -22,7 +22,7 @@ def noted(found, name, values):
 def own_temperature(by, warmth, time, count):
     """Of the motion that is left without that of all together, a third of a degree of freedom for each sphere: the fix
     takes the mean over all spheres, the engine over all but one."""
-    return np.diff(warmth) / np.diff(time) * (1 if by == "none" else count / (count - 1))
+    return np.diff(warmth) / np.diff(time) * (count / (count - 1) if by in ("rescale", "random") else 1)
 
 
 def hard(log, given):

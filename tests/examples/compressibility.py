@@ -25,6 +25,7 @@ SMALL = {"elastic": {"side": 6, "collisions": 400},
          "rescaled": {"side": 6, "e": 0.8, "by": "rescale", "collisions": 200},
          "dense": {"side": 6, "phi": 0.5, "collisions": 400},
          "wells": {"side": 6, "D": 0.6, "w": 1.05, "by": "rescale", "collisions": 400},
+         "redrawn": {"side": 6, "D": 0.6, "w": 1.05, "by": "redraw", "collisions": 400},
          "soft": {"script": "soft", "side": 6, "e": 0.9, "by": "random", "K": 20000, "collisions": 100},
          "sheared": {"script": "flow", "side": 6, "rate": 0.4, "collisions": 400}}
 # Of y, over the root of the number of collisions: impulses of collisions, and how many there are, of 1000 spheres at 0.3.
@@ -67,6 +68,13 @@ class SmallGases(unittest.TestCase):
         for name in ("driven", "rescaled"):
             self.assertAlmostEqual(self.found[name]["power"], 1, delta=1e-9)
         self.assertAlmostEqual(self.found["soft"]["power"], 1, delta=2e-3)
+
+    def test_velocities_drawn_anew_leave_the_pressure(self):
+        """Of wells: both ways keep the temperature, and differ by a part in the number of spheres."""
+        redrawn, rescaled = self.found["redrawn"], self.found["wells"]
+        error = 4 * math.hypot(redrawn["y_over_cs_error"], rescaled["y_over_cs_error"])
+        self.assertLess(error, 0.1)
+        self.assertAlmostEqual(redrawn["y_over_cs"], rescaled["y_over_cs"], delta=error + 1 / 216)
 
     def test_soft_spheres_are_hard_ones_of_another_diameter(self):
         self.assertPressure("soft", "y_over_cs", more=0.02)
