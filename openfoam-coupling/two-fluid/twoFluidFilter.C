@@ -63,10 +63,17 @@ Foam::tmp<Foam::volScalarField> Foam::twoFluidFilter::factor(const phasePair& pa
         const scalar mu
     )
     {
-        const scalar speed = drag::stokes_terminal_speed(d, density, rho, mu, g);
-        return law_.factor(max(solid, scalar(0)), drag::filter_over_fall(size, speed, g));
+        return law_.factor(max(solid, scalar(0)), {size, {d, density}, {rho, mu}, g});
     };
     const phaseModel& gas = pair.continuous();
     const phaseModel& grains = pair.dispersed();
-    return eachValue("filter", dimless, left, grains, *sizes_, grains.d()(), grains.rho(), gas.rho(), gas.mu()());
+    try
+    {
+        return eachValue("filter", dimless, left, grains, *sizes_, grains.d()(), grains.rho(), gas.rho(), gas.mu()());
+    }
+    catch (const InvalidParameter& error)
+    {
+        FatalErrorInFunction << "filter " << law_.name.data() << ": " << error.what() << exit(FatalError);
+        throw;
+    }
 }

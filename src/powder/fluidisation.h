@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "drag/drag_law.h"
 #include "drag/single_sphere.h"
@@ -40,16 +42,38 @@ inline double archimedes(const Grain& grain, const Gas& gas, double gravity) {
 
 namespace detail {
 
-/// The argument at which a function that rises from below zero is zero, to round-off.
+/// The argument at which a function that rises from below zero is zero, or jumps over it, to
+/// round-off: by straight lines through the ends of what encloses it, an end that stays with half
+/// its value (the Illinois method; M. Dowell, P. Jarratt, BIT 11 (1971) 168). Some ten values of a
+/// smooth function.
 template <class Rising>
 double root_of(const Rising& f, double guess) {
-  double high = guess;
-  while (f(high) < 0.0) high *= 2.0;
-  double low = 0.5 * high;
-  while (f(low) > 0.0) low *= 0.5;
-  for (double middle = 0.5 * (low + high); middle > low && middle < high;
-       middle = 0.5 * (low + high))
-    (f(middle) < 0.0 ? low : high) = middle;
+  constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  double high = guess, at_high = f(high);
+  while (at_high < 0.0) at_high = f(high *= 2.0);
+  double low = 0.5 * high, at_low = f(low);
+  while (at_low >= 0.0) {
+    high = low;
+    at_high = at_low;
+    at_low = f(low *= 0.5);
+  }
+  bool low_moved = false, high_moved = false;
+  while (high - low > 2.0 * epsilon * high) {
+    const double line = low + (high - low) * (at_low / (at_low - at_high));
+    const double x = std::clamp(line, low + epsilon * high, high - epsilon * high);
+    const double at_x = f(x);
+    if (at_x < 0.0) {
+      low = x;
+      at_low = at_x;
+      if (low_moved) at_high *= 0.5;
+    } else {
+      high = x;
+      at_high = at_x;
+      if (high_moved) at_low *= 0.5;
+    }
+    low_moved = at_x < 0.0;
+    high_moved = !low_moved;
+  }
   return 0.5 * (low + high);
 }
 

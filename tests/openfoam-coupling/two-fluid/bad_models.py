@@ -43,9 +43,10 @@ class BadModels(unittest.TestCase):
                      "take one of ergunWenYu, ergunRoweHenwood, wenYu", where, drag="type beetstra; dragExponent 4.65;")
 
     def test_filter(self):
-        self.refused("filter", "filter", "igcy", "none, igci", "phaseProperties", drag="type wenYu; filter igcy;")
-        self.refused("weightless", "filter igci goes by the speed at which particles fall, and constant/g is zero:"
-                     " remove the entry", "phaseProperties", drag="type wenYu; filter igci;", gravity=0)
+        self.refused("filter", "filter", "igcy", "none, igci, radlSundaresan", "phaseProperties", drag="type wenYu; filter igcy;")
+        for name in ("igci", "radlSundaresan"):
+            self.refused(f"weightless-{name}", f"filter {name} goes by the speed at which particles fall, and constant/g is"
+                         " zero: remove the entry", "phaseProperties", drag=f"type wenYu; filter {name};", gravity=0)
 
     def test_packing_beyond_the_radial_function(self):
         self.refused("packing", "alphaMax = 0.65: radialModel maAhmadi diverges at a solid fraction of 0.64356",

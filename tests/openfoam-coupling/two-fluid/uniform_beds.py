@@ -15,6 +15,7 @@ from scipy.optimize import brentq
 from cohesion_studies.foam_case import environment
 from cohesion_tests.coupling.two_fluid import SOLVER, column, edit, replace, times, without_stress
 from cohesion_tests.theory.closure_formulas import CLOSURES, DOUBLE
+from cohesion_tests.theory.filtered_drag import share
 
 WORK, ENV = Path(os.environ["COHESION_WORK"]), environment(os.environ["COHESION_BUILD"])
 G = 9.81
@@ -22,6 +23,8 @@ RHO, MU = 1.2, 1.8e-5
 # Suspensions: diameter [m], density of the grains, solid fraction, and of the column height [m] and time [s], in
 # which they do not fall far in it. Slow and with inertia, Reynolds numbers near 0.1 and 20.
 SUSPENSIONS = {"powder": (75e-6, 1500.0, 0.3, 0.4, 0.4), "sand": (3e-4, 2500.0, 0.15, 40.0, 4.0)}
+# Of a powder with the little drag that is left in coarse cells
+COARSE = (75e-6, 1500.0, 0.3, 80.0, 4.0)
 CELLS, HEIGHT, STEPS = 20, 0.4, 100
 MIDDLE = slice(5, 15)
 # The solver makes velocities of cells of the fluxes through their faces. At an end of the column that is off, and from
@@ -87,8 +90,8 @@ class UniformBeds(unittest.TestCase):
         replace(case, "0.orig/alpha.particles", "uniform 0;", f"uniform {solid!r};")
         replace(case, "0.orig/alpha.air", "uniform 1;", f"uniform {1 - solid!r};")
 
-    def settle(self, name, words, law, of):
-        d, density, solid, height, end = SUSPENSIONS[of]
+    def settle(self, name, words, law, of, suspension):
+        d, density, solid, height, end = suspension
         time = slip_of(law, d, density, solid)[1]
         # Implicit steps of dt/time = x leave 1/(1 + x) each.
         self.assertLess((1 + end / STEPS / time) ** -STEPS, START, f"{name} {of}: not yet steady")
@@ -120,7 +123,16 @@ class UniformBeds(unittest.TestCase):
         for name, (words, law) in LAWS.items():
             # With so little drag sand falls far before its speed is steady.
             for of in ("powder",) if name == "factor" else SUSPENSIONS:
-                self.settle(name, words, law, of)
+                self.settle(name, words, law, of, SUSPENSIONS[of])
+
+    def test_a_suspension_in_coarse_cells_settles_with_what_is_left_of_the_drag(self):
+        """In cells of 4 m, in which the filter leaves 5 % of the drag."""
+        cell = COARSE[3] / CELLS
+
+        def filtered(ctx, eps, slip, d, rho, mu):
+            return CLOSURES["wenYu"](ctx, eps, slip, d, rho, mu) * share(1 - eps, cell, d, COARSE[1], rho, mu, G)
+
+        self.settle("radlSundaresan", "type wenYu; filter radlSundaresan;", filtered, "coarse", COARSE)
 
     def test_packed_beds_have_their_pressure_drop(self):
         """Grains of 1e18 kg/m3 stay where they are, and without gravity; all else as it is."""

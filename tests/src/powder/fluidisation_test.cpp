@@ -16,6 +16,35 @@ constexpr double g = 9.81;
 
 }  // namespace
 
+// Slopes near the root are 1 to 5, values there are of numbers of 1 to 7: some roundings of these.
+TEST(Fluidisation, RootsAreFoundToRoundOffInFewValues) {
+  int values = 0;
+  const auto counted = [&values](auto f) {
+    values = 0;
+    return [&values, f](double x) {
+      values++;
+      return f(x);
+    };
+  };
+  for (const double guess : {1e-3, 1.0, 1e4}) {
+    // What doubles and halves from the guess to the root takes, and twenty
+    const auto few = [guess](double root) { return 22 + std::abs(std::log2(guess / root)); };
+    EXPECT_NEAR(detail::root_of(counted([](double x) { return x - 0.3; }), guess), 0.3, 1e-15);
+    EXPECT_LT(values, few(0.3)) << guess;
+    EXPECT_NEAR(detail::root_of(counted([](double x) { return x * x * x - 2.0; }), guess),
+                std::cbrt(2.0), 1e-15);
+    EXPECT_LT(values, few(1.26)) << guess;
+    EXPECT_NEAR(
+        detail::root_of(counted([](double x) { return std::pow(x, 1.687) + x - 2.0; }), guess), 1.0,
+        1e-15);
+    EXPECT_LT(values, few(1.0)) << guess;
+    // One that jumps over zero: there
+    EXPECT_NEAR(
+        detail::root_of(counted([](double x) { return x < 7.0 ? x - 7.1 : x + 500.0; }), guess),
+        7.0, 2e-15);
+  }
+}
+
 // 150 (1-eps)^2/eps^3 mu U/d^2 + 1.75 (1-eps)/eps^3 rho U^2/d = (1-eps) (rho_p - rho) g, solved.
 TEST(Fluidisation, ByErgunIsTheRootOfItsQuadraticEquation) {
   const auto& ergun = find_by_name(drag::closures, "drag", "ergunWenYu");
@@ -26,7 +55,7 @@ TEST(Fluidisation, ByErgunIsTheRootOfItsQuadraticEquation) {
       const double b = 150.0 * (1.0 - eps) * air.viscosity / (d * d * std::pow(eps, 3));
       const double c = (grain.density - air.density) * g;
       const double speed = 2.0 * c / (b + std::sqrt(b * b + 4.0 * a * c));
-      // Of a root by bisection, and some operations on either side
+      // Of a root to round-off, and some operations on either side
       EXPECT_NEAR(minimum_fluidisation(ergun, eps, grain, air, g), speed, 1e-13 * speed) << d;
     }
 }
