@@ -22,7 +22,7 @@ void Foam::gasParticleCoupling::locateParticles()
     const auto particles = engine_->particles();
     averaging_.exchange().locate
     (
-        engineView(particles.position, particles.count),
+        (*places_)(engineView(particles.position, particles.count)),
         engineView(particles.radius, particles.count),
         engineView(particles.id, particles.count)
     );

@@ -46,7 +46,8 @@ void Foam::gasParticleCoupling::requireMinVoidFraction() const
         << "    The solid beyond the limit is " << excess << " m3, " << 100*excess/spreadVolume_
         << " % of all particles; nothing is clipped. Cells of a few particle diameters cure it"
         << (dict_.get<word>("voidFraction") == overlap ? "" : ", voidFraction sphereOverlap")
-        << (dict_.found("smoothingWidth") ? ", or a larger" : ", or a") << " smoothingWidth" << exit(FatalIOError);
+        << ", or, in a bed twenty widths high and more, a" << (dict_.found("smoothingWidth") ? " larger" : "")
+        << " smoothingWidth" << exit(FatalIOError);
 }
 
 

@@ -7,6 +7,7 @@
 #include "UPstream.H"
 #include "zeroGradientFvPatchFields.H"
 
+#include "coupling/checks/requireBoxOfMesh.H"
 #include "coupling/checks/requireDimensions.H"
 #include "coupling/checks/requirePatches.H"
 #include "coupling/checks/requireSameGravity.H"
@@ -123,7 +124,8 @@ Foam::gasParticleCoupling::gasParticleCoupling
     const bool sameGravity = asksForSameGravity(dict_);
     makeEngine();
     requireSiUnits();
-    requireBoxOfMesh();
+    requireBoxOfMesh(dict_, mesh_, engine_->box());
+    places_ = std::make_unique<placesOnMesh>(mesh_, engine_->box());
     if (sameGravity)
     {
         requireSameGravity(dict_, mesh_, *engine_, g_);
@@ -259,32 +261,6 @@ void Foam::gasParticleCoupling::requireSiUnits() const
         FatalIOErrorInFunction(dict_)
             << "the particle script has units " << engine_->units().c_str()
             << "; OpenFOAM works in SI: use 'units si' in the script" << exit(FatalIOError);
-    }
-}
-
-
-void Foam::gasParticleCoupling::requireBoxOfMesh() const
-{
-    const auto box = engine_->box();
-    const boundBox& bounds = mesh_.bounds();
-    for (direction d = 0; d < 3; ++d)
-    {
-        const scalar tolerance = 1e-6*bounds.span()[d];
-        if
-        (
-            mesh_.geometricD()[d] > 0
-         && (
-                mag(box.low[d] - bounds.min()[d]) > tolerance
-             || mag(box.high[d] - bounds.max()[d]) > tolerance
-            )
-        )
-        {
-            FatalIOErrorInFunction(dict_)
-                << "in direction " << vector::componentNames[d] << " the box of the particle"
-                << " script reaches from " << box.low[d] << " to " << box.high[d]
-                << " m, the mesh from " << bounds.min()[d] << " to " << bounds.max()[d]
-                << " m: give the script's box the size of the mesh" << exit(FatalIOError);
-        }
     }
 }
 

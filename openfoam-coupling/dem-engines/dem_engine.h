@@ -61,6 +61,7 @@ class DemEngine {
   struct Box {
     std::array<double, 3> low;
     std::array<double, 3> high;
+    std::array<bool, 3> periodic;  ///< what leaves it comes back on the other side, now and then
   };
 
   /// The lowest and the highest of accelerations in each direction [length/time^2]; the lowest is
@@ -110,7 +111,7 @@ class DemEngine {
 };
 
 /// Every engine library exports these two with C linkage; the number changes with this header.
-inline constexpr int dem_engine_interface = 5;
+inline constexpr int dem_engine_interface = 6;
 using DemEngineInterface = int (*)();
 using MakeDemEngine = DemEngine* (*)(const DemEngineSettings&);
 inline constexpr const char* dem_engine_interface_symbol = "cohesion_dem_engine_interface";

@@ -128,8 +128,11 @@ class LammpsFamilyEngine : public DemEngine {
 
   Box box() override {
     const auto* domain = lammps_->domain;
+    // In two dimensions nothing leaves along z, which the engine calls periodic.
     return {{domain->boxlo[0], domain->boxlo[1], domain->boxlo[2]},
-            {domain->boxhi[0], domain->boxhi[1], domain->boxhi[2]}};
+            {domain->boxhi[0], domain->boxhi[1], domain->boxhi[2]},
+            {domain->xperiodic != 0, domain->yperiodic != 0,
+             domain->zperiodic != 0 && domain->dimension == 3}};
   }
 
  private:

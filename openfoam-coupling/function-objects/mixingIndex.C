@@ -28,7 +28,7 @@ Foam::functionObjects::mixingIndex::mixingIndex
 :
     particleFunctionObject(name, runTime, dict),
     first_(folder()/"places"),
-    images_(meshCells::images(mesh_)),
+    images_(present() ? particles().images() : List<vector>(1, vector::zero)),
     up_(Zero),
     cells_(Zero),
     layers_(0)

@@ -27,7 +27,7 @@ Foam::functionObjects::particleMovement::particleMovement
     particleFunctionObject(name, runTime, dict),
     interval_(0),
     before_(folder()/"places"),
-    images_(meshCells::images(mesh_))
+    images_(present() ? particles().images() : List<vector>(1, vector::zero))
 {
     read(dict);
     writeCommented(file(), "Time");

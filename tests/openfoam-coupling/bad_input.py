@@ -197,10 +197,11 @@ CASES = {
         # One sphere: all 90 cells lack 0.5 of 1.5, 3.6e-4 m3 together.
         ["90 cells have a void fraction below minVoidFraction = 1.5", "the lowest is",
          "The solid beyond the limit is 0.00036", "nothing is clipped",
-         "Cells of a few particle diameters cure it, voidFraction sphereOverlap, or a smoothingWidth"]),
+         "Cells of a few particle diameters cure it, voidFraction sphereOverlap, or, in a bed twenty widths high and"
+         " more, a smoothingWidth"]),
     "cell denser than allowed, with all that smooths": (
         lambda c: append(c, COUPLING, "minVoidFraction 1.5; voidFraction sphereOverlap; smoothingWidth 0.01;"),
-        ["Cells of a few particle diameters cure it, or a larger smoothingWidth"]),
+        ["Cells of a few particle diameters cure it, or, in a bed twenty widths high and more, a larger smoothingWidth"]),
     "pressure in Pa": (
         lambda c: edit(c, "0/p", "[0 2 -2 0 0 0 0]", "[1 -1 -2 0 0 0 0]"),
         ["0/p has the dimensions [1 -1 -2 0 0 0 0] and must have [0 2 -2 0 0 0 0]",

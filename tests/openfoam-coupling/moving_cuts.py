@@ -8,8 +8,8 @@ import unittest
 
 import numpy as np
 
-from cohesion_tests.coupling.cases import disturb, edit, script_file
-from cohesion_tests.coupling.swarm import DISTURBANCE, difference, make, state
+from cohesion_tests.coupling.cases import append, disturb, edit, exchange_lines, script_file
+from cohesion_tests.coupling.swarm import DISTURBANCE, STEPS, difference, make, state
 from cohesion_tests.coupling.test_case import CoupledTestCase
 
 FILE = script_file("cohesive", "lammps")
@@ -36,6 +36,24 @@ def run(column, name, ranks, cuts, disturbance=0.0):
     return case, state(case, case.solve(ranks=ranks), ranks)
 
 
+def slump(column, name, cuts, disturbance=0.0):
+    """State at the end and lines of the exchange, on two ranks: of the column's box with a round wall."""
+    case = make(column, name, "slumping")
+    append(case, "0.orig/U", "boundaryField { bottom { type superficialVelocity; superficialVelocity (0 0 0.3); } }")
+    balance = "50 1.0 shift x 10 1.0" if cuts else "1000000 1000 shift x 1 2"  # the latter tells the factor, no more
+    edit(case, "slumping.lmp", "thermo       50\n",
+         f"fix cuts all balance {balance}\nthermo_style custom step atoms f_cuts f_cuts[1]\nthermo 50\n")
+    if disturbance:
+        disturb(case, "slumping", disturbance, "lammps")
+    log = case.solve(ranks=2)
+    return state(case, log, 2), exchange_lines(log)
+
+
+def imbalance(log):
+    """LAMMPS' factor in each line of its log."""
+    return [float(x) for x in re.findall(r"^\s*\d+\s+\d+\s+([\d.]+)\s+\d+\s*$", log.read_text(), re.M)]
+
+
 class MovingCuts(CoupledTestCase):
     def test_same_as_on_one_rank(self):
         _, whole = run(self.column, "one", 1, False)
@@ -52,6 +70,24 @@ class MovingCuts(CoupledTestCase):
         # A cut between layers of a lattice of ten leaves one rank a layer more; when they have mixed, a sphere or two.
         self.expect_true("the ranks' spheres are counted", len(late) > 10)
         self.expect_below("most spheres of a rank, in the mean after the first step", late[:, 1].mean(), 0.65 * SPHERES)
+
+    def test_round_column(self):
+        at_rest, lines = slump(self.column, "column-at-rest", False)
+        disturbed, _ = slump(self.column, "column-disturbed", False, DISTURBANCE)
+        found, moving_lines = slump(self.column, "column-moving", True)
+        for what, of in (("at rest", lines), ("moving", moving_lines)):
+            self.expect_equal(f"cut {what}: gas steps", len(of), STEPS)
+            self.expect_balance(f"cut {what}", of)
+        self.expect_equal("spheres", len(found["particle velocity"]), len(at_rest["particle velocity"]))
+        limits = difference(disturbed, at_rest)
+        for name, apart in difference(found, at_rest).items():
+            self.expect_below(f"round column: {name}, largest difference / largest value", apart, limits[name])
+        # LAMMPS' imbalance factor: the spheres of the fuller rank over half of all. A cut between layers of a lattice of
+        # nine leaves one rank up to half a layer more, 1.11; then they mix.
+        factors = {cut: imbalance(self.work / f"column-{cut}/log.lammps") for cut in ("at-rest", "moving")}
+        self.expect_equal("imbalance factor at the start, cut at rest", factors["at-rest"][0], 2.0)
+        self.expect_true("the factors are told", len(factors["moving"]) > 10)
+        self.expect_below("imbalance factor, largest, moving cut", max(factors["moving"]), 1.12)
 
 
 if __name__ == "__main__":

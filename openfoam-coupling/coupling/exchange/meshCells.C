@@ -313,9 +313,31 @@ Foam::scalar Foam::meshCells::appendShares
 }
 
 
+Foam::List<Foam::vector> Foam::meshCells::images(const FixedList<bool, 3>& periodic, const vector& periods)
+{
+    List<vector> shifts(1, vector::zero);
+    for (direction d = 0; d < 3; ++d)
+    {
+        if (periodic[d])
+        {
+            const List<vector> before(shifts);
+            for (const scalar sign : {-1, 1})
+            {
+                for (vector shift : before)
+                {
+                    shift[d] = sign*periods[d];
+                    shifts.append(shift);
+                }
+            }
+        }
+    }
+    return shifts;
+}
+
+
 Foam::List<Foam::vector> Foam::meshCells::images(const polyMesh& mesh)
 {
-    List<bool> periodic(3, false);
+    FixedList<bool, 3> periodic(false);
     for (const polyPatch& patch : mesh.boundaryMesh())
     {
         if ((isA<cyclicPolyPatch>(patch) || isA<processorCyclicPolyPatch>(patch)) && patch.size())
@@ -327,23 +349,11 @@ Foam::List<Foam::vector> Foam::meshCells::images(const polyMesh& mesh)
             }
         }
     }
-    List<vector> shifts(1, vector::zero);
-    for (direction d = 0; d < 3; ++d)
+    for (bool& anywhere : periodic)
     {
-        if (returnReduce(periodic[d], orOp<bool>()))
-        {
-            const List<vector> before(shifts);
-            for (const scalar sign : {-1, 1})
-            {
-                for (vector shift : before)
-                {
-                    shift[d] = sign*mesh.bounds().span()[d];
-                    shifts.append(shift);
-                }
-            }
-        }
+        reduce(anywhere, orOp<bool>());
     }
-    return shifts;
+    return images(periodic, mesh.bounds().span());
 }
 
 

@@ -70,8 +70,8 @@ void Foam::particleExchange::requireInside
         << nOutside << (nOutside > 1 ? " particles are" : " particle is") << " outside the mesh " << mesh_.bounds()
         << (nOutside > 1 ? "; the one of the lowest number is " : "; it is ") << "particle " << lowest << " at "
         << example << nl
-        << "    Make the mesh as large as the box of the particles, or give the"
-        << " particle script walls that keep them inside"
+        << "    Make the mesh as large as the box of the particles, its sides of type cyclic where that is periodic,"
+        << " or give the particle script walls that keep them inside"
         << exit(FatalError);
 }
 

@@ -3,6 +3,8 @@
 
 #include "Time.H"
 
+#include "coupling/exchange/meshCells.H"
+
 namespace Foam
 {
     defineTypeNameAndDebug(coupledParticles, 0);
@@ -30,6 +32,20 @@ Foam::UList<Foam::point> Foam::coupledParticles::positions() const
 {
     const auto particles = engine_.particles();
     return engineView(particles.position, particles.count);
+}
+
+
+Foam::List<Foam::vector> Foam::coupledParticles::images() const
+{
+    const auto box = engine_.box();
+    FixedList<bool, 3> periodic;
+    vector periods;
+    for (direction d = 0; d < 3; ++d)
+    {
+        periodic[d] = box.periodic[d];
+        periods[d] = box.high[d] - box.low[d];
+    }
+    return meshCells::images(periodic, periods);
 }
 
 

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "requireBoxOfMesh.H"
+
+#include "boundBox.H"
+#include "error.H"
+
+#include "coupling/sixDigits.H"
+
+using Box = cohesion::coupling::DemEngine::Box;
+
+namespace Foam
+{
+
+namespace
+{
+
+//- FatalIOError unless box and mesh end at the same places
+void requireSameEnds(const dictionary& dict, const boundBox& bounds, const Box& box, const direction d)
+{
+    const scalar tolerance = 1e-6*bounds.span()[d];
+    if
+    (
+        mag(box.low[d] - bounds.min()[d]) > tolerance
+     || mag(box.high[d] - bounds.max()[d]) > tolerance
+    )
+    {
+        FatalIOErrorInFunction(dict)
+            << "in direction " << vector::componentNames[d] << " the box of the particle"
+            << " script reaches from " << box.low[d] << " to " << box.high[d]
+            << " m, the mesh from " << bounds.min()[d] << " to " << bounds.max()[d]
+            << " m: give the script's box the size of the mesh" << exit(FatalIOError);
+    }
+}
+
+
+//- FatalIOError unless the slab of particles, a box that is periodic in a direction that the mesh does not resolve,
+//  is as deep as the mesh is thick, or dict gives its depth
+void requireDepth(const dictionary& dict, const polyMesh& mesh, const Box& box, const direction d)
+{
+    const scalar ofBox = box.high[d] - box.low[d];
+    const scalar ofMesh = mesh.bounds().span()[d];
+    const std::string deep(sixDigits(ofBox));
+    if (dict.found("depth"))
+    {
+        // Numbers of three digits may stand for each other.
+        const scalar depth = dict.get<scalar>("depth");
+        if (mag(depth - ofBox) > 1e-3*ofBox)
+        {
+            IOWarningInFunction(dict)
+                << "depth = " << sixDigits(depth).c_str() << " m, while the box of the particle script is periodic in"
+                << " direction " << vector::componentNames[d] << " and " << deep.c_str() << " m deep. Where particles"
+                << " are all over it, their void fraction is that of 'depth " << deep.c_str() << ";'" << endl;
+        }
+        return;
+    }
+    if (mag(ofBox - ofMesh) > 1e-6*ofMesh)
+    {
+        FatalIOErrorInFunction(dict)
+            << "in direction " << vector::componentNames[d] << ", which the mesh does not resolve, the box of the"
+            << " particle script is periodic and " << deep.c_str() << " m deep, the mesh " << sixDigits(ofMesh).c_str()
+            << " m thick" << nl
+            << "    Say how deep the slab of particles is, from which the void fraction follows: 'depth "
+            << deep.c_str() << ";' where they are all over the box; or make the mesh as thick" << exit(FatalIOError);
+    }
+}
+
+} // End anonymous namespace
+
+
+void requireBoxOfMesh(const dictionary& dict, const polyMesh& mesh, const Box& box)
+{
+    for (direction d = 0; d < 3; ++d)
+    {
+        if (mesh.geometricD()[d] > 0)
+        {
+            requireSameEnds(dict, mesh.bounds(), box, d);
+        }
+        else if (box.periodic[d])
+        {
+            requireDepth(dict, mesh, box, d);
+        }
+    }
+}
+
+} // End namespace Foam
