@@ -12,7 +12,7 @@ using namespace cohesion;
 
 Foam::twoFluidFilter::twoFluidFilter(const dictionary& dict, const phasePair& pair)
 :
-    law_(selectRow(dict, "filter", drag::two_fluid_filters, "none"))
+    law_(selectRow(dict, "filter", powder::cell_filters, "none"))
 {
     if (!active())
     {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drag/two_fluid_filter.h"
+#include "powder/two_fluid_filter.h"
 
 #include <gtest/gtest.h>
 
@@ -7,42 +7,42 @@
 
 #include "named_table.h"
 
-namespace cohesion::drag {
+namespace cohesion::powder {
 namespace {
 
-TwoFluidFilter filter(const char* name) { return find_by_name(two_fluid_filters, "filter", name); }
+CellFilter filter(const char* name) { return find_by_name(cell_filters, "filter", name); }
 
 /// Of 75 um and 1500 kg/m3 in air
 CellOfGrains cell_of(double size) { return {size, {75e-6, 1500.0}, {1.2, 1.8e-5}, 9.81}; }
 
 }  // namespace
 
-TEST(TwoFluidFilter, IsNoneUnlessItIsNamed) { EXPECT_EQ(filter("none").factor, nullptr); }
+TEST(CellFilter, IsNoneUnlessItIsNamed) { EXPECT_EQ(filter("none").factor, nullptr); }
 
-TEST(TwoFluidFilter, OfIgciMeasuresCellsByStokesTerminalSpeed) {
+TEST(CellFilter, OfIgciMeasuresCellsByStokesTerminalSpeed) {
   // v_t = (1500 - 1.2) 9.81 (75e-6)^2/(18 1.8e-5), g Delta/v_t^2
   const double speed = 1498.8 * 9.81 * 75e-6 * 75e-6 / (18.0 * 1.8e-5);
   for (const double phi : {0.0, 0.01, 0.1, 0.3, 0.5, 0.62})
     EXPECT_NEAR(filter("igci").factor(phi, cell_of(0.01)),
-                Igci::factor(phi, 0.01 * 9.81 / (speed * speed)), 1e-14)
+                drag::Igci::factor(phi, 0.01 * 9.81 / (speed * speed)), 1e-14)
         << phi;
 }
 
-TEST(TwoFluidFilter, OfRadlAndSundaresanIsThatOfParticlesInSuchCells) {
-  const double speed = powder::terminal_speed({75e-6, 1500.0}, {1.2, 1.8e-5}, 9.81);
+TEST(CellFilter, OfRadlAndSundaresanIsThatOfParticlesInSuchCells) {
+  const double speed = terminal_speed({75e-6, 1500.0}, {1.2, 1.8e-5}, 9.81);
   // L = (v_t d)^(2/3)/g^(1/3). The speed is the root of its balance to a few roundings.
   const double length = std::pow(speed * 75e-6, 2.0 / 3.0) / std::pow(9.81, 1.0 / 3.0);
   EXPECT_NEAR(length, 0.30e-3, 0.005e-3);
   for (const double size : {1e-4, 1e-3, 1e-2})
     for (const double phi : {0.0, 0.01, 0.1, 0.3, 0.5, 0.62})
       EXPECT_NEAR(filter("radlSundaresan").factor(phi, cell_of(size)),
-                  RadlSundaresan::factor(phi, size / length), 1e-14)
+                  drag::RadlSundaresan::factor(phi, size / length), 1e-14)
           << phi << " " << size;
 }
 
-TEST(TwoFluidFilter, OfRadlAndSundaresanRefusesWhatDoesNotFall) {
+TEST(CellFilter, OfRadlAndSundaresanRefusesWhatDoesNotFall) {
   EXPECT_THROW(filter("radlSundaresan").factor(0.1, {0.01, {75e-6, 1.0}, {1.2, 1.8e-5}, 9.81}),
                InvalidParameter);
 }
 
-}  // namespace cohesion::drag
+}  // namespace cohesion::powder
