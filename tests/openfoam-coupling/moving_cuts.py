@@ -8,7 +8,7 @@ import unittest
 
 import numpy as np
 
-from cohesion_tests.coupling.cases import append, disturb, edit, exchange_lines, script_file
+from cohesion_tests.coupling.cases import COUPLING, append, disturb, edit, exchange_lines, script_file
 from cohesion_tests.coupling.swarm import DISTURBANCE, STEPS, difference, make, state
 from cohesion_tests.coupling.test_case import CoupledTestCase
 
@@ -39,8 +39,11 @@ def run(column, name, ranks, cuts, disturbance=0.0):
 def slump(column, name, cuts, disturbance=0.0):
     """State at the end and lines of the exchange, on two ranks: of the column's box with a round wall."""
     case = make(column, name, "slumping")
+    append(case, COUPLING, "lammpsCoeffs { variables { dt 2e-5; } }")  # a tenth of a contact
+    # What the solver leaves of p is more than a disturbance of slow spheres makes.
+    append(case, "system/fvSolution", 'solvers { "p.*" { tolerance 1e-14; } }')
     append(case, "0.orig/U", "boundaryField { bottom { type superficialVelocity; superficialVelocity (0 0 0.3); } }")
-    balance = "50 1.0 shift x 10 1.0" if cuts else "1000000 1000 shift x 1 2"  # the latter tells the factor, no more
+    balance = "50 1.0 shift x 10 1.0" if cuts else "1000000 1000 shift x 1 2"  # the latter counts at the start, no more
     edit(case, "slumping.lmp", "thermo       50\n",
          f"fix cuts all balance {balance}\nthermo_style custom step atoms f_cuts f_cuts[1]\nthermo 50\n")
     if disturbance:
@@ -50,8 +53,9 @@ def slump(column, name, cuts, disturbance=0.0):
 
 
 def imbalance(log):
-    """LAMMPS' factor in each line of its log."""
-    return [float(x) for x in re.findall(r"^\s*\d+\s+\d+\s+([\d.]+)\s+\d+\s*$", log.read_text(), re.M)]
+    """The fuller rank's spheres over half of all, LAMMPS' imbalance factor, in each line of its log."""
+    rows = re.findall(r"^\s*\d+\s+(\d+)\s+[\d.]+\s+(\d+)\s*$", log.read_text(), re.M)
+    return [2 * int(fuller) / int(atoms) for atoms, fuller in rows]
 
 
 class MovingCuts(CoupledTestCase):
@@ -82,12 +86,12 @@ class MovingCuts(CoupledTestCase):
         limits = difference(disturbed, at_rest)
         for name, apart in difference(found, at_rest).items():
             self.expect_below(f"round column: {name}, largest difference / largest value", apart, limits[name])
-        # LAMMPS' imbalance factor: the spheres of the fuller rank over half of all. A cut between layers of a lattice of
-        # nine leaves one rank up to half a layer more, 1.11; then they mix.
+        # LAMMPS ends its search on either side of the layer of the lattice that has the middle. Layers are as large as
+        # chords of the column, the largest 0.14 of all: a rank has up to so many too many, until they mix.
         factors = {cut: imbalance(self.work / f"column-{cut}/log.lammps") for cut in ("at-rest", "moving")}
         self.expect_equal("imbalance factor at the start, cut at rest", factors["at-rest"][0], 2.0)
         self.expect_true("the factors are told", len(factors["moving"]) > 10)
-        self.expect_below("imbalance factor, largest, moving cut", max(factors["moving"]), 1.12)
+        self.expect_below("imbalance factor, largest, moving cut", max(factors["moving"]), 1.28)
 
 
 if __name__ == "__main__":
