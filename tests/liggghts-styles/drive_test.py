@@ -52,9 +52,9 @@ class Gas(unittest.TestCase):
         """Energies: the velocities of the grid in a contact have an amplitude whose square is less than that of the true
         ones by (pi dt/t_c)^2/4, 1.5e-3 at a fortieth of the contact time, and what dashpots take goes with it; half the step
         leaves a quarter. That is the error of the contacts and of their tally, which gases that cool have as well. With the
-        attraction 4e-3 more: where it sets in at H_cut its slope of 2 F/H_cut, 240 N/m, does, and with it what leapfrog takes
-        for the energy, by 240 N/m (v dt)^2/12 = 4e-12 J at 0.23 m/s, twice for a collision that loses 2e-9 J. Temperature
-        and momentum are those of the dumped velocities: rounding of 240 numbers, in 8000 steps and more."""
+        attraction 4e-3 more: where it sets in at H_cut its slope of 2 F/H_cut, 240 N/m, does, and with it what leapfrog
+        takes for the energy, by 240 N/m (v dt)^2/12 = 4e-12 J at 0.23 m/s, twice for a collision that loses 2e-9 J.
+        Temperature and momentum are those of the dumped velocities: rounding of 240 numbers, in 8000 steps and more."""
         for words in WAYS:
             for cohesion, finer, of_attraction in ((NONE, 1, 0), (NONE, 2, 0), (ADHESION, 1, 4e-3)):
                 off = (math.pi * DT / finer / CONTACT)**2 / 4 + of_attraction

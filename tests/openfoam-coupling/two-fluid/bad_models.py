@@ -43,7 +43,8 @@ class BadModels(unittest.TestCase):
                      "take one of ergunWenYu, ergunRoweHenwood, wenYu", where, drag="type beetstra; dragExponent 4.65;")
 
     def test_filter(self):
-        self.refused("filter", "filter", "igcy", "none, igci, radlSundaresan", "phaseProperties", drag="type wenYu; filter igcy;")
+        self.refused("filter", "filter", "igcy", "none, igci, radlSundaresan", "phaseProperties",
+                     drag="type wenYu; filter igcy;")
         for name in ("igci", "radlSundaresan"):
             self.refused(f"weightless-{name}", f"filter {name} goes by the speed at which particles fall, and constant/g is"
                          " zero: remove the entry", "phaseProperties", drag=f"type wenYu; filter {name};", gravity=0)

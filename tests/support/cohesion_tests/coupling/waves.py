@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Waves of free spheres in a periodic cloud of spheres that pass through each other, without gravity."""
 
+import re
+
 import numpy as np
 
 from cohesion_tests.coupling.cases import COUPLING, append, use_lattice
@@ -12,11 +14,11 @@ NOISE = 1e-12  # so little that nothing moves far in 40 steps [m/s]
 CLOUD = "create_atoms 1 region filled"  # of lattice.lmp
 
 
-def solve(column, name, case, cells, spheres, steps, form="A", free=False, noise=NOISE, columns=0, every=1):
+def solve(column, name, case, cells, spheres, steps, form="A", free=False, noise=NOISE, columns=0, every=1, ideal=""):
     """The case after `steps` gas steps, written after `every` of them, its log, and x = b dt/m. `cells` of the box,
     wide and high; `spheres` in a cell at random places; or, with `columns` along its edge, as many squared on it and
     as many spheres in each, every column a bit higher than the one before, so that a face between two rows cuts as
-    many as any other plane."""
+    many as any other plane. `ideal`: words of an ideal gas of the density RHO in the place of a constant one."""
     eps, ratio, viscous, engine_steps, stiffness = case
     wide, high = cells
     d = CELL * (6 * (1 - eps) / np.pi / spheres) ** (1 / 3)
@@ -42,7 +44,9 @@ def solve(column, name, case, cells, spheres, steps, form="A", free=False, noise
                                    "velocity all set 0 0 v_vz\ntimestep "))
     variables = {"box": wide * CELL, "height": high * CELL, "top": high * CELL, "spacing": spacing, "diameter": d,
                  "density": ratio * RHO, "dt": DT / int(engine_steps), "cutoff": 0.2 * d}
-    append(folder, "constant/transportProperties", f"rho {RHO!r}; nu {mu / RHO!r};")
+    path = folder.folder / "constant/transportProperties"
+    path.write_text(re.sub(r"\brho +[\d.]+;", ideal or f"rho {RHO!r};", path.read_text()))
+    append(folder, "constant/transportProperties", f"nu {mu / RHO!r};")
     append(folder, COUPLING, f"""form {form}; drag hillKochLadd; dragFactor {factor!r}; voidFraction sphereOverlap;
 minVoidFraction 0.05; response {'free' if free else 'held'};""")
     use_lattice(folder, variables)
