@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
 #include <cmath>
-#include <limits>
-#include <string_view>
 
 /// The drag of two fluids in cells that are too coarse for the clusters in them, over that of the
 /// closure of Wen and Yu at the mean values there. Igci, Pannala, Benyahia and Sundaresan, of
@@ -58,16 +55,5 @@ inline double stokes_terminal_speed(double diameter, double density, double gas_
 inline double filter_over_fall(double filter, double terminal_speed, double gravity) {
   return filter * gravity / (terminal_speed * terminal_speed);
 }
-
-struct TwoFluidFilter {
-  std::string_view name;
-  double (*factor)(double phi, double filter_over_length);  ///< none: the closure as it is
-};
-
-/// Filters of two fluids; those of particles in cells are drag_filters (filtered_drag.h).
-inline constexpr std::array two_fluid_filters{
-    TwoFluidFilter{"none", nullptr},
-    TwoFluidFilter{"igci", &Igci::factor},
-};
 
 }  // namespace cohesion::drag

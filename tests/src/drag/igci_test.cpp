@@ -5,8 +5,6 @@
 
 #include <cmath>
 
-#include "named_table.h"
-
 namespace cohesion::drag {
 namespace {
 
@@ -62,11 +60,6 @@ TEST(StokesTerminalSpeed, IsTheBalanceOfItsDrag) {
   const double d = 75e-6, rho_s = 1500.0, rho = 1.2, mu = 1.8e-5, g = 9.81;
   const double v = stokes_terminal_speed(d, rho_s, rho, mu, g);
   EXPECT_NEAR(3.0 * mu * d * v / ((rho_s - rho) * g * d * d * d / 6.0), 1.0, 1e-14);
-}
-
-TEST(TwoFluidFilter, IsNoneUnlessItIsNamed) {
-  EXPECT_EQ(find_by_name(two_fluid_filters, "filter", "none").factor, nullptr);
-  EXPECT_EQ(find_by_name(two_fluid_filters, "filter", "igci").factor, &Igci::factor);
 }
 
 }  // namespace cohesion::drag
