@@ -28,7 +28,7 @@ ENGINES = ("lammps", "liggghts")
 
 # Glass beads with asperities, softer than glass; SI units.
 BEADS = {"--diameter": 5e-4, "--density": 2500, "--stiffness": 50, "--hamaker": 6.5e-20, "--asperity": 1e-7,
-         "--column": 0.012, "--height": 0.009, "--grains": 1e6}
+         "--column": 0.018, "--height": 0.016, "--grains": 1e6}
 # Superficial velocity: from rest to the fastest, and then as it is [m/s, s].
 COURSE = {"fastest": 0.45, "ramp": 0.25, "hold": 0.15}
 
