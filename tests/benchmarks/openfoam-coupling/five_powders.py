@@ -1,0 +1,76 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""The five powders of docs/tools/cohesion-powder.md: their cases, as the program writes them, run unedited to their end.
+
+    five_powders.py BUILD WORK [--engines lammps liggghts] [--powders NAME ...] [--grains N]
+
+Prints of each: engine, grains, processor seconds, simulated time, mean pressure drop over weight from the middle of the
+run on, height of the surface at first and at the end. Stops where Allrun does not end well or ends early."""
+
+import argparse
+import resource
+import subprocess
+from pathlib import Path
+
+import numpy as np
+
+from cohesion_studies.foam_case import environment
+from cohesion_studies.foam_results import function_table
+from cohesion_studies.powder_program import PowderProgram
+
+BED = {"--width": 0.05, "--depth": 0.05, "--height": 0.1}
+ROUGH = {"--asperity": 1e-7, "--keep": "force"}
+POWDERS = {
+    "glass": {"--diameter": 5e-4, "--density": 2500, "--young": 63e9, "--poisson": 0.22, "--hamaker": 6.5e-20, **BED},
+    "fcc": {"--diameter": 75e-6, "--density": 1500, "--young": 10e9, "--poisson": 0.25, "--hamaker": 1e-19, **ROUGH,
+            "--void-fraction": 0.45, **BED},
+    "alumina": {"--diameter": 80e-6, "--density": 1900, "--young": 100e9, "--poisson": 0.25, "--hamaker": 1.5e-19,
+                **ROUGH, "--void-fraction": 0.45, **BED},
+    # The smallest vessel is two cells wide: in cells of three diameters it has 6987 grains.
+    "lactose": {"--diameter": [15e-6, 30e-6, 55e-6], "--density": 1540, "--young": 3e9, "--surface-energy": 0.04, **ROUGH,
+                "--void-fraction": 0.55, **BED, "--cell": 2, "--grains": 2070},
+    "thesis": {"--diameter": 1e-3, "--density": 2650, "--stiffness": 800, "--restitution": 0.9487, "--hamaker": 7.49e-19,
+               "--void-fraction": 0.43, "--width": 0.08, "--depth": 0.08, "--height": 0.05}}
+END = 0.1  # s, of a written case
+
+
+def run(powder, env, folder, options):
+    """The row that main() prints of a powder in an engine."""
+    subprocess.run(["rm", "-rf", str(folder)], check=True)
+    powder.write(folder, options)
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    done = subprocess.run(["./Allrun"], cwd=folder, env=env, capture_output=True, text=True)
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    if done.returncode != 0:
+        raise SystemExit(f"{folder}: Allrun ended with {done.returncode}\n{done.stdout[-2000:]}{done.stderr[-2000:]}")
+    drop = np.loadtxt(function_table(folder, "drop", "bedPressureDrop.dat"))
+    surface = np.loadtxt(function_table(folder, "height", "bedHeight.dat"))
+    if drop[-1, 0] < END - drop[-1, 1]:
+        raise SystemExit(f"{folder} ended at {drop[-1, 0]} s")
+    late = drop[:, 0] > END / 2
+    return {"grains": (folder / "grains.data").read_text().split(" atoms")[0].split()[-1],
+            "seconds": f"{after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime:.0f}",
+            "end [s]": f"{drop[-1, 0]:.4f}",
+            "drop over weight": f"{np.average(drop[late, 5], weights=drop[late, 1]):.3f}",
+            "surface [mm]": f"{1e3 * surface[0, 2]:.2f}, {1e3 * surface[-1, 2]:.2f}"}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
+    parser.add_argument("build")
+    parser.add_argument("work", type=Path)
+    parser.add_argument("--engines", choices=("lammps", "liggghts"), nargs="+", default=["lammps", "liggghts"])
+    parser.add_argument("--powders", choices=POWDERS, nargs="+", default=list(POWDERS))
+    parser.add_argument("--grains", type=float, default=2000, help="at most, but of lactose (%(default)s)")
+    args = parser.parse_args()
+    env, powder = environment(args.build, args.engines), PowderProgram(args.build)
+    args.work.mkdir(parents=True, exist_ok=True)
+    for name in args.powders:
+        for engine in args.engines:
+            row = run(powder, env, args.work / f"{name}-{engine}",
+                      {"--grains": args.grains, "--engine": engine, **POWDERS[name]})
+            print(f"{name} in {engine}: " + "; ".join(f"{what} {value}" for what, value in row.items()), flush=True)
+
+
+if __name__ == "__main__":
+    main()
