@@ -2,12 +2,11 @@
 """The picture of the spouted beds: views of each in three dimensions, pressure drop against gas velocity, and the void
 fraction on the axis against time."""
 
-from matplotlib.cm import ScalarMappable
-from matplotlib.colors import Normalize
-
 import analyse
-import view
 from cohesion_studies.drawing import pyplot, save
+from cohesion_studies.vtk_section import Section
+
+SPEEDS = {"spheres": 1.5, "gas": 20.0}  # where the colours end [m/s]
 
 
 def moments(bed):
@@ -41,15 +40,14 @@ def draw_views(figure, bed):
     chosen = moments(bed)
     height, _ = analyse.resting(bed)
     top = min(bed.vessel["height"], 3.2 * height)
-    images = view.images(bed.case, {time: bed.times[time] for time in chosen}, bed.spheres["d"] / 2, top)
+    section = Section(bed.case / "wall.stl", "y", bed.spheres["d"] / 2, top, SPEEDS, (460, 800))
+    images = section.images(bed.case, {time: bed.times[time] for time in chosen})
     places = figure.subplots(1, len(images), squeeze=False)[0]
     for axes, image, (time, name) in zip(places, images, chosen.items()):
         axes.imshow(image)
         axes.set_axis_off()
         axes.set_title(f"{bed.case.name}, {name}: {time:.2f} s, {bed.velocity(time):.1f} m/s", fontsize=9)
-    for name in view.SPEEDS:
-        scale = ScalarMappable(Normalize(0, view.SPEEDS[name]), view.MAPS[name])
-        figure.colorbar(scale, ax=places, shrink=0.6).set_label(f"speed of {name} [m/s]", fontsize=8)
+    section.colour_bars(figure, places)
 
 
 def draw_curves(drops, open_axis, bed):

@@ -11,9 +11,11 @@ from pathlib import Path
 
 import numpy as np
 
+import picture
 import run
 import wall
 from cohesion_studies.foam_case import environment
+from cohesion_studies.foam_results import written_times
 from cohesion_studies.job_pool import carry_out
 from cohesion_studies.powder_program import PowderProgram
 from cohesion_tests.coupling.cases import exchange_lines
@@ -54,6 +56,22 @@ class SmallColumn(unittest.TestCase):
         by the packing's part alone."""
         for result in self.results:
             self.assertAlmostEqual(result["U_mf"] / result["U_mf_of_the_closure"], 1, delta=1.5 / 9)
+
+    def test_picture(self):
+        """Bright colours are of beads, up to their surface on the left, and of the gas on the right; the wall is grey."""
+        for job in self.jobs:
+            times = written_times(job.folder)
+            section, (image,) = picture.views(job, {max(times): times[max(times)]})
+            spread = image.max(axis=2).astype(int) - image.min(axis=2)
+            up, across = spread.shape
+            scale = up / (2 * 0.54 * section.height)  # pixels of a metre; the middle is that of the height shown
+            row = lambda z, up=up, scale=scale, section=section: round(up / 2 - (z - section.height / 2) * scale)
+            left, right = spread[:, across // 2 - 60:across // 2 - 10], spread[:, across // 2 + 10:across // 2 + 60]
+            bed, above = row(0.4 * SMALL["--height"]), row(1.7 * SMALL["--height"])
+            self.assertGreater(left[bed].mean(), 30)
+            self.assertLess(left[above].mean(), 30)
+            self.assertGreater(right[[bed, above]].mean(), 30)
+        self.assertEqual(picture.draw(Path(self.keeper.name) / "result.png", self.jobs), None)
 
     def test_two_ranks(self):
         """The first gas steps; what both have of volume and momentum balances, and beads are as many."""
