@@ -46,9 +46,7 @@ void HardEventTimeWarp::share_flights() {
   for (int p = 0; p < static_cast<int>(in.size()); p++)
     for (int slot = 0; slot < static_cast<int>(in[p].size()); slot++) {
       const int body = border_.local(p, slot);
-      const auto version = simulation_.flights[body].version;
-      simulation_.flights[body] = in[p][slot].flight;
-      simulation_.flights[body].version = version;
+      static_cast<FreeFlight&>(simulation_.flights[body]) = in[p][slot].flight;
       simulation_.bodies[body].course = in[p][slot].course;
       simulation_.bodies[body].kick = in[p][slot].kick;
     }

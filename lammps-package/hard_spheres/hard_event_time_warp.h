@@ -44,7 +44,7 @@ class HardEventTimeWarp : protected Pointers {
     int slot;
     bool moved;
     double kick;
-    cohesion::hard_sphere::Flight flight;
+    cohesion::hard_sphere::FreeFlight flight;
     cohesion::hard_sphere::Course course;
   };
   struct SharedUpdate {

@@ -9,15 +9,18 @@
 
 namespace cohesion::hard_sphere {
 
-/// The free flight of a particle: x(t) = place + (t - since) velocity. As large as a line of the
-/// cache: predictions read many of them.
-struct alignas(64) Flight {
+/// Free flight: x(t) = place + (t - since) velocity.
+struct FreeFlight {
   Vector3 place;
   Vector3 velocity;
-  double since = 0.0;         ///< time of its last event, or of the last change by others, [time]
-  std::uint32_t version = 0;  ///< another one after every change
+  double since = 0.0;  ///< time of its last event, or of the last change by others, [time]
 
   Vector3 at(double time) const { return place + (time - since) * velocity; }
+};
+
+/// The flight of a particle. As large as a line of the cache: predictions read many of them.
+struct alignas(64) Flight : FreeFlight {
+  std::uint32_t version = 0;  ///< another one after every change
 };
 
 /// What events change in a particle besides its flight, and what they count.
@@ -33,7 +36,7 @@ struct Course {
 inline bool same(const Vector3& a, const Vector3& b) {
   return a.x == b.x && a.y == b.y && a.z == b.z;
 }
-inline bool same(const Flight& a, const Flight& b) {
+inline bool same(const FreeFlight& a, const FreeFlight& b) {
   return same(a.place, b.place) && same(a.velocity, b.velocity) && a.since == b.since;
 }
 inline bool same(const Course& a, const Course& b) {
@@ -57,6 +60,7 @@ struct Body {
   int groups = -1;      ///< bits of the groups that it belongs to
   bool remote = false;  ///< another process has it too, and decides on its flight
   bool shared = true;   ///< if not remote: other processes have it too, or may have
+  std::uint32_t last_change = 0;  ///< TimeWarp's
   Course course;
 };
 

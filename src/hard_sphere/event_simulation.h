@@ -111,11 +111,11 @@ class EventSimulation : public Predictions {
   /// A body that others have given another flight since the beginning of the step. `moved`: it has
   /// been put elsewhere, and wells that it is in or not in are no events. predict() has to follow,
   /// after all bodies have their flights.
-  void change_flight(int body, const Flight& flight, const Course& course, bool moved) {
+  void change_flight(int body, const FreeFlight& flight, const Course& course, bool moved) {
     set_flight(body, flight, course);
     const Vector3 place = flight.at(start_);
     if (moved || !neighbourhoods_.is_home(body, place, start_))
-      neighbourhoods_.renew(body, flights[body], start_, false);
+      neighbourhoods_.renew(body, flights[body], start_, start_, [] { return true; });
     if (!moved) return;
     for (Neighbour* n = neighbourhoods_.begin(body); n != neighbourhoods_.end(body); n++)
       if (n->has_well)
@@ -165,8 +165,10 @@ class EventSimulation : public Predictions {
   /// events are predicted.
   virtual void before_event(const Event& /*event*/) {}
   virtual void after_event(const Event& /*event*/) {}
-  /// Whether former homes must be found.
-  virtual bool keeps_former_homes() const { return false; }
+  /// From when on bodies must be found where they were.
+  virtual double found_since(double now) const { return now; }
+  /// Whether the home of a body is one since then.
+  virtual bool has_been_home(int /*body*/) const { return true; }
 
   /// Sets whether a body and its neighbours are in their wells, as set_up() does.
   void find_wells(int i, const std::vector<Tags>& inside) {
@@ -196,15 +198,15 @@ class EventSimulation : public Predictions {
     }
   }
 
-  void set_flight(int body, const Flight& flight, const Course& course) {
-    const std::uint32_t version = flights[body].version + 1;
-    flights[body] = flight;
-    flights[body].version = version;
+  void set_flight(int body, const FreeFlight& flight, const Course& course) {
+    static_cast<FreeFlight&>(flights[body]) = flight;
+    flights[body].version++;
     bodies[body].course = course;
   }
 
   void renew_home(int body, double now) {
-    neighbourhoods_.renew(body, flights[body], now, keeps_former_homes());
+    neighbourhoods_.renew(body, flights[body], now, found_since(now),
+                          [this, body] { return has_been_home(body); });
   }
 
   std::pair<int, int> overrun_{-1, -1};

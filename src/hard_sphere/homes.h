@@ -89,9 +89,11 @@ class Homes {
   const Body& body(int i) const { return (*bodies_)[i]; }
   const Home& home(int body) const { return homes_[body]; }
 
-  /// Gives a body a new home. It is found by the former one, too, until take_out().
-  void move_home(int body, const Flight& flight, double now) {
+  /// Gives a body a new home, in which others look for it from the time `since` on. It is found by
+  /// the former one, too, until take_out().
+  void move_home(int body, const Flight& flight, double now, double since) {
     set_home(body, flight, now);
+    homes_[body].made = since;
     put_in(body);
   }
 

@@ -137,23 +137,28 @@ class Neighbourhoods : public Homes {
   /// all has to be made anew.
   bool add(int i, const Flight& flight, double now) {
     if (!find_size(i)) return false;
-    move_home(i, flight, now);
+    move_home(i, flight, now, now);
     find_neighbours(i, now);
     for (const Neighbour& n : found_) add_pair(i, n);
     add_walls(i, flight.at(now), now);
     return true;
   }
 
-  /// Makes a new home where a body is now, and its list of neighbours. With `keep_former` others
-  /// find it by its former home, too, and it keeps its former neighbours, until
-  /// forget_former_homes().
-  void renew(int i, const Flight& flight, double now, bool keep_former) {
+  /// Makes a new home where a body is now, and its list of neighbours: those that it may meet, or
+  /// could have met from the time `since` on, in this home. Unless has_been_home() then, which is
+  /// asked when the home is there, others find it by its former home, too, and it keeps its former
+  /// neighbours, until forget_former_homes().
+  template <class HasBeenHome>
+  void renew(int i, const Flight& flight, double now, double since,
+             const HasBeenHome& has_been_home) {
+    const Home before = home(i);
+    move_home(i, flight, now, since);
+    const bool keep_former = !has_been_home();
     if (keep_former)
-      former_.push_back({i, home(i)});
+      former_.push_back({i, before});
     else
-      take_out(i, home(i));
-    move_home(i, flight, now);
-    find_neighbours(i, now);
+      take_out(i, before);
+    find_neighbours(i, since);
     known_.assign(found_.size(), false);
     for (int n = 0; n < static_cast<int>(found_.size()); n++) last_found_[found_[n].body] = n;
 

@@ -155,7 +155,7 @@ class Predictions {
   }
 
   /// relative_motion() on other flights than those that they have now.
-  std::pair<Vector3, Vector3> relative_motion(const Flight& i, const Flight& j, int image,
+  std::pair<Vector3, Vector3> relative_motion(const FreeFlight& i, const FreeFlight& j, int image,
                                               double time) const {
     Vector3 r = j.at(time) - i.at(time), w = j.velocity - i.velocity;
     if (image != 0) {
@@ -189,7 +189,7 @@ class Predictions {
   }
 
   /// The depth of the chain of events of an instant that led to a flight; -1: none did.
-  static int causal_depth_at(double time, const Flight& flight, const Course& course) {
+  static int causal_depth_at(double time, const FreeFlight& flight, const Course& course) {
     return flight.since == time ? course.causal_depth : -1;
   }
   int causal_depth_at(double time, int body) const {

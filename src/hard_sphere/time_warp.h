@@ -16,7 +16,7 @@ namespace cohesion::hard_sphere {
 struct RemoteUpdate {
   EventKey key;
   int partner;  ///< body of the sender, or wall
-  Flight flight;
+  FreeFlight flight;
   Course course;
 };
 
@@ -48,16 +48,20 @@ class TimeWarp : public EventSimulation {
 
   /// A window of the step begins, at the time `from`: what has been done is final.
   void begin_window(double from) {
+    window_start_ = from;
     neighbourhoods_.forget_former_homes(from);
-    first_change_ += static_cast<std::int64_t>(changes_.size());
+    first_change_ += static_cast<std::uint32_t>(changes_.size());
     changes_.clear();
+    if (first_change_ > renumber_changes) {
+      first_change_ = 1;
+      for (Body& body : bodies) body.last_change = 0;
+    }
     for (const int body : remote_changed_) {
       assumed_[body].clear();
       told_[body].clear();
       applied_[body] = 0;
     }
     remote_changed_.clear();
-    last_.resize(bodies.size(), -1);
     from_.resize(bodies.size(), nowhere);
     assumed_.resize(bodies.size());
     told_.resize(bodies.size());
@@ -103,7 +107,7 @@ class TimeWarp : public EventSimulation {
   /// Sets `all` to the updates of a body in this window, in order.
   void find_updates(int body, std::vector<RemoteUpdate>& all) const {
     all.clear();
-    Flight flight = flights[body];
+    FreeFlight flight = flights[body];
     Course course = bodies[body].course;
     for (int n = last_change(body); n >= 0;) {
       const Change& change = changes_[n];
@@ -174,17 +178,27 @@ class TimeWarp : public EventSimulation {
   }
 
  protected:
-  bool keeps_former_homes() const override { return !alone; }
+  double found_since(double now) const override { return alone ? now : window_start_; }
+
+  bool has_been_home(int body) const override {
+    if (alone) return true;
+    const FreeFlight* flight = &flights[body];
+    for (int n = last_change(body);; n = changes_[n].of(body).previous) {
+      const double begin = std::max(flight->since, window_start_);
+      if (!neighbourhoods_.is_home(body, flight->at(begin), begin)) return false;
+      if (n < 0) return true;
+      flight = &changes_[n].of(body).flight;
+    }
+  }
 
   void before_event(const Event& event) override {
     if (alone) return;
-    Change change;
+    Change& change = changes_.emplace_back();
     change.key = event.key;
     change.event = static_cast<int>(events.size()) - 1;
     change.partner = event.j;
-    note(change, 0, event.i);
-    if (!event.with_wall()) note(change, 1, event.j);
-    changes_.push_back(change);
+    note(change.past[0], event.i);
+    if (!event.with_wall()) note(change.past[1], event.j);
   }
 
   void after_event(const Event& event) override {
@@ -199,11 +213,14 @@ class TimeWarp : public EventSimulation {
  private:
   /// Behind all places in the order.
   static constexpr EventKey nowhere{never, 0, 0, 0};
+  /// Changes are counted anew from here on: half of the numbers that a body can have, so that none
+  /// comes round.
+  static constexpr std::uint32_t renumber_changes = 1u << 31;
 
   struct Past {  // of a body before a change
     int body = -1;
     int previous = -1;  // change
-    Flight flight;
+    FreeFlight flight;
     Course course;
   };
   /// An event, or an update of a remote body.
@@ -224,14 +241,17 @@ class TimeWarp : public EventSimulation {
 
   /// The last change of a body in this window; -1: none.
   int last_change(int body) const {
-    const std::int64_t n = last_[body] - first_change_;
-    return n < 0 ? -1 : static_cast<int>(n);
+    const std::uint32_t n = bodies[body].last_change - first_change_;
+    return n < changes_.size() ? static_cast<int>(n) : -1;
   }
-  void set_last_change(int body, int n) { last_[body] = n < 0 ? -1 : first_change_ + n; }
+  void set_last_change(int body, int n) {
+    bodies[body].last_change = n < 0 ? 0 : first_change_ + static_cast<std::uint32_t>(n);
+  }
 
-  void note(Change& change, int side, int body) {
-    change.past[side] = {body, last_change(body), flights[body], bodies[body].course};
-    set_last_change(body, static_cast<int>(changes_.size()));
+  /// Of the last of changes_, before it happens.
+  void note(Past& past, int body) {
+    past = {body, last_change(body), flights[body], bodies[body].course};
+    set_last_change(body, static_cast<int>(changes_.size()) - 1);
     note_changed(body);
   }
 
@@ -252,10 +272,9 @@ class TimeWarp : public EventSimulation {
 
   void apply_update(int body) {
     const RemoteUpdate& update = assumed_[body][applied_[body]];
-    Change change;
+    Change& change = changes_.emplace_back();
     change.key = update.key;
-    note(change, 0, body);
-    changes_.push_back(change);
+    note(change.past[0], body);
     set_flight(body, update.flight, update.course);
     applied_[body]++;
     pending_.pop();
@@ -357,12 +376,12 @@ class TimeWarp : public EventSimulation {
   /// The first change of a neighbour, from a place in the order on, before which it meets a body;
   /// -1: none.
   int first_meeting(int body, const Neighbour& neighbour, const EventKey& from) const {
-    const Flight& a = flights[body];
+    const FreeFlight& a = flights[body];
     const Tags both = tags(body, neighbour.body);
     int first = -1;
     for (int n = last_change(neighbour.body); n >= 0 && from < changes_[n].key;) {
       const Past& past = changes_[n].of(neighbour.body);
-      const Flight& b = past.flight;
+      const FreeFlight& b = past.flight;
       const double begin = std::max({from.time, a.since, b.since});
       const auto [r, w] = relative_motion(a, b, neighbour.image, begin);
       const double vv = std::max(dot(a.velocity, a.velocity), dot(b.velocity, b.velocity));
@@ -388,10 +407,10 @@ class TimeWarp : public EventSimulation {
     touched_.clear();
   }
 
+  double window_start_ = 0.0;
   std::vector<Change> changes_;  // of this window
   // Changes are numbered through all windows: what is below the first one of this window is over.
-  std::vector<std::int64_t> last_;  // change of a body
-  std::int64_t first_change_ = 0;   // number of changes_[0]
+  std::uint32_t first_change_ = 1;  // number of changes_[0]
   std::vector<int> own_changed_, remote_changed_;
   std::vector<std::vector<RemoteUpdate> > assumed_, told_;  // by body
   std::vector<std::size_t> applied_;                        // how many of assumed_
