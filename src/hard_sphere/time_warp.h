@@ -57,15 +57,14 @@ class TimeWarp : public EventSimulation {
       for (Body& body : bodies) body.last_change = 0;
     }
     for (const int body : remote_changed_) {
-      assumed_[body].clear();
-      told_[body].clear();
-      applied_[body] = 0;
+      News& news = news_[body];
+      news.assumed.clear();
+      news.told.clear();
+      news.applied = 0;
     }
     remote_changed_.clear();
     from_.resize(bodies.size(), nowhere);
-    assumed_.resize(bodies.size());
-    told_.resize(bodies.size());
-    applied_.resize(bodies.size(), 0);
+    news_.resize(bodies.size());
     own_changed_.clear();
     pending_ = {};
     until_ = ahead_ = -never;
@@ -125,8 +124,8 @@ class TimeWarp : public EventSimulation {
   /// does in this window, apart from events with bodies of this process.
   std::vector<RemoteUpdate>& tell(int body) {
     remote_changed_.push_back(body);
-    told_[body].clear();
-    return told_[body];
+    news_[body].told.clear();
+    return news_[body].told;
   }
 
   /// The time and the depth of the first difference between what was told and what is assumed.
@@ -143,8 +142,9 @@ class TimeWarp : public EventSimulation {
                           remote_changed_.end());
     Difference first;
     for (const int body : remote_changed_) {
-      const std::size_t n = agreed(body);
-      for (const std::vector<RemoteUpdate>* list : {&assumed_[body], &told_[body]})
+      const News& news = news_[body];
+      const std::size_t n = news.agreed();
+      for (const std::vector<RemoteUpdate>* list : {&news.assumed, &news.told})
         if (n < list->size()) {
           const EventKey& key = (*list)[n].key;
           first = std::min(first, Difference{key.time, key.causal_depth});
@@ -160,9 +160,9 @@ class TimeWarp : public EventSimulation {
   void assume_what_was_told(const Difference& first) {
     ahead_ = until_;
     for (const int body : remote_changed_) {
-      const std::size_t n = agreed(body);
-      std::vector<RemoteUpdate>& assumed = assumed_[body];
-      const std::vector<RemoteUpdate>& told = told_[body];
+      std::vector<RemoteUpdate>& assumed = news_[body].assumed;
+      const std::vector<RemoteUpdate>& told = news_[body].told;
+      const std::size_t n = news_[body].agreed();
       if (n == assumed.size() && n == told.size()) continue;
       EventKey key = n < assumed.size() ? assumed[n].key : told[n].key;
       if (n < told.size() && told[n].key < key) key = told[n].key;
@@ -232,10 +232,22 @@ class TimeWarp : public EventSimulation {
 
     const Past& of(int body) const { return past[past[0].body == body ? 0 : 1]; }
   };
+  /// Of a remote body in this window.
+  struct News {
+    std::vector<RemoteUpdate> assumed, told;
+    std::size_t applied = 0;  // how many of those assumed
+
+    /// How many are assumed as they were told.
+    std::size_t agreed() const {
+      std::size_t n = 0;
+      while (n < assumed.size() && n < told.size() && same(assumed[n], told[n])) n++;
+      return n;
+    }
+  };
   struct Pending {
     EventKey key;
     int body;
-    std::size_t number;  // in assumed_[body]
+    std::size_t number;  // in News::assumed
     bool operator<(const Pending& b) const { return b.key < key; }
   };
 
@@ -260,23 +272,26 @@ class TimeWarp : public EventSimulation {
   }
 
   bool is_pending(const Pending& p) const {
-    return p.number == applied_[p.body] && p.number < assumed_[p.body].size() &&
-           same(p.key, assumed_[p.body][p.number].key);
+    const News& news = news_[p.body];
+    return p.number == news.applied && p.number < news.assumed.size() &&
+           same(p.key, news.assumed[p.number].key);
   }
 
   /// The next update of a remote body that is assumed and not applied yet, if any, gets its turn.
   void await_next_update(int body) {
-    const std::size_t next = applied_[body];
-    if (next < assumed_[body].size()) pending_.push({assumed_[body][next].key, body, next});
+    const News& news = news_[body];
+    if (news.applied < news.assumed.size())
+      pending_.push({news.assumed[news.applied].key, body, news.applied});
   }
 
   void apply_update(int body) {
-    const RemoteUpdate& update = assumed_[body][applied_[body]];
+    News& news = news_[body];
+    const RemoteUpdate& update = news.assumed[news.applied];
     Change& change = changes_.emplace_back();
     change.key = update.key;
     note(change.past[0], body);
     set_flight(body, update.flight, update.course);
-    applied_[body]++;
+    news.applied++;
     pending_.pop();
     await_next_update(body);
     stay_at_home(body, update.key.time);
@@ -287,14 +302,6 @@ class TimeWarp : public EventSimulation {
 
   void stay_at_home(int body, double time) {
     if (!neighbourhoods_.is_home(body, flights[body].at(time), time)) renew_home(body, time);
-  }
-
-  /// How many updates of a remote body are assumed as they were told.
-  std::size_t agreed(int body) const {
-    const std::vector<RemoteUpdate>&a = assumed_[body], &t = told_[body];
-    std::size_t n = 0;
-    while (n < a.size() && n < t.size() && same(a[n], t[n])) n++;
-    return n;
   }
 
   /// Undoes what a body did from a place in the order on.
@@ -340,7 +347,7 @@ class TimeWarp : public EventSimulation {
       if (past.body >= 0) stay_at_home(past.body, change.key.time);
     if (change.event < 0) {
       const int body = change.past[0].body;
-      applied_[body]--;
+      news_[body].applied--;
       await_next_update(body);
       return;
     }
@@ -412,8 +419,7 @@ class TimeWarp : public EventSimulation {
   // Changes are numbered through all windows: what is below the first one of this window is over.
   std::uint32_t first_change_ = 1;  // number of changes_[0]
   std::vector<int> own_changed_, remote_changed_;
-  std::vector<std::vector<RemoteUpdate> > assumed_, told_;  // by body
-  std::vector<std::size_t> applied_;                        // how many of assumed_
+  std::vector<News> news_;  // by body
   std::priority_queue<Pending> pending_;
   double until_ = -never;  // the end of the window, once it has been run
   double ahead_ =
