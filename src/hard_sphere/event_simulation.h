@@ -165,6 +165,8 @@ class EventSimulation : public Predictions {
   /// events are predicted.
   virtual void before_event(const Event& /*event*/) {}
   virtual void after_event(const Event& /*event*/) {}
+  /// Called when a body has come to a new home on its flight, before its next events are predicted.
+  virtual void after_renewal(int /*body*/, double /*now*/) {}
   /// From when on bodies must be found where they were.
   virtual double found_since(double now) const { return now; }
   /// Whether the home of a body is one since then.
@@ -188,7 +190,10 @@ class EventSimulation : public Predictions {
     PredictedEvents& list = predicted_[i];
     if (list.empty()) {
       const double now = list.horizon();
-      if (now >= neighbourhoods_.leave_time(i, flights[i])) renew_home(i, now);
+      if (now >= neighbourhoods_.leave_time(i, flights[i])) {
+        renew_home(i, now);
+        after_renewal(i, now);
+      }
       predict(i);
     } else if (is_stale(list.front())) {
       list.pop();

@@ -145,13 +145,15 @@ class Neighbourhoods : public Homes {
   }
 
   /// Makes a new home where a body is now, and its list of neighbours: those that it may meet, or
-  /// could have met from the time `since` on, in this home. Unless has_been_home() then, which is
-  /// asked when the home is there, others find it by its former home, too, and it keeps its former
-  /// neighbours, until forget_former_homes().
+  /// could have met in this home from the time `since` on, unless that would use up much of what the
+  /// home lasts. Unless has_been_home() all this time, which is asked when the home is there, others
+  /// find it by its former home, too, and it keeps its former neighbours, until
+  /// forget_former_homes().
   template <class HasBeenHome>
   void renew(int i, const Flight& flight, double now, double since,
              const HasBeenHome& has_been_home) {
     const Home before = home(i);
+    if (flow() && now - since > 0.5 * flow().lifetime()) since = now;
     move_home(i, flight, now, since);
     const bool keep_former = !has_been_home();
     if (keep_former)

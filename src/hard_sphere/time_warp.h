@@ -178,6 +178,13 @@ class TimeWarp : public EventSimulation {
   }
 
  protected:
+  /// Who is a neighbour from here on can have gone on, too.
+  void after_renewal(int body, double now) override {
+    if (alone) return;
+    look_ahead(body, {now, -1, 0, 0});
+    settle();
+  }
+
   double found_since(double now) const override { return alone ? now : window_start_; }
 
   bool has_been_home(int body) const override {
@@ -205,6 +212,10 @@ class TimeWarp : public EventSimulation {
     if (alone) return;
     const int i = event.i, j = event.j;
     const EventKey key = event.key;
+    if (key.time > ahead_) return;
+    // Who flies on as before has its home where it has come to, but can meet who is put back.
+    stay_at_home(i, key.time);
+    if (j >= 0) stay_at_home(j, key.time);
     look_ahead(i, key);
     if (j >= 0) look_ahead(j, key);
     settle();

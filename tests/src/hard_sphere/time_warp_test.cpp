@@ -32,6 +32,7 @@ class Parts {
       part.rules = whole.rules;
       for (Body& body : part.bodies) body.remote = owner(body.tag - 1) != p;
       part.neighbourhoods().bodies_of_box = static_cast<double>(whole.bodies.size());
+      part.neighbourhoods().margin = whole.neighbourhoods().margin;
       part.start_clock(whole.box());
       part.set_up(lifetime, {});
     }
@@ -136,6 +137,7 @@ TEST(TimeWarp, PartsDoWhatOneDoesInABox) {
 }
 
 constexpr double lifetime_of_homes = 0.5;  // of several in a run
+constexpr double small_margin = 0.15;      // a home is left after a fraction of a flight
 
 /// A gas with wells in a periodic box.
 void set_gas(EventSimulation& gas, int edge, double space, const Law& law, double ratio,
@@ -175,6 +177,22 @@ TEST(TimeWarp, PartsDoWhatOneDoesInPeriodicBoxes) {
         Parts split(whole, parts, lifetime_of_homes);
         std::size_t events = 0;
         expect_the_same(whole, split, dt < 0.1 ? 16 : 3, dt, 2, events);
+        EXPECT_GT(events, 500u);
+      }
+}
+
+// In one stretch bodies fly through several homes: who is put back meets others where they were, in
+// homes that these have left, and who is met there has its home elsewhere.
+TEST(TimeWarp, PartsFindWhoHasLeftHomes) {
+  for (const double friction : {0.0, 0.2})
+    for (const double rate : {0.0, 0.2})
+      for (const int parts : {2, 5}) {
+        EventSimulation whole;
+        whole.neighbourhoods().margin = small_margin;
+        set_gas(whole, 6, 1.6, {1.0, friction, 0.5}, 1.1, rate);
+        Parts split(whole, parts, lifetime_of_homes);
+        std::size_t events = 0;
+        expect_the_same(whole, split, 2, 0.6, 1, events);
         EXPECT_GT(events, 500u);
       }
 }
