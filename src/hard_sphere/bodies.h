@@ -56,10 +56,10 @@ struct Body {
   double radius = 0.0;           ///< [length]
   double kick = 0.0;  ///< change of its velocity by other forces in this step, [length/time]
   std::int64_t tag = 0;
-  int kind = 0;         ///< of the material
-  int groups = -1;      ///< bits of the groups that it belongs to
-  bool remote = false;  ///< another process has it too, and decides on its flight
-  bool shared = true;   ///< if not remote: other processes have it too, or may have
+  int kind = 0;                   ///< of the material
+  int groups = -1;                ///< bits of the groups that it belongs to
+  bool remote = false;            ///< another process has it too, and decides on its flight
+  bool shared = true;             ///< if not remote: other processes have it too, or may have
   std::uint32_t last_change = 0;  ///< TimeWarp's
   Course course;
 };
