@@ -161,6 +161,7 @@ class FixHardEvents : public Fix {
   double** columns_;                   // per particle, see Column
   double** origin_;                    // per particle and ghost: process, index there
   std::vector<std::uint32_t> stored_;  // versions of the flights that are in columns_
+  std::vector<char> gone_;             // whether boxes_gone() of own particles after the step
   // Bodies that others have changed in this step
   std::vector<HardEventTimeWarp::ChangedBody> changed_;
   PairsByTag inside_;      // as set_up() takes them

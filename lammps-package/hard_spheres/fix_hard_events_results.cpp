@@ -12,7 +12,6 @@
 #include "flight_report.h"
 #include "neighbor.h"
 #include "pair_hard_square_well.h"
-#include "prefetch.h"
 #include "shear/list_margin.h"
 #include "update.h"
 
@@ -50,12 +49,14 @@ void FixHardEvents::store_flights() {
   const PeriodicBox::Edges h = simulation_.box().at(end), &rates = simulation_.box().rates;
   const bool all = stored_.empty();
   stored_.resize(atom->nlocal);
+  gone_.resize(atom->nlocal);
   for (int i = 0; i < atom->nlocal; i++) {
     const Flight& flight = simulation_.flights[i];
     const Vector3 boxes = boxes_gone(i);
+    gone_[i] = !same(boxes, {});
     if (simulation_.bodies[i].inverse_mass == 0.0) {
       // The engine's own numbers stay.
-    } else if (same(boxes, {})) {
+    } else if (!gone_[i]) {
       put(flight.at(end), atom->x[i]);
       put(flight.velocity, atom->v[i]);
     } else {
@@ -85,8 +86,6 @@ void FixHardEvents::foresee_displacements(const Event& event) const {
   for (const int i : {event.i, event.j}) {
     if (i < 0 || i >= atom->nlocal) continue;
     displacements_.foresee(i);
-    cohesion::prefetch(columns_[i][IMAGE]);
-    cohesion::prefetch(atom->image[i]);
   }
 }
 
@@ -99,13 +98,14 @@ void FixHardEvents::check_list() {
     const Event& event = events[n];
     foresee_displacements(events[std::min(n + AHEAD, events.size() - 1)]);
     const double left = end - event.key.time;
-    const PeriodicBox::Edges h = simulation_.box().at(event.key.time);
-    if (event.i < atom->nlocal)
-      track_displacement(event.i, event.position - h * boxes_gone(event.i), left);
+    // Few are outside: what says how far is asked for of them alone.
+    const auto in_box = [&](int i, const Vector3& place) {
+      return gone_[i] ? place - simulation_.box().at(event.key.time) * boxes_gone(i) : place;
+    };
+    if (event.i < atom->nlocal) track_displacement(event.i, in_box(event.i, event.position), left);
     if (event.with_wall() || event.j >= atom->nlocal) continue;
     const Vector3 image = simulation_.neighbourhoods().image(event.image).at(event.key.time);
-    track_displacement(event.j, event.position + event.separation - image - h * boxes_gone(event.j),
-                       left);
+    track_displacement(event.j, in_box(event.j, event.position + event.separation - image), left);
   }
   const double extra = pair_->list_reach() + neighbor->skin;
   const double largest = std::max(std::abs(shear_since(displacements_, domain).amount),
