@@ -3,6 +3,7 @@
 """Events per second of pair_style hard/square_well in one build beside another, turn about.
 
   hard-events-beside.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--beside LMP_WITH_PLUGIN_COMMAND PLUGIN] [options]
+  hard-events-beside.py LMP_WITH_PLUGIN_COMMAND PLUGIN --ranks 2 --beside-ranks 1 [options]
 
 Spheres of diameter and mass 1 at number density 0.5 (a solid fraction of 0.26): at temperature 1 elastic with wells of
 depth 1 and r_out/r = 1.5 or 1.001, and without wells sheared at rate 1 with restitution 0.9. The first build makes the
@@ -34,7 +35,7 @@ STEPS, SKINS = [0.01, 0.02, 0.03], [0.3, 0.4, 0.6]  # a mean free time is 0.13
 MAKING, STAGES = {"dt": 0.005, "skin": 0.6}, 10
 LONGEST = 3600  # s, of one run
 
-Side = namedtuple("Side", "lmp plugin")
+Side = namedtuple("Side", "lmp plugin ranks")
 # temperature: at the end; share: that it had of a processor. Of a run that was refused: 0, and the message.
 Run = namedtuple("Run", "events seconds temperature share message")
 
@@ -63,7 +64,7 @@ def make(folder, side, scene, spheres, time):
 
 
 def measure(folder, side, scene, dt, skin, words):
-    code, output = engine.start("in.hard_beside", folder, ranks=words.ranks, start="data",
+    code, output = engine.start("in.hard_beside", folder, ranks=side.ranks, start="data",
                                 **variables(side, scene, dt, max(1, round(words.time / dt)), skin))
     refusal = re.search(r"ERROR.*", output)
     if code == 0:
@@ -139,7 +140,8 @@ def show_side(found, k, name, words):
 def side_by_side(sides, words):
     names = ["first", "other"][:len(sides)]
     progress = Progress(len(words.steps) * len(words.skins) * words.turns * len(sides) * len(words.scenes))
-    print(f"{words.spheres} spheres, time {words.time:g} in each run, turns {words.turns}, ranks {words.ranks}")
+    print(f"{words.spheres} spheres, time {words.time:g} in each run, turns {words.turns}, ranks "
+          + ", ".join(str(side.ranks) for side in sides))
     for name in words.scenes:
         scene = SCENES[name]
         print(f"\n{name}: {scene.law}" + (f", sheared at rate {scene.rate}" if scene.rate else ""), flush=True)
@@ -191,6 +193,7 @@ OPTIONS = (
     ("--before", {"type": float, "default": 10.0, "help": "time (and strain) from the lattice to the state"}),
     ("--turns", {"type": int, "default": 5}),
     ("--ranks", {"type": int, "default": 1, "help": "of each run"}),
+    ("--beside-ranks", {"type": int, "metavar": "N", "help": "of the other build, or of the same one beside itself"}),
     ("--mpiexec", {"default": "mpiexec --oversubscribe -np"}),
     ("--growth", {"type": numbers(int), "metavar": "N,N,...", "help": "numbers of spheres"}))
 
@@ -200,7 +203,9 @@ def main():
     os.environ["COHESION_MPIEXEC"] = words.mpiexec
     for spheres in words.growth or [words.spheres]:
         cells(spheres)
-    sides = [Side(words.lmp, words.plugin), *([Side(*words.beside)] if words.beside else [])]
+    sides = [Side(words.lmp, words.plugin, words.ranks)]
+    if words.beside or words.beside_ranks:
+        sides.append(Side(*(words.beside or (words.lmp, words.plugin)), words.beside_ranks or words.ranks))
     if words.growth:
         growth(sides[0], words)
     else:
