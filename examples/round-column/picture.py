@@ -19,7 +19,7 @@ SHOWN = 1.9  # of the height at rest
 def draw(file, jobs):
     """jobs: finished runs of run.py."""
     first = list({job.kind: job for job in reversed(jobs)}.values())[::-1]
-    figure = pyplot.figure(figsize=(10, 3.9 * len(first) + 3.3), constrained_layout=True)
+    figure = pyplot.figure(figsize=(9, 3.9 * len(first) + 3.3), constrained_layout=True)
     *rows, below = figure.subfigures(len(first) + 1, 1, height_ratios=[3.9] * len(first) + [3.3])
     for part, job in zip(rows, first):
         draw_views(part, job)
@@ -34,7 +34,7 @@ def views(job, folders):
     with tempfile.TemporaryDirectory() as scratch:
         side = Path(scratch) / "column.stl"
         wall.write_stl(side, size["radius"], shown)
-        section = Section(side, "z", job.options["--diameter"] / 2, shown, SPEEDS, (460, 560))
+        section = Section(side, "z", job.options["--diameter"] / 2, shown, SPEEDS, (330, 560))
         return section, section.images(job.folder, folders)
 
 
