@@ -145,9 +145,9 @@ class Neighbourhoods : public Homes {
   }
 
   /// Makes a new home where a body is now, and its list of neighbours: those that it may meet, or
-  /// could have met in this home from the time `since` on, unless that would use up much of what the
-  /// home lasts. Unless has_been_home() all this time, which is asked when the home is there, others
-  /// find it by its former home, too, and it keeps its former neighbours, until
+  /// could have met in this home from the time `since` on, unless that would use up much of what
+  /// the home lasts. Unless has_been_home() all this time, which is asked when the home is there,
+  /// others find it by its former home, too, and it keeps its former neighbours, until
   /// forget_former_homes().
   template <class HasBeenHome>
   void renew(int i, const Flight& flight, double now, double since,
