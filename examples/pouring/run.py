@@ -23,7 +23,7 @@ EXPECTED = HERE / "expected.csv"
 BED = {"count": 500, "columns": 16, "height": 48, "e": 0.9, "mu": 0.3, "time": 0.6}
 SPACING = 1.5 * analyse.DIAMETER
 STEP = 1e-4  # s; of Hoomans et al.
-STEPS = (STEP, STEP / 2, 2 * STEP)
+STEPS = (STEP, STEP / 5, STEP / 2, 2 * STEP)
 
 
 def arguments():
