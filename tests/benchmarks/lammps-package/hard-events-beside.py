@@ -18,7 +18,6 @@ import os
 import re
 import statistics
 import sys
-import textwrap
 from collections import defaultdict, namedtuple
 
 from cohesion_tests import lammps as engine, measuring_program
@@ -74,7 +73,7 @@ def measure(folder, side, scene, dt, skin, words):
         return Run(events, seconds, table["c_flow[3]"][-1], processor_seconds(output) / seconds, "")
     if not refusal:
         raise RuntimeError(f"LAMMPS ended with code {code}:\n{output[-3000:]}")
-    return Run(0, 0.0, 0.0, 0.0, textwrap.shorten(refusal[0], 200, placeholder=" ..."))
+    return Run(0, 0.0, 0.0, 0.0, refusal[0][:200])
 
 
 def in_turns(folder, sides, scene, words, progress):
