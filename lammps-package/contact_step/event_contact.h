@@ -99,6 +99,7 @@ struct FollowedContact {
 /// spring, dashpot and friction. `grid_of(contact)`: the motion of a LastingContact on the grid.
 struct StepContacts {
   std::vector<LastingContact> candidates;  // can last from now on
+  std::vector<LastingContact> young;       // the same, if they are alone
   OfStep<LastingContact> lasting;          // act, but those that are undone
   std::vector<BegunContact> begun;
   std::vector<LastingContact> idle;  // in their wells, where nothing acts
@@ -106,6 +107,7 @@ struct StepContacts {
 
   void clear() {
     candidates.clear();
+    young.clear();
     lasting.clear();
     begun.clear();
     idle.clear();
@@ -113,19 +115,21 @@ struct StepContacts {
   }
 
   /// Decides from its motion on the grid whether a contact lasts, and acts, or is followed, which
-  /// disturbs both particles.
+  /// disturbs both particles. `alone`: whether a young one may last, if neither has another.
   template <int SIZE, class Contact, class OnImpulse>
   [[gnu::noinline]] void classify(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
                                   const Contact& c, int contact, int i, int j,
                                   const cohesion::event_stepping::PairMotion& grid, double* history,
-                                  const OnImpulse& on_impulse) {
+                                  bool alone, const OnImpulse& on_impulse) {
     using namespace cohesion::event_stepping;
     ContactMemory memory = ContactMemory::from(history, SIZE);
     const bool lasted = memory.phase == ContactMemory::lasting;
     if (c.is_idle(grid.relative, memory, step->flight())) {
       idle.push_back({i, j, contact, history});
-    } else if (!lasted && c.can_last(grid.relative, memory)) {
-      candidates.push_back({i, j, contact, history});
+    } else if (!lasted && c.can_last(grid.relative, memory, alone)) {
+      const bool is_young = c.is_young(memory);
+      if (is_young) step->add_young(i, j);
+      (is_young ? young : candidates).push_back({i, j, contact, history});
     } else if (!lasted || !advance_lasting<SIZE>(scatter, step, c, {i, j, contact, history}, grid,
                                                  memory, on_impulse)) {
       // Those that only the fastest particle of this rank could bring together disturb nothing.
@@ -136,8 +140,15 @@ struct StepContacts {
     }
     if (step->energy_tally.is_active()) {
       step->energy_tally.store(scatter.owned_fraction(j), c.stored(grid, memory));
-      scatter.add_owed_of_tally(i, j, c.template owed<SIZE>(grid.relative, memory));
+      const ContactMemory now = c.one_force().template at_grid_point<SIZE>(grid, memory);
+      scatter.add_owed_of_tally(i, j, c.template owed<SIZE>(grid.relative, now));
     }
+  }
+
+  /// A young contact that is not alone disturbs the particle that it shares.
+  void disturb_beside_young(FixEventStep* step) const {
+    for (const LastingContact& p : lasting) step->disturb_if_young(p.i, p.j);
+    for (const LastingContact& p : candidates) step->disturb_if_young(p.i, p.j);
   }
 
   /// Lasting contacts beside disturbed ones are followed, too: one force among such drains energy.
@@ -151,15 +162,16 @@ struct StepContacts {
       for (const LastingContact& p : lasting)
         if (step->is_disturbed(p.i, p.j))
           undo_lasting<SIZE>(scatter, step, all[p.contact], p, grid_of(p), on_impulse);
-    for (const LastingContact& p : candidates) {
-      const Contact& c = all[p.contact];
-      ContactMemory memory = ContactMemory::from(p.history, SIZE);
-      const PairMotion grid = grid_of(p);
-      if (step->is_disturbed(p.i, p.j))
-        add_followed<SIZE>(c, p, grid, memory);
-      else
-        advance_lasting<SIZE>(scatter, step, c, p, grid, memory, on_impulse);
-    }
+    for (const auto* some : {&candidates, &young})
+      for (const LastingContact& p : *some) {
+        const Contact& c = all[p.contact];
+        ContactMemory memory = ContactMemory::from(p.history, SIZE);
+        const PairMotion grid = grid_of(p);
+        if (step->is_disturbed(p.i, p.j))
+          add_followed<SIZE>(c, p, grid, memory);
+        else
+          advance_lasting<SIZE>(scatter, step, c, p, grid, memory, on_impulse);
+      }
     begin_followed<SIZE>(scatter, step, all);
   }
 

@@ -141,6 +141,10 @@ void FixEventStep::init() {
   any_event_scheme = std::any_of(styles.begin(), styles.end(),
                                  [](const EventContacts* some) { return some->is_event_scheme(); });
   any_other_forces = any_event_scheme && others_may_act();
+  only_event_contacts =
+      !any_other_forces && std::all_of(styles.begin(), styles.end(), [](const EventContacts* some) {
+        return some->is_event_scheme() || !some->may_have_contacts();
+      });
   warn_of_unturned_once();
 }
 
@@ -237,6 +241,8 @@ bool FixEventStep::run_predictor() {
   impulses.begin_contacts();
   for (EventContacts* some : styles) some->classify();
   if (any_event_scheme) {
+    if (any_young)
+      for (EventContacts* some : styles) some->disturb_beside_young();
     forward_disturbed();
     const int all = atom->nlocal + atom->nghost;
     any_disturbed_now =
@@ -333,6 +339,8 @@ void FixEventStep::begin_step() {
   if (any_event_scheme) {
     std::fill_n(contacts, all, 0);
     disturbed.assign(all, 0);
+    if (only_event_contacts) has_young.assign(all, 0);
+    any_young = false;
     followed.assign(all, 0);
     followed_ghosts.clear();
     any_followed_now = false;

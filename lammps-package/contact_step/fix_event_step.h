@@ -35,6 +35,8 @@ class EventContacts {
   /// Lets contacts that last act, and adds the others, whose particles are disturbed, to those that
   /// are followed.
   virtual void classify() = 0;
+  /// Marks particles that have a young contact and another one as disturbed.
+  virtual void disturb_beside_young() = 0;
   /// Adds lasting contacts of disturbed particles to those that are followed, too, and undoes what
   /// they did. Then adds what leads to the true motion of the particles of all that are followed.
   virtual void follow_disturbed() = 0;
@@ -90,11 +92,12 @@ struct Bodies {
 /// which `owed` leads, and which needs all contacts of a particle: in a predictor each by itself,
 /// what it does added to `predicted`, and in a corrector with half of what the others do.
 ///
-/// A particle is disturbed by a followed contact with an event, or by a young one. Contacts of
-/// disturbed particles are followed, too: one force among such drains energy.
+/// A particle is disturbed by a followed contact with an event, or by a young one that is not its
+/// only contact. Contacts of disturbed particles are followed, too: one force among such drains
+/// energy.
 ///
-/// Order within a step, with its first forces: all styles classify(); forward_disturbed();
-/// follow_disturbed(); couple_lasting(); forward_to_ghosts(owed); predict();
+/// Order within a step, with its first forces: all styles classify(); disturb_beside_young();
+/// forward_disturbed(); follow_disturbed(); couple_lasting(); forward_to_ghosts(owed); predict();
 /// forward_to_ghosts(predicted). Then the corrector of each style.
 ///
 /// A fix cannot make another one in its constructor: those that need this one call of() in
@@ -190,6 +193,20 @@ class FixEventStep : public Fix {
     disturbed[i] = 1;
     if (j >= 0) disturbed[j] = 1;
   }
+  /// A young contact of both, which is not disturbed while neither has another contact; two of them
+  /// are no longer alone.
+  void add_young(int i, int j) {
+    any_young = true;
+    add_young(i);
+    if (j >= 0) add_young(j);
+  }
+  /// Where a young contact may be alone: nothing but contacts of the event scheme acts in this run.
+  bool only_contacts_act() const { return only_event_contacts; }
+  /// Disturbs those of two particles with another contact that have a young one; j < 0: a wall.
+  void disturb_if_young(int i, int j) {
+    disturbed[i] |= has_young[i];
+    if (j >= 0) disturbed[j] |= has_young[j];
+  }
   bool is_disturbed(int i) const { return disturbed[i] != 0; }
   /// Whether i is, or j (below 0: a wall, which never is).
   bool is_disturbed(int i, int j) const { return is_disturbed(i) || (j >= 0 && is_disturbed(j)); }
@@ -246,6 +263,10 @@ class FixEventStep : public Fix {
   void forward_to_ghosts(NumbersOf, int each);
   void forward_flagged(std::vector<char>& flags, NumbersOf, int each);
   void begin_tallies();
+  void add_young(int i) {
+    disturbed[i] |= has_young[i];
+    has_young[i] = 1;
+  }
   void warn_of_unturned_once();
   bool others_may_act() const;
   void save_other_forces();
@@ -277,15 +298,18 @@ class FixEventStep : public Fix {
   AtomNumbers last;            // from the end of a run to the first step of the next: save_last()
   AtomNumbers other_forces;    // force of all but contacts at the last grid point
   bool predictor_due = false;  // in this step: run_corrector()
-  bool any_event_scheme = false;    // any style, in this run
-  bool any_other_forces = false;    // anything but contacts, likewise, where that matters
-  bool other_forces_known = false;  // in `other_forces`, which is 0 otherwise
-  int* contacts;                    // per atom and ghost, this step
+  bool any_event_scheme = false;     // any style, in this run
+  bool any_other_forces = false;     // anything but contacts, likewise, where that matters
+  bool only_event_contacts = false;  // neither that, nor sampled contacts
+  bool other_forces_known = false;   // in `other_forces`, which is 0 otherwise
+  int* contacts;                     // per atom and ghost, this step
   std::vector<FollowedMotion> motions;
   std::vector<char> followed;  // per atom: 1 if it is, or 0; of ghosts what their owners sent
   std::vector<int> followed_ghosts;
   std::vector<char> disturbed;       // per atom and ghost: 1 with an event or a young contact, or 0
-  bool any_disturbed_now = false;    // of those
+  std::vector<char> has_young;       // the same: 1 with a young contact that may be alone, or 0
+  bool any_young = false;            // of those
+  bool any_disturbed_now = false;    // of those that are disturbed
   bool any_followed_now = false;     // the same
   double* inverse_mass;              // per atom and ghost
   std::vector<double> known_masses;  // the masses inverse_mass is of; empty: of none

@@ -261,6 +261,7 @@ template <int SIZE>
 void FixWallGranCohesive<Cohesion>::classify(std::vector<EventContact>& shared) {
   contacts_now.clear();
   const ContactsOfStep<EventContact, SIZE> scatter(atom, step);
+  const bool alone = step->only_contacts_act() && !motion.swings();
   for_each_near(shared, [&](int i, int w, int c, const WallPoint& point, double* values) {
     const Near near{i, w, c, point, values};
     const PairMotion grid = on_grid(near);
@@ -269,7 +270,7 @@ void FixWallGranCohesive<Cohesion>::classify(std::vector<EventContact>& shared) 
       return;
     near_now.push_back(near);
     contacts_now.classify<SIZE>(scatter, step, shared[c], c, i, partner(near_now.size() - 1), grid,
-                                values, force_adder<SIZE>(scatter));
+                                values, alone && walls[w].is_flat(), force_adder<SIZE>(scatter));
   });
 }
 

@@ -36,6 +36,9 @@ class FixWallGranCohesive : public Fix, public EventWalls, public AdvisedStyle {
   void post_force(int) override;
   bool is_event_scheme() const override { return scheme == Scheme::event; }
   void classify() override;
+  void disturb_beside_young() override {
+    if (is_event_scheme()) contacts_now.disturb_beside_young(step);
+  }
   void follow_disturbed() override;
   void couple_lasting() override;
   void predict() override;

@@ -65,6 +65,9 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventContacts, p
     return is_active && coefficients.scheme() == Scheme::event;
   }
   void classify() override;
+  void disturb_beside_young() override {
+    if (is_event_scheme()) contacts_now.disturb_beside_young(step);
+  }
   void follow_disturbed() override;
   void couple_lasting() override;
   void predict() override;

@@ -170,7 +170,7 @@ void PairGranCohesive<Cohesion>::classify_one(const ContactsOfStep<EventContact,
   }
   has_history = 1;
   contacts_now.classify<SIZE>(scatter, step, law, contact, i, j, particles().motion(i, j), values,
-                              flux_sum());
+                              step->only_contacts_act(), flux_sum());
 }
 
 template <class Cohesion>

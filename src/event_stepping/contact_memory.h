@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
+
 #include "event_stepping/spring_on_grid.h"
 #include "vector3.h"
 
@@ -16,8 +18,10 @@ struct ContactMemory {
   Phase phase = beyond;
   /// Steps since anything but lasting contact happened to it; -1: what went before is not known.
   double age = 0.0;
-  double ahead =
-      0.0;  ///< after a followed step: true radial velocity over the grid's, [length/time]
+  /// After a followed step: true radial velocity over the grid's, [length/time]. After one of one
+  /// force: the sum of the Slips of that grid point.
+  double ahead = 0.0;
+  enum Slips { none = 0, in_sliding = 1, in_rolling = 2 };
   using Spring = SpringOnGrid::Memory;
   Spring sliding{}, rolling{};
 
@@ -27,6 +31,11 @@ struct ContactMemory {
   /// Through a step of one force: springs and impulses are of this grid point after
   /// OneForce::advance_lasting().
   bool lasted() const { return phase == lasting || phase == leaving; }
+
+  /// Whether a slider slipped at the last grid point of a lasting contact.
+  bool slipped(Slips which) const {
+    return lasted() && (static_cast<int>(std::abs(ahead)) & which) != 0;
+  }
 
   /// Numbers that an engine keeps: without friction, with it, and with rolling friction.
   enum Size { normal_only = 3, with_friction = 9, with_rolling = 15 };

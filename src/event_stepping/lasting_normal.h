@@ -41,6 +41,7 @@ class LastingNormal {
     constants_ = swing.on_grid(step, reduced_mass);
     curvature_ = constants_.stiffness * step * step / reduced_mass;
     kept_ = 1.0 - constants_.damping * step / reduced_mass;
+    w0_squared_ = swing.w0_squared();
     rest_ = pull / reduced_mass * inverse_square;
     lifted_ = inverse_square / (distance * distance * distance);
     const double alpha = swing.alpha();
@@ -93,19 +94,33 @@ class LastingNormal {
   double repulsion(double change) const { return reduced_mass_ * change * inverse_step_ + pull_; }
 
   /// The true radial velocity at the grid point, less that of the half step before.
-  double ahead(const Sample& s) const {
-    const double before = s.stretch + s.gone;
-    const double rate = (s.stretch - propagator_.xx * before) / propagator_.xv;
-    return -(propagator_.vx * before + propagator_.vv * rate) - s.radial;
-  }
+  double ahead(const Sample& s) const { return -rates(s).after - s.radial; }
 
   /// What the dashpot has taken since the last grid point, [energy]. Of the square of the speed of
   /// an oscillation the grid sees (sin(q dt/2)/(q dt/2))^2.
   double damped(const Sample& s) const { return damping_ * step_ * s.radial * s.radial / seen_; }
+  /// The same of a pair on which nothing else acts: what its swing has less of spring and motion.
+  double damped_alone(const Sample& s) const {
+    const Rates rate = rates(s);
+    const double before = s.stretch + s.gone;
+    return 0.5 * reduced_mass_ *
+           (rate.before * rate.before - rate.after * rate.after +
+            w0_squared_ * (before * before - s.stretch * s.stretch));
+  }
 
  private:
   /// The fraction of the way of a step that the predicted overlap must exceed.
   static constexpr double certain = 0.1;
+
+  /// Of the overlap, at the grid point before and at this one.
+  struct Rates {
+    double before, after;
+  };
+  Rates rates(const Sample& s) const {
+    const double before = s.stretch + s.gone;
+    const double rate = (s.stretch - propagator_.xx * before) / propagator_.xv;
+    return {rate, propagator_.vx * before + propagator_.vv * rate};
+  }
 
   double step_;
   double inverse_step_;
@@ -119,8 +134,9 @@ class LastingNormal {
   GridSpring constants_;
   double curvature_;  // 1 + d - 2 c
   double kept_;       // d
-  double rest_;       // overlap at which spring and pull balance
-  double lifted_;     // of that, by the square of the speed across, over the distance squared
+  double w0_squared_;
+  double rest_;    // overlap at which spring and pull balance
+  double lifted_;  // of that, by the square of the speed across, over the distance squared
   double seen_;
 };
 

@@ -10,7 +10,7 @@
 namespace cohesion::event_stepping {
 
 /// A contact that lasts, by one force of the usual form a step: along its normal, and of the
-/// springs in its plane. How a pair came together does not matter any more.
+/// springs in its plane.
 class OneForce {
  public:
   /// pull [force]: of the adhesion; step [time].
@@ -23,10 +23,14 @@ class OneForce {
         sliding_(contact::tangential_contact(parameters, normal), step,
                  bodies.inverse_sliding_mass()),
         rolling_(contact::rolling_contact(parameters, normal), step, bodies.inverse_rolling_mass()),
+        youth_(2.5 * normal.contact_time() / step),
         steady_(is_steady()) {}
 
   const SpringOnGrid& sliding() const { return sliding_; }
   const SpringOnGrid& rolling() const { return rolling_; }
+
+  /// Whether how a pair came together may still matter to others: in its first 2.5 contact times.
+  bool is_young(const ContactMemory& memory) const { return memory.age < youth_; }
 
   /// Whether a contact of one force certainly lasts for the step.
   bool lasts(const RelativeState& grid) const {
@@ -44,32 +48,43 @@ class OneForce {
     const LastingNormal::Sample now = normal_.at(grid.relative);
     const LastingNormal::Force normal = normal_.force(now);
     const bool lasted = memory.phase == ContactMemory::lasting;
+    const double ahead = memory.ahead;
     action = {(reduced_mass_ * normal.change * now.inverse) * grid.relative.separation, {}, {}};
-    if (losses && lasted) losses->normal_damping = normal_.damped(now);
+    ContactMemory before;
+    if (losses) {
+      before = memory;
+      if (lasted)
+        losses->normal_damping = is_young(memory) ? normal_.damped_alone(now) : normal_.damped(now);
+    }
     memory.phase = ContactMemory::lasting;
     memory.age += 1.0;
+    memory.ahead = ContactMemory::none;
     if constexpr (SIZE >= ContactMemory::with_friction) {
       const Touch touch(bodies_, grid.relative.separation, now.inverse);
       const double repulsion = normal_.repulsion(normal.change);
       // The half of a step that its first one is to do begins with the true velocity.
-      const double limiting =
-          lasted ? repulsion : normal_.repulsion(2.0 * (normal.change - memory.ahead));
+      const double limiting = lasted ? repulsion : normal_.repulsion(2.0 * (normal.change - ahead));
       SpringOnGrid::Losses of_sliding, of_rolling;
+      bool slides = false, rolls = false;  // the sliders
       const Vector3 across =
           grid.relative.velocity - (now.radial * now.inverse) * grid.relative.separation;
-      const Vector3 slides = touch.sliding_velocity_across(across, grid.spin_i, grid.spin_j);
       touch.add_sliding_impulse(
-          sliding_.advance_lasting(touch.plane(), slides, limiting, lasted, memory.sliding,
-                                   losses ? &of_sliding : nullptr),
+          sliding_.advance_lasting(
+              touch.plane(), touch.sliding_velocity_across(across, grid.spin_i, grid.spin_j),
+              limiting, lasted, memory.sliding, slides, losses ? &of_sliding : nullptr),
           action);
+      memory.ahead = slides ? ContactMemory::in_sliding : ContactMemory::none;
       if constexpr (SIZE >= ContactMemory::with_rolling) {
-        const Vector3 rolls = touch.rolling_velocity(grid.spin_i, grid.spin_j);
         touch.add_rolling_impulse(
-            rolling_.advance_lasting(touch.plane(), rolls, limiting, lasted, memory.rolling,
-                                     losses ? &of_rolling : nullptr),
+            rolling_.advance_lasting(touch.plane(),
+                                     touch.rolling_velocity(grid.spin_i, grid.spin_j), limiting,
+                                     lasted, memory.rolling, rolls, losses ? &of_rolling : nullptr),
             action);
+        if (rolls) memory.ahead += ContactMemory::in_rolling;
       }
       if (losses) {
+        if (lasted && is_young(before))
+          add_lost_alone<SIZE>(grid, before, memory, of_sliding, of_rolling);
         losses->tangential_damping = of_sliding.damped;
         losses->friction = of_sliding.friction;
         losses->rolling = of_rolling.damped + of_rolling.friction;
@@ -82,23 +97,45 @@ class OneForce {
   /// unless it is null.
   template <int SIZE>
   void end_lasting(const PairMotion& grid, ContactMemory& memory, ContactLosses* losses) const {
-    memory.phase = ContactMemory::leaving;
+    const ContactMemory now = at_grid_point<SIZE>(grid, memory);
     if constexpr (SIZE >= ContactMemory::with_friction) {
-      const LastingNormal::Sample now = normal_.at(grid.relative);
-      const double repulsion = normal_.repulsion(normal_.force(now).change);
-      const double last = normal_.repulsion(2.0 * normal_.ahead(now));
-      const Touch touch(bodies_, grid.relative.separation, now.inverse);
+      const double last = normal_.repulsion(2.0 * normal_.ahead(normal_.at(grid.relative)));
+      const Touch touch(bodies_, grid.relative.separation);
       SpringOnGrid::Losses lost;
       sliding_.end_lasting(touch.sliding_velocity(grid.relative.velocity, grid.spin_i, grid.spin_j),
-                           repulsion, last, memory.sliding, losses ? &lost : nullptr);
+                           memory.slipped(ContactMemory::in_sliding), last, now.sliding.impulse,
+                           memory.sliding, losses ? &lost : nullptr);
       if (losses) losses->friction += lost.friction;
       if constexpr (SIZE >= ContactMemory::with_rolling) {
         lost = {};
-        rolling_.end_lasting(touch.rolling_velocity(grid.spin_i, grid.spin_j), repulsion, last,
+        rolling_.end_lasting(touch.rolling_velocity(grid.spin_i, grid.spin_j),
+                             memory.slipped(ContactMemory::in_rolling), last, now.rolling.impulse,
                              memory.rolling, losses ? &lost : nullptr);
         if (losses) losses->rolling += lost.friction;
       }
     }
+    memory.phase = ContactMemory::leaving;
+    memory.ahead = ContactMemory::none;
+  }
+
+  /// What an energy tally takes for what is remembered after advance_lasting(), so that half of
+  /// each spring's impulse leads to the true motion at the grid point. Among others that is half of
+  /// the impulse of the step; for a young contact, on which nothing else acts, it is known.
+  template <int SIZE>
+  ContactMemory at_grid_point(const PairMotion& grid, const ContactMemory& memory) const {
+    ContactMemory now = memory;
+    if (memory.phase != ContactMemory::lasting || !is_young(memory)) return now;
+    if constexpr (SIZE >= ContactMemory::with_friction) {
+      const Touch touch(bodies_, grid.relative.separation);
+      now.sliding.impulse = sliding_.twice_owed(
+          touch.sliding_velocity(grid.relative.velocity, grid.spin_i, grid.spin_j),
+          memory.slipped(ContactMemory::in_sliding), memory.sliding);
+      if constexpr (SIZE >= ContactMemory::with_rolling)
+        now.rolling.impulse =
+            rolling_.twice_owed(touch.rolling_velocity(grid.spin_i, grid.spin_j),
+                                memory.slipped(ContactMemory::in_rolling), memory.rolling);
+    }
+    return now;
   }
 
   /// What advance_lasting() has set for a contact that lasted already, again.
@@ -116,6 +153,29 @@ class OneForce {
 
  private:
   using Touch = ContactBodies::Touch;
+
+  /// Adds what a young contact lost more since the last grid point than its springs say.
+  template <int SIZE>
+  void add_lost_alone(const PairMotion& grid, const ContactMemory& before,
+                      const ContactMemory& after, SpringOnGrid::Losses& of_sliding,
+                      SpringOnGrid::Losses& of_rolling) const {
+    const ContactMemory now = at_grid_point<SIZE>(grid, after);
+    const Touch touch(bodies_, grid.relative.separation);
+    const auto add = [&](const SpringOnGrid& spring, const Vector3& rate,
+                         SpringOnGrid::Memory ContactMemory::* of, ContactMemory::Slips which,
+                         SpringOnGrid::Losses& to) {
+      const SpringOnGrid::Memory then{touch.plane().turned_into((before.*of).stretch),
+                                      touch.plane().turned_into((before.*of).impulse)};
+      spring.add_lost_alone(rate, then, before.slipped(which), (after.*of).impulse,
+                            (now.*of).impulse, to);
+    };
+    if constexpr (SIZE >= ContactMemory::with_friction)
+      add(sliding_, touch.sliding_velocity(grid.relative.velocity, grid.spin_i, grid.spin_j),
+          &ContactMemory::sliding, ContactMemory::in_sliding, of_sliding);
+    if constexpr (SIZE >= ContactMemory::with_rolling)
+      add(rolling_, touch.rolling_velocity(grid.spin_i, grid.spin_j), &ContactMemory::rolling,
+          ContactMemory::in_rolling, of_rolling);
+  }
 
   /// Whether springs and dashpots of one force, which take the velocity of half a step before, stay
   /// steady where each sphere has many of them.
@@ -142,6 +202,7 @@ class OneForce {
   LastingNormal normal_;
   SpringOnGrid sliding_;
   SpringOnGrid rolling_;
+  double youth_;  // steps
   bool steady_;
 };
 

@@ -103,9 +103,10 @@ class SampledContact {
                                                 SpringOnGrid::Losses* lost) const {
     // The first step of a run is half of one, from the grid point on.
     const double part = window_.length() / (2.0 * window_.after);
+    bool slips;
     if (normal.normal.contact_time > 0.0)
       return part * spring.advance_lasting(touch.plane(), rate, normal.normal.repulsion_at_end,
-                                           true, memory, lost);
+                                           true, memory, slips, lost);
     if (lost) *lost = {0.0, spring.lost_at_end(rate, memory)};
     memory = {};
     return {};

@@ -35,9 +35,10 @@ class SpringOnGrid {
   /// [length/time], and the force of normal spring and dashpot. Gives the impulse at the grid
   /// point. `lasted`: through the last step, too, whose losses are told, if asked for. A step that
   /// was followed has half of its impulse still to do.
+  /// `slips`: whether the slider does at this grid point.
   [[gnu::always_inline]] Vector3 advance_lasting(const contact::Plane& plane, const Vector3& rate,
                                                  double repulsion, bool lasted, Memory& memory,
-                                                 Losses* losses) const {
+                                                 bool& slips, Losses* losses) const {
     const Vector3 turned = plane.turned_into(memory.stretch);
     const Vector3 stretched = turned + step_ * rate;
     // What was followed has slipped already, and does not stretch by the whole rate.
@@ -48,7 +49,7 @@ class SpringOnGrid {
                : sticking_force(ends_.first, s, rate + (0.5 * inverse_mass_) * memory.impulse);
     const double limit = friction_ * std::max(repulsion, 0.0);
     const double square = dot(force, force);
-    const bool slips = square > limit * limit;
+    slips = square > limit * limit;
     if (slips) {  // spring and dashpot stretch as far as they carry the Coulomb force
       force = (limit / std::sqrt(square)) * force;
       const double drag = constants_.damping / step_;
@@ -67,15 +68,38 @@ class SpringOnGrid {
     return lasted ? impulse : mean;
   }
 
-  /// Ends a lasting contact, after advance_lasting() with the same `rate` and `repulsion`: sets the
-  /// impulse of which half is left to do up to the true velocity, where the normal force is `last`.
-  /// What it takes less of the motion than the half that was to come is lost.
-  void end_lasting(const Vector3& rate, double repulsion, double last, Memory& memory,
-                   Losses* losses) const {
-    const Vector3 planned = memory.impulse;
-    const bool slips =
-        norm(planned) >= (1.0 - rounding) * step_ * friction_ * std::max(repulsion, 0.0);
-    if (!slips) memory.impulse = step_ * sticking_force(ends_.last, memory.stretch, rate);
+  /// After advance_lasting(), of a contact on which nothing else acts: the impulse of which half
+  /// leads to the true velocity.
+  Vector3 twice_owed(const Vector3& rate, bool slips, const Memory& memory) const {
+    return slips ? memory.impulse : step_ * sticking_force(ends_.last, memory.stretch, rate);
+  }
+  /// Adds to `losses` of advance_lasting(), which takes half of each impulse for what leads to the
+  /// true velocity and from it, what such a contact has lost more since the last grid point.
+  /// `before`: what was remembered, turned into the plane of contact; `slipped`: at the last grid
+  /// point; `impulse`: of this one; `owed`: what twice_owed() gives.
+  void add_lost_alone(const Vector3& rate, const Memory& before, bool slipped,
+                      const Vector3& impulse, const Vector3& owed, Losses& losses) const {
+    Vector3 from = before.impulse;
+    if (!slipped) {
+      const double half = 0.5 * step_ * inverse_mass_;
+      const Vector3 true_rate = (1.0 / (1.0 - half * ends_.first.damping)) *
+                                (rate + half * ends_.first.stiffness * before.stretch);
+      from = (2.0 / inverse_mass_) * (rate - true_rate);
+    }
+    const double more = 0.5 * dot(before.impulse + impulse - from - owed, rate) +
+                        0.125 * inverse_mass_ * (dot(from, from) - dot(owed, owed));
+    // A slider gives no energy: where it begins to slip, it takes less than the step's error.
+    const double all = losses.damped + losses.friction + more;
+    if (losses.friction != 0.0) losses.friction = std::max(losses.friction + more, 0.0);
+    losses.damped = all - losses.friction;
+  }
+
+  /// Ends a lasting contact, after advance_lasting() with the same `rate`: sets the impulse of
+  /// which half is left to do up to the true velocity, where the normal force is `last`. What it
+  /// takes less of the motion than the half that was to come, of `planned`, is lost.
+  void end_lasting(const Vector3& rate, bool slips, double last, const Vector3& planned,
+                   Memory& memory, Losses* losses) const {
+    memory.impulse = twice_owed(rate, slips, memory);
     const double limit = step_ * friction_ * std::max(last, 0.0), size = norm(memory.impulse);
     if (size > 0.0 && (slips || size > limit)) memory.impulse = (limit / size) * memory.impulse;
     if (losses)
@@ -120,8 +144,6 @@ class SpringOnGrid {
   double stored_energy(const Vector3& stretch) const { return law_.stored_energy(stretch); }
 
  private:
-  static constexpr double rounding = 1e-12;
-
   static Vector3 sticking_force(const GridSpring& spring, const Vector3& s, const Vector3& rate) {
     return -spring.stiffness * s - spring.damping * rate;
   }

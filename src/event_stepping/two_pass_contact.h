@@ -82,8 +82,7 @@ class TwoPassContact {
         normal_contact_(contact::normal_contact(parameters, reduced_mass_)),
         pair_(normal_contact_, attraction, contact_distance_, step),
         one_force_(parameters, normal_contact_, attraction.force, bodies_, step),
-        pull_(attraction.force),
-        youth_(2.5 * normal_contact_.contact_time() / step) {}
+        pull_(attraction.force) {}
 
   bool is_between(const Body& i, const Body& j) const { return bodies_.are(i, j); }
   const ContactBodies& bodies() const { return bodies_; }
@@ -121,9 +120,16 @@ class TwoPassContact {
     }
   }
 
-  /// Whether a contact is old enough for one force, and certainly lasts for the step.
-  bool can_last(const RelativeState& grid, const ContactMemory& memory) const {
-    return memory.phase == ContactMemory::inside && memory.age >= youth_ && one_force_.lasts(grid);
+  /// Whether a contact is young: one force is exact for it only where nothing else acts on both
+  /// particles.
+  bool is_young(const ContactMemory& memory) const { return one_force_.is_young(memory); }
+  /// Whether a contact certainly lasts for the step, and has for one before, so that both places
+  /// that one force takes are of its swing. `alone`: a young one may; beside a wall only where that
+  /// is flat and does not change its velocity.
+  bool can_last(const RelativeState& grid, const ContactMemory& memory, bool alone) const {
+    if (memory.phase != ContactMemory::inside || memory.age < 1.0) return false;
+    if (is_young(memory) && !alone) return false;
+    return one_force_.lasts(grid);
   }
 
   /// What leads from the motion on the grid to the true one at this grid point.
@@ -379,7 +385,6 @@ class TwoPassContact {
   Pair pair_;
   OneForce one_force_;
   double pull_;
-  double youth_;  // steps
 };
 
 }  // namespace cohesion::event_stepping

@@ -29,6 +29,7 @@ struct WallMotion {
   double rim_speed = 0.0;  ///< of the turning, [length/time]
 
   bool still() const { return dot(velocity, velocity) + dot(amplitude, amplitude) == 0.0; }
+  bool swings() const { return dot(amplitude, amplitude) > 0.0; }
 
   /// The chord of X(t) over the window: the step's end is where the next one begins, so that the
   /// wall never jumps; exact for constant velocity.
@@ -66,6 +67,7 @@ struct Wall {
   double side = 1.0;      ///< of a plane: 1 with the particles above, -1 with them below
   double position = 0.0;  ///< of a plane; radius of a cylinder, [length]
 
+  bool is_flat() const { return shape != z_cylinder; }
   /// Of a plane, towards the particles.
   Vector3 normal() const {
     return {side * (shape == x_plane), side * (shape == y_plane), side * (shape == z_plane)};

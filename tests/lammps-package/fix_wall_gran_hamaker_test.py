@@ -285,7 +285,7 @@ class TwoWalls(EventWall):
 
 class Corner(EventWall):
     def test_walls_without_friction_know_nothing_of_each_other(self):
-        # Into the edge of two walls, and beside it into one of them alone: the same numbers along its normal.
+        # Into the edge of two walls, and beside it into one of them alone: the same along its normal.
         # Captured, so that the walls are met many times, and with speeds of the same order along the other.
         for parts in (2.5, 10):
             dt = contact_time(0.9) / parts
@@ -297,10 +297,16 @@ class Corner(EventWall):
                         x.append([side, height, 2e-3 * (k + 1)])
                         v.append([-speed, -0.3 * speed, 0.0])
                 self.write(x, v)
+                steps = int(8 * parts)
                 end = self.run_wall(f"stiffness {STIFFNESS} restitution 0.9 hamaker 7.5e-19 cutoff {CUT} {OUT} "
-                                    "xplane 0.01 NULL yplane 0.01 NULL", dt, int(8 * parts))
+                                    "xplane 0.01 NULL yplane 0.01 NULL", dt, steps)
                 self.assertGreater((end[::2, 5] != v[0][1]).sum(), 8)
-                numpy.testing.assert_array_equal(end[::2, [2, 5]], end[1::2, [2, 5]])
+                # A contact that is alone is one force where that of two is followed: the same but for the
+                # rounding of a place in each step, which is an error of the speed by dt.
+                rounding = steps * numpy.finfo(float).eps * numpy.abs(end[:, 1:4]).max()
+                place, speed_error = numpy.abs(end[::2, [2, 5]] - end[1::2, [2, 5]]).max(axis=0)
+                self.assertLess(place, rounding)
+                self.assertLess(speed_error, rounding / dt)
 
 
 class Friction(EventWall):

@@ -132,7 +132,7 @@ class ManySpheres {
   void compute() {
     const int n = size();
     std::vector<Vector3> dv(n), dw(n), v = v_, w = w_;
-    std::vector<char> disturbed(n, 0), marked(n, 0);
+    std::vector<char> disturbed(n, 0), marked(n, 0), has_young(n, 0);
     std::vector<Followed<SIZE>> follow;
     const auto is_disturbed = [&](const Near& p) { return disturbed[p.i] || disturbed[p.j]; };
     const auto add_followed = [&](std::size_t k, const PairMotion& grid) {
@@ -142,7 +142,7 @@ class ManySpheres {
       give(p, contact_.owed<SIZE>(grid.relative, p.memory), v, w);
       followed++;
     };
-    std::vector<std::size_t> candidates;
+    std::vector<std::size_t> candidates, old;
     for (std::size_t k = 0; k < near_.size(); k++) {
       Near& p = near_[k];
       const PairMotion grid = motion(p, v_, w_);
@@ -152,11 +152,18 @@ class ManySpheres {
         p.memory = ContactMemory::seen_inside();
       const bool lasted = p.memory.phase == ContactMemory::lasting;
       Action action;
-      if (!lasted && contact_.can_last(grid.relative, p.memory)) {
+      if (!lasted && contact_.can_last(grid.relative, p.memory, true)) {
         candidates.push_back(k);
+        for (const int m : {p.i, p.j})
+          if (contact_.is_young(p.memory)) {
+            disturbed[m] |= has_young[m];
+            has_young[m] = 1;
+          }
+        if (!contact_.is_young(p.memory)) old.push_back(k);
       } else if (lasted &&
                  contact_.one_force().advance_lasting<SIZE>(grid, p.memory, action, nullptr)) {
         give(p, action, dv, dw);
+        old.push_back(k);
         lasting++;
       } else {
         if (lasted) contact_.one_force().end_lasting<SIZE>(grid, p.memory, nullptr);
@@ -165,6 +172,8 @@ class ManySpheres {
         add_followed(k, grid);
       }
     }
+    for (const std::size_t k : old)
+      for (const int m : {near_[k].i, near_[k].j}) disturbed[m] |= has_young[m];
     for (std::size_t k = 0; k < near_.size(); k++) {
       Near& p = near_[k];
       if (p.memory.phase != ContactMemory::lasting || !is_disturbed(p)) continue;

@@ -38,7 +38,7 @@ class PairOnGrid {
   void step() {
     const PairMotion grid = this->grid();
     const bool goes_on = memory.phase == ContactMemory::lasting;
-    const bool begins = !goes_on && contact.can_last(grid.relative, memory);
+    const bool begins = !goes_on && contact.can_last(grid.relative, memory, true);
     Action action;
     now = {};
     if (begins) energy = true_kinetic(memory) + sum(contact.stored(grid, memory)) + lost;
@@ -100,7 +100,8 @@ class PairOnGrid {
   }
   double true_kinetic(const ContactMemory& owing) const {
     PairOnGrid at = *this;
-    at.give(contact.template owed<SIZE>(grid().relative, owing));
+    const ContactMemory known = contact.one_force().template at_grid_point<SIZE>(grid(), owing);
+    at.give(contact.template owed<SIZE>(grid().relative, known));
     return at.kinetic();
   }
   void give(const Action& a) {
