@@ -136,7 +136,7 @@ struct StepContacts {
       if (memory.phase != ContactMemory::beyond ? !c.is_idle(grid.relative, memory, 0.0)
                                                 : c.within_reach(grid.relative, 0.0))
         step->disturb(i, j);
-      add_followed<SIZE>(c, {i, j, contact, history}, grid, memory);
+      add_followed<SIZE>(scatter, step, c, {i, j, contact, history}, grid, memory);
     }
     if (step->energy_tally.is_active()) {
       step->energy_tally.store(scatter.owned_fraction(j), c.stored(grid, memory));
@@ -168,11 +168,10 @@ struct StepContacts {
         ContactMemory memory = ContactMemory::from(p.history, SIZE);
         const PairMotion grid = grid_of(p);
         if (step->is_disturbed(p.i, p.j))
-          add_followed<SIZE>(c, p, grid, memory);
+          add_followed<SIZE>(scatter, step, c, p, grid, memory);
         else
           advance_lasting<SIZE>(scatter, step, c, p, grid, memory, on_impulse);
       }
-    begin_followed<SIZE>(scatter, step, all);
   }
 
   /// Adds what lasting contacts owe, and do, to particles that have a followed one.
@@ -229,19 +228,18 @@ struct StepContacts {
   template <int SIZE, class Contact>
   void predict(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
                const std::vector<Contact>& all) {
-    const auto fetch = [step](const FollowedContact& p) { fetch_motions(step, p); };
-    for_each_followed(fetch, [&](FollowedContact& p) {
+    for (FollowedContact& p : followed) {
       LAMMPS_NS::change(p.start.truth, step->owed(p.i), p.j >= 0 ? step->owed(p.j) : nullptr);
       const bool only = SIZE < HistorySize::with_rolling && step->has_one_contact(p.i) &&
                         (p.j < 0 || step->has_one_contact(p.j));
-      if (only) return;
+      if (only) continue;
       const Contact& c = all[p.contact];
       const auto f = c.template follow<SIZE>(p.start, {}, {}, p.in_range);
-      if (!f.normal.interacts) return;
+      if (!f.normal.interacts) continue;
       p.change = f.change;
       if constexpr (SIZE >= HistorySize::with_rolling) p.rolled = f.rolled();
       scatter.add_predicted(p.i, p.j, c, f.change);
-    });
+    }
   }
 
   /// The corrector: every followed contact with half of what the others do before it and half
@@ -251,7 +249,6 @@ struct StepContacts {
                const std::vector<Contact>& all, const OnImpulse& on_impulse) {
     using namespace cohesion::event_stepping;
     const auto fetch = [&](const FollowedContact& p) {
-      fetch_motions(step, p);
       cohesion::prefetch_numbers(p.history, SIZE);
       scatter.fetch(p.i, p.j);
     };
@@ -287,11 +284,6 @@ struct StepContacts {
       what(*p);
     }
   }
-  static void fetch_motions(const FixEventStep* step, const FollowedContact& p) {
-    step->fetch_motion(p.i);
-    if (p.j >= 0) step->fetch_motion(p.j);
-  }
-
   template <int SIZE, class Contact, class OnImpulse>
   bool advance_lasting(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
                        const Contact& c, const LastingContact& p, const PairMotion& grid,
@@ -328,11 +320,12 @@ struct StepContacts {
     c.one_force().template end_lasting<SIZE>(grid, memory,
                                              step->energy_tally.is_active() ? &lost : nullptr);
     step->energy_tally.add_losses(scatter.owned_fraction(p.j), lost, 0.0);
-    add_followed<SIZE>(c, p, grid, memory);
+    add_followed<SIZE>(scatter, step, c, p, grid, memory);
   }
 
   template <int SIZE, class Contact>
-  void add_followed(const Contact& c, const LastingContact& p, const PairMotion& grid,
+  void add_followed(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
+                    const Contact& c, const LastingContact& p, const PairMotion& grid,
                     const ContactMemory& memory) {
     FollowedContact& now = followed.add();
     now.i = p.i;
@@ -344,21 +337,11 @@ struct StepContacts {
     now.change = {};
     if constexpr (SIZE >= HistorySize::with_rolling) now.rolled = {};
     memory.to(p.history, SIZE);
-  }
-
-  /// Adds what followed contacts owe to their particles.
-  template <int SIZE, class Contact>
-  void begin_followed(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
-                      const std::vector<Contact>& all) {
-    const auto fetch = [step](const FollowedContact& p) { fetch_motions(step, p); };
-    for_each_followed(fetch, [&](const FollowedContact& p) {
-      step->add_followed(p.i);
-      if (p.j >= 0) step->add_followed(p.j);
-      scatter.add_owed(
-          p.i, p.j,
-          all[p.contact].template owed<SIZE>(p.start.truth.relative.separation, p.start.ahead,
-                                             ContactMemory::as_stored(p.history, SIZE)));
-    });
+    step->add_followed(p.i);
+    if (p.j >= 0) step->add_followed(p.j);
+    scatter.add_owed(
+        p.i, p.j,
+        c.template owed<SIZE>(now.start.truth.relative.separation, now.start.ahead, memory));
   }
 };
 

@@ -59,7 +59,6 @@ FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
       last_dt(0.0),
       last(lammps, LAST),
       other_forces(lammps, 3),
-      contacts(nullptr),
       inverse_mass(nullptr),
       longest_flight(0.0),
       unresolved(0.0),
@@ -78,7 +77,6 @@ FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
 FixEventStep::~FixEventStep() {
   atom->delete_callback(id, Atom::GROW);
   atom->delete_callback(id, Atom::RESTART);
-  memory->destroy(contacts);
   memory->destroy(inverse_mass);
 }
 
@@ -337,7 +335,8 @@ void FixEventStep::begin_step() {
   impulses.begin_step((starting ? 2.0 : 1.0) / update->dt,
                       energy_tally.is_active() ? Known::forces_and_torques : known);
   if (any_event_scheme) {
-    std::fill_n(contacts, all, 0);
+    std::fill_n(shares.begin(), all, Share{});
+    motion_count = 0;
     disturbed.assign(all, 0);
     if (only_event_contacts) has_young.assign(all, 0);
     any_young = false;

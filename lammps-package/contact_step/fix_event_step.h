@@ -173,9 +173,9 @@ class FixEventStep : public Fix {
   /// `predicted`. The first entry is what all forces but those of contacts do; ghosts have it from
   /// their owners.
   void add_followed(int i) {
-    if (contacts[i]++ != 0) return;
+    if (shares[i].contacts++ != 0) return;
     any_followed_now = true;
-    motions[i] = {};
+    add_motion(i);
     if (i >= atom->nlocal) {
       followed_ghosts.push_back(i);
       return;
@@ -213,19 +213,16 @@ class FixEventStep : public Fix {
   /// Whether any particle or ghost is.
   bool any_disturbed() const { return any_disturbed_now; }
   /// Counts one more contact of a particle that has a followed one.
-  void count_contact(int i) { contacts[i]++; }
+  void count_contact(int i) { shares[i].contacts++; }
   bool any_followed() const { return any_followed_now; }
   /// Whether particle or ghost i has a followed contact in this step.
-  bool is_followed(int i) const { return contacts[i] != 0; }
+  bool is_followed(int i) const { return shares[i].contacts != 0; }
   /// Whether i is a particle of this rank with one contact only.
-  bool has_one_contact(int i) const { return i < atom->nlocal && contacts[i] == 1; }
+  bool has_one_contact(int i) const { return i < atom->nlocal && shares[i].contacts == 1; }
 
   /// Of an atom or ghost with a followed contact (FollowedMotion).
-  double* owed(int i) { return motions[i].owed; }
-  double* predicted(int i) { return motions[i].predicted; }
-  void fetch_motion(int i) const {
-    cohesion::prefetch_numbers(motions[i].owed, FollowedMotion::OWED + FollowedMotion::PREDICTED);
-  }
+  double* owed(int i) { return motions[shares[i].motion].owed; }
+  double* predicted(int i) { return motions[shares[i].motion].predicted; }
   /// What contacts do in this step.
   ContactImpulses impulses;
   /// The energy of contacts.
@@ -271,6 +268,11 @@ class FixEventStep : public Fix {
   bool others_may_act() const;
   void save_other_forces();
 
+  void add_motion(int i) {
+    if (motion_count == motions.size()) motions.resize(2 * motion_count + 64);
+    motions[motion_count] = {};
+    shares[i].motion = static_cast<int>(motion_count++);
+  }
   static void add(double* to, const cohesion::Vector3& a) {
     to[0] += a.x;
     to[1] += a.y;
@@ -302,8 +304,14 @@ class FixEventStep : public Fix {
   bool any_other_forces = false;     // anything but contacts, likewise, where that matters
   bool only_event_contacts = false;  // neither that, nor sampled contacts
   bool other_forces_known = false;   // in `other_forces`, which is 0 otherwise
-  int* contacts;                     // per atom and ghost, this step
-  std::vector<FollowedMotion> motions;
+  /// What contacts of a particle or ghost share in this step: how many there are, if one is
+  /// followed, and the place of the FollowedMotion; -1: there is none.
+  struct Share {
+    int contacts = 0, motion = -1;
+  };
+  std::vector<Share> shares;
+  std::vector<FollowedMotion> motions;  // `motion_count` of them, in the order of the contacts
+  std::size_t motion_count = 0;
   std::vector<char> followed;  // per atom: 1 if it is, or 0; of ghosts what their owners sent
   std::vector<int> followed_ghosts;
   std::vector<char> disturbed;       // per atom and ghost: 1 with an event or a young contact, or 0

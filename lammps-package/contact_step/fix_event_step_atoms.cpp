@@ -51,14 +51,15 @@ void FixEventStep::unpack_forward_comm(int n, int first, double* buf) {
   for (int k = 0; k < n && *buf >= 0.0; k++) {
     const int i = first + static_cast<int>(*buf++);
     forwarded_flags[i] = 1;
+    // One that no contact of this process has may be passed on.
+    if (values_each > 0 && shares[i].motion < 0) add_motion(i);
     if (values_each > 0) std::copy_n(buf, values_each, (this->*forwarded_values)(i));
     buf += values_each;
   }
 }
 
 void FixEventStep::grow_arrays(int nmax) {
-  motions.resize(nmax);
-  memory->grow(contacts, nmax, "event_step:contacts");
+  shares.resize(nmax);
   if (last.has_room()) last.grow(nmax);
   other_forces.grow(nmax);
   memory->grow(inverse_mass, nmax, "event_step:inverse_mass");
@@ -128,8 +129,8 @@ int FixEventStep::maxsize_restart() { return last.size_restart(); }
 int FixEventStep::size_restart(int) { return last.size_restart(); }
 
 double FixEventStep::memory_usage() {
-  return (sizeof(double) + sizeof(int) + sizeof(FollowedMotion)) * atom->nmax + impulses.bytes() +
-         static_cast<double>(disturbed.capacity() + followed.capacity()) +
+  return (sizeof(double) + sizeof(Share)) * atom->nmax + sizeof(FollowedMotion) * motions.size() +
+         impulses.bytes() + static_cast<double>(disturbed.capacity() + followed.capacity()) +
          static_cast<double>(sizeof(int)) * followed_ghosts.capacity() +
          sizeof(double) * known_masses.capacity() + other_forces.bytes() + last.bytes() +
          energy_tally.bytes();
