@@ -83,11 +83,12 @@ class LastingNormal {
     bool lasts;     ///< whether the contact certainly lasts for the step
   };
   [[gnu::always_inline]] Force force(const Sample& s) const {
-    const double grows = curvature_ * s.stretch + kept_ * s.gone;
-    const double next = grows - s.bent * (1.0 - grows * s.inverse);  // way along the normal
-    const double end = s.overlap - next - 2.0 * s.bent;              // overlap, predicted
-    return {next * inverse_step_ - s.radial,
-            s.overlap > 0.0 && s.overlap > s.way && end > certain * std::abs(s.way)};
+    return force(s, curvature_ * s.stretch + kept_ * s.gone);
+  }
+  /// The first one, of a pair on which nothing else acts, from the true radial velocity at the grid
+  /// point, which is `ahead` more than that of the half step before.
+  Force first_force(const Sample& s, double ahead) const {
+    return force(s, (1.0 - propagator_.xx) * s.stretch + propagator_.xv * (s.radial + ahead));
   }
   /// The force of spring and dashpot where the radial velocity changes by `change` in a step,
   /// [force].
@@ -111,6 +112,14 @@ class LastingNormal {
  private:
   /// The fraction of the way of a step that the predicted overlap must exceed.
   static constexpr double certain = 0.1;
+
+  /// That by which the distance `grows` in the step.
+  [[gnu::always_inline]] Force force(const Sample& s, double grows) const {
+    const double next = grows - s.bent * (1.0 - grows * s.inverse);  // way along the normal
+    const double end = s.overlap - next - 2.0 * s.bent;              // overlap, predicted
+    return {next * inverse_step_ - s.radial,
+            s.overlap > 0.0 && s.overlap > s.way && end > certain * std::abs(s.way)};
+  }
 
   /// Of the overlap, at the grid point before and at this one.
   struct Rates {

@@ -33,8 +33,8 @@ class OneForce {
   bool is_young(const ContactMemory& memory) const { return memory.age < youth_; }
 
   /// Whether a contact of one force certainly lasts for the step.
-  bool lasts(const RelativeState& grid) const {
-    return steady_ && normal_.force(normal_.at(grid)).lasts;
+  bool lasts(const RelativeState& grid, const ContactMemory& memory) const {
+    return steady_ && force(normal_.at(grid), memory).lasts;
   }
   /// The true radial velocity at the grid point, less that of the half step before.
   double ahead(const RelativeState& grid) const { return normal_.ahead(normal_.at(grid)); }
@@ -46,8 +46,8 @@ class OneForce {
   [[gnu::always_inline]] bool advance_lasting(const PairMotion& grid, ContactMemory& memory,
                                               Action& action, ContactLosses* losses) const {
     const LastingNormal::Sample now = normal_.at(grid.relative);
-    const LastingNormal::Force normal = normal_.force(now);
     const bool lasted = memory.phase == ContactMemory::lasting;
+    const LastingNormal::Force normal = force(now, memory);
     const double ahead = memory.ahead;
     action = {(reduced_mass_ * normal.change * now.inverse) * grid.relative.separation, {}, {}};
     ContactMemory before;
@@ -153,6 +153,14 @@ class OneForce {
 
  private:
   using Touch = ContactBodies::Touch;
+
+  /// A young contact begins from its true velocity: at the grid point before it may have been
+  /// apart. An old one, beside others of one force, from where it was.
+  [[gnu::always_inline]] LastingNormal::Force force(const LastingNormal::Sample& now,
+                                                    const ContactMemory& memory) const {
+    return memory.lasted() || !is_young(memory) ? normal_.force(now)
+                                                : normal_.first_force(now, memory.ahead);
+  }
 
   /// Adds what a young contact lost more since the last grid point than its springs say.
   template <int SIZE>

@@ -123,13 +123,13 @@ class TwoPassContact {
   /// Whether a contact is young: one force is exact for it only where nothing else acts on both
   /// particles.
   bool is_young(const ContactMemory& memory) const { return one_force_.is_young(memory); }
-  /// Whether a contact certainly lasts for the step, and has for one before, so that both places
-  /// that one force takes are of its swing. `alone`: a young one may; beside a wall only where that
-  /// is flat and does not change its velocity.
+  /// Whether a contact may be of one force from now on, and certainly lasts for the step. `alone`:
+  /// a young one may, if it is known how it began; beside a wall only where that is flat and does
+  /// not change its velocity.
   bool can_last(const RelativeState& grid, const ContactMemory& memory, bool alone) const {
-    if (memory.phase != ContactMemory::inside || memory.age < 1.0) return false;
-    if (is_young(memory) && !alone) return false;
-    return one_force_.lasts(grid);
+    if (memory.phase != ContactMemory::inside) return false;
+    if (is_young(memory) && (!alone || memory.age < 0.0)) return false;
+    return one_force_.lasts(grid, memory);
   }
 
   /// What leads from the motion on the grid to the true one at this grid point.

@@ -16,6 +16,7 @@ class PairOnGrid {
   Vector3 x[2]{}, v[2]{}, spin[2]{};
   ContactMemory memory{};
   FollowedStep<SIZE> followed{};  ///< the last step that was followed
+  bool alone = true;              ///< a young contact may last
   bool lasted = false;            ///< the last step was of one force
   ContactLosses now{};            ///< of the last step
   double lost = 0.0;
@@ -38,7 +39,7 @@ class PairOnGrid {
   void step() {
     const PairMotion grid = this->grid();
     const bool goes_on = memory.phase == ContactMemory::lasting;
-    const bool begins = !goes_on && contact.can_last(grid.relative, memory, true);
+    const bool begins = !goes_on && contact.can_last(grid.relative, memory, alone);
     Action action;
     now = {};
     if (begins) energy = true_kinetic(memory) + sum(contact.stored(grid, memory)) + lost;
