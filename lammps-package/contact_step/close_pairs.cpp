@@ -7,6 +7,7 @@
 
 #include "atom.h"
 #include "box_shear.h"
+#include "domain.h"
 #include "neigh_list.h"
 #include "neighbor.h"
 #include "prefetch.h"
@@ -18,9 +19,10 @@ void ClosePairs::start(double allowed) {
   positions_.clear();
 }
 
-void ClosePairs::update(const NeighList& list, double reach, int** has_history) {
+void ClosePairs::update(const NeighList& list, double reach, double travelled, int** has_history) {
   const bool new_list = neighbor->ago == 0;
-  if (new_list || positions_.empty() || reach + come_closer() > allowed_)
+  travelled_ += travelled;
+  if (new_list || positions_.empty() || may_have_come(reach))
     find(list, new_list ? has_history : nullptr);
   reach_ = reach;
 }
@@ -49,6 +51,15 @@ NearPair* ClosePairs::find_near(const ClosePair* first, const ClosePair* stop,
   return last;
 }
 
+/// Whether a pair that is not known may have come as near as `reach`. Where neither radii nor the
+/// box have changed, what the fastest has travelled answers that for most steps.
+bool ClosePairs::may_have_come(double reach) const {
+  const bool as_found = !domain->box_change && std::memcmp(atom->radius, radii_.data(),
+                                                           radii_.size() * sizeof(double)) == 0;
+  if (as_found && reach + 2.0 * travelled_ <= allowed_) return false;
+  return reach + come_closer() > allowed_;
+}
+
 /// By how much the gap of a pair may have shrunk since the pairs were found, [length].
 double ClosePairs::come_closer() const {
   const double* const now = atom->x[0];
@@ -60,9 +71,7 @@ double ClosePairs::come_closer() const {
                  dz = now[k + 2] - then[k + 2];
     furthest = std::max(furthest, dx * dx + dy * dy + dz * dz);
   }
-  if (std::memcmp(radius, radii_.data(), radii_.size() * sizeof(double)) != 0)
-    for (std::size_t i = 0; i < radii_.size(); i++)
-      growth = std::max(growth, radius[i] - radii_[i]);
+  for (std::size_t i = 0; i < radii_.size(); i++) growth = std::max(growth, radius[i] - radii_[i]);
   return 2.0 * (std::sqrt(furthest) + growth);
 }
 
@@ -70,6 +79,7 @@ double ClosePairs::come_closer() const {
 /// or grown.
 void ClosePairs::find(const NeighList& list, int** has_history) {
   count_ = 0;
+  travelled_ = 0.0;
   positions_.clear();
   if (atom->nlocal + atom->nghost == 0) return;
   const int movers = number_of_movers(lmp);

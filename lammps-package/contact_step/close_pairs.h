@@ -37,7 +37,7 @@ struct NearPair {
 /// grown so far that others could come as near as is asked for.
 class ClosePairs : protected Pointers {
  public:
-  explicit ClosePairs(LAMMPS* lammps) : Pointers(lammps), allowed_(0.0), reach_(0.0), count_(0) {}
+  explicit ClosePairs(LAMMPS* lammps) : Pointers(lammps) {}
 
   /// Before a run: the engine's list has every pair with a gap up to `allowed` [length].
   void start(double allowed);
@@ -45,8 +45,9 @@ class ClosePairs : protected Pointers {
 
   /// Finds the pairs of `list` whose gap is below `reach` [length], which is at most allowed(),
   /// unless they are known. When the engine's list is new, pairs that are not close lose the mark
-  /// `has_history` (by particle and place in its list of neighbours).
-  void update(const class NeighList& list, double reach, int** has_history);
+  /// `has_history` (by particle and place in its list of neighbours). `travelled` [length]: at most
+  /// what a particle has moved by since the last call.
+  void update(const class NeighList& list, double reach, double travelled, int** has_history);
 
   /// Calls what(NearPair) for the pairs that have a history or a gap below `reach`, in the order of
   /// the list; some at a time, whose memory, which lies far apart, is fetched meanwhile.
@@ -67,14 +68,16 @@ class ClosePairs : protected Pointers {
 
   NearPair* find_near(const ClosePair* first, const ClosePair* stop, const RememberedPairs& known,
                       NearPair* near) const;
+  bool may_have_come(double reach) const;
   double come_closer() const;
   void find(const NeighList&, int** has_history);
   static void forget_others(int* has_history, int count, const ClosePair* near,
                             const ClosePair* end);
 
-  double allowed_;
-  double reach_;
-  std::size_t count_;
+  double allowed_ = 0.0;
+  double reach_ = 0.0;
+  double travelled_ = 0.0;  // at most, by a particle, since the pairs were found
+  std::size_t count_ = 0;
   std::vector<ClosePair> pairs_;   // the first `count_` of these
   std::vector<double> radii_;      // per atom and ghost, when the pairs were found
   std::vector<double> positions_;  // the same; empty: not found yet

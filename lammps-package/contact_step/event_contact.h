@@ -77,9 +77,10 @@ struct LastingContact {
 };
 
 /// A contact that begins to act by one force: in that step its springs in the plane of contact have
-/// another impulse than lasting_action() gives.
+/// another impulse than lasting_action() gives, and what it owes is what the followed step left.
 struct BegunContact {
   LastingContact contact;
+  cohesion::event_stepping::ContactMemory before;
   cohesion::event_stepping::Action action;
 };
 
@@ -185,11 +186,11 @@ struct StepContacts {
     };
     for_each_lasting<SIZE>(
         all, grid_of, beside,
-        [&](const LastingContact& p, const ContactMemory& memory, const PairMotion& grid,
-            const auto& action) {
+        [&](const LastingContact& p, const ContactMemory& before, const ContactMemory& memory,
+            const PairMotion& grid, const auto& action) {
           const bool i = step->is_followed(p.i), j = p.j >= 0 && step->is_followed(p.j);
           const Contact& c = all[p.contact];
-          const Action owed = c.template owed<SIZE>(grid.relative, memory);
+          const Action owed = c.template owed<SIZE>(grid.relative, before);
           const PairMotion does = c.template lasting_change<SIZE>(grid, action(), owed, memory);
           if (i) {
             step->count_contact(p.i);
@@ -204,8 +205,8 @@ struct StepContacts {
         });
   }
 
-  /// Calls what(contact, memory, grid, action) for the contacts that act by one force and are
-  /// `wanted`; action(): what they do.
+  /// Calls what(contact, before, memory, grid, action) for the contacts that act by one force and
+  /// are `wanted`; before: what tells what they owe; action(): what they do.
   template <int SIZE, class Contact, class GridOf, class Wanted, class What>
   void for_each_lasting(const std::vector<Contact>& all, const GridOf& grid_of,
                         const Wanted& wanted, const What& what) const {
@@ -215,13 +216,13 @@ struct StepContacts {
       const ContactMemory memory = ContactMemory::as_stored(p.history, SIZE);
       if (memory.phase != ContactMemory::lasting) continue;
       const PairMotion grid = grid_of(p);
-      what(p, memory, grid,
+      what(p, memory, memory, grid,
            [&] { return all[p.contact].one_force().template lasting_action<SIZE>(grid, memory); });
     }
     for (const BegunContact& b : begun)
       if (wanted(b.contact))
-        what(b.contact, ContactMemory::as_stored(b.contact.history, SIZE), grid_of(b.contact),
-             [&] { return b.action; });
+        what(b.contact, b.before, ContactMemory::as_stored(b.contact.history, SIZE),
+             grid_of(b.contact), [&] { return b.action; });
   }
 
   /// The predictor: every followed contact by itself.
@@ -290,6 +291,7 @@ struct StepContacts {
                        ContactMemory& memory, const OnImpulse& on_impulse) {
     using namespace cohesion::event_stepping;
     const bool lasted = memory.phase == ContactMemory::lasting;
+    const ContactMemory before = memory;
     Action action;
     ContactLosses lost;
     ContactLosses* const losses = step->energy_tally.is_active() ? &lost : nullptr;
@@ -301,7 +303,7 @@ struct StepContacts {
     if (lasted)
       lasting.add() = p;
     else
-      begun.push_back({p, action});
+      begun.push_back({p, before, action});
     scatter.apply(p.i, p.j, action);
     on_impulse(p.j, grid, action.impulse, [&] { return c.by_contact(grid, action); }, 1.0);
     return true;

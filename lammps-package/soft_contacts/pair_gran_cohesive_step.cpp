@@ -110,7 +110,8 @@ void PairGranCohesive<Cohesion>::find_close() {
                coefficients.where(), step->flight(),
                (close_pairs.allowed() - largest_range) / flights, 20.0 * step->flight(),
                report_fastest(lmp));
-  close_pairs.update(*list, reach, history->firstflag);
+  // A flight is of half a step.
+  close_pairs.update(*list, reach, 2.0 * step->flight(), history->firstflag);
 }
 
 /// Calls what(i, j, has_history, history) for the pairs that may touch in this step.
@@ -198,8 +199,8 @@ void PairGranCohesive<Cohesion>::compute_forces(Contacts<EventContact>& contacts
     contacts_now.for_each_lasting<SIZE>(
         contacts.all, [this](const LastingContact& p) { return particles().motion(p.i, p.j); },
         [](const LastingContact&) { return true; },
-        [&](const LastingContact& p, const ContactMemory& known, const PairMotion& grid,
-            const auto& action) {
+        [&](const LastingContact& p, const ContactMemory&, const ContactMemory& known,
+            const PairMotion& grid, const auto& action) {
           tally(p.i, p.j, grid.relative.separation,
                 energy(contacts.all[p.contact].stored(grid, known)), action().impulse);
         });

@@ -19,9 +19,15 @@ class ParticleDrag {
  public:
   ParticleDrag(double coefficient, double mass, double dt) : coefficient_(coefficient) {
     const double x = coefficient * dt / mass;
-    phi_ = x > 0.0 ? -std::expm1(-x) / x : 1.0;
-    // phi - 1 loses its digits for small x; its series does not.
-    phi_minus_one_ = x < 1e-4 ? -x * (0.5 - x * (1.0 / 6.0 - x / 24.0)) : phi_ - 1.0;
+    if (x < 1e-3) {
+      // phi - 1 loses its digits for small x; its series, the next term of which is below them,
+      // does not, and takes no exponential.
+      phi_minus_one_ = -x * (0.5 - x * (1.0 / 6.0 - x * (1.0 / 24.0 - x / 120.0)));
+      phi_ = 1.0 + phi_minus_one_;
+    } else {
+      phi_ = -std::expm1(-x) / x;
+      phi_minus_one_ = phi_ - 1.0;
+    }
     half_change_ = 0.5 * x * phi_;
   }
 
