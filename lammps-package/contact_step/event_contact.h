@@ -235,6 +235,10 @@ struct StepContacts {
                         (p.j < 0 || step->has_one_contact(p.j));
       if (only) continue;
       const Contact& c = all[p.contact];
+      if (p.in_range && c.template predict_lasting<SIZE>(p.start, p.change)) {
+        scatter.add_predicted(p.i, p.j, c, p.change);
+        continue;
+      }
       const auto f = c.template follow<SIZE>(p.start, {}, {}, p.in_range);
       if (!f.normal.interacts) continue;
       p.change = f.change;

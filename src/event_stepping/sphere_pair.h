@@ -73,6 +73,19 @@ class SpherePair {
     return taken;
   }
 
+  /// Advances a contact that certainly lasts for all of `time`, as most contacts in most steps, as
+  /// advance_inside() does. Returns false, and does nothing, where that is not certain.
+  bool advance_lasting(RelativeState& now, double time, double& overlap,
+                       NormalRecord& record) const {
+    Start start = along_normal(now);
+    Overlap surface = start.surface;
+    double integral = 0.0;
+    if (!motion_.advance_lasting(surface, time, start.centrifugal, integral, record)) return false;
+    overlap = surface.x;
+    rotate(now, start, surface, time, integral);
+    return true;
+  }
+
  private:
   /// A pair flies in, turns and flies out again; more often only by rounding at a grazed edge.
   static constexpr int max_segments = 100;
@@ -98,19 +111,6 @@ class SpherePair {
             sideways_squared,
             leverage * leverage * sideways_squared * inverse_distance_,
             {contact_distance_ - distance, -radial}};
-  }
-
-  /// Advances a contact that certainly lasts for all of `time`, as most contacts in most steps, as
-  /// advance_inside() does. Returns false, and does nothing, where that is not certain.
-  bool advance_lasting(RelativeState& now, double time, double& overlap,
-                       NormalRecord& record) const {
-    Start start = along_normal(now);
-    Overlap surface = start.surface;
-    double integral = 0.0;
-    if (!motion_.advance_lasting(surface, time, start.centrifugal, integral, record)) return false;
-    overlap = surface.x;
-    rotate(now, start, surface, time, integral);
-    return true;
   }
 
   /// Turns the pair by the angle L times the integral of 1/(R - x)^2, through the tangent of half

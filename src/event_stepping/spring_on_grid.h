@@ -132,6 +132,11 @@ class SpringOnGrid {
     return step;
   }
 
+  /// The impulse of follow() in a step that is contact throughout, of a stretch in the plane.
+  Vector3 impulse(const Vector3& stretch, const Vector3& rate, double repulsion) const {
+    return law_.impulse(stretch, rate, step_, inverse_mass_, repulsion);
+  }
+
   /// (w dt)^2 of one force by itself, and what its dashpot is as good as.
   double frequency_squared() const {
     if (!is_present()) return 0.0;

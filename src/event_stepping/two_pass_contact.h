@@ -183,6 +183,33 @@ class TwoPassContact {
     return start;
   }
 
+  /// The predictor of a contact that certainly lasts for the step: what follow() says it changes by
+  /// itself, to second order in its turning, and nothing that only the corrector is to know. False:
+  /// it is not certain, or the contact rolls.
+  template <int SIZE>
+  bool predict_lasting(const FollowedStart& start, PairMotion& change) const {
+    if constexpr (!std::is_same_v<Pair, SpherePair> || SIZE >= ContactMemory::with_rolling) {
+      return false;
+    } else {
+      const RelativeState& at = start.truth.relative;
+      RelativeState end = at;
+      double overlap;
+      NormalRecord normal;
+      if (!pair_.advance_lasting(end, step_, overlap, normal)) return false;
+      change.relative = {end.separation - at.separation - step_ * at.velocity,
+                         end.velocity - at.velocity};
+      if constexpr (SIZE >= ContactMemory::with_friction) {
+        const Touch touch(bodies_, 0.5 * (at.separation + end.separation));
+        const Vector3 slides = touch.sliding_velocity(at.velocity + 0.5 * change.relative.velocity,
+                                                      start.truth.spin_i, start.truth.spin_j);
+        const Vector3 impulse = one_force_.sliding().impulse(touch.plane().part_in(start.sliding),
+                                                             slides, normal.repulsion_impulse);
+        add_sliding(touch, impulse, change);
+      }
+      return true;
+    }
+  }
+
   /// A step of any kind. `others`: D, V and spins of all other contacts of both particles (none in
   /// the predictor); `rolled`: what the contact's own rolling spring did in the predictor.
   template <int SIZE>
@@ -196,6 +223,10 @@ class TwoPassContact {
     const Vector3 shift = others.relative.separation - half * by_others;
     const RelativeState middle{s + normal_part(s, half * v + 0.5 * shift), v + 0.5 * by_others};
     FollowedStep<SIZE> f{};
+    if (!in_range && !pair_.within_reach(middle, {half, half})) {
+      f.normal.interacts = false;
+      return f;
+    }
     f.normal = pair_.advance(middle, {half, half}, in_range);
     if (!f.normal.interacts) return f;
     const RelativeState& did = f.normal.change;
@@ -211,12 +242,7 @@ class TwoPassContact {
                                               0.5 * touch.plane().part_in(shift), slides, f.normal,
                                               f.sliding_rate);
       const Vector3& impulse = f.sliding.impulse;
-      f.change.relative.separation += (half * inverse_mass_) * impulse;
-      f.change.relative.velocity += inverse_mass_ * impulse;
-      Action turning;
-      touch.add_sliding_impulse(impulse, turning);
-      f.change.spin_i = bodies_.inverse_inertia_i() * turning.torque_i;
-      f.change.spin_j = bodies_.inverse_inertia_j() * turning.torque_j;
+      add_sliding(touch, impulse, f.change);
       if constexpr (SIZE >= ContactMemory::with_rolling) {
         const Vector3 rolls =
             touch.rolling_velocity(spin_i + 0.5 * f.change.spin_i, spin_j + 0.5 * f.change.spin_j);
@@ -349,6 +375,18 @@ class TwoPassContact {
       now.rolling = touch.plane().turned_into(memory.rolling.stretch) +
                     step_ * touch.rolling_velocity(grid.spin_i, grid.spin_j);
     return now;
+  }
+
+  /// Adds what an impulse in the plane of contact, in the middle of the step, does in it, to a
+  /// change that has no spins yet.
+  [[gnu::always_inline]] void add_sliding(const Touch& touch, const Vector3& impulse,
+                                          PairMotion& change) const {
+    change.relative.separation += (0.5 * step_ * inverse_mass_) * impulse;
+    change.relative.velocity += inverse_mass_ * impulse;
+    Action turning;
+    touch.add_sliding_impulse(impulse, turning);
+    change.spin_i = bodies_.inverse_inertia_i() * turning.torque_i;
+    change.spin_j = bodies_.inverse_inertia_j() * turning.torque_j;
   }
 
   /// What is remembered of a spring after a followed step: as if it had grown evenly.

@@ -115,7 +115,8 @@ class DragStiffness(CoupledTestCase):
             what = f"form {form}, density ratio {ratio:g}"
             case, log = solve(self.column, f"viscous-{form}-{ratio:g}", s)
             middle, end = (np.abs(cells(case, time, "p")).max() for time in (times()[STEPS // 2 - 1], times()[-1]))
-            self.expect_equal(f"{what}: the pressure of waves grows", bool(end > 10 * middle), grow)
+            # What does not grow is the round-off of two moments, tens of times apart by chance.
+            self.expect_equal(f"{what}: the pressure of waves grows", bool(end > 1000 * middle), grow)
             self.expect_equal(f"{what}: times that it is said", log.count("waves of particles that are free"),
                               int(grow))
             if grow:

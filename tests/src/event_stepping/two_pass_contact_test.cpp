@@ -130,6 +130,49 @@ TEST(TwoPassContact, TheDashpotOfALastingContactTakesTheEnergyOfItsSwing) {
   }
 }
 
+TEST(TwoPassContact, PredictorOfALastingContactIsWhatIsFollowed) {
+  std::mt19937 random(11);
+  int lasted = 0, slid = 0;
+  for (int n = 0; n < 400; n++) {
+    contact::ContactParameters p = thesis::contact();
+    p.friction = uniform(random, 0.05, 1.0);
+    const double dt = thesis::contact_time / uniform(random, 5.0, 30.0);
+    const Body i{0.5e-3, 1.0 / thesis::mass}, j{0.8e-3, 1.0 / (4.1 * thesis::mass)};
+    const TwoPassContact<SpherePair> contact(p, thesis::adhesion(2e-18), i, j, dt);
+    const auto any = [&](double size) {
+      return Vector3{uniform(random, -size, size), uniform(random, -size, size),
+                     uniform(random, -size, size)};
+    };
+    const double distance = i.radius + j.radius - uniform(random, 0.0, 5e-6);
+    const PairMotion motion{{{distance, 0.0, 0.0}, any(0.2)}, any(100.0), any(100.0)};
+    const Vector3 stretch{0.0, uniform(random, -1e-6, 1e-6), uniform(random, -1e-6, 1e-6)};
+    const FollowedStart start{motion, stretch, {}, 0.0};
+    PairMotion found;
+    if (!contact.predict_lasting<ContactMemory::with_friction>(start, found)) continue;
+    const auto f = contact.follow<ContactMemory::with_friction>(start, {}, {}, true);
+    ASSERT_TRUE(f.normal.inside);
+    ASSERT_EQ(f.normal.normal.contact_time, dt);
+    lasted++;
+    slid += f.sliding.friction > 0.0;
+    // The plane of contact is that of another moment of the step, by at most the square of the
+    // whole turning: so much of the stretch, of the rate at which surfaces slide, of the limit and
+    // of the impulse is another, each by at most that part of all speeds.
+    const Vector3& v = motion.relative.velocity;
+    const double turned = norm(v) * dt / distance;
+    const double speed = norm(v) + i.radius * norm(motion.spin_i) + j.radius * norm(motion.spin_j) +
+                         800.0 / thesis::reduced_mass * norm(stretch) * dt;
+    const double most = 4.0 * turned * turned * speed;
+    const PairMotion& expected = f.change;
+    EXPECT_LT(norm(found.relative.velocity - expected.relative.velocity), most);
+    EXPECT_LT(norm(found.relative.separation - expected.relative.separation), most * dt);
+    EXPECT_LT(norm(found.spin_i - expected.spin_i), 2.5 * most / i.radius);
+    EXPECT_LT(norm(found.spin_j - expected.spin_j), 2.5 * most / j.radius);
+  }
+  EXPECT_GT(lasted, 100);
+  EXPECT_GT(slid, 20);
+  EXPECT_LT(slid, lasted - 20);
+}
+
 TEST(TwoPassContact, SlidingImpactsObeyTheHardSphereLaw) {
   // Walton: tangential impulse mu_f times the normal one, which is mu (1 + e) v_n.
   const double angle = 80.0 * pi / 180.0, speed = 0.01, friction = 0.1;
