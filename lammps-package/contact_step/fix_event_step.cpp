@@ -139,11 +139,17 @@ void FixEventStep::init() {
   any_event_scheme = std::any_of(styles.begin(), styles.end(),
                                  [](const EventContacts* some) { return some->is_event_scheme(); });
   any_other_forces = any_event_scheme && others_may_act();
-  only_event_contacts =
-      !any_other_forces && std::all_of(styles.begin(), styles.end(), [](const EventContacts* some) {
-        return some->is_event_scheme() || !some->may_have_contacts();
-      });
+  only_event_contacts = !any_other_forces && !any_driven() &&
+                        std::all_of(styles.begin(), styles.end(), [](const EventContacts* some) {
+                          return some->is_event_scheme() || !some->may_have_contacts();
+                        });
   warn_of_unturned_once();
+}
+
+/// Whether particles may change their velocities as they are told.
+bool FixEventStep::any_driven() const {
+  return std::any_of(modify->fix, modify->fix + modify->nfix,
+                     [](const Fix* fix) { return utils::strmatch(fix->style, "^move"); });
 }
 
 /// Whether anything but contacts may act on a particle.

@@ -200,7 +200,8 @@ class FixEventStep : public Fix {
     add_young(i);
     if (j >= 0) add_young(j);
   }
-  /// Where a young contact may be alone: nothing but contacts of the event scheme acts in this run.
+  /// Where a young contact may be alone: nothing but contacts of the event scheme changes
+  /// velocities in this run.
   bool only_contacts_act() const { return only_event_contacts; }
   /// Disturbs those of two particles with another contact that have a young one; j < 0: a wall.
   void disturb_if_young(int i, int j) {
@@ -265,6 +266,7 @@ class FixEventStep : public Fix {
     has_young[i] = 1;
   }
   void warn_of_unturned_once();
+  bool any_driven() const;
   bool others_may_act() const;
   void save_other_forces();
 
@@ -302,7 +304,7 @@ class FixEventStep : public Fix {
   bool predictor_due = false;  // in this step: run_corrector()
   bool any_event_scheme = false;     // any style, in this run
   bool any_other_forces = false;     // anything but contacts, likewise, where that matters
-  bool only_event_contacts = false;  // neither that, nor sampled contacts
+  bool only_event_contacts = false;  // neither that, nor sampled contacts, nor driven particles
   bool other_forces_known = false;   // in `other_forces`, which is 0 otherwise
   /// What contacts of a particle or ghost share in this step: how many there are, if one is
   /// followed, and the place of the FollowedMotion; -1: there is none.

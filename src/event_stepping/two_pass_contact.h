@@ -124,8 +124,8 @@ class TwoPassContact {
   /// particles.
   bool is_young(const ContactMemory& memory) const { return one_force_.is_young(memory); }
   /// Whether a contact may be of one force from now on, and certainly lasts for the step. `alone`:
-  /// a young one may, if it is known how it began; beside a wall only where that is flat and does
-  /// not change its velocity.
+  /// a young one may, if it is known how it began; where a sphere or wall moves as it is told, only
+  /// if its velocity does not change, and of walls only at flat ones.
   bool can_last(const RelativeState& grid, const ContactMemory& memory, bool alone) const {
     if (memory.phase != ContactMemory::inside) return false;
     if (is_young(memory) && (!alone || memory.age < 0.0)) return false;
