@@ -19,34 +19,46 @@ void ClosePairs::start(double allowed) {
   positions_.clear();
 }
 
-void ClosePairs::update(const NeighList& list, double reach, double travelled, int** has_history) {
+void ClosePairs::update(const NeighList& list, double reach, double travelled,
+                        const RememberedPairs& known) {
   const bool new_list = neighbor->ago == 0;
   travelled_ += travelled;
-  if (new_list || positions_.empty() || may_have_come(reach))
-    find(list, new_list ? has_history : nullptr);
+  if (new_list || positions_.empty() || may_have_come(reach)) find(list, known, new_list);
   reach_ = reach;
 }
 
+inline bool ClosePairs::is_near(const ClosePair& p, const double* x, const double* radius) const {
+  const double dx = x[3 * p.j] - x[3 * p.i], dy = x[3 * p.j + 1] - x[3 * p.i + 1],
+               dz = x[3 * p.j + 2] - x[3 * p.i + 2];
+  const double reach = radius[p.i] + radius[p.j] + reach_;
+  return dx * dx + dy * dy + dz * dz <= 1.0002 * reach * reach;
+}
+
 /// Puts the near ones of some close pairs into `near`, and returns their end.
-NearPair* ClosePairs::find_near(const ClosePair* first, const ClosePair* stop,
-                                const RememberedPairs& known, NearPair* near) const {
+const ClosePair** ClosePairs::find_near(const ClosePair* first, const ClosePair* stop,
+                                        const ClosePair** near) const {
   const double* const x = atom->x[0];
   const double* const radius = atom->radius;
-  NearPair* last = near;
-  for (const ClosePair* p = first; p != stop; p++) {
-    const int i = p->i, j = p->j;
-    const double dx = x[3 * j] - x[3 * i], dy = x[3 * j + 1] - x[3 * i + 1],
-                 dz = x[3 * j + 2] - x[3 * i + 2];
-    const double reach = radius[i] + radius[j] + reach_;
-    int* const marked = known.has_history[i] + p->place;
-    *last = {i, j, marked, known.history[i] + known.each * p->place};
-    // No branch: which pairs are near cannot be predicted.
-    last += (*marked != 0) | (dx * dx + dy * dy + dz * dz <= 1.0002 * reach * reach);
+  const ClosePair** last = near;
+  const double* const v = atom->v[0];
+  const double* const spin = atom->omega[0];
+  if (most_remembered_) {  // as in packings, whose histories are one after the other
+    for (const ClosePair* p = first; p != stop; p++) {
+      cohesion::prefetch_line(x + 3 * p->j);
+      cohesion::prefetch_line(v + 3 * p->j);
+      cohesion::prefetch_line(spin + 3 * p->j);
+      if (*p->has_history || is_near(*p, x, radius)) *last++ = p;
+    }
+    return last;
   }
-  for (const NearPair* p = near; p != last; p++) {
-    cohesion::prefetch_numbers(p->history, known.each);
-    cohesion::prefetch_numbers(atom->v[0] + 3 * p->j, 3);
-    cohesion::prefetch_numbers(atom->omega[0] + 3 * p->j, 3);
+  for (const ClosePair* p = first; p != stop; p++) {
+    *last = p;  // no branch: which pairs are near cannot be predicted
+    last += (*p->has_history != 0) | is_near(*p, x, radius);
+  }
+  for (const ClosePair** p = near; p != last; p++) {
+    cohesion::prefetch_numbers((*p)->history, each_);
+    cohesion::prefetch_numbers(v + 3 * (*p)->j, 3);
+    cohesion::prefetch_numbers(spin + 3 * (*p)->j, 3);
   }
   return last;
 }
@@ -77,8 +89,9 @@ double ClosePairs::come_closer() const {
 
 /// The pairs whose gap is below `allowed`: all others are too far apart until particles have moved
 /// or grown.
-void ClosePairs::find(const NeighList& list, int** has_history) {
+void ClosePairs::find(const NeighList& list, const RememberedPairs& known, bool new_list) {
   count_ = 0;
+  each_ = known.each;
   travelled_ = 0.0;
   positions_.clear();
   if (atom->nlocal + atom->nghost == 0) return;
@@ -103,19 +116,23 @@ void ClosePairs::find(const NeighList& list, int** has_history) {
       const double dy = x[3 * j + 1] - yi;
       const double dz = x[3 * j + 2] - zi;
       const double near = near_i + radius[j];
-      *last = {i, j, jj};  // no branch: which pairs are near cannot be predicted
+      // No branch: which pairs are near cannot be predicted.
+      *last = {i, j, known.has_history[i] + jj, known.history[i] + known.each * jj};
       last += dx * dx + dy * dy + dz * dz <= near * near;
     }
     count_ = last - pairs_.data();
-    if (has_history) forget_others(has_history[i], count, first, last);
+    if (new_list) forget_others(known.has_history[i], count, first, last);
   }
+  const auto remembered = std::count_if(pairs_.begin(), pairs_.begin() + count_,
+                                        [](const ClosePair& p) { return *p.has_history != 0; });
+  most_remembered_ = 2 * static_cast<std::size_t>(remembered) > count_;
 }
 
 /// Only a particle that was put elsewhere can have left a partner that is not near any more.
 void ClosePairs::forget_others(int* has_history, int count, const ClosePair* near,
                                const ClosePair* end) {
   for (int jj = 0; jj < count; jj++) {
-    if (near != end && near->place == jj)
+    if (near != end && near->has_history == has_history + jj)
       near++;
     else
       has_history[jj] = 0;

@@ -11,22 +11,16 @@
 
 namespace LAMMPS_NS {
 
-/// Two particles that may soon touch.
-struct ClosePair {
-  int i, j;
-  int place;  ///< of j in i's list of neighbours
-};
-
 /// What is remembered of the pairs of the engine's list, by particle and place in its list of
-/// neighbours.
+/// neighbours; it stays where it is until the list is made anew.
 struct RememberedPairs {
   int* const* has_history;
   double* const* history;
   int each;  ///< numbers of history
 };
 
-/// Two particles of which one remembers something, or that may touch in this step.
-struct NearPair {
+/// Two particles that may soon touch, and what is remembered of them.
+struct ClosePair {
   int i, j;
   int* has_history;
   double* history;
@@ -45,20 +39,20 @@ class ClosePairs : protected Pointers {
 
   /// Finds the pairs of `list` whose gap is below `reach` [length], which is at most allowed(),
   /// unless they are known. When the engine's list is new, pairs that are not close lose the mark
-  /// `has_history` (by particle and place in its list of neighbours). `travelled` [length]: at most
-  /// what a particle has moved by since the last call.
-  void update(const class NeighList& list, double reach, double travelled, int** has_history);
+  /// `has_history`. `travelled` [length]: at most what a particle has moved by since the last call.
+  void update(const class NeighList& list, double reach, double travelled,
+              const RememberedPairs& known);
 
-  /// Calls what(NearPair) for the pairs that have a history or a gap below `reach`, in the order of
-  /// the list; some at a time, whose memory, which lies far apart, is fetched meanwhile.
+  /// Calls what(ClosePair) for the pairs that have a history or a gap below `reach`, in the order
+  /// of the list; some at a time, whose memory, where it lies far apart, is fetched meanwhile.
   template <class What>
-  [[gnu::always_inline]] void for_each_near(const RememberedPairs& known, const What& what) const {
-    NearPair some[AT_A_TIME];
+  [[gnu::always_inline]] void for_each_near(const What& what) const {
+    const ClosePair* some[AT_A_TIME];
     const ClosePair* const end = pairs_.data() + count_;
     for (const ClosePair* p = pairs_.data(); p != end;) {
       const ClosePair* const stop = p + std::min<std::ptrdiff_t>(end - p, AT_A_TIME);
-      const NearPair* const last = find_near(p, stop, known, some);
-      for (const NearPair* near = some; near != last; near++) what(*near);
+      const ClosePair** const last = find_near(p, stop, some);
+      for (const ClosePair** near = some; near != last; near++) what(**near);
       p = stop;
     }
   }
@@ -66,11 +60,12 @@ class ClosePairs : protected Pointers {
  private:
   static constexpr int AT_A_TIME = 64;
 
-  NearPair* find_near(const ClosePair* first, const ClosePair* stop, const RememberedPairs& known,
-                      NearPair* near) const;
+  const ClosePair** find_near(const ClosePair* first, const ClosePair* stop,
+                              const ClosePair** near) const;
+  bool is_near(const ClosePair&, const double* x, const double* radius) const;
   bool may_have_come(double reach) const;
   double come_closer() const;
-  void find(const NeighList&, int** has_history);
+  void find(const NeighList&, const RememberedPairs&, bool new_list);
   static void forget_others(int* has_history, int count, const ClosePair* near,
                             const ClosePair* end);
 
@@ -78,6 +73,8 @@ class ClosePairs : protected Pointers {
   double reach_ = 0.0;
   double travelled_ = 0.0;  // at most, by a particle, since the pairs were found
   std::size_t count_ = 0;
+  int each_ = 0;                   // numbers of history
+  bool most_remembered_ = false;   // of the pairs, when they were found
   std::vector<ClosePair> pairs_;   // the first `count_` of these
   std::vector<double> radii_;      // per atom and ghost, when the pairs were found
   std::vector<double> positions_;  // the same; empty: not found yet

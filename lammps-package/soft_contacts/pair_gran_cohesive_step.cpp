@@ -111,17 +111,17 @@ void PairGranCohesive<Cohesion>::find_close() {
                (close_pairs.allowed() - largest_range) / flights, 20.0 * step->flight(),
                report_fastest(lmp));
   // A flight is of half a step.
-  close_pairs.update(*list, reach, 2.0 * step->flight(), history->firstflag);
+  close_pairs.update(*list, reach, 2.0 * step->flight(),
+                     {history->firstflag, history->firstvalue, per_pair});
 }
 
 /// Calls what(i, j, has_history, history) for the pairs that may touch in this step.
 template <class Cohesion>
 template <class What>
 [[gnu::always_inline]] inline void PairGranCohesive<Cohesion>::for_each_close(const What& what) {
-  close_pairs.for_each_near({history->firstflag, history->firstvalue, per_pair},
-                            [&](const NearPair& pair) __attribute__((always_inline)) {
-                              what(pair.i, pair.j, *pair.has_history, pair.history);
-                            });
+  close_pairs.for_each_near([&](const ClosePair& pair) __attribute__((always_inline)) {
+    what(pair.i, pair.j, *pair.has_history, pair.history);
+  });
 }
 
 /// Adds what a contact does to the sums of momentum flux, if somebody reads them.

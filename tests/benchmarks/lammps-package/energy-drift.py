@@ -3,7 +3,7 @@
 """Energy of a gas of 1000 elastic spheres over 100 collisions per particle: its drift against the
 time step, the scheme and the run time.
 
-  energy-drift.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--collisions N | --heating]
+  energy-drift.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--collisions N | --heating | --seeds N]
 
 Scheme event is gran/hamaker; scheme sampled is LAMMPS' gran/hooke/history, with pair_style hamaker
 over it where there is adhesion, at the step that costs the same time as the event scheme's. Drift is
@@ -13,6 +13,8 @@ the slope of rms against the step, from t_c/5 to t_c/40. A sampled run that blew
 
 With `--heating`: what the dense gases gain per collision, from the third to the last fifth of 20
 collisions, mean and standard error of 16 runs, over the kinetic energy of the start.
+
+With `--seeds`: `end` of N gases of other velocities, at t_c/10: mean with its standard error, and root mean square.
 """
 import numpy
 
@@ -59,12 +61,32 @@ def heating(gas, engine, seeds=16, divisions=(2, 3, 4, 5, 10, 20)):
                   flush=True)
 
 
+def scatter(gas, engine, collisions, seeds):
+    durations = [collisions / gas.collision_rate(phi, speed) for phi, _, speed in CASES]
+    progress = Progress(seeds * sum(durations))
+    for (phi, constant, speed), duration in zip(CASES, durations):
+        ends = []
+        for seed in range(seeds):
+            with engine.temporary_folder() as folder:
+                gas.write(folder, 10, phi, speed, seed)
+                table, _ = gas.follow(folder, 10, duration, SAMPLES, A=constant)
+            ends.append(drift(table)[-SAMPLES // 10:].mean())
+            progress.add(duration)
+        print(f"\rsolid fraction {phi:g}, A = {constant:g} J, t_c/10: {numpy.mean(ends):.1e} +- "
+              f"{numpy.std(ends, ddof=1) / seeds**0.5:.1e}, root mean square "
+              f"{numpy.sqrt(numpy.mean(numpy.square(ends))):.1e}{'':20s}", flush=True)
+
+
 def main():
     words = measuring_program.words(
         __doc__, ("--collisions", {"type": float, "default": 100.0, "help": "per particle"}),
-        ("--heating", {"action": "store_true", "help": "what dense gases gain per collision"}))
+        ("--heating", {"action": "store_true", "help": "what dense gases gain per collision"}),
+        ("--seeds", {"type": int, "metavar": "N", "help": "N gases at t_c/10, at least two"}))
     if words.heating:
         heating(gas, engine)
+        return
+    if words.seeds:
+        scatter(gas, engine, words.collisions, words.seeds)
         return
     collisions = words.collisions
     durations = [collisions / gas.collision_rate(phi, speed) for phi, _, speed in CASES]
