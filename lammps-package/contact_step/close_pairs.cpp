@@ -23,8 +23,18 @@ void ClosePairs::update(const NeighList& list, double reach, double travelled,
                         const RememberedPairs& known) {
   const bool new_list = neighbor->ago == 0;
   travelled_ += travelled;
-  if (new_list || positions_.empty() || may_have_come(reach)) find(list, known, new_list);
+  if (new_list || positions_.empty() || may_have_come(reach))
+    find(list, known, new_list);
+  else if (++since_counted_ == STEPS_OF_A_COUNT)
+    count_remembered();
   reach_ = reach;
+}
+
+void ClosePairs::count_remembered() {
+  const auto remembered = std::count_if(pairs_.begin(), pairs_.begin() + count_,
+                                        [](const ClosePair& p) { return *p.has_history != 0; });
+  most_remembered_ = 2 * static_cast<std::size_t>(remembered) > count_;
+  since_counted_ = 0;
 }
 
 inline bool ClosePairs::is_near(const ClosePair& p, const double* x, const double* radius) const {
@@ -123,9 +133,7 @@ void ClosePairs::find(const NeighList& list, const RememberedPairs& known, bool 
     count_ = last - pairs_.data();
     if (new_list) forget_others(known.has_history[i], count, first, last);
   }
-  const auto remembered = std::count_if(pairs_.begin(), pairs_.begin() + count_,
-                                        [](const ClosePair& p) { return *p.has_history != 0; });
-  most_remembered_ = 2 * static_cast<std::size_t>(remembered) > count_;
+  count_remembered();
 }
 
 /// Only a particle that was put elsewhere can have left a partner that is not near any more.

@@ -58,7 +58,7 @@ class ClosePairs : protected Pointers {
   }
 
  private:
-  static constexpr int AT_A_TIME = 64;
+  static constexpr int AT_A_TIME = 64, STEPS_OF_A_COUNT = 50;
 
   const ClosePair** find_near(const ClosePair* first, const ClosePair* stop,
                               const ClosePair** near) const;
@@ -66,6 +66,7 @@ class ClosePairs : protected Pointers {
   bool may_have_come(double reach) const;
   double come_closer() const;
   void find(const NeighList&, const RememberedPairs&, bool new_list);
+  void count_remembered();
   static void forget_others(int* has_history, int count, const ClosePair* near,
                             const ClosePair* end);
 
@@ -74,7 +75,8 @@ class ClosePairs : protected Pointers {
   double travelled_ = 0.0;  // at most, by a particle, since the pairs were found
   std::size_t count_ = 0;
   int each_ = 0;                   // numbers of history
-  bool most_remembered_ = false;   // of the pairs, when they were found
+  bool most_remembered_ = false;   // of the pairs, when they were counted
+  int since_counted_ = 0;          // steps
   std::vector<ClosePair> pairs_;   // the first `count_` of these
   std::vector<double> radii_;      // per atom and ghost, when the pairs were found
   std::vector<double> positions_;  // the same; empty: not found yet
