@@ -107,7 +107,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
 
   void surfacesClose(SurfacesCloseData& near, ForceData& on_i, ForceData& on_j) override {
     if (events_) {
-      follow_near(near, on_i, on_j);
+      if (!events_->is_far(near)) follow_near(near, on_i, on_j);
       return;
     }
     if (!attraction_.is_active() || attraction_.is_out_of_reach(near, update_all_)) return;
@@ -142,20 +142,23 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
   /// A contact of scheme event: in the place of what the engine's normal model made of it. Friction
   /// sees its spring and dashpot, as under scheme sampled.
   [[gnu::noinline]] void follow(SurfacesIntersectData& contact, ForceData& on_i, ForceData& on_j) {
-    cohesion::event_stepping::GridStep step;
     if (!carries(contact)) return;
-    if (!events_->follow(contact, contact.r, contact.en, step)) step = {};
-    events_->set_friction(contact, step,
-                          slides_ ? contact.contact_history + others_history_ : nullptr);
+    double* const spring = slides_ ? contact.contact_history + others_history_ : nullptr;
+    double force;
+    if (!events_->go_on(contact, spring, force)) {
+      cohesion::event_stepping::GridStep step;
+      if (!events_->follow(contact, contact.r, contact.en, step)) step = {};
+      events_->set_friction(contact, step, spring);
+      force = step.force;
+    }
     for (int d = 0; d < 3; d++) {
-      on_i.delta_F[d] = step.force * contact.en[d];
-      on_j.delta_F[d] = -step.force * contact.en[d];  // of a wall the engine ignores it
+      on_i.delta_F[d] = force * contact.en[d];
+      on_j.delta_F[d] = -force * contact.en[d];  // of a wall the engine ignores it
     }
   }
 
   [[gnu::noinline]] void follow_near(SurfacesCloseData& near, ForceData& on_i, ForceData& on_j) {
     const double r = std::sqrt(near.rsq);
-    if (events_->is_far(near, r)) return;
     const double inverse = 1.0 / r;
     const double normal[3] = {inverse * near.delta[0], inverse * near.delta[1],
                               inverse * near.delta[2]};

@@ -42,14 +42,6 @@ void remember(const ContactModels::SurfacesCloseData& d, bool something) {
 
 }  // namespace
 
-struct EventContacts::KnownContact {
-  double ri = 0.0, rj = 0.0, mass_i = 0.0, mass_j = 0.0;
-  double inverse_mass = 0.0;  // of both
-  std::unique_ptr<OnePassContact> law;
-  bool well = false;  // attracts by impulses alone
-  GridSpring tangential{};
-};
-
 EventContacts::EventContacts(LAMMPS* lmp, IContactHistorySetup* owner, FixWallGran* wall,
                              const std::string& who)
     : lmp_(lmp), atom_(lmp->atom), wall_(wall), who_(who), mobile_(lmp->modify) {
@@ -95,14 +87,9 @@ void EventContacts::connect(const NormalModelProbe& normal, Adhesion adhesion, M
     }
 }
 
-EventContacts::KnownContact* EventContacts::known_contact(
-    const ContactModels::SurfacesCloseData& d) {
-  KnownContact& k = known_[d.itype * (types_ + 1) + d.jtype];
-  const double rj = d.is_wall ? std::numeric_limits<double>::infinity() : d.radj;
-  const double mass_i = mass(d.i), mass_j = d.is_wall ? 0.0 : mass(d.j);
-  if (k.law && k.ri == d.radi && k.rj == rj && k.mass_i == mass_i && k.mass_j == mass_j &&
-      k.law->step() == lmp_->update->dt)
-    return &k;
+EventContacts::KnownContact* EventContacts::know(KnownContact& k,
+                                                 const ContactModels::SurfacesCloseData& d,
+                                                 double rj, double mass_i, double mass_j) const {
   if (mass_i == 0.0 && mass_j == 0.0) return nullptr;
   k = {};
   k.ri = d.radi;
@@ -153,20 +140,6 @@ const double* EventContacts::last_record(const ContactModels::SurfacesCloseData&
   const double* const before =
       history_before(*d.fix_mesh, d.j, d.i, atom_->x[d.i], d.radi, offset_ + STEP, now);
   return before ? before + offset_ : nullptr;
-}
-
-bool EventContacts::is_far(const ContactModels::SurfacesCloseData& d, double r) const {
-  // A triangle of a mesh has the memory of its neighbours; how far nothing attracts is not told.
-  if (d.is_wall || !(range_.gap + range_.ratio > 0.0)) return false;
-  // With a new list the engine has the memory, but not whose it is.
-  if (lmp_->neighbor->ago == 0) return false;
-  if (*d.contact_flags & ContactModels::CONTACT_COHESION_MODEL) return false;
-  const double dt = lmp_->update->dt;
-  const cohesion::Vector3 w = cohesion::vector(d.v_i) - cohesion::vector(d.v_j);
-  const double closing = std::max(-dot(w, cohesion::vector(d.delta)) / r, 0.0);
-  const double inwards = closing + 2.0 * others_->largest() * dt;
-  const double outer = d.radsum + range_.gap + range_.ratio * d.radsum;
-  return r > (1.0 + 1e-12) * (outer + dt * inwards);
 }
 
 bool EventContacts::follow(const ContactModels::SurfacesCloseData& d, double r,
@@ -260,13 +233,10 @@ void EventContacts::write(const ContactModels::SurfacesCloseData& d, const GridM
 
 void EventContacts::set_friction(ContactModels::SurfacesIntersectData& contact,
                                  const GridStep& step, double* spring) const {
-  contact.Fn = std::max(step.repulsion, 0.0);
-  if (!followed_) return;
-  contact.kt = followed_->tangential.stiffness;
-  contact.gammat = followed_->tangential.damping;
-  if (!spring || !contact.shearupdate || time_apart_ == 0.0) return;
-  const double slip[3] = {contact.vtr1, contact.vtr2, contact.vtr3};
-  for (int d = 0; d < 3; d++) spring[d] -= time_apart_ * slip[d];
+  if (followed_)
+    set_friction(contact, *followed_, step.repulsion, time_apart_, spring);
+  else
+    contact.Fn = std::max(step.repulsion, 0.0);
 }
 
 }  // namespace Cohesion

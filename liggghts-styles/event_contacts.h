@@ -2,8 +2,10 @@
 #ifndef COHESION_EVENT_CONTACTS_H
 #define COHESION_EVENT_CONTACTS_H
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -16,7 +18,9 @@
 #include "event_stepping/one_pass_contact.h"
 #include "fix_others.h"
 #include "integrated_particles.h"
+#include "neighbor.h"
 #include "normal_model_probe.h"
+#include "update.h"
 
 namespace LAMMPS_NS {
 class FixWallGran;
@@ -52,14 +56,18 @@ class EventContacts {
   void connect(const NormalModelProbe& normal, Adhesion adhesion, MakeLaw maker,
                const ContactRange& range, int types);
 
+  /// What follow() and set_friction() do of a contact that goes on as in the step before: `force`,
+  /// on i away from j or the wall. False, and nothing done, where more may have happened.
+  bool go_on(ContactModels::SurfacesIntersectData& contact, double* spring, double& force);
+
   /// r: distance of the centres, or from the wall; normal: from j, or the wall, to i. False, and
   /// `step` of no meaning: the contact does nothing.
   bool follow(const ContactModels::SurfacesCloseData& d, double r, const double* normal,
               cohesion::event_stepping::GridStep& step);
 
-  /// Whether a pair at this distance of the centres has no memory and nothing can happen to it in
-  /// this step, as most that the engine shows: follow() would find out by looking at far more.
-  bool is_far(const ContactModels::SurfacesCloseData& d, double r) const;
+  /// Whether a pair has no memory and nothing can happen to it in this step, as most that the engine
+  /// shows: follow() would find out by looking at far more.
+  bool is_far(const ContactModels::SurfacesCloseData& d) const;
 
   /// Whether the grid has a contact with this history in the range of its attraction.
   bool in_range(const double* history) const;
@@ -79,13 +87,28 @@ class EventContacts {
   using GridMemory = cohesion::event_stepping::GridMemory;
 
   /// The bodies of a contact, and its law.
-  struct KnownContact;
+  struct KnownContact {
+    double ri = 0.0, rj = 0.0, mass_i = 0.0, mass_j = 0.0;
+    double inverse_mass = 0.0;  // of both
+    std::unique_ptr<OnePassContact> law;
+    bool well = false;  // attracts by impulses alone
+    cohesion::event_stepping::GridSpring tangential{};
+  };
 
   static bool is_impulse(const KnownContact&, double contact_time);
   void exclude_impulse(const KnownContact&, const ContactModels::SurfacesCloseData& d,
                        const double* normal, const cohesion::event_stepping::GridStep&);
   /// The law of a contact; null: nothing that a force could move.
-  KnownContact* known_contact(const ContactModels::SurfacesCloseData& d);
+  KnownContact* known_contact(const ContactModels::SurfacesCloseData& d) {
+    KnownContact& k = known_[d.itype * (types_ + 1) + d.jtype];
+    const double rj = d.is_wall ? std::numeric_limits<double>::infinity() : d.radj;
+    const double mass_i = mass(d.i), mass_j = d.is_wall ? 0.0 : mass(d.j);
+    const bool known = k.law && k.ri == d.radi && k.rj == rj && k.mass_i == mass_i &&
+                       k.mass_j == mass_j && k.law->step() == lmp_->update->dt;
+    return known ? &k : know(k, d, rj, mass_i, mass_j);
+  }
+  KnownContact* know(KnownContact& k, const ContactModels::SurfacesCloseData& d, double rj,
+                     double mass_i, double mass_j) const;
   /// The mass of a particle; 0: no force moves it.
   double mass(int particle) const {
     return mobile_.moves(atom_->mask[particle]) ? atom_->rmass[particle] : 0.0;
@@ -96,6 +119,9 @@ class EventContacts {
   const double* last_record(const ContactModels::SurfacesCloseData& d) const;
   void write(const ContactModels::SurfacesCloseData& d, const GridMemory& memory,
              const cohesion::event_stepping::GridStep& step) const;
+  /// `time_apart`: how much of the step before it was no contact, [time].
+  static void set_friction(ContactModels::SurfacesIntersectData& contact, const KnownContact& k,
+                           double repulsion, double time_apart, double* spring);
   void make_law(KnownContact& k, const ContactModels::SurfacesCloseData& d) const;
 
   LAMMPS_NS::LAMMPS* lmp_;
@@ -115,6 +141,56 @@ class EventContacts {
   int types_ = 0;
   std::shared_ptr<LateWarning> late_;
 };
+
+inline bool EventContacts::go_on(ContactModels::SurfacesIntersectData& contact, double* spring,
+                                 double& force) {
+  using namespace cohesion::event_stepping;
+  double* const history = contact.contact_history + offset_;
+  const auto now = static_cast<double>(lmp_->update->ntimestep);
+  if (history[PHASE] != GridMemory::lasting || history[STEP] != now) return false;
+  if (!contact.computeflag || !contact.shearupdate) return false;
+  const KnownContact* const k = known_contact(contact);
+  if (!k) return false;
+  const cohesion::Vector3 w = cohesion::vector(contact.v_i) - cohesion::vector(contact.v_j);
+  const GridPoint at{contact.r, dot(w, cohesion::vector(contact.en)), 0.0};
+  LastingForce does;
+  if (!k->law->last(at, {GridMemory::lasting, history[AHEAD]}, does)) return false;
+  force = does.force;
+  set_friction(contact, *k, does.repulsion, k->law->step() - history[TOUCH], spring);
+  history[FORCE] = does.force;
+  history[REPULSION] = does.repulsion;
+  history[TOUCH] = k->law->step();
+  history[STEP] = now + 1.0;
+  if (contact.contact_flags) *contact.contact_flags |= ContactModels::CONTACT_COHESION_MODEL;
+  return true;
+}
+
+inline bool EventContacts::is_far(const ContactModels::SurfacesCloseData& d) const {
+  // A triangle of a mesh has the memory of its neighbours; how far nothing attracts is not told.
+  if (d.is_wall || !(range_.gap + range_.ratio > 0.0)) return false;
+  if (*d.contact_flags & ContactModels::CONTACT_COHESION_MODEL) return false;
+  // With a new list the engine has the memory, but not whose it is.
+  if (lmp_->neighbor->ago == 0) return false;
+  const double dt = lmp_->update->dt;
+  const cohesion::Vector3 w = cohesion::vector(d.v_i) - cohesion::vector(d.v_j);
+  const double outer = d.radsum + range_.gap + range_.ratio * d.radsum;
+  const double by_others = outer + 2.0 * dt * dt * others_->largest();
+  // r > by_others + dt closing, times r
+  const double flown = dt * std::max(-dot(w, cohesion::vector(d.delta)), 0.0);
+  const double left = d.rsq - (1.0 + 1e-12) * flown;
+  return left > 0.0 && left * left > (1.0 + 3e-12) * by_others * by_others * d.rsq;
+}
+
+inline void EventContacts::set_friction(ContactModels::SurfacesIntersectData& contact,
+                                        const KnownContact& k, double repulsion, double time_apart,
+                                        double* spring) {
+  contact.Fn = std::max(repulsion, 0.0);
+  contact.kt = k.tangential.stiffness;
+  contact.gammat = k.tangential.damping;
+  if (!spring || !contact.shearupdate || time_apart == 0.0) return;
+  const double slip[3] = {contact.vtr1, contact.vtr2, contact.vtr3};
+  for (int d = 0; d < 3; d++) spring[d] -= time_apart * slip[d];
+}
 
 }  // namespace Cohesion
 }  // namespace LIGGGHTS

@@ -21,6 +21,8 @@ namespace Cohesion {
 
 using namespace LAMMPS_NS;
 
+static double squared(const double* a) { return a[0] * a[0] + a[1] * a[1] + a[2] * a[2]; }
+
 FixOthers::FixOthers(LAMMPS* engine, int count, char** words) : Fix(engine, count, words) {
   comm_forward = 3;
   restart_global = 1;
@@ -58,18 +60,16 @@ void FixOthers::setup_pre_force(int) {
 
 void FixOthers::initial_integrate(int) {
   last_step_ = update->dt;
-  largest_squared_ = 0.0;
+  double largest = 0.0;
   for (int i = 0; i < atom->nlocal; i++) {
     const double* const f = atom->f[0] + 3 * i;
     double* const to = acceleration_[0] + 3 * i;
+    const double inverse_mass = 1.0 / atom->rmass[i];
     for (int k = 0; k < 3; k++)
-      to[k] = (any_excluded_ ? f[k] - excluded_[i][k] : f[k]) / atom->rmass[i];
-    update_largest(to);
+      to[k] = (any_excluded_ ? f[k] - excluded_[i][k] : f[k]) * inverse_mass;
+    largest = std::max(largest, squared(to));
   }
-}
-
-void FixOthers::update_largest(const double* a) {
-  largest_squared_ = std::max(largest_squared_, a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
+  largest_squared_ = largest;
 }
 
 void FixOthers::pre_force(int) {
@@ -109,7 +109,7 @@ int FixOthers::pack_exchange(int i, double* buffer) {
 int FixOthers::unpack_exchange(int i, double* buffer) {
   set_arrays(i);
   std::copy_n(buffer, 3, acceleration_[i]);
-  update_largest(buffer);
+  largest_squared_ = std::max(largest_squared_, squared(buffer));
   return 3;
 }
 
@@ -120,7 +120,9 @@ int FixOthers::pack_comm(int count, int* list, double* buffer, int, int*) {
 
 void FixOthers::unpack_comm(int count, int first, double* buffer) {
   std::copy_n(buffer, 3 * count, acceleration_[0] + 3 * first);
-  for (int k = 0; k < count; k++) update_largest(buffer + 3 * k);
+  double largest = largest_squared_;
+  for (int k = 0; k < count; k++) largest = std::max(largest, squared(buffer + 3 * k));
+  largest_squared_ = largest;
 }
 
 void FixOthers::write_restart(FILE* file) {

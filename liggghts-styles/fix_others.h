@@ -53,7 +53,6 @@ class FixOthers : public LAMMPS_NS::Fix {
 
  private:
   void begin_step();
-  void update_largest(const double* acceleration);
 
   double** acceleration_ = nullptr;
   double** excluded_ = nullptr;  // per particle, from the forces of a step to the next

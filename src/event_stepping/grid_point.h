@@ -28,6 +28,12 @@ struct GridMemory {
   bool known_by_grid() const { return phase == beyond || phase == within; }
 };
 
+/// What a contact that lasts does, [force].
+struct LastingForce {
+  double force;      ///< on j away from i, all of the contact
+  double repulsion;  ///< the part of spring and dashpot
+};
+
 /// What a contact does from one grid point to the next.
 struct GridStep {
   double force = 0.0;      ///< on j away from i, mean over the step, all of the contact, [force]

@@ -57,26 +57,33 @@ class OnePassContact {
     return at.distance <= outer_distance() + step_ * inwards;
   }
 
-  /// Follows a contact that certainly lasts until the next grid point, whatever others do that it
-  /// could bear: its force needs to know nothing of them. Returns false, and does nothing, where
-  /// that is not certain.
-  bool follow_lasting(const GridPoint& at, const GridMemory& memory, GridStep& step) const {
+  /// Of a contact that certainly lasts until the next grid point, whatever others do that it could
+  /// bear: its force needs to know nothing of them. False, and nothing done, where that is not
+  /// certain.
+  [[gnu::always_inline]] bool last(const GridPoint& at, const GridMemory& memory,
+                                   LastingForce& now) const {
     if (memory.phase != GridMemory::lasting) return false;
     const double overlap = contact_distance_ - at.distance;
     const double approach = -at.radial;
     const double repulsion = spring_.stiffness * overlap + spring_.damping * approach;
-    const double attraction = spring_.stiffness * pull_ / oscillator_.w0_squared();
-    const double next = approach + step_ * (attraction - repulsion) / reduced_mass_;
+    const double next = approach + step_ * (attraction_ - repulsion) / reduced_mass_;
     // Between two grid points it may dip below both, most where what pulls is constant.
     const double dip = 0.125 * step_ * std::max(next - approach, 0.0);
     const double least = certain * step_ * std::abs(approach) + 2.0 * dip;
     if (!(overlap > least && overlap + step_ * next > least)) return false;
+    now = {repulsion - attraction_, repulsion};
+    return true;
+  }
+  /// The same, with all that a step tells.
+  bool follow_lasting(const GridPoint& at, const GridMemory& memory, GridStep& step) const {
+    LastingForce now;
+    if (!last(at, memory, now)) return false;
     step = {};
-    step.repulsion = repulsion;
-    step.force = repulsion - attraction;
+    step.force = now.force;
+    step.repulsion = now.repulsion;
     step.normal.contact_time = step_;
-    step.normal.repulsion_impulse = step_ * repulsion;
-    step.normal.repulsion_at_end = repulsion;
+    step.normal.repulsion_impulse = step_ * now.repulsion;
+    step.normal.repulsion_at_end = now.repulsion;
     return true;
   }
 
@@ -110,6 +117,7 @@ class OnePassContact {
         pull_(adhesion.force / spring.reduced_mass()),
         step_(step),
         spring_(oscillator_.on_grid(step, spring.reduced_mass())),
+        attraction_(spring_.stiffness * pull_ / oscillator_.w0_squared()),
         weight_(spring.stiffness() / spring_.stiffness) {}
 
   /// A pair flies in, turns and flies out again; more often only by rounding at a grazed edge.
@@ -304,7 +312,8 @@ class OnePassContact {
   double pull_;
   double step_;
   GridSpring spring_;
-  double weight_;  // K/K'
+  double attraction_;  // that of the adhesion, as spring_ needs it
+  double weight_;      // K/K'
 };
 
 }  // namespace cohesion::event_stepping
