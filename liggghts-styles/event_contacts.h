@@ -65,8 +65,8 @@ class EventContacts {
   bool follow(const ContactModels::SurfacesCloseData& d, double r, const double* normal,
               cohesion::event_stepping::GridStep& step);
 
-  /// Whether a pair has no memory and nothing can happen to it in this step, as most that the engine
-  /// shows: follow() would find out by looking at far more.
+  /// Whether a pair has no memory and nothing can happen to it in this step, as most that the
+  /// engine shows: follow() would find out by looking at far more.
   bool is_far(const ContactModels::SurfacesCloseData& d) const;
 
   /// Whether the grid has a contact with this history in the range of its attraction.
