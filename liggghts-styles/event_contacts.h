@@ -154,7 +154,7 @@ inline bool EventContacts::go_on(ContactModels::SurfacesIntersectData& contact, 
   const cohesion::Vector3 w = cohesion::vector(contact.v_i) - cohesion::vector(contact.v_j);
   const GridPoint at{contact.r, dot(w, cohesion::vector(contact.en)), 0.0};
   LastingForce does;
-  if (!k->law->last(at, {GridMemory::lasting, history[AHEAD]}, does)) return false;
+  if (!k->law->lasting_force(at, {GridMemory::lasting, history[AHEAD]}, does)) return false;
   force = does.force;
   set_friction(contact, *k, does.repulsion, k->law->step() - history[TOUCH], spring);
   history[FORCE] = does.force;

@@ -57,11 +57,10 @@ class OnePassContact {
     return at.distance <= outer_distance() + step_ * inwards;
   }
 
-  /// Of a contact that certainly lasts until the next grid point, whatever others do that it could
-  /// bear: its force needs to know nothing of them. False, and nothing done, where that is not
-  /// certain.
-  [[gnu::always_inline]] bool last(const GridPoint& at, const GridMemory& memory,
-                                   LastingForce& now) const {
+  /// Gives what a contact does that certainly lasts until the next grid point, whatever others do
+  /// that it can bear: its force needs to know nothing of them. False, where that is not certain.
+  [[gnu::always_inline]] bool lasting_force(const GridPoint& at, const GridMemory& memory,
+                                            LastingForce& now) const {
     if (memory.phase != GridMemory::lasting) return false;
     const double overlap = contact_distance_ - at.distance;
     const double approach = -at.radial;
@@ -77,7 +76,7 @@ class OnePassContact {
   /// The same, with all that a step tells.
   bool follow_lasting(const GridPoint& at, const GridMemory& memory, GridStep& step) const {
     LastingForce now;
-    if (!last(at, memory, now)) return false;
+    if (!lasting_force(at, memory, now)) return false;
     step = {};
     step.force = now.force;
     step.repulsion = now.repulsion;
