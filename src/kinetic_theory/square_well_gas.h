@@ -33,9 +33,10 @@ class SquareWellGas {
 
   /// Throws InvalidParameter unless D >= 0, lambda is that of a well and m > 0, all finite.
   SquareWellGas(double depth, double lambda, double mass)
-      : depth_(depth), lambda_(lambda), mass_(mass), most_(largest_depth_over_t(lambda)) {
+      : depth_(depth), lambda_(lambda), mass_(mass) {
     square_well::require_valid(square_well::well(depth, lambda));
     require_positive("mass of a grain", mass);
+    most_ = largest_depth_over_t(lambda);
   }
 
   double depth() const { return depth_; }
@@ -66,7 +67,9 @@ class SquareWellGas {
   }
 
  private:
-  double depth_, lambda_, mass_, most_;
+  double depth_, lambda_, mass_;
+  // Of a well that is valid: of no number it would stop programs that trap these.
+  double most_ = 0.0;
 
   static double largest_depth_over_t(double lambda) {
     if (!(lambda > 1.0)) return std::numeric_limits<double>::infinity();
