@@ -276,7 +276,7 @@ class TiltedBox(unittest.TestCase):
 
     def turn(self, axis, side):
         middle = numpy.full(3, 5.0)
-        plane = self.EDGE * side + self.lean(axis, middle)
+        plane = float(self.EDGE * side + self.lean(axis, middle))
         out = 2 * side - 1
         speeds = numpy.linspace(0.5, 6, 5)
         atoms = []

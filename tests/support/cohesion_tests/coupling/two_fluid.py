@@ -70,5 +70,5 @@ def without_stress(case):
 
 
 def times(case, step, end):
-    edit(case, "system/controlDict", deltaT=repr(step), endTime=repr(end), writeInterval=repr(end), purgeWrite=0,
-         writePrecision=14)
+    step, end = repr(float(step)), repr(float(end))
+    edit(case, "system/controlDict", deltaT=step, endTime=end, writeInterval=end, purgeWrite=0, writePrecision=14)
