@@ -107,20 +107,24 @@ class DampedOscillator {
     return static_cast<bool>((end.x >= 0.0) & ((start.v >= 0.0) | (end.v <= 0.0)));
   }
 
+  /// Where an overlap ends, and its rate there.
+  struct Zero {
+    double time;
+    double rate;
+  };
   /// The first time in (0, t_end] at which an overlap that starts at x >= 0 (v > 0 if x = 0) is
   /// back at zero; infinity if it stays positive. `end` is the state at t_end, and t_end at most
   /// half a period, so that the overlap turns at most once.
-  double first_zero(Overlap start, double drive, double t_end, Overlap end) const {
+  Zero first_zero(Overlap start, double drive, double t_end, Overlap end) const {
     if (stays_positive(start, end)) return never();
-    if (start.v >= 0.0)
-      return root(start, drive, start.v > 0.0 ? turning_time(start, drive) : 0.0, t_end);
-    if (end.v <= 0.0) return root(start, drive, 0.0, t_end);
+    if (start.v >= 0.0 || end.v <= 0.0) return falling_zero(start, drive, t_end, end);
     const double turn = std::min(turning_time(start, drive), t_end);
-    return after(turn, start, drive).x < 0.0 ? root(start, drive, 0.0, turn) : never();
+    const Overlap lowest = after(turn, start, drive);
+    return lowest.x < 0.0 ? falling_zero(start, drive, turn, lowest) : never();
   }
 
  private:
-  static double never() { return std::numeric_limits<double>::infinity(); }
+  static Zero never() { return {std::numeric_limits<double>::infinity(), 0.0}; }
 
   /// When the rate is first zero; infinity if never.
   double turning_time(Overlap start, double drive) const {
@@ -130,28 +134,39 @@ class DampedOscillator {
       return std::atan2(sign * q_ * start.v, sign * pull) / q_;
     }
     const bool one_sign = (start.v > 0.0 && pull > 0.0) || (start.v < 0.0 && pull < 0.0);
-    if (!one_sign || std::abs(start.v) * 1e-300 >= std::abs(pull)) return never();
+    if (!one_sign || std::abs(start.v) * 1e-300 >= std::abs(pull)) return never().time;
     const double ratio = start.v / pull;
     if (!overdamped_) return ratio;
-    return q_ * ratio < 1.0 ? std::atanh(q_ * ratio) / q_ : never();
+    return q_ * ratio < 1.0 ? std::atanh(q_ * ratio) / q_ : never().time;
   }
 
-  /// The falling zero between `high` (x >= 0) and `low` (x < 0): Newton, kept in its bracket.
-  double root(Overlap start, double drive, double high, double low) const {
-    if (!(high < low)) high = 0.0;
-    double t = 0.5 * (high + low);
+  /// The falling zero between the start and `low`, where the overlap is `at` < 0: by parabolas,
+  /// kept in the bracket, until what they leave out is below rounding.
+  Zero falling_zero(Overlap start, double drive, double low, Overlap at) const {
+    constexpr double rounding = 2.0 * std::numeric_limits<double>::epsilon();
+    double high = 0.0, t = low;
     for (int i = 0; i < 100; i++) {
-      const Overlap at = after(t, start, drive);
-      (at.x >= 0.0 ? high : low) = t;
+      const double bend = drive - 2.0 * alpha_ * at.v - w0_squared_ * at.x;
+      const double square = at.v * at.v - 2.0 * bend * at.x;
       double next = 0.5 * (high + low);
-      if (std::abs(at.x) < std::abs(at.v) * (low - high)) {
-        const double newton = t - at.x / at.v;
-        if (newton > high && newton < low) next = newton;
+      if (square > 0.0 && (at.v < 0.0 || bend != 0.0)) {
+        const double rate = std::sqrt(square);
+        const double way = at.v < 0.0 ? 2.0 * at.x / (rate - at.v) : (-at.v - rate) / bend;
+        const double third = -2.0 * alpha_ * bend - w0_squared_ * at.v;
+        const double fourth = -2.0 * alpha_ * third - w0_squared_ * bend;
+        const double left_out =
+            way * way * std::abs(way) * (std::abs(third) + 0.25 * std::abs(fourth * way)) / 6.0;
+        if (left_out <= rounding * low * rate)
+          return {std::clamp(t + way, high, low),
+                  std::min(at.v + way * (bend + 0.5 * way * third), 0.0)};
+        if (t + way > high && t + way < low) next = t + way;
       }
-      if (std::abs(next - t) <= 2.0 * std::numeric_limits<double>::epsilon() * low) break;
+      if (std::abs(next - t) <= rounding * low) break;
       t = next;
+      at = after(t, start, drive);
+      (at.x >= 0.0 ? high : low) = t;
     }
-    return t;
+    return {t, std::min(at.v, 0.0)};
   }
 
   double w0_squared_;

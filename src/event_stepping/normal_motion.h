@@ -136,10 +136,10 @@ class NormalMotion {
                     NormalRecord& record) const {
     const auto propagator = time == whole_step_.time ? whole_step_ : contact_.propagator(time);
     Overlap end = contact_.after(propagator, s, drive);
-    const double zero = contact_.first_zero(s, drive, time, end);
-    if (zero <= time) {
-      time = zero;
-      end = {0.0, std::min(contact_.after(zero, s, drive).v, 0.0)};
+    const DampedOscillator::Zero zero = contact_.first_zero(s, drive, time, end);
+    if (zero.time <= time) {
+      time = zero.time;
+      end = {0.0, zero.rate};
     }
     record_contact(s, end, time, drive, x_integral, record);
     return time;
