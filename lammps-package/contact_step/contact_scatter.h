@@ -54,28 +54,23 @@ class ContactsOfStep {
     apply(i, j, {-a.impulse, -a.torque_i, -a.torque_j});
   }
 
-  /// Adds what `a` changes of the motion of both particles to what to(particle) gives.
-  template <class To>
-  void change(const To& to, int i, int j, const Action& a) const {
-    change_i(to(i), i, a);
-    if (j >= 0) change_j(to(j), j, a);
+  /// Adds what `a` changes of the motion of i or j to six numbers.
+  static void change_i(double* to, const Contact& c, const Action& a) {
+    add(to, -c.bodies().inverse_mass_i(), a.impulse);
+    if (SIZE > 3) add(to + 3, c.bodies().inverse_inertia_i(), a.torque_i);
   }
-  void change_i(double* to, int i, const Action& a) const {
-    const auto body = step_->body(i);
-    add(to, -body.inverse_mass, a.impulse);
-    if (SIZE > 3) add(to + 3, cohesion::event_stepping::inverse_inertia(body), a.torque_i);
+  static void change_j(double* to, const Contact& c, const Action& a) {
+    add(to, c.bodies().inverse_mass_j(), a.impulse);
+    if (SIZE > 3) add(to + 3, c.bodies().inverse_inertia_j(), a.torque_j);
   }
-  void change_j(double* to, int j, const Action& a) const {
-    const auto body = step_->body(j);
-    add(to, body.inverse_mass, a.impulse);
-    if (SIZE > 3) add(to + 3, cohesion::event_stepping::inverse_inertia(body), a.torque_j);
+  /// The same of both, to what the contacts of a followed one owe, and to that of the tally.
+  void add_owed(int i, int j, const Contact& c, const Action& a) const {
+    change_i(step_->owed(i), c, a);
+    if (j >= 0) change_j(step_->owed(j), c, a);
   }
-  /// The same to what the contacts of a followed one owe, and to that of the tally.
-  void add_owed(int i, int j, const Action& a) const {
-    change([this](int k) { return step_->owed(k); }, i, j, a);
-  }
-  void add_owed_of_tally(int i, int j, const Action& a) const {
-    change([this](int k) { return step_->energy_tally.owed()[k]; }, i, j, a);
+  void add_owed_of_tally(int i, int j, const Contact& c, const Action& a) const {
+    change_i(step_->energy_tally.owed()[i], c, a);
+    if (j >= 0) change_j(step_->energy_tally.owed()[j], c, a);
   }
 
   /// Adds D, V and changes of spins to `predicted` of the step.
@@ -197,7 +192,7 @@ cohesion::event_stepping::SampledStep sample(const ContactsOfStep<Contact, SIZE>
                                   {0.0, lost.tangential_damping, lost.friction, lost.rolling}, 0.0);
     const Action half{0.5 * now.action.impulse, 0.5 * now.action.torque_i,
                       0.5 * now.action.torque_j};
-    scatter.add_owed_of_tally(i, j, half);
+    scatter.add_owed_of_tally(i, j, c, half);
   }
   return now;
 }

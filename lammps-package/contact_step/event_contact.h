@@ -142,7 +142,7 @@ struct StepContacts {
     if (step->energy_tally.is_active()) {
       step->energy_tally.store(scatter.owned_fraction(j), c.stored(grid, memory));
       const ContactMemory now = c.one_force().template at_grid_point<SIZE>(grid, memory);
-      scatter.add_owed_of_tally(i, j, c.template owed<SIZE>(grid.relative, now));
+      scatter.add_owed_of_tally(i, j, c, c.template owed<SIZE>(grid.relative, now));
     }
   }
 
@@ -194,12 +194,12 @@ struct StepContacts {
           const PairMotion does = c.template lasting_change<SIZE>(grid, action(), owed, memory);
           if (i) {
             step->count_contact(p.i);
-            scatter.change_i(step->owed(p.i), p.i, owed);
+            scatter.change_i(step->owed(p.i), c, owed);
             scatter.add_predicted_i(p.i, c, does);
           }
           if (j) {
             step->count_contact(p.j);
-            scatter.change_j(step->owed(p.j), p.j, owed);
+            scatter.change_j(step->owed(p.j), c, owed);
             scatter.add_predicted_j(p.j, c, does);
           }
         });
@@ -346,7 +346,7 @@ struct StepContacts {
     step->add_followed(p.i);
     if (p.j >= 0) step->add_followed(p.j);
     scatter.add_owed(
-        p.i, p.j,
+        p.i, p.j, c,
         c.template owed<SIZE>(now.start.truth.relative.separation, now.start.ahead, memory));
   }
 };

@@ -29,6 +29,8 @@ class ContactBodies {
   /// Distance of the centres of spheres that touch, beside a wall the radius, [length].
   double distance() const { return i_.radius + j_.radius; }
   double inverse_mass() const { return inverse_mass_; }
+  double inverse_mass_i() const { return i_.inverse_mass; }
+  double inverse_mass_j() const { return j_.inverse_mass; }
   double reduced_mass() const { return reduced_mass_; }
   /// The fraction mu/m of a relative change that falls to particle i (with a minus sign) and j,
   /// [1].
