@@ -213,8 +213,9 @@ class TwoPassContact {
   /// A step of any kind. `others`: D, V and spins of all other contacts of both particles (none in
   /// the predictor); `rolled`: what the contact's own rolling spring did in the predictor.
   template <int SIZE>
-  FollowedStep<SIZE> follow(const FollowedStart& start, const PairMotion& others,
-                            const PairSpins& rolled, bool in_range) const {
+  [[gnu::always_inline]] FollowedStep<SIZE> follow(const FollowedStart& start,
+                                                   const PairMotion& others,
+                                                   const PairSpins& rolled, bool in_range) const {
     const PairMotion& truth = start.truth;
     const Vector3 &s = truth.relative.separation, &v = truth.relative.velocity;
     const double half = 0.5 * step_;
