@@ -73,6 +73,12 @@ class ContactsOfStep {
     if (j >= 0) change_j(step_->energy_tally.owed()[j], c, a);
   }
 
+  /// Adds the most that a followed contact may do to the relative velocity, [length/time].
+  void add_kick(int i, int j, const Contact& c, double kick) const {
+    step_->add_kick(i, c.bodies().motion_fraction_i() * kick);
+    if (j >= 0) step_->add_kick(j, c.bodies().motion_fraction_j() * kick);
+  }
+
   /// Adds D, V and changes of spins to `predicted` of the step.
   void add_predicted(int i, int j, const Contact& c, const PairMotion& change) const {
     add_predicted_i(i, c, change);
@@ -84,6 +90,8 @@ class ContactsOfStep {
   void add_predicted_j(int j, const Contact& c, const PairMotion& change) const {
     add_motion(step_->predicted(j), c.bodies().motion_fraction_j(), change, change.spin_j);
   }
+
+  bool is_ghost(int j) const { return j >= nlocal_; }
 
   /// The fraction of a pair's energies that this process counts: a pair of two processes, or of two
   /// images, is met twice. j < 0: a wall.

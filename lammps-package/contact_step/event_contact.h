@@ -2,6 +2,7 @@
 #ifndef COHESION_EVENT_CONTACT_H
 #define COHESION_EVENT_CONTACT_H
 
+#include <algorithm>
 #include <vector>
 
 #include "contact_scatter.h"
@@ -104,6 +105,7 @@ struct StepContacts {
   OfStep<LastingContact> lasting;          // act, but those that are undone
   std::vector<BegunContact> begun;
   std::vector<LastingContact> idle;  // in their wells, where nothing acts
+  OfStep<LastingContact> far;        // out of range, unless others bring them together
   OfStep<FollowedContact> followed;
 
   void clear() {
@@ -112,6 +114,7 @@ struct StepContacts {
     lasting.clear();
     begun.clear();
     idle.clear();
+    far.clear();
     followed.clear();
   }
 
@@ -131,12 +134,12 @@ struct StepContacts {
       const bool is_young = c.is_young(memory);
       if (is_young) step->add_young(i, j);
       (is_young ? young : candidates).push_back({i, j, contact, history});
+    } else if (memory.phase == ContactMemory::beyond && !c.within_reach(grid.relative, 0.0)) {
+      far.add() = {i, j, contact, history};
     } else if (!lasted || !advance_lasting<SIZE>(scatter, step, c, {i, j, contact, history}, grid,
                                                  memory, on_impulse)) {
-      // Those that only the fastest particle of this rank could bring together disturb nothing.
-      if (memory.phase != ContactMemory::beyond ? !c.is_idle(grid.relative, memory, 0.0)
-                                                : c.within_reach(grid.relative, 0.0))
-        step->disturb(i, j);
+      // What only the fastest particle of this rank could bring to an edge disturbs nothing.
+      if (!c.is_idle(grid.relative, memory, 0.0)) step->disturb(i, j);
       add_followed<SIZE>(scatter, step, c, {i, j, contact, history}, grid, memory);
     }
     if (step->energy_tally.is_active()) {
@@ -173,6 +176,22 @@ struct StepContacts {
         else
           advance_lasting<SIZE>(scatter, step, c, p, grid, memory, on_impulse);
       }
+  }
+
+  /// Pairs out of range are followed where others may bring them together; else they go on as they
+  /// do by themselves. What others do to a ghost only its own rank knows.
+  template <int SIZE, class Contact, class GridOf>
+  void follow_far(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
+                  const std::vector<Contact>& all, const GridOf& grid_of) {
+    LastingContact* const end =
+        std::remove_if(far.begin(), far.end(), [&](const LastingContact& p) {
+          if (scatter.is_ghost(p.j)) return false;
+          const double stray = step->strays(p.i) + (p.j < 0 ? 0.0 : step->strays(p.j));
+          return !all[p.contact].within_reach(grid_of(p).relative, stray);
+        });
+    for (const LastingContact* p = far.begin(); p != end; p++)
+      add_followed<SIZE>(scatter, step, all[p->contact], *p, grid_of(*p),
+                         ContactMemory::as_stored(p->history, SIZE));
   }
 
   /// Adds what lasting contacts owe, and do, to particles that have a followed one.
@@ -345,6 +364,7 @@ struct StepContacts {
     memory.to(p.history, SIZE);
     step->add_followed(p.i);
     if (p.j >= 0) step->add_followed(p.j);
+    scatter.add_kick(p.i, p.j, c, c.most_kick(now.start));
     scatter.add_owed(
         p.i, p.j, c,
         c.template owed<SIZE>(now.start.truth.relative.separation, now.start.ahead, memory));

@@ -252,6 +252,7 @@ bool FixEventStep::run_predictor() {
     any_disturbed_now =
         std::any_of(disturbed.begin(), disturbed.begin() + all, [](char is) { return is != 0; });
     for (EventContacts* some : styles) some->follow_disturbed();
+    for (EventContacts* some : styles) some->follow_far();
     for (EventContacts* some : styles) some->couple_lasting();
     if (any_followed_now || comm->nprocs > 1) {
       forward_to_ghosts(&FixEventStep::owed, FollowedMotion::OWED);

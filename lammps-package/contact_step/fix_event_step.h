@@ -40,6 +40,8 @@ class EventContacts {
   /// Adds lasting contacts of disturbed particles to those that are followed, too, and undoes what
   /// they did. Then adds what leads to the true motion of the particles of all that are followed.
   virtual void follow_disturbed() = 0;
+  /// Adds pairs out of range to those that are followed, where others may bring them together.
+  virtual void follow_far() = 0;
   /// Adds what lasting contacts do to particles that have a followed one, and what leads to the
   /// true motion of these.
   virtual void couple_lasting() = 0;
@@ -73,10 +75,11 @@ class EventWalls : public EventContacts {
 
 /// What followed contacts of a particle or ghost share in a step: `owed`, what leads from the
 /// velocity and spin on the grid to the true ones; `predicted`, the change of position, velocity
-/// and spin in the step. Two lines of a cache.
+/// and spin in the step; `most_kick`, no less than what they do to its velocity. Two lines of a
+/// cache.
 struct alignas(64) FollowedMotion {
   static constexpr int OWED = 6, PREDICTED = 9;
-  double owed[OWED], predicted[PREDICTED];
+  double owed[OWED], predicted[PREDICTED], most_kick;
 };
 
 /// What contacts must know of each particle and ghost.
@@ -97,8 +100,9 @@ struct Bodies {
 /// energy.
 ///
 /// Order within a step, with its first forces: all styles classify(); disturb_beside_young();
-/// forward_disturbed(); follow_disturbed(); couple_lasting(); forward_to_ghosts(owed); predict();
-/// forward_to_ghosts(predicted). Then the corrector of each style.
+/// forward_disturbed(); follow_disturbed(); follow_far(); couple_lasting();
+/// forward_to_ghosts(owed); predict(); forward_to_ghosts(predicted). Then the corrector of each
+/// style.
 ///
 /// A fix cannot make another one in its constructor: those that need this one call of() in
 /// post_constructor(); the order above does not depend on the order of the fixes.
@@ -218,6 +222,19 @@ class FixEventStep : public Fix {
   bool any_followed() const { return any_followed_now; }
   /// Whether particle or ghost i has a followed contact in this step.
   bool is_followed(int i) const { return shares[i].contacts != 0; }
+  /// No less than what a followed contact does to the velocity of i, after add_followed().
+  void add_kick(int i, double kick) { motions[shares[i].motion].most_kick += kick; }
+  /// How far a particle of this rank may get in this step from where its velocity on the grid
+  /// leads, once the forces of lasting contacts are there, [length]: these and all others act over
+  /// the step, and in between it may be as far again from where it flies.
+  double strays(int i) const {
+    const double step = 2.0 * half_kick();
+    const double size =
+        norm(cohesion::vector(atom->f[i])) / impulses.kick() +
+        (other_forces_known ? step * norm(cohesion::vector(other_forces.of(i))) : 0.0);
+    const double kick = is_followed(i) ? motions[shares[i].motion].most_kick : 0.0;
+    return step * (2.0 * inverse_mass[i] * size + kick);
+  }
   /// Whether i is a particle of this rank with one contact only.
   bool has_one_contact(int i) const { return i < atom->nlocal && shares[i].contacts == 1; }
 

@@ -290,6 +290,15 @@ void FixWallGranCohesive<Cohesion>::follow_disturbed() {
 }
 
 template <class Cohesion>
+void FixWallGranCohesive<Cohesion>::follow_far() {
+  with_event_contacts([this](auto& shared, auto size) {
+    contacts_now.follow_far(
+        ContactsOfStep<EventContact, size>(atom, step), step, shared,
+        [this](const LastingContact& p) { return on_grid(near_now[-1 - p.j]); });
+  });
+}
+
+template <class Cohesion>
 void FixWallGranCohesive<Cohesion>::couple_lasting() {
   with_event_contacts([this](auto& shared, auto size) { couple_lasting<size>(shared); });
 }

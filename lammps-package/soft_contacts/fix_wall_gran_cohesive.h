@@ -40,6 +40,7 @@ class FixWallGranCohesive : public Fix, public EventWalls, public AdvisedStyle {
     if (is_event_scheme()) contacts_now.disturb_beside_young(step);
   }
   void follow_disturbed() override;
+  void follow_far() override;
   void couple_lasting() override;
   void predict() override;
   void continue_run() override;

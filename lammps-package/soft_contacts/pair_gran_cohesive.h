@@ -69,6 +69,7 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventContacts, p
     if (is_event_scheme()) contacts_now.disturb_beside_young(step);
   }
   void follow_disturbed() override;
+  void follow_far() override;
   void couple_lasting() override;
   void predict() override;
   void continue_run() override;

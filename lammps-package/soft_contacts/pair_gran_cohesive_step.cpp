@@ -82,6 +82,15 @@ void PairGranCohesive<Cohesion>::follow_disturbed() {
 }
 
 template <class Cohesion>
+void PairGranCohesive<Cohesion>::follow_far() {
+  with_event_contacts([this](auto& contacts, auto size) {
+    contacts_now.follow_far(
+        ContactsOfStep<EventContact, size>(atom, step), step, contacts.all,
+        [this](const LastingContact& p) { return particles().motion(p.i, p.j); });
+  });
+}
+
+template <class Cohesion>
 void PairGranCohesive<Cohesion>::couple_lasting() {
   with_event_contacts([this](auto& contacts, auto size) { couple_lasting<size>(contacts); });
 }
@@ -291,6 +300,7 @@ void PairGranCohesive<Cohesion>::tally(int i, int j, const Vector3& separation, 
   template void PairGranCohesive<Law>::compute(int, int);  \
   template void PairGranCohesive<Law>::classify();         \
   template void PairGranCohesive<Law>::follow_disturbed(); \
+  template void PairGranCohesive<Law>::follow_far();       \
   template void PairGranCohesive<Law>::couple_lasting();   \
   template void PairGranCohesive<Law>::predict();          \
   template void PairGranCohesive<Law>::tally(int, int, const Vector3&, double, const Vector3&);

@@ -82,7 +82,10 @@ class TwoPassContact {
         normal_contact_(contact::normal_contact(parameters, reduced_mass_)),
         pair_(normal_contact_, attraction, contact_distance_, step),
         one_force_(parameters, normal_contact_, attraction.force, bodies_, step),
-        pull_(attraction.force) {}
+        pull_(attraction.force),
+        swing_(std::sqrt(normal_contact_.stiffness() * inverse_mass_)),
+        damping_rate_(normal_contact_.damping() * inverse_mass_),
+        edge_speed_(std::sqrt(2.0 * std::max(-pair_.adhesion_energy(0.0), 0.0) * inverse_mass_)) {}
 
   bool is_between(const Body& i, const Body& j) const { return bodies_.are(i, j); }
   const ContactBodies& bodies() const { return bodies_; }
@@ -130,6 +133,21 @@ class TwoPassContact {
     if (memory.phase != ContactMemory::inside) return false;
     if (is_young(memory) && (!alone || memory.age < 0.0)) return false;
     return one_force_.lasts(grid, memory);
+  }
+
+  /// No less than what a followed contact, by itself, makes of its relative velocity in a step,
+  /// from that on the grid, [length/time]: what it owes; spring, dashpot and pull at the speed and
+  /// the overlap that its energy allows; the edge; and for friction, of a coefficient up to 1, as
+  /// much again.
+  double most_kick(const FollowedStart& start) const {
+    const RelativeState& at = start.truth.relative;
+    const double overlap = std::max(contact_distance_ - norm(at.separation), 0.0);
+    const double pull = step_ * pull_ * inverse_mass_;
+    const double speed =
+        norm(at.velocity) + std::abs(start.ahead) + swing_ * overlap + edge_speed_ + pull;
+    const double spring = swing_ * swing_ * (overlap + step_ * speed);
+    return 2.0 *
+           (std::abs(start.ahead) + step_ * (spring + damping_rate_ * speed) + pull + edge_speed_);
   }
 
   /// What leads from the motion on the grid to the true one at this grid point.
@@ -424,6 +442,9 @@ class TwoPassContact {
   Pair pair_;
   OneForce one_force_;
   double pull_;
+  double swing_;         // w0
+  double damping_rate_;  // 2 alpha
+  double edge_speed_;    // of a pair that falls from rest into contact
 };
 
 }  // namespace cohesion::event_stepping

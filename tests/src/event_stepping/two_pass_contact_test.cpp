@@ -130,6 +130,44 @@ TEST(TwoPassContact, TheDashpotOfALastingContactTakesTheEnergyOfItsSwing) {
   }
 }
 
+TEST(TwoPassContact, KicksNoMoreThanItSays) {
+  std::mt19937 random(12);
+  int met = 0, parted = 0;
+  double nearest = 0.0;
+  for (int n = 0; n < 8000; n++) {
+    contact::ContactParameters p = thesis::contact();
+    p.damping = -1.0;
+    p.restitution = uniform(random, 0.05, 1.0);
+    p.friction = uniform(random, 0.0, 1.0);
+    const double dt = thesis::contact_time / uniform(random, 2.5, 30.0);
+    const Body i{0.5e-3, 1.0 / thesis::mass}, j{0.8e-3, 1.0 / (4.1 * thesis::mass)};
+    const TwoPassContact<SpherePair> contact(p, thesis::adhesion(n % 2 ? 2e-18 : 0.0), i, j, dt);
+    const double speed = std::pow(10.0, uniform(random, -4.0, 0.0));
+    const auto any = [&](double size) {
+      return Vector3{uniform(random, -size, size), uniform(random, -size, size),
+                     uniform(random, -size, size)};
+    };
+    const bool in_range = n % 3 != 0;
+    const double gap =
+        in_range ? uniform(random, -5e-6, 0.0) : 1e-7 + uniform(random, 0.0, speed * dt);
+    const PairMotion motion{
+        {{i.radius + j.radius + gap, 0.0, 0.0}, any(speed)}, any(100.0), any(100.0)};
+    const FollowedStart start{motion, {}, {}, 0.0};
+    const auto f = contact.follow<ContactMemory::with_friction>(start, {}, {}, in_range);
+    if (!f.normal.interacts) continue;
+    met += !in_range && f.normal.normal.contact_time > 0.0;
+    parted += in_range && !f.normal.inside;
+    const double most = contact.most_kick(start);
+    EXPECT_LE(norm(f.change.relative.velocity), most) << n;
+    EXPECT_LE(norm(f.change.relative.separation), most * dt) << n;
+    nearest = std::max(nearest, norm(f.change.relative.velocity) / most);
+  }
+  EXPECT_GT(met, 100);
+  EXPECT_GT(parted, 100);
+  // It is no idle bound either.
+  EXPECT_GT(nearest, 0.2);
+}
+
 TEST(TwoPassContact, PredictorOfALastingContactIsWhatIsFollowed) {
   std::mt19937 random(11);
   int lasted = 0, slid = 0;
