@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <numeric>
 
 #include "atom.h"
 #include "cohesion_laws.h"
@@ -34,6 +35,7 @@ FixWallGranCohesive<Cohesion>::FixWallGranCohesive(LAMMPS* lammps, int narg, cha
       per_wall(HistorySize::normal_only),
       history(lammps),
       sizes(),
+      travelled(0.0),
       step(nullptr) {
   read(narg, arg);
   if (parameters.contact.friction > 0.0) per_wall = HistorySize::with_friction;
@@ -199,6 +201,25 @@ void FixWallGranCohesive<Cohesion>::update_sizes() {
   }
 }
 
+/// Finds the particles that may touch a wall, in this step and until one has moved by the largest
+/// radius.
+template <class Cohesion>
+void FixWallGranCohesive<Cohesion>::find_beside(const WallState& now) {
+  const double reach = 2.0 * sizes.largest_radius + sizes.largest_range;
+  const FarFromWalls far(walls, now.displacement, reach + sizes.largest_radius);
+  beside.clear();
+  for (int i = 0; i < atom->nlocal; i++)
+    if (!far.contains(atom->x[i]) || atom->radius[i] > sizes.largest_radius) beside.push_back(i);
+  known_radii.assign(atom->radius, atom->radius + atom->nlocal);
+  travelled = 0.0;
+}
+
+template <class Cohesion>
+bool FixWallGranCohesive<Cohesion>::radii_changed() const {
+  return !known_radii.empty() &&
+         std::memcmp(known_radii.data(), atom->radius, known_radii.size() * sizeof(double)) != 0;
+}
+
 /// Calls what(i, wall, contact, point, history) for the particles that may touch a wall in this
 /// step.
 template <class Cohesion>
@@ -209,12 +230,17 @@ void FixWallGranCohesive<Cohesion>::for_each_near(std::vector<Contact>& shared, 
   // What moves less than a radius in a step cannot matter beyond two. Each is asked when particles
   // may be new, or faster than that.
   const double flight = 2.0 * step->flight() + wall_travel(now);
-  const bool ask_each = step->starts() || neighbor->ago == 0 || flight > sizes.smallest_radius;
-  if (ask_each) update_sizes();
-  const FarFromWalls far(walls, now.displacement, 2.0 * sizes.largest_radius + sizes.largest_range);
+  if (step->starts() || neighbor->ago == 0 || flight > sizes.smallest_radius) {
+    update_sizes();
+    beside.resize(atom->nlocal);
+    std::iota(beside.begin(), beside.end(), 0);
+    travelled = std::numeric_limits<double>::infinity();
+  } else {
+    travelled += flight;
+    if (travelled > sizes.largest_radius || radii_changed()) find_beside(now);
+  }
 
-  for (int i = 0; i < atom->nlocal; i++) {
-    if (!ask_each && far.contains(atom->x[i]) && atom->radius[i] <= sizes.largest_radius) continue;
+  for (const int i : beside) {
     if (!(atom->mask[i] & groupbit)) continue;
     const Vector3 centre = vector(atom->x[i]);
     const double range = Cohesion::range(scheme, parameters, atom->radius[i], 0.0);
