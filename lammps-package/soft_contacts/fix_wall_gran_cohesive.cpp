@@ -182,11 +182,11 @@ void FixWallGranCohesive<Cohesion>::check_flight(int i, const WallPoint& point, 
                           "There " + report_flight(lmp, i));
 }
 
-/// How far the walls move in a step, [length]; infinite in a sheared box, where the mean flow,
-/// which step->flight() leaves out, may carry particles into any wall, or a wall against them.
+/// How far the walls move in a step, [length]; infinite where the box carries particles along: by a
+/// mean flow, which step->flight() leaves out, or as it is rescaled.
 template <class Cohesion>
 double FixWallGranCohesive<Cohesion>::wall_travel(const WallState& now) const {
-  if (domain->deform_vremap) return std::numeric_limits<double>::infinity();
+  if (domain->box_change) return std::numeric_limits<double>::infinity();
   if (motion.still()) return 0.0;
   return update->dt * norm(now.velocity);
 }
@@ -236,7 +236,7 @@ void FixWallGranCohesive<Cohesion>::for_each_near(std::vector<Contact>& shared, 
     std::iota(beside.begin(), beside.end(), 0);
     travelled = std::numeric_limits<double>::infinity();
   } else {
-    travelled += flight;
+    travelled += 2.0 * flight;  // fix recenter may carry all along with the fastest
     if (travelled > sizes.largest_radius || radii_changed()) find_beside(now);
   }
 

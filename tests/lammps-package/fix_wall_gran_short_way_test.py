@@ -100,6 +100,21 @@ run {steps}
                         steps=100)
         self.assertGreater(way[-1, :, 2].min(), 0.0)
 
+    def test_particles_that_others_carry_along(self):
+        """One flies up; that the centre of mass stays where it is, all are put down, and those at rest meet the
+        floor."""
+        speed = 0.05 * R / DT
+        way = self.same([10 * R, 5 * R, 5 * R], [speed, 0.0, 0.0], f"hamaker stiffness {STIFFNESS} zplane 0 NULL",
+                        "fix stay all recenter INIT INIT INIT shift all", steps=400)
+        self.assertGreater(way[-1, 1:, 2].min(), 0.0)
+
+    def test_a_box_that_carries_particles_along(self):
+        """Rescaled in each step, in the end to 0.32 radii above the floor: they have no velocity of their own
+        until they meet it."""
+        way = self.same([0.004] * 2, [0.0, 0.0], f"hamaker stiffness {STIFFNESS} zplane 0 NULL",
+                        "fix press all deform 1 z scale 1.24 remap x", steps=400)
+        self.assertGreater(way[-1, :, 2].min(), 0.0)
+
     def stops(self, *scene, **options):
         errors = []
         for code, output, way in self.runs(*scene, **options).values():
