@@ -225,15 +225,14 @@ class FixEventStep : public Fix {
   /// No less than what a followed contact does to the velocity of i, after add_followed().
   void add_kick(int i, double kick) { motions[shares[i].motion].most_kick += kick; }
   /// How far a particle of this rank may get in this step from where its velocity on the grid
-  /// leads, once the forces of lasting contacts are there, [length]: these and all others act over
-  /// the step, and in between it may be as far again from where it flies.
+  /// leads, once the forces of lasting contacts are there, [length].
   double strays(int i) const {
     const double step = 2.0 * half_kick();
-    const double size =
+    const double impulse =
         norm(cohesion::vector(atom->f[i])) / impulses.kick() +
         (other_forces_known ? step * norm(cohesion::vector(other_forces.of(i))) : 0.0);
     const double kick = is_followed(i) ? motions[shares[i].motion].most_kick : 0.0;
-    return step * (2.0 * inverse_mass[i] * size + kick);
+    return cohesion::event_stepping::most_stray(inverse_mass[i], impulse, kick, step);
   }
   /// Whether i is a particle of this rank with one contact only.
   bool has_one_contact(int i) const { return i < atom->nlocal && shares[i].contacts == 1; }

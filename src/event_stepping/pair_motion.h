@@ -46,6 +46,13 @@ inline RelativeState by_acceleration(const Vector3& acceleration, double step) {
   return {(0.5 * step * step) * acceleration, step * acceleration};
 }
 
+/// How far a particle may get in a step [time] from where its velocity on the grid leads, [length]:
+/// `impulse` [momentum], of forces over the step, in between which it may be as far again from
+/// where it flies, and `kick` [length/time] at any time in it.
+inline double most_stray(double inverse_mass, double impulse, double kick, double step) {
+  return step * (2.0 * inverse_mass * impulse + kick);
+}
+
 /// What a contact stores, [energy].
 struct StoredEnergies {
   double spring;
