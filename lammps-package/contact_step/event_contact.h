@@ -119,7 +119,7 @@ struct StepContacts {
   }
 
   /// Decides from its motion on the grid whether a contact lasts, and acts, or is followed, which
-  /// disturbs both particles. `alone`: whether a young one may last, if neither has another.
+  /// disturbs both particles. `alone`: whether a young one can be.
   template <int SIZE, class Contact, class OnImpulse>
   [[gnu::noinline]] void classify(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
                                   const Contact& c, int contact, int i, int j,
@@ -131,9 +131,9 @@ struct StepContacts {
     if (c.is_idle(grid.relative, memory, step->flight())) {
       idle.push_back({i, j, contact, history});
     } else if (!lasted && c.can_last(grid.relative, memory, alone)) {
-      const bool is_young = c.is_young(memory);
-      if (is_young) step->add_young(i, j);
-      (is_young ? young : candidates).push_back({i, j, contact, history});
+      const bool may_be_alone = alone && c.is_young(memory);
+      if (may_be_alone) step->add_young(i, j, c.minds_others());
+      (may_be_alone ? young : candidates).push_back({i, j, contact, history});
     } else if (memory.phase == ContactMemory::beyond && !c.within_reach(grid.relative, 0.0)) {
       far.add() = {i, j, contact, history};
     } else if (!lasted || !advance_lasting<SIZE>(scatter, step, c, {i, j, contact, history}, grid,
@@ -149,32 +149,38 @@ struct StepContacts {
     }
   }
 
-  /// A young contact that is not alone disturbs the particle that it shares.
-  void disturb_beside_young(FixEventStep* step) const {
-    for (const LastingContact& p : lasting) step->disturb_if_young(p.i, p.j);
-    for (const LastingContact& p : candidates) step->disturb_if_young(p.i, p.j);
+  /// A young contact that is not alone crowds, or disturbs, the particle that it shares.
+  void find_beside_young(FixEventStep* step) const {
+    for (const LastingContact& p : lasting) step->add_beside_young(p.i, p.j);
+    for (const LastingContact& p : candidates) step->add_beside_young(p.i, p.j);
   }
 
-  /// Lasting contacts beside disturbed ones are followed, too: one force among such drains energy.
-  /// Candidates last from now on, if nothing beside them is disturbed.
+  /// Contacts of disturbed particles are followed, too, if they mind others: one force among such
+  /// drains energy. Other candidates last from now on.
   template <int SIZE, class Contact, class GridOf, class OnImpulse>
   void follow_disturbed(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
                         const std::vector<Contact>& all, const GridOf& grid_of,
                         const OnImpulse& on_impulse) {
     using namespace cohesion::event_stepping;
-    if (step->any_disturbed())
+    const auto is_disturbed = [&](const LastingContact& p) {
+      return step->is_disturbed(p.i, p.j) && all[p.contact].minds_others();
+    };
+    const bool any_minds =
+        std::any_of(all.begin(), all.end(), [](const Contact& c) { return c.minds_others(); });
+    if (step->any_disturbed() && any_minds)
       for (const LastingContact& p : lasting)
-        if (step->is_disturbed(p.i, p.j))
+        if (is_disturbed(p))
           undo_lasting<SIZE>(scatter, step, all[p.contact], p, grid_of(p), on_impulse);
     for (const auto* some : {&candidates, &young})
       for (const LastingContact& p : *some) {
         const Contact& c = all[p.contact];
         ContactMemory memory = ContactMemory::from(p.history, SIZE);
         const PairMotion grid = grid_of(p);
-        if (step->is_disturbed(p.i, p.j))
+        const bool alone = some == &young && !step->is_crowded(p.i, p.j);
+        if (is_disturbed(p))
           add_followed<SIZE>(scatter, step, c, p, grid, memory);
         else
-          advance_lasting<SIZE>(scatter, step, c, p, grid, memory, on_impulse);
+          advance_lasting<SIZE>(scatter, step, c, p, grid, memory, on_impulse, alone);
       }
   }
 
@@ -311,14 +317,15 @@ struct StepContacts {
   template <int SIZE, class Contact, class OnImpulse>
   bool advance_lasting(const ContactsOfStep<Contact, SIZE>& scatter, FixEventStep* step,
                        const Contact& c, const LastingContact& p, const PairMotion& grid,
-                       ContactMemory& memory, const OnImpulse& on_impulse) {
+                       ContactMemory& memory, const OnImpulse& on_impulse, bool alone = true) {
     using namespace cohesion::event_stepping;
     const bool lasted = memory.phase == ContactMemory::lasting;
     const ContactMemory before = memory;
     Action action;
     ContactLosses lost;
     ContactLosses* const losses = step->energy_tally.is_active() ? &lost : nullptr;
-    const bool lasts = c.one_force().template advance_lasting<SIZE>(grid, memory, action, losses);
+    const bool lasts =
+        c.one_force().template advance_lasting<SIZE>(grid, memory, action, losses, alone);
     if (!lasts) c.one_force().template end_lasting<SIZE>(grid, memory, losses);
     memory.to(p.history, SIZE);
     step->energy_tally.add_losses(scatter.owned_fraction(p.j), lost, 0.0);

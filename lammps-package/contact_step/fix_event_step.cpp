@@ -246,11 +246,11 @@ bool FixEventStep::run_predictor() {
   for (EventContacts* some : styles) some->classify();
   if (any_event_scheme) {
     if (any_young)
-      for (EventContacts* some : styles) some->disturb_beside_young();
-    forward_disturbed();
+      for (EventContacts* some : styles) some->find_beside_young();
+    forward_marks();
     const int all = atom->nlocal + atom->nghost;
-    any_disturbed_now =
-        std::any_of(disturbed.begin(), disturbed.begin() + all, [](char is) { return is != 0; });
+    any_disturbed_now = std::any_of(marks.begin(), marks.begin() + all,
+                                    [](char is) { return (is & DISTURBED) != 0; });
     for (EventContacts* some : styles) some->follow_disturbed();
     for (EventContacts* some : styles) some->follow_far();
     for (EventContacts* some : styles) some->couple_lasting();
@@ -344,8 +344,8 @@ void FixEventStep::begin_step() {
   if (any_event_scheme) {
     std::fill_n(shares.begin(), all, Share{});
     motion_count = 0;
-    disturbed.assign(all, 0);
-    if (only_event_contacts) has_young.assign(all, 0);
+    marks.assign(all, 0);
+    if (only_event_contacts) beside_young.assign(all, 0);
     any_young = false;
     followed.assign(all, 0);
     followed_ghosts.clear();

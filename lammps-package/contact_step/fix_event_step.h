@@ -18,6 +18,7 @@ FixStyle(EVENT_STEP,FixEventStep);
 #include "contact_advice.h"
 #include "contact_energy_tally.h"
 #include "contact_impulses.h"
+#include "domain.h"
 #include "event_stepping/flux_parts.h"
 #include "event_stepping/two_pass_contact.h"
 #include "fix.h"
@@ -35,8 +36,8 @@ class EventContacts {
   /// Lets contacts that last act, and adds the others, whose particles are disturbed, to those that
   /// are followed.
   virtual void classify() = 0;
-  /// Marks particles that have a young contact and another one as disturbed.
-  virtual void disturb_beside_young() = 0;
+  /// Marks particles that have a young contact and another one as crowded, or disturbed.
+  virtual void find_beside_young() = 0;
   /// Adds lasting contacts of disturbed particles to those that are followed, too, and undoes what
   /// they did. Then adds what leads to the true motion of the particles of all that are followed.
   virtual void follow_disturbed() = 0;
@@ -95,12 +96,13 @@ struct Bodies {
 /// which `owed` leads, and which needs all contacts of a particle: in a predictor each by itself,
 /// what it does added to `predicted`, and in a corrector with half of what the others do.
 ///
-/// A particle is disturbed by a followed contact with an event, or by a young one that is not its
-/// only contact. Contacts of disturbed particles are followed, too: one force among such drains
-/// energy.
+/// A particle is disturbed by a followed contact with an event, and by a young one that minds
+/// others and is not its only contact. Contacts of disturbed particles are followed, too, if they
+/// mind others: one force among such drains energy. By a young one that does not mind them, and is
+/// not alone, it is crowded.
 ///
-/// Order within a step, with its first forces: all styles classify(); disturb_beside_young();
-/// forward_disturbed(); follow_disturbed(); follow_far(); couple_lasting();
+/// Order within a step, with its first forces: all styles classify(); find_beside_young();
+/// forward_marks(); follow_disturbed(); follow_far(); couple_lasting();
 /// forward_to_ghosts(owed); predict(); forward_to_ghosts(predicted). Then the corrector of each
 /// style.
 ///
@@ -163,8 +165,14 @@ class FixEventStep : public Fix {
                   const typename Contact::Attraction& attraction,
                   const cohesion::event_stepping::Body& i,
                   const cohesion::event_stepping::Body& j) const {
+    using cohesion::event_stepping::ClosestPacking;
     if constexpr (Contact::on_grid)
-      return {parameters, attraction, i, j, 2.0 * half_kick()};
+      return {parameters,
+              attraction,
+              i,
+              j,
+              2.0 * half_kick(),
+              domain->dimension == 2 ? ClosestPacking::in_plane() : ClosestPacking::in_space()};
     else
       return {parameters, attraction, i, j, {starting ? 0.0 : half_kick(), half_kick()}};
   }
@@ -192,29 +200,30 @@ class FixEventStep : public Fix {
     add(predicted(i), does.separation);
     add(predicted(i) + 3, does.velocity);
   }
-  /// Marks both particles of a contact that has an event, or is young; j < 0: a wall.
+  /// Marks both particles of a contact that has an event; j < 0: a wall.
   void disturb(int i, int j) {
-    disturbed[i] = 1;
-    if (j >= 0) disturbed[j] = 1;
+    marks[i] |= DISTURBED;
+    if (j >= 0) marks[j] |= DISTURBED;
   }
-  /// A young contact of both, which is not disturbed while neither has another contact; two of them
-  /// are no longer alone.
-  void add_young(int i, int j) {
+  /// A young contact of both, which is alone while neither has another; two of them are not. It
+  /// minds others, or does not.
+  void add_young(int i, int j, bool minds) {
     any_young = true;
-    add_young(i);
-    if (j >= 0) add_young(j);
+    add_young(i, minds ? DISTURBED : CROWDED);
+    if (j >= 0) add_young(j, minds ? DISTURBED : CROWDED);
   }
   /// Where a young contact may be alone: nothing but contacts of the event scheme changes
   /// velocities in this run.
   bool only_contacts_act() const { return only_event_contacts; }
-  /// Disturbs those of two particles with another contact that have a young one; j < 0: a wall.
-  void disturb_if_young(int i, int j) {
-    disturbed[i] |= has_young[i];
-    if (j >= 0) disturbed[j] |= has_young[j];
+  /// Adds a contact that is not young of two particles; j < 0: a wall.
+  void add_beside_young(int i, int j) {
+    marks[i] |= beside_young[i];
+    if (j >= 0) marks[j] |= beside_young[j];
   }
-  bool is_disturbed(int i) const { return disturbed[i] != 0; }
-  /// Whether i is, or j (below 0: a wall, which never is).
-  bool is_disturbed(int i, int j) const { return is_disturbed(i) || (j >= 0 && is_disturbed(j)); }
+  /// Whether i is disturbed, or j (below 0: a wall, which never is).
+  bool is_disturbed(int i, int j) const { return (marks_of(i, j) & DISTURBED) != 0; }
+  /// Whether a young contact of i and j is not alone.
+  bool is_crowded(int i, int j) const { return marks_of(i, j) != 0; }
   /// Whether any particle or ghost is.
   bool any_disturbed() const { return any_disturbed_now; }
   /// Counts one more contact of a particle that has a followed one.
@@ -272,15 +281,17 @@ class FixEventStep : public Fix {
   void update_speeds_and_masses();
   void update_masses(int all);
   void report_unresolved();
-  void forward_disturbed();
+  void forward_marks();
   using NumbersOf = double* (FixEventStep::*)(int i);
   void forward_to_ghosts(NumbersOf, int each);
   void forward_flagged(std::vector<char>& flags, NumbersOf, int each);
   void begin_tallies();
-  void add_young(int i) {
-    disturbed[i] |= has_young[i];
-    has_young[i] = 1;
+  void add_young(int i, char mark) {
+    marks[i] |= beside_young[i];
+    if (beside_young[i] != 0) marks[i] |= mark;
+    beside_young[i] |= mark;
   }
+  char marks_of(int i, int j) const { return j < 0 ? marks[i] : marks[i] | marks[j]; }
   void warn_of_unturned_once();
   bool any_driven() const;
   bool others_may_act() const;
@@ -332,8 +343,9 @@ class FixEventStep : public Fix {
   std::size_t motion_count = 0;
   std::vector<char> followed;  // per atom: 1 if it is, or 0; of ghosts what their owners sent
   std::vector<int> followed_ghosts;
-  std::vector<char> disturbed;       // per atom and ghost: 1 with an event or a young contact, or 0
-  std::vector<char> has_young;       // the same: 1 with a young contact that may be alone, or 0
+  static constexpr char DISTURBED = 1, CROWDED = 2;
+  std::vector<char> marks;           // per atom and ghost: those, added up
+  std::vector<char> beside_young;    // the same: what its young contacts make of it beside others
   bool any_young = false;            // of those
   bool any_disturbed_now = false;    // of those that are disturbed
   bool any_followed_now = false;     // the same

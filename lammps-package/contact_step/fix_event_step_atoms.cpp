@@ -14,8 +14,8 @@
 
 using namespace LAMMPS_NS;
 
-/// Sends to ghosts whether their owners are disturbed.
-void FixEventStep::forward_disturbed() { forward_flagged(disturbed, nullptr, 0); }
+/// Sends to ghosts the marks of their owners.
+void FixEventStep::forward_marks() { forward_flagged(marks, nullptr, 0); }
 
 /// Brings `each` values of particles with a followed contact to their ghosts; ghosts whose owners
 /// have none get 0.
@@ -33,14 +33,17 @@ void FixEventStep::forward_flagged(std::vector<char>& flags, NumbersOf values, i
   engine_api::forward_comm(comm, this, 1 + each);
 }
 
-/// Packs, of the particles that are flagged, their places in the list and their values; -1 after
-/// the last one, where the list does not end with it. A ghost that is passed on has what its owner
-/// sent.
+// One more than the largest flag.
+static constexpr int FLAGS = 4;
+
+/// Packs, of the particles that are flagged, their places in the list with the flag, and their
+/// values; -1 after the last one, where the list does not end with it. A ghost that is passed on
+/// has what its owner sent.
 int FixEventStep::pack_forward_comm(int n, int* list, double* buf, int, int*) {
   double* end = buf;
   for (int k = 0; k < n; k++) {
     if (!forwarded_flags[list[k]]) continue;
-    *end++ = k;
+    *end++ = FLAGS * k + forwarded_flags[list[k]];
     if (values_each > 0) end = std::copy_n((this->*forwarded_values)(list[k]), values_each, end);
   }
   if (end - buf < (1 + values_each) * n) *end++ = -1.0;
@@ -49,8 +52,9 @@ int FixEventStep::pack_forward_comm(int n, int* list, double* buf, int, int*) {
 
 void FixEventStep::unpack_forward_comm(int n, int first, double* buf) {
   for (int k = 0; k < n && *buf >= 0.0; k++) {
-    const int i = first + static_cast<int>(*buf++);
-    forwarded_flags[i] = 1;
+    const int flagged = static_cast<int>(*buf++);
+    const int i = first + flagged / FLAGS;
+    forwarded_flags[i] = static_cast<char>(flagged % FLAGS);
     // One that no contact of this process has may be passed on.
     if (values_each > 0 && shares[i].motion < 0) add_motion(i);
     if (values_each > 0) std::copy_n(buf, values_each, (this->*forwarded_values)(i));
@@ -130,7 +134,7 @@ int FixEventStep::size_restart(int) { return last.size_restart(); }
 
 double FixEventStep::memory_usage() {
   return (sizeof(double) + sizeof(Share)) * atom->nmax + sizeof(FollowedMotion) * motions.size() +
-         impulses.bytes() + static_cast<double>(disturbed.capacity() + followed.capacity()) +
+         impulses.bytes() + static_cast<double>(marks.capacity() + followed.capacity()) +
          static_cast<double>(sizeof(int)) * followed_ghosts.capacity() +
          sizeof(double) * known_masses.capacity() + other_forces.bytes() + last.bytes() +
          energy_tally.bytes();

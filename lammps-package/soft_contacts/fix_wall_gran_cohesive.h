@@ -36,8 +36,8 @@ class FixWallGranCohesive : public Fix, public EventWalls, public AdvisedStyle {
   void post_force(int) override;
   bool is_event_scheme() const override { return scheme == Scheme::event; }
   void classify() override;
-  void disturb_beside_young() override {
-    if (is_event_scheme()) contacts_now.disturb_beside_young(step);
+  void find_beside_young() override {
+    if (is_event_scheme()) contacts_now.find_beside_young(step);
   }
   void follow_disturbed() override;
   void follow_far() override;

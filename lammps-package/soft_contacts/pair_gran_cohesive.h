@@ -65,8 +65,8 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventContacts, p
     return is_active && coefficients.scheme() == Scheme::event;
   }
   void classify() override;
-  void disturb_beside_young() override {
-    if (is_event_scheme()) contacts_now.disturb_beside_young(step);
+  void find_beside_young() override {
+    if (is_event_scheme()) contacts_now.find_beside_young(step);
   }
   void follow_disturbed() override;
   void follow_far() override;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+
 #include "contact/contact_parameters.h"
 #include "event_stepping/contact_bodies.h"
 #include "event_stepping/contact_memory.h"
@@ -9,13 +11,30 @@
 
 namespace cohesion::event_stepping {
 
+/// The square of the frequency of what swings fastest in the closest packing of equal spheres over
+/// that of a pair, [1]: along the normals, with springs of friction and of rolling friction.
+///
+/// In space, twelve contacts, a sphere that swings against all neighbours has 4 times that of a
+/// pair along the normals: 2 sum cos^2 = 8 springs on one sphere's mass, 2 on that of a pair.
+/// Spheres that all spin alike, each surface sliding twice, have 2 sum sin^2 (5/2)/7 = 40/7 times
+/// that of a pair's sliding; spheres that roll against all their neighbours 8 times. In a plane,
+/// six contacts and spins across it, the sums of cos^2 and sin^2 are 3 and 6.
+///
+/// Source: derived here.
+struct ClosestPacking {
+  double normal, sliding, rolling;
+
+  static ClosestPacking in_space() { return {4.0, 40.0 / 7.0, 8.0}; }
+  static ClosestPacking in_plane() { return {3.0, 30.0 / 7.0, 6.0}; }
+};
+
 /// A contact that lasts, by one force of the usual form a step: along its normal, and of the
 /// springs in its plane.
 class OneForce {
  public:
-  /// pull [force]: of the adhesion; step [time].
+  /// pull [force]: of the adhesion; step [time]; packing: of which spheres may be part.
   OneForce(const contact::ContactParameters& parameters, const contact::LinearSpringDashpot& normal,
-           double pull, const ContactBodies& bodies, double step)
+           double pull, const ContactBodies& bodies, double step, const ClosestPacking& packing)
       : bodies_(bodies),
         step_(step),
         reduced_mass_(bodies.reduced_mass()),
@@ -24,13 +43,19 @@ class OneForce {
                  bodies.inverse_sliding_mass()),
         rolling_(contact::rolling_contact(parameters, normal), step, bodies.inverse_rolling_mass()),
         youth_(2.5 * normal.contact_time() / step),
-        steady_(is_steady()) {}
+        minds_others_(!suits_company(normal, step)),
+        steady_(is_steady(packing)) {}
 
   const SpringOnGrid& sliding() const { return sliding_; }
   const SpringOnGrid& rolling() const { return rolling_; }
 
-  /// Whether how a pair came together may still matter to others: in its first 2.5 contact times.
+  /// Whether a contact is in its first 2.5 contact times and has been alone since it began: how the
+  /// pair came together still matters.
   bool is_young(const ContactMemory& memory) const { return memory.age < youth_; }
+  /// Whether one force is not good enough beside contacts with an event, and for a young contact
+  /// beside any. Of one that does not mind others the dashpot takes so much that it is; young ones
+  /// grow old at once there.
+  bool minds_others() const { return minds_others_; }
 
   /// Whether a contact of one force certainly lasts for the step.
   bool lasts(const RelativeState& grid, const ContactMemory& memory) const {
@@ -41,10 +66,12 @@ class OneForce {
 
   /// A contact that has lasted, or can: sets the force times dt that it needs if it goes on, the
   /// springs in the plane of contact, and what was lost since the last grid point, if `losses` is
-  /// not null. False: it does not certainly last for this step, and needs end_lasting().
+  /// not null. `alone`: whether a young one that begins to last is, of both its bodies. False: it
+  /// does not certainly last for this step, and needs end_lasting().
   template <int SIZE>
   [[gnu::always_inline]] bool advance_lasting(const PairMotion& grid, ContactMemory& memory,
-                                              Action& action, ContactLosses* losses) const {
+                                              Action& action, ContactLosses* losses,
+                                              bool alone = true) const {
     const LastingNormal::Sample now = normal_.at(grid.relative);
     const bool lasted = memory.phase == ContactMemory::lasting;
     const LastingNormal::Force normal = force(now, memory);
@@ -58,6 +85,7 @@ class OneForce {
     }
     memory.phase = ContactMemory::lasting;
     memory.age += 1.0;
+    if (!lasted && !alone) memory.age = std::max(memory.age, youth_);
     memory.ahead = ContactMemory::none;
     if constexpr (SIZE >= ContactMemory::with_friction) {
       const Touch touch(bodies_, grid.relative.separation, now.inverse);
@@ -154,12 +182,28 @@ class OneForce {
  private:
   using Touch = ContactBodies::Touch;
 
-  /// A young contact begins from its true velocity: at the grid point before it may have been
-  /// apart. An old one, beside others of one force, from where it was.
+  /// A contact that had an event in the step before, and a young one that minds others, begin from
+  /// the true velocity: at the grid point before it may have been apart. All others from where they
+  /// were, as those of one force beside them do.
   [[gnu::always_inline]] LastingNormal::Force force(const LastingNormal::Sample& now,
                                                     const ContactMemory& memory) const {
-    return memory.lasted() || !is_young(memory) ? normal_.force(now)
-                                                : normal_.first_force(now, memory.ahead);
+    const bool known_by_grid =
+        memory.lasted() || (memory.age >= 1.0 && !(minds_others_ && is_young(memory)));
+    return known_by_grid ? normal_.force(now) : normal_.first_force(now, memory.ahead);
+  }
+  /// Whether going on by one force beside others, whatever happens to these, errs by less than a
+  /// fiftieth of what the dashpot takes: a gas gains 0.08 (dt/t_c)^3 of its kinetic energy a
+  /// collision by it, where the dashpot takes (1 - e^2)/3; and one force takes its dashpot's
+  /// velocity from the half step before, so that of two contacts of one particle it errs by a dt,
+  /// a = eta/(2 mu).
+  ///
+  /// Source: the first measured, the second derived; docs/lammps-package/gran_hamaker_many.md, What
+  /// damped contacts leave out.
+  static bool suits_company(const contact::LinearSpringDashpot& normal, double step) {
+    constexpr double small = 1.0 / 50.0;
+    const double e = normal.restitution(), part = step / normal.contact_time();
+    const double damped = 0.5 * normal.damping() / normal.reduced_mass() * step;
+    return 0.08 * part * part * part < small * (1.0 - e * e) / 3.0 && damped < small;
   }
 
   /// Adds what a young contact lost more since the last grid point than its springs say.
@@ -186,22 +230,17 @@ class OneForce {
   }
 
   /// Whether springs and dashpots of one force, which take the velocity of half a step before, stay
-  /// steady where each sphere has many of them.
-  ///
-  /// Each spring adds to w^2 of its sphere, and (w dt)^2 must stay below 4. In the closest packing,
-  /// twelve contacts, the fastest swing against all neighbours has 4 times the w^2 of a pair along
-  /// the normals: 2 sum cos^2 = 8 springs on one sphere's mass, 2 on that of a pair. Spheres that
-  /// all spin alike, each surface sliding twice, have 2 sum sin^2 (5/2)/7 = 40/7 times that of a
-  /// pair's sliding; spheres that roll against all their neighbours 8 times.
+  /// steady where each sphere has many of them: (w dt)^2 of each swing must stay below 4.
   ///
   /// Source: derived here; the limits are in docs/lammps-package/pair_gran_hamaker.md, What the
   /// scheme is for.
-  bool is_steady() const {
+  bool is_steady(const ClosestPacking& packing) const {
     const GridSpring& spring = normal_.constants();
     const double normal =
         (spring.stiffness + 2.0 * spring.damping / step_) * step_ * step_ * bodies_.inverse_mass();
-    return 4.0 * normal < 4.0 &&
-           40.0 / 7.0 * sliding_.frequency_squared() + 8.0 * rolling_.frequency_squared() < 4.0;
+    return packing.normal * normal < 4.0 && packing.sliding * sliding_.frequency_squared() +
+                                                    packing.rolling * rolling_.frequency_squared() <
+                                                4.0;
   }
 
   ContactBodies bodies_;
@@ -211,6 +250,7 @@ class OneForce {
   SpringOnGrid sliding_;
   SpringOnGrid rolling_;
   double youth_;  // steps
+  bool minds_others_;
   bool steady_;
 };
 

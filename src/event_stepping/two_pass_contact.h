@@ -52,8 +52,9 @@ using FollowedStep = std::conditional_t<
 /// (x_(n+1) - x_n)/dt.
 ///
 /// A contact that lasts needs one force of the usual form with the constants of GridSpring. A step
-/// with an event, and a young contact, are followed in closed form from the true velocities at t_n,
-/// in a predictor by itself, in a corrector with half of what the others of both particles do
+/// with an event is followed in closed form from the true velocities at t_n, and so is, where it
+/// minds others (OneForce), a contact beside such a one and a young one that is not alone: in a
+/// predictor by itself, in a corrector with half of what the others of both particles do
 /// before it and half after. Of what the contact does in the step, D to the separation and V to its
 /// rate, the force at t_n does D; what V is more than D/dt is remembered and leads to the true
 /// velocity at t_(n+1). What is so remembered is owed: the grid gets it with the next force.
@@ -71,9 +72,10 @@ class TwoPassContact {
   using Attraction = typename Pair::Attraction;
   static constexpr bool on_grid = true;
 
-  /// step [time].
+  /// step [time]; packing: of which the bodies may be part.
   TwoPassContact(const contact::ContactParameters& parameters, const Attraction& attraction,
-                 const Body& i, const Body& j, double step)
+                 const Body& i, const Body& j, double step,
+                 const ClosestPacking& packing = ClosestPacking::in_space())
       : bodies_(i, j),
         step_(step),
         inverse_mass_(bodies_.inverse_mass()),
@@ -81,7 +83,7 @@ class TwoPassContact {
         contact_distance_(bodies_.distance()),
         normal_contact_(contact::normal_contact(parameters, reduced_mass_)),
         pair_(normal_contact_, attraction, contact_distance_, step),
-        one_force_(parameters, normal_contact_, attraction.force, bodies_, step),
+        one_force_(parameters, normal_contact_, attraction.force, bodies_, step, packing),
         pull_(attraction.force),
         swing_(std::sqrt(normal_contact_.stiffness() * inverse_mass_)),
         damping_rate_(normal_contact_.damping() * inverse_mass_),
@@ -123,15 +125,15 @@ class TwoPassContact {
     }
   }
 
-  /// Whether a contact is young: one force is exact for it only where nothing else acts on both
-  /// particles.
+  /// Of its one force: is_young() and minds_others().
   bool is_young(const ContactMemory& memory) const { return one_force_.is_young(memory); }
+  bool minds_others() const { return one_force_.minds_others(); }
   /// Whether a contact may be of one force from now on, and certainly lasts for the step. `alone`:
-  /// a young one may, if it is known how it began; where a sphere or wall moves as it is told, only
-  /// if its velocity does not change, and of walls only at flat ones.
+  /// a young one that minds others may; where a sphere or wall moves as it is told, only if its
+  /// velocity does not change, and of walls only at flat ones. Not before it is known how it began.
   bool can_last(const RelativeState& grid, const ContactMemory& memory, bool alone) const {
-    if (memory.phase != ContactMemory::inside) return false;
-    if (is_young(memory) && (!alone || memory.age < 0.0)) return false;
+    if (memory.phase != ContactMemory::inside || memory.age < 0.0) return false;
+    if (is_young(memory) && minds_others() && !alone) return false;
     return one_force_.lasts(grid, memory);
   }
 

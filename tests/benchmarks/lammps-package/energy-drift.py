@@ -14,6 +14,10 @@ the slope of rms against the step, from t_c/5 to t_c/40. A sampled run that blew
 With `--heating`: what the dense gases gain per collision, from the third to the last fifth of 20
 collisions, mean and standard error of 16 runs, over the kinetic energy of the start.
 
+With `--damped`: dense gases whose contacts lose so much that they mind no others (OneForce::suits_company), from a
+lattice: kinetic energy after 14 collisions over that of the start, at t_c/80, and how much more is left at longer
+steps, over what has been lost; mean and standard error of 16 gases.
+
 With `--seeds`: `end` of N gases of other velocities, at t_c/10: mean with its standard error, and root mean square.
 """
 import numpy
@@ -26,6 +30,8 @@ DIVISIONS = (4, 5, 10, 20, 40)
 # Solid fraction, A [J], speed [m/s] (each component). The spheres' F_ad/sqrt(mu K) is 0.022 m/s.
 CASES = ((0.1, 0.0, 0.1), (0.5, 0.0, 0.1), (0.1, 2e-18, 0.02), (0.5, 2e-18, 0.02))
 SAMPLES = 200
+# Restitution and steps per contact of damped gases, near the longest step at which they mind no others.
+DAMPED = ((0.9, 5.3), (0.9, 10), (0.9487, 6.17), (0.9487, 10), (0.98, 8), (0.99, 10))
 
 
 def drift(table):
@@ -61,6 +67,31 @@ def heating(gas, engine, seeds=16, divisions=(2, 3, 4, 5, 10, 20)):
                   flush=True)
 
 
+def damped(gas, engine, seeds=16, collisions=20, finest=80):
+    progress = Progress(2 * seeds * sum(division + finest for _, division in DAMPED))
+    print("\rsolid fraction 0.5: kinetic energy that is left at t_c/80, and more at longer steps, over what is lost")
+    for phi, constant, speed in CASES[1::2]:
+        duration = collisions / gas.collision_rate(phi, speed)
+        for restitution, division in DAMPED:
+            left = numpy.empty((seeds, 2))
+            for seed in range(seeds):
+                with engine.temporary_folder() as folder:
+                    gas.write(folder, 10, phi, speed, seed)
+                    left[seed] = [kept(gas, gas.follow(folder, n, duration, 50, A=constant, e=restitution)[0], n, duration)
+                                  for n in (finest, division)]
+                progress.add(division + finest)
+            more = (left[:, 1] - left[:, 0]) / (1 - left[:, 0].mean())
+            print(f"\r  A = {constant:g} J, e = {restitution:g}: {left[:, 0].mean():.3f}; t_c/{division:<5g}"
+                  f"{more.mean():9.1e} +- {more.std(ddof=1) / seeds**0.5:.0e}{'':20s}", flush=True)
+
+
+def kept(gas, table, division, duration):
+    """Kinetic energy at seven tenths of `duration`, of a line through those about it, over that of the start."""
+    time = table[:, 0] * gas.CONTACT_TIME / division / duration
+    about = (time > 0.5) & (time < 0.9)
+    return numpy.exp(numpy.polyval(numpy.polyfit(time[about], numpy.log(table[about, 3]), 1), 0.7)) / table[0, 3]
+
+
 def scatter(gas, engine, collisions, seeds):
     durations = [collisions / gas.collision_rate(phi, speed) for phi, _, speed in CASES]
     progress = Progress(seeds * sum(durations))
@@ -81,9 +112,13 @@ def main():
     words = measuring_program.words(
         __doc__, ("--collisions", {"type": float, "default": 100.0, "help": "per particle"}),
         ("--heating", {"action": "store_true", "help": "what dense gases gain per collision"}),
+        ("--damped", {"action": "store_true", "help": "what damped gases keep too much"}),
         ("--seeds", {"type": int, "metavar": "N", "help": "N gases at t_c/10, at least two"}))
     if words.heating:
         heating(gas, engine)
+        return
+    if words.damped:
+        damped(gas, engine)
         return
     if words.seeds:
         scatter(gas, engine, words.collisions, words.seeds)

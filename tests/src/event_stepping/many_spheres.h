@@ -10,8 +10,8 @@
 
 namespace cohesion::event_stepping {
 
-/// Equal spheres in a periodic cube, or free (side 0), stepped as an engine would: kicks and
-/// flights by leapfrog. Velocities are those of the half step before.
+/// Equal spheres in a periodic box, or free where its side is 0, stepped as an engine would: kicks
+/// and flights by leapfrog. Velocities are those of the half step before.
 class ManySpheres {
  public:
   struct Sums {
@@ -21,9 +21,12 @@ class ManySpheres {
 
   ManySpheres(const contact::ContactParameters& parameters, const contact::Adhesion& adhesion,
               double dt, double side)
-      : contact_(parameters, adhesion, body(), body(), dt),
+      : ManySpheres(parameters, adhesion, dt, {side, side, side}, ClosestPacking::in_space()) {}
+  ManySpheres(const contact::ContactParameters& parameters, const contact::Adhesion& adhesion,
+              double dt, const Vector3& sides, const ClosestPacking& packing)
+      : contact_(parameters, adhesion, body(), body(), dt, packing),
         dt_(dt),
-        side_(side),
+        sides_(sides),
         friction_(parameters.friction > 0.0 || parameters.rolling_friction > 0.0) {}
 
   static Body body() { return {thesis::radius, 1.0 / thesis::mass}; }
@@ -83,11 +86,8 @@ class ManySpheres {
   };
 
   Vector3 apart(Vector3 s) const {
-    if (side_ > 0.0) {
-      s.x -= side_ * std::round(s.x / side_);
-      s.y -= side_ * std::round(s.y / side_);
-      s.z -= side_ * std::round(s.z / side_);
-    }
+    for (double Vector3::* const k : {&Vector3::x, &Vector3::y, &Vector3::z})
+      if (sides_.*k > 0.0) s.*k -= sides_.*k * std::round(s.*k / sides_.*k);
     return s;
   }
 
@@ -132,9 +132,11 @@ class ManySpheres {
   void compute() {
     const int n = size();
     std::vector<Vector3> dv(n), dw(n), v = v_, w = w_;
-    std::vector<char> disturbed(n, 0), marked(n, 0), has_young(n, 0);
+    std::vector<char> disturbed(n, 0), crowded(n, 0), marked(n, 0), has_young(n, 0);
     std::vector<Followed<SIZE>> follow;
-    const auto is_disturbed = [&](const Near& p) { return disturbed[p.i] || disturbed[p.j]; };
+    const auto is_disturbed = [&](const Near& p) {
+      return contact_.minds_others() && (disturbed[p.i] || disturbed[p.j]);
+    };
     const auto add_followed = [&](std::size_t k, const PairMotion& grid) {
       const Near& p = near_[k];
       follow.push_back({static_cast<int>(k), contact_.start<SIZE>(grid, {}, p.memory), {}});
@@ -156,7 +158,7 @@ class ManySpheres {
         candidates.push_back(k);
         for (const int m : {p.i, p.j})
           if (contact_.is_young(p.memory)) {
-            disturbed[m] |= has_young[m];
+            crowded[m] |= has_young[m];
             has_young[m] = 1;
           }
         if (!contact_.is_young(p.memory)) old.push_back(k);
@@ -173,7 +175,8 @@ class ManySpheres {
       }
     }
     for (const std::size_t k : old)
-      for (const int m : {near_[k].i, near_[k].j}) disturbed[m] |= has_young[m];
+      for (const int m : {near_[k].i, near_[k].j}) crowded[m] |= has_young[m];
+    for (int i = 0; i < n; i++) disturbed[i] |= crowded[i];
     for (std::size_t k = 0; k < near_.size(); k++) {
       Near& p = near_[k];
       if (p.memory.phase != ContactMemory::lasting || !is_disturbed(p)) continue;
@@ -191,7 +194,8 @@ class ManySpheres {
       if (is_disturbed(p)) {
         add_followed(k, grid);
       } else {
-        contact_.one_force().advance_lasting<SIZE>(grid, p.memory, action, nullptr);
+        const bool alone = !crowded[p.i] && !crowded[p.j];
+        contact_.one_force().advance_lasting<SIZE>(grid, p.memory, action, nullptr, alone);
         give(p, action, dv, dw);
         lasting++;
       }
@@ -240,7 +244,7 @@ class ManySpheres {
   static constexpr double skin = 0.1 * 2.0 * thesis::radius;
   Contact contact_;
   double dt_;
-  double side_;
+  Vector3 sides_;
   bool friction_;
   bool first_ = true;
   double fastest_ = 0.0;

@@ -17,6 +17,7 @@ class PairOnGrid {
   ContactMemory memory{};
   FollowedStep<SIZE> followed{};  ///< the last step that was followed
   bool alone = true;              ///< a young contact may last
+  bool may_begin = true;          ///< to act by one force
   bool lasted = false;            ///< the last step was of one force
   ContactLosses now{};            ///< of the last step
   double lost = 0.0;
@@ -39,12 +40,12 @@ class PairOnGrid {
   void step() {
     const PairMotion grid = this->grid();
     const bool goes_on = memory.phase == ContactMemory::lasting;
-    const bool begins = !goes_on && contact.can_last(grid.relative, memory, alone);
+    const bool begins = !goes_on && may_begin && contact.can_last(grid.relative, memory, alone);
     Action action;
     now = {};
     if (begins) energy = true_kinetic(memory) + sum(contact.stored(grid, memory)) + lost;
     lasted = (goes_on || begins) &&
-             contact.one_force().template advance_lasting<SIZE>(grid, memory, action, &now);
+             contact.one_force().template advance_lasting<SIZE>(grid, memory, action, &now, alone);
     if (goes_on && !lasted) contact.one_force().template end_lasting<SIZE>(grid, memory, &now);
     // Since the last grid point.
     if (goes_on || begins) lost += sum(now);

@@ -77,10 +77,9 @@ TEST(RollingFriction, FollowedItSwingsAndDecaysAtTheClosedFormOfTheMidpointRule)
   pair.spin[1] = {-3.0, 1e-3, 1e-3};
   const Vector3 v0 = pair.radius() * Vector3{0.0, 1e-3, -2e-3};
   pair.memory.rolling.stretch = -dt * v0;  // to zero at the first grid point
-  pair.alone = false;
+  pair.may_begin = false;
   std::complex<double> power = 1.0;
   for (int n = 1; n <= 100; n++) {
-    pair.memory.age = 0.0;  // as if something had just happened to it
     pair.step();
     ASSERT_FALSE(pair.lasted);
     power *= factor;
@@ -325,11 +324,11 @@ TEST(RollingFriction, NoFollowedStepGivesEnergyAllTalliesCloseAndSlidingIsCapped
     p.tangential_ratio = std::exp(4.0 * uniform(random));
     p.tangential_damping_ratio = std::exp(4.0 * uniform(random));
     Pressed<SpherePair> pair(p, small, large, young);
-    pair.alone = false;
     // One force is not taken of springs and dashpots that would not be steady by it.
     const ContactMemory aged{ContactMemory::inside, 1e6, 0.0, {}, {}};
     const bool lasts = n % 2 && pair.contact.can_last(pair.grid().relative, aged, false);
     if (lasts) pair.memory = old;
+    pair.may_begin = lasts;
     lasted += lasts;
     const auto any = [&](double scale) {
       return scale * Vector3{uniform(random), uniform(random), uniform(random)};
@@ -344,7 +343,6 @@ TEST(RollingFriction, NoFollowedStepGivesEnergyAllTalliesCloseAndSlidingIsCapped
     double balance = 0.0;
     for (int k = 0; k < 20; k++) {
       const double held = pull * dt * p.rolling_friction;
-      if (!lasts) pair.memory.age = 0.0;
       pair.step();
       ASSERT_EQ(pair.lasted, lasts);
       const Vector3& impulse = pair.memory.rolling.impulse;

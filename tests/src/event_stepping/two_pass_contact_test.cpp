@@ -130,6 +130,28 @@ TEST(TwoPassContact, TheDashpotOfALastingContactTakesTheEnergyOfItsSwing) {
   }
 }
 
+TEST(TwoPassContact, MindsOthersUnlessItsDashpotTakesFarMoreThanOneForceErrs) {
+  // 12 (dt/t_c)^3 < 1 - e^2, and ln(1/e) dt/t_c < 0.02.
+  const auto minds = [](double e, double part) {
+    contact::ContactParameters p;
+    p.stiffness = 800.0;
+    p.restitution = e;
+    const Body body{thesis::radius, 1.0 / thesis::mass};
+    const double t = contact::normal_contact(p, thesis::reduced_mass).contact_time();
+    return TwoPassContact<SpherePair>(p, {}, body, body, e > 0.0 ? t / part : 1e-6).minds_others();
+  };
+  for (const double part : {4.0, 6.0, 10.0, 20.0, 100.0}) {
+    EXPECT_TRUE(minds(1.0, part));
+    EXPECT_TRUE(minds(0.0, part));
+    const double most = std::sqrt(1.0 - 12.0 / (part * part * part));
+    const double least = std::exp(-0.02 * part);
+    EXPECT_TRUE(minds(std::min(most * 1.0001, 1.0), part)) << part;
+    EXPECT_TRUE(minds(least * 0.9999, part)) << part;
+    EXPECT_EQ(minds(most * 0.9999, part), most * 0.9999 < least) << part;
+    EXPECT_EQ(minds(least * 1.0001, part), least * 1.0001 > most) << part;
+  }
+}
+
 TEST(TwoPassContact, KicksNoMoreThanItSays) {
   std::mt19937 random(12);
   int met = 0, parted = 0;
