@@ -132,26 +132,34 @@ void FixGasCoupling::apply_forces(bool setting_up) {
     for (int k = 0; k < 6; k++) impulse[k] += force[k] * dt;
 }
 
-/// Adds what pressure and drag put on a particle in this step.
-void FixGasCoupling::add_force(int i, int k, double pressure, double drag_force, bool setting_up) {
-  force[k] += drag_force;
-  force[3 + k] += pressure;
-  if (!setting_up) gas(i).drag_impulse[k] += drag_force * update->dt;
+/// Adds what pressure and drag put on a particle in this step, three components each.
+inline void FixGasCoupling::add_forces(GasOnParticle& felt, const double* pressure,
+                                       const double* drag_force, bool setting_up) {
+  for (int k = 0; k < 3; k++) {
+    force[k] += drag_force[k];
+    force[3 + k] += pressure[k];
+  }
+  if (setting_up) return;
+  const double dt = update->dt;
+  for (int k = 0; k < 3; k++) felt.drag_impulse[k] += drag_force[k] * dt;
 }
 
 void FixGasCoupling::apply_gas(int i, bool setting_up) {
-  const GasOnParticle& felt = gas(i);
+  GasOnParticle& felt = gas(i);
   const cohesion::drag::ParticleDrag drag(felt.drag_coefficient, atom->rmass[i], update->dt);
   const double volume = cohesion::sphere_volume(atom->radius[i]);
+  double* const f = atom->f[i];
+  const double* const v = atom->v[i];
+  double pressure[3], drag_force[3], all[3];
   for (int k = 0; k < 3; k++) {
-    const double pressure = cohesion::drag::pressure_force(volume, felt.pressure_gradient[k]);
-    const double others = atom->f[i][k] + pressure;
-    const double slip = felt.velocity[k] - atom->v[i][k];
-    const double drag_force =
-        setting_up ? drag.force_about(slip, others) : drag.force(slip, others);
-    atom->f[i][k] = others + drag_force;
-    add_force(i, k, pressure, drag_force, setting_up);
+    pressure[k] = cohesion::drag::pressure_force(volume, felt.pressure_gradient[k]);
+    const double others = f[k] + pressure[k];
+    const double slip = felt.velocity[k] - v[k];
+    drag_force[k] = setting_up ? drag.force_about(slip, others) : drag.force(slip, others);
+    all[k] = others + drag_force[k];
   }
+  std::copy_n(all, 3, f);
+  add_forces(felt, pressure, drag_force, setting_up);
 }
 
 /// With added mass and lift, which count with the drag: all that is not pressure.
@@ -177,10 +185,8 @@ void FixGasCoupling::apply_liquid(int i, bool setting_up) {
   const double total[] = {all.x, all.y, all.z};
   const double by_pressure[] = {pressure.x, pressure.y, pressure.z};
   const double beside_pressure[] = {exchanged.x, exchanged.y, exchanged.z};
-  for (int k = 0; k < 3; k++) {
-    atom->f[i][k] = total[k];
-    add_force(i, k, by_pressure[k], beside_pressure[k], setting_up);
-  }
+  std::copy_n(total, 3, atom->f[i]);
+  add_forces(gas(i), by_pressure, beside_pressure, setting_up);
 }
 
 /// "gas": double** [atoms], each row a GasOnParticle. "liquid": likewise of LiquidOnParticle, which

@@ -54,7 +54,8 @@ class FixGasCoupling : public Fix {
   void apply_forces(bool setting_up);
   void apply_gas(int i, bool setting_up);
   void apply_liquid(int i, bool setting_up);
-  void add_force(int i, int k, double pressure, double drag_force, bool setting_up);
+  void add_forces(cohesion::drag::GasOnParticle&, const double* pressure, const double* drag_force,
+                  bool setting_up);
   void use_liquid();
   int row_size() const;
   void copy_row(int i, double* to) const;

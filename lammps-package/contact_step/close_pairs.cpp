@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "atom.h"
 #include "box_shear.h"
@@ -19,14 +18,16 @@ void ClosePairs::start(double allowed) {
   positions_.clear();
 }
 
-void ClosePairs::update(const NeighList& list, double reach, double travelled,
+void ClosePairs::update(const NeighList& list, double reach, double travelled, long radii,
                         const RememberedPairs& known) {
   const bool new_list = neighbor->ago == 0;
   travelled_ += travelled;
-  if (new_list || positions_.empty() || may_have_come(reach))
+  if (new_list || positions_.empty() || may_have_come(reach, radii == radii_version_)) {
     find(list, known, new_list);
-  else if (++since_counted_ == STEPS_OF_A_COUNT)
+    radii_version_ = radii;
+  } else if (++since_counted_ == STEPS_OF_A_COUNT) {
     count_remembered();
+  }
   reach_ = reach;
 }
 
@@ -75,10 +76,8 @@ const ClosePair** ClosePairs::find_near(const ClosePair* first, const ClosePair*
 
 /// Whether a pair that is not known may have come as near as `reach`. Where neither radii nor the
 /// box have changed, what the fastest has travelled answers that for most steps.
-bool ClosePairs::may_have_come(double reach) const {
-  const bool as_found = !domain->box_change && std::memcmp(atom->radius, radii_.data(),
-                                                           radii_.size() * sizeof(double)) == 0;
-  if (as_found && reach + 2.0 * travelled_ <= allowed_) return false;
+bool ClosePairs::may_have_come(double reach, bool radii_as_found) const {
+  if (radii_as_found && !domain->box_change && reach + 2.0 * travelled_ <= allowed_) return false;
   return reach + come_closer() > allowed_;
 }
 

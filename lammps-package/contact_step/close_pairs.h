@@ -39,8 +39,9 @@ class ClosePairs : protected Pointers {
 
   /// Finds the pairs of `list` whose gap is below `reach` [length], which is at most allowed(),
   /// unless they are known. When the engine's list is new, pairs that are not close lose the mark
-  /// `has_history`. `travelled` [length]: at most what a particle has moved by since the last call.
-  void update(const class NeighList& list, double reach, double travelled,
+  /// `has_history`. `travelled` [length]: at most what a particle has moved by since the last call;
+  /// `radii`: another number where radii have changed since then.
+  void update(const class NeighList& list, double reach, double travelled, long radii,
               const RememberedPairs& known);
 
   /// Calls what(ClosePair) for the pairs that have a history or a gap below `reach`, in the order
@@ -63,7 +64,7 @@ class ClosePairs : protected Pointers {
   const ClosePair** find_near(const ClosePair* first, const ClosePair* stop,
                               const ClosePair** near) const;
   bool is_near(const ClosePair&, const double* x, const double* radius) const;
-  bool may_have_come(double reach) const;
+  bool may_have_come(double reach, bool radii_as_found) const;
   double come_closer() const;
   void find(const NeighList&, const RememberedPairs&, bool new_list);
   void count_remembered();
@@ -79,6 +80,7 @@ class ClosePairs : protected Pointers {
   int since_counted_ = 0;          // steps
   std::vector<ClosePair> pairs_;   // the first `count_` of these
   std::vector<double> radii_;      // per atom and ghost, when the pairs were found
+  long radii_version_ = 0;         // of those
   std::vector<double> positions_;  // the same; empty: not found yet
 };
 

@@ -182,13 +182,14 @@ bool FixEventStep::is_idle() const {
   return !may_have_contacts && !energy_tally.has_readers() && flux_readers.use_count() == 1;
 }
 
-/// Updates how far the fastest particle or ghost may fly, and all masses.
-void FixEventStep::update_speeds_and_masses() {
+/// Updates how far the fastest particle or ghost may fly, and all masses and radii.
+void FixEventStep::update_particles() {
   const int all = atom->nlocal + atom->nghost;
   longest_flight = cohesion::shear::longest_flight(fastest_of(atom, domain, number_of_movers(lmp)),
                                                    rate_of_shear(domain).amount,
                                                    neighbor->cutneighmax, 0.5 * update->dt);
   update_masses(all);
+  update_radii(all);
 }
 
 /// Masses may change in any step (fix adapt); to see that they have not costs next to nothing.
@@ -203,6 +204,15 @@ void FixEventStep::update_masses(int all) {
       if (inverse_mass[i] != 0.0) inverse_mass[i] = 1.0 / mass[i];
   }
   known_masses.assign(mass, mass + all);
+}
+
+void FixEventStep::update_radii(int all) {
+  const double* const radius = atom->radius;
+  if (neighbor->ago != 0 && known_radii.size() == static_cast<std::size_t>(all) &&
+      std::memcmp(known_radii.data(), radius, all * sizeof(double)) == 0)
+    return;
+  known_radii.assign(radius, radius + all);
+  radii_version++;
 }
 
 double FixEventStep::half_kick() const { return 0.5 * update->dt; }
@@ -225,7 +235,7 @@ void FixEventStep::setup_pre_force(int) {
     predictor_due = true;
     return;
   }
-  update_speeds_and_masses();
+  update_particles();
   update_readers();
   advise_if_due(true);
   if (other_box)
@@ -333,7 +343,7 @@ void FixEventStep::advise_if_due(bool setup) {
 
 void FixEventStep::begin_step() {
   const int all = atom->nlocal + atom->nghost;
-  update_speeds_and_masses();
+  update_particles();
   update_readers();
   // The engine's half kick makes of a force f the momentum f dt/2; the other half went before, but
   // for the first step, which has no half before it.

@@ -178,6 +178,8 @@ class FixEventStep : public Fix {
   }
   /// What force times this adds to the momentum until the motion of the step ends, [time].
   double half_kick() const;
+  /// Another number than in the step before if radii have changed or the list of neighbours is new.
+  long version_of_radii() const { return radii_version; }
   /// How far a particle or ghost of this rank may fly in half a step, [length].
   double flight() const { return longest_flight; }
 
@@ -278,8 +280,9 @@ class FixEventStep : public Fix {
   void advise_if_due(bool setup);
   bool is_idle() const;
   void update_readers();
-  void update_speeds_and_masses();
+  void update_particles();
   void update_masses(int all);
+  void update_radii(int all);
   void report_unresolved();
   void forward_marks();
   using NumbersOf = double* (FixEventStep::*)(int i);
@@ -351,6 +354,8 @@ class FixEventStep : public Fix {
   bool any_followed_now = false;     // the same
   double* inverse_mass;              // per atom and ghost
   std::vector<double> known_masses;  // the masses inverse_mass is of; empty: of none
+  std::vector<double> known_radii;   // radii_version is of these
+  long radii_version = 0;
   double longest_flight;
   double unresolved;                        // steps of contacts that were cut short, in this run
   ContactEnergyTally::Reader flux_readers;  // copies of this are out

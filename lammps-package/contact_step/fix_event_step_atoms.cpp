@@ -136,6 +136,6 @@ double FixEventStep::memory_usage() {
   return (sizeof(double) + sizeof(Share)) * atom->nmax + sizeof(FollowedMotion) * motions.size() +
          impulses.bytes() + static_cast<double>(marks.capacity() + followed.capacity()) +
          static_cast<double>(sizeof(int)) * followed_ghosts.capacity() +
-         sizeof(double) * known_masses.capacity() + other_forces.bytes() + last.bytes() +
-         energy_tally.bytes();
+         sizeof(double) * (known_masses.capacity() + known_radii.capacity()) +
+         other_forces.bytes() + last.bytes() + energy_tally.bytes();
 }

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <numeric>
 
@@ -210,14 +209,8 @@ void FixWallGranCohesive<Cohesion>::find_beside(const WallState& now) {
   beside.clear();
   for (int i = 0; i < atom->nlocal; i++)
     if (!far.contains(atom->x[i]) || atom->radius[i] > sizes.largest_radius) beside.push_back(i);
-  known_radii.assign(atom->radius, atom->radius + atom->nlocal);
+  radii_version = step->version_of_radii();
   travelled = 0.0;
-}
-
-template <class Cohesion>
-bool FixWallGranCohesive<Cohesion>::radii_changed() const {
-  return !known_radii.empty() &&
-         std::memcmp(known_radii.data(), atom->radius, known_radii.size() * sizeof(double)) != 0;
 }
 
 /// Calls what(i, wall, contact, point, history) for the particles that may touch a wall in this
@@ -237,7 +230,8 @@ void FixWallGranCohesive<Cohesion>::for_each_near(std::vector<Contact>& shared, 
     travelled = std::numeric_limits<double>::infinity();
   } else {
     travelled += 2.0 * flight;  // fix recenter may carry all along with the fastest
-    if (travelled > sizes.largest_radius || radii_changed()) find_beside(now);
+    if (travelled > sizes.largest_radius || radii_version != step->version_of_radii())
+      find_beside(now);
   }
 
   for (const int i : beside) {

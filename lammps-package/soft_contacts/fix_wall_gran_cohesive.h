@@ -91,7 +91,6 @@ class FixWallGranCohesive : public Fix, public EventWalls, public AdvisedStyle {
   double wall_travel(const cohesion::event_stepping::WallState&) const;
   void update_sizes();
   void find_beside(const cohesion::event_stepping::WallState&);
-  bool radii_changed() const;
   template <class Contact, class What>
   void for_each_near(std::vector<Contact>&, const What&);
   template <int SIZE>
@@ -157,9 +156,9 @@ class FixWallGranCohesive : public Fix, public EventWalls, public AdvisedStyle {
   struct Sizes {
     double smallest_radius, largest_radius, largest_range;
   } sizes;
-  std::vector<int> beside;          // particles that may touch a wall
-  std::vector<double> known_radii;  // of all, when these were found
-  double travelled;                 // by one of them or a wall since then, at most, [length]
+  std::vector<int> beside;  // particles that may touch a wall
+  long radii_version = -1;  // when these were found
+  double travelled;         // by one of them or a wall since then, at most, [length]
   FixEventStep* step;
 
   WallForces forces;

@@ -120,7 +120,7 @@ void PairGranCohesive<Cohesion>::find_close() {
                (close_pairs.allowed() - largest_range) / flights, 20.0 * step->flight(),
                report_fastest(lmp));
   // A flight is of half a step.
-  close_pairs.update(*list, reach, 2.0 * step->flight(),
+  close_pairs.update(*list, reach, 2.0 * step->flight(), step->version_of_radii(),
                      {history->firstflag, history->firstvalue, per_pair});
 }
 
