@@ -67,29 +67,21 @@ def heating(gas, engine, seeds=16, divisions=(2, 3, 4, 5, 10, 20)):
                   flush=True)
 
 
-def damped(gas, engine, seeds=16, collisions=20, finest=80):
-    progress = Progress(2 * seeds * sum(division + finest for _, division in DAMPED))
-    print("\rsolid fraction 0.5: kinetic energy that is left at t_c/80, and more at longer steps, over what is lost")
+def damped(gas, engine, seeds=16):
+    progress = Progress(2 * seeds * sum(division + gas.FINEST for _, division in DAMPED))
+    print(f"\rsolid fraction 0.5: kinetic energy that is left at t_c/{gas.FINEST}, and more at longer steps, over what is lost")
     for phi, constant, speed in CASES[1::2]:
-        duration = collisions / gas.collision_rate(phi, speed)
         for restitution, division in DAMPED:
             left = numpy.empty((seeds, 2))
             for seed in range(seeds):
                 with engine.temporary_folder() as folder:
                     gas.write(folder, 10, phi, speed, seed)
-                    left[seed] = [kept(gas, gas.follow(folder, n, duration, 50, A=constant, e=restitution)[0], n, duration)
-                                  for n in (finest, division)]
-                progress.add(division + finest)
+                    left[seed] = [gas.kept(folder, n, phi, speed, A=constant, e=restitution)
+                                  for n in (gas.FINEST, division)]
+                progress.add(division + gas.FINEST)
             more = (left[:, 1] - left[:, 0]) / (1 - left[:, 0].mean())
             print(f"\r  A = {constant:g} J, e = {restitution:g}: {left[:, 0].mean():.3f}; t_c/{division:<5g}"
                   f"{more.mean():9.1e} +- {more.std(ddof=1) / seeds**0.5:.0e}{'':20s}", flush=True)
-
-
-def kept(gas, table, division, duration):
-    """Kinetic energy at seven tenths of `duration`, of a line through those about it, over that of the start."""
-    time = table[:, 0] * gas.CONTACT_TIME / division / duration
-    about = (time > 0.5) & (time < 0.9)
-    return numpy.exp(numpy.polyval(numpy.polyfit(time[about], numpy.log(table[about, 3]), 1), 0.7)) / table[0, 3]
 
 
 def scatter(gas, engine, collisions, seeds):

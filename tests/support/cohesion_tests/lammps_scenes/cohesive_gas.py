@@ -10,6 +10,7 @@ from cohesion_tests.thermo import processor_seconds, thermo_lines
 DIAMETER, DENSITY, STIFFNESS = 1e-3, 2650.0, 800.0
 MASS = math.pi / 6 * DENSITY * DIAMETER**3
 CONTACT_TIME = math.pi * math.sqrt(MASS / 2 / STIFFNESS)  # t_c without damping, [s]
+FINEST = 80  # steps per contact that others are held against
 
 
 def edge(count, fraction):
@@ -54,3 +55,13 @@ def follow(folder, steps_per_contact, duration, samples=50, ranks=1, **options):
               **options}
     return table(engine.run("in.gran_hamaker_gas", folder, ranks=ranks, dt=dt,
                             steps=every * samples, every=every, **values))
+
+
+def kept(folder, steps_per_contact, fraction, speed, **options):
+    """Runs data.spheres, written with `fraction` and `speed`; its kinetic energy after 14 collisions at Enskog's rate
+    of the start over that of the start, of a line through samples about then."""
+    duration = 20 / collision_rate(fraction, speed)
+    table, _ = follow(folder, steps_per_contact, duration, **options)
+    time = table[:, 0] * CONTACT_TIME / steps_per_contact / duration
+    about = (time > 0.5) & (time < 0.9)
+    return numpy.exp(numpy.polyval(numpy.polyfit(time[about], numpy.log(table[about, 3]), 1), 0.7)) / table[0, 3]
