@@ -8,44 +8,14 @@
 #include "contact/contact_parameters.h"
 #include "event_stepping/contact_bodies.h"
 #include "event_stepping/contact_memory.h"
+#include "event_stepping/followed_step.h"
+#include "event_stepping/kick_bound.h"
 #include "event_stepping/one_force.h"
 #include "event_stepping/plane_pair.h"
 #include "event_stepping/sphere_pair.h"
 #include "event_stepping/well_pair.h"
 
 namespace cohesion::event_stepping {
-
-/// Where a followed step begins.
-struct FollowedStart {
-  PairMotion truth;              ///< at the grid point
-  Vector3 sliding{}, rolling{};  ///< stretch of both springs, [length]
-  double ahead = 0.0;            ///< true radial velocity over the grid's, [length/time]
-};
-
-/// What a followed contact does from one grid point to the next, along the normal.
-struct FollowedNormal {
-  PairStep normal;
-  PairMotion change;  ///< D, V and changes of the spins, of all
-  /// What a rolling spring changes of the spins.
-  PairSpins rolled() const { return {}; }
-};
-/// The same with friction.
-struct FollowedSliding : FollowedNormal {
-  contact::TangentialStep sliding;
-  Vector3 sliding_rate;  ///< of the ends of the spring, [length/time]
-};
-/// The same with rolling friction.
-struct FollowedRolling : FollowedSliding {
-  contact::TangentialStep rolling;
-  Vector3 rolling_rate;  ///< of the ends of the spring, [length/time]
-  PairSpins turned;
-  PairSpins rolled() const { return turned; }
-};
-/// What a contact that remembers so many numbers needs of these.
-template <int SIZE>
-using FollowedStep = std::conditional_t<
-    (SIZE >= ContactMemory::with_rolling), FollowedRolling,
-    std::conditional_t<(SIZE >= ContactMemory::with_friction), FollowedSliding, FollowedNormal>>;
 
 /// One contact among others, in a predictor and a corrector, with grid points as exact samples of
 /// the motion: positions x_n are the true ones at t_n, velocities of a half step are
@@ -84,10 +54,9 @@ class TwoPassContact {
         normal_contact_(contact::normal_contact(parameters, reduced_mass_)),
         pair_(normal_contact_, attraction, contact_distance_, step),
         one_force_(parameters, normal_contact_, attraction.force, bodies_, step, packing),
-        pull_(attraction.force),
-        swing_(std::sqrt(normal_contact_.stiffness() * inverse_mass_)),
-        damping_rate_(normal_contact_.damping() * inverse_mass_),
-        edge_speed_(std::sqrt(2.0 * std::max(-pair_.adhesion_energy(0.0), 0.0) * inverse_mass_)) {}
+        kick_bound_(normal_contact_, inverse_mass_, contact_distance_, attraction.force,
+                    pair_.adhesion_energy(0.0), step),
+        pull_(attraction.force) {}
 
   bool is_between(const Body& i, const Body& j) const { return bodies_.are(i, j); }
   const ContactBodies& bodies() const { return bodies_; }
@@ -137,20 +106,9 @@ class TwoPassContact {
     return one_force_.lasts(grid, memory);
   }
 
-  /// No less than what a followed contact, by itself, makes of its relative velocity in a step,
-  /// from that on the grid, [length/time]: what it owes; spring, dashpot and pull at the speed and
-  /// the overlap that its energy allows; the edge; and for friction, of a coefficient up to 1, as
-  /// much again.
-  double most_kick(const FollowedStart& start) const {
-    const RelativeState& at = start.truth.relative;
-    const double overlap = std::max(contact_distance_ - norm(at.separation), 0.0);
-    const double pull = step_ * pull_ * inverse_mass_;
-    const double speed =
-        norm(at.velocity) + std::abs(start.ahead) + swing_ * overlap + edge_speed_ + pull;
-    const double spring = swing_ * swing_ * (overlap + step_ * speed);
-    return 2.0 *
-           (std::abs(start.ahead) + step_ * (spring + damping_rate_ * speed) + pull + edge_speed_);
-  }
+  /// No less than what a followed contact, by itself, makes of its relative velocity in a step
+  /// (KickBound).
+  double most_kick(const FollowedStart& start) const { return kick_bound_.of(start); }
 
   /// What leads from the motion on the grid to the true one at this grid point.
   template <int SIZE>
@@ -443,10 +401,8 @@ class TwoPassContact {
   contact::LinearSpringDashpot normal_contact_;
   Pair pair_;
   OneForce one_force_;
+  KickBound kick_bound_;
   double pull_;
-  double swing_;         // w0
-  double damping_rate_;  // 2 alpha
-  double edge_speed_;    // of a pair that falls from rest into contact
 };
 
 }  // namespace cohesion::event_stepping
