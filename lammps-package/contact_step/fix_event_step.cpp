@@ -259,8 +259,8 @@ bool FixEventStep::run_predictor() {
       for (EventContacts* some : styles) some->find_beside_young();
     forward_marks();
     const int all = atom->nlocal + atom->nghost;
-    any_disturbed_now = std::any_of(marks.begin(), marks.begin() + all,
-                                    [](char is) { return (is & DISTURBED) != 0; });
+    any_disturbed_now =
+        std::any_of(marks.begin(), marks.begin() + all, [](char is) { return is == DISTURBED; });
     for (EventContacts* some : styles) some->follow_disturbed();
     for (EventContacts* some : styles) some->follow_far();
     for (EventContacts* some : styles) some->couple_lasting();

@@ -98,8 +98,8 @@ struct Bodies {
 ///
 /// A particle is disturbed by a followed contact with an event, and by a young one that minds
 /// others and is not its only contact. Contacts of disturbed particles are followed, too, if they
-/// mind others: one force among such drains energy. By a young one that does not mind them, and is
-/// not alone, it is crowded.
+/// mind others: one force among such drains energy. A disturbed particle, and one of a young
+/// contact beside any other, is crowded: its young contacts grow old.
 ///
 /// Order within a step, with its first forces: all styles classify(); find_beside_young();
 /// forward_marks(); follow_disturbed(); follow_far(); couple_lasting();
@@ -223,9 +223,9 @@ class FixEventStep : public Fix {
     if (j >= 0) marks[j] |= beside_young[j];
   }
   /// Whether i is disturbed, or j (below 0: a wall, which never is).
-  bool is_disturbed(int i, int j) const { return (marks_of(i, j) & DISTURBED) != 0; }
-  /// Whether a young contact of i and j is not alone.
-  bool is_crowded(int i, int j) const { return marks_of(i, j) != 0; }
+  bool is_disturbed(int i, int j) const { return marks_of(i, j) == DISTURBED; }
+  /// The same of crowded ones.
+  bool is_crowded(int i, int j) const { return (marks_of(i, j) & CROWDED) != 0; }
   /// Whether any particle or ghost is.
   bool any_disturbed() const { return any_disturbed_now; }
   /// Counts one more contact of a particle that has a followed one.
@@ -346,7 +346,7 @@ class FixEventStep : public Fix {
   std::size_t motion_count = 0;
   std::vector<char> followed;  // per atom: 1 if it is, or 0; of ghosts what their owners sent
   std::vector<int> followed_ghosts;
-  static constexpr char DISTURBED = 1, CROWDED = 2;
+  static constexpr char CROWDED = 1, DISTURBED = 2 | CROWDED;
   std::vector<char> marks;           // per atom and ghost: those, added up
   std::vector<char> beside_young;    // the same: what its young contacts make of it beside others
   bool any_young = false;            // of those

@@ -3,18 +3,55 @@
 """2028 spheres with damping and friction that settle under gravity, adhesion 0, 1 and 20 weights.
 
   settling-bed.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--side N] [--layers N] [--seconds S] [--event N ...]
-                  [--seed N]
+                  [--seed N] [--beds N]
 
 Printed per scheme and step: kinetic energy (rotation included) over that of the start, mean over each
 fifth of the run; what of it the liveliest sphere has at the end; the largest speed there; what the energy
 tally does not account for, over the largest kinetic energy, in all of the run and in its second half, when
-the bed rests; seconds of processor time.
+the bed rests; seconds of processor time. Of several beds (--beds), of seeds from --seed on: what they have in
+the last fifth, median, quartiles, least and most, since what is left differs from bed to bed by far more than
+from scheme to scheme.
 """
+import numpy
+
 from cohesion_tests import lammps as engine, measuring_program
 from cohesion_tests.lammps_scenes import settling_spheres as settling
 from cohesion_tests.progress import Progress
 
 SAMPLED = 50  # steps per contact time
+WEIGHTS = 0, 1, 20
+
+
+def fifths(table):
+    """Means of the kinetic energy over that of the start."""
+    return (table[1:, 1] / table[0, 1]).reshape(5, -1).mean(axis=1)
+
+
+def show_bed(run, words, ratio):
+    with engine.temporary_folder() as folder:
+        settling.write(folder, words.side, words.layers, seed=words.seed)
+        table, seconds = follow(folder, run, words, ratio)
+        liveliest = settling.liveliest_share(engine.dump(folder, "end.txt"))
+    residual = table[:, 3] / table[:, 1].max()
+    at_rest = residual[-1] - residual[len(residual) // 2]
+    return ("".join(f"{k:10.1e}" for k in fifths(table)) + f"{liveliest:12.3f}{table[-1, 2]:13.1e}"
+            + (f"{residual[-1]:11.1e}{at_rest:11.1e}" if run[0] == "event" else f"{'':22s}") + f"{seconds:9.1f}")
+
+
+def show_beds(run, words, ratio):
+    last, seconds = [], 0.0
+    for seed in range(words.seed, words.seed + words.beds):
+        with engine.temporary_folder() as folder:
+            settling.write(folder, words.side, words.layers, seed=seed)
+            table, took = follow(folder, run, words, ratio)
+        last.append(fifths(table)[-1])
+        seconds += took
+    least, low, median, high, most = numpy.quantile(last, [0, 0.25, 0.5, 0.75, 1])
+    return "".join(f"{k:10.1e}" for k in (median, low, high, least, most)) + f"{seconds:9.1f}"
+
+
+def follow(folder, run, words, ratio):
+    return settling.follow(folder, run[1], words.seconds, scheme=run[0], A=settling.hamaker_constant(ratio))
 
 
 def main():
@@ -24,30 +61,21 @@ def main():
         ("--seconds", {"type": float, "default": 0.5, "help": "of the scene's time"}),
         ("--event", {"type": int, "nargs": "+", "default": [4, 10], "metavar": "N",
                      "help": "steps per contact time of the event scheme"}),
-        ("--seed", {"type": int, "default": 1}))
+        ("--seed", {"type": int, "default": 1}), ("--beds", {"type": int, "default": 1, "metavar": "N"}))
 
     runs = [*(("event", n) for n in words.event), ("sampled", SAMPLED)]
     # A step of the event scheme costs about two and a half of the sampled one's.
     work = {run: run[1] * (2.5 if run[0] == "event" else 1.0) for run in runs}
-    progress = Progress(3 * sum(work.values()))
-    for ratio in (0, 1, 20):
-        print(f"\radhesion {ratio} times the weight{'':30s}\n"
-              "  scheme   step      kinetic energy in each fifth                   liveliest  speed [m/s]"
-              "   residual    at rest  seconds")
-        for scheme, division in runs:
-            with engine.temporary_folder() as folder:
-                settling.write(folder, words.side, words.layers, seed=words.seed)
-                table, seconds = settling.follow(folder, division, words.seconds, scheme=scheme,
-                                                 A=settling.hamaker_constant(ratio))
-                liveliest = settling.liveliest_share(engine.dump(folder, "end.txt"))
-            fifths = (table[1:, 1] / table[0, 1]).reshape(5, -1).mean(axis=1)
-            residual = table[:, 3] / table[:, 1].max()
-            at_rest = residual[-1] - residual[len(residual) // 2]
-            progress.add(work[scheme, division])
-            print(f"\r  {scheme:8s} t_c/{division:<4d}" + "".join(f"{k:10.1e}" for k in fifths)
-                  + f"{liveliest:12.3f}{table[-1, 2]:13.1e}"
-                  + (f"{residual[-1]:11.1e}{at_rest:11.1e}" if scheme == "event" else f"{'':22s}")
-                  + f"{seconds:9.1f}", flush=True)
+    progress = Progress(len(WEIGHTS) * sum(work.values()))
+    show, heading = ((show_beds, "last fifth  quartiles            least     most       seconds") if words.beds > 1 else
+                     (show_bed, "kinetic energy in each fifth                   liveliest  speed [m/s]   residual"
+                                "    at rest  seconds"))
+    for ratio in WEIGHTS:
+        print(f"\radhesion {ratio} times the weight{'':30s}\n  scheme   step      {heading}")
+        for run in runs:
+            line = show(run, words, ratio)
+            progress.add(work[run])
+            print(f"\r  {run[0]:8s} t_c/{run[1]:<4d}{line}", flush=True)
 
 
 if __name__ == "__main__":
