@@ -26,6 +26,7 @@ static double squared(const double* a) { return a[0] * a[0] + a[1] * a[1] + a[2]
 FixOthers::FixOthers(LAMMPS* engine, int count, char** words) : Fix(engine, count, words) {
   comm_forward = 3;
   restart_global = 1;
+  create_attribute = 1;  // of particles that are inserted
   grow_arrays(atom->nmax);
   for (int i = 0; i < atom->nlocal; i++) set_arrays(i);
   atom->add_callback(engine_api::GROW);

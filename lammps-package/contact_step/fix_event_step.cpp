@@ -182,11 +182,13 @@ bool FixEventStep::is_idle() const {
   return !may_have_contacts && !energy_tally.has_readers() && flux_readers.use_count() == 1;
 }
 
-/// Updates how far the fastest particle or ghost may fly, and all masses and radii.
+/// Updates how far the fastest particle or ghost of all ranks may fly, and all masses and radii.
 void FixEventStep::update_particles() {
   const int all = atom->nlocal + atom->nghost;
-  longest_flight = cohesion::shear::longest_flight(fastest_of(atom, domain, number_of_movers(lmp)),
-                                                   rate_of_shear(domain).amount,
+  double fastest = fastest_of(atom, domain, number_of_movers(lmp));
+  // Two ranks that have the particles of a pair must decide alike.
+  if (comm->nprocs > 1) MPI_Allreduce(MPI_IN_PLACE, &fastest, 1, MPI_DOUBLE, MPI_MAX, world);
+  longest_flight = cohesion::shear::longest_flight(fastest, rate_of_shear(domain).amount,
                                                    neighbor->cutneighmax, 0.5 * update->dt);
   update_masses(all);
   update_radii(all);

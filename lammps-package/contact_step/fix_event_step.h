@@ -99,7 +99,7 @@ struct Bodies {
 /// A particle is disturbed by a followed contact with an event, and by a young one that minds
 /// others and is not its only contact. Contacts of disturbed particles are followed, too, if they
 /// mind others: one force among such drains energy. A disturbed particle, and one of a young
-/// contact beside any other, is crowded: its young contacts grow old.
+/// contact beside any other, is crowded: its contacts that begin to last are not young.
 ///
 /// Order within a step, with its first forces: all styles classify(); find_beside_young();
 /// forward_marks(); follow_disturbed(); follow_far(); couple_lasting();
@@ -217,7 +217,7 @@ class FixEventStep : public Fix {
   /// Where a young contact may be alone: nothing but contacts of the event scheme changes
   /// velocities in this run.
   bool only_contacts_act() const { return only_event_contacts; }
-  /// Adds a contact that is not young of two particles; j < 0: a wall.
+  /// Adds a contact of two particles that add_young() was not told of; j < 0: a wall.
   void add_beside_young(int i, int j) {
     marks[i] |= beside_young[i];
     if (j >= 0) marks[j] |= beside_young[j];
@@ -316,7 +316,8 @@ class FixEventStep : public Fix {
   std::vector<AdvisedStyle*> advised;  // the same
   ContactWatch watch;
 
-  char* forwarded_flags;       // per atom and ghost, of what goes to ghosts now: whether it has any
+  char* forwarded_flags;  // per atom and ghost, of what goes to ghosts now: whether it has any, or
+                          // its marks
   NumbersOf forwarded_values;  // those, `values_each` of each
   int values_each;
   bool may_have_contacts;  // whether any pair or wall may have one, in this run

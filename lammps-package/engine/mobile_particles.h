@@ -14,7 +14,7 @@
 namespace LAMMPS_NS {
 
 /// Which particles an impulse can move: those that a fix integrates, unless fix freeze holds them
-/// or fix move leads them. The others are infinitely heavy to what meets them.
+/// or fix move or nve/noforce leads them. The others are infinitely heavy to what meets them.
 class MobileParticles {
  public:
   static bool integrates(const Fix* fix) {
@@ -35,7 +35,7 @@ class MobileParticles {
   }
 
   double inverse_mass(int mask, double mass) const {
-    return (mask & mobile_) && !(mask & frozen_) ? 1.0 / mass : 0.0;
+    return (mask & forced_) && !(mask & frozen_) ? 1.0 / mass : 0.0;
   }
 
   /// Whether forces change the velocity of a particle that moves: nve/noforce leaves it as it is.

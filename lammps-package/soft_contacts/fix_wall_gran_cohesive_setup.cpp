@@ -16,10 +16,10 @@ void FixWallGranCohesive<Cohesion>::reset_in_range() {
     for (int w = 0; w < static_cast<int>(walls.size()); w++) {
       double* const values = history.of(i, w);
       const WallPoint point = walls[w].nearest(vector(atom->x[i]), now, motion.rim_speed);
-      const double reach = atom->radius[i] + (values[0] > 0.0 ? range : range_at_start(range));
+      const auto known = ContactMemory::from(values, per_wall);
+      const double reach = atom->radius[i] + (known.in_range() ? range : range_at_start(range));
       const bool inside = point.distance > 0.0 && point.distance < reach;
-      if (inside && values[0] > 0.0) continue;
-      (inside ? ContactMemory::seen_inside() : ContactMemory()).to(values, per_wall);
+      if (!inside || !known.in_range()) known.moved(inside).to(values, per_wall);
     }
   }
 }

@@ -115,6 +115,7 @@ class PairGranCohesive : public Pair, public BoundPairs, public EventContacts, p
   template <class What>
   void for_each_listed(const What&) const;
   void reset_in_range(bool discard_all);
+  void forget_springs();
   void find_close();
   template <class What>
   void for_each_close(const What&);

@@ -28,16 +28,6 @@ static bool is_inside(int has_history, const double* values) {
   return has_history && ContactMemory::from(values, HistorySize::normal_only).in_range();
 }
 
-/// What a pair that is `near`, or not, remembers from now on. What its last step owes the grid
-/// stays.
-static ContactMemory moved(ContactMemory known, bool near) {
-  using Phase = ContactMemory::Phase;
-  const bool owes = known.phase == Phase::inside || known.phase == Phase::left;
-  if (!owes) return near ? ContactMemory::seen_inside() : ContactMemory();
-  known.phase = near ? Phase::inside : Phase::left;
-  return known;
-}
-
 /// Sets which pairs are in range by where they are: after steps in which no pair had a history
 /// (`discard_all`), or when something else than their motion has brought particles where they are,
 /// or laws have other ranges; then pairs that are still in range keep theirs.
@@ -58,7 +48,7 @@ void PairGranCohesive<Cohesion>::reset_in_range(bool discard_all) {
           if (near && inside) return;
           const bool remembered = has_history && !discard_all;
           const ContactMemory known =
-              moved(remembered ? ContactMemory::from(values, per_pair) : ContactMemory(), near);
+              (remembered ? ContactMemory::from(values, per_pair) : ContactMemory()).moved(near);
           known.to(values, per_pair);
           has_history = near || known.phase == ContactMemory::left;
         });
@@ -71,9 +61,18 @@ void PairGranCohesive<Cohesion>::continue_run() {
   if (!is_active) return;
   if (history_stale) reset_in_range(true);
   if (step->box_changed() || coefficients.has_other_ranges()) reset_in_range(false);
+  if (!friction) forget_springs();
   if (!step->energy_tally.is_active()) return;
   for_each_with_history([this](int, int j, const StoredEnergies& stored) {
     step->energy_tally.store_normal(j < atom->nlocal ? 1.0 : 0.5, stored);
+  });
+}
+
+/// Contacts without friction leave alone what is remembered of springs, and may get friction again.
+template <class Cohesion>
+void PairGranCohesive<Cohesion>::forget_springs() {
+  for_each_listed([this](int, int, int has_history, double* values) {
+    if (has_history) std::fill(values + HistorySize::normal_only, values + per_pair, 0.0);
   });
 }
 

@@ -52,7 +52,7 @@ class SquareWellOverlay : public SquareWellCohesion {
     WordsOfLaw words(lmp, where, first, narg, arg, {{"well", 2}});
     Parameters p;
     GivenKeywords given(lmp, where);
-    p.contact.stiffness = 1.0;  // of no contact: no spring is ever asked
+    p.contact.stiffness = 1.0;  // of no contact, any above 0
     read_keywords(lmp, where, keywords(), 0, words.count(), words.get(), p, given);
     if (!given.has("well")) lmp->error->all(FLERR, where + " takes 'well D ratio'");
     require_valid(lmp, where, p, given);

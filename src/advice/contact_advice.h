@@ -30,7 +30,8 @@ struct SchemeLimits {
 inline constexpr SchemeLimits sampled_scheme{"sampled", 15.0, 0.0, true, 0.0};
 /// Closed-form pair motion, exact for one pair while a step is no longer than a contact
 /// (event_stepping/damped_oscillator.h, first_zero). Of many, a dense elastic gas keeps its energy
-/// to 5e-4 at 4 steps per contact; a packing with friction rattles at half of that.
+/// to 2e-3 in 100 collisions at 4 steps per contact; a packing with friction rattles at half of
+/// that.
 inline constexpr SchemeLimits event_scheme{"event", 4.0, 1.0, false, 2.0};
 /// The same where a contact knows of the others of its particles what they did in the step before:
 /// a dense elastic gas loses 0.7 % of its energy in 100 collisions at 10 steps per contact, 16 % at

@@ -96,11 +96,6 @@ class TangentialSpring {
     return square > limit * limit ? (limit / std::sqrt(square)) * sticking : sticking;
   }
 
-  /// The same spring and dashpot with a slider of another friction coefficient.
-  TangentialSpring with_friction(double friction) const {
-    return TangentialSpring({p_.stiffness, p_.damping, friction});
-  }
-
   /// [energy]
   double stored_energy(const Vector3& displacement) const {
     return 0.5 * p_.stiffness * dot(displacement, displacement);

@@ -27,6 +27,14 @@ struct ContactMemory {
 
   /// Of a pair that is first seen in range.
   static ContactMemory seen_inside() { return {inside, -1.0, 0.0, {}, {}}; }
+  /// Of a pair that something else than its motion has brought into range, or out of it. What its
+  /// last step owes the grid stays.
+  ContactMemory moved(bool into_range) const {
+    if (phase != inside && phase != left) return into_range ? seen_inside() : ContactMemory();
+    ContactMemory now = *this;
+    now.phase = into_range ? inside : left;
+    return now;
+  }
   bool in_range() const { return phase == inside || lasted(); }
   /// Through a step of one force: springs and impulses are of this grid point after
   /// OneForce::advance_lasting().

@@ -49,12 +49,12 @@ class OneForce {
   const SpringOnGrid& sliding() const { return sliding_; }
   const SpringOnGrid& rolling() const { return rolling_; }
 
-  /// Whether a contact is in its first 2.5 contact times and has been alone since it began: how the
-  /// pair came together still matters.
+  /// Whether a contact is in its first 2.5 contact times and was alone when it began to last: how
+  /// the pair came together still matters.
   bool is_young(const ContactMemory& memory) const { return memory.age < youth_; }
   /// Whether one force is not good enough beside contacts with an event, and for a young contact
-  /// beside any. Of one that does not mind others the dashpot takes so much that it is; young ones
-  /// grow old at once there.
+  /// beside any. Of one that does not mind others the dashpot takes so much that it is; it is not
+  /// young if it begins to last beside any.
   bool minds_others() const { return minds_others_; }
 
   /// Whether a contact of one force certainly lasts for the step.
@@ -192,10 +192,9 @@ class OneForce {
     return known_by_grid ? normal_.force(now) : normal_.first_force(now, memory.ahead);
   }
   /// Whether going on by one force beside others, whatever happens to these, errs by less than a
-  /// fiftieth of what the dashpot takes: a gas gains 0.08 (dt/t_c)^3 of its kinetic energy a
-  /// collision by it, where the dashpot takes (1 - e^2)/3; and one force takes its dashpot's
-  /// velocity from the half step before, so that of two contacts of one particle it errs by a dt,
-  /// a = eta/(2 mu).
+  /// fiftieth of what the dashpot takes: a dense gas loses less by 0.4 (dt/t_c)^3/(1 - e^2) of
+  /// that; and one force takes its dashpot's velocity from the half step before, so that of two
+  /// contacts of one particle it errs by a dt, a = eta/(2 mu).
   ///
   /// Source: the first measured, the second derived; docs/lammps-package/gran_hamaker_many.md, What
   /// damped contacts leave out.
@@ -203,7 +202,7 @@ class OneForce {
     constexpr double small = 1.0 / 50.0;
     const double e = normal.restitution(), part = step / normal.contact_time();
     const double damped = 0.5 * normal.damping() / normal.reduced_mass() * step;
-    return 0.08 * part * part * part < small * (1.0 - e * e) / 3.0 && damped < small;
+    return 0.4 * part * part * part < small * (1.0 - e * e) && damped < small;
   }
 
   /// Adds what a young contact lost more since the last grid point than its springs say.

@@ -6,8 +6,8 @@
 
 namespace cohesion::event_stepping {
 
-/// Position and velocity of particle j relative to particle i (of the particle's centre relative to
-/// the foot of the normal, at a wall).
+/// Position and velocity of particle j relative to particle i (of the foot of the normal relative
+/// to the particle's centre, at a wall).
 struct RelativeState {
   Vector3 separation;
   Vector3 velocity;

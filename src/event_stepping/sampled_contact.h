@@ -17,8 +17,8 @@ struct SampledStep {
 };
 
 /// One contact whose forces are taken where it stands on the grid: the scheme to compare with.
-/// Pair: SampledHamaker or SampledWell. Everything that does not change from step to step is worked
-/// out once; pairs of equal bodies can share it.
+/// Pair: SampledHamaker, SampledWell, SampledBridge or WellEdge. Everything that does not change
+/// from step to step is worked out once; pairs of equal bodies can share it.
 template <class Pair>
 class SampledContact {
  public:

@@ -34,8 +34,9 @@ namespace cohesion::event_stepping {
 /// All forces are central, or act at the point of contact, at grid points: momentum and angular
 /// momentum are kept to rounding.
 ///
-/// Pair: SpherePair, PlanePair, WellPair or WellEdge. SIZE: what is remembered, and so whether
-/// there is friction, and rolling friction. Source: derived here (one_force.h, sphere_pair.h).
+/// Pair: SpherePair, PlanePair, WellPair, WellEdge, BridgePair or BridgePlane. SIZE: what is
+/// remembered, and so whether there is friction, and rolling friction. Source: derived here
+/// (one_force.h, sphere_pair.h).
 template <class Pair>
 class TwoPassContact {
  public:

@@ -217,6 +217,28 @@ write_dump all custom end.txt id x y z vx vy vz omegax omegay omegaz modify form
                         self.assertAlmostEqual(found, parts * speed - pull * time, delta=1.1 * pull * DT)
                     self.assertLess(tally["c_tally[5]"][-1], -0.9 * depth)
 
+    def test_friction_that_is_taken_away_leaves_no_springs(self):
+        atoms, pair = scene("hamaker", f"{HAMAKER} friction 0.3", oblique=0.5)
+        engine.write_spheres(self.folder, atoms, 3 * [(0.0, 0.01)], 1)
+        # A spring that begins anew has a stretch of two steps then, not of eight.
+        first = "COMPUTE\nrun 12\n"
+        again = "".join(f"pair_coeff * * {CONTACT} {HAMAKER} friction {friction}\nrun 2\n" for friction in (0, 0.3))
+        before, after = (self.tally(pair, runs)[0]["c_tally[4]"][-1] for runs in (first, first + again))
+        self.assertGreater(before, 1e-4 * MASS * SPEED**2)
+        self.assertLess(after, (2.5 / 8)**2 * before)
+
+    def test_another_box_keeps_what_a_wall_owes(self):
+        # Touches in the middle of the ninth step, and leaves twenty steps later, at the speed with which it came.
+        atoms, pair = scene("hamaker", "", walls="xplane 0 NULL")
+        atoms[0]["x"] = (R + 8.5 * DT * SPEED, 5e-3, 5e-3)
+        pair = pair.replace("restitution 0.9", "restitution 1")
+        engine.write_spheres(self.folder, atoms, 3 * [(0.0, 0.01)], 1)
+        for split in (7, 8, 9, 10, 27, 28, 29, 30):
+            runs = f"run {split}\nchange_box all y final 0 0.0099 units box\nrun {40 - split}"
+            with self.subTest(split):
+                speed = self.tally(pair, runs, boundary="f p p")[1][0, 4]
+                self.assertAlmostEqual(abs(speed), SPEED, delta=1e-9 * SPEED)
+
 
 if __name__ == "__main__":
     unittest.main()

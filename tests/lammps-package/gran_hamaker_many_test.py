@@ -83,7 +83,7 @@ class ElasticGas(unittest.TestCase):
         self.no_heating(0.5, 0.0, 0.1, division=4, seeds=6)
 
     def test_no_heating_with_adhesion_at_a_tenth(self):
-        # At t_c/4 there is: 6e-5 of the kinetic energy per collision
+        # At t_c/4 there is: 4e-5 of the kinetic energy per collision
         # (docs/lammps-package/gran_hamaker_many.md).
         self.no_heating(0.5, 2e-18, 0.02, division=10, seeds=3)
 

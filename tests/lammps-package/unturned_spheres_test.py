@@ -1,6 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Spheres with friction that a fix moves and does not turn get a warning, once; all others none."""
+"""Spheres with friction that a fix moves and does not turn get a warning, once; all others none. What no force
+moves is as heavy as a wall."""
 import unittest
+
+import numpy
+
+from cohesion_tests import lammps as engine
 
 from cohesion_tests.lammps_scenes.small_box import box, spheres
 from cohesion_tests.test_cases import ScriptTestCase
@@ -48,6 +53,15 @@ class Unturned(ScriptTestCase):
                                ("", RUBBING_SECOND + "fix a first nve\nfix b second nve/sphere")):
             with self.subTest(friction=friction, move=move):
                 self.passes(pairs(friction) + move)
+
+    def test_one_that_is_led_is_as_heavy_as_a_wall(self):
+        # The third comes at -1, strikes the second, and is led on.
+        script = (pairs("").replace("restitution 0.9", "restitution 1") + "fix a first nve/sphere\nfix b second "
+                  "nve/noforce\nvelocity second set -1 0 0\nrun 2000\nwrite_dump all custom end.txt id x y z vx vy vz "
+                  "omegax omegay omegaz modify format float %.17g sort id\n")
+        self.goes(HEAD + script)
+        velocities = engine.dump(self.folder, "end.txt")[:, 4]
+        numpy.testing.assert_allclose(velocities[1:], [-2.0, -1.0], rtol=1e-9)
 
 
 if __name__ == "__main__":

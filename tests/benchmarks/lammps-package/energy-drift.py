@@ -30,8 +30,8 @@ DIVISIONS = (4, 5, 10, 20, 40)
 # Solid fraction, A [J], speed [m/s] (each component). The spheres' F_ad/sqrt(mu K) is 0.022 m/s.
 CASES = ((0.1, 0.0, 0.1), (0.5, 0.0, 0.1), (0.1, 2e-18, 0.02), (0.5, 2e-18, 0.02))
 SAMPLES = 200
-# Restitution and steps per contact of damped gases, near the longest step at which they mind no others.
-DAMPED = ((0.9, 5.3), (0.9, 10), (0.9487, 6.17), (0.9487, 10), (0.98, 8), (0.99, 10))
+# Restitution and steps per contact of damped gases: just above the fewest at which they mind no others, and more.
+DAMPED = ((0.9, 5.28), (0.9, 10), (0.9487, 5.86), (0.9487, 10), (0.98, 7.98), (0.98, 15), (0.99, 10.03))
 
 
 def drift(table):

@@ -131,7 +131,7 @@ TEST(TwoPassContact, TheDashpotOfALastingContactTakesTheEnergyOfItsSwing) {
 }
 
 TEST(TwoPassContact, MindsOthersUnlessItsDashpotTakesFarMoreThanOneForceErrs) {
-  // 12 (dt/t_c)^3 < 1 - e^2, and ln(1/e) dt/t_c < 0.02.
+  // 20 (dt/t_c)^3 < 1 - e^2, and ln(1/e) dt/t_c < 0.02.
   const auto minds = [](double e, double part) {
     contact::ContactParameters p;
     p.stiffness = 800.0;
@@ -143,7 +143,7 @@ TEST(TwoPassContact, MindsOthersUnlessItsDashpotTakesFarMoreThanOneForceErrs) {
   for (const double part : {4.0, 6.0, 10.0, 20.0, 100.0}) {
     EXPECT_TRUE(minds(1.0, part));
     EXPECT_TRUE(minds(0.0, part));
-    const double most = std::sqrt(1.0 - 12.0 / (part * part * part));
+    const double most = std::sqrt(1.0 - 20.0 / (part * part * part));
     const double least = std::exp(-0.02 * part);
     EXPECT_TRUE(minds(std::min(most * 1.0001, 1.0), part)) << part;
     EXPECT_TRUE(minds(least * 0.9999, part)) << part;
