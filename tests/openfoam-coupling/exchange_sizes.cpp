@@ -50,5 +50,8 @@ int main(int argc, char** argv) {
   if (what == "more") send(expected + 1, numbers);
   if (what == "part") send(expected, numbers - 1);
   if (what == "size") send_size(sizeof(label) - 1);
+  // Rank 0 is still in its run when rank 1 stops it, as in a gas step: mpirun may hang where one
+  // rank aborts while another is in MPI_Finalize.
+  MPI_Barrier(MPI_COMM_WORLD);
   UPstream::exit(0);
 }
