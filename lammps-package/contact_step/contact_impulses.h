@@ -43,6 +43,9 @@ class ContactImpulses : protected Pointers {
     if (SIZE > 3 && known_ == Known::forces_and_torques) add(&torques_[3 * i], turned);
   }
 
+  /// Whether contacts that act now have to push(), to be told from what is no contact's.
+  bool are_told_apart() const { return ended_; }
+
   /// Soon something is pushed that has torques, or none.
   template <int SIZE>
   void fetch(int i) const {

@@ -50,6 +50,11 @@ class ContactsOfStep {
     step_->impulses.fetch<SIZE>(i);
     if (j >= 0 && j < nlocal_) step_->impulses.fetch<SIZE>(j);
   }
+  /// The same has happened at an instant, not for the whole step.
+  void note_sudden(int i, int j, const Action& a) const {
+    step_->add_sudden_force(i, -kick_ * a.impulse);
+    if (j >= 0 && j < nlocal_) step_->add_sudden_force(j, kick_ * a.impulse);
+  }
   void apply_reversed(int i, int j, const Action& a) const {
     apply(i, j, {-a.impulse, -a.torque_i, -a.torque_j});
   }

@@ -291,6 +291,7 @@ struct StepContacts {
       const Action action = c.template finish<SIZE>(p.start, others, f, memory);
       memory.to(p.history, SIZE);
       scatter.apply(p.i, p.j, action);
+      if (memory.age == 0.0) scatter.note_sudden(p.i, p.j, action);
       const double fraction = scatter.owned_fraction(p.j);
       if (f.normal.normal.unresolved) step->count_unresolved(fraction);
       step->energy_tally.add_losses(fraction, Contact::template losses<SIZE>(f), 1.0);

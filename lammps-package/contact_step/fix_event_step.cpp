@@ -29,10 +29,10 @@ using cohesion::Vector3;
 static constexpr char ID[] = "COHESION_EVENT_STEP";
 static constexpr char PLACE[] = "COHESION_EVENT_STEP_PLACE";
 
-// What the next run needs of a particle: forces, torques, what the tally saves, and forces of all
-// but contacts, where they begin.
+// What the next run needs of a particle: forces, torques, what the tally saves, forces of all but
+// contacts, and sudden ones, where they begin.
 static constexpr int TORQUE = 3, NOTED = 6, FROM_OTHERS = NOTED + ContactEnergyTally::OF_PARTICLE,
-                     LAST = FROM_OTHERS + 3;
+                     SUDDEN = FROM_OTHERS + 3, LAST = SUDDEN + 3;
 
 static void put(const Vector3& a, double* values) {
   values[0] = a.x;
@@ -56,7 +56,7 @@ FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
       tallies_begun(false),
       other_box(false),
       warned_of_unturned(false),
-      last_dt(0.0),
+      forces_dt(0.0),
       last(lammps, LAST),
       other_forces(lammps, 3),
       inverse_mass(nullptr),
@@ -220,7 +220,7 @@ void FixEventStep::update_radii(int all) {
 double FixEventStep::half_kick() const { return 0.5 * update->dt; }
 
 void FixEventStep::setup_pre_force(int) {
-  resuming = last_dt > 0.0;
+  resuming = last.has_room();
   starting = !resuming;
   other_box = resuming && box.changed(domain);
   predictor_due = false;
@@ -230,6 +230,7 @@ void FixEventStep::setup_pre_force(int) {
     impulses.disable();
   }
   if (!resuming) {
+    forces_dt = update->dt;
     const std::vector<double> weight = weights(lmp);
     for (int i = 0; i < atom->nlocal; i++) std::copy_n(&weight[3 * i], 3, other_forces.of(i));
     other_forces_known = true;
@@ -296,19 +297,36 @@ void FixEventStep::initial_integrate(int) {
   if (!resuming) {
     // Forces are all there when the next step begins.
     if (!idle && any_event_scheme) save_other_forces();
-    return;
+  } else {
+    for (int i = 0; i < atom->nlocal; i++) {
+      const double* const then = last.of(i);
+      std::copy_n(then, 3, atom->f[i]);
+      std::copy_n(then + TORQUE, 3, atom->torque[i]);
+      std::copy_n(then + FROM_OTHERS, 3, other_forces.of(i));
+      if (then[SUDDEN] != 0.0 || then[SUDDEN + 1] != 0.0 || then[SUDDEN + 2] != 0.0)
+        add_sudden_force(i, vector(then + SUDDEN));
+    }
+    resuming = false;
+    other_forces_known = true;
+    last.free();
   }
-  // The same momentum, should the step be another now.
-  const double ratio = last_dt / update->dt;
-  for (int i = 0; i < atom->nlocal; i++) {
-    const double* const then = last.of(i);
-    put(ratio * vector(then), atom->f[i]);
-    put(ratio * vector(then + TORQUE), atom->torque[i]);
-    std::copy_n(then + FROM_OTHERS, 3, other_forces.of(i));
+  keep_sudden_impulses();
+}
+
+/// Where the step is another than the one that the forces are of, they act for half of either, as
+/// those of lasting contacts should. Of a sudden impulse the half that is to come stays half.
+void FixEventStep::keep_sudden_impulses() {
+  const double more = forces_dt / update->dt - 1.0;
+  for (const int i : suddenly_pushed) {
+    add(atom->f[i], more * sudden_forces[i]);
+    sudden_forces[i] = {};  // a particle may be there twice
   }
-  resuming = false;
-  other_forces_known = true;
-  last.free();
+  suddenly_pushed.clear();
+}
+
+void FixEventStep::forget_sudden_forces() {
+  for (const int i : suddenly_pushed) sudden_forces[i] = {};
+  suddenly_pushed.clear();
 }
 
 /// What forces that are no contacts' have done in the step that ends.
@@ -327,6 +345,7 @@ void FixEventStep::begin_tallies() {
 }
 
 void FixEventStep::pre_force(int) {
+  forces_dt = update->dt;
   if (idle) return;
   advise_if_due(false);
   predictor_due = true;
@@ -373,15 +392,15 @@ void FixEventStep::update_readers() {
 
 void FixEventStep::end_of_step() {
   if (idle || !energy_tally.is_active()) return;
+  const double half = 0.5 * forces_dt;  // the next step may be another by now
   for (int i = 0; i < atom->nlocal; i++)
-    energy_tally.end_step(i, body(i), half_kick() * impulses.force(i),
-                          half_kick() * impulses.torque(i));
+    energy_tally.end_step(i, body(i), half * impulses.force(i), half * impulses.torque(i));
   const std::vector<double> weight = weights(lmp);
   double power = 0.0;  // of all forces but those of contacts, and gravity
   for (int i = 0; i < atom->nlocal; i++)
     if (inverse_mass[i] != 0.0)
       power += dot(impulses.other_force(i) - vector(&weight[3 * i]), energy_tally.true_velocity(i));
-  energy_tally.add_work(2.0 * half_kick() * power);
+  energy_tally.add_work(forces_dt * power);
 }
 
 void FixEventStep::post_run() {
@@ -396,7 +415,7 @@ void FixEventStep::post_run() {
   if (resuming) return;  // no step was made: what was taken over is what the next run goes on from
   last.grow(atom->nmax);
   for (int i = 0; i < atom->nlocal; i++) save_last(i, last.of(i));
-  last_dt = update->dt;
+  forget_sudden_forces();
 }
 
 /// What the next run needs of a particle.
@@ -405,6 +424,7 @@ void FixEventStep::save_last(int i, double* values) const {
   std::copy_n(atom->torque[i], 3, values + TORQUE);
   energy_tally.save_motion(i, values + NOTED);
   put(impulses.other_force(i), values + FROM_OTHERS);
+  put(sudden_forces[i], values + SUDDEN);
 }
 
 void FixEventStep::report_unresolved() {

@@ -262,6 +262,11 @@ class FixEventStep : public Fix {
   [[nodiscard]] ContactEnergyTally::Reader add_flux_reader() const { return flux_readers; }
   bool sums_flux() const { return flux_wanted; }
 
+  /// Adds to what acts on a particle of this rank at an instant of the step, [force].
+  void add_sudden_force(int i, const cohesion::Vector3& push) {
+    sudden_forces[i] += push;
+    suddenly_pushed.push_back(i);
+  }
   /// Counts a contact whose step was cut short.
   void count_unresolved(double fraction) { unresolved += fraction; }
   /// Runs all that comes before the corrector, if it has not been run in this step, and then the
@@ -299,6 +304,8 @@ class FixEventStep : public Fix {
   bool any_driven() const;
   bool others_may_act() const;
   void save_other_forces();
+  void keep_sudden_impulses();
+  void forget_sudden_forces();
 
   void add_motion(int i) {
     if (motion_count == motions.size()) motions.resize(2 * motion_count + 64);
@@ -328,12 +335,14 @@ class FixEventStep : public Fix {
   bool tallies_begun;  // in this run
   bool other_box;
   bool warned_of_unturned;
-  BoxSides box;                // at the end of the last run
-  double last_dt;              // of the step that `last` is from; 0: there was none
-  AtomNumbers last;            // from the end of a run to the first step of the next: save_last()
-  AtomNumbers other_forces;    // force of all but contacts at the last grid point
-  bool predictor_due = false;  // in this step: run_corrector()
-  bool any_event_scheme = false;     // any style, in this run
+  BoxSides box;              // at the end of the last run
+  double forces_dt;          // of the step that the forces are of; 0: there was none
+  AtomNumbers last;          // from the end of a run to the first step of the next: save_last()
+  AtomNumbers other_forces;  // force of all but contacts at the last grid point
+  std::vector<cohesion::Vector3> sudden_forces;  // per atom; 0 but for those of the next
+  std::vector<int> suddenly_pushed;              // in this step
+  bool predictor_due = false;                    // in this step: run_corrector()
+  bool any_event_scheme = false;                 // any style, in this run
   bool any_other_forces = false;     // anything but contacts, likewise, where that matters
   bool only_event_contacts = false;  // neither that, nor sampled contacts, nor driven particles
   bool other_forces_known = false;   // in `other_forces`, which is 0 otherwise

@@ -10,7 +10,6 @@
 #include "fix_event_step.h"
 #include "memory.h"
 #include "restart_format.h"
-#include "update.h"
 
 using namespace LAMMPS_NS;
 
@@ -64,6 +63,7 @@ void FixEventStep::unpack_forward_comm(int n, int first, double* buf) {
 
 void FixEventStep::grow_arrays(int nmax) {
   shares.resize(nmax);
+  sudden_forces.resize(nmax);
   if (last.has_room()) last.grow(nmax);
   other_forces.grow(nmax);
   memory->grow(inverse_mass, nmax, "event_step:inverse_mass");
@@ -90,13 +90,13 @@ int FixEventStep::unpack_exchange(int i, double* buf) {
 }
 
 // Numbers of a restart file in front of the tally's: its layout, and the step.
-static constexpr int LAYOUT = 2, HEAD = 2;
+static constexpr int LAYOUT = 3, HEAD = 2;
 static constexpr int OF_RESTART =
     HEAD + static_cast<int>(std::tuple_size_v<ContactEnergyTally::Totals>);
 
 void FixEventStep::write_restart(FILE* fp) {
   const ContactEnergyTally::Totals mine = energy_tally.totals();
-  double values[OF_RESTART] = {RESTART_MARK + LAYOUT, running ? update->dt : last_dt};
+  double values[OF_RESTART] = {RESTART_MARK + LAYOUT, forces_dt};
   MPI_Reduce(mine.data(), values + HEAD, static_cast<int>(mine.size()), MPI_DOUBLE, MPI_SUM, 0,
              world);
   if (comm->me != 0) return;
@@ -108,8 +108,8 @@ void FixEventStep::write_restart(FILE* fp) {
 void FixEventStep::restart(char* buf) {
   const auto* values = reinterpret_cast<const double*>(buf);
   require_layout(lmp, values[0], "scheme event", LAYOUT);
-  last_dt = values[1];
-  if (last_dt > 0.0) last.grow(atom->nmax);
+  forces_dt = values[1];
+  if (forces_dt > 0.0) last.grow(atom->nmax);
   if (comm->me != 0) return;
   ContactEnergyTally::Totals all;
   std::copy_n(values + HEAD, all.size(), all.begin());
@@ -137,5 +137,7 @@ double FixEventStep::memory_usage() {
          impulses.bytes() + static_cast<double>(marks.capacity() + followed.capacity()) +
          static_cast<double>(sizeof(int)) * followed_ghosts.capacity() +
          sizeof(double) * (known_masses.capacity() + known_radii.capacity()) +
-         other_forces.bytes() + last.bytes() + energy_tally.bytes();
+         sizeof(cohesion::Vector3) * sudden_forces.capacity() +
+         sizeof(int) * suddenly_pushed.capacity() + other_forces.bytes() + last.bytes() +
+         energy_tally.bytes();
 }

@@ -252,7 +252,8 @@ void PairGranCohesive<Cohesion>::compute_forces(Contacts<SampledContact>& contac
   contacts.clear();
   const ContactsOfStep<SampledContact, SIZE> scatter(atom, step);
   const SampledForces<SampledContact, SIZE> forces(atom, step);
-  const bool recorded = step->energy_tally.is_active() || step->sums_flux() || evflag;
+  const bool recorded = step->energy_tally.is_active() || step->sums_flux() || evflag ||
+                        step->impulses.are_told_apart();
   const ParticlesOnGrid grid = particles();
   for_each_close([&](int i, int j, int& has_history, double* values)
                      __attribute__((always_inline)) {

@@ -239,6 +239,39 @@ write_dump all custom end.txt id x y z vx vy vz omegax omegay omegaz modify form
                 speed = self.tally(pair, runs, boundary="f p p")[1][0, 4]
                 self.assertAlmostEqual(abs(speed), SPEED, delta=1e-9 * SPEED)
 
+    def test_another_step(self):
+        """In a contact that lasts, one force for the halves of two steps is right to second order. Where the contact
+        begins in the step, as much of its spring is not seen."""
+        w = math.pi / CONTACT_TIME
+        atoms, pair = scene("hamaker", "", walls="xplane 0 NULL")
+        atoms[0]["x"] = (R + 8.5 * DT * SPEED, 5e-3, 5e-3)
+        pair = pair.replace("restitution 0.9", "restitution 1")
+        engine.write_spheres(self.folder, atoms, 3 * [(0.0, 0.01)], 1)
+        for part in (0.5, 2):
+            second = (w * DT)**2 * (abs(part**2 - 1) / 6 + w * DT * (1 + part) / 24)
+            for split in (7, 8, 9, 10, 14, 18, 23, 27, 28, 29, 30):
+                runs = f"run {split}\ntimestep {part * DT:.17g}\nrun {math.ceil((40 - split) / part)}"
+                limit = 0.5 * (w * max(part, 1) * DT)**2 if split in (7, 8, 28) else second
+                with self.subTest(part=part, split=split):
+                    speed = self.tally(pair, runs, boundary="f p p")[1][0, 4]
+                    self.assertAlmostEqual(speed / SPEED, 1.0, delta=limit)
+
+    def test_another_step_keeps_the_impulse_of_an_edge(self):
+        edge, depth = 0.1 * DIAMETER, MASS * SPEED**2
+        engine.write_spheres(self.folder, [
+            {"type": 1, "diameter": DIAMETER, "density": 2650.0, "v": (-side * SPEED, 0, 0),
+             "x": (5e-3 + side * (R + 0.5 * edge + 4.5 * DT * SPEED), 5e-3, 5e-3)} for side in (1, -1)],
+            3 * [(0.0, 0.01)], 1)
+        pair = f"pair_style gran/square_well\npair_coeff * * {CONTACT} well {depth:.17g} 1.1\n"
+        ways = [f"run {split}\ntimestep {part * DT:.17g}\nrun 10" for split in (3, 4, 5, 6) for part in (0.5, 2)]
+        # A step is as long as the speed says, and shorter as soon as the well accelerates both.
+        ways.append(f"fix reset all dt/reset 1 {DT / 10:.17g} {DT:.17g} {SPEED * DT:.17g}\nrun 16")
+        for runs in ways:
+            with self.subTest(runs):
+                end = self.tally(pair, runs)[1]
+                # Places of 0.01 m, rounded to 2^-53, in some twenty steps.
+                numpy.testing.assert_allclose(abs(end[:, 4]), math.sqrt(2) * SPEED, rtol=20 * 2**-53 * 0.01 / (SPEED * DT))
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -2,6 +2,9 @@
 """The styles as parts of pair_style hybrid: pairs of types that belong to another style, or to none, are not theirs."""
 import unittest
 
+import numpy
+
+from cohesion_tests import lammps as engine
 from cohesion_tests.lammps_scenes.small_box import box, spheres
 from cohesion_tests.test_cases import ScriptTestCase
 
@@ -49,6 +52,26 @@ class Hybrid(ScriptTestCase):
             if style.startswith(("gran", "hamaker")):
                 with self.subTest(style):
                     self.assertEqual(self.advised(self.output(style, pairs)), ["1 - 1", "1 - 2", "2 - 2"])
+
+    def test_sampled_contacts_beside_those_of_the_event_scheme_are_contacts_whether_anybody_looks_or_not(self):
+        """Weight and drag are what others do to a contact of the event scheme; a sampled one is not."""
+        row = spheres((1, 0.002, 0.005, 0.005), (1, 0.00301, 0.005, 0.005), (2, 0.00399, 0.005, 0.005))
+        ends = []
+        for looks in ("", "compute tally all gran/energy\nthermo_style custom step c_tally[1]\n"):
+            self.goes(f"""{box(types=2, size=(0.02, 0.02, 0.02))}{row}neighbor 1e-4 bin
+pair_style hybrid gran/hamaker gran/square_well scheme sampled
+pair_coeff 1 1 gran/hamaker {STYLES["gran/hamaker"]}
+pair_coeff * 2 gran/square_well {STYLES["gran/square_well scheme sampled"]}
+set atom 1 vx 0.02
+fix down all gravity 9.81 vector 0 0 -1
+fix move all nve/sphere
+timestep 5e-6
+{looks}run 40
+write_dump all custom end.txt id vx vy vz modify sort id format float %.17g
+""")
+            ends.append(engine.dump(self.folder, "end.txt"))
+        self.assertGreater(abs(ends[0][:, 1]).min(), 1e-4)
+        numpy.testing.assert_array_equal(*ends)
 
 
 if __name__ == "__main__":
