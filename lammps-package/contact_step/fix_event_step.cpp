@@ -54,6 +54,7 @@ FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
       starting(false),
       running(false),
       tallies_begun(false),
+      ended_early(false),
       other_box(false),
       warned_of_unturned(false),
       forces_dt(0.0),
@@ -143,7 +144,26 @@ void FixEventStep::init() {
                         std::all_of(styles.begin(), styles.end(), [](const EventContacts* some) {
                           return some->is_event_scheme() || !some->may_have_contacts();
                         });
+  require_spheres();
   warn_of_unturned_once();
+}
+
+/// What friction does in a step, and what a spin holds of energy, is of spheres.
+void FixEventStep::require_spheres() {
+  const bool matters = energy_tally.has_readers() ||
+                       std::any_of(styles.begin(), styles.end(), [this](const EventContacts* some) {
+                         bool any = false;
+                         for (int type = 1; type <= atom->ntypes; type++)
+                           any = any || some->has_friction(type);
+                         return any && some->is_event_scheme();
+                       });
+  if (!matters) return;
+  for (int i = 0; i < modify->nfix; i++)
+    if (MobileParticles::turns_discs(modify->fix[i]))
+      error->all(FLERR, std::string("fix ") + modify->fix[i]->id +
+                            " nve/sphere disc: friction of scheme event and compute gran/energy "
+                            "take particles for spheres, of moment of inertia 2/5 m R^2; leave out "
+                            "'disc'");
 }
 
 /// Whether particles may change their velocities as they are told.
@@ -410,6 +430,7 @@ void FixEventStep::post_run() {
     for_each_energy_tally(modify, [](EnergyTallyCompute& compute) { compute.end_run(); });
   }
   tallies_begun = false;
+  ended_early = !idle && !energy_tally.is_active();
   running = false;
   box.store(domain);
   if (resuming) return;  // no step was made: what was taken over is what the next run goes on from

@@ -154,6 +154,8 @@ class FixEventStep : public Fix {
   bool resumes() const { return resuming; }
   /// A run that does so finds another box than the last one left, and particles elsewhere.
   bool box_changed() const { return other_box; }
+  /// The last run ended in a step of which the energy tally, not active, keeps nothing.
+  bool last_tally_unknown() const { return ended_early; }
   /// The first step of a run that takes over nothing.
   bool starts() const { return starting; }
   /// Particle or ghost i; a particle that nothing integrates has inverse mass 0.
@@ -300,6 +302,7 @@ class FixEventStep : public Fix {
     beside_young[i] |= mark;
   }
   char marks_of(int i, int j) const { return j < 0 ? marks[i] : marks[i] | marks[j]; }
+  void require_spheres();
   void warn_of_unturned_once();
   bool any_driven() const;
   bool others_may_act() const;
@@ -333,6 +336,7 @@ class FixEventStep : public Fix {
   bool starting;
   bool running;
   bool tallies_begun;  // in this run
+  bool ended_early;    // the last run, in a step that was not known to be its last
   bool other_box;
   bool warned_of_unturned;
   BoxSides box;              // at the end of the last run

@@ -21,6 +21,11 @@ class MobileParticles {
     return fix->time_integrate && !utils::strmatch(fix->style, "^move");
   }
 
+  static bool turns_discs(const Fix* fix) {
+    const auto* const turning = dynamic_cast<const FixNVESphere*>(fix);
+    return turning && Turning::factor(*turning) == disc;
+  }
+
   void look_up(const Modify* modify) {
     mobile_ = forced_ = frozen_ = discs_ = turned_ = 0;
     for (int i = 0; i < modify->nfix; i++) {
@@ -29,8 +34,7 @@ class MobileParticles {
       if (integrates(fix)) mobile_ |= fix->groupbit;
       if (integrates(fix) && strcmp(fix->style, "nve/noforce") != 0) forced_ |= fix->groupbit;
       if (fix->time_integrate && !only_translates(fix)) turned_ |= fix->groupbit;
-      if (const auto* turning = dynamic_cast<FixNVESphere*>(fix))
-        if (Turning::factor(*turning) == disc) discs_ |= fix->groupbit;
+      if (turns_discs(fix)) discs_ |= fix->groupbit;
     }
   }
 

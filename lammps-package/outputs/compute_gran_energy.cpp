@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "atom.h"
+#include "comm.h"
 #include "domain.h"
 #include "energy_tally.h"
 #include "error.h"
@@ -55,6 +56,14 @@ void ComputeGranEnergy::compute_vector() {
 }
 
 void ComputeGranEnergy::begin_run() {
+  if (step->last_tally_unknown() && comm->me == 0)
+    error->warning(
+        FLERR,
+        "compute {} gran/energy: the last run ended early, with a step of which energies "
+        "are not known: the first line has kinetic energies of the grid and no energies "
+        "of springs in the plane of contact, and entry 10 has that error from then on; "
+        "define the compute before a run that may end early",
+        id);
   work_out();
   tally.begin_run(lmp, std::string("compute ") + id + " gran/energy", vector);
 }

@@ -116,6 +116,17 @@ class Runs(FolderTestCase):
         self.assertEqual(rows, 4 * [rows[0]])
         self.assertNotIn("the box was changed", output)
 
+    def test_one_that_begins_after_a_run_that_ended_early(self):
+        self.write([((2e-3, 2e-3, 2e-3), (0.1, 0, 0)), ((2.99e-3, 2e-3, 2e-3), (-0.1, 0, 0))], (5e-3, 5e-3, 5e-3))
+        head = HEAD % ("p p p", "friction 0.3") + TAIL.replace("compute tally all gran/energy\n", "")
+        halt = "variable n equal step\nfix stop all halt 1 v_n >= 10 error continue\nrun 60\nunfix stop\n"
+        compute = "compute tally all gran/energy\n"
+        for early, runs in ((True, halt + compute), (False, compute + halt), (False, "run 10\n" + compute),
+                            (False, halt + "run 5\n" + compute)):
+            with self.subTest(runs):
+                output = self.run_script(head + runs + "run 20\nrun 20\n")
+                self.assertEqual(output.count("the last run ended early"), early)
+
 
 if __name__ == "__main__":
     unittest.main()
