@@ -31,6 +31,11 @@ constexpr const char* seen_too_late =
     ", scheme event: a pair came nearer by more than 0.01 of its radii in one step, from beyond "
     "what is seen, and when it touched is not known exactly: use a smaller time step";
 
+constexpr const char* turned_too_often =
+    ", scheme event: a pair, or a particle and a wall, turned round a thousand times within one "
+    "step, between contact and the edge of the adhesion or along that edge, and was not followed "
+    "to the end of that step: use a smaller time step";
+
 /// Without this flag the engine forgets the contact when it makes a new list.
 void remember(const ContactModels::SurfacesCloseData& d, bool something) {
   if (!d.contact_flags) return;
@@ -71,7 +76,9 @@ void EventContacts::connect(const NormalModelProbe& normal, Adhesion adhesion, M
                              ": needs a pair_style gran of scheme event, too; without attraction "
                              "between particles, use it with a strength of 0 between them")
                                 .c_str());
-  late_ = hidden_fix<FixContactAdvice>(lmp_).late_warning(who_ + seen_too_late);
+  auto& warnings = hidden_fix<FixContactAdvice>(lmp_);
+  late_ = warnings.late_warning(who_ + seen_too_late);
+  cut_short_ = warnings.late_warning(who_ + turned_too_often);
   const auto reject = [&](const std::string& why) {
     lmp_->error->all(FLERR, (who_ + ", scheme event: model " + normal.name() + " " + why +
                              ": use 'scheme sampled', or model hooke or hooke/stiffness as it is "
@@ -134,7 +141,7 @@ double EventContacts::others(const ContactModels::SurfacesCloseData& d,
 /// has come from; nullptr: nothing.
 const double* EventContacts::last_record(const ContactModels::SurfacesCloseData& d) const {
   const double* const history = d.contact_history + offset_;
-  const auto now = static_cast<double>(lmp_->update->ntimestep);
+  const double now = others_->clock();
   if (history[STEP] == now) return history;
   if (!d.mesh) return nullptr;
   const double* const before =
@@ -182,6 +189,7 @@ bool EventContacts::follow(const ContactModels::SurfacesCloseData& d, double r,
     }
     step = k->law->follow(at, by_others, first ? 0.5 * k->law->step() : k->law->step(), memory);
   }
+  if (step.normal.unresolved) cut_short_->due = true;
   write(d, memory, step);
   exclude_impulse(*k, d, normal, step);
   return true;
@@ -211,7 +219,7 @@ bool EventContacts::in_range(const double* history) const {
 /// A step that is computed again, as each run does with the last one, repeats its force.
 bool EventContacts::repeat(const ContactModels::SurfacesCloseData& d, GridStep& step) const {
   const double* const history = d.contact_history + offset_;
-  if (history[STEP] != static_cast<double>(lmp_->update->ntimestep) + 1.0) return false;
+  if (history[STEP] != others_->clock() + 1.0) return false;
   step = {};
   step.force = history[FORCE];
   step.repulsion = history[REPULSION];
@@ -227,7 +235,7 @@ void EventContacts::write(const ContactModels::SurfacesCloseData& d, const GridM
   history[FORCE] = step.force;
   history[REPULSION] = step.repulsion;
   history[TOUCH] = step.normal.contact_time;
-  history[STEP] = static_cast<double>(lmp_->update->ntimestep) + 1.0;
+  history[STEP] = others_->clock() + 1.0;
   remember(d, memory.phase != GridMemory::beyond || step.force != 0.0);
 }
 

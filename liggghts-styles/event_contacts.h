@@ -139,14 +139,14 @@ class EventContacts {
   const KnownContact* followed_ = nullptr;
   double time_apart_ = 0.0;  // how much of the step before the contact just followed was none
   int types_ = 0;
-  std::shared_ptr<LateWarning> late_;
+  std::shared_ptr<LateWarning> late_, cut_short_;
 };
 
 inline bool EventContacts::go_on(ContactModels::SurfacesIntersectData& contact, double* spring,
                                  double& force) {
   using namespace cohesion::event_stepping;
   double* const history = contact.contact_history + offset_;
-  const auto now = static_cast<double>(lmp_->update->ntimestep);
+  const double now = others_->clock();
   if (history[PHASE] != GridMemory::lasting || history[STEP] != now) return false;
   if (!contact.computeflag || !contact.shearupdate) return false;
   const KnownContact* const k = known_contact(contact);

@@ -61,6 +61,7 @@ void FixOthers::setup_pre_force(int) {
 
 void FixOthers::initial_integrate(int) {
   last_step_ = update->dt;
+  clock_ += 1.0;
   double largest = 0.0;
   for (int i = 0; i < atom->nlocal; i++) {
     const double* const f = atom->f[0] + 3 * i;
@@ -128,12 +129,16 @@ void FixOthers::unpack_comm(int count, int first, double* buffer) {
 
 void FixOthers::write_restart(FILE* file) {
   if (comm->me != 0) return;
-  const int size = sizeof(double);
+  const double values[] = {last_step_, clock_};
+  const int size = sizeof(values);
   fwrite(&size, sizeof(int), 1, file);
-  fwrite(&last_step_, sizeof(double), 1, file);
+  fwrite(values, size, 1, file);
 }
 
-void FixOthers::restart(char* buffer) { std::memcpy(&last_step_, buffer, sizeof(double)); }
+void FixOthers::restart(char* buffer) {
+  std::memcpy(&last_step_, buffer, sizeof(double));
+  std::memcpy(&clock_, buffer + sizeof(double), sizeof(double));
+}
 
 double FixOthers::memory_usage() { return 6.0 * sizeof(double) * atom->nmax; }
 

@@ -50,6 +50,9 @@ class FixOthers : public LAMMPS_NS::Fix {
   }
   /// The step of the last forces, also those from a restart file; 0: there were none, [time].
   double last_step() const { return last_step_; }
+  /// Number of the step, which the script's `reset_timestep` leaves alone: what contacts know their
+  /// last step by.
+  double clock() const { return clock_; }
 
  private:
   void begin_step();
@@ -59,6 +62,7 @@ class FixOthers : public LAMMPS_NS::Fix {
   bool any_excluded_ = false;    // in this step, by this rank; else all of it is 0
   double largest_squared_ = 0.0, largest_ = 0.0;
   double last_step_ = 0.0;
+  double clock_ = 0.0;
 };
 
 }  // namespace Cohesion

@@ -73,7 +73,8 @@ class Many(unittest.TestCase):
         for tangential in ("off", "history"):
             whole = end_of("run 120", tangential)
             for what, how in {"2 ranks": ("run 120", 2), "parts": ("run 37\nrun 0\nrun 83", 0),
-                              "a restart file written": ("run 60\nwrite_restart a.rest\nrun 60", 0)}.items():
+                              "a restart file written": ("run 60\nwrite_restart a.rest\nrun 60", 0),
+                              "steps counted anew": ("run 60\nreset_timestep 5000\nrun 60", 0)}.items():
                 with self.subTest(what, tangential=tangential):
                     self.assert_same(whole, end_of(how[0], tangential, how[1]), 120)
 
@@ -128,7 +129,8 @@ class Wells(unittest.TestCase):
         for ratio in (1.05, 2.0):
             whole = self.end_of("run 120", ratio)
             for what, how in {"2 ranks": ("run 120", 2), "parts": ("run 37\nrun 0\nrun 83", 0),
-                              "a restart file written": ("run 60\nwrite_restart a.rest\nrun 60", 0)}.items():
+                              "a restart file written": ("run 60\nwrite_restart a.rest\nrun 60", 0),
+                              "steps counted anew": ("run 60\nreset_timestep 5000\nrun 60", 0)}.items():
                 with self.subTest(what, ratio=ratio):
                     self.assert_same(whole, self.end_of(how[0], ratio, how[1]), 120)
 

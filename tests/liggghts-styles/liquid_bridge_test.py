@@ -130,7 +130,8 @@ class Continued(unittest.TestCase):
                      text[text.index("neighbor "):text.index("create_atoms")] +
                      text[text.index("fix E all"):])
             for what, run, ranks in (
-                    ("two runs", f"run {half}\nrun {half}\n", 0), ("two ranks", f"run {self.STEPS}\n", 2),
+                    ("two runs", f"run {half}\nrun {half}\n", 0),
+                    ("steps counted anew", f"run {half}\nreset_timestep {100 * half}\nrun {half}\n", 0), ("two ranks", f"run {self.STEPS}\n", 2),
                     ("two runs on two ranks", f"run {half}\nrun {half}\n", 2),
                     ("a restart file", f"run {half}\nwrite_restart a.rest\nclear\n{again}run {half}\n", 0)):
                 with self.subTest(scheme=scheme, what=what):
