@@ -2,8 +2,6 @@
 #include <mpi.h>
 // The engine's headers want mpi.h before them.
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "contact_models.h"
 #include "domain.h"
@@ -32,8 +30,9 @@ constexpr const char* seen_too_late =
     "what is seen, and when it touched is not known exactly: use a smaller time step";
 
 constexpr const char* turned_too_often =
-    ", scheme event: a pair, or a particle and a wall, turned round a thousand times within one "
-    "step, between contact and the edge of the adhesion or along that edge, and was not followed "
+    ", scheme event: a pair, or a particle and a wall, turned round a hundred times or more within "
+    "one step, between contact and the edge of the adhesion or along that edge, and was not "
+    "followed "
     "to the end of that step: use a smaller time step";
 
 /// Without this flag the engine forgets the contact when it makes a new list.

@@ -3,7 +3,6 @@
 #define COHESION_EVENT_CONTACTS_H
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <limits>
 #include <memory>

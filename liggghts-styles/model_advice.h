@@ -3,7 +3,6 @@
 #define COHESION_MODEL_ADVICE_H
 
 #include <functional>
-#include <memory>
 #include <string>
 #include <vector>
 

@@ -21,6 +21,7 @@
 #include "lattice_boltzmann/arrays.h"
 #include "lattice_boltzmann/random_array.h"
 #include "lattice_boltzmann/steady_drag.h"
+#include "named_table.h"
 #include "sphere_file.h"
 
 namespace {

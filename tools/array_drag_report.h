@@ -15,6 +15,7 @@
 #include "drag/drag_law.h"
 #include "drag/size_mixture.h"
 #include "lattice_boltzmann/steady_drag.h"
+#include "named_table.h"
 
 namespace cohesion::tools {
 

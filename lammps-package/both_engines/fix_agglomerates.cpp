@@ -2,7 +2,6 @@
 #include "fix_agglomerates.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <string>
 

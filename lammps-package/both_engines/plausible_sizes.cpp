@@ -10,7 +10,6 @@
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"
-#include "engine_api.h"
 #include "message.h"
 #include "plausible_sizes.h"
 #include "sphere.h"

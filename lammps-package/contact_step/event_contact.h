@@ -165,9 +165,8 @@ struct StepContacts {
     const auto is_disturbed = [&](const LastingContact& p) {
       return step->is_disturbed(p.i, p.j) && all[p.contact].minds_others();
     };
-    const bool any_minds =
-        std::any_of(all.begin(), all.end(), [](const Contact& c) { return c.minds_others(); });
-    if (step->any_disturbed() && any_minds)
+    const auto minds = [](const Contact& c) { return c.minds_others(); };
+    if (step->any_disturbed() && std::any_of(all.begin(), all.end(), minds))
       for (const LastingContact& p : lasting)
         if (is_disturbed(p))
           undo_lasting<SIZE>(scatter, step, all[p.contact], p, grid_of(p), on_impulse);

@@ -2,7 +2,6 @@
 #include "fix_event_step.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <string>
 
@@ -117,7 +116,7 @@ void FixEventStep::init() {
   bool before_me = true;
   for (int i = 0; i < modify->nfix; i++) {
     Fix* const fix = modify->fix[i];
-    if (auto* wall = dynamic_cast<EventWalls*>(fix)) {
+    if (auto* wall = dynamic_cast<SoftWallStyle*>(fix)) {
       walls.push_back(wall);
       styles.push_back(wall);
     }
@@ -132,16 +131,17 @@ void FixEventStep::init() {
                             "commands of scheme event");
   }
   for (const PairMember& member : pair_members(force)) {
-    if (auto* pairs = dynamic_cast<EventContacts*>(member.pair)) styles.push_back(pairs);
+    if (auto* pairs = dynamic_cast<SoftContactStyle*>(member.pair)) styles.push_back(pairs);
     if (auto* one = dynamic_cast<AdvisedStyle*>(member.pair)) advised.push_back(one);
   }
   may_have_contacts = std::any_of(styles.begin(), styles.end(),
-                                  [](const EventContacts* s) { return s->may_have_contacts(); });
-  any_event_scheme = std::any_of(styles.begin(), styles.end(),
-                                 [](const EventContacts* some) { return some->is_event_scheme(); });
+                                  [](const SoftContactStyle* s) { return s->may_have_contacts(); });
+  any_event_scheme = std::any_of(styles.begin(), styles.end(), [](const SoftContactStyle* some) {
+    return some->is_event_scheme();
+  });
   any_other_forces = any_event_scheme && others_may_act();
   only_event_contacts = !any_other_forces && !any_driven() &&
-                        std::all_of(styles.begin(), styles.end(), [](const EventContacts* some) {
+                        std::all_of(styles.begin(), styles.end(), [](const SoftContactStyle* some) {
                           return some->is_event_scheme() || !some->may_have_contacts();
                         });
   require_spheres();
@@ -150,13 +150,13 @@ void FixEventStep::init() {
 
 /// What friction does in a step, and what a spin holds of energy, is of spheres.
 void FixEventStep::require_spheres() {
-  const bool matters = energy_tally.has_readers() ||
-                       std::any_of(styles.begin(), styles.end(), [this](const EventContacts* some) {
-                         bool any = false;
-                         for (int type = 1; type <= atom->ntypes; type++)
-                           any = any || some->has_friction(type);
-                         return any && some->is_event_scheme();
-                       });
+  const bool matters =
+      energy_tally.has_readers() ||
+      std::any_of(styles.begin(), styles.end(), [this](const SoftContactStyle* some) {
+        bool any = false;
+        for (int type = 1; type <= atom->ntypes; type++) any = any || some->has_friction(type);
+        return any && some->is_event_scheme();
+      });
   if (!matters) return;
   for (int i = 0; i < modify->nfix; i++)
     if (MobileParticles::turns_discs(modify->fix[i]))
@@ -177,11 +177,11 @@ bool FixEventStep::others_may_act() const {
   if (force->bond || force->angle || force->dihedral || force->improper || force->kspace)
     return true;
   for (const PairMember& member : pair_members(force))
-    if (!dynamic_cast<EventContacts*>(member.pair)) return true;
+    if (!dynamic_cast<SoftContactStyle*>(member.pair)) return true;
   constexpr int may_act = FixConst::PRE_FORCE | FixConst::PRE_REVERSE | FixConst::POST_FORCE;
   for (int i = 0; i < modify->nfix; i++) {
     Fix* const fix = modify->fix[i];
-    const bool of_contacts = fix == this || dynamic_cast<EventWalls*>(fix);
+    const bool of_contacts = fix == this || dynamic_cast<SoftWallStyle*>(fix);
     if (!of_contacts && (modify->fmask[i] & may_act)) return true;
   }
   return false;
@@ -192,7 +192,7 @@ void FixEventStep::warn_of_unturned_once() {
   if (warned_of_unturned) return;
   std::vector<bool> has_friction(atom->ntypes + 1, false);
   for (int type = 1; type <= atom->ntypes; type++)
-    for (const EventContacts* some : styles)
+    for (const SoftContactStyle* some : styles)
       has_friction[type] = has_friction[type] || some->has_friction(type);
   warned_of_unturned = warn_of_unturned(lmp, mobile, has_friction);
 }
@@ -262,12 +262,12 @@ void FixEventStep::setup_pre_force(int) {
   update_readers();
   advise_if_due(true);
   if (other_box)
-    for (EventWalls* wall : walls) wall->reset_in_range();
+    for (SoftWallStyle* wall : walls) wall->reset_in_range();
   if (energy_tally.is_active()) {
     for (int i = 0; i < atom->nlocal; i++) energy_tally.restore_motion(i, last.of(i) + NOTED);
     energy_tally.reset_normal();
   }
-  for (EventContacts* some : styles) some->continue_run();
+  for (SoftContactStyle* some : styles) some->continue_run();
 }
 
 /// With the first forces of a step, when fixes have changed what they change before.
@@ -276,20 +276,20 @@ bool FixEventStep::run_predictor() {
   predictor_due = false;
   begin_step();
   impulses.begin_contacts();
-  for (EventContacts* some : styles) some->classify();
+  for (SoftContactStyle* some : styles) some->classify();
   if (any_event_scheme) {
     if (any_young)
-      for (EventContacts* some : styles) some->find_beside_young();
+      for (SoftContactStyle* some : styles) some->find_beside_young();
     forward_marks();
     const int all = atom->nlocal + atom->nghost;
     any_disturbed_now =
         std::any_of(marks.begin(), marks.begin() + all, [](char is) { return is == DISTURBED; });
-    for (EventContacts* some : styles) some->follow_disturbed();
-    for (EventContacts* some : styles) some->follow_far();
-    for (EventContacts* some : styles) some->couple_lasting();
+    for (SoftContactStyle* some : styles) some->follow_disturbed();
+    for (SoftContactStyle* some : styles) some->follow_far();
+    for (SoftContactStyle* some : styles) some->couple_lasting();
     if (any_followed_now || comm->nprocs > 1) {
       forward_to_ghosts(&FixEventStep::owed, FollowedMotion::OWED);
-      for (EventContacts* some : styles) some->predict();
+      for (SoftContactStyle* some : styles) some->predict();
       forward_to_ghosts(&FixEventStep::predicted, FollowedMotion::PREDICTED);
     }
   }
@@ -396,7 +396,7 @@ void FixEventStep::begin_step() {
     std::fill_n(shares.begin(), all, Share{});
     motion_count = 0;
     marks.assign(all, 0);
-    if (only_event_contacts) beside_young.assign(all, 0);
+    if (only_event_contacts) young_marks.assign(all, 0);
     any_young = false;
     followed.assign(all, 0);
     followed_ghosts.clear();
@@ -453,10 +453,11 @@ void FixEventStep::report_unresolved() {
   MPI_Allreduce(&unresolved, &all, 1, MPI_DOUBLE, MPI_SUM, world);
   unresolved = 0.0;
   if (all > 0.0 && comm->me == 0)
-    error->warning(FLERR,
-                   "scheme event: {} times in this run a pair, or a particle and a wall, turned "
-                   "round a thousand times within one step, between contact and the edge of the "
-                   "adhesion or along that edge, and was not followed to the end of that step: use "
-                   "a smaller time step",
-                   all);
+    error->warning(
+        FLERR,
+        "scheme event: {} times in this run a pair, or a particle and a wall, turned "
+        "round a hundred times or more within one step, between contact and the edge of the "
+        "adhesion or along that edge, and was not followed to the end of that step: use "
+        "a smaller time step",
+        all);
 }

@@ -8,8 +8,6 @@ FixStyle(EVENT_STEP,FixEventStep);
 #ifndef LMP_FIX_EVENT_STEP_H
 #define LMP_FIX_EVENT_STEP_H
 
-#include <algorithm>
-#include <memory>
 #include <vector>
 
 #include "atom.h"
@@ -23,56 +21,9 @@ FixStyle(EVENT_STEP,FixEventStep);
 #include "event_stepping/two_pass_contact.h"
 #include "fix.h"
 #include "mobile_particles.h"
-#include "prefetch.h"
+#include "soft_contact_style.h"
 
 namespace LAMMPS_NS {
-
-/// The pair styles and walls with soft contacts, of either scheme: what FixEventStep orders within
-/// a step. FixEventStep::run_corrector() calls all of this with the first forces of a step; the
-/// corrector is each style's own part of Pair::compute or Fix::post_force. In the sampled scheme
-/// classify() finds the close pairs alone, and contacts are computed in that part.
-class EventContacts {
- public:
-  /// Lets contacts that last act, and adds the others, whose particles are disturbed, to those that
-  /// are followed.
-  virtual void classify() = 0;
-  /// Marks particles that have a young contact and another one as crowded, or disturbed.
-  virtual void find_beside_young() = 0;
-  /// Adds lasting contacts of disturbed particles to those that are followed, too, and undoes what
-  /// they did. Then adds what leads to the true motion of the particles of all that are followed.
-  virtual void follow_disturbed() = 0;
-  /// Adds pairs out of range to those that are followed, where others may bring them together.
-  virtual void follow_far() = 0;
-  /// Adds what lasting contacts do to particles that have a followed one, and what leads to the
-  /// true motion of these.
-  virtual void couple_lasting() = 0;
-  /// The predictor: every followed contact by itself, as if its particles had no other.
-  virtual void predict() = 0;
-  /// Whether friction turns particles of this type.
-  virtual bool has_friction(int type) const = 0;
-  /// Whether any contact may act in this run.
-  virtual bool may_have_contacts() const { return true; }
-  /// Whether contacts are those of scheme event, which takes account of what they do to each other
-  /// within a step; else they are sampled.
-  virtual bool is_event_scheme() const = 0;
-  /// Where a run takes over the forces of the last one: finds what has come into range or out of it
-  /// between the two, and adds what the contacts store to the energy tally.
-  virtual void continue_run() = 0;
-
- protected:
-  ~EventContacts() = default;
-};
-
-/// Those of walls.
-class EventWalls : public EventContacts {
- public:
-  /// Sets whether particles are in range by where they are, when something else than their motion
-  /// has brought them there.
-  virtual void reset_in_range() = 0;
-
- protected:
-  ~EventWalls() = default;
-};
 
 /// What followed contacts of a particle or ghost share in a step: `owed`, what leads from the
 /// velocity and spin on the grid to the true ones; `predicted`, the change of position, velocity
@@ -221,8 +172,8 @@ class FixEventStep : public Fix {
   bool only_contacts_act() const { return only_event_contacts; }
   /// Adds a contact of two particles that add_young() was not told of; j < 0: a wall.
   void add_beside_young(int i, int j) {
-    marks[i] |= beside_young[i];
-    if (j >= 0) marks[j] |= beside_young[j];
+    marks[i] |= young_marks[i];
+    if (j >= 0) marks[j] |= young_marks[j];
   }
   /// Whether i is disturbed, or j (below 0: a wall, which never is).
   bool is_disturbed(int i, int j) const { return marks_of(i, j) == DISTURBED; }
@@ -297,9 +248,9 @@ class FixEventStep : public Fix {
   void forward_flagged(std::vector<char>& flags, NumbersOf, int each);
   void begin_tallies();
   void add_young(int i, char mark) {
-    marks[i] |= beside_young[i];
-    if (beside_young[i] != 0) marks[i] |= mark;
-    beside_young[i] |= mark;
+    marks[i] |= young_marks[i];
+    if (young_marks[i] != 0) marks[i] |= mark;
+    young_marks[i] |= mark;
   }
   char marks_of(int i, int j) const { return j < 0 ? marks[i] : marks[i] | marks[j]; }
   void require_spheres();
@@ -321,9 +272,9 @@ class FixEventStep : public Fix {
     to[2] += a.z;
   }
 
-  std::vector<EventContacts*> styles;  // those of this run
-  std::vector<EventWalls*> walls;      // of them
-  std::vector<AdvisedStyle*> advised;  // the same
+  std::vector<SoftContactStyle*> styles;  // those of this run
+  std::vector<SoftWallStyle*> walls;      // of them
+  std::vector<AdvisedStyle*> advised;     // the same
   ContactWatch watch;
 
   char* forwarded_flags;  // per atom and ghost, of what goes to ghosts now: whether it has any, or
@@ -362,7 +313,7 @@ class FixEventStep : public Fix {
   std::vector<int> followed_ghosts;
   static constexpr char CROWDED = 1, DISTURBED = 2 | CROWDED;
   std::vector<char> marks;           // per atom and ghost: those, added up
-  std::vector<char> beside_young;    // the same: what its young contacts make of it beside others
+  std::vector<char> young_marks;     // the same: what its young contacts make of it beside others
   bool any_young = false;            // of those
   bool any_disturbed_now = false;    // of those that are disturbed
   bool any_followed_now = false;     // the same

@@ -8,7 +8,6 @@ FixStyle(HARD_EVENTS,FixHardEvents);
 #ifndef LMP_FIX_HARD_EVENTS_H
 #define LMP_FIX_HARD_EVENTS_H
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <unordered_map>

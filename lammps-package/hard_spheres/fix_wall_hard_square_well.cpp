@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
 #include "fix_wall_hard_square_well.h"
 
-#include <algorithm>
 #include <cstring>
 
 #include "atom.h"

@@ -2,7 +2,6 @@
 #ifndef COHESION_HARD_EVENT_TOTALS_H
 #define COHESION_HARD_EVENT_TOTALS_H
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-only
 #include "pair_hard_square_well.h"
 
-#include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "atom.h"
 #include "comm.h"

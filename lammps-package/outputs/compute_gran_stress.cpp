@@ -22,7 +22,7 @@ ComputeGranStress::ComputeGranStress(LAMMPS* lammps, int narg, char** arg)
 void ComputeGranStress::init() {
   const std::vector<PairMember> members = pair_members(force);
   const auto known = [](const PairMember& member) {
-    return dynamic_cast<const EventContacts*>(member.pair) != nullptr;
+    return dynamic_cast<const SoftContactStyle*>(member.pair) != nullptr;
   };
   if (members.empty()) return;
   if (std::none_of(members.begin(), members.end(), known))

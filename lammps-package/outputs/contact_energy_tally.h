@@ -4,7 +4,6 @@
 
 #include <array>
 #include <memory>
-#include <vector>
 
 #include "event_stepping/pair_motion.h"
 #include "pointers.h"

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <string>
-#include <vector>
 
 #include "advice/stiffness_scaling.h"
 #include "cohesive_contact_from_script.h"

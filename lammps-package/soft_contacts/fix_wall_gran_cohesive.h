@@ -24,7 +24,7 @@ namespace LAMMPS_NS {
 /// Walls that act on spheres as PairGranCohesive lets spheres act on each other; a wall is a
 /// partner of infinite mass and radius. `Cohesion`: as there.
 template <class Cohesion>
-class FixWallGranCohesive : public Fix, public EventWalls, public AdvisedStyle {
+class FixWallGranCohesive : public Fix, public SoftWallStyle, public AdvisedStyle {
  public:
   FixWallGranCohesive(class LAMMPS*, int, char**);
   ~FixWallGranCohesive() override;

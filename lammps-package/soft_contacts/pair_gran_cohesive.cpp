@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <type_traits>
 
 #include "atom.h"
 #include "cohesion_laws.h"
@@ -13,7 +12,6 @@
 #include "fix_event_step.h"
 #include "flight_report.h"
 #include "force.h"
-#include "guarded.h"
 #include "largest_radii.h"
 #include "memory.h"
 #include "modify.h"

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <string>
 #include <variant>
 #include <vector>
 
@@ -38,7 +37,10 @@ struct ParticlesOnGrid {
 /// sampled. `Cohesion` (cohesion_law.h) says what is its own: name, keywords, law, range, and which
 /// pairs of src/event_stepping follow it.
 template <class Cohesion>
-class PairGranCohesive : public Pair, public BoundPairs, public EventContacts, public AdvisedStyle {
+class PairGranCohesive : public Pair,
+                         public BoundPairs,
+                         public SoftContactStyle,
+                         public AdvisedStyle {
  public:
   explicit PairGranCohesive(class LAMMPS*);
   ~PairGranCohesive() override;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
 // The part of PairGranCohesive that computes the pairs of a step.
 #include <algorithm>
-#include <string>
 #include <type_traits>
 
 #include "atom.h"

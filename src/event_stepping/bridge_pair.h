@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 
 #include "event_stepping/first_root.h"
 #include "event_stepping/pair_step.h"

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "contact/adhesion.h"
 #include "contact/linear_spring_dashpot.h"

@@ -5,7 +5,6 @@
 #include <cstring>
 
 #include "event_stepping/pair_step.h"
-#include "sphere.h"
 
 namespace cohesion::event_stepping {
 

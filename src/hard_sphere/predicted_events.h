@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "hard_sphere/crossing.h"
 #include "hard_sphere/renumbering.h"

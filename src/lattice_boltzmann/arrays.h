@@ -4,12 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string>
 #include <vector>
 
 #include "constants.h"
 #include "lattice_boltzmann/walls.h"
-#include "named_table.h"
 #include "validation.h"
 
 namespace cohesion::lattice_boltzmann {

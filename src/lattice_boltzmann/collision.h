@@ -4,7 +4,6 @@
 #include <array>
 #include <cstddef>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 #include "lattice_boltzmann/d3q19.h"

@@ -13,7 +13,6 @@
 #include "lattice_boltzmann/relaxation.h"
 #include "lattice_boltzmann/speed_control.h"
 #include "lattice_boltzmann/walls.h"
-#include "sphere.h"
 #include "validation.h"
 
 namespace cohesion::lattice_boltzmann {

@@ -10,7 +10,6 @@
 #include "constants.h"
 #include "contact/adhesive_contact.h"
 #include "contact/linear_spring_dashpot.h"
-#include "hamaker/forms.h"
 #include "sphere.h"
 #include "validation.h"
 

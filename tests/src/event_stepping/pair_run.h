@@ -9,6 +9,7 @@
 #include "event_stepping/pair_motion.h"
 #include "event_stepping/plane_pair.h"
 #include "event_stepping/sphere_pair.h"
+#include "sphere.h"
 
 /// Runs of one pair as an engine would run them, for the tests of the event scheme.
 namespace cohesion::event_stepping {

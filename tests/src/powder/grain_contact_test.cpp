@@ -5,6 +5,9 @@
 
 #include <cmath>
 
+#include "hamaker/law.h"
+#include "hamaker/small_gap.h"
+
 namespace cohesion::powder {
 
 namespace {

@@ -21,6 +21,7 @@ KNOWN = (
     Warned("came nearer by more than ([^ ]*) of its radii", r"came nearer by \1 radii in a step", True),
     Warned("([^ ]*) times in this run a pair, or a particle and a wall, turned", r"\1 steps not followed to their end",
            True),
+    Warned("turned round a hundred times or more within one step", "a step not followed to its end", True),
     Warned("made collisions elastic and frictionless", "inelastic collapse", True),
     Warned("([^ ]*) pairs of hard cores .*overlap", r"\1 hard cores overlap at the start", True),
 )
