@@ -155,8 +155,8 @@ bool EventContacts::follow(const ContactModels::SurfacesCloseData& d, double r,
   followed_ = k;
   time_apart_ = 0.0;
   if (!k) return false;
-  if (!d.computeflag || (first && others_->last_step() == lmp_->update->dt)) {
-    if (repeat(d, step)) {
+  if (!d.computeflag || (first && others_->last_step() > 0.0)) {
+    if (repeat(*k, d, step)) {
       remember(d, true);
       exclude_impulse(*k, d, normal, step);
       return true;
@@ -215,10 +215,17 @@ bool EventContacts::in_range(const double* history) const {
   return memory.inside();
 }
 
-/// A step that is computed again, as each run does with the last one, repeats its force.
-bool EventContacts::repeat(const ContactModels::SurfacesCloseData& d, GridStep& step) const {
-  const double* const history = d.contact_history + offset_;
+/// A step that is computed again, as each run does with the last one, repeats its force. A run of
+/// another step begins anew, but for impulses: the half that is to come is another force then.
+bool EventContacts::repeat(const KnownContact& k, const ContactModels::SurfacesCloseData& d,
+                           GridStep& step) const {
+  double* const history = d.contact_history + offset_;
   if (history[STEP] != others_->clock() + 1.0) return false;
+  const double now = lmp_->update->dt, then = others_->last_step();
+  if (d.computeflag && then != now) {
+    if (history[FORCE] == 0.0 || !is_impulse(k, history[TOUCH])) return false;
+    history[FORCE] *= then / now;
+  }
   step = {};
   step.force = history[FORCE];
   step.repulsion = history[REPULSION];

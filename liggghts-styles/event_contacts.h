@@ -113,7 +113,7 @@ class EventContacts {
     return mobile_.moves(atom_->mask[particle]) ? atom_->rmass[particle] : 0.0;
   }
   double others(const ContactModels::SurfacesCloseData& d, const cohesion::Vector3& normal) const;
-  bool repeat(const ContactModels::SurfacesCloseData& d,
+  bool repeat(const KnownContact& k, const ContactModels::SurfacesCloseData& d,
               cohesion::event_stepping::GridStep& step) const;
   const double* last_record(const ContactModels::SurfacesCloseData& d) const;
   void write(const ContactModels::SurfacesCloseData& d, const GridMemory& memory,

@@ -56,6 +56,7 @@ void FixOthers::setup_pre_force(int) {
   const int all = atom->nlocal + atom->nghost;
   for (int i = 0; i < all; i++) set_arrays(i);
   largest_squared_ = 0.0;
+  forces_step_ = update->dt;
   begin_step();
 }
 
@@ -74,7 +75,22 @@ void FixOthers::initial_integrate(int) {
   largest_squared_ = largest;
 }
 
+/// The forces as they are act for half of either step. Of an impulse the half that is to come stays
+/// half.
+void FixOthers::reset_dt() {
+  const double ratio = forces_step_ / update->dt;
+  forces_step_ = update->dt;
+  if (!any_excluded_) return;
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int k = 0; k < 3; k++) {
+      const double by_impulses = ratio * excluded_[i][k];
+      atom->f[i][k] += by_impulses - excluded_[i][k];
+      excluded_[i][k] = by_impulses;
+    }
+}
+
 void FixOthers::pre_force(int) {
+  forces_step_ = update->dt;
   comm->forward_comm_fix(this);
   begin_step();
 }

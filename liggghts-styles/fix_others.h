@@ -24,6 +24,7 @@ class FixOthers : public LAMMPS_NS::Fix {
   void setup_pre_force(int) override;
   void initial_integrate(int) override;
   void pre_force(int) override;
+  void reset_dt() override;
 
   void grow_arrays(int) override;
   void copy_arrays(int, int, int) override;
@@ -61,7 +62,8 @@ class FixOthers : public LAMMPS_NS::Fix {
   double** excluded_ = nullptr;  // per particle, from the forces of a step to the next
   bool any_excluded_ = false;    // in this step, by this rank; else all of it is 0
   double largest_squared_ = 0.0, largest_ = 0.0;
-  double last_step_ = 0.0;
+  double last_step_ = 0.0;    // begun last
+  double forces_step_ = 0.0;  // of the forces as they are
   double clock_ = 0.0;
 };
 

@@ -125,6 +125,22 @@ class Wells(unittest.TestCase):
         assert "from beyond what is seen" not in done.output, done.output
         return done.frames("end.txt")[-1]
 
+    def test_another_step_keeps_the_impulse_of_an_edge(self):
+        ratio, speed, dt = 1.1, 0.05, CONTACT_TIME / 20
+        half = ratio * RADIUS + 4.5 * dt * speed
+        spheres = [sphere((side * half, 0, 0), (-side * speed, 0, 0)) for side in (-1, 1)]
+        ways = [(f"run {split}\ntimestep {part * dt!r}\nrun 10", "") for split in (3, 4, 5, 6) for part in (0.5, 2)]
+        # A step is as long as the speed says, and shorter as soon as the well accelerates both.
+        ways.append(("run 16", f"fix reset all dt/reset 1 {dt / 10!r} {dt!r} {speed * dt!r}\n"))
+        for run, extra in ways:
+            end = Run(script(spheres, "model hooke/stiffness tangential off cohesion square_well" + EVENT,
+                             square_well(MASS * speed**2, ratio=ratio), dt=dt, every=10**8, skin=2e-4, extra=extra,
+                             run=run + END)).frames("end.txt")[-1]
+            with self.subTest(run, extra=extra):
+                # Places of 1 mm, rounded, in some twenty steps.
+                for sphere_at_end in end.values():
+                    self.assertAlmostEqual(abs(sphere_at_end[3]), math.sqrt(2) * speed, delta=20 * EPSILON * 1e-3 / dt)
+
     def test_ranks_and_runs_do_not_matter(self):
         for ratio in (1.05, 2.0):
             whole = self.end_of("run 120", ratio)
