@@ -32,8 +32,7 @@ constexpr const char* seen_too_late =
 constexpr const char* turned_too_often =
     ", scheme event: a pair, or a particle and a wall, turned round a hundred times or more within "
     "one step, between contact and the edge of the adhesion or along that edge, and was not "
-    "followed "
-    "to the end of that step: use a smaller time step";
+    "followed to the end of that step: use a smaller time step";
 
 /// Without this flag the engine forgets the contact when it makes a new list.
 void remember(const ContactModels::SurfacesCloseData& d, bool something) {
@@ -169,7 +168,7 @@ bool EventContacts::follow(const ContactModels::SurfacesCloseData& d, double r,
     memory.phase = static_cast<GridMemory::Phase>(static_cast<int>(last[PHASE]));
     memory.ahead = last[AHEAD];
   }
-  time_apart_ = k->law->step() - (last ? last[TOUCH] : 0.0);
+  time_apart_ = k->law->step() * (1.0 - (last ? last[TOUCH] : 0.0));
   const cohesion::Vector3 n = cohesion::vector(normal);
   const cohesion::Vector3 w = cohesion::vector(d.v_i) - cohesion::vector(d.v_j);
   GridPoint at{r, dot(w, n), 0.0};
@@ -189,7 +188,7 @@ bool EventContacts::follow(const ContactModels::SurfacesCloseData& d, double r,
     step = k->law->follow(at, by_others, first ? 0.5 * k->law->step() : k->law->step(), memory);
   }
   if (step.normal.unresolved) cut_short_->due = true;
-  write(d, memory, step);
+  write(*k, d, memory, step);
   exclude_impulse(*k, d, normal, step);
   return true;
 }
@@ -205,8 +204,8 @@ void EventContacts::exclude_impulse(const KnownContact& k,
                                     const GridStep& step) {
   if (step.force == 0.0 || !is_impulse(k, step.normal.contact_time)) return;
   const cohesion::Vector3 on_i = step.force * cohesion::vector(normal);
-  others_->exclude(d.i, on_i);
-  if (!d.is_wall) others_->exclude(d.j, -on_i);
+  if (mobile_.moves(atom_->mask[d.i])) others_->exclude(d.i, on_i);
+  if (!d.is_wall && mobile_.moves(atom_->mask[d.j])) others_->exclude(d.j, -on_i);
 }
 
 bool EventContacts::in_range(const double* history) const {
@@ -229,18 +228,18 @@ bool EventContacts::repeat(const KnownContact& k, const ContactModels::SurfacesC
   step = {};
   step.force = history[FORCE];
   step.repulsion = history[REPULSION];
-  step.normal.contact_time = history[TOUCH];
+  step.normal.contact_time = history[TOUCH] * k.law->step();
   return true;
 }
 
-void EventContacts::write(const ContactModels::SurfacesCloseData& d, const GridMemory& memory,
-                          const GridStep& step) const {
+void EventContacts::write(const KnownContact& k, const ContactModels::SurfacesCloseData& d,
+                          const GridMemory& memory, const GridStep& step) const {
   double* const history = d.contact_history + offset_;
   history[PHASE] = memory.phase;
   history[AHEAD] = memory.ahead;
   history[FORCE] = step.force;
   history[REPULSION] = step.repulsion;
-  history[TOUCH] = step.normal.contact_time;
+  history[TOUCH] = step.normal.contact_time / k.law->step();
   history[STEP] = others_->clock() + 1.0;
   remember(d, memory.phase != GridMemory::beyond || step.force != 0.0);
 }

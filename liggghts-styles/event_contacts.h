@@ -79,8 +79,8 @@ class EventContacts {
                     const cohesion::event_stepping::GridStep& step, double* spring) const;
 
  private:
-  // What is remembered of a contact. TOUCH: how long it was in contact in the last step; STEP: the
-  // one in which this was written, and 1.
+  // What is remembered of a contact. TOUCH: which part of the last step it was in contact; STEP:
+  // the one in which this was written, and 1.
   enum { PHASE, AHEAD, FORCE, REPULSION, TOUCH, STEP };
 
   using GridMemory = cohesion::event_stepping::GridMemory;
@@ -116,8 +116,8 @@ class EventContacts {
   bool repeat(const KnownContact& k, const ContactModels::SurfacesCloseData& d,
               cohesion::event_stepping::GridStep& step) const;
   const double* last_record(const ContactModels::SurfacesCloseData& d) const;
-  void write(const ContactModels::SurfacesCloseData& d, const GridMemory& memory,
-             const cohesion::event_stepping::GridStep& step) const;
+  void write(const KnownContact& k, const ContactModels::SurfacesCloseData& d,
+             const GridMemory& memory, const cohesion::event_stepping::GridStep& step) const;
   /// `time_apart`: how much of the step before it was no contact, [time].
   static void set_friction(ContactModels::SurfacesIntersectData& contact, const KnownContact& k,
                            double repulsion, double time_apart, double* spring);
@@ -155,10 +155,10 @@ inline bool EventContacts::go_on(ContactModels::SurfacesIntersectData& contact, 
   LastingForce does;
   if (!k->law->lasting_force(at, {GridMemory::lasting, history[AHEAD]}, does)) return false;
   force = does.force;
-  set_friction(contact, *k, does.repulsion, k->law->step() - history[TOUCH], spring);
+  set_friction(contact, *k, does.repulsion, k->law->step() * (1.0 - history[TOUCH]), spring);
   history[FORCE] = does.force;
   history[REPULSION] = does.repulsion;
-  history[TOUCH] = k->law->step();
+  history[TOUCH] = 1.0;
   history[STEP] = now + 1.0;
   if (contact.contact_flags) *contact.contact_flags |= ContactModels::CONTACT_COHESION_MODEL;
   return true;

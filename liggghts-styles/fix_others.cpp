@@ -21,6 +21,9 @@ namespace Cohesion {
 
 using namespace LAMMPS_NS;
 
+// Of restart files; first there was the step, which is above 0.
+static constexpr double LAYOUT = -2.0;
+
 static double squared(const double* a) { return a[0] * a[0] + a[1] * a[1] + a[2] * a[2]; }
 
 FixOthers::FixOthers(LAMMPS* engine, int count, char** words) : Fix(engine, count, words) {
@@ -56,12 +59,12 @@ void FixOthers::setup_pre_force(int) {
   const int all = atom->nlocal + atom->nghost;
   for (int i = 0; i < all; i++) set_arrays(i);
   largest_squared_ = 0.0;
+  last_step_ = forces_step_;
   forces_step_ = update->dt;
   begin_step();
 }
 
 void FixOthers::initial_integrate(int) {
-  last_step_ = update->dt;
   clock_ += 1.0;
   double largest = 0.0;
   for (int i = 0; i < atom->nlocal; i++) {
@@ -69,24 +72,21 @@ void FixOthers::initial_integrate(int) {
     double* const to = acceleration_[0] + 3 * i;
     const double inverse_mass = 1.0 / atom->rmass[i];
     for (int k = 0; k < 3; k++)
-      to[k] = (any_excluded_ ? f[k] - excluded_[i][k] : f[k]) * inverse_mass;
+      to[k] = (any_excluded_ ? f[k] - excluded_scale_ * excluded_[i][k] : f[k]) * inverse_mass;
     largest = std::max(largest, squared(to));
   }
   largest_squared_ = largest;
 }
 
-/// The forces as they are act for half of either step. Of an impulse the half that is to come stays
-/// half.
+/// A force f has given f dt/2, and gives f dt'/2 now. That of an impulse becomes f dt/dt'. Fixes
+/// that hold particles have set forces on them to 0.
 void FixOthers::reset_dt() {
-  const double ratio = forces_step_ / update->dt;
-  forces_step_ = update->dt;
+  const double ratio = forces_step_ / update->dt, more = ratio - excluded_scale_;
+  excluded_scale_ = ratio;
   if (!any_excluded_) return;
   for (int i = 0; i < atom->nlocal; i++)
-    for (int k = 0; k < 3; k++) {
-      const double by_impulses = ratio * excluded_[i][k];
-      atom->f[i][k] += by_impulses - excluded_[i][k];
-      excluded_[i][k] = by_impulses;
-    }
+    for (int k = 0; k < 3; k++)
+      if (atom->f[i][k] != 0.0) atom->f[i][k] += more * excluded_[i][k];
 }
 
 void FixOthers::pre_force(int) {
@@ -99,6 +99,7 @@ void FixOthers::begin_step() {
   if (any_excluded_)
     for (int i = 0; i < atom->nlocal; i++) std::fill_n(excluded_[i], 3, 0.0);
   any_excluded_ = false;
+  excluded_scale_ = 1.0;
   // Not to be a last digit less.
   largest_ = (1.0 + 1e-12) * std::sqrt(largest_squared_);
 }
@@ -145,15 +146,21 @@ void FixOthers::unpack_comm(int count, int first, double* buffer) {
 
 void FixOthers::write_restart(FILE* file) {
   if (comm->me != 0) return;
-  const double values[] = {last_step_, clock_};
+  const double values[] = {LAYOUT, forces_step_, clock_};
   const int size = sizeof(values);
   fwrite(&size, sizeof(int), 1, file);
   fwrite(values, size, 1, file);
 }
 
 void FixOthers::restart(char* buffer) {
-  std::memcpy(&last_step_, buffer, sizeof(double));
-  std::memcpy(&clock_, buffer + sizeof(double), sizeof(double));
+  double layout = 0.0;
+  std::memcpy(&layout, buffer, sizeof(double));
+  if (layout != LAYOUT)
+    error->all(FLERR,
+               "cohesion, scheme event: another version of the package wrote the restart file; use "
+               "'write_data' with that version and 'read_data' with this one");
+  std::memcpy(&forces_step_, buffer + sizeof(double), sizeof(double));
+  std::memcpy(&clock_, buffer + 2 * sizeof(double), sizeof(double));
 }
 
 double FixOthers::memory_usage() { return 6.0 * sizeof(double) * atom->nmax; }

@@ -49,7 +49,8 @@ class FixOthers : public LAMMPS_NS::Fix {
     excluded_[i][1] += excluded.y;
     excluded_[i][2] += excluded.z;
   }
-  /// The step of the last forces, also those from a restart file; 0: there were none, [time].
+  /// While a run is set up, the step of the forces before these, also from a restart file; 0: there
+  /// were none, [time].
   double last_step() const { return last_step_; }
   /// Number of the step, which the script's `reset_timestep` leaves alone: what contacts know their
   /// last step by.
@@ -62,8 +63,9 @@ class FixOthers : public LAMMPS_NS::Fix {
   double** excluded_ = nullptr;  // per particle, from the forces of a step to the next
   bool any_excluded_ = false;    // in this step, by this rank; else all of it is 0
   double largest_squared_ = 0.0, largest_ = 0.0;
-  double last_step_ = 0.0;    // begun last
-  double forces_step_ = 0.0;  // of the forces as they are
+  double excluded_scale_ = 1.0;  // of those in the engine's forces, after reset_dt()
+  double last_step_ = 0.0;
+  double forces_step_ = 0.0;  // that the forces as they are were worked out for
   double clock_ = 0.0;
 };
 

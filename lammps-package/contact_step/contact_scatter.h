@@ -50,13 +50,18 @@ class ContactsOfStep {
     step_->impulses.fetch<SIZE>(i);
     if (j >= 0 && j < nlocal_) step_->impulses.fetch<SIZE>(j);
   }
-  /// The same has happened at an instant, not for the whole step.
-  void note_sudden(int i, int j, const Action& a) const {
-    step_->add_sudden_force(i, -kick_ * a.impulse);
-    if (j >= 0 && j < nlocal_) step_->add_sudden_force(j, kick_ * a.impulse);
-  }
   void apply_reversed(int i, int j, const Action& a) const {
     apply(i, j, {-a.impulse, -a.torque_i, -a.torque_j});
+  }
+  /// Of what apply() was told, the part along the normal acted at an instant of the step.
+  void note_sudden(int i, int j, const Contact& c, const Vector3& separation,
+                   const Vector3& impulse) const {
+    if (dot(impulse, impulse) == 0.0) return;
+    const double part = dot(impulse, separation) / dot(separation, separation);
+    const Vector3 push = (kick_ * part) * separation;
+    if (c.bodies().inverse_mass_i() > 0.0) step_->add_sudden_force(i, -push);
+    if (j >= 0 && j < nlocal_ && c.bodies().inverse_mass_j() > 0.0)
+      step_->add_sudden_force(j, push);
   }
 
   /// Adds what `a` changes of the motion of i or j to six numbers.
@@ -158,7 +163,8 @@ template <class Contact, int SIZE>
 class SampledForces {
  public:
   SampledForces(Atom* atom, FixEventStep* step)
-      : forces_(atom->f),
+      : scatter_(atom, step),
+        forces_(atom->f),
         torques_(atom->torque),
         kick_(step->impulses.kick()),
         nlocal_(atom->nlocal) {}
@@ -169,8 +175,11 @@ class SampledForces {
                                     double* history) const {
     using namespace cohesion::event_stepping;
     ContactMemory memory = ContactMemory::as_stored(history, SIZE);
-    const Action action = c.template compute<SIZE>(grid, memory, nullptr).action;
+    const SampledStep now = c.template compute<SIZE>(grid, memory, nullptr);
+    const Action& action = now.action;
     memory.to(history, SIZE);
+    if (Contact::pushes_at_edge && now.repulsion == 0.0)
+      scatter_.note_sudden(i, j, c, grid.relative.separation, action.impulse);
     add(forces_[i], -kick_, action.impulse);
     if (SIZE >= ContactMemory::with_friction) add(torques_[i], kick_, action.torque_i);
     if (j >= nlocal_) return memory.in_range();
@@ -180,6 +189,7 @@ class SampledForces {
   }
 
  private:
+  ContactsOfStep<Contact, SIZE> scatter_;
   double* const* forces_;
   double* const* torques_;
   double kick_;
@@ -197,6 +207,8 @@ cohesion::event_stepping::SampledStep sample(const ContactsOfStep<Contact, SIZE>
   SampledStep now =
       c.template compute<SIZE>(grid, memory, step->energy_tally.is_active() ? &lost : nullptr);
   scatter.apply(i, j, now.action);
+  if (Contact::pushes_at_edge && now.repulsion == 0.0)
+    scatter.note_sudden(i, j, c, grid.relative.separation, now.action.impulse);
   if (step->energy_tally.is_active()) {
     const double fraction = scatter.owned_fraction(j);
     step->energy_tally.store(fraction, c.stored(grid, memory));

@@ -290,7 +290,8 @@ struct StepContacts {
       const Action action = c.template finish<SIZE>(p.start, others, f, memory);
       memory.to(p.history, SIZE);
       scatter.apply(p.i, p.j, action);
-      if (memory.age == 0.0) scatter.note_sudden(p.i, p.j, action);
+      if (memory.had_event())
+        scatter.note_sudden(p.i, p.j, c, p.start.truth.relative.separation, action.impulse);
       const double fraction = scatter.owned_fraction(p.j);
       if (f.normal.normal.unresolved) step->count_unresolved(fraction);
       step->energy_tally.add_losses(fraction, Contact::template losses<SIZE>(f), 1.0);

@@ -53,7 +53,7 @@ FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
       starting(false),
       running(false),
       tallies_begun(false),
-      ended_early(false),
+      tally_unknown(false),
       other_box(false),
       warned_of_unturned(false),
       forces_dt(0.0),
@@ -160,8 +160,8 @@ void FixEventStep::require_spheres() {
   if (!matters) return;
   for (int i = 0; i < modify->nfix; i++)
     if (MobileParticles::turns_discs(modify->fix[i]))
-      error->all(FLERR, std::string("fix ") + modify->fix[i]->id +
-                            " nve/sphere disc: friction of scheme event and compute gran/energy "
+      error->all(FLERR, std::string("fix ") + modify->fix[i]->id + " " + modify->fix[i]->style +
+                            " disc: friction of scheme event and compute gran/energy "
                             "take particles for spheres, of moment of inertia 2/5 m R^2; leave out "
                             "'disc'");
 }
@@ -240,6 +240,7 @@ void FixEventStep::update_radii(int all) {
 double FixEventStep::half_kick() const { return 0.5 * update->dt; }
 
 void FixEventStep::setup_pre_force(int) {
+  forget_sudden_forces();  // `last` has them
   resuming = last.has_room();
   starting = !resuming;
   other_box = resuming && box.changed(domain);
@@ -333,15 +334,19 @@ void FixEventStep::initial_integrate(int) {
   keep_sudden_impulses();
 }
 
-/// Where the step is another than the one that the forces are of, they act for half of either, as
-/// those of lasting contacts should. Of a sudden impulse the half that is to come stays half.
+/// A force f has given f dt/2, and gives f dt'/2 now, where the step is another: for those of
+/// lasting contacts that is right to second order. Sudden ones are impulses, and become f dt/dt'.
+/// Fixes that hold particles have set forces on them to 0.
 void FixEventStep::keep_sudden_impulses() {
   const double more = forces_dt / update->dt - 1.0;
-  for (const int i : suddenly_pushed) {
-    add(atom->f[i], more * sudden_forces[i]);
-    sudden_forces[i] = {};  // a particle may be there twice
-  }
-  suddenly_pushed.clear();
+  if (more != 0.0)
+    for (const int i : suddenly_pushed) {
+      const double pushes[] = {sudden_forces[i].x, sudden_forces[i].y, sudden_forces[i].z};
+      for (int k = 0; k < 3; k++)
+        if (atom->f[i][k] != 0.0) atom->f[i][k] += more * pushes[k];
+      sudden_forces[i] = {};  // a particle may be there twice
+    }
+  forget_sudden_forces();
 }
 
 void FixEventStep::forget_sudden_forces() {
@@ -365,8 +370,10 @@ void FixEventStep::begin_tallies() {
 }
 
 void FixEventStep::pre_force(int) {
-  forces_dt = update->dt;
-  if (idle) return;
+  if (idle) {
+    forces_dt = update->dt;
+    return;
+  }
   advise_if_due(false);
   predictor_due = true;
 }
@@ -384,6 +391,7 @@ void FixEventStep::advise_if_due(bool setup) {
 
 void FixEventStep::begin_step() {
   const int all = atom->nlocal + atom->nghost;
+  forces_dt = update->dt;
   update_particles();
   update_readers();
   // The engine's half kick makes of a force f the momentum f dt/2; the other half went before, but
@@ -430,13 +438,12 @@ void FixEventStep::post_run() {
     for_each_energy_tally(modify, [](EnergyTallyCompute& compute) { compute.end_run(); });
   }
   tallies_begun = false;
-  ended_early = !idle && !energy_tally.is_active();
   running = false;
   box.store(domain);
   if (resuming) return;  // no step was made: what was taken over is what the next run goes on from
+  tally_unknown = !idle && !energy_tally.is_active();
   last.grow(atom->nmax);
   for (int i = 0; i < atom->nlocal; i++) save_last(i, last.of(i));
-  forget_sudden_forces();
 }
 
 /// What the next run needs of a particle.

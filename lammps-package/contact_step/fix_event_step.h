@@ -105,8 +105,8 @@ class FixEventStep : public Fix {
   bool resumes() const { return resuming; }
   /// A run that does so finds another box than the last one left, and particles elsewhere.
   bool box_changed() const { return other_box; }
-  /// The last run ended in a step of which the energy tally, not active, keeps nothing.
-  bool last_tally_unknown() const { return ended_early; }
+  /// The last run ended early, in a step of which the energy tally, not active, keeps nothing.
+  bool last_tally_unknown() const { return tally_unknown; }
   /// The first step of a run that takes over nothing.
   bool starts() const { return starting; }
   /// Particle or ghost i; a particle that nothing integrates has inverse mass 0.
@@ -215,7 +215,8 @@ class FixEventStep : public Fix {
   [[nodiscard]] ContactEnergyTally::Reader add_flux_reader() const { return flux_readers; }
   bool sums_flux() const { return flux_wanted; }
 
-  /// Adds to what acts on a particle of this rank at an instant of the step, [force].
+  /// Adds to what contacts do to a particle of this rank in the instants in which they begin or
+  /// end, meet an edge, or pay what an edge has left, [force].
   void add_sudden_force(int i, const cohesion::Vector3& push) {
     sudden_forces[i] += push;
     suddenly_pushed.push_back(i);
@@ -287,17 +288,18 @@ class FixEventStep : public Fix {
   bool starting;
   bool running;
   bool tallies_begun;  // in this run
-  bool ended_early;    // the last run, in a step that was not known to be its last
+  bool tally_unknown;  // last_tally_unknown()
   bool other_box;
   bool warned_of_unturned;
-  BoxSides box;              // at the end of the last run
-  double forces_dt;          // of the step that the forces are of; 0: there was none
-  AtomNumbers last;          // from the end of a run to the first step of the next: save_last()
-  AtomNumbers other_forces;  // force of all but contacts at the last grid point
-  std::vector<cohesion::Vector3> sudden_forces;  // per atom; 0 but for those of the next
-  std::vector<int> suddenly_pushed;              // in this step
-  bool predictor_due = false;                    // in this step: run_corrector()
-  bool any_event_scheme = false;                 // any style, in this run
+  BoxSides box;                // at the end of the last run
+  double forces_dt;            // of the step that the forces are of; 0: there was none
+  AtomNumbers last;            // from the end of a run to the first step of the next: save_last()
+  AtomNumbers other_forces;    // force of all but contacts at the last grid point
+  bool predictor_due = false;  // in this step: run_corrector()
+  std::vector<cohesion::Vector3>
+      sudden_forces;                 // per atom: add_sudden_force(), until the next step
+  std::vector<int> suddenly_pushed;  // who has one; some more than once
+  bool any_event_scheme = false;     // any style, in this run
   bool any_other_forces = false;     // anything but contacts, likewise, where that matters
   bool only_event_contacts = false;  // neither that, nor sampled contacts, nor driven particles
   bool other_forces_known = false;   // in `other_forces`, which is 0 otherwise

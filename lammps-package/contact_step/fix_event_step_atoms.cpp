@@ -89,14 +89,16 @@ int FixEventStep::unpack_exchange(int i, double* buf) {
   return last.has_room() ? taken + last.unpack(i, buf + taken) : taken;
 }
 
-// Numbers of a restart file in front of the tally's: its layout, and the step.
-static constexpr int LAYOUT = 3, HEAD = 2;
+// Numbers of a restart file in front of the tally's: its layout, the step, and whether the tally
+// is not known.
+static constexpr int LAYOUT = 3, HEAD = 3;
 static constexpr int OF_RESTART =
     HEAD + static_cast<int>(std::tuple_size_v<ContactEnergyTally::Totals>);
 
 void FixEventStep::write_restart(FILE* fp) {
   const ContactEnergyTally::Totals mine = energy_tally.totals();
-  double values[OF_RESTART] = {RESTART_MARK + LAYOUT, forces_dt};
+  double values[OF_RESTART] = {RESTART_MARK + LAYOUT, forces_dt,
+                               tally_unknown && !running ? 1.0 : 0.0};
   MPI_Reduce(mine.data(), values + HEAD, static_cast<int>(mine.size()), MPI_DOUBLE, MPI_SUM, 0,
              world);
   if (comm->me != 0) return;
@@ -109,6 +111,7 @@ void FixEventStep::restart(char* buf) {
   const auto* values = reinterpret_cast<const double*>(buf);
   require_layout(lmp, values[0], "scheme event", LAYOUT);
   forces_dt = values[1];
+  tally_unknown = values[2] != 0.0;
   if (forces_dt > 0.0) last.grow(atom->nmax);
   if (comm->me != 0) return;
   ContactEnergyTally::Totals all;

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "fix.h"
+#include "fix_nh_sphere.h"
 #include "fix_nve_sphere.h"
 #include "lammps.h"
 #include "modify.h"
@@ -21,9 +22,12 @@ class MobileParticles {
     return fix->time_integrate && !utils::strmatch(fix->style, "^move");
   }
 
+  /// nve/sphere, nvt/sphere, npt/sphere or nph/sphere with the keyword disc.
   static bool turns_discs(const Fix* fix) {
-    const auto* const turning = dynamic_cast<const FixNVESphere*>(fix);
-    return turning && Turning::factor(*turning) == disc;
+    if (const auto* const nve = dynamic_cast<const FixNVESphere*>(fix))
+      return Turning<FixNVESphere>::factor(*nve) == disc;
+    const auto* const nh = dynamic_cast<const FixNHSphere*>(fix);
+    return nh && Turning<FixNHSphere>::factor(*nh) == disc;
   }
 
   void look_up(const Modify* modify) {
@@ -50,15 +54,16 @@ class MobileParticles {
     return (mask & mobile_) && !(mask & frozen_) && !(mask & turned_);
   }
 
-  /// Moment of inertia over mass and square of the radius: as fix nve/sphere turns the particle.
+  /// Moment of inertia over mass and square of the radius: as a fix turns the particle.
   double inertia_factor(int mask) const { return (mask & discs_) ? disc : sphere; }
 
  private:
   static constexpr double sphere = 0.4, disc = 0.5;
 
   /// The factor is protected there.
-  struct Turning : FixNVESphere {
-    static double factor(const FixNVESphere& fix) { return fix.*(&Turning::inertia); }
+  template <class Mover>
+  struct Turning : Mover {
+    static double factor(const Mover& fix) { return fix.*(&Turning::inertia); }
   };
 
   int mobile_ = 0;

@@ -40,6 +40,9 @@ struct ContactMemory {
   /// OneForce::advance_lasting().
   bool lasted() const { return phase == lasting || phase == leaving; }
 
+  /// Whether anything but lasting contact happened to it in the step before, or nothing yet.
+  bool had_event() const { return age == 0.0; }
+
   /// Whether a slider slipped at the last grid point of a lasting contact.
   bool slipped(Slips which) const {
     return lasted() && (static_cast<int>(std::abs(ahead)) & which) != 0;

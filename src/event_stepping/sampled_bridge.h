@@ -22,6 +22,7 @@ class SampledBridge {
  public:
   /// Force and, as cutoff, the gap of rupture; no tail.
   using Attraction = contact::Adhesion;
+  static constexpr bool pushes_at_edge = false;
 
   SampledBridge(const contact::LinearSpringDashpot& spring, const contact::Adhesion& bridge,
                 double contact_distance, double /*step*/)

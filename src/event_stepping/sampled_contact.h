@@ -24,6 +24,8 @@ class SampledContact {
  public:
   using Attraction = typename Pair::Attraction;
   static constexpr bool on_grid = false;
+  /// Whether what a pair does that is not in contact is the impulse of an edge.
+  static constexpr bool pushes_at_edge = Pair::pushes_at_edge;
 
   SampledContact(const contact::ContactParameters& parameters, const Attraction& attraction,
                  const Body& i, const Body& j, const StepWindow& window)

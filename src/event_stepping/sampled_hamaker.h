@@ -23,6 +23,7 @@ class SampledHamaker {
     hamaker::AnyLaw law;
     PairGeometry geometry;
   };
+  static constexpr bool pushes_at_edge = false;
 
   SampledHamaker(const contact::LinearSpringDashpot& spring, const Attraction& attraction,
                  double contact_distance, double /*step*/)

@@ -37,6 +37,7 @@ class SampledWell {
  public:
   /// No force; `cutoff` the gap at the edge, `tail_energy` the depth.
   using Attraction = contact::Adhesion;
+  static constexpr bool pushes_at_edge = true;
 
   SampledWell(const contact::LinearSpringDashpot& spring, const contact::Adhesion& well,
               double contact_distance, double /*step*/)

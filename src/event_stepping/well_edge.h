@@ -11,6 +11,8 @@ namespace cohesion::event_stepping {
 /// so that no pair is in contact at the grid point and at the edge within the same step.
 class WellEdge : public WellPair {
  public:
+  static constexpr bool pushes_at_edge = true;
+
   WellEdge(const contact::LinearSpringDashpot& spring, const contact::Adhesion& well,
            double contact_distance, double step)
       : WellPair(spring, well, contact_distance, 0.0, step) {}

@@ -256,21 +256,41 @@ write_dump all custom end.txt id x y z vx vy vz omegax omegay omegaz modify form
                     speed = self.tally(pair, runs, boundary="f p p")[1][0, 4]
                     self.assertAlmostEqual(speed / SPEED, 1.0, delta=limit)
 
-    def test_another_step_keeps_the_impulse_of_an_edge(self):
-        edge, depth = 0.1 * DIAMETER, MASS * SPEED**2
+    def edge(self, held=False):
+        """Two spheres that meet the edge of a well after four steps and a half; `held`: one of them is. What they have
+        beyond it is sqrt(2) times the speed of those that move."""
+        width, depth = 0.1 * DIAMETER, MASS * SPEED**2 * (0.5 if held else 1.0)
+        way = 4.5 * DT * SPEED
         engine.write_spheres(self.folder, [
-            {"type": 1, "diameter": DIAMETER, "density": 2650.0, "v": (-side * SPEED, 0, 0),
-             "x": (5e-3 + side * (R + 0.5 * edge + 4.5 * DT * SPEED), 5e-3, 5e-3)} for side in (1, -1)],
-            3 * [(0.0, 0.01)], 1)
-        pair = f"pair_style gran/square_well\npair_coeff * * {CONTACT} well {depth:.17g} 1.1\n"
-        ways = [f"run {split}\ntimestep {part * DT:.17g}\nrun 10" for split in (3, 4, 5, 6) for part in (0.5, 2)]
+            {"type": 1, "diameter": DIAMETER, "density": 2650.0, "v": (-side * SPEED * moves, 0, 0),
+             "x": (5e-3 + side * (R + 0.5 * width + way * moves), 5e-3, 5e-3)}
+            for side, moves in ((1, 1), (-1, not held))], 3 * [(0.0, 0.01)], 1)
+        return (f"pair_style gran/square_well %s\npair_coeff * * {CONTACT} %s well {depth:.17g} 1.1\n" +
+                ("group second id 2\nfix hold second freeze\n" if held else ""))
+
+    def check_edge(self, pair, runs, held=False, **options):
+        end = self.tally(pair, runs, **options)[1]
+        speeds = math.sqrt(2) * SPEED * numpy.array([1, not held])
+        # Places of 0.01 m, rounded to 2^-53, in some twenty steps.
+        numpy.testing.assert_allclose(abs(end[:, 4]), speeds, rtol=0, atol=20 * 2**-53 * 0.01 / (DT / 10))
+
+    def test_another_step_keeps_the_impulse_of_an_edge(self):
         # A step is as long as the speed says, and shorter as soon as the well accelerates both.
-        ways.append(f"fix reset all dt/reset 1 {DT / 10:.17g} {DT:.17g} {SPEED * DT:.17g}\nrun 16")
-        for runs in ways:
-            with self.subTest(runs):
-                end = self.tally(pair, runs)[1]
-                # Places of 0.01 m, rounded to 2^-53, in some twenty steps.
-                numpy.testing.assert_allclose(abs(end[:, 4]), math.sqrt(2) * SPEED, rtol=20 * 2**-53 * 0.01 / (SPEED * DT))
+        reset = f"fix reset all dt/reset 1 {DT / 10:.17g} {DT:.17g} {SPEED * DT:.17g}\nrun 16"
+        for scheme, friction, held in (("", "", False), ("", "friction 0.3", True), ("scheme sampled", "", False)):
+            pair = self.edge(held) % (scheme, friction)
+            for runs in [f"run {split}\ntimestep {part * DT:.17g}\n{zero}run 10" for split in (3, 4, 5, 6)
+                         for part in (0.5, 2) for zero in ("", "run 0\n")] + [reset]:
+                with self.subTest(runs, scheme=scheme, held=held):
+                    self.check_edge(pair, runs, held)
+
+    def test_another_step_after_a_restart_keeps_it_too(self):
+        pair = self.edge() % ("", "")
+        for split in (4, 5):
+            self.tally(pair, f"run {split}\nwrite_restart restart.edge noinit")
+            for ranks in (1, 2):
+                with self.subTest(split, ranks=ranks):
+                    self.check_edge("", "run 10", head="read_restart restart.edge", dt=0.5 * DT, ranks=ranks)
 
 
 if __name__ == "__main__":

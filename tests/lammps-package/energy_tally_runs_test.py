@@ -121,7 +121,7 @@ class Runs(FolderTestCase):
         head = HEAD % ("p p p", "friction 0.3") + TAIL.replace("compute tally all gran/energy\n", "")
         halt = "variable n equal step\nfix stop all halt 1 v_n >= 10 error continue\nrun 60\nunfix stop\n"
         compute = "compute tally all gran/energy\n"
-        for early, runs in ((True, halt + compute), (False, compute + halt), (False, "run 10\n" + compute),
+        for early, runs in ((True, halt + compute), (False, compute + halt), (True, halt + "run 0\n" + compute), (False, "run 10\n" + compute),
                             (False, halt + "run 5\n" + compute)):
             with self.subTest(runs):
                 output = self.run_script(head + runs + "run 20\nrun 20\n")

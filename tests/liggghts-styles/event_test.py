@@ -129,7 +129,8 @@ class Wells(unittest.TestCase):
         ratio, speed, dt = 1.1, 0.05, CONTACT_TIME / 20
         half = ratio * RADIUS + 4.5 * dt * speed
         spheres = [sphere((side * half, 0, 0), (-side * speed, 0, 0)) for side in (-1, 1)]
-        ways = [(f"run {split}\ntimestep {part * dt!r}\nrun 10", "") for split in (3, 4, 5, 6) for part in (0.5, 2)]
+        ways = [(f"run {split}\ntimestep {part * dt!r}\n{zero}run 10", "") for split in (3, 4, 5, 6)
+                for part in (0.5, 2) for zero in ("", "run 0\n")]
         # A step is as long as the speed says, and shorter as soon as the well accelerates both.
         ways.append(("run 16", f"fix reset all dt/reset 1 {dt / 10!r} {dt!r} {speed * dt!r}\n"))
         for run, extra in ways:
