@@ -64,13 +64,16 @@ class Unturned(ScriptTestCase):
         numpy.testing.assert_allclose(velocities[1:], [-2.0, -1.0], rtol=1e-9)
 
     def test_discs_that_friction_would_take_for_spheres(self):
-        flat = (box(boundary="p f p").replace("atom_style", "dimension 2\natom_style") + spheres((1, 0.002, 0.002, 0)) +
+        flat = box(boundary="p f p").replace("0 0.01 units", "-0.005 0.005 units")
+        flat = (flat.replace("atom_style", "dimension 2\natom_style") + spheres((1, 0.002, 0.002, 0)) +
                 "neighbor 1e-4 bin\ntimestep 1e-6\nfix flat all enforce2d\n")
         discs = "fix move all nve/sphere disc"
         for script in (pairs("friction 0.3"), pairs("") + f"fix w all wall/gran/hamaker {CONTACT} friction 0.3 "
                        "yplane 0 NULL\n", pairs("", "gran/hamaker scheme sampled") + "compute tally all gran/energy\n"):
             with self.subTest(script):
                 self.stops(flat + script + discs + RUN, "fix move nve/sphere disc", "leave out 'disc'")
+        self.stops(flat + pairs("friction 0.3") + "fix move all nvt/sphere temp 1 1 1 disc" + RUN,
+                   "fix move nvt/sphere disc")
         for script in (pairs(""), pairs("friction 0.3", "gran/hamaker scheme sampled")):
             with self.subTest(script):
                 self.goes(flat + script + discs + RUN)

@@ -71,7 +71,7 @@ class Liquid(CoupledTestCase):
                  "right": f"{{ type fixedValue; value uniform (0 0 {shear * wide!r}); }}"}
         if shear:
             x = np.tile((np.arange(3) + 0.5) * wide / 3, 15)
-            still = "nonuniform List<vector> 45 (" + " ".join(f"(0 0 {shear * a!r})" for a in x) + ")"
+            still = "nonuniform List<vector> 45 (" + " ".join(f"(0 0 {shear * a})" for a in x) + ")"
         elif not periodic:
             walls = {"left": "{ type slip; }", "right": "{ type slip; }"}
         open_u = {"bottom": "{ type superficialVelocity; superficialVelocity (0 0 0); }",
