@@ -63,7 +63,8 @@ class EngineMessages(CoupledTestCase):
     def quits(self, ranks):
         case = make(self.column, f"quit-{ranks}", "fix move ", "quit\nfix move ")
         log = self.fails_with(case, ranks, [ENDED, "has its script a 'quit'?"])
-        self.expect_true(f"quit-{ranks}: and of no error", "ERROR:" not in log)
+        # What Open MPI 5 says of a rank that ends before the other is no error of the engine's.
+        self.expect_equal(f"quit-{ranks}: errors", re.findall(r"(?<!PMIX )ERROR:.*", log), [])
 
     def error_of_gas(self, ranks):
         case = make(self.column, f"gas-{ranks}", "fix move ", "fix move ")
