@@ -33,9 +33,11 @@ def one_at_a_time():
 def screen():
     """An X server without a screen: Debian's VTK draws on no other."""
     reader, writer = os.pipe()
+    # hwloc, and with it MPI, looks at the first ten as a program starts, and dies with one that ends just then.
+    own = 10 + os.getpid() % 50000
     before = os.environ.get("DISPLAY")
     server = subprocess.Popen(
-        dies_with_us(["Xvfb", "-displayfd", str(writer), "-screen", "0", "640x480x24", "-nolisten", "tcp"]),
+        dies_with_us(["Xvfb", f":{own}", "-displayfd", str(writer), "-screen", "0", "640x480x24", "-nolisten", "tcp"]),
         pass_fds=[writer], stderr=subprocess.DEVNULL)
     os.close(writer)
     try:
