@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// The part of FixEventStep that finds, as a run is set up, whose contacts it orders and what else
+// acts on their particles, and refuses what it cannot follow.
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "atom.h"
+#include "comm.h"
+#include "error.h"
+#include "fix_event_step.h"
+#include "force.h"
+#include "modify.h"
+#include "pair_members.h"
+#include "unturned_spheres.h"
+#include "update.h"
+
+using namespace LAMMPS_NS;
+
+void FixEventStep::init() {
+  if (utils::strmatch(update->integrate_style, "^respa"))
+    error->all(FLERR, "scheme event follows contacts over the whole step; use 'run_style verlet'");
+  if (force->newton_pair)
+    error->all(FLERR,
+               "scheme event works out every contact on both sides; put 'newton off' before the "
+               "box is made");
+  if (comm->ghost_velocity == 0)
+    error->all(FLERR,
+               "scheme event needs the velocities of ghost particles; add 'comm_modify vel yes'");
+
+  styles.clear();
+  walls.clear();
+  advised.clear();
+  mobile.look_up(modify);
+  bool before_me = true;
+  for (int i = 0; i < modify->nfix; i++) {
+    Fix* const fix = modify->fix[i];
+    if (auto* wall = dynamic_cast<SoftWallStyle*>(fix)) {
+      walls.push_back(wall);
+      styles.push_back(wall);
+    }
+    if (auto* one = dynamic_cast<AdvisedStyle*>(fix)) advised.push_back(one);
+    if (fix == this) before_me = false;
+    if (fix->rigid_flag)
+      error->all(FLERR, std::string("scheme event cannot follow contacts of rigid bodies (fix ") +
+                            fix->id + ")");
+    if (before_me && MobileParticles::integrates(fix))
+      error->all(FLERR, std::string("fix ") + fix->id +
+                            " integrates the motion: put it behind the pair_style and wall "
+                            "commands of scheme event");
+  }
+  for (const PairMember& member : pair_members(force)) {
+    if (auto* pairs = dynamic_cast<SoftContactStyle*>(member.pair)) styles.push_back(pairs);
+    if (auto* one = dynamic_cast<AdvisedStyle*>(member.pair)) advised.push_back(one);
+  }
+  may_have_contacts = std::any_of(styles.begin(), styles.end(),
+                                  [](const SoftContactStyle* s) { return s->may_have_contacts(); });
+  any_event_scheme = std::any_of(styles.begin(), styles.end(), [](const SoftContactStyle* some) {
+    return some->is_event_scheme();
+  });
+  any_other_forces = any_event_scheme && others_may_act();
+  only_event_contacts = !any_other_forces && !any_driven() &&
+                        std::all_of(styles.begin(), styles.end(), [](const SoftContactStyle* some) {
+                          return some->is_event_scheme() || !some->may_have_contacts();
+                        });
+  require_spheres();
+  warn_of_unturned_once();
+}
+
+/// What friction does in a step, and what a spin holds of energy, is of spheres.
+void FixEventStep::require_spheres() {
+  const bool matters =
+      energy_tally.has_readers() ||
+      std::any_of(styles.begin(), styles.end(), [this](const SoftContactStyle* some) {
+        bool any = false;
+        for (int type = 1; type <= atom->ntypes; type++) any = any || some->has_friction(type);
+        return any && some->is_event_scheme();
+      });
+  if (!matters) return;
+  for (int i = 0; i < modify->nfix; i++)
+    if (MobileParticles::turns_discs(modify->fix[i]))
+      error->all(FLERR, std::string("fix ") + modify->fix[i]->id + " " + modify->fix[i]->style +
+                            " disc: friction of scheme event and compute gran/energy "
+                            "take particles for spheres, of moment of inertia 2/5 m R^2; leave out "
+                            "'disc'");
+}
+
+/// Whether particles may change their velocities as they are told.
+bool FixEventStep::any_driven() const {
+  return std::any_of(modify->fix, modify->fix + modify->nfix,
+                     [](const Fix* fix) { return utils::strmatch(fix->style, "^move"); });
+}
+
+/// Whether anything but contacts may act on a particle.
+bool FixEventStep::others_may_act() const {
+  if (force->bond || force->angle || force->dihedral || force->improper || force->kspace)
+    return true;
+  for (const PairMember& member : pair_members(force))
+    if (!dynamic_cast<SoftContactStyle*>(member.pair)) return true;
+  constexpr int may_act = FixConst::PRE_FORCE | FixConst::PRE_REVERSE | FixConst::POST_FORCE;
+  for (int i = 0; i < modify->nfix; i++) {
+    Fix* const fix = modify->fix[i];
+    const bool of_contacts = fix == this || dynamic_cast<SoftWallStyle*>(fix);
+    if (!of_contacts && (modify->fmask[i] & may_act)) return true;
+  }
+  return false;
+}
+
+/// A warning that was given is not given again.
+void FixEventStep::warn_of_unturned_once() {
+  if (warned_of_unturned) return;
+  std::vector<bool> has_friction(atom->ntypes + 1, false);
+  for (int type = 1; type <= atom->ntypes; type++)
+    for (const SoftContactStyle* some : styles)
+      has_friction[type] = has_friction[type] || some->has_friction(type);
+  warned_of_unturned = warn_of_unturned(lmp, mobile, has_friction);
+}
