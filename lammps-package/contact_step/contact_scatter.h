@@ -54,8 +54,8 @@ class ContactsOfStep {
     apply(i, j, {-a.impulse, -a.torque_i, -a.torque_j});
   }
   /// Of what apply() was told, the part along the normal acted at an instant of the step.
-  void note_sudden(int i, int j, const Contact& c, const Vector3& separation,
-                   const Vector3& impulse) const {
+  [[gnu::noinline, gnu::cold]] void note_sudden(int i, int j, const Contact& c, Vector3 separation,
+                                                Vector3 impulse) const {
     if (dot(impulse, impulse) == 0.0) return;
     const double part = dot(impulse, separation) / dot(separation, separation);
     const Vector3 push = (kick_ * part) * separation;
@@ -178,13 +178,15 @@ class SampledForces {
     const SampledStep now = c.template compute<SIZE>(grid, memory, nullptr);
     const Action& action = now.action;
     memory.to(history, SIZE);
-    if (Contact::pushes_at_edge && now.repulsion == 0.0)
-      scatter_.note_sudden(i, j, c, grid.relative.separation, action.impulse);
     add(forces_[i], -kick_, action.impulse);
     if (SIZE >= ContactMemory::with_friction) add(torques_[i], kick_, action.torque_i);
-    if (j >= nlocal_) return memory.in_range();
-    add(forces_[j], kick_, action.impulse);
-    if (SIZE >= ContactMemory::with_friction) add(torques_[j], kick_, action.torque_j);
+    if (j < nlocal_) {
+      add(forces_[j], kick_, action.impulse);
+      if (SIZE >= ContactMemory::with_friction) add(torques_[j], kick_, action.torque_j);
+    }
+    // Behind all else: a call further up costs what it may change.
+    if (Contact::pushes_at_edge && now.repulsion == 0.0)
+      scatter_.note_sudden(i, j, c, grid.relative.separation, action.impulse);
     return memory.in_range();
   }
 
