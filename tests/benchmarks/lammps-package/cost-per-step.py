@@ -3,7 +3,7 @@
 """Time of a step of scheme event over that of LAMMPS' gran/hooke/history, on the same spheres.
 
   cost-per-step.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--turns N] [--steps N] [--scene NAME] [--instructions]
-                   [--law hamaker | liquid_bridge]
+                   [--law hamaker | liquid_bridge | square_well] [--ratio RATIO]
 
 Two scenes of 4000 equal spheres, t_c/20, restitution 0.9: a gas at solid fraction 0.55, and a packing
 with six lasting contacts each. Both styles start from the same positions and velocities and run in
@@ -21,8 +21,8 @@ from cohesion_tests.instruction_count import per_step
 from cohesion_tests.thermo import processor_seconds, thermo_end
 
 SCENES = ("gas", "packing")
-STRENGTHS = {"hamaker": 2e-18, "liquid_bridge": 1e-4}  # A [J], F_b [N]
-STYLES = {"hamaker": "event", "liquid_bridge": "bridge"}  # in.cost_per_step
+STRENGTHS = {"hamaker": 2e-18, "liquid_bridge": 1e-4, "square_well": 5e-11}  # A [J], F_b [N], D [J]
+STYLES = {"hamaker": "event", "liquid_bridge": "bridge", "square_well": "well"}  # in.cost_per_step
 
 
 def main():
@@ -30,13 +30,15 @@ def main():
                                     ("--steps", {"type": int, "default": 1000}),
                                     ("--scene", {"choices": SCENES, "action": "append"}),
                                     ("--law", {"choices": STRENGTHS, "default": "hamaker"}),
+                                    ("--ratio", {"type": float, "default": 1.01, "help": "of the well"}),
                                     ("--instructions", {"action": "store_true"}))
     ours, strength = STYLES[words.law], STRENGTHS[words.law]
-    cases = ((0.0, 0.0), (0.3, 0.0), (0.0, strength), (0.3, strength))  # friction, A or F_b
+    cases = ((0.0, 0.0), (0.3, 0.0), (0.0, strength), (0.3, strength))  # friction, A, F_b or D
 
     def cost(folder, scene, style, mu, constant):
         """Per particle and step: nanoseconds of a processor, or instructions; contacts per particle."""
-        case = {"scene": scene, "make": "no", "style": style, "mu": mu, "A": constant}
+        case = {"scene": scene, "make": "no", "style": style, "mu": mu, "A": constant,
+                "ratio": words.ratio}
         output = engine.run("in.cost_per_step", folder, steps=words.steps, **case)
         contacts = thermo_end(output)["c_contacts"]
         atoms = int(re.search(r"Loop time of .* with (\d+) atoms", output)[1])

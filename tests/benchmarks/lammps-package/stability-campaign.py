@@ -31,8 +31,9 @@ STEPS = (2, 3, 4, 5, 10, 15, 20)
 APART = {"_pairs": "pairs", "_walls": "walls"}
 PAGE = """# Stability at the ends of all parameters
 
-Written by `tests/benchmarks/lammps-package/stability-campaign.py`, on the stock engine. Every law and scheme at corners
-of its parameters, one at a time, and at random points between, the same in every run. *first*: two spheres that meet,
+Written by `tests/benchmarks/lammps-package/stability-campaign.py`, on the stock engine. Laws and schemes of
+the table below, which are all but liquid bridges and *sampled* walls of Hamaker's law, at corners of their parameters,
+one at a time, and at random points between, the same in every run. *first*: two spheres that meet,
 with walls a sphere that meets one; *second*: a sphere that strikes two that touch, with walls one that flies into the
 edge of two. Spheres of 1 mm and 2650 kg/m^3 and smaller ones; *depth*: speed that the well adds, over the speed of
 impact; *width*: of the well, over the flight within it in a contact time (hard: over the sum of radii).
@@ -43,9 +44,9 @@ the point, while together that of the places over s/w, w the frequency of a cont
 friction below 1e-6, for spheres plus u V dt^2/d^2, by which their line of centres may turn wrongly in a contact; with
 friction or several contacts below (w dt)^2 (both with what a place on the grid may differ from the motion while
 together, and with rounding), none above 0.1; sampled forces below 0.1; hard spheres below 1e-9
-or 100 times what the last digits of the start do. *marginal*: wrong, but the reference is as far off when its speeds
-change by as much as is allowed, up and down, or of another outcome, and it has the same with one of both; *not
-judged*: rounding decides, references of different steps do not agree, or hard spheres collapse; *not judged: coarse*:
+or 100 times what the last digits of the start do. *marginal*: wrong, but the outcome hangs on less than the
+allowed error: the reference with speeds changed by that much, up and down, is as far off or has another outcome, with
+one of both that of the run; *not judged*: rounding decides, references of different steps do not agree, or hard spheres collapse; *not judged: coarse*:
 off by more than 0.1 while together, but by no more than a place on so coarse a grid may differ from the motion.
 *warned*, *silent*: wrong, or another outcome, with or without a warning about the step, the cut-off, the well,
 rounding or a collapse; warnings of an overlap do not count. *other types warned*: with such a warning, but of contacts
