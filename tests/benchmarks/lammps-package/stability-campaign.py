@@ -44,10 +44,10 @@ the point, while together that of the places over s/w, w the frequency of a cont
 friction below 1e-6, for spheres plus u V dt^2/d^2, by which their line of centres may turn wrongly in a contact; with
 friction or several contacts below (w dt)^2 (both with what a place on the grid may differ from the motion while
 together, and with rounding), none above 0.1; sampled forces below 0.1; hard spheres below 1e-9
-or 100 times what the last digits of the start do. *marginal*: wrong, but the outcome hangs on less than the
-allowed error: the reference with speeds changed by that much, up and down, is as far off or has another outcome, with
-one of both that of the run; *not judged*: rounding decides, references of different steps do not agree, or hard spheres collapse; *not judged: coarse*:
-off by more than 0.1 while together, but by no more than a place on so coarse a grid may differ from the motion.
+or 100 times what the last digits of the start do. *marginal*: wrong, but the outcome hangs on less than
+the allowed error: the reference with speeds changed by that much, up and down, is as far off or ends otherwise, once as
+the run does; *not judged*: rounding decides, references of different steps do not agree, or hard spheres collapse;
+*not judged: coarse*: off by more than 0.1 while together, but by no more than a place on so coarse a grid may differ from the motion.
 *warned*, *silent*: wrong, or another outcome, with or without a warning about the step, the cut-off, the well,
 rounding or a collapse; warnings of an overlap do not count. *other types warned*: with such a warning, but of contacts
 alone that do not occur, as of two small spheres; these are named in brackets behind what was said.
