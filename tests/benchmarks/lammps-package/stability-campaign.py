@@ -47,7 +47,8 @@ together, and with rounding), none above 0.1; sampled forces below 0.1; hard sph
 or 100 times what the last digits of the start do. *marginal*: wrong, but the outcome hangs on less than
 the allowed error: the reference with speeds changed by that much, up and down, is as far off or ends otherwise, once as
 the run does; *not judged*: rounding decides, references of different steps do not agree, or hard spheres collapse;
-*not judged: coarse*: off by more than 0.1 while together, but by no more than a place on so coarse a grid may differ from the motion.
+*not judged: coarse*: off by more than 0.1 while together, but by no more than a place on so coarse a grid may differ
+from the motion.
 *warned*, *silent*: wrong, or another outcome, with or without a warning about the step, the cut-off, the well,
 rounding or a collapse; warnings of an overlap do not count. *other types warned*: with such a warning, but of contacts
 alone that do not occur, as of two small spheres; these are named in brackets behind what was said.
