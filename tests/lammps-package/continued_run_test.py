@@ -252,14 +252,14 @@ write_dump all custom end.txt id x y z vx vy vz omegax omegay omegaz modify form
             errors = {False: 0.0, True: 0.0}
             for split in (7, 8, 9, 10, 14, 18, 23, 27, 28, 29, 30):
                 runs = f"run {split}\ntimestep {part * DT:.17g}\nrun {math.ceil((40 - split) / part)}"
-                at_end = split in (7, 8, 28)
+                at_end = split in (7, 8, 28)  # of the contact, its beginning or its end
                 limit = 0.5 * (w * max(part, 1) * DT)**2 if at_end else second
                 with self.subTest(part=part, split=split):
                     speed = self.tally(pair, runs, boundary="f p p")[1][0, 4]
                     self.assertAlmostEqual(speed / SPEED, 1.0, delta=limit)
                     errors[at_end] = max(errors[at_end], abs(speed / SPEED - 1))
             print(f"t_c/{CONTACT_TIME / DT:.3g} becomes t_c/{CONTACT_TIME / DT / part:.3g}: the speed errs by at most "
-                  f"{errors[False]:.1e}, {errors[True]:.1e} beside the steps in which the contact begins or ends")
+                  f"{errors[False]:.1e}, {errors[True]:.1e} where the contact begins or ends within a step of that")
 
     def edge(self, held=False):
         """Two spheres that meet the edge of a well after four steps and a half; `held`: one of them is. What they have
