@@ -132,7 +132,7 @@ class HeadOn(unittest.TestCase):
                     self.assertEqual((low, high), (1.001, 0.999))
 
     def test_event_of_any_strength_and_angle(self):
-        # The slowest has e sqrt(2e-3) of the escape velocity left: through a weak tail it takes 2 ms, out of a well 5 ms.
+        # The slowest has e sqrt(2e-3) of the escape velocity left: 2 ms through a weak tail, 5 ms out of a well.
         # Without friction nothing acts across the normal of a wall, nor along a cylinder. Two spheres turn: while their
         # distance changes by the width w of the attraction their normal motion gives u_t^2 w/d, of which the dashpot
         # takes less. They need (1/e^2 - 1) tan^2 w/d less of their speed, 8e-4 at 40 degrees in these wells.
