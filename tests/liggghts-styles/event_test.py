@@ -6,6 +6,7 @@ import random
 import unittest
 
 from cohesion_tests.liggghts import EPSILON, Run, assert_refused
+from cohesion_tests.liggghts_scenes.elastic_gas import DIAMETER, elastic, gaps, gas, kinetic_energy, spring_energy
 from cohesion_tests.liggghts_scenes.mesh import rectangle, stl
 from cohesion_tests.liggghts_scenes.scene import (MASS, RADIUS, STIFFNESS, contact, frames, hamaker, script, sphere,
                                                   square_well)
@@ -23,25 +24,6 @@ run 0
 
 def models(tangential="off"):
     return f"model hooke/stiffness tangential {tangential} cohesion hamaker"
-
-
-def elastic():
-    text = contact()
-    line = next(line for line in text.splitlines() if " gamman_abs " in line)
-    return text.replace(line, "fix gamman_abs all property/global gamman_abs peratomtypepair 2 0 0 0 0")
-
-
-def gas(edge, fraction, seed=1):
-    """edge^3 spheres that fly at 0.1 m/s, and the side of their periodic box."""
-    numbers = random.Random(seed)
-    cell = 2 * RADIUS * (math.pi / 6 / fraction)**(1 / 3)
-    room = 0.4 * (cell - 2 * RADIUS)
-    sites = [(i, j, k) for i in range(edge) for j in range(edge) for k in range(edge)]
-    speeds = [[numbers.gauss(0, 0.1) for _ in range(3)] for _ in sites]
-    mean = [sum(v[d] for v in speeds) / len(speeds) for d in range(3)]
-    return [sphere([cell * (n + 0.5) + numbers.uniform(-room, room) for n in site],
-                   [v - m for v, m in zip(speed, mean)])
-            for site, speed in zip(sites, speeds)], cell * edge
 
 
 def gas_script(run, tangential="off", edge=6, fraction=0.45, constant=2e-18, part=10, contacts=contact(), **options):
@@ -199,15 +181,9 @@ class Wells(unittest.TestCase):
                       boundary="p p p", box=f"0 {side} 0 {side} 0 {side}", run=f"run {steps}\n")
         energies = []
         for frame in Run(text).frames("out.txt"):
-            places = [row[0:3] for row in frame.values()]
-            energy = sum(0.5 * MASS * sum(v * v for v in row[3:6]) for row in frame.values())
-            wells = 0
-            for i, one in enumerate(places):
-                for other in places[:i]:
-                    r = math.sqrt(sum((a - b - side * round((a - b) / side))**2 for a, b in zip(one, other)))
-                    energy += 0.5 * STIFFNESS * max(2 * RADIUS - r, 0)**2
-                    wells += r < ratio * 2 * RADIUS
-            energies.append(energy - wells * depth)
+            near = gaps(frame, side, (ratio - 1) * DIAMETER)
+            wells = len(near)
+            energies.append(kinetic_energy(frame) + spring_energy(near) - wells * depth)
         self.assertGreater(wells, 50)
         change = (energies[-1] - energies[0]) / depth
         print(f"wells, t_c/{part}: {change:.1f} depths")
@@ -256,14 +232,7 @@ class Energy(unittest.TestCase):
                 text = text.replace("custom 100000000", f"custom {steps // 8}")
                 energies = []
                 for frame in Run(text).frames("out.txt"):
-                    places = [row[0:3] for row in frame.values()]
-                    energy = sum(0.5 * MASS * sum(v * v for v in row[3:6]) for row in frame.values())
-                    for i, one in enumerate(places):
-                        for other in places[:i]:
-                            d = [a - b - side * round((a - b) / side) for a, b in zip(one, other)]
-                            overlap = 2 * RADIUS - math.sqrt(sum(c * c for c in d))
-                            energy += 0.5 * STIFFNESS * max(overlap, 0)**2
-                    energies.append(energy)
+                    energies.append(kinetic_energy(frame) + spring_energy(gaps(frame, side)))
                 seen = 0.1 * (math.pi / part)**2 / 8
                 change = energies[-1] / energies[0] - 1
                 print(f"t_c/{part}: {change:.1e} of the energy")
@@ -293,7 +262,7 @@ class Energy(unittest.TestCase):
                              steps=int(1.2 / dt), every=int(1.2 / dt), boundary="p p f",
                              box=f"0 {edge * cell} 0 {edge * cell} -1e-3 2e-2", skin=2e-4, walls=[plate],
                              extra="fix g all gravity 9.81 vector 0 0 -1\n")[-1]
-                left = sum(0.5 * MASS * sum(v * v for v in row[3:6]) for row in end.values())
+                left = kinetic_energy(end)
                 self.assertLess(left, 1e-6 * len(end) * MASS * 9.81 * 2 * RADIUS)
 
 
