@@ -221,7 +221,7 @@ class Mesh(unittest.TestCase):
 
 
 class Energy(unittest.TestCase):
-    def test_an_elastic_gas_gains_none(self):
+    def test_an_elastic_gas_without_adhesion_gains_none(self):
         """216 spheres at a volume fraction of 0.45 that collide some thirty times each. A grid shows speeds off by up
         to half of what a force does in a step: of the spheres in contact, a tenth, by (w0 dt)^2/8 of their energy. Lost
         is less than in 100 collisions at a fraction of 0.5, by a program that knew neither engine."""

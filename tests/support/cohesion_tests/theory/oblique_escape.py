@@ -60,6 +60,13 @@ def of_hamaker(pair, angle, start, at_once=False):
     return brentq(energy_left, 1e-4, 1.0, args=(angle, start, energy, pair.adhesion), xtol=1e-13)
 
 
+def of_hamaker_graded(pair, angle, start, grade):
+    """of_hamaker() along the tail, but where crossing it at once changes that by more than `grade` of it, which is
+    then the escape velocity of another law: that of scheme event."""
+    tail, at_once = of_hamaker(pair, angle, start), of_hamaker(pair, angle, start, at_once=True)
+    return tail if abs(at_once / tail - 1) < grade else at_once
+
+
 def of_well(depth, width, angle, start):
     """The same for a well of `width` beyond touch."""
     return brentq(energy_left, 1e-4, 1.0, args=(angle, start, lambda gap: -depth if gap < width else 0.0, 0.0),
