@@ -51,7 +51,7 @@ EventContacts::EventContacts(LAMMPS* lmp, IContactHistorySetup* owner, FixWallGr
   // "0": the same seen from the other particle.
   offset_ = owner->add_history_value("eventPhase", "0");
   for (const char* const name :
-       {"eventAhead", "eventForce", "eventRepulsion", "eventTouch", "eventStep"})
+       {"eventAhead", "eventForce", "eventRepulsion", "eventTouch", "eventStep", "eventWork"})
     owner->add_history_value(name, "0");
 }
 
@@ -167,13 +167,15 @@ bool EventContacts::follow(const ContactModels::SurfacesCloseData& d, double r,
   if (last) {
     memory.phase = static_cast<GridMemory::Phase>(static_cast<int>(last[PHASE]));
     memory.ahead = last[AHEAD];
+    memory.force = last[FORCE];
+    memory.work = last[WORK];
   }
   time_apart_ = k->law->step() * (1.0 - (last ? last[TOUCH] : 0.0));
   const cohesion::Vector3 n = cohesion::vector(normal);
   const cohesion::Vector3 w = cohesion::vector(d.v_i) - cohesion::vector(d.v_j);
   GridPoint at{r, dot(w, n), 0.0};
+  if (!d.is_wall) at.sideways = norm(w - at.radial * n);
   if (!k->law->follow_lasting(at, memory, step)) {
-    if (!d.is_wall) at.sideways = norm(w - at.radial * n);
     double by_others = 0.0;
     if (!first) by_others = others(d, n);
     if (last && !is_impulse(*k, last[TOUCH])) by_others -= last[FORCE] * k->inverse_mass;
@@ -237,7 +239,8 @@ void EventContacts::write(const KnownContact& k, const ContactModels::SurfacesCl
   double* const history = d.contact_history + offset_;
   history[PHASE] = memory.phase;
   history[AHEAD] = memory.ahead;
-  history[FORCE] = step.force;
+  history[FORCE] = memory.force;
+  history[WORK] = memory.work;
   history[REPULSION] = step.repulsion;
   history[TOUCH] = step.normal.contact_time / k.law->step();
   history[STEP] = others_->clock() + 1.0;

@@ -81,7 +81,7 @@ class EventContacts {
  private:
   // What is remembered of a contact. TOUCH: which part of the last step it was in contact; STEP:
   // the one in which this was written, and 1.
-  enum { PHASE, AHEAD, FORCE, REPULSION, TOUCH, STEP };
+  enum { PHASE, AHEAD, FORCE, REPULSION, TOUCH, STEP, WORK };
 
   using GridMemory = cohesion::event_stepping::GridMemory;
 
@@ -153,7 +153,7 @@ inline bool EventContacts::go_on(ContactModels::SurfacesIntersectData& contact, 
   const cohesion::Vector3 w = cohesion::vector(contact.v_i) - cohesion::vector(contact.v_j);
   const GridPoint at{contact.r, dot(w, cohesion::vector(contact.en)), 0.0};
   LastingForce does;
-  if (!k->law->lasting_force(at, {GridMemory::lasting, history[AHEAD]}, does)) return false;
+  if (!k->law->lasting_force(at, does)) return false;
   force = does.force;
   set_friction(contact, *k, does.repulsion, k->law->step() * (1.0 - history[TOUCH]), spring);
   history[FORCE] = does.force;

@@ -18,12 +18,20 @@ struct GridPoint {
 struct GridMemory {
   /// `beyond`: outside the range, known by the grid. `lasting`: in contact all through the last
   /// step. `entered`, `left`: inside or outside after a step with an event. `within`: inside
-  /// without contact or force, known by the grid. Engines keep the numbers.
-  enum Phase { beyond, lasting, entered, left, within };
+  /// without contact or force, known by the grid. Of elastic pairs, too, `begun`: in contact all
+  /// through the last step, which was followed; `parted`: outside, with work to settle. Engines
+  /// keep the numbers.
+  enum Phase { beyond, lasting, entered, left, within, begun, parted };
   Phase phase = beyond;
   double ahead = 0.0;  ///< after an event: true radial velocity over the grid's, [length/time]
+  double force = 0.0;  ///< of the last step, on j away from i, [force]
+  /// Of elastic pairs: the work of these forces since the pair came into the range, less the energy
+  /// that it had when a run began; while `lasting`, with what its spring stores, [energy].
+  double work = 0.0;
 
-  bool inside() const { return phase != beyond && phase != left; }
+  bool inside() const { return phase != beyond && phase != left && phase != parted; }
+  /// Whether it was in contact all through the last step.
+  bool in_contact() const { return phase == lasting || phase == begun; }
   /// Whether what the grid shows at a grid point is all that there is to know.
   bool known_by_grid() const { return phase == beyond || phase == within; }
 };

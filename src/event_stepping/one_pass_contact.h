@@ -10,6 +10,7 @@
 #include "event_stepping/first_root.h"
 #include "event_stepping/grid_point.h"
 #include "event_stepping/normal_motion.h"
+#include "event_stepping/pair_work.h"
 
 namespace cohesion::event_stepping {
 
@@ -28,7 +29,8 @@ namespace cohesion::event_stepping {
 /// A step in which the pair enters or leaves the range, is captured or turns round in the gap is
 /// followed in closed form from the true state at n, under the constant acceleration that others
 /// cause, and the force is the one that puts the pair where it is at n+1. Only the true velocity
-/// there is not the grid's, and is remembered for one step.
+/// there is not the grid's, and is remembered for one step. What others do then is known as it was
+/// a step before; elastic pairs settle in the end what it did to their energy (pair_work.h).
 ///
 /// Forces are central at grid points: angular momentum is kept to rounding. What others do within
 /// the step is exact where it is constant; in a lasting contact a load F gives the overlap F/K' in
@@ -59,9 +61,8 @@ class OnePassContact {
 
   /// Gives what a contact does that certainly lasts until the next grid point, whatever others do
   /// that it can bear: its force needs to know nothing of them. False, where that is not certain.
-  [[gnu::always_inline]] bool lasting_force(const GridPoint& at, const GridMemory& memory,
-                                            LastingForce& now) const {
-    if (memory.phase != GridMemory::lasting) return false;
+  /// For one that was in contact all through the last step.
+  [[gnu::always_inline]] bool lasting_force(const GridPoint& at, LastingForce& now) const {
     const double overlap = contact_distance_ - at.distance;
     const double approach = -at.radial;
     const double repulsion = spring_.stiffness * overlap + spring_.damping * approach;
@@ -73,10 +74,15 @@ class OnePassContact {
     now = {repulsion - attraction_, repulsion};
     return true;
   }
-  /// The same, with all that a step tells.
-  bool follow_lasting(const GridPoint& at, const GridMemory& memory, GridStep& step) const {
+  /// The same of any pair, with all that a step tells.
+  bool follow_lasting(const GridPoint& at, GridMemory& memory, GridStep& step) const {
     LastingForce now;
-    if (!lasting_force(at, memory, now)) return false;
+    if (!memory.in_contact() || !lasting_force(at, now)) return false;
+    if (memory.phase == GridMemory::begun) {
+      memory.work = work_.before(at, memory) + work_.of_force(now.force, at) + work_.stored(at);
+      memory.phase = GridMemory::lasting;
+    }
+    memory.force = now.force;
     step = {};
     step.force = now.force;
     step.repulsion = now.repulsion;
@@ -117,7 +123,9 @@ class OnePassContact {
         step_(step),
         spring_(oscillator_.on_grid(step, spring.reduced_mass())),
         attraction_(spring_.stiffness * pull_ / oscillator_.w0_squared()),
-        weight_(spring.stiffness() / spring_.stiffness) {}
+        weight_(spring.stiffness() / spring_.stiffness),
+        elastic_(spring.damping() == 0.0 && entry == range),
+        work_(contact_distance, reduced_mass_, spring_, attraction_, step) {}
 
   /// A pair flies in, turns and flies out again; more often only by rounding at a grazed edge.
   static constexpr int max_segments = 100;
@@ -131,36 +139,54 @@ class OnePassContact {
   double outer_distance() const { return contact_distance_ + range_; }
   double entry_distance() const { return contact_distance_ + entry_; }
 
+  /// The work up to a grid point but that of its own force, of elastic pairs.
+  double work_before(const GridPoint& at, const GridMemory& memory) const {
+    return elastic_ ? work_.before(at, memory) : 0.0;
+  }
+
   /// A step in which `move` (true: there was an event) does what no lasting contact does.
   template <class Move>
   GridStep follow_by(const GridPoint& at, double others, double kick, GridMemory& memory,
                      Move move) const {
     GridStep step;
     const bool first = kick < step_;
-    const bool known_by_grid = memory.known_by_grid();
     bool inside = memory.inside();
     // A pair that a run starts with is where it is; it did not fall into the range.
     if (first && memory.phase == GridMemory::beyond) inside = at.distance < entry_distance();
+    const GridMemory before = memory;
+    const double work = first ? work_at_start(at, inside) : work_before(at, memory);
     Flight now{at.distance, first ? at.radial : true_radial(at, others, memory), at.sideways};
     const Flight start = now;
     const bool lasting = inside && lasts(now, others, step.normal);
     const bool event = !lasting && move(now, inside, step.normal);
-    memory.ahead = 0.0;
-    if (!lasting && !event) {
-      memory.phase = inside ? GridMemory::within : GridMemory::beyond;
-      if (known_by_grid) return step;  // not to carry the rounding of no change into the force
+    memory = {inside ? GridMemory::within : GridMemory::beyond, 0.0, 0.0, work};
+    const bool flies = !lasting && !event;
+    if (flies && before.known_by_grid()) {
+      if (!inside) memory.work = 0.0;
+      return step;  // not to carry the rounding of no change into the force
     }
     // The distance is the pair's; direction and flight across it are the grid's.
     const double across = step_ * at.sideways;
     const double along = std::sqrt(std::max(now.distance * now.distance - across * across, 0.0));
     const double flown = (along - at.distance) / step_;
     step.force = reduced_mass_ * ((flown - at.radial) / kick - others);
+    if (flies && elastic_ && !before.inside()) {
+      const bool parted = before.phase == GridMemory::parted;
+      if (parted) step.force = 0.0;  // but for rounding
+      const bool settled = work_.settle(at, others, work, step.force);
+      // Others may have changed what the step after the first one does.
+      if (!parted || !settled) memory.phase = GridMemory::parted;
+    }
+    memory.force = step.force;
+    if (elastic_)
+      memory.work +=
+          first ? work_.of_first_force(step.force, at, flown) : work_.of_force(step.force, at);
     // What the grid does later or earlier than the pair counts as the spring's.
     const double true_force =
         reduced_mass_ * ((now.radial - start.radial) / step_ - outward(start, others));
     step.repulsion = step.normal.repulsion_impulse / step_ + step.force - true_force;
     if (lasting) {
-      memory.phase = GridMemory::lasting;
+      memory.phase = elastic_ ? GridMemory::begun : GridMemory::lasting;
     } else if (event) {
       memory.phase = inside ? GridMemory::entered : GridMemory::left;
       const double on_grid = (along * flown + across * at.sideways) / now.distance;
@@ -169,11 +195,18 @@ class OnePassContact {
     return step;
   }
 
+  /// Of a pair that a run starts with: what it is to give back is what it has stored.
+  double work_at_start(const GridPoint& at, bool inside) const {
+    if (!elastic_ || !inside) return 0.0;
+    const double overlap = contact_distance_ - at.distance;
+    return -spring_energy(overlap) - adhesion_energy(overlap);
+  }
+
   /// The true radial velocity at the grid point: the grid's over the half step before, what others
   /// do in half a step and what was remembered; in a lasting contact the closed form through the
   /// last two grid points.
   double true_radial(const GridPoint& at, double others, const GridMemory& memory) const {
-    if (memory.phase != GridMemory::lasting) return at.radial + memory.ahead + 0.5 * step_ * others;
+    if (!memory.in_contact()) return at.radial + memory.ahead + 0.5 * step_ * others;
     const double before = std::hypot(at.distance - step_ * at.radial, step_ * at.sideways);
     const double drive = pull_ - load({at.distance, at.radial, at.sideways}, others);
     const double equilibrium = drive / oscillator_.w0_squared();
@@ -313,6 +346,8 @@ class OnePassContact {
   GridSpring spring_;
   double attraction_;  // that of the adhesion, as spring_ needs it
   double weight_;      // K/K'
+  bool elastic_;       // it gives back what it takes
+  PairWork work_;
 };
 
 }  // namespace cohesion::event_stepping

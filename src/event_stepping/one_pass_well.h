@@ -34,7 +34,11 @@ class OnePassWell final : public OnePassContact {
 
   GridStep follow(const GridPoint& at, double others, double kick,
                   GridMemory& memory) const override {
-    if (memory.phase == GridMemory::within && meets_nothing(at, others)) return {};
+    if (memory.phase == GridMemory::within && meets_nothing(at, others)) {
+      memory.work = work_before(at, memory);
+      memory.force = 0.0;
+      return {};
+    }
     if (range() == 0.0) return OnePassContact::follow(at, others, kick, memory);
     return follow_by(at, others, kick, memory,
                      [&](Flight& now, bool& inside, NormalRecord& record) {

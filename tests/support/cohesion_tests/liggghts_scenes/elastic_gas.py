@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A gas of elastic spheres in a periodic box, in LIGGGHTS, and its energy."""
+import math
 import random
 
 import numpy
@@ -10,11 +11,13 @@ from cohesion_tests.liggghts_scenes.scene import MASS, RADIUS, STIFFNESS, contac
 DIAMETER = 2 * RADIUS
 
 
-def elastic():
-    """Contacts whose dashpot along the normal is none."""
+def elastic(restitution=1.0):
+    """Contacts of this restitution between two spheres: with no dashpot along the normal."""
     text = contact()
     line = next(line for line in text.splitlines() if " gamman_abs " in line)
-    return text.replace(line, "fix gamman_abs all property/global gamman_abs peratomtypepair 2 0 0 0 0")
+    part = -math.log(restitution)
+    damping = 2 * part / math.hypot(math.pi, part) * math.sqrt(STIFFNESS * MASS / 2)
+    return text.replace(line, f"fix gamman_abs all property/global gamman_abs peratomtypepair 2{f' {damping!r}' * 4}")
 
 
 def gas(edge, fraction, seed=1, speed=0.1):
@@ -46,3 +49,11 @@ def gaps(frame, side, reach=0.0):
 
 def spring_energy(overlaps):
     return 0.5 * STIFFNESS * (numpy.minimum(overlaps, 0)**2).sum()
+
+
+def energy(frame, side, pair):
+    """Of a dumped frame, pair: theory.pair_motion.Pair. The tail counts at H_cut, where scheme event crosses it."""
+    near = gaps(frame, side, pair.cut)
+    attraction = numpy.where(near < 0, pair.adhesion_energy(0.0) + pair.adhesion * near, 0.0)
+    between = near[(near >= 0) & (pair.A > 0)]
+    return kinetic_energy(frame) + spring_energy(near) + attraction.sum() + sum(map(pair.adhesion_energy, between))
