@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "hamaker/tail.h"
+
 namespace cohesion::contact {
 
 /// A short-ranged attraction as closed-form contact motion sees it: a constant force from the gap
-/// H_cut inwards, in contact too, and a tail beyond it that is so thin that it is crossed at once.
+/// H_cut inwards, in contact too, and a tail beyond it that is so thin that no time passes on the
+/// way through it. A load works on that way: `tail` holds the law that says how far it helps.
 /// One that forms at touch, as a liquid bridge, acts in the gap only between two that have touched.
 struct Adhesion {
   double force = 0.0;        ///< F_ad, [force]
   double cutoff = 0.0;       ///< H_cut, [length]
   double tail_energy = 0.0;  ///< E_tail, [energy]: work of the attraction from far away to H_cut
   bool forms_at_touch = false;
+  hamaker::Tail tail{};  ///< of E_tail; none: E_tail is that of an edge without width
 
   /// W = E_tail + F_ad H_cut, [energy]: what the pair pays on its way from last touch.
   double well_energy() const { return tail_energy + force * cutoff; }
@@ -23,7 +27,7 @@ template <class Law, class Geometry>
 Adhesion adhesion_of(const Law& law, const Geometry& geometry) {
   const double force = law.adhesion_force(geometry);
   if (force == 0.0) return {};
-  return {force, law.surface_cutoff(), law.tail_energy(geometry)};
+  return {force, law.surface_cutoff(), law.tail_energy(geometry), false, {law, geometry}};
 }
 
 }  // namespace cohesion::contact

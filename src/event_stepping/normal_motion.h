@@ -22,9 +22,19 @@ struct NormalRecord {
 
 /// Exact motion of the surfaces of one pair along their common normal: free flight outside the
 /// range of the adhesion (the caller's business: it depends on the geometry), constant force in the
-/// gap, spring-dashpot with constant force in contact. The tail is an edge of height `tail_energy`:
-/// crossed inwards with a gain in speed, outwards with a loss, or, when the energy does not
-/// suffice, reflected (capture). x is the overlap, negative in the gap.
+/// gap, spring-dashpot with constant force in contact. x is the overlap, negative in the gap.
+///
+/// The tail is an edge of height E_tail: crossed inwards with a gain in speed, outwards with a
+/// loss, or, when the energy does not suffice, reflected (capture). No time passes on the way
+/// through it, but an outward load L works on that way. With the kinetic energy E at the edge and
+/// the barrier B of the tail under this load (hamaker/law.h) a pair
+///
+///   E > E_tail         leaves at the edge with sqrt(v^2 - 2 E_tail/mu)
+///   B <= E <= E_tail   leaves at rest, (E_tail - E)/L beyond the edge, where the load has done the
+///                      work that is missing; never beyond H_out
+///   else               is captured
+///
+/// so that a slow load parts a contact at F_ad, where B is 0.
 ///
 /// Source: contact as in damped_oscillator.h; gap and edge derived here, see
 /// docs/lammps-package/pair_gran_hamaker.md, What the scheme is for.
@@ -65,15 +75,15 @@ class NormalMotion {
 
   /// Follows a pair inside the range from `s` for at most `time`, and returns the time it took
   /// until it left the range (`inside` is then false), or `time`. `outward` [length/time^2] is the
-  /// centrifugal acceleration. Adds the integral of x over time to `x_integral` and what happened
-  /// to `record`.
+  /// acceleration by the load, centrifugal and of other forces. Adds the integral of x over time to
+  /// `x_integral` and what happened to `record`.
   double advance(Overlap& s, double time, double outward, bool& inside, double& x_integral,
                  NormalRecord& record) const {
     const double drive = pull_ - outward;
     double left = time;
     inside = true;
     // A pair that was pushed out beyond the range between two steps leaves now, if it can pay.
-    if (s.x <= -adhesion_.cutoff && s.v < 0.0 && !leave(s)) inside = false;
+    if (s.x <= -adhesion_.cutoff && s.v <= 0.0 && !leave(s, outward)) inside = false;
     for (int phases = 0; inside && left > 0.0; phases++) {
       if (phases == max_phases) {
         record.unresolved = true;
@@ -83,7 +93,7 @@ class NormalMotion {
       if (touching) {
         left -= in_contact(s, left, drive, x_integral, record);
         if (s.x != 0.0 || s.v >= 0.0 || adhesion_.cutoff > 0.0) continue;
-        if (!leave(s))
+        if (!leave(s, outward))
           inside = false;
         else
           left -= come_to_rest(s, left, drive, record);
@@ -92,10 +102,9 @@ class NormalMotion {
       const bool beyond = s.x < -adhesion_.cutoff;
       const Gap gap =
           beyond ? Gap{s.x, -adhesion_.cutoff, -outward} : Gap{-adhesion_.cutoff, 0.0, drive};
-      left -= whole_bounces(s, left, gap, x_integral);
       bool at_edge = false;
       left -= in_gap(s, left, gap, at_edge, x_integral);
-      if (at_edge && !leave(s)) inside = false;
+      if (at_edge && !leave(s, outward)) inside = false;
     }
     return time - std::max(left, 0.0);
   }
@@ -123,12 +132,19 @@ class NormalMotion {
   /// How far overlap x is within the range, [length].
   double within_range(double x) const { return std::max(adhesion_.cutoff + x, 0.0); }
 
-  /// A pair at the edge that moves out. Returns false where it leaves, slowed down by the tail, and
+  /// A pair at the edge, or beyond it, that does not approach. Returns false where it leaves and
   /// true where it is captured.
-  bool leave(Overlap& s) const {
+  bool leave(Overlap& s, double outward) const {
     const double remaining = s.v * s.v - edge_;
-    s.v = remaining > 0.0 ? -std::sqrt(remaining) : -s.v;
-    return !(remaining > 0.0);
+    if (remaining > 0.0) {
+      s.v = -std::sqrt(remaining);
+      return false;
+    }
+    const double energy = 0.5 * reduced_mass_ * s.v * s.v, load = reduced_mass_ * outward;
+    const bool carried = load > 0.0 && energy >= adhesion_.tail.barrier(load, -s.x);
+    if (carried) s.x -= std::max(adhesion_.tail_energy - energy, 0.0) / load;
+    s.v = carried ? 0.0 : -s.v;
+    return !carried;
   }
 
   double in_contact(Overlap& s, double time, double drive, double& x_integral,
@@ -166,18 +182,6 @@ class NormalMotion {
     record.dissipated += 0.5 * reduced_mass_ * s.v * s.v;
     s.v = 0.0;
     return time;
-  }
-
-  /// Skips the bounces, within `time`, of a pair that its turning presses against the edge and that
-  /// is too slow for tail and contact: whole ones leave it as it is. Returns the time they take;
-  /// for a pair at rest that is all of it.
-  double whole_bounces(const Overlap& s, double time, const Gap& gap, double& x_integral) const {
-    if (s.x != gap.low || s.v < 0.0 || gap.drive >= 0.0 || edge_ == 0.0) return 0.0;
-    if (s.v * s.v >= -2.0 * gap.drive * (gap.high - gap.low)) return 0.0;
-    const double period = -2.0 * s.v / gap.drive;
-    const double taken = s.v > 0.0 ? std::floor(time / period) * period : time;
-    x_integral += taken * (gap.low + s.v * period * (1.0 / 6.0));
-    return taken;
   }
 
   double in_gap(Overlap& s, double time, const Gap& gap, bool& at_edge, double& x_integral) const {

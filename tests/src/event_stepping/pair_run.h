@@ -23,10 +23,11 @@ const double reduced_mass = 0.5 * mass;
 constexpr double range = 4e-10;
 constexpr double contact_time = 9.25280015463e-5;  ///< test of LinearSpringDashpot
 
-/// F_ad = A r/(12 H_cut^2), tail energy F_ad H_cut: the small-gap form without outer cut-off.
+/// F_ad = A r/(12 H_cut^2), tail energy F_ad H_cut: the small-gap form without outer cut-off, which
+/// is so far away that all it lacks is rounding.
 inline contact::Adhesion adhesion(double hamaker_constant) {
-  const double force = hamaker_constant * radius / (12.0 * range * range);
-  return {force, range, force * range};
+  const hamaker::Law<hamaker::SmallGap> law({hamaker_constant, range, 1e8});
+  return contact::adhesion_of(law, two_spheres(radius, radius));
 }
 
 inline contact::ContactParameters contact() {

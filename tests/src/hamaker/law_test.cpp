@@ -112,6 +112,61 @@ TYPED_TEST(HamakerLaw, TailIsTheEnergyBetweenTheCutoffs) {
   }
 }
 
+TYPED_TEST(HamakerLaw, BarrierIsThatOfAPairPulledThroughTheTail) {
+  // Moved slowly through the tail, gap by gap, it does work against the attraction and gets that of
+  // the load: the most that it is short of on the way is what it has to bring. Trapezoids over gaps
+  // d = 6.2e-4 apart in ln(H) err by n (n + 1) d^2/12 < 1.8e-6 of the work, n < 7 the slope of ln
+  // F, and the top is up to d/2 beside one of these gaps: n d^2/8 < 4e-7. The work is below F_ad
+  // H_cut.
+  const int n = 20000;
+  const double ratio = std::pow(H_out / H_cut, 1.0 / n);
+  for (const auto& pair : this->pairs)
+    for (const double start : {1.0, 1.7, 400.0})
+      for (const double part :
+           {1e-11, 1e-7, 1e-4, 0.01, 0.1, 0.25, 0.5, 0.9, 0.99, 1.0, 1.1, 3.0}) {
+        const double load = part * this->law.adhesion_force(pair);
+        double work = 0.0, top = 0.0, gap = start * H_cut;
+        while (gap < H_out) {
+          const double next = std::min(gap * ratio, H_out);
+          const double inside = next < H_out ? next : H_out * (1.0 - 1e-15);
+          work += 0.5 * (next - gap) *
+                  (this->law.force(gap, pair) + this->law.force(inside, pair) - 2.0 * load);
+          top = std::max(top, work);
+          gap = next;
+        }
+        EXPECT_NEAR(this->law.barrier(load, start * H_cut, pair), top,
+                    2.5e-6 * this->law.tail_energy(pair))
+            << part << " " << start;
+      }
+}
+
+TYPED_TEST(HamakerLaw, BarrierIsTheWholeTailWithoutLoadAndNoneAtTheAdhesionForce) {
+  for (const auto& pair : this->pairs) {
+    const double adhesion = this->law.adhesion_force(pair);
+    EXPECT_DOUBLE_EQ(this->law.barrier(0.0, H_cut, pair), this->law.tail_energy(pair));
+    EXPECT_DOUBLE_EQ(this->law.barrier(0.0, -1e-9, pair), this->law.tail_energy(pair));
+    EXPECT_EQ(this->law.barrier(adhesion, H_cut, pair), 0.0);
+    EXPECT_EQ(this->law.barrier(0.0, H_out, pair), 0.0);
+    // Once the load is that of the attraction where the pair is, there is none from there on.
+    EXPECT_EQ(this->law.barrier(this->law.force(3.0 * H_cut, pair), 3.0 * H_cut, pair), 0.0);
+  }
+}
+
+TEST(HamakerBarrier, OfTheFormOfSmallGapsIsInClosedForm) {
+  const double out = 1e-7;
+  const Law<SmallGap> law({A, H_cut, out});
+  const PairGeometry pair = two_spheres(r, r);
+  const double adhesion = law.adhesion_force(pair), k = H_cut / out;
+  // Both branches and where they meet. The difference of two energies rounds to a few eps.
+  for (const double f : {0.0, 0.3 * k * k, k * k, 1.001 * k * k, 0.01, 0.5, 0.999, 1.0, 2.0}) {
+    const double branch = f < k * k ? 1.0 - k - f * (1.0 / k - 1.0)
+                          : f < 1.0 ? (1.0 - std::sqrt(f)) * (1.0 - std::sqrt(f))
+                                    : 0.0;
+    EXPECT_NEAR(law.barrier(f * adhesion, H_cut, pair) / (adhesion * H_cut), branch, 20.0 * eps)
+        << f;
+  }
+}
+
 TYPED_TEST(HamakerLaw, PlaneIsTheLimitOfALargeSphere) {
   for (const double gap : {0.0, 1e-9, 1e-7, 1e-5})
     for (const double ratio : {1e3, 1e6, 1e9}) {

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <variant>
+
+#include "hamaker/forms.h"
+#include "sphere.h"
+
+namespace cohesion::hamaker {
+
+/// The attraction of one pair beyond H_cut, as a pair that leaves it under a load sees it. None at
+/// all: an edge without width, through which no load helps.
+class Tail {
+ public:
+  Tail() = default;
+  Tail(const AnyLaw& law, const PairGeometry& geometry) : law_(law), geometry_(geometry) {}
+
+  /// Law::barrier() of the pair, [energy]; infinite for an edge without width.
+  double barrier(double load, double gap) const {
+    if (!law_) return std::numeric_limits<double>::infinity();
+    return std::visit([&](const auto& law) { return law.barrier(load, gap, geometry_); }, *law_);
+  }
+
+ private:
+  std::optional<AnyLaw> law_;
+  PairGeometry geometry_{};
+};
+
+}  // namespace cohesion::hamaker
