@@ -175,10 +175,10 @@ bool EventContacts::follow(const ContactModels::SurfacesCloseData& d, double r,
   const cohesion::Vector3 w = cohesion::vector(d.v_i) - cohesion::vector(d.v_j);
   GridPoint at{r, dot(w, n), 0.0};
   if (!d.is_wall) at.sideways = norm(w - at.radial * n);
-  if (!k->law->follow_lasting(at, memory, step)) {
-    double by_others = 0.0;
-    if (!first) by_others = others(d, n);
-    if (last && !is_impulse(*k, last[TOUCH])) by_others -= last[FORCE] * k->inverse_mass;
+  double by_others = 0.0;
+  if (!first) by_others = others(d, n);
+  if (last && !is_impulse(*k, last[TOUCH])) by_others -= last[FORCE] * k->inverse_mass;
+  if (!k->law->follow_lasting(at, by_others, memory, step)) {
     if (memory.phase == GridMemory::beyond) {
       if (!k->law->within_reach(at, by_others)) {
         remember(d, false);

@@ -152,10 +152,13 @@ inline bool EventContacts::go_on(ContactModels::SurfacesIntersectData& contact, 
   if (!k) return false;
   const cohesion::Vector3 w = cohesion::vector(contact.v_i) - cohesion::vector(contact.v_j);
   const GridPoint at{contact.r, dot(w, cohesion::vector(contact.en)), 0.0};
+  double outward = 0.0;
+  if (k->law->bears_load()) outward = k->law->last_outward(at, history[AHEAD], history[FORCE]);
   LastingForce does;
-  if (!k->law->lasting_force(at, does)) return false;
+  if (!k->law->lasting_force(at, outward, does)) return false;
   force = does.force;
   set_friction(contact, *k, does.repulsion, k->law->step() * (1.0 - history[TOUCH]), spring);
+  history[AHEAD] = at.radial;
   history[FORCE] = does.force;
   history[REPULSION] = does.repulsion;
   history[TOUCH] = 1.0;

@@ -23,7 +23,9 @@ struct GridMemory {
   /// keep the numbers.
   enum Phase { beyond, lasting, entered, left, within, begun, parted };
   Phase phase = beyond;
-  double ahead = 0.0;  ///< after an event: true radial velocity over the grid's, [length/time]
+  /// After an event: true radial velocity over the grid's; in_contact(): the grid's at the last
+  /// grid point, [length/time].
+  double ahead = 0.0;
   double force = 0.0;  ///< of the last step, on j away from i, [force]
   /// Of elastic pairs: the work of these forces since the pair came into the range, less the energy
   /// that it had when a run began; while `lasting`, with what its spring stores, [energy].

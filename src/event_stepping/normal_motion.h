@@ -17,6 +17,7 @@ struct NormalRecord {
   double repulsion_impulse = 0.0;  ///< impulse of spring and dashpot, [momentum]; > 0 repels
   double repulsion_at_end = 0.0;   ///< force of both where contact ended last, [force]
   double dissipated = 0.0;         ///< energy lost in the dashpot, [energy]
+  double carried = 0.0;            ///< way through the tail on which a load helped, [length]
   bool unresolved = false;         ///< the step ended before its last phase was followed
 };
 
@@ -51,6 +52,15 @@ class NormalMotion {
         pull_(adhesion.force / reduced_mass_),
         edge_(2.0 * adhesion.tail_energy / reduced_mass_) {}
 
+  /// An outward acceleration, [length/time^2].
+  struct Load {
+    Load(double acceleration) : Load(acceleration, acceleration) {}
+    Load(double across_the_gap, double within_contact)
+        : outward(across_the_gap), in_contact(within_contact) {}
+    double outward;     ///< in the gap and on the way through the tail
+    double in_contact;  ///< as it acts on the overlap
+  };
+
   double range() const { return adhesion_.cutoff; }
   double reduced_mass() const { return reduced_mass_; }
 
@@ -74,16 +84,17 @@ class NormalMotion {
   }
 
   /// Follows a pair inside the range from `s` for at most `time`, and returns the time it took
-  /// until it left the range (`inside` is then false), or `time`. `outward` [length/time^2] is the
-  /// acceleration by the load, centrifugal and of other forces. Adds the integral of x over time to
+  /// until it left the range (`inside` is then false), or `time`. `load` is what pulls it apart, by
+  /// its turning and by other forces. Adds the integral of x over time to
   /// `x_integral` and what happened to `record`.
-  double advance(Overlap& s, double time, double outward, bool& inside, double& x_integral,
+  double advance(Overlap& s, double time, const Load& load, bool& inside, double& x_integral,
                  NormalRecord& record) const {
-    const double drive = pull_ - outward;
+    const double outward = load.outward, drive = pull_ - outward;
+    const double drive_in_contact = pull_ - load.in_contact;
     double left = time;
     inside = true;
     // A pair that was pushed out beyond the range between two steps leaves now, if it can pay.
-    if (s.x <= -adhesion_.cutoff && s.v <= 0.0 && !leave(s, outward)) inside = false;
+    if (s.x <= -adhesion_.cutoff && s.v <= 0.0 && !leave(s, outward, record)) inside = false;
     for (int phases = 0; inside && left > 0.0; phases++) {
       if (phases == max_phases) {
         record.unresolved = true;
@@ -91,9 +102,9 @@ class NormalMotion {
       }
       const bool touching = s.x > 0.0 || (s.x == 0.0 && (s.v > 0.0 || (s.v == 0.0 && drive > 0.0)));
       if (touching) {
-        left -= in_contact(s, left, drive, x_integral, record);
+        left -= in_contact(s, left, drive_in_contact, x_integral, record);
         if (s.x != 0.0 || s.v >= 0.0 || adhesion_.cutoff > 0.0) continue;
-        if (!leave(s, outward))
+        if (!leave(s, outward, record))
           inside = false;
         else
           left -= come_to_rest(s, left, drive, record);
@@ -104,7 +115,7 @@ class NormalMotion {
           beyond ? Gap{s.x, -adhesion_.cutoff, -outward} : Gap{-adhesion_.cutoff, 0.0, drive};
       bool at_edge = false;
       left -= in_gap(s, left, gap, at_edge, x_integral);
-      if (at_edge && !leave(s, outward)) inside = false;
+      if (at_edge && !leave(s, outward, record)) inside = false;
     }
     return time - std::max(left, 0.0);
   }
@@ -134,7 +145,7 @@ class NormalMotion {
 
   /// A pair at the edge, or beyond it, that does not approach. Returns false where it leaves and
   /// true where it is captured.
-  bool leave(Overlap& s, double outward) const {
+  bool leave(Overlap& s, double outward, NormalRecord& record) const {
     const double remaining = s.v * s.v - edge_;
     if (remaining > 0.0) {
       s.v = -std::sqrt(remaining);
@@ -142,7 +153,11 @@ class NormalMotion {
     }
     const double energy = 0.5 * reduced_mass_ * s.v * s.v, load = reduced_mass_ * outward;
     const bool carried = load > 0.0 && energy >= adhesion_.tail.barrier(load, -s.x);
-    if (carried) s.x -= std::max(adhesion_.tail_energy - energy, 0.0) / load;
+    if (carried) {
+      const double way = std::max(adhesion_.tail_energy - energy, 0.0) / load;
+      s.x -= way;
+      record.carried += way;
+    }
     s.v = carried ? 0.0 : -s.v;
     return !carried;
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "contact/adhesion.h"
 #include "contact/linear_spring_dashpot.h"
@@ -34,7 +35,8 @@ namespace cohesion::event_stepping {
 ///
 /// Forces are central at grid points: angular momentum is kept to rounding. What others do within
 /// the step is exact where it is constant; in a lasting contact a load F gives the overlap F/K' in
-/// the place of F/K.
+/// the place of F/K, and can be borne up to (K'/K) F_ad. A contact with an adhesion that bears more
+/// is followed, so that it gives way at F_ad.
 ///
 /// Source: derived here, see docs/lammps-package/pair_gran_hamaker.md, What the scheme is for, and
 /// docs/liggghts-styles/cohesion_models.md, Keyword scheme.
@@ -59,14 +61,27 @@ class OnePassContact {
     return at.distance <= outer_distance() + step_ * inwards;
   }
 
-  /// Gives what a contact does that certainly lasts until the next grid point, whatever others do
-  /// that it can bear: its force needs to know nothing of them. False, where that is not certain.
-  /// For one that was in contact all through the last step.
-  [[gnu::always_inline]] bool lasting_force(const GridPoint& at, LastingForce& now) const {
+  /// Whether lasting_force() needs to know the load: one without adhesion bears none.
+  bool bears_load() const { return attraction_ > 0.0; }
+  /// The acceleration of the distance by all but the contact, its turning included, as it was in
+  /// the last step of one that was lasting() then, [length/time^2].
+  double last_outward(const GridPoint& at, double last_radial, double last_force) const {
+    return (at.radial - last_radial) / step_ - last_force / reduced_mass_;
+  }
+
+  /// Gives what a contact does that certainly lasts until the next grid point, under a load that it
+  /// can bear. False, where that is not certain. For one that was in contact all through the last
+  /// step. `outward`: as last_outward() gives it; any, where it does not bear loads.
+  [[gnu::always_inline]] bool lasting_force(const GridPoint& at, double outward,
+                                            LastingForce& now) const {
     const double overlap = contact_distance_ - at.distance;
     const double approach = -at.radial;
     const double repulsion = spring_.stiffness * overlap + spring_.damping * approach;
-    const double next = approach + step_ * (attraction_ - repulsion) / reduced_mass_;
+    double next = approach + step_ * (attraction_ - repulsion) / reduced_mass_;
+    if (attraction_ > 0.0) {
+      if (!(outward < bearable_)) return false;
+      next -= step_ * outward;
+    }
     // Between two grid points it may dip below both, most where what pulls is constant.
     const double dip = 0.125 * step_ * std::max(next - approach, 0.0);
     const double least = certain * step_ * std::abs(approach) + 2.0 * dip;
@@ -74,14 +89,18 @@ class OnePassContact {
     now = {repulsion - attraction_, repulsion};
     return true;
   }
-  /// The same of any pair, with all that a step tells.
-  bool follow_lasting(const GridPoint& at, GridMemory& memory, GridStep& step) const {
+  /// The same of any pair, with all that a step tells. `others`: as in follow(); any, where it does
+  /// not bear loads.
+  bool follow_lasting(const GridPoint& at, double others, GridMemory& memory,
+                      GridStep& step) const {
     LastingForce now;
-    if (!memory.in_contact() || !lasting_force(at, now)) return false;
-    if (memory.phase == GridMemory::begun) {
+    if (!memory.in_contact()) return false;
+    if (!lasting_force(at, outward({at.distance, at.radial, at.sideways}, others), now))
+      return false;
+    if (elastic_ && memory.phase == GridMemory::begun)
       memory.work = work_.before(at, memory) + work_.of_force(now.force, at) + work_.stored(at);
-      memory.phase = GridMemory::lasting;
-    }
+    memory.phase = GridMemory::lasting;
+    memory.ahead = at.radial;
     memory.force = now.force;
     step = {};
     step.force = now.force;
@@ -124,6 +143,7 @@ class OnePassContact {
         spring_(oscillator_.on_grid(step, spring.reduced_mass())),
         attraction_(spring_.stiffness * pull_ / oscillator_.w0_squared()),
         weight_(spring.stiffness() / spring_.stiffness),
+        bearable_(bearable(spring.restitution())),
         elastic_(spring.damping() == 0.0 && entry == range),
         work_(contact_distance, reduced_mass_, spring_, attraction_, step) {}
 
@@ -184,11 +204,14 @@ class OnePassContact {
     // What the grid does later or earlier than the pair counts as the spring's.
     const double true_force =
         reduced_mass_ * ((now.radial - start.radial) / step_ - outward(start, others));
-    step.repulsion = step.normal.repulsion_impulse / step_ + step.force - true_force;
+    step.repulsion = step.normal.repulsion_impulse / step_ + step.force - true_force -
+                     reduced_mass_ * step.normal.carried / (step_ * step_);
     if (lasting) {
-      memory.phase = elastic_ ? GridMemory::begun : GridMemory::lasting;
+      memory.phase = GridMemory::begun;
     } else if (event) {
       memory.phase = inside ? GridMemory::entered : GridMemory::left;
+    }
+    if (!flies) {
       const double on_grid = (along * flown + across * at.sideways) / now.distance;
       memory.ahead = now.radial - on_grid - 0.5 * step_ * others;
     }
@@ -203,12 +226,12 @@ class OnePassContact {
   }
 
   /// The true radial velocity at the grid point: the grid's over the half step before, what others
-  /// do in half a step and what was remembered; in a lasting contact the closed form through the
-  /// last two grid points.
+  /// do in half a step and what was remembered; in a contact of one force the closed form through
+  /// the last two grid points.
   double true_radial(const GridPoint& at, double others, const GridMemory& memory) const {
-    if (!memory.in_contact()) return at.radial + memory.ahead + 0.5 * step_ * others;
+    if (memory.phase != GridMemory::lasting) return at.radial + memory.ahead + 0.5 * step_ * others;
     const double before = std::hypot(at.distance - step_ * at.radial, step_ * at.sideways);
-    const double drive = pull_ - load({at.distance, at.radial, at.sideways}, others);
+    const double drive = pull_ - weight_ * outward({at.distance, at.radial, at.sideways}, others);
     const double equilibrium = drive / oscillator_.w0_squared();
     const double was = contact_distance_ - before - equilibrium;
     const double is = contact_distance_ - at.distance - equilibrium;
@@ -221,14 +244,17 @@ class OnePassContact {
     const double turning = now.distance / contact_distance_ * now.sideways;
     return turning * turning / contact_distance_ + others;
   }
-  /// The same in contact, as it acts in one that lasts: a load F gives the overlap F/K'. Were it
-  /// another in steps with an event, spheres that bounce under their weight would gain energy.
-  double load(const Flight& now, double others) const { return weight_ * outward(now, others); }
-
+  /// The same in contact. A load L that one which lasts bears acts as there and gives the overlap
+  /// L/K': were it another in steps with an event, spheres that bounce under their weight would
+  /// gain energy. A contact is not to bear more than F_ad, and a larger load acts as it is.
+  double in_contact(double outward) const {
+    return outward < bearable_ ? weight_ * outward : outward;
+  }
   bool lasts(Flight& now, double others, NormalRecord& record) const {
     Overlap s{contact_distance_ - now.distance, -now.radial};
     double integral = 0.0;
-    if (!motion_.advance_lasting(s, step_, load(now, others), integral, record)) return false;
+    const double load = in_contact(outward(now, others));
+    if (!motion_.advance_lasting(s, step_, load, integral, record)) return false;
     put(now, s);
     return true;
   }
@@ -265,7 +291,9 @@ class OnePassContact {
                         NormalRecord& record) const {
     Overlap s{contact_distance_ - now.distance, -now.radial};
     double integral = 0.0;
-    const double taken = motion_.advance(s, time, load(now, others), inside, integral, record);
+    const double load = outward(now, others);
+    const double taken =
+        motion_.advance(s, time, {load, in_contact(load)}, inside, integral, record);
     put(now, s);
     return taken;
   }
@@ -334,6 +362,16 @@ class OnePassContact {
   /// certain.
   static constexpr double certain = 0.1;
 
+  /// Up to which load a contact lasts. Beyond it the overlap at rest is (F_ad - L)/K, where it was
+  /// F_ad/K - L/K' before, and the contact begins to swing by the difference. What is left of that
+  /// when it is to part shall not part it by a hundredth of F_ad too early: half of that, of a load
+  /// that is slow, which takes ten contact times for the last part of its way.
+  double bearable(double restitution) const {
+    if (!(pull_ > 0.0)) return std::numeric_limits<double>::infinity();
+    const double swing = (weight_ - 1.0) * std::pow(restitution, 10.0);
+    return pull_ * std::min(1.0 / weight_, swing > 0.005 ? 0.005 / swing : 1.0);
+  }
+
   NormalMotion motion_;
   DampedOscillator oscillator_;
   DampedOscillator::Propagator propagator_;
@@ -345,7 +383,8 @@ class OnePassContact {
   double step_;
   GridSpring spring_;
   double attraction_;  // that of the adhesion, as spring_ needs it
-  double weight_;      // K/K'
+  double weight_;      // K/K': of a load, on the grid of a contact that lasts
+  double bearable_;    // largest load per mu that one which lasts bears, [length/time^2]
   bool elastic_;       // it gives back what it takes
   PairWork work_;
 };

@@ -50,7 +50,7 @@ struct Pair {
     y += dt * vy;
     const double r = distance(), nx = x / r, ny = y / r;
     const GridPoint at{r, vx * nx + vy * ny, std::abs(vy * nx - vx * ny)};
-    if (!law.follow_lasting(at, memory, last)) last = law.follow(at, 0.0, dt, memory);
+    if (!law.follow_lasting(at, 0.0, memory, last)) last = law.follow(at, 0.0, dt, memory);
     const double push = dt * last.force / thesis::reduced_mass;
     vx += push * nx;
     vy += push * ny;

@@ -30,7 +30,7 @@ double rebound(const OnePassContact& contact, double speed, double phase) {
     distance += dt * radial;
     const GridPoint at{distance, radial, 0.0};
     GridStep step;
-    if (!contact.follow_lasting(at, memory, step)) step = contact.follow(at, 0.0, dt, memory);
+    if (!contact.follow_lasting(at, 0.0, memory, step)) step = contact.follow(at, 0.0, dt, memory);
     radial += dt * step.force / thesis::reduced_mass;
     if (!std::isfinite(radial)) return radial;
     touched = touched || memory.inside();
@@ -123,7 +123,8 @@ struct BesidePlane {
     const double dt = contact.step();
     distance += dt * radial;
     const GridPoint at{distance, radial, 0.0};
-    if (!contact.follow_lasting(at, memory, last)) last = contact.follow(at, others, dt, memory);
+    if (!contact.follow_lasting(at, others, memory, last))
+      last = contact.follow(at, others, dt, memory);
     radial += dt * (last.force / mass + others);
   }
   /// Height over touch at which what moves it now would turn, where it flies freely.
@@ -149,7 +150,7 @@ bool parts(const OnePassContact& contact, double speed, double sideways, double 
     const double r = std::hypot(x, y), nx = x / r, ny = y / r;
     const GridPoint at{r, vx * nx + vy * ny, std::abs(vy * nx - vx * ny)};
     GridStep step;
-    if (!contact.follow_lasting(at, memory, step)) step = contact.follow(at, 0.0, dt, memory);
+    if (!contact.follow_lasting(at, 0.0, memory, step)) step = contact.follow(at, 0.0, dt, memory);
     vx += dt * step.force / thesis::reduced_mass * nx;
     vy += dt * step.force / thesis::reduced_mass * ny;
     turned = std::max(turned,
@@ -247,12 +248,12 @@ TEST(OnePassContact, FollowsALastingContactAsItsOneForceDoes) {
   for (const double radial : {-1e-3, 0.0, 1e-3}) {
     const GridPoint at{core - overlap, radial, 0.0};
     GridStep simple;
-    ASSERT_TRUE(contact.follow_lasting(at, memory, simple)) << radial;
+    ASSERT_TRUE(contact.follow_lasting(at, 0.0, memory, simple)) << radial;
     GridMemory after = memory;
     const GridStep followed = contact.follow(at, 0.0, dt, after);
     // Distances are rounded by eps core, and a force is a difference of three over dt^2.
     EXPECT_NEAR(followed.force, simple.force, 8.0 * eps * core * thesis::reduced_mass / (dt * dt));
-    EXPECT_EQ(after.phase, GridMemory::lasting);
+    EXPECT_EQ(after.phase, GridMemory::begun);
   }
 }
 
@@ -277,7 +278,8 @@ double largest_work(const OnePassContact& contact, double sideways, double shake
       const double r = std::hypot(x, y), nx = x / r, ny = y / r;
       const GridPoint at{r, vx * nx + vy * ny, std::abs(vy * nx - vx * ny)};
       GridStep step;
-      if (!contact.follow_lasting(at, memory, step)) step = contact.follow(at, known, dt, memory);
+      if (!contact.follow_lasting(at, known, memory, step))
+        step = contact.follow(at, known, dt, memory);
       const double a = step.force / thesis::reduced_mass;
       work += 0.5 * dt * ((ax + a * nx) * vx + (ay + a * ny) * vy);
       ax = a * nx;

@@ -57,7 +57,7 @@ struct Pair {
     y += dt * vy;
     const double r = distance(), nx = x / r, ny = y / r;
     const GridPoint at{r, vx * nx + vy * ny, std::abs(vy * nx - vx * ny)};
-    if (!law.follow_lasting(at, memory, last)) last = law.follow(at, others, dt, memory);
+    if (!law.follow_lasting(at, others, memory, last)) last = law.follow(at, others, dt, memory);
     const double push = dt * (last.force / thesis::reduced_mass + others);
     vx += push * nx;
     vy += push * ny;
