@@ -30,7 +30,7 @@ CYLINDER = ("primitive type 2 xcylinder 8.5e-3 0 0", (), {})
 def escape_velocity(cohesion, strength, angle=0.0):
     """Along the normal of a pair that meets at an angle."""
     if cohesion == "hamaker":
-        return oblique_escape.of_hamaker_graded(Pair(strength), angle, FLIGHT * OUT, GRADE)
+        return oblique_escape.of_hamaker(Pair(strength), angle, FLIGHT * OUT)
     return oblique_escape.of_well(strength, (RATIO - 1) * DIAMETER, angle, FLIGHT * (RATIO - 1) * DIAMETER)
 
 

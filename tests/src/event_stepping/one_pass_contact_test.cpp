@@ -217,6 +217,34 @@ TEST(OnePassContact, ALoadAtRestPressesItsSpringOnTheGrid) {
   }
 }
 
+TEST(OnePassContact, ASlowLoadPartsAContactAtTheAdhesionForceAtAnyStep) {
+  // A sphere on a plane, from its rest without a load; this grows by F_ad in 2000 contact times.
+  const contact::Adhesion adhesion = thesis::adhesion(7.49e-19);
+  const double mass = thesis::mass, rate = 1.0 / 2000.0;
+  for (const double stiffness : {800.0, 8e4})
+    for (const double restitution : {0.99, 0.9, 0.5, 0.3})
+      for (const double part : {4.0, 10.0, 20.0, 50.0}) {
+        const auto law =
+            contact::LinearSpringDashpot::from_restitution(stiffness, restitution, mass);
+        const double dt = law.contact_time() / part;
+        BesidePlane sphere{{law, adhesion, thesis::radius, dt},
+                           mass,
+                           0.0,
+                           thesis::radius - adhesion.force / stiffness,
+                           0.0};
+        sphere.memory.phase = GridMemory::begun;
+        double load = 0.0;
+        for (int n = 0; load < 1.1 && sphere.memory.inside(); n++) {
+          load = rate * n / part;
+          sphere.others = load * adhesion.force / mass;
+          sphere.step();
+        }
+        // Half of the hundredth is for what it swings by, the rest for the lag of the load and of
+        // its knowledge: (6 H_cut mass k^2/F_ad)^(1/3) < 0.003, k = rate/t_c.
+        EXPECT_NEAR(load, 1.0, 0.01) << stiffness << " " << restitution << " " << part;
+      }
+}
+
 TEST(OnePassContact, ObliquePairsEscapeAtTheSameSpeedForAnyStepAndPhase) {
   const auto law = spring(thesis::contact().damping);
   for (const double hamaker : {1e-19, 7.49e-19, 2e-18}) {
