@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "event_stepping/first_root.h"
+#include "event_stepping/loaded_flight.h"
 #include "event_stepping/pair_step.h"
 #include "event_stepping/sphere_pair.h"
-#include "hard_sphere/crossing.h"
 
 namespace cohesion::event_stepping {
 
@@ -48,7 +48,9 @@ class BridgePair {
     return dot(grid.separation, grid.separation) <= reach * reach;
   }
 
-  PairStep advance(const RelativeState& grid, const StepWindow& window, bool inside) const {
+  /// `load`: as in SpherePair.
+  PairStep advance(const RelativeState& grid, const StepWindow& window, bool inside,
+                   const Vector3& load = {}) const {
     PairStep step;
     Motion m{{grid.separation - window.before * grid.velocity, grid.velocity}, apart, 0.0};
     // One that others pushed into contact has touched.
@@ -56,7 +58,7 @@ class BridgePair {
       m.state = in_contact;
     else if (inside)
       m.state = spanned;
-    bool straight = true;
+    bool flies = true;
     double left = window.length();
     for (int segments = 0; left > 0.0; segments++) {
       if (segments == max_segments) {
@@ -64,19 +66,19 @@ class BridgePair {
         break;
       }
       if (m.state == apart) {
-        left -= fly(m, left);
+        left -= fly(m, left, load);
         continue;
       }
-      straight = false;
-      left -= m.state == in_contact ? touch(m, left, step.normal) : span(m, left, step.normal);
+      flies = false;
+      left -= m.state == in_contact ? touch(m, left, load, step.normal)
+                                    : span(m, left, load, step.normal);
       if (step.normal.unresolved) break;
     }
     step.inside = m.state != apart;
     step.overlap_at_end = m.state == in_contact ? m.overlap : core_ - norm(m.at.separation);
-    step.interacts = !straight;
-    if (!step.interacts) return step;  // not to carry the rounding of no change into the motion
-    step.change.velocity = m.at.velocity - grid.velocity;
-    step.change.separation = m.at.separation - window.after * m.at.velocity - grid.separation;
+    step.interacts = !flies;
+    if (flies) return step;  // not to carry the rounding of no change into the motion
+    step.set_change(grid, window, load, m.at);
     return step;
   }
 
@@ -92,27 +94,24 @@ class BridgePair {
     double overlap;  ///< in contact
   };
 
-  /// Straight, up to the touch.
-  double fly(Motion& m, double time) const {
-    const double closing = dot(m.at.separation, m.at.velocity);
-    const double speed_squared = dot(m.at.velocity, m.at.velocity);
-    const double beyond = dot(m.at.separation, m.at.separation) - core_ * core_;
-    const double wait = hard_sphere::time_to_fall(closing, speed_squared, beyond);
+  /// Up to the touch.
+  double fly(Motion& m, double time, const Vector3& load) const {
+    const double wait = time_to_fall_to(core_, m.at, load, time);
     if (wait < time) m.state = in_contact;
-    const double flown = std::min(wait, time);
-    m.at.separation += flown * m.at.velocity;
-    return flown;
+    const double taken = std::min(wait, time);
+    m.at = flown(m.at, load, taken);
+    return taken;
   }
 
-  double touch(Motion& m, double time, NormalRecord& record) const {
+  double touch(Motion& m, double time, const Vector3& load, NormalRecord& record) const {
     bool touching = true;
-    const double taken = contact_.advance_inside(m.at, time, touching, m.overlap, record);
+    const double taken = contact_.advance_inside(m.at, time, touching, m.overlap, record, load);
     if (!touching) m.state = range_ > 0.0 ? spanned : apart;
     return taken;
   }
 
   /// In the gap, up to touch or rupture. One that others pulled beyond the gap of rupture has none.
-  double span(Motion& m, double time, NormalRecord& record) const {
+  double span(Motion& m, double time, const Vector3& load, NormalRecord& record) const {
     const double outer = core_ + range_, distance = norm(m.at.separation);
     const double radial = dot(m.at.separation, m.at.velocity) / distance;
     if (distance > outer) {
@@ -120,13 +119,14 @@ class BridgePair {
       return 0.0;
     }
     const double across = std::max(dot(m.at.velocity, m.at.velocity) - radial * radial, 0.0);
-    const double drive = across / distance - pull_;
+    const double pull = pull_ - dot(m.at.separation, load) / distance;
+    const double drive = across / distance - pull;
     // Rounding may leave a pair that just parted at an overlap.
     const double gap = std::max(distance - core_, 0.0);
     const double touches = first_root(gap, radial, drive);
     const double breaks = first_root(outer - distance, -radial, -drive);
     const double t = std::min(touches, breaks);
-    m.at = pulled(m.at, std::min(t, time));
+    m.at = pulled(m.at, pull, std::min(t, time));
     if (t >= time) return time;
     if (touches < breaks)
       m.state = in_contact;
@@ -140,9 +140,9 @@ class BridgePair {
     record.dissipated += force_ * (distance - core_);
   }
 
-  /// After a segment of the bridge's pull.
-  RelativeState pulled(const RelativeState& start, double time) const {
-    const double kick = 0.5 * time * pull_;
+  /// After a segment of the `pull` of bridge and load, [length/time^2].
+  static RelativeState pulled(const RelativeState& start, double pull, double time) {
+    const double kick = 0.5 * time * pull;
     RelativeState end = start;
     end.velocity -= (kick / norm(start.separation)) * start.separation;
     end.separation += time * end.velocity;
@@ -163,9 +163,12 @@ class BridgePlane : public BridgePair {
  public:
   using BridgePair::BridgePair;
 
-  PairStep advance(const RelativeState& grid, const StepWindow& window, bool inside) const {
+  PairStep advance(const RelativeState& grid, const StepWindow& window, bool inside,
+                   const Vector3& load = {}) const {
     const Vector3& s = grid.separation;
-    return BridgePair::advance({s, (dot(s, grid.velocity) / dot(s, s)) * s}, window, inside);
+    const double inverse = 1.0 / dot(s, s);
+    return BridgePair::advance({s, (inverse * dot(s, grid.velocity)) * s}, window, inside,
+                               (inverse * dot(s, load)) * s);
   }
 };
 

@@ -42,6 +42,7 @@ class LastingNormal {
     kept_ = 1.0 - constants_.damping * step / reduced_mass;
     w0_squared_ = swing.w0_squared();
     rest_ = pull / reduced_mass * inverse_square;
+    least_ = (1.0 - carried) * rest_;
     lifted_ = inverse_square / (distance * distance * distance);
     const double alpha = swing.alpha();
     const double square = (swing.w0_squared() - alpha * alpha) * step * step;
@@ -111,13 +112,18 @@ class LastingNormal {
  private:
   /// The fraction of the way of a step that the predicted overlap must exceed.
   static constexpr double certain = 0.1;
+  /// The part of the pull up to which one force carries a load. By itself it would give way at K'/K
+  /// of the pull, before the contact does. With more load, and so a smaller overlap than the rest
+  /// of the overlap without one, the step is resolved, in which the load acts as it is. Where one
+  /// takes over from the other, the overlap changes by 1 - K'/K of that at most: it stays positive.
+  static constexpr double carried = 0.75;
 
   /// That by which the distance `grows` in the step.
   [[gnu::always_inline]] Force force(const Sample& s, double grows) const {
     const double next = grows - s.bent * (1.0 - grows * s.inverse);  // way along the normal
     const double end = s.overlap - next - 2.0 * s.bent;              // overlap, predicted
     return {next * inverse_step_ - s.radial,
-            s.overlap > 0.0 && s.overlap > s.way && end > certain * std::abs(s.way)};
+            s.overlap > least_ && s.overlap > s.way && end > least_ + certain * std::abs(s.way)};
   }
 
   /// Of the overlap, at the grid point before and at this one.
@@ -144,6 +150,7 @@ class LastingNormal {
   double kept_;       // d
   double w0_squared_;
   double rest_;    // overlap at which spring and pull balance
+  double least_;   // smallest overlap of a contact of one force
   double lifted_;  // of that, by the square of the speed across, over the distance squared
   double seen_;
 };

@@ -107,7 +107,7 @@ class NormalMotion {
         if (!leave(s, outward, record))
           inside = false;
         else
-          left -= come_to_rest(s, left, drive, record);
+          left -= come_to_rest(s, left, drive, x_integral, record);
         continue;
       }
       const bool beyond = s.x < -adhesion_.cutoff;
@@ -115,7 +115,11 @@ class NormalMotion {
           beyond ? Gap{s.x, -adhesion_.cutoff, -outward} : Gap{-adhesion_.cutoff, 0.0, drive};
       bool at_edge = false;
       left -= in_gap(s, left, gap, at_edge, x_integral);
-      if (at_edge && !leave(s, outward, record)) inside = false;
+      if (!at_edge) continue;
+      if (!leave(s, outward, record))
+        inside = false;
+      else if (s.v * s.v < -2.0 * adhesion_.cutoff * drive)  // too slow to reach the contact
+        left -= come_to_rest(s, left, drive, x_integral, record);
     }
     return time - std::max(left, 0.0);
   }
@@ -147,8 +151,8 @@ class NormalMotion {
   /// true where it is captured.
   bool leave(Overlap& s, double outward, NormalRecord& record) const {
     const double remaining = s.v * s.v - edge_;
-    if (remaining > 0.0) {
-      s.v = -std::sqrt(remaining);
+    if (remaining > 0.0 || edge_ == 0.0) {
+      s.v = -std::sqrt(std::max(remaining, 0.0));
       return false;
     }
     const double energy = 0.5 * reduced_mass_ * s.v * s.v, load = reduced_mass_ * outward;
@@ -189,19 +193,24 @@ class NormalMotion {
     s = end;
   }
 
-  /// Brings to rest a captured pair that its turning presses against an edge at touch: bounces that
-  /// take a hundredth of a step and less never end, and their energy counts as the dashpot's.
+  /// Brings to rest a captured pair that its load presses against an edge without width: bounces
+  /// that take a hundredth of a step and less never end, and their energy counts as the dashpot's.
   /// Returns the time at rest.
-  double come_to_rest(Overlap& s, double time, double drive, NormalRecord& record) const {
+  double come_to_rest(Overlap& s, double time, double drive, double& x_integral,
+                      NormalRecord& record) const {
     if (-2.0 * s.v < 0.01 * whole_step_.time * drive || drive >= 0.0) return 0.0;
     record.dissipated += 0.5 * reduced_mass_ * s.v * s.v;
-    s.v = 0.0;
+    // A load that grows has pushed it a little beyond the edge since the step before.
+    s = {std::max(s.x, -adhesion_.cutoff), 0.0};
+    x_integral += time * s.x;
     return time;
   }
 
   double in_gap(Overlap& s, double time, const Gap& gap, bool& at_edge, double& x_integral) const {
     if (!(time > 0.0)) return 0.0;
     const double drive = gap.drive;
+    at_edge = s.x <= gap.low && s.v <= 0.0 && drive < 0.0;
+    if (at_edge) return 0.0;
     const double touch = first_root(gap.high - s.x, -s.v, -drive);
     const double out = first_root(s.x - gap.low, s.v, drive);
     const double start = s.x;

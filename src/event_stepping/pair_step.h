@@ -22,14 +22,23 @@ struct StepWindow {
   double length() const { return before + after; }
 };
 
-/// What one step does to a pair: added to the relative state at the grid point, it makes the grid
-/// follow the true motion.
+/// What one step does to a pair, beside what a load does to one that flies: added to the relative
+/// state at the grid point, it makes the grid follow the true motion.
 struct PairStep {
   RelativeState change{};
   NormalRecord normal{};
   double overlap_at_end = 0.0;  ///< negative: gap
   bool inside = false;          ///< inside the range of the adhesion at the end of the step
-  bool interacts = true;        ///< false: the pair flies straight, and nothing changes
+  bool interacts = true;        ///< false: the pair flies, and nothing changes
+
+  /// Sets `change`: from where the pair would have flown under `load` [length/time^2] to `end`.
+  void set_change(const RelativeState& grid, const StepWindow& window, const Vector3& load,
+                  const RelativeState& end) {
+    const double length = window.length();
+    change.velocity = end.velocity - grid.velocity - length * load;
+    change.separation = end.separation - window.after * end.velocity - grid.separation +
+                        (length * (window.after - 0.5 * length)) * load;
+  }
 };
 
 }  // namespace cohesion::event_stepping

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "event_stepping/first_root.h"
 #include "event_stepping/pair_step.h"
 
 namespace cohesion::event_stepping {
@@ -30,11 +31,13 @@ class PlanePair {
     return norm(grid.separation) <= radius_ + motion_.range() + slack;
   }
 
-  PairStep advance(const RelativeState& grid, const StepWindow& window, bool inside) const {
+  /// `load`: as in SpherePair.
+  PairStep advance(const RelativeState& grid, const StepWindow& window, bool inside,
+                   const Vector3& load = {}) const {
     PairStep step;
     const double distance = norm(grid.separation);
     const Vector3 normal = (1.0 / distance) * grid.separation;
-    const double rate = -dot(normal, grid.velocity);
+    const double rate = -dot(normal, grid.velocity), outward = dot(normal, load);
     Overlap s{radius_ - distance - window.before * rate, rate};
     if (!inside && s.x > -motion_.range() && (s.v > 0.0 || s.x > 0.0)) {
       s = motion_.enter(s);
@@ -43,25 +46,25 @@ class PlanePair {
     double left = window.length();
     while (left > 0.0) {
       if (!inside) {
-        const double meet = s.v > 0.0 ? (-motion_.range() - s.x) / s.v : left;
-        if (meet >= left || meet < 0.0) {
-          s.x += left * s.v;
-          break;
-        }
-        left -= meet;
-        s = motion_.enter({-motion_.range(), s.v});
+        const double gap = std::max(-motion_.range() - s.x, 0.0);
+        const double meet = gap == 0.0 && s.v > 0.0 ? 0.0 : first_root(gap, -s.v, outward);
+        const double t = std::min(meet, left);
+        s = {s.x + t * (s.v - 0.5 * t * outward), s.v - t * outward};
+        const bool meets = meet < left;
+        left -= t;
+        if (!meets) break;
+        s = motion_.enter({gap > 0.0 ? -motion_.range() : s.x, s.v});
         inside = true;
         continue;
       }
       double integral = 0.0;
-      left -= motion_.advance(s, left, 0.0, inside, integral, step.normal);
+      left -= motion_.advance(s, left, outward, inside, integral, step.normal);
       if (step.normal.unresolved) break;
     }
     step.inside = inside;
     step.overlap_at_end = s.x;
-    const double overlap_on_grid = s.x - window.after * s.v;
-    step.change.velocity = (rate - s.v) * normal;
-    step.change.separation = (radius_ - overlap_on_grid - distance) * normal;
+    step.set_change({grid.separation, -rate * normal}, window, outward * normal,
+                    {(radius_ - s.x) * normal, -s.v * normal});
     return step;
   }
 

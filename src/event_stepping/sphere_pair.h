@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "event_stepping/loaded_flight.h"
 #include "event_stepping/pair_step.h"
 
 namespace cohesion::event_stepping {
@@ -39,21 +40,21 @@ class SpherePair {
     return dot(grid.separation, grid.separation) <= reach * reach;
   }
 
+  /// `load` [length/time^2]: constant acceleration of the separation, along it, by all else.
   [[gnu::always_inline]] PairStep advance(const RelativeState& grid, const StepWindow& window,
-                                          bool inside) const {
+                                          bool inside, const Vector3& load = {}) const {
     PairStep step;
     RelativeState now{grid.separation - window.before * grid.velocity, grid.velocity};
-    if (inside && advance_lasting(now, window.length(), step.overlap_at_end, step.normal)) {
+    if (inside && advance_lasting(now, window.length(), step.overlap_at_end, step.normal, load)) {
       step.inside = true;
     } else {
-      Followed followed = follow_events(now, window.length(), inside);
+      Followed followed = follow_events(now, window.length(), inside, load);
       now = followed.state;
       step.normal = followed.normal;
       step.overlap_at_end = followed.overlap;
       step.inside = followed.inside;
     }
-    step.change.velocity = now.velocity - grid.velocity;
-    step.change.separation = now.separation - window.after * now.velocity - grid.separation;
+    step.set_change(grid, window, load, now);
     return step;
   }
 
@@ -61,13 +62,13 @@ class SpherePair {
   /// it with constant angular momentum. Returns the time until the pair left the range (`inside` is
   /// then false), or `time`; `overlap` is where the surfaces are then.
   double advance_inside(RelativeState& now, double time, bool& inside, double& overlap,
-                        NormalRecord& record) const {
-    Start start = along_normal(now);
+                        NormalRecord& record, const Vector3& load = {}) const {
+    Start start = along_normal(now, load);
     Overlap surface = start.surface;
     double integral = 0.0;
     double taken = time;
-    if (!motion_.advance_lasting(surface, time, start.centrifugal, integral, record))
-      taken = motion_.advance(surface, time, start.centrifugal, inside, integral, record);
+    if (!motion_.advance_lasting(surface, time, start.outward, integral, record))
+      taken = motion_.advance(surface, time, start.outward, inside, integral, record);
     overlap = surface.x;
     rotate(now, start, surface, taken, integral);
     return taken;
@@ -75,12 +76,12 @@ class SpherePair {
 
   /// Advances a contact that certainly lasts for all of `time`, as most contacts in most steps, as
   /// advance_inside() does. Returns false, and does nothing, where that is not certain.
-  bool advance_lasting(RelativeState& now, double time, double& overlap,
-                       NormalRecord& record) const {
-    Start start = along_normal(now);
+  bool advance_lasting(RelativeState& now, double time, double& overlap, NormalRecord& record,
+                       const Vector3& load = {}) const {
+    Start start = along_normal(now, load);
     Overlap surface = start.surface;
     double integral = 0.0;
-    if (!motion_.advance_lasting(surface, time, start.centrifugal, integral, record)) return false;
+    if (!motion_.advance_lasting(surface, time, start.outward, integral, record)) return false;
     overlap = surface.x;
     rotate(now, start, surface, time, integral);
     return true;
@@ -95,11 +96,11 @@ class SpherePair {
     double distance;
     double inverse_distance;
     double sideways_squared;  ///< of the speed across the normal
-    double centrifugal;       ///< [length/time^2]
+    double outward;           ///< centrifugal acceleration and load, [length/time^2]
     Overlap surface;
   };
 
-  Start along_normal(const RelativeState& now) const {
+  Start along_normal(const RelativeState& now, const Vector3& load) const {
     const double distance = norm(now.separation);
     const double inverse = 1.0 / distance;
     const double radial = inverse * dot(now.separation, now.velocity);
@@ -109,7 +110,8 @@ class SpherePair {
     return {distance,
             inverse,
             sideways_squared,
-            leverage * leverage * sideways_squared * inverse_distance_,
+            leverage * leverage * sideways_squared * inverse_distance_ +
+                inverse * dot(now.separation, load),
             {contact_distance_ - distance, -radial}};
   }
 
@@ -146,8 +148,8 @@ class SpherePair {
   };
 
   /// Follows everything that can happen to a pair in `time`, one segment after the other.
-  [[gnu::noinline]] Followed follow_events(const RelativeState& start, double time,
-                                           bool inside) const {
+  [[gnu::noinline]] Followed follow_events(const RelativeState& start, double time, bool inside,
+                                           const Vector3& load) const {
     Followed now{start, {}, 0.0, inside};
     if (!inside) now.inside = starts_inside(now.state);
     double left = time;
@@ -157,10 +159,10 @@ class SpherePair {
         break;
       }
       if (!now.inside) {
-        left -= fly(now.state, left, now.inside);
+        left -= fly(now.state, left, load, now.inside);
         continue;
       }
-      left -= advance_inside(now.state, left, now.inside, now.overlap, now.normal);
+      left -= advance_inside(now.state, left, now.inside, now.overlap, now.normal, load);
       if (now.normal.unresolved) break;
     }
     if (!now.inside) now.overlap = contact_distance_ - norm(now.state.separation);
@@ -186,22 +188,18 @@ class SpherePair {
     now.velocity -= (entered.v - approach) * normal;
   }
 
-  /// Flies straight until the edge is met or the time is over; returns the time it took.
-  double fly(RelativeState& now, double time, bool& inside) const {
-    const double approach = -dot(now.separation, now.velocity);
-    const double speed_squared = dot(now.velocity, now.velocity);
+  /// Flies until the edge is met or the time is over; returns the time it took.
+  double fly(RelativeState& now, double time, const Vector3& load, bool& inside) const {
     const double outer = outer_distance();
-    const double away = dot(now.separation, now.separation) - outer * outer;
-    const double discriminant = approach * approach - speed_squared * away;
     double t = time;
-    if (approach > 0.0 && away >= 0.0 && discriminant > 0.0) {
-      const double meet = away / (approach + std::sqrt(discriminant));
+    if (dot(now.separation, now.separation) >= outer * outer) {
+      const double meet = time_to_fall_to(outer, now, load, time);
       if (meet < time) {
         t = meet;
         inside = true;
       }
     }
-    now.separation += t * now.velocity;
+    now = flown(now, load, t);
     if (inside) cross_inwards(now, norm(now.separation));
     return t;
   }

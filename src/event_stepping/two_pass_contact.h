@@ -199,15 +199,19 @@ class TwoPassContact {
     const Vector3 &s = truth.relative.separation, &v = truth.relative.velocity;
     const double half = 0.5 * step_;
     const Vector3& by_others = others.relative.velocity;
-    // What the others do to the place beyond what a kick in the middle of the step would.
+    // What the others do to the place beyond what a constant force would.
     const Vector3 shift = others.relative.separation - half * by_others;
-    const RelativeState middle{s + normal_part(s, half * v + 0.5 * shift), v + 0.5 * by_others};
+    // Along the normal the others are a load within the step, which a contact carries or not at
+    // any step; across it they act half before the step and half after it.
+    const Vector3 along = (dot(by_others, s) / dot(s, s)) * s, load = (1.0 / step_) * along;
+    const RelativeState middle{s + normal_part(s, half * v + 0.5 * shift),
+                               v + 0.5 * (by_others - along)};
     FollowedStep<SIZE> f{};
-    if (!in_range && !pair_.within_reach(middle, {half, half})) {
+    if (!in_range && !within_reach(middle, along)) {
       f.normal.interacts = false;
       return f;
     }
-    f.normal = pair_.advance(middle, {half, half}, in_range);
+    f.normal = pair_.advance(middle, {half, half}, in_range, load);
     if (!f.normal.interacts) return f;
     const RelativeState& did = f.normal.change;
     f.change.relative = {did.separation + half * did.velocity, did.velocity};
@@ -379,6 +383,15 @@ class TwoPassContact {
   double ahead(const RelativeState& grid, const ContactMemory& memory) const {
     if (!memory.lasted()) return memory.ahead;
     return one_force_.ahead(grid);
+  }
+
+  /// Whether a pair that is out of its range may come into it in this step, in the middle of which
+  /// it is at `middle`; `load_change` [length/time]: of its velocity by the load in the step.
+  bool within_reach(const RelativeState& middle, const Vector3& load_change) const {
+    const double half = 0.5 * step_;
+    const double reach =
+        contact_distance_ + pair_.range() + half * norm(middle.velocity) + half * norm(load_change);
+    return dot(middle.separation, middle.separation) <= reach * reach;
   }
 
   /// Whether anything but lasting contact, or flight out of range, happened in a step.

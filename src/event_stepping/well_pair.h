@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "event_stepping/loaded_flight.h"
 #include "event_stepping/pair_step.h"
 #include "event_stepping/sphere_pair.h"
-#include "hard_sphere/crossing.h"
 #include "square_well/impulses.h"
 
 namespace cohesion::event_stepping {
@@ -52,10 +52,12 @@ class WellPair {
     return outer > 0.0 && square > inner * inner && square < outer * outer;
   }
 
-  PairStep advance(const RelativeState& grid, const StepWindow& window, bool inside) const {
-    if (edge_ == core_) return contact_.advance(grid, window, inside);
+  /// `load`: as in SpherePair.
+  PairStep advance(const RelativeState& grid, const StepWindow& window, bool inside,
+                   const Vector3& load = {}) const {
+    if (edge_ == core_) return contact_.advance(grid, window, inside, load);
     PairStep step;
-    if (inside && meets_nothing(grid, window)) {
+    if (inside && meets_nothing(grid, window, load)) {
       step.inside = true;
       step.interacts = false;
       step.overlap_at_end = core_ - norm(grid.separation + window.after * grid.velocity);
@@ -66,34 +68,35 @@ class WellPair {
     // Both are in the contact: one that was pushed there from outside the well fell into it.
     if (m.touching && !m.inside) approach(m);
     double left = window.length();
-    bool straight = true;
+    bool flies = true;
     for (int segments = 0; left > 0.0; segments++) {
       if (segments == max_segments) {
         step.normal.unresolved = true;
         break;
       }
-      const Meeting next = m.touching ? Meeting{0.0, contact} : next_meeting(m);
+      const Meeting next = m.touching ? Meeting{0.0, contact} : next_meeting(m, load, left);
       if (next.wait >= left) {
-        m.at.separation += left * m.at.velocity;
+        m.at = flown(m.at, load, left);
         break;
       }
-      straight = false;
-      m.at.separation += next.wait * m.at.velocity;
+      flies = false;
+      m.at = flown(m.at, load, next.wait);
       left -= next.wait;
-      if (next.with == contact)
-        left -= advance_contact(m, left, step.normal);
-      else if (next.with == edge_from_outside)
+      if (next.with == contact) {
+        left -= advance_contact(m, left, step.normal, load);
+      } else if (next.with == edge_from_outside) {
         approach(m);
-      else
+      } else {
         leave(m);
+        if (m.inside) left -= rest_at_edge(m, left, load, step.normal);
+      }
       if (step.normal.unresolved) break;
     }
     step.inside = m.inside;
     step.overlap_at_end = m.touching ? m.overlap : core_ - norm(m.at.separation);
-    step.interacts = !straight;
-    if (straight) return step;  // not to carry the rounding of no change into the motion
-    step.change.velocity = m.at.velocity - grid.velocity;
-    step.change.separation = m.at.separation - window.after * m.at.velocity - grid.separation;
+    step.interacts = !flies;
+    if (flies) return step;  // not to carry the rounding of no change into the motion
+    step.set_change(grid, window, load, m.at);
     return step;
   }
 
@@ -129,24 +132,48 @@ class WellPair {
 
   /// Whether the pair is farther from contact and edge than it can fly, as most pairs in their
   /// wells are.
-  bool meets_nothing(const RelativeState& grid, const StepWindow& window) const {
-    return is_clear_by(std::max(window.before, window.after) * norm(grid.velocity),
+  bool meets_nothing(const RelativeState& grid, const StepWindow& window,
+                     const Vector3& load) const {
+    const double length = window.length();
+    return is_clear_by(std::max(window.before, window.after) * norm(grid.velocity) +
+                           0.5 * length * length * norm(load),
                        grid.separation);
   }
 
-  Meeting next_meeting(const Motion& m) const {
-    const double b = dot(m.at.separation, m.at.velocity);
-    const double ww = dot(m.at.velocity, m.at.velocity);
-    const double rr = dot(m.at.separation, m.at.separation);
-    const double beyond = rr - edge_ * edge_;
-    if (!m.inside) return {hard_sphere::time_to_fall(b, ww, beyond), edge_from_outside};
-    const double fall =
-        core_ > 0.0 ? hard_sphere::time_to_fall(b, ww, rr - core_ * core_) : hard_sphere::never;
-    if (fall < hard_sphere::never) return {fall, contact};
-    // Along the edge: neither in nor out.
-    if (beyond >= 0.0 && b * b <= rounding * rounding * rr * ww)
-      return {hard_sphere::never, edge_from_inside};
-    return {hard_sphere::time_to_rise(b, ww, beyond), edge_from_inside};
+  /// What is met next, if anything is within `time`.
+  Meeting next_meeting(const Motion& m, const Vector3& load, double time) const {
+    if (!m.inside) return {time_to_fall_to(edge_, m.at, load, time), edge_from_outside};
+    const double fall = core_ > 0.0 ? time_to_fall_to(core_, m.at, load, time) : hard_sphere::never;
+    if (is_none(load)) {
+      if (fall < hard_sphere::never) return {fall, contact};
+      // Along the edge: neither in nor out.
+      const double b = dot(m.at.separation, m.at.velocity);
+      const double ww = dot(m.at.velocity, m.at.velocity);
+      const double rr = dot(m.at.separation, m.at.separation);
+      if (rr >= edge_ * edge_ && b * b <= rounding * rounding * rr * ww)
+        return {hard_sphere::never, edge_from_inside};
+    }
+    const double rise = time_to_rise_to(edge_, m.at, load, time);
+    if (fall <= rise) return {fall, contact};
+    return {rise, edge_from_inside};
+  }
+
+  /// Brings to rest a captured pair that `load` presses against the edge from inside, too slowly to
+  /// leave it for a hundredth of `time`: its bounces never end, and an edge without width carries
+  /// any load. Returns the time that is left, all of it at rest along the normal; the pair goes on
+  /// across it.
+  double rest_at_edge(Motion& m, double time, const Vector3& load, NormalRecord& record) const {
+    const double distance = norm(m.at.separation);
+    const Vector3 normal = (1.0 / distance) * m.at.separation;
+    const double rate = dot(normal, m.at.velocity), outward = dot(normal, load);
+    if (!(outward > 0.0) || -2.0 * rate > 0.01 * time * outward) return 0.0;
+    record.dissipated += 0.5 / inverse_mass_ * rate * rate;
+    m.at.velocity -= rate * normal;
+    const Vector3 there = m.at.separation + time * m.at.velocity;
+    m.at.separation = (edge_ / norm(there)) * there;
+    const Vector3 end = (1.0 / edge_) * m.at.separation;
+    m.at.velocity -= dot(end, m.at.velocity) * end;
+    return time;
   }
 
   /// Changes the velocity by the impulse J(u), u the speed of approach.
@@ -173,9 +200,9 @@ class WellPair {
     });
   }
 
-  double advance_contact(Motion& m, double time, NormalRecord& record) const {
+  double advance_contact(Motion& m, double time, NormalRecord& record, const Vector3& load) const {
     m.touching = true;
-    return contact_.advance_inside(m.at, time, m.touching, m.overlap, record);
+    return contact_.advance_inside(m.at, time, m.touching, m.overlap, record, load);
   }
 
   SpherePair contact_;
