@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "vector3.h"
 
 namespace cohesion::hard_sphere {
@@ -23,37 +26,51 @@ struct Collision {
   double given_at_rest = 0.0;  ///< kinetic energy above what restitution e leaves, [energy]
 };
 
+/// The least speeds with which collisions part their partners, [length/time].
+struct LeastSpeeds {
+  double given = 0.0;  ///< whatever energy that takes
+  double kept = 0.0;   ///< as far as the collision has the energy
+};
+
 /// Collision of hard spheres with restitution and Coulomb friction.
 ///
 ///   B2 = 1/m_i + 1/m_j            B1 = B2 + r_i^2/I_i + r_j^2/I_j
-///   J = (1 + e) C0/B2             C0 = k.(v_i - v_j), k from i to j
+///   J = (C0 + C)/B2               C0 = k.(v_i - v_j), k from i to j
+///   C = e C0                      the speed with which they part
 ///   sticking, S0 < mu_f B1 J:     tangential impulse S0/B1
 ///   sliding:                      tangential impulse mu_f J
 ///
-/// along the sliding velocity of i's surface against j's, of size S0. Dissipated:
-/// C0^2 (1 - e^2)/(2 B2) by the normal impulse, S0^2/(2 B1) by sticking, P S0 - P^2 B1/2 by sliding
-/// with the tangential impulse P.
+/// along the sliding velocity of i's surface against j's, of size S0. Dissipated: (C0^2 - C^2)/(2
+/// B2) by the normal impulse, S0^2/(2 B1) by sticking, P S0 - P^2 B1/2 by sliding with the
+/// tangential impulse P.
 ///
-/// Where restitution would part the two with less than `least_speed` U [length/time], e C0 < U,
-/// they part with U: J = (C0 + U)/B2, which takes (C0^2 - U^2)/(2 B2).
+/// With least speeds G (given) and K (kept) the two part with
+///
+///   C = max(e C0, G, min(C0, K))
+///
+/// so that K makes a slow collision elastic. What friction dissipates in a collision that parts
+/// with less than K then speeds C up, to K at most: such a collision takes no energy as long as
+/// it has less.
 ///
 /// The caller ensures B2 > 0.
 ///
-/// Source: Hoomans et al., Chem. Eng. Sci. 51 (1996) 99, section 2.3.
+/// Source: Hoomans et al., Chem. Eng. Sci. 51 (1996) 99, section 2.3; the least speeds: derived
+/// here.
 inline Collision collide(const Vector3& k, const Partner& i, const Partner& j, double restitution,
-                         double friction, double least_speed = 0.0) {
+                         double friction, const LeastSpeeds& least = {}) {
   const double b2 = i.inverse_mass + j.inverse_mass;
   const Vector3 relative = i.velocity - j.velocity;
-  const double c0 = dot(k, relative);
+  const double c0 = dot(k, relative), slow = restitution * c0;
   Collision done;
   done.normal = (1.0 + restitution) * c0 / b2;
   done.dissipated = 0.5 * c0 * c0 * (1.0 - restitution * restitution) / b2;
-  if (restitution * c0 < least_speed) {
-    const double slow = restitution * c0;
-    done.normal = (c0 + least_speed) / b2;
-    done.dissipated = 0.5 * (c0 - least_speed) * (c0 + least_speed) / b2;
-    done.given_at_rest = 0.5 * (least_speed - slow) * (least_speed + slow) / b2;
-  }
+  const auto part_with = [&](double speed) {
+    done.normal = (c0 + speed) / b2;
+    done.dissipated = 0.5 * (c0 - speed) * (c0 + speed) / b2;
+    done.given_at_rest = 0.5 * (speed - slow) * (speed + slow) / b2;
+  };
+  const double parts = std::max({slow, least.given, std::min(c0, least.kept)});
+  if (parts > slow) part_with(parts);
   if (friction == 0.0 || done.normal <= 0.0) return done;
 
   const Vector3 sliding = relative - c0 * k + cross(i.radius * i.spin + j.radius * j.spin, k);
@@ -64,7 +81,10 @@ inline Collision collide(const Vector3& k, const Partner& i, const Partner& j, d
   const double limit = friction * done.normal;
   const double size = s0 < limit * b1 ? s0 / b1 : limit;
   done.tangential = (size / s0) * sliding;
-  done.dissipated += size * (s0 - 0.5 * size * b1);
+  const double by_friction = size * (s0 - 0.5 * size * b1);
+  if (parts < least.kept)
+    part_with(std::min(least.kept, std::sqrt(parts * parts + 2.0 * b2 * by_friction)));
+  done.dissipated += by_friction;
   return done;
 }
 

@@ -56,6 +56,18 @@ inline bool normal_speed_is_round_off(double b, double rr, double vv) {
   return b * b <= 1e-30 * rr * vv;
 }
 
+/// Time until |r + w t| has risen to the edge S of a well, [time], with c = r.r - S^2, rr = r.r. A
+/// pair that is on the edge or beyond it and in its well, by round-off, leaves now where it parts.
+/// Where it does not, or so slowly that an impulse changes no digit, it leaves as soon as it parts:
+/// else it would fly on along the edge and away from it.
+inline double time_to_leave(double b, double ww, double rr, double vv, double c) {
+  constexpr double above_round_off = 1.5e-15;
+  const double least = above_round_off * std::sqrt(rr * vv);
+  if (c < 0.0 || b > least) return time_to_rise(b, ww, c);
+  if (ww * rr <= least * least) return never;
+  return (std::max(std::sqrt(std::max(b * b - ww * c, 0.0)), least) - b) / ww;
+}
+
 /// Whether a pair may meet a surface within the time `left`: a test without roots, with b, ww, rr
 /// as above; no means no. What falls needs (r^2 - S^2)/(-2 b) at least, since it gets no faster;
 /// what is inside the edge then has not crossed it before. The surfaces may be off by 1e-7 of them.
@@ -81,8 +93,7 @@ inline Crossing next_crossing(const Vector3& r, const Vector3& w, double vv,
   if (fall < never && !normal_speed_is_round_off(b, rr, vv)) return {fall, Surface::core};
   if (!inside) return {};
   const double c = rr - surfaces.edge * surfaces.edge;
-  if (c >= 0.0 && normal_speed_is_round_off(b, rr, vv)) return {};
-  return {time_to_rise(b, ww, c), Surface::edge_outward};
+  return {time_to_leave(b, ww, rr, vv, c), Surface::edge_outward};
 }
 
 }  // namespace cohesion::hard_sphere

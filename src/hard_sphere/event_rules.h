@@ -9,25 +9,38 @@ namespace cohesion::hard_sphere {
 
 /// The rules of a run: those against inelastic collapse, and limits.
 ///
-/// The rule of rest: a collision that takes energy leaves with a speed along the line of centres of
-/// at least
+/// The rule of rest: a collision that takes energy parts its partners along the line of centres
+/// with a least speed. It is the larger one of two.
 ///
-///   u' = C a dt sqrt(n)           a dt: kick, the change of velocity by other forces in this step
+/// 1. Where other forces press particles together, in steps of the engine:
+///
+///   G = C a dt sqrt(n)            a dt: kick, the change of velocity by other forces in this step
 ///                                 n: collisions of the particle in this step before this one
 ///
-/// by the particle for which that is more. So what comes to rest goes on with an agitation that a
-/// step of its weight gives it anyway, and a contact that hands on the momentum F dt in a step has
-/// at most
+/// by the particle for which that is more, whatever energy it takes. So what comes to rest goes on
+/// with an agitation that a step of its weight gives it anyway, and a contact that hands on the
+/// momentum F dt in a step has at most
 ///
 ///   N = 1 + (3 F/(2 C m a))^(2/3)
 ///
 /// collisions in it, m the reduced mass: the k-th has an impulse of at least m C a dt sqrt(k - 1).
 ///
 /// The force F on a contact of a bed need not be that of the weight above it: a row of spheres that
-/// just fits between two walls is pressed flat with a force that has no bound. With a constant u' N
+/// just fits between two walls is pressed flat with a force that has no bound. With a constant G N
 /// grows as F; with one that grows as n what is shut in a narrow place is driven faster and faster
 /// within the step. As sqrt(n) speeds stay: in a place with the room s there are at most
 /// (C a dt^2/(2 s))^2 collisions.
+///
+/// 2. Where wells press particles together, whatever the step:
+///
+///   K = 1e-3 C sqrt(2 D/m)        D: depth of the well
+///
+/// as far as the collision has the energy: it never gives any. A cluster that turns presses on
+/// some of its cores, by captures at the edges of wells: three spheres that turn about an axis in
+/// their plane pull two of them together. The cores take energy, the edges give none back, and the
+/// speeds of all would tend to 0, the number of events to infinity, in a finite time. A collision
+/// whose energy along the line of centres is below 1e-6 C^2 D is elastic instead, and a cluster
+/// that turns with the speed v has some v/K events, per contact, in the time of a turn.
 struct EventRules {
   int collapse = 100;  ///< collisions of a particle in a step before the rest are elastic; 0: off
   double contact_time = 0.0;  ///< collisions sooner after a particle's last one are elastic, [time]
@@ -41,10 +54,18 @@ struct EventRules {
            time - course.last_collision < contact_time;
   }
 
-  /// The least speed with which the rule of rest lets a body leave, [length/time].
-  double rest_speed(double kick, const Course& course) const {
+  /// G of a body, [length/time].
+  double speed_of_kick(double kick, const Course& course) const {
     return rest * kick * std::sqrt(static_cast<double>(course.collisions));
   }
+  /// K in a well, [length/time]. inverse_mass: 1/m.
+  double speed_in_well(double depth, double inverse_mass) const {
+    return rest * part_of_fall * std::sqrt(2.0 * depth * inverse_mass);
+  }
+
+ private:
+  static constexpr double part_of_fall =
+      1e-3;  // K over the speed of a fall into the well, for C = 1
 };
 
 }  // namespace cohesion::hard_sphere

@@ -264,13 +264,15 @@ class EventSimulation : public Predictions {
     const double distance = norm(separation);
     const Vector3 k{separation.x / distance, separation.y / distance, separation.z / distance};
     const bool is_collision = predicted.surface == Surface::core;
-    const double rest = is_collision && !law.takes_nothing() ? rest_speed(i, j) : 0.0;
+    const LeastSpeeds least =
+        is_collision && !law.takes_nothing() ? least_speeds(i, j, law.depth) : LeastSpeeds{};
     const bool elastic = is_collision && (rules.make_elastic(course_i, time) ||
                                           (course_j && rules.make_elastic(*course_j, time)));
     if (elastic) law.restitution = 1.0, law.friction = 0.0;
     Impact now =
-        impact(predicted.surface, k, law, partner_of(bodies[i], flights[i]), partner, rest);
+        impact(predicted.surface, k, law, partner_of(bodies[i], flights[i]), partner, least);
     if (elastic && j < 0) keep_off_concave_wall(i, pair, k, now);
+    if (now.kind == Kind::capture && j >= 0) keep_within_edge(i, j, partner, k, distance, now);
 
     events.push_back(
         {when, i, j, image, elastic, pair.inside, distance, separation, flights[i].at(time), now});
@@ -298,16 +300,48 @@ class EventSimulation : public Predictions {
     now.normal = dot(k, now.on_j);
   }
 
+  /// Turns a capture so that it brings the pair back within the edge.
+  void keep_within_edge(int i, int j, const Partner& partner, const Vector3& k, double distance,
+                        Impact& now) const {
+    const double b = bodies[i].inverse_mass + partner.inverse_mass;
+    const Vector3 before = partner.velocity - flights[i].velocity, after = before + b * now.on_j;
+    const Vector3 turned = leaving_edge(after, k, distance, surfaces(i, j).edge);
+    if (same(turned, after)) return;
+    now.on_j = (1.0 / b) * (turned - before);
+    now.normal = dot(k, now.on_j);
+  }
+
   /// How long an elastic collision keeps a particle off a concave wall, [time].
   double time_off_wall() const {
     return std::max(rules.contact_time,
                     rules.collapse > 0 ? (end_ - start_) / rules.collapse : 0.0);
   }
 
-  /// The least speed with which a collision parts its partners, by the rule of rest, [length/time].
-  double rest_speed(int i, int j) const {
-    const double of_i = rules.rest_speed(bodies[i].kick, bodies[i].course);
-    return j < 0 ? of_i : std::max(of_i, rules.rest_speed(bodies[j].kick, bodies[j].course));
+  /// The least speeds with which a collision parts its partners, by the rule of rest. `depth`: of
+  /// the well between them, [energy].
+  LeastSpeeds least_speeds(int i, int j, double depth) const {
+    LeastSpeeds least;
+    least.given = rules.speed_of_kick(bodies[i].kick, bodies[i].course);
+    double inverse_mass = bodies[i].inverse_mass;
+    if (j >= 0) {
+      least.given = std::max(least.given, rules.speed_of_kick(bodies[j].kick, bodies[j].course));
+      inverse_mass += bodies[j].inverse_mass;
+    }
+    if (depth == 0.0) depth = shallowest_well(bodies[i], j < 0 ? bodies[i] : bodies[j]);
+    least.kept = rules.speed_in_well(depth, inverse_mass);
+    return least;
+  }
+
+  /// The least depth of the wells of two bodies with any others, [energy]; 0: they have none. By
+  /// these wells bodies that have none with each other can be pressed together.
+  double shallowest_well(const Body& a, const Body& b) const {
+    double depth = std::min(pairs.shallowest_well(a), pairs.shallowest_well(b));
+    for (const HardWall& wall : walls)
+      for (const Body* body : {&a, &b}) {
+        const double of_wall = wall.acts_on(*body) ? wall.law(*body).depth : 0.0;
+        if (of_wall > 0.0) depth = std::min(depth, of_wall);
+      }
+    return depth < never ? depth : 0.0;
   }
 
   void apply_impulse(int body, double side, const Impact& now, const EventKey& when,

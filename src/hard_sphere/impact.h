@@ -45,13 +45,13 @@ struct Impact {
 };
 
 /// Computes the impact at a surface; k is the unit vector from i to j (from the particle's centre
-/// to the wall), `least_speed` that of collide(). The laws and their sources: collision.h,
+/// to the wall), `least` the speeds of collide(). The laws and their sources: collision.h,
 /// square_well/impulses.h.
 inline Impact impact(Surface surface, const Vector3& k, const Law& law, const Partner& i,
-                     const Partner& j, double least_speed = 0.0) {
+                     const Partner& j, const LeastSpeeds& least = {}) {
   Impact now;
   if (surface == Surface::core) {
-    const Collision hit = collide(k, i, j, law.restitution, law.friction, least_speed);
+    const Collision hit = collide(k, i, j, law.restitution, law.friction, least);
     now.inside = law.depth > 0.0;
     now.normal = hit.normal;
     now.on_j = hit.normal * k + hit.tangential;

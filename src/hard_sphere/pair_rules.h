@@ -13,13 +13,16 @@ namespace cohesion::hard_sphere {
 /// What happens between bodies of each two kinds, and between which of them nothing does.
 class PairRules {
  public:
-  explicit PairRules(int kinds = 1) : kinds_(kinds), of_kinds_(kinds * kinds) {}
+  explicit PairRules(int kinds = 1)
+      : kinds_(kinds), of_kinds_(kinds * kinds), shallowest_(kinds, never) {}
 
   /// Sets what happens between kinds i and j; the ratios of the well are those of i and j.
   void set(int i, int j, const ContactParameters& given) {
     at(i, j) = {given, given.law(), true};
     at(j, i) = {given, given.law(), true};
     at(j, i).given.well = square_well::reversed(given.well);
+    if (given.well.depth == 0.0) return;
+    for (const int kind : {i, j}) shallowest_[kind] = std::min(shallowest_[kind], given.well.depth);
   }
   /// Kinds that pass through each other.
   void forbid(int i, int j) { at(i, j).meet = at(j, i).meet = false; }
@@ -34,6 +37,9 @@ class PairRules {
     if (rule.law.depth == 0.0) return {core, core};
     return {core, square_well::edge(rule.given.well, a.radius, b.radius)};
   }
+
+  /// The least depth of the wells that a body has with others, [energy]; `never`: it has none.
+  double shallowest_well(const Body& a) const { return shallowest_[a.kind]; }
 
   /// Whether two bodies can have an event with each other, and this process has to know of it.
   bool meet(const Body& a, const Body& b) const {
@@ -66,6 +72,7 @@ class PairRules {
 
   int kinds_;
   std::vector<OfKinds> of_kinds_;
+  std::vector<double> shallowest_;  // by kind
   std::vector<std::pair<int, int> > apart_;
 };
 
@@ -86,9 +93,8 @@ struct HardWall {
     const Rule& rule = of_kind[a.kind];
     return {a.radius, rule.law.depth > 0.0 ? rule.ratio * a.radius : a.radius};
   }
-  bool meets(const Body& a) const {
-    return (a.groups & groups) != 0 && a.inverse_mass > 0.0 && !a.remote;
-  }
+  bool acts_on(const Body& a) const { return (a.groups & groups) != 0; }
+  bool meets(const Body& a) const { return acts_on(a) && a.inverse_mass > 0.0 && !a.remote; }
 };
 
 }  // namespace cohesion::hard_sphere

@@ -103,7 +103,7 @@ TEST(Collision, WallIsAPartnerOfInfiniteMass) {
 
 TEST(Collision, LeavesWithTheLeastSpeedWhereRestitutionWouldLeaveLess) {
   const double least = 2.0 * dot(k, one.velocity - two.velocity), e = 0.6;
-  const Impact h = impact(Surface::core, k, {e, 0.0, 0.0}, one, two, least);
+  const Impact h = impact(Surface::core, k, {e, 0.0, 0.0}, one, two, {least, 0.0});
   const Partner i = after(one, h, -1.0), j = after(two, h, 1.0);
   EXPECT_NEAR(dot(k, j.velocity - i.velocity), least, round_off);
   EXPECT_NEAR(energy(i) + energy(j) - energy(one) - energy(two), h.energy_change, round_off);
@@ -111,9 +111,43 @@ TEST(Collision, LeavesWithTheLeastSpeedWhereRestitutionWouldLeaveLess) {
   const Impact without = hit(e, 0.0, one, two);
   EXPECT_NEAR(h.given_at_rest, h.energy_change - without.energy_change, round_off);
 
-  const Impact unchanged = impact(Surface::core, k, {e, 0.0, 0.0}, one, two, 0.29 * least);
+  const Impact unchanged = impact(Surface::core, k, {e, 0.0, 0.0}, one, two, {0.29 * least, 0.0});
   EXPECT_EQ(unchanged.normal, without.normal);
   EXPECT_EQ(unchanged.given_at_rest, 0.0);
+}
+
+// K: elastic below it, a speed of parting above it as far as restitution leaves less, and no change
+// above K/e. It never gives energy.
+TEST(Collision, KeepsTheLeastSpeedAsFarAsItHasTheEnergy) {
+  const double u = dot(k, one.velocity - two.velocity), e = 0.6;
+  for (const double kept : {0.5 * e * u, 0.8 * u, 3.0 * u}) {
+    const Impact h = impact(Surface::core, k, {e, 0.0, 0.0}, one, two, {0.0, kept});
+    const Partner i = after(one, h, -1.0), j = after(two, h, 1.0);
+    EXPECT_NEAR(dot(k, j.velocity - i.velocity), std::max(e * u, std::min(u, kept)), round_off);
+    EXPECT_NEAR(energy(i) + energy(j) - energy(one) - energy(two), h.energy_change, round_off);
+    EXPECT_LE(h.energy_change, 0.0);
+    EXPECT_NEAR(h.given_at_rest, h.energy_change - hit(e, 0.0, one, two).energy_change, round_off);
+  }
+}
+
+// Friction acts as it does in an elastic collision. What it takes speeds the parting up, to K.
+TEST(Collision, FrictionTakesNothingBelowTheLeastSpeedKept) {
+  const double u = dot(k, one.velocity - two.velocity);
+  for (const double friction : {0.05, 10.0}) {
+    const Impact elastic = hit(1.0, friction, one, two);
+    const double b = one.inverse_mass + two.inverse_mass;
+    const double most = std::sqrt(u * u - 2.0 * b * elastic.energy_change);
+    EXPECT_GT(most, u * (1.0 + 1e-3));
+    for (const double kept : {0.5 * (u + most), 2.0 * most}) {
+      const Impact h = impact(Surface::core, k, {0.6, friction, 0.0}, one, two, {0.0, kept});
+      const Partner i = after(one, h, -1.0), j = after(two, h, 1.0);
+      EXPECT_NEAR(dot(k, j.velocity - i.velocity), std::min(kept, most), round_off);
+      EXPECT_NEAR(norm(h.twist - elastic.twist), 0.0, round_off);
+      const double change = energy(i) + energy(j) - energy(one) - energy(two);
+      EXPECT_NEAR(change, h.energy_change, round_off);
+      EXPECT_NEAR(change, std::min(0.0, 0.5 * (kept - most) * (kept + most) / b), round_off);
+    }
+  }
 }
 
 TEST(Collision, LawRefusesWhatCannotBe) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hard_sphere/crossing.h"
+#include "hard_sphere/concave_wall.h"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +9,7 @@
 #include <cmath>
 #include <random>
 
+#include "hard_sphere/concave_wall.h"
 #include "hard_sphere/wall_crossing.h"
 
 namespace {
@@ -78,10 +80,31 @@ TEST(Crossing, RoundOffAtASurfaceNeitherRepeatsNorMissesIt) {
 }
 
 TEST(Crossing, GrazingChordInsideEndsAtTheClosestApproach) {
-  // Outside by round-off and tangential: the discriminant is negative, the pair leaves at once.
+  // Outside by round-off and tangential: the discriminant is negative. The pair leaves as soon as
+  // it parts by more than round-off, 2.25e-15 here.
   const Crossing out = next_crossing({1.5 + 2e-16, 0.0, 0.0}, {-1e-14, 1.0, 0.0}, well, true);
   EXPECT_EQ(out.surface, Surface::edge_outward);
-  EXPECT_NEAR(out.wait, 1.5e-14, 1e-15);
+  EXPECT_NEAR(out.wait, 1.5e-14 + 2.25e-15, 1e-16);
+  const Crossing along = next_crossing({1.5 + 2e-16, 0.0, 0.0}, {0.0, 1.0, 0.0}, well, true);
+  EXPECT_EQ(along.surface, Surface::edge_outward);
+  EXPECT_NEAR(along.wait, 2.25e-15, 1e-16);
+}
+
+// Reflected at the edge with less than it takes to come back within it, a pair would stay beyond it
+// on its chord, part on its other side, and so stray farther at every capture.
+TEST(Crossing, PairComesBackWithinTheEdge) {
+  for (const double beyond : {-1e-15, 0.0, 1e-15, 1e-9})
+    for (const double speed : {0.0, 1e-12, 1e-3}) {
+      const double distance = well.edge * (1.0 + beyond);
+      const Vector3 r{0.0, distance, 0.0}, w{0.8, -speed, 0.6};
+      const Vector3 turned = leaving_edge(w, {0.0, 1.0, 0.0}, distance, well.edge);
+      EXPECT_NEAR(norm(turned), norm(w), 1e-15);
+      // The nearest place of the chord.
+      EXPECT_LT(norm(cross(r, turned)) / norm(turned), well.edge);
+      if (speed > 1e-4 && beyond < 1e-8) {
+        EXPECT_EQ(norm(turned - w), 0.0);
+      }
+    }
 }
 
 // What an impulse cannot change any more is no event: the pair stands.

@@ -197,6 +197,21 @@ TEST(TimeWarp, PartsFindWhoHasLeftHomes) {
       }
 }
 
+// Spheres that are bound by narrow wells so deep that the rule of rest acts from the start.
+TEST(TimeWarp, PartsDoWhatOneDoesInABoundCluster) {
+  for (const int parts : {2, 3}) {
+    EventSimulation whole;
+    set_gas(whole, 3, 1.005, {0.5, 0.2, 1e4}, 1.01, 0.0);
+    Parts split(whole, parts, lifetime_of_homes);
+    std::size_t events = 0;
+    expect_the_same(whole, split, 10, 0.05, 4, events);
+    EXPECT_GT(events, 1000u);
+    EXPECT_GT(std::count_if(whole.events.begin(), whole.events.end(),
+                            [](const Event& event) { return event.impact.given_at_rest > 0.0; }),
+              0);
+  }
+}
+
 // A blow runs down a row of touching spheres in no time: events of one instant, one causing the
 // next, with tags that do not rise along the row.
 TEST(TimeWarp, PartsAgreeOnEventsOfOneInstant) {
