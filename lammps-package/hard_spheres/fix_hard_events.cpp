@@ -13,6 +13,7 @@
 #include "domain.h"
 #include "error.h"
 #include "force.h"
+#include "group.h"
 #include "memory.h"
 #include "modify.h"
 #include "neighbor.h"
@@ -197,6 +198,19 @@ void FixHardEvents::round_positions() {
     for (int k = 0; k < 3; k++) atom->x[i][k] = unit * std::nearbyint(atom->x[i][k] / unit);
 }
 
+static bool has_dynamic_groups(const Group* group) {
+  return std::any_of(group->dynamic, group->dynamic + group->ngroup,
+                     [](int dynamic) { return dynamic != 0; });
+}
+
+/// The bits of the groups that decide which particles have events with each other or with walls.
+static int groups_of_events(const std::vector<HardWall>& walls, const Neighbor* neighbor) {
+  int bits = 0;
+  for (const HardWall& wall : walls) bits |= wall.groups;
+  for (int n = 0; n < neighbor->nex_group; n++) bits |= neighbor->ex1_bit[n] | neighbor->ex2_bit[n];
+  return bits;
+}
+
 void FixHardEvents::pre_force(int) {
   const double dt = update->dt;
   const bool new_list = neighbor->ago == 0;
@@ -235,6 +249,19 @@ void FixHardEvents::pre_force(int) {
   store_events();
   store_flights();
   if (needs_ghosts_) check_list();
+  // A dynamic group can release a particle, or hold it, between two lists.
+  if (has_dynamic_groups(group)) {
+    const int groups = groups_of_events(simulation_.walls, neighbor);
+    int mine = 0, all = 0;
+    for (int i = 0; i < atom->nlocal && !mine; i++) {
+      const Body& before = simulation_.bodies[i];
+      Body now = matter_of(i);
+      if (((now.groups ^ before.groups) & groups) == 0) now.groups = before.groups;
+      mine = !same_matter(now, before);
+    }
+    MPI_Allreduce(&mine, &all, 1, MPI_INT, MPI_MAX, world);
+    if (all) next_reneighbor = update->ntimestep + 1;
+  }
   match_restart();
 }
 

@@ -39,16 +39,17 @@ inline Vector3 leaving_concave_wall(const Vector3& v, const Vector3& outwards, d
 
 /// The relative velocity with which a captured pair leaves the edge of its well, which is a concave
 /// wall for it: turned inwards as far as it takes to bring the pair back within the edge that it
-/// has come to, to round-off or beyond. On a slower chord it would stay beyond, and stray.
+/// has come to, to round-off or beyond, and to a speed of at least `least` [length/time] along the
+/// line of centres. On a slower chord it would stay beyond, and stray.
 ///
 /// w: after the capture [length/time]; outwards: unit vector from the body to its partner;
 /// distance, edge: of the centres, [length].
-inline Vector3 leaving_edge(const Vector3& w, const Vector3& outwards, double distance,
-                            double edge) {
+inline Vector3 leaving_edge(const Vector3& w, const Vector3& outwards, double distance, double edge,
+                            double least = 0.0) {
   constexpr double round_off = 1e-15;
   const double part = edge / distance;
   const double beyond = std::max((1.0 - part) * (1.0 + part), round_off);
-  return turned_inwards(w, outwards, norm(w) * std::sqrt(2.0 * beyond));
+  return turned_inwards(w, outwards, std::max(least, norm(w) * std::sqrt(2.0 * beyond)));
 }
 
 }  // namespace cohesion::hard_sphere

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "hard_sphere/bodies.h"
@@ -33,7 +34,7 @@ namespace cohesion::hard_sphere {
 ///
 /// 2. Where wells press particles together, whatever the step:
 ///
-///   K = 1e-3 C sqrt(2 D/m)        D: depth of the well
+///   K = 1e-3 C sqrt(2 D/m) sqrt(max(n, 1))        D: depth of the well
 ///
 /// as far as the collision has the energy: it never gives any. A cluster that turns presses on
 /// some of its cores, by captures at the edges of wells: three spheres that turn about an axis in
@@ -41,6 +42,11 @@ namespace cohesion::hard_sphere {
 /// speeds of all would tend to 0, the number of events to infinity, in a finite time. A collision
 /// whose energy along the line of centres is below 1e-6 C^2 D is elastic instead, and a cluster
 /// that turns with the speed v has some v/K events, per contact, in the time of a turn.
+///
+/// At the edge a capture brings the pair back within it by at least 1e-6 C^2 of the width of the
+/// well, or with K where that is less: the relative velocity is turned inwards. Its size is kept,
+/// and so are energy and momentum; a turn changes the angular momentum of the pair by the fraction
+/// 1e-6 C^2 of the width over the distance.
 struct EventRules {
   int collapse = 100;  ///< collisions of a particle in a step before the rest are elastic; 0: off
   double contact_time = 0.0;  ///< collisions sooner after a particle's last one are elastic, [time]
@@ -58,14 +64,20 @@ struct EventRules {
   double speed_of_kick(double kick, const Course& course) const {
     return rest * kick * std::sqrt(static_cast<double>(course.collisions));
   }
-  /// K in a well, [length/time]. inverse_mass: 1/m.
-  double speed_in_well(double depth, double inverse_mass) const {
-    return rest * part_of_fall * std::sqrt(2.0 * depth * inverse_mass);
+  /// K in a well, [length/time]. inverse_mass: 1/m; collisions: n.
+  double speed_in_well(double depth, double inverse_mass, int collisions) const {
+    const double n = std::max(collisions, 1);
+    return rest * part_of_fall * std::sqrt(2.0 * depth * inverse_mass * n);
+  }
+  /// The speed along the line of centres with which a chord of a pair of relative speed w goes back
+  /// within the edge by 1e-6 C^2 of the width of the well, [length/time].
+  double speed_at_edge(double w, const Surfaces& at) const {
+    return rest * part_of_width * w * std::sqrt(2.0 * (at.edge - at.core) / at.edge);
   }
 
  private:
-  static constexpr double part_of_fall =
-      1e-3;  // K over the speed of a fall into the well, for C = 1
+  static constexpr double part_of_width = 1e-3;  // root of the part of the width, for C = 1
+  static constexpr double part_of_fall = 1e-3;   // K over the speed of a fall, for C = n = 1
 };
 
 }  // namespace cohesion::hard_sphere

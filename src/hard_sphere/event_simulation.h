@@ -264,15 +264,15 @@ class EventSimulation : public Predictions {
     const double distance = norm(separation);
     const Vector3 k{separation.x / distance, separation.y / distance, separation.z / distance};
     const bool is_collision = predicted.surface == Surface::core;
-    const LeastSpeeds least =
-        is_collision && !law.takes_nothing() ? least_speeds(i, j, law.depth) : LeastSpeeds{};
+    const LeastSpeeds least = law.takes_nothing() ? LeastSpeeds{} : least_speeds(i, j, law.depth);
     const bool elastic = is_collision && (rules.make_elastic(course_i, time) ||
                                           (course_j && rules.make_elastic(*course_j, time)));
     if (elastic) law.restitution = 1.0, law.friction = 0.0;
     Impact now =
         impact(predicted.surface, k, law, partner_of(bodies[i], flights[i]), partner, least);
     if (elastic && j < 0) keep_off_concave_wall(i, pair, k, now);
-    if (now.kind == Kind::capture && j >= 0) keep_within_edge(i, j, partner, k, distance, now);
+    if (now.kind == Kind::capture && j >= 0)
+      keep_within_edge(i, j, partner, k, distance, least, now);
 
     events.push_back(
         {when, i, j, image, elastic, pair.inside, distance, separation, flights[i].at(time), now});
@@ -300,12 +300,14 @@ class EventSimulation : public Predictions {
     now.normal = dot(k, now.on_j);
   }
 
-  /// Turns a capture so that it brings the pair back within the edge.
+  /// Turns a capture so that it brings the pair back within the edge, and by the rule of rest.
   void keep_within_edge(int i, int j, const Partner& partner, const Vector3& k, double distance,
-                        Impact& now) const {
+                        const LeastSpeeds& least, Impact& now) const {
     const double b = bodies[i].inverse_mass + partner.inverse_mass;
     const Vector3 before = partner.velocity - flights[i].velocity, after = before + b * now.on_j;
-    const Vector3 turned = leaving_edge(after, k, distance, surfaces(i, j).edge);
+    const Surfaces at = surfaces(i, j);
+    const Vector3 turned = leaving_edge(after, k, distance, at.edge,
+                                        std::min(least.kept, rules.speed_at_edge(norm(after), at)));
     if (same(turned, after)) return;
     now.on_j = (1.0 / b) * (turned - before);
     now.normal = dot(k, now.on_j);
@@ -323,12 +325,14 @@ class EventSimulation : public Predictions {
     LeastSpeeds least;
     least.given = rules.speed_of_kick(bodies[i].kick, bodies[i].course);
     double inverse_mass = bodies[i].inverse_mass;
+    int collisions = bodies[i].course.collisions;
     if (j >= 0) {
       least.given = std::max(least.given, rules.speed_of_kick(bodies[j].kick, bodies[j].course));
       inverse_mass += bodies[j].inverse_mass;
+      collisions = std::max(collisions, bodies[j].course.collisions);
     }
     if (depth == 0.0) depth = shallowest_well(bodies[i], j < 0 ? bodies[i] : bodies[j]);
-    least.kept = rules.speed_in_well(depth, inverse_mass);
+    least.kept = rules.speed_in_well(depth, inverse_mass, collisions);
     return least;
   }
 

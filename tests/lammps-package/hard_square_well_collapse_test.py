@@ -9,6 +9,7 @@ import numpy
 from cohesion_tests import lammps as engine
 from cohesion_tests.lammps_scenes import hard_spheres as hard
 from cohesion_tests.lammps_scenes.hard_extremes import BOX, follow, refused
+from cohesion_tests.lammps_scenes.hard_gas import Gas
 from cohesion_tests.theory.event_driven_reference import Plane, Reference
 from cohesion_tests.thermo import thermo_columns
 
@@ -126,6 +127,66 @@ class Collapse(unittest.TestCase):
         self.assertIn("1000", output)
         self.assertRegex(output, r"\b(10|[1-9])\b.*\b(10|[1-9])\b")
         self.assertIn("step", output)
+
+
+class BoundClusters(unittest.TestCase):
+    """A cluster that turns presses on some of its cores. Without a least speed of collisions that takes no energy the
+    speeds within it tend to 0, and events have no end, at any step."""
+
+    def conserves(self, table, bonds=None):
+        """What events take is what motion loses; energy never grows. Sums of up to 1e6 changes of up to 1, with the
+        round-off of each, 1e-16 of it, by chance: 1e-13; a hundred times that."""
+        taken = sum(table[f"c_events[{n}]"] for n in (5, 6, 7, 8))
+        numpy.testing.assert_allclose(table["KinEng"] - taken, table["KinEng"][0], rtol=1e-11)
+        total = table["KinEng"] + table["PotEng"]
+        self.assertLess(numpy.diff(total).max(), 1e-11 * abs(total[0]))
+        self.assertGreater(table["c_events[35]"][-1], 0)
+        self.assertGreater(table["c_events[36]"][-1], 0)
+        if bonds:
+            numpy.testing.assert_array_equal(table["PotEng"], -bonds)
+
+    def test_triple(self):
+        """Three that stay bound; on two processes, between which it lies, the same numbers."""
+        places = ((4.4975, 4.70988148973221, 5), (5.5025, 4.70988148973221, 5), (5, 5.58023702053557, 5))
+        velocities = ((-0.0998230172743, 0.0852188751405, 0.368268397984),
+                      (0.193311832747, -0.242740743489, -0.0049150813103),
+                      (-0.0934888154727, 0.157521868348, -0.363353316674))
+        ends = []
+        for ranks in (1, 2):
+            path, _, table, _ = follow([hard.atom(*row) for row in zip(places, velocities)],
+                                       ["* * restitution 0.5 well 1 1.01"], 0.05, 2000, box=3 * [(0.0, 10.0)], style="",
+                                       skin=1.0, every=100, ranks=ranks)
+            self.conserves(table, 3.0)
+            ends.append(path[-1])
+        numpy.testing.assert_array_equal(*ends)
+
+    def test_cooling_gases(self):
+        """Each of these stops at the limit in its first 500 steps where nothing ends the cascades."""
+        for seed in (1, 2, 3):
+            with self.subTest(seed=seed), engine.temporary_folder() as folder:
+                gas = Gas(100, 0.03, seed=seed)
+                gas.write(folder)
+                path, table, _ = gas.run(folder, ["* * restitution 0.8 well 1 1.01"], 0.1, 500, style="", skin=1.0,
+                                         every=100)
+                self.conserves(table)
+                # The momentum is 0 at the start; a hundred roundings of it per event, by chance.
+                self.assertLess(abs(path[-1, :, 4:7].sum(axis=0)).max(), 1e-11)
+                self.assertLess(table["KinEng"][-1], 0.2 * table["KinEng"][0])
+
+    def test_clusters_between_walls_under_gravity(self):
+        """With friction, sizes that differ, and spin: the rule of rest by kicks and by wells together."""
+        gas = Gas(27, 0.3, radii=(0.4, 0.5), seed=5)
+        with engine.temporary_folder() as folder:
+            gas.write(folder, gas.spin())
+            high = f"{gas.length:.17g}"
+            _, table, _ = gas.run(folder, ["* * restitution 0.5 friction 0.3 well 1000 1.01"], 0.02, 1000, style="",
+                                  skin=1.0, boundary="p p f", every=100,
+                                  more=["fix down all gravity 0.5 vector 0 0 -1",
+                                        "fix ends all wall/hard/square_well restitution 0.5 friction 0.3 "
+                                        f"zplane 0 {high}"])
+            self.assertGreater(table["c_events[35]"][-1], 100)
+            self.assertLess(table["c_events[18]"][-1], 20000)
+            self.assertLess(table["KinEng"][-1], 0.2 * table["KinEng"][0])
 
 
 class Input(unittest.TestCase):

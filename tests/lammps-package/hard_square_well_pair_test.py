@@ -341,6 +341,22 @@ class Friction(unittest.TestCase):
         self.collide(2)
 
 
+class StandingInRange(unittest.TestCase):
+    """Pairs that stand within their wells without having flown there are bound, with -D, from when they can move."""
+
+    def test_released_by_a_dynamic_group(self):
+        """Nothing is between two held spheres; no list is made anew while nothing moves."""
+        for ranks in (1, 2):
+            with self.subTest(ranks=ranks), engine.temporary_folder() as folder:
+                engine.write_spheres(folder, [hard.atom((x, 10, 10), (0, 0, 0)) for x in (9.4, 10.6)],
+                                     3 * [(0.0, 20.0)], 1)
+                _, table, _ = hard.run(folder, ["* * restitution 1 well 0.7 1.5"], 0.01, 20, every=1, ranks=ranks,
+                                       before=["variable late atom step>9", "group moving dynamic all every 1 var late"],
+                                       group="moving")
+                numpy.testing.assert_array_equal(table["PotEng"][:9], 0.0)
+                numpy.testing.assert_array_equal(table["PotEng"][13:], -0.7)
+
+
 class MixedTypes(unittest.TestCase):
     """Edge between types that were given alone: ratio_i r_i + ratio_j r_j; depth: geometric mean."""
 

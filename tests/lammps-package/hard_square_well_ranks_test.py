@@ -75,6 +75,13 @@ class RanksAndRestart(unittest.TestCase):
     def test_bed_where_the_rule_of_rest_acts(self):
         self.assertGreater(self.bed("", 1e3)["c_events[35]"][-1], 100)
 
+    def test_clusters_bound_by_narrow_wells(self):
+        """Deep wells: the rule of rest acts from the first cluster on."""
+        gas = Gas(125, 0.1, 3, (0.4, 0.6), seed=3)
+        table = self.same(gas, ["* * restitution 0.5 friction 0.3 well 100 1.01"], 0.05, 100, (2,), 1e4,
+                          spin=gas.spin(), skin=2.0)
+        self.assertGreater(table["c_events[35]"][-1], 1e3)
+
     def test_bed_that_is_pressed_on_a_row_which_just_fits(self):
         """The floor's row fills the width to round-off when it lies flat: most of all collisions."""
         gas = RowThatJustFits(10, 4)

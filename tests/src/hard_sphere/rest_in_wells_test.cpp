@@ -138,10 +138,11 @@ auto tumbling(unsigned seed) {
 }
 
 void expect_kept(Cluster& cluster, const Vector3& momentum, const Vector3& turning) {
-  // To the round-off of K^2/2, 1e-6 of the depth.
-  EXPECT_LT(cluster.most_given, 1e-20);
+  // To the round-off of K^2/2, 1e-6 of the depth in the first collisions of a step.
+  EXPECT_LT(cluster.most_given, 1e-17);
   EXPECT_NEAR(norm(cluster.momentum() - momentum), 0.0, 1e-12);
-  EXPECT_NEAR(norm(cluster.angular_momentum() - turning), 0.0, 1e-10);
+  // Each turn of a capture changes it by 1e-6 of the width, 1e-2 at most here, of the momenta.
+  EXPECT_NEAR(norm(cluster.angular_momentum() - turning), 0.0, 1e-5);
 }
 
 // Without the rule the speeds of some tend to 0, and events have no end, however many of a step may
@@ -155,7 +156,7 @@ TEST(RestInWells, TumblingTriplesHaveAnEndOfEvents) {
         for (const bool with_rule : {true, false}) {
           Cluster three(triangle(ratio), tumbling(seed));
           const Vector3 momentum = three.momentum(), turning = three.angular_momentum();
-          three.simulation.rules.limit = 20000;
+          three.simulation.rules.limit = 5000;
           if (!with_rule) three.simulation.rules.rest = 0.0;
           three.start({e, 0.0, depth}, ratio);
           const bool ends = three.run(100, 1.0);
@@ -212,7 +213,7 @@ TEST(RestInWells, SphereWithoutAWellInACage) {
     for (const bool with_rule : {true, false}) {
       Cluster cage(thirteen(1.005), tumbling(seed));
       if (!with_rule) cage.simulation.rules.rest = 0.0;
-      cage.simulation.rules.limit = 20000;
+      cage.simulation.rules.limit = 5000;
       cage.simulation.bodies[0].kind = 1;
       cage.simulation.pairs = PairRules(2);
       cage.simulation.pairs.set(0, 0, contact({1.0, 0.0, depth}, 1.01));
