@@ -16,6 +16,8 @@
 #include "hamaker_keywords.h"
 #include "largest_radii.h"
 #include "law_from_script.h"
+#include "modify.h"
+#include "particles_at_walls.h"
 #include "sphere.h"
 #include "update.h"
 #include "words_of_law.h"
@@ -24,6 +26,7 @@ using namespace LAMMPS_NS;
 using namespace FixConst;
 
 namespace hamaker = cohesion::hamaker;
+using cohesion::event_stepping::Wall;
 
 static const char* const usage =
     "fix wall/hamaker takes 'hamaker A cutoff H_cut H_out' and at least one plane, 'xplane lo hi', "
@@ -35,7 +38,9 @@ FixWallHamaker::FixWallHamaker(LAMMPS* lammps, int narg, char** arg)
       given(hamaker::none),
       form(hamaker::forms.data()),
       law(form->law(given, false)),
+      history(lammps),
       watch(lammps),
+      gives_advice(false),
       summed(false) {
   read(narg, arg);
   std::fill_n(mine, 4, 0.0);
@@ -45,6 +50,18 @@ FixWallHamaker::FixWallHamaker(LAMMPS* lammps, int narg, char** arg)
   global_freq = 1;
   energy_global_flag = 1;
   virial_global_flag = virial_peratom_flag = 1;
+  restart_peratom = 1;
+  create_attribute = 1;
+  history.start(static_cast<int>(planes.size()), 1);
+  FixWallHamaker::grow_arrays(atom->nmax);
+  for (int i = 0; i < atom->nlocal; i++) FixWallHamaker::set_arrays(i);
+  atom->add_callback(Atom::GROW);
+  atom->add_callback(Atom::RESTART);
+}
+
+FixWallHamaker::~FixWallHamaker() {
+  atom->delete_callback(id, Atom::GROW);
+  atom->delete_callback(id, Atom::RESTART);
 }
 
 void FixWallHamaker::read(int narg, char** arg) {
@@ -95,19 +112,19 @@ void FixWallHamaker::read_planes(const std::string& word, char** positions) {
   const bool lower = strcmp(positions[0], "NULL") != 0, upper = strcmp(positions[1], "NULL") != 0;
   if (!lower && !upper)
     error->all(FLERR, "fix wall/hamaker: " + word + " NULL NULL is no wall; give a position");
-  if (lower) add_plane(dimension, 1, word, positions[0]);
-  if (upper) add_plane(dimension, -1, word, positions[1]);
+  if (lower) add_plane(dimension, 1.0, word, positions[0]);
+  if (upper) add_plane(dimension, -1.0, word, positions[1]);
   const auto count = planes.size();
   if (lower && upper && !(planes[count - 2].position < planes[count - 1].position))
     error->all(FLERR, "fix wall/hamaker: " + word + " " + positions[0] + " " + positions[1] +
                           ": the first position must be below the second");
 }
 
-void FixWallHamaker::add_plane(int dimension, int side, const std::string& word, char* text) {
+void FixWallHamaker::add_plane(int dimension, double side, const std::string& word, char* text) {
   const double position = utils::numeric(FLERR, text, false, lmp);
   if (!std::isfinite(position))
     error->all(FLERR, "fix wall/hamaker: " + word + " position " + text + " must be finite");
-  planes.push_back({dimension, side, position});
+  planes.push_back({static_cast<Wall::Shape>(dimension), side, position});
 }
 
 int FixWallHamaker::setmask() { return POST_FORCE | MIN_POST_FORCE; }
@@ -121,6 +138,19 @@ void FixWallHamaker::init() {
   for (int type = 1; type <= atom->ntypes; type++)
     require_far_below_radius(lmp, std::string("fix ") + id + " wall/hamaker", *form, given,
                              smallest[type], std::numeric_limits<double>::infinity());
+  gives_advice = this == all_of_style().front();
+  warn_of_particles_at_walls(
+      lmp, std::string("fix ") + id + " wall/hamaker",
+      {planes,
+       {},
+       groupbit,
+       cohesion::advice::overlap_for_warning,
+       "the spring of its contact throws it out"},
+      [this](int i, int w) { return *history.of(i, w) == WallHistory::NOT_KNOWN; });
+  // Between two runs a script may put particles behind a wall.
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int w = 0; w < static_cast<int>(planes.size()); w++)
+      *history.of(i, w) = std::min(*history.of(i, w), 0.0);
 }
 
 void FixWallHamaker::setup(int vflag) { post_force(vflag); }
@@ -129,16 +159,31 @@ void FixWallHamaker::min_post_force(int vflag) { post_force(vflag); }
 
 void FixWallHamaker::post_force(int vflag) {
   v_init(vflag);
-  if (update->whichflag == 1 && watch.due(update->setupflag)) give_advice();
+  if (gives_advice && update->whichflag == 1 && watch.due(update->setupflag)) give_advice();
   std::fill_n(mine, 4, 0.0);
   summed = false;
   std::visit([this](const auto& chosen) { attract(chosen); }, law);
 }
 
+/// All fixes of this style, in the order of the script.
+std::vector<FixWallHamaker*> FixWallHamaker::all_of_style() const {
+  std::vector<FixWallHamaker*> all;
+  for (int i = 0; i < modify->nfix; i++)
+    if (auto* one = dynamic_cast<FixWallHamaker*>(modify->fix[i])) all.push_back(one);
+  return all;
+}
+
+/// The first of these fixes prints what all of them report.
 void FixWallHamaker::give_advice() {
+  AdviceOfStyles advice;
+  for (FixWallHamaker* one : all_of_style()) one->add_advice(watch.now(), advice);
+  advice.print(lmp);
+}
+
+void FixWallHamaker::add_advice(const Circumstances& of_all, AdviceOfStyles& advice) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   const std::string where = std::string("fix ") + id + " wall/hamaker";
-  const Circumstances now = of_group(lmp, watch.now(), groupbit);
+  const Circumstances now = of_group(lmp, of_all, groupbit);
   const std::vector<LightestParticle>& lightest = now.lightest;
   std::vector<AdvisedContact> contacts;
   for (int type = 1; type <= atom->ntypes; type++) {
@@ -153,19 +198,26 @@ void FixWallHamaker::give_advice() {
     contacts.push_back(
         {fmt::format("{} - wall", type), lightest[type], {infinite, infinite}, {}, adhesion});
   }
-  advise_of_attraction(lmp, where, "use fix wall/gran/hamaker, which sees it at any step", contacts,
-                       now, given_advice);
+  advice.add(
+      style, id,
+      advice_of_attraction(lmp, where, "use fix wall/gran/hamaker, which sees it at any step",
+                           contacts, now, given_advice));
 }
 
 template <class Law>
 void FixWallHamaker::attract(const Law& chosen) {
-  for (const Plane& plane : planes) {
-    const int d = plane.dimension;
+  for (std::size_t w = 0; w < planes.size(); w++) {
+    const Wall& plane = planes[w];
+    const int d = plane.shape;
     for (int i = 0; i < atom->nlocal; i++) {
       if (!(atom->mask[i] & groupbit)) continue;
       const double distance = plane.side * (atom->x[i][d] - plane.position);
-      const double gap = distance - atom->radius[i];
-      if (gap >= chosen.outer_cutoff() || distance < 0.0) continue;
+      const double gap = distance - atom->radius[i], reach = chosen.outer_cutoff();
+      double& flag = *history.of(i, static_cast<int>(w));
+      if (WallHistory::keep_behind(flag, distance, atom->radius[i] + reach)) continue;
+      if (distance <= 0.0) stop_at_passage(i);
+      flag = gap < reach;
+      if (gap >= reach) continue;
       const cohesion::PairGeometry geometry = cohesion::sphere_and_plane(atom->radius[i]);
       const double pull = plane.side * chosen.force(gap, geometry);
       atom->f[i][d] -= pull;
@@ -174,6 +226,16 @@ void FixWallHamaker::attract(const Law& chosen) {
       if (evflag) v_tally(d, i, -pull * atom->x[i][d]);
     }
   }
+}
+
+/// The attraction has done work on the way to the wall, which behind it nothing takes back.
+void FixWallHamaker::stop_at_passage(int i) const {
+  const double* const x = atom->x[i];
+  error->one(FLERR,
+             "fix {} wall/hamaker: the centre of particle {} at ({} {} {}) went through a wall, "
+             "which only attracts: give the wall a contact, for instance by fix wall/gran with the "
+             "same planes",
+             id, atom->tag[i], x[0], x[1], x[2]);
 }
 
 void FixWallHamaker::sum() {

@@ -12,8 +12,10 @@ FixStyle(wall/hamaker,FixWallHamaker);
 #include <vector>
 
 #include "contact_advice.h"
+#include "event_stepping/wall.h"
 #include "fix.h"
 #include "hamaker/forms.h"
+#include "wall_history.h"
 
 namespace LAMMPS_NS {
 
@@ -23,6 +25,7 @@ namespace LAMMPS_NS {
 class FixWallHamaker : public Fix {
  public:
   FixWallHamaker(class LAMMPS*, int, char**);
+  ~FixWallHamaker() override;
 
   int setmask() override;
   void init() override;
@@ -33,26 +36,36 @@ class FixWallHamaker : public Fix {
   double compute_scalar() override;
   double compute_vector(int) override;
 
- private:
-  struct Plane {
-    int dimension;
-    int side;  // +1: particles are above the plane, -1: below
-    double position;
-  };
+  void grow_arrays(int nmax) override { history.grow(nmax); }
+  void copy_arrays(int i, int j, int) override { history.copy(i, j); }
+  void set_arrays(int i) override { history.begin(i); }
+  int pack_exchange(int i, double* buf) override { return history.pack(i, buf); }
+  int unpack_exchange(int i, double* buf) override { return history.unpack(i, buf); }
+  int pack_restart(int i, double* buf) override { return history.pack_restart(i, buf); }
+  void unpack_restart(int i, int nth) override { history.unpack_restart(i, atom->extra[i], nth); }
+  int maxsize_restart() override { return history.size_restart(); }
+  int size_restart(int) override { return history.size_restart(); }
+  double memory_usage() override { return history.bytes(); }
 
+ private:
   void read(int, char**);
   void read_planes(const std::string& word, char** positions);
-  void add_plane(int dimension, int side, const std::string& word, char* text);
+  void add_plane(int dimension, double side, const std::string& word, char* text);
   template <class Law>
   void attract(const Law&);
+  void stop_at_passage(int i) const;
+  std::vector<FixWallHamaker*> all_of_style() const;
   void give_advice();
+  void add_advice(const Circumstances&, AdviceOfStyles&);
   void sum();
 
   cohesion::hamaker::Parameters given;
   const cohesion::hamaker::Form* form;
   cohesion::hamaker::AnyLaw law;
-  std::vector<Plane> planes;
+  std::vector<cohesion::event_stepping::Wall> planes;
+  WallHistory history;  // of each particle and plane its flag alone
   ContactWatch watch;
+  bool gives_advice;  // for all fixes of this style
   cohesion::advice::GivenAdvice given_advice;
   double mine[4];  // energy, force on the walls
   double total[4];

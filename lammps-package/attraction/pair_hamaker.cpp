@@ -96,9 +96,13 @@ void PairHamaker::compute(int eflag, int vflag) {
 
 void PairHamaker::give_advice() {
   const std::string where = "pair_style hamaker";
-  advise_of_attraction(lmp, where, "use pair_style gran/hamaker, which sees it at any step",
-                       from_script(lmp, where, [this] { return advised_contacts(); }), watch.now(),
-                       given_advice);
+  const auto contacts = from_script(lmp, where, [this] { return advised_contacts(); });
+  AdviceOfStyles advice;
+  advice.add(
+      where, "",
+      advice_of_attraction(lmp, where, "use pair_style gran/hamaker, which sees it at any step",
+                           contacts, watch.now(), given_advice));
+  advice.print(lmp);
 }
 
 std::vector<AdvisedContact> PairHamaker::advised_contacts() const {

@@ -284,7 +284,9 @@ void FixEventStep::post_force(int) {
 /// its particles may be others.
 void FixEventStep::advise_if_due(bool setup) {
   if (advised.empty() || !watch.due(setup)) return;
-  for (AdvisedStyle* one : advised) one->give_advice(watch.now());
+  AdviceOfStyles advice;
+  for (AdvisedStyle* one : advised) one->give_advice(watch.now(), advice);
+  advice.print(lmp);
 }
 
 void FixEventStep::begin_step() {

@@ -157,7 +157,8 @@ void FixHardEvents::set_rules() {
 void FixHardEvents::warn_of_overlaps() const {
   double mine[2] = {0.0, 0.0}, all[2];  // number, deepest as a fraction of the distance
   simulation_.for_each_pair([&](int i, const Neighbour& n) {
-    if (!n.is_wall() && simulation_.bodies[n.body].tag < simulation_.bodies[i].tag &&
+    if (n.is_wall()) return;  // their fixes warn of these
+    if (simulation_.bodies[n.body].tag < simulation_.bodies[i].tag &&
         simulation_.bodies[n.body].remote)
       return;
     const double overlap =
@@ -169,12 +170,11 @@ void FixHardEvents::warn_of_overlaps() const {
   MPI_Allreduce(&mine[0], &all[0], 1, MPI_DOUBLE, MPI_SUM, world);
   MPI_Allreduce(&mine[1], &all[1], 1, MPI_DOUBLE, MPI_MAX, world);
   if (all[0] > 0.0 && comm->me == 0)
-    error->warning(
-        FLERR,
-        "pair_style hard/square_well: {} pairs of hard cores (or core and wall) overlap, "
-        "up to {} of the distance; they collide at once where they approach. Start from "
-        "particles that do not overlap",
-        static_cast<bigint>(all[0]), all[1]);
+    error->warning(FLERR,
+                   "pair_style hard/square_well: {} pairs of hard cores overlap, "
+                   "up to {} of the distance; they collide at once where they approach. Start from "
+                   "particles that do not overlap",
+                   static_cast<bigint>(all[0]), all[1]);
 }
 
 /// Does in the step of a restart file what a run does that continues from it: that begins with

@@ -10,7 +10,10 @@
 #include "largest_radii.h"
 #include "memory.h"
 #include "pair_hard_square_well.h"
+#include "particles_at_walls.h"
+#include "restart_format.h"
 #include "update.h"
+#include "wall_course_in_restart.h"
 #include "walls_from_script.h"
 
 using namespace LAMMPS_NS;
@@ -18,14 +21,15 @@ using namespace cohesion::hard_sphere;
 
 // A plane attracts twice as strongly as a sphere.
 static constexpr double PLANE_OVER_SPHERE = 2.0;
+// Overlap that is warned of, over the diameter: above what a data file's decimals leave.
+static constexpr double OVERLAP = 5e-7;
 
 FixWallHardSquareWell::FixWallHardSquareWell(LAMMPS* lammps, int narg, char** arg)
     : Fix(lammps, narg, arg),
       where_(std::string("fix ") + arg[0] + " wall/hard/square_well"),
-      time_origin_(update->ntimestep) {
+      warned_(false) {
   read(narg, arg);
   restart_global = 1;
-  time_depend = !motion_.still();
 }
 
 void FixWallHardSquareWell::read(int narg, char** arg) {
@@ -51,9 +55,12 @@ void FixWallHardSquareWell::read(int narg, char** arg) {
   require_valid(lmp, where_, contact_, given);
   walls_ = from_words.walls;
   motion_ = from_words.motion;
+  course_ = cohesion::event_stepping::WallCourse(motion_);
 }
 
-int FixWallHardSquareWell::setmask() { return 0; }
+int FixWallHardSquareWell::setmask() { return motion_.still() ? 0 : FixConst::INITIAL_INTEGRATE; }
+
+void FixWallHardSquareWell::initial_integrate(int) { course_.begin_step(update->dt); }
 
 void FixWallHardSquareWell::init() {
   if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag || !atom->torque_flag)
@@ -71,12 +78,15 @@ void FixWallHardSquareWell::init() {
                        "of type {}",
                    wall.position, ratio(type) * largest[type], type);
   }
+  const WallsAtStart start{walls_, course_.over({update->dt, 0.0}), groupbit, OVERLAP,
+                           "it collides with the wall at once where it approaches it"};
+  warned_ =
+      warned_ || warn_of_particles_at_walls(lmp, where_, start, [](int, int) { return true; });
 }
 
 HardWall FixWallHardSquareWell::wall(int w, double when) const {
-  const double time = static_cast<double>(update->ntimestep - time_origin_) * update->dt;
   HardWall wall;
-  wall.moving = {walls_[w], motion_.over(time, {update->dt, 0.0}), motion_.rim_speed, when};
+  wall.moving = {walls_[w], course_.over({update->dt, 0.0}), motion_.rim_speed, when};
   wall.groups = groupbit;
   wall.moves = !motion_.still();
   wall.of_kind.resize(atom->ntypes + 1);
@@ -102,19 +112,22 @@ Law FixWallHardSquareWell::law_of_type(int type) const {
 
 /* ---------------------------------------------------------------------- */
 
-/// Time origin of the motion, and how many walls there were.
+// Numbers of a restart file: its layout, how many walls there were, and their course.
+static constexpr int LAYOUT = 1, COURSE = 2;
+
 void FixWallHardSquareWell::write_restart(FILE* fp) {
   if (comm->me != 0) return;
-  const double values[] = {static_cast<double>(time_origin_), static_cast<double>(walls_.size())};
-  const int bytes = sizeof(values);
+  std::vector<double> values{RESTART_MARK + LAYOUT, static_cast<double>(walls_.size())};
+  append_course(values, course_, walls_);
+  const int bytes = static_cast<int>(values.size() * sizeof(double));
   fwrite(&bytes, sizeof(int), 1, fp);
-  fwrite(values, sizeof(double), 2, fp);
+  fwrite(values.data(), sizeof(double), values.size(), fp);
 }
 
 void FixWallHardSquareWell::restart(char* buf) {
-  double values[2];
-  memcpy(values, buf, sizeof(values));
+  const auto* values = reinterpret_cast<const double*>(buf);
+  require_layout(lmp, values[0], where_, LAYOUT);
   if (values[1] != static_cast<double>(walls_.size()))
     error->all(FLERR, where_ + ": other walls than in the restart file; give the fix another ID");
-  time_origin_ = static_cast<bigint>(values[0]);
+  course_ = continued_course(lmp, where_, course_, walls_, values + COURSE);
 }

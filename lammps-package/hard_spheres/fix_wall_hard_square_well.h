@@ -26,6 +26,7 @@ class FixWallHardSquareWell : public Fix, public HardWalls {
 
   int setmask() override;
   void init() override;
+  void initial_integrate(int) override;
 
   int number_of_walls() const override { return static_cast<int>(walls_.size()); }
   cohesion::hard_sphere::HardWall wall(int w, double when) const override;
@@ -43,7 +44,8 @@ class FixWallHardSquareWell : public Fix, public HardWalls {
   HardContact contact_;
   std::vector<cohesion::event_stepping::Wall> walls_;
   cohesion::event_stepping::WallMotion motion_;
-  bigint time_origin_;
+  cohesion::event_stepping::WallCourse course_;
+  bool warned_;  // of particles that stand where they should not
 };
 
 }  // namespace LAMMPS_NS

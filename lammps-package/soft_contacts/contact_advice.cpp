@@ -143,30 +143,62 @@ AdvisedContact LAMMPS_NS::advised_contact(const std::string& name, const Lightes
   return c;
 }
 
-static void print(LAMMPS* lmp, const advice::Report& report) {
-  if (lmp->comm->me == 0) {
-    utils::logmesg(lmp, report.table);
-    for (const advice::Warning& warning : report.warnings) lmp->error->warning(FLERR, warning.text);
+std::string AdviceOfStyles::Entry::name() const {
+  if (ids.empty()) return style;
+  return (several ? "fixes " : "fix ") + ids + " " + style;
+}
+
+static bool same(const advice::Report& a, const advice::Report& b) {
+  const auto texts = [](const advice::Warning& x, const advice::Warning& y) {
+    return x.text == y.text;
+  };
+  return a.table == b.table && a.stop == b.stop &&
+         std::equal(a.warnings.begin(), a.warnings.end(), b.warnings.begin(), b.warnings.end(),
+                    texts);
+}
+
+void AdviceOfStyles::add(const std::string& style, const std::string& fix_id,
+                         const advice::Report& report) {
+  for (Entry& entry : entries_)
+    if (!fix_id.empty() && entry.style == style && same(entry.report, report)) {
+      entry.ids += ", " + fix_id;
+      entry.several = true;
+      return;
+    }
+  entries_.push_back({style, fix_id, false, report});
+}
+
+void AdviceOfStyles::print(LAMMPS* lmp) const {
+  for (const Entry& entry : entries_) {
+    const advice::Report& report = entry.report;
+    if (lmp->comm->me == 0) {
+      if (!report.table.empty()) utils::logmesg(lmp, entry.name() + report.table);
+      for (const advice::Warning& warning : report.warnings)
+        lmp->error->warning(FLERR, entry.name() + warning.text);
+    }
+    if (!report.stop.empty()) lmp->error->all(FLERR, entry.name() + report.stop);
   }
-  if (!report.stop.empty()) lmp->error->all(FLERR, report.stop);
 }
 
-void LAMMPS_NS::advise(LAMMPS* lmp, const std::string& style, const advice::SchemeLimits& limits,
-                       const std::vector<AdvisedContact>& contacts, const Circumstances& now,
-                       advice::GivenAdvice& given_advice) {
-  print(lmp, from_script(lmp, style, [&] {
-          return given_advice.only_new(advice::report(style, limits, contacts, now.run), contacts,
-                                       now);
-        }));
+advice::Report LAMMPS_NS::advice_of_contacts(LAMMPS* lmp, const std::string& where,
+                                             const advice::SchemeLimits& limits,
+                                             const std::vector<AdvisedContact>& contacts,
+                                             const Circumstances& now,
+                                             advice::GivenAdvice& given_advice) {
+  return from_script(lmp, where, [&] {
+    return given_advice.only_new(advice::report("", limits, contacts, now.run), contacts, now);
+  });
 }
 
-void LAMMPS_NS::advise_of_attraction(LAMMPS* lmp, const std::string& style, std::string_view remedy,
-                                     const std::vector<AdvisedContact>& contacts,
-                                     const Circumstances& now, advice::GivenAdvice& given_advice) {
+advice::Report LAMMPS_NS::advice_of_attraction(LAMMPS* lmp, const std::string& where,
+                                               std::string_view remedy,
+                                               const std::vector<AdvisedContact>& contacts,
+                                               const Circumstances& now,
+                                               advice::GivenAdvice& given_advice) {
   advice::SchemeLimits limits = advice::sampled_scheme;
   limits.remedy = remedy;
-  print(lmp, from_script(lmp, style, [&] {
-          return given_advice.only_new(advice::attraction_report(style, limits, contacts, now.run),
-                                       contacts, now);
-        }));
+  return from_script(lmp, where, [&] {
+    return given_advice.only_new(advice::attraction_report("", limits, contacts, now.run), contacts,
+                                 now);
+  });
 }

@@ -17,11 +17,34 @@ using cohesion::advice::AdvisedContact;
 using cohesion::advice::Circumstances;
 using cohesion::advice::LightestParticle;
 
-/// A style that has something to say of its contacts before the first step of a run, and when what
-/// it said may no longer hold.
+/// What styles report of their contacts before the first step of a run, in the order of the styles.
+/// Fixes of one style that report the same report it once, with their IDs.
+class AdviceOfStyles {
+ public:
+  /// `report` without the name of the style in front. `fix_id`: empty for a pair style.
+  void add(const std::string& style, const std::string& fix_id,
+           const cohesion::advice::Report& report);
+  /// Prints tables and warnings; stops LAMMPS behind those of the first style whose run must not
+  /// begin.
+  void print(LAMMPS*) const;
+
+ private:
+  struct Entry {
+    std::string style, ids;
+    bool several;
+    cohesion::advice::Report report;
+
+    std::string name() const;
+  };
+
+  std::vector<Entry> entries_;
+};
+
+/// A style that judges its contacts before the first step of a run, and when that may no longer
+/// hold.
 class AdvisedStyle {
  public:
-  virtual void give_advice(const Circumstances&) = 0;
+  virtual void give_advice(const Circumstances&, AdviceOfStyles&) = 0;
 
  protected:
   ~AdvisedStyle() = default;
@@ -58,18 +81,23 @@ AdvisedContact advised_contact(const std::string& name, const LightestParticle& 
                                const cohesion::contact::ContactParameters&,
                                const cohesion::contact::Adhesion&);
 
-/// Prints the table of numbers that decide whether the run can be right, warns where one says that
-/// it will not be, and stops LAMMPS where one says that it must blow up (advice/contact_report.h);
-/// of what `given_advice` holds it says only what is new.
-void advise(LAMMPS*, const std::string& style, const cohesion::advice::SchemeLimits&,
-            const std::vector<AdvisedContact>&, const Circumstances&,
-            cohesion::advice::GivenAdvice& given_advice);
+/// The table of numbers that decide whether the run can be right, a warning where one says that it
+/// will not be, and why it must not begin where one says that it must blow up
+/// (advice/contact_report.h); of what `given_advice` holds only what is new. Without the name of
+/// the style in front, which is `where` in errors.
+cohesion::advice::Report advice_of_contacts(LAMMPS*, const std::string& where,
+                                            const cohesion::advice::SchemeLimits&,
+                                            const std::vector<AdvisedContact>&,
+                                            const Circumstances&,
+                                            cohesion::advice::GivenAdvice& given_advice);
 
 /// The same of an attraction alone, laid over the contacts of another style. `remedy`: what else
 /// than a smaller step helps.
-void advise_of_attraction(LAMMPS*, const std::string& style, std::string_view remedy,
-                          const std::vector<AdvisedContact>&, const Circumstances&,
-                          cohesion::advice::GivenAdvice& given_advice);
+cohesion::advice::Report advice_of_attraction(LAMMPS*, const std::string& where,
+                                              std::string_view remedy,
+                                              const std::vector<AdvisedContact>&,
+                                              const Circumstances&,
+                                              cohesion::advice::GivenAdvice& given_advice);
 
 }  // namespace LAMMPS_NS
 

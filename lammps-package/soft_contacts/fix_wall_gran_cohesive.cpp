@@ -14,6 +14,7 @@
 #include "flight_report.h"
 #include "largest_radii.h"
 #include "neighbor.h"
+#include "particles_at_walls.h"
 #include "update.h"
 #include "walls_from_script.h"
 
@@ -21,16 +22,12 @@ using namespace LAMMPS_NS;
 using namespace cohesion::event_stepping;
 using cohesion::Vector3;
 
-// Numbers of a restart file in front of the forces: time origin, walls, numbers of history each.
-static constexpr int HEAD = 3;
-
 template <class Cohesion>
 FixWallGranCohesive<Cohesion>::FixWallGranCohesive(LAMMPS* lammps, int narg, char** arg)
     : Fix(lammps, narg, arg),
       where(std::string("fix ") + arg[0] + " wall/" + Cohesion::STYLE),
       scheme(Scheme::event),
       law(attraction.no_law()),
-      time_origin(update->ntimestep),
       per_wall(HistorySize::normal_only),
       history(lammps),
       sizes(),
@@ -50,7 +47,6 @@ FixWallGranCohesive<Cohesion>::FixWallGranCohesive(LAMMPS* lammps, int narg, cha
   global_freq = 1;
   restart_peratom = restart_global = 1;
   create_attribute = 1;
-  time_depend = !motion.still();
   FixWallGranCohesive<Cohesion>::grow_arrays(atom->nmax);
   for (int i = 0; i < atom->nlocal; i++) FixWallGranCohesive<Cohesion>::set_arrays(i);
   atom->add_callback(Atom::GROW);
@@ -102,6 +98,7 @@ void FixWallGranCohesive<Cohesion>::read(int narg, char** arg) {
   from_words.finish();
   walls = from_words.walls;
   motion = from_words.motion;
+  course = WallCourse(motion);
   parameters = cohesive_contact_from_script<Cohesion>(
       lmp, where, 0, static_cast<int>(contact_words.size()), contact_words.data());
   if (parameters.contact.rolling_friction > 0.0 && motion.rim_speed != 0.0)
@@ -116,7 +113,12 @@ void FixWallGranCohesive<Cohesion>::read(int narg, char** arg) {
 
 template <class Cohesion>
 int FixWallGranCohesive<Cohesion>::setmask() {
-  return FixConst::POST_FORCE;
+  return FixConst::POST_FORCE | (motion.still() ? 0 : FixConst::INITIAL_INTEGRATE);
+}
+
+template <class Cohesion>
+void FixWallGranCohesive<Cohesion>::initial_integrate(int) {
+  course.begin_step(update->dt);
 }
 
 template <class Cohesion>
@@ -130,6 +132,12 @@ void FixWallGranCohesive<Cohesion>::init() {
     attraction.require_short(lmp, where, given_parameters, smallest[type],
                              std::numeric_limits<double>::infinity());
   sizes = {};  // not known: particles may have come since the last run
+  const StepWindow next{0.0, 0.5 * update->dt};
+  // Where the spring is meant for less, particles have been put there.
+  warn_of_particles_at_walls(lmp, where,
+                             {walls, course.over(next), groupbit,
+                              cohesion::advice::overlap_for_warning, "the spring throws it out"},
+                             [this](int i, int w) { return history.is_new(i, w); });
 }
 
 template <class Cohesion>
@@ -145,11 +153,10 @@ void FixWallGranCohesive<Cohesion>::post_force(int) {
 }
 
 template <class Cohesion>
-void FixWallGranCohesive<Cohesion>::give_advice(const Circumstances& of_all) {
+void FixWallGranCohesive<Cohesion>::give_advice(const Circumstances& of_all, AdviceOfStyles& all) {
   const Circumstances now = of_group(lmp, of_all, groupbit);
-  advise(lmp, where, limits_of(scheme),
-         from_script(lmp, where, [&] { return advised_contacts(now.lightest); }), now,
-         given_advice);
+  const auto advised = from_script(lmp, where, [&] { return advised_contacts(now.lightest); });
+  all.add(style, id, advice_of_contacts(lmp, where, limits_of(scheme), advised, now, given_advice));
 }
 
 template <class Cohesion>
@@ -169,8 +176,8 @@ std::vector<AdvisedContact> FixWallGranCohesive<Cohesion>::advised_contacts(
 }
 
 template <class Cohesion>
-void FixWallGranCohesive<Cohesion>::check_flight(int i, const WallPoint& point, bool inside) {
-  if (point.distance <= 0.0 && inside)
+void FixWallGranCohesive<Cohesion>::check_flight(int i, const WallPoint& point) {
+  if (point.distance <= 0.0)
     error->one(FLERR, where + ": the centre of particle " + std::to_string(atom->tag[i]) +
                           " went through the wall; use a larger stiffness");
   const double flight = update->dt * norm(vector(atom->v[i]) - point.velocity);
@@ -241,16 +248,17 @@ void FixWallGranCohesive<Cohesion>::for_each_near(std::vector<Contact>& shared, 
     for (int w = 0; w < static_cast<int>(walls.size()); w++) {
       double& phase = *history.of(i, w);
       const WallPoint point = walls[w].nearest(centre, now, motion.rim_speed);
+      const double clear = atom->radius[i] + range_at_start(range);
+      if (WallHistory::keep_behind(phase, point.distance, clear)) continue;
       // A particle that the wall meets for the first time is where it is; it did not fall into the
       // range.
       if (phase < 0.0 || (step->starts() && phase == 0.0)) {
         phase = 0.0;
-        if (point.distance > 0.0 && point.distance < atom->radius[i] + range_at_start(range))
-          ContactMemory::seen_inside().to(&phase, per_wall);
+        if (point.distance < clear) ContactMemory::seen_inside().to(&phase, per_wall);
       }
       // No particle is faster than the step's fastest.
-      if (phase != 0.0 || flight > atom->radius[i]) check_flight(i, point, phase != 0.0);
-      if (point.distance <= 0.0 || point.distance > 2.0 * atom->radius[i] + range) continue;
+      if (phase != 0.0 || flight > atom->radius[i]) check_flight(i, point);
+      if (point.distance > 2.0 * atom->radius[i] + range) continue;
       if (step->body(i).inverse_mass == 0.0) continue;
       what(i, w, contact(shared, i), point, &phase);
     }
@@ -391,31 +399,6 @@ double FixWallGranCohesive<Cohesion>::compute_array(int wall, int which) {
 template <class Cohesion>
 double FixWallGranCohesive<Cohesion>::compute_vector(int which) {
   return forces.sum(world, which);
-}
-
-/* ---------------------------------------------------------------------- */
-
-/// Time origin of the motion, and the force on the walls, which a run that continues another does
-/// not work out again.
-template <class Cohesion>
-void FixWallGranCohesive<Cohesion>::write_restart(FILE* fp) {
-  forces.write_restart(fp, world,
-                       {static_cast<double>(time_origin), static_cast<double>(walls.size()),
-                        static_cast<double>(per_wall)});
-}
-
-template <class Cohesion>
-void FixWallGranCohesive<Cohesion>::restart(char* buf) {
-  const auto* values = reinterpret_cast<double*>(buf);
-  time_origin = static_cast<bigint>(values[0]);
-  if (values[1] != static_cast<double>(walls.size()) || values[2] != per_wall)
-    error->all(FLERR,
-               where +
-                   ": other walls than in the restart file, or friction or rolling "
-                   "friction in one of them only: {} walls with {} numbers of history each "
-                   "there, {} with {} here; give the fix another ID",
-               static_cast<int>(values[1]), static_cast<int>(values[2]), walls.size(), per_wall);
-  if (comm->me == 0) forces.put_back(values + HEAD);
 }
 
 #define COHESION_INSTANTIATE(style, Law) template class LAMMPS_NS::FixWallGranCohesive<Law>;

@@ -32,6 +32,7 @@ class FixWallGranCohesive : public Fix, public SoftWallStyle, public AdvisedStyl
   void post_constructor() override;
   int setmask() override;
   void init() override;
+  void initial_integrate(int) override;
   void setup(int) override;
   void post_force(int) override;
   bool is_event_scheme() const override { return scheme == Scheme::event; }
@@ -44,7 +45,7 @@ class FixWallGranCohesive : public Fix, public SoftWallStyle, public AdvisedStyl
   void couple_lasting() override;
   void predict() override;
   void continue_run() override;
-  void give_advice(const Circumstances&) override;
+  void give_advice(const Circumstances&, AdviceOfStyles&) override;
   void reset_in_range() override;
   bool has_friction(int) const override { return per_wall > HistorySize::normal_only; }
 
@@ -86,7 +87,7 @@ class FixWallGranCohesive : public Fix, public SoftWallStyle, public AdvisedStyl
   static double range_at_start(double range) { return Cohesion::FORMS_AT_TOUCH ? 0.0 : range; }
   template <class Contact>
   int contact(std::vector<Contact>&, int i);
-  void check_flight(int i, const cohesion::event_stepping::WallPoint&, bool inside);
+  void check_flight(int i, const cohesion::event_stepping::WallPoint&);
   cohesion::event_stepping::WallState state() const;
   double wall_travel(const cohesion::event_stepping::WallState&) const;
   void update_sizes();
@@ -145,7 +146,7 @@ class FixWallGranCohesive : public Fix, public SoftWallStyle, public AdvisedStyl
   typename Cohesion::Law law;
   std::vector<Wall> walls;
   cohesion::event_stepping::WallMotion motion;
-  bigint time_origin;
+  cohesion::event_stepping::WallCourse course;
 
   int per_wall;  // values of history (HistorySize)
   WallHistory history;
@@ -179,9 +180,8 @@ inline int FixWallGranCohesive<Cohesion>::contact(std::vector<Contact>& shared, 
 
 template <class Cohesion>
 cohesion::event_stepping::WallState FixWallGranCohesive<Cohesion>::state() const {
-  const double time = static_cast<double>(update->ntimestep - time_origin) * update->dt;
   const double half = 0.5 * update->dt;
-  return motion.over(time, {step->starts() ? 0.0 : half, half});
+  return course.over({step->starts() ? 0.0 : half, half});
 }
 
 template <class Cohesion>

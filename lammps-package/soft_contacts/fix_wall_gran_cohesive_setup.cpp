@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-only
-// The part of FixWallGranCohesive that knows contacts at set-up of a run.
+// The part of FixWallGranCohesive that knows contacts at set-up of a run, and restart files.
+#include <algorithm>
+
 #include "atom.h"
 #include "cohesion_laws.h"
+#include "comm.h"
+#include "error.h"
 #include "fix_wall_gran_cohesive.h"
+#include "restart_format.h"
+#include "wall_course_in_restart.h"
 
 using namespace LAMMPS_NS;
 using namespace cohesion::event_stepping;
@@ -15,6 +21,7 @@ void FixWallGranCohesive<Cohesion>::reset_in_range() {
     const double range = Cohesion::range(scheme, parameters, atom->radius[i], 0.0);
     for (int w = 0; w < static_cast<int>(walls.size()); w++) {
       double* const values = history.of(i, w);
+      if (values[0] < 0.0) continue;  // where it is decides when the wall meets it
       const WallPoint point = walls[w].nearest(vector(atom->x[i]), now, motion.rim_speed);
       const auto known = ContactMemory::from(values, per_wall);
       const double reach = atom->radius[i] + (known.in_range() ? range : range_at_start(range));
@@ -43,7 +50,38 @@ void FixWallGranCohesive<Cohesion>::continue_run() {
   });
 }
 
-#define COHESION_INSTANTIATE(style, Law)                    \
-  template void FixWallGranCohesive<Law>::reset_in_range(); \
-  template void FixWallGranCohesive<Law>::continue_run();
+/* ---------------------------------------------------------------------- */
+
+// Numbers of a restart file: its layout, walls, numbers of history each, the course of the walls,
+// and the force on them, which a run that continues another does not compute again.
+static constexpr int LAYOUT = 1, COURSE = 3;
+
+template <class Cohesion>
+void FixWallGranCohesive<Cohesion>::write_restart(FILE* fp) {
+  std::vector<double> head{RESTART_MARK + LAYOUT, static_cast<double>(walls.size()),
+                           static_cast<double>(per_wall)};
+  append_course(head, course, walls);
+  forces.write_restart(fp, world, std::move(head));
+}
+
+template <class Cohesion>
+void FixWallGranCohesive<Cohesion>::restart(char* buf) {
+  const auto* values = reinterpret_cast<double*>(buf);
+  require_layout(lmp, values[0], where, LAYOUT);
+  if (values[1] != static_cast<double>(walls.size()) || values[2] != per_wall)
+    error->all(FLERR,
+               where +
+                   ": other walls than in the restart file, or friction or rolling "
+                   "friction in one of them only: {} walls with {} numbers of history each "
+                   "there, {} with {} here; give the fix another ID",
+               static_cast<int>(values[1]), static_cast<int>(values[2]), walls.size(), per_wall);
+  course = continued_course(lmp, where, course, walls, values + COURSE);
+  if (comm->me == 0) forces.put_back(values + COURSE + size_of_course(walls));
+}
+
+#define COHESION_INSTANTIATE(style, Law)                        \
+  template void FixWallGranCohesive<Law>::reset_in_range();     \
+  template void FixWallGranCohesive<Law>::continue_run();       \
+  template void FixWallGranCohesive<Law>::write_restart(FILE*); \
+  template void FixWallGranCohesive<Law>::restart(char*);
 COHESION_CONTACT_LAWS(COHESION_INSTANTIATE)

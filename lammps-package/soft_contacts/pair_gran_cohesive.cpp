@@ -138,12 +138,13 @@ double PairGranCohesive<Cohesion>::init_one(int i, int j) {
 }
 
 template <class Cohesion>
-void PairGranCohesive<Cohesion>::give_advice(const Circumstances& now) {
+void PairGranCohesive<Cohesion>::give_advice(const Circumstances& now, AdviceOfStyles& all) {
   if (!Cohesion::HAS_CONTACT) return;
   const std::string where = coefficients.where();
-  advise(lmp, where, limits_of(coefficients.scheme()),
-         from_script(lmp, where, [&] { return advised_contacts(now.lightest); }), now,
-         given_advice);
+  const auto contacts = from_script(lmp, where, [&] { return advised_contacts(now.lightest); });
+  all.add(where, "",
+          advice_of_contacts(lmp, where, limits_of(coefficients.scheme()), contacts, now,
+                             given_advice));
 }
 
 /// The contacts between particles of the types that are this style's.

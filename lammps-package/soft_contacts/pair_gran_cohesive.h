@@ -75,7 +75,7 @@ class PairGranCohesive : public Pair,
   void couple_lasting() override;
   void predict() override;
   void continue_run() override;
-  void give_advice(const Circumstances&) override;
+  void give_advice(const Circumstances&, AdviceOfStyles&) override;
   bool has_friction(int type) const override {
     return coefficients.has_friction(type, atom->ntypes);
   }

@@ -3,15 +3,18 @@
 #define COHESION_WALL_HISTORY_H
 
 #include "atom_numbers.h"
+#include "event_stepping/wall.h"
 
 namespace LAMMPS_NS {
 
 /// What each particle remembers of each of some walls: `per_wall` numbers, the first of which is
-/// its in-range flag.
+/// its in-range flag, where it is not one of those below.
 class WallHistory : public AtomNumbers {
  public:
   /// Flag of a particle that has not met the wall yet.
   static constexpr double NOT_KNOWN = -1.0;
+  /// Flag of a particle that does not feel the wall (event_stepping/wall.h: is_behind()).
+  static constexpr double BEHIND = -2.0;
 
   explicit WallHistory(LAMMPS* lammps) : AtomNumbers(lammps) {}
 
@@ -19,6 +22,16 @@ class WallHistory : public AtomNumbers {
     walls_ = walls;
     per_wall_ = per_wall;
     resize(walls * per_wall);
+  }
+  /// Whether a run that begins sees the particle at this wall for the first time, or out of range.
+  bool is_new(int i, int wall) const { return *of(i, wall) == NOT_KNOWN || *of(i, wall) == 0.0; }
+  /// Whether a particle does not feel a wall, which its flag says from here on. distance, clear:
+  /// as is_behind() takes them.
+  static bool keep_behind(double& flag, double distance, double clear) {
+    if (flag > 0.0 || !cohesion::event_stepping::is_behind(flag == BEHIND, distance, clear))
+      return false;
+    flag = BEHIND;
+    return true;
   }
   double* of(int i, int wall) const { return AtomNumbers::of(i) + wall * per_wall_; }
 

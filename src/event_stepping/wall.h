@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -31,6 +32,17 @@ struct WallMotion {
   bool still() const { return dot(velocity, velocity) + dot(amplitude, amplitude) == 0.0; }
   bool swings() const { return dot(amplitude, amplitude) > 0.0; }
 
+  /// Whether X(t) is the same.
+  bool displaces_like(const WallMotion& b) const {
+    const Vector3 faster = velocity - b.velocity, farther = amplitude - b.amplitude;
+    return dot(faster, faster) + dot(farther, farther) == 0.0 && (!swings() || period == b.period);
+  }
+  /// X(t)
+  Vector3 displacement(double time) const {
+    const double turn = std::sin(pi * time / period);
+    return time * velocity + 2.0 * turn * turn * amplitude;
+  }
+
   /// The chord of X(t) over the window: the step's end is where the next one begins, so that the
   /// wall never jumps; exact for constant velocity.
   WallState over(double time, const StepWindow& window) const {
@@ -42,6 +54,68 @@ struct WallMotion {
     const double end = std::sin(0.5 * frequency * (time + window.after));
     return {time * velocity + 2.0 * end * end * amplitude - window.after * swing, velocity + swing};
   }
+};
+
+/// How far the walls of a script have come on their motion, step by step: they go on from where
+/// they are when the time step, the numbers of the steps or the motion become others.
+class WallCourse {
+ public:
+  WallCourse() = default;
+  explicit WallCourse(const WallMotion& motion) : motion_(motion) {}
+
+  const WallMotion& motion() const { return motion_; }
+  /// A step of length dt [time] begins.
+  void begin_step(double dt) {
+    if (dt != dt_) {
+      before_ = time();
+      steps_ = 0.0;
+      dt_ = dt;
+    }
+    steps_ += 1.0;
+  }
+  /// Since the motion began, [time].
+  double time() const { return before_ + steps_ * dt_; }
+  WallState over(const StepWindow& window) const {
+    WallState now = motion_.over(time(), window);
+    now.displacement += start_;
+    return now;
+  }
+
+  /// What a restart file holds of it.
+  static constexpr int NUMBERS = 13;
+  using Numbers = std::array<double, NUMBERS>;
+  Numbers numbers() const {
+    return {before_,
+            steps_,
+            dt_,
+            start_.x,
+            start_.y,
+            start_.z,
+            motion_.velocity.x,
+            motion_.velocity.y,
+            motion_.velocity.z,
+            motion_.amplitude.x,
+            motion_.amplitude.y,
+            motion_.amplitude.z,
+            motion_.period};
+  }
+  /// Goes on where the course of these numbers is: with its motion if that is the same, or else
+  /// with its own, which begins there and then.
+  void continue_from(const Numbers& n) {
+    const WallMotion then{{n[6], n[7], n[8]}, {n[9], n[10], n[11]}, n[12], 0.0};
+    start_ = {n[3], n[4], n[5]};
+    before_ = n[0];
+    steps_ = n[1];
+    dt_ = n[2];
+    if (motion_.displaces_like(then)) return;
+    start_ += then.displacement(time());
+    before_ = steps_ = 0.0;
+  }
+
+ private:
+  WallMotion motion_;
+  Vector3 start_;  // where it was when the motion began, from where the script has it, [length]
+  double before_ = 0.0, steps_ = 0.0, dt_ = 0.0;  // time until the step became dt, steps since then
 };
 
 inline void require_valid(const WallMotion& m) {
@@ -58,6 +132,12 @@ struct WallPoint {
   Vector3 separation;  ///< from the centre to the nearest point, [length]
   Vector3 velocity;    ///< of the wall there, [length/time]
 };
+
+/// Whether a particle does not feel a wall: its centre is behind it, or it `was` behind it and has
+/// not been clear of it in front since, at the distance `clear` [length].
+inline bool is_behind(bool was, double distance, double clear) {
+  return distance <= 0.0 || (was && distance < clear);
+}
 
 /// A plane normal to a coordinate axis, or the inside of a cylinder about the z axis.
 struct Wall {

@@ -161,5 +161,50 @@ pair_coeff * * hamaker %s
             self.assertEqual(output.count("1 - wall: a pair at 0.01"), said, output)
 
 
+class SixWalls(ScriptTestCase):
+    """Walls in fixes of their own with the same coefficients have one table and one warning of each kind, which say
+    whose they are; walls of another material, group or style have theirs."""
+    SIDES = [("low", "xplane 0 NULL"), ("high", "xplane NULL 0.02"), ("left", "yplane 0 NULL"),
+             ("right", "yplane NULL 0.02"), ("floor", "zplane 0 NULL"), ("lid", "zplane NULL 0.02")]
+
+    def walls(self, words, **others):
+        return "".join(f"fix {name} {others.get(name, f'all {words}')} {plane}\n" for name, plane in self.SIDES)
+
+    def run_with(self, walls, step=WARNED, runs="run 5\nrun 5\n", **options):
+        return self.goes(f"{TWO}pair_style none\n{walls}{MOVE}timestep {step}\n{runs}", **options)
+
+    def test_one_table(self):
+        for style, words, step, warning in (
+                ("wall/gran/hamaker", CONTACT, "4.5e-5", FEW_STEPS),
+                ("wall/gran/square_well", "stiffness 800 restitution 0.9 well 1e-12 1.01", "4.5e-5", FEW_STEPS),
+                ("wall/hamaker", "hamaker 5e-19 cutoff 4e-10 1e-7", "4e-7", "which pairs stick is left to chance")):
+            for ranks in (1, 2):
+                with self.subTest(style, ranks=ranks):
+                    output = self.run_with(self.walls(f"{style} {words}"), step, ranks=ranks)
+                    self.assertEqual((output.count(ADVICE), output.count(warning)), (1, 1), output)
+                    self.assertEqual(output.count(f"fixes low, high, left, right, floor, lid {style}"), 2)
+
+    def test_another_wall_has_its_own(self):
+        softer = CONTACT.replace("800", "600")
+        output = self.run_with(self.walls(f"wall/gran/hamaker {CONTACT}", floor=f"all wall/gran/hamaker {softer}"))
+        self.assertEqual(output.count(ADVICE), 2, output)
+        self.assertIn("fixes low, high, left, right, lid wall/gran/hamaker, scheme event: what", output)
+        self.assertIn("fix floor wall/gran/hamaker, scheme event: what", output)
+
+    def test_why_a_run_must_not_begin(self):
+        self.stops(f"{TWO}pair_style none\n{self.walls(f'wall/gran/hamaker {CONTACT}')}{MOVE}timestep {TOO_LONG}\nrun 1\n",
+                   "fixes low, high, left, right, floor, lid wall/gran/hamaker, 1 - wall: a contact takes")
+
+    def test_a_wall_that_comes_later(self):
+        """Says what is known of the others once more, since it is another's."""
+        late = f"run 5\nfix mid all wall/gran/hamaker {CONTACT} xplane 0.001 NULL\nrun 5\n"
+        walls = self.walls(f"wall/gran/hamaker {CONTACT}") + "unfix lid\n"
+        script = f"{TWO}pair_style none\n{walls}{MOVE}timestep {GOOD}\n{late}".replace("fix mid", "unfix move\nfix mid")
+        output = self.goes(script.replace("\nrun 5\n", f"\nrun 5\n{MOVE}").replace(MOVE + "unfix", "unfix")
+                           .replace("xplane 0.001 NULL\nrun 5\n", f"xplane 0.001 NULL\n{MOVE}run 5\n"))
+        self.assertEqual(output.count(ADVICE), 2, output)
+        self.assertIn("fix mid wall/gran/hamaker, scheme event: what", output)
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -59,6 +59,21 @@ class Layout(ScriptTestCase):
         file.write_bytes(content.replace(mark, struct.pack("=d", MARK + 2)))
         self.stops(read, "scheme event", "another version of the package", "write_data")
 
+    def test_another_layout_of_the_motion_of_walls_is_refused(self):
+        file = Path(self.folder) / "some.restart"
+        for style, pair, words in (("wall/gran/hamaker", "gran/hamaker", "stiffness 800"),
+                                   ("wall/hard/square_well", "hard/square_well", "restitution 0.9")):
+            run = f"fix w all {style} {words} xplane 0 NULL\nfix move all nve/sphere\ntimestep 1e-7\nrun 1\n"
+            self.goes(f"{HEAD}boundary f p p\n{MAKE}pair_style {pair}\npair_coeff * * {words}\n{run}"
+                      "write_restart some.restart noinit\n")
+            read = f"{HEAD}read_restart some.restart\ncomm_modify vel yes\nneighbor 1e-4 bin\n{run}"
+            self.goes(read)
+            content, mark = file.read_bytes(), struct.pack("=d", MARK + 1)
+            self.assertEqual(content.count(mark), 1)
+            file.write_bytes(content.replace(mark, struct.pack("=d", 0.0)))
+            with self.subTest(style):
+                self.stops(read, f"fix w {style}", "another version of the package", "write_data")
+
 
 if __name__ == "__main__":
     unittest.main()

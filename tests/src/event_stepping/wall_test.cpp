@@ -14,8 +14,10 @@ namespace {
 
 using cohesion::Vector3;
 using cohesion::event_stepping::FarFromWalls;
+using cohesion::event_stepping::is_behind;
 using cohesion::event_stepping::StepWindow;
 using cohesion::event_stepping::Wall;
+using cohesion::event_stepping::WallCourse;
 using cohesion::event_stepping::WallMotion;
 using cohesion::event_stepping::WallPoint;
 using cohesion::event_stepping::WallState;
@@ -51,6 +53,66 @@ TEST(WallMotion, FirstStepStartsAtTheGridPoint) {
   const WallState now = swing().over(0.0, {0.0, 0.5 * step});
   EXPECT_NEAR(now.displacement.z, 0.0, 2e-17);
   EXPECT_NEAR(now.displacement.z + 0.5 * step * now.velocity.z, place(0.5 * step), 2e-17);
+}
+
+// Steps of 1, 0.5 and 2 ms are exact sums of halves of the first; the swing is that of place().
+TEST(WallCourse, GoesOnWhenTheStepChanges) {
+  WallCourse course(swing());
+  double t = 0.0;
+  for (const double dt : {step, 0.5 * step, 2.0 * step, step})
+    for (int n = 0; n < 13; n++) {
+      course.begin_step(dt);
+      t += dt;
+      const WallState now = course.over({0.5 * dt, 0.5 * dt});
+      EXPECT_NEAR(course.time(), t, 1e-16);
+      EXPECT_NEAR(now.displacement.z + 0.5 * dt * now.velocity.z, place(t + 0.5 * dt), 1e-15);
+    }
+}
+
+// With one step the time is a product, as that of steps that are counted.
+TEST(WallCourse, TimeIsAMultipleOfTheStep) {
+  WallCourse course(swing());
+  for (int n = 1; n < 1000; n++) {
+    course.begin_step(step);
+    EXPECT_EQ(course.time(), n * step);
+  }
+}
+
+TEST(WallCourse, ContinuesTheSameMotionToTheLastBit) {
+  WallCourse run(swing());
+  for (int n = 0; n < 37; n++) run.begin_step(step);
+  WallCourse again(swing());
+  again.continue_from(run.numbers());
+  for (int n = 0; n < 20; n++) {
+    run.begin_step(step);
+    again.begin_step(step);
+    EXPECT_EQ(again.over(whole).displacement.z, run.over(whole).displacement.z);
+  }
+}
+
+TEST(WallCourse, AnotherMotionBeginsWhereTheWallIs) {
+  WallCourse before(swing());
+  for (int n = 0; n < 37; n++) before.begin_step(step);
+  WallMotion motion;
+  motion.velocity = {0.0, 0.0, 0.3};
+  WallCourse after(motion);
+  after.continue_from(before.numbers());
+  EXPECT_NEAR(after.over(whole).displacement.z, place(37 * step), 1e-16);
+  after.begin_step(step);
+  EXPECT_NEAR(after.over(whole).displacement.z, place(37 * step) + 0.3 * step, 1e-16);
+  WallCourse still{WallMotion{}};
+  still.continue_from(after.numbers());
+  EXPECT_NEAR(still.over(whole).displacement.z, place(37 * step) + 0.3 * step, 1e-16);
+  EXPECT_EQ(still.over(whole).velocity.z, 0.0);
+}
+
+TEST(Wall, IsNotFeltFromBehindUntilItIsClear) {
+  constexpr double clear = 0.5;
+  EXPECT_TRUE(is_behind(false, 0.0, clear));
+  EXPECT_TRUE(is_behind(false, -0.1, clear));
+  EXPECT_TRUE(is_behind(true, 0.4, clear));
+  EXPECT_FALSE(is_behind(true, 0.5, clear));
+  EXPECT_FALSE(is_behind(false, 0.1, clear));
 }
 
 TEST(WallMotion, RefusesAPeriodThatIsNotPositive) {

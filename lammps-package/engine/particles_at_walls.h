@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#ifndef COHESION_PARTICLES_AT_WALLS_H
+#define COHESION_PARTICLES_AT_WALLS_H
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "event_stepping/wall.h"
+#include "lammps.h"
+
+namespace LAMMPS_NS {
+
+/// The walls of a fix as a run begins.
+struct WallsAtStart {
+  const std::vector<cohesion::event_stepping::Wall>& walls;
+  cohesion::event_stepping::WallState state;
+  int groupbit;
+  /// Overlap over diameter above which a particle does not rest on a wall but was put into it.
+  double deep;
+  /// What becomes of such a particle.
+  const char* effect;
+};
+
+/// Collective: warns of particles that stand behind a wall of a fix, or reach deep into it, as a
+/// run begins: of all of them once, with one that shows which they are. Those of which is_new(i,
+/// wall) is not true, and those that nothing moves, do not count. `where` stands in front of the
+/// message. Returns whether there are any.
+bool warn_of_particles_at_walls(LAMMPS*, const std::string& where, const WallsAtStart&,
+                                const std::function<bool(int i, int wall)>& is_new);
+
+}  // namespace LAMMPS_NS
+
+#endif
