@@ -23,6 +23,8 @@ KNOWN = (
            True),
     Warned("turned round a hundred times or more within one step", "a step not followed to its end", True),
     Warned("made collisions elastic and frictionless", "inelastic collapse", True),
+    Warned("particles with their centres behind a wall", "particles behind a wall at the start", True),
+    Warned("particles that a wall cuts through", "a wall through particles at the start", True),
     Warned("([^ ]*) pairs of hard cores .*overlap", r"\1 hard cores overlap at the start", True),
 )
 # The engine's own: no warning that a number is wrong.
