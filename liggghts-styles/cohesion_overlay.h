@@ -45,6 +45,7 @@ namespace ContactModels {
 ///   connect(registry, normal)      reads the parameters; normal: of the contact
 ///   adhesion(i, j, ri, rj)         of two types and radii; rj infinite: beside a wall
 ///   material(i, j)                 that a contact of two types stands for
+///   doubt(i, j)                    what to say of numbers that no material has; empty: nothing
 ///   range()                        how far it must see (contact_range.h)
 ///   is_active()                    false: all types have strength 0, and nothing is remembered
 ///   is_out_of_reach(near, update_all)
@@ -205,6 +206,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
         lmp, wall_, name(), *normal_, [this](cohesion::advice::AdvisedContact& c, int i, int j) {
           c.adhesion = attraction_.adhesion(i, j, c.i.radius, c.j.radius);
           c.material = attraction_.material(i, j);
+          c.doubt = attraction_.doubt(i, j);
         });
   }
 

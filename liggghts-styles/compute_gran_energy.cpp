@@ -67,7 +67,7 @@ void ComputeGranEnergy::end_run() {
 void ComputeGranEnergy::work_out() {
   particles_.check(lmp, std::string("compute ") + id + " gran/energy");
   double mine[ENTRIES] = {};
-  const MobileParticles mobile(modify);
+  const MobileParticles mobile(lmp);
   const GravityOfFixes gravity(modify);
   const double half = 0.5 * update->dt;
   for (int i = 0; i < atom->nlocal; i++) {

@@ -47,7 +47,7 @@ void remember(const ContactModels::SurfacesCloseData& d, bool something) {
 
 EventContacts::EventContacts(LAMMPS* lmp, IContactHistorySetup* owner, FixWallGran* wall,
                              const std::string& who)
-    : lmp_(lmp), atom_(lmp->atom), wall_(wall), who_(who), mobile_(lmp->modify) {
+    : lmp_(lmp), atom_(lmp->atom), wall_(wall), who_(who), mobile_(lmp) {
   // "0": the same seen from the other particle.
   offset_ = owner->add_history_value("eventPhase", "0");
   for (const char* const name :
@@ -66,7 +66,7 @@ void EventContacts::connect(const NormalModelProbe& normal, Adhesion adhesion, M
   types_ = types;
   known_.clear();
   known_.resize((types + 1) * (types + 1));
-  mobile_ = MobileParticles(lmp_->modify);
+  mobile_ = MobileParticles(lmp_);
   // A fix that is made while fixes are set up, as walls are, is called in the next run only.
   others_ = wall_ ? find_hidden_fix<FixOthers>(lmp_) : &hidden_fix<FixOthers>(lmp_);
   if (!others_)

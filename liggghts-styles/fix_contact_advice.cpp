@@ -3,14 +3,31 @@
 
 #include <mpi.h>
 
+#include <algorithm>
+
 #include "atom.h"
 #include "comm.h"
+#include "distinct_places.h"
 #include "error.h"
+#include "force.h"
 #include "integrated_particles.h"
+#include "pair_gran.h"
 #include "unturned_spheres.h"
 
 namespace LIGGGHTS {
 namespace Cohesion {
+
+namespace {
+
+/// Lets the engine's models count these groups as infinitely heavy, as those of fix freeze.
+void freeze(LAMMPS_NS::PairGran& pair, int groups) {
+  struct Frozen : LAMMPS_NS::PairGran {
+    static int& groups_of(LAMMPS_NS::PairGran& pair) { return pair.*(&Frozen::freeze_group_bit_); }
+  };
+  Frozen::groups_of(pair) |= groups;
+}
+
+}  // namespace
 
 void FixContactAdvice::ask(const std::shared_ptr<ContactAdvice>& advice) {
   for (const auto& asked : asked_)
@@ -24,20 +41,51 @@ void FixContactAdvice::advise_if_due(bool setup) {
     if (const auto advice = asked.lock()) advice->give(watch_.now());
 }
 
-/// A warning that was given is not given again.
-void FixContactAdvice::warn_of_unturned_once() {
-  if (warned_of_unturned_) return;
+void FixContactAdvice::setup_pre_force(int) {
+  held_ = MobileParticles(lmp);
+  const auto of_events = [](const std::weak_ptr<ContactAdvice>& asked) {
+    const auto advice = asked.lock();
+    return advice && advice->is_of_events();
+  };
+  const bool exact = std::any_of(asked_.begin(), asked_.end(), of_events);
+  if (exact || !warned_of_partly_held_)
+    warned_of_partly_held_ = LAMMPS_NS::require_whole_holds(lmp, "cohesion", exact);
+  auto* const pair = dynamic_cast<LAMMPS_NS::PairGran*>(force->pair_match("gran", 1));
+  if (!pair) return;
+  freeze(*pair, held_->held().held_by_one_fix());
+  LAMMPS_NS::require_distinct_places(lmp, "pair_style gran", pair->list, [this](int i, int j) {
+    return held_->moves(atom->mask[i]) || held_->moves(atom->mask[j]);
+  });
+}
+
+/// A sphere that is held in its place is as heavy for friction as for the normal force: it must not
+/// turn either.
+void FixContactAdvice::post_force(int) {
+  if (!held_->held().any()) return;
+  for (int i = 0; i < atom->nlocal; i++)
+    if (held_->is_held_but_turned(atom->mask[i])) std::fill_n(atom->torque[i], 3, 0.0);
+}
+
+/// Of spheres on which friction acts and that do not turn. A warning that was given is not given
+/// again.
+void FixContactAdvice::warn_of_spins() {
+  if (warned_of_unturned_ && warned_of_held_) return;
   std::vector<bool> has_friction(atom->ntypes + 1, false);
   for (const auto& asked : asked_)
     if (const auto advice = asked.lock())
       for (int type = 1; type <= atom->ntypes; type++)
         has_friction[type] = has_friction[type] || advice->has_friction(type);
-  warned_of_unturned_ = LAMMPS_NS::warn_of_unturned(lmp, MobileParticles(modify), has_friction);
+  const MobileParticles mobile(lmp);
+  if (!warned_of_unturned_)
+    warned_of_unturned_ = LAMMPS_NS::warn_of_unturned(lmp, mobile, has_friction);
+  if (!warned_of_held_)
+    warned_of_held_ =
+        LAMMPS_NS::warn_of_held_turned(lmp, mobile.held(), mobile.turned_groups(), has_friction);
 }
 
 int FixContactAdvice::setmask() {
   using namespace LAMMPS_NS::FixConst;
-  return PRE_EXCHANGE | PRE_FORCE | POST_RUN;
+  return PRE_EXCHANGE | PRE_FORCE | POST_FORCE | POST_RUN;
 }
 
 void FixContactAdvice::pre_exchange() {

@@ -3,10 +3,12 @@
 #define COHESION_FIX_CONTACT_ADVICE_H
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "fix.h"
+#include "integrated_particles.h"
 #include "model_advice.h"
 
 namespace LIGGGHTS {
@@ -30,11 +32,14 @@ class FixContactAdvice : public LAMMPS_NS::Fix {
       : Fix(engine, count, words), watch_(engine) {}
 
   int setmask() override;
+  void setup_pre_force(int) override;
   void setup(int) override {
     advise_if_due(true);
-    warn_of_unturned_once();
+    warn_of_spins();
+    post_force(0);
   }
   void pre_force(int) override { advise_if_due(false); }
+  void post_force(int) override;
   void pre_exchange() override;
   void post_run() override { pre_exchange(); }
 
@@ -46,12 +51,13 @@ class FixContactAdvice : public LAMMPS_NS::Fix {
 
  private:
   void advise_if_due(bool setup);
-  void warn_of_unturned_once();
+  void warn_of_spins();
 
   ContactWatch watch_;
   std::vector<std::weak_ptr<ContactAdvice>> asked_;
   std::vector<std::shared_ptr<LateWarning>> late_;
-  bool warned_of_unturned_ = false;
+  std::optional<MobileParticles> held_;  // as the run began
+  bool warned_of_unturned_ = false, warned_of_held_ = false, warned_of_partly_held_ = false;
 };
 
 }  // namespace Cohesion

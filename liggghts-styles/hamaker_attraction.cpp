@@ -120,6 +120,8 @@ void HamakerAttraction::connect(PropertyRegistry& registry, const NormalModelPro
            ", " + shown(outer_property, outer_cutoff_) +
            (has_material_ ? ", " + shown(stiffness_property, material[i][j]) : "");
   };
+  constants_.fill(
+      lmp_, MODEL, registry.max_type(), [&](int i, int j) { return constant[i][j]; }, given);
   materials_.fill(
       lmp_, MODEL, registry.max_type(),
       [&](int i, int j) {

@@ -68,6 +68,10 @@ class HamakerAttraction : public AttractionEnergy {
   cohesion::advice::Material material(int itype, int jtype) const {
     return materials_.of(itype, jtype);
   }
+  std::string doubt(int itype, int jtype) const {
+    return cohesion::advice::above_hamaker_constants(constants_.of(itype, jtype),
+                                                     LAMMPS_NS::si_units(lmp_));
+  }
 
   double energy(int itype, int jtype, double ri, double rj, double gap, bool) const override {
     return laws_.of(itype, jtype).energy(gap, geometry(!std::isfinite(rj), ri, rj));
@@ -96,6 +100,7 @@ class HamakerAttraction : public AttractionEnergy {
   bool is_wall_;
   std::vector<double> smallest_radii_;  // by type
   TableOfTypes<Law> laws_;
+  TableOfTypes<double> constants_;  // as given
   TableOfTypes<cohesion::advice::Material> materials_;
   double outer_cutoff_ = 0.0;
   bool is_active_ = false;

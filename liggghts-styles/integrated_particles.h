@@ -5,17 +5,20 @@
 #include <cstring>
 
 #include "fix.h"
+#include "held_spheres.h"
+#include "lammps.h"
 #include "modify.h"
 #include "unturned_spheres.h"
 
 namespace LIGGGHTS {
 namespace Cohesion {
 
-/// Which particles a force can move: those that a fix integrates, unless fix freeze holds them or
-/// fix move or nve/noforce leads them.
+/// Which particles a force can move: those that a fix integrates, unless fix freeze holds them, fix
+/// setforce, lineforce or planeforce sets their whole force, or fix move or nve/noforce leads them.
 class MobileParticles {
  public:
-  explicit MobileParticles(const LAMMPS_NS::Modify* modify) {
+  explicit MobileParticles(const LAMMPS_NS::LAMMPS* lmp) : held_(lmp) {
+    const LAMMPS_NS::Modify* const modify = lmp->modify;
     for (int k = 0; k < modify->nfix; k++) {
       const LAMMPS_NS::Fix* const fix = modify->fix[k];
       if (std::strcmp(fix->style, "freeze") == 0) frozen_ |= fix->groupbit;
@@ -29,11 +32,19 @@ class MobileParticles {
   /// Moment of inertia over mass and square of the radius: as fix nve/sphere turns the particle.
   static double inertia_factor(int dimension) { return dimension == 2 ? 0.5 : 0.4; }
 
-  bool moves(int mask) const { return (mask & mobile_) && !(mask & frozen_); }
+  bool moves(int mask) const { return (mask & mobile_) && !(mask & frozen_) && !held_.hold(mask); }
   /// Whether a particle moves and nothing turns it.
   bool is_not_turned(int mask) const { return moves(mask) && !(mask & turned_); }
 
+  /// Those that forces which fixes set hold, or lead.
+  const LAMMPS_NS::HeldGroups& held() const { return held_; }
+  /// Bits of the groups that fixes turn.
+  int turned_groups() const { return turned_; }
+  /// Whether a fix would turn a particle that is held in its place.
+  bool is_held_but_turned(int mask) const { return (mask & turned_) && held_.hold(mask); }
+
  private:
+  LAMMPS_NS::HeldGroups held_;
   int mobile_ = 0;
   int frozen_ = 0;
   int turned_ = 0;

@@ -56,6 +56,7 @@ class LiquidBridgeAttraction final : public AttractionEnergy {
   }
   /// The spring has no part in it.
   static cohesion::advice::Material material(int, int) { return {}; }
+  static std::string doubt(int, int) { return ""; }
 
   double force(const Encounter& encounter);
   /// Zero at touch.

@@ -70,7 +70,7 @@ std::set<int> types_of(const FixWallGran& wall) {
 /// The lightest particles and the fastest.
 void ContactWatch::scan_particles() {
   const Atom* const atom = lmp_->atom;
-  const MobileParticles mobile(lmp_->modify);
+  const MobileParticles mobile(lmp_);
   std::vector<LightestParticle> mine(atom->ntypes + 1, {infinite, infinite});
   // The speed with the other sign in place of a type 0: the least of all is looked for.
   mine[0] = {-fastest_of(atom, lmp_->domain, atom->nlocal), infinite};

@@ -57,6 +57,7 @@ class ContactAdvice {
   void give(const cohesion::advice::Circumstances& now);
   /// Under scheme event; else sampled.
   void of_events(bool event) { event_ = event; }
+  bool is_of_events() const { return event_; }
 
   /// Whether friction, sliding or rolling, may act on a particle of this type.
   bool has_friction(int type) const;

@@ -77,7 +77,7 @@ void SampledEnergyTally::end_step(bool set_up) {
   spring = tangential_spring = adhesion = rolling_spring = 0.0;
   Losses now;
   double external = 0.0;
-  const MobileParticles mobile(lmp_->modify);
+  const MobileParticles mobile(lmp_);
   for (const Record& r : records_) work_out(r, mobile, set_up, now, external);
   records_.clear();
   external += work_of_fixes(mobile);

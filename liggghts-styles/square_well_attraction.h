@@ -77,6 +77,7 @@ class SquareWellAttraction final : public AttractionEnergy {
   }
   /// The spring has no part in it.
   static cohesion::advice::Material material(int, int) { return {}; }
+  static std::string doubt(int, int) { return ""; }
 
   double force(const Encounter& encounter);
   double energy(int itype, int jtype, double, double, double, bool inside) const override {

@@ -134,6 +134,7 @@ void FixWallHamaker::init() {
     error->all(FLERR,
                "fix wall/hamaker acts on spheres and needs an atom style with radii, for "
                "instance 'atom_style sphere'");
+  require_plausible_spheres(lmp, std::string("fix ") + id + " wall/hamaker");
   const std::vector<double> smallest = smallest_radii(lmp, largest_radii(lmp, groupbit), groupbit);
   for (int type = 1; type <= atom->ntypes; type++)
     require_far_below_radius(lmp, std::string("fix ") + id + " wall/hamaker", *form, given,

@@ -9,6 +9,7 @@
 #include "atom.h"
 #include "comm.h"
 #include "contact/adhesion.h"
+#include "distinct_places.h"
 #include "engine_api.h"
 #include "error.h"
 #include "force.h"
@@ -20,6 +21,7 @@
 #include "modify.h"
 #include "neigh_list.h"
 #include "restart_format.h"
+#include "special_pairs.h"
 #include "sphere.h"
 #include "update.h"
 #include "vector3.h"
@@ -78,6 +80,8 @@ void PairHamaker::compute(int eflag, int vflag) {
                "the run");
   parameters.require_committed("pair_style hamaker");
   if (attract) {
+    if (update->setupflag)
+      require_distinct_places(lmp, "pair_style hamaker", list, [](int, int) { return true; });
     if (update->whichflag == 1 && watch.due(update->setupflag)) give_advice();
     std::visit(
         [this](const auto& chosen) {
@@ -260,7 +264,8 @@ void PairHamaker::init_style() {
                "pair_style hamaker acts between spheres and needs an atom style with radii, "
                "for instance 'atom_style sphere'");
   parameters.commit();
-  require_plausible_radii(lmp, "pair_style hamaker");
+  require_plausible_spheres(lmp, "pair_style hamaker");
+  require_whole_special_factors(lmp, this, "pair_style hamaker", true);
   largest_radius = largest_radii(lmp);
   smallest_radius = smallest_radii(lmp, largest_radius);
   const bool rough = std::any_of(parameters.begin(), parameters.end(),
@@ -315,7 +320,7 @@ void PairHamaker::give(int i, int j, const Parameters& p) {
 void PairHamaker::append_bound(std::vector<std::array<int, 2>>& pairs) const {
   if (!needs_list) return;
   MobileParticles mobile;
-  mobile.look_up(modify);
+  mobile.look_up(lmp);
   const auto led = [&](int i) { return mobile.inverse_mass(atom->mask[i], 1.0) == 0.0; };
   for (int ii = 0; ii < list->inum; ii++) {
     const int i = list->ilist[ii];

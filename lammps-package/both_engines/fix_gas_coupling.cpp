@@ -58,6 +58,7 @@ void FixGasCoupling::init() {
     error->all(FLERR,
                "fix gas/coupling acts on spheres and needs an atom style with radii and "
                "masses, for instance 'atom_style sphere'");
+  require_mechanical_units(lmp, message("fix ", id, " gas/coupling"));
   const std::string fixes = unseen_fixes();
   if (!fixes.empty() && comm->me == 0)
     error->warning(FLERR, message("fix ", id, " gas/coupling stands before ", fixes,

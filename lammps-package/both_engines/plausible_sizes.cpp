@@ -7,9 +7,11 @@
 #include <limits>
 
 #include "advice/box_limits.h"
+#include "advice/known_materials.h"
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"
+#include "force.h"
 #include "message.h"
 #include "plausible_sizes.h"
 #include "sphere.h"
@@ -43,6 +45,14 @@ bool is_as_created(const Atom* atom, int i) {
   return std::abs(atom->rmass[i] - mass) <= 1e-12 * mass;
 }
 
+/// To three digits.
+std::string rounded(double value) {
+  std::ostringstream text;
+  text.precision(3);
+  text << value;
+  return text.str();
+}
+
 /// Once in a session.
 void warn(LAMMPS* lmp, const std::string& text) {
   static const LAMMPS* warned = nullptr;
@@ -56,6 +66,40 @@ void refuse_as_created(LAMMPS* lmp, const std::string& text) {
   warn(lmp, text);
 }
 
+/// Stops where a density was set before the diameter. In two dimensions a mass may be that of a
+/// disc.
+void require_own_masses(const LAMMPS* lmp, const std::string& where) {
+  const Atom* const atom = lmp->atom;
+  const cohesion::advice::SiUnits* const units = si_units(lmp);
+  if (!atom->rmass || !units || lmp->domain->dimension == 2) return;
+  // The tag of the last one, its mass and radius are of one particle: of the rank that has it.
+  double mine[3] = {0.0, 0.0, 0.0}, number = 0.0, numbers = 0.0;
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!cohesion::advice::is_mass_of_diameter_1(atom->rmass[i], atom->radius[i], units)) continue;
+    number += 1.0;
+    const double tag = atom->tag_enable ? static_cast<double>(atom->tag[i]) : 1.0;
+    if (mine[0] > 0.0 && tag > mine[0]) continue;
+    mine[0] = tag;
+    mine[1] = atom->rmass[i];
+    mine[2] = atom->radius[i];
+  }
+  MPI_Allreduce(&number, &numbers, 1, MPI_DOUBLE, MPI_SUM, lmp->world);
+  if (numbers == 0.0) return;
+  const int rank = number > 0.0 ? lmp->comm->me : lmp->comm->nprocs;
+  int first = 0;
+  MPI_Allreduce(&rank, &first, 1, MPI_INT, MPI_MIN, lmp->world);
+  MPI_Bcast(mine, 3, MPI_DOUBLE, first, lmp->world);
+  const double density = mine[1] / cohesion::sphere_volume(mine[2]);
+  const double of_diameter_1 = mine[1] / cohesion::sphere_volume(CREATED_RADIUS);
+  const double si = units->density();
+  stop(lmp, FLERR, where, ": particle ", mine[0], " (one of ", numbers,
+       ") has the mass of a sphere of diameter 1 and density ", of_diameter_1,
+       ", and with its diameter of ", 2.0 * mine[2], " a density of ", rounded(si * density),
+       " kg/m^3, which no material has", units_of_lengths(lmp),
+       ". 'set ... diameter' keeps the mass that 'set ... density' gave before: set the diameter "
+       "first, then the density");
+}
+
 template <class Check>
 void or_stop(LAMMPS* lmp, const std::string& where, const std::string& reason, Check check) {
   try {
@@ -67,13 +111,25 @@ void or_stop(LAMMPS* lmp, const std::string& where, const std::string& reason, C
 
 }  // namespace
 
+const cohesion::advice::SiUnits* LAMMPS_NS::si_units(const LAMMPS* lmp) {
+  return cohesion::advice::find_si_units(lmp->update->unit_style);
+}
+
+void LAMMPS_NS::require_mechanical_units(const LAMMPS* lmp, const std::string& where) {
+  if (lmp->force->ftm2v == 1.0) return;
+  stop(lmp, FLERR, where, ": in 'units ", lmp->update->unit_style,
+       "' force is not mass times acceleration, and energy not mass times the square of a speed: "
+       "use 'units si', 'cgs', 'micro', 'nano' or 'lj'");
+}
+
 std::string LAMMPS_NS::units_of_lengths(const LAMMPS* lmp) {
   const std::string units = lmp->update->unit_style;
   const std::string length = units == "si" ? ", m" : units == "cgs" ? ", cm" : "";
   return "; lengths are those of 'units " + units + "'" + length;
 }
 
-void LAMMPS_NS::require_plausible_radii(LAMMPS* lmp, const std::string& where) {
+void LAMMPS_NS::require_plausible_spheres(LAMMPS* lmp, const std::string& where) {
+  require_mechanical_units(lmp, where);
   const Atom* const atom = lmp->atom;
   // Largest radius, minus the smallest, the largest tag of one that is as it was created.
   std::array<double, 3> mine{0.0, -std::numeric_limits<double>::infinity(), 0.0}, all{};
@@ -94,6 +150,7 @@ void LAMMPS_NS::require_plausible_radii(LAMMPS* lmp, const std::string& where) {
                      2.0 * smallest, units_of_lengths(lmp), as_created));
   or_stop(lmp, where, created > 0.0 ? as_created : "",
           [&] { cohesion::advice::require_radius_in_box(largest, size_of(lmp->domain)); });
+  require_own_masses(lmp, where);
 }
 
 void LAMMPS_NS::require_plausible_range(LAMMPS* lmp, const std::string& where, double range) {

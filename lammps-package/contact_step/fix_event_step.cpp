@@ -53,6 +53,8 @@ FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
       tally_unknown(false),
       other_box(false),
       warned_of_unturned(false),
+      warned_of_held(false),
+      warned_of_partly_held(false),
       forces_dt(0.0),
       last(lammps, LAST),
       other_forces(lammps, 3),
@@ -278,6 +280,14 @@ void FixEventStep::pre_force(int) {
 
 void FixEventStep::post_force(int) {
   run_corrector([] {});
+  if (!idle && mobile.held().any()) hold_spins();
+}
+
+/// A sphere that is held in its place is as heavy for friction as for the normal force: it must not
+/// turn either. Walls, which act later, leave it alone.
+void FixEventStep::hold_spins() {
+  for (int i = 0; i < atom->nlocal; i++)
+    if (mobile.is_held_but_turned(atom->mask[i])) std::fill_n(atom->torque[i], 3, 0.0);
 }
 
 /// Forces that a run takes over from the last one excuse nothing: its step, its coefficients and

@@ -254,8 +254,10 @@ class FixEventStep : public Fix {
     young_marks[i] |= mark;
   }
   char marks_of(int i, int j) const { return j < 0 ? marks[i] : marks[i] | marks[j]; }
+  void refuse_rigid_bodies() const;
   void require_spheres();
-  void warn_of_unturned_once();
+  void warn_of_spins();
+  void hold_spins();
   bool any_driven() const;
   bool others_may_act() const;
   void save_other_forces();
@@ -290,7 +292,7 @@ class FixEventStep : public Fix {
   bool tallies_begun;  // in this run
   bool tally_unknown;  // last_tally_unknown()
   bool other_box;
-  bool warned_of_unturned;
+  bool warned_of_unturned, warned_of_held, warned_of_partly_held;
   BoxSides box;                // at the end of the last run
   double forces_dt;            // of the step that the forces are of; 0: there was none
   AtomNumbers last;            // from the end of a run to the first step of the next: save_last()

@@ -10,8 +10,10 @@
 #include "error.h"
 #include "fix_event_step.h"
 #include "force.h"
+#include "message.h"
 #include "modify.h"
 #include "pair_members.h"
+#include "rerun.h"
 #include "unturned_spheres.h"
 #include "update.h"
 
@@ -31,7 +33,7 @@ void FixEventStep::init() {
   styles.clear();
   walls.clear();
   advised.clear();
-  mobile.look_up(modify);
+  mobile.look_up(lmp);
   bool before_me = true;
   for (int i = 0; i < modify->nfix; i++) {
     Fix* const fix = modify->fix[i];
@@ -41,9 +43,6 @@ void FixEventStep::init() {
     }
     if (auto* one = dynamic_cast<AdvisedStyle*>(fix)) advised.push_back(one);
     if (fix == this) before_me = false;
-    if (fix->rigid_flag)
-      error->all(FLERR, std::string("scheme event cannot follow contacts of rigid bodies (fix ") +
-                            fix->id + ")");
     if (before_me && MobileParticles::integrates(fix))
       error->all(FLERR, std::string("fix ") + fix->id +
                             " integrates the motion: put it behind the pair_style and wall "
@@ -58,13 +57,32 @@ void FixEventStep::init() {
   any_event_scheme = std::any_of(styles.begin(), styles.end(), [](const SoftContactStyle* some) {
     return some->is_event_scheme();
   });
+  refuse_rerun(lmp, any_event_scheme ? "scheme event" : "scheme sampled");
+  refuse_rigid_bodies();
+  if (may_have_contacts && (any_event_scheme || !warned_of_partly_held))
+    warned_of_partly_held = require_whole_holds(
+        lmp, any_event_scheme ? "scheme event" : "scheme sampled", any_event_scheme);
   any_other_forces = any_event_scheme && others_may_act();
   only_event_contacts = !any_other_forces && !any_driven() &&
                         std::all_of(styles.begin(), styles.end(), [](const SoftContactStyle* some) {
                           return some->is_event_scheme() || !some->may_have_contacts();
                         });
   require_spheres();
-  warn_of_unturned_once();
+  warn_of_spins();
+}
+
+/// A contact moves one sphere, by its own mass.
+void FixEventStep::refuse_rigid_bodies() const {
+  if (!may_have_contacts) return;
+  for (int i = 0; i < modify->nfix; i++) {
+    const Fix* const fix = modify->fix[i];
+    if (fix->rigid_flag)
+      stop(lmp, FLERR, any_event_scheme ? "scheme event" : "scheme sampled",
+           ": contacts move each sphere by itself, and fix ", fix->id, " ", fix->style,
+           " moves bodies of several: use a granular pair_style and fix wall/gran of LAMMPS for "
+           "their contacts, with 'pair_style hybrid/overlay' and 'pair_style hamaker', and 'fix "
+           "wall/hamaker', laid over them for the attraction");
+  }
 }
 
 /// What friction does in a step, and what a spin holds of energy, is of spheres.
@@ -106,12 +124,15 @@ bool FixEventStep::others_may_act() const {
   return false;
 }
 
-/// A warning that was given is not given again.
-void FixEventStep::warn_of_unturned_once() {
-  if (warned_of_unturned) return;
+/// Of spheres on which friction acts and that do not turn. A warning that was given is not given
+/// again.
+void FixEventStep::warn_of_spins() {
+  if (warned_of_unturned && warned_of_held) return;
   std::vector<bool> has_friction(atom->ntypes + 1, false);
   for (int type = 1; type <= atom->ntypes; type++)
     for (const SoftContactStyle* some : styles)
       has_friction[type] = has_friction[type] || some->has_friction(type);
-  warned_of_unturned = warn_of_unturned(lmp, mobile, has_friction);
+  if (!warned_of_unturned) warned_of_unturned = warn_of_unturned(lmp, mobile, has_friction);
+  if (!warned_of_held)
+    warned_of_held = warn_of_held_turned(lmp, mobile.held(), mobile.turned_groups(), has_friction);
 }

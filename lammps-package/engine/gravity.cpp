@@ -55,7 +55,7 @@ std::vector<std::pair<int, cohesion::Vector3>> LAMMPS_NS::engine_api::gravity_of
   const Atom* const atom = lmp->atom;
   const std::vector<double> weight = weights(lmp);
   MobileParticles mobile;
-  mobile.look_up(lmp->modify);
+  mobile.look_up(lmp);
   std::vector<std::pair<int, cohesion::Vector3>> found;
   for (int i = 0; i < atom->nlocal; i++) {
     const double per_mass = mobile.inverse_mass(atom->mask[i], atom->rmass[i]);

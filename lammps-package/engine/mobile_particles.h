@@ -7,6 +7,7 @@
 #include "fix.h"
 #include "fix_nh_sphere.h"
 #include "fix_nve_sphere.h"
+#include "held_spheres.h"
 #include "lammps.h"
 #include "modify.h"
 #include "unturned_spheres.h"
@@ -14,8 +15,9 @@
 
 namespace LAMMPS_NS {
 
-/// Which particles an impulse can move: those that a fix integrates, unless fix freeze holds them
-/// or fix move or nve/noforce leads them. The others are infinitely heavy to what meets them.
+/// Which particles an impulse can move: those that a fix integrates, unless fix freeze holds them,
+/// fix setforce, lineforce or planeforce sets their whole force, or fix move or nve/noforce leads
+/// them. The others are infinitely heavy to what meets them.
 class MobileParticles {
  public:
   static bool integrates(const Fix* fix) {
@@ -30,8 +32,10 @@ class MobileParticles {
     return nh && Turning<FixNHSphere>::factor(*nh) == disc;
   }
 
-  void look_up(const Modify* modify) {
+  void look_up(const LAMMPS* lmp) {
+    const Modify* const modify = lmp->modify;
     mobile_ = forced_ = frozen_ = discs_ = turned_ = 0;
+    held_ = HeldGroups(lmp);
     for (int i = 0; i < modify->nfix; i++) {
       Fix* const fix = modify->fix[i];
       if (strcmp(fix->style, "freeze") == 0) frozen_ |= fix->groupbit;
@@ -43,15 +47,22 @@ class MobileParticles {
   }
 
   double inverse_mass(int mask, double mass) const {
-    return (mask & forced_) && !(mask & frozen_) ? 1.0 / mass : 0.0;
+    return (mask & forced_) && !(mask & frozen_) && !held_.hold(mask) ? 1.0 / mass : 0.0;
   }
+
+  /// Those that forces which fixes set hold, or lead.
+  const HeldGroups& held() const { return held_; }
+  /// Bits of the groups that fixes turn.
+  int turned_groups() const { return turned_; }
+  /// Whether a fix would turn a particle that is held in its place.
+  bool is_held_but_turned(int mask) const { return (mask & turned_) && held_.hold(mask); }
 
   /// Whether forces change the velocity of a particle that moves: nve/noforce leaves it as it is.
   bool feels_forces(int mask) const { return mask & forced_; }
 
   /// Whether a particle moves and nothing turns it.
   bool is_not_turned(int mask) const {
-    return (mask & mobile_) && !(mask & frozen_) && !(mask & turned_);
+    return (mask & mobile_) && !(mask & frozen_) && !(mask & turned_) && !held_.hold(mask);
   }
 
   /// Moment of inertia over mass and square of the radius: as a fix turns the particle.
@@ -71,6 +82,7 @@ class MobileParticles {
   int frozen_ = 0;
   int discs_ = 0;
   int turned_ = 0;
+  HeldGroups held_;
 };
 
 }  // namespace LAMMPS_NS

@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <numeric>
 #include <string>
+#include <tuple>
 
 #include "atom.h"
 #include "bound_pairs.h"
 #include "box_shear.h"
 #include "comm.h"
+#include "distinct_places.h"
 #include "domain.h"
 #include "error.h"
 #include "force.h"
@@ -19,6 +22,8 @@
 #include "neighbor.h"
 #include "output.h"
 #include "pair_hard_square_well.h"
+#include "rerun.h"
+#include "special_pairs.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -95,7 +100,9 @@ void FixHardEvents::init() {
     error->all(FLERR,
                "pair_style hard/square_well does not know 'neigh_modify exclude molecule'; exclude "
                "types or groups");
-  mobile_.look_up(modify);
+  refuse_rerun(lmp, "pair_style hard/square_well");
+  mobile_.look_up(lmp);
+  require_whole_holds(lmp, "pair_style hard/square_well", true);
   walls_.clear();
   needs_ghosts_ = comm->nprocs > 1 || utils::strmatch(force->pair_style, "^hybrid");
   for (int i = 0; i < modify->nfix; i++) {
@@ -129,10 +136,27 @@ void FixHardEvents::setup_pre_force(int) {
   std::sort(inside_.begin(), inside_.end());
   start_clock(0.0);
   load_all(0.0);
+  require_distinct_places();
   set_up_events();
   warn_of_overlaps();
   next_reneighbor = update->ntimestep + 1;
   new_clock_ = true;
+}
+
+/// Stops at two bodies in one place, ghosts included.
+void FixHardEvents::require_distinct_places() const {
+  std::vector<int> order(atom->nlocal + atom->nghost);
+  std::iota(order.begin(), order.end(), 0);
+  const auto place = [this](int i) {
+    const double* const x = atom->x[i];
+    return std::make_tuple(x[0], x[1], x[2]);
+  };
+  std::sort(order.begin(), order.end(), [&](int i, int j) { return place(i) < place(j); });
+  for (std::size_t n = 1; n < order.size(); n++) {
+    const int i = order[n - 1], j = order[n];
+    if (place(i) == place(j) && simulation_.pairs.meet(matter_of(i), matter_of(j)))
+      refuse_one_place(lmp, "pair_style hard/square_well", i, j);
+  }
 }
 
 /// What happens between which types, as the script has it.
@@ -150,6 +174,21 @@ void FixHardEvents::set_rules() {
     simulation_.pairs.forbid(neighbor->ex1_type[n], neighbor->ex2_type[n]);
   for (int n = 0; n < neighbor->nex_group; n++)
     simulation_.pairs.forbid_groups(neighbor->ex1_bit[n], neighbor->ex2_bit[n]);
+  if (atom->nspecial) simulation_.pairs.forbid_pairs(bonded_apart());
+}
+
+/// Collective: the pairs between which bonds stand and of which special_bonds says that they do not
+/// act on each other, in order.
+FixHardEvents::PairsByTag FixHardEvents::bonded_apart() const {
+  const double* const factors = special_factors(lmp, pair_);
+  PairsByTag mine;
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int bonds = 1, n = 0; bonds <= 3; bonds++)
+      for (; n < atom->nspecial[i][bonds - 1]; n++)
+        if (factors[bonds] == 0.0 && atom->tag[i] < atom->special[i][n])
+          mine.push_back({atom->tag[i], atom->special[i][n]});
+  std::sort(mine.begin(), mine.end());
+  return gathered(mine);
 }
 
 /// Warns of cores that overlap. They part as soon as they move apart, but no event accounts for

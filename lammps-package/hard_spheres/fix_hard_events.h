@@ -97,6 +97,7 @@ class FixHardEvents : public Fix {
   void hold_at_boundary();
   void bring_home();
   void set_rules();
+  void require_distinct_places() const;
   void warn_of_overlaps() const;
   void predict_changes();
   void match_restart();
@@ -135,6 +136,7 @@ class FixHardEvents : public Fix {
   using PairsByTag = std::vector<cohesion::hard_sphere::EventSimulation::Tags>;
   cohesion::hard_sphere::Body matter_of(int i) const;
   bool has_the_same_bodies() const;
+  PairsByTag bonded_apart() const;
   void load_all(double dt);
   void load_bodies(const RemoteParticles&, double dt);
   bool keep_bodies(double dt);

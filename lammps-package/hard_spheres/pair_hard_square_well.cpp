@@ -15,6 +15,7 @@
 #include "neighbor.h"
 #include "plausible_sizes.h"
 #include "restart_format.h"
+#include "special_pairs.h"
 #include "square_well/capture.h"
 #include "update.h"
 
@@ -166,7 +167,8 @@ void PairHardSquareWell::init_style() {
     error->all(FLERR, "pair_style hard/square_well follows motion in time; it cannot be minimized");
   events_ = FixHardEvents::of(lmp);
   given_.commit();
-  require_plausible_radii(lmp, "pair_style hard/square_well");
+  require_plausible_spheres(lmp, "pair_style hard/square_well");
+  require_whole_special_factors(lmp, this, "pair_style hard/square_well", false);
   largest_radius_ = largest_radii(lmp);
   acts_.assign(given_.size(), false);
 }

@@ -90,6 +90,7 @@ class CohesiveCoefficients : protected Pointers {
   cohesion::advice::Material material(int of_types) const {
     return Cohesion::material(given_[of_types]);
   }
+  std::string doubt(int of_types) const { return Cohesion::doubt(lmp, given_[of_types]); }
   /// Whether any contact resists rolling. Of the given ones: mixing adds none.
   bool any_rolls() const {
     return std::any_of(given_.begin(), given_.end(),

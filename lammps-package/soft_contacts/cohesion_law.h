@@ -82,6 +82,8 @@ class CohesionLaw {
   void restore_settings(int) {}
 
   static cohesion::advice::Material material(const Parameters&) { return {}; }
+  /// What to say of numbers that no material has; empty: nothing.
+  static std::string doubt(const LAMMPS*, const Parameters&) { return ""; }
   /// The parameters of a run.
   const Parameters& scaled(LAMMPS*, const std::string&, const Parameters& p) const { return p; }
   Law law(LAMMPS*, const std::string&, const Parameters& p) const { return p.law; }

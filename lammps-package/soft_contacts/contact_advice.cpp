@@ -68,7 +68,7 @@ void scan_particles(LAMMPS* lmp, int groupbit, Circumstances& now) {
   const double none = std::numeric_limits<double>::infinity();
   std::vector<LightestParticle> mine(atom->ntypes + 1, {none, none});
   MobileParticles mobile;
-  mobile.look_up(lmp->modify);
+  mobile.look_up(lmp);
   const auto take = [&](int type, int mask, double radius, double mass) {
     if (!(mask & groupbit)) return;
     LightestParticle& lightest = mine[type];

@@ -127,6 +127,7 @@ void FixWallGranCohesive<Cohesion>::init() {
     error->all(FLERR, where + " acts on spheres; use 'atom_style sphere'");
   if (update->whichflag == 2)
     error->all(FLERR, where + " follows motion in time; it cannot be minimized");
+  require_plausible_spheres(lmp, where);
   const std::vector<double> smallest = smallest_radii(lmp, largest_radii(lmp, groupbit), groupbit);
   for (int type = 1; type <= atom->ntypes; type++)
     attraction.require_short(lmp, where, given_parameters, smallest[type],
@@ -171,6 +172,7 @@ std::vector<AdvisedContact> FixWallGranCohesive<Cohesion>::advised_contacts(
         Cohesion::template of_wall<cohesion::contact::Adhesion>(law, lightest[type].radius)));
     advised.back().material = Cohesion::material(parameters);
     advised.back().material_words = Cohesion::MATERIAL_WORDS;
+    advised.back().doubt = Cohesion::doubt(lmp, parameters);
   }
   return advised;
 }

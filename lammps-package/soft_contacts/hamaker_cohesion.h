@@ -8,12 +8,14 @@
 #include <type_traits>
 #include <vector>
 
+#include "advice/known_materials.h"
 #include "cohesion_law.h"
 #include "contact/adhesion.h"
 #include "event_stepping/plane_pair.h"
 #include "event_stepping/sampled_hamaker.h"
 #include "event_stepping/sphere_pair.h"
 #include "hamaker/forms.h"
+#include "plausible_sizes.h"
 
 namespace LAMMPS_NS {
 
@@ -55,6 +57,9 @@ class HamakerCohesion : public CohesionLaw<cohesion::hamaker::Parameters> {
   void restore_settings(int number) { form_ = &cohesion::hamaker::forms[number]; }
 
   static cohesion::advice::Material material(const Parameters& p) { return p.material; }
+  static std::string doubt(const LAMMPS* lmp, const Parameters& p) {
+    return cohesion::advice::above_hamaker_constants(p.hamaker.hamaker_constant, si_units(lmp));
+  }
   /// With the adhesion scaled to the stiffness when that is wished; what was done is printed, where
   /// it is not what was printed last of `where`.
   Parameters scaled(LAMMPS*, const std::string& where, Parameters);

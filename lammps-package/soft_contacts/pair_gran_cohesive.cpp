@@ -17,6 +17,7 @@
 #include "modify.h"
 #include "neigh_list.h"
 #include "plausible_sizes.h"
+#include "special_pairs.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -76,7 +77,8 @@ void PairGranCohesive<Cohesion>::init_style() {
   if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag || !atom->torque_flag)
     error->all(FLERR, coefficients.where() + " acts between spheres; use 'atom_style sphere'");
   step = FixEventStep::of(lmp);
-  require_plausible_radii(lmp, coefficients.where());
+  require_plausible_spheres(lmp, coefficients.where());
+  require_whole_special_factors(lmp, this, coefficients.where(), true);
   largest_radius = largest_radii(lmp);
   smallest_radius = smallest_radii(lmp, largest_radius);
   coefficients.start();
@@ -164,6 +166,7 @@ std::vector<AdvisedContact> PairGranCohesive<Cohesion>::advised_contacts(
                               types, a.radius, b.radius)));
       contacts.back().material = coefficients.material(types);
       contacts.back().material_words = Cohesion::MATERIAL_WORDS;
+      contacts.back().doubt = coefficients.doubt(types);
     }
   return contacts;
 }

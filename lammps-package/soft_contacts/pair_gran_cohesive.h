@@ -114,6 +114,7 @@ class PairGranCohesive : public Pair,
     return Cohesion::FORMS_AT_TOUCH ? 0.0 : contact.range();
   }
   bool moves(int i, int j) const;
+  void require_distinct_places() const;
   template <class What>
   void for_each_listed(const What&) const;
   void reset_in_range(bool discard_all);

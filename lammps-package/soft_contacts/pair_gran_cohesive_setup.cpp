@@ -4,6 +4,7 @@
 
 #include "atom.h"
 #include "cohesion_laws.h"
+#include "distinct_places.h"
 #include "fix_event_step.h"
 #include "neigh_list.h"
 #include "pair_gran_cohesive.h"
@@ -57,8 +58,15 @@ void PairGranCohesive<Cohesion>::reset_in_range(bool discard_all) {
 }
 
 template <class Cohesion>
+void PairGranCohesive<Cohesion>::require_distinct_places() const {
+  LAMMPS_NS::require_distinct_places(lmp, coefficients.where(), list,
+                                     [this](int i, int j) { return moves(i, j); });
+}
+
+template <class Cohesion>
 void PairGranCohesive<Cohesion>::continue_run() {
   if (!is_active) return;
+  require_distinct_places();
   if (history_stale) reset_in_range(true);
   if (step->box_changed() || coefficients.has_other_ranges()) reset_in_range(false);
   if (!friction) forget_springs();
@@ -111,9 +119,10 @@ void PairGranCohesive<Cohesion>::append_bound(std::vector<std::array<int, 2>>& p
   });
 }
 
-#define COHESION_INSTANTIATE(style, Law)                          \
-  template void PairGranCohesive<Law>::reset_in_range(bool);      \
-  template void PairGranCohesive<Law>::tally_energies_at_setup(); \
-  template void PairGranCohesive<Law>::continue_run();            \
+#define COHESION_INSTANTIATE(style, Law)                                \
+  template void PairGranCohesive<Law>::reset_in_range(bool);            \
+  template void PairGranCohesive<Law>::tally_energies_at_setup();       \
+  template void PairGranCohesive<Law>::continue_run();                  \
+  template void PairGranCohesive<Law>::require_distinct_places() const; \
   template void PairGranCohesive<Law>::append_bound(std::vector<std::array<int, 2>>&) const;
 COHESION_PAIR_LAWS(COHESION_INSTANTIATE)

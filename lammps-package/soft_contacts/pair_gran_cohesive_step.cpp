@@ -61,6 +61,7 @@ void PairGranCohesive<Cohesion>::classify() {
   if (!is_active) return;
   if (history_stale) reset_in_range(true);
   if (neighbor->ago == 0) check_radii(lmp, coefficients.where(), largest_radius);
+  if (step->starts()) require_distinct_places();
   with_contacts([this](auto& contacts, auto size) { classify<size>(contacts); });
 }
 

@@ -29,6 +29,7 @@ struct AdvisedContact {
   contact::Adhesion adhesion;
   Material material = {};                ///< whose contact it stands for
   std::string_view material_words = {};  ///< by which a user tells it; empty: there are none
+  std::string doubt = {};  ///< of the adhesion's numbers, before what would bear it; empty: none
 
   bool moves() const { return inverse_mass() > 0.0; }
   double reduced_mass() const { return 1.0 / inverse_mass(); }
@@ -179,7 +180,10 @@ inline Report report(const std::string& style, const SchemeLimits& limits,
     const ContactNumbers n = numbers(c, run);
     report.table += detail::row(c, n);
     for (const Verdict& verdict : advise(n, limits)) {
-      const std::string message = style + ", " + c.name + ": " + verdict.sentence;
+      const bool of_overlap =
+          verdict.subject == Subject::static_overlap || verdict.subject == Subject::impact_overlap;
+      const std::string message =
+          style + ", " + c.name + ": " + (of_overlap ? c.doubt : "") + verdict.sentence;
       if (verdict.severity == Severity::warning)
         report.warnings.push_back({{c.name}, verdict.subject, message});
       if (verdict.severity == Severity::error && report.stop.empty()) report.stop = message;

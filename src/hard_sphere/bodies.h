@@ -71,6 +71,12 @@ inline bool same_matter(const Body& a, const Body& b) {
          a.inverse_inertia == b.inverse_inertia;
 }
 
+/// A pair, or a particle and a wall, by tags; as in EventKey.
+struct Tags {
+  std::int64_t i, j;
+  bool operator<(const Tags& b) const { return i != b.i ? i < b.i : j < b.j; }
+};
+
 /// The place of an event in the order: events go by time; of those at the same instant causes come
 /// before what they cause; then they go by the lower, then the higher tag; those with a wall by the
 /// tag of the body, then by -1 - number of the wall.

@@ -29,6 +29,9 @@ class PairRules {
   /// Bodies of two groups that pass through each other, by a bit of each group.
   void forbid_groups(int bit_a, int bit_b) { apart_.emplace_back(bit_a, bit_b); }
 
+  /// Pairs that pass through each other, in order, the lower tag first.
+  void forbid_pairs(std::vector<Tags> pairs) { pairs_apart_ = std::move(pairs); }
+
   const Law& law(const Body& a, const Body& b) const { return at(a.kind, b.kind).law; }
 
   Surfaces surfaces(const Body& a, const Body& b) const {
@@ -45,6 +48,10 @@ class PairRules {
   bool meet(const Body& a, const Body& b) const {
     if (!at(a.kind, b.kind).meet || (a.remote && b.remote) ||
         a.inverse_mass + b.inverse_mass == 0.0)
+      return false;
+    if (!pairs_apart_.empty() &&
+        std::binary_search(pairs_apart_.begin(), pairs_apart_.end(),
+                           Tags{std::min(a.tag, b.tag), std::max(a.tag, b.tag)}))
       return false;
     return std::none_of(apart_.begin(), apart_.end(), [&](const std::pair<int, int>& bits) {
       return (a.groups & bits.first && b.groups & bits.second) ||
@@ -74,6 +81,7 @@ class PairRules {
   std::vector<OfKinds> of_kinds_;
   std::vector<double> shallowest_;  // by kind
   std::vector<std::pair<int, int> > apart_;
+  std::vector<Tags> pairs_apart_;
 };
 
 /// A wall in uniform motion, and what happens between it and bodies of each kind.

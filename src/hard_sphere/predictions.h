@@ -29,11 +29,7 @@ class Predictions {
   PairRules pairs;
   std::vector<HardWall> walls;
 
-  /// A pair, or a particle and a wall, by tags; as in EventKey.
-  struct Tags {
-    std::int64_t i, j;
-    bool operator<(const Tags& b) const { return i != b.i ? i < b.i : j < b.j; }
-  };
+  using Tags = hard_sphere::Tags;
 
   Neighbourhoods& neighbourhoods() { return neighbourhoods_; }
   const Neighbourhoods& neighbourhoods() const { return neighbourhoods_; }

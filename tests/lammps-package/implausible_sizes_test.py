@@ -113,6 +113,47 @@ class Sizes(ScriptTestCase):
             output = self.goes(text.replace("units si", f"units {units}").replace("0 0.01", "0 10"))
             self.assertEqual(output.count("WARNING: pair_style gran/hamaker: particle 3 has the diameter 1"), 1, output)
 
+    def test_density_before_the_diameter(self):
+        """What is set first keeps its mass: 1500 kg/m^3 of 1 m in 75 um are 3.56e15 kg/m^3."""
+        says = ("particle 1 (one of 2) has the mass of a sphere of diameter 1 and density 1500",
+                "a density of 3.56e+15 kg/m^3", "set the diameter first, then the density", UNITS)
+        wall = "\nfix w all wall/gran/hamaker " + CONTACT + " zplane 0 NULL"
+        for pair, style in ((gran("4e-10", "1e-7"), "pair_style gran/hamaker"),
+                            (overlay("4e-10", "1e-7"), "pair_style hamaker"),
+                            ("pair_style hard/square_well\npair_coeff * * restitution 0.9", "pair_style hard/square_well"),
+                            ("pair_style none" + wall, "fix w wall/gran/hamaker"),
+                            ("pair_style none\nfix w all wall/hamaker hamaker 5e-19 cutoff 4e-10 1e-7 zplane 0 NULL",
+                             "fix w wall/hamaker")):
+            with self.subTest(style):
+                text = script(pair, boundary="p p f").replace("diameter 75e-6 density 2650",
+                                                              "density 1500\nset group all diameter 75e-6")
+                self.stops(text, style, *says, ranks=2 if "hard" in style else 1)
+        self.goes(script(gran("4e-10", "1e-7")).replace("diameter 75e-6 density 2650",
+                                                        "diameter 75e-6\nset group all density 1500"))
+
+    def test_density_before_the_diameter_in_other_units(self):
+        """In micrometres a sphere of diameter 1 is the smaller one: the density falls by 75^3."""
+        text = script("pair_style hard/square_well\npair_coeff * * restitution 0.9").replace("units si", "units micro")
+        text = text.replace("0 0.01", "0 1000").replace("0.002 0.005 0.005", "200 500 500").replace(
+            "0.008 0.005 0.005", "800 500 500").replace("1e-3 bin", "10 bin")
+        self.stops(text.replace("diameter 75e-6 density 2650", "density 1.5\nset group all diameter 75"),
+                   "a density of 0.00356 kg/m^3", "diameter 1 and density 1.5")
+        self.goes(text.replace("diameter 75e-6 density 2650", "diameter 75 density 1.5"))
+
+    def test_two_in_one_place(self):
+        again = "create_atoms 1 single 0.002 0.005 0.005 units box\nset group all diameter 75e-6 density 2650"
+        for pair, style in ((gran("4e-10", "1e-7"), "gran/hamaker"),
+                            (gran("4e-10", "1e-7", "scheme sampled"), "gran/hamaker"),
+                            (overlay("4e-10", "1e-7"), "hamaker"),
+                            ("pair_style hard/square_well\npair_coeff * * restitution 0.9 well 1e-12 1.1",
+                             "hard/square_well")):
+            self.refuses(f"pair_style {style}: particles", "are in one place, (0.002, 0.005, "
+                         "0.005)", "'delete_atoms overlap'", pair=pair, then=again, ranks=(1, 2))
+        # Nothing happens between two that are excluded, or that nothing moves.
+        for pair in (gran("4e-10", "1e-7"), "pair_style hard/square_well\npair_coeff * * restitution 0.9"):
+            self.goes(script(pair + "\nneigh_modify exclude type 1 1", then=again))
+            self.goes(script(pair, then=again).replace("fix move all nve/sphere", ""))
+
     def test_shrink_wrapped_boxes_follow_the_centres(self):
         alone = "group other id 2\ndelete_atoms group other"
         text = script(NONE, boundary="s s s", diameter="1e-3", then=alone).replace("1e-3 bin", "1e-3 nsq")

@@ -49,6 +49,23 @@ TEST(ContactReport, WarnsAndStopsWithTheNameOfTheContact) {
   EXPECT_EQ(report("a style", sampled_scheme, {pair()}, large).stop.find("a style, 1 - 1: "), 0u);
 }
 
+TEST(ContactReport, ADoubtStandsBeforeTheStiffnessThatWouldBearTheAdhesion) {
+  AdvisedContact strong = pair();
+  strong.adhesion.force *= 1e4;
+  strong.doubt = "the constant is too large; ";
+  const Report r = report("a style", event_scheme, {strong}, run());
+  EXPECT_EQ(r.stop.find("a style, 1 - 1: the constant is too large; the overlap of a resting"), 0u)
+      << r.stop;
+  // Not before advice about the step.
+  RunNumbers large = run();
+  large.dt = 1e-3;
+  AdvisedContact usual = pair();
+  usual.doubt = strong.doubt;
+  const std::string stop = report("a style", event_scheme, {usual}, large).stop;
+  EXPECT_NE(stop, "");
+  EXPECT_EQ(stop.find(usual.doubt), std::string::npos) << stop;
+}
+
 TEST(ContactReport, SoftnessOfSeveralContactsIsSaidOnceWithTheirNames) {
   std::vector<AdvisedContact> all(3, pair());
   all[1].name = "1 - 2";

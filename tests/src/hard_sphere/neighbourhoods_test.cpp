@@ -345,6 +345,9 @@ TEST(Neighbourhoods, ForbiddenPairsAreNone) {
     for (int j = i; j < 3; j++) simulation.pairs.set(i, j, contact(sticky, 1.4));
   simulation.pairs.forbid(0, 2);
   simulation.pairs.forbid_groups(1, 2);
+  std::vector<Tags> bonded;
+  for (std::int64_t tag = 0; tag < 200; tag++) bonded.push_back({tag, tag + 7});
+  simulation.pairs.forbid_pairs(bonded);
   const PeriodicBox box = periodic_box(cube(6.5));
   Gas{100}.fill(simulation, box);
   for (std::size_t n = 0; n < simulation.bodies.size(); n++) {
@@ -358,7 +361,8 @@ TEST(Neighbourhoods, ForbiddenPairsAreNone) {
   simulation.set_up(never, {});
   const auto forbidden = [&](int i, int j) {
     const Body &a = simulation.bodies[i], &b = simulation.bodies[j];
-    return (std::min(a.kind, b.kind) == 0 && std::max(a.kind, b.kind) == 2) ||
+    return std::abs(a.tag - b.tag) == 7 ||
+           (std::min(a.kind, b.kind) == 0 && std::max(a.kind, b.kind) == 2) ||
            (a.groups | b.groups) == 3 || a.inverse_mass + b.inverse_mass == 0.0;
   };
   for (int n = 0; n < 20; n++) {
