@@ -3,8 +3,10 @@
 #define COHESION_HAMAKER_ATTRACTION_H
 
 #include <cmath>
+#include <string>
 #include <vector>
 
+#include "advice/known_materials.h"
 #include "advice/stiffness_scaling.h"
 #include "contact/adhesion.h"
 #include "contact_range.h"
@@ -13,6 +15,7 @@
 #include "hamaker/law.h"
 #include "hamaker/small_gap.h"
 #include "normal_model_probe.h"
+#include "plausible_sizes.h"
 #include "sampled_energy_tally.h"
 #include "settings.h"
 #include "sphere.h"

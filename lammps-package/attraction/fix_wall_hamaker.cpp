@@ -18,6 +18,7 @@
 #include "law_from_script.h"
 #include "modify.h"
 #include "particles_at_walls.h"
+#include "plausible_sizes.h"
 #include "sphere.h"
 #include "update.h"
 #include "words_of_law.h"

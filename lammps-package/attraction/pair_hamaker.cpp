@@ -173,8 +173,7 @@ void PairHamaker::compute_pairs(const std::vector<Law>& law_of) {
 
       const double r = std::sqrt(rsq);
       const cohesion::PairGeometry geometry = cohesion::two_spheres(ri, radius[j]);
-      const double attraction = law.force(r - contact, geometry);
-      const double fpair = -attraction / r;
+      const double fpair = -law.force(r - contact, geometry) / r;
       f[i][0] += dx * fpair;
       f[i][1] += dy * fpair;
       f[i][2] += dz * fpair;

@@ -24,11 +24,16 @@ inline void refuse_one_place(const LAMMPS* lmp, const std::string& where, int i,
                  .c_str());
 }
 
+/// That all pairs meet.
+struct AllMeet {
+  bool operator()(int, int) const { return true; }
+};
+
 /// Stops at neighbours whose centres are nearer than a millionth of their distance in contact.
 /// meet(i, j): whether they can have a contact.
-template <class Meet>
+template <class Meet = AllMeet>
 void require_distinct_places(const LAMMPS* lmp, const std::string& where, const NeighList* list,
-                             const Meet& meet) {
+                             const Meet& meet = {}) {
   constexpr double nearest = 1e-6;
   const Atom* const atom = lmp->atom;
   for (int ii = 0; ii < list->inum; ii++) {

@@ -15,6 +15,7 @@
 #include "memory.h"
 #include "message.h"
 #include "modify.h"
+#include "plausible_sizes.h"
 #include "sphere.h"
 #include "update.h"
 

@@ -140,6 +140,21 @@ class Sizes(ScriptTestCase):
                    "a density of 0.00356 kg/m^3", "diameter 1 and density 1.5")
         self.goes(text.replace("diameter 75e-6 density 2650", "diameter 75 density 1.5"))
 
+    def test_hamaker_constant_that_no_material_has(self):
+        """F_ad = A R*/(6 H_cut^2) of 2e-4 N needs 50 N/m to give way by 5 % of the diameter."""
+        strong = "stiffness 50 restitution 0.5 hamaker 1e-17 cutoff 4e-10 1e-7"
+        says = ("the Hamaker constant A = 1e-17 J is above that of any material (1e-21 to 1e-18 J): check its value and "
+                "its unit; the overlap of a resting pair is")
+        none = strong.replace("1e-17", "0")
+        for pair in (f"pair_style gran/hamaker\npair_coeff * * {strong}",
+                     f"pair_style gran/hamaker\npair_coeff * * {none}\nfix w all wall/gran/hamaker {strong} zplane 0 NULL"):
+            output = self.goes(script(pair, boundary="p p f"))
+            self.assertIn(says, " ".join(output.split()))
+        usual = self.goes(script(f"pair_style gran/hamaker\npair_coeff * * {strong}".replace("1e-17", "1e-18").replace(
+            "stiffness 50", "stiffness 5")))
+        self.assertIn("the overlap of a resting pair is", usual)
+        self.assertNotIn("Hamaker constant", usual)
+
     def test_two_in_one_place(self):
         again = "create_atoms 1 single 0.002 0.005 0.005 units box\nset group all diameter 75e-6 density 2650"
         for pair, style in ((gran("4e-10", "1e-7"), "gran/hamaker"),
