@@ -3,6 +3,7 @@
 #define COHESION_LIQUID_BRIDGE_ATTRACTION_H
 
 #include <cmath>
+#include <string>
 
 #include "advice/stiffness_scaling.h"
 #include "contact_range.h"

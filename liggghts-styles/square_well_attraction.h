@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <memory>
+#include <string>
 
 #include "advice/stiffness_scaling.h"
 #include "contact_range.h"

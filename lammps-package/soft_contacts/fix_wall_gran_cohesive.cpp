@@ -15,6 +15,7 @@
 #include "largest_radii.h"
 #include "neighbor.h"
 #include "particles_at_walls.h"
+#include "plausible_sizes.h"
 #include "update.h"
 #include "walls_from_script.h"
 
