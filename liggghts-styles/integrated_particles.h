@@ -17,7 +17,7 @@ namespace Cohesion {
 /// setforce, lineforce or planeforce sets their whole force, or fix move or nve/noforce leads them.
 class MobileParticles {
  public:
-  explicit MobileParticles(const LAMMPS_NS::LAMMPS* lmp) : held_(lmp) {
+  explicit MobileParticles(const LAMMPS_NS::LAMMPS* lmp) : held_(lmp), any_held_(held_.any()) {
     const LAMMPS_NS::Modify* const modify = lmp->modify;
     for (int k = 0; k < modify->nfix; k++) {
       const LAMMPS_NS::Fix* const fix = modify->fix[k];
@@ -32,7 +32,9 @@ class MobileParticles {
   /// Moment of inertia over mass and square of the radius: as fix nve/sphere turns the particle.
   static double inertia_factor(int dimension) { return dimension == 2 ? 0.5 : 0.4; }
 
-  bool moves(int mask) const { return (mask & mobile_) && !(mask & frozen_) && !held_.hold(mask); }
+  bool moves(int mask) const {
+    return (mask & mobile_) && !(mask & frozen_) && !(any_held_ && held_.hold(mask));
+  }
   /// Whether a particle moves and nothing turns it.
   bool is_not_turned(int mask) const { return moves(mask) && !(mask & turned_); }
 
@@ -45,6 +47,7 @@ class MobileParticles {
 
  private:
   LAMMPS_NS::HeldGroups held_;
+  bool any_held_;
   int mobile_ = 0;
   int frozen_ = 0;
   int turned_ = 0;
