@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 #include "vector3.h"
 
@@ -24,8 +25,11 @@ class HeldDirections {
     if (left <= rounded * length || count_ == dimensions_) return;
     basis_[count_++] = (1.0 / left) * direction;
   }
-  void add(const HeldDirections& others) {
-    for (const Vector3& direction : others) add(direction);
+  /// What is left of a force.
+  Vector3 left_of(Vector3 force) const {
+    if (dimensions_ == 2) force.z = 0.0;
+    for (const Vector3& held : *this) force -= dot(held, force) * held;
+    return force;
   }
 
   bool none() const { return count_ == 0; }
@@ -44,6 +48,17 @@ class HeldDirections {
   int count_ = 0;
   std::array<Vector3, 3> basis_{};
 };
+
+/// Whether nothing is left of any force on which each of `some`, pointers in their order, acts: the
+/// order matters for directions that are not at right angles.
+template <class Some>
+bool leave_nothing(const Some& some) {
+  const Vector3 axes[] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
+  return std::all_of(std::begin(axes), std::end(axes), [&](Vector3 left) {
+    for (const HeldDirections* held : some) left = held->left_of(left);
+    return norm(left) <= 1e-9;
+  });
+}
 
 /// Across `direction`: what fix lineforce and others hold that leave one direction free.
 inline HeldDirections all_but(const Vector3& direction, int dimensions) {

@@ -171,14 +171,15 @@ HeldGroups::HeldGroups(const LAMMPS* lmp) {
   }
   // Fixes that hold a particle together: two, or three.
   const auto hold_all = [&](std::initializer_list<const Hold*> some) {
-    HeldDirections directions(lmp->domain->dimension);
+    std::vector<const HeldDirections*> directions;
     int bits = 0;
     for (const Hold* hold : some) {
-      directions.add(hold->directions);
+      directions.push_back(&hold->directions);
       bits |= hold->fix->groupbit;
     }
-    if (directions.all()) together_.push_back(bits);
-    return directions.all();
+    const bool held = cohesion::leave_nothing(directions);
+    if (held) together_.push_back(bits);
+    return held;
   };
   for (std::size_t a = 0; a < partial.size(); a++)
     for (std::size_t b = a + 1; b < partial.size(); b++) {

@@ -34,7 +34,7 @@ WHOLLY = {
     "setforce twice": MOVE + "fix a held setforce 0 NULL 0\nfix b all setforce NULL NULL NULL\n"
                              "fix c held setforce NULL 0 NULL\n",
     "along each axis": MOVE + "fix a held planeforce 1 0 0\nfix b held planeforce 0 1 0\nfix c held planeforce 0 0 2\n",
-    "line and plane": MOVE + "fix a held lineforce 1 0 1\nfix b held planeforce 1 0 0\n",
+    "line and plane": MOVE + "fix a held lineforce 1 0 1\nfix b held planeforce 2 0 2\n",
     "variables": MOVE + "variable none equal 0*step\nfix hold held setforce v_none v_none 0\n",
 }
 RESULT = "write_dump all custom end.txt id x y z vx vy vz omegax omegay omegaz modify format float %.17g sort id\n"
@@ -128,6 +128,9 @@ class Held(ScriptTestCase):
                     else:
                         self.stops(text, f"fix part {how.split()[0]} holds 1 particles, the first of them 1, along "
                                    f"{along}", "in all directions or in none", "'fix setforce 0 0 0' or 'fix freeze'")
+        # The second of two gives back in part what the first has taken.
+        self.stops(script("gran/hamaker", MOVE + "fix a held planeforce 1 1 0\nfix b held lineforce 0 1 0\n"),
+                   "fix a planeforce holds 1 particles")
         self.stops(script("gran/hamaker", MOVE + "region r block 0 0.01 0 0.01 0 0.01\n"
                           "fix part held setforce 0 0 0 region r\n"), "while they are in its region")
 

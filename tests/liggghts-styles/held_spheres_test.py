@@ -17,7 +17,7 @@ MOVE, FREEZE = "fix move all nve/sphere\n", "fix move all nve/sphere\nfix hold h
 WHOLLY = {
     "setforce": MOVE + "fix hold held setforce 0 0 0\n",
     "setforce first": "fix hold held setforce 0 0 0\n" + MOVE,
-    "line and plane": MOVE + "fix a held lineforce 1 0 1\nfix b held planeforce 1 0 0\n",
+    "line and plane": MOVE + "fix a held lineforce 1 0 1\nfix b held planeforce 2 0 2\n",
 }
 
 

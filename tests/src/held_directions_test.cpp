@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 namespace cohesion {
 namespace {
 
@@ -55,12 +57,22 @@ TEST(HeldDirections, AcrossALineLeaveThatAlone) {
   EXPECT_TRUE(all_but(z, 2).all());
 }
 
-TEST(HeldDirections, OfSeveralAddUp) {
-  HeldDirections held = all_but(x, 3);
-  HeldDirections other;
-  other.add(x + y);
-  held.add(other);
-  EXPECT_TRUE(held.all());
+TEST(HeldDirections, OfSeveralLeaveNothingOrSomeForce) {
+  HeldDirections along_x, along_both;
+  along_x.add(x);
+  along_both.add(x + y);
+  const HeldDirections across_x = all_but(x, 3), across_both = all_but(x + y, 3);
+  const auto nothing = [](std::vector<const HeldDirections*> some) { return leave_nothing(some); };
+  EXPECT_TRUE(nothing({&across_x, &along_x}));
+  EXPECT_TRUE(nothing({&along_x, &across_x}));
+  // Both directions of the plane are held, each after the other: half of the first comes back.
+  EXPECT_FALSE(nothing({&along_x, &across_both}));
+  EXPECT_NEAR(norm(along_x.left_of(across_both.left_of(x))), 0.5, 1e-14);
+  EXPECT_FALSE(nothing({&along_x}));
+  HeldDirections flat_x(2), flat_y(2);
+  flat_x.add(x);
+  flat_y.add(y);
+  EXPECT_TRUE(nothing({&flat_x, &flat_y}));
 }
 
 }  // namespace
