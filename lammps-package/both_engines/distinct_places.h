@@ -5,6 +5,7 @@
 #include <string>
 
 #include "atom.h"
+#include "comm.h"
 #include "error.h"
 #include "message.h"
 #include "neigh_list.h"
@@ -16,12 +17,13 @@ namespace LAMMPS_NS {
 inline void refuse_one_place(const LAMMPS* lmp, const std::string& where, int i, int j) {
   const Atom* const atom = lmp->atom;
   const double* const x = atom->x[i];
-  lmp->error->one(
-      FLERR, message(where, ": particles ", atom->tag[i], " and ", atom->tag[j],
-                     " are in one place, (", x[0], ", ", x[1], ", ", x[2],
-                     "), where a contact has no direction: move one of them, or remove it, for "
-                     "instance by 'delete_atoms overlap'")
-                 .c_str());
+  const std::string text =
+      message(where, ": particles ", atom->tag[i], " and ", atom->tag[j], " are in one place, (",
+              x[0], ", ", x[1], ", ", x[2],
+              "), where a contact has no direction: move one of them, or remove it, for "
+              "instance by 'delete_atoms overlap'");
+  if (lmp->comm->nprocs == 1) lmp->error->all(FLERR, text.c_str());
+  lmp->error->one(FLERR, text.c_str());
 }
 
 /// That all pairs meet.
