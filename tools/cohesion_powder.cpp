@@ -24,44 +24,16 @@
 #include "powder_case.h"
 #include "powder_contacts.h"
 #include "powder_request.h"
+#include "powder_units.h"
 #include "powder_vessel.h"
+#include "printed_lines.h"
 
 namespace {
 
 using namespace cohesion;
 using namespace cohesion::powder;
+using tools::Lines;
 using tools::Request;
-
-/// A line of what is printed.
-struct Line {
-  std::string name;  // of the value in --csv
-  std::string text;
-  double value;
-  const char* unit;
-};
-
-class Lines {
- public:
-  explicit Lines(bool csv) : csv_(csv) {
-    if (csv_) std::puts("name,value,unit");
-  }
-
-  void heading(const std::string& text) const {
-    if (!csv_) std::printf("\n%s\n", text.c_str());
-  }
-  void operator()(const Line& line) const {
-    if (csv_)
-      std::printf("%s,%.17g,%s\n", line.name.c_str(), line.value, line.unit);
-    else
-      std::printf("  %-46s %-11.4g %s\n", line.text.c_str(), line.value, line.unit);
-  }
-  void note(const std::string& text) const {
-    if (!csv_) std::printf("  %s\n", text.c_str());
-  }
-
- private:
-  bool csv_;
-};
 
 Sizes sizes_of(const Request& r) {
   if (!r.percentiles.empty())
@@ -97,7 +69,8 @@ class Powder {
     const hamaker::Asperity asperity = asperity_of(r);
     hamaker = {constant, r.cutoffs[0], r.cutoffs.at(1), asperity.radius, asperity.height};
     adhesion = adhesion_at(sizes.smallest());
-    speed = r.speed > 0.0 ? r.speed : 2.0 * fastest_fluidisation;
+    const double fall = std::sqrt(2.0 * r.gravity * parcels.length(sizes.largest()));
+    speed = r.speed > 0.0 ? r.speed : std::max(2.0 * fastest_fluidisation, fall);
     springs = springs_of({sizes.smallest(), mass(sizes.smallest()), hamaker, adhesion},
                          {r.restitution,
                           {speed, pressure_of(r.height, r.void_fraction, r.density * r.gravity)},
@@ -105,12 +78,15 @@ class Powder {
                           keep_of(r),
                           r.stiffness,
                           r.elastic,
-                          well_ratio_of(r)});
-    const double steps = r.engine == "liggghts" ? steps_per_contact_liggghts : steps_per_contact;
-    step = particle_step(parcels.time(springs.used.contact_time), steps);
+                          well_ratio_of(r),
+                          {at_wall(sizes.smallest()), at_wall(sizes.largest())}});
+    const double per_contact =
+        r.engine == "liggghts" ? steps_per_contact_liggghts : steps_per_contact;
     cell = r.cell * parcels.length(sizes.largest());
-    velocity = 2.0 * fastest_fluidisation;
-    gas_step = powder::gas_step(cell, velocity / r.void_fraction, r.gravity, step);
+    steps = steps_within(
+        tools::PowderCase::output_interval, parcels.time(springs.used.contact_time) / per_contact,
+        longest_gas_step(cell, 2.0 * fastest_fluidisation / r.void_fraction, r.gravity));
+    velocity = 2.0 * fluidisation(find_by_name(drag::closures, "drag", r.drag));
   }
 
   double fluidisation(const drag::Closure& closure) const {
@@ -129,6 +105,11 @@ class Powder {
     const hamaker::AnyLaw law = hamaker::forms.front().law(hamaker, hamaker.asperity_radius > 0.0);
     hamaker::require_weakened_by_asperities(hamaker::forms.front(), hamaker, geometry);
     return std::visit([&](const auto& l) { return contact::adhesion_of(l, geometry); }, law);
+  }
+
+  /// A grain of a diameter at a wall, which presses a spring more than two of them.
+  Borne at_wall(double diameter) const {
+    return {{diameter, mass(diameter)}, adhesion_of(sphere_and_plane(0.5 * diameter))};
   }
 
   /// Of the spheres that are computed, each size a type.
@@ -166,9 +147,10 @@ class Powder {
   double fastest_fluidisation = 0.0;  // by the closures
   double speed;                       // of impacts
   hamaker::Parameters hamaker;
-  contact::Adhesion adhesion;             // of two of the smallest
-  Springs springs;                        // of the grains
-  double step, cell, velocity, gas_step;  // of the run
+  contact::Adhesion adhesion;  // of two of the smallest
+  Springs springs;             // of the grains
+  Steps steps;                 // of the run
+  double cell, velocity;       // of the run
 
  private:
   const Request& request_;
@@ -261,10 +243,11 @@ void print_plan(const Lines& print, const Request& r, const Powder& p) {
     print({"bond_computed", "their Bond number, of the smallest",
            p.adhesion.force / p.weight(p.sizes.smallest()) / p.parcels.ratio(), "1"});
   }
-  print({"particle_step", "particle step, a part of t_c, scheme event", p.step, "s"});
+  print({"particle_step", "particle step, a part of t_c, scheme event", p.steps.particle, "s"});
   print({"cell", "edge of the cells", p.cell, "m"});
-  print({"gas_step", "gas step, a whole number of these", p.gas_step, "s"});
-  print({"steps_per_second", "particle steps in a second", 1.0 / p.step, "1"});
+  print({"gas_step", "gas step, a whole number of these", p.steps.gas, "s"});
+  print({"gas_velocity", "superficial gas velocity, twice u_mf by " + r.drag, p.velocity, "m/s"});
+  print({"steps_per_second", "particle steps in a second", 1.0 / p.steps.particle, "1"});
   if (r.height == 0.0) return;
   const Bed bed = bed_of(r);
   const double grains = number_of_grains(bed, p.sizes);
@@ -306,7 +289,7 @@ void print_script(const Lines& print, const Request& r, const Powder& p) {
     for (const auto& wall : p.contacts().lammps_walls())
       print.note("# walls, " + wall.group + ": " + wall.contact);
   char text[80];
-  std::snprintf(text, sizeof text, "timestep %.6g", p.step);
+  std::snprintf(text, sizeof text, "timestep %.6g", p.steps.particle);
   print.note(text);
 }
 
@@ -316,7 +299,8 @@ void print_cost(const Lines& print, const Request& r, const Powder& p) {
   const std::string lines = "pair_style " + contacts.lammps_style() + " scheme event\n" +
                             contacts.lammps_for_all() + "\n";
   tools::EngineCost engine(r.lammps, r.plugin);
-  const auto cost = engine.seconds(p.parcels.length(p.mean.diameter), r.density, lines, p.step);
+  const auto cost =
+      engine.seconds(p.parcels.length(p.mean.diameter), r.density, lines, p.steps.particle);
   print.heading("On this machine, the particles alone, one process");
   if (!cost) {
     std::cerr << "cohesion-powder: '" << r.lammps << "' did not run, so that nothing is measured; "
@@ -327,7 +311,8 @@ void print_cost(const Lines& print, const Request& r, const Powder& p) {
   print({"seconds_per_grain_step", "per sphere and step, in a packing", *cost, "s"});
   if (r.height == 0.0) return;
   const double spheres = p.parcels.number(number_of_grains(bed_of(r), p.sizes));
-  print({"hours_per_second", "for a second of the bed", *cost * spheres / p.step / 3600.0, "h"});
+  print({"hours_per_second", "for a second of the bed", *cost * spheres / p.steps.particle / 3600.0,
+         "h"});
 }
 
 /// The vessel of `computed` that holds no more than so many, or the smallest.
@@ -358,11 +343,12 @@ void write_case(const Request& r, const Powder& p) {
                                   computed,
                                   p.parcels.ratio(),
                                   p.contacts(),
-                                  p.step,
-                                  p.gas_step,
+                                  p.steps,
                                   r.gas,
                                   r.gravity,
-                                  p.velocity};
+                                  r.drag,
+                                  p.velocity,
+                                  p.speed};
   written.write(r.folder, vessel);
   std::fprintf(
       stderr,
@@ -390,6 +376,7 @@ int main(int argc, char** argv) {
   }
 
   try {
+    tools::require_si(request);
     tools::require_together(request);
     request.gas = tools::gas_of(request);
     const Powder powder(request);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -24,10 +25,15 @@ struct PowderCase {
   powder::Sizes sizes;  ///< of the spheres, which may be parcels
   double parcel;        ///< their diameter over that of grains
   PowderContacts contacts;
-  double particle_step, gas_step;
+  powder::Steps steps;
   powder::Gas gas;
   double gravity;
+  std::string drag;
   double velocity;  ///< superficial
+  double speed;     ///< with which grains settle at most, and which their springs bear
+
+  /// Between two outputs; those of the files, and the end of the run, are multiples.
+  static constexpr double output_interval = 0.01;
 
   /// Throws std::runtime_error where the folder is there and not empty, or cannot be written.
   void write(const std::filesystem::path& folder, const PowderVessel& vessel) const {
@@ -69,7 +75,7 @@ struct PowderCase {
    public:
     Entries(const std::filesystem::path& file, const char* title) : out_(file) {
       out_ << "// " << title << '\n';
-      out_.precision(9);
+      out_.precision(12);
     }
     template <class Value>
     Entries& operator()(const char* name, const Value& value) {
@@ -95,7 +101,7 @@ struct PowderCase {
           "cells", "(" + std::to_string(v.cells(0)) + " " + std::to_string(v.cells(1)) + " " +
                        std::to_string(v.cells(2)) + ")");
     }
-    entries("top", v.edge(2))("rows", v.cells(2))("velocity", velocity)("gasStep", gas_step)(
+    entries("top", v.edge(2))("rows", v.cells(2))("velocity", velocity)("gasStep", steps.gas)(
         "gasDensity", gas.density)("gasKinematicViscosity", gas.viscosity / gas.density);
   }
 
@@ -103,22 +109,43 @@ struct PowderCase {
     // A fifth of the skin is for the flights of two grains in a step: 3 m/s each.
     // LIGGGHTS sees a well at a wall within half of it, and its own margin.
     const double skin =
-        std::max({0.2 * sizes.largest(), 30.0 * particle_step,
+        std::max({0.2 * sizes.largest(), 30.0 * steps.particle,
                   1.1 * std::max(0.0, contacts.well_ratio - 0.98) * sizes.largest()});
     Entries entries(file, "Variables of the script, SI units.");
-    entries("dt", particle_step)("round", v.is_round() ? 1 : 0)("radius", v.radius())(
+    entries("dt", steps.particle)("round", v.is_round() ? 1 : 0)("radius", v.radius())(
         "width", v.edge(0))("depth", v.edge(1))("top", v.edge(2))("gravity", gravity)("skin", skin)(
-        "settle", std::max(0.05, 1.5 * std::sqrt(2.0 * v.height_of_lattice() / gravity)));
+        "settle", settling_time(v))("slow", '"' + resistance() + '"');
     if (liggghts)
       entries("model", '"' + contacts.liggghts_model() + '"')(
           "keywords", '"' + contacts.liggghts_keywords() + '"')("wall", sizes.all().size() + 1);
+  }
+
+  /// Words of the engines' fix viscous, -gamma v on each type, in which grains sink at `speed`:
+  /// those that fall freely through the lattice press their springs more than the run's impacts.
+  std::string resistance() const {
+    const auto gamma = [&](const powder::Size& size) {
+      return contacts.density * sphere_volume(0.5 * size.diameter) * gravity / speed;
+    };
+    std::ostringstream words;
+    const double first = gamma(sizes.all().front());
+    words << first;
+    for (std::size_t k = 1; k < sizes.all().size(); k++)
+      words << " scale " << k + 1 << ' ' << gamma(sizes.all()[k]) / first;
+    return words.str();
+  }
+
+  /// The lattice, of a void fraction of 0.55, shrinks by a third of its height at most, at `speed`
+  /// or as fast as grains fall; half as long again, to come to rest.
+  double settling_time(const PowderVessel& v) const {
+    const double height = v.height_of_lattice();
+    return std::max({0.05, 1.5 * std::sqrt(2.0 * height / gravity), 0.5 * height / speed});
   }
 
   void write_coupling(const std::filesystem::path& file, const PowderVessel& v) const {
     Entries entries(file,
                     "Of couplingProperties: engine, laws, and how spheres are shared by cells.");
     // Among equal grains the law of mixtures would raise the drag by some per cent.
-    entries("demEngine", liggghts ? "liggghts" : "lammps")(
+    entries("demEngine", liggghts ? "liggghts" : "lammps")("drag", drag)(
         "dragMixture", sizes.all().size() > 1 ? "vanDerHoef" : "none")("coarseGraining", parcel);
     // In cells that are no boxes sphereOverlap takes 500 points of a sphere, and this 29.
     entries("voidFraction", v.is_round() ? "dividedVolume" : "sphereOverlap");

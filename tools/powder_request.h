@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "drag/drag_closure.h"
 #include "gas/named_gases.h"
 #include "hamaker/roughness.h"
 #include "named_table.h"
@@ -38,6 +39,7 @@ struct Request {
   double coarse_graining = 1.0;
   double cell = powder::cell_over_diameter;  // over the largest diameter of what is computed
   std::string engine = "lammps";
+  std::string drag = "beetstra";  // of the case
   std::string lammps = "lmp-cohesion", plugin = "cohesionplugin.so";
   bool measure = false, csv = false;
   std::string folder;  // of a case to write
@@ -111,7 +113,9 @@ inline void add_options(CLI::App& app, Request& r) {
   app.add_option("--overlap", r.overlap, "largest overlap over the diameter")
       ->check(CLI::Range(1e-5, 0.1))
       ->capture_default_str();
-  app.add_option("--speed", r.speed, "of impacts; not given: twice the largest u_mf [m/s]")
+  app.add_option("--speed", r.speed,
+                 "of impacts; not given: twice the largest u_mf, "
+                 "or of a fall of one diameter if larger [m/s]")
       ->check(CLI::PositiveNumber);
   add_gas_options(app, r);
   app.add_option("--gravity", r.gravity, "[m/s2]")->capture_default_str();
@@ -133,6 +137,11 @@ inline void add_options(CLI::App& app, Request& r) {
       ->capture_default_str();
   app.add_option("--engine", r.engine, "of the run: steps, script and case are for it")
       ->check(CLI::IsMember({"lammps", "liggghts"}))
+      ->capture_default_str();
+  std::vector<std::string> closures;
+  for (const drag::Closure& closure : drag::closures) closures.emplace_back(closure.name);
+  app.add_option("--drag", r.drag, "closure of the case; the gas has twice its u_mf")
+      ->check(CLI::IsMember(closures))
       ->capture_default_str();
   app.add_flag("--measure", r.measure, "measure what a step takes in a short run of LAMMPS");
   app.add_option("--lammps", r.lammps, "program for --measure")->capture_default_str();

@@ -97,21 +97,36 @@ struct Load {
   double pressure;  ///< of the bed above, [force/length^2]
 };
 
+/// Two grains, or a grain and a wall, as a spring has to bear them.
+struct Pressed {
+  double diameter;      ///< of the smaller one, [length]
+  double reduced_mass;  ///< [mass]
+};
+
 /// The softest spring, [force/length], that keeps overlaps below `overlap` over the diameter [1]:
-/// of impacts at the speed of the load with the restitution e, of a pair that the adhesion
-/// `pull_off` [force] holds, and under the pressure of the bed, which puts the force p d^2 on a
-/// contact. mass: of one grain. scaled_from: K of the material where the adhesion is scaled with
-/// the spring, F_ad sqrt(K/K_m) (advice/stiffness_scaling.h); 0: it is not.
-inline double softest_stiffness(double diameter, double mass, double restitution, double pull_off,
-                                const Load& load, double overlap, double scaled_from = 0.0) {
+/// of an impact at the speed of the load with the restitution e, to which the adhesion adds, of a
+/// pair at rest that the adhesion holds, and under the pressure of the bed, which puts the force
+/// p d^2 on a contact. adhesion_at(K): the contact::Adhesion that the run has with the stiffness K.
+/// The overlap falls no faster than 1/K, so that no round overshoots.
+template <class AdhesionAt>
+double softest_stiffness(const Pressed& pressed, double restitution, const AdhesionAt& adhesion_at,
+                         const Load& load, double overlap) {
   require_positive("overlap", overlap);
-  const double most = overlap * diameter;
-  const double of_impacts =
-      contact::LinearSpringDashpot::from_maximum_overlap(most, load.speed, restitution, 0.5 * mass)
-          .stiffness();
-  const double held = pull_off / most;
-  return std::max({of_impacts, scaled_from > 0.0 ? held * held / scaled_from : held,
-                   load.pressure * diameter * diameter / most});
+  using contact::LinearSpringDashpot;
+  const double most = overlap * pressed.diameter, mass = pressed.reduced_mass;
+  double stiffness = std::max(
+      LinearSpringDashpot::from_maximum_overlap(most, load.speed, restitution, mass).stiffness(),
+      load.pressure * pressed.diameter * pressed.diameter / most);
+  for (int round = 0; round < 100; round++) {
+    const contact::AdhesiveContact contact(
+        LinearSpringDashpot::from_restitution(stiffness, restitution, mass),
+        adhesion_at(stiffness));
+    const double x = std::max(contact.static_overlap(),
+                              contact.maximum_overlap(contact.entry_speed(load.speed)));
+    if (x <= most * (1.0 + 1e-12)) break;
+    stiffness *= x / most;
+  }
+  return stiffness;
 }
 
 /// Numbers of a pair of grains with one spring.

@@ -69,18 +69,27 @@ inline constexpr double courant = 0.5;
 /// Gas step over the time in which a grain falls through a cell, at most.
 inline constexpr double falls_per_step = 0.1;
 
-/// Particle step, [time], of the shortest contact time.
-inline double particle_step(double contact_time, double steps) {
-  return two_digits_below(contact_time / steps);
+/// The longest gas step, [time]: for a gas that passes cells of this edge [length] between the
+/// grains at `velocity` [length/time], and a tenth of the time in which a grain falls through one.
+inline double longest_gas_step(double cell, double velocity, double gravity) {
+  return std::min(courant * cell / velocity, falls_per_step * std::sqrt(2.0 * cell / gravity));
 }
 
-/// Gas step, [time], a whole number of particle steps: for a gas that passes cells of this edge
-/// [length] between the grains at `velocity` [length/time], and a tenth of the time in which a
-/// grain falls through one.
-inline double gas_step(double cell, double velocity, double gravity, double particle_step) {
-  const double longest =
-      std::min(courant * cell / velocity, falls_per_step * std::sqrt(2.0 * cell / gravity));
-  return particle_step * std::max(1.0, std::floor(longest / particle_step));
+/// Steps of a run, [time].
+struct Steps {
+  double particle, gas;
+};
+
+/// No longer than these, [time]: a whole number of gas steps is the interval of a run's outputs, so
+/// that the run ends when it should, and a whole number of particle steps is a gas step.
+inline Steps steps_within(double interval, double longest_particle_step, double longest_gas_step) {
+  constexpr double rounding = 1e-12;
+  const double gas = std::min(longest_gas_step, interval);
+  const double particle = std::min(longest_particle_step, gas);
+  const double of_gas = std::floor(gas / particle * (1.0 + rounding));
+  const double of_interval = std::ceil(interval / (of_gas * particle) * (1.0 - rounding));
+  const double step = interval / of_interval;
+  return {step / of_gas, step};
 }
 
 }  // namespace cohesion::powder

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "advice/softness.h"
 #include "advice/stiffness_scaling.h"
@@ -14,6 +15,12 @@
 /// The springs of a run, beside those of the material. Any consistent set of units.
 namespace cohesion::powder {
 
+/// A contact that the springs have to bear, with the adhesion of its material.
+struct Borne {
+  Pressed pressed;
+  contact::Adhesion adhesion;
+};
+
 /// What the springs of a run are to do.
 struct Demand {
   double restitution;         ///< without cohesion, [1]
@@ -23,6 +30,7 @@ struct Demand {
   double given = 0.0;         ///< stiffness that is used whatever they do, [force/length]; 0: none
   Elastic elastic{0.0, 0.0};  ///< material; Young's modulus 0: the springs given are the material
   double well_ratio = 0.0;    ///< r_out/r of a well in place of the attraction; 0: no well
+  std::vector<Borne> others;  ///< that they bear besides the pair: larger grains, grains at walls
 };
 
 /// Two grains in contact, of the smallest size.
@@ -61,6 +69,21 @@ inline double material_stiffness(const Pair& pair, const Demand& demand) {
                             pair.adhesion, demand.load.speed);
 }
 
+/// The softest stiffness that bears the pair and all others. in_run(borne, K): the adhesion that
+/// the run has of a contact.
+template <class InRun>
+double softest_of_all(const Pair& pair, const Demand& demand, const InRun& in_run) {
+  std::vector<Borne> all = demand.others;
+  all.push_back({{pair.diameter, 0.5 * pair.mass}, pair.adhesion});
+  double stiffness = 0.0;
+  for (const Borne& b : all)
+    stiffness = std::max(stiffness,
+                         softest_stiffness(
+                             b.pressed, demand.restitution, [&](double k) { return in_run(b, k); },
+                             demand.load, demand.overlap));
+  return stiffness;
+}
+
 /// With a square well in place of the attraction (powder/wells.h), which presses nothing: springs
 /// bear impacts at the speed that it gives those of the load. Throws InvalidParameter as
 /// well_depth, and unless the ratio of the well is one.
@@ -72,10 +95,10 @@ inline Springs springs_with_well(const Pair& pair, const Demand& demand) {
   square_well::require_valid(well);
   double soft = demand.given;
   if (soft == 0.0) {
-    const Load load{std::hypot(demand.load.speed, std::sqrt(2.0 * well.depth / mu)),
-                    demand.load.pressure};
-    soft = rounded_stiffness(
-        softest_stiffness(pair.diameter, pair.mass, e, 0.0, load, demand.overlap), real);
+    const auto in_run = [&](const Borne& b, double) {
+      return contact::Adhesion{0.0, 0.0, well_depth(real, e, b.pressed.reduced_mass, b.adhesion)};
+    };
+    soft = rounded_stiffness(softest_of_all(pair, demand, in_run), real);
   }
   const PairNumbers of_material = pair_numbers(real, e, pair.mass, pair.adhesion);
   const PairNumbers used =
@@ -92,8 +115,11 @@ inline Springs springs_of(const Pair& pair, const Demand& demand) {
   double soft = demand.given;
   if (soft == 0.0) {
     const bool scales = demand.keep == advice::Keep::escape_velocity;
-    soft = softest_stiffness(pair.diameter, pair.mass, demand.restitution, pair.adhesion.force,
-                             demand.load, demand.overlap, scales ? real : 0.0);
+    soft = softest_of_all(pair, demand, [&](const Borne& b, double stiffness) {
+      return scales && b.adhesion.force > 0.0 && stiffness < real
+                 ? advice::StiffnessScaling(real, stiffness).adhesion(b.adhesion)
+                 : b.adhesion;
+    });
     if (scales) soft = std::max(soft, least_scaled_stiffness(real, pair.hamaker));
     soft = rounded_stiffness(soft, real);
   }

@@ -39,6 +39,9 @@ class PowderCase(CoupledTestCase):
         log = (case / "log.cohesiveBedFoam").read_text()
         self.expect_below(f"{name}: imbalance of momentum [1]",
                           max(line["imbalance"] for line in exchange_lines(log)), 1e-10)
+        # The last of the times that are written; Allrun left 0.
+        last = max((folder.name for folder in case.glob("0.[0-9]*")), key=float)
+        self.expect_equal(f"{name}: time at the end [s]", last, "0.1")
         self.check_drop(name, case, cell)
         self.check_places(name, case, across)
         return log

@@ -44,9 +44,9 @@ class Numbers(unittest.TestCase):
 
     def test_springs_are_soft_enough_and_not_softer(self):
         found = program.values(*GLASS, "--overlap", 0.005)
-        # Of an impact without loss; restitution makes it less.
+        # Of an impact without loss on a wall, which presses more than a pair; restitution makes it less.
         mass = 2500 * math.pi / 6 * 5e-4**3
-        overlap = found["impact_speed"] * math.sqrt(mass / 2 / found["stiffness"]) / 5e-4
+        overlap = found["impact_speed"] * math.sqrt(mass / found["stiffness"]) / 5e-4
         self.assertLess(overlap, 0.0055)
         self.assertGreater(overlap, 0.0045)
 
@@ -62,12 +62,18 @@ class Numbers(unittest.TestCase):
     def test_stiffness_given_is_used(self):
         found = program.values("--diameter", 1e-3, "--density", 2650, "--stiffness", 800, "--hamaker", 7.49e-19)
         self.assertEqual((found["stiffness"], found["material_stiffness"]), (800, 800))
-        # t_c/8 in two digits, not above
+        # t_c/8 and not above; a whole part of the gas step, and that of 0.01 s, so that some twentieth may be missing
         step = found["contact_time"] / 8
         self.assertLessEqual(found["particle_step"], step)
         self.assertGreater(found["particle_step"], 0.9 * step)
-        steps = found["gas_step"] / found["particle_step"]
-        self.assertAlmostEqual(steps, round(steps), delta=1e-9)
+        for steps in (found["gas_step"] / found["particle_step"], 0.01 / found["gas_step"]):
+            self.assertAlmostEqual(steps, round(steps), delta=1e-9 * steps)
+
+    def test_the_gas_has_twice_the_minimum_fluidisation_of_the_closure_of_the_case(self):
+        for words, closure in (((), "beetstra"), (("--drag", "wenYu"), "wenYu")):
+            found = program.values(*GLASS, *words)
+            self.near(found["gas_velocity"], 2 * found[f"u_mf_{closure}"])
+        self.assertNotEqual(found["u_mf_beetstra"], found["u_mf_wenYu"])
 
     def test_surface_energy_is_that_of_derjaguin(self):
         found = program.values(*GLASS[:-2], "--surface-energy", 0.02)
@@ -110,9 +116,10 @@ class Numbers(unittest.TestCase):
         coarse, fine = (program.values(*GLASS, *BED, *more) for more in ((), ("--cell", 2)))
         self.near(coarse["cell"], 1.5e-3)
         self.near(fine["cell"], 1e-3)
-        self.near(fine["particle_step"], coarse["particle_step"])
-        self.assertAlmostEqual(fine["gas_step"] / coarse["gas_step"], 2 / 3,
-                               delta=1.5 * fine["particle_step"] / coarse["gas_step"])
+        # Whole parts of 0.01 s: one step more or less of them.
+        self.near(fine["particle_step"], coarse["particle_step"], fine["gas_step"] / 0.01)
+        self.assertAlmostEqual(fine["gas_step"] / coarse["gas_step"], 2 / 3, delta=fine["gas_step"] / 0.01
+                               + 1.5 * fine["particle_step"] / coarse["gas_step"])
         with tempfile.TemporaryDirectory() as folder:
             case = Path(folder) / "case"
             code, _, error = program.call(*GLASS, *BED, "--cell", 2, "--write", case)
@@ -248,7 +255,8 @@ class Refusals(unittest.TestCase):
 
     def test_what_makes_no_sense(self):
         self.refused(("--density", 2500, "--young", 1e9), "--diameter")
-        self.refused((*GLASS[:2], "--density", 1, *GLASS[4:]), "density of the grains = 1: must be above that of the gas")
+        self.refused((*GLASS[:2], "--density", 30, *GLASS[4:], "--gas-density", 40),
+                     "density of the grains = 30: must be above that of the gas")
         self.refused((*GLASS, "--mass-share", 1, 2), "number of mass shares = 2", "one for each diameter")
         self.refused((*GLASS, "--height", 0.1), "height of the bed", "--width and --depth or --column")
         self.refused((*GLASS, "--width", 0.1), "--width requires --depth")
@@ -288,9 +296,26 @@ class Refusals(unittest.TestCase):
         self.refused((*GLASS, *well, "--well-ratio", 0.99), "well = 0.99: must be a finite number not below 1")
         self.refused((*GLASS, *well, "--well-ratio", 4), "well = 4: must not be above 3")
         self.refused((*GLASS, "--law", "velcro"), "velcro")
-        self.refused(("--percentiles", 3, 2, 4, *GLASS[2:]), "d10 = 3: must be below d50")
+        self.refused(("--percentiles", 3e-5, 2e-5, 4e-5, *GLASS[2:]), "d10 = 3e-05: must be below d50")
         self.refused(("--diameter", 5e-4, "--density", 2500, "--young", 63e9, "--poisson", 0.7), "Poisson's ratio = 0.7: must lie between 0 and 0.5")
         self.refused((*GLASS, *BED, "--void-fraction", 1.2), "void fraction = 1.2: must lie between 0 and 1")
+
+    def test_values_in_other_units(self):
+        """With the value, the unit of the option and what it would be in it."""
+        rest = GLASS[4:]
+        for words, option, *said in (
+                (("--diameter", 75, "--density", 1500, *rest), "--diameter = 75", "in m", "--diameter 7.5e-05"),
+                (("--diameter", 0.5, "--density", 1500, *rest), "--diameter = 0.5", "0.5 mm is meant: --diameter 0.0005"),
+                (("--diameter", 75e-6, "--density", 2.5, *rest), "--density = 2.5", "in kg/m3", "--density 2500"),
+                (("--percentiles", 20, 40, 80, *GLASS[2:]), "--percentiles = 20", "--percentiles 2e-05"),
+                ((*GLASS[:4], "--young", 63), "--young = 63", "in Pa", "--young 6.3e+10"),
+                ((*GLASS[:4], "--young", 63e9, "--hamaker", 65), "--hamaker = 65", "zJ", "--hamaker 6.5e-20"),
+                ((*GLASS[:4], "--young", 63e9, "--surface-energy", 40), "--surface-energy = 40", "--surface-energy 0.04"),
+                ((*GLASS, "--cutoff", 0.4, 100), "--cutoff = 0.4", "--cutoff 4e-10"),
+                ((*GLASS, "--gas-viscosity", 18.2), "--gas-viscosity = 18.2", "--gas-viscosity 1.82e-05"),
+                ((*GLASS, "--gas", "air", "--pressure", 2), "--pressure = 2", "--pressure 200000"),
+                ((*GLASS, "--width", 50, "--depth", 50, "--height", 100), "--width = 50", "--width 0.05")):
+            self.refused(words, option, *said)
 
     def test_soft_springs_leave_room_for_the_cut_off(self):
         self.refused((*GLASS, "--stiffness", 1e-3), "outer cut-off", "too small for the softened contact")
@@ -329,6 +354,27 @@ class WrittenCase(unittest.TestCase):
             for row in grains:
                 for place, edge in zip(row[4:], box):
                     self.assertTrue(0.5 * row[2] * 0.9 < place < edge - 0.5 * row[2] * 0.9, row)
+
+    def test_it_ends_when_it_should_and_its_gas_is_that_of_its_drag(self):
+        for words in (GLASS, ("--diameter", 75e-6, "--density", 1500, *GLASS[4:], "--drag", "wenYu")):
+            found = program.values(*words, *BED)
+            with tempfile.TemporaryDirectory() as folder:
+                case = Path(folder) / "case"
+                code, _, error = program.call(*words, *BED, "--grains", 1000, "--write", case)
+                self.assertEqual(code, 0, error)
+                entry = lambda file, name: (case / file).read_text().split(f"\n{name} ")[1].split(";")[0].strip()
+                steps = [0.1 / float(entry("constant/powder", "gasStep")),
+                         float(entry("constant/powder", "gasStep")) / float(entry("constant/grains", "dt"))]
+                for count in steps:  # twelve digits are written
+                    self.assertAlmostEqual(count, round(count), delta=1e-9 * count)
+                self.assertIn("endTime         0.1;", (case / "system/controlDict").read_text())
+                drag = entry("constant/coupling", "drag")
+                self.assertEqual(drag, words[-1] if "--drag" in words else "beetstra")
+                self.assertAlmostEqual(float(entry("constant/powder", "velocity")) / found[f"u_mf_{drag}"], 2, delta=1e-9)
+                # Grains sink at the speed that the springs bear: m g/gamma.
+                mass = words[3] * math.pi / 6 * words[1]**3
+                gamma = float(entry("constant/grains", "slow").strip('"'))
+                self.assertAlmostEqual(mass * G / gamma / found["impact_speed"], 1, delta=1e-5)
 
     def test_walls_of_square_wells_are_those_of_each_size(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -34,14 +34,27 @@ TEST(PowderPlan, ColumnsOfPlaneSidesHaveTheAreaOfTheirCylinder) {
   }
 }
 
-TEST(PowderPlan, TheGasStepIsAWholeNumberOfParticleSteps) {
-  const double step = particle_step(8.8e-5, steps_per_contact);
-  EXPECT_NEAR(step, 1.1e-5, 1e-19);
-  // Half a cell at 1.5 m/s takes 1e-3 s.
-  EXPECT_NEAR(gas_step(3e-3, 1.5, 9.81, step), 90.0 * step, 1e-12);
-  EXPECT_EQ(gas_step(1e-6, 1.5, 9.81, step), step);
-  // In slow gas: 0.1 sqrt(2 3e-3/6) s
-  EXPECT_NEAR(gas_step(3e-3, 1e-3, 6.0, step), 287.0 * step, 1e-12);
+TEST(PowderPlan, TheGasStepIsThatOfACellOrOfAFall) {
+  // Half a cell at 1.5 m/s takes 1e-3 s; in slow gas 0.1 sqrt(2 3e-3/6) s.
+  EXPECT_NEAR(longest_gas_step(3e-3, 1.5, 9.81), 1e-3, 1e-15);
+  EXPECT_NEAR(longest_gas_step(3e-3, 1e-3, 6.0), 0.1 * std::sqrt(1e-3), 1e-15);
+}
+
+// Ends of runs and outputs are at multiples of the interval: each step is a whole part of it, no
+// longer than asked for, and shorter by no more than one step in the interval.
+TEST(PowderPlan, StepsAreWholePartsOfTheInterval) {
+  const double interval = 0.01;
+  for (const double particle : {1.1e-5, 3.14159e-6, 0.02})
+    for (const double gas : {1e-3, 4.7e-4, 1e-6, 1.0}) {
+      const Steps steps = steps_within(interval, particle, gas);
+      const double of_gas = steps.gas / steps.particle, of_interval = interval / steps.gas;
+      EXPECT_NEAR(of_gas, std::round(of_gas), 1e-9);
+      EXPECT_NEAR(of_interval, std::round(of_interval), 1e-9 * of_interval);
+      EXPECT_LE(steps.particle, particle);
+      EXPECT_LE(steps.gas, gas * (1.0 + 1e-12));
+      const double longest = std::min({particle, gas, interval});
+      EXPECT_GE(steps.particle, longest / (1.0 + 1.0 / (of_interval - 0.999999)) * (1.0 - 1e-9));
+    }
 }
 
 TEST(PowderPlan, WhatIsNoBedIsRefused) {

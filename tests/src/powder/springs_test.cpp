@@ -48,6 +48,16 @@ TEST(Springs, BearTheLoadAndAreNoStifferThanTheMaterial) {
   EXPECT_EQ(rigid.over.force, 1.0);
 }
 
+// Twice the mass and twice the adhesion, as at a wall.
+TEST(Springs, BearWhatPressesThemMoreThanThePair) {
+  Demand walled = demand();
+  walled.load = {0.4, 0.0};
+  const double pair_alone = springs_of(pair_of(0.0), walled).used.stiffness;
+  walled.others = {{{d, mass}, {}}};
+  // Two digits of up to a tenth more, both
+  EXPECT_NEAR(springs_of(pair_of(0.0), walled).used.stiffness / pair_alone, 2.0, 0.2);
+}
+
 TEST(Springs, GivenAloneAreTheMaterial) {
   Demand given = demand();
   given.given = 800.0;
