@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a step leaves of lasting contacts, asked of either engine with the same claims. A test gives two functions:
+
+  stack(scheme, e, dt, every, steps)   rows of step and heights of both centres of theory.stacked_spheres
+  overlap(scheme, e, dt, steps)        of a sphere that rests on a plate, the mean over the second half of the steps [m]
+"""
+import math
+
+import numpy as np
+
+from cohesion_tests.theory import stacked_spheres as theory
+
+#: Contact times over the step.
+RESOLUTIONS = (40, 80, 160)
+#: What a load presses a resting contact more than F/K at t_c/10, by the restitution, as the pages list it [%].
+LISTED = {1: 0.8, 0.9: 1.9, 0.5: 7.8, 0.3: 12.6, 0.1: 20.7}
+
+
+def stack_error(stack, scheme, e, per_contact):
+    """The largest error of a height in six contact times, over the amplitude."""
+    dt = theory.contact_time(theory.MASS / 2) / per_contact
+    rows = np.array(stack(scheme, e, dt, per_contact // 10, 6 * per_contact))
+    return np.abs(rows[:, 1:] - theory.stacked(e, rows[:, 0] * dt)).max() / theory.amplitude()
+
+
+class Orders:
+    """Mixed into a TestCase with `stack`, `overlap` and `schemes`."""
+
+    def test_order_of_several_contacts_of_a_sphere(self):
+        """Second without dashpots, first with: the engine's velocities are those of the half step before."""
+        for scheme in self.schemes:
+            for e, order in ((1, 2), (0.5, 1)):
+                errors = [stack_error(self.stack, scheme, e, n) for n in RESOLUTIONS]
+                found = math.log2(errors[0] / errors[-1]) / math.log2(RESOLUTIONS[-1] / RESOLUTIONS[0])
+                print(f"{scheme}, e {e}: error over the amplitude",
+                      ", ".join(f"t_c/{n} {error:.2g}" for n, error in zip(RESOLUTIONS, errors)), f"order {found:.2f}")
+                # The other order would be off by 1. With alpha dt = 0.05 at the longest step the next order adds a
+                # twentieth to the first, and 0.05 to the fitted exponent; 0.3 is six times that.
+                self.assertAlmostEqual(found, order, delta=0.3, msg=(scheme, e))
+
+    def test_a_load_on_a_resting_contact(self):
+        """F/K' in the place of F/K with scheme event, F/K with sampled."""
+        dt = theory.contact_time(theory.MASS) / 10
+        for scheme in self.schemes:
+            more = {}
+            for e, listed in LISTED.items():
+                at_rest = theory.MASS * theory.GRAVITY / theory.K
+                more[e] = 100 * (self.overlap(scheme, e, dt, 4000) / at_rest - 1)
+                expected = 100 * (theory.K / theory.discrete_stiffness(e, theory.MASS, dt) - 1)
+                # The mean over 200 oscillations of 1/40 the amplitude in whole and broken ones: below 1e-4.
+                self.assertAlmostEqual(more[e], expected if scheme == "event" else 0, delta=0.02, msg=(scheme, e))
+                if scheme == "event":
+                    self.assertAlmostEqual(more[e], listed, delta=0.051, msg=e)
+            print(f"{scheme}: a load presses more than F/K [%]", ", ".join(f"e {e} {x:.2f}" for e, x in more.items()))
