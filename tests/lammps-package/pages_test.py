@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Every LAMMPS script of every page runs as it is printed, and every part of one within the script of its page; each
+style's page has a whole one that uses the style."""
+import re
+import unittest
+
+from cohesion_tests import lammps, page_scripts
+from cohesion_tests.page_blocks import is_complete
+
+DEFAULT = "docs/lammps-package/pair_gran_hamaker.md"
+
+
+def with_plugin(script):
+    """The plugin of the build in the place of the one that a page names."""
+    return re.sub(r"(?m)^(\s*plugin\s+load\s+).*$", lambda match: match[1] + lammps.plugin(), script)
+
+
+def fault(place, script):
+    """What the engine says against a script; warnings of whole ones count."""
+    with lammps.temporary_folder() as folder:
+        code, output = lammps.run_text(with_plugin(script), folder, environment={"OMP_NUM_THREADS": "1"})
+    errors = re.findall(r"(?m)^ERROR.*", output)
+    if code != 0 or errors:
+        return (errors or [output[-500:]])[0]
+    warnings = [] if " part " in place else re.findall(r"(?m)^WARNING.*", output)
+    return warnings[0] if warnings else None
+
+
+class Pages(unittest.TestCase):
+    maxDiff = None
+
+    def test_every_script_runs(self):
+        cases = list(page_scripts.scripts("lammps", DEFAULT))
+        print(f"{len(cases)} scripts and parts of {len({place.split(':')[0] for place, _ in cases})} pages")
+        self.assertEqual(page_scripts.run_all(cases, fault), {})
+
+    def test_each_style_has_a_whole_script_that_uses_it(self):
+        whole = {}
+        for block, kind in page_scripts.all_blocks():
+            if kind == "lammps":
+                whole.setdefault(block.page, []).append(block.text)
+        without = []
+        for page in sorted((page_scripts.SOURCE / "docs/lammps-package").glob("*_*.md")):
+            title = re.match(r"# (pair_style|fix|compute) (\S+) command", page.read_text())
+            if title:
+                scripts = whole.get(str(page.relative_to(page_scripts.SOURCE)), [])
+                if not any(re.search(rf"(?m)^{title[1]}\b.*\s{re.escape(title[2])}\b", script) for script in scripts):
+                    without.append(page.name)
+        self.assertEqual(without, [])
+
+
+class Rules(unittest.TestCase):
+    """The test sees what it should."""
+
+    def whole(self):
+        return next(block.text for block, kind in page_scripts.all_blocks() if kind == "lammps" and block.page == DEFAULT)
+
+    def test_a_wrong_line_is_found(self):
+        self.assertIsNone(fault("page.md:1", self.whole()))
+        for wrong in ("newton off", "comm_modify vel yes"):
+            spaced = re.sub(r"\s+", r"\\s+", wrong)
+            script = re.sub(rf"(?m)^{spaced}\n", "", self.whole())
+            self.assertNotEqual(script, self.whole())
+            self.assertIsNotNone(fault("page.md:1", script), wrong)
+
+    def test_a_wrong_part_is_found(self):
+        self.assertIn("stifness", fault("page.md:1 part 1", page_scripts.framed("pair_coeff * * stifness 800", self.whole())))
+
+    def test_parts_replace_lines_of_their_kind(self):
+        script = page_scripts.framed("pair_style gran/square_well\npair_coeff 2 2 stiffness 1\nrun 1000", self.whole())
+        self.assertTrue(is_complete(script))
+        self.assertEqual(script.count("pair_style"), 1)
+        self.assertNotIn("hamaker", script)
+        self.assertIn("create_box 2 box", script)
+        self.assertEqual(re.findall(r"(?m)^run.*", script), ["run 0", "run 0"])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Every LIGGGHTS script of every page runs as it is printed, and every part of one within the script of its page; each
+style's page has a whole one that uses the style."""
+import os
+import re
+import unittest
+
+from cohesion_tests import lammps, page_scripts
+
+DEFAULT = "docs/liggghts-styles/gran_cohesion_hamaker.md"
+PAGES = "docs/liggghts-styles"
+
+
+def fault(place, script):
+    """What the engine says against a script; warnings of whole ones count."""
+    if " part " in place:
+        script = page_scripts.with_properties(script)
+    with lammps.temporary_folder() as folder:
+        code, output = lammps.run_text(script, folder, lmp=os.environ["COHESION_LAUNCHER"])
+    errors = re.findall(r"(?m)^ERROR.*", output)
+    if code != 0 or errors:
+        return (errors or [output[-500:]])[0]
+    warnings = [] if " part " in place else re.findall(r"(?m)^WARNING.*", output)
+    return warnings[0] if warnings else None
+
+
+class Pages(unittest.TestCase):
+    maxDiff = None
+
+    def test_every_script_runs(self):
+        cases = list(page_scripts.scripts("liggghts", DEFAULT))
+        print(f"{len(cases)} scripts and parts of {len({place.split(':')[0] for place, _ in cases})} pages")
+        self.assertEqual(page_scripts.run_all(cases, fault), {})
+
+    def test_each_style_has_a_whole_script_that_uses_it(self):
+        whole = {}
+        for block, kind in page_scripts.all_blocks():
+            if kind == "liggghts":
+                whole.setdefault(block.page, []).append(block.text)
+        without = []
+        for page in sorted((page_scripts.SOURCE / PAGES).glob("*_*.md")):
+            title = re.match(r"# (gran cohesion|fix|compute) (\S+) (?:command|model)", page.read_text())
+            if title:
+                used = rf"(?m)^(pair_style gran\b.*\bcohesion\s+{title[2]}|{title[1]}\b.*\s{re.escape(title[2])})\b"
+                scripts = [re.sub(r"[ \t]+", " ", script) for script in whole.get(str(page.relative_to(page_scripts.SOURCE)), [])]
+                if not any(re.search(used, script) for script in scripts):
+                    without.append(page.name)
+        self.assertEqual(without, [])
+
+
+class Rules(unittest.TestCase):
+    """The test sees what it should."""
+
+    def test_a_wrong_line_is_found(self):
+        whole = next(block.text for block, kind in page_scripts.all_blocks()
+                     if kind == "liggghts" and block.page == DEFAULT)
+        self.assertIsNotNone(fault("page.md:1", whole.replace("cohesion hamaker", "cohesion hamakr")))
+        self.assertIsNotNone(fault("page.md:1 part 1", page_scripts.framed("pair_stile gran", whole)))
+
+
+if __name__ == "__main__":
+    unittest.main()
