@@ -30,7 +30,7 @@ struct Demand {
   double given = 0.0;         ///< stiffness that is used whatever they do, [force/length]; 0: none
   Elastic elastic{0.0, 0.0};  ///< material; Young's modulus 0: the springs given are the material
   double well_ratio = 0.0;    ///< r_out/r of a well in place of the attraction; 0: no well
-  std::vector<Borne> others;  ///< that they bear besides the pair: larger grains, grains at walls
+  std::vector<Borne> others{};  ///< that they bear besides the pair: larger grains, grains at walls
 };
 
 /// Two grains in contact, of the smallest size.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a step leaves of lasting contacts, asked of either engine with the same claims. A test gives two functions:
+"""Error of persistent contacts over the step, measured in either engine with the same claims. A test gives two functions:
 
   stack(scheme, e, dt, every, steps)   rows of step and heights of both centres of theory.stacked_spheres
   overlap(scheme, e, dt, steps)        of a sphere that rests on a plate, the mean over the second half of the steps [m]
