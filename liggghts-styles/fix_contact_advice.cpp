@@ -2,20 +2,24 @@
 #include "fix_contact_advice.h"
 
 #include <mpi.h>
-
+// The engine's headers want mpi.h before them.
 #include <algorithm>
 
+#include "advice/contact_report.h"
 #include "atom.h"
 #include "comm.h"
 #include "distinct_places.h"
 #include "error.h"
 #include "force.h"
 #include "integrated_particles.h"
+#include "liggghts_api.h"
 #include "pair_gran.h"
 #include "unturned_spheres.h"
 
 namespace LIGGGHTS {
 namespace Cohesion {
+
+using cohesion::advice::Report;
 
 namespace {
 
@@ -27,6 +31,19 @@ void freeze(LAMMPS_NS::PairGran& pair, int groups) {
   Frozen::groups_of(pair) |= groups;
 }
 
+std::string named(std::string text, const std::string& walls) {
+  const std::string place = ContactAdvice::WALLS;
+  for (std::size_t at = text.find(place); at != std::string::npos; at = text.find(place, at))
+    text.replace(at, place.size(), walls);
+  return text;
+}
+
+bool is_same(const Report& a, const Report& b) {
+  return a.table == b.table && a.stop == b.stop &&
+         std::equal(a.warnings.begin(), a.warnings.end(), b.warnings.begin(), b.warnings.end(),
+                    [](const auto& x, const auto& y) { return x.text == y.text; });
+}
+
 }  // namespace
 
 void FixContactAdvice::ask(const std::shared_ptr<ContactAdvice>& advice) {
@@ -35,10 +52,34 @@ void FixContactAdvice::ask(const std::shared_ptr<ContactAdvice>& advice) {
   asked_.push_back(advice);
 }
 
+/// Walls of which there is the same to say are named together.
 void FixContactAdvice::advise_if_due(bool setup) {
   if (asked_.empty() || !watch_.due(setup)) return;
-  for (const auto& asked : asked_)
-    if (const auto advice = asked.lock()) advice->give(watch_.now());
+  struct Said {
+    Report report;
+    std::string walls;
+  };
+  std::vector<Said> all;
+  for (const auto& asked : asked_) {
+    const auto advice = asked.lock();
+    if (!advice) continue;
+    Report report = advice->report(watch_.now());
+    const auto same = std::find_if(all.begin(), all.end(), [&](const Said& said) {
+      return !said.walls.empty() && !advice->wall().empty() && is_same(said.report, report);
+    });
+    if (same != all.end())
+      same->walls += " and " + advice->wall();
+    else
+      all.push_back({std::move(report), advice->wall()});
+  }
+  for (const Said& said : all) {
+    if (comm->me == 0) {
+      LAMMPS_NS::engine_api::tell(lmp, named(said.report.table, said.walls));
+      for (const cohesion::advice::Warning& warning : said.report.warnings)
+        error->warning(FLERR, named(warning.text, said.walls).c_str());
+    }
+    if (!said.report.stop.empty()) error->all(FLERR, named(said.report.stop, said.walls).c_str());
+  }
 }
 
 void FixContactAdvice::setup_pre_force(int) {

@@ -4,6 +4,7 @@
 #include <mpi.h>
 
 #include <csignal>
+#include <cstdio>
 
 #include "input.h"
 #include "lammps.h"
@@ -16,6 +17,9 @@ int main(int argc, char** argv) {
   std::signal(SIGTERM, SignalHandler::int_handler);
   std::signal(SIGUSR1, SignalHandler::usr1_handler);
 
+  // A rank that stops with an error of its own ends all at once: line by line, it is not lost when
+  // the output is a file.
+  std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
   MPI_Init(&argc, &argv);
   {
     LAMMPS liggghts(argc, argv, MPI_COMM_WORLD);

@@ -115,22 +115,22 @@ ContactAdvice::ContactAdvice(LAMMPS* lmp, FixWallGran* wall, const std::string& 
                              const NormalModelProbe& normal, Adhesion adhesion)
     : lmp_(lmp), wall_(wall), model_(model), normal_(normal), adhesion_(std::move(adhesion)) {}
 
-void ContactAdvice::give(const advice::Circumstances& now) {
-  std::string who = model_ + (wall_ ? std::string(", fix wall/gran ") + wall_->id : "");
-  if (normal_.exponent() != 1.0)
-    who += " (" + normal_.name() + ": linear springs that an impact presses as far)";
-  const advice::Report report = guarded(lmp_, who, [&] {
+std::string ContactAdvice::wall() const { return wall_ ? wall_->id : ""; }
+
+advice::Report ContactAdvice::report(const advice::Circumstances& now) {
+  const std::string kind =
+      normal_.exponent() != 1.0
+          ? " (" + normal_.name() + ": linear springs that an impact presses as far)"
+          : "";
+  const auto who = [&](const std::string& walls) {
+    return model_ + (wall_ ? ", fix wall/gran " + walls : "") + kind;
+  };
+  return guarded(lmp_, who(wall()), [&] {
     const std::vector<advice::AdvisedContact> all = contacts(now);
     const advice::SchemeLimits& limits =
         event_ ? advice::event_scheme_one_pass : advice::sampled_scheme;
-    return given_advice_.only_new(advice::report(who, limits, all, now.run), all, now);
+    return given_advice_.only_new(advice::report(who(WALLS), limits, all, now.run), all, now);
   });
-  if (lmp_->comm->me == 0) {
-    engine_api::tell(lmp_, report.table);
-    for (const advice::Warning& warning : report.warnings)
-      lmp_->error->warning(FLERR, warning.text.c_str());
-  }
-  if (!report.stop.empty()) lmp_->error->all(FLERR, report.stop.c_str());
 }
 
 std::vector<advice::AdvisedContact> ContactAdvice::contacts(

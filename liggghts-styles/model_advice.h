@@ -54,7 +54,11 @@ class ContactAdvice {
   ContactAdvice(LAMMPS_NS::LAMMPS* lmp, LAMMPS_NS::FixWallGran* wall, const std::string& model,
                 const NormalModelProbe& normal, Adhesion adhesion);
 
-  void give(const cohesion::advice::Circumstances& now);
+  /// What there is to say, but for which walls; stands in their place.
+  cohesion::advice::Report report(const cohesion::advice::Circumstances& now);
+  static constexpr const char* WALLS = "\x01";
+  /// ID of the fix of the wall; empty for pairs.
+  std::string wall() const;
   /// Under scheme event; else sampled.
   void of_events(bool event) { event_ = event; }
   bool is_of_events() const { return event_; }

@@ -35,6 +35,28 @@ class SchemeSetting : public Setting {
   bool& event_;
 };
 
+/// A word that stands where only keywords may, and says where these belong: the engine would blame
+/// the word.
+class MisplacedSetting : public Setting {
+ public:
+  MisplacedSetting(const std::string& model, const std::string& word)
+      : Setting(word, 0), model_(model) {}
+
+  int parseArguments(char** args) override {
+    if (name != args[0]) return 0;
+    error_message = model_ + ": '" + name +
+                    "' stands behind a keyword as 'scheme', and keywords come last: behind all "
+                    "models and, in fix wall/gran, behind 'primitive ...' or 'mesh ...', as in "
+                    "'fix ID all wall/gran model hooke/stiffness tangential history cohesion "
+                    "hamaker primitive type 1 zplane 0.0 scheme event'";
+    return -1;
+  }
+  void print_value(FILE*) override {}
+
+ private:
+  std::string model_;
+};
+
 class KeepSetting : public Setting {
  public:
   KeepSetting(const std::string& model, cohesion::advice::Keep& keep)
@@ -76,6 +98,9 @@ template struct TableOfSettings<&Settings::settings>;
 
 void register_scheme(Settings& settings, const std::string& model, bool& event) {
   table_of(settings)["scheme"] = new SchemeSetting(model, event);  // settings owns it
+  for (const char* const word :
+       {"primitive", "mesh", "model", "tangential", "cohesion", "rolling_friction", "surface"})
+    table_of(settings)[word] = new MisplacedSetting(model, word);
 }
 
 void register_keep(Settings& settings, const std::string& model, cohesion::advice::Keep& keep) {

@@ -49,7 +49,7 @@ bool LAMMPS_NS::warn_of_particles_at_walls(LAMMPS* lmp, const std::string& where
                                            const std::function<bool(int i, int wall)>& is_new) {
   const Atom* const atom = lmp->atom;
   MobileParticles mobile;
-  mobile.look_up(lmp->modify);
+  mobile.look_up(lmp);
   Misplaced behind, through;
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & start.groupbit)) continue;

@@ -91,6 +91,11 @@ class CohesiveCoefficients : protected Pointers {
     return Cohesion::material(given_[of_types]);
   }
   std::string doubt(int of_types) const { return Cohesion::doubt(lmp, given_[of_types]); }
+  /// Gap up to which particles of these types attract each other, whatever the scheme makes of it,
+  /// [length]; 0: they do not.
+  double range_of_attraction(int of_types) const {
+    return Cohesion::range(Scheme::sampled, given_[of_types], 1.0, 1.0);
+  }
   /// Whether any contact resists rolling. Of the given ones: mixing adds none.
   bool any_rolls() const {
     return std::any_of(given_.begin(), given_.end(),

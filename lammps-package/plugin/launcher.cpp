@@ -44,6 +44,9 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // A rank that stops with an error of its own ends all at once: line by line, it is not lost when
+  // the output is a file.
+  std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
   MPI_Init(&argc, &argv);
   const int code = run(argc, argv);
   MPI_Barrier(MPI_COMM_WORLD);

@@ -44,6 +44,9 @@ class CohesionLaw {
   static constexpr bool HAS_CONTACT = true;
   /// Whether a pair of which nothing is remembered is in range only where it touches.
   static constexpr bool FORMS_AT_TOUCH = false;
+  /// Whether a pair is bound within the range of the attraction, range() of scheme sampled, and
+  /// types without attraction never; else what a pair remembers says so.
+  static constexpr bool BINDS_IN_RANGE = false;
 
   /// What a script says about the contact of two materials.
   struct Parameters {

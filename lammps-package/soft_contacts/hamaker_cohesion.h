@@ -27,6 +27,7 @@ class HamakerCohesion : public CohesionLaw<cohesion::hamaker::Parameters> {
   static constexpr std::array SETTINGS{"form"};
   static constexpr char MATERIAL_WORDS[] = "'material_stiffness K_m'";
   static constexpr int RESTART_LAYOUT = 5;
+  static constexpr bool BINDS_IN_RANGE = true;
 
   /// What a script says about the contact of two materials.
   struct Parameters {

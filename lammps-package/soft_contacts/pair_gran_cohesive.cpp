@@ -136,7 +136,10 @@ double PairGranCohesive<Cohesion>::init_one(int i, int j) {
   if (!needs_list) return largest_radius[i] + largest_radius[j];
   largest_range = std::max(largest_range, range);
   close_pairs.start(largest_range + flight_allowance());
-  return largest_radius[i] + largest_radius[j] + range + flight_allowance();
+  double seen = range;
+  if (Cohesion::BINDS_IN_RANGE && bound_pairs_are_read())
+    seen = std::max(seen, coefficients.range_of_attraction(coefficients.of_types(i, j)));
+  return largest_radius[i] + largest_radius[j] + seen + flight_allowance();
 }
 
 template <class Cohesion>

@@ -109,13 +109,21 @@ void PairGranCohesive<Cohesion>::for_each_with_history(const What& what) {
       any_contacts);
 }
 
-/// Appends the pairs within the range of contact and adhesion, of those that have a history or,
-/// where nothing acts, would have one.
+/// Appends the pairs within the range of the attraction, where that binds; else those within the
+/// range of contact and adhesion, of those that have a history or, where nothing acts, would have
+/// one.
 template <class Cohesion>
 void PairGranCohesive<Cohesion>::append_bound(std::vector<std::array<int, 2>>& pairs) const {
   for_each_listed([&](int i, int j, int has_history, const double* values) {
-    if (history_stale ? moves(i, j) && is_within(0.0, i, j) : is_inside(has_history, values))
-      pairs.push_back({i, j});
+    bool bound;
+    if constexpr (Cohesion::BINDS_IN_RANGE) {
+      const int types = coefficients.of_types(atom->type[i], atom->type[j]);
+      const double range = coefficients.range_of_attraction(types);
+      bound = range > 0.0 && moves(i, j) && is_within(range, i, j);
+    } else {
+      bound = history_stale ? moves(i, j) && is_within(0.0, i, j) : is_inside(has_history, values);
+    }
+    if (bound) pairs.push_back({i, j});
   });
 }
 
