@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Load at which an adhesive contact parts under a slow ramp in LIGGGHTS, over F_ad, as a table of the steps per contact.
 
-  pull-off.py LIGGGHTS_COHESION [--scheme event|sampled] [--stiffness K ...] [--restitution E ...] [--diameter D ...]
+  pull-off-campaign.py LIGGGHTS_COHESION [--scheme event|sampled] [--stiffness K ...] [--restitution E ...] [--diameter D ...]
 
 Grains of 1500 kg/m3 under a plate, in a cylinder, below another grain and under a mesh, pulled by gravity or a force; the
 lag of the ramp is 0.15 % of F_ad. Steps that need more than --steps in a run are left out (-).
