@@ -338,7 +338,10 @@ void FixAgglomerates::grow_arrays(int nmax) {
   array_atom = of_each;
 }
 
-void FixAgglomerates::copy_arrays(int i, int j, int) { since[j] = since[i]; }
+void FixAgglomerates::copy_arrays(int i, int j, int) {
+  since[j] = since[i];
+  std::copy_n(of_each[i], 3, of_each[j]);
+}
 
 void FixAgglomerates::set_arrays(int i) {
   since[i] = {};

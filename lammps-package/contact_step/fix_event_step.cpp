@@ -2,11 +2,9 @@
 #include "fix_event_step.h"
 
 #include <algorithm>
-#include <cstring>
 #include <string>
 
 #include "atom.h"
-#include "box_shear.h"
 #include "comm.h"
 #include "domain.h"
 #include "energy_tally_of_runs.h"
@@ -15,7 +13,7 @@
 #include "memory.h"
 #include "modify.h"
 #include "output.h"
-#include "shear/flight.h"
+#include "renumbering.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -26,9 +24,10 @@ static constexpr char ID[] = "COHESION_EVENT_STEP";
 static constexpr char PLACE[] = "COHESION_EVENT_STEP_PLACE";
 
 // What the next run needs of a particle: forces, torques, what the tally saves, forces of all but
-// contacts, and sudden ones, where they begin.
+// contacts, sudden ones, and what AlteredParticles compares with, where they begin.
 static constexpr int TORQUE = 3, NOTED = 6, FROM_OTHERS = NOTED + ContactEnergyTally::OF_PARTICLE,
-                     SUDDEN = FROM_OTHERS + 3, LAST = SUDDEN + 3;
+                     SUDDEN = FROM_OTHERS + 3, PARTICLE = SUDDEN + 3,
+                     LAST = PARTICLE + AlteredParticles::SAVED;
 
 static void put(const Vector3& a, double* values) {
   values[0] = a.x;
@@ -51,10 +50,10 @@ FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
       running(false),
       tallies_begun(false),
       tally_unknown(false),
-      other_box(false),
       warned_of_unturned(false),
       warned_of_held(false),
       warned_of_partly_held(false),
+      altered(lammps),
       forces_dt(0.0),
       last(lammps, LAST),
       other_forces(lammps, 3),
@@ -102,48 +101,12 @@ bool FixEventStep::is_idle() const {
   return !may_have_contacts && !energy_tally.has_readers() && flux_readers.use_count() == 1;
 }
 
-/// Updates how far the fastest particle or ghost of all ranks may fly, and all masses and radii.
-void FixEventStep::update_particles() {
-  const int all = atom->nlocal + atom->nghost;
-  double fastest = fastest_of(atom, domain, number_of_movers(lmp));
-  // Two ranks that have the particles of a pair must decide alike.
-  if (comm->nprocs > 1) MPI_Allreduce(MPI_IN_PLACE, &fastest, 1, MPI_DOUBLE, MPI_MAX, world);
-  longest_flight = cohesion::shear::longest_flight(fastest, rate_of_shear(domain).amount,
-                                                   neighbor->cutneighmax, 0.5 * update->dt);
-  update_masses(all);
-  update_radii(all);
-}
-
-/// Masses may change in any step (fix adapt); to see that they have not costs next to nothing.
-/// Groups count as they were when the list of neighbours was new: ghosts get theirs only then.
-void FixEventStep::update_masses(int all) {
-  const double* const mass = atom->rmass;
-  if (neighbor->ago == 0 || known_masses.empty()) {
-    for (int i = 0; i < all; i++) inverse_mass[i] = mobile.inverse_mass(atom->mask[i], mass[i]);
-  } else {
-    if (std::memcmp(known_masses.data(), mass, all * sizeof(double)) == 0) return;
-    for (int i = 0; i < all; i++)
-      if (inverse_mass[i] != 0.0) inverse_mass[i] = 1.0 / mass[i];
-  }
-  known_masses.assign(mass, mass + all);
-}
-
-void FixEventStep::update_radii(int all) {
-  const double* const radius = atom->radius;
-  if (neighbor->ago != 0 && known_radii.size() == static_cast<std::size_t>(all) &&
-      std::memcmp(known_radii.data(), radius, all * sizeof(double)) == 0)
-    return;
-  known_radii.assign(radius, radius + all);
-  radii_version++;
-}
-
 double FixEventStep::half_kick() const { return 0.5 * update->dt; }
 
 void FixEventStep::setup_pre_force(int) {
   forget_sudden_forces();  // `last` has them
   resuming = last.has_room();
   starting = !resuming;
-  other_box = resuming && box.changed(domain);
   predictor_due = false;
   idle = is_idle();
   if (idle) {
@@ -162,13 +125,41 @@ void FixEventStep::setup_pre_force(int) {
   update_particles();
   update_readers();
   advise_if_due(true);
-  if (other_box)
-    for (SoftWallStyle* wall : walls) wall->reset_in_range();
   if (energy_tally.is_active()) {
     for (int i = 0; i < atom->nlocal; i++) energy_tally.restore_motion(i, last.of(i) + NOTED);
     energy_tally.reset_normal();
   }
+  find_altered();
   for (SoftContactStyle* some : styles) some->continue_run();
+  altered.forget();
+}
+
+/// Finds what scripts have altered since the last run, whose contacts are known by their positions
+/// from here on.
+void FixEventStep::find_altered() {
+  altered.start();
+  followed.assign(atom->nlocal + atom->nghost, 0);
+  int mine = 0, all = 0;
+  for (int i = 0; i < atom->nlocal; i++) {
+    double* const saved = last.of(i) + PARTICLE;
+    followed[i] = altered.compare(i, saved);
+    mine |= followed[i];
+    altered.save(i, saved);
+  }
+  MPI_Allreduce(&mine, &all, 1, MPI_INT, MPI_MAX, world);
+  if (all) forward_flagged(followed, &FixEventStep::alteration, AlteredParticles::EACH);
+}
+
+/// What contacts remember goes by the IDs of particles.
+void FixEventStep::follow_renumbering() {
+  if (!last.has_room()) return;
+  std::vector<tagint> before;
+  for (int i = 0; i < atom->nlocal; i++)
+    before.push_back(AlteredParticles::id_of(last.of(i) + PARTICLE));
+  const Renumbering renumbering(lmp, before);
+  if (!renumbering.any()) return;
+  for (SoftContactStyle* some : styles) some->renumber(renumbering);
+  for (int i = 0; i < atom->nlocal; i++) altered.save_id(i, last.of(i) + PARTICLE);
 }
 
 /// With the first forces of a step, when fixes have changed what they change before.
@@ -349,7 +340,7 @@ void FixEventStep::post_run() {
   }
   tallies_begun = false;
   running = false;
-  box.store(domain);
+  altered.save_box();
   if (resuming) return;  // no step was made: what was taken over is what the next run goes on from
   tally_unknown = !idle && !energy_tally.is_active();
   last.grow(atom->nmax);
@@ -363,6 +354,7 @@ void FixEventStep::save_last(int i, double* values) const {
   energy_tally.save_motion(i, values + NOTED);
   put(impulses.other_force(i), values + FROM_OTHERS);
   put(sudden_forces[i], values + SUDDEN);
+  altered.save(i, values + PARTICLE);
 }
 
 void FixEventStep::report_unresolved() {

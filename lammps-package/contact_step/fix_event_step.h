@@ -10,9 +10,9 @@ FixStyle(EVENT_STEP,FixEventStep);
 
 #include <vector>
 
+#include "altered_particles.h"
 #include "atom.h"
 #include "atom_numbers.h"
-#include "box_sides.h"
 #include "contact_advice.h"
 #include "contact_energy_tally.h"
 #include "contact_impulses.h"
@@ -103,8 +103,9 @@ class FixEventStep : public Fix {
 
   /// The forces of the last step are taken over: nothing may be followed.
   bool resumes() const { return resuming; }
-  /// A run that does so finds another box than the last one left, and particles elsewhere.
-  bool box_changed() const { return other_box; }
+  /// Whether a run that does so finds the contact of i and j (below 0: a wall) other than their
+  /// motion left it: AlteredParticles.
+  bool is_altered(int i, int j) const { return altered.is_altered(i, j); }
   /// The last run ended early, in a step of which the energy tally, not active, keeps nothing.
   bool last_tally_unknown() const { return tally_unknown; }
   /// The first step of a run that takes over nothing.
@@ -112,6 +113,8 @@ class FixEventStep : public Fix {
   /// Particle or ghost i; a particle that nothing integrates has inverse mass 0.
   cohesion::event_stepping::Body body(int i) const { return bodies()[i]; }
   Bodies bodies() const { return {atom->radius, inverse_mass}; }
+  /// Whether a fix may carry along a particle that has inverse mass 0.
+  bool is_led(int i) const { return mobile.is_led(atom->mask[i]); }
   /// A contact of the event scheme, or a sampled one, in this step.
   template <class Contact>
   Contact contact(const cohesion::contact::ContactParameters& parameters,
@@ -236,11 +239,15 @@ class FixEventStep : public Fix {
   bool run_predictor();
   void begin_step();
   void save_last(int i, double* values) const;
+  void follow_renumbering();
+  void find_altered();
+  double* alteration(int i) { return altered.of(i); }
   void advise_if_due(bool setup);
   bool is_idle() const;
   void update_readers();
   void update_particles();
   void update_masses(int all);
+  void update_masses_by_owners(int all);
   void update_radii(int all);
   void report_unresolved();
   void forward_marks();
@@ -276,7 +283,6 @@ class FixEventStep : public Fix {
   }
 
   std::vector<SoftContactStyle*> styles;  // those of this run
-  std::vector<SoftWallStyle*> walls;      // of them
   std::vector<AdvisedStyle*> advised;     // the same
   ContactWatch watch;
 
@@ -291,9 +297,8 @@ class FixEventStep : public Fix {
   bool running;
   bool tallies_begun;  // in this run
   bool tally_unknown;  // last_tally_unknown()
-  bool other_box;
   bool warned_of_unturned, warned_of_held, warned_of_partly_held;
-  BoxSides box;                // at the end of the last run
+  AlteredParticles altered;    // as a run that takes over forces is set up
   double forces_dt;            // of the step that the forces are of; 0: there was none
   AtomNumbers last;            // from the end of a run to the first step of the next: save_last()
   AtomNumbers other_forces;    // force of all but contacts at the last grid point
@@ -302,6 +307,7 @@ class FixEventStep : public Fix {
       sudden_forces;                 // per atom: add_sudden_force(), until the next step
   std::vector<int> suddenly_pushed;  // who has one; some more than once
   bool any_event_scheme = false;     // any style, in this run
+  bool any_dynamic_group = false;    // of particles that fixes move or freeze, likewise
   bool any_other_forces = false;     // anything but contacts, likewise, where that matters
   bool only_event_contacts = false;  // neither that, nor sampled contacts, nor driven particles
   bool other_forces_known = false;   // in `other_forces`, which is 0 otherwise

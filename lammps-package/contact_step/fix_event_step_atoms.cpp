@@ -1,17 +1,68 @@
 // SPDX-License-Identifier: GPL-2.0-only
-// The part of FixEventStep that keeps numbers of particles: for their ghosts, for the process they
-// go to, and for restart files.
+// The part of FixEventStep that keeps numbers of particles: of this step, for their ghosts, for the
+// process they go to, and for restart files.
 #include <algorithm>
+#include <cstring>
 #include <tuple>
 
 #include "atom.h"
+#include "box_shear.h"
 #include "comm.h"
+#include "domain.h"
 #include "engine_api.h"
 #include "fix_event_step.h"
 #include "memory.h"
+#include "neighbor.h"
 #include "restart_format.h"
+#include "shear/flight.h"
+#include "update.h"
 
 using namespace LAMMPS_NS;
+
+/// Updates how far the fastest particle or ghost of all ranks may fly, and all masses and radii.
+void FixEventStep::update_particles() {
+  const int all = atom->nlocal + atom->nghost;
+  double fastest = fastest_of(atom, domain, number_of_movers(lmp));
+  // Two ranks that have the particles of a pair must decide alike.
+  if (comm->nprocs > 1) MPI_Allreduce(MPI_IN_PLACE, &fastest, 1, MPI_DOUBLE, MPI_MAX, world);
+  longest_flight = cohesion::shear::longest_flight(fastest, rate_of_shear(domain).amount,
+                                                   neighbor->cutneighmax, 0.5 * update->dt);
+  update_masses(all);
+  update_radii(all);
+}
+
+/// Masses may change in any step (fix adapt); to see that they have not costs next to nothing.
+/// Groups count as they were when the list of neighbours was new, when ghosts get theirs, but for
+/// dynamic ones.
+void FixEventStep::update_masses(int all) {
+  const double* const mass = atom->rmass;
+  if (any_dynamic_group) return update_masses_by_owners(all);
+  if (neighbor->ago == 0 || known_masses.empty()) {
+    for (int i = 0; i < all; i++) inverse_mass[i] = mobile.inverse_mass(atom->mask[i], mass[i]);
+  } else {
+    if (std::memcmp(known_masses.data(), mass, all * sizeof(double)) == 0) return;
+    for (int i = 0; i < all; i++)
+      if (inverse_mass[i] != 0.0) inverse_mass[i] = 1.0 / mass[i];
+  }
+  known_masses.assign(mass, mass + all);
+}
+
+/// The same where owners alone know in each step what moves their particles.
+void FixEventStep::update_masses_by_owners(int all) {
+  std::vector<char> moves(all, 0);
+  for (int i = 0; i < atom->nlocal; i++) moves[i] = mobile.inverse_mass(atom->mask[i], 1.0) != 0.0;
+  forward_flagged(moves, nullptr, 0);
+  for (int i = 0; i < all; i++) inverse_mass[i] = moves[i] ? 1.0 / atom->rmass[i] : 0.0;
+}
+
+void FixEventStep::update_radii(int all) {
+  const double* const radius = atom->radius;
+  if (neighbor->ago != 0 && known_radii.size() == static_cast<std::size_t>(all) &&
+      std::memcmp(known_radii.data(), radius, all * sizeof(double)) == 0)
+    return;
+  known_radii.assign(radius, radius + all);
+  radii_version++;
+}
 
 /// Sends to ghosts the marks of their owners.
 void FixEventStep::forward_marks() { forward_flagged(marks, nullptr, 0); }
@@ -91,7 +142,7 @@ int FixEventStep::unpack_exchange(int i, double* buf) {
 
 // Numbers of a restart file in front of the tally's: its layout, the step, and whether the tally
 // is not known.
-static constexpr int LAYOUT = 3, HEAD = 3;
+static constexpr int LAYOUT = 4, HEAD = 3;
 static constexpr int OF_RESTART =
     HEAD + static_cast<int>(std::tuple_size_v<ContactEnergyTally::Totals>);
 

@@ -2,6 +2,7 @@
 // The part of FixEventStep that finds, as a run is set up, whose contacts it orders and what else
 // acts on their particles, and refuses what it cannot follow.
 #include <algorithm>
+#include <cstring>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "error.h"
 #include "fix_event_step.h"
 #include "force.h"
+#include "group.h"
 #include "message.h"
 #include "modify.h"
 #include "pair_members.h"
@@ -31,18 +33,17 @@ void FixEventStep::init() {
                "scheme event needs the velocities of ghost particles; add 'comm_modify vel yes'");
 
   styles.clear();
-  walls.clear();
   advised.clear();
   mobile.look_up(lmp);
   bool before_me = true;
+  any_dynamic_group = false;
   for (int i = 0; i < modify->nfix; i++) {
     Fix* const fix = modify->fix[i];
-    if (auto* wall = dynamic_cast<SoftWallStyle*>(fix)) {
-      walls.push_back(wall);
-      styles.push_back(wall);
-    }
+    if (auto* wall = dynamic_cast<SoftContactStyle*>(fix)) styles.push_back(wall);
     if (auto* one = dynamic_cast<AdvisedStyle*>(fix)) advised.push_back(one);
     if (fix == this) before_me = false;
+    if (group->dynamic[fix->igroup] && (fix->time_integrate || strcmp(fix->style, "freeze") == 0))
+      any_dynamic_group = true;
     if (before_me && MobileParticles::integrates(fix))
       error->all(FLERR, std::string("fix ") + fix->id +
                             " integrates the motion: put it behind the pair_style and wall "
@@ -69,6 +70,7 @@ void FixEventStep::init() {
                         });
   require_spheres();
   warn_of_spins();
+  follow_renumbering();
 }
 
 /// A contact moves one sphere, by its own mass.
@@ -118,7 +120,7 @@ bool FixEventStep::others_may_act() const {
   constexpr int may_act = FixConst::PRE_FORCE | FixConst::PRE_REVERSE | FixConst::POST_FORCE;
   for (int i = 0; i < modify->nfix; i++) {
     Fix* const fix = modify->fix[i];
-    const bool of_contacts = fix == this || dynamic_cast<SoftWallStyle*>(fix);
+    const bool of_contacts = fix == this || dynamic_cast<SoftContactStyle*>(fix);
     if (!of_contacts && (modify->fmask[i] & may_act)) return true;
   }
   return false;

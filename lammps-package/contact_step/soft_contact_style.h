@@ -35,20 +35,11 @@ class SoftContactStyle {
   /// Where a run takes over the forces of the last one: finds what has come into range or out of it
   /// between the two, and adds what the contacts store to the energy tally.
   virtual void continue_run() = 0;
+  /// Particles have other IDs than those by which contacts are remembered.
+  virtual void renumber(const class Renumbering&) {}
 
  protected:
   ~SoftContactStyle() = default;
-};
-
-/// Those of walls.
-class SoftWallStyle : public SoftContactStyle {
- public:
-  /// Sets whether particles are in range by where they are, when something else than their motion
-  /// has brought them there.
-  virtual void reset_in_range() = 0;
-
- protected:
-  ~SoftWallStyle() = default;
 };
 
 }  // namespace LAMMPS_NS

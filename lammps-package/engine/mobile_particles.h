@@ -34,13 +34,14 @@ class MobileParticles {
 
   void look_up(const LAMMPS* lmp) {
     const Modify* const modify = lmp->modify;
-    mobile_ = forced_ = frozen_ = discs_ = turned_ = 0;
+    mobile_ = forced_ = frozen_ = discs_ = turned_ = led_ = 0;
     held_ = HeldGroups(lmp);
     for (int i = 0; i < modify->nfix; i++) {
       Fix* const fix = modify->fix[i];
       if (strcmp(fix->style, "freeze") == 0) frozen_ |= fix->groupbit;
       if (integrates(fix)) mobile_ |= fix->groupbit;
       if (integrates(fix) && strcmp(fix->style, "nve/noforce") != 0) forced_ |= fix->groupbit;
+      if (fix->time_integrate) led_ |= fix->groupbit;
       if (fix->time_integrate && !only_translates(fix)) turned_ |= fix->groupbit;
       if (turns_discs(fix)) discs_ |= fix->groupbit;
     }
@@ -59,6 +60,9 @@ class MobileParticles {
 
   /// Whether forces change the velocity of a particle that moves: nve/noforce leaves it as it is.
   bool feels_forces(int mask) const { return mask & forced_; }
+
+  /// Whether any fix moves a particle, whatever forces do.
+  bool is_led(int mask) const { return mask & led_; }
 
   /// Whether a particle moves and nothing turns it.
   bool is_not_turned(int mask) const {
@@ -82,6 +86,7 @@ class MobileParticles {
   int frozen_ = 0;
   int discs_ = 0;
   int turned_ = 0;
+  int led_ = 0;
   HeldGroups held_;
 };
 

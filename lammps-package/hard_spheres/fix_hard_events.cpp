@@ -131,7 +131,8 @@ void FixHardEvents::initial_integrate(int) {
 void FixHardEvents::setup_pre_force(int) {
   round_positions();
   set_rules();
-  const auto known = all_inside_at_edge();
+  auto known = all_inside_at_edge();
+  follow_renumbering(known);
   inside_.insert(inside_.end(), known.begin(), known.end());
   std::sort(inside_.begin(), inside_.end());
   start_clock(0.0);
@@ -279,6 +280,7 @@ void FixHardEvents::pre_force(int) {
   if (new_clock || set_back) set_time_of_clock();
   new_clock_ = false;
   if (new_list) {
+    note_tags();
     displacements_.set_reference(atom->nlocal > 0 ? atom->x[0] : nullptr, atom->nlocal, domain->xy);
     for (int i = 0; i < atom->nlocal; i++)
       track_displacement(i, vector(atom->x[i]) - dt * vector(atom->v[i]), dt);

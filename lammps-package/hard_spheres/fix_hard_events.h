@@ -89,9 +89,18 @@ class FixHardEvents : public Fix {
  private:
   /// What the engine keeps per particle, from step to step and on its way between processes: the
   /// flight (EventSimulation::flights), the engine's image flags when the clock was started, how
-  /// far the free flight led out of the box, and Body::kick.
-  enum Column { PLACE = 0, VELOCITY = 3, SINCE = 6, DEPTH = 7, IMAGE = 8, OUTSIDE = 9, KICK = 12 };
-  static constexpr int COLUMNS = 13;
+  /// far the free flight led out of the box, Body::kick, and the ID.
+  enum Column {
+    PLACE = 0,
+    VELOCITY = 3,
+    SINCE = 6,
+    DEPTH = 7,
+    IMAGE = 8,
+    OUTSIDE = 9,
+    KICK = 12,
+    TAG = 13
+  };
+  static constexpr int COLUMNS = 14;
 
   void require_flights_within_box() const;
   void hold_at_boundary();
@@ -150,6 +159,8 @@ class FixHardEvents : public Fix {
   PairsByTag all_inside_at_edge() const;
   void note_inside_at_edge(const NumbersByTag& displaced, const std::vector<int>& old);
   void note_own_inside_at_edge();
+  void note_tags();
+  void follow_renumbering(PairsByTag&);
   PairsByTag gathered(const PairsByTag& mine) const;
 
   class PairHardSquareWell* pair_;

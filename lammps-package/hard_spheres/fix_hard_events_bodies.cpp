@@ -9,6 +9,7 @@
 #include "comm.h"
 #include "engine_api.h"
 #include "fix_hard_events.h"
+#include "renumbering.h"
 
 using namespace LAMMPS_NS;
 using namespace cohesion::hard_sphere;
@@ -209,6 +210,31 @@ void FixHardEvents::note_own_inside_at_edge() {
   const auto own = simulation_.inside_at_edge();
   inside_.insert(inside_.end(), own.begin(), own.end());
   std::sort(inside_.begin(), inside_.end());
+}
+
+void FixHardEvents::note_tags() {
+  for (int i = 0; i < atom->nlocal; i++) columns_[i][TAG] = static_cast<double>(atom->tag[i]);
+}
+
+/// Collective: gives `pairs` of the last run the tags that particles have now.
+void FixHardEvents::follow_renumbering(PairsByTag& pairs) {
+  std::vector<tagint> before;
+  for (int i = 0; i < atom->nlocal; i++) before.push_back(static_cast<tagint>(columns_[i][TAG]));
+  note_tags();
+  const Renumbering renumbering(lmp, before);
+  if (!renumbering.any()) return;
+  std::vector<tagint> tags;
+  for (const auto& [i, j] : pairs)
+    tags.insert(tags.end(), {tagint(i), tagint(std::max<std::int64_t>(j, 0))});
+  renumbering.translate(tags);
+  PairsByTag now;
+  for (std::size_t k = 0; k < pairs.size(); k++) {
+    const std::int64_t i = tags[2 * k], j = pairs[k].j < 0 ? pairs[k].j : tags[2 * k + 1];
+    if (i == 0 || j == 0) continue;  // one is gone
+    now.push_back(j < 0 ? EventSimulation::Tags{i, j}
+                        : EventSimulation::Tags{std::min(i, j), std::max(i, j)});
+  }
+  pairs = std::move(now);
 }
 
 /// Collective: the pairs of all processes, in order.

@@ -233,7 +233,8 @@ void FixWallGranCohesive<Cohesion>::for_each_near(std::vector<Contact>& shared, 
   // What moves less than a radius in a step cannot matter beyond two. Each is asked when particles
   // may be new, or faster than that.
   const double flight = 2.0 * step->flight() + wall_travel(now);
-  if (step->starts() || neighbor->ago == 0 || flight > sizes.smallest_radius) {
+  const bool new_list = step->starts() || neighbor->ago == 0;
+  if (new_list || flight > sizes.smallest_radius) {
     update_sizes();
     beside.resize(atom->nlocal);
     std::iota(beside.begin(), beside.end(), 0);
@@ -245,7 +246,10 @@ void FixWallGranCohesive<Cohesion>::for_each_near(std::vector<Contact>& shared, 
   }
 
   for (const int i : beside) {
-    if (!(atom->mask[i] & groupbit)) continue;
+    if (!(atom->mask[i] & groupbit)) {
+      if (new_list) history.begin(i);  // it may be of the group later
+      continue;
+    }
     const Vector3 centre = vector(atom->x[i]);
     const double range = Cohesion::range(scheme, parameters, atom->radius[i], 0.0);
     for (int w = 0; w < static_cast<int>(walls.size()); w++) {
@@ -253,16 +257,19 @@ void FixWallGranCohesive<Cohesion>::for_each_near(std::vector<Contact>& shared, 
       const WallPoint point = walls[w].nearest(centre, now, motion.rim_speed);
       const double clear = atom->radius[i] + range_at_start(range);
       if (WallHistory::keep_behind(phase, point.distance, clear)) continue;
-      // A particle that the wall meets for the first time is where it is; it did not fall into the
-      // range.
-      if (phase < 0.0 || (step->starts() && phase == 0.0)) {
+      // A particle of which nothing is remembered is where it is; it did not fall into the range.
+      if (phase < 0.0) {
         phase = 0.0;
         if (point.distance < clear) ContactMemory::seen_inside().to(&phase, per_wall);
       }
       // No particle is faster than the step's fastest.
       if (phase != 0.0 || flight > atom->radius[i]) check_flight(i, point);
+      if (step->body(i).inverse_mass == 0.0) {
+        const Vector3 slides = vector(atom->v[i]) - point.velocity;
+        if (step->is_led(i) && dot(slides, slides) > 0.0) phase = WallHistory::NOT_KNOWN;
+        continue;
+      }
       if (point.distance > 2.0 * atom->radius[i] + range) continue;
-      if (step->body(i).inverse_mass == 0.0) continue;
       what(i, w, contact(shared, i), point, &phase);
     }
   }

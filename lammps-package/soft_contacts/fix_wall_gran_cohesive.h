@@ -24,7 +24,7 @@ namespace LAMMPS_NS {
 /// Walls that act on spheres as PairGranCohesive lets spheres act on each other; a wall is a
 /// partner of infinite mass and radius. `Cohesion`: as there.
 template <class Cohesion>
-class FixWallGranCohesive : public Fix, public SoftWallStyle, public AdvisedStyle {
+class FixWallGranCohesive : public Fix, public SoftContactStyle, public AdvisedStyle {
  public:
   FixWallGranCohesive(class LAMMPS*, int, char**);
   ~FixWallGranCohesive() override;
@@ -46,7 +46,6 @@ class FixWallGranCohesive : public Fix, public SoftWallStyle, public AdvisedStyl
   void predict() override;
   void continue_run() override;
   void give_advice(const Circumstances&, AdviceOfStyles&) override;
-  void reset_in_range() override;
   bool has_friction(int) const override { return per_wall > HistorySize::normal_only; }
 
   double compute_vector(int) override;
@@ -87,6 +86,7 @@ class FixWallGranCohesive : public Fix, public SoftWallStyle, public AdvisedStyl
   static double range_at_start(double range) { return Cohesion::FORMS_AT_TOUCH ? 0.0 : range; }
   template <class Contact>
   int contact(std::vector<Contact>&, int i);
+  void find_in_range(const cohesion::event_stepping::WallState&);
   void check_flight(int i, const cohesion::event_stepping::WallPoint&);
   cohesion::event_stepping::WallState state() const;
   double wall_travel(const cohesion::event_stepping::WallState&) const;

@@ -13,18 +13,27 @@
 using namespace LAMMPS_NS;
 using namespace cohesion::event_stepping;
 
+/// Sets whether particles are in range by where they are, of which nothing is remembered or that a
+/// script has altered.
 template <class Cohesion>
-void FixWallGranCohesive<Cohesion>::reset_in_range() {
-  const WallState now = state();
+void FixWallGranCohesive<Cohesion>::find_in_range(const WallState& now) {
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
+    const bool is_altered = step->is_altered(i, -1);
+    if (step->body(i).inverse_mass == 0.0) {
+      if (is_altered) history.begin(i);
+      continue;
+    }
     const double range = Cohesion::range(scheme, parameters, atom->radius[i], 0.0);
     for (int w = 0; w < static_cast<int>(walls.size()); w++) {
       double* const values = history.of(i, w);
-      if (values[0] < 0.0) continue;  // where it is decides when the wall meets it
+      if (is_altered && values[0] == WallHistory::BEHIND) values[0] = WallHistory::NOT_KNOWN;
+      const bool is_new = values[0] == WallHistory::NOT_KNOWN;
+      if (!is_new && !is_altered) continue;
       const WallPoint point = walls[w].nearest(vector(atom->x[i]), now, motion.rim_speed);
-      const auto known = ContactMemory::from(values, per_wall);
+      const auto known = is_new ? ContactMemory() : ContactMemory::from(values, per_wall);
       const double reach = atom->radius[i] + (known.in_range() ? range : range_at_start(range));
+      if (is_new && WallHistory::keep_behind(values[0], point.distance, reach)) continue;
       const bool inside = point.distance > 0.0 && point.distance < reach;
       if (!inside || !known.in_range()) known.moved(inside).to(values, per_wall);
     }
@@ -33,8 +42,9 @@ void FixWallGranCohesive<Cohesion>::reset_in_range() {
 
 template <class Cohesion>
 void FixWallGranCohesive<Cohesion>::continue_run() {
-  if (!step->energy_tally.is_active()) return;
   const WallState now = state();
+  find_in_range(now);
+  if (!step->energy_tally.is_active()) return;
   with_contacts([&](auto& shared, auto size) {
     shared.clear();
     for (int i = 0; i < atom->nlocal; i++)
@@ -80,7 +90,6 @@ void FixWallGranCohesive<Cohesion>::restart(char* buf) {
 }
 
 #define COHESION_INSTANTIATE(style, Law)                        \
-  template void FixWallGranCohesive<Law>::reset_in_range();     \
   template void FixWallGranCohesive<Law>::continue_run();       \
   template void FixWallGranCohesive<Law>::write_restart(FILE*); \
   template void FixWallGranCohesive<Law>::restart(char*);

@@ -75,6 +75,9 @@ class PairGranCohesive : public Pair,
   void couple_lasting() override;
   void predict() override;
   void continue_run() override;
+  void renumber(const Renumbering& renumbering) override {
+    history.renumber(renumbering, atom->nlocal);
+  }
   void give_advice(const Circumstances&, AdviceOfStyles&) override;
   bool has_friction(int type) const override {
     return coefficients.has_friction(type, atom->ntypes);
@@ -117,8 +120,10 @@ class PairGranCohesive : public Pair,
   void require_distinct_places() const;
   template <class What>
   void for_each_listed(const What&) const;
-  void reset_in_range(bool discard_all);
+  void find_in_range();
+  void forget_all();
   void forget_springs();
+  void forget_if_led(int i, int j, int& has_history) const;
   void find_close();
   template <class What>
   void for_each_close(const What&);

@@ -29,27 +29,33 @@ static bool is_inside(int has_history, const double* values) {
   return has_history && ContactMemory::from(values, HistorySize::normal_only).in_range();
 }
 
-/// Sets which pairs are in range by where they are: after steps in which no pair had a history
-/// (`discard_all`), or when something else than their motion has brought particles where they are,
-/// or laws have other ranges; then pairs that are still in range keep theirs.
+/// After steps in which nothing acted.
 template <class Cohesion>
-void PairGranCohesive<Cohesion>::reset_in_range(bool discard_all) {
+void PairGranCohesive<Cohesion>::forget_all() {
   history_stale = false;
+  for_each_listed([](int, int, int& has_history, double*) { has_history = 0; });
+}
+
+/// Sets which pairs are in range by where they are, where what is remembered does not tell: of
+/// pairs without a history, of those that something else than their motion has altered, and of all
+/// where laws have other ranges. Pairs that are still in range keep theirs.
+template <class Cohesion>
+void PairGranCohesive<Cohesion>::find_in_range() {
   std::visit(
-      [this, discard_all](auto& contacts) {
+      [this](auto& contacts) {
         contacts.clear();
         for_each_listed([&](int i, int j, int& has_history, double* values) {
+          if (has_history && !step->is_altered(i, j) && !coefficients.has_other_ranges()) return;
           // Contacts are made for those only that some contact could reach.
-          const bool inside = !discard_all && is_inside(has_history, values);
+          const bool inside = is_inside(has_history, values);
           bool near = moves(i, j) && is_within(largest_range, i, j);
           if (near) {
             const auto& law = contacts.all[contact(contacts, particles(), i, j)];
             near = is_within(inside ? law.range() : range_at_start(law), i, j);
           }
           if (near && inside) return;
-          const bool remembered = has_history && !discard_all;
           const ContactMemory known =
-              (remembered ? ContactMemory::from(values, per_pair) : ContactMemory()).moved(near);
+              (has_history ? ContactMemory::from(values, per_pair) : ContactMemory()).moved(near);
           known.to(values, per_pair);
           has_history = near || known.phase == ContactMemory::left;
         });
@@ -67,8 +73,8 @@ template <class Cohesion>
 void PairGranCohesive<Cohesion>::continue_run() {
   if (!is_active) return;
   require_distinct_places();
-  if (history_stale) reset_in_range(true);
-  if (step->box_changed() || coefficients.has_other_ranges()) reset_in_range(false);
+  if (history_stale) forget_all();
+  find_in_range();
   if (!friction) forget_springs();
   if (!step->energy_tally.is_active()) return;
   for_each_with_history([this](int, int j, const StoredEnergies& stored) {
@@ -128,7 +134,7 @@ void PairGranCohesive<Cohesion>::append_bound(std::vector<std::array<int, 2>>& p
 }
 
 #define COHESION_INSTANTIATE(style, Law)                                \
-  template void PairGranCohesive<Law>::reset_in_range(bool);            \
+  template void PairGranCohesive<Law>::forget_all();                    \
   template void PairGranCohesive<Law>::tally_energies_at_setup();       \
   template void PairGranCohesive<Law>::continue_run();                  \
   template void PairGranCohesive<Law>::require_distinct_places() const; \

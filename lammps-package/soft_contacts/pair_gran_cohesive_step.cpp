@@ -59,7 +59,7 @@ void PairGranCohesive<Cohesion>::with_contacts(const What& what) {
 template <class Cohesion>
 void PairGranCohesive<Cohesion>::classify() {
   if (!is_active) return;
-  if (history_stale) reset_in_range(true);
+  if (history_stale) forget_all();
   if (neighbor->ago == 0) check_radii(lmp, coefficients.where(), largest_radius);
   if (step->starts()) require_distinct_places();
   with_contacts([this](auto& contacts, auto size) { classify<size>(contacts); });
@@ -157,12 +157,21 @@ void PairGranCohesive<Cohesion>::classify(Contacts<EventContact>& contacts) {
   for_each_close([&](int i, int j, int& has_history,
                      double* values) __attribute__((always_inline)) {
     const int c = contact(contacts, grid, i, j);
-    if (c == contacts.NONE) return;
+    if (c == contacts.NONE) return forget_if_led(i, j, has_history);
     if (has_history && !recorded && lasting.apply(contacts.all[c], i, j, grid.motion(i, j), values))
       contacts_now.lasting.add() = {i, j, c, values};
     else
       classify_one<SIZE>(scatter, contacts.all[c], c, i, j, has_history, values);
   });
+}
+
+/// What is remembered of two particles that forces do not move holds until something else moves one
+/// along the other.
+template <class Cohesion>
+void PairGranCohesive<Cohesion>::forget_if_led(int i, int j, int& has_history) const {
+  if (!has_history || !(step->is_led(i) || step->is_led(j))) return;
+  const Vector3 w = particles().relative_state(i, j).velocity;
+  if (dot(w, w) > 0.0) has_history = 0;
 }
 
 template <class Cohesion>
@@ -171,11 +180,12 @@ void PairGranCohesive<Cohesion>::classify_one(const ContactsOfStep<EventContact,
                                               const EventContact& law, int contact, int i, int j,
                                               int& has_history, double* values) {
   if (!has_history || values[0] == ContactMemory::beyond) {
+    const bool is_known = has_history;
     has_history = 0;
-    if (!law.within_reach(particles().relative_state(i, j), step->flight())) return;
+    const RelativeState now = particles().relative_state(i, j);
+    if (!law.within_reach(now, step->flight())) return;
     std::fill_n(values, per_pair, 0.0);
-    // A pair that a run starts with is where it is; it did not fall into the range.
-    if (step->starts() && is_within(range_at_start(law), i, j))
+    if (!is_known && law.stands_within(now, range_at_start(law)))
       ContactMemory::seen_inside().to(values, per_pair);
   }
   has_history = 1;
@@ -258,17 +268,20 @@ void PairGranCohesive<Cohesion>::compute_forces(Contacts<SampledContact>& contac
   for_each_close([&](int i, int j, int& has_history, double* values)
                      __attribute__((always_inline)) {
                        const int c = contact(contacts, grid, i, j);
-                       if (c == contacts.NONE) return;
+                       if (c == contacts.NONE) return forget_if_led(i, j, has_history);
                        const SampledContact& law = contacts.all[c];
                        if (!has_history) {
-                         if (!law.within_reach(grid.relative_state(i, j))) return;
+                         const RelativeState now = grid.relative_state(i, j);
+                         if (!law.within_reach(now)) return;
                          std::fill_n(values, per_pair, 0.0);
-                         if (step->starts()) values[0] = is_within(range_at_start(law), i, j);
+                         values[0] = law.stands_within(now, range_at_start(law));
                        }
                        if (recorded || values[0] < 0.0)
                          has_history = sample<SIZE>(scatter, law, i, j, values);
                        else
                          has_history = forces.apply(law, i, j, grid.motion(i, j), values);
+                       // One that others pushed into the range has not come there by its motion.
+                       if (!has_history) has_history = law.within_reach(grid.relative_state(i, j));
                      });
 }
 

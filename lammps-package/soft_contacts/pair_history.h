@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cctype>
 #include <string>
+#include <vector>
 
 #include "fix_neigh_history.h"
 #include "modify.h"
+#include "renumbering.h"
 
 namespace LAMMPS_NS {
 
@@ -44,7 +46,26 @@ class PairHistory {
 
   FixNeighHistory* operator->() const { return fix_; }
 
+  /// Partners are remembered by their IDs; what is remembered of one that is gone is of nobody.
+  void renumber(const Renumbering& renumbering, int particles) {
+    if (!fix_) return;
+    const int* const count = Partners::count(*fix_);
+    tagint* const* const partner = Partners::ids(*fix_);
+    std::vector<tagint> ids;
+    for (int i = 0; i < particles; i++) ids.insert(ids.end(), partner[i], partner[i] + count[i]);
+    renumbering.translate(ids);
+    auto next = ids.begin();
+    for (int i = 0; i < particles; i++)
+      for (int m = 0; m < count[i]; m++) partner[i][m] = *next++;
+  }
+
  private:
+  /// They are protected there.
+  struct Partners : FixNeighHistory {
+    static int* count(const FixNeighHistory& fix) { return fix.*(&Partners::npartner); }
+    static tagint** ids(const FixNeighHistory& fix) { return fix.*(&Partners::partner); }
+  };
+
   std::string place() const { return id_ + "_PLACE"; }
 
   Modify* modify_;

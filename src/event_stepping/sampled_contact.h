@@ -47,6 +47,14 @@ class SampledContact {
 
   bool within_reach(const RelativeState& grid) const { return pair_.within_reach(grid, window_); }
 
+  /// Whether a pair of which nothing is remembered stands within the gap `range` [length], and has
+  /// not fallen into it: then it was outside a step before.
+  bool stands_within(const RelativeState& grid, double range) const {
+    const double edge = bodies_.distance() + range;
+    const Vector3 before = grid.separation - (2.0 * window_.before) * grid.velocity;
+    return norm(grid.separation) < edge && norm(before) < edge;
+  }
+
   /// `memory`, of which the phase says whether the pair is in range, and the losses of the step
   /// around the grid point (of springs in the plane of contact: the one before it) are changed.
   template <int SIZE>

@@ -80,6 +80,12 @@ class TwoPassContact {
     return distance * (distance - range) <= std::max(closing, 0.0);
   }
 
+  /// Whether a pair of which nothing is remembered stands within the gap `range` [length]: it did
+  /// not fall into it. One that flies there was within_reach() a step before.
+  bool stands_within(const RelativeState& grid, double range) const {
+    return norm(grid.separation) < contact_distance_ + range;
+  }
+
   /// Whether a pair that is in its well and owes nothing certainly meets neither contact nor edge
   /// in this step: nothing acts on it. `flown`: as above.
   bool is_idle(const RelativeState& grid, const ContactMemory& memory, double flown) const {
