@@ -170,6 +170,7 @@ bool EventContacts::follow(const ContactModels::SurfacesCloseData& d, double r,
     memory.force = last[FORCE];
     memory.work = last[WORK];
   }
+  memory.is_new = !last;
   time_apart_ = k->law->step() * (1.0 - (last ? last[TOUCH] : 0.0));
   const cohesion::Vector3 n = cohesion::vector(normal);
   const cohesion::Vector3 w = cohesion::vector(d.v_i) - cohesion::vector(d.v_j);

@@ -16,6 +16,7 @@
 #include "pair_gran.h"
 #include "property_registry.h"
 #include "square_well_attraction.h"
+#include "vector3.h"
 
 namespace LIGGGHTS {
 namespace Cohesion {
@@ -86,7 +87,7 @@ ContactRange SquareWellAttraction::range() const {
 bool SquareWellAttraction::binds(int itype, int jtype, double ri, double rj, double gap,
                                  const double* history) const {
   if (!is_active_) return gap < cohesion::square_well::width(wells_.of(itype, jtype).well, ri, rj);
-  return history && history[offset_ + STATE] == inside;
+  return history && is_inside(history[offset_ + STATE]);
 }
 
 double SquareWellAttraction::force(const Encounter& e) {
@@ -110,9 +111,11 @@ void SquareWellAttraction::step(const Encounter& e, double* history) {
   }
   // One that is held at the edge turns round.
   if (within && e.gap < width && well.depth > 0.0) warn_if_out_of_sight(e);
-  history[STATE] = within ? inside : outside;
+  const bool nearer = e.gap < width;
+  history[STATE] = within ? (nearer ? inside : pushed_out) : (nearer ? pushed_in : outside);
   if (d.mesh) history[LAST_STEP] = static_cast<double>(lmp_->update->ntimestep);
-  remember(d, within || history[IMPULSE] != 0.0);
+  // One that is outside all the same is remembered, not to be found there as if it stood there.
+  remember(d, within || nearer || history[IMPULSE] != 0.0);
 }
 
 /// Warns of a pair that could be beyond what the engine shows when the next step finds it.
@@ -124,22 +127,33 @@ void SquareWellAttraction::warn_if_out_of_sight(const Encounter& e) {
 
 bool SquareWellAttraction::was_inside(const Encounter& e, double* history, double width) const {
   const auto& d = e.data;
-  // Before its first step a run finds pairs where they are; later they come from outside.
-  if (!d.shearupdate) return history[STATE] == unknown ? e.gap < width : history[STATE] == inside;
+  // Before the first step of a run nothing has moved.
+  const auto stands = [&] {
+    return point(e).stands_within(d.radsum + width, d.shearupdate ? lmp_->update->dt : 0.0);
+  };
+  const double state = history[STATE];
+  if (!d.shearupdate) {
+    const bool displaced = e.gap < width ? state == outside : state == inside;
+    return state == unknown || displaced ? stands() : is_inside(state);
+  }
   const double last_step = static_cast<double>(lmp_->update->ntimestep - 1);
   if (d.mesh && history[LAST_STEP] != last_step) {
     const double* const before = history_before(*d.fix_mesh, d.j, d.i, lmp_->atom->x[d.i], d.radi,
                                                 offset_ + LAST_STEP, last_step);
-    return before && before[offset_ + STATE] == inside;
+    if (before && before[offset_ + STATE] != unknown) return is_inside(before[offset_ + STATE]);
+    return state == unknown && stands();
   }
-  return history[STATE] == inside;
+  return state == unknown ? stands() : is_inside(state);
 }
 
 /// Speed along the normal at which the two come nearer.
-double SquareWellAttraction::approach(const Encounter& e) const {
-  double speed = 0.0;
-  for (int k = 0; k < 3; k++) speed += e.normal[k] * (e.data.v_j[k] - e.data.v_i[k]);
-  return speed;
+double SquareWellAttraction::approach(const Encounter& e) { return -point(e).radial; }
+
+cohesion::event_stepping::GridPoint SquareWellAttraction::point(const Encounter& e) {
+  const cohesion::Vector3 n = cohesion::vector(e.normal);
+  const cohesion::Vector3 w = cohesion::vector(e.data.v_i) - cohesion::vector(e.data.v_j);
+  const double radial = dot(w, n);
+  return {e.data.radsum + e.gap, radial, e.data.is_wall ? 0.0 : norm(w - radial * n)};
 }
 
 /// Of the particle, or of the body that it belongs to; 0: it does not move.

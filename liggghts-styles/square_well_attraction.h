@@ -9,6 +9,7 @@
 #include "advice/stiffness_scaling.h"
 #include "contact_range.h"
 #include "encounter.h"
+#include "event_stepping/grid_point.h"
 #include "event_stepping/one_pass_well.h"
 #include "lammps.h"
 #include "normal_model_probe.h"
@@ -88,8 +89,11 @@ class SquareWellAttraction final : public AttractionEnergy {
  private:
   // What is remembered of a contact; the last beside walls alone, for contacts with meshes.
   enum { STATE, IMPULSE, LAST_STEP };
-  // STATE; the engine gives a new contact zeros.
-  static constexpr double unknown = 0.0, outside = 1.0, inside = 2.0;
+  // STATE; the engine gives a new contact zeros. What others pushed across the edge is `pushed_in`
+  // while it is outside all the same, `pushed_out` while it is inside.
+  static constexpr double unknown = 0.0, outside = 1.0, inside = 2.0, pushed_in = 3.0,
+                          pushed_out = 4.0;
+  static bool is_inside(double state) { return state == inside || state == pushed_out; }
 
   struct Well {
     cohesion::square_well::Parameters well;
@@ -121,7 +125,8 @@ class SquareWellAttraction final : public AttractionEnergy {
   void step(const Encounter& encounter, double* history);
   void warn_if_out_of_sight(const Encounter& encounter);
   bool was_inside(const Encounter& encounter, double* history, double width) const;
-  double approach(const Encounter& encounter) const;
+  static double approach(const Encounter& encounter);
+  static cohesion::event_stepping::GridPoint point(const Encounter& encounter);
   double inverse_mass(int particle) const;
 
   LAMMPS_NS::LAMMPS* lmp_;

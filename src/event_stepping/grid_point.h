@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
+
 #include "event_stepping/normal_motion.h"
 
 namespace cohesion::event_stepping {
@@ -11,6 +13,12 @@ struct GridPoint {
   double distance;  ///< of the centres, [length]
   double radial;    ///< rate of it along the normal of this grid point, [length/time]
   double sideways;  ///< speed across the normal, 0 beside a wall, [length/time]
+
+  /// Whether a pair of which nothing is remembered stands nearer than `edge` [length], and has not
+  /// fallen in: then it was outside a `step` [time] before.
+  bool stands_within(double edge, double step) const {
+    return distance < edge && std::hypot(distance - step * radial, step * sideways) < edge;
+  }
 };
 
 /// What OnePassContact remembers of a pair from one grid point to the next; of two passes and of
@@ -30,6 +38,8 @@ struct GridMemory {
   /// Of elastic pairs: the work of these forces since the pair came into the range, less the energy
   /// that it had when a run began; while `lasting`, with what its spring stores, [energy].
   double work = 0.0;
+  /// Whether nothing is remembered of it: no step of it was computed before this one.
+  bool is_new = false;
 
   bool inside() const { return phase != beyond && phase != left && phase != parted; }
   /// Whether it was in contact all through the last step.

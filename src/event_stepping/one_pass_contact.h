@@ -171,10 +171,12 @@ class OnePassContact {
     GridStep step;
     const bool first = kick < step_;
     bool inside = memory.inside();
-    // A pair that a run starts with is where it is; it did not fall into the range.
-    if (first && memory.phase == GridMemory::beyond) inside = at.distance < entry_distance();
+    // Before the first step of a run nothing has moved.
+    const bool stands = (first || memory.is_new) && memory.phase == GridMemory::beyond &&
+                        at.stands_within(entry_distance(), first ? 0.0 : step_);
+    if (stands) inside = true;
     const GridMemory before = memory;
-    const double work = first ? work_at_start(at, inside) : work_before(at, memory);
+    const double work = first || stands ? work_at_start(at, inside) : work_before(at, memory);
     Flight now{at.distance, first ? at.radial : true_radial(at, others, memory), at.sideways};
     const Flight start = now;
     const bool lasting = inside && lasts(now, others, step.normal);
@@ -218,7 +220,7 @@ class OnePassContact {
     return step;
   }
 
-  /// Of a pair that a run starts with: what it is to give back is what it has stored.
+  /// Of a pair that stands where it is first seen: what it is to give back is what it has stored.
   double work_at_start(const GridPoint& at, bool inside) const {
     if (!elastic_ || !inside) return 0.0;
     const double overlap = contact_distance_ - at.distance;

@@ -57,6 +57,43 @@ TEST(OnePassContact, RestitutionIsExactForAnyStepAndPhase) {
   }
 }
 
+TEST(OnePassContact, APairThatIsNewInTheRangeStandsThere) {
+  // In the gap at rest within a run: it falls by what is left of the gap, and has fallen in by the
+  // whole range where it was outside a step before.
+  const contact::Adhesion adhesion{2e-6, 1e-6, 3e-12};
+  const double dt = thesis::contact_time / 10.0, gap = 0.25e-6;
+  const OnePassContact contact(spring(0.0), adhesion, core, dt);
+  const auto is_inside_after = [&](double radial, bool is_new) {
+    GridMemory memory;
+    memory.is_new = is_new;
+    contact.follow({core + gap, radial, 0.0}, 0.0, dt, memory);
+    return memory.inside();
+  };
+  EXPECT_TRUE(is_inside_after(0.0, true));
+  EXPECT_FALSE(is_inside_after(0.0, false));
+
+  GridPoint at{core + gap, 0.0, 0.0};
+  GridMemory memory;
+  memory.is_new = true;
+  double fastest = 0.0;
+  for (int n = 0; n < 300; n++) {
+    GridStep step;
+    if (!contact.follow_lasting(at, memory, step)) step = contact.follow(at, 0.0, dt, memory);
+    memory.is_new = false;
+    at.radial += dt * step.force / thesis::reduced_mass;
+    at.distance += dt * at.radial;
+    fastest = std::max(fastest, std::abs(at.radial));
+    EXPECT_LT(at.distance, core + adhesion.cutoff) << n;
+  }
+  // At the equilibrium, F/K within the contact: from the gap and into the spring.
+  const double stiffness = thesis::contact().stiffness;
+  const double energy = adhesion.force * gap + 0.5 * adhesion.force * adhesion.force / stiffness;
+  // Grid velocities are means over a step, in which the pull adds F dt/mu to the speed: the fastest
+  // of them may be of a step that ends one and a half steps before the touch.
+  const double speed = std::sqrt(2.0 * energy / thesis::reduced_mass);
+  EXPECT_NEAR(fastest, speed, 1.5 * dt * adhesion.force / thesis::reduced_mass);
+}
+
 TEST(OnePassContact, RecursionOnTheGridIsTheClosedForm) {
   const double critical = 2.0 * std::sqrt(thesis::contact().stiffness * thesis::reduced_mass);
   for (const double share : {0.0, 0.1, 1.0, 3.0})
