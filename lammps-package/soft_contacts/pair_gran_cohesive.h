@@ -15,6 +15,7 @@
 #include "event_stepping/sampled_contact.h"
 #include "pair.h"
 #include "pair_history.h"
+#include "update.h"
 
 namespace LAMMPS_NS {
 
@@ -116,6 +117,8 @@ class PairGranCohesive : public Pair,
   static double range_at_start(const Contact& contact) {
     return Cohesion::FORMS_AT_TOUCH ? 0.0 : contact.range();
   }
+  /// How long the pairs have flown to where they are, [time]; before its first step a run has not.
+  double last_step() const { return step->starts() ? 0.0 : update->dt; }
   bool moves(int i, int j) const;
   void require_distinct_places() const;
   template <class What>

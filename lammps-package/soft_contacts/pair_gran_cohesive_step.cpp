@@ -185,7 +185,7 @@ void PairGranCohesive<Cohesion>::classify_one(const ContactsOfStep<EventContact,
     const RelativeState now = particles().relative_state(i, j);
     if (!law.within_reach(now, step->flight())) return;
     std::fill_n(values, per_pair, 0.0);
-    if (!is_known && law.stands_within(now, range_at_start(law)))
+    if (!is_known && law.stands_within(now, range_at_start(law), last_step()))
       ContactMemory::seen_inside().to(values, per_pair);
   }
   has_history = 1;
@@ -274,7 +274,7 @@ void PairGranCohesive<Cohesion>::compute_forces(Contacts<SampledContact>& contac
                          const RelativeState now = grid.relative_state(i, j);
                          if (!law.within_reach(now)) return;
                          std::fill_n(values, per_pair, 0.0);
-                         values[0] = law.stands_within(now, range_at_start(law));
+                         values[0] = law.stands_within(now, range_at_start(law), last_step());
                        }
                        if (recorded || values[0] < 0.0)
                          has_history = sample<SIZE>(scatter, law, i, j, values);

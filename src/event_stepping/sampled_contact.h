@@ -48,11 +48,10 @@ class SampledContact {
   bool within_reach(const RelativeState& grid) const { return pair_.within_reach(grid, window_); }
 
   /// Whether a pair of which nothing is remembered stands within the gap `range` [length], and has
-  /// not fallen into it: then it was outside a step before.
-  bool stands_within(const RelativeState& grid, double range) const {
+  /// not fallen into it: then it was outside `before` [time].
+  bool stands_within(const RelativeState& grid, double range, double before) const {
     const double edge = bodies_.distance() + range;
-    const Vector3 before = grid.separation - (2.0 * window_.before) * grid.velocity;
-    return norm(grid.separation) < edge && norm(before) < edge;
+    return norm(grid.separation) < edge && norm(grid.separation - before * grid.velocity) < edge;
   }
 
   /// `memory`, of which the phase says whether the pair is in range, and the losses of the step

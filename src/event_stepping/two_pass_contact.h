@@ -80,10 +80,12 @@ class TwoPassContact {
     return distance * (distance - range) <= std::max(closing, 0.0);
   }
 
-  /// Whether a pair of which nothing is remembered stands within the gap `range` [length]: it did
-  /// not fall into it. One that flies there was within_reach() a step before.
-  bool stands_within(const RelativeState& grid, double range) const {
-    return norm(grid.separation) < contact_distance_ + range;
+  /// Whether a pair of which nothing is remembered stands within the gap `range` [length], and has
+  /// not fallen into it: then it was outside `before` [time]. One that flies there is mostly known,
+  /// within_reach() a step before; not where the step has become longer since.
+  bool stands_within(const RelativeState& grid, double range, double before) const {
+    const double edge = contact_distance_ + range;
+    return norm(grid.separation) < edge && norm(grid.separation - before * grid.velocity) < edge;
   }
 
   /// Whether a pair that is in its well and owes nothing certainly meets neither contact nor edge
