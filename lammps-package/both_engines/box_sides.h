@@ -19,13 +19,16 @@ class BoxSides {
   }
   /// Whether they have changed since store(); not before the first.
   bool changed(const Domain* d) const { return known_ && of(d) != sides_; }
-  /// Whether images of particles are elsewhere than store() had them.
-  bool moves_images(const Domain* d) const {
+  /// Whether the image of a particle at x, outside of the box where it is one through its sides, is
+  /// elsewhere than store() had it.
+  bool moves_image(const Domain* d, const double* x) const {
     if (!changed(d)) return false;
     const auto now = of(d);
     for (int k = 0; k < 3; k++) {
+      if (now[9 + k] != sides_[9 + k]) return true;
+      if (x[k] >= d->boxlo[k] && x[k] < d->boxhi[k]) continue;
       const double length = now[3 + k] - now[k], before = sides_[3 + k] - sides_[k];
-      if (now[6 + k] != sides_[6 + k] || now[9 + k] != sides_[9 + k]) return true;
+      if (now[6 + k] != sides_[6 + k]) return true;
       if (now[6 + k] != 0.0 && std::abs(length - before) > 1e-13 * length) return true;
     }
     return false;

@@ -50,7 +50,7 @@ bool AlteredParticles::is_altered(int i, int j) const {
   if (j < 0) return of_i[3] != 0.0 || is_displaced(vector(of_i.data()));
   const Alteration& of_j = by_[j];
   // A ghost may be an image through a side of the box that has moved.
-  if (j >= atom->nlocal && box_.moves_images(domain)) return true;
+  if (j >= atom->nlocal && box_.moves_image(domain, atom->x[j])) return true;
   return of_i[3] != 0.0 || of_j[3] != 0.0 ||
          is_displaced(vector(of_j.data()) - vector(of_i.data()));
 }
