@@ -84,8 +84,7 @@ void Foam::superficialVelocityFvPatchVectorField::updateCoeffs()
     }
     const auto& voidFraction =
         patch().lookupPatchField<volScalarField, scalar>(voidFractionName_);
-    const vector velocity = superficialVelocity_->value(db().time().timeOutputValue());
-    operator==((1/(share_*voidFraction))*velocity);
+    operator==((1/(share_*voidFraction))*velocity());
     fixedValueFvPatchVectorField::updateCoeffs();
 }
 

@@ -72,6 +72,7 @@ Foam::scalar Foam::gasParticleCoupling::particleCourantNumber() const
 void Foam::gasParticleCoupling::adjustStep(Time& time, const scalar courant)
 {
     averaging_.exchange().startStep();
+    step_->checkCourant(courant);
     if (step_->adjustable())
     {
         locateParticles();
@@ -95,6 +96,7 @@ void Foam::gasParticleCoupling::depositParticles
     }
     setVoidFraction();
     inlets_.check(voidFraction_, U);
+    inletVelocities_.check(voidFraction_, U);
     setCoefficients(U);
     setSources(gradP);
     seconds_.exchange += timer.elapsedTime();
@@ -204,4 +206,29 @@ void Foam::gasParticleCoupling::writeState(const bool written)
 {
     const bool particlesWritten = writeParticles();
     completeState::mark(mesh_.time(), engine_->steps_done(), written && particlesWritten);
+    kept_.drop();
+}
+
+
+void Foam::gasParticleCoupling::keepState(const Time& time)
+{
+    if (time.timeIndex() == time.startTimeIndex() || !kept_.due())
+    {
+        return;
+    }
+    const auto write = [&]()
+    {
+        const bool written = completeState::writeFields(time);
+        const bool particlesWritten = writeParticles();
+        engine_->keep(completeState::engineFile(time));
+        completeState::mark(time, engine_->steps_done(), written && particlesWritten);
+    };
+    try
+    {
+        kept_.keep(write);
+    }
+    catch (const std::exception& error)
+    {
+        FatalErrorInFunction << error.what() << exit(FatalError);
+    }
 }

@@ -107,8 +107,9 @@ void Foam::gasParticleCoupling::reportBalance
 }
 
 
-void Foam::gasParticleCoupling::report(const scalar total) const
+void Foam::gasParticleCoupling::report(const scalar total)
 {
+    kept_.drop();
     turnover_.report(*engine_);
     monitor_.report();
     bound_.report();

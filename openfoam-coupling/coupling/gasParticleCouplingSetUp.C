@@ -11,6 +11,7 @@
 #include "coupling/checks/requireDimensions.H"
 #include "coupling/checks/requirePatches.H"
 #include "coupling/checks/requireSameGravity.H"
+#include "coupling/checks/wideSmoothing.H"
 #include "coupling/input/readPositive.H"
 #include "coupling/input/selectRow.H"
 #include "coupling/particles/engineMessages.H"
@@ -46,7 +47,6 @@ std::string inWords(const Foam::ITstream& entry)
 
 Foam::gasParticleCoupling::gasParticleCoupling
 (
-    Time& time,
     const fvMesh& mesh,
     const gasDensity& density,
     const scalar mu,
@@ -67,8 +67,10 @@ Foam::gasParticleCoupling::gasParticleCoupling
     gasAt_(dict_),
     minVoidFraction_(dict_.found("minVoidFraction") ? readPositive(dict_, "minVoidFraction") : 0.2),
     depthRatio_(1),
+    coupledParticles_(mesh, engine_, completeState::isComplete(mesh.time()), g_, density_, depthRatio_),
     averaging_(mesh, dict_),
-    hasLastGradient_(continued()),
+    continued_(coupledParticles_.continued()),
+    hasLastGradient_(continued_),
     voidFraction_
     (
         IOobject
@@ -82,6 +84,7 @@ Foam::gasParticleCoupling::gasParticleCoupling
         mesh
     ),
     inlets_(voidFraction_),
+    inletVelocities_(voidFraction_),
     monitor_(mesh, density, drag_.closure(), response_.free, !form_.gas_takes_all, liquid_.addedCoefficient()),
     transmittedFraction_
     (
@@ -107,7 +110,8 @@ Foam::gasParticleCoupling::gasParticleCoupling
         IOobject("dragSource", mesh.time().timeName(), mesh),
         mesh,
         dimensionedVector(dimAcceleration, Zero)
-    )
+    ),
+    kept_(mesh.time())
 {
     // Their factors are on a coefficient b that a quadratic drag has not
     if (drag_.closure().quadratic && (bound_.on() || filter_.active()))
@@ -120,31 +124,44 @@ Foam::gasParticleCoupling::gasParticleCoupling
     requireDimensions(voidFraction_, dimless, "a share of the volume, and is set from the particles");
     requirePatches(mesh_, dict_);
     setDepthRatio();
-    // The script, which may take long, runs when the dictionary has been read.
-    const bool sameGravity = asksForSameGravity(dict_);
+    asksForSameGravity(dict_);
+    requireEngine();
+    gasStep::requireEntries(mesh.time());
+    if (!continued_)
+    {
+        // Until there are particles
+        voidFraction_.primitiveFieldRef() = 1;
+        voidFraction_.correctBoundaryConditions();
+    }
+}
+
+
+void Foam::gasParticleCoupling::start(Time& time)
+{
     makeEngine();
     requireSiUnits();
     requireBoxOfMesh(dict_, mesh_, engine_->box());
     places_ = std::make_unique<placesOnMesh>(mesh_, engine_->box());
-    if (sameGravity)
+    if (asksForSameGravity(dict_))
     {
         requireSameGravity(dict_, mesh_, *engine_, g_);
     }
     requireReadState();
-    coupledParticles_ = std::make_unique<coupledParticles>(mesh_, *engine_, g_, density_, depthRatio_);
-    reportParticles(*coupledParticles_, rho_, drag_.mixture(), drag_.parcels());
+    reportParticles(coupledParticles_, rho_, drag_.mixture(), drag_.parcels());
     if (bound_.on())
     {
         startBound();
     }
-    step_ = std::make_unique<gasStep>(time, engine_->time_step());
+    step_ = std::make_unique<gasStep>(time, engine_->time_step(), continued_);
+    warnOfWideSmoothing(dict_, mesh_, coupledParticles_);
 
-    if (!continued())
+    if (!continued_)
     {
         locateParticles();
         setVoidFraction();
     }
     voidFraction_.oldTime();
+    coupledParticles_.start();
 }
 
 
@@ -172,15 +189,24 @@ void Foam::gasParticleCoupling::setDepthRatio()
 }
 
 
-coupling::DemEngineSettings Foam::gasParticleCoupling::engineSettings(const word& name) const
+coupling::DemEngineSettings Foam::gasParticleCoupling::engineSettings(const word& name)
 {
     const dictionary& coeffs = dict_.subDict(name + "Coeffs");
     coupling::DemEngineSettings settings;
     settings.folder = mesh_.time().globalPath();
-    settings.on_message = engineMessages(name);
+    // Engines may end the process with an error once they have shown it.
+    settings.on_message =
+        [show = engineMessages(name), &kept = kept_](const coupling::Severity severity, const std::string& text)
+    {
+        show(severity, text);
+        if (severity == coupling::Severity::error)
+        {
+            kept.release();
+        }
+    };
     settings.script = coeffs.get<fileName>("script").expand();
     settings.log = coeffs.getOrDefault<fileName>("log", "log." + name).expand();
-    if (continued())
+    if (continued_)
     {
         settings.restart = completeState::restartFile(mesh_.time());
         settings.log += "." + mesh_.time().timeName();
@@ -205,27 +231,46 @@ coupling::DemEngineSettings Foam::gasParticleCoupling::engineSettings(const word
 }
 
 
-void Foam::gasParticleCoupling::makeEngine()
+Foam::gasParticleCoupling::EngineOfCase Foam::gasParticleCoupling::engineOfCase()
 {
     const word name(dict_.get<word>("demEngine"));
+    // The name first: a misspelt one is not a missing dictionary.
+    const auto& row = coupling::dem_engine(name);
+    coupling::DemEngineSettings settings(engineSettings(name));
+    const dictionary& coeffs = dict_.subDict(name + "Coeffs");
+    const std::string library
+    (
+        coeffs.found("library")
+      ? coeffs.get<fileName>("library").expand()
+      : fileName(coupling::dem_engine_library(row))
+    );
+    return {name, library, std::move(settings)};
+}
+
+
+void Foam::gasParticleCoupling::requireEngine()
+{
     try
     {
-        // The name first: a misspelt one is not a missing dictionary.
-        const auto& row = coupling::dem_engine(name);
-        const coupling::DemEngineSettings settings(engineSettings(name));
+        engineOfCase();
+    }
+    catch (const std::exception& error)
+    {
+        FatalIOErrorInFunction(dict_) << error.what() << exit(FatalIOError);
+    }
+}
 
+
+void Foam::gasParticleCoupling::makeEngine()
+{
+    try
+    {
+        const auto [name, library, settings] = engineOfCase();
         if (!Pstream::parRun())
         {
             // The engine needs MPI, which a serial OpenFOAM leaves alone.
             UPstream::initNull();
         }
-        const dictionary& coeffs = dict_.subDict(name + "Coeffs");
-        const std::string library
-        (
-            coeffs.found("library")
-          ? coeffs.get<fileName>("library").expand()
-          : fileName(coupling::dem_engine_library(row))
-        );
         Info<< "Particle engine " << name << " runs " << settings.script.c_str() << ", log in "
             << settings.log.c_str() << endl;
         engine_.reset(coupling::load_dem_engine(library)(settings));
@@ -267,7 +312,7 @@ void Foam::gasParticleCoupling::requireSiUnits() const
 
 void Foam::gasParticleCoupling::requireReadState() const
 {
-    if (!continued())
+    if (!continued_)
     {
         return;
     }
@@ -279,7 +324,8 @@ void Foam::gasParticleCoupling::requireReadState() const
             << stepsThen << " steps, but after the particle script they"
             << " have done " << int64_t(engine_->steps_done()) << nl
             << "    Let the script read their state when there is one: "
-            << engine_->restart_hint().c_str() << ", and set no time step number after that"
+            << engine_->restart_hint().c_str() << ", and set no time step number after that."
+            << " To begin anew with the gas of that time, remove its folder 'uniform'"
             << exit(FatalIOError);
     }
 }

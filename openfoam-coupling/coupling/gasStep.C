@@ -2,9 +2,19 @@
 #include "gasStep.H"
 
 #include "coupling/input/readPositive.H"
+#include "coupling/sixDigits.H"
+
+namespace
+{
+
+//- Courant number of the gas, in steps of one length, above which there is a warning. One is advised (maxCo); bubbles
+//  that burst are faster for a moment.
+constexpr Foam::scalar largestCourant = 2;
+
+} // End anonymous namespace
 
 
-Foam::gasStep::gasStep(Time& time, const scalar particleStep)
+Foam::gasStep::gasStep(Time& time, const scalar particleStep, const bool continued)
 :
     time_(time),
     particleStep_(particleStep)
@@ -13,7 +23,7 @@ Foam::gasStep::gasStep(Time& time, const scalar particleStep)
     const scalar steps = dt/particleStep_;
     // Both steps are decimal numbers: their ratio is whole to round-off when it is meant to be. But
     // OpenFOAM writes an adjusted step with writePrecision digits.
-    const bool rounded = adjustable() && time_.startTime().value() > 0;
+    const bool rounded = adjustable() && continued;
     if (!rounded && (steps < 0.5 || mag(steps - std::round(steps)) > 1e-9*steps))
     {
         FatalIOErrorInFunction(time_.controlDict())
@@ -38,6 +48,36 @@ Foam::gasStep::gasStep(Time& time, const scalar particleStep)
 bool Foam::gasStep::adjustable() const
 {
     return time_.controlDict().getOrDefault("adjustTimeStep", false);
+}
+
+
+void Foam::gasStep::requireEntries(const Time& time)
+{
+    const dictionary& control = time.controlDict();
+    if (control.getOrDefault("adjustTimeStep", false))
+    {
+        for (const char* entry : {"maxCo", "maxDeltaT"})
+        {
+            if (control.found(entry))
+            {
+                readPositive(control, entry);
+            }
+        }
+    }
+}
+
+
+void Foam::gasStep::checkCourant(const scalar courant)
+{
+    if (adjustable() || !courantWarning_.due() || !(courant > largestCourant))
+    {
+        return;
+    }
+    WarningOnceInFunction(courantWarning_)
+        << "the Courant number of the gas is " << sixDigits(courant).c_str() << " at time " << time_.timeName()
+        << ": in a step of deltaT = " << time_.deltaTValue() << " s it crosses that many cells, and what it does within fewer is lost" << nl
+        << "    Take a deltaT of at most " << sixDigits(time_.deltaTValue()/courant).c_str() << " s, or 'adjustTimeStep yes; maxCo 1;' in"
+        << " system/controlDict; this is said once" << endl;
 }
 
 

@@ -108,10 +108,15 @@ class DemEngine {
   virtual double time_step() = 0;
   virtual std::string units() = 0;
   virtual Box box() = 0;
+
+  /// Writes the state as it is, to continue from, and changes nothing of it: what follows is as if
+  /// it had not been written. A run that continues from it computes the forces anew, as it would
+  /// not have done. Throws DemEngineError, on all ranks.
+  virtual void keep(const std::string& file) = 0;
 };
 
 /// Every engine library exports these two with C linkage; the number changes with this header.
-inline constexpr int dem_engine_interface = 6;
+inline constexpr int dem_engine_interface = 7;
 using DemEngineInterface = int (*)();
 using MakeDemEngine = DemEngine* (*)(const DemEngineSettings&);
 inline constexpr const char* dem_engine_interface_symbol = "cohesion_dem_engine_interface";

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
@@ -33,11 +34,14 @@ namespace cohesion::coupling {
 using Rows = double (*)[3];
 inline Rows rows(double** array) { return array ? reinterpret_cast<Rows>(array[0]) : nullptr; }
 
-/// What their scripts spell differently.
+/// What their scripts spell differently, and what they do.
 struct ScriptWords {
   const char* engine;     ///< its name, for messages
   const char* continued;  ///< value of the variable `continued`: there is a state to continue from
   const char* not_continued;
+  /// Writes a restart file between runs, of the particles where they are and on the ranks that have
+  /// them, and of contacts as they are.
+  void (*write_state)(LAMMPS_NS::LAMMPS*, const std::string& file);
 };
 
 class LammpsFamilyEngine : public DemEngine {
@@ -59,6 +63,7 @@ class LammpsFamilyEngine : public DemEngine {
     work([&] {
       start(settings);
       run_script(settings.script);
+      require_step(settings.script);
       require_coupled(settings.script);
       command("run 0 post no");
     });
@@ -103,6 +108,21 @@ class LammpsFamilyEngine : public DemEngine {
       command("run 0 post no");
       command("write_restart " + restart);
       command("run 0 post no");
+    });
+  }
+
+  void keep(const std::string& file) override {
+    work([&] {
+      // Particles that have left a periodic box are taken back when the list of neighbours is made.
+      // A file must have them in it.
+      auto* const atom = lammps_->atom;
+      const int n = atom->nlocal;
+      const std::vector<double> places(atom->x[0], atom->x[0] + (n > 0 ? 3 * n : 0));
+      const std::vector images(atom->image, atom->image + n);
+      for (int i = 0; i < n; i++) lammps_->domain->remap(atom->x[i], atom->image[i]);
+      words_.write_state(lammps_.get(), file);
+      std::copy(places.begin(), places.end(), atom->x[0]);
+      std::copy(images.begin(), images.end(), atom->image);
     });
   }
 
@@ -218,6 +238,16 @@ class LammpsFamilyEngine : public DemEngine {
   }
 
   /// Throws DemEngineError unless the script has made spheres that feel the gas.
+  /// A step of no length would make the drag, and what contacts do in a step, numbers that are
+  /// none.
+  void require_step(const std::string& script) const {
+    const double dt = lammps_->update->dt;
+    if (!(dt > 0.0 && std::isfinite(dt)))
+      throw DemEngineError("the script '" + script + "' has timestep " + std::to_string(dt) +
+                           " s: give the command timestep a number greater than zero, of which " +
+                           "deltaT in system/controlDict is a whole multiple");
+  }
+
   void require_coupled(const std::string& script) {
     if (!lammps_->domain->box_exist)
       throw DemEngineError("the script '" + script + "' makes no simulation box");

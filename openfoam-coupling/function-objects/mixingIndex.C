@@ -28,7 +28,7 @@ Foam::functionObjects::mixingIndex::mixingIndex
 :
     particleFunctionObject(name, runTime, dict),
     first_(folder()/"places"),
-    images_(present() ? particles().images() : List<vector>(1, vector::zero)),
+    images_(1, vector::zero),
     up_(Zero),
     cells_(Zero),
     layers_(0)
@@ -67,6 +67,7 @@ bool Foam::functionObjects::mixingIndex::read(const dictionary& dict)
 
 void Foam::functionObjects::mixingIndex::begin()
 {
+    images_ = particles().images();
     if (!first_.restore(pastUntil()))
     {
         first_.store(time_.value(), time_.timeName(), particles().ids(), particles().positions());

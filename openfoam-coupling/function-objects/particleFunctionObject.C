@@ -24,6 +24,10 @@ Foam::functionObjects::particleFunctionObject::particleFunctionObject
     particles_(mesh_.cfindObject<coupledParticles>(coupledParticles::typeName)),
     timeStart_(-VGREAT)
 {
+    if (particles_ && !particles_->present())
+    {
+        particles_->whenPresent([this]() { active(); });
+    }
     if (!particles_)
     {
         IOWarningInFunction(dict)
@@ -61,7 +65,7 @@ bool Foam::functionObjects::particleFunctionObject::read(const dictionary& dict)
 
 bool Foam::functionObjects::particleFunctionObject::active()
 {
-    const bool active = particles_ && time_.value() >= timeStart_ - 0.5*time_.deltaTValue();
+    const bool active = particles_ && particles_->present() && time_.value() >= timeStart_ - 0.5*time_.deltaTValue();
     if (active && !begun_)
     {
         begun_ = true;

@@ -27,7 +27,7 @@ Foam::functionObjects::particleMovement::particleMovement
     particleFunctionObject(name, runTime, dict),
     interval_(0),
     before_(folder()/"places"),
-    images_(present() ? particles().images() : List<vector>(1, vector::zero))
+    images_(1, vector::zero)
 {
     read(dict);
     writeCommented(file(), "Time");
@@ -56,6 +56,7 @@ void Foam::functionObjects::particleMovement::startInterval()
 
 void Foam::functionObjects::particleMovement::begin()
 {
+    images_ = particles().images();
     if (!before_.restore(pastUntil()))
     {
         startInterval();

@@ -20,6 +20,7 @@ Usage
 
 #include "fvCFD.H"
 #include "cohesion_version.h"
+#include "endWithState.H"
 #include "fixedFluxPressureFvPatchScalarField.H"
 #include "fvOptions.H"
 #include "gasMass.H"
@@ -27,11 +28,13 @@ Usage
 #include "pimpleControl.H"
 #include "progress.H"
 #include "requireEuler.H"
+#include "requireGasEntries.H"
 #include "requireParallel.H"
 
 #include "coupling/restart/completeState.H"
 #include "coupling/gasParticleCoupling.H"
 #include "coupling/checks/requireDimensions.H"
+#include "coupling/checks/unreadFields.H"
 
 int main(int argc, char* argv[])
 {
@@ -59,7 +62,19 @@ int main(int argc, char* argv[])
     #include "createCoupling.H"
     #include "createFlow.H"
 
-    if (!(runTime.startTime().value() > 0))
+    // The particle script may settle for minutes: what can be wrong without it is looked for before.
+    requireGasEntries(pimple, gas, stress, U, p);
+    runTime.functionObjects().start();
+    if (!coupling.continued())
+    {
+        warnOfUnreadFields(mesh);
+    }
+    coupling.checkInlets(U);
+    coupling.start(runTime);
+    #include "startFlow.H"
+    coupling.checkInlets(U);
+
+    if (!coupling.continued())
     {
         coupling.writeParticles();
     }
@@ -67,47 +82,60 @@ int main(int argc, char* argv[])
     Info<< "\nStarting time loop\n" << endl;
 
     const progress progress(runTime);
-    while (runTime.run())
+    try
     {
-        #include "CourantNo.H"
-        coupling.adjustStep(runTime, CoNum);
-        ++runTime;
-        Info<< "Time = " << runTime.timeName() << progress << nl;
-
-        coupling.depositParticles(U, gradP);
-        if (coupling.checksViscousWaves())
+        const thrownErrors thrown;
+        while (runTime.run())
         {
-            coupling.checkViscousWaves(stress.viscosity());
-        }
-        voidFractionf = fvc::interpolate(voidFraction);
-        voidFractionPhi = voidFractionf*phi;
-        gas.startStep();
+            coupling.keepState(runTime);
+            #include "CourantNo.H"
+            coupling.adjustStep(runTime, CoNum);
+            ++runTime;
+            Info<< "Time = " << runTime.timeName() << progress << nl;
 
-        while (pimple.loop())
-        {
-            #include "UEqn.H"
-
-            while (pimple.correct())
+            coupling.depositParticles(U, gradP);
+            if (coupling.checksViscousWaves())
             {
-                #include "pEqn.H"
+                coupling.checkViscousWaves(stress.viscosity());
             }
+            voidFractionf = fvc::interpolate(voidFraction);
+            voidFractionPhi = voidFractionf*phi;
+            gas.startStep();
 
-            if (pimple.turbCorr())
+            while (pimple.loop())
             {
-                stress.correct();
+                #include "UEqn.H"
+
+                while (pimple.correct())
+                {
+                    #include "pEqn.H"
+                }
+
+                if (pimple.turbCorr())
+                {
+                    stress.correct();
+                }
             }
-        }
-        #include "continuityError.H"
-        density.requirePositive();
+            #include "continuityError.H"
+            density.requirePositive();
 
-        coupling.advanceParticles(U, rho*gradP);
+            coupling.advanceParticles(U, rho*gradP);
 
-        const bool written = runTime.write();
-        if (runTime.writeTime())
-        {
-            coupling.writeState(written);
+            const bool written = runTime.write();
+            if (runTime.writeTime())
+            {
+                coupling.writeState(written);
+            }
+            Info<< endl;
         }
-        Info<< endl;
+    }
+    catch (const IOerror& error)
+    {
+        endWithState(error, coupling.kept());
+    }
+    catch (const Foam::error& error)
+    {
+        endWithState(error, coupling.kept());
     }
 
     coupling.report(progress.elapsed());

@@ -53,6 +53,12 @@ SCRIPT_CASES = {
         lambda c: c.set(COUPLING, "agglomerateDrag", "equivalentSphere"),
         ["has no fix agglomerates", "add 'fix sets all agglomerates 1000'", "or take agglomerateDrag none",
          "couplingProperties"]),
+    "script without a step": (
+        lambda c: edit(c, SCRIPT, "timestep     ${dt}", "timestep     0"),
+        ["has timestep 0", "give the command timestep a number greater than zero", "couplingProperties"]),
+    "script of a negative step": (
+        lambda c: edit(c, SCRIPT, "timestep     ${dt}", "timestep     -1e-5"),
+        ["has timestep -0.00001", "give the command timestep a number greater than zero"]),
     "gas step that is no multiple": (
         lambda c: c.set("system/controlDict", "deltaT", 1.05e-4),
         ["deltaT = 0.000105", "10.5 steps", "whole multiple"]),

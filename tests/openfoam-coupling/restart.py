@@ -87,7 +87,8 @@ class Restart(CoupledTestCase):
         case.set(CONTROL, "startTime", 0.004)
         (case.folder / "0.004/uniform/completeState").unlink()
         self.refused("start at a time that is not complete", case, "start at time 0.004",
-                     "Complete are 0, 0.008", "startFrom latestTime")
+                     "Complete are 0.008: in system/controlDict use 'startFrom latestTime;'",
+                     "startFrom startTime; startTime 0;")
 
     @unittest.skipUnless(ENGINE == "lammps", "what the solver does by itself, with every engine")
     def test_results_are_kept(self):

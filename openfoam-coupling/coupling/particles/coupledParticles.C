@@ -14,30 +14,48 @@ namespace Foam
 Foam::coupledParticles::coupledParticles
 (
     const polyMesh& mesh,
-    cohesion::coupling::DemEngine& engine,
+    const std::unique_ptr<cohesion::coupling::DemEngine>& engine,
+    const bool continued,
     const vector& g,
     const gasDensity& density,
-    const scalar depthRatio
+    const scalar& depthRatio
 )
 :
     regIOobject(IOobject(typeName, mesh.time().timeName(), mesh)),
     engine_(engine),
+    continued_(continued),
     g_(g),
     density_(density),
     depthRatio_(depthRatio)
 {}
 
 
+void Foam::coupledParticles::whenPresent(std::function<void()> task) const
+{
+    waiting_.push_back(std::move(task));
+}
+
+
+void Foam::coupledParticles::start()
+{
+    for (const auto& task : waiting_)
+    {
+        task();
+    }
+    waiting_.clear();
+}
+
+
 Foam::UList<Foam::point> Foam::coupledParticles::positions() const
 {
-    const auto particles = engine_.particles();
+    const auto particles = engine_->particles();
     return engineView(particles.position, particles.count);
 }
 
 
 Foam::List<Foam::vector> Foam::coupledParticles::images() const
 {
-    const auto box = engine_.box();
+    const auto box = engine_->box();
     FixedList<bool, 3> periodic;
     vector periods;
     for (direction d = 0; d < 3; ++d)
@@ -51,36 +69,36 @@ Foam::List<Foam::vector> Foam::coupledParticles::images() const
 
 Foam::UList<Foam::vector> Foam::coupledParticles::velocities() const
 {
-    const auto particles = engine_.particles();
+    const auto particles = engine_->particles();
     return engineView(particles.velocity, particles.count);
 }
 
 
 Foam::UList<Foam::scalar> Foam::coupledParticles::radii() const
 {
-    const auto particles = engine_.particles();
+    const auto particles = engine_->particles();
     return engineView(particles.radius, particles.count);
 }
 
 
 Foam::UList<Foam::scalar> Foam::coupledParticles::masses() const
 {
-    const auto particles = engine_.particles();
+    const auto particles = engine_->particles();
     return engineView(particles.mass, particles.count);
 }
 
 
 Foam::UList<int> Foam::coupledParticles::ids() const
 {
-    const auto particles = engine_.particles();
+    const auto particles = engine_->particles();
     return engineView(particles.id, particles.count);
 }
 
 
 Foam::List<bool> Foam::coupledParticles::inserted() const
 {
-    const auto* gas = engine_.gas();
-    List<bool> inserted(engine_.particles().count);
+    const auto* gas = engine_->gas();
+    List<bool> inserted(engine_->particles().count);
     forAll(inserted, i)
     {
         // A particle that was there at the beginning of the step has been given a coefficient, which is never 0.
@@ -92,7 +110,7 @@ Foam::List<bool> Foam::coupledParticles::inserted() const
 
 Foam::coupledParticles::Impulse Foam::coupledParticles::gasImpulse() const
 {
-    const auto felt = engine_.gas_impulse();
+    const auto felt = engine_->gas_impulse();
     return
     {
         vector(felt.drag[0], felt.drag[1], felt.drag[2]),

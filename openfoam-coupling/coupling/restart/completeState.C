@@ -12,6 +12,7 @@
 
 #include "coupling/fromFirstRank.H"
 
+#include <algorithm>
 #include <string>
 
 namespace
@@ -43,12 +44,38 @@ Foam::DynamicList<Foam::instant> laterTimes(const Foam::Time& time)
     return laterTimes(time.path(), time.startTime().value() + 0.5*time.deltaTValue());
 }
 
+//- Whether a folder holds fields that a case begins with: a run makes the folder 'uniform' before it writes a field.
+bool isInitial(const Foam::fileName& path, const Foam::instant& when)
+{
+    return Foam::isFile(path/when.name()/"U", true) && !Foam::isDir(path/when.name()/"uniform");
+}
+
+//- The times of initial fields by the first rank's folders, the same on all ranks
+Foam::DynamicList<Foam::instant> initialTimes(const Foam::fileName& path)
+{
+    Foam::DynamicList<Foam::instant> initial;
+    // All ranks call it: some of OpenFOAM's file handlers communicate.
+    const Foam::DynamicList<Foam::instant> all(laterTimes(path, -Foam::GREAT));
+    if (Foam::Pstream::master())
+    {
+        for (const Foam::instant& when : all)
+        {
+            if (isInitial(path, when))
+            {
+                initial.append(when);
+            }
+        }
+    }
+    Foam::fromFirstRank(initial);
+    return initial;
+}
+
 //- The complete times by the first rank's folders, the same on all ranks
 Foam::DynamicList<Foam::instant> completeTimes(const Foam::fileName& path)
 {
     Foam::DynamicList<Foam::instant> complete;
     // All ranks call it: some of OpenFOAM's file handlers communicate.
-    const Foam::DynamicList<Foam::instant> all(laterTimes(path, 0));
+    const Foam::DynamicList<Foam::instant> all(laterTimes(path, -Foam::GREAT));
     if (Foam::Pstream::master())
     {
         for (const Foam::instant& when : all)
@@ -122,8 +149,10 @@ void Foam::completeState::setAsideIncomplete(const argList& args)
         return;
     }
     const DynamicList<instant> complete(completeTimes(args.path()));
-    const instant last = complete.size() ? complete.last() : instant(0, "0");
-    const DynamicList<instant> later(laterTimes(args.path(), last.value()*(1 + SMALL)));
+    const DynamicList<instant> initial(initialTimes(args.path()));
+    const instant last =
+        complete.size() ? complete.last() : initial.size() ? initial.last() : instant(0, "0");
+    const DynamicList<instant> later(laterTimes(args.path(), last.value() + SMALL*mag(last.value())));
     const label folders = returnReduce(later.size(), maxOp<label>());
     if (!folders)
     {
@@ -132,11 +161,11 @@ void Foam::completeState::setAsideIncomplete(const argList& args)
     if (complete.empty() && !args.found("overwrite"))
     {
         FatalErrorInFunction
-            << "the case " << args.globalPath() << " has time folders after 0, " << folders
+            << "the case " << args.globalPath() << " has time folders after " << last.name() << ", " << folders
             << " of them, but none with '" << mark_ << "': no time that a run could be continued from"
             << nl
             << "    Remove them (Allclean), run in a copy of the case, or give the option -overwrite:"
-            << " they are then renamed to incomplete-<time>, and the run starts at 0"
+            << " they are then renamed to incomplete-<time>, and the run starts at " << last.name()
             << exit(FatalError);
     }
     setAside(args.path(), later);
@@ -161,28 +190,65 @@ void Foam::completeState::prepareStart(const Time& time, const bool overwrite)
 }
 
 
+bool Foam::completeState::isComplete(const Time& time)
+{
+    // All ranks get what the first one has.
+    label complete = isFile(markOf(time.path(), instant(time.value(), time.timeName())));
+    fromFirstRank(complete);
+    return complete;
+}
+
+
 void Foam::completeState::requireCompleteStart(const Time& time)
 {
-    if (!(time.startTime().value() > 0))
+    const auto atStart = [&](const instant& when)
+    {
+        return mag(when.value() - time.value()) <= 0.5*time.deltaTValue();
+    };
+    const DynamicList<instant> complete(completeTimes(time.path()));
+    const DynamicList<instant> initial(initialTimes(time.path()));
+    const bool begins = std::any_of(initial.begin(), initial.end(), atStart);
+    // A case at 0 begins anew, wherever its fields are from.
+    if (begins || std::any_of(complete.begin(), complete.end(), atStart) || time.value() == 0)
     {
         return;
     }
-    const DynamicList<instant> complete(completeTimes(time.path()));
-    std::string names = "0";
+    std::string names;
     for (const instant& when : complete)
     {
-        if (mag(when.value() - time.value()) <= 0.5*time.deltaTValue())
-        {
-            return;
-        }
-        names += ", " + when.name();
+        names += (names.empty() ? "" : ", ") + when.name();
     }
+    std::string first;
+    for (const instant& when : initial)
+    {
+        first += (first.empty() ? "" : ", ") + when.name();
+    }
+    label folder = isDir(time.timePath());
+    fromFirstRank(folder);
     FatalErrorInFunction
-        << "the run would start at time " << time.timeName() << ", where '" << mark_
-        << "' is missing: that time has no complete state of gas and particles" << nl
-        << "    Complete are " << names.c_str() << ". In system/controlDict use 'startFrom"
-        << " latestTime;' for the last complete one, or 'startFrom startTime; startTime 0;'"
-        << exit(FatalError);
+        << "the run would start at time " << time.timeName() << ", where "
+        << (folder ? "'" + std::string(mark_) + "' is missing: that time has no complete state of gas and particles"
+            : std::string("no folder of that name is")).c_str() << nl;
+    if (names.size())
+    {
+        FatalError
+            << "    Complete are " << names.c_str() << ": in system/controlDict use 'startFrom latestTime;' for the"
+            << " last of them" << nl;
+    }
+    if (first.size())
+    {
+        FatalError
+            << "    Fields to begin with are at " << first.c_str() << ": use 'startFrom startTime; startTime "
+            << initial.first().name().c_str() << ";', or give that folder the name " << time.timeName()
+            << " to begin at that time" << nl;
+    }
+    else
+    {
+        FatalError
+            << "    To begin a case at that time put its fields in a folder " << time.timeName()
+            << " without a folder 'uniform'" << nl;
+    }
+    FatalError<< exit(FatalError);
 }
 
 
@@ -259,6 +325,22 @@ Foam::fileName Foam::completeState::engineFile(const Time& time)
     fileName file(time.path()/"particles.restart");
     fromFirstRank(file);
     return file;
+}
+
+
+bool Foam::completeState::writeFields(const Time& time)
+{
+    const objectRegistry& registry = time;
+    return
+        time.writeTimeDict()
+#if OPENFOAM >= 2012
+     && registry.objectRegistry::writeObject(time.writeStreamOption(), true);
+#else
+     && registry.objectRegistry::writeObject
+        (
+            time.writeFormat(), IOstream::currentVersion, time.writeCompression(), true
+        );
+#endif
 }
 
 

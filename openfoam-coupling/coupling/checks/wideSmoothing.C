@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "wideSmoothing.H"
+
+#include "fvMesh.H"
+
+#include "sphere.h"
+
+#include "coupling/particles/coupledParticles.H"
+#include "coupling/sixDigits.H"
+
+namespace
+{
+
+//- Widths that a bed is high at least. It resists as if it were about a width lower (void_fraction.md).
+constexpr Foam::scalar least = 10;
+
+//- Share of solid in the height that makes particles a bed
+constexpr Foam::scalar bedFrom = 0.2;
+
+//- Share of the mesh's height from which on particles fill it: without a surface there is nothing to spread.
+constexpr Foam::scalar full = 0.9;
+
+} // End anonymous namespace
+
+
+void Foam::warnOfWideSmoothing(const dictionary& dict, const fvMesh& mesh, const coupledParticles& particles)
+{
+    const scalar width = dict.getOrDefault<scalar>("smoothingWidth", 0);
+    if (!(width > 0) || !(mag(particles.g()) > 0))
+    {
+        return;
+    }
+    const vector up = -particles.g()/mag(particles.g());
+    const scalarField heights(particles.positions() & up);
+    const UList<scalar> radii(particles.radii());
+    // Sums of the solid's volume, with powers of the height; of an even layer of the sphere's diameter the mean square
+    // is a twelfth of its own above that of its middle.
+    vector sums(Zero);
+    forAll(radii, i)
+    {
+        sums +=
+            cohesion::sphere_volume(radii[i])
+           *vector(1, heights[i], sqr(heights[i]) + sqr(2*radii[i])/12);
+    }
+    reduce(sums, sumOp<vector>());
+    const scalar mean = sums[1]/sums[0];
+    const scalar bed = Foam::sqrt(12*max(sums[2]/sums[0] - sqr(mean), scalar(0)));
+
+    const scalarField corners(mesh.points() & up);
+    const scalar whole = gMax(corners) - gMin(corners);
+    const scalar base = gSum(mesh.V())*particles.depthRatio()/whole;
+    if (!(bed > 0) || bed > full*whole || sums[0] < bedFrom*base*bed || bed > least*width)
+    {
+        return;
+    }
+    IOWarningInFunction(dict)
+        << "smoothingWidth = " << sixDigits(width).c_str() << " m, while the bed is about " << sixDigits(bed).c_str()
+        << " m high, " << sixDigits(bed/width).c_str() << " widths: its surface is spread into the gas above, and"
+        << (bed > 2*width ? " a share of " + sixDigits(width/bed) : std::string(" most")).c_str()
+        << " of its resistance is lost" << nl
+        << "    Smooth beds of twenty widths and more; in this one take a smoothingWidth of at most "
+        << sixDigits(bed/20).c_str() << " m, or none, in cells of two particle diameters" << endl;
+}

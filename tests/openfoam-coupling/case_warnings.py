@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Cases that run and are hardly meant: each is warned of once, with the value and what would be right, and the like that
+is meant is not."""
+
+import unittest
+
+from cohesion_tests.coupling.cases import COUPLING, append, edit
+from cohesion_tests.coupling.dictionaries import FIELD
+from cohesion_tests.coupling.test_case import CoupledTestCase
+from cohesion_tests.refusals import assert_says
+
+DIAMETER, CELL = 16e-3, 20e-3  # [m]
+VOID = 1 - 3.141592653589793 / 6 * (DIAMETER / CELL) ** 3
+INLET = "type superficialVelocity; superficialVelocity (0 0 0);"
+
+
+class CaseWarnings(CoupledTestCase):
+    def spheres(self, name, rows=(0,), inlet=INLET, settings="", control="endTime 2e-4; writeInterval 2e-4;", **files):
+        """The log of the column with a sphere held in the middle of each cell of some rows. `files`: more start fields."""
+        case = self.column(name)
+        (case.folder / "places").write_text("".join(
+            f"create_atoms 1 single {(i + 0.5) * CELL} {(j + 0.5) * CELL} {(k + 0.5) * CELL}\n"
+            for i in range(3) for j in range(3) for k in rows))
+        append(case, COUPLING, 'lammpsCoeffs { script "$FOAM_CASE/few.lmp"; variables { places places; period f;'
+                               f' diameter {DIAMETER}; }} }} {settings}')
+        append(case, "system/controlDict", control)
+        edit(case, "0.orig/U", INLET, inlet)
+        for file, text in files.items():
+            (case.folder / "0.orig" / file).write_text(text)
+        case.mesh()
+        return case.solve()
+
+    def warned(self, what, log, *parts):
+        with self.subTest(what):
+            assert_says(self, log, *parts)
+            self.assertEqual(log.count(parts[0]), 1, parts[0])
+
+    def quiet(self, what, log, *parts):
+        for part in parts:
+            self.expect_equal(f"{what}: warnings", log.count(part), 0)
+
+    def test_smoothing_wider_than_the_bed(self):
+        """Two layers of spheres 20 mm apart: as high as an even layer of that variance, with that of the spheres,
+        sqrt(20^2 12/4 + 16^2) = 38.16 mm."""
+        log = self.spheres("wide", rows=(0, 1), settings="smoothingWidth 0.15;")
+        self.warned("four heights", log, "smoothingWidth = 0.15 m", "the bed is about 0.038157", "most of its resistance",
+                    "at most 0.00190788 m", "couplingProperties")
+        log = self.spheres("half", rows=(0, 1), settings="smoothingWidth 0.01;")
+        self.warned("a quarter", log, "smoothingWidth = 0.01 m", "a share of 0.26207")
+        quiet = "smoothingWidth ="
+        self.quiet("a twentieth", self.spheres("narrow", rows=(0, 1), settings="smoothingWidth 1.9e-3;"), quiet)
+        self.quiet("no surface", self.spheres("full", rows=range(10), settings="smoothingWidth 0.05;"), quiet)
+
+    def test_velocity_in_the_plane_of_its_patch(self):
+        said = "lies in the plane of the patch"
+        for name, inlet in (("superficial", "type superficialVelocity; superficialVelocity (0.3 0 0);"),
+                            ("fixed", "type fixedValue; value uniform (0.3 0 0);")):
+            log = self.spheres(name, rows=(5,), inlet=inlet)
+            self.warned(name, log, said, "patch bottom: the velocity in the file U, (0.3 0 0) m/s",
+                        "a component along (0 0 1)", "one of type wall")
+            self.expect_true(f"{name}: before the particle script", log.index(said) < log.index("Particle engine lammps"))
+        self.quiet("inclined", self.spheres("inclined", rows=(5,), inlet="type fixedValue; value uniform (0.3 0 0.01);"),
+                   said)
+        self.quiet("none", self.spheres("none", rows=(5,)), said)
+
+    def test_velocity_between_the_particles(self):
+        said = "m/s between the particles"
+        given = "type fixedValue; value uniform (0 0 0.5);"
+        log = self.spheres("between", inlet=given)
+        # Six digits are printed.
+        self.warned("under a bed", log, said, "patch bottom: gas enters with the velocity (0 0 0.5)",
+                    f"the void fraction there is {VOID:.6g}", f"its superficial velocity is (0 0 {0.5 * VOID:.6g}) m/s",
+                    "'type superficialVelocity; superficialVelocity (0 0 0.5);'")
+        self.expect_true("before the first step", log.index(said) < log.index("\nTime = "))
+        self.quiet("no particles at it", self.spheres("above", rows=(3,), inlet=given), said)
+        self.quiet("superficial", self.spheres("meant", inlet=given.replace("fixedValue; value uniform",
+                                                                            "superficialVelocity; superficialVelocity")),
+                   said)
+
+    def test_fields_that_nothing_reads(self):
+        said = "nothing reads the fields"
+        field = FIELD.format("volScalarField", "T", "[0 0 0 1 0 0 0]", "uniform 300",
+                             "".join(f"    {p} {{ type zeroGradient; }}\n" for p in ("bottom", "top", "sides")))
+        log = self.spheres("temperature", T=field)
+        self.warned("a temperature", log, said, f"{said} T in ", "one temperature")
+        self.expect_true("before the particle script", log.index(said) < log.index("Particle engine lammps"))
+        self.quiet("none", self.spheres("no-temperature"), said)
+        averaged = self.spheres("read", T=field, control="endTime 2e-4; writeInterval 2e-4; functions { carried {"
+                                " type scalarTransport; libs (solverFunctionObjects); field T; enabled false; } }")
+        self.quiet("one that a function object reads", averaged, said)
+
+    def test_gas_that_crosses_many_cells(self):
+        """7 m/s in steps of 20 ms through cells of 20 mm, beside spheres that hardly resist."""
+        said = "the Courant number of the gas is"
+        fast = {"rows": (9,), "settings": "dragFactor 1e-9;", "inlet": INLET.replace("(0 0 0)", "(0 0 7)")}
+        log = self.spheres("fast", control="deltaT 0.02; endTime 0.08; writeInterval 0.08;", **fast)
+        self.warned("seven cells", log, said, "adjustTimeStep yes; maxCo 1;", "controlDict")
+        log = self.spheres("adjusted", control="deltaT 2e-3; endTime 8e-3; writeInterval 8e-3; adjustTimeStep yes;", **fast)
+        self.quiet("adjusted", log, said)
+        log = self.spheres("slow", control="deltaT 2e-3; endTime 8e-3; writeInterval 8e-3;", **fast)
+        self.quiet("0.7 cells", log, said)
+
+
+if __name__ == "__main__":
+    unittest.main()

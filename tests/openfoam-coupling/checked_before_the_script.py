@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A particle script may settle for minutes. What is wrong in the case without it stops the solver before the script
+runs."""
+
+import unittest
+
+from cohesion_tests.coupling.cases import append, edit
+from cohesion_tests.coupling.dictionaries import FILE
+from cohesion_tests.coupling.test_case import CoupledTestCase
+
+SOLUTION, SCHEMES, CONTROL = "system/fvSolution", "system/fvSchemes", "system/controlDict"
+
+
+def turbulence(case, text):
+    (case.folder / "constant/turbulenceProperties").write_text(FILE.format("dictionary", "turbulenceProperties") + text)
+
+
+def observe(case, entries):
+    append(case, CONTROL, f"functions {{ observed {{ libs (cohesionFunctionObjects); {entries} }} }}")
+
+
+# name: (what makes the case bad, parts of the message)
+CASES = {
+    "viscosity that turbulence cannot have": (
+        lambda c: turbulence(c, "simulationType laminar;"), ["transportModel is missing", "it must be Newtonian"]),
+    "turbulence model that there is not": (
+        lambda c: (turbulence(c, "simulationType RAS; RAS { RASModel kEpsillon; turbulence on; }"),
+                   append(c, "constant/transportProperties", "transportModel Newtonian;")), ["kEpsillon"]),
+    "pressure that is not solved": (
+        lambda c: append(c, SOLUTION, "PIMPLE { nCorrectors 0; }"),
+        ["nCorrectors = 0: the pressure would not be solved", "at least 1", "fvSolution"]),
+    "gas that is not solved": (
+        lambda c: append(c, SOLUTION, "PIMPLE { nOuterCorrectors 0; }"),
+        ["nOuterCorrectors = 0: the gas would not be solved", "at least 1"]),
+    "solutions less than one": (
+        lambda c: append(c, SOLUTION, "PIMPLE { nNonOrthogonalCorrectors -1; }"),
+        ["nNonOrthogonalCorrectors = -1", "at least 0"]),
+    "solver of p missing": (
+        lambda c: edit(c, SOLUTION, '"p.*"', '"q.*"'), ["Entry 'p' not found", "fvSolution"]),
+    "solver of U missing": (
+        lambda c: edit(c, SOLUTION, '"U.*"', "U"), ["Entry 'UFinal' not found", "fvSolution"]),
+    "solver that there is not": (
+        lambda c: edit(c, SOLUTION, "solver PCG", "solver PCGG"), ["PCGG", "fvSolution"]),
+    "solver of matrices that are others": (
+        lambda c: edit(c, SOLUTION, "solver PBiCGStab; preconditioner DILU", "solver PCG; preconditioner DIC"),
+        ["PCG", "fvSolution"]),
+    "preconditioner that there is not": (
+        lambda c: edit(c, SOLUTION, "preconditioner DILU", "preconditioner DLU"), ["DLU"]),
+    "convection without a scheme": (
+        lambda c: edit(c, SCHEMES, "div(voidFractionPhi,U) Gauss limitedLinearV 1;", ""),
+        ["div(voidFractionPhi,U)", "fvSchemes"]),
+    "scheme that there is not": (
+        lambda c: edit(c, SCHEMES, "limitedLinearV", "limitedLinerV"), ["limitedLinerV", "fvSchemes"]),
+    "stress without a scheme": (
+        lambda c: edit(c, SCHEMES, "div(((voidFraction*nu)*dev2(T(grad(U))))) Gauss linear;", ""),
+        ["div(((voidFraction*nu)*dev2(T(grad(U)))))", "fvSchemes"]),
+    "function object of an entry that cannot be": (
+        lambda c: observe(c, "type mixingIndex; cells (3 0 10);"), ["observed: cells = (3 0 10)", "controlDict"]),
+    "largest Courant number below zero": (
+        lambda c: append(c, CONTROL, "adjustTimeStep yes; maxCo -1;"),
+        ["maxCo = -1: must be a finite number greater than zero", "controlDict"]),
+    "sources that there are not": (
+        lambda c: (c.folder / "constant/fvOptions").write_text(
+            FILE.format("dictionary", "fvOptions") + "push { type pushing; }"), ["pushing", "fvOptions"]),
+}
+
+
+class CheckedBeforeTheScript(CoupledTestCase):
+    def test_each_is_refused(self):
+        for number, (name, (spoil, parts)) in enumerate(CASES.items()):
+            case = self.column(str(number))
+            case.mesh()
+            spoil(case)
+            log = self.refused(name, case, *parts)
+            self.expect_equal(f"{name}: scripts that were run", log.count("Particle engine lammps runs"), 0)
+            self.expect_true(f"{name}: no log of the engine", not (case.folder / "log.lammps").exists())
+
+
+if __name__ == "__main__":
+    unittest.main()

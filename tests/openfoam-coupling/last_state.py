@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A run that ends itself in its middle, by an error of the particle engine or of the gas's side, leaves its last complete
+state, and is continued from there; on 1 and 2 ranks, with either engine. Keeping that state changes nothing of a run, and
+leaves nothing after one that comes to its end."""
+
+import re
+import unittest
+
+from cohesion_tests.coupling.cases import CONTROL, ENGINE, append, edit, script_file
+from cohesion_tests.coupling.swarm import complete
+from cohesion_tests.coupling.test_case import CoupledTestCase, times
+
+SCRIPT = script_file("particles")
+CREATE = {"lammps": ('"${continued} == no"', "create_atoms 1 single 0.031 0.029 0.19", "region       box block 0 0.06 0 0.06"
+                     " 0 0.2"),
+          "liggghts": ('"${continued} == 0"', "create_atoms 1 single 0.031 0.029 0.19 units box",
+                       "region       box block 0 0.06 0 0.06 0 0.2 units box")}
+SET = "set          group all diameter 1e-4 density 2000"
+
+
+def make(column, name, speed):
+    """A sphere 1 cm below the top, with this speed upwards [m/s]: at 40 m/s it leaves the box in the third gas step. A run
+    that is continued stops it."""
+    case = column(name)
+    condition, create, region = CREATE[ENGINE]
+    edit(case, SCRIPT, f"{region}\ncreate_box   1 box\n{create}\n{SET}\n",
+         f'if {condition} then "{region}" "create_box 1 box" "{create}" "{SET}" "velocity all set 0 0 {speed}" else'
+         ' "read_restart ${restart}" "velocity all set 0 0 0"\n')
+    # The engine finds that a sphere is lost when it makes its list, within the gas step.
+    edit(case, SCRIPT, "thermo       10000", "thermo       1")
+    append(case, CONTROL, "endTime 1e-3; writeInterval 1e-3; startFrom latestTime; writePrecision 17;")
+    case.mesh()
+    return case
+
+
+class LastState(CoupledTestCase):
+    def ends(self, name, case, ranks):
+        """The time that a run that fails leaves."""
+        with self.subTest(name), self.assertRaises(Exception, msg=f"{name}: runs"):
+            case.solve(ranks=ranks)
+        log = case.log("cohesiveBedFoam").read_text()
+        said = re.search(r"The last complete state, that of time (\S+), has been written", log)
+        self.expect_true(f"{name}: the log says which state there is", said)
+        folder = case.folder / "processor0" if ranks > 1 else case.folder
+        self.expect_true(f"{name}: nothing is left of what was kept", not (folder / "kept").exists())
+        self.expect_equal(f"{name}: complete times", complete(case, ranks), [float(said[1])] if said else [])
+        return log
+
+    def engine_error(self, ranks):
+        name = f"engine, {ranks} ranks"
+        case = make(self.column, f"engine-{ranks}", 40)
+        log = self.ends(name, case, ranks)
+        self.expect_true(f"{name}: by the engine", "ost atoms" in log or "Atom lost" in log or "lost" in log)
+        # Without the decomposition that solve() begins with
+        append(case, CONTROL, "writeControl timeStep; writeInterval 1;")
+        case.finish(case.start(ranks=ranks))
+        self.expect_equal(f"{name}: complete in the end", complete(case, ranks)[-1], 1e-3)
+
+    def test_engine_error(self):
+        for ranks in (1, 2):
+            self.engine_error(ranks)
+
+    @unittest.skipUnless(ENGINE == "lammps", "what the solver does by itself, with every engine")
+    def test_error_of_the_gas(self):
+        """A function object that misses a step stops the second one."""
+        case = make(self.column, "gas", 0)
+        append(case, CONTROL, "functions { observed { libs (cohesionFunctionObjects); type forceBudget; executeControl"
+                              " timeStep; executeInterval 2; writeControl timeStep; writeInterval 10; } }")
+        log = self.ends("gas", case, 1)
+        self.expect_true("gas: the error is said", "was left out" in log)
+        append(case, CONTROL, "functions { observed { enabled false; } } writeControl timeStep; writeInterval 1;")
+        case.finish(case.start())
+        self.expect_equal("gas: complete in the end", complete(case, 1)[-1], 1e-3)
+
+    def test_nothing_is_left(self):
+        case = make(self.column, "whole", 0)
+        case.solve()
+        self.expect_equal("time folders", times(case), ["0", "0.001", "0.orig"])
+        self.expect_true("no folder 'kept'", not (case.folder / "kept").exists())
+
+
+if __name__ == "__main__":
+    unittest.main()
