@@ -78,7 +78,7 @@ TEST(OnePassContact, APairThatIsNewInTheRangeStandsThere) {
   double fastest = 0.0;
   for (int n = 0; n < 300; n++) {
     GridStep step;
-    if (!contact.follow_lasting(at, memory, step)) step = contact.follow(at, 0.0, dt, memory);
+    if (!contact.follow_lasting(at, 0.0, memory, step)) step = contact.follow(at, 0.0, dt, memory);
     memory.is_new = false;
     at.radial += dt * step.force / thesis::reduced_mass;
     at.distance += dt * at.radial;
