@@ -12,7 +12,7 @@ D, T_C = gas.DIAMETER, gas.CONTACT_TIME
 
 
 class RanksAndRestart(unittest.TestCase):
-    """216 spheres at solid fraction 0.5 with damping, friction and adhesion, 400 steps of t_c/10: two
+    """216 spheres at solid fraction 0.5 with damping, friction and adhesion, 360 steps of t_c/10: two
     to seven collisions each, while a third of the energy is left.
 
     Restarts and divided runs order no sum differently on one rank: the same numbers, all digits. Ranks
@@ -33,7 +33,7 @@ class RanksAndRestart(unittest.TestCase):
 
     @classmethod
     def end(cls, **options):
-        table, _ = gas.follow(cls.folder, 10, 40 * T_C, 1, e=0.9, mu=0.3, A=2e-18, **options)
+        table, _ = gas.follow(cls.folder, 10, 36 * T_C, 1, e=0.9, mu=0.3, A=2e-18, **options)
         return engine.dump(cls.folder, "end.txt"), table
 
     def near(self, end):
