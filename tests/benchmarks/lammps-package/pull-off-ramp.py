@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Load at which an adhesive contact parts under a slow ramp in LAMMPS, over F_ad, as a table of the steps per contact.
 
-  pull-off.py LMP_COHESION PLUGIN [--scheme event|sampled] [--stiffness K ...] [--restitution E ...] [--diameter D ...]
+  pull-off-ramp.py LMP_COHESION PLUGIN [--scheme event|sampled] [--stiffness K ...] [--restitution E ...] [--diameter D ...]
 
 Grains of 1500 kg/m3 at a plane, in a cylinder and beside another grain, pulled by a force, by gravity and, at a plane, by
 another wall that adheres more strongly; the lag of the ramp is 0.15 % of F_ad. Steps that need more than --steps in a run
