@@ -118,7 +118,7 @@ class NormalMotion {
       if (!at_edge) continue;
       if (!leave(s, outward, record))
         inside = false;
-      else if (s.v * s.v < -2.0 * adhesion_.cutoff * drive)  // too slow to reach the contact
+      else if (s.v * s.v <= 2.0 * s.x * drive)  // too slow to reach the contact
         left -= come_to_rest(s, left, drive, x_integral, record);
     }
     return time - std::max(left, 0.0);

@@ -117,6 +117,10 @@ def scripts(engine, default):
         if kind == engine:
             yield block.place, block.text
             continue
+        if re.search(r"^create_box\s", block.text, re.MULTILINE):
+            # The particles of a coupled case: the solver sets its variables and runs it.
+            yield block.place, f"variable dt index 1e-5\n{block.text}\nrun 0\n"
+            continue
         for number, part in enumerate(parts(block.text)):
             yield f"{block.place} part {number + 1}", framed(part, whole.get(block.page, whole[default]))
 
