@@ -69,11 +69,12 @@ void FixGasCoupling::init() {
 
 /// Returns a list, in words, of the fixes that add forces after this one. The drag of a step
 /// depends on all other forces of that step, so they must be there already. Those that hold
-/// particles or keep them in a plane take forces away, the gas's too; those of heat put on none.
+/// particles or keep them in a plane take forces away, the gas's too; those of heat and those that
+/// look after contacts put on none.
 std::string FixGasCoupling::unseen_fixes() const {
   const std::set<std::string> allowed{
-      "enforce2d", "planeforce",  "lineforce", "freeze",
-      "setforce",  "store/force", "heat/gran", "heat/gran/conduction"};
+      "enforce2d", "planeforce",           "lineforce",      "freeze", "setforce", "store/force",
+      "heat/gran", "heat/gran/conduction", "cohesion_advice"};
   std::string found;
   const int self = modify->find_fix(id);
   for (int k = self + 1; k < modify->nfix; k++) {

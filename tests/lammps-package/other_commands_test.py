@@ -2,6 +2,7 @@
 """Commands of LAMMPS that contacts cannot follow stop the run and say what can be used in their place; and that can."""
 import unittest
 
+from cohesion_tests import lammps
 from cohesion_tests.lammps_scenes.small_box import box, spheres
 from cohesion_tests.test_cases import ScriptTestCase
 from cohesion_tests.thermo import thermo_columns, thermo_lines
@@ -61,6 +62,11 @@ class Rerun(ScriptTestCase):
 
 
 class Rigid(ScriptTestCase):
+    def setUp(self):
+        super().setUp()
+        if "RIGID package" in lammps.run_text(HEAD + "fix body all rigid single\n", self.folder)[1]:
+            self.skipTest("this LAMMPS has no fix rigid")
+
     def test_refused_with_what_goes(self):
         for style in STYLES:
             where = ("pair_style hard" if "hard" in style else "scheme sampled: contacts move each sphere by itself"
