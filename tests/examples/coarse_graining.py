@@ -14,7 +14,7 @@ import analyse
 import picture
 import run
 from cohesion_studies import raised_gas
-from cohesion_studies.case_entries import entries, particle_step
+from cohesion_studies.case_entries import entries
 from cohesion_studies.foam_case import environment
 from cohesion_studies.job_pool import carry_out
 from cohesion_studies.powder_program import PowderProgram
@@ -41,7 +41,7 @@ class SmallBed(unittest.TestCase):
         """Round-off, 2^-53 each, of sums over the spheres in all particle steps of a gas step."""
         for job, result in zip(self.jobs, self.results):
             lines = exchange_lines((job.folder / "log.cohesiveBedFoam").read_text())
-            steps = entries(job.folder / "system/controlDict")["deltaT"] / particle_step(job.folder)
+            steps = entries(job.folder / "constant/powder")["gasStep"] / entries(job.folder / "constant/grains")["dt"]
             self.assertLess(max(line["imbalance"] for line in lines), result["spheres"] * steps * 2.0**-53)
 
     def test_a_parcel_is_eight_grains(self):
