@@ -1,0 +1,121 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Tensile strength of a packing of adhesive grains in LAMMPS against the step, both schemes.
+
+  tensile-strength.py LMP_COHESION PLUGIN
+
+350 grains of 75 um settle on a plate that they stick to, a second plate is pressed on them and drawn away slowly. The
+strength is the largest tension of the plate, as a mean over a hundredth of its way. One packing, made once: grains that
+break loose go other ways at each step, which moves the strength by some 6 %.
+"""
+import argparse
+import math
+import os
+import re
+
+import numpy
+
+from cohesion_tests import lammps
+from cohesion_tests.launcher import given_program
+
+STIFFNESS, DIAMETER, DENSITY = 50.0, 75e-6, 1500.0
+CONTACT_TIME = math.pi * math.sqrt(DENSITY * math.pi / 6 * DIAMETER**3 / 2 / STIFFNESS)
+RUNS = (("event", 6), ("event", 10), ("event", 20), ("event", 40), ("sampled", 50), ("sampled", 100))
+
+SETTLE = """units si
+atom_style sphere
+atom_modify map array
+boundary p p f
+newton off
+comm_modify vel yes
+region box block 0 4.5e-4 0 4.5e-4 -1e-5 2.5e-3
+create_box 1 box
+neighbor 2e-5 bin
+lattice sc 9e-5
+region fill block 0 4.5e-4 0 4.5e-4 4e-5 1.3e-3 units box
+create_atoms 1 region fill
+displace_atoms all random 6e-6 6e-6 6e-6 4711 units box
+set group all diameter 75e-6
+set group all density 1500
+pair_style gran/hamaker
+pair_coeff * * stiffness 50 restitution 0.5 friction 0.4 hamaker $A cutoff 4e-10 1e-7
+fix floor all wall/gran/hamaker stiffness 50 restitution 0.5 friction 0.4 hamaker $(5*v_A) cutoff 4e-10 1e-7 zplane 0 NULL
+fix g all gravity 100 vector 0 0 -1
+fix v all viscous 1e-8
+fix move all nve/sphere
+timestep 5e-7
+thermo 5000
+run 40000
+unfix g
+fix g all gravity 20 vector 0 0 -1
+run 20000
+variable top equal bound(all,zmax)+37.5e-6
+print "TOP ${top} N $(atoms)"
+write_data packing.data
+"""
+
+PULL = """units si
+atom_style sphere
+atom_modify map array
+boundary p p f
+newton off
+comm_modify vel yes
+read_data packing.data
+neighbor 2e-5 bin
+variable z equal bound(all,zmax)+37.5e-6-1e-6
+variable z0 equal ${z}
+pair_style gran/hamaker scheme ${SCHEME}
+pair_coeff * * stiffness 50 restitution 0.5 friction 0.4 hamaker $A cutoff 4e-10 1e-7
+fix floor all wall/gran/hamaker stiffness 50 restitution 0.5 friction 0.4 hamaker $(20*v_A) cutoff 4e-10 1e-7 zplane 0 NULL scheme ${SCHEME}
+variable n1 equal round(2e-3/${DT})
+variable n2 equal round(20e-3/${DT})
+fix move all nve/sphere
+fix v all viscous 2e-9
+timestep ${DT}
+# Pressed: the plate comes from 2 um above to 8 um below.
+fix top all wall/gran/hamaker stiffness 50 restitution 0.5 friction 0.4 hamaker $(20*v_A) cutoff 4e-10 1e-7 zplane NULL $(v_z0+2e-6) translate z -2.5e-3 scheme ${SCHEME}
+variable p equal -f_top[3]/(4.5e-4)^2
+thermo_style custom step v_p ke
+thermo_modify norm no
+thermo $(v_n1)
+run $(2*v_n1)
+unfix top
+variable zz equal ${z0}-8e-6
+fix top all wall/gran/hamaker stiffness 50 restitution 0.5 friction 0.4 hamaker $(20*v_A) cutoff 4e-10 1e-7 zplane NULL ${zz} translate z 4e-4 scheme ${SCHEME}
+variable s equal f_top[3]/(4.5e-4)^2
+thermo_style custom step v_s ke
+thermo $(ceil(v_n2/2000))
+run $(v_n2)
+"""
+
+
+def go(script, folder):
+    code, output = lammps.run_text(script, folder)
+    if code != 0:
+        raise RuntimeError(output[-3000:])
+    return output
+
+
+def main():
+    words = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    words.add_argument("lmp", type=given_program)
+    words.add_argument("plugin", type=given_program)
+    words = words.parse_args()
+    os.environ["COHESION_LMP"], os.environ["COHESION_PLUGIN"] = words.lmp, words.plugin
+    head = f"variable A index 2e-20\nplugin load {words.plugin}\n"
+    with lammps.temporary_folder() as folder:
+        go(head + SETTLE, folder)
+        print(f"{'scheme':>8} {'step':>8} {'strength [Pa]':>14} {'s':>6}")
+        for scheme, division in RUNS:
+            dt = CONTACT_TIME / division
+            output = go(f"variable DT index {dt!r}\nvariable SCHEME index {scheme}\n" + head + PULL, folder)
+            rows = [tuple(map(float, row)) for row in re.findall(r"^ *(\d+) +(\S+) +(\S+) *$", output, re.MULTILINE)]
+            begins = max(k for k in range(1, len(rows)) if rows[k][0] <= rows[k - 1][0])
+            tension = -numpy.array([row[1] for row in rows[begins:]])
+            smooth = numpy.convolve(tension, numpy.full(20, 1 / 20), "valid")
+            seconds = sum(map(float, re.findall(r"Loop time of (\S+)", output)))
+            print(f"{scheme:>8} {f't_c/{division}':>8} {smooth.max():14.2f} {seconds:6.1f}", flush=True)
+
+
+if __name__ == "__main__":
+    main()
