@@ -36,6 +36,11 @@ class ClosePairs : protected Pointers {
   /// Before a run: the engine's list has every pair with a gap up to `allowed` [length].
   void start(double allowed);
   double allowed() const { return allowed_; }
+  /// Within a run: the engine's list has every pair with a gap up to `allowed` [length], from now
+  /// on.
+  void allow(double allowed) {
+    if (allowed != allowed_) start(allowed);
+  }
 
   /// Finds the pairs of `list` whose gap is below `reach` [length], which is at most allowed(),
   /// unless they are known. When the engine's list is new, pairs that are not close lose the mark

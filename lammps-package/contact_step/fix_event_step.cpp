@@ -67,6 +67,8 @@ FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
   restart_peratom = 1;
   restart_global = 1;
   create_attribute = 1;
+  force_reneighbor = 1;  // styles set when
+  next_reneighbor = -1;
   FixEventStep::grow_arrays(atom->nmax);
   atom->add_callback(Atom::GROW);
   atom->add_callback(Atom::RESTART);

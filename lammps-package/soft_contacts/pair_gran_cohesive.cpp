@@ -91,6 +91,7 @@ void PairGranCohesive<Cohesion>::init_style() {
              any_contacts);
   friction = false;
   largest_range = 0.0;
+  warned_of_flight = false;
   close_pairs.start(flight_allowance());
   needs_list = is_active || per_pair > 0 || bound_pairs_are_read();
   if (!needs_list) {

@@ -104,6 +104,8 @@ class PairGranCohesive : public Pair,
 
   void allocate();
   double flight_allowance() const;
+  void stop_at_flight(double flight, double allowed);
+  void warn_of_flight(double flight, double allowed);
   int values_per_pair() const;
   bool bound_pairs_are_read() const;
   template <class Contact>
@@ -174,6 +176,7 @@ class PairGranCohesive : public Pair,
   int per_pair;        // values of history (HistorySize); 0: there is none yet
   class FixEventStep* step;
   PairHistory history;
+  bool warned_of_flight = false;  // in this run
 };
 
 template <class Cohesion>

@@ -5,6 +5,7 @@
 
 #include "atom.h"
 #include "cohesion_laws.h"
+#include "comm.h"
 #include "error.h"
 #include "fix_event_step.h"
 #include "flight_report.h"
@@ -105,23 +106,47 @@ void PairGranCohesive<Cohesion>::predict() {
 /// Energy of spring and adhesion.
 static double energy(const StoredEnergies& stored) { return stored.spring + stored.adhesion; }
 
-/// Finds the pairs that may touch in this step.
+/// Finds the pairs that may touch in this step. The list of neighbours always contains the pairs
+/// with a gap up to the allowance for flight; in the step in which it is built, it contains those
+/// with a gap up to a skin more. So it is built in each step from half of the allowance on, before
+/// the speed has doubled.
 template <class Cohesion>
 void PairGranCohesive<Cohesion>::find_close() {
   // Both fly a whole step from the grid point; sampled, they are found as far beyond the edge.
   constexpr double flights = 4.0;
-  const double reach = largest_range + flights * step->flight();
-  if (reach > close_pairs.allowed())
-    error->one(FLERR,
-               "{}: particles fly up to {} in half a step and could miss a "
-               "contact, the neighbour list allows for {}: use a smaller time step or a skin above "
-               "{}. The fastest: {}",
-               coefficients.where(), step->flight(),
-               (close_pairs.allowed() - largest_range) / flights, 20.0 * step->flight(),
-               report_fastest(lmp));
+  const double flown = flights * step->flight(), always = flight_allowance();
+  const double at_most = always + neighbor->skin;
+  const double now = neighbor->ago == 0 ? at_most : always;
+  if (flown > now) stop_at_flight(flown / flights, now / flights);
+  if (flown > 0.5 * always) step->next_reneighbor = update->ntimestep + 1;
+  if (flown > 0.7 * at_most) warn_of_flight(flown / flights, at_most / flights);
+  const double reach = largest_range + flown;
+  close_pairs.allow(largest_range + (flown > always ? at_most : always));
   // A flight is of half a step.
   close_pairs.update(*list, reach, 2.0 * step->flight(), step->version_of_radii(),
                      {history->firstflag, history->firstvalue, per_pair});
+}
+
+template <class Cohesion>
+void PairGranCohesive<Cohesion>::stop_at_flight(double flight, double allowed) {
+  error->one(FLERR,
+             "{}: particles fly up to {} in half a step and could miss a contact, the neighbour "
+             "list allows for {}: use a smaller time step or a skin above {}. The fastest: {}",
+             coefficients.where(), flight, allowed, neighbor->skin * flight / allowed,
+             report_fastest(lmp));
+}
+
+/// The skin that it names ends the warning.
+template <class Cohesion>
+void PairGranCohesive<Cohesion>::warn_of_flight(double flight, double allowed) {
+  if (warned_of_flight) return;
+  warned_of_flight = true;
+  if (comm->me == 0)
+    error->warning(
+        FLERR,
+        "{}: particles fly up to {} in half a step, above 70 % of the {} at which the run "
+        "stops, since they could miss a contact: use a smaller time step or a skin above {}",
+        coefficients.where(), flight, allowed, neighbor->skin * flight / (0.7 * allowed));
 }
 
 /// Calls what(i, j, has_history, history) for the pairs that may touch in this step.

@@ -84,10 +84,10 @@ class Profile(Shear):
 class TallBox(Shear):
     def test_the_speed_of_the_mean_flow_is_no_flight_past_a_contact(self):
         """gran/hamaker stops when particles fly too far for its list; that is what they fly past each
-        other. Here the mean flow takes the topmost 0.04 in half a step, the list allows for 0.015."""
+        other. Here the mean flow takes the topmost 0.04 in half a step, a new list allows for 0.024."""
         self.write([{"type": 1, "diameter": 1.0, "density": 1.0, "x": numpy.array([5.0, y, 3.0])}
                     for y in (0.5, 3.9, 7.5)])
-        script = (HEAD % {"dimension": 3, "skin": "0.3"} +
+        script = (HEAD % {"dimension": 3, "skin": "0.08"} +
                   "pair_style gran/hamaker\npair_coeff * * stiffness 800 restitution 0.9\n"
                   "fix shear all deform/shear rate 2.0 profile %s\nfix move all nve/sphere\n"
                   "timestep 0.01\nrun 20\n")
