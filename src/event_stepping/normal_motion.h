@@ -156,9 +156,11 @@ class NormalMotion {
       return false;
     }
     const double energy = 0.5 * reduced_mass_ * s.v * s.v, load = reduced_mass_ * outward;
-    const bool carried = load > 0.0 && energy >= adhesion_.tail.barrier(load, -s.x);
+    const double way = load > 0.0 ? std::max(adhesion_.tail_energy - energy, 0.0) / load : 0.0;
+    // A pair that was pushed far out still has to pay for the whole tail within the tail.
+    const bool carried = load > 0.0 && energy >= adhesion_.tail.barrier(load, -s.x) &&
+                         adhesion_.tail.contains(-s.x + way);
     if (carried) {
-      const double way = std::max(adhesion_.tail_energy - energy, 0.0) / load;
       s.x -= way;
       record.carried += way;
     }

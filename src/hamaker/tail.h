@@ -22,6 +22,13 @@ class Tail {
     if (!law_) return std::numeric_limits<double>::infinity();
     return std::visit([&](const auto& law) { return law.barrier(load, gap, geometry_); }, *law_);
   }
+  /// Whether a gap is within the outer cut-off, but for rounding.
+  bool contains(double gap) const {
+    constexpr double rounding = 1e-12;
+    return law_ &&
+           std::visit([&](const auto& law) { return gap <= (1.0 + rounding) * law.outer_cutoff(); },
+                      *law_);
+  }
 
  private:
   std::optional<AnyLaw> law_;

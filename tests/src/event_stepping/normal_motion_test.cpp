@@ -175,6 +175,23 @@ TEST(NormalMotion, ALoadCarriesAPairThroughTheTailWhereItPaysTheRest) {
     }
 }
 
+TEST(NormalMotion, APairPushedBeyondTheTailDoesNotLeaveFarAway) {
+  // Under next to no load nothing pays for the tail on the way from there.
+  const hamaker::Law<hamaker::SmallGap> law({1e-19, 4e-10, 1e-7});
+  const contact::Adhesion a =
+      contact::adhesion_of(law, two_spheres(thesis::radius, thesis::radius));
+  const NormalMotion motion = thesis_motion(thesis::elastic(), a, 1e-5);
+  for (const double gap : {0.9e-7, 1.1e-7, 1e-6}) {
+    Overlap s{-gap, 0.0};
+    NormalRecord record;
+    double integral = 0.0;
+    bool inside = true;
+    motion.advance(s, 1e-9, 1e-9 * a.force / thesis::reduced_mass, inside, integral, record);
+    EXPECT_TRUE(inside);
+    EXPECT_NEAR(s.x, -gap, 1e-10);
+  }
+}
+
 TEST(NormalMotion, ASlowLoadPartsARestingContactAtTheAdhesionForce) {
   // At rest in contact at its equilibrium; what the load is above F_ad moves it to the edge within
   // half a period, in which an elastic pair gets as far out again.
