@@ -235,6 +235,40 @@ class Agglomerates(FolderTestCase):
                     for table in engine.dumps(self.folder, "out.txt"):
                         numpy.testing.assert_array_equal(table[:, 1:], [[0, 1], [0, 1], [3, 2], [3, 2]])
 
+    def test_range_of_the_hamaker_attraction(self):
+        """Grains at rest are bound up to a gap of H_out, in either scheme, though H_cut is far below. Rows of three, the
+        third across a periodic face from the first: three, two and two are bound, and none."""
+        d, out, side = 75e-6, 1e-7, 1e-3
+        rows = ((0.2, 0.2), (0.99, 1.01), (1.01, 0.99), (1.01, 1.01))  # gaps over H_out
+        grains = "".join(f"create_atoms 1 single {x:.17g} {(k + 0.5) * side / 4} 0.5e-3\n"
+                         for k, (near, across) in enumerate(rows)
+                         for x in (d / 4, d / 4 + d + near * out, side + d / 4 - d - across * out))
+        for scheme in ("event", "sampled"):
+            for ranks in (1, 2):
+                with self.subTest(scheme=scheme, ranks=ranks):
+                    output = self.run_script(f"""plugin load ${{plugin}}
+units si
+atom_style sphere
+boundary p p p
+newton off
+comm_modify vel yes
+region box block 0 {side} 0 {side} 0 {side}
+create_box 1 box
+neighbor 2e-5 bin
+{grains}set group all diameter {d}
+set group all density 1500
+pair_style gran/hamaker scheme {scheme}
+pair_coeff * * stiffness 50 restitution 0.5 hamaker 1e-19 cutoff 4e-10 {out}
+fix move all nve/sphere
+fix set all agglomerates 1 sizes 3
+timestep 1e-9
+thermo 1
+thermo_style custom step f_set[1] f_set[2][1] f_set[3][1]
+run 1
+""", ranks=ranks)
+                    for row in thermo_lines(output)[1]:
+                        self.assertEqual(row[1:], [3, 2, 1])
+
     def test_one_that_was_there_at_the_start_is_not_counted(self):
         x = numpy.array([[5.0, 4.0, 3.0], [6.1, 4.0, 3.0]])
         self.write(x, numpy.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]]))
