@@ -206,8 +206,7 @@ class OnePassContact {
     // What the grid does later or earlier than the pair counts as the spring's.
     const double true_force =
         reduced_mass_ * ((now.radial - start.radial) / step_ - outward(start, others));
-    step.repulsion = step.normal.repulsion_impulse / step_ + step.force - true_force -
-                     reduced_mass_ * step.normal.carried / (step_ * step_);
+    step.repulsion = step.normal.repulsion_impulse / step_ + step.force - true_force;
     if (lasting) {
       memory.phase = GridMemory::begun;
     } else if (event) {
