@@ -45,6 +45,8 @@ std::string cohesion_models() {
   return all;
 }
 
+bool is_cohesion_model(const std::string& name) { return model_names().count(name) > 0; }
+
 CohesivePairs::CohesivePairs(LAMMPS* lmp, IContactHistorySetup* owner, bool wall)
     : lmp_(lmp), owner_(owner), pair_(wall ? nullptr : static_cast<PairGran*>(owner)) {
   known()[owner_] = this;

@@ -19,6 +19,7 @@ namespace Cohesion {
 void note_cohesion_model(const std::string& name);
 /// The names of those, with commas.
 std::string cohesion_models();
+bool is_cohesion_model(const std::string& name);
 
 /// Pairs of pair_style gran, of which a cohesion says which it binds. The engine keeps its models
 /// out of reach; so each makes itself known by the pair style, or the fix of a wall, that it is a

@@ -28,6 +28,7 @@
 #include "fix_sampled_energy_tally.h"
 #include "lammps.h"
 #include "modify.h"
+#include "unknown_models.h"
 
 using namespace LAMMPS_NS;
 
@@ -72,6 +73,7 @@ void say_version(LAMMPS* lmp) {
 
 void register_styles(LAMMPS* lmp) {
   say_version(lmp);
+  name_unknown_models();
   Fixes& fixes = *fixes_of(*lmp->modify);
   fixes["agglomerates"] = &make_fix<FixAgglomerates>;
   fixes["deform/shear"] = &make_fix<FixDeformShear>;

@@ -129,7 +129,10 @@ double PairGranCohesive<Cohesion>::flight_allowance() const {
 
 template <class Cohesion>
 double PairGranCohesive<Cohesion>::init_one(int i, int j) {
-  const double range = coefficients.prepare(i, j, largest_radius[i], largest_radius[j]);
+  double range = coefficients.prepare(i, j, largest_radius[i], largest_radius[j]);
+  // Bound pairs count up to there, and a load carries one so far before it has left.
+  if (Cohesion::BINDS_IN_RANGE)
+    range = std::max(range, coefficients.range_of_attraction(coefficients.of_types(i, j)));
   coefficients.require_short(i, j, smallest_radius[i], smallest_radius[j]);
   require_plausible_range(lmp, coefficients.where(), largest_radius[i] + largest_radius[j] + range);
   const auto& contact = coefficients.contact(coefficients.of_types(i, j));
@@ -137,10 +140,7 @@ double PairGranCohesive<Cohesion>::init_one(int i, int j) {
   if (!needs_list) return largest_radius[i] + largest_radius[j];
   largest_range = std::max(largest_range, range);
   close_pairs.start(largest_range + flight_allowance());
-  double seen = range;
-  if (Cohesion::BINDS_IN_RANGE && bound_pairs_are_read())
-    seen = std::max(seen, coefficients.range_of_attraction(coefficients.of_types(i, j)));
-  return largest_radius[i] + largest_radius[j] + seen + flight_allowance();
+  return largest_radius[i] + largest_radius[j] + range + flight_allowance();
 }
 
 template <class Cohesion>

@@ -88,6 +88,16 @@ inline ContactNumbers numbers(const AdvisedContact& c, const RunNumbers& run) {
                          s.rolling_stiffness});
 }
 
+/// Approach speed below which a pair sticks, [length/time]. Where the spring is not linear: of the
+/// linear springs of an impact at this very speed.
+inline double escape_velocity(const AdvisedContact& c, const RunNumbers& run) {
+  double speed = numbers(c, run).escape_velocity();
+  if (c.springs.exponent == 1.0) return speed;
+  // For Hertz K ~ u^(2/5) and v_esc ~ K^(-1/2): an error becomes a fifth of itself.
+  for (int k = 0; k < 20; k++) speed = numbers(c, {speed, 0.0, run.dt}).escape_velocity();
+  return speed;
+}
+
 namespace detail {
 
 inline std::string number(const char* format, double value) {
@@ -96,12 +106,17 @@ inline std::string number(const char* format, double value) {
   return text;
 }
 
+/// Accuracy of v_esc where linear springs stand for those of Hertz, by an integration of these.
+constexpr const char* ESCAPE_OF_LINEAR_SPRINGS =
+    "  v_esc is that of the linear springs: lower than that of the contact itself, by 8 % at a\n"
+    "  restitution of 0.9, 13 % at 0.5 and 18 % at 0.3\n";
+
 /// What a row begins with.
 inline std::string name(const AdvisedContact& c) {
   return "  " + c.name + std::string(c.name.size() < 10 ? 10 - c.name.size() : 0, ' ');
 }
 
-inline std::string row(const AdvisedContact& c, const ContactNumbers& n) {
+inline std::string row(const AdvisedContact& c, const ContactNumbers& n, double escape) {
   const bool attracts = n.parameters().adhesion.force > 0.0;
   const std::string ratio =
       attracts ? number("%.3g", n.well_energy() / n.spring_adhesion_energy()) : "none";
@@ -109,8 +124,8 @@ inline std::string row(const AdvisedContact& c, const ContactNumbers& n) {
          number("%14.3g", n.steps_in_cutoff()) +
          number("%10.2g", n.static_overlap_over_diameter()) +
          number("%10.2g", n.impact_overlap_over_diameter()) + number("%10.3g", n.bond_number()) +
-         number("%10.3g", n.escape_velocity()) +
-         std::string(14 - std::min<std::size_t>(14, ratio.size()), ' ') + ratio + "\n";
+         number("%10.3g", escape) + std::string(14 - std::min<std::size_t>(14, ratio.size()), ' ') +
+         ratio + "\n";
 }
 
 /// A sentence about several contacts, with their names.
@@ -178,7 +193,7 @@ inline Report report(const std::string& style, const SchemeLimits& limits,
   for (const AdvisedContact& c : contacts) {
     if (!c.moves()) continue;
     const ContactNumbers n = numbers(c, run);
-    report.table += detail::row(c, n);
+    report.table += detail::row(c, n, escape_velocity(c, run));
     for (const Verdict& verdict : advise(n, limits)) {
       const bool of_overlap =
           verdict.subject == Subject::static_overlap || verdict.subject == Subject::impact_overlap;
@@ -189,6 +204,10 @@ inline Report report(const std::string& style, const SchemeLimits& limits,
       if (verdict.severity == Severity::error && report.stop.empty()) report.stop = message;
     }
   }
+  if (std::any_of(contacts.begin(), contacts.end(), [](const AdvisedContact& c) {
+        return c.moves() && c.adhesion.force > 0.0 && c.springs.exponent != 1.0;
+      }))
+    report.table += detail::ESCAPE_OF_LINEAR_SPRINGS;
   detail::add_softness(report, style, contacts, run);
   return report;
 }

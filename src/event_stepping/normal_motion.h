@@ -17,7 +17,6 @@ struct NormalRecord {
   double repulsion_impulse = 0.0;  ///< impulse of spring and dashpot, [momentum]; > 0 repels
   double repulsion_at_end = 0.0;   ///< force of both where contact ended last, [force]
   double dissipated = 0.0;         ///< energy lost in the dashpot, [energy]
-  double carried = 0.0;            ///< way through the tail on which a load helped, [length]
   bool unresolved = false;         ///< the step ended before its last phase was followed
 };
 
@@ -26,13 +25,14 @@ struct NormalRecord {
 /// gap, spring-dashpot with constant force in contact. x is the overlap, negative in the gap.
 ///
 /// The tail is an edge of height E_tail: crossed inwards with a gain in speed, outwards with a
-/// loss, or, when the energy does not suffice, reflected (capture). No time passes on the way
-/// through it, but an outward load L works on that way. With the kinetic energy E at the edge and
-/// the barrier B of the tail under this load (hamaker/law.h) a pair
+/// loss, or, when the energy does not suffice, reflected (capture). An outward load L works on the
+/// way through the tail. With the kinetic energy E at the edge and the barrier B of the tail under
+/// this load (hamaker/law.h) a pair
 ///
 ///   E > E_tail         leaves at the edge with sqrt(v^2 - 2 E_tail/mu)
-///   B <= E <= E_tail   leaves at rest, (E_tail - E)/L beyond the edge, where the load has done the
-///                      work that is missing; never beyond H_out
+///   B <= E <= E_tail   flies on under the load alone, still inside, and leaves at rest where the
+///                      load has done the work that is missing, (E_tail - E)/L beyond the edge;
+///                      never beyond H_out
 ///   else               is captured
 ///
 /// so that a slow load parts a contact at F_ad, where B is 0.
@@ -93,33 +93,17 @@ class NormalMotion {
     const double drive_in_contact = pull_ - load.in_contact;
     double left = time;
     inside = true;
-    // A pair that was pushed out beyond the range between two steps leaves now, if it can pay.
-    if (s.x <= -adhesion_.cutoff && s.v <= 0.0 && !leave(s, outward, record)) inside = false;
     for (int phases = 0; inside && left > 0.0; phases++) {
       if (phases == max_phases) {
         record.unresolved = true;
         break;
       }
       const bool touching = s.x > 0.0 || (s.x == 0.0 && (s.v > 0.0 || (s.v == 0.0 && drive > 0.0)));
-      if (touching) {
+      if (touching)
         left -= in_contact(s, left, drive_in_contact, x_integral, record);
-        if (s.x != 0.0 || s.v >= 0.0 || adhesion_.cutoff > 0.0) continue;
-        if (!leave(s, outward, record))
-          inside = false;
-        else
-          left -= come_to_rest(s, left, drive, x_integral, record);
-        continue;
-      }
-      const bool beyond = s.x < -adhesion_.cutoff;
-      const Gap gap =
-          beyond ? Gap{s.x, -adhesion_.cutoff, -outward} : Gap{-adhesion_.cutoff, 0.0, drive};
-      bool at_edge = false;
-      left -= in_gap(s, left, gap, at_edge, x_integral);
-      if (!at_edge) continue;
-      if (!leave(s, outward, record))
-        inside = false;
-      else if (s.v * s.v <= 2.0 * s.x * drive)  // too slow to reach the contact
-        left -= come_to_rest(s, left, drive, x_integral, record);
+      else if (!is_leaving(s, outward))
+        left -= in_gap(s, left, gap_around(s, outward), x_integral);
+      if (is_leaving(s, outward)) left -= leave(s, left, outward, inside, x_integral, record);
     }
     return time - std::max(left, 0.0);
   }
@@ -147,23 +131,46 @@ class NormalMotion {
   /// How far overlap x is within the range, [length].
   double within_range(double x) const { return std::max(adhesion_.cutoff + x, 0.0); }
 
-  /// A pair at the edge, or beyond it, that does not approach. Returns false where it leaves and
-  /// true where it is captured.
-  bool leave(Overlap& s, double outward, NormalRecord& record) const {
+  /// The acceleration of a pair that is not in contact; beyond the range only its load acts.
+  double drive_at(double x, double outward) const {
+    return x < -adhesion_.cutoff ? -outward : pull_ - outward;
+  }
+  /// Whether a pair at the edge of the range, or beyond it, moves out.
+  bool is_leaving(Overlap s, double outward) const {
+    return s.x <= -adhesion_.cutoff && (s.v < 0.0 || (s.v == 0.0 && drive_at(s.x, outward) < 0.0));
+  }
+
+  /// What becomes of a pair that is leaving. Returns the time it took.
+  double leave(Overlap& s, double time, double outward, bool& inside, double& x_integral,
+               NormalRecord& record) const {
     const double remaining = s.v * s.v - edge_;
-    if (remaining > 0.0 || edge_ == 0.0) {
+    if (remaining >= 0.0 || edge_ == 0.0) {
       s.v = -std::sqrt(std::max(remaining, 0.0));
-      return false;
+      inside = false;
+      return 0.0;
     }
     const double energy = 0.5 * reduced_mass_ * s.v * s.v, load = reduced_mass_ * outward;
-    const bool carried = load > 0.0 && energy >= adhesion_.tail.barrier(load, -s.x);
-    if (carried) {
-      const double way = std::max(adhesion_.tail_energy - energy, 0.0) / load;
-      s.x -= way;
-      record.carried += way;
+    const double start = s.x;
+    if (outward > 0.0 && energy >= adhesion_.tail.barrier(load, -start)) {
+      // To where the load has done the work that is missing; within the tail.
+      const double end = start + 0.5 * remaining / outward;
+      if (adhesion_.tail.contains(-end)) {
+        const double taken = in_gap(s, time, {end, start, -outward}, x_integral);
+        if (taken < time) {
+          s = {end, 0.0};
+          inside = false;
+        }
+        return taken;
+      }
     }
-    s.v = carried ? 0.0 : -s.v;
-    return !carried;
+    if (bounces_too_fast(s, outward)) return rest(s, time, outward, x_integral, record);
+    // One that lost its load on the way turns round where the tail has taken its energy.
+    double taken = 0.0;
+    if (start < -adhesion_.cutoff && energy > adhesion_.tail.work_up_to(-start)) {
+      taken = in_gap(s, time, {-adhesion_.tail.outer_cutoff(), start, -outward}, x_integral);
+    }
+    if (taken < time) s.v = std::abs(s.v);
+    return taken;
   }
 
   double in_contact(Overlap& s, double time, double drive, double& x_integral,
@@ -193,35 +200,44 @@ class NormalMotion {
     s = end;
   }
 
-  /// Brings to rest a captured pair that its load presses against an edge without width: bounces
-  /// that take a hundredth of a step and less never end, and their energy counts as the dashpot's.
-  /// Returns the time at rest.
-  double come_to_rest(Overlap& s, double time, double drive, double& x_integral,
-                      NormalRecord& record) const {
-    if (-2.0 * s.v < 0.01 * whole_step_.time * drive || drive >= 0.0) return 0.0;
+  /// Whether the load presses a captured pair against the edge: bounces off it that take a
+  /// hundredth of a step and less, and do not cross the range, never end.
+  bool bounces_too_fast(Overlap s, double outward) const {
+    const double drive = drive_at(s.x, outward);
+    const bool crosses = adhesion_.cutoff > 0.0 && s.v * s.v > 2.0 * s.x * drive;
+    return drive < 0.0 && !crosses && 2.0 * s.v >= 0.01 * whole_step_.time * drive;
+  }
+
+  /// Brings such a pair to rest; its energy counts as the dashpot's. A load that grows has pushed
+  /// it a little beyond the edge since the step before. It goes back there, by no more than the
+  /// load moves it in this time. Returns the time at rest.
+  double rest(Overlap& s, double time, double outward, double& x_integral,
+              NormalRecord& record) const {
     record.dissipated += 0.5 * reduced_mass_ * s.v * s.v;
-    // A load that grows has pushed it a little beyond the edge since the step before.
-    s = {std::max(s.x, -adhesion_.cutoff), 0.0};
+    s = {std::min(s.x - drive_at(s.x, outward) * time * time, -adhesion_.cutoff), 0.0};
     x_integral += time * s.x;
     return time;
   }
 
-  double in_gap(Overlap& s, double time, const Gap& gap, bool& at_edge, double& x_integral) const {
-    if (!(time > 0.0)) return 0.0;
+  /// Where a pair that is not in contact and not leaving moves next.
+  Gap gap_around(Overlap s, double outward) const {
+    const double drive = drive_at(s.x, outward);
+    if (s.x < -adhesion_.cutoff) return {s.x, -adhesion_.cutoff, drive};
+    return {-adhesion_.cutoff, 0.0, drive};
+  }
+
+  double in_gap(Overlap& s, double time, const Gap& gap, double& x_integral) const {
     const double drive = gap.drive;
-    at_edge = s.x <= gap.low && s.v <= 0.0 && drive < 0.0;
-    if (at_edge) return 0.0;
     const double touch = first_root(gap.high - s.x, -s.v, -drive);
     const double out = first_root(s.x - gap.low, s.v, drive);
     const double start = s.x;
     const double t = std::min(std::min(touch, out), time);
     x_integral += t * (start + t * (0.5 * s.v + t * drive / 6.0));
     s = {start + t * (s.v + 0.5 * drive * t), s.v + drive * t};
-    if (t < time) {
-      at_edge = out < touch;
-      // Rounding must not carry the pair over the edge it stands on.
-      s = at_edge ? Overlap{gap.low, std::min(s.v, 0.0)} : Overlap{gap.high, std::max(s.v, 0.0)};
-    }
+    // Rounding must not carry the pair over the edge it stands on.
+    if (t < time)
+      s = out < touch ? Overlap{gap.low, std::min(s.v, 0.0)}
+                      : Overlap{gap.high, std::max(s.v, 0.0)};
     return t;
   }
 

@@ -36,7 +36,7 @@ namespace cohesion::event_stepping {
 /// Forces are central at grid points: angular momentum is kept to rounding. What others do within
 /// the step is exact where it is constant; in a lasting contact a load F gives the overlap F/K' in
 /// the place of F/K, and can be borne up to (K'/K) F_ad. A contact with an adhesion that bears more
-/// is followed, so that it gives way at F_ad.
+/// is resolved within the step, so that it gives way at F_ad.
 ///
 /// Source: derived here, see docs/lammps-package/pair_gran_hamaker.md, What the scheme is for, and
 /// docs/liggghts-styles/cohesion_models.md, Keyword scheme.
@@ -206,8 +206,7 @@ class OnePassContact {
     // What the grid does later or earlier than the pair counts as the spring's.
     const double true_force =
         reduced_mass_ * ((now.radial - start.radial) / step_ - outward(start, others));
-    step.repulsion = step.normal.repulsion_impulse / step_ + step.force - true_force -
-                     reduced_mass_ * step.normal.carried / (step_ * step_);
+    step.repulsion = step.normal.repulsion_impulse / step_ + step.force - true_force;
     if (lasting) {
       memory.phase = GridMemory::begun;
     } else if (event) {

@@ -22,6 +22,23 @@ class Tail {
     if (!law_) return std::numeric_limits<double>::infinity();
     return std::visit([&](const auto& law) { return law.barrier(load, gap, geometry_); }, *law_);
   }
+  /// The work of the attraction from H_cut to a gap, [energy]; likewise.
+  double work_up_to(double gap) const {
+    if (!law_) return std::numeric_limits<double>::infinity();
+    return std::visit(
+        [&](const auto& law) { return law.energy(gap, geometry_) + law.tail_energy(geometry_); },
+        *law_);
+  }
+  /// H_out, [length]; 0 for an edge without width.
+  double outer_cutoff() const {
+    if (!law_) return 0.0;
+    return std::visit([](const auto& law) { return law.outer_cutoff(); }, *law_);
+  }
+  /// Whether a gap is within the outer cut-off, but for rounding.
+  bool contains(double gap) const {
+    constexpr double rounding = 1e-12;
+    return gap <= (1.0 + rounding) * outer_cutoff();
+  }
 
  private:
   std::optional<AnyLaw> law_;

@@ -125,7 +125,8 @@ class Agglomerates(FolderTestCase):
                 self.assertAlmostEqual(fractions[21], 1.0)
 
     def test_duration_of_a_collision(self):
-        """In and out again in the event scheme: half a swing of the spring and twice the range."""
+        """In and out again in the event scheme: half a swing of the spring, and twice the way through the attraction,
+        up to H_out."""
         self.write(numpy.array([[4.0, 4.0, 3.0], [5.5, 4.0, 3.0]]),
                    numpy.array([[1.0, 0.0, 0.0], [0.0, 0.0, 0.0]]))
         end = thermo_end(self.run_script(
@@ -133,7 +134,7 @@ class Agglomerates(FolderTestCase):
                                 "restitution 1 hamaker 1e-9 cutoff 1e-3 1e-2\n") +
             f"thermo_style custom step {FIELDS}\nthermo_modify format float %.15g\nrun 700\n"))
         # Adhesion 1e-9/(24 1e-6) = 4e-5 against a force of 14: it changes the time by 1e-5 of it.
-        duration = numpy.pi / numpy.sqrt(800 / (numpy.pi / 12)) + 2 * 1e-3
+        duration = numpy.pi / numpy.sqrt(800 / (numpy.pi / 12)) + 2 * 1e-2
         self.assertEqual(end["f_set[6]"], 2)
         self.assertLess(abs(end["f_set[5]"] - duration), 0.001)
 
@@ -234,6 +235,40 @@ class Agglomerates(FolderTestCase):
                         "dump out all custom 5 out.txt id f_set[1] f_set[2]\nrun 10\n", ranks=ranks)
                     for table in engine.dumps(self.folder, "out.txt"):
                         numpy.testing.assert_array_equal(table[:, 1:], [[0, 1], [0, 1], [3, 2], [3, 2]])
+
+    def test_range_of_the_hamaker_attraction(self):
+        """Grains at rest are bound up to a gap of H_out, in either scheme, though H_cut is far below. Rows of three, the
+        third across a periodic face from the first: three, two and two are bound, and none."""
+        d, out, side = 75e-6, 1e-7, 1e-3
+        rows = ((0.2, 0.2), (0.99, 1.01), (1.01, 0.99), (1.01, 1.01))  # gaps over H_out
+        grains = "".join(f"create_atoms 1 single {x:.17g} {(k + 0.5) * side / 4} 0.5e-3\n"
+                         for k, (near, across) in enumerate(rows)
+                         for x in (d / 4, d / 4 + d + near * out, side + d / 4 - d - across * out))
+        for scheme in ("event", "sampled"):
+            for ranks in (1, 2):
+                with self.subTest(scheme=scheme, ranks=ranks):
+                    output = self.run_script(f"""plugin load ${{plugin}}
+units si
+atom_style sphere
+boundary p p p
+newton off
+comm_modify vel yes
+region box block 0 {side} 0 {side} 0 {side}
+create_box 1 box
+neighbor 2e-5 bin
+{grains}set group all diameter {d}
+set group all density 1500
+pair_style gran/hamaker scheme {scheme}
+pair_coeff * * stiffness 50 restitution 0.5 hamaker 1e-19 cutoff 4e-10 {out}
+fix move all nve/sphere
+fix set all agglomerates 1 sizes 3
+timestep 1e-9
+thermo 1
+thermo_style custom step f_set[1] f_set[2][1] f_set[3][1]
+run 1
+""", ranks=ranks)
+                    for row in thermo_lines(output)[1]:
+                        self.assertEqual(row[1:], [3, 2, 1])
 
     def test_one_that_was_there_at_the_start_is_not_counted(self):
         x = numpy.array([[5.0, 4.0, 3.0], [6.1, 4.0, 3.0]])

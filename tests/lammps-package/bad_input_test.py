@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Every wrong input ends in an error that says what, where and what would be right."""
+import os
 import unittest
 
+from cohesion_tests import lammps
 from cohesion_tests.lammps_scenes.two_at_rest import PAIR, POINTS, SPHERES, TAIL
 from cohesion_tests.test_cases import ScriptTestCase
 
@@ -122,6 +124,17 @@ class BadInput(ScriptTestCase):
         self.stops(wall + " xplane 1e400 NULL", "1e400")
         self.stops(wall + " xplane NULL NULL", "xplane NULL NULL is no wall")
         self.stops(wall + " xplane 0.01 0", "xplane", "below")
+
+    @unittest.skipUnless("lmp-cohesion" in os.environ["COHESION_LMP"], "another engine's own launcher")
+    def test_an_error_of_one_rank_reaches_a_file(self):
+        """One that the engine reports by the rank alone, which ends at once; a pipe is buffered as a file is."""
+        text = "\n".join(["units lj", "atom_style sphere", "region box block 0 10 0 10 0 10", "create_box 1 box",
+                          *(f"create_atoms 1 single {1 + 1.1 * k} 5 5" for k in range(4)), "set group all diameter 1",
+                          "neigh_modify delay 0 one 1 page 10", "pair_style zero 3", "pair_coeff * *", "run 0"])
+        with lammps.temporary_folder() as folder:
+            code, output = lammps.run_text(text + "\n", folder)
+        self.assertNotEqual(code, 0)
+        self.assertIn("Neighbor list overflow", output)
 
     def test_gas_coupling_takes_no_values(self):
         self.stops(SPHERES + PAIR + "fix gas all gas/coupling 1\n", "fix ID group gas/coupling")

@@ -11,7 +11,7 @@ from cohesion_tests.theory.slow_ramp import Grain
 
 # The ramp lags by 1.5e-3 of F_ad by a formula that is right to a factor of order one, and the load is read to 3e-4.
 LAG = 3e-3
-# Beside another contact that has an event in the same step, a contact is told what that one does by itself.
+# Beside another contact with an event in the same step, the load includes what that one does by itself.
 BESIDE_ANOTHER = 0.01
 
 

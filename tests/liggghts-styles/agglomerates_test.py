@@ -77,6 +77,24 @@ class Sets(unittest.TestCase):
         frame = run.frames("out.txt")[0]
         numpy.testing.assert_array_equal([frame[n] for n in sorted(frame)], [[1, 2], [1, 2], [0, 1], [0, 1]])
 
+    def test_range_of_the_hamaker_attraction(self):
+        """Grains at rest are bound up to a gap of H_out, in either scheme, though H_cut is far below, as in LAMMPS. Rows of
+        three, the third across a periodic face from the first: three, two and two are bound, and none."""
+        d, out, side = 75e-6, 1e-7, 1e-3
+        gaps = ((0.2, 0.2), (0.99, 1.01), (1.01, 0.99), (1.01, 1.01))  # over H_out
+        grains = [sphere((x, (k + 0.5) * side / 4, side / 2), radius=d / 2) for k, (near, across) in enumerate(gaps)
+                  for x in (d / 4, d / 4 + d + near * out, side + d / 4 - d - across * out)]
+        for scheme in ("event", "sampled"):
+            for ranks in (0, 2):
+                with self.subTest(scheme=scheme, ranks=ranks):
+                    text = script(grains, MODELS + f" scheme {scheme}", hamaker(1e-19, cut=4e-10, out=out), dt=1e-9,
+                                  skin=2e-5, boundary="p p p", box=f"0 {side} 0 {side} 0 {side}", run="run 1\n",
+                                  contacts=contact(stiffness=50.0),
+                                  extra="fix set all agglomerates 1 sizes 3\nthermo 1\n"
+                                  "thermo_style custom step f_set[1] f_set[2][1] f_set[3][1]\n")
+                    for row in rows(text, ranks)[0]:
+                        self.assertEqual(row.tolist(), [3, 2, 1])
+
     def test_random(self):
         random = numpy.random.default_rng(3)
         for number, ranks in ((60, 2), (110, 0), (110, 4)):

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What cannot be right ends the run before its first step, with a message that helps."""
 
+import re
 import unittest
 
 from cohesion_tests.liggghts import SCENES, Run, assert_refused, script_without
@@ -116,10 +117,45 @@ class BadInput(unittest.TestCase):
                              **PAIR)
 
     def test_combination_that_does_not_exist(self):
-        self.refused("in.two_spheres", "Unknown cohesion model", **{**PAIR, "model": "luding"})
-        script = (SCENES / "in.two_spheres").read_text().replace(
-            "cohesion hamaker", "cohesion hamaker rolling_friction luding")
-        self.refused(script, "Unknown cohesion model", **PAIR)
+        two = (SCENES / "in.two_spheres").read_text()
+        self.refused(two, "cohesion model hamaker is not combined with 'model luding', but with 'model' hertz, "
+                     "hertz/stiffness, hooke, hooke/stiffness", **{**PAIR, "model": "luding"})
+        self.refused(two.replace("cohesion hamaker", "cohesion hamaker rolling_friction luding"),
+                     "not combined with 'rolling_friction luding', but with 'rolling_friction' off, cdt, epsd2", **PAIR)
+
+    def test_a_model_that_the_engine_does_not_have_is_named(self):
+        two = (SCENES / "in.two_spheres").read_text()
+        for model in ("rolling_friction nonsense", "surface nonsense"):
+            self.refused(two.replace("cohesion hamaker", "cohesion hamaker " + model), f"there is no '{model}'", **PAIR)
+        self.refused(two, "there is no 'model nonsense'", **{**PAIR, "model": "nonsense"})
+        self.refused(two, "there is no 'tangential nonsense'", "off, history, no_history", **{**PAIR, "tangential": "nonsense"})
+        self.refused(two.replace("cohesion hamaker", "cohesion hamakr"), "there is no 'cohesion hamakr'",
+                     "cohesion hamaker, liquid_bridge, square_well", **PAIR)
+        wall = (SCENES / "in.sphere_and_wall").read_text()
+        i = wall.index("cohesion hamaker", wall.index("wall/gran"))
+        self.refused(wall[:i] + wall[i:].replace("cohesion hamaker", "cohesion hamaker rolling_friction nonsense", 1),
+                     "there is no 'rolling_friction nonsense'", **WALL)
+
+    def test_a_keyword_of_a_wall_belongs_to_the_end(self):
+        """The line that the message gives is right."""
+        head = script([sphere((0, 0, 1e-3))], LINEAR + " scheme event", hamaker(1e-19, cut=4e-10, out=1e-7), run="")
+        for misplaced in (" scheme event primitive type 1 zplane 0", " scheme event rolling_friction off primitive type 1 zplane 0"):
+            wall = f"fix floor all wall/gran {LINEAR}{misplaced}\n"
+            said = "behind 'primitive ...' or 'mesh ...', as in 'fix ID all wall/gran "
+            run = Run(head + wall + "run 0\n")
+            assert_refused(self, run, f"'{misplaced.split()[2]}' stands behind a keyword", said)
+        line = re.search(r"as in '(fix ID [^']*)'", run.output)[1]
+        done = Run(head.replace(LINEAR, "model hooke/stiffness tangential history cohesion hamaker") + line + "\nrun 1\n")
+        self.assertEqual(done.code, 0, done.output[-2000:])
+
+    def test_an_error_of_one_rank_reaches_a_file(self):
+        """One that the engine reports by the rank alone, which ends at once; a pipe is buffered as a file is."""
+        text = script([sphere((k * 1.1e-3, 0, 0)) for k in range(4)], LINEAR, hamaker(1e-19, cut=4e-10, out=1e-7), skin=2e-3)
+        text = text.replace("neigh_modify delay 0", "neigh_modify delay 0 one 1 page 10")
+        for ranks in (0, 2):
+            run = Run(text, ranks=ranks)
+            self.assertEqual(run.code, 1, run.output[-2000:])
+            self.assertRegex(run.output, r"ERROR on proc \d: Neighbor list overflow")
 
     def test_primitive_wall_sees_half_the_skin(self):
         self.refused("in.sphere_and_wall", "cohesion model hamaker, fix wall/gran floor",

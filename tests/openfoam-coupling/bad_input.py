@@ -194,10 +194,6 @@ CASES = {
     "only one time kept": (
         lambda c: c.set("system/controlDict", "purgeWrite", 1),
         ["purgeWrite = 1", "removes the last complete time", "Use 2 or more", "controlDict"]),
-    "start at another time": (
-        lambda c: ((c.folder / "0").rename(c.folder / "0.005"),
-                   c.set("system/controlDict", "startTime", 0.005)),
-        ["start at time 0.005", "no complete state", "Complete are 0.", "startTime 0"]),
     "cell denser than allowed": (
         lambda c: c.set(COUPLING, "minVoidFraction", 1.5),
         # One sphere: all 90 cells lack 0.5 of 1.5, 3.6e-4 m3 together.

@@ -10,10 +10,10 @@ from cohesion_tests.coupling.test_case import CoupledTestCase
 
 class ExchangeGrowth(CoupledTestCase):
     def test_messages_are_those_to_neighbours(self):
-        ranks, kernel = 12, "sphereOverlap"
-        counts, _, error = run(self.column, ranks, 2, kernel)
+        ranks, steps, kernel = 12, 2, "sphereOverlap"
+        counts, _, error = run(self.column, ranks, steps, kernel)
         # Figures of the log have six digits.
-        self.expect_below(f"{ranks} ranks: messages", counts["messages"][1], most_messages(kernel) + 1e-3)
+        self.expect_below(f"{ranks} ranks: messages", counts["messages"][1], most_messages(kernel, steps) + 1e-3)
         self.expect_below(f"{ranks} ranks: to ranks", counts["to ranks"][1], most_ranks() + 1e-3)
         # As expect_balance() asks
         self.expect_below(f"{ranks} ranks: imbalance of the forces, error of the solid volume", error, 1e-12)

@@ -122,14 +122,15 @@ class Restart(CoupledTestCase):
 
     @unittest.skipUnless(ENGINE == "lammps", "what the solver does by itself, with every engine")
     def test_not_written(self):
-        """A field that cannot be written: its name is that of a folder."""
+        """A field that cannot be written: its name is that of a folder. What is complete then is what was kept."""
         case = make(self.column, "not-written")
         case.set(CONTROL, "writePrecision", 12)
         (case.folder / "0.004/U").mkdir(parents=True)
         self.refused("a field that cannot be written", case, "time 0.004 could not be written in full",
                      "fields are written with 12 digits", "writePrecision 17", options=["-overwrite"], begun=True,
                      written=True)
-        self.expect_equal("a field that cannot be written: complete", complete(case, 1), [])
+        done = complete(case, 1)
+        self.expect_true(f"a field that cannot be written: complete are {done}", len(done) == 1 and done[0] < 0.004)
 
     @classmethod
     def setUpClass(cls):

@@ -45,9 +45,11 @@ Foam::DynamicList<Foam::instant> laterTimes(const Foam::Time& time)
 }
 
 //- Whether a folder holds fields that a case begins with: a run makes the folder 'uniform' before it writes a field.
+//  A case at 0 begins anew, wherever its fields are from.
 bool isInitial(const Foam::fileName& path, const Foam::instant& when)
 {
-    return Foam::isFile(path/when.name()/"U", true) && !Foam::isDir(path/when.name()/"uniform");
+    const bool isWritten = when.value() != 0 && Foam::isDir(path/when.name()/"uniform");
+    return Foam::isFile(path/when.name()/"U", true) && !isWritten;
 }
 
 //- The times of initial fields by the first rank's folders, the same on all ranks
@@ -208,7 +210,6 @@ void Foam::completeState::requireCompleteStart(const Time& time)
     const DynamicList<instant> complete(completeTimes(time.path()));
     const DynamicList<instant> initial(initialTimes(time.path()));
     const bool begins = std::any_of(initial.begin(), initial.end(), atStart);
-    // A case at 0 begins anew, wherever its fields are from.
     if (begins || std::any_of(complete.begin(), complete.end(), atStart) || time.value() == 0)
     {
         return;

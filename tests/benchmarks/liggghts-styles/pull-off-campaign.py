@@ -4,16 +4,16 @@
 
   pull-off-campaign.py LIGGGHTS_COHESION [--scheme event|sampled] [--stiffness K ...] [--restitution E ...] [--diameter D ...]
 
-Grains of 1500 kg/m3 under a plate, in a cylinder, below another grain and under a mesh, pulled by gravity or a force; the
-lag of the ramp is 0.15 % of F_ad. Steps that need more than --steps in a run are left out (-).
+Grains of 1500 kg/m3 under a plate, in a cylinder, below another grain and under a mesh, pulled by gravity, a force or,
+those under a plate, by a second plate that moves away; the lag of the ramp is 0.15 % of F_ad. Steps that need more than
+--steps in a run are left out (-).
 """
 import argparse
 import os
 
 from cohesion_tests.launcher import given_program
-from cohesion_tests.liggghts_scenes.pull_off import PARTNERS, Grain
-
-DIVISIONS = (4, 10, 20, 50, 200)
+from cohesion_tests.liggghts_scenes.pull_off import LOADS, PARTNERS, Grain
+from cohesion_tests.theory.slow_ramp import DIVISIONS
 
 
 def main():
@@ -26,17 +26,18 @@ def main():
     words.add_argument("--partner", choices=PARTNERS, nargs="+", default=list(PARTNERS))
     words.add_argument("--steps", type=float, default=2e6, help="most steps of a run")
     words = words.parse_args()
+    loads = {"plane": LOADS, "pair": ("addforce",)}
     os.environ["COHESION_LAUNCHER"] = words.launcher
     print(f"{'d [m]':>8} {'K [N/m]':>8} {'e':>5} {'partner':>9} {'load':>9}" + "".join(f"  t_c/{d:<4}" for d in DIVISIONS))
     for diameter in words.diameter:
         for stiffness in words.stiffness:
             for restitution in words.restitution:
                 for partner in words.partner:
-                    for load in ("addforce",) if partner == "pair" else ("addforce", "gravity"):
+                    for load in loads.get(partner, ("addforce", "gravity")):
                         grain = Grain(stiffness, restitution, diameter, partner)
                         print(f"{diameter:8g} {stiffness:8g} {restitution:5g} {partner:>9} {load:>9}", end="", flush=True)
                         for division in DIVISIONS:
-                            runs = grain.duration / grain.contact_time * division <= words.steps
+                            runs = grain.steps(division) <= words.steps
                             found = grain.load_at_parting(division, words.scheme, load) if runs else None
                             print("       - " if found is None else f"  {found:7.4f}", end="", flush=True)
                         print()

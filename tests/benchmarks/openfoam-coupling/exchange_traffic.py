@@ -36,8 +36,9 @@ def main():
         times = f"{seconds[0]:.2f}, {seconds[1]:.1f}" if ranks <= 2 else ""
         print("| " + " | ".join([str(ranks), str(SPHERES * ranks), *figures, times]) + " |")
     # Figures of the log have six digits.
+    most = most_messages(args.kernel, args.steps) + 1e-3
     more = [ranks for ranks, (counts, _, error) in rows.items() if error > 1e-12
-            or counts["messages"][1] > most_messages(args.kernel) + 1e-3 or counts["to ranks"][1] > most_ranks() + 1e-3]
+            or counts["messages"][1] > most or counts["to ranks"][1] > most_ranks() + 1e-3]
     if more:
         sys.exit(f"more messages than follow from neighbours, or no balance, on ranks: {more}")
 

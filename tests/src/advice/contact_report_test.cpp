@@ -139,4 +139,19 @@ TEST(ContactReport, SpringOfAPowerIsThatOfTheImpact) {
   EXPECT_GT(n.parameters().stiffness, 2.0 * hertz.springs.stiffness);
 }
 
+TEST(ContactReport, EscapeVelocityOfAPowerIsThatOfAnImpactAtIt) {
+  AdvisedContact hertz = pair();
+  hertz.springs.exponent = 1.5;
+  hertz.springs.overlap = 1e-7;
+  RunNumbers slow = run(), fast = run();
+  fast.fastest = 10.0 * approach_speed(slow, hertz);
+  const double escape = escape_velocity(hertz, slow);
+  EXPECT_NEAR(escape_velocity(hertz, fast), escape, 1e-9 * escape);
+  EXPECT_NEAR(numbers(hertz, {escape, 0.0, slow.dt}).escape_velocity(), escape, 1e-9 * escape);
+  EXPECT_NE(numbers(hertz, fast).escape_velocity(), escape);
+  EXPECT_NE(
+      report("style", sampled_scheme, {hertz}, slow).table.find("  v_esc is that of the linear"),
+      std::string::npos);
+}
+
 }  // namespace cohesion::advice

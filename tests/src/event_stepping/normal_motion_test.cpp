@@ -153,26 +153,47 @@ TEST(NormalMotion, ImpulseAndIntegralAreThoseOfTheMotion) {
 
 TEST(NormalMotion, ALoadCarriesAPairThroughTheTailWhereItPaysTheRest) {
   // At the edge with a part of the energy of the tail U = F_ad H_cut, under L = f F_ad: it leaves
-  // at rest where f U (H - H_cut)/H_cut is what it lacks, once it has (1 - sqrt(f))^2 U.
+  // at rest where f U (H - H_cut)/H_cut is what it lacks, once it has (1 - sqrt(f))^2 U; till then
+  // the load alone speeds it up.
   const contact::Adhesion a = thesis::adhesion(1e-19);
   const NormalMotion motion = thesis_motion(thesis::elastic(), a, 1e-5);
   const double mu = thesis::reduced_mass, edge_speed = std::sqrt(2.0 * a.tail_energy / mu);
-  for (const double f : {1e-4, 0.01, 0.3, 0.9, 1.0, 2.0, 50.0})
+  for (const double f : {1e-4, 0.01, 0.3, 0.9, 1.01, 2.0, 50.0})
     for (const double excess : {-0.01, 0.01, 0.5}) {
       const double least = f < 1.0 ? (1.0 - std::sqrt(f)) * (1.0 - std::sqrt(f)) : 0.0;
       const double part = std::min(std::max(least + excess, 0.0), 1.0 - 1e-9);
-      Overlap s{-a.cutoff, -std::sqrt(part) * edge_speed};
+      const double speed = std::sqrt(part) * edge_speed, load = f * a.force / mu;
+      const double flight = (edge_speed - speed) / load;
+      Overlap s{-a.cutoff, -speed};
       NormalRecord record;
       double integral = 0.0;
       bool inside = true;
-      motion.advance(s, 1e-12, f * a.force / mu, inside, integral, record);
+      const double taken = motion.advance(s, 1.001 * flight, load, inside, integral, record);
       EXPECT_EQ(inside, part < least) << f << " " << excess;
       if (inside) continue;
+      EXPECT_NEAR(taken, flight, 10.0 * eps * edge_speed / load);
       EXPECT_EQ(s.v, 0.0);
       EXPECT_NEAR(-s.x / a.cutoff, 1.0 + (1.0 - part) / f, 1e-12 / f) << f << " " << excess;
       const double farthest = 1.0 + (1.0 - least) / f;  // 2/sqrt(f), where f < 1
       EXPECT_LE(-s.x, a.cutoff * farthest * (1.0 + 1e-12));
     }
+}
+
+TEST(NormalMotion, APairPushedBeyondTheTailDoesNotLeaveFarAway) {
+  // Under next to no load nothing pays for the tail on the way from there.
+  const hamaker::Law<hamaker::SmallGap> law({1e-19, 4e-10, 1e-7});
+  const contact::Adhesion a =
+      contact::adhesion_of(law, two_spheres(thesis::radius, thesis::radius));
+  const NormalMotion motion = thesis_motion(thesis::elastic(), a, 1e-5);
+  for (const double gap : {0.9e-7, 1.1e-7, 1e-6}) {
+    Overlap s{-gap, 0.0};
+    NormalRecord record;
+    double integral = 0.0;
+    bool inside = true;
+    motion.advance(s, 1e-9, 1e-9 * a.force / thesis::reduced_mass, inside, integral, record);
+    EXPECT_TRUE(inside);
+    EXPECT_NEAR(s.x, -gap, 1e-10);
+  }
 }
 
 TEST(NormalMotion, ASlowLoadPartsARestingContactAtTheAdhesionForce) {

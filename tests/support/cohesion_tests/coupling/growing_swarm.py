@@ -19,6 +19,9 @@ DT = 1e-4
 # pressure gradient at the end of the step and, in form A, the pressure gradient that the gas was charged with.
 NEIGHBOURS = 4
 FORWARD, BACK = {"particleCentre": 7, "dividedVolume": 8, "sphereOverlap": 8}, 6
+# The state that a run keeps after its first step has the particles located once more: how many questions, the questions
+# and the verdicts, and the answers.
+KEPT = 4
 
 
 def grid(ranks):
@@ -82,9 +85,9 @@ def run(column, ranks, steps, kernel):
     return sent(log), seconds, max(max(line["imbalance"], line["volume"]) for line in lines)
 
 
-def most_messages(kernel):
-    """That a rank sends in a gas step, from its neighbours alone."""
-    return NEIGHBOURS * (FORWARD[kernel] + BACK)
+def most_messages(kernel, steps):
+    """That a rank sends in a gas step, the mean of a short run of so many, from its neighbours alone."""
+    return NEIGHBOURS * (FORWARD[kernel] + BACK + KEPT / steps)
 
 
 def most_ranks():
