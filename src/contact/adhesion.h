@@ -6,8 +6,8 @@
 namespace cohesion::contact {
 
 /// A short-ranged attraction as closed-form contact motion sees it: a constant force from the gap
-/// H_cut inwards, in contact too, and a tail beyond it that is so thin that no time passes on the
-/// way through it. A load works on that way: `tail` holds the law that says how far it helps.
+/// H_cut inwards, in contact too, and a tail beyond it that acts at H_cut all at once. A load works
+/// on the way through it: `tail` holds the law that says how far it helps.
 /// One that forms at touch, as a liquid bridge, acts in the gap only between two that have touched.
 struct Adhesion {
   double force = 0.0;        ///< F_ad, [force]
