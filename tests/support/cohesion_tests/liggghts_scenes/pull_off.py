@@ -43,8 +43,9 @@ class Grain(slow_ramp.Grain):
         if pulled_by == "gravity":
             pull = f"variable a equal {load}/{self.mass!r}\nfix pull all gravity v_a vector 0 0 -1\n"
         elif pulled_by == "wall":
-            # Both springs give way. A load presses a contact by F/K', somewhat more than F/K; so a fifth longer.
-            speed = -2 * TOP * at_rest / (steps * dt)
+            # Both springs give way, and F_ad lasts up to H_cut. A load presses a contact by F/K', somewhat more than
+            # F/K; so a fifth longer.
+            speed = -(2 * TOP * at_rest + 2 * CUT) / (steps * dt)
             steps = round(1.2 * steps)
             pull = ("fix low all mesh/surface/stress file low.stl type 2\n"
                     f"fix puller all wall/gran {models} mesh n_meshes 1 meshes low {keywords}\n"
