@@ -196,6 +196,35 @@ TEST(NormalMotion, APairPushedBeyondTheTailDoesNotLeaveFarAway) {
   }
 }
 
+TEST(NormalMotion, APairThatLosesItsLoadInTheTailTurnsRoundThere) {
+  // Half of F_ad carries it through half of its way; without a load it has 0.6 U then, which the
+  // tail has taken at the gap H_cut/(1 - 0.6): it turns within a step of that, and is captured.
+  const hamaker::Law<hamaker::SmallGap> law({1e-19, 4e-10, 1e-6});
+  const contact::Adhesion a =
+      contact::adhesion_of(law, two_spheres(thesis::radius, thesis::radius));
+  const NormalMotion motion = thesis_motion(thesis::elastic(), a, 1e-5);
+  const double mu = thesis::reduced_mass, load = 0.5 * a.force / mu;
+  const auto speed = [&](double part) { return std::sqrt(2.0 * part * a.tail_energy / mu); };
+  Overlap s{-a.cutoff, -speed(0.2)};
+  NormalRecord record;
+  double integral = 0.0;
+  bool inside = true;
+  motion.advance(s, (speed(0.6) - speed(0.2)) / load, load, inside, integral, record);
+  ASSERT_TRUE(inside);
+  ASSERT_NEAR(s.v, -speed(0.6), 1e-12 * speed(0.6));
+  const double step = 0.05 * a.cutoff / speed(0.6);
+  double farthest = 0.0;
+  for (int n = 0; n < 100; n++) {
+    motion.advance(s, step, 0.0, inside, integral, record);
+    farthest = std::max(farthest, -s.x / a.cutoff);
+  }
+  EXPECT_TRUE(inside);
+  // Of the tail that ends at H_out, 2500 H_cut.
+  EXPECT_NEAR(farthest, 2.5, 0.05 + 0.01);
+  EXPECT_NEAR(energy(motion, s), 0.6 * a.tail_energy - a.tail_energy, 1e-12 * a.tail_energy);
+  EXPECT_NEAR(record.dissipated, 0.0, 1e-12 * a.tail_energy);
+}
+
 TEST(NormalMotion, ASlowLoadPartsARestingContactAtTheAdhesionForce) {
   // At rest in contact at its equilibrium; what the load is above F_ad moves it to the edge within
   // half a period, in which an elastic pair gets as far out again.
