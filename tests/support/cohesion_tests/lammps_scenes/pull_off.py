@@ -41,8 +41,8 @@ def script(grain, division, scheme, pulled_by):
     elif pulled_by == "wall":
         strong = f"hamaker {3 * A!r} cutoff {CUT!r} {OUT!r}"
         away = start - d / 2 + 3 * at_rest
-        # Both springs give way, and F_ad lasts up to H_cut.
-        speed = -(2 * TOP * at_rest + 2 * CUT) / (steps * dt)
+        speed = -2 * TOP * at_rest / (steps * dt)  # both springs give way
+        steps = round(steps * (1 + CUT / (TOP * at_rest)))  # F_ad lasts up to H_cut
         lines.append(f"fix puller all wall/gran/hamaker {contact} {strong} xplane {away:.17g} NULL "
                      f"translate x {speed!r} scheme {scheme}")
         loaded = f"f_puller[1]/{grain.force!r}"

@@ -45,8 +45,8 @@ class Grain(slow_ramp.Grain):
         elif pulled_by == "wall":
             # Both springs give way, and F_ad lasts up to H_cut. A load presses a contact by F/K', somewhat more than
             # F/K; so a fifth longer.
-            speed = -(2 * TOP * at_rest + 2 * CUT) / (steps * dt)
-            steps = round(1.2 * steps)
+            speed = -2 * TOP * at_rest / (steps * dt)
+            steps = round(steps * (1.2 + CUT / (TOP * at_rest)))
             pull = ("fix low all mesh/surface/stress file low.stl type 2\n"
                     f"fix puller all wall/gran {models} mesh n_meshes 1 meshes low {keywords}\n"
                     f"fix away all move/mesh mesh low linear 0. 0. {speed!r}\n")
