@@ -17,12 +17,14 @@ MATHJAX = Path("/usr/share/javascript/mathjax")
 SECTIONS = (
     ("Use", ("docs/installing.md", "docs/building.md", "docs/what-to-choose.md", "docs/scope.md", "docs/clusters.md",
              "docs/costs.md")),
-    ("Examples", ("gallery.md", "examples/*/README.md")),
+    ("Examples", ("gallery.md", "examples/*/README.md", "examples/*/studies.md")),
     ("Indexes", ("styles.md", "entries.md")),
     ("LAMMPS", ("lammps-package/README.md", "docs/lammps-package/*.md")),
     ("LIGGGHTS", ("liggghts-styles/README.md", "docs/liggghts-styles/*.md")),
     ("OpenFOAM", ("docs/openfoam-coupling/*.md",)),
     ("Tools", ("docs/tools/*.md",)),
+    ("Theory", ("docs/theory/*.md",)),
+    ("Verification", ("docs/verification/*.md",)),
     ("Change", ("CHANGELOG.md", "CONTRIBUTING.md", "docs/deprecation.md", "docs/contributing_law.md", "docs/*.md")),
 )
 
@@ -144,7 +146,7 @@ def expected_of(folder):
 def gallery(site):
     text = "# Examples\n\nMade from the examples' own pages and tables of expected figures.\n"
     for page in site.pages:
-        if page.parts[0] != "examples":
+        if page.parts[0] != "examples" or page.name != "README.md":
             continue
         whole = joined((site.source / page).read_text())
         picture = re.search(r"!\[[^\]]*\]\([^)]*\)", whole)

@@ -42,8 +42,8 @@ struct PairParameters {
 ///
 /// which is the well-known w0 dt < 2 without dashpot.
 ///
-/// Source: derived here. The numbers are explained in docs/lammps-package/pair_gran_hamaker.md, How
-/// small the step must be.
+/// Source: derived here. The numbers are explained in docs/lammps-package/soft_contact_runs.md,
+/// Time-step check.
 class ContactNumbers {
  public:
   /// Throws InvalidParameter where AdhesiveContact does, and unless radii and masses are positive

@@ -11,7 +11,7 @@
 #include "contact/linear_spring_dashpot.h"
 
 /// What the softness of a spring changes of a cohesive contact, and what to say of it.
-/// See docs/lammps-package/pair_gran_hamaker.md, Soft springs.
+/// See docs/theory/soft_springs.md.
 namespace cohesion::advice {
 
 /// Numbers of a contact over those of its material, [1].

@@ -18,7 +18,7 @@ namespace cohesion::event_stepping {
 /// the grid, which central forces keep.
 ///
 /// Source: derived here, from the closed form of damped_oscillator.h at three grid points; see
-/// docs/lammps-package/pair_gran_hamaker.md, What the scheme is for.
+/// docs/theory/exact_contacts.md, Discrete force of a persistent contact.
 class LastingNormal {
  public:
   /// distance [length]: of the centres of bodies that touch; pull [force]; step [time]; wall: does

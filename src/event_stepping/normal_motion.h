@@ -38,7 +38,7 @@ struct NormalRecord {
 /// so that a slow load parts a contact at F_ad, where B is 0.
 ///
 /// Source: contact as in damped_oscillator.h; gap and edge derived here, see
-/// docs/lammps-package/pair_gran_hamaker.md, What the scheme is for.
+/// docs/theory/exact_contacts.md.
 class NormalMotion {
  public:
   /// `step` [time]: the length of the steps that will be asked for most.

@@ -231,8 +231,8 @@ class OneForce {
   /// Whether springs and dashpots of one force, which take the velocity of half a step before, stay
   /// steady where each sphere has many of them: (w dt)^2 of each swing must stay below 4.
   ///
-  /// Source: derived here; the limits are in docs/lammps-package/pair_gran_hamaker.md, What the
-  /// scheme is for.
+  /// Source: derived here; the limits are in docs/theory/exact_contacts.md, Contacts that LAMMPS
+  /// resolves in addition.
   bool is_steady(const ClosestPacking& packing) const {
     const GridSpring& spring = normal_.constants();
     const double normal =

@@ -38,8 +38,7 @@ namespace cohesion::event_stepping {
 /// the place of F/K, and can be borne up to (K'/K) F_ad. A contact with an adhesion that bears more
 /// is resolved within the step, so that it gives way at F_ad.
 ///
-/// Source: derived here, see docs/lammps-package/pair_gran_hamaker.md, What the scheme is for, and
-/// docs/liggghts-styles/cohesion_models.md, Keyword scheme.
+/// Source: derived here, see docs/theory/exact_contacts.md.
 class OnePassContact {
  public:
   /// contact_distance [length]: of the centres at touch, or the radius beside a wall; step [time].

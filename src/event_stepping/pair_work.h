@@ -19,7 +19,7 @@ namespace cohesion::event_stepping {
 /// did a step before. What is left of the work when a pair has left its range goes into the speed
 /// at which it flies on.
 ///
-/// Source: derived here; docs/liggghts-styles/cohesion_models.md, Keyword scheme.
+/// Source: derived here; docs/theory/exact_contacts.md, Several contacts of a particle.
 class PairWork {
  public:
   /// contact_distance [length]; spring, attraction [force]: of a contact that lasts, on the grid;

@@ -17,7 +17,7 @@ namespace cohesion::event_stepping {
 /// dashpot takes. Turning of the pair: angular momentum L constant, centrifugal acceleration
 /// L^2/R^3 taken at R = contact distance while inside (relative error: overlap/R).
 ///
-/// Source: derived here, see docs/lammps-package/pair_gran_hamaker.md, What the scheme is for.
+/// Source: derived here, see docs/theory/exact_contacts.md.
 class SpherePair {
  public:
   using Attraction = contact::Adhesion;

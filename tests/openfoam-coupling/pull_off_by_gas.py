@@ -21,7 +21,7 @@ Their sum is the tolerance, 2.0e-3. The first is smaller on a soft spring, since
 the speed k F_ad/K: 0.6e-3 here. The reaction of a grain slows the gas in its cell by F/(rho U h^2) = 5e-6 m/s, h the
 width of the column.
 
-In LIGGGHTS a contact has the overlap F_ad/K - L/K' (docs/liggghts-styles/cohesion_models.md) until it is resolved
+In LIGGGHTS a contact has the overlap F_ad/K - L/K' (docs/theory/exact_contacts.md) until it is resolved
 within the step, where it has (F_ad - L)/K. It swings by the difference and may part at a load that is lower by half a
 hundredth of F_ad (one_pass_contact.h), which is added to the tolerance there. At the step t_c/20 it does.
 """

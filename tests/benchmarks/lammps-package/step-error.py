@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 """Speeds over the exact escape velocity at which the bed's spheres part or stick head-on, against the time
-step, with what it costs: the tables of pair_gran_hamaker.md and cohesion_models.md, and the picture of the
-first. Which scheme is worth its time is asked by scene couples of examples/error-against-run-time.
+step, with what it costs: the tables and the picture of docs/verification/contacts.md. Scene couples of
+examples/error-against-run-time compares the schemes at equal run time.
 
   step-error.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--plot FILE.png]
   step-error.py LIGGGHTS_COHESION                                       which has the sampled scheme only

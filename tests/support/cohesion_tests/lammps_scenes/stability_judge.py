@@ -15,7 +15,7 @@ far off; or of other outcome, and one of the two has the same; `not judged`: no 
 alone decides (rounding_decides) or where references of half and of twice the step do not agree with each other;
 `reference crashed` (hangs, refused): one that would be needed to say. What is not a number is always `wrong`.
 Aims: one contact without friction 1e-6 once parted, and of spheres by what angle their line of centres is off in a
-contact, up to u V dt^2/d^2 (docs/lammps-package/pair_gran_hamaker.md); with friction or several contacts second order,
+contact, up to u V dt^2/d^2 (docs/theory/exact_contacts.md); with friction or several contacts second order,
 (w dt)^2, at most 0.1; while together also what the place on the grid may differ from that of the motion, (w dt)^2/8, in
 wells w dt; and what the last digit of the largest place is of s/w, times the number of steps. Where that is more than
 0.1 the aim is 0.1, and what is off by more, but by no more than that, is `not judged: coarse`. Where a sphere flies
