@@ -31,9 +31,10 @@ UNKNOWN = "no_such_keyword"
 
 
 def syntax(page):
-    """The part of a page that says what is typed."""
+    """The part of a page that says what is typed: of its sections Syntax and Parameters."""
     text = (PAGES / f"{page}.md").read_text()
-    return text[text.index("## Syntax"):text.index("## Examples")]
+    sections = dict(re.findall(r"^## ([^\n]*)\n(.*?)(?=^## |\Z)", text, re.M | re.S))
+    return sections["Syntax"] + sections.get("Parameters", "")
 
 
 def words_of_code(page):
@@ -44,7 +45,8 @@ def words_of_code(page):
 
 
 def described(page):
-    """Keywords that are explained there: at the start of a line of a list in code, or with their value in code."""
+    """Keywords that are explained there: at the start of a line of a list in code, or with their value in code, as in the
+    first column of a table."""
     text = syntax(page)
     heads = re.findall(r"^  ([a-z_]+ .*?)(?:  |$)", "\n".join(re.findall(r"  ```(.*?)```", text, re.S)), re.M)
     pieces = [piece for head in heads for piece in head.split(", ")]
