@@ -109,7 +109,9 @@ def title_of(text):
 
 
 def first_paragraph(text):
-    return re.split(r"\n\s*\n", re.split(r"^# .*$", text, maxsplit=1, flags=re.M)[1].strip())[0]
+    """Below the title, but for a picture."""
+    paragraphs = re.split(r"\n\s*\n", re.split(r"^# .*$", text, maxsplit=1, flags=re.M)[1].strip())
+    return next(paragraph for paragraph in paragraphs if not paragraph.startswith("!["))
 
 
 def command_of(text):
