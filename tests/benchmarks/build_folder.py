@@ -9,8 +9,8 @@ import threading
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
+from cohesion_studies.mpi_start import short_start
 from cohesion_tests import instruction_count
-from cohesion_tests.launcher import short_start
 
 
 def whole_numbers(text):

@@ -10,7 +10,7 @@ import tempfile
 import time
 import unittest
 
-from cohesion_tests.launcher import short_start
+from cohesion_studies.mpi_start import short_start
 from cohesion_tests.liggghts import SCENES, mpiexec, program
 
 # Numbers that two runs of one program do not share.

@@ -7,7 +7,7 @@ import sys
 import tempfile
 import unittest
 
-from cohesion_tests.launcher import short_start
+from cohesion_studies.mpi_start import short_start
 from cohesion_tests.liggghts import program
 from cohesion_tests.liggghts_scenes.scene import hamaker, script, sphere
 from cohesion_tests.readme_python import python_blocks

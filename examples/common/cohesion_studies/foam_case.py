@@ -10,6 +10,7 @@ from pathlib import Path
 from cohesion_studies import package_tree
 from cohesion_studies.build_summary import missing
 from cohesion_studies.job_pool import RunError, dies_with_us
+from cohesion_studies.mpi_start import short_start
 
 
 class CaseError(RunError):
@@ -83,8 +84,8 @@ class FoamCase:
             command = ["mpirun", "--oversubscribe", "-np", str(ranks), *command, "-parallel"]
         with open(self.log("cohesiveBedFoam"), "w") as log:
             return subprocess.Popen(
-                dies_with_us(command), cwd=self.folder, env=self.env, stdout=log, stderr=log,
-                stdin=subprocess.DEVNULL,
+                dies_with_us(command), cwd=self.folder, stdout=log, stderr=log, stdin=subprocess.DEVNULL,
+                env={**short_start(ranks if ranks > 1 else 0), **self.env},
             )
 
     def solve(self, *arguments, ranks=1):

@@ -11,6 +11,7 @@ import numpy as np
 from cohesion_studies import package_tree, thermo
 from cohesion_studies.build_summary import missing
 from cohesion_studies.job_pool import Job, dies_with_us
+from cohesion_studies.mpi_start import short_start
 
 MARK = "settings.json"  # in the folder of a run that was started here: it may be made anew
 
@@ -51,7 +52,7 @@ class ScriptRun(Job):
             command += ["-var", name, value]
         with open(self.folder / "log", "w") as log:
             return subprocess.Popen(dies_with_us(command), cwd=self.folder, stdout=log, stderr=log,
-                                    stdin=subprocess.DEVNULL, env={**os.environ, "OMP_NUM_THREADS": "1"})
+                                    stdin=subprocess.DEVNULL, env={**short_start(), **os.environ, "OMP_NUM_THREADS": "1"})
 
     def log(self):
         return (self.folder / "log").read_text()

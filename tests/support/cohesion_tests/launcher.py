@@ -3,17 +3,7 @@
 import os
 import subprocess
 
-# Open MPI's daemon of a single rank, its folder, which that daemon keeps apart from others', and its search for
-# networks take longer than most runs of the tests; other MPIs ignore all of it. Without the daemon the folder is the
-# same for all: one that ends removes it under another that starts.
-HERE_ONLY = {"OMPI_MCA_pml": "ob1", "OMPI_MCA_btl": "self,vader", "OMP_NUM_THREADS": "1"}
-ALONE = {"OMPI_MCA_ess_singleton_isolated": "1", "OMPI_MCA_orte_create_session_dirs": "0"}
-
-
-def short_start(ranks=0):
-    """What to add to the environment of an engine that is started many times; `ranks`: those under a launcher of MPI,
-    0 without one."""
-    return HERE_ONLY if ranks else {**HERE_ONLY, **ALONE}
+from cohesion_studies.mpi_start import short_start
 
 
 def given_program(word):
