@@ -22,40 +22,47 @@ here=$(CDPATH='' cd -- "$(dirname -- "$0")" && pwd)
 core=$here/../src
 package=$tree/src/COHESION
 
-# Headers of the core that the files given include, one level of nesting after the other.
+# Headers of the core that the files given include, as paths from src/ on. A header of the core names others from src/
+# on, or beside itself.
 core_headers() {
-  sed -n 's/^#include "\(.*\)"$/\1/p' "$@" | sort -u | while read -r header; do
-    if [ -f "$core/$header" ]; then echo "$header"; fi
-  done
+  awk -F'"' '/^#include ".*"$/ { print FILENAME " " $2 }' "$@" | while read -r file header; do
+    if [ -f "$core/$header" ]; then
+      echo "$header"
+      continue
+    fi
+    case $file in
+      "$core"/*)
+        folder=${file%/*}
+        if [ -f "$folder/$header" ]; then echo "${folder#"$core"/}/$header"; fi ;;
+    esac
+  done | sort -u
 }
 
 rm -rf "$package"
 mkdir -p "$package"
-for file in "$here"/*/*.h "$here"/*/*.cpp; do  # a package of LAMMPS is flat
-  case $file in
-    "$here"/plugin/*) ;;  # LAMMPS finds the styles of a package by itself
-    *) cp "$file" "$package" ;;
+for room in "$here"/*/; do  # a package of LAMMPS is flat
+  case $room in
+    "$here"/plugin/) ;;  # LAMMPS finds the styles of a package by itself
+    *)
+      for ending in h cpp; do
+        set -- "$room"*."$ending"
+        if [ -f "$1" ]; then cp "$@" "$package"; fi
+      done ;;
   esac
 done
 
 headers=$(core_headers "$package"/*.h "$package"/*.cpp)
 while [ -n "$headers" ]; do
-  next=
+  set --
   for header in $headers; do
     [ -f "$package/$header" ] && continue
-    mkdir -p "$package/$(dirname "$header")"
-    cp "$core/$header" "$package/$header"
-    folder=$(dirname "$header")
-    # A header names others from src/ on, or beside itself.
-    for found in $(sed -n 's/^#include "\(.*\)"$/\1/p' "$core/$header"); do
-      if [ -f "$core/$found" ]; then
-        next="$next $found"
-      elif [ -f "$core/$folder/$found" ]; then
-        next="$next $folder/$found"
-      fi
-    done
+    copy=$package/$header
+    [ -d "${copy%/*}" ] || mkdir -p "${copy%/*}"
+    cp "$core/$header" "$copy"
+    set -- "$@" "$core/$header"
   done
-  headers=$next
+  headers=
+  if [ $# -gt 0 ]; then headers=$(core_headers "$@"); fi
 done
 
 if ! grep -qx '  COHESION' "$list"; then
