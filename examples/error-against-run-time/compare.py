@@ -7,7 +7,7 @@ import math
 from collections import namedtuple
 
 import numpy as np
-from scipy.stats import t as student
+from scipy.special import stdtrit
 
 from job import BLOCKS
 from scene import Setting
@@ -68,7 +68,7 @@ def chance(quantity, away, blocks, scale):
 
 
 def quantile(freedom):
-    return student.ppf(0.5 + CONFIDENCE / 2, freedom)
+    return stdtrit(freedom, 0.5 + CONFIDENCE / 2)
 
 
 def rows(quantity, results, seeds):

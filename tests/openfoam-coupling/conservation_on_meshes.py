@@ -13,7 +13,7 @@ from cohesion_tests.coupling.cases import COUPLING, disturb, exchange_lines
 from cohesion_tests.coupling.meshes import MESHES
 from cohesion_tests.coupling.test_case import CoupledTestCase
 
-STEPS, DT = 10, 1e-4
+STEPS, DT = 5, 1e-4
 RANKS = {1: "(1 1 1)", 2: "(2 1 1)", 4: "(2 2 1)"}
 
 

@@ -9,7 +9,7 @@ from collections import namedtuple
 from dataclasses import dataclass
 from math import isfinite, sqrt
 
-from scipy.stats import t as student
+from scipy.special import stdtrit
 
 CONFIDENCE = 0.95
 ROUNDING = 5e-6  # of the six digits of a mean
@@ -66,7 +66,7 @@ class Claim:
             return NOT_SEEN if value == 0 and any(self.shares.values()) else CANNOT_TELL
         margin = ROUNDING * sum(abs(share * means[row].value) for row, share in self.shares.items())
         freedom = variance**2 / sum(part**2 / of for part, of in parts)
-        margin += student.ppf((1 + CONFIDENCE) / 2, freedom) * sqrt(variance)
+        margin += stdtrit(freedom, (1 + CONFIDENCE) / 2) * sqrt(variance)
         return AGREES if value > margin else DOES_NOT if value < -margin else CANNOT_TELL
 
 
