@@ -4,6 +4,7 @@
 #include <mpi.h>
 // The engine's headers want mpi.h before them.
 #include <algorithm>
+#include <cstring>
 
 #include "advice/contact_report.h"
 #include "atom.h"
@@ -13,7 +14,9 @@
 #include "force.h"
 #include "integrated_particles.h"
 #include "liggghts_api.h"
+#include "mixed_schemes.h"
 #include "pair_gran.h"
+#include "unmoved_spheres.h"
 #include "unturned_spheres.h"
 
 namespace LIGGGHTS {
@@ -91,6 +94,8 @@ void FixContactAdvice::setup_pre_force(int) {
   const bool exact = std::any_of(asked_.begin(), asked_.end(), of_events);
   if (exact || !warned_of_partly_held_)
     warned_of_partly_held_ = LAMMPS_NS::require_whole_holds(lmp, "cohesion", exact);
+  warn_of_unmoved();
+  warn_of_mixed_schemes();
   auto* const pair = dynamic_cast<LAMMPS_NS::PairGran*>(force->pair_match("gran", 1));
   if (!pair) return;
   freeze(*pair, held_->held().held_by_one_fix());
@@ -122,6 +127,36 @@ void FixContactAdvice::warn_of_spins() {
   if (!warned_of_held_)
     warned_of_held_ =
         LAMMPS_NS::warn_of_held_turned(lmp, mobile.held(), mobile.turned_groups(), has_friction);
+}
+
+/// A warning that was given is not given again.
+void FixContactAdvice::warn_of_unmoved() {
+  if (warned_of_unmoved_) return;
+  std::vector<int> announced;
+  for (int k = 0; k < modify->nfix; k++)
+    if (std::strncmp(modify->fix[k]->style, "insert/", 7) == 0)
+      announced.push_back(1 | modify->fix[k]->groupbit);
+  warned_of_unmoved_ = LAMMPS_NS::warn_of_unmoved(lmp, announced);
+}
+
+/// Of walls of scheme sampled where that of the pairs is event; the reverse stops a run that begins
+/// with it. A warning that was given is not given again.
+void FixContactAdvice::warn_of_mixed_schemes() {
+  if (warned_of_mixed_schemes_) return;
+  std::shared_ptr<ContactAdvice> pairs;
+  for (const auto& asked : asked_)
+    if (const auto advice = asked.lock())
+      if (advice->wall().empty()) pairs = advice;
+  if (!pairs) return;
+  for (const auto& asked : asked_) {
+    const auto wall = asked.lock();
+    if (!wall || wall->wall().empty() || wall->is_of_events() == pairs->is_of_events()) continue;
+    warned_of_mixed_schemes_ = true;
+    const std::string name = "fix " + wall->wall() + " wall/gran";
+    const std::string mixed =
+        LAMMPS_NS::mixed_schemes(name, "pair_style gran", wall->is_of_events(), "sampled");
+    if (comm->me == 0) error->warning(FLERR, mixed.c_str());
+  }
 }
 
 int FixContactAdvice::setmask() {

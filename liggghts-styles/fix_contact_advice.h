@@ -52,12 +52,15 @@ class FixContactAdvice : public LAMMPS_NS::Fix {
  private:
   void advise_if_due(bool setup);
   void warn_of_spins();
+  void warn_of_unmoved();
+  void warn_of_mixed_schemes();
 
   ContactWatch watch_;
   std::vector<std::weak_ptr<ContactAdvice>> asked_;
   std::vector<std::shared_ptr<LateWarning>> late_;
   std::optional<MobileParticles> held_;  // as the run began
   bool warned_of_unturned_ = false, warned_of_held_ = false, warned_of_partly_held_ = false;
+  bool warned_of_unmoved_ = false, warned_of_mixed_schemes_ = false;
 };
 
 }  // namespace Cohesion

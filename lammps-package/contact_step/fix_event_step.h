@@ -264,6 +264,8 @@ class FixEventStep : public Fix {
   void refuse_rigid_bodies() const;
   void require_spheres();
   void warn_of_spins();
+  void warn_of_unmoved();
+  void warn_of_mixed_schemes();
   void hold_spins();
   bool any_driven() const;
   bool others_may_act() const;
@@ -298,6 +300,7 @@ class FixEventStep : public Fix {
   bool tallies_begun;  // in this run
   bool tally_unknown;  // last_tally_unknown()
   bool warned_of_unturned, warned_of_held, warned_of_partly_held;
+  bool warned_of_unmoved = false, warned_of_mixed_schemes = false;
   AlteredParticles altered;    // as a run that takes over forces is set up
   double forces_dt;            // of the step that the forces are of; 0: there was none
   AtomNumbers last;            // from the end of a run to the first step of the next: save_last()

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "announced_particles.h"
 #include "atom.h"
 #include "comm.h"
 #include "error.h"
@@ -13,9 +14,11 @@
 #include "force.h"
 #include "group.h"
 #include "message.h"
+#include "mixed_schemes.h"
 #include "modify.h"
 #include "pair_members.h"
 #include "rerun.h"
+#include "unmoved_spheres.h"
 #include "unturned_spheres.h"
 #include "update.h"
 
@@ -70,6 +73,8 @@ void FixEventStep::init() {
                         });
   require_spheres();
   warn_of_spins();
+  warn_of_unmoved();
+  warn_of_mixed_schemes();
   follow_renumbering();
 }
 
@@ -124,6 +129,37 @@ bool FixEventStep::others_may_act() const {
     if (!of_contacts && (modify->fmask[i] & may_act)) return true;
   }
   return false;
+}
+
+/// A warning that was given is not given again.
+void FixEventStep::warn_of_unmoved() {
+  if (warned_of_unmoved || !may_have_contacts) return;
+  std::vector<int> announced;
+  for (const AnnouncedParticle& particle : announced_particles(lmp))
+    announced.push_back(particle.mask);
+  warned_of_unmoved = LAMMPS_NS::warn_of_unmoved(lmp, announced);
+}
+
+/// Of walls that have another scheme than every pair style with contacts. A warning that was given
+/// is not given again.
+void FixEventStep::warn_of_mixed_schemes() {
+  if (warned_of_mixed_schemes) return;
+  const auto is_pair = [](const SoftContactStyle* some) {
+    return dynamic_cast<const Pair*>(some) && some->has_contacts();
+  };
+  const auto pairs = std::find_if(styles.begin(), styles.end(), is_pair);
+  if (pairs == styles.end()) return;
+  for (const SoftContactStyle* wall : styles) {
+    const bool exact = wall->is_event_scheme();
+    if (!dynamic_cast<const Fix*>(wall) ||
+        std::any_of(styles.begin(), styles.end(), [&](const SoftContactStyle* some) {
+          return is_pair(some) && some->is_event_scheme() == exact;
+        }))
+      continue;
+    warned_of_mixed_schemes = true;
+    const std::string mixed = mixed_schemes(wall->name(), (*pairs)->name(), exact, "event");
+    if (comm->me == 0) error->warning(FLERR, mixed);
+  }
 }
 
 /// Of spheres on which friction acts and that do not turn. A warning that was given is not given

@@ -2,6 +2,8 @@
 #ifndef COHESION_SOFT_CONTACT_STYLE_H
 #define COHESION_SOFT_CONTACT_STYLE_H
 
+#include <string>
+
 namespace LAMMPS_NS {
 
 /// The pair styles and walls with soft contacts, of either scheme: what FixEventStep orders within
@@ -32,6 +34,10 @@ class SoftContactStyle {
   /// Whether contacts are those of scheme event, which takes account of what they do to each other
   /// within a step; else they are sampled.
   virtual bool is_event_scheme() const = 0;
+  /// What messages call the style: 'pair_style NAME', or 'fix ID NAME'.
+  virtual std::string name() const = 0;
+  /// Whether it has contacts with a spring, which act in this run.
+  virtual bool has_contacts() const { return true; }
   /// Where a run takes over the forces of the last one: finds what has come into range or out of it
   /// between the two, and adds what the contacts store to the energy tally.
   virtual void continue_run() = 0;

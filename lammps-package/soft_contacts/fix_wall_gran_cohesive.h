@@ -36,6 +36,7 @@ class FixWallGranCohesive : public Fix, public SoftContactStyle, public AdvisedS
   void setup(int) override;
   void post_force(int) override;
   bool is_event_scheme() const override { return scheme == Scheme::event; }
+  std::string name() const override { return where; }
   void classify() override;
   void find_beside_young() override {
     if (is_event_scheme()) contacts_now.find_beside_young(step);

@@ -67,6 +67,8 @@ class PairGranCohesive : public Pair,
   bool is_event_scheme() const override {
     return is_active && coefficients.scheme() == Scheme::event;
   }
+  std::string name() const override { return coefficients.where(); }
+  bool has_contacts() const override { return is_active && Cohesion::HAS_CONTACT; }
   void classify() override;
   void find_beside_young() override {
     if (is_event_scheme()) contacts_now.find_beside_young(step);

@@ -44,6 +44,7 @@ class Unturned(ScriptTestCase):
         self.warns(pairs("") + f"fix w all wall/gran/hamaker {CONTACT} friction 0.3 zplane 0 NULL\n"
                    "fix move all nve", 3, "move nve")
         self.warns(pairs("") + RUBBING_SECOND + "fix a first nve\nfix b second nve", 1, "b nve", ranks=2)
+        self.warns(pairs("friction 0.3", "gran/liquid_bridge") + "fix move all nve", 3, "move nve")
 
     def test_right_ones(self):
         for friction, move in (("", "fix move all nve"), ("friction 0.3", "fix move all nve/sphere"),

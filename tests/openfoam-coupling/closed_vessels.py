@@ -2,7 +2,8 @@
 """Gas of constant density in vessels that nothing leaves, and in ducts that are periodic, with fixedFluxPressure at all
 walls: p needs a reference, and what comes in must go out.
 
-- Closed boxes of water and of air: the weight of the fluid by the pressure; the same flow as with zeroGradient.
+- Closed boxes of water and of air, and ducts periodic along x, in which spheres fall: the same flow as with
+  zeroGradient. A box of fluid at rest: its weight by the pressure.
 - A duct that a source drives, or meanVelocityForce: the profile between two plates.
 - A cavity whose lid moves, with one sphere and with many that follow: Ghia, Ghia and Shin (1982), Re 100."""
 
@@ -36,11 +37,17 @@ def close(case, flux=FLUX, velocity=STILL, **others):
 
 
 class ClosedVessels(CoupledTestCase):
-    def box(self, name, liquid, flux=FLUX, ranks=1):
-        """3500 spheres that fall and collide in the closed column, 40 steps."""
+    def box(self, name, liquid, flux=FLUX, ranks=1, periodic=False):
+        """3500 spheres that fall and collide in the closed column, 40 steps; periodic: along x, a duct."""
         case = self.column(name)
         use_script(case, "swarm")
-        close(case, flux)
+        ends = {}
+        if periodic:
+            make_periodic(case)
+            ends = dict.fromkeys(("left", "right"), "{ type cyclic; }")
+            edit(case, script_file("swarm"), "boundary     f f f", "boundary     p f f")
+            edit(case, script_file("swarm"), "fix walls_x", "#")
+        close(case, flux, **ends)
         append(case, COUPLING, "voidFraction sphereOverlap; minVoidFraction 0.1;")
         if liquid:
             append(case, "constant/transportProperties", "rho 1000; nu 1e-6;")
@@ -54,10 +61,16 @@ class ClosedVessels(CoupledTestCase):
         return case, log
 
     def test_boxes(self):
-        for liquid, name in ((True, "water"), (False, "air")):
-            case, _ = self.box(name, liquid)
-            reference, _ = self.box(f"{name}-zero-gradient", liquid, "{ type zeroGradient; }")
-            shared, _ = self.box(f"{name}-shared", liquid, ranks=2)
+        self.flow_is_that_of_zero_gradient((True, "water"), (False, "air"))
+
+    def test_duct_of_spheres(self):
+        self.flow_is_that_of_zero_gradient((True, "water-duct"), (False, "air-duct"), periodic=True)
+
+    def flow_is_that_of_zero_gradient(self, *fluids, periodic=False):
+        for liquid, name in fluids:
+            case, _ = self.box(name, liquid, periodic=periodic)
+            reference, _ = self.box(f"{name}-zero-gradient", liquid, "{ type zeroGradient; }", periodic=periodic)
+            shared, _ = self.box(f"{name}-shared", liquid, ranks=2, periodic=periodic)
             u = field(reference, "0.004", "U")
             # Solvers leave 1e-13 of the pressure's residual in a step; swarms of 40 steps do not make chaos of that.
             self.expect_true(f"{name}: it moves", np.abs(u).max() > 1e-3)
