@@ -37,7 +37,7 @@ namespace ContactModels {
 /// `Attraction` says what is its own:
 ///
 ///   MODEL                          name in a script
-///   OnePassLaw                     what follows a contact of scheme event: OnePassContact, or one
+///   Solver                     what follows a contact of scheme event: ContactSolver, or one
 ///                                  that derives from it
 ///   BINDS_WHAT_ENTERED             true: what entered is bound, wherever it stands
 ///   Attraction(lmp, owner, wall)   wall: null for pairs
@@ -93,7 +93,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     Cohesion::ContactRange range = attraction_.range();
     if (events_) {
       connect_events(registry);
-      range.margin = Cohesion::MARGIN;
+      range.margin = Cohesion::EVENT_MARGIN;
     }
     Cohesion::require_range(lmp, registry, wall_, name(), range);
   }
@@ -147,7 +147,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     double* const spring = slides_ ? contact.contact_history + others_history_ : nullptr;
     double force;
     if (!events_->go_on(contact, spring, force)) {
-      cohesion::event_stepping::GridStep step;
+      cohesion::contact_solver::ContactStep step;
       if (!events_->follow(contact, contact.r, contact.en, step)) step = {};
       events_->set_friction(contact, step, spring);
       force = step.force;
@@ -163,7 +163,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     const double inverse = 1.0 / r;
     const double normal[3] = {inverse * near.delta[0], inverse * near.delta[1],
                               inverse * near.delta[2]};
-    cohesion::event_stepping::GridStep step;
+    cohesion::contact_solver::ContactStep step;
     if (!carries(near) || !events_->follow(near, r, normal, step) || step.force == 0.0) return;
     for (int d = 0; d < 3; d++) {
       on_i.delta_F[d] = step.force * normal[d];
@@ -185,8 +185,8 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
         *normal_,
         [this](int i, int j, double ri, double rj) { return attraction_.adhesion(i, j, ri, rj); },
         [](const auto& spring, const auto& adhesion, double distance, double step) {
-          using Law = typename Attraction::OnePassLaw;
-          return std::unique_ptr<Cohesion::EventContacts::OnePassContact>(
+          using Law = typename Attraction::Solver;
+          return std::unique_ptr<Cohesion::EventContacts::ContactSolver>(
               new Law(spring, adhesion, distance, step));
         },
         attraction_.range(), registry.max_type());

@@ -21,7 +21,7 @@ namespace LIGGGHTS {
 namespace Cohesion {
 
 using namespace LAMMPS_NS;
-using namespace cohesion::event_stepping;
+using namespace cohesion::contact_solver;
 
 namespace {
 
@@ -49,10 +49,9 @@ EventContacts::EventContacts(LAMMPS* lmp, IContactHistorySetup* owner, FixWallGr
                              const std::string& who)
     : lmp_(lmp), atom_(lmp->atom), wall_(wall), who_(who), mobile_(lmp) {
   // "0": the same seen from the other particle.
-  offset_ = owner->add_history_value("eventPhase", "0");
-  for (const char* const name :
-       {"eventAhead", "eventForce", "eventRepulsion", "eventTouch", "eventStep", "eventWork"})
-    owner->add_history_value(name, "0");
+  offset_ = owner->add_history_value("contact0", "0");
+  for (int k = 1; k < SIZE; k++)
+    owner->add_history_value(("contact" + std::to_string(k)).c_str(), "0");
 }
 
 EventContacts::~EventContacts() = default;
@@ -107,28 +106,26 @@ EventContacts::KnownContact* EventContacts::know(KnownContact& k,
 
 void EventContacts::make_law(KnownContact& k, const ContactModels::SurfacesCloseData& d) const {
   const auto inverse = [](double mass) { return mass > 0.0 ? 1.0 / mass : 0.0; };
-  k.inverse_mass = inverse(k.mass_i) + inverse(k.mass_j);
-  const double reduced_mass = 1.0 / k.inverse_mass, dt = lmp_->update->dt;
+  const double reduced_mass = 1.0 / (inverse(k.mass_i) + inverse(k.mass_j));
+  const double dt = lmp_->update->dt;
   guarded(lmp_, who_, [&] {
     const NormalModelProbe::Pair pair{d.itype,      d.jtype, d.radi,   d.is_wall ? d.radi : d.radj,
                                       reduced_mass, 0.0,     d.is_wall};
     const auto springs = normal_->springs(pair);
     const cohesion::contact::LinearSpringDashpot spring(springs.stiffness, springs.damping,
                                                         reduced_mass);
-    const auto adhesion = adhesion_(d.itype, d.jtype, d.radi, k.rj);
-    k.well = adhesion.force == 0.0;
-    k.law = make_law_(spring, adhesion, d.radsum, dt);
+    k.law = make_law_(spring, adhesion_(d.itype, d.jtype, d.radi, k.rj), d.radsum, dt);
     // The effective mass at the surface of solid spheres, which turn: 1/m + r^2/I of each.
     const double tangential_mass =
         reduced_mass / (1.0 + 1.0 / MobileParticles::inertia_factor(lmp_->domain->dimension));
-    k.tangential = spring_on_grid(springs.tangential_stiffness, normal_->tangential_damping(pair),
-                                  tangential_mass, dt);
+    k.tangential = cohesion::event_stepping::spring_on_grid(
+        springs.tangential_stiffness, normal_->tangential_damping(pair), tangential_mass, dt);
   });
 }
 
 /// The acceleration of the distance by all forces of the step before, [length/time^2].
-double EventContacts::others(const ContactModels::SurfacesCloseData& d,
-                             const cohesion::Vector3& n) const {
+double EventContacts::acceleration(const ContactModels::SurfacesCloseData& d,
+                                   const cohesion::Vector3& n) const {
   double by_all = 0.0;
   if (mobile_.moves(atom_->mask[d.i])) by_all += dot(others_->acceleration(d.i), n);
   if (!d.is_wall && mobile_.moves(atom_->mask[d.j])) by_all -= dot(others_->acceleration(d.j), n);
@@ -148,108 +145,92 @@ const double* EventContacts::last_record(const ContactModels::SurfacesCloseData&
 }
 
 bool EventContacts::follow(const ContactModels::SurfacesCloseData& d, double r,
-                           const double* normal, GridStep& step) {
+                           const double* normal, ContactStep& step) {
   const bool first = d.computeflag && !d.shearupdate;
   KnownContact* const k = known_contact(d);
   followed_ = k;
   time_apart_ = 0.0;
   if (!k) return false;
+  ContactState state;
   if (!d.computeflag || (first && others_->last_step() > 0.0)) {
-    if (repeat(*k, d, step)) {
+    if (repeat(*k, d, step, state)) {
       remember(d, true);
-      exclude_impulse(*k, d, normal, step);
+      exclude_impulse(*k, d, normal, state);
       return true;
     }
     if (!d.computeflag) return false;
   }
   const double* const last = first ? nullptr : last_record(d);
-  GridMemory memory;
-  if (last) {
-    memory.phase = static_cast<GridMemory::Phase>(static_cast<int>(last[PHASE]));
-    memory.ahead = last[AHEAD];
-    memory.force = last[FORCE];
-    memory.work = last[WORK];
-  }
-  memory.is_new = !last;
-  time_apart_ = k->law->step() * (1.0 - (last ? last[TOUCH] : 0.0));
-  const cohesion::Vector3 n = cohesion::vector(normal);
-  const cohesion::Vector3 w = cohesion::vector(d.v_i) - cohesion::vector(d.v_j);
-  GridPoint at{r, dot(w, n), 0.0};
-  if (!d.is_wall) at.sideways = norm(w - at.radial * n);
-  double by_others = 0.0;
-  if (!first) by_others = others(d, n);
-  if (last && !is_impulse(*k, last[TOUCH])) by_others -= last[FORCE] * k->inverse_mass;
-  if (!k->law->follow_lasting(at, by_others, memory, step)) {
-    if (memory.phase == GridMemory::beyond) {
-      if (!k->law->within_reach(at, by_others)) {
-        remember(d, false);
-        return false;
-      }
-      const double seen = (1.0 + MARGIN) * d.radsum + k->law->range();
-      if (!first && r - k->law->step() * at.radial > seen) late_->due = true;
+  state = last ? ContactState::stored(last) : ContactState{};
+  state.is_new = !last;
+  time_apart_ = k->law->step() - state.contact_time;
+  const StaggeredMotion now = motion(d, r, normal);
+  const double by_all = first ? 0.0 : acceleration(d, cohesion::vector(normal));
+  const double external = first ? 0.0 : k->law->external(by_all, state);
+  if (state.phase == ContactState::outside) {
+    if (!k->law->within_reach(now, external)) {
+      remember(d, false);
+      return false;
     }
-    step = k->law->follow(at, by_others, first ? 0.5 * k->law->step() : k->law->step(), memory);
+    const double seen = (1.0 + MARGIN) * d.radsum + k->law->range();
+    if (!first && r - k->law->step() * now.rate > seen) late_->due = true;
   }
+  const double velocity_step = first ? 0.5 * k->law->step() : k->law->step();
+  step = k->law->advance(now, external, velocity_step, state);
   if (step.normal.unresolved) cut_short_->due = true;
-  write(*k, d, memory, step);
-  exclude_impulse(*k, d, normal, step);
+  write(d, state, step);
+  exclude_impulse(*k, d, normal, state);
   return true;
 }
 
-/// Whether the force of a step was that of an impulse, over when the step was: at a well's edge.
-bool EventContacts::is_impulse(const KnownContact& k, double contact_time) {
-  return k.well && contact_time == 0.0;
-}
-
-/// Excludes the force of an impulse from what other contacts of both particles take for lasting.
+/// Excludes the force of an impulse from the accelerations that other contacts of both particles
+/// see.
 void EventContacts::exclude_impulse(const KnownContact& k,
                                     const ContactModels::SurfacesCloseData& d, const double* normal,
-                                    const GridStep& step) {
-  if (step.force == 0.0 || !is_impulse(k, step.normal.contact_time)) return;
-  const cohesion::Vector3 on_i = step.force * cohesion::vector(normal);
+                                    const ContactState& state) {
+  if (state.force == 0.0 || !k.law->gave_impulse(state)) return;
+  const cohesion::Vector3 on_i = state.force * cohesion::vector(normal);
   if (mobile_.moves(atom_->mask[d.i])) others_->exclude(d.i, on_i);
   if (!d.is_wall && mobile_.moves(atom_->mask[d.j])) others_->exclude(d.j, -on_i);
 }
 
 bool EventContacts::in_range(const double* history) const {
-  GridMemory memory;
-  if (history) memory.phase = static_cast<GridMemory::Phase>(static_cast<int>(history[offset_]));
-  return memory.inside();
+  ContactState state;
+  if (history) state.phase = ContactState::phase_of(history + offset_);
+  return state.in_range();
 }
 
 /// A step that is computed again, as each run does with the last one, repeats its force. A run of
 /// another step begins anew, but for impulses: the half that is to come is another force then.
 bool EventContacts::repeat(const KnownContact& k, const ContactModels::SurfacesCloseData& d,
-                           GridStep& step) const {
+                           ContactStep& step, ContactState& state) const {
   double* const history = d.contact_history + offset_;
   if (history[STEP] != others_->clock() + 1.0) return false;
+  state = ContactState::stored(history);
   const double now = lmp_->update->dt, then = others_->last_step();
   if (d.computeflag && then != now) {
-    if (history[FORCE] == 0.0 || !is_impulse(k, history[TOUCH])) return false;
-    history[FORCE] *= then / now;
+    if (state.force == 0.0 || !k.law->gave_impulse(state)) return false;
+    state.force *= then / now;
+    state.store(history);
   }
   step = {};
-  step.force = history[FORCE];
+  step.force = state.force;
   step.repulsion = history[REPULSION];
-  step.normal.contact_time = history[TOUCH] * k.law->step();
+  step.normal.contact_time = state.contact_time;
   return true;
 }
 
-void EventContacts::write(const KnownContact& k, const ContactModels::SurfacesCloseData& d,
-                          const GridMemory& memory, const GridStep& step) const {
+void EventContacts::write(const ContactModels::SurfacesCloseData& d, const ContactState& state,
+                          const ContactStep& step) const {
   double* const history = d.contact_history + offset_;
-  history[PHASE] = memory.phase;
-  history[AHEAD] = memory.ahead;
-  history[FORCE] = memory.force;
-  history[WORK] = memory.work;
+  state.store(history);
   history[REPULSION] = step.repulsion;
-  history[TOUCH] = step.normal.contact_time / k.law->step();
   history[STEP] = others_->clock() + 1.0;
-  remember(d, memory.phase != GridMemory::beyond || step.force != 0.0);
+  remember(d, state.phase != ContactState::outside || step.force != 0.0);
 }
 
 void EventContacts::set_friction(ContactModels::SurfacesIntersectData& contact,
-                                 const GridStep& step, double* spring) const {
+                                 const ContactStep& step, double* spring) const {
   if (followed_)
     set_friction(contact, *followed_, step.repulsion, time_apart_, spring);
   else

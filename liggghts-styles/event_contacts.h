@@ -13,8 +13,8 @@
 #include "contact/adhesion.h"
 #include "contact_interface.h"
 #include "contact_range.h"
-#include "event_stepping/grid_point.h"
-#include "event_stepping/one_pass_contact.h"
+#include "contact_solver/contact_solver.h"
+#include "contact_solver/contact_state.h"
 #include "fix_others.h"
 #include "integrated_particles.h"
 #include "neighbor.h"
@@ -31,27 +31,25 @@ namespace Cohesion {
 
 struct LateWarning;
 
-/// The contacts of one pair style or wall under scheme event: brings what the engine knows of a
-/// contact to the law that follows it (event_stepping/one_pass_contact.h), and keeps its memory in
-/// the engine's contact history, with which it goes through exchange and restart. Others act as in
-/// the step before.
+/// The contacts of one pair style or wall under scheme event: passes the motion of a contact to its
+/// solver (contact_solver/contact_solver.h), and stores its state in the engine's contact history,
+/// with which it goes through exchange and restart. Other forces act as in the step before.
 class EventContacts {
  public:
   using Adhesion =
       std::function<cohesion::contact::Adhesion(int itype, int jtype, double ri, double rj)>;
-  using OnePassContact = cohesion::event_stepping::OnePassContact;
-  using MakeLaw = std::unique_ptr<OnePassContact> (*)(const cohesion::contact::LinearSpringDashpot&,
-                                                      const cohesion::contact::Adhesion&,
-                                                      double contact_distance, double step);
+  using ContactSolver = cohesion::contact_solver::ContactSolver;
+  using MakeLaw = std::unique_ptr<ContactSolver> (*)(const cohesion::contact::LinearSpringDashpot&,
+                                                     const cohesion::contact::Adhesion&,
+                                                     double contact_distance, double step);
 
   /// who: in messages; wall: null for pairs. Adds to the history of contacts.
   EventContacts(LAMMPS_NS::LAMMPS* lmp, IContactHistorySetup* owner, LAMMPS_NS::FixWallGran* wall,
                 const std::string& who);
   ~EventContacts();
 
-  /// `adhesion`: of two types and radii; rj infinite: beside a wall; maker: of what follows it;
-  /// range: beyond which nothing acts.
-  /// Stops where the normal model is none that the scheme can follow.
+  /// `adhesion`: of two types and radii; rj infinite: next to a wall; maker: of the solver; range:
+  /// beyond which nothing acts. Stops where the normal model is none that the scheme can follow.
   void connect(const NormalModelProbe& normal, Adhesion adhesion, MakeLaw maker,
                const ContactRange& range, int types);
 
@@ -62,41 +60,39 @@ class EventContacts {
   /// r: distance of the centres, or from the wall; normal: from j, or the wall, to i. False, and
   /// `step` of no meaning: the contact does nothing.
   bool follow(const ContactModels::SurfacesCloseData& d, double r, const double* normal,
-              cohesion::event_stepping::GridStep& step);
+              cohesion::contact_solver::ContactStep& step);
 
   /// Whether a pair has no memory and nothing can happen to it in this step, as most that the
   /// engine shows: follow() would find out by looking at far more.
   bool is_far(const ContactModels::SurfacesCloseData& d) const;
 
-  /// Whether the grid has a contact with this history in the range of its attraction.
+  /// Whether a contact with this history is in the range of its attraction.
   bool in_range(const double* history) const;
 
-  /// Lets the engine's friction act in `step` with the repulsion of the contact, and with the K_t
-  /// and eta_t that make the grid follow its spring exactly (one_pass_contact.h). `spring`: its
+  /// Lets the engine's friction act in `step` with the repulsion of the contact, and with the
+  /// discrete K_t and eta_t that are exact at any step (GridSpring). `spring`: its
   /// displacement, which the engine will let grow through all of the step before, also where there
   /// was no contact; null: it has none.
   void set_friction(ContactModels::SurfacesIntersectData& contact,
-                    const cohesion::event_stepping::GridStep& step, double* spring) const;
+                    const cohesion::contact_solver::ContactStep& step, double* spring) const;
 
  private:
-  // What is remembered of a contact. TOUCH: which part of the last step it was in contact; STEP:
-  // the one in which this was written, and 1.
-  enum { PHASE, AHEAD, FORCE, REPULSION, TOUCH, STEP, WORK };
+  using ContactState = cohesion::contact_solver::ContactState;
+  using StaggeredMotion = cohesion::contact_solver::StaggeredMotion;
 
-  using GridMemory = cohesion::event_stepping::GridMemory;
+  // What is stored of a contact: its state, the repulsion of the last step, and STEP, the step in
+  // which all this was written, and 1.
+  enum { REPULSION = ContactState::size, STEP, SIZE };
 
   /// The bodies of a contact, and its law.
   struct KnownContact {
     double ri = 0.0, rj = 0.0, mass_i = 0.0, mass_j = 0.0;
-    double inverse_mass = 0.0;  // of both
-    std::unique_ptr<OnePassContact> law;
-    bool well = false;  // attracts by impulses alone
+    std::unique_ptr<ContactSolver> law;
     cohesion::event_stepping::GridSpring tangential{};
   };
 
-  static bool is_impulse(const KnownContact&, double contact_time);
   void exclude_impulse(const KnownContact&, const ContactModels::SurfacesCloseData& d,
-                       const double* normal, const cohesion::event_stepping::GridStep&);
+                       const double* normal, const ContactState&);
   /// The law of a contact; null: nothing that a force could move.
   KnownContact* known_contact(const ContactModels::SurfacesCloseData& d) {
     KnownContact& k = known_[d.itype * (types_ + 1) + d.jtype];
@@ -112,12 +108,20 @@ class EventContacts {
   double mass(int particle) const {
     return mobile_.moves(atom_->mask[particle]) ? atom_->rmass[particle] : 0.0;
   }
-  double others(const ContactModels::SurfacesCloseData& d, const cohesion::Vector3& normal) const;
+  static StaggeredMotion motion(const ContactModels::SurfacesCloseData& d, double r,
+                                const double* normal) {
+    const cohesion::Vector3 n = cohesion::vector(normal);
+    const cohesion::Vector3 w = cohesion::vector(d.v_i) - cohesion::vector(d.v_j);
+    const double rate = dot(w, n);
+    return {r, rate, d.is_wall ? 0.0 : norm(w - rate * n)};
+  }
+  double acceleration(const ContactModels::SurfacesCloseData& d,
+                      const cohesion::Vector3& normal) const;
   bool repeat(const KnownContact& k, const ContactModels::SurfacesCloseData& d,
-              cohesion::event_stepping::GridStep& step) const;
+              cohesion::contact_solver::ContactStep& step, ContactState& state) const;
   const double* last_record(const ContactModels::SurfacesCloseData& d) const;
-  void write(const KnownContact& k, const ContactModels::SurfacesCloseData& d,
-             const GridMemory& memory, const cohesion::event_stepping::GridStep& step) const;
+  void write(const ContactModels::SurfacesCloseData& d, const ContactState& state,
+             const cohesion::contact_solver::ContactStep& step) const;
   /// `time_apart`: how much of the step before it was no contact, [time].
   static void set_friction(ContactModels::SurfacesIntersectData& contact, const KnownContact& k,
                            double repulsion, double time_apart, double* spring);
@@ -143,25 +147,22 @@ class EventContacts {
 
 inline bool EventContacts::go_on(ContactModels::SurfacesIntersectData& contact, double* spring,
                                  double& force) {
-  using namespace cohesion::event_stepping;
   double* const history = contact.contact_history + offset_;
   const double now = others_->clock();
-  if (history[PHASE] != GridMemory::lasting || history[STEP] != now) return false;
+  if (ContactState::phase_of(history) != ContactState::persistent || history[STEP] != now)
+    return false;
   if (!contact.computeflag || !contact.shearupdate) return false;
   const KnownContact* const k = known_contact(contact);
   if (!k) return false;
-  const cohesion::Vector3 w = cohesion::vector(contact.v_i) - cohesion::vector(contact.v_j);
-  const GridPoint at{contact.r, dot(w, cohesion::vector(contact.en)), 0.0};
-  double outward = 0.0;
-  if (k->law->bears_load()) outward = k->law->last_outward(at, history[AHEAD], history[FORCE]);
-  LastingForce does;
-  if (!k->law->lasting_force(at, outward, does)) return false;
-  force = does.force;
-  set_friction(contact, *k, does.repulsion, k->law->step() * (1.0 - history[TOUCH]), spring);
-  history[AHEAD] = at.radial;
-  history[FORCE] = does.force;
-  history[REPULSION] = does.repulsion;
-  history[TOUCH] = 1.0;
+  ContactState state = ContactState::stored(history);
+  const double time_apart = k->law->step() - state.contact_time;
+  double repulsion;
+  if (!k->law->advance_persistent(motion(contact, contact.r, contact.en), state, repulsion))
+    return false;
+  force = state.force;
+  set_friction(contact, *k, repulsion, time_apart, spring);
+  state.store(history);
+  history[REPULSION] = repulsion;
   history[STEP] = now + 1.0;
   if (contact.contact_flags) *contact.contact_flags |= ContactModels::CONTACT_COHESION_MODEL;
   return true;

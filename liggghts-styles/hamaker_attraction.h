@@ -10,8 +10,8 @@
 #include "advice/stiffness_scaling.h"
 #include "contact/adhesion.h"
 #include "contact_range.h"
+#include "contact_solver/contact_solver.h"
 #include "encounter.h"
-#include "event_stepping/one_pass_contact.h"
 #include "hamaker/law.h"
 #include "hamaker/small_gap.h"
 #include "normal_model_probe.h"
@@ -29,7 +29,7 @@ class HamakerAttraction : public AttractionEnergy {
  public:
   static constexpr const char* MODEL = "hamaker";
   static constexpr bool BINDS_WHAT_ENTERED = false;
-  using OnePassLaw = cohesion::event_stepping::OnePassContact;
+  using Solver = cohesion::contact_solver::ContactSolver;
 
   HamakerAttraction(LAMMPS_NS::LAMMPS* lmp, IContactHistorySetup*, LAMMPS_NS::FixWallGran* wall)
       : lmp_(lmp), is_wall_(wall != nullptr) {}

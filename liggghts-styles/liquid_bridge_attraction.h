@@ -7,8 +7,8 @@
 
 #include "advice/stiffness_scaling.h"
 #include "contact_range.h"
+#include "contact_solver/liquid_bridge_solver.h"
 #include "encounter.h"
-#include "event_stepping/one_pass_bridge.h"
 #include "lammps.h"
 #include "liquid_bridge/parameters.h"
 #include "normal_model_probe.h"
@@ -24,7 +24,7 @@ class LiquidBridgeAttraction final : public AttractionEnergy {
  public:
   static constexpr const char* MODEL = "liquid_bridge";
   static constexpr bool BINDS_WHAT_ENTERED = true;
-  using OnePassLaw = cohesion::event_stepping::OnePassBridge;
+  using Solver = cohesion::contact_solver::LiquidBridgeSolver;
 
   LiquidBridgeAttraction(LAMMPS_NS::LAMMPS* lmp, IContactHistorySetup* owner,
                          LAMMPS_NS::FixWallGran* wall);

@@ -147,9 +147,9 @@ bool SquareWellAttraction::was_inside(const Encounter& e, double* history, doubl
 }
 
 /// Speed along the normal at which the two come nearer.
-double SquareWellAttraction::approach(const Encounter& e) { return -point(e).radial; }
+double SquareWellAttraction::approach(const Encounter& e) { return -point(e).rate; }
 
-cohesion::event_stepping::GridPoint SquareWellAttraction::point(const Encounter& e) {
+cohesion::contact_solver::StaggeredMotion SquareWellAttraction::point(const Encounter& e) {
   const cohesion::Vector3 n = cohesion::vector(e.normal);
   const cohesion::Vector3 w = cohesion::vector(e.data.v_i) - cohesion::vector(e.data.v_j);
   const double radial = dot(w, n);

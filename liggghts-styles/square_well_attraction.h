@@ -8,9 +8,9 @@
 
 #include "advice/stiffness_scaling.h"
 #include "contact_range.h"
+#include "contact_solver/contact_state.h"
+#include "contact_solver/square_well_solver.h"
 #include "encounter.h"
-#include "event_stepping/grid_point.h"
-#include "event_stepping/one_pass_well.h"
 #include "lammps.h"
 #include "normal_model_probe.h"
 #include "sampled_energy_tally.h"
@@ -35,7 +35,7 @@ class SquareWellAttraction final : public AttractionEnergy {
  public:
   static constexpr const char* MODEL = "square_well";
   static constexpr bool BINDS_WHAT_ENTERED = true;
-  using OnePassLaw = cohesion::event_stepping::OnePassWell;
+  using Solver = cohesion::contact_solver::SquareWellSolver;
 
   SquareWellAttraction(LAMMPS_NS::LAMMPS* lmp, IContactHistorySetup* owner,
                        LAMMPS_NS::FixWallGran* wall);
@@ -126,7 +126,7 @@ class SquareWellAttraction final : public AttractionEnergy {
   void warn_if_out_of_sight(const Encounter& encounter);
   bool was_inside(const Encounter& encounter, double* history, double width) const;
   static double approach(const Encounter& encounter);
-  static cohesion::event_stepping::GridPoint point(const Encounter& encounter);
+  static cohesion::contact_solver::StaggeredMotion point(const Encounter& encounter);
   double inverse_mass(int particle) const;
 
   LAMMPS_NS::LAMMPS* lmp_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "event_stepping/one_pass_bridge.h"
+#include "contact_solver/liquid_bridge_solver.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,10 @@
 #include "contact/adhesive_contact.h"
 #include "event_stepping/pair_run.h"
 
-namespace cohesion::event_stepping {
+namespace cohesion::contact_solver {
 namespace {
+
+namespace thesis = event_stepping::thesis;
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double core = 2.0 * thesis::radius;
@@ -27,14 +29,14 @@ contact::Adhesion bridge(double force = 1e-4, double gap = 0.05 * core) {
 
 /// Two spheres in a plane on an engine's grid.
 struct Pair {
-  const OnePassBridge& law;
+  const LiquidBridgeSolver& law;
   double x, y, vx, vy;
-  GridMemory memory{};
-  GridStep last{};
+  ContactState state{};
+  ContactStep last{};
 
   /// One that is to touch a share `phase` of a step after a grid point, at normal speed and with a
   /// speed across.
-  Pair(const OnePassBridge& law_, double speed, double across, double phase)
+  Pair(const LiquidBridgeSolver& law_, double speed, double across, double phase)
       : law(law_), vx(-speed), vy(across) {
     const double wait = law.step() * (2.0 + (phase + 0.37) / phases);
     x = core + speed * wait;
@@ -49,19 +51,19 @@ struct Pair {
     x += dt * vx;
     y += dt * vy;
     const double r = distance(), nx = x / r, ny = y / r;
-    const GridPoint at{r, vx * nx + vy * ny, std::abs(vy * nx - vx * ny)};
-    if (!law.follow_lasting(at, 0.0, memory, last)) last = law.follow(at, 0.0, dt, memory);
+    const StaggeredMotion at{r, vx * nx + vy * ny, std::abs(vy * nx - vx * ny)};
+    last = law.advance(at, 0.0, dt, state);
     const double push = dt * last.force / thesis::reduced_mass;
     vx += push * nx;
     vy += push * ny;
   }
   /// Until it has had its bridge and has none; false: not within the time [time].
   bool parts_within(double time) {
-    bool was_inside = memory.inside();
+    bool was_inside = state.in_range();
     for (int n = 0; n < time / law.step(); n++) {
       step();
-      was_inside = was_inside || memory.inside();
-      if (was_inside && memory.phase == GridMemory::beyond) return true;
+      was_inside = was_inside || state.in_range();
+      if (was_inside && state.phase == ContactState::outside) return true;
     }
     return false;
   }
@@ -73,7 +75,7 @@ double long_enough(double force, double gap) {
 
 }  // namespace
 
-TEST(OnePassBridge, EscapesHeadOnAtTheVelocityOfTheClosedFormForAnyStepAndPhase) {
+TEST(LiquidBridgeSolver, EscapesHeadOnAtTheVelocityOfTheClosedFormForAnyStepAndPhase) {
   const auto law = spring(thesis::contact().damping);
   for (const double force : {1e-5, 1e-4, 1e-3})
     for (const double gap : {1e-6, 0.05 * core, core}) {
@@ -81,7 +83,8 @@ TEST(OnePassBridge, EscapesHeadOnAtTheVelocityOfTheClosedFormForAnyStepAndPhase)
       for (const double part : parts)
         for (int phase = 0; phase < phases; phase++)
           for (const double factor : {0.999, 1.001}) {
-            const OnePassBridge contact(law, bridge(force, gap), core, thesis::contact_time / part);
+            const LiquidBridgeSolver contact(law, bridge(force, gap), core,
+                                             thesis::contact_time / part);
             Pair pair(contact, factor * escape, 0.0, phase);
             EXPECT_EQ(pair.parts_within(long_enough(force, gap)), factor > 1.0)
                 << force << " " << gap << " " << part << " " << phase;
@@ -89,12 +92,12 @@ TEST(OnePassBridge, EscapesHeadOnAtTheVelocityOfTheClosedFormForAnyStepAndPhase)
     }
 }
 
-TEST(OnePassBridge, TakesTheWorkOfTheBridge) {
+TEST(LiquidBridgeSolver, TakesTheWorkOfTheBridge) {
   const double force = 1e-4, gap = 0.05 * core;
   for (const double part : parts)
     for (int phase = 0; phase < phases; phase++)
       for (const double across : {0.0, 0.3}) {
-        const OnePassBridge contact(spring(0.0), bridge(), core, thesis::contact_time / part);
+        const LiquidBridgeSolver contact(spring(0.0), bridge(), core, thesis::contact_time / part);
         Pair pair(contact, 0.5, across, phase);
         const double before = pair.energy(), turning = pair.turning();
         ASSERT_TRUE(pair.parts_within(long_enough(force, gap)));
@@ -112,21 +115,21 @@ TEST(OnePassBridge, TakesTheWorkOfTheBridge) {
       }
 }
 
-TEST(OnePassBridge, ForcesArePositiveOnlyInContactAndNoneBeforeTouch) {
-  const OnePassBridge contact(spring(0.0), bridge(), core, thesis::contact_time / 16.0);
+TEST(LiquidBridgeSolver, ForcesArePositiveOnlyInContactAndNoneBeforeTouch) {
+  const LiquidBridgeSolver contact(spring(0.0), bridge(), core, thesis::contact_time / 16.0);
   Pair pair(contact, 0.5, 0.0, 3.0);
   pair.x += 0.02 * core;  // within the gap of rupture, without a bridge
   for (int n = 0; n < 1000 && pair.distance() - core > 0.5 * contact.step(); n++) {
     pair.step();
-    if (pair.memory.phase != GridMemory::beyond) break;
+    if (pair.state.phase != ContactState::outside) break;
     EXPECT_EQ(pair.last.force, 0.0);
   }
-  ASSERT_TRUE(pair.memory.inside());
+  ASSERT_TRUE(pair.state.in_range());
   // In the gap the force is that of the bridge, once the true speed at touch is in that of the
   // grid.
   int in_the_gap = 0;
-  for (int n = 0; n < 1000 && pair.memory.inside(); n++) {
-    const bool entered = pair.memory.phase == GridMemory::entered;
+  for (int n = 0; n < 1000 && pair.state.in_range(); n++) {
+    const bool entered = pair.state.phase == ContactState::entered;
     const double was = pair.distance();
     pair.step();
     if (!entered || was < core + contact.step() || pair.vx < 0.0) continue;
@@ -137,15 +140,15 @@ TEST(OnePassBridge, ForcesArePositiveOnlyInContactAndNoneBeforeTouch) {
   EXPECT_GT(in_the_gap, 5);
 }
 
-TEST(OnePassBridge, ARunThatBeginsInTheGapHasNoBridge) {
+TEST(LiquidBridgeSolver, ARunThatBeginsInTheGapHasNoBridge) {
   const double dt = thesis::contact_time / 8.0;
-  const OnePassBridge contact(spring(0.0), bridge(), core, dt);
+  const LiquidBridgeSolver contact(spring(0.0), bridge(), core, dt);
   for (const double gap : {-1e-7, 1e-7}) {
-    GridMemory memory;
-    const GridStep step = contact.follow({core + gap, 0.0, 0.0}, 0.0, 0.5 * dt, memory);
-    EXPECT_EQ(memory.inside(), gap < 0.0);
+    ContactState state;
+    const ContactStep step = contact.advance({core + gap, 0.0, 0.0}, 0.0, 0.5 * dt, state);
+    EXPECT_EQ(state.in_range(), gap < 0.0);
     EXPECT_EQ(step.force != 0.0, gap < 0.0);
   }
 }
 
-}  // namespace cohesion::event_stepping
+}  // namespace cohesion::contact_solver

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "event_stepping/one_pass_well.h"
+#include "contact_solver/square_well_solver.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,10 @@
 
 #include "event_stepping/pair_run.h"
 
-namespace cohesion::event_stepping {
+namespace cohesion::contact_solver {
 namespace {
+
+namespace thesis = event_stepping::thesis;
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double pi = 3.14159265358979;
@@ -33,15 +35,15 @@ double gained(double depth = mu_depth) { return 2.0 * depth / thesis::reduced_ma
 
 /// Two spheres in a plane on an engine's grid.
 struct Pair {
-  const OnePassContact& law;
+  const ContactSolver& law;
   double x, y, vx, vy;
   double others = 0.0;  ///< along the line of centres, known to the law
-  GridMemory memory{};
-  GridStep last{};
+  ContactState state{};
+  ContactStep last{};
 
   /// One that is to meet the edge of its well a share `phase` of a step after a grid point, at
   /// normal speed and with a speed across.
-  Pair(const OnePassContact& law_, double speed, double across, double phase)
+  Pair(const ContactSolver& law_, double speed, double across, double phase)
       : law(law_), vx(-speed), vy(across) {
     const double wait = law.step() * (2.0 + (phase + 0.37) / phases);
     x = core + law.range() + speed * wait;
@@ -56,30 +58,30 @@ struct Pair {
     x += dt * vx;
     y += dt * vy;
     const double r = distance(), nx = x / r, ny = y / r;
-    const GridPoint at{r, vx * nx + vy * ny, std::abs(vy * nx - vx * ny)};
-    if (!law.follow_lasting(at, others, memory, last)) last = law.follow(at, others, dt, memory);
+    const StaggeredMotion at{r, vx * nx + vy * ny, std::abs(vy * nx - vx * ny)};
+    last = law.advance(at, others, dt, state);
     const double push = dt * (last.force / thesis::reduced_mass + others);
     vx += push * nx;
     vy += push * ny;
   }
   /// Until it has been inside and is out again; false: not within the time [time].
   bool parts_within(double time) {
-    bool was_inside = memory.inside();
+    bool was_inside = state.in_range();
     for (int n = 0; n < time / law.step(); n++) {
       step();
-      was_inside = was_inside || memory.inside();
-      if (was_inside && memory.phase == GridMemory::beyond) return true;
+      was_inside = was_inside || state.in_range();
+      if (was_inside && state.phase == ContactState::outside) return true;
     }
     return false;
   }
-  void until(GridMemory::Phase phase) {
-    for (int n = 0; n < 100000 && memory.phase != phase; n++) step();
-    EXPECT_EQ(memory.phase, phase);
+  void until(ContactState::Phase phase) {
+    for (int n = 0; n < 100000 && state.phase != phase; n++) step();
+    EXPECT_EQ(state.phase, phase);
   }
 };
 
 /// What rounding of the distance does to a velocity on the grid in `points` grid points.
-double rounding(const OnePassContact& law, double points) {
+double rounding(const ContactSolver& law, double points) {
   return points * eps * (core + law.range()) / law.step();
 }
 
@@ -90,15 +92,15 @@ double long_enough(double ratio, double speed) {
 
 }  // namespace
 
-TEST(OnePassWell, ApproachAndEscapeChangeTheEnergyByTheDepth) {
+TEST(SquareWellSolver, ApproachAndEscapeChangeTheEnergyByTheDepth) {
   for (const double ratio : ratios)
     for (const double part : parts)
       for (int phase = 0; phase < phases; phase++)
         for (const double across : {0.0, 0.03}) {
-          const OnePassWell law(spring(0.0), well(ratio), core, thesis::contact_time / part);
+          const SquareWellSolver law(spring(0.0), well(ratio), core, thesis::contact_time / part);
           Pair pair(law, 0.02, across, phase);
           const double before = pair.energy(), turning = pair.turning();
-          pair.until(GridMemory::within);
+          pair.until(ContactState::inside);
           const double speed = std::sqrt(2.0 * before + gained());
           // What turning does in contact counts as constant there: it changes by 3 overlap/core.
           const double normal = std::sqrt(0.02 * 0.02 + gained());
@@ -115,7 +117,7 @@ TEST(OnePassWell, ApproachAndEscapeChangeTheEnergyByTheDepth) {
         }
 }
 
-TEST(OnePassWell, EscapesHeadOnAtTheVelocityOfTheClosedFormForAnyStepAndPhase) {
+TEST(SquareWellSolver, EscapesHeadOnAtTheVelocityOfTheClosedFormForAnyStepAndPhase) {
   const auto law = spring(thesis::contact().damping);
   const double e = law.restitution();
   for (const double depth : {1e-11, 5e-11, 1e-10}) {
@@ -124,7 +126,8 @@ TEST(OnePassWell, EscapesHeadOnAtTheVelocityOfTheClosedFormForAnyStepAndPhase) {
       for (const double part : parts)
         for (int phase = 0; phase < phases; phase++)
           for (const double factor : {0.999, 1.001}) {
-            const OnePassWell contact(law, well(ratio, depth), core, thesis::contact_time / part);
+            const SquareWellSolver contact(law, well(ratio, depth), core,
+                                           thesis::contact_time / part);
             Pair pair(contact, factor * escape, 0.0, phase);
             // Just above it flies away from the edge at e sqrt(2e-3) of the speed.
             EXPECT_EQ(pair.parts_within(long_enough(ratio, escape)), factor > 1.0)
@@ -133,12 +136,12 @@ TEST(OnePassWell, EscapesHeadOnAtTheVelocityOfTheClosedFormForAnyStepAndPhase) {
   }
 }
 
-TEST(OnePassWell, RestitutionInTheWellIsThatOfTheSpring) {
+TEST(SquareWellSolver, RestitutionInTheWellIsThatOfTheSpring) {
   const auto law = spring(thesis::contact().damping);
   for (const double ratio : ratios)
     for (const double part : parts)
       for (int phase = 0; phase < phases; phase++) {
-        const OnePassWell contact(law, well(ratio), core, thesis::contact_time / part);
+        const SquareWellSolver contact(law, well(ratio), core, thesis::contact_time / part);
         const double speed = 0.05, e = law.restitution();
         Pair pair(contact, speed, 0.0, phase);
         ASSERT_TRUE(pair.parts_within(long_enough(ratio, speed)));
@@ -147,13 +150,13 @@ TEST(OnePassWell, RestitutionInTheWellIsThatOfTheSpring) {
       }
 }
 
-TEST(OnePassWell, ObliquePairsFlyStraightThroughTheWell) {
+TEST(SquareWellSolver, ObliquePairsFlyStraightThroughTheWell) {
   // A pair that misses the contact: two crossings, and the energy at the end that of the start; the
   // angle between is that of two refractions, sin a = b/R outside and b v/(v' R) inside.
   for (const double ratio : {1.5, 2.0})
     for (const double part : parts)
       for (int phase = 0; phase < phases; phase++) {
-        const OnePassWell law(spring(0.0), well(ratio), core, thesis::contact_time / part);
+        const SquareWellSolver law(spring(0.0), well(ratio), core, thesis::contact_time / part);
         const double speed = 0.05, edge = ratio * core;
         Pair pair(law, speed, 0.0, phase);
         pair.y = 0.95 * edge;
@@ -169,35 +172,35 @@ TEST(OnePassWell, ObliquePairsFlyStraightThroughTheWell) {
       }
 }
 
-TEST(OnePassWell, WithoutDepthIsTheContactAlone) {
+TEST(SquareWellSolver, WithoutDepthIsTheContactAlone) {
   const auto law = spring(thesis::contact().damping);
   for (const double ratio : {1.0, 1.01, 2.0})
     for (int phase = 0; phase < phases; phase++) {
-      const OnePassWell contact(law, well(ratio, 0.0), core, thesis::contact_time / 10.0);
+      const SquareWellSolver contact(law, well(ratio, 0.0), core, thesis::contact_time / 10.0);
       Pair pair(contact, 0.02, 0.0, phase);
       ASSERT_TRUE(pair.parts_within(long_enough(ratio, 0.02)));
       EXPECT_NEAR(pair.vx, law.restitution() * 0.02, rounding(contact, 40.0)) << ratio;
     }
 }
 
-TEST(OnePassWell, ACapturedPairKeepsItsEnergyForAThousandBounces) {
+TEST(SquareWellSolver, ACapturedPairKeepsItsEnergyForAThousandBounces) {
   const double speed = 0.01;  // of sqrt(2 D/mu) = 0.012 m/s that it would need
   for (const double ratio : ratios)
     for (const double part : parts)
       for (const double across : {0.0, 0.004}) {
         if (ratio > 1.1 && part > 4.0) continue;  // it would take many steps in flight
-        const OnePassWell law(spring(0.0), well(ratio), core, thesis::contact_time / part);
+        const SquareWellSolver law(spring(0.0), well(ratio), core, thesis::contact_time / part);
         Pair pair(law, speed, across, 0.0);
         pair.x = core + 0.5 * law.range();
         pair.y = 0.0;
-        pair.memory.phase = GridMemory::within;
+        pair.state.phase = ContactState::inside;
         const double before = pair.energy();
         const double bounce = 2.0 * law.range() / speed + thesis::contact_time;
         for (int n = 0; n < 1000.0 * bounce / law.step(); n++) {
           pair.step();
-          ASSERT_TRUE(pair.memory.inside());
+          ASSERT_TRUE(pair.state.in_range());
         }
-        pair.until(GridMemory::within);
+        pair.until(ContactState::inside);
         // Rounding in each step with an event, felt along the normal, and in each contact what
         // turning changes by, as above.
         const double events = 1000.0 * (part + 5.0);
@@ -209,19 +212,19 @@ TEST(OnePassWell, ACapturedPairKeepsItsEnergyForAThousandBounces) {
       }
 }
 
-TEST(OnePassWell, RestsUnderLoadOnTheContactAndAtTheEdge) {
+TEST(SquareWellSolver, RestsUnderLoadOnTheContactAndAtTheEdge) {
   const auto law = spring(thesis::contact().damping);
   for (const double part : parts)
     for (const double load : {-9.81, 9.81}) {
-      const OnePassWell contact(law, well(1.01), core, thesis::contact_time / part);
+      const SquareWellSolver contact(law, well(1.01), core, thesis::contact_time / part);
       Pair pair(contact, 0.0, 0.0, 0.0);
       pair.x = load < 0.0 ? core * (1.0 - 1e-9) : core + contact.range();
       pair.y = pair.vx = pair.vy = 0.0;
       pair.others = load;
-      pair.memory.phase = GridMemory::within;
+      pair.state.phase = ContactState::inside;
       for (int n = 0; n < 800.0 * part; n++) {
         pair.step();
-        EXPECT_TRUE(pair.memory.inside());
+        EXPECT_TRUE(pair.state.in_range());
       }
       // In contact it presses the spring on the grid; at the edge it hangs, turned back from where
       // a step under the load takes it.
@@ -234,26 +237,26 @@ TEST(OnePassWell, RestsUnderLoadOnTheContactAndAtTheEdge) {
     }
 }
 
-TEST(OnePassWell, ABoundPairBetweenEventsHasNoForce) {
-  const OnePassWell law(spring(0.0), well(1.5), core, thesis::contact_time / 10.0);
-  GridMemory memory;
-  memory.phase = GridMemory::within;
-  EXPECT_EQ(law.follow({1.2 * core, 0.01, 0.02}, 9.81, law.step(), memory).force, 0.0);
-  EXPECT_EQ(memory.phase, GridMemory::within);
+TEST(SquareWellSolver, ABoundPairBetweenEventsHasNoForce) {
+  const SquareWellSolver law(spring(0.0), well(1.5), core, thesis::contact_time / 10.0);
+  ContactState state;
+  state.phase = ContactState::inside;
+  EXPECT_EQ(law.advance({1.2 * core, 0.01, 0.02}, 9.81, law.step(), state).force, 0.0);
+  EXPECT_EQ(state.phase, ContactState::inside);
   // A run that starts with a pair in its well does not let it fall in.
-  GridMemory unknown;
-  EXPECT_EQ(law.follow({1.2 * core, 0.01, 0.02}, 0.0, 0.5 * law.step(), unknown).force, 0.0);
-  EXPECT_EQ(unknown.phase, GridMemory::within);
+  ContactState unknown;
+  EXPECT_EQ(law.advance({1.2 * core, 0.01, 0.02}, 0.0, 0.5 * law.step(), unknown).force, 0.0);
+  EXPECT_EQ(unknown.phase, ContactState::inside);
 }
 
-TEST(OnePassWell, ExtremesStayFinite) {
+TEST(SquareWellSolver, ExtremesStayFinite) {
   for (const double damping : {0.0, 1.0, 1e3})
     for (const double ratio : {1.0, 1.0 + 1e-9, 1.001, 3.0})
       for (const double depth : {0.0, 1e-20, 1e-11, 1e-3})
         for (const double speed : {0.0, 1e-9, 0.02, 1.0})
           for (const double across : {0.0, 0.5}) {
-            const OnePassWell law(spring(damping), well(ratio, depth), core,
-                                  thesis::contact_time / 4);
+            const SquareWellSolver law(spring(damping), well(ratio, depth), core,
+                                       thesis::contact_time / 4);
             Pair pair(law, speed, across, 3.0);
             for (int n = 0; n < 1000; n++) pair.step();
             EXPECT_TRUE(std::isfinite(pair.x) && std::isfinite(pair.vy))
@@ -261,4 +264,4 @@ TEST(OnePassWell, ExtremesStayFinite) {
           }
 }
 
-}  // namespace cohesion::event_stepping
+}  // namespace cohesion::contact_solver

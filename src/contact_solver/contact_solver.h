@@ -1,0 +1,426 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "contact/adhesion.h"
+#include "contact/linear_spring_dashpot.h"
+#include "contact_solver/contact_state.h"
+#include "contact_solver/energy_account.h"
+#include "event_stepping/damped_oscillator.h"
+#include "event_stepping/first_root.h"
+#include "event_stepping/normal_motion.h"
+
+namespace cohesion::contact_solver {
+
+using event_stepping::first_root;
+using event_stepping::NormalMotion;
+using event_stepping::NormalRecord;
+using event_stepping::Overlap;
+
+/// Normal motion of one contact with a linear spring-dashpot and an adhesion, one force a step:
+/// positions x_n at the time levels are exact samples of the motion, and staggered velocities are
+/// (x_(n+1) - x_n)/dt.
+///
+/// In a persistent contact, the motion about its equilibrium x_e obeys
+///
+///   x_(n+1) = 2 c x_n - d x_(n-1)    c = exp(-alpha dt) cos(q dt)    d = exp(-2 alpha dt)
+///
+/// so that one discrete force of the usual form is exact at any step:
+///
+///   f = -K' (x_n - x_e) - eta' v_(n-1/2)    K' = mu (1 + d - 2 c)/dt^2    eta' = mu (1 - d)/dt
+///
+/// A step in which the pair enters or leaves the range, is captured or turns round in the gap is
+/// resolved: integrated in closed form from the true state at n under a constant external
+/// acceleration, and the force is the one that puts the pair where it is at n+1. Only the true
+/// velocity there is not the staggered one, and its offset is stored. The external acceleration is
+/// that of the step before; the energy account (energy_account.h) corrects what this changes of
+/// the energy.
+///
+/// Forces are central at the time levels: angular momentum is kept to rounding. In a persistent
+/// contact a load F gives the overlap F/K' in the place of F/K, and can be borne up to (K'/K) F_ad.
+/// A contact with an adhesion that bears more is resolved within the step, so that it parts at
+/// F_ad.
+///
+/// Source: derived here, see docs/theory/exact_contacts.md.
+class ContactSolver {
+ public:
+  /// contact_distance [length]: of the centres at touch, or the radius next to a wall; step [time].
+  ContactSolver(const contact::LinearSpringDashpot& spring, const contact::Adhesion& adhesion,
+                double contact_distance, double step)
+      : ContactSolver(spring, adhesion, contact_distance, step, adhesion.cutoff, adhesion.cutoff) {}
+  virtual ~ContactSolver() = default;
+
+  double range() const { return range_; }
+  double step() const { return step_; }
+  /// K' and eta'.
+  const GridSpring& spring() const { return spring_; }
+
+  /// Whether anything can happen to a pair in the step that begins here. `external`
+  /// [length/time^2]: acceleration of the distance by other forces.
+  bool within_reach(const StaggeredMotion& now, double external) const {
+    const double inwards = std::max(-now.rate, 0.0) + std::max(-external, 0.0) * step_;
+    return now.distance <= outer_distance() + step_ * inwards;
+  }
+
+  /// Whether the force of the last step was that of an impulse, which other contacts do not see.
+  virtual bool gave_impulse(const ContactState& /*state*/) const { return false; }
+  /// The acceleration of the distance by other forces in the last step, [length/time^2], from that
+  /// by all forces but impulses.
+  double external(double by_all, const ContactState& state) const {
+    return by_all - lasting_force(state) / reduced_mass_;
+  }
+
+  /// A step of a contact that was persistent in the last one and certainly is in this one. False,
+  /// and nothing done, where that is not certain. The other forces are known from the motion.
+  [[gnu::always_inline]] bool advance_persistent(const StaggeredMotion& now, ContactState& state,
+                                                 double& repulsion) const {
+    const double load = (now.rate - state.last_rate) / step_ - state.force / reduced_mass_;
+    const double external = load - turning({now.distance, now.rate, now.sideways});
+    double force;
+    if (!persistent_force(now, load, force, repulsion)) return false;
+    state.account += account_.dissipated(state.last_rate, now.rate) +
+                     account_.exchanged(state.force, external, state);
+    go_on(now, external, force, state);
+    return true;
+  }
+
+  /// Any step. `external` as above, constant in the step; `velocity_step` [time]: how long the
+  /// force acts on the velocity that leads to the next time level: step(), but half of it in the
+  /// first step of a run, whose velocity is that of the time level itself.
+  ContactStep advance(const StaggeredMotion& now, double external, double velocity_step,
+                      ContactState& state) const {
+    if (velocity_step == step_ && state.in_contact()) {
+      ContactStep step;
+      if (stays_persistent(now, external, state, step)) return step;
+    }
+    return resolve(now, external, velocity_step, state);
+  }
+
+  double spring_energy(double overlap) const { return motion_.spring_energy(overlap); }
+  virtual double adhesion_energy(double overlap) const { return motion_.adhesion_energy(overlap); }
+
+ protected:
+  /// range [length]: gap up to which a pair is inside, the adhesion's or that of a derived law;
+  /// entry [length]: gap at which it comes inside.
+  ContactSolver(const contact::LinearSpringDashpot& spring, const contact::Adhesion& adhesion,
+                double contact_distance, double step, double range, double entry)
+      : motion_(spring, adhesion, step),
+        oscillator_(spring.stiffness() / spring.reduced_mass(),
+                    0.5 * spring.damping() / spring.reduced_mass()),
+        propagator_(oscillator_.propagator(step)),
+        contact_distance_(contact_distance),
+        range_(range),
+        entry_(entry),
+        reduced_mass_(spring.reduced_mass()),
+        pull_(adhesion.force / spring.reduced_mass()),
+        step_(step),
+        spring_(oscillator_.on_grid(step, spring.reduced_mass())),
+        attraction_(spring_.stiffness * pull_ / oscillator_.w0_squared()),
+        weight_(spring.stiffness() / spring_.stiffness),
+        bearable_(bearable(spring.restitution())),
+        account_(contact_distance, reduced_mass_, spring_, attraction_, oscillator_, step) {}
+
+  /// A pair flies in, turns and flies out again; more often only by rounding at a grazed edge.
+  static constexpr int max_segments = 100;
+
+  /// The true motion within a step; the sideways speed follows from the angular momentum.
+  struct Flight {
+    double distance, radial, sideways;
+  };
+
+  double contact_distance() const { return contact_distance_; }
+  double outer_distance() const { return contact_distance_ + range_; }
+  double entry_distance() const { return contact_distance_ + entry_; }
+
+  /// A step that is not certainly persistent.
+  virtual ContactStep resolve(const StaggeredMotion& at, double external, double velocity_step,
+                              ContactState& state) const {
+    ContactStep step;
+    const ContactState before = state;
+    const bool first = velocity_step < step_;
+    bool in_range = before.in_range();
+    // Before the first step of a run nothing has moved.
+    const bool stands = (first || before.is_new) && before.phase == ContactState::outside &&
+                        at.stands_within(entry_distance(), first ? 0.0 : step_);
+    if (stands) in_range = true;
+    Flight now{at.distance, first ? at.rate : true_rate(at, external, before), at.sideways};
+    const Flight start = now;
+    const double load = outward(start, external);
+    const double account = first || stands
+                               ? EnergyAccount::at_start(stored(at, in_range))
+                               : account_.up_to(at, before) +
+                                     account_.exchanged(lasting_force(before), external, before);
+    const bool touches = in_range && stays_in_contact(now, load, step.normal);
+    const bool event = !touches && move(now, external, in_range, step.normal);
+    const bool flies = !touches && !event;
+    state = {};
+    state.phase = in_range ? ContactState::inside : ContactState::outside;
+    if (flies && before.has_nothing_pending()) {
+      if (in_range) {
+        state.account = account;
+        state.force_before = lasting_force(before);
+        state.external_before = external;
+      }
+      return step;  // not to carry the rounding of no change into the force
+    }
+    // The distance is the pair's; direction and flight across it are those of its particles.
+    const double across = step_ * at.sideways;
+    const double along = std::sqrt(std::max(now.distance * now.distance - across * across, 0.0));
+    const double mean = (along - at.distance) / step_;
+    step.force = reduced_mass_ * ((mean - at.rate) / velocity_step - external);
+    if (flies && !before.in_range()) {
+      const bool settling = before.phase == ContactState::settling;
+      if (settling) step.force = 0.0;  // but for rounding
+      const bool closed = account_.settle(at, external, account, step.force);
+      // The other forces may have changed what the step after the first one does.
+      if (!settling || !closed || account_.is_open(at, account, before))
+        state.phase = ContactState::settling;
+    }
+    if (touches) state.phase = ContactState::touching;
+    if (event) state.phase = in_range ? ContactState::entered : ContactState::left;
+    if (!flies) {
+      const double staggered = (along * mean + across * at.sideways) / now.distance;
+      state.velocity_offset = now.radial - staggered - 0.5 * step_ * external;
+    }
+    state.last_rate = at.rate;
+    state.force = step.force;
+    state.force_before = lasting_force(before);
+    state.external_before = external;
+    state.contact_time = step.normal.contact_time;
+    state.account = account +
+                    (first ? account_.work_of_first_force(step.force, at, mean)
+                           : account_.work(step.force, at)) +
+                    account_.resolved(step.normal.dissipated, state.contact_time, mean);
+    // What the discrete force does later or earlier than the motion counts as the spring's.
+    const double true_force = reduced_mass_ * ((now.radial - start.radial) / step_ - load);
+    step.repulsion = step.normal.repulsion_impulse / step_ + step.force - true_force;
+    return step;
+  }
+
+  /// Integrates everything that can happen to a pair in a step; whether anything did.
+  virtual bool move(Flight& now, double external, bool& in_range, NormalRecord& record) const {
+    bool event = in_range;
+    if (!in_range) in_range = event = starts_in_range(now);
+    double left = step_;
+    for (int segments = 0; left > 0.0; segments++) {
+      if (segments == max_segments) {
+        record.unresolved = true;
+        break;
+      }
+      if (!in_range) {
+        left -= fly(now, left, external, in_range);
+        event = event || in_range;
+        continue;
+      }
+      left -= advance_in_range(now, left, external, in_range, record);
+      if (record.unresolved) break;
+    }
+    return event;
+  }
+
+  /// Centrifugal acceleration of a turning pair.
+  double turning(const Flight& now) const {
+    const double rate = now.distance / contact_distance_ * now.sideways;
+    return rate * rate / contact_distance_;
+  }
+  /// The same and that by other forces.
+  double outward(const Flight& now, double external) const { return turning(now) + external; }
+  /// The same in contact. A load L that a persistent contact bears acts as there and gives the
+  /// overlap L/K': were it another in resolved steps, spheres that bounce under their weight would
+  /// gain energy. A contact is not to bear more than F_ad, and a larger load acts as it is.
+  double in_contact(double outward) const {
+    return outward < bearable_ ? weight_ * outward : outward;
+  }
+  bool stays_in_contact(Flight& now, double load, NormalRecord& record) const {
+    Overlap s{contact_distance_ - now.distance, -now.radial};
+    double integral = 0.0;
+    if (!motion_.advance_lasting(s, step_, in_contact(load), integral, record)) return false;
+    put(now, s);
+    return true;
+  }
+
+  void put(Flight& now, const Overlap& s) const {
+    const double distance = contact_distance_ - s.x;
+    now = {distance, -s.v, now.sideways * now.distance / distance};
+  }
+
+  /// Advances a pair in the range of the adhesion, until it leaves it or the time is over; returns
+  /// the time it took.
+  double advance_in_range(Flight& now, double time, double external, bool& in_range,
+                          NormalRecord& record) const {
+    Overlap s{contact_distance_ - now.distance, -now.radial};
+    double integral = 0.0;
+    const double load = outward(now, external);
+    const double taken =
+        motion_.advance(s, time, {load, in_contact(load)}, in_range, integral, record);
+    put(now, s);
+    return taken;
+  }
+
+  /// Lets a pair that counts as outside, but was pushed inside, enter where it is, if it approaches
+  /// or already overlaps.
+  bool starts_in_range(Flight& now) const {
+    if (now.distance >= entry_distance()) return false;
+    if (now.radial >= 0.0 && now.distance >= contact_distance_) return false;
+    enter(now);
+    return true;
+  }
+
+  void enter(Flight& now) const {
+    now.radial = -motion_.enter({contact_distance_ - now.distance, -now.radial}).v;
+  }
+
+  /// Flies outside the range until its edge is met or the time is over; returns the time it took.
+  /// Across the normal the flight is straight; along it the other forces act.
+  double fly(Flight& now, double time, double external, bool& in_range) const {
+    const double outer = entry_distance();
+    const Flight start = now;
+    double t = time;
+    if (start.distance >= outer) {
+      const double meet =
+          first_root(start.distance - outer, start.radial, outward_in_flight(start, external));
+      if (meet < time) {
+        t = meet;
+        in_range = true;
+      }
+    }
+    now = in_range ? at_meeting(start, t, time, external, outer) : after(start, t, external);
+    if (in_range) enter(now);
+    return t;
+  }
+
+  /// Acceleration of the distance as a flight begins.
+  static double outward_in_flight(const Flight& start, double external) {
+    return external + start.sideways * start.sideways / start.distance;
+  }
+
+  /// The flight where it is at `distance`, which it meets after `t`, at most `time`, on a parabola;
+  /// that leaves out how the pair turns on its way. Corrects t.
+  static Flight at_meeting(const Flight& start, double& t, double time, double external,
+                           double distance) {
+    Flight now = after(start, t, external);
+    const bool in = now.radial < 0.0;
+    for (int k = 0; k < 2 && now.radial != 0.0 && in == (now.radial < 0.0); k++) {
+      t = std::min(std::max(t + (distance - now.distance) / now.radial, 0.0), time);
+      now = after(start, t, external);
+    }
+    return now;
+  }
+
+  static Flight after(const Flight& start, double t, double external) {
+    const double along = start.distance + t * (start.radial + 0.5 * t * external);
+    const double speed = start.radial + t * external;
+    const double across = t * start.sideways;
+    const double distance = std::sqrt(along * along + across * across);
+    return {distance, (along * speed + across * start.sideways) / distance,
+            (along * start.sideways - across * speed) / distance};
+  }
+
+ private:
+  /// The fraction of the way of a step that a contact must be away from its end to be certain to
+  /// last.
+  static constexpr double certain = 0.1;
+
+  /// Up to which load a contact stays persistent. Beyond it the overlap at rest is (F_ad - L)/K,
+  /// where it was F_ad/K - L/K' before, and the contact begins to swing by the difference. What is
+  /// left of the swing when the contact is to part must not part it by a hundredth of F_ad too
+  /// early: half of that, of a load that is slow, which needs ten contact times for the last part
+  /// of its way.
+  double bearable(double restitution) const {
+    if (!(pull_ > 0.0)) return std::numeric_limits<double>::infinity();
+    const double swing = (weight_ - 1.0) * std::pow(restitution, 10.0);
+    return pull_ * std::min(1.0 / weight_, swing > 0.005 ? 0.005 / swing : 1.0);
+  }
+
+  /// The discrete force of a contact that was in contact throughout the last step, on both sides
+  /// and of spring and dashpot alone. False where it is not certain to be so until the next time
+  /// level under the `load` [length/time^2] of the last step, or does not bear that load.
+  [[gnu::always_inline]] bool persistent_force(const StaggeredMotion& now, double load,
+                                               double& force, double& repulsion) const {
+    if (!(load < bearable_)) return false;
+    const double overlap = contact_distance_ - now.distance;
+    const double approach = -now.rate;
+    repulsion = spring_.stiffness * overlap + spring_.damping * approach;
+    force = repulsion - attraction_;
+    const double next = approach - step_ * (force / reduced_mass_ + load);
+    // Between two time levels it may dip below both, most where what pulls is constant.
+    const double dip = 0.125 * step_ * std::max(next - approach, 0.0);
+    const double least = certain * step_ * std::abs(approach) + 2.0 * dip;
+    return overlap > least && overlap + step_ * next > least;
+  }
+
+  bool stays_persistent(const StaggeredMotion& now, double external, ContactState& state,
+                        ContactStep& step) const {
+    const double load = outward({now.distance, now.rate, now.sideways}, external);
+    if (!persistent_force(now, load, step.force, step.repulsion)) return false;
+    state.account =
+        account_.exchanged(state.force, external, state) +
+        (state.phase == ContactState::persistent
+             ? state.account + account_.dissipated(state.last_rate, now.rate)
+             : account_.up_to(now, state) + account_.work(step.force, now) + account_.stored(now));
+    go_on(now, external, step.force, state);
+    step.normal.contact_time = step_;
+    step.normal.repulsion_impulse = step_ * step.repulsion;
+    step.normal.repulsion_at_end = step.repulsion;
+    return true;
+  }
+
+  [[gnu::always_inline]] void go_on(const StaggeredMotion& now, double external, double force,
+                                    ContactState& state) const {
+    state = {ContactState::persistent,
+             0.0,
+             now.rate,
+             force,
+             state.force,
+             external,
+             state.account,
+             step_};
+  }
+
+  double lasting_force(const ContactState& state) const {
+    return gave_impulse(state) ? 0.0 : state.force;
+  }
+
+  /// The energy in the contact of a pair that stands where it is first seen.
+  double stored(const StaggeredMotion& now, bool in_range) const {
+    if (!in_range) return 0.0;
+    const double overlap = contact_distance_ - now.distance;
+    return spring_energy(overlap) + adhesion_energy(overlap);
+  }
+
+  /// The true rate of the distance at the time level: the staggered one, the external acceleration
+  /// for half a step and the stored offset; in a persistent contact the closed form through the
+  /// last two positions.
+  double true_rate(const StaggeredMotion& now, double external, const ContactState& state) const {
+    if (state.phase != ContactState::persistent)
+      return now.rate + state.velocity_offset + 0.5 * step_ * external;
+    const double before = std::hypot(now.distance - step_ * now.rate, step_ * now.sideways);
+    const double drive =
+        pull_ - weight_ * outward({now.distance, now.rate, now.sideways}, external);
+    const double equilibrium = drive / oscillator_.w0_squared();
+    const double was = contact_distance_ - before - equilibrium;
+    const double is = contact_distance_ - now.distance - equilibrium;
+    const double rate = (is - propagator_.xx * was) / propagator_.xv;
+    return -(propagator_.vx * was + propagator_.vv * rate);
+  }
+
+  NormalMotion motion_;
+  DampedOscillator oscillator_;
+  DampedOscillator::Propagator propagator_;
+  double contact_distance_;
+  double range_;
+  double entry_;
+  double reduced_mass_;
+  double pull_;
+  double step_;
+  GridSpring spring_;
+  double attraction_;  // (K'/K) F_ad
+  double weight_;      // K/K', of a load on a persistent contact
+  double bearable_;    // largest load per mu that a persistent contact bears, [length/time^2]
+  EnergyAccount account_;
+};
+
+}  // namespace cohesion::contact_solver

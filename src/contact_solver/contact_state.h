@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+
+#include "event_stepping/normal_motion.h"
+
+namespace cohesion::contact_solver {
+
+/// A pair along its normal at the time level n, as engines know it when they compute forces:
+/// positions at n, velocities at n - 1/2. Next to a wall `distance` is from the wall.
+struct StaggeredMotion {
+  double distance;  ///< of the centres, [length]
+  double rate;      ///< of the distance, along the normal at n, [length/time]
+  double sideways;  ///< speed across the normal, 0 next to a wall, [length/time]
+
+  /// Whether a pair without a stored state stands nearer than `edge` [length] without having moved
+  /// there in the last step, of length `step` [time].
+  bool stands_within(double edge, double step) const {
+    return distance < edge && std::hypot(distance - step * rate, step * sideways) < edge;
+  }
+};
+
+/// What ContactSolver stores of a contact from one time level to the next.
+struct ContactState {
+  enum Phase {
+    outside,     ///< out of range, nothing pending
+    persistent,  ///< in contact throughout the last step, by the discrete force
+    entered,     ///< in range after a step with an event
+    left,        ///< out of range after a step with an event
+    inside,      ///< in range without contact, nothing pending but in the account
+    touching,    ///< in contact throughout the last step, which was resolved
+    settling     ///< out of range, the energy account is not closed
+  };
+  Phase phase = outside;
+  /// True rate of the distance at the time level less the staggered one and half a step of the
+  /// external acceleration, after a resolved step, [length/time].
+  double velocity_offset = 0.0;
+  double last_rate = 0.0;        ///< staggered rate at the last time level, [length/time]
+  double force = 0.0;            ///< of the last step, away from the partner, [force]
+  double force_before = 0.0;     ///< of the step before the last, [force]
+  double external_before = 0.0;  ///< external acceleration then, [length/time^2]
+  double account = 0.0;          ///< energy_account.h, [energy]
+  double contact_time = 0.0;     ///< how long the last step was contact, [time]
+  /// No state was stored: the contact is seen for the first time.
+  bool is_new = false;
+
+  /// Values that store() writes. Restart files have them, the phase by its number.
+  static constexpr int size = 8;
+  void store(double* values) const {
+    values[0] = phase;
+    values[1] = velocity_offset;
+    values[2] = last_rate;
+    values[3] = force;
+    values[4] = force_before;
+    values[5] = external_before;
+    values[6] = account;
+    values[7] = contact_time;
+  }
+  static Phase phase_of(const double* values) {
+    return static_cast<Phase>(static_cast<int>(values[0]));
+  }
+  static ContactState stored(const double* values) {
+    return {phase_of(values), values[1], values[2], values[3],
+            values[4],        values[5], values[6], values[7]};
+  }
+
+  bool in_range() const { return phase != outside && phase != left && phase != settling; }
+  /// Whether it was in contact throughout the last step.
+  bool in_contact() const { return phase == persistent || phase == touching; }
+  /// Whether position and staggered velocity say all about it.
+  bool has_nothing_pending() const { return phase == outside || phase == inside; }
+};
+
+/// What a contact does from one time level to the next.
+struct ContactStep {
+  double force = 0.0;      ///< away from the partner, mean over the step, [force]
+  double repulsion = 0.0;  ///< the part of spring and dashpot, [force]
+  event_stepping::NormalRecord normal{};
+};
+
+}  // namespace cohesion::contact_solver

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact_solver/contact_solver.h"
+#include "square_well/impulses.h"
+
+namespace cohesion::contact_solver {
+
+/// A square well around a linear spring-dashpot whose positions are exact samples of the motion:
+/// ContactSolver with the well in the place of the adhesion.
+///
+/// Inside without contact the pair flies as outside: straight across its normal, along it under
+/// what external cause. At the edge it gets the impulse of approach, escape or capture
+/// (square_well/impulses.h) when it is there. So the well may be as wide as the particles. A pair
+/// in its well that meets neither edge nor contact has exactly no force.
+///
+/// Which surface is next is decided by what is remembered and the sense of the motion, not by the
+/// distance alone: one that other forces pushed beyond the edge has its event when it moves that
+/// way.
+///
+/// Source: square_well/impulses.h (impulses at the edge), contact_solver.h (contact).
+class SquareWellSolver final : public ContactSolver {
+ public:
+  /// `well`: no force; `cutoff` the gap at the edge, `tail_energy` the depth. contact_distance
+  /// [length]: of the centres at touch, or the radius beside a wall; step [time].
+  SquareWellSolver(const contact::LinearSpringDashpot& spring, const contact::Adhesion& well,
+                   double contact_distance, double step)
+      : ContactSolver(spring, well.cutoff > 0.0 ? contact::Adhesion{} : well, contact_distance,
+                      step, well.cutoff, well.cutoff),
+        depth_(well.tail_energy),
+        inverse_mass_(1.0 / spring.reduced_mass()) {}
+
+  /// At the edge, and what is left of it in the next step.
+  bool gave_impulse(const ContactState& state) const override { return state.contact_time == 0.0; }
+
+  /// The energy of a pair in the well, wherever it is, [energy].
+  double adhesion_energy(double /*overlap*/) const override { return -depth_; }
+
+ protected:
+  ContactStep resolve(const StaggeredMotion& now, double external, double velocity_step,
+                      ContactState& state) const override {
+    const bool flies = state.phase == ContactState::inside && state.force == 0.0 &&
+                       state.force_before == 0.0 && meets_nothing(now, external);
+    return flies ? ContactStep{} : ContactSolver::resolve(now, external, velocity_step, state);
+  }
+
+  bool move(Flight& now, double external, bool& inside, NormalRecord& record) const override {
+    if (range() == 0.0) return ContactSolver::move(now, external, inside, record);
+    bool event = false;
+    const auto fall_in = [&] {
+      approach(now);
+      event = true;
+    };
+    if (!inside) {
+      inside = starts_in_range(now);
+      if (inside) fall_in();
+    }
+    double left = step();
+    for (int segments = 0; left > 0.0; segments++) {
+      if (segments == max_segments) {
+        record.unresolved = true;
+        break;
+      }
+      if (!inside) {
+        left -= fly(now, left, external, inside);
+        if (inside) fall_in();
+        continue;
+      }
+      const double touch = time_to_touch(now, external), out = time_to_edge(now, external);
+      const double next = std::min(touch, out);
+      if (next >= left) {
+        now = after(now, left, external);
+        break;
+      }
+      event = true;
+      const bool touches = touch <= out;
+      double t = next;
+      if (t > 0.0)
+        now = at_meeting(now, t, left, external, touches ? contact_distance() : outer_distance());
+      left -= t;
+      if (touches) {
+        bool touching = true;
+        left -= advance_in_range(now, left, external, touching, record);
+        if (record.unresolved) break;
+      } else {
+        inside = !leave(now);
+        if (inside) left -= whole_bounces(now, left, external);
+      }
+    }
+    return event;
+  }
+
+ private:
+  /// Whether the pair is farther from contact and edge than it can fly, as most pairs in their
+  /// wells are.
+  bool meets_nothing(const StaggeredMotion& now, double external) const {
+    const double way = step() * (std::abs(now.rate) + now.sideways + step() * std::abs(external));
+    return now.distance > contact_distance() + way && now.distance < outer_distance() - way;
+  }
+
+  double time_to_touch(const Flight& now, double external) const {
+    const double gap = now.distance - contact_distance();
+    const double drive = outward_in_flight(now, external);
+    const bool approaches = now.radial < 0.0 || (now.radial == 0.0 && drive < 0.0);
+    if (gap < 0.0 || (gap == 0.0 && approaches)) return 0.0;
+    return first_root(gap, now.radial, drive);
+  }
+
+  /// A pair beyond its edge that comes back has not left it.
+  double time_to_edge(const Flight& now, double external) const {
+    const double gap = std::max(outer_distance() - now.distance, 0.0);
+    if (gap == 0.0 && now.radial > 0.0) return 0.0;
+    return first_root(gap, -now.radial, -outward_in_flight(now, external));
+  }
+
+  /// Gives the impulse of approach. A pair that other forces pushed inside may already part; it
+  /// does so faster then.
+  void approach(Flight& now) const {
+    const double u = std::abs(now.radial);
+    const double faster =
+        u - inverse_mass_ * square_well::approach_impulse(u, depth_, inverse_mass_);
+    now.radial = now.radial > 0.0 ? faster : -faster;
+  }
+
+  /// Gives the impulse at the edge to a pair that moves out; returns false where it is turned back.
+  bool leave(Flight& now) const {
+    const double u = -now.radial;
+    const bool escapes = square_well::escapes(u, depth_, inverse_mass_);
+    now.radial += inverse_mass_ * (escapes ? square_well::escape_impulse(u, depth_, inverse_mass_)
+                                           : square_well::capture_impulse(u, inverse_mass_));
+    return escapes;
+  }
+
+  /// Skips the bounces, within `time`, of a pair that its turning or other forces press against the
+  /// edge: whole ones leave it as it is. Returns the time they take.
+  double whole_bounces(const Flight& now, double time, double external) const {
+    const double drive = outward_in_flight(now, external);
+    if (drive <= 0.0 || now.radial * now.radial >= 2.0 * drive * range()) return 0.0;
+    const double period = -2.0 * now.radial / drive;
+    return std::floor(time / period) * period;
+  }
+
+  double depth_;
+  double inverse_mass_;
+};
+
+}  // namespace cohesion::contact_solver
