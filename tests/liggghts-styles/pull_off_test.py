@@ -9,7 +9,7 @@ from cohesion_tests.liggghts_scenes.pull_off import Grain
 
 # The lag of the ramp is 1.5e-3 of F_ad, the load is read to 3e-4. A contact that carries a load has the overlap
 # (F_ad - L)/K when it is to part; where it had F_ad/K - L/K' before, it swings by the difference, of which half a
-# hundredth of F_ad may be left (one_pass_contact.h).
+# hundredth of F_ad may be left (contact_solver.h).
 WITHIN = 0.01
 
 

@@ -23,7 +23,7 @@ width of the column.
 
 In LIGGGHTS a contact has the overlap F_ad/K - L/K' (docs/theory/exact_contacts.md) until it is resolved
 within the step, where it has (F_ad - L)/K. It swings by the difference and may part at a load that is lower by half a
-hundredth of F_ad (one_pass_contact.h), which is added to the tolerance there. At the step t_c/20 it does.
+hundredth of F_ad (contact_solver.h), which is added to the tolerance there. At the step t_c/20 it does.
 """
 
 import math
