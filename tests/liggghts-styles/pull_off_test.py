@@ -32,7 +32,7 @@ class PullOff(unittest.TestCase):
                 self.check(10, 50.0, 0.5, partner=partner, pulled_by=pulled_by)
 
     def test_pulled_by_a_wall(self):
-        for restitution, division in ((0.9, 10), (0.5, 10), (0.5, 20)):
+        for restitution, division in ((0.9, 4), (0.5, 4), (0.3, 10), (0.5, 20)):
             self.check(division, 50.0, restitution, pulled_by="wall")
 
     def test_sampled(self):

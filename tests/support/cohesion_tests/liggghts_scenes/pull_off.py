@@ -82,7 +82,7 @@ class Grain(slow_ramp.Grain):
         run = Run(self.script(division, scheme, pulled_by), inputs=inputs)
         if run.code:
             raise AssertionError(run.output[-3000:])
-        opened = self.force / self.stiffness + 3 * CUT  # since the start
+        opened = self.force / self.stiffness + CUT  # since the start
         before = 0.0
         for line in run.output.splitlines():
             words = line.split()
