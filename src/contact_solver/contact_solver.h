@@ -9,6 +9,7 @@
 #include "contact/linear_spring_dashpot.h"
 #include "contact_solver/contact_state.h"
 #include "contact_solver/energy_account.h"
+#include "contact_solver/flight.h"
 #include "event_stepping/damped_oscillator.h"
 #include "event_stepping/first_root.h"
 #include "event_stepping/normal_motion.h"
@@ -65,7 +66,7 @@ class ContactSolver {
     return now.distance <= outer_distance() + step_ * inwards;
   }
 
-  /// Whether the force of the last step was that of an impulse, which other contacts do not see.
+  /// Whether the force of the last step was an impulse, which other contacts do not see.
   virtual bool gave_impulse(const ContactState& /*state*/) const { return false; }
   /// The acceleration of the distance by other forces in the last step, [length/time^2], from that
   /// by all forces but impulses.
@@ -126,11 +127,6 @@ class ContactSolver {
   /// A pair flies in, turns and flies out again; more often only by rounding at a grazed edge.
   static constexpr int max_segments = 100;
 
-  /// The true motion within a step; the sideways speed follows from the angular momentum.
-  struct Flight {
-    double distance, radial, sideways;
-  };
-
   double contact_distance() const { return contact_distance_; }
   double outer_distance() const { return contact_distance_ + range_; }
   double entry_distance() const { return contact_distance_ + entry_; }
@@ -171,14 +167,8 @@ class ContactSolver {
     const double along = std::sqrt(std::max(now.distance * now.distance - across * across, 0.0));
     const double mean = (along - at.distance) / step_;
     step.force = reduced_mass_ * ((mean - at.rate) / velocity_step - external);
-    if (flies && !before.in_range()) {
-      const bool settling = before.phase == ContactState::settling;
-      if (settling) step.force = 0.0;  // but for rounding
-      const bool closed = account_.settle(at, external, account, step.force);
-      // The other forces may have changed what the step after the first one does.
-      if (!settling || !closed || account_.is_open(at, account, before))
-        state.phase = ContactState::settling;
-    }
+    if (flies && !before.in_range() && settles(at, external, account, before, step.force))
+      state.phase = ContactState::settling;
     if (touches) state.phase = ContactState::touching;
     if (event) state.phase = in_range ? ContactState::entered : ContactState::left;
     if (!flies) {
@@ -200,25 +190,49 @@ class ContactSolver {
     return step;
   }
 
+  /// Sets the force of a pair that has left its range so that its account closes; whether the
+  /// account stays open.
+  bool settles(const StaggeredMotion& at, double external, double account,
+               const ContactState& before, double& force) const {
+    const bool settling = before.phase == ContactState::settling;
+    if (settling) force = 0.0;  // but for rounding
+    const bool closed = account_.settle(at, external, account, force);
+    // The other forces may have changed what the step after the first one does.
+    return !settling || !closed || account_.is_open(at, account, before);
+  }
+
   /// Integrates everything that can happen to a pair in a step; whether anything did.
-  virtual bool move(Flight& now, double external, bool& in_range, NormalRecord& record) const {
-    bool event = in_range;
-    if (!in_range) in_range = event = starts_in_range(now);
+  bool move(Flight& now, double external, bool& in_range, NormalRecord& record) const {
+    Course course{!in_range && starts_in_range(now), now.distance < contact_distance_};
+    in_range = in_range || course.event;
     double left = step_;
-    for (int segments = 0; left > 0.0; segments++) {
+    for (int segments = 0; left > 0.0 && !record.unresolved; segments++) {
       if (segments == max_segments) {
         record.unresolved = true;
-        break;
-      }
-      if (!in_range) {
+      } else if (in_range) {
+        left -= move_in_range(now, left, external, in_range, course, record);
+      } else {
         left -= fly(now, left, external, in_range);
-        event = event || in_range;
-        continue;
+        course.event = course.event || in_range;
+        course.touching = in_range;
       }
-      left -= advance_in_range(now, left, external, in_range, record);
-      if (record.unresolved) break;
     }
-    return event;
+    return course.event;
+  }
+
+  /// What a step has brought so far.
+  struct Course {
+    bool event;  ///< whether anything but free flight
+    /// Of a range that begins at touch: the pair is in contact, which rounding of its distance does
+    /// not say where it has just touched or parted.
+    bool touching;
+  };
+  /// Moves a pair in range for at most `time`, up to the next change of what acts on it. Returns
+  /// the time it took.
+  virtual double move_in_range(Flight& now, double time, double external, bool& in_range,
+                               Course& course, NormalRecord& record) const {
+    course.event = true;
+    return advance_in_range(now, time, external, in_range, record);
   }
 
   /// Centrifugal acceleration of a turning pair.
@@ -269,7 +283,7 @@ class ContactSolver {
     return true;
   }
 
-  void enter(Flight& now) const {
+  virtual void enter(Flight& now) const {
     now.radial = -motion_.enter({contact_distance_ - now.distance, -now.radial}).v;
   }
 
@@ -280,43 +294,15 @@ class ContactSolver {
     const Flight start = now;
     double t = time;
     if (start.distance >= outer) {
-      const double meet =
-          first_root(start.distance - outer, start.radial, outward_in_flight(start, external));
+      const double meet = first_root(start.distance - outer, start.radial, start.outward(external));
       if (meet < time) {
         t = meet;
         in_range = true;
       }
     }
-    now = in_range ? at_meeting(start, t, time, external, outer) : after(start, t, external);
+    now = in_range ? start.at_meeting(t, time, external, outer) : start.after(t, external);
     if (in_range) enter(now);
     return t;
-  }
-
-  /// Acceleration of the distance as a flight begins.
-  static double outward_in_flight(const Flight& start, double external) {
-    return external + start.sideways * start.sideways / start.distance;
-  }
-
-  /// The flight where it is at `distance`, which it meets after `t`, at most `time`, on a parabola;
-  /// that leaves out how the pair turns on its way. Corrects t.
-  static Flight at_meeting(const Flight& start, double& t, double time, double external,
-                           double distance) {
-    Flight now = after(start, t, external);
-    const bool in = now.radial < 0.0;
-    for (int k = 0; k < 2 && now.radial != 0.0 && in == (now.radial < 0.0); k++) {
-      t = std::min(std::max(t + (distance - now.distance) / now.radial, 0.0), time);
-      now = after(start, t, external);
-    }
-    return now;
-  }
-
-  static Flight after(const Flight& start, double t, double external) {
-    const double along = start.distance + t * (start.radial + 0.5 * t * external);
-    const double speed = start.radial + t * external;
-    const double across = t * start.sideways;
-    const double distance = std::sqrt(along * along + across * across);
-    return {distance, (along * speed + across * start.sideways) / distance,
-            (along * start.sideways - across * speed) / distance};
   }
 
  private:

@@ -24,28 +24,13 @@ class LiquidBridgeSolver final : public ContactSolver {
   double adhesion_energy(double overlap) const override { return -force_ * overlap; }
 
  protected:
-  bool move(Flight& now, double external, bool& inside, NormalRecord& record) const override {
-    if (!inside) inside = starts_in_range(now);
-    bool event = inside, touching = inside && now.distance < contact_distance();
-    double left = step();
-    for (int segments = 0; left > 0.0; segments++) {
-      if (segments == max_segments) {
-        record.unresolved = true;
-        break;
-      }
-      if (!inside) {
-        left -= fly(now, left, external, inside);
-        touching = inside;
-        event = event || inside;
-      } else if (touching) {
-        left -= advance_in_range(now, left, external, touching, record);
-        if (record.unresolved) break;
-        inside = touching || range() > 0.0;
-      } else {
-        left -= span(now, left, external, inside, touching, record);
-      }
-    }
-    return event;
+  double move_in_range(Flight& now, double time, double external, bool& in_range, Course& course,
+                       NormalRecord& record) const override {
+    course.event = true;
+    if (!course.touching) return span(now, time, external, in_range, course.touching, record);
+    const double taken = advance_in_range(now, time, external, course.touching, record);
+    in_range = course.touching || range() > 0.0;
+    return taken;
   }
 
  private:
@@ -58,7 +43,7 @@ class LiquidBridgeSolver final : public ContactSolver {
       rupture(now.distance, inside, record);
       return 0.0;
     }
-    const double drive = outward_in_flight(now, external) - pull_;
+    const double drive = now.outward(external) - pull_;
     // Rounding may leave a pair that just parted at an overlap.
     const double gap = std::max(now.distance - contact_distance(), 0.0);
     const double touches = first_root(gap, now.radial, drive);
@@ -80,7 +65,7 @@ class LiquidBridgeSolver final : public ContactSolver {
   /// ends.
   Flight pulled(Flight start, double time, double external) const {
     start.radial -= 0.5 * time * pull_;
-    Flight end = after(start, time, external);
+    Flight end = start.after(time, external);
     end.radial -= 0.5 * time * pull_;
     return end;
   }

@@ -47,50 +47,36 @@ class SquareWellSolver final : public ContactSolver {
     return flies ? ContactStep{} : ContactSolver::resolve(now, external, velocity_step, state);
   }
 
-  bool move(Flight& now, double external, bool& inside, NormalRecord& record) const override {
-    if (range() == 0.0) return ContactSolver::move(now, external, inside, record);
-    bool event = false;
-    const auto fall_in = [&] {
-      approach(now);
-      event = true;
-    };
-    if (!inside) {
-      inside = starts_in_range(now);
-      if (inside) fall_in();
+  double move_in_range(Flight& now, double time, double external, bool& in_range, Course& course,
+                       NormalRecord& record) const override {
+    if (range() == 0.0)
+      return ContactSolver::move_in_range(now, time, external, in_range, course, record);
+    const double touch = time_to_touch(now, external), out = time_to_edge(now, external);
+    double t = std::min(touch, out);
+    if (t >= time) {
+      now = now.after(time, external);
+      return time;
     }
-    double left = step();
-    for (int segments = 0; left > 0.0; segments++) {
-      if (segments == max_segments) {
-        record.unresolved = true;
-        break;
-      }
-      if (!inside) {
-        left -= fly(now, left, external, inside);
-        if (inside) fall_in();
-        continue;
-      }
-      const double touch = time_to_touch(now, external), out = time_to_edge(now, external);
-      const double next = std::min(touch, out);
-      if (next >= left) {
-        now = after(now, left, external);
-        break;
-      }
-      event = true;
-      const bool touches = touch <= out;
-      double t = next;
-      if (t > 0.0)
-        now = at_meeting(now, t, left, external, touches ? contact_distance() : outer_distance());
-      left -= t;
-      if (touches) {
-        bool touching = true;
-        left -= advance_in_range(now, left, external, touching, record);
-        if (record.unresolved) break;
-      } else {
-        inside = !leave(now);
-        if (inside) left -= whole_bounces(now, left, external);
-      }
+    course.event = true;
+    const bool touches = touch <= out;
+    if (t > 0.0)
+      now = now.at_meeting(t, time, external, touches ? contact_distance() : outer_distance());
+    if (touches) {
+      bool touching = true;
+      return t + advance_in_range(now, time - t, external, touching, record);
     }
-    return event;
+    in_range = !leave(now);
+    return in_range ? t + whole_bounces(now, time - t, external) : t;
+  }
+
+  /// Gives the impulse of approach. A pair that other forces pushed inside may already part; it
+  /// does so faster then.
+  void enter(Flight& now) const override {
+    if (range() == 0.0) return ContactSolver::enter(now);
+    const double u = std::abs(now.radial);
+    const double faster =
+        u - inverse_mass_ * square_well::approach_impulse(u, depth_, inverse_mass_);
+    now.radial = now.radial > 0.0 ? faster : -faster;
   }
 
  private:
@@ -103,7 +89,7 @@ class SquareWellSolver final : public ContactSolver {
 
   double time_to_touch(const Flight& now, double external) const {
     const double gap = now.distance - contact_distance();
-    const double drive = outward_in_flight(now, external);
+    const double drive = now.outward(external);
     const bool approaches = now.radial < 0.0 || (now.radial == 0.0 && drive < 0.0);
     if (gap < 0.0 || (gap == 0.0 && approaches)) return 0.0;
     return first_root(gap, now.radial, drive);
@@ -113,16 +99,7 @@ class SquareWellSolver final : public ContactSolver {
   double time_to_edge(const Flight& now, double external) const {
     const double gap = std::max(outer_distance() - now.distance, 0.0);
     if (gap == 0.0 && now.radial > 0.0) return 0.0;
-    return first_root(gap, -now.radial, -outward_in_flight(now, external));
-  }
-
-  /// Gives the impulse of approach. A pair that other forces pushed inside may already part; it
-  /// does so faster then.
-  void approach(Flight& now) const {
-    const double u = std::abs(now.radial);
-    const double faster =
-        u - inverse_mass_ * square_well::approach_impulse(u, depth_, inverse_mass_);
-    now.radial = now.radial > 0.0 ? faster : -faster;
+    return first_root(gap, -now.radial, -now.outward(external));
   }
 
   /// Gives the impulse at the edge to a pair that moves out; returns false where it is turned back.
@@ -137,7 +114,7 @@ class SquareWellSolver final : public ContactSolver {
   /// Skips the bounces, within `time`, of a pair that its turning or other forces press against the
   /// edge: whole ones leave it as it is. Returns the time they take.
   double whole_bounces(const Flight& now, double time, double external) const {
-    const double drive = outward_in_flight(now, external);
+    const double drive = now.outward(external);
     if (drive <= 0.0 || now.radial * now.radial >= 2.0 * drive * range()) return 0.0;
     const double period = -2.0 * now.radial / drive;
     return std::floor(time / period) * period;

@@ -8,19 +8,12 @@
 #include <limits>
 
 #include "contact/adhesive_contact.h"
-#include "event_stepping/pair_run.h"
+#include "contact_solver/pair_in_plane.h"
 
 namespace cohesion::contact_solver {
 namespace {
 
-namespace thesis = event_stepping::thesis;
-
 constexpr double eps = std::numeric_limits<double>::epsilon();
-constexpr double core = 2.0 * thesis::radius;
-
-contact::LinearSpringDashpot spring(double damping) {
-  return {thesis::contact().stiffness, damping, thesis::reduced_mass};
-}
 
 /// A head-on pair on an engine's grid, from outside until it is outside again; its final speed.
 double rebound(const ContactSolver& contact, double speed, double phase) {

@@ -8,66 +8,17 @@
 #include <limits>
 
 #include "contact/adhesive_contact.h"
-#include "event_stepping/pair_run.h"
+#include "contact_solver/pair_in_plane.h"
 
 namespace cohesion::contact_solver {
 namespace {
 
-namespace thesis = event_stepping::thesis;
-
 constexpr double eps = std::numeric_limits<double>::epsilon();
-constexpr double core = 2.0 * thesis::radius;
-constexpr int phases = 8;  // of what happens within the step
 const double parts[] = {4.0, 8.0, 16.0, 50.0};
 
-contact::LinearSpringDashpot spring(double damping) {
-  return {thesis::contact().stiffness, damping, thesis::reduced_mass};
-}
 contact::Adhesion bridge(double force = 1e-4, double gap = 0.05 * core) {
   return {force, gap, 0.0, true};
 }
-
-/// Two spheres in a plane on an engine's grid.
-struct Pair {
-  const LiquidBridgeSolver& law;
-  double x, y, vx, vy;
-  ContactState state{};
-  ContactStep last{};
-
-  /// One that is to touch a share `phase` of a step after a grid point, at normal speed and with a
-  /// speed across.
-  Pair(const LiquidBridgeSolver& law_, double speed, double across, double phase)
-      : law(law_), vx(-speed), vy(across) {
-    const double wait = law.step() * (2.0 + (phase + 0.37) / phases);
-    x = core + speed * wait;
-    y = -across * wait;
-  }
-  double distance() const { return std::hypot(x, y); }
-  double energy() const { return 0.5 * (vx * vx + vy * vy); }  // over mu
-  double turning() const { return x * vy - y * vx; }
-
-  void step() {
-    const double dt = law.step();
-    x += dt * vx;
-    y += dt * vy;
-    const double r = distance(), nx = x / r, ny = y / r;
-    const StaggeredMotion at{r, vx * nx + vy * ny, std::abs(vy * nx - vx * ny)};
-    last = law.advance(at, 0.0, dt, state);
-    const double push = dt * last.force / thesis::reduced_mass;
-    vx += push * nx;
-    vy += push * ny;
-  }
-  /// Until it has had its bridge and has none; false: not within the time [time].
-  bool parts_within(double time) {
-    bool was_inside = state.in_range();
-    for (int n = 0; n < time / law.step(); n++) {
-      step();
-      was_inside = was_inside || state.in_range();
-      if (was_inside && state.phase == ContactState::outside) return true;
-    }
-    return false;
-  }
-};
 
 double long_enough(double force, double gap) {
   return 8.0 * thesis::contact_time + 4.0 * std::sqrt(2.0 * thesis::reduced_mass * gap / force);
@@ -85,7 +36,7 @@ TEST(LiquidBridgeSolver, EscapesHeadOnAtTheVelocityOfTheClosedFormForAnyStepAndP
           for (const double factor : {0.999, 1.001}) {
             const LiquidBridgeSolver contact(law, bridge(force, gap), core,
                                              thesis::contact_time / part);
-            Pair pair(contact, factor * escape, 0.0, phase);
+            PairInPlane pair(contact, core, factor * escape, 0.0, phase);
             EXPECT_EQ(pair.parts_within(long_enough(force, gap)), factor > 1.0)
                 << force << " " << gap << " " << part << " " << phase;
           }
@@ -98,7 +49,7 @@ TEST(LiquidBridgeSolver, TakesTheWorkOfTheBridge) {
     for (int phase = 0; phase < phases; phase++)
       for (const double across : {0.0, 0.3}) {
         const LiquidBridgeSolver contact(spring(0.0), bridge(), core, thesis::contact_time / part);
-        Pair pair(contact, 0.5, across, phase);
+        PairInPlane pair(contact, core, 0.5, across, phase);
         const double before = pair.energy(), turning = pair.turning();
         ASSERT_TRUE(pair.parts_within(long_enough(force, gap)));
         const double lost = (before - pair.energy()) * thesis::reduced_mass;
@@ -117,7 +68,7 @@ TEST(LiquidBridgeSolver, TakesTheWorkOfTheBridge) {
 
 TEST(LiquidBridgeSolver, ForcesArePositiveOnlyInContactAndNoneBeforeTouch) {
   const LiquidBridgeSolver contact(spring(0.0), bridge(), core, thesis::contact_time / 16.0);
-  Pair pair(contact, 0.5, 0.0, 3.0);
+  PairInPlane pair(contact, core, 0.5, 0.0, 3.0);
   pair.x += 0.02 * core;  // within the gap of rupture, without a bridge
   for (int n = 0; n < 1000 && pair.distance() - core > 0.5 * contact.step(); n++) {
     pair.step();

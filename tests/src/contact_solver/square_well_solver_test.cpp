@@ -8,77 +8,23 @@
 #include <limits>
 #include <vector>
 
-#include "event_stepping/pair_run.h"
+#include "contact_solver/pair_in_plane.h"
 
 namespace cohesion::contact_solver {
 namespace {
 
-namespace thesis = event_stepping::thesis;
-
 constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double pi = 3.14159265358979;
-constexpr double core = 2.0 * thesis::radius;
 constexpr double mu_depth = 5e-11;  // [J]
 /// Thin, as the thesis has it, and as wide as the particles.
 const std::vector<double> ratios{1.001, 1.01, 1.5, 2.0};
 const std::vector<double> parts{4.0, 10.0, 50.0};
-constexpr int phases = 8;  // of what happens within the step
 
-contact::LinearSpringDashpot spring(double damping) {
-  return {thesis::contact().stiffness, damping, thesis::reduced_mass};
-}
 contact::Adhesion well(double ratio, double depth = mu_depth) {
   return {0.0, (ratio - 1.0) * core, depth};
 }
 /// 2 D/mu, [velocity^2]
 double gained(double depth = mu_depth) { return 2.0 * depth / thesis::reduced_mass; }
-
-/// Two spheres in a plane on an engine's grid.
-struct Pair {
-  const ContactSolver& law;
-  double x, y, vx, vy;
-  double others = 0.0;  ///< along the line of centres, known to the law
-  ContactState state{};
-  ContactStep last{};
-
-  /// One that is to meet the edge of its well a share `phase` of a step after a grid point, at
-  /// normal speed and with a speed across.
-  Pair(const ContactSolver& law_, double speed, double across, double phase)
-      : law(law_), vx(-speed), vy(across) {
-    const double wait = law.step() * (2.0 + (phase + 0.37) / phases);
-    x = core + law.range() + speed * wait;
-    y = -across * wait;
-  }
-  double distance() const { return std::hypot(x, y); }
-  double energy() const { return 0.5 * (vx * vx + vy * vy); }  // over mu
-  double turning() const { return x * vy - y * vx; }
-
-  void step() {
-    const double dt = law.step();
-    x += dt * vx;
-    y += dt * vy;
-    const double r = distance(), nx = x / r, ny = y / r;
-    const StaggeredMotion at{r, vx * nx + vy * ny, std::abs(vy * nx - vx * ny)};
-    last = law.advance(at, others, dt, state);
-    const double push = dt * (last.force / thesis::reduced_mass + others);
-    vx += push * nx;
-    vy += push * ny;
-  }
-  /// Until it has been inside and is out again; false: not within the time [time].
-  bool parts_within(double time) {
-    bool was_inside = state.in_range();
-    for (int n = 0; n < time / law.step(); n++) {
-      step();
-      was_inside = was_inside || state.in_range();
-      if (was_inside && state.phase == ContactState::outside) return true;
-    }
-    return false;
-  }
-  void until(ContactState::Phase phase) {
-    for (int n = 0; n < 100000 && state.phase != phase; n++) step();
-    EXPECT_EQ(state.phase, phase);
-  }
-};
 
 /// What rounding of the distance does to a velocity on the grid in `points` grid points.
 double rounding(const ContactSolver& law, double points) {
@@ -98,7 +44,7 @@ TEST(SquareWellSolver, ApproachAndEscapeChangeTheEnergyByTheDepth) {
       for (int phase = 0; phase < phases; phase++)
         for (const double across : {0.0, 0.03}) {
           const SquareWellSolver law(spring(0.0), well(ratio), core, thesis::contact_time / part);
-          Pair pair(law, 0.02, across, phase);
+          PairInPlane pair(law, core + law.range(), 0.02, across, phase);
           const double before = pair.energy(), turning = pair.turning();
           pair.until(ContactState::inside);
           const double speed = std::sqrt(2.0 * before + gained());
@@ -128,7 +74,7 @@ TEST(SquareWellSolver, EscapesHeadOnAtTheVelocityOfTheClosedFormForAnyStepAndPha
           for (const double factor : {0.999, 1.001}) {
             const SquareWellSolver contact(law, well(ratio, depth), core,
                                            thesis::contact_time / part);
-            Pair pair(contact, factor * escape, 0.0, phase);
+            PairInPlane pair(contact, core + contact.range(), factor * escape, 0.0, phase);
             // Just above it flies away from the edge at e sqrt(2e-3) of the speed.
             EXPECT_EQ(pair.parts_within(long_enough(ratio, escape)), factor > 1.0)
                 << depth << " " << ratio << " " << part << " " << phase;
@@ -143,7 +89,7 @@ TEST(SquareWellSolver, RestitutionInTheWellIsThatOfTheSpring) {
       for (int phase = 0; phase < phases; phase++) {
         const SquareWellSolver contact(law, well(ratio), core, thesis::contact_time / part);
         const double speed = 0.05, e = law.restitution();
-        Pair pair(contact, speed, 0.0, phase);
+        PairInPlane pair(contact, core + contact.range(), speed, 0.0, phase);
         ASSERT_TRUE(pair.parts_within(long_enough(ratio, speed)));
         const double back = std::sqrt(e * e * (speed * speed + gained()) - gained());
         EXPECT_NEAR(pair.vx, back, rounding(contact, 2.0 * part + 20.0)) << ratio << " " << part;
@@ -158,7 +104,7 @@ TEST(SquareWellSolver, ObliquePairsFlyStraightThroughTheWell) {
       for (int phase = 0; phase < phases; phase++) {
         const SquareWellSolver law(spring(0.0), well(ratio), core, thesis::contact_time / part);
         const double speed = 0.05, edge = ratio * core;
-        Pair pair(law, speed, 0.0, phase);
+        PairInPlane pair(law, core + law.range(), speed, 0.0, phase);
         pair.y = 0.95 * edge;
         pair.x = std::sqrt(edge * edge - pair.y * pair.y) + pair.x - edge;
         ASSERT_TRUE(pair.parts_within(long_enough(ratio, speed)));
@@ -177,7 +123,7 @@ TEST(SquareWellSolver, WithoutDepthIsTheContactAlone) {
   for (const double ratio : {1.0, 1.01, 2.0})
     for (int phase = 0; phase < phases; phase++) {
       const SquareWellSolver contact(law, well(ratio, 0.0), core, thesis::contact_time / 10.0);
-      Pair pair(contact, 0.02, 0.0, phase);
+      PairInPlane pair(contact, core + contact.range(), 0.02, 0.0, phase);
       ASSERT_TRUE(pair.parts_within(long_enough(ratio, 0.02)));
       EXPECT_NEAR(pair.vx, law.restitution() * 0.02, rounding(contact, 40.0)) << ratio;
     }
@@ -190,7 +136,7 @@ TEST(SquareWellSolver, ACapturedPairKeepsItsEnergyForAThousandBounces) {
       for (const double across : {0.0, 0.004}) {
         if (ratio > 1.1 && part > 4.0) continue;  // it would take many steps in flight
         const SquareWellSolver law(spring(0.0), well(ratio), core, thesis::contact_time / part);
-        Pair pair(law, speed, across, 0.0);
+        PairInPlane pair(law, core + law.range(), speed, across, 0.0);
         pair.x = core + 0.5 * law.range();
         pair.y = 0.0;
         pair.state.phase = ContactState::inside;
@@ -217,10 +163,10 @@ TEST(SquareWellSolver, RestsUnderLoadOnTheContactAndAtTheEdge) {
   for (const double part : parts)
     for (const double load : {-9.81, 9.81}) {
       const SquareWellSolver contact(law, well(1.01), core, thesis::contact_time / part);
-      Pair pair(contact, 0.0, 0.0, 0.0);
+      PairInPlane pair(contact, core + contact.range(), 0.0, 0.0, 0.0);
       pair.x = load < 0.0 ? core * (1.0 - 1e-9) : core + contact.range();
       pair.y = pair.vx = pair.vy = 0.0;
-      pair.others = load;
+      pair.external = load;
       pair.state.phase = ContactState::inside;
       for (int n = 0; n < 800.0 * part; n++) {
         pair.step();
@@ -257,7 +203,7 @@ TEST(SquareWellSolver, ExtremesStayFinite) {
           for (const double across : {0.0, 0.5}) {
             const SquareWellSolver law(spring(damping), well(ratio, depth), core,
                                        thesis::contact_time / 4);
-            Pair pair(law, speed, across, 3.0);
+            PairInPlane pair(law, core + law.range(), speed, across, 3.0);
             for (int n = 0; n < 1000; n++) pair.step();
             EXPECT_TRUE(std::isfinite(pair.x) && std::isfinite(pair.vy))
                 << damping << " " << ratio << " " << depth << " " << speed << " " << across;
