@@ -11,6 +11,7 @@
 #include "coupling/checks/requireDimensions.H"
 #include "coupling/checks/requirePatches.H"
 #include "coupling/checks/requireSameGravity.H"
+#include "coupling/checks/suspensionInSmallCells.H"
 #include "coupling/checks/wideSmoothing.H"
 #include "coupling/input/readPositive.H"
 #include "coupling/input/selectRow.H"
@@ -154,6 +155,7 @@ void Foam::gasParticleCoupling::start(Time& time)
     }
     step_ = std::make_unique<gasStep>(time, engine_->time_step(), continued_);
     warnOfWideSmoothing(dict_, mesh_, coupledParticles_);
+    warnOfSuspensionInSmallCells(dict_, mesh_, coupledParticles_);
 
     if (!continued_)
     {

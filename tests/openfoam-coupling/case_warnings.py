@@ -15,14 +15,15 @@ INLET = "type superficialVelocity; superficialVelocity (0 0 0);"
 
 
 class CaseWarnings(CoupledTestCase):
-    def spheres(self, name, rows=(0,), inlet=INLET, settings="", control="endTime 2e-4; writeInterval 2e-4;", **files):
+    def spheres(self, name, rows=(0,), inlet=INLET, settings="", control="endTime 2e-4; writeInterval 2e-4;",
+                diameter=DIAMETER, **files):
         """The log of the column with a sphere held in the middle of each cell of some rows. `files`: more start fields."""
         case = self.column(name)
         (case.folder / "places").write_text("".join(
             f"create_atoms 1 single {(i + 0.5) * CELL} {(j + 0.5) * CELL} {(k + 0.5) * CELL}\n"
             for i in range(3) for j in range(3) for k in rows))
         append(case, COUPLING, 'lammpsCoeffs { script "$FOAM_CASE/few.lmp"; variables { places places; period f;'
-                               f' diameter {DIAMETER}; }} }} {settings}')
+                               f' diameter {diameter}; }} }} {settings}')
         append(case, "system/controlDict", control)
         edit(case, "0.orig/U", INLET, inlet)
         for file, text in files.items():
@@ -50,6 +51,22 @@ class CaseWarnings(CoupledTestCase):
         quiet = "smoothingWidth ="
         self.quiet("a twentieth", self.spheres("narrow", rows=(0, 1), settings="smoothingWidth 1.9e-3;"), quiet)
         self.quiet("no surface", self.spheres("full", rows=range(10), settings="smoothingWidth 0.05;"), quiet)
+
+    def test_suspension_in_small_cells(self):
+        """Ten layers of nine spheres, 3 % of the volume, in cells of 2.5 diameters; in the mean of the squares of their
+        heights they are as high as sqrt(10^2 - 1 + 0.4^2) cells."""
+        said = "the particles begin as a suspension"
+        d = 0.4 * CELL
+        height = CELL * (99 + 0.4**2)**0.5
+        share = 90 * 3.141592653589793 / 6 * d**3 / (9 * CELL**2 * height)
+        log = self.spheres("suspension", rows=range(10), diameter=d)
+        self.warned("in 2.5 diameters", log, said, f"{share:.6g} of the layer of {height:.6g} m", "have 2.5 particle diameters",
+                    "cells of six diameters, 0.048 m", "smoothingWidth 0.024;")
+        smoothed = self.spheres("smoothed", rows=range(10), diameter=d, settings="smoothingWidth 0.024;")
+        self.quiet("smoothed", smoothed, said)
+        self.quiet("hardly any solid", self.spheres("thin", rows=range(10), diameter=CELL / 6), said)
+        self.quiet("a bed", self.spheres("bed", rows=range(10)), said)
+        self.quiet("a few", self.spheres("single", rows=(5,), diameter=d), said)
 
     def test_velocity_in_the_plane_of_its_patch(self):
         said = "lies in the plane of the patch"

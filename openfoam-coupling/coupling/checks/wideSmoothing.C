@@ -3,8 +3,7 @@
 
 #include "fvMesh.H"
 
-#include "sphere.h"
-
+#include "coupling/checks/particleLayer.H"
 #include "coupling/particles/coupledParticles.H"
 #include "coupling/sixDigits.H"
 
@@ -30,26 +29,9 @@ void Foam::warnOfWideSmoothing(const dictionary& dict, const fvMesh& mesh, const
     {
         return;
     }
-    const vector up = -particles.g()/mag(particles.g());
-    const scalarField heights(particles.positions() & up);
-    const UList<scalar> radii(particles.radii());
-    // Sums of the solid's volume, with powers of the height; of an even layer of the sphere's diameter the mean square
-    // is a twelfth of its own above that of its middle.
-    vector sums(Zero);
-    forAll(radii, i)
-    {
-        sums +=
-            cohesion::sphere_volume(radii[i])
-           *vector(1, heights[i], sqr(heights[i]) + sqr(2*radii[i])/12);
-    }
-    reduce(sums, sumOp<vector>());
-    const scalar mean = sums[1]/sums[0];
-    const scalar bed = Foam::sqrt(12*max(sums[2]/sums[0] - sqr(mean), scalar(0)));
-
-    const scalarField corners(mesh.points() & up);
-    const scalar whole = gMax(corners) - gMin(corners);
-    const scalar base = gSum(mesh.V())*particles.depthRatio()/whole;
-    if (!(bed > 0) || bed > full*whole || sums[0] < bedFrom*base*bed || bed > least*width)
+    const particleLayer layer(mesh, particles);
+    const scalar bed = layer.height;
+    if (!(bed > 0) || bed > full*layer.vessel || layer.share() < bedFrom || bed > least*width)
     {
         return;
     }
