@@ -37,8 +37,7 @@ namespace ContactModels {
 /// `Attraction` says what is its own:
 ///
 ///   MODEL                          name in a script
-///   Solver                     what follows a contact of scheme event: ContactSolver, or one
-///                                  that derives from it
+///   Solver                         of scheme event: ContactSolver, or one that derives from it
 ///   BINDS_WHAT_ENTERED             true: what entered is bound, wherever it stands
 ///   Attraction(lmp, owner, wall)   wall: null for pairs
 ///   registerSettings(settings)     its keywords

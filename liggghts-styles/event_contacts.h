@@ -108,6 +108,7 @@ class EventContacts {
   double mass(int particle) const {
     return mobile_.moves(atom_->mask[particle]) ? atom_->rmass[particle] : 0.0;
   }
+  /// r: distance of the centres, or from the wall; normal: from j, or the wall, to i.
   static StaggeredMotion motion(const ContactModels::SurfacesCloseData& d, double r,
                                 const double* normal) {
     const cohesion::Vector3 n = cohesion::vector(normal);

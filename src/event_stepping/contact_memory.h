@@ -8,8 +8,8 @@
 
 namespace cohesion::event_stepping {
 
-/// What TwoPassContact and SampledContact remember of a contact from one grid point to the next; of
-/// one pass it is GridMemory (grid_point.h), whose phases are others.
+/// What TwoPassContact and SampledContact store of a contact from one time level to the next. In
+/// one pass it is ContactState (contact_solver/contact_state.h), whose phases are others.
 struct ContactMemory {
   /// `beyond`: out of range, known by the grid. `inside`, `left`: in range or out of it after a
   /// step that was followed. `lasting`: in contact after a step of one force, known by the grid;

@@ -24,8 +24,7 @@ double rebound(const ContactSolver& contact, double speed, double phase) {
   for (int n = 0; n < 3000; n++) {
     distance += dt * radial;
     const StaggeredMotion at{distance, radial, 0.0};
-    ContactStep step;
-    step = contact.advance(at, 0.0, dt, state);
+    const ContactStep step = contact.advance(at, 0.0, dt, state);
     radial += dt * step.force / thesis::reduced_mass;
     if (!std::isfinite(radial)) return radial;
     touched = touched || state.in_range();
@@ -72,8 +71,7 @@ TEST(ContactSolver, APairThatIsNewInTheRangeStandsThere) {
   state.is_new = true;
   double fastest = 0.0;
   for (int n = 0; n < 300; n++) {
-    ContactStep step;
-    step = contact.advance(at, 0.0, dt, state);
+    const ContactStep step = contact.advance(at, 0.0, dt, state);
     state.is_new = false;
     at.rate += dt * step.force / thesis::reduced_mass;
     at.distance += dt * at.rate;
@@ -142,29 +140,6 @@ TEST(ContactSolver, ExtremesStayFinite) {
 
 namespace {
 
-/// What a step does to a sphere beside a plane, under an acceleration `others` away from it.
-struct BesidePlane {
-  ContactSolver contact;
-  double mass;
-  double others;
-  double distance, radial;
-  ContactState state{};
-  ContactStep last{};
-
-  void step() {
-    const double dt = contact.step();
-    distance += dt * radial;
-    const StaggeredMotion at{distance, radial, 0.0};
-    last = contact.advance(at, others, dt, state);
-    radial += dt * (last.force / mass + others);
-  }
-  /// Height over touch at which what moves it now would turn, where it flies freely.
-  double height() const {
-    const double now = radial - 0.5 * contact.step() * (last.force / mass + others);
-    return distance - thesis::radius + now * now / (-2.0 * others);
-  }
-};
-
 /// Two spheres in a plane that meet with a normal and a sideways speed; whether they part again.
 /// `turned`: largest change of the angular momentum over r times speed.
 bool parts(const ContactSolver& contact, double speed, double sideways, double phase,
@@ -180,8 +155,7 @@ bool parts(const ContactSolver& contact, double speed, double sideways, double p
     y += dt * vy;
     const double r = std::hypot(x, y), nx = x / r, ny = y / r;
     const StaggeredMotion at{r, vx * nx + vy * ny, std::abs(vy * nx - vx * ny)};
-    ContactStep step;
-    step = contact.advance(at, 0.0, dt, state);
+    const ContactStep step = contact.advance(at, 0.0, dt, state);
     vx += dt * step.force / thesis::reduced_mass * nx;
     vy += dt * step.force / thesis::reduced_mass * ny;
     turned = std::max(turned,
@@ -202,79 +176,6 @@ double escape_speed(const ContactSolver& contact, double slope, double phase, do
 }
 
 }  // namespace
-
-TEST(ContactSolver, ElasticBouncesUnderWeightKeepTheirHeight) {
-  const double mass = thesis::mass, stiffness = 2.0 * thesis::contact().stiffness;
-  const contact::LinearSpringDashpot law(stiffness, 0.0, mass);
-  const double gravity = 9.81, height = 2e-5;
-  for (const double part : {2.0, 4.0, 10.0, 50.0}) {
-    const double dt = law.contact_time() / part;
-    BesidePlane sphere{{law, {}, thesis::radius, dt},
-                       mass,
-                       -gravity,
-                       thesis::radius + height,
-                       -0.5 * gravity * dt};
-    int bounces = 0;
-    double reached = 0.0;
-    for (bool was = false; bounces < 500;) {
-      sphere.step();
-      if (was && !sphere.state.in_range()) bounces++;
-      was = sphere.state.in_range();
-      if (bounces == 499 && sphere.state.phase == ContactState::outside) reached = sphere.height();
-    }
-    // Each bounce rounds place and speed, two to each of some steps, by eps of distance over dt.
-    const double steps = 500.0 * (part + 2.0 * std::sqrt(2.0 * height / gravity) / dt);
-    const double speed = std::sqrt(2.0 * gravity * height);
-    EXPECT_NEAR(reached / height, 1.0, std::sqrt(steps) * 8.0 * eps * thesis::radius / dt / speed)
-        << part;
-  }
-}
-
-TEST(ContactSolver, ALoadAtRestPressesItsSpringOnTheGrid) {
-  const contact::LinearSpringDashpot law(1600.0, 1.6e-3, thesis::mass);
-  for (const double part : {4.0, 10.0, 50.0}) {
-    BesidePlane sphere{{law, {}, thesis::radius, law.contact_time() / part},
-                       thesis::mass,
-                       -9.81,
-                       thesis::radius * (1.0 - 1e-9),
-                       0.0};
-    for (int n = 0; n < 800.0 * part; n++) sphere.step();
-    const double overlap = thesis::radius - sphere.distance;
-    // Of the distance, eps is rounded off.
-    EXPECT_NEAR(overlap, thesis::mass * 9.81 / sphere.contact.spring().stiffness,
-                4.0 * eps * thesis::radius + 1e-9 * overlap)
-        << part;
-    EXPECT_EQ(sphere.state.phase, ContactState::persistent);
-  }
-}
-
-TEST(ContactSolver, ASlowLoadPartsAContactAtTheAdhesionForceAtAnyStep) {
-  // A sphere on a plane, from its rest without a load; this grows by F_ad in 2000 contact times.
-  const contact::Adhesion adhesion = thesis::adhesion(7.49e-19);
-  const double mass = thesis::mass, rate = 1.0 / 2000.0;
-  for (const double stiffness : {800.0, 8e4})
-    for (const double restitution : {0.99, 0.9, 0.5, 0.3})
-      for (const double part : {4.0, 10.0, 20.0, 50.0}) {
-        const auto law =
-            contact::LinearSpringDashpot::from_restitution(stiffness, restitution, mass);
-        const double dt = law.contact_time() / part;
-        BesidePlane sphere{{law, adhesion, thesis::radius, dt},
-                           mass,
-                           0.0,
-                           thesis::radius - adhesion.force / stiffness,
-                           0.0};
-        sphere.state.phase = ContactState::touching;
-        double load = 0.0;
-        for (int n = 0; load < 1.1 && sphere.state.in_range(); n++) {
-          load = rate * n / part;
-          sphere.others = load * adhesion.force / mass;
-          sphere.step();
-        }
-        // Half of the hundredth is for what it swings by, the rest for the lag of the load and of
-        // its knowledge: (6 H_cut mass k^2/F_ad)^(1/3) < 0.003, k = rate/t_c.
-        EXPECT_NEAR(load, 1.0, 0.01) << stiffness << " " << restitution << " " << part;
-      }
-}
 
 TEST(ContactSolver, ObliquePairsEscapeAtTheSameSpeedForAnyStepAndPhase) {
   const auto law = spring(thesis::contact().damping);
@@ -322,119 +223,6 @@ TEST(ContactSolver, PersistentAndResolvedContactsGoWhereTheClosedFormDoes) {
       EXPECT_EQ(state.phase, phase == ContactState::persistent ? ContactState::persistent
                                                                : ContactState::touching);
     }
-  }
-}
-
-namespace {
-
-/// The largest work of a pair's forces on an encounter without other forces, of eight positions in
-/// the step, over its kinetic energy at the start.
-double largest_work(const ContactSolver& contact, double sideways) {
-  const double dt = contact.step(), speed = 0.05,
-               energy = 0.5 * (speed * speed + sideways * sideways);
-  double largest = 0.0;
-  for (int phase = 0; phase < 8; phase++) {
-    const double flight = dt * (2.0 + phase / 8.0);
-    double x = core + contact.range() + speed * flight, y = -sideways * flight;
-    double vx = -speed, vy = sideways, ax = 0.0, ay = 0.0, work = 0.0;
-    ContactState state;
-    bool touched = false, over = false;
-    for (int n = 0; !over && n < 40.0 * thesis::contact_time / dt; n++) {
-      x += dt * vx;
-      y += dt * vy;
-      const double r = std::hypot(x, y), nx = x / r, ny = y / r;
-      const StaggeredMotion at{r, vx * nx + vy * ny, std::abs(vy * nx - vx * ny)};
-      const double a = contact.advance(at, 0.0, dt, state).force / thesis::reduced_mass;
-      work += 0.5 * dt * ((ax + a * nx) * vx + (ay + a * ny) * vy);
-      ax = a * nx;
-      ay = a * ny;
-      vx += dt * ax;
-      vy += dt * ay;
-      touched = touched || state.in_range();
-      over = touched && state.phase == ContactState::outside && a == 0.0;
-    }
-    EXPECT_TRUE(over);
-    largest = std::max(largest, std::abs(work) / energy);
-  }
-  return largest;
-}
-
-/// Three equal spheres in a line: the first hits the second, which hits the third while it still
-/// touches the first. A contact knows of the other what it did a step before.
-struct Chain {
-  ContactSolver contact;
-  double x[3], v[3];
-  double a[3] = {};
-  ContactState state[2] = {};
-
-  Chain(const ContactSolver& law, double speed, double gap, double phase)
-      : contact(law), v{speed, 0.0, 0.0} {
-    const double flown = speed * law.step() * (2.0 + phase);
-    x[0] = 0.0;
-    x[1] = core + law.range() + flown;
-    x[2] = x[1] + core + law.range() + gap;
-  }
-  double energy() const { return 0.5 * thesis::mass * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
-  bool is_over() const {
-    return a[0] == 0.0 && a[1] == 0.0 && a[2] == 0.0 && state[0].phase == ContactState::outside &&
-           state[1].phase == ContactState::outside && v[0] <= v[1] && v[1] <= v[2];
-  }
-  void step() {
-    const double dt = contact.step();
-    double now[3] = {};
-    for (int k = 0; k < 3; k++) x[k] += dt * v[k];
-    for (int k = 0; k < 2; k++) {
-      const StaggeredMotion at{x[k + 1] - x[k], v[k + 1] - v[k], 0.0};
-      const double external = contact.external(a[k + 1] - a[k], state[k]);
-      const double force = contact.advance(at, external, dt, state[k]).force;
-      now[k] -= force / thesis::mass;
-      now[k + 1] += force / thesis::mass;
-    }
-    for (int k = 0; k < 3; k++) {
-      a[k] = now[k];
-      v[k] += dt * a[k];
-    }
-  }
-  /// The energy when all have parted, over that at the start.
-  double left() {
-    const double before = energy();
-    step();
-    for (int n = 0; n < 200.0 * thesis::contact_time / contact.step() && !is_over(); n++) step();
-    EXPECT_TRUE(is_over());
-    return energy() / before;
-  }
-};
-
-}  // namespace
-
-TEST(ContactSolver, ElasticPairsGiveBackWhatTheyTook) {
-  for (const double hamaker : {0.0, 2e-18}) {
-    const auto adhesion = hamaker > 0.0 ? thesis::adhesion(hamaker) : contact::Adhesion{};
-    for (const double part : {4.0, 10.0, 20.0, 50.0})
-      for (const double sideways : {0.0, 0.05}) {
-        const ContactSolver contact(spring(0.0), adhesion, core, thesis::contact_time / part);
-        // Rounding of the distance, felt in the velocity over a step; what it turns by in a step,
-        // squared.
-        const double dt = contact.step(), turns = dt * sideways / core;
-        const double alone = 8.0 * (part + 5.0) * eps * core / dt / 0.05 + turns * turns;
-        EXPECT_LT(largest_work(contact, sideways), alone) << hamaker << " " << part;
-      }
-  }
-}
-
-TEST(ContactSolver, ElasticChainsKeepTheirEnergyAtAnyStep) {
-  const double speed = 0.05;
-  for (const double hamaker : {0.0, 1e-19}) {
-    const auto adhesion = hamaker > 0.0 ? thesis::adhesion(hamaker) : contact::Adhesion{};
-    for (const double part : {4.0, 10.0, 20.0, 50.0})
-      for (const double gap : {0.0, 1e-7, 2e-7})
-        for (int phase = 0; phase < 8; phase++) {
-          const ContactSolver contact(spring(0.0), adhesion, core, thesis::contact_time / part);
-          // Each contact closes its account, up to 1e-9 of its energy and rounding as above.
-          const double rounding = 8.0 * (part + 5.0) * eps * core / contact.step() / speed;
-          EXPECT_NEAR(Chain(contact, speed, gap, phase / 8.0).left(), 1.0, 1e-8 + rounding)
-              << hamaker << " " << part << " " << gap << " " << phase;
-        }
   }
 }
 

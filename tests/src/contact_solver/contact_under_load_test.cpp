@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "contact_solver/contact_solver.h"
+#include "contact_solver/pair_in_plane.h"
+
+namespace cohesion::contact_solver {
+namespace {
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+
+/// What a step does to a sphere beside a plane, under an acceleration `others` away from it.
+struct BesidePlane {
+  ContactSolver contact;
+  double mass;
+  double others;
+  double distance, radial;
+  ContactState state{};
+  ContactStep last{};
+
+  void step() {
+    const double dt = contact.step();
+    distance += dt * radial;
+    const StaggeredMotion at{distance, radial, 0.0};
+    last = contact.advance(at, others, dt, state);
+    radial += dt * (last.force / mass + others);
+  }
+  /// Height over touch at which what moves it now would turn, where it flies freely.
+  double height() const {
+    const double now = radial - 0.5 * contact.step() * (last.force / mass + others);
+    return distance - thesis::radius + now * now / (-2.0 * others);
+  }
+};
+
+}  // namespace
+
+TEST(ContactUnderLoad, ElasticBouncesUnderWeightKeepTheirHeight) {
+  const double mass = thesis::mass, stiffness = 2.0 * thesis::contact().stiffness;
+  const contact::LinearSpringDashpot law(stiffness, 0.0, mass);
+  const double gravity = 9.81, height = 2e-5;
+  for (const double part : {2.0, 4.0, 10.0, 50.0}) {
+    const double dt = law.contact_time() / part;
+    BesidePlane sphere{{law, {}, thesis::radius, dt},
+                       mass,
+                       -gravity,
+                       thesis::radius + height,
+                       -0.5 * gravity * dt};
+    int bounces = 0;
+    double reached = 0.0;
+    for (bool was = false; bounces < 500;) {
+      sphere.step();
+      if (was && !sphere.state.in_range()) bounces++;
+      was = sphere.state.in_range();
+      if (bounces == 499 && sphere.state.phase == ContactState::outside) reached = sphere.height();
+    }
+    // Each bounce rounds place and speed, two to each of some steps, by eps of distance over dt.
+    const double steps = 500.0 * (part + 2.0 * std::sqrt(2.0 * height / gravity) / dt);
+    const double speed = std::sqrt(2.0 * gravity * height);
+    EXPECT_NEAR(reached / height, 1.0, std::sqrt(steps) * 8.0 * eps * thesis::radius / dt / speed)
+        << part;
+  }
+}
+
+TEST(ContactUnderLoad, ALoadAtRestPressesItsSpringOnTheGrid) {
+  const contact::LinearSpringDashpot law(1600.0, 1.6e-3, thesis::mass);
+  for (const double part : {4.0, 10.0, 50.0}) {
+    BesidePlane sphere{{law, {}, thesis::radius, law.contact_time() / part},
+                       thesis::mass,
+                       -9.81,
+                       thesis::radius * (1.0 - 1e-9),
+                       0.0};
+    for (int n = 0; n < 800.0 * part; n++) sphere.step();
+    const double overlap = thesis::radius - sphere.distance;
+    // Of the distance, eps is rounded off.
+    EXPECT_NEAR(overlap, thesis::mass * 9.81 / sphere.contact.spring().stiffness,
+                4.0 * eps * thesis::radius + 1e-9 * overlap)
+        << part;
+    EXPECT_EQ(sphere.state.phase, ContactState::persistent);
+  }
+}
+
+TEST(ContactUnderLoad, ASlowLoadPartsAContactAtTheAdhesionForceAtAnyStep) {
+  // A sphere on a plane, from its rest without a load; this grows by F_ad in 2000 contact times.
+  const contact::Adhesion adhesion = thesis::adhesion(7.49e-19);
+  const double mass = thesis::mass, rate = 1.0 / 2000.0;
+  for (const double stiffness : {800.0, 8e4})
+    for (const double restitution : {0.99, 0.9, 0.5, 0.3})
+      for (const double part : {4.0, 10.0, 20.0, 50.0}) {
+        const auto law =
+            contact::LinearSpringDashpot::from_restitution(stiffness, restitution, mass);
+        const double dt = law.contact_time() / part;
+        BesidePlane sphere{{law, adhesion, thesis::radius, dt},
+                           mass,
+                           0.0,
+                           thesis::radius - adhesion.force / stiffness,
+                           0.0};
+        sphere.state.phase = ContactState::touching;
+        double load = 0.0;
+        for (int n = 0; load < 1.1 && sphere.state.in_range(); n++) {
+          load = rate * n / part;
+          sphere.others = load * adhesion.force / mass;
+          sphere.step();
+        }
+        // Half of the hundredth is for what it swings by, the rest for the lag of the load and of
+        // its knowledge: (6 H_cut mass k^2/F_ad)^(1/3) < 0.003, k = rate/t_c.
+        EXPECT_NEAR(load, 1.0, 0.01) << stiffness << " " << restitution << " " << part;
+      }
+}
+
+}  // namespace cohesion::contact_solver
