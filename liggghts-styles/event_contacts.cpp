@@ -161,13 +161,12 @@ bool EventContacts::follow(const ContactModels::SurfacesCloseData& d, double r,
     if (!d.computeflag) return false;
   }
   const double* const last = first ? nullptr : last_record(d);
-  state = last ? ContactState::stored(last) : ContactState{};
-  state.is_new = !last;
+  state = last ? ContactState::stored(last) : ContactState{ContactState::unknown};
   time_apart_ = k->law->step() - state.contact_time;
   const StaggeredMotion now = motion(d, r, normal);
   const double by_all = first ? 0.0 : acceleration(d, cohesion::vector(normal));
   const double external = first ? 0.0 : k->law->external(by_all, state);
-  if (state.phase == ContactState::outside) {
+  if (state.is_outside()) {
     if (!k->law->within_reach(now, external)) {
       remember(d, false);
       return false;

@@ -5,7 +5,7 @@
 
 using namespace LAMMPS_NS;
 
-void ContactImpulses::begin_step(double kick, Known known) {
+void ContactImpulses::begin_step(double kick, bool known) {
   kick_ = kick;
   known_ = known;
   ended_ = false;
@@ -31,21 +31,14 @@ void ContactImpulses::subtract_other(Numbers& before, const double* const* now, 
 }
 
 void ContactImpulses::begin_contacts() {
-  if (known_ == Known::nobody) return;
+  if (!known_) return;
   store_other(forces_, atom->f, atom->nlocal);
-  if (known_ == Known::forces_and_torques) store_other(torques_, atom->torque, atom->nlocal);
+  store_other(torques_, atom->torque, atom->nlocal);
 }
 
 void ContactImpulses::end_contacts() {
-  if (known_ == Known::nobody) return;
+  if (!known_) return;
   subtract_other(forces_, atom->f, atom->nlocal);
-  if (known_ == Known::forces_and_torques) subtract_other(torques_, atom->torque, atom->nlocal);
+  subtract_other(torques_, atom->torque, atom->nlocal);
   ended_ = true;
-}
-
-void ContactImpulses::save_other_forces(double* forces) const {
-  const int n = 3 * atom->nlocal;
-  if (n == 0) return;
-  const double* const all = atom->f[0];
-  for (int k = 0; k < n; k++) forces[k] = all[k] - forces_[k];
 }

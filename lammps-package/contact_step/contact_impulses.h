@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "atom.h"
+#include "contact_solver/contact_history.h"
 #include "pointers.h"
-#include "prefetch.h"
 #include "vector3.h"
 
 namespace LAMMPS_NS {
@@ -17,14 +17,15 @@ namespace LAMMPS_NS {
 /// push() adds after that: nothing needs to be added up twice.
 class ContactImpulses : protected Pointers {
  public:
+  using ContactHistory = cohesion::contact_solver::ContactHistory;
+
   explicit ContactImpulses(LAMMPS* lammps) : Pointers(lammps) {}
 
-  /// Of which of the engine's numbers the part of contacts is known, since somebody asks for it.
-  enum class Known { nobody, forces, forces_and_torques };
-  /// A step in which an impulse 1 is the force `kick` [1/time].
-  void begin_step(double kick, Known known);
+  /// A step in which an impulse 1 is the force `kick` [1/time]; known: whether somebody asks which
+  /// part of the engine's forces and torques is of contacts.
+  void begin_step(double kick, bool known);
   /// Keeps no account until the next step begins, in which no contact acts.
-  void disable() { known_ = Known::nobody; }
+  void disable() { known_ = false; }
 
   /// Between these two nothing but contacts adds to the engine's forces.
   void begin_contacts();
@@ -37,20 +38,10 @@ class ContactImpulses : protected Pointers {
   [[gnu::always_inline]] void push(int i, const cohesion::Vector3& pushed,
                                    const cohesion::Vector3& turned) {
     add(atom->f[0] + 3 * i, pushed);
-    if (SIZE > 3) add(atom->torque[0] + 3 * i, turned);
+    if (SIZE >= ContactHistory::with_friction) add(atom->torque[0] + 3 * i, turned);
     if (!ended_) return;
     add(&forces_[3 * i], pushed);
-    if (SIZE > 3 && known_ == Known::forces_and_torques) add(&torques_[3 * i], turned);
-  }
-
-  /// Whether contacts that act now have to push(), to be told from what is no contact's.
-  bool are_told_apart() const { return ended_; }
-
-  /// Soon something is pushed that has torques, or none.
-  template <int SIZE>
-  void fetch(int i) const {
-    cohesion::prefetch_numbers(atom->f[0] + 3 * i, 3);
-    if (SIZE > 3) cohesion::prefetch_numbers(atom->torque[0] + 3 * i, 3);
+    if (SIZE >= ContactHistory::with_friction) add(&torques_[3 * i], turned);
   }
 
   /// The force and torque of contacts on particle i, after end_contacts().
@@ -59,11 +50,8 @@ class ContactImpulses : protected Pointers {
   /// The force of all but contacts on particle i, once the engine has all forces of the step; 0
   /// where nobody asks.
   cohesion::Vector3 other_force(int i) const {
-    return known_ == Known::nobody ? cohesion::Vector3{} : cohesion::vector(atom->f[i]) - force(i);
+    return known_ ? cohesion::vector(atom->f[i]) - force(i) : cohesion::Vector3{};
   }
-  /// The same for all particles, three numbers each.
-  void save_other_forces(double* forces) const;
-
   double bytes() const {
     return static_cast<double>(sizeof(double)) *
            static_cast<double>(forces_.capacity() + torques_.capacity());
@@ -84,7 +72,7 @@ class ContactImpulses : protected Pointers {
   // engine's at begin_contacts(), or none where those were 0.
   Numbers forces_, torques_;
   double kick_ = 0.0;
-  Known known_ = Known::nobody;
+  bool known_ = false;
   bool ended_ = false;  // and known to somebody
 };
 

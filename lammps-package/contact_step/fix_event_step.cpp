@@ -23,11 +23,10 @@ using cohesion::Vector3;
 static constexpr char ID[] = "COHESION_EVENT_STEP";
 static constexpr char PLACE[] = "COHESION_EVENT_STEP_PLACE";
 
-// What the next run needs of a particle: forces, torques, what the tally saves, forces of all but
-// contacts, sudden ones, and what AlteredParticles compares with, where they begin.
-static constexpr int TORQUE = 3, NOTED = 6, FROM_OTHERS = NOTED + ContactEnergyTally::OF_PARTICLE,
-                     SUDDEN = FROM_OTHERS + 3, PARTICLE = SUDDEN + 3,
-                     LAST = PARTICLE + AlteredParticles::SAVED;
+// What the next run needs of a particle: forces, torques, what the tally saves, forces of impulses,
+// and what AlteredParticles compares with, where they begin.
+static constexpr int TORQUE = 3, NOTED = 6, IMPULSIVE = NOTED + ContactEnergyTally::OF_PARTICLE,
+                     PARTICLE = IMPULSIVE + 3, LAST = PARTICLE + AlteredParticles::SAVED;
 
 static void put(const Vector3& a, double* values) {
   values[0] = a.x;
@@ -42,7 +41,7 @@ FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
       watch(lammps),
       forwarded_flags(nullptr),
       forwarded_values(nullptr),
-      values_each(FollowedMotion::PREDICTED),
+      values_each(0),
       may_have_contacts(true),
       idle(false),
       resuming(false),
@@ -56,14 +55,14 @@ FixEventStep::FixEventStep(LAMMPS* lammps, int narg, char** arg)
       altered(lammps),
       forces_dt(0.0),
       last(lammps, LAST),
-      other_forces(lammps, 3),
+      accelerations(lammps, 3),
       inverse_mass(nullptr),
       longest_flight(0.0),
       unresolved(0.0),
       flux_readers(std::make_shared<char>()),
       flux_wanted(false) {
   nevery = 1;
-  comm_forward = 1 + FollowedMotion::PREDICTED;
+  comm_forward = 1 + AlteredParticles::EACH;
   restart_peratom = 1;
   restart_global = 1;
   create_attribute = 1;
@@ -103,13 +102,13 @@ bool FixEventStep::is_idle() const {
   return !may_have_contacts && !energy_tally.has_readers() && flux_readers.use_count() == 1;
 }
 
-double FixEventStep::half_kick() const { return 0.5 * update->dt; }
+double FixEventStep::length() const { return update->dt; }
 
 void FixEventStep::setup_pre_force(int) {
-  forget_sudden_forces();  // `last` has them
+  forget_impulses();  // `last` has them
   resuming = last.has_room();
   starting = !resuming;
-  predictor_due = false;
+  step_due = false;
   idle = is_idle();
   if (idle) {
     known_masses.clear();
@@ -117,11 +116,9 @@ void FixEventStep::setup_pre_force(int) {
   }
   if (!resuming) {
     forces_dt = update->dt;
-    const std::vector<double> weight = weights(lmp);
-    for (int i = 0; i < atom->nlocal; i++) std::copy_n(&weight[3 * i], 3, other_forces.of(i));
-    other_forces_known = true;
+    for (int i = 0; i < atom->nlocal + atom->nghost; i++) accelerations.clear(i);
     advise_if_due(true);
-    predictor_due = true;
+    step_due = true;
     return;
   }
   update_particles();
@@ -140,16 +137,16 @@ void FixEventStep::setup_pre_force(int) {
 /// from here on.
 void FixEventStep::find_altered() {
   altered.start();
-  followed.assign(atom->nlocal + atom->nghost, 0);
+  flagged.assign(atom->nlocal + atom->nghost, 0);
   int mine = 0, all = 0;
   for (int i = 0; i < atom->nlocal; i++) {
     double* const saved = last.of(i) + PARTICLE;
-    followed[i] = altered.compare(i, saved);
-    mine |= followed[i];
+    flagged[i] = altered.compare(i, saved);
+    mine |= flagged[i];
     altered.save(i, saved);
   }
   MPI_Allreduce(&mine, &all, 1, MPI_INT, MPI_MAX, world);
-  if (all) forward_flagged(followed, &FixEventStep::alteration, AlteredParticles::EACH);
+  if (all) forward_flagged(flagged, &FixEventStep::alteration, AlteredParticles::EACH);
 }
 
 /// What contacts remember goes by the IDs of particles.
@@ -162,32 +159,6 @@ void FixEventStep::follow_renumbering() {
   if (!renumbering.any()) return;
   for (SoftContactStyle* some : styles) some->renumber(renumbering);
   for (int i = 0; i < atom->nlocal; i++) altered.save_id(i, last.of(i) + PARTICLE);
-}
-
-/// With the first forces of a step, when fixes have changed what they change before.
-bool FixEventStep::run_predictor() {
-  if (!predictor_due) return false;
-  predictor_due = false;
-  begin_step();
-  impulses.begin_contacts();
-  for (SoftContactStyle* some : styles) some->classify();
-  if (any_event_scheme) {
-    if (any_young)
-      for (SoftContactStyle* some : styles) some->find_beside_young();
-    forward_marks();
-    const int all = atom->nlocal + atom->nghost;
-    any_disturbed_now =
-        std::any_of(marks.begin(), marks.begin() + all, [](char is) { return is == DISTURBED; });
-    for (SoftContactStyle* some : styles) some->follow_disturbed();
-    for (SoftContactStyle* some : styles) some->follow_far();
-    for (SoftContactStyle* some : styles) some->couple_lasting();
-    if (any_followed_now || comm->nprocs > 1) {
-      forward_to_ghosts(&FixEventStep::owed, FollowedMotion::OWED);
-      for (SoftContactStyle* some : styles) some->predict();
-      forward_to_ghosts(&FixEventStep::predicted, FollowedMotion::PREDICTED);
-    }
-  }
-  return true;
 }
 
 /// The first step has no half kick before it: what its velocities are, they truly are.
@@ -208,52 +179,45 @@ void FixEventStep::initial_integrate(int) {
     begin_tallies();
     update->ntimestep++;
   }
-  if (!resuming) {
-    // Forces are all there when the next step begins.
-    if (!idle && any_event_scheme) save_other_forces();
-  } else {
+  if (resuming) {
     for (int i = 0; i < atom->nlocal; i++) {
       const double* const then = last.of(i);
       std::copy_n(then, 3, atom->f[i]);
       std::copy_n(then + TORQUE, 3, atom->torque[i]);
-      std::copy_n(then + FROM_OTHERS, 3, other_forces.of(i));
-      if (then[SUDDEN] != 0.0 || then[SUDDEN + 1] != 0.0 || then[SUDDEN + 2] != 0.0)
-        add_sudden_force(i, vector(then + SUDDEN));
+      const Vector3 impulsive = vector(then + IMPULSIVE);
+      if (dot(impulsive, impulsive) > 0.0) add_impulsive_force(i, impulsive);
     }
     resuming = false;
-    other_forces_known = true;
     last.free();
   }
-  keep_sudden_impulses();
+  if (!idle && any_event_scheme) save_accelerations();
+  keep_impulses();
+}
+
+/// Forces are all there when the next step begins.
+void FixEventStep::save_accelerations() {
+  for (int i = 0; i < atom->nlocal; i++)
+    put(inverse_mass[i] * (vector(atom->f[i]) - impulsive_forces[i]), accelerations.of(i));
 }
 
 /// A force f has given f dt/2, and gives f dt'/2 now, where the step is another: for those of
-/// lasting contacts that is right to second order. Sudden ones are impulses, and become f dt/dt'.
-/// Fixes that hold particles have set forces on them to 0.
-void FixEventStep::keep_sudden_impulses() {
+/// persistent contacts that is right to second order. Impulses become f dt/dt'. Fixes that hold
+/// particles have set forces on them to 0.
+void FixEventStep::keep_impulses() {
   const double more = forces_dt / update->dt - 1.0;
   if (more != 0.0)
-    for (const int i : suddenly_pushed) {
-      const double pushes[] = {sudden_forces[i].x, sudden_forces[i].y, sudden_forces[i].z};
+    for (const int i : given_impulses) {
+      const double forces[] = {impulsive_forces[i].x, impulsive_forces[i].y, impulsive_forces[i].z};
       for (int k = 0; k < 3; k++)
-        if (atom->f[i][k] != 0.0) atom->f[i][k] += more * pushes[k];
-      sudden_forces[i] = {};  // a particle may be there twice
+        if (atom->f[i][k] != 0.0) atom->f[i][k] += more * forces[k];
+      impulsive_forces[i] = {};  // a particle may be there twice
     }
-  forget_sudden_forces();
+  forget_impulses();
 }
 
-void FixEventStep::forget_sudden_forces() {
-  for (const int i : suddenly_pushed) sudden_forces[i] = {};
-  suddenly_pushed.clear();
-}
-
-/// What forces that are no contacts' have done in the step that ends.
-void FixEventStep::save_other_forces() {
-  if (any_other_forces)
-    impulses.save_other_forces(other_forces.of(0));
-  else if (other_forces_known)
-    for (int i = 0; i < atom->nlocal; i++) other_forces.clear(i);
-  other_forces_known = any_other_forces;
+void FixEventStep::forget_impulses() {
+  for (const int i : given_impulses) impulsive_forces[i] = {};
+  given_impulses.clear();
 }
 
 /// Tallies begin when all fixes have been set up; a run of no step ends then.
@@ -268,11 +232,11 @@ void FixEventStep::pre_force(int) {
     return;
   }
   advise_if_due(false);
-  predictor_due = true;
+  step_due = true;
 }
 
 void FixEventStep::post_force(int) {
-  run_corrector([] {});
+  compute_contacts([] {});
   if (!idle && mobile.held().any()) hold_spins();
 }
 
@@ -292,28 +256,21 @@ void FixEventStep::advise_if_due(bool setup) {
   advice.print(lmp);
 }
 
-void FixEventStep::begin_step() {
-  const int all = atom->nlocal + atom->nghost;
+/// With the first forces of a step; false: it has begun.
+bool FixEventStep::begin_step() {
+  if (!step_due) return false;
+  step_due = false;
+  before_dt = forces_dt;
   forces_dt = update->dt;
   update_particles();
   update_readers();
+  if (any_event_scheme && !starting) forward_accelerations();
   // The engine's half kick makes of a force f the momentum f dt/2; the other half went before, but
   // for the first step, which has no half before it.
-  using Known = ContactImpulses::Known;
-  const Known known = any_other_forces ? Known::forces : Known::nobody;
-  impulses.begin_step((starting ? 2.0 : 1.0) / update->dt,
-                      energy_tally.is_active() ? Known::forces_and_torques : known);
-  if (any_event_scheme) {
-    std::fill_n(shares.begin(), all, Share{});
-    motion_count = 0;
-    marks.assign(all, 0);
-    if (only_event_contacts) young_marks.assign(all, 0);
-    any_young = false;
-    followed.assign(all, 0);
-    followed_ghosts.clear();
-    any_followed_now = false;
-  }
+  impulses.begin_step((starting ? 2.0 : 1.0) / update->dt, energy_tally.is_active());
   energy_tally.begin_step();
+  impulses.begin_contacts();
+  return true;
 }
 
 void FixEventStep::update_readers() {
@@ -354,8 +311,7 @@ void FixEventStep::save_last(int i, double* values) const {
   std::copy_n(atom->f[i], 3, values);
   std::copy_n(atom->torque[i], 3, values + TORQUE);
   energy_tally.save_motion(i, values + NOTED);
-  put(impulses.other_force(i), values + FROM_OTHERS);
-  put(sudden_forces[i], values + SUDDEN);
+  put(impulsive_forces[i], values + IMPULSIVE);
   altered.save(i, values + PARTICLE);
 }
 

@@ -2,6 +2,7 @@
 // The part of FixEventStep that keeps numbers of particles: of this step, for their ghosts, for the
 // process they go to, and for restart files.
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <tuple>
 
@@ -64,14 +65,24 @@ void FixEventStep::update_radii(int all) {
   radii_version++;
 }
 
-/// Sends to ghosts the marks of their owners.
-void FixEventStep::forward_marks() { forward_flagged(marks, nullptr, 0); }
-
-/// Brings `each` values of particles with a followed contact to their ghosts; ghosts whose owners
-/// have none get 0.
-void FixEventStep::forward_to_ghosts(NumbersOf values, int each) {
-  for (int i : followed_ghosts) std::fill_n((this->*values)(i), each, 0.0);
-  forward_flagged(followed, values, each);
+/// Gives ghosts the accelerations of their owners, and finds the largest.
+void FixEventStep::forward_accelerations() {
+  const int all = atom->nlocal + atom->nghost;
+  if (atom->nghost > 0 || comm->nprocs > 1) {
+    flagged.assign(all, 0);
+    for (int i = 0; i < atom->nlocal; i++) {
+      const double* const a = accelerations.of(i);
+      flagged[i] = a[0] != 0.0 || a[1] != 0.0 || a[2] != 0.0;
+    }
+    for (int i = atom->nlocal; i < all; i++) accelerations.clear(i);
+    forward_flagged(flagged, &FixEventStep::acceleration_of, accelerations.size());
+  }
+  double largest = 0.0;
+  for (int i = 0; i < all; i++) {
+    const cohesion::Vector3 a = cohesion::vector(accelerations.of(i));
+    largest = std::max(largest, dot(a, a));
+  }
+  largest_acceleration = std::sqrt(largest);
 }
 
 /// Gives ghosts the flags of their owners, and those that are flagged `each` of their values.
@@ -83,17 +94,14 @@ void FixEventStep::forward_flagged(std::vector<char>& flags, NumbersOf values, i
   engine_api::forward_comm(comm, this, 1 + each);
 }
 
-// One more than the largest flag.
-static constexpr int FLAGS = 4;
-
-/// Packs, of the particles that are flagged, their places in the list with the flag, and their
-/// values; -1 after the last one, where the list does not end with it. A ghost that is passed on
-/// has what its owner sent.
+/// Packs, of the particles that are flagged, their places in the list and their values; -1 after
+/// the last one, where the list does not end with it. A ghost that is passed on has what its owner
+/// sent.
 int FixEventStep::pack_forward_comm(int n, int* list, double* buf, int, int*) {
   double* end = buf;
   for (int k = 0; k < n; k++) {
     if (!forwarded_flags[list[k]]) continue;
-    *end++ = FLAGS * k + forwarded_flags[list[k]];
+    *end++ = k;
     if (values_each > 0) end = std::copy_n((this->*forwarded_values)(list[k]), values_each, end);
   }
   if (end - buf < (1 + values_each) * n) *end++ = -1.0;
@@ -102,47 +110,43 @@ int FixEventStep::pack_forward_comm(int n, int* list, double* buf, int, int*) {
 
 void FixEventStep::unpack_forward_comm(int n, int first, double* buf) {
   for (int k = 0; k < n && *buf >= 0.0; k++) {
-    const int flagged = static_cast<int>(*buf++);
-    const int i = first + flagged / FLAGS;
-    forwarded_flags[i] = static_cast<char>(flagged % FLAGS);
-    // One that no contact of this process has may be passed on.
-    if (values_each > 0 && shares[i].motion < 0) add_motion(i);
+    const int i = first + static_cast<int>(*buf++);
+    forwarded_flags[i] = 1;
     if (values_each > 0) std::copy_n(buf, values_each, (this->*forwarded_values)(i));
     buf += values_each;
   }
 }
 
 void FixEventStep::grow_arrays(int nmax) {
-  shares.resize(nmax);
-  sudden_forces.resize(nmax);
+  impulsive_forces.resize(nmax);
   if (last.has_room()) last.grow(nmax);
-  other_forces.grow(nmax);
+  accelerations.grow(nmax);
   memory->grow(inverse_mass, nmax, "event_step:inverse_mass");
 }
 
 void FixEventStep::copy_arrays(int i, int j, int) {
-  other_forces.copy(i, j);
+  accelerations.copy(i, j);
   if (last.has_room()) last.copy(i, j);
 }
 
 void FixEventStep::set_arrays(int i) {
-  other_forces.clear(i);
+  accelerations.clear(i);
   if (last.has_room()) last.clear(i);
 }
 
 int FixEventStep::pack_exchange(int i, double* buf) {
-  const int taken = other_forces.pack(i, buf);
+  const int taken = accelerations.pack(i, buf);
   return last.has_room() ? taken + last.pack(i, buf + taken) : taken;
 }
 
 int FixEventStep::unpack_exchange(int i, double* buf) {
-  const int taken = other_forces.unpack(i, buf);
+  const int taken = accelerations.unpack(i, buf);
   return last.has_room() ? taken + last.unpack(i, buf + taken) : taken;
 }
 
 // Numbers of a restart file in front of the tally's: its layout, the step, and whether the tally
 // is not known.
-static constexpr int LAYOUT = 4, HEAD = 3;
+static constexpr int LAYOUT = 5, HEAD = 3;
 static constexpr int OF_RESTART =
     HEAD + static_cast<int>(std::tuple_size_v<ContactEnergyTally::Totals>);
 
@@ -187,11 +191,9 @@ int FixEventStep::maxsize_restart() { return last.size_restart(); }
 int FixEventStep::size_restart(int) { return last.size_restart(); }
 
 double FixEventStep::memory_usage() {
-  return (sizeof(double) + sizeof(Share)) * atom->nmax + sizeof(FollowedMotion) * motions.size() +
-         impulses.bytes() + static_cast<double>(marks.capacity() + followed.capacity()) +
-         static_cast<double>(sizeof(int)) * followed_ghosts.capacity() +
+  return sizeof(double) * atom->nmax + impulses.bytes() + static_cast<double>(flagged.capacity()) +
          sizeof(double) * (known_masses.capacity() + known_radii.capacity()) +
-         sizeof(cohesion::Vector3) * sudden_forces.capacity() +
-         sizeof(int) * suddenly_pushed.capacity() + other_forces.bytes() + last.bytes() +
+         sizeof(cohesion::Vector3) * impulsive_forces.capacity() +
+         sizeof(int) * given_impulses.capacity() + accelerations.bytes() + last.bytes() +
          energy_tally.bytes();
 }

@@ -66,11 +66,6 @@ void FixEventStep::init() {
   if (may_have_contacts && (any_event_scheme || !warned_of_partly_held))
     warned_of_partly_held = require_whole_holds(
         lmp, any_event_scheme ? "scheme event" : "scheme sampled", any_event_scheme);
-  any_other_forces = any_event_scheme && others_may_act();
-  only_event_contacts = !any_other_forces && !any_driven() &&
-                        std::all_of(styles.begin(), styles.end(), [](const SoftContactStyle* some) {
-                          return some->is_event_scheme() || !some->may_have_contacts();
-                        });
   require_spheres();
   warn_of_spins();
   warn_of_unmoved();
@@ -108,27 +103,6 @@ void FixEventStep::require_spheres() {
                             " disc: friction of scheme event and compute gran/energy "
                             "take particles for spheres, of moment of inertia 2/5 m R^2; leave out "
                             "'disc'");
-}
-
-/// Whether particles may change their velocities as they are told.
-bool FixEventStep::any_driven() const {
-  return std::any_of(modify->fix, modify->fix + modify->nfix,
-                     [](const Fix* fix) { return utils::strmatch(fix->style, "^move"); });
-}
-
-/// Whether anything but contacts may act on a particle.
-bool FixEventStep::others_may_act() const {
-  if (force->bond || force->angle || force->dihedral || force->improper || force->kspace)
-    return true;
-  for (const PairMember& member : pair_members(force))
-    if (!dynamic_cast<SoftContactStyle*>(member.pair)) return true;
-  constexpr int may_act = FixConst::PRE_FORCE | FixConst::PRE_REVERSE | FixConst::POST_FORCE;
-  for (int i = 0; i < modify->nfix; i++) {
-    Fix* const fix = modify->fix[i];
-    const bool of_contacts = fix == this || dynamic_cast<SoftContactStyle*>(fix);
-    if (!of_contacts && (modify->fmask[i] & may_act)) return true;
-  }
-  return false;
 }
 
 /// A warning that was given is not given again.

@@ -11,7 +11,7 @@
 #include "advice/stiffness_scaling.h"
 #include "cohesive_contact_from_script.h"
 #include "comm.h"
-#include "event_stepping/sphere_pair.h"
+#include "contact_solver/contact_solver.h"
 #include "event_stepping/turning.h"
 #include "pointers.h"
 #include "restart_format.h"
@@ -55,8 +55,8 @@ class CohesiveCoefficients : protected Pointers {
   /// Stops LAMMPS where particles of these radii are too small for what prepare() took.
   void require_short(int i, int j, double radius_i, double radius_j) const {
     cohesion_.require_short(lmp, where_types(i, j), given_(i, j), radius_i, radius_j);
-    if constexpr (std::is_same_v<typename Cohesion::EventPair,
-                                 cohesion::event_stepping::SpherePair>) {
+    if constexpr (std::is_same_v<typename Cohesion::Solver,
+                                 cohesion::contact_solver::ContactSolver>) {
       if (scheme_ != Scheme::event || radius_i == 0.0 || radius_j == 0.0) return;
       LAMMPS_NS::from_script(lmp, where_types(i, j), [&] {
         cohesion::event_stepping::require_turns_as_touching(

@@ -26,8 +26,8 @@ Core mixed_law(const Core& a, const Core& b) {
 ///
 ///   STYLE                         of the pairs; "wall/" in front: of the walls
 ///   RESTART_LAYOUT                number of the layout of settings and Parameters in restart files
-///   EventPair, EventWall          pairs of src/event_stepping that follow it
-///   Sampled                       the same of scheme sampled, for both
+///   Solver                        of src/contact_solver: its normal motion in scheme event
+///   Sampled                       of src/event_stepping: its normal motion in scheme sampled
 ///   keywords()                    of pair_coeff and of the fix, which set Parameters::law
 ///
 /// and hides what is different with it. Its row in cohesion_laws.h makes it known.
@@ -42,8 +42,6 @@ class CohesionLaw {
   static constexpr char MATERIAL_WORDS[] = "";
   /// Whether the style follows contacts, by a scheme and with advice, or lies over another's.
   static constexpr bool HAS_CONTACT = true;
-  /// Whether a pair of which nothing is remembered is in range only where it touches.
-  static constexpr bool FORMS_AT_TOUCH = false;
   /// Whether a pair is bound within the range of the attraction, range() of scheme sampled, and
   /// types without attraction never; else what a pair remembers says so.
   static constexpr bool BINDS_IN_RANGE = false;
@@ -92,7 +90,7 @@ class CohesionLaw {
   Law law(LAMMPS*, const std::string&, const Parameters& p) const { return p.law; }
   Law no_law() const { return {}; }
 
-  /// The attraction as a pair of src/event_stepping takes it.
+  /// The attraction as solvers take it.
   template <class Attraction>
   static Attraction of_pair(const Law& law, double radius_i, double radius_j) {
     return adhesion_of(law, radius_i, radius_j);

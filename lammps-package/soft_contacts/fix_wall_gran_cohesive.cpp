@@ -150,8 +150,10 @@ void FixWallGranCohesive<Cohesion>::setup(int) {
 template <class Cohesion>
 void FixWallGranCohesive<Cohesion>::post_force(int) {
   if (step->resumes()) return;
-  step->run_corrector(
-      [this] { with_contacts([this](auto& shared, auto size) { compute_forces<size>(shared); }); });
+  step->compute_contacts([this] {
+    forces.clear();
+    with_contacts([this](auto& shared, auto size) { compute_contacts<size>(shared); });
+  });
 }
 
 template <class Cohesion>
@@ -223,12 +225,10 @@ void FixWallGranCohesive<Cohesion>::find_beside(const WallState& now) {
   travelled = 0.0;
 }
 
-/// Calls what(i, wall, contact, point, history) for the particles that may touch a wall in this
-/// step.
+/// Calls what(Near) for the particles that may touch a wall in this step.
 template <class Cohesion>
-template <class Contact, class What>
-void FixWallGranCohesive<Cohesion>::for_each_near(std::vector<Contact>& shared, const What& what) {
-  shared.clear();
+template <class What>
+void FixWallGranCohesive<Cohesion>::for_each_near(const What& what) {
   const WallState now = state();
   // What moves less than a radius in a step cannot matter beyond two. Each is asked when particles
   // may be new, or faster than that.
@@ -255,13 +255,9 @@ void FixWallGranCohesive<Cohesion>::for_each_near(std::vector<Contact>& shared, 
     for (int w = 0; w < static_cast<int>(walls.size()); w++) {
       double& phase = *history.of(i, w);
       const WallPoint point = walls[w].nearest(centre, now, motion.rim_speed);
-      const double clear = atom->radius[i] + range_at_start(range);
-      if (WallHistory::keep_behind(phase, point.distance, clear)) continue;
-      // A particle of which nothing is remembered is where it is; it did not fall into the range.
-      if (phase < 0.0) {
-        phase = 0.0;
-        if (point.distance < clear) ContactMemory::seen_inside().to(&phase, per_wall);
-      }
+      if (WallHistory::keep_behind(phase, point.distance, atom->radius[i] + range)) continue;
+      // A particle of which nothing is known is where it is; it did not fall into the range.
+      if (phase < 0.0) ContactHistory::unknown().store(&phase, per_wall);
       // No particle is faster than the step's fastest.
       if (phase != 0.0 || flight > atom->radius[i]) check_flight(i, point);
       if (step->body(i).inverse_mass == 0.0) {
@@ -269,134 +265,44 @@ void FixWallGranCohesive<Cohesion>::for_each_near(std::vector<Contact>& shared, 
         if (step->is_led(i) && dot(slides, slides) > 0.0) phase = WallHistory::NOT_KNOWN;
         continue;
       }
-      if (point.distance > 2.0 * atom->radius[i] + range) continue;
-      what(i, w, contact(shared, i), point, &phase);
+      if (point.distance > 2.0 * atom->radius[i] + range) {
+        phase = ContactState::outside;
+        continue;
+      }
+      what(Near{i, w, point, &phase});
     }
   }
 }
 
 template <class Cohesion>
-void FixWallGranCohesive<Cohesion>::classify() {
-  forces.clear();
-  near_now.clear();
-  with_contacts([this](auto& shared, auto size) { classify<size>(shared); });
-}
-
-static int partner(std::size_t near) { return -1 - static_cast<int>(near); }
-
-/// Returns what adds the forces of contacts on the walls.
-template <class Cohesion>
-template <int SIZE>
-auto FixWallGranCohesive<Cohesion>::force_adder(const ContactsOfStep<EventContact, SIZE>& scatter) {
-  return [&scatter, this](int j, const PairMotion&, const Vector3& impulse, const auto& by_contact,
-                          double factor) {
-    add_wall_force(scatter, near_now[-1 - j], impulse, by_contact(), factor);
-  };
-}
-
-template <class Cohesion>
-template <int SIZE>
-void FixWallGranCohesive<Cohesion>::classify(std::vector<EventContact>& shared) {
-  contacts_now.clear();
-  const ContactsOfStep<EventContact, SIZE> scatter(atom, step);
-  const bool alone = step->only_contacts_act() && !motion.swings();
-  for_each_near(shared, [&](int i, int w, int c, const WallPoint& point, double* values) {
-    const Near near{i, w, c, point, values};
-    const PairMotion grid = on_grid(near);
-    if (values[0] == ContactMemory::beyond &&
-        !shared[c].within_reach(grid.relative, step->flight()))
-      return;
-    near_now.push_back(near);
-    contacts_now.classify<SIZE>(scatter, step, shared[c], c, i, partner(near_now.size() - 1), grid,
-                                values, alone && walls[w].is_flat(), force_adder<SIZE>(scatter));
+template <int SIZE, class Contact>
+void FixWallGranCohesive<Cohesion>::compute_contacts(std::vector<Contact>& shared) {
+  shared.clear();
+  const ContactForces<Contact, SIZE> contact_forces(atom, step);
+  for_each_near([&](const Near& near) {
+    compute_contact<SIZE>(contact_forces, contact(shared, near.i), near);
   });
 }
 
 template <class Cohesion>
-template <int SIZE>
-void FixWallGranCohesive<Cohesion>::classify(std::vector<SampledContact>& shared) {
-  for_each_near(shared, [&](int i, int w, int c, const WallPoint& point, double* values) {
-    const Near near{i, w, c, point, values};
-    if (values[0] == 0.0 && !shared[c].within_reach(on_grid(near).relative)) return;
-    near_now.push_back(near);
-  });
-}
-
-template <class Cohesion>
-void FixWallGranCohesive<Cohesion>::follow_disturbed() {
-  with_event_contacts([this](auto& shared, auto size) { follow_disturbed<size>(shared); });
-}
-
-template <class Cohesion>
-void FixWallGranCohesive<Cohesion>::follow_far() {
-  with_event_contacts([this](auto& shared, auto size) {
-    contacts_now.follow_far(
-        ContactsOfStep<EventContact, size>(atom, step), step, shared,
-        [this](const LastingContact& p) { return on_grid(near_now[-1 - p.j]); });
-  });
-}
-
-template <class Cohesion>
-void FixWallGranCohesive<Cohesion>::couple_lasting() {
-  with_event_contacts([this](auto& shared, auto size) { couple_lasting<size>(shared); });
-}
-
-template <class Cohesion>
-void FixWallGranCohesive<Cohesion>::predict() {
-  with_event_contacts([this](auto& shared, auto size) {
-    contacts_now.predict(ContactsOfStep<EventContact, size>(atom, step), step, shared);
-  });
-}
-
-template <class Cohesion>
-template <int SIZE>
-void FixWallGranCohesive<Cohesion>::follow_disturbed(std::vector<EventContact>& shared) {
-  const ContactsOfStep<EventContact, SIZE> scatter(atom, step);
-  contacts_now.follow_disturbed<SIZE>(
-      scatter, step, shared,
-      [this](const LastingContact& p) { return on_grid(near_now[-1 - p.j]); },
-      force_adder<SIZE>(scatter));
-}
-
-template <class Cohesion>
-template <int SIZE>
-void FixWallGranCohesive<Cohesion>::couple_lasting(std::vector<EventContact>& shared) {
-  contacts_now.couple_lasting<SIZE>(
-      ContactsOfStep<EventContact, SIZE>(atom, step), step, shared,
-      [this](const LastingContact& p) { return on_grid(near_now[-1 - p.j]); });
-}
-
-/// Adds the force on a wall, and its work to the energy tally; with factor -1 undoes both.
-template <class Cohesion>
-template <class Contact, int SIZE>
-void FixWallGranCohesive<Cohesion>::add_wall_force(const ContactsOfStep<Contact, SIZE>& scatter,
-                                                   const Near& near, const Vector3& impulse,
-                                                   const Vector3& by_contact, double factor) {
-  step->energy_tally.add_work(-factor * dot(near.point.velocity, impulse));
-  const double kick = factor * scatter.kick();
-  forces.add(near.wall, kick * impulse, kick * (impulse - by_contact));
-}
-
-template <class Cohesion>
-template <int SIZE>
-void FixWallGranCohesive<Cohesion>::compute_forces(std::vector<EventContact>& shared) {
-  const ContactsOfStep<EventContact, SIZE> scatter(atom, step);
-  contacts_now.correct(scatter, step, shared, force_adder<SIZE>(scatter));
-}
-
-template <class Cohesion>
-template <int SIZE>
-void FixWallGranCohesive<Cohesion>::compute_forces(std::vector<SampledContact>& shared) {
-  const ContactsOfStep<SampledContact, SIZE> scatter(atom, step);
-  for (std::size_t k = 0; k < near_now.size(); k++) {
-    const Near& near = near_now[k];
-    const SampledContact& c = shared[near.contact];
-    const PairMotion grid = on_grid(near);
-    ContactMemory known = ContactMemory::from(near.history, SIZE);
-    const SampledStep now = sample(scatter, step, c, near.i, partner(k), grid, known);
-    known.to(near.history, SIZE);
-    add_wall_force(scatter, near, now.action.impulse, c.by_contact(grid, now), 1.0);
+template <int SIZE, class Contact>
+void FixWallGranCohesive<Cohesion>::compute_contact(
+    const ContactForces<Contact, SIZE>& contact_forces, const Contact& c, const Near& near) {
+  const PairMotion now = relative_motion(near);
+  ContactHistory known =
+      step->starts() ? ContactHistory::unknown() : ContactHistory::stored(near.history, SIZE);
+  if (known.normal.is_outside() && !c.within_reach(now.relative, step->moved_by_forces())) {
+    *near.history = ContactState::outside;
+    return;
   }
+  ContactEnergies energies;
+  const FrictionalStep does = contact_forces.apply(
+      c, near.i, -1, now, known, step->energy_tally.is_active() ? &energies : nullptr);
+  known.store(near.history, SIZE);
+  const Vector3& impulse = does.action.impulse;
+  step->energy_tally.add_work(-dot(near.point.velocity, impulse));
+  const double kick = contact_forces.kick();
+  forces.add(near.wall, kick * impulse, kick * (impulse - c.by_contact(now, does)));
 }
 
 /// The force on one wall: along three axes all of it, along the same three that of adhesion.

@@ -9,7 +9,8 @@
 #include "atom.h"
 #include "cohesive_contact_from_script.h"
 #include "contact_advice.h"
-#include "event_contact.h"
+#include "contact_forces.h"
+#include "contact_solver/exact_contact.h"
 #include "event_stepping/sampled_contact.h"
 #include "event_stepping/wall.h"
 #include "fix.h"
@@ -37,14 +38,6 @@ class FixWallGranCohesive : public Fix, public SoftContactStyle, public AdvisedS
   void post_force(int) override;
   bool is_event_scheme() const override { return scheme == Scheme::event; }
   std::string name() const override { return where; }
-  void classify() override;
-  void find_beside_young() override {
-    if (is_event_scheme()) contacts_now.find_beside_young(step);
-  }
-  void follow_disturbed() override;
-  void follow_far() override;
-  void couple_lasting() override;
-  void predict() override;
   void continue_run() override;
   void give_advice(const Circumstances&, AdviceOfStyles&) override;
   bool has_friction(int) const override { return per_wall > HistorySize::normal_only; }
@@ -66,54 +59,38 @@ class FixWallGranCohesive : public Fix, public SoftContactStyle, public AdvisedS
   double memory_usage() override { return history.bytes(); }
 
  private:
-  using EventContact = cohesion::event_stepping::TwoPassContact<typename Cohesion::EventWall>;
+  using EventContact = cohesion::contact_solver::ExactContact<typename Cohesion::Solver>;
   using SampledContact = cohesion::event_stepping::SampledContact<typename Cohesion::Sampled>;
   /// Those of the particles near a wall, equal neighbours shared. One alternative per scheme, in
   /// the order of Scheme.
   using AnyContacts = std::variant<std::vector<EventContact>, std::vector<SampledContact> >;
   using Wall = cohesion::event_stepping::Wall;
 
-  /// A particle that may touch a wall in this step. The k-th is the contact of i with j = -1 - k.
+  /// A particle that may touch a wall in this step.
   struct Near {
     int i;
     int wall;
-    int contact;
     cohesion::event_stepping::WallPoint point;
     double* history;
   };
 
   void read(int, char**);
-  /// Of a range [length], as far as a particle of which nothing is remembered is in it.
-  static double range_at_start(double range) { return Cohesion::FORMS_AT_TOUCH ? 0.0 : range; }
   template <class Contact>
-  int contact(std::vector<Contact>&, int i);
-  void find_in_range(const cohesion::event_stepping::WallState&);
+  const Contact& contact(std::vector<Contact>&, int i);
+  template <class Contact>
+  void find_in_range(std::vector<Contact>&, const cohesion::event_stepping::WallState&);
   void check_flight(int i, const cohesion::event_stepping::WallPoint&);
   cohesion::event_stepping::WallState state() const;
   double wall_travel(const cohesion::event_stepping::WallState&) const;
   void update_sizes();
   void find_beside(const cohesion::event_stepping::WallState&);
-  template <class Contact, class What>
-  void for_each_near(std::vector<Contact>&, const What&);
-  template <int SIZE>
-  void classify(std::vector<EventContact>&);
-  template <int SIZE>
-  void classify(std::vector<SampledContact>&);
-  template <int SIZE>
-  void compute_forces(std::vector<EventContact>&);
-  template <int SIZE>
-  void compute_forces(std::vector<SampledContact>&);
-  template <class Contact, int SIZE>
-  void add_wall_force(const ContactsOfStep<Contact, SIZE>&, const Near&,
-                      const cohesion::Vector3& impulse, const cohesion::Vector3& by_contact,
-                      double factor);
-  template <int SIZE>
-  auto force_adder(const ContactsOfStep<EventContact, SIZE>&);
-  cohesion::event_stepping::PairMotion on_grid(const Near&) const;
-  template <int SIZE>
-  void follow_disturbed(std::vector<EventContact>&);
-  template <int SIZE>
-  void couple_lasting(std::vector<EventContact>&);
+  template <class What>
+  void for_each_near(const What&);
+  template <int SIZE, class Contact>
+  void compute_contacts(std::vector<Contact>&);
+  template <int SIZE, class Contact>
+  void compute_contact(const ContactForces<Contact, SIZE>&, const Contact&, const Near&);
+  cohesion::event_stepping::PairMotion relative_motion(const Near&) const;
   std::vector<AdvisedContact> advised_contacts(const std::vector<LightestParticle>&) const;
   template <class What>
   void with_contacts(const What& what) {
@@ -128,13 +105,6 @@ class FixWallGranCohesive : public Fix, public SoftContactStyle, public AdvisedS
               what(shared, std::integral_constant<int, HistorySize::normal_only>());
           },
           contacts);
-    });
-  }
-  /// The same, in scheme event only.
-  template <class What>
-  void with_event_contacts(const What& what) {
-    with_contacts([&](auto& shared, auto size) {
-      if constexpr (std::decay_t<decltype(shared)>::value_type::on_grid) what(shared, size);
     });
   }
 
@@ -152,8 +122,6 @@ class FixWallGranCohesive : public Fix, public SoftContactStyle, public AdvisedS
   int per_wall;  // values of history (HistorySize)
   WallHistory history;
   AnyContacts contacts;
-  StepContacts contacts_now;  // event scheme: those of this step
-  std::vector<Near> near_now;
   /// Of the particles, when the list of neighbours was new.
   struct Sizes {
     double smallest_radius, largest_radius, largest_range;
@@ -169,14 +137,14 @@ class FixWallGranCohesive : public Fix, public SoftContactStyle, public AdvisedS
 /// Equal particles that come one after the other share a contact.
 template <class Cohesion>
 template <class Contact>
-inline int FixWallGranCohesive<Cohesion>::contact(std::vector<Contact>& shared, int i) {
+inline const Contact& FixWallGranCohesive<Cohesion>::contact(std::vector<Contact>& shared, int i) {
   const cohesion::event_stepping::Body particle = step->body(i), wall{0.0, 0.0};
   if (shared.empty() || !shared.back().is_between(particle, wall))
     shared.push_back(step->contact<Contact>(
         parameters.contact,
         Cohesion::template of_wall<typename Contact::Attraction>(law, particle.radius), particle,
         wall));
-  return static_cast<int>(shared.size()) - 1;
+  return shared.back();
 }
 
 template <class Cohesion>
@@ -186,7 +154,7 @@ cohesion::event_stepping::WallState FixWallGranCohesive<Cohesion>::state() const
 }
 
 template <class Cohesion>
-cohesion::event_stepping::PairMotion FixWallGranCohesive<Cohesion>::on_grid(
+cohesion::event_stepping::PairMotion FixWallGranCohesive<Cohesion>::relative_motion(
     const Near& near) const {
   return {{near.point.separation, near.point.velocity - vector(atom->v[near.i])},
           vector(atom->omega[near.i]),

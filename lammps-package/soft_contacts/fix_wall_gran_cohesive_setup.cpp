@@ -13,10 +13,13 @@
 using namespace LAMMPS_NS;
 using namespace cohesion::event_stepping;
 
-/// Sets whether particles are in range by where they are, of which nothing is remembered or that a
+/// Sets whether particles are in range by where they are, of which nothing is known or that a
 /// script has altered.
 template <class Cohesion>
-void FixWallGranCohesive<Cohesion>::find_in_range(const WallState& now) {
+template <class Contact>
+void FixWallGranCohesive<Cohesion>::find_in_range(std::vector<Contact>& shared,
+                                                  const WallState& now) {
+  shared.clear();
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
     const bool is_altered = step->is_altered(i, -1);
@@ -24,18 +27,20 @@ void FixWallGranCohesive<Cohesion>::find_in_range(const WallState& now) {
       if (is_altered) history.begin(i);
       continue;
     }
-    const double range = Cohesion::range(scheme, parameters, atom->radius[i], 0.0);
     for (int w = 0; w < static_cast<int>(walls.size()); w++) {
       double* const values = history.of(i, w);
       if (is_altered && values[0] == WallHistory::BEHIND) values[0] = WallHistory::NOT_KNOWN;
       const bool is_new = values[0] == WallHistory::NOT_KNOWN;
       if (!is_new && !is_altered) continue;
-      const WallPoint point = walls[w].nearest(vector(atom->x[i]), now, motion.rim_speed);
-      const auto known = is_new ? ContactMemory() : ContactMemory::from(values, per_wall);
-      const double reach = atom->radius[i] + (known.in_range() ? range : range_at_start(range));
-      if (is_new && WallHistory::keep_behind(values[0], point.distance, reach)) continue;
-      const bool inside = point.distance > 0.0 && point.distance < reach;
-      if (!inside || !known.in_range()) known.moved(inside).to(values, per_wall);
+      const double distance = walls[w].nearest(vector(atom->x[i]), now, motion.rim_speed).distance;
+      const Contact& c = contact(shared, i);
+      const double clear = atom->radius[i] + c.range();
+      if (is_new && WallHistory::keep_behind(values[0], distance, clear)) continue;
+      const auto known = is_new ? ContactHistory() : ContactHistory::stored(values, per_wall);
+      const bool was_inside = known.normal.in_range();
+      const bool inside =
+          distance > 0.0 && (was_inside ? distance < clear : c.is_in_range(distance));
+      known.moved(inside).store(values, per_wall);
     }
   }
 }
@@ -43,19 +48,17 @@ void FixWallGranCohesive<Cohesion>::find_in_range(const WallState& now) {
 template <class Cohesion>
 void FixWallGranCohesive<Cohesion>::continue_run() {
   const WallState now = state();
-  find_in_range(now);
-  if (!step->energy_tally.is_active()) return;
   with_contacts([&](auto& shared, auto size) {
-    shared.clear();
+    find_in_range(shared, now);
+    if (!step->energy_tally.is_active()) return;
     for (int i = 0; i < atom->nlocal; i++)
       for (int w = 0; w < static_cast<int>(walls.size()); w++) {
         double* const values = history.of(i, w);
         if (values[0] <= 0.0 || step->body(i).inverse_mass == 0.0) continue;
-        const int c = contact(shared, i);
-        const Near near{i, w, c, walls[w].nearest(vector(atom->x[i]), now, motion.rim_speed),
-                        values};
+        const Near near{i, w, walls[w].nearest(vector(atom->x[i]), now, motion.rim_speed), values};
         step->energy_tally.store_normal(
-            1.0, shared[c].stored(on_grid(near), ContactMemory::from(values, size)));
+            1.0, contact(shared, i).stored(relative_motion(near).relative,
+                                           ContactHistory::stored(values, size)));
       }
   });
 }
@@ -64,7 +67,7 @@ void FixWallGranCohesive<Cohesion>::continue_run() {
 
 // Numbers of a restart file: its layout, walls, numbers of history each, the course of the walls,
 // and the force on them, which a run that continues another does not compute again.
-static constexpr int LAYOUT = 1, COURSE = 3;
+static constexpr int LAYOUT = 2, COURSE = 3;
 
 template <class Cohesion>
 void FixWallGranCohesive<Cohesion>::write_restart(FILE* fp) {

@@ -11,9 +11,8 @@
 #include "advice/known_materials.h"
 #include "cohesion_law.h"
 #include "contact/adhesion.h"
-#include "event_stepping/plane_pair.h"
+#include "contact_solver/contact_solver.h"
 #include "event_stepping/sampled_hamaker.h"
-#include "event_stepping/sphere_pair.h"
 #include "hamaker/forms.h"
 #include "plausible_sizes.h"
 
@@ -26,7 +25,7 @@ class HamakerCohesion : public CohesionLaw<cohesion::hamaker::Parameters> {
   static constexpr char STYLE[] = "gran/hamaker";
   static constexpr std::array SETTINGS{"form"};
   static constexpr char MATERIAL_WORDS[] = "'material_stiffness K_m'";
-  static constexpr int RESTART_LAYOUT = 5;
+  static constexpr int RESTART_LAYOUT = 6;
   static constexpr bool BINDS_IN_RANGE = true;
 
   /// What a script says about the contact of two materials.
@@ -36,8 +35,7 @@ class HamakerCohesion : public CohesionLaw<cohesion::hamaker::Parameters> {
     cohesion::advice::Material material;
   };
   using Law = cohesion::hamaker::AnyLaw;
-  using EventPair = cohesion::event_stepping::SpherePair;
-  using EventWall = cohesion::event_stepping::PlanePair;
+  using Solver = cohesion::contact_solver::ContactSolver;
   using Sampled = cohesion::event_stepping::SampledHamaker;
 
   static std::vector<ContactKeyword<Parameters> > keywords();

@@ -3,7 +3,7 @@
 #define COHESION_LIQUID_BRIDGE_COHESION_H
 
 #include "cohesion_law.h"
-#include "event_stepping/bridge_pair.h"
+#include "contact_solver/liquid_bridge_solver.h"
 #include "event_stepping/sampled_bridge.h"
 #include "liquid_bridge/parameters.h"
 
@@ -13,11 +13,9 @@ namespace LAMMPS_NS {
 class LiquidBridgeCohesion : public CohesionLaw<cohesion::liquid_bridge::Parameters> {
  public:
   static constexpr char STYLE[] = "gran/liquid_bridge";
-  static constexpr int RESTART_LAYOUT = 1;
-  static constexpr bool FORMS_AT_TOUCH = true;
+  static constexpr int RESTART_LAYOUT = 2;
 
-  using EventPair = cohesion::event_stepping::BridgePair;
-  using EventWall = cohesion::event_stepping::BridgePlane;
+  using Solver = cohesion::contact_solver::LiquidBridgeSolver;
   using Sampled = cohesion::event_stepping::SampledBridge;
 
   static std::vector<ContactKeyword<Parameters>> keywords() {

@@ -11,7 +11,8 @@
 #include "close_pairs.h"
 #include "cohesive_coefficients.h"
 #include "contact_advice.h"
-#include "event_contact.h"
+#include "contact_forces.h"
+#include "contact_solver/exact_contact.h"
 #include "event_stepping/sampled_contact.h"
 #include "pair.h"
 #include "pair_history.h"
@@ -19,8 +20,8 @@
 
 namespace LAMMPS_NS {
 
-/// Particles and ghosts as the grid has them: places, velocities of the half step before.
-struct ParticlesOnGrid {
+/// Particles and ghosts as the engine has them: places, velocities of the half step before.
+struct StaggeredParticles {
   const double *x, *v, *spin;  // three numbers of each
   const int* type;
   Bodies bodies;
@@ -36,7 +37,7 @@ struct ParticlesOnGrid {
 
 /// Spheres with a linear spring-dashpot contact, friction and a cohesion, in the event scheme or
 /// sampled. `Cohesion` (cohesion_law.h) says what is its own: name, keywords, law, range, and which
-/// pairs of src/event_stepping follow it.
+/// solvers compute its normal motion.
 template <class Cohesion>
 class PairGranCohesive : public Pair,
                          public BoundPairs,
@@ -69,14 +70,6 @@ class PairGranCohesive : public Pair,
   }
   std::string name() const override { return coefficients.where(); }
   bool has_contacts() const override { return is_active && Cohesion::HAS_CONTACT; }
-  void classify() override;
-  void find_beside_young() override {
-    if (is_event_scheme()) contacts_now.find_beside_young(step);
-  }
-  void follow_disturbed() override;
-  void follow_far() override;
-  void couple_lasting() override;
-  void predict() override;
   void continue_run() override;
   void renumber(const Renumbering& renumbering) override {
     history.renumber(renumbering, atom->nlocal);
@@ -100,7 +93,7 @@ class PairGranCohesive : public Pair,
     }
   };
   /// One alternative per scheme, in the order of Scheme.
-  using EventContact = cohesion::event_stepping::TwoPassContact<typename Cohesion::EventPair>;
+  using EventContact = cohesion::contact_solver::ExactContact<typename Cohesion::Solver>;
   using SampledContact = cohesion::event_stepping::SampledContact<typename Cohesion::Sampled>;
   using AnyContacts = std::variant<Contacts<EventContact>, Contacts<SampledContact>>;
 
@@ -111,18 +104,11 @@ class PairGranCohesive : public Pair,
   int values_per_pair() const;
   bool bound_pairs_are_read() const;
   template <class Contact>
-  int contact(Contacts<Contact>&, const ParticlesOnGrid&, int i, int j);
+  int contact(Contacts<Contact>&, const StaggeredParticles&, int i, int j);
   template <class Contact>
   int new_contact(Contacts<Contact>&, int of_types, int i, int j);
-  ParticlesOnGrid particles() const;
-  bool is_within(double gap, int i, int j) const;
-  /// Gap up to which a pair of which nothing is remembered is in range, [length].
-  template <class Contact>
-  static double range_at_start(const Contact& contact) {
-    return Cohesion::FORMS_AT_TOUCH ? 0.0 : contact.range();
-  }
-  /// How long the pairs have flown to where they are, [time]; before its first step a run has not.
-  double last_step() const { return step->starts() ? 0.0 : update->dt; }
+  StaggeredParticles particles() const;
+  double distance(int i, int j) const;
   bool moves(int i, int j) const;
   void require_distinct_places() const;
   template <class What>
@@ -131,34 +117,17 @@ class PairGranCohesive : public Pair,
   void forget_all();
   void forget_springs();
   void forget_if_led(int i, int j, int& has_history) const;
+  void begin_step();
   void find_close();
-  template <class What>
-  void for_each_close(const What&);
-  template <int SIZE>
-  void classify(Contacts<EventContact>&);
-  template <int SIZE>
-  void classify(Contacts<SampledContact>&);
-  template <int SIZE>
-  void classify_one(const ContactsOfStep<EventContact, SIZE>&, const EventContact&, int contact,
-                    int i, int j, int& has_history, double* values);
-  template <int SIZE>
-  void follow_disturbed(Contacts<EventContact>&);
-  template <int SIZE>
-  void couple_lasting(Contacts<EventContact>&);
-  template <int SIZE>
-  void compute_forces(Contacts<EventContact>&);
-  template <int SIZE>
-  void compute_forces(Contacts<SampledContact>&);
-  template <int SIZE>
-  bool sample(const ContactsOfStep<SampledContact, SIZE>&, const SampledContact&, int i, int j,
-              double* values);
+  template <int SIZE, class Contact>
+  void compute_contacts(Contacts<Contact>&);
+  template <int SIZE, class Contact>
+  void compute_contact(const ContactForces<Contact, SIZE>&, const Contact&, int i, int j,
+                       int& has_history, double* values);
   void tally(int i, int j, const cohesion::Vector3& separation, double energy,
              const cohesion::Vector3& impulse);
-  auto flux_sum();
   template <class What>
   void with_contacts(const What&);
-  template <class What>
-  void with_event_contacts(const What&);
   void tally_energies_at_setup();
   template <class What>
   void for_each_with_history(const What&);
@@ -168,7 +137,6 @@ class PairGranCohesive : public Pair,
   cohesion::advice::GivenAdvice given_advice;
   AnyContacts any_contacts;
   std::vector<double> largest_radius, smallest_radius;  // by type, at init
-  StepContacts contacts_now;                            // event scheme: those of this step
   ClosePairs close_pairs;                               // those that may touch in a step
   double largest_range;                                 // up to which the scheme has to see a pair
   bool friction;                                        // whether any contact has friction
@@ -182,7 +150,7 @@ class PairGranCohesive : public Pair,
 };
 
 template <class Cohesion>
-inline ParticlesOnGrid PairGranCohesive<Cohesion>::particles() const {
+inline StaggeredParticles PairGranCohesive<Cohesion>::particles() const {
   return {atom->x[0], atom->v[0], atom->omega[0], atom->type, step->bodies()};
 }
 
@@ -191,7 +159,7 @@ inline ParticlesOnGrid PairGranCohesive<Cohesion>::particles() const {
 template <class Cohesion>
 template <class Contact>
 [[gnu::always_inline]] inline int PairGranCohesive<Cohesion>::contact(
-    Contacts<Contact>& contacts, const ParticlesOnGrid& particles, int i, int j) {
+    Contacts<Contact>& contacts, const StaggeredParticles& particles, int i, int j) {
   const int types = coefficients.of_types(particles.type[i], particles.type[j]);
   const int last = contacts.last[types];
   if (last != Contacts<Contact>::NONE &&
@@ -214,12 +182,11 @@ template <class Contact>
 }
 
 template <class Cohesion>
-bool PairGranCohesive<Cohesion>::is_within(double gap, int i, int j) const {
-  return norm(particles().relative_state(i, j).separation) <
-         atom->radius[i] + atom->radius[j] + gap;
+double PairGranCohesive<Cohesion>::distance(int i, int j) const {
+  return norm(particles().relative_state(i, j).separation);
 }
 
-/// Pairs of which neither is moved by anything are not followed.
+/// Pairs of which neither is moved by anything have no contact.
 template <class Cohesion>
 bool PairGranCohesive<Cohesion>::moves(int i, int j) const {
   return step->body(i).inverse_mass != 0.0 || step->body(j).inverse_mass != 0.0;

@@ -25,8 +25,11 @@ void PairGranCohesive<Cohesion>::for_each_listed(const What& what) const {
   }
 }
 
+/// A pair of which nothing else is known is in the list of histories where it stands in range.
 static bool is_inside(int has_history, const double* values) {
-  return has_history && ContactMemory::from(values, HistorySize::normal_only).in_range();
+  if (!has_history) return false;
+  const ContactState known = ContactState::stored(values);
+  return known.in_range() || known.phase == ContactState::unknown;
 }
 
 /// After steps in which nothing acted.
@@ -36,9 +39,9 @@ void PairGranCohesive<Cohesion>::forget_all() {
   for_each_listed([](int, int, int& has_history, double*) { has_history = 0; });
 }
 
-/// Sets which pairs are in range by where they are, where what is remembered does not tell: of
-/// pairs without a history, of those that something else than their motion has altered, and of all
-/// where laws have other ranges. Pairs that are still in range keep theirs.
+/// Sets which pairs are in range by where they are, where their histories do not tell: of pairs
+/// without one, of those that something else than their motion has altered, and of all where laws
+/// have other ranges.
 template <class Cohesion>
 void PairGranCohesive<Cohesion>::find_in_range() {
   std::visit(
@@ -46,18 +49,19 @@ void PairGranCohesive<Cohesion>::find_in_range() {
         contacts.clear();
         for_each_listed([&](int i, int j, int& has_history, double* values) {
           if (has_history && !step->is_altered(i, j) && !coefficients.has_other_ranges()) return;
+          const double apart = distance(i, j);
           // Contacts are made for those only that some contact could reach.
-          const bool inside = is_inside(has_history, values);
-          bool near = moves(i, j) && is_within(largest_range, i, j);
+          bool near = moves(i, j) && apart < atom->radius[i] + atom->radius[j] + largest_range;
           if (near) {
             const auto& law = contacts.all[contact(contacts, particles(), i, j)];
-            near = is_within(inside ? law.range() : range_at_start(law), i, j);
+            near = is_inside(has_history, values) ? apart < law.bodies().distance() + law.range()
+                                                  : law.is_in_range(apart);
           }
-          if (near && inside) return;
-          const ContactMemory known =
-              (has_history ? ContactMemory::from(values, per_pair) : ContactMemory()).moved(near);
-          known.to(values, per_pair);
-          has_history = near || known.phase == ContactMemory::left;
+          const ContactHistory known =
+              (has_history ? ContactHistory::stored(values, per_pair) : ContactHistory())
+                  .moved(near);
+          known.store(values, per_pair);
+          has_history = !known.normal.is_outside() || near;
         });
       },
       any_contacts);
@@ -109,7 +113,9 @@ void PairGranCohesive<Cohesion>::for_each_with_history(const What& what) {
         for_each_listed([&](int i, int j, int has_history, const double* values) {
           if (!has_history || !moves(i, j)) return;
           const auto& c = contacts.all[contact(contacts, particles(), i, j)];
-          what(i, j, c.stored(particles().motion(i, j), ContactMemory::from(values, per_pair)));
+          what(
+              i, j,
+              c.stored(particles().relative_state(i, j), ContactHistory::stored(values, per_pair)));
         });
       },
       any_contacts);
@@ -125,9 +131,11 @@ void PairGranCohesive<Cohesion>::append_bound(std::vector<std::array<int, 2>>& p
     if constexpr (Cohesion::BINDS_IN_RANGE) {
       const int types = coefficients.of_types(atom->type[i], atom->type[j]);
       const double range = coefficients.range_of_attraction(types);
-      bound = range > 0.0 && moves(i, j) && is_within(range, i, j);
+      bound =
+          range > 0.0 && moves(i, j) && distance(i, j) < atom->radius[i] + atom->radius[j] + range;
     } else {
-      bound = history_stale ? moves(i, j) && is_within(0.0, i, j) : is_inside(has_history, values);
+      bound = history_stale ? moves(i, j) && distance(i, j) < atom->radius[i] + atom->radius[j]
+                            : is_inside(has_history, values);
     }
     if (bound) pairs.push_back({i, j});
   });

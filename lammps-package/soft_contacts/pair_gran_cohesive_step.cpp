@@ -34,8 +34,9 @@ void PairGranCohesive<Cohesion>::compute(int eflag, int vflag) {
     if (evflag) tally_energies_at_setup();
     return;
   }
-  step->run_corrector([this] {
-    with_contacts([this](auto& contacts, auto size) { compute_forces<size>(contacts); });
+  step->compute_contacts([this] {
+    begin_step();
+    with_contacts([this](auto& contacts, auto size) { compute_contacts<size>(contacts); });
   });
 }
 
@@ -58,49 +59,11 @@ void PairGranCohesive<Cohesion>::with_contacts(const What& what) {
 }
 
 template <class Cohesion>
-void PairGranCohesive<Cohesion>::classify() {
-  if (!is_active) return;
+void PairGranCohesive<Cohesion>::begin_step() {
   if (history_stale) forget_all();
   if (neighbor->ago == 0) check_radii(lmp, coefficients.where(), largest_radius);
   if (step->starts()) require_distinct_places();
-  with_contacts([this](auto& contacts, auto size) { classify<size>(contacts); });
-}
-
-/// The same, in scheme event only.
-template <class Cohesion>
-template <class What>
-void PairGranCohesive<Cohesion>::with_event_contacts(const What& what) {
-  if (is_active)
-    with_contacts([&](auto& contacts, auto size) {
-      if constexpr (std::is_same_v<std::decay_t<decltype(contacts)>, Contacts<EventContact>>)
-        what(contacts, size);
-    });
-}
-
-template <class Cohesion>
-void PairGranCohesive<Cohesion>::follow_disturbed() {
-  with_event_contacts([this](auto& contacts, auto size) { follow_disturbed<size>(contacts); });
-}
-
-template <class Cohesion>
-void PairGranCohesive<Cohesion>::follow_far() {
-  with_event_contacts([this](auto& contacts, auto size) {
-    contacts_now.follow_far(
-        ContactsOfStep<EventContact, size>(atom, step), step, contacts.all,
-        [this](const LastingContact& p) { return particles().motion(p.i, p.j); });
-  });
-}
-
-template <class Cohesion>
-void PairGranCohesive<Cohesion>::couple_lasting() {
-  with_event_contacts([this](auto& contacts, auto size) { couple_lasting<size>(contacts); });
-}
-
-template <class Cohesion>
-void PairGranCohesive<Cohesion>::predict() {
-  with_event_contacts([this](auto& contacts, auto size) {
-    contacts_now.predict(ContactsOfStep<EventContact, size>(atom, step), step, contacts.all);
-  });
+  find_close();
 }
 
 /// Energy of spring and adhesion.
@@ -149,45 +112,50 @@ void PairGranCohesive<Cohesion>::warn_of_flight(double flight, double allowed) {
         coefficients.where(), flight, allowed, neighbor->skin * flight / (0.7 * allowed));
 }
 
-/// Calls what(i, j, has_history, history) for the pairs that may touch in this step.
 template <class Cohesion>
-template <class What>
-[[gnu::always_inline]] inline void PairGranCohesive<Cohesion>::for_each_close(const What& what) {
-  close_pairs.for_each_near([&](const ClosePair& pair) __attribute__((always_inline)) {
-    what(pair.i, pair.j, *pair.has_history, pair.history);
-  });
-}
-
-/// Adds what a contact does to the sums of momentum flux, if somebody reads them.
-template <class Cohesion>
-auto PairGranCohesive<Cohesion>::flux_sum() {
-  return [sums = step->sums_flux(), this](int j, const PairMotion& grid, const Vector3& impulse,
-                                          const auto& by_contact, double factor) {
-    if (sums)
-      step->flux.add(factor * (j < atom->nlocal ? 1.0 : 0.5), grid.relative.separation, impulse,
-                     by_contact());
-  };
-}
-
-template <class Cohesion>
-template <int SIZE>
-void PairGranCohesive<Cohesion>::classify(Contacts<EventContact>& contacts) {
-  contacts_now.clear();
+template <int SIZE, class Contact>
+void PairGranCohesive<Cohesion>::compute_contacts(Contacts<Contact>& contacts) {
   contacts.clear();
-  const ContactsOfStep<EventContact, SIZE> scatter(atom, step);
-  find_close();
-  const LastingForces<EventContact, SIZE> lasting(atom, step);
-  const bool recorded = step->energy_tally.is_active() || step->sums_flux();
-  const ParticlesOnGrid grid = particles();
-  for_each_close([&](int i, int j, int& has_history,
-                     double* values) __attribute__((always_inline)) {
-    const int c = contact(contacts, grid, i, j);
-    if (c == contacts.NONE) return forget_if_led(i, j, has_history);
-    if (has_history && !recorded && lasting.apply(contacts.all[c], i, j, grid.motion(i, j), values))
-      contacts_now.lasting.add() = {i, j, c, values};
-    else
-      classify_one<SIZE>(scatter, contacts.all[c], c, i, j, has_history, values);
+  const ContactForces<Contact, SIZE> forces(atom, step);
+  const StaggeredParticles now = particles();
+  const bool asked = evflag;
+  close_pairs.for_each_near([&](const ClosePair& pair) __attribute__((always_inline)) {
+    const int i = pair.i, j = pair.j;
+    const int c = contact(contacts, now, i, j);
+    if (c == contacts.NONE) return forget_if_led(i, j, *pair.has_history);
+    const Contact& law = contacts.all[c];
+    if (!*pair.has_history || asked ||
+        !forces.apply_persistent(law, i, j, now.motion(i, j), pair.history))
+      compute_contact<SIZE>(forces, law, i, j, *pair.has_history, pair.history);
   });
+}
+
+/// A pair out of range, which can come into it in this step, counts as known: only one that nothing
+/// is known of may stand in range without having moved there.
+template <class Cohesion>
+template <int SIZE, class Contact>
+[[gnu::noinline]] void PairGranCohesive<Cohesion>::compute_contact(
+    const ContactForces<Contact, SIZE>& forces, const Contact& c, int i, int j, int& has_history,
+    double* values) {
+  const StaggeredParticles now = particles();
+  ContactHistory known = has_history && !step->starts() ? ContactHistory::stored(values, SIZE)
+                                                        : ContactHistory::unknown();
+  if (known.normal.is_outside() &&
+      !c.within_reach(now.relative_state(i, j), step->moved_by_forces())) {
+    has_history = 0;
+    return;
+  }
+  if (!has_history) std::fill_n(values, per_pair, 0.0);
+  const PairMotion motion = now.motion(i, j);
+  ContactEnergies energies;
+  const FrictionalStep does = forces.apply(
+      c, i, j, motion, known, evflag || step->energy_tally.is_active() ? &energies : nullptr);
+  known.store(values, SIZE);
+  has_history = 1;
+  if (step->sums_flux())
+    step->flux.add(forces.owned_fraction(j), motion.relative.separation, does.action.impulse,
+                   c.by_contact(motion, does));
+  if (evflag) tally(i, j, motion.relative.separation, energy(energies.stored), does.action.impulse);
 }
 
 /// What is remembered of two particles that forces do not move holds until something else moves one
@@ -199,133 +167,6 @@ void PairGranCohesive<Cohesion>::forget_if_led(int i, int j, int& has_history) c
   if (dot(w, w) > 0.0) has_history = 0;
 }
 
-template <class Cohesion>
-template <int SIZE>
-void PairGranCohesive<Cohesion>::classify_one(const ContactsOfStep<EventContact, SIZE>& scatter,
-                                              const EventContact& law, int contact, int i, int j,
-                                              int& has_history, double* values) {
-  if (!has_history || values[0] == ContactMemory::beyond) {
-    const bool is_known = has_history;
-    has_history = 0;
-    const RelativeState now = particles().relative_state(i, j);
-    if (!law.within_reach(now, step->flight())) return;
-    std::fill_n(values, per_pair, 0.0);
-    if (!is_known && law.stands_within(now, range_at_start(law), last_step()))
-      ContactMemory::seen_inside().to(values, per_pair);
-  }
-  has_history = 1;
-  contacts_now.classify<SIZE>(scatter, step, law, contact, i, j, particles().motion(i, j), values,
-                              step->only_contacts_act(), flux_sum());
-}
-
-template <class Cohesion>
-template <int SIZE>
-void PairGranCohesive<Cohesion>::follow_disturbed(Contacts<EventContact>& contacts) {
-  const ContactsOfStep<EventContact, SIZE> scatter(atom, step);
-  contacts_now.follow_disturbed<SIZE>(
-      scatter, step, contacts.all,
-      [this](const LastingContact& p) { return particles().motion(p.i, p.j); }, flux_sum());
-}
-
-template <class Cohesion>
-template <int SIZE>
-void PairGranCohesive<Cohesion>::couple_lasting(Contacts<EventContact>& contacts) {
-  contacts_now.couple_lasting<SIZE>(
-      ContactsOfStep<EventContact, SIZE>(atom, step), step, contacts.all,
-      [this](const LastingContact& p) { return particles().motion(p.i, p.j); });
-}
-
-template <class Cohesion>
-template <int SIZE>
-void PairGranCohesive<Cohesion>::compute_forces(Contacts<EventContact>& contacts) {
-  const ContactsOfStep<EventContact, SIZE> scatter(atom, step);
-  if (evflag)
-    contacts_now.for_each_lasting<SIZE>(
-        contacts.all, [this](const LastingContact& p) { return particles().motion(p.i, p.j); },
-        [](const LastingContact&) { return true; },
-        [&](const LastingContact& p, const ContactMemory&, const ContactMemory& known,
-            const PairMotion& grid, const auto& action) {
-          tally(p.i, p.j, grid.relative.separation,
-                energy(contacts.all[p.contact].stored(grid, known)), action().impulse);
-        });
-  if (evflag)
-    for (const LastingContact& p : contacts_now.idle) {
-      const PairMotion grid = particles().motion(p.i, p.j);
-      const ContactMemory known = ContactMemory::from(p.history, SIZE);
-      tally(p.i, p.j, grid.relative.separation, energy(contacts.all[p.contact].stored(grid, known)),
-            {});
-    }
-  // The corrector replaces what a contact remembers.
-  std::vector<double> before;
-  if (evflag)
-    for (const FollowedContact& p : contacts_now.followed)
-      before.push_back(energy(contacts.all[p.contact].stored(
-          particles().motion(p.i, p.j), ContactMemory::as_stored(p.history, SIZE))));
-  std::size_t next = 0;
-  const auto sum = flux_sum();
-  contacts_now.correct(scatter, step, contacts.all,
-                       [&](int j, const PairMotion& grid, const Vector3& impulse,
-                           const auto& by_contact, double factor) {
-                         sum(j, grid, impulse, by_contact, factor);
-                         if (!evflag) return;
-                         tally(contacts_now.followed[next].i, j, grid.relative.separation,
-                               before[next], impulse);
-                         next++;
-                       });
-}
-
-/// Sampled contacts do not wait for each other.
-template <class Cohesion>
-template <int SIZE>
-void PairGranCohesive<Cohesion>::classify(Contacts<SampledContact>&) {
-  find_close();
-}
-
-template <class Cohesion>
-template <int SIZE>
-void PairGranCohesive<Cohesion>::compute_forces(Contacts<SampledContact>& contacts) {
-  contacts.clear();
-  const ContactsOfStep<SampledContact, SIZE> scatter(atom, step);
-  const SampledForces<SampledContact, SIZE> forces(atom, step);
-  const bool recorded = step->energy_tally.is_active() || step->sums_flux() || evflag ||
-                        step->impulses.are_told_apart();
-  const ParticlesOnGrid grid = particles();
-  for_each_close([&](int i, int j, int& has_history, double* values)
-                     __attribute__((always_inline)) {
-                       const int c = contact(contacts, grid, i, j);
-                       if (c == contacts.NONE) return forget_if_led(i, j, has_history);
-                       const SampledContact& law = contacts.all[c];
-                       if (!has_history) {
-                         const RelativeState now = grid.relative_state(i, j);
-                         if (!law.within_reach(now)) return;
-                         std::fill_n(values, per_pair, 0.0);
-                         values[0] = law.stands_within(now, range_at_start(law), last_step());
-                       }
-                       if (recorded || values[0] < 0.0)
-                         has_history = sample<SIZE>(scatter, law, i, j, values);
-                       else
-                         has_history = forces.apply(law, i, j, grid.motion(i, j), values);
-                       // One that others pushed into the range has not come there by its motion.
-                       if (!has_history) has_history = law.within_reach(grid.relative_state(i, j));
-                     });
-}
-
-/// A sampled contact whose impulse goes into tallies. Returns whether it remembers anything.
-template <class Cohesion>
-template <int SIZE>
-[[gnu::noinline]] bool PairGranCohesive<Cohesion>::sample(
-    const ContactsOfStep<SampledContact, SIZE>& scatter, const SampledContact& c, int i, int j,
-    double* values) {
-  const PairMotion grid = particles().motion(i, j);
-  ContactMemory known = ContactMemory::from(values, SIZE);
-  const SampledStep now = LAMMPS_NS::sample(scatter, step, c, i, j, grid, known);
-  known.to(values, SIZE);
-  flux_sum()(j, grid, now.action.impulse, [&] { return c.by_contact(grid, now); }, 1.0);
-  if (evflag)
-    tally(i, j, grid.relative.separation, energy(c.stored(grid, known)), now.action.impulse);
-  return known.in_range();
-}
-
 /// Energy and virial, of an impulse on j.
 template <class Cohesion>
 void PairGranCohesive<Cohesion>::tally(int i, int j, const Vector3& separation, double energy,
@@ -335,12 +176,7 @@ void PairGranCohesive<Cohesion>::tally(int i, int j, const Vector3& separation, 
                -separation.y, -separation.z);
 }
 
-#define COHESION_INSTANTIATE(style, Law)                   \
-  template void PairGranCohesive<Law>::compute(int, int);  \
-  template void PairGranCohesive<Law>::classify();         \
-  template void PairGranCohesive<Law>::follow_disturbed(); \
-  template void PairGranCohesive<Law>::follow_far();       \
-  template void PairGranCohesive<Law>::couple_lasting();   \
-  template void PairGranCohesive<Law>::predict();          \
+#define COHESION_INSTANTIATE(style, Law)                  \
+  template void PairGranCohesive<Law>::compute(int, int); \
   template void PairGranCohesive<Law>::tally(int, int, const Vector3&, double, const Vector3&);
 COHESION_PAIR_LAWS(COHESION_INSTANTIATE)

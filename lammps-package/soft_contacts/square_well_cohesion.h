@@ -6,10 +6,8 @@
 #include <vector>
 
 #include "cohesion_law.h"
-#include "event_stepping/plane_pair.h"
+#include "contact_solver/square_well_solver.h"
 #include "event_stepping/sampled_well.h"
-#include "event_stepping/well_edge.h"
-#include "event_stepping/well_pair.h"
 #include "square_well/parameters.h"
 #include "words_of_law.h"
 
@@ -19,10 +17,9 @@ namespace LAMMPS_NS {
 class SquareWellCohesion : public CohesionLaw<cohesion::square_well::Parameters> {
  public:
   static constexpr char STYLE[] = "gran/square_well";
-  static constexpr int RESTART_LAYOUT = 3;
+  static constexpr int RESTART_LAYOUT = 4;
 
-  using EventPair = cohesion::event_stepping::WellPair;
-  using EventWall = cohesion::event_stepping::PlanePair;
+  using Solver = cohesion::contact_solver::SquareWellSolver;
   using Sampled = cohesion::event_stepping::SampledWell;
 
   static std::vector<ContactKeyword<Parameters>> keywords() {
@@ -41,8 +38,7 @@ class SquareWellOverlay : public SquareWellCohesion {
   static constexpr char STYLE[] = "square_well";
   static constexpr char COEFFICIENTS[] = "well D ratio'";
   static constexpr bool HAS_CONTACT = false;
-  using EventPair = cohesion::event_stepping::WellEdge;
-  using Sampled = EventPair;
+  using Solver = cohesion::contact_solver::WellEdgeSolver;
 
   static bool attracts(const Parameters& p) { return p.law.depth > 0.0; }
 

@@ -55,6 +55,10 @@ class ContactSolver {
   virtual ~ContactSolver() = default;
 
   double range() const { return range_; }
+  /// Distance up to which a pair is in range, [length].
+  double outer_distance() const { return contact_distance_ + range_; }
+  /// Distance up to which a pair comes into range, [length].
+  double entry_distance() const { return contact_distance_ + entry_; }
   double step() const { return step_; }
   /// K' and eta'.
   const GridSpring& spring() const { return spring_; }
@@ -100,6 +104,17 @@ class ContactSolver {
     return resolve(now, external, velocity_step, state);
   }
 
+  /// The true rate of the distance at the time level by the contact itself, less the staggered one.
+  double offset(const StaggeredMotion& now, double external, const ContactState& state) const {
+    return true_rate(now, external, state) - now.rate - 0.5 * step_ * external;
+  }
+  /// What the dashpot of a persistent contact takes between two time levels, from the staggered
+  /// rates before and after the first one, [energy].
+  double lost(double before, double after) const {
+    return account_.dissipated(before, after) +
+           0.5 * spring_.damping * step_ * after * (before + after);
+  }
+
   double spring_energy(double overlap) const { return motion_.spring_energy(overlap); }
   virtual double adhesion_energy(double overlap) const { return motion_.adhesion_energy(overlap); }
 
@@ -128,8 +143,6 @@ class ContactSolver {
   static constexpr int max_segments = 100;
 
   double contact_distance() const { return contact_distance_; }
-  double outer_distance() const { return contact_distance_ + range_; }
-  double entry_distance() const { return contact_distance_ + entry_; }
 
   /// A step that is not certainly persistent.
   virtual ContactStep resolve(const StaggeredMotion& at, double external, double velocity_step,
@@ -139,7 +152,7 @@ class ContactSolver {
     const bool first = velocity_step < step_;
     bool in_range = before.in_range();
     // Before the first step of a run nothing has moved.
-    const bool stands = (first || before.is_new) && before.phase == ContactState::outside &&
+    const bool stands = (first ? before.is_outside() : before.phase == ContactState::unknown) &&
                         at.stands_within(entry_distance(), first ? 0.0 : step_);
     if (stands) in_range = true;
     Flight now{at.distance, first ? at.rate : true_rate(at, external, before), at.sideways};
@@ -237,6 +250,7 @@ class ContactSolver {
 
   /// Centrifugal acceleration of a turning pair.
   double turning(const Flight& now) const {
+    if (!(contact_distance_ > 0.0)) return now.outward(0.0);
     const double rate = now.distance / contact_distance_ * now.sideways;
     return rate * rate / contact_distance_;
   }

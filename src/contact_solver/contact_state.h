@@ -30,7 +30,8 @@ struct ContactState {
     left,        ///< out of range after a step with an event
     inside,      ///< in range without contact, nothing pending but in the account
     touching,    ///< in contact throughout the last step, which was resolved
-    settling     ///< out of range, the energy account is not closed
+    settling,    ///< out of range, the energy account is not closed
+    unknown      ///< no state was stored: the contact is seen for the first time where it stands
   };
   Phase phase = outside;
   /// True rate of the distance at the time level less the staggered one and half a step of the
@@ -42,8 +43,6 @@ struct ContactState {
   double external_before = 0.0;  ///< external acceleration then, [length/time^2]
   double account = 0.0;          ///< energy_account.h, [energy]
   double contact_time = 0.0;     ///< how long the last step was contact, [time]
-  /// No state was stored: the contact is seen for the first time.
-  bool is_new = false;
 
   /// Values that store() writes. Restart files have them, the phase by its number.
   static constexpr int size = 8;
@@ -60,16 +59,26 @@ struct ContactState {
   static Phase phase_of(const double* values) {
     return static_cast<Phase>(static_cast<int>(values[0]));
   }
+  /// A phase below 0 says that the signs of all values were changed since store().
   static ContactState stored(const double* values) {
-    return {phase_of(values), values[1], values[2], values[3],
-            values[4],        values[5], values[6], values[7]};
+    const double sign = values[0] < 0.0 ? -1.0 : 1.0;
+    return {static_cast<Phase>(static_cast<int>(sign * values[0])),
+            sign * values[1],
+            sign * values[2],
+            sign * values[3],
+            sign * values[4],
+            sign * values[5],
+            sign * values[6],
+            sign * values[7]};
   }
 
-  bool in_range() const { return phase != outside && phase != left && phase != settling; }
+  bool in_range() const { return !is_outside() && phase != left && phase != settling; }
+  /// Out of range as far as is known, with nothing pending.
+  bool is_outside() const { return phase == outside || phase == unknown; }
   /// Whether it was in contact throughout the last step.
   bool in_contact() const { return phase == persistent || phase == touching; }
   /// Whether position and staggered velocity say all about it.
-  bool has_nothing_pending() const { return phase == outside || phase == inside; }
+  bool has_nothing_pending() const { return is_outside() || phase == inside; }
 };
 
 /// What a contact does from one time level to the next.

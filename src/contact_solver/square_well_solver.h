@@ -22,7 +22,7 @@ namespace cohesion::contact_solver {
 /// way.
 ///
 /// Source: square_well/impulses.h (impulses at the edge), contact_solver.h (contact).
-class SquareWellSolver final : public ContactSolver {
+class SquareWellSolver : public ContactSolver {
  public:
   /// `well`: no force; `cutoff` the gap at the edge, `tail_energy` the depth. contact_distance
   /// [length]: of the centres at touch, or the radius beside a wall; step [time].
@@ -66,7 +66,9 @@ class SquareWellSolver final : public ContactSolver {
       return t + advance_in_range(now, time - t, external, touching, record);
     }
     in_range = !leave(now);
-    return in_range ? t + whole_bounces(now, time - t, external) : t;
+    if (!in_range) return t;
+    if (bounces_too_fast(now, external)) return t + rest(now, time - t, external, record);
+    return t + whole_bounces(now, time - t, external);
   }
 
   /// Gives the impulse of approach. A pair that other forces pushed inside may already part; it
@@ -111,6 +113,24 @@ class SquareWellSolver final : public ContactSolver {
     return escapes;
   }
 
+  /// Whether the load presses the pair against the edge, so that its bounces take a hundredth of a
+  /// step and less.
+  bool bounces_too_fast(const Flight& now, double external) const {
+    return -2.0 * now.radial <= 0.01 * step() * now.outward(external);
+  }
+
+  /// Brings such a pair to rest; its energy counts as the dashpot's. A load that grows has pushed
+  /// it a little beyond the edge since the step before. It goes back there, by no more than the
+  /// load moves it in this time. Returns the time at rest.
+  double rest(Flight& now, double time, double external, NormalRecord& record) const {
+    record.dissipated += 0.5 / inverse_mass_ * now.radial * now.radial;
+    const double back = now.outward(external) * time * time;
+    if (now.distance > outer_distance())
+      now.distance = std::max(now.distance - back, outer_distance());
+    now.radial = 0.0;
+    return time;
+  }
+
   /// Skips the bounces, within `time`, of a pair that its turning or other forces press against the
   /// edge: whole ones leave it as it is. Returns the time they take.
   double whole_bounces(const Flight& now, double time, double external) const {
@@ -122,6 +142,17 @@ class SquareWellSolver final : public ContactSolver {
 
   double depth_;
   double inverse_mass_;
+};
+
+/// The edge of a square well alone, around a contact that another style computes: the force of that
+/// one acts as any other does. Exact where the well is wider than the way of a step, so that no
+/// pair is in contact and at the edge within the same step.
+class WellEdgeSolver final : public SquareWellSolver {
+ public:
+  WellEdgeSolver(const contact::LinearSpringDashpot& spring, const contact::Adhesion& well,
+                 double contact_distance, double step)
+      : SquareWellSolver(spring, {0.0, contact_distance + well.cutoff, well.tail_energy}, 0.0,
+                         step) {}
 };
 
 }  // namespace cohesion::contact_solver

@@ -34,24 +34,6 @@ struct PairMotion {
   Vector3 spin_j{};
 };
 
-/// Changes of the spins of a pair, [1/time].
-struct PairSpins {
-  Vector3 i{};
-  Vector3 j{};
-};
-
-/// D and V of a constant acceleration in a step [time] from the grid point on.
-inline RelativeState by_acceleration(const Vector3& acceleration, double step) {
-  return {(0.5 * step * step) * acceleration, step * acceleration};
-}
-
-/// How far a particle may get in a step [time] from where its velocity on the grid leads, [length]:
-/// `impulse` [momentum], of forces over the step, in between which it may be as far again from
-/// where it flies, and `kick` [length/time] at any time in it.
-inline double most_stray(double inverse_mass, double impulse, double kick, double step) {
-  return step * (2.0 * inverse_mass * impulse + kick);
-}
-
 /// What a contact stores, [energy].
 struct StoredEnergies {
   double spring;
@@ -67,12 +49,29 @@ struct Action {
   Vector3 torque_j{};
 };
 
+/// What a contact does in a step.
+struct FrictionalStep {
+  Action action{};          ///< impulses and torques
+  Vector3 friction{};       ///< impulse of sliding friction on j, [momentum]
+  double repulsion = 0.0;   ///< impulse of spring and dashpot, [momentum]
+  bool impulsive = false;   ///< the impulse along the normal is that of an edge
+  bool unresolved = false;  ///< the step was not integrated to its end
+};
+
 /// What a contact loses in a step, [energy].
 struct ContactLosses {
   double normal_damping = 0.0;
   double tangential_damping = 0.0;
   double friction = 0.0;
   double rolling = 0.0;  ///< in the dashpot and slider of the rolling spring
+};
+
+/// The energies of a contact at a time level.
+struct ContactEnergies {
+  StoredEnergies stored{};
+  ContactLosses before{};  ///< since the time level before, as far as they are known only now
+  ContactLosses after{};   ///< up to the next time level
+  Action to_truth{};       ///< what leads from the staggered motion to the true one
 };
 
 }  // namespace cohesion::event_stepping

@@ -32,6 +32,8 @@ class SampledBridge {
         force_(bridge.force) {}
 
   double range() const { return range_; }
+  /// Gap at which a pair comes into range, [length].
+  double entry_range() const { return 0.0; }
 
   bool within_reach(const RelativeState& grid, const StepWindow&) const {
     return norm(grid.separation) <= contact_distance_ + range_;

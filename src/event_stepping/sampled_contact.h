@@ -2,30 +2,25 @@
 #pragma once
 
 #include "contact/contact_parameters.h"
+#include "contact_solver/contact_history.h"
 #include "event_stepping/contact_bodies.h"
-#include "event_stepping/contact_memory.h"
+#include "event_stepping/pair_motion.h"
 #include "event_stepping/pair_step.h"
 #include "event_stepping/spring_on_grid.h"
 
 namespace cohesion::event_stepping {
 
-/// What a sampled contact does in a step.
-struct SampledStep {
-  Action action;
-  double repulsion = 0.0;  ///< impulse of spring and dashpot, [momentum]
-  Vector3 friction{};      ///< impulse on j, [momentum]
-};
+using contact_solver::ContactHistory;
+using contact_solver::ContactState;
 
 /// One contact whose forces are taken where it stands on the grid: the scheme to compare with.
-/// Pair: SampledHamaker, SampledWell, SampledBridge or WellEdge. Everything that does not change
+/// Pair: SampledHamaker, SampledWell or SampledBridge. Everything that does not change
 /// from step to step is worked out once; pairs of equal bodies can share it.
 template <class Pair>
 class SampledContact {
  public:
   using Attraction = typename Pair::Attraction;
-  static constexpr bool on_grid = false;
-  /// Whether what a pair does that is not in contact is the impulse of an edge.
-  static constexpr bool pushes_at_edge = Pair::pushes_at_edge;
+  static constexpr bool is_exact = false;
 
   SampledContact(const contact::ContactParameters& parameters, const Attraction& attraction,
                  const Body& i, const Body& j, const StepWindow& window)
@@ -45,66 +40,89 @@ class SampledContact {
   /// Whether there is any adhesion; at a well as wide as the contact it has no range.
   bool attracts() const { return pair_.range() > 0.0 || pair_.adhesion_energy(0.0) < 0.0; }
 
-  bool within_reach(const RelativeState& grid) const { return pair_.within_reach(grid, window_); }
-
-  /// Whether a pair of which nothing is remembered stands within the gap `range` [length], and has
-  /// not fallen into it: then it was outside `before` [time].
-  bool stands_within(const RelativeState& grid, double range, double before) const {
-    const double edge = bodies_.distance() + range;
-    return norm(grid.separation) < edge && norm(grid.separation - before * grid.velocity) < edge;
+  /// Whether a pair that stands at this distance [length] is in range, where nothing is known of
+  /// how it came there.
+  bool is_in_range(double distance) const {
+    return distance < bodies_.distance() + pair_.entry_range();
+  }
+  bool within_reach(const RelativeState& grid, double /*flown*/) const {
+    return pair_.within_reach(grid, window_);
   }
 
-  /// `memory`, of which the phase says whether the pair is in range, and the losses of the step
-  /// around the grid point (of springs in the plane of contact: the one before it) are changed.
+  /// Sampled contacts are all alike.
   template <int SIZE>
-  [[gnu::always_inline]] SampledStep compute(const PairMotion& grid, ContactMemory& memory,
-                                             ContactLosses* losses) const {
+  bool advance_persistent(const PairMotion&, double*, Action&) const {
+    return false;
+  }
+
+  /// As ExactContact::advance(); other forces do not matter. Of `energies`, half of what the normal
+  /// dashpot takes in the step around the time level is before it, and half of the action leads to
+  /// the true motion.
+  template <int SIZE>
+  [[gnu::always_inline]] FrictionalStep advance(const PairMotion& grid, const Vector3&, bool,
+                                                ContactHistory& history,
+                                                ContactEnergies* energies) const {
     const Vector3& s = grid.relative.separation;
-    const PairStep normal = pair_.advance(grid.relative, window_, memory.in_range());
-    memory.phase = normal.inside ? ContactMemory::inside : ContactMemory::beyond;
-    if (losses) losses->normal_damping = normal.normal.dissipated;
-    SampledStep step;
+    if (history.normal.phase == ContactState::unknown)
+      history.normal.phase = stands(grid.relative) ? ContactState::inside : ContactState::outside;
+    const PairStep normal = pair_.advance(grid.relative, window_, history.normal.in_range());
+    history.normal.phase = normal.inside ? ContactState::inside : ContactState::outside;
+    FrictionalStep step;
     step.action.impulse = bodies_.reduced_mass() * normal.change.velocity;
     step.repulsion = normal.normal.repulsion_impulse;
-    if constexpr (SIZE >= ContactMemory::with_friction) {
+    step.impulsive = Pair::pushes_at_edge && step.repulsion == 0.0 &&
+                     dot(step.action.impulse, step.action.impulse) > 0.0;
+    SpringOnGrid::Losses slid, rolled;
+    if constexpr (SIZE >= ContactHistory::with_friction) {
       const ContactBodies::Touch touch(bodies_, s);
-      SpringOnGrid::Losses lost;
       step.friction = spring_impulse(
           sliding_, touch, touch.sliding_velocity(grid.relative.velocity, grid.spin_i, grid.spin_j),
-          normal, memory.sliding, losses ? &lost : nullptr);
+          normal, history.sliding, energies ? &slid : nullptr);
       touch.add_sliding_impulse(step.friction, step.action);
-      if (losses) {
-        losses->tangential_damping = lost.damped;
-        losses->friction = lost.friction;
-      }
-      if constexpr (SIZE >= ContactMemory::with_rolling) {
-        lost = {};
+      if constexpr (SIZE >= ContactHistory::with_rolling)
         touch.add_rolling_impulse(
             spring_impulse(rolling_, touch, touch.rolling_velocity(grid.spin_i, grid.spin_j),
-                           normal, memory.rolling, losses ? &lost : nullptr),
+                           normal, history.rolling, energies ? &rolled : nullptr),
             step.action);
-        if (losses) losses->rolling = lost.damped + lost.friction;
-      }
+    }
+    if (energies) {
+      const double damped = 0.5 * normal.normal.dissipated;
+      const Action& a = step.action;
+      energies->stored = stored(grid.relative, history);
+      energies->before = {damped, slid.damped, slid.friction, rolled.damped + rolled.friction};
+      energies->after.normal_damping = damped;
+      energies->to_truth = {0.5 * a.impulse, 0.5 * a.torque_i, 0.5 * a.torque_j};
     }
     return step;
   }
 
   /// The part of the impulse on j that spring, dashpot and friction give; the rest is adhesion.
-  Vector3 by_contact(const PairMotion& grid, const SampledStep& step) const {
+  Vector3 by_contact(const PairMotion& grid, const FrictionalStep& step) const {
     if (!attracts()) return step.action.impulse;
     const Vector3& s = grid.relative.separation;
     return (step.repulsion / norm(s)) * s + step.friction;
   }
 
-  /// What is stored at the grid point. `memory`: after compute().
-  StoredEnergies stored(const PairMotion& grid, const ContactMemory& memory) const {
-    const double overlap = bodies_.distance() - norm(grid.relative.separation);
-    return {pair_.spring_energy(overlap), sliding_.stored_energy(memory.sliding.stretch),
-            rolling_.stored_energy(memory.rolling.stretch),
-            memory.in_range() ? pair_.adhesion_energy(overlap) : 0.0};
+  /// What is stored at a time level, with its history.
+  StoredEnergies stored(const RelativeState& now, const ContactHistory& history) const {
+    const double overlap = bodies_.distance() - norm(now.separation);
+    return {pair_.spring_energy(overlap), sliding_.stored_energy(history.sliding.stretch),
+            rolling_.stored_energy(history.rolling.stretch),
+            is_bound(history, bodies_.distance() - overlap) ? pair_.adhesion_energy(overlap) : 0.0};
   }
 
  private:
+  bool is_bound(const ContactHistory& history, double distance) const {
+    return history.normal.in_range() ||
+           (history.normal.phase == ContactState::unknown && is_in_range(distance));
+  }
+  /// Whether a pair of which nothing is known stands in range, and has not come there by its motion
+  /// of the last step.
+  bool stands(const RelativeState& now) const {
+    return is_in_range(norm(now.separation)) &&
+           is_in_range(norm(now.separation - window_.before * now.velocity));
+  }
+
   [[gnu::always_inline]] Vector3 spring_impulse(const SpringOnGrid& spring,
                                                 const ContactBodies::Touch& touch,
                                                 const Vector3& rate, const PairStep& normal,

@@ -37,6 +37,8 @@ class SampledHamaker {
 
   /// Gap up to which the pair attracts, [length].
   double range() const { return range_; }
+  /// Gap at which a pair comes into range, [length].
+  double entry_range() const { return range_; }
 
   bool within_reach(const RelativeState& grid, const StepWindow&) const {
     return norm(grid.separation) <= contact_distance_ + range_;

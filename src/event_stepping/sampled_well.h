@@ -48,6 +48,8 @@ class SampledWell {
         inverse_mass_(1.0 / spring.reduced_mass()) {}
 
   double range() const { return range_; }
+  /// Gap at which a pair comes into range, [length].
+  double entry_range() const { return range_; }
 
   bool within_reach(const RelativeState& grid, const StepWindow&) const {
     return norm(grid.separation) <= contact_distance_ + range_;

@@ -73,27 +73,6 @@ class SpringOnGrid {
   Vector3 twice_owed(const Vector3& rate, bool slips, const Memory& memory) const {
     return slips ? memory.impulse : step_ * sticking_force(ends_.last, memory.stretch, rate);
   }
-  /// Adds to `losses` of advance_lasting(), which takes half of each impulse for what leads to the
-  /// true velocity and from it, what such a contact has lost more since the last grid point.
-  /// `before`: what was remembered, turned into the plane of contact; `slipped`: at the last grid
-  /// point; `impulse`: of this one; `owed`: what twice_owed() gives.
-  void add_lost_alone(const Vector3& rate, const Memory& before, bool slipped,
-                      const Vector3& impulse, const Vector3& owed, Losses& losses) const {
-    Vector3 from = before.impulse;
-    if (!slipped) {
-      const double half = 0.5 * step_ * inverse_mass_;
-      const Vector3 true_rate = (1.0 / (1.0 - half * ends_.first.damping)) *
-                                (rate + half * ends_.first.stiffness * before.stretch);
-      from = (2.0 / inverse_mass_) * (rate - true_rate);
-    }
-    const double more = 0.5 * dot(before.impulse + impulse - from - owed, rate) +
-                        0.125 * inverse_mass_ * (dot(from, from) - dot(owed, owed));
-    // A slider gives no energy: where it begins to slip, it takes less than the step's error.
-    const double all = losses.damped + losses.friction + more;
-    if (losses.friction != 0.0) losses.friction = std::max(losses.friction + more, 0.0);
-    losses.damped = all - losses.friction;
-  }
-
   /// Ends a lasting contact, after advance_lasting() with the same `rate`: sets the impulse of
   /// which half is left to do up to the true velocity, where the normal force is `last`. What it
   /// takes less of the motion than the half that was to come, of `planned`, is lost.
@@ -112,29 +91,23 @@ class SpringOnGrid {
     return law_.stored_energy(memory.stretch) - 0.5 * dot(memory.impulse, rate);
   }
 
-  /// A followed step, from `stretch` at the grid point, or of a contact that begins. `rate`: of the
-  /// ends without the spring itself; `mean`: with it, as the grid moves. `shift` [length]: what the
-  /// others do to the ends beyond their velocity, before the step and once more after it.
+  /// A resolved step, from `stretch` at the time level, or of a contact that begins. `rate`: of the
+  /// ends without the spring itself; `mean`: with it, as the particles move; overlap_at_end
+  /// [length]: at the next time level, negative in a gap.
   [[gnu::always_inline]] contact::TangentialStep follow(const contact::Plane& plane,
-                                                        const Vector3& stretch,
-                                                        const Vector3& shift, const Vector3& rate,
-                                                        const PairStep& normal,
+                                                        const Vector3& stretch, const Vector3& rate,
+                                                        const NormalRecord& normal,
+                                                        double overlap_at_end,
                                                         Vector3& mean) const {
-    contact::TangentialStep step = law_.advance(
-        plane.turned_into(stretch) + shift, rate, normal.normal.contact_time, inverse_mass_,
-        normal.normal.repulsion_impulse, normal.normal.repulsion_at_end);
-    step.displacement += shift;
-    mean = rate + (0.5 * inverse_mass_) * step.impulse + (2.0 / step_) * shift;
-    if (normal.overlap_at_end <= 0.0) {  // parted: what the spring still stored is lost
+    contact::TangentialStep step =
+        law_.advance(plane.turned_into(stretch), rate, normal.contact_time, inverse_mass_,
+                     normal.repulsion_impulse, normal.repulsion_at_end);
+    mean = rate + (0.5 * inverse_mass_) * step.impulse;
+    if (overlap_at_end <= 0.0) {  // parted: what the spring still stored is lost
       step.friction += law_.stored_energy(step.displacement);
       step.displacement = {};
     }
     return step;
-  }
-
-  /// The impulse of follow() in a step that is contact throughout, of a stretch in the plane.
-  Vector3 impulse(const Vector3& stretch, const Vector3& rate, double repulsion) const {
-    return law_.impulse(stretch, rate, step_, inverse_mass_, repulsion);
   }
 
   /// (w dt)^2 of one force by itself, and what its dashpot is as good as.
@@ -144,6 +117,8 @@ class SpringOnGrid {
            inverse_mass_;
   }
 
+  /// The effective one of the motion that stretches the spring, [1/mass].
+  double inverse_mass() const { return inverse_mass_; }
   /// A spring whose slider has no friction gives no force.
   bool is_present() const { return friction_ > 0.0; }
   double stored_energy(const Vector3& stretch) const { return law_.stored_energy(stretch); }

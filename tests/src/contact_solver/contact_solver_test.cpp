@@ -59,7 +59,7 @@ TEST(ContactSolver, APairThatIsNewInTheRangeStandsThere) {
   const ContactSolver contact(spring(0.0), adhesion, core, dt);
   const auto is_inside_after = [&](double radial, bool is_new) {
     ContactState state;
-    state.is_new = is_new;
+    if (is_new) state.phase = ContactState::unknown;
     contact.advance({core + gap, radial, 0.0}, 0.0, dt, state);
     return state.in_range();
   };
@@ -67,12 +67,10 @@ TEST(ContactSolver, APairThatIsNewInTheRangeStandsThere) {
   EXPECT_FALSE(is_inside_after(0.0, false));
 
   StaggeredMotion at{core + gap, 0.0, 0.0};
-  ContactState state;
-  state.is_new = true;
+  ContactState state{ContactState::unknown};
   double fastest = 0.0;
   for (int n = 0; n < 300; n++) {
     const ContactStep step = contact.advance(at, 0.0, dt, state);
-    state.is_new = false;
     at.rate += dt * step.force / thesis::reduced_mass;
     at.distance += dt * at.rate;
     fastest = std::max(fastest, std::abs(at.rate));

@@ -42,7 +42,8 @@ def script(grain, division, scheme, pulled_by):
         strong = f"hamaker {3 * A!r} cutoff {CUT!r} {OUT!r}"
         away = start - d / 2 + 3 * at_rest
         speed = -2 * TOP * at_rest / (steps * dt)  # both springs give way
-        steps = round(steps * (1 + CUT / (TOP * at_rest)))  # F_ad lasts up to H_cut
+        # F_ad lasts up to H_cut. A load presses a contact by F/K', somewhat more than F/K; so a fifth longer.
+        steps = round(steps * (1.2 + CUT / (TOP * at_rest)))
         lines.append(f"fix puller all wall/gran/hamaker {contact} {strong} xplane {away:.17g} NULL "
                      f"translate x {speed!r} scheme {scheme}")
         loaded = f"f_puller[1]/{grain.force!r}"

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#ifndef COHESION_CONTACT_FORCES_H
+#define COHESION_CONTACT_FORCES_H
+
+#include "atom.h"
+#include "contact_solver/contact_history.h"
+#include "event_stepping/pair_motion.h"
+#include "fix_event_step.h"
+
+// How contacts of pairs and of walls are computed, and how what they do reaches the particles.
+//
+// Here, and where the laws of a step are, local variables of a struct type are not `const`: GCC 12
+// keeps such in memory, the others in registers, which costs a contact a tenth.
+
+namespace LAMMPS_NS {
+
+using cohesion::vector;
+using cohesion::Vector3;
+
+using cohesion::contact_solver::ContactHistory;
+using cohesion::contact_solver::ContactState;
+using HistorySize = ContactHistory::Size;
+
+/// Contacts of one kind, of one process, in one step. j < 0: a wall.
+template <class Contact, int SIZE>
+class ContactForces {
+ public:
+  using Action = cohesion::event_stepping::Action;
+  using ContactEnergies = cohesion::event_stepping::ContactEnergies;
+  using FrictionalStep = cohesion::event_stepping::FrictionalStep;
+  using PairMotion = cohesion::event_stepping::PairMotion;
+
+  ContactForces(Atom* atom, FixEventStep* step)
+      : step_(step),
+        forces_(atom->f[0]),
+        torques_(atom->torque[0]),
+        kick_(step->impulses.kick()),
+        nlocal_(atom->nlocal),
+        persistent_(!step->is_recorded() && !step->starts() && !step->has_other_length()) {}
+
+  /// Force that stands for an impulse.
+  double kick() const { return kick_; }
+  /// The fraction of a pair's energies that this process counts: a pair of two processes, or of two
+  /// images, is met twice.
+  double owned_fraction(int j) const { return j < nlocal_ ? 1.0 : 0.5; }
+
+  /// Computes a contact that was persistent and certainly is so in this step, of which nobody asks
+  /// what it does: what most contacts of a bed need, and only that. False: nothing is done.
+  [[gnu::always_inline]] bool apply_persistent(const Contact& c, int i, int j,
+                                               const PairMotion& now, double* values) const {
+    Action action;
+    if (!persistent_ || !c.template advance_persistent<SIZE>(now, values, action)) return false;
+    const Vector3 pushed = kick_ * action.impulse;
+    add(forces_ + 3 * i, -1.0, pushed);
+    if (SIZE >= ContactHistory::with_friction) add(torques_ + 3 * i, kick_, action.torque_i);
+    if (j < 0 || j >= nlocal_) return true;
+    add(forces_ + 3 * j, 1.0, pushed);
+    if (SIZE >= ContactHistory::with_friction) add(torques_ + 3 * j, kick_, action.torque_j);
+    return true;
+  }
+
+  /// Computes any contact; gives what it does. `energies`: of which the tally gets what it needs.
+  FrictionalStep apply(const Contact& c, int i, int j, const PairMotion& now,
+                       ContactHistory& history, ContactEnergies* energies) const {
+    const Vector3 acceleration = step_->relative_acceleration(i, j);
+    if constexpr (Contact::is_exact)
+      if (step_->has_other_length())
+        c.change_step(step_->last_length(), now, acceleration, history);
+    const FrictionalStep does =
+        c.template advance<SIZE>(now, acceleration, step_->starts(), history, energies);
+    push(i, -does.action.impulse, does.action.torque_i);
+    if (is_own(j)) push(j, does.action.impulse, does.action.torque_j);
+    if (does.impulsive) exclude_impulse(c, i, j, now.relative.separation, does.action.impulse);
+    if (does.unresolved) step_->count_unresolved(owned_fraction(j));
+    if (step_->energy_tally.is_active()) tally(c, i, j, *energies);
+    return does;
+  }
+
+ private:
+  bool is_own(int j) const { return j >= 0 && j < nlocal_; }
+
+  [[gnu::always_inline]] static void add(double* to, double factor, const Vector3& a) {
+    to[0] += factor * a.x;
+    to[1] += factor * a.y;
+    to[2] += factor * a.z;
+  }
+  void push(int i, const Vector3& impulse, const Vector3& turn) const {
+    step_->impulses.push<SIZE>(i, impulse, turn);
+  }
+
+  /// The part along the normal acts at an instant of the step.
+  [[gnu::noinline, gnu::cold]] void exclude_impulse(const Contact& c, int i, int j,
+                                                    Vector3 separation, Vector3 impulse) const {
+    const double part = dot(impulse, separation) / dot(separation, separation);
+    const Vector3 pushed = (kick_ * part) * separation;
+    if (c.bodies().inverse_mass_i() > 0.0) step_->add_impulsive_force(i, -pushed);
+    if (is_own(j) && c.bodies().inverse_mass_j() > 0.0) step_->add_impulsive_force(j, pushed);
+  }
+
+  void tally(const Contact& c, int i, int j, const ContactEnergies& energies) const {
+    ContactEnergyTally& tally = step_->energy_tally;
+    const double fraction = owned_fraction(j);
+    tally.store(fraction, energies.stored);
+    tally.add_losses(fraction, energies.before, 0.0);
+    tally.add_losses(fraction, energies.after, 1.0);
+    const Action& a = energies.to_truth;
+    change(tally.owed()[i], c.bodies().inverse_mass_i(), -a.impulse, c.bodies().inverse_inertia_i(),
+           a.torque_i);
+    if (j >= 0)
+      change(tally.owed()[j], c.bodies().inverse_mass_j(), a.impulse,
+             c.bodies().inverse_inertia_j(), a.torque_j);
+  }
+  static void change(double* to, double inverse_mass, const Vector3& impulse,
+                     double inverse_inertia, const Vector3& turn) {
+    add(to, inverse_mass, impulse);
+    add(to + 3, inverse_inertia, turn);
+  }
+
+  FixEventStep* step_;
+  double* forces_;
+  double* torques_;
+  double kick_;
+  int nlocal_;
+  bool persistent_;
+};
+
+}  // namespace LAMMPS_NS
+
+#endif

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "contact_solver/contact_state.h"
+#include "event_stepping/spring_on_grid.h"
+
+namespace cohesion::contact_solver {
+
+/// What an engine stores of a contact of two spheres, or of a sphere and a wall, from one step to
+/// the next. Sampled contacts (event_stepping/sampled_contact.h) use the phases `outside` and
+/// `inside` and the springs.
+struct ContactHistory {
+  using Spring = event_stepping::SpringOnGrid::Memory;
+
+  ContactState normal{};
+  Spring sliding{}, rolling{};
+
+  /// Values that are stored: without friction, with it, and with rolling friction.
+  enum Size {
+    normal_only = ContactState::size,
+    with_friction = normal_only + 6,
+    with_rolling = with_friction + 6
+  };
+
+  static ContactHistory unknown() {
+    ContactHistory history;
+    history.normal.phase = ContactState::unknown;
+    return history;
+  }
+
+  /// An engine that exchanges i and j changes the sign of all values.
+  static ContactHistory stored(const double* values, int size) {
+    const auto spring = [values, size](int first, Size least) {
+      return size >= least ? Spring{vector(values + first), vector(values + first + 3)} : Spring{};
+    };
+    return {ContactState::stored(values), spring(normal_only, with_friction),
+            spring(with_friction, with_rolling)};
+  }
+  void store(double* values, int size) const {
+    normal.store(values);
+    if (size >= with_friction) store(sliding, values + normal_only);
+    if (size >= with_rolling) store(rolling, values + with_friction);
+  }
+
+  /// Of particles that something else than their motion has moved relative to each other: the
+  /// contact is where it stands now, in range or not, and in range it keeps its springs. What leads
+  /// to the true velocity stays.
+  ContactHistory moved(bool into_range) const {
+    ContactHistory now;
+    now.normal.velocity_offset = normal.velocity_offset;
+    if (into_range) {
+      now.normal.phase = ContactState::unknown;
+      now.sliding = sliding;
+      now.rolling = rolling;
+    } else if (normal.velocity_offset != 0.0) {
+      now.normal.phase = ContactState::left;
+    }
+    return now;
+  }
+
+  [[gnu::always_inline]] static void store(const Spring& spring, double* values) {
+    for (const Vector3* const a : {&spring.stretch, &spring.impulse}) {
+      *values++ = a->x;
+      *values++ = a->y;
+      *values++ = a->z;
+    }
+  }
+};
+
+}  // namespace cohesion::contact_solver

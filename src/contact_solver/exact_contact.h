@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/contact_parameters.h"
+#include "contact_solver/closest_packing.h"
+#include "contact_solver/contact_history.h"
+#include "contact_solver/contact_solver.h"
+#include "event_stepping/contact_bodies.h"
+#include "event_stepping/spring_on_grid.h"
+
+namespace cohesion::contact_solver {
+
+using event_stepping::Action;
+using event_stepping::Body;
+using event_stepping::ContactBodies;
+using event_stepping::ContactEnergies;
+using event_stepping::FrictionalStep;
+using event_stepping::PairMotion;
+using event_stepping::RelativeState;
+using event_stepping::SpringOnGrid;
+using event_stepping::StoredEnergies;
+
+/// A contact of two spheres, or of a sphere and a wall: the normal motion by its solver, and
+/// springs, dashpots and sliders of friction and of rolling friction. In a persistent contact these
+/// are discrete springs (SpringOnGrid). In a resolved step the midpoint rule integrates them over
+/// the time in contact, and half of their impulse acts at n, half at n+1.
+///
+/// Momentum and angular momentum are kept to rounding. Pairs of equal bodies can share an object:
+/// everything that does not change from step to step is worked out once.
+///
+/// Solver: ContactSolver, SquareWellSolver, LiquidBridgeSolver or WellEdgeSolver. SIZE: what is
+/// stored, and so whether there is friction, and rolling friction.
+template <class Solver>
+class ExactContact {
+ public:
+  using Attraction = contact::Adhesion;
+  static constexpr bool is_exact = true;
+
+  /// step [time].
+  ExactContact(const contact::ContactParameters& parameters, const contact::Adhesion& attraction,
+               const Body& i, const Body& j, double step)
+      : bodies_(i, j),
+        step_(step),
+        normal_contact_(contact::normal_contact(parameters, bodies_.reduced_mass())),
+        solver_(normal_contact_, attraction, bodies_.distance(), step),
+        sliding_(contact::tangential_contact(parameters, normal_contact_), step,
+                 bodies_.inverse_sliding_mass()),
+        rolling_(contact::rolling_contact(parameters, normal_contact_), step,
+                 bodies_.inverse_rolling_mass()),
+        pull_(attraction.force) {}
+
+  bool is_between(const Body& i, const Body& j) const { return bodies_.are(i, j); }
+  const ContactBodies& bodies() const { return bodies_; }
+  const Solver& solver() const { return solver_; }
+  /// Gap up to which the pair attracts, [length].
+  double range() const { return solver_.outer_distance() - bodies_.distance(); }
+  /// Whether there is any adhesion; at a well as wide as the contact it has no range.
+  bool attracts() const { return range() > 0.0 || solver_.adhesion_energy(0.0) < 0.0; }
+
+  /// Whether discrete springs and dashpots, which take the velocity of half a step before, stay
+  /// steady where each sphere has many of them: (w dt)^2 of each swing must stay below 4. A bed
+  /// gains energy without bound in steps that are longer.
+  ///
+  /// Source: derived here; docs/theory/exact_contacts.md, Steps.
+  bool is_steady(const ClosestPacking& packing) const {
+    const event_stepping::GridSpring& spring = solver_.spring();
+    const double normal =
+        (spring.stiffness + 2.0 * spring.damping / step_) * step_ * step_ * bodies_.inverse_mass();
+    return packing.normal * normal < 4.0 && packing.sliding * sliding_.frequency_squared() +
+                                                    packing.rolling * rolling_.frequency_squared() <
+                                                4.0;
+  }
+
+  /// Whether a pair that stands at this distance [length] is in range, where nothing is known of
+  /// how it came there.
+  bool is_in_range(double distance) const { return distance < solver_.entry_distance(); }
+
+  /// Whether a pair out of range may come into it in this step. `flown` [length]: what a pair can
+  /// fly in it more than its velocity says.
+  bool within_reach(const RelativeState& now, double flown) const {
+    const double range = solver_.outer_distance() + flown;
+    const double square = dot(now.separation, now.separation);
+    const double closing = -step_ * dot(now.separation, now.velocity);
+    const double reach = range + std::max(closing, 0.0) / range;
+    if (square > reach * reach) return false;
+    // No part of a straight flight is nearer than its part along the line of centres.
+    const double distance = std::sqrt(square);
+    return distance * (distance - range) <= std::max(closing, 0.0);
+  }
+
+  /// A step of a contact that was persistent in the last one and certainly is in this one; false,
+  /// and nothing done, where that is not certain. `values`: the stored history.
+  template <int SIZE>
+  [[gnu::always_inline]] bool advance_persistent(const PairMotion& now, double* values,
+                                                 Action& action) const {
+    if (values[0] != ContactState::persistent) return false;
+    const Vector3& s = now.relative.separation;
+    const double inverse = 1.0 / norm(s);
+    ContactState normal = ContactState::stored(values);
+    double repulsion;
+    if (!solver_.advance_persistent(motion(now.relative, inverse), normal, repulsion)) return false;
+    normal.store(values);
+    action.impulse = (step_ * normal.force * inverse) * s;
+    if constexpr (SIZE >= ContactHistory::with_friction) {
+      const ContactBodies::Touch touch(bodies_, s, inverse);
+      const Vector3 across =
+          now.relative.velocity - (inverse * inverse * dot(s, now.relative.velocity)) * s;
+      touch.add_sliding_impulse(
+          persistent_impulse(sliding_, touch,
+                             touch.sliding_velocity_across(across, now.spin_i, now.spin_j),
+                             repulsion, values + ContactHistory::normal_only),
+          action);
+      if constexpr (SIZE >= ContactHistory::with_rolling)
+        touch.add_rolling_impulse(
+            persistent_impulse(rolling_, touch, touch.rolling_velocity(now.spin_i, now.spin_j),
+                               repulsion, values + ContactHistory::with_friction),
+            action);
+    }
+    return true;
+  }
+
+  /// Any step. `acceleration` [length/time^2]: of j less that of i by all forces of the last step
+  /// but impulses; first: in the first step of a run, whose velocities are those of the time level.
+  /// `energies` may be null.
+  template <int SIZE>
+  FrictionalStep advance(const PairMotion& now, const Vector3& acceleration, bool first,
+                         ContactHistory& history, ContactEnergies* energies) const {
+    const Vector3& s = now.relative.separation;
+    const double inverse = 1.0 / norm(s);
+    const StaggeredMotion at = motion(now.relative, inverse);
+    const double external =
+        first ? 0.0 : solver_.external(inverse * dot(s, acceleration), history.normal);
+    FrictionalStep step;
+    if (history.normal.phase == ContactState::outside && !solver_.within_reach(at, external))
+      return step;
+    const ContactState before = history.normal;
+    const double velocity_step = first ? 0.5 * step_ : step_;
+    const ContactStep normal = solver_.advance(at, external, velocity_step, history.normal);
+    step.repulsion = velocity_step * normal.repulsion;
+    step.unresolved = normal.normal.unresolved;
+    step.impulsive = normal.force != 0.0 && solver_.gave_impulse(history.normal);
+    step.action.impulse = (velocity_step * normal.force * inverse) * s;
+    const Normal n{before,
+                   history.normal,
+                   normal,
+                   first ? 0.0 : solver_.offset(at, external, before),
+                   bodies_.distance() - at.distance,
+                   overlap_at_end(now, step.action.impulse)};
+    if (energies) set_normal_energies(n, at, inverse * s, *energies);
+    if constexpr (SIZE >= ContactHistory::with_friction) {
+      const ContactBodies::Touch touch(bodies_, s, inverse);
+      Spring of_sliding;
+      step.friction = advance(sliding_, touch,
+                              touch.sliding_velocity(now.relative.velocity, now.spin_i, now.spin_j),
+                              n, history.sliding, energies ? &of_sliding : nullptr);
+      touch.add_sliding_impulse(step.friction, step.action);
+      if (energies) {
+        touch.add_sliding_impulse(0.5 * of_sliding.due, energies->to_truth);
+        energies->stored.tangential_spring = of_sliding.stored;
+        energies->before.tangential_damping = of_sliding.before.damped;
+        energies->before.friction = of_sliding.before.friction;
+        energies->after.tangential_damping = of_sliding.after.damped;
+        energies->after.friction = of_sliding.after.friction;
+      }
+      if constexpr (SIZE >= ContactHistory::with_rolling) {
+        Spring of_rolling;
+        touch.add_rolling_impulse(
+            advance(rolling_, touch, touch.rolling_velocity(now.spin_i, now.spin_j), n,
+                    history.rolling, energies ? &of_rolling : nullptr),
+            step.action);
+        if (energies) {
+          touch.add_rolling_impulse(0.5 * of_rolling.due, energies->to_truth);
+          energies->stored.rolling_spring = of_rolling.stored;
+          energies->before.rolling = of_rolling.before.damped + of_rolling.before.friction;
+          energies->after.rolling = of_rolling.after.damped + of_rolling.after.friction;
+        }
+      }
+    }
+    return step;
+  }
+
+  /// Where the last step was of another length, `last_step` [time], and the one that led here gave
+  /// half of each of its forces: sets the history as if it had been of this one. `acceleration`: as
+  /// in advance().
+  void change_step(double last_step, const PairMotion& now, const Vector3& acceleration,
+                   ContactHistory& history) const {
+    ContactState& state = history.normal;
+    const Vector3& s = now.relative.separation;
+    const double inverse = 1.0 / norm(s);
+    if (state.phase == ContactState::persistent) {
+      state.last_rate = inverse * (dot(s, now.relative.velocity) - step_ * dot(s, acceleration));
+    } else if (solver_.gave_impulse(state)) {
+      state.force *= last_step / step_;
+    } else if (state.phase == ContactState::touching || state.phase == ContactState::inside) {
+      state.velocity_offset *= step_ / last_step;
+    } else {
+      // The velocity after an event is what it is.
+      state.velocity_offset += 0.5 * bodies_.inverse_mass() * state.force * (last_step - step_);
+      if (state.phase == ContactState::settling) state.phase = ContactState::left;
+    }
+  }
+
+  /// The part of the impulse on j that spring, dashpot and friction give; the rest is adhesion.
+  Vector3 by_contact(const PairMotion& now, const FrictionalStep& step) const {
+    if (!attracts()) return step.action.impulse;
+    const Vector3& s = now.relative.separation;
+    return (step.repulsion / norm(s)) * s + step.friction;
+  }
+
+  /// What is stored at a time level between two runs.
+  StoredEnergies stored(const RelativeState& now, const ContactHistory& history) const {
+    const double distance = norm(now.separation), overlap = bodies_.distance() - distance;
+    const bool stands = history.normal.phase == ContactState::unknown && is_in_range(distance);
+    if (!history.normal.in_range() && !stands) return {};
+    return {solver_.spring_energy(overlap), sliding_.stored_energy(history.sliding.stretch),
+            rolling_.stored_energy(history.rolling.stretch), solver_.adhesion_energy(overlap)};
+  }
+
+ private:
+  /// The normal motion of a step, as friction needs it.
+  struct Normal {
+    const ContactState& before;
+    const ContactState& after;
+    const ContactStep& step;
+    double offset;   ///< true rate at the time level less the staggered one, by itself
+    double overlap;  ///< [length]
+    double overlap_at_end;
+
+    bool persisted() const { return before.phase == ContactState::persistent; }
+  };
+  /// The energies of a spring.
+  struct Spring {
+    Vector3 due{};  ///< twice the impulse that leads to the true motion
+    double stored = 0.0;
+    SpringOnGrid::Losses before{}, after{};
+  };
+
+  StaggeredMotion motion(const RelativeState& relative, double inverse) const {
+    const double rate = inverse * dot(relative.separation, relative.velocity);
+    const double across = dot(relative.velocity, relative.velocity) - rate * rate;
+    return {1.0 / inverse, rate, bodies_.is_wall() ? 0.0 : std::sqrt(std::max(across, 0.0))};
+  }
+
+  [[gnu::always_inline]] static Vector3 persistent_impulse(const SpringOnGrid& spring,
+                                                           const ContactBodies::Touch& touch,
+                                                           const Vector3& rate, double repulsion,
+                                                           double* values) {
+    SpringOnGrid::Memory memory{vector(values), vector(values + 3)};
+    bool slips;
+    const Vector3 impulse =
+        spring.advance_lasting(touch.plane(), rate, repulsion, true, memory, slips, nullptr);
+    ContactHistory::store(memory, values);
+    return impulse;
+  }
+
+  /// The overlap at the next time level, of the contact by itself.
+  double overlap_at_end(const PairMotion& now, const Vector3& impulse) const {
+    const Vector3 velocity = now.relative.velocity + bodies_.inverse_mass() * impulse;
+    return bodies_.distance() - norm(now.relative.separation + step_ * velocity);
+  }
+
+  void set_normal_energies(const Normal& n, const StaggeredMotion& at, const Vector3& normal,
+                           ContactEnergies& energies) const {
+    const bool stands = n.before.phase == ContactState::unknown && n.after.in_range();
+    if (n.before.in_range() || stands) {
+      energies.stored.spring = solver_.spring_energy(n.overlap);
+      energies.stored.adhesion = solver_.adhesion_energy(n.overlap);
+    }
+    if (n.persisted()) energies.before.normal_damping = solver_.lost(n.before.last_rate, at.rate);
+    energies.after.normal_damping = n.step.normal.dissipated;
+    energies.to_truth.impulse = (bodies_.reduced_mass() * n.offset) * normal;
+  }
+
+  /// The impulse of a spring at this time level.
+  Vector3 advance(const SpringOnGrid& spring, const ContactBodies::Touch& touch,
+                  const Vector3& rate, const Normal& n, SpringOnGrid::Memory& memory,
+                  Spring* energies) const {
+    memory.impulse = touch.plane().turned_into(memory.impulse);
+    if (energies) energies->due = memory.impulse;
+    bool slips = false;
+    // What begins at a time level begins with the true velocity.
+    const double true_force = 2.0 * bodies_.reduced_mass() * n.offset / step_;
+    if (n.after.phase == ContactState::persistent) {
+      const double limiting =
+          n.persisted() ? n.step.repulsion : 2.0 * n.step.force - true_force + pull_;
+      const Vector3 impulse =
+          spring.advance_lasting(touch.plane(), rate, limiting, n.persisted(), memory, slips,
+                                 energies ? &energies->before : nullptr);
+      if (energies) {
+        if (n.persisted()) energies->due = memory.impulse;
+        energies->stored = spring.stored_energy(memory.stretch);
+      }
+      return impulse;
+    }
+    Vector3 stretch{};
+    if (n.persisted()) {
+      SpringOnGrid::Losses at_end;
+      spring.advance_lasting(touch.plane(), rate, n.step.repulsion, true, memory, slips,
+                             energies ? &energies->before : nullptr);
+      spring.end_lasting(rate, slips, true_force + pull_, memory.impulse, memory,
+                         energies ? &at_end : nullptr);
+      stretch = memory.stretch;
+      if (energies) {
+        energies->before.friction += at_end.friction;
+        energies->due = memory.impulse;
+      }
+    } else if (n.overlap > 0.0) {
+      stretch = touch.plane().turned_into(memory.stretch);
+      if (n.before.in_range()) stretch += step_ * rate;
+    }
+    if (energies) energies->stored = spring.stored_energy(stretch);
+    if (!(n.step.normal.contact_time > 0.0)) {
+      const Vector3 half = 0.5 * memory.impulse;
+      if (energies) energies->after.friction = energies->stored;
+      memory = {};
+      return half;
+    }
+    const Vector3 true_rate = rate + (0.5 * spring.inverse_mass()) * memory.impulse;
+    Vector3 mean;
+    const contact::TangentialStep now =
+        spring.follow(touch.plane(), touch.plane().part_in(stretch), true_rate, n.step.normal,
+                      n.overlap_at_end, mean);
+    const Vector3 impulse = 0.5 * (now.impulse + memory.impulse);
+    if (energies) energies->after = {now.damped, now.friction};
+    const bool goes_on = n.overlap_at_end > 0.0;
+    memory = {goes_on ? now.displacement - step_ * mean : Vector3{}, now.impulse};
+    return impulse;
+  }
+
+  ContactBodies bodies_;
+  double step_;
+  contact::LinearSpringDashpot normal_contact_;
+  Solver solver_;
+  SpringOnGrid sliding_;
+  SpringOnGrid rolling_;
+  double pull_;
+};
+
+}  // namespace cohesion::contact_solver
