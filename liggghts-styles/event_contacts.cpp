@@ -165,7 +165,7 @@ bool EventContacts::follow(const ContactModels::SurfacesCloseData& d, double r,
   time_apart_ = k->law->step() - state.contact_time;
   const StaggeredMotion now = motion(d, r, normal);
   const double by_all = first ? 0.0 : acceleration(d, cohesion::vector(normal));
-  const double external = first ? 0.0 : k->law->external(by_all, state);
+  const double external = first ? 0.0 : k->law->external(by_all, now, state);
   if (state.is_outside()) {
     if (!k->law->within_reach(now, external)) {
       remember(d, false);

@@ -72,21 +72,25 @@ class ContactSolver {
 
   /// Whether the force of the last step was an impulse, which other contacts do not see.
   virtual bool gave_impulse(const ContactState& /*state*/) const { return false; }
-  /// The acceleration of the distance by other forces in the last step, [length/time^2], from that
-  /// by all forces but impulses.
-  double external(double by_all, const ContactState& state) const {
-    return by_all - lasting_force(state) / reduced_mass_;
+  /// The acceleration along the normal by other forces in the last step, [length/time^2], from that
+  /// by all forces but impulses. The contact's own force acted along the normal of that time.
+  double external(double by_all, const StaggeredMotion& now, const ContactState& state) const {
+    const double own = lasting_force(state);
+    if (own == 0.0) return by_all;
+    const double along = now.distance - step_ * now.rate;
+    return by_all - own / reduced_mass_ * along / std::hypot(along, step_ * now.sideways);
   }
 
   /// A step of a contact that was persistent in the last one and certainly is in this one. False,
   /// and nothing done, where that is not certain. The other forces are known from the motion.
   [[gnu::always_inline]] bool advance_persistent(const StaggeredMotion& now, ContactState& state,
                                                  double& repulsion) const {
-    const double load = (now.rate - state.last_rate) / step_ - state.force / reduced_mass_;
+    const double rate = now.mean_rate(step_);
+    const double load = (rate - state.last_rate) / step_ - state.force / reduced_mass_;
     const double external = load - turning({now.distance, now.rate, now.sideways});
     double force;
     if (!persistent_force(now, load, force, repulsion)) return false;
-    state.account += account_.dissipated(state.last_rate, now.rate) +
+    state.account += account_.dissipated(state.last_rate, rate) +
                      account_.exchanged(state.force, external, state);
     go_on(now, external, force, state);
     return true;
@@ -108,8 +112,14 @@ class ContactSolver {
   double offset(const StaggeredMotion& now, double external, const ContactState& state) const {
     return true_rate(now, external, state) - now.rate - 0.5 * step_ * external;
   }
-  /// What the dashpot of a persistent contact takes between two time levels, from the staggered
-  /// rates before and after the first one, [energy].
+  /// The discrete force of spring and dashpot at a time level that a persistent contact has
+  /// reached, [force].
+  double repulsion(const StaggeredMotion& now) const {
+    return spring_.stiffness * (contact_distance_ - now.distance) -
+           spring_.damping * now.mean_rate(step_);
+  }
+  /// What the dashpot of a persistent contact takes between two time levels, from the mean rates
+  /// before and after the first one, [energy].
   double lost(double before, double after) const {
     return account_.dissipated(before, after) +
            0.5 * spring_.damping * step_ * after * (before + after);
@@ -184,11 +194,10 @@ class ContactSolver {
       state.phase = ContactState::settling;
     if (touches) state.phase = ContactState::touching;
     if (event) state.phase = in_range ? ContactState::entered : ContactState::left;
-    if (!flies) {
-      const double staggered = (along * mean + across * at.sideways) / now.distance;
-      state.velocity_offset = now.radial - staggered - 0.5 * step_ * external;
-    }
-    state.last_rate = at.rate;
+    // Of the distance, along the normal at the next time level.
+    const double staggered = (along * mean + across * at.sideways) / now.distance;
+    if (!flies) state.velocity_offset = now.radial - staggered - 0.5 * step_ * external;
+    state.last_rate = at.mean_rate(step_);
     state.force = step.force;
     state.force_before = lasting_force(before);
     state.external_before = external;
@@ -196,7 +205,7 @@ class ContactSolver {
     state.account = account +
                     (first ? account_.work_of_first_force(step.force, at, mean)
                            : account_.work(step.force, at)) +
-                    account_.resolved(step.normal.dissipated, state.contact_time, mean);
+                    account_.resolved(step.normal.dissipated, state.contact_time, staggered);
     // What the discrete force does later or earlier than the motion counts as the spring's.
     const double true_force = reduced_mass_ * ((now.radial - start.radial) / step_ - load);
     step.repulsion = step.normal.repulsion_impulse / step_ + step.force - true_force;
@@ -342,7 +351,7 @@ class ContactSolver {
                                                double& force, double& repulsion) const {
     if (!(load < bearable_)) return false;
     const double overlap = contact_distance_ - now.distance;
-    const double approach = -now.rate;
+    const double approach = -now.mean_rate(step_);
     repulsion = spring_.stiffness * overlap + spring_.damping * approach;
     force = repulsion - attraction_;
     const double next = approach - step_ * (force / reduced_mass_ + load);
@@ -359,7 +368,7 @@ class ContactSolver {
     state.account =
         account_.exchanged(state.force, external, state) +
         (state.phase == ContactState::persistent
-             ? state.account + account_.dissipated(state.last_rate, now.rate)
+             ? state.account + account_.dissipated(state.last_rate, now.mean_rate(step_))
              : account_.up_to(now, state) + account_.work(step.force, now) + account_.stored(now));
     go_on(now, external, step.force, state);
     step.normal.contact_time = step_;
@@ -372,7 +381,7 @@ class ContactSolver {
                                     ContactState& state) const {
     state = {ContactState::persistent,
              0.0,
-             now.rate,
+             now.mean_rate(step_),
              force,
              state.force,
              external,

@@ -14,6 +14,8 @@ struct StaggeredMotion {
   double rate;      ///< of the distance, along the normal at n, [length/time]
   double sideways;  ///< speed across the normal, 0 next to a wall, [length/time]
 
+  /// Mean rate of the distance in the last step, of length `step` [time]; the normal turned in it.
+  double mean_rate(double step) const { return rate - 0.5 * step * sideways * sideways / distance; }
   /// Whether a pair without a stored state stands nearer than `edge` [length] without having moved
   /// there in the last step, of length `step` [time].
   bool stands_within(double edge, double step) const {
@@ -37,7 +39,7 @@ struct ContactState {
   /// True rate of the distance at the time level less the staggered one and half a step of the
   /// external acceleration, after a resolved step, [length/time].
   double velocity_offset = 0.0;
-  double last_rate = 0.0;        ///< staggered rate at the last time level, [length/time]
+  double last_rate = 0.0;        ///< mean_rate() at the last time level, [length/time]
   double force = 0.0;            ///< of the last step, away from the partner, [force]
   double force_before = 0.0;     ///< of the step before the last, [force]
   double external_before = 0.0;  ///< external acceleration then, [length/time^2]

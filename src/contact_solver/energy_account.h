@@ -56,7 +56,7 @@ class EnergyAccount {
   double up_to(const StaggeredMotion& now, const ContactState& state) const {
     const double r = state.account;
     if (state.phase == ContactState::persistent)
-      return r + dissipated(state.last_rate, now.rate) - stored(now) -
+      return r + dissipated(state.last_rate, now.mean_rate(step_)) - stored(now) -
              work(persistent_force(now), now);
     const double late = damping_ * state.contact_time * now.rate * now.rate;
     if (state.force == 0.0) return r + late;
@@ -76,13 +76,14 @@ class EnergyAccount {
   double work_of_first_force(double force, const StaggeredMotion& now, double mean) const {
     return -0.25 * step_ * force * (mean - now.rate);
   }
-  /// What a resolved step dissipates, less what its dashpot will with the rate `mean`.
+  /// What a resolved step dissipates, less what its dashpot will with the rate `mean` along the
+  /// normal at its end.
   double resolved(double dissipation, double contact_time, double mean) const {
     return dissipation - damping_ * contact_time * mean * mean;
   }
 
   /// The dissipation in closed form from one time level to the next of a persistent contact, less
-  /// the work of the discrete dashpot, from the staggered rates before and after the first one. R
+  /// the work of the discrete dashpot, from the mean rates before and after the first one. R
   /// changes by it, since the discrete spring stores what it works.
   [[gnu::always_inline]] double dissipated(double before, double after) const {
     return before * (before_before_ * before + before_after_ * after) +
@@ -126,8 +127,8 @@ class EnergyAccount {
   static constexpr double negligible = 1e-9;
 
   double persistent_force(const StaggeredMotion& now) const {
-    return spring_.stiffness * (contact_distance_ - now.distance) - spring_.damping * now.rate -
-           attraction_;
+    return spring_.stiffness * (contact_distance_ - now.distance) -
+           spring_.damping * now.mean_rate(step_) - attraction_;
   }
   void set_dissipation(const DampedOscillator& motion) {
     const DampedOscillator::Propagator p = motion.propagator(step_);

@@ -132,7 +132,7 @@ class ExactContact {
     const double inverse = 1.0 / norm(s);
     const StaggeredMotion at = motion(now.relative, inverse);
     const double external =
-        first ? 0.0 : solver_.external(inverse * dot(s, acceleration), history.normal);
+        first ? 0.0 : solver_.external(inverse * dot(s, acceleration), at, history.normal);
     FrictionalStep step;
     if (history.normal.phase == ContactState::outside && !solver_.within_reach(at, external))
       return step;
@@ -148,6 +148,7 @@ class ExactContact {
                    normal,
                    first ? 0.0 : solver_.offset(at, external, before),
                    bodies_.distance() - at.distance,
+                   solver_.repulsion(at),
                    overlap_at_end(now, step.action.impulse)};
     if (energies) set_normal_energies(n, at, inverse * s, *energies);
     if constexpr (SIZE >= ContactHistory::with_friction) {
@@ -191,7 +192,8 @@ class ExactContact {
     const Vector3& s = now.relative.separation;
     const double inverse = 1.0 / norm(s);
     if (state.phase == ContactState::persistent) {
-      state.last_rate = inverse * (dot(s, now.relative.velocity) - step_ * dot(s, acceleration));
+      state.last_rate =
+          motion(now.relative, inverse).mean_rate(step_) - step_ * inverse * dot(s, acceleration);
     } else if (solver_.gave_impulse(state)) {
       state.force *= last_step / step_;
     } else if (state.phase == ContactState::touching || state.phase == ContactState::inside) {
@@ -225,15 +227,17 @@ class ExactContact {
     const ContactState& before;
     const ContactState& after;
     const ContactStep& step;
-    double offset;   ///< true rate at the time level less the staggered one, by itself
-    double overlap;  ///< [length]
+    double offset;            ///< true rate at the time level less the staggered one, by itself
+    double overlap;           ///< [length]
+    double repulsion_before;  ///< of a contact that was persistent so far, [force]
     double overlap_at_end;
 
     bool persisted() const { return before.phase == ContactState::persistent; }
   };
   /// The energies of a spring.
   struct Spring {
-    Vector3 due{};  ///< twice the impulse that leads to the true motion
+    Vector3 due{};      ///< twice the impulse that leads to the true motion
+    Vector3 impulse{};  ///< of a persistent contact
     double stored = 0.0;
     SpringOnGrid::Losses before{}, after{};
   };
@@ -264,14 +268,35 @@ class ExactContact {
 
   void set_normal_energies(const Normal& n, const StaggeredMotion& at, const Vector3& normal,
                            ContactEnergies& energies) const {
-    const bool stands = n.before.phase == ContactState::unknown && n.after.in_range();
+    const bool stands = n.before.phase == ContactState::unknown && is_in_range(at.distance);
     if (n.before.in_range() || stands) {
       energies.stored.spring = solver_.spring_energy(n.overlap);
       energies.stored.adhesion = solver_.adhesion_energy(n.overlap);
     }
-    if (n.persisted()) energies.before.normal_damping = solver_.lost(n.before.last_rate, at.rate);
+    if (n.persisted())
+      energies.before.normal_damping = solver_.lost(n.before.last_rate, at.mean_rate(step_));
     energies.after.normal_damping = n.step.normal.dissipated;
     energies.to_truth.impulse = (bodies_.reduced_mass() * n.offset) * normal;
+  }
+
+  /// The impulse of the discrete spring. While energies are recorded, the history has, in the place
+  /// of the impulse, twice what is left of it behind what leads to the true motion.
+  Vector3 advance_persistent(const SpringOnGrid& spring, const ContactBodies::Touch& touch,
+                             const Vector3& rate, double repulsion, bool persisted,
+                             SpringOnGrid::Memory& memory, bool& slips, Spring* energies) const {
+    const Vector3 from = memory.impulse;
+    const Vector3 impulse =
+        spring.advance_lasting(touch.plane(), rate, repulsion, persisted, memory, slips,
+                               energies ? &energies->before : nullptr);
+    if (!energies) return impulse;
+    energies->impulse = memory.impulse;
+    energies->due = persisted ? spring.twice_owed(rate, slips, memory) : from;
+    energies->stored = spring.stored_energy(memory.stretch);
+    if (persisted) {
+      spring.correct_losses(rate, from, impulse, energies->due, energies->before);
+      memory.impulse = 2.0 * impulse - energies->due;
+    }
+    return impulse;
   }
 
   /// The impulse of a spring at this time level.
@@ -286,21 +311,16 @@ class ExactContact {
     if (n.after.phase == ContactState::persistent) {
       const double limiting =
           n.persisted() ? n.step.repulsion : 2.0 * n.step.force - true_force + pull_;
-      const Vector3 impulse =
-          spring.advance_lasting(touch.plane(), rate, limiting, n.persisted(), memory, slips,
-                                 energies ? &energies->before : nullptr);
-      if (energies) {
-        if (n.persisted()) energies->due = memory.impulse;
-        energies->stored = spring.stored_energy(memory.stretch);
-      }
-      return impulse;
+      return advance_persistent(spring, touch, rate, limiting, n.persisted(), memory, slips,
+                                energies);
     }
     Vector3 stretch{};
     if (n.persisted()) {
       SpringOnGrid::Losses at_end;
-      spring.advance_lasting(touch.plane(), rate, n.step.repulsion, true, memory, slips,
-                             energies ? &energies->before : nullptr);
-      spring.end_lasting(rate, slips, true_force + pull_, memory.impulse, memory,
+      advance_persistent(spring, touch, rate, n.repulsion_before, true, memory, slips, energies);
+      const Vector3 due = energies ? energies->due : Vector3{};
+      if (energies) memory.impulse = energies->impulse;
+      spring.end_lasting(rate, slips, true_force + pull_, due, memory,
                          energies ? &at_end : nullptr);
       stretch = memory.stretch;
       if (energies) {

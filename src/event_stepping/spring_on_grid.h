@@ -73,6 +73,20 @@ class SpringOnGrid {
   Vector3 twice_owed(const Vector3& rate, bool slips, const Memory& memory) const {
     return slips ? memory.impulse : step_ * sticking_force(ends_.last, memory.stretch, rate);
   }
+  /// Corrects `losses` of advance_lasting(), which takes half of each impulse for what leads to the
+  /// true velocity at its time level, and half for what leads on. `from`: twice what led on from
+  /// the true velocity at the last time level, given in the place of its impulse; `owed`: twice
+  /// what leads to the true one at this, of which the impulse is `impulse`.
+  void correct_losses(const Vector3& rate, const Vector3& from, const Vector3& impulse,
+                      const Vector3& owed, Losses& losses) const {
+    const double more = 0.5 * dot(impulse - owed, rate) +
+                        0.125 * inverse_mass_ * (dot(from, from) - dot(owed, owed));
+    // A slider gives no energy: where it begins to slip, it takes less than the step's error.
+    const double all = losses.damped + losses.friction + more;
+    if (losses.friction != 0.0) losses.friction = std::max(losses.friction + more, 0.0);
+    losses.damped = all - losses.friction;
+  }
+
   /// Ends a lasting contact, after advance_lasting() with the same `rate`: sets the impulse of
   /// which half is left to do up to the true velocity, where the normal force is `last`. What it
   /// takes less of the motion than the half that was to come, of `planned`, is lost.
