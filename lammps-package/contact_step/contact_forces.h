@@ -59,10 +59,12 @@ class ContactForces {
     return true;
   }
 
-  /// Computes any contact; gives what it does. `energies`: of which the tally gets what it needs.
+  /// Computes any contact; gives what it does. `of_wall`: acceleration of a wall [length/time^2];
+  /// `energies`: of which the tally gets what it needs.
   FrictionalStep apply(const Contact& c, int i, int j, const PairMotion& now,
-                       ContactHistory& history, ContactEnergies* energies) const {
-    const Vector3 acceleration = step_->relative_acceleration(i, j);
+                       const Vector3& of_wall, ContactHistory& history,
+                       ContactEnergies* energies) const {
+    const Vector3 acceleration = of_wall + step_->relative_acceleration(i, j);
     if constexpr (Contact::is_exact)
       if (step_->has_other_length())
         c.change_step(step_->last_length(), now, acceleration, history);

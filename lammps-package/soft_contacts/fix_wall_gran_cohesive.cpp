@@ -269,7 +269,9 @@ void FixWallGranCohesive<Cohesion>::for_each_near(const What& what) {
         phase = ContactState::outside;
         continue;
       }
-      what(Near{i, w, point, &phase});
+      const double last_step = step->starts() ? 0.0 : update->dt;
+      what(Near{i, w, point.velocity,
+                walls[w].seen_by(centre, vector(atom->v[i]), point, now, last_step), &phase});
     }
   }
 }
@@ -288,7 +290,7 @@ template <class Cohesion>
 template <int SIZE, class Contact>
 void FixWallGranCohesive<Cohesion>::compute_contact(
     const ContactForces<Contact, SIZE>& contact_forces, const Contact& c, const Near& near) {
-  const PairMotion now = relative_motion(near);
+  const PairMotion now{near.seen.relative, vector(atom->omega[near.i]), {}};
   ContactHistory known =
       step->starts() ? ContactHistory::unknown() : ContactHistory::stored(near.history, SIZE);
   if (known.normal.is_outside() && !c.within_reach(now.relative, step->moved_by_forces())) {
@@ -296,11 +298,12 @@ void FixWallGranCohesive<Cohesion>::compute_contact(
     return;
   }
   ContactEnergies energies;
-  const FrictionalStep does = contact_forces.apply(
-      c, near.i, -1, now, known, step->energy_tally.is_active() ? &energies : nullptr);
+  const FrictionalStep does =
+      contact_forces.apply(c, near.i, -1, now, near.seen.acceleration, known,
+                           step->energy_tally.is_active() ? &energies : nullptr);
   known.store(near.history, SIZE);
   const Vector3& impulse = does.action.impulse;
-  step->energy_tally.add_work(-dot(near.point.velocity, impulse));
+  step->energy_tally.add_work(-dot(near.wall_velocity, impulse));
   const double kick = contact_forces.kick();
   forces.add(near.wall, kick * impulse, kick * (impulse - c.by_contact(now, does)));
 }

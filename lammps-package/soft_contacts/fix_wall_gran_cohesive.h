@@ -70,7 +70,8 @@ class FixWallGranCohesive : public Fix, public SoftContactStyle, public AdvisedS
   struct Near {
     int i;
     int wall;
-    cohesion::event_stepping::WallPoint point;
+    cohesion::Vector3 wall_velocity;
+    cohesion::event_stepping::WallMotionSeen seen;
     double* history;
   };
 
@@ -90,7 +91,6 @@ class FixWallGranCohesive : public Fix, public SoftContactStyle, public AdvisedS
   void compute_contacts(std::vector<Contact>&);
   template <int SIZE, class Contact>
   void compute_contact(const ContactForces<Contact, SIZE>&, const Contact&, const Near&);
-  cohesion::event_stepping::PairMotion relative_motion(const Near&) const;
   std::vector<AdvisedContact> advised_contacts(const std::vector<LightestParticle>&) const;
   template <class What>
   void with_contacts(const What& what) {
@@ -151,14 +151,6 @@ template <class Cohesion>
 cohesion::event_stepping::WallState FixWallGranCohesive<Cohesion>::state() const {
   const double half = 0.5 * update->dt;
   return course.over({step->starts() ? 0.0 : half, half});
-}
-
-template <class Cohesion>
-cohesion::event_stepping::PairMotion FixWallGranCohesive<Cohesion>::relative_motion(
-    const Near& near) const {
-  return {{near.point.separation, near.point.velocity - vector(atom->v[near.i])},
-          vector(atom->omega[near.i]),
-          {}};
 }
 
 }  // namespace LAMMPS_NS

@@ -55,10 +55,10 @@ void FixWallGranCohesive<Cohesion>::continue_run() {
       for (int w = 0; w < static_cast<int>(walls.size()); w++) {
         double* const values = history.of(i, w);
         if (values[0] <= 0.0 || step->body(i).inverse_mass == 0.0) continue;
-        const Near near{i, w, walls[w].nearest(vector(atom->x[i]), now, motion.rim_speed), values};
+        const Vector3 separation =
+            walls[w].nearest(vector(atom->x[i]), now, motion.rim_speed).separation;
         step->energy_tally.store_normal(
-            1.0, contact(shared, i).stored(relative_motion(near).relative,
-                                           ContactHistory::stored(values, size)));
+            1.0, contact(shared, i).stored(separation, ContactHistory::stored(values, size)));
       }
   });
 }

@@ -113,9 +113,9 @@ void PairGranCohesive<Cohesion>::for_each_with_history(const What& what) {
         for_each_listed([&](int i, int j, int has_history, const double* values) {
           if (!has_history || !moves(i, j)) return;
           const auto& c = contacts.all[contact(contacts, particles(), i, j)];
-          what(
-              i, j,
-              c.stored(particles().relative_state(i, j), ContactHistory::stored(values, per_pair)));
+          what(i, j,
+               c.stored(particles().relative_state(i, j).separation,
+                        ContactHistory::stored(values, per_pair)));
         });
       },
       any_contacts);

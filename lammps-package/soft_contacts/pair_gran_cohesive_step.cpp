@@ -149,7 +149,7 @@ template <int SIZE, class Contact>
   const PairMotion motion = now.motion(i, j);
   ContactEnergies energies;
   const FrictionalStep does = forces.apply(
-      c, i, j, motion, known, evflag || step->energy_tally.is_active() ? &energies : nullptr);
+      c, i, j, motion, {}, known, evflag || step->energy_tally.is_active() ? &energies : nullptr);
   known.store(values, SIZE);
   has_history = 1;
   if (step->sums_flux())

@@ -116,7 +116,7 @@ class ContactSolver {
   /// reached, [force].
   double repulsion(const StaggeredMotion& now) const {
     return spring_.stiffness * (contact_distance_ - now.distance) -
-           spring_.damping * now.mean_rate(step_);
+           spring_.damping * now.mean_rate(step_) + (adhesion_ - attraction_);
   }
   /// What the dashpot of a persistent contact takes between two time levels, from the mean rates
   /// before and after the first one, [energy].
@@ -144,6 +144,7 @@ class ContactSolver {
         pull_(adhesion.force / spring.reduced_mass()),
         step_(step),
         spring_(oscillator_.on_grid(step, spring.reduced_mass())),
+        adhesion_(adhesion.force),
         attraction_(spring_.stiffness * pull_ / oscillator_.w0_squared()),
         weight_(spring.stiffness() / spring_.stiffness),
         bearable_(bearable(spring.restitution())),
@@ -317,7 +318,11 @@ class ContactSolver {
     const Flight start = now;
     double t = time;
     if (start.distance >= outer) {
-      const double meet = first_root(start.distance - outer, start.radial, start.outward(external));
+      const double drive = start.outward(external);
+      const bool at_edge = start.distance == outer;
+      const bool comes_in = start.radial < 0.0 || (start.radial == 0.0 && drive < 0.0);
+      const double meet =
+          at_edge && comes_in ? 0.0 : first_root(start.distance - outer, start.radial, drive);
       if (meet < time) {
         t = meet;
         in_range = true;
@@ -352,8 +357,8 @@ class ContactSolver {
     if (!(load < bearable_)) return false;
     const double overlap = contact_distance_ - now.distance;
     const double approach = -now.mean_rate(step_);
-    repulsion = spring_.stiffness * overlap + spring_.damping * approach;
-    force = repulsion - attraction_;
+    force = spring_.stiffness * overlap + spring_.damping * approach - attraction_;
+    repulsion = force + adhesion_;
     const double next = approach - step_ * (force / reduced_mass_ + load);
     // Between two time levels it may dip below both, most where what pulls is constant.
     const double dip = 0.125 * step_ * std::max(next - approach, 0.0);
@@ -426,7 +431,8 @@ class ContactSolver {
   double pull_;
   double step_;
   GridSpring spring_;
-  double attraction_;  // (K'/K) F_ad
+  double adhesion_;    // F_ad
+  double attraction_;  // (K'/K) F_ad, of a persistent contact
   double weight_;      // K/K', of a load on a persistent contact
   double bearable_;    // largest load per mu that a persistent contact bears, [length/time^2]
   EnergyAccount account_;

@@ -213,8 +213,8 @@ class ExactContact {
   }
 
   /// What is stored at a time level between two runs.
-  StoredEnergies stored(const RelativeState& now, const ContactHistory& history) const {
-    const double distance = norm(now.separation), overlap = bodies_.distance() - distance;
+  StoredEnergies stored(const Vector3& separation, const ContactHistory& history) const {
+    const double distance = norm(separation), overlap = bodies_.distance() - distance;
     const bool stands = history.normal.phase == ContactState::unknown && is_in_range(distance);
     if (!history.normal.in_range() && !stands) return {};
     return {solver_.spring_energy(overlap), sliding_.stored_energy(history.sliding.stretch),

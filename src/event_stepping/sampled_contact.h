@@ -88,7 +88,7 @@ class SampledContact {
     if (energies) {
       const double damped = 0.5 * normal.normal.dissipated;
       const Action& a = step.action;
-      energies->stored = stored(grid.relative, history);
+      energies->stored = stored(grid.relative.separation, history);
       energies->before = {damped, slid.damped, slid.friction, rolled.damped + rolled.friction};
       energies->after.normal_damping = damped;
       energies->to_truth = {0.5 * a.impulse, 0.5 * a.torque_i, 0.5 * a.torque_j};
@@ -104,8 +104,8 @@ class SampledContact {
   }
 
   /// What is stored at a time level, with its history.
-  StoredEnergies stored(const RelativeState& now, const ContactHistory& history) const {
-    const double overlap = bodies_.distance() - norm(now.separation);
+  StoredEnergies stored(const Vector3& separation, const ContactHistory& history) const {
+    const double overlap = bodies_.distance() - norm(separation);
     return {pair_.spring_energy(overlap), sliding_.stored_energy(history.sliding.stretch),
             rolling_.stored_energy(history.rolling.stretch),
             is_bound(history, bodies_.distance() - overlap) ? pair_.adhesion_energy(overlap) : 0.0};
@@ -120,7 +120,7 @@ class SampledContact {
   /// of the last step.
   bool stands(const RelativeState& now) const {
     return is_in_range(norm(now.separation)) &&
-           is_in_range(norm(now.separation - window_.before * now.velocity));
+           is_in_range(norm(now.separation - (2.0 * window_.before) * now.velocity));
   }
 
   [[gnu::always_inline]] Vector3 spring_impulse(const SpringOnGrid& spring,

@@ -14,8 +14,9 @@ namespace cohesion::event_stepping {
 
 /// Where a wall is in the step that `window` describes, and how fast it moves.
 struct WallState {
-  Vector3 displacement;  ///< at the grid point, from where the wall was at time 0, [length]
-  Vector3 velocity;      ///< [length/time]
+  Vector3 displacement;    ///< at the grid point, from where the wall was at time 0, [length]
+  Vector3 velocity;        ///< [length/time]
+  Vector3 acceleration{};  ///< up to the next such step, [length/time^2]
 };
 
 /// The motion of a wall:
@@ -47,12 +48,14 @@ struct WallMotion {
   /// wall never jumps; exact for constant velocity.
   WallState over(double time, const StepWindow& window) const {
     const double frequency = 2.0 * pi / period;
-    const double half = 0.5 * window.length();
+    const double length = window.length(), half = 0.5 * length;
     const double middle = time + window.after - half;
-    const Vector3 swing =
-        (std::sin(frequency * middle) * std::sin(frequency * half) / half) * amplitude;
+    const Vector3 chord = (std::sin(frequency * half) / half) * amplitude;
+    const Vector3 swing = std::sin(frequency * middle) * chord;
+    const Vector3 next = std::sin(frequency * (middle + length)) * chord;
     const double end = std::sin(0.5 * frequency * (time + window.after));
-    return {time * velocity + 2.0 * end * end * amplitude - window.after * swing, velocity + swing};
+    return {time * velocity + 2.0 * end * end * amplitude - window.after * swing, velocity + swing,
+            (1.0 / length) * (next - swing)};
   }
 };
 
@@ -133,6 +136,12 @@ struct WallPoint {
   Vector3 velocity;    ///< of the wall there, [length/time]
 };
 
+/// The motion of a wall relative to a particle beside it.
+struct WallMotionSeen {
+  RelativeState relative;  ///< of the nearest point
+  Vector3 acceleration;    ///< [length/time^2]
+};
+
 /// Whether a particle does not feel a wall: its centre is behind it, or it `was` behind it and has
 /// not been clear of it in front since, at the distance `clear` [length].
 inline bool is_behind(bool was, double distance, double clear) {
@@ -165,6 +174,22 @@ struct Wall {
     const Vector3 away = normal();
     const double distance = dot(away, centre - now.displacement) - side * position;
     return {distance, -distance * away, now.velocity};
+  }
+
+  /// What a contact sees of the wall at `point`. Across a cylinder, at a distance r from its axis,
+  /// a particle of the speed s across the normal comes nearer by s^2/r: the relative velocity has
+  /// the mean rate of the distance in the last step, of length `last_step` [time].
+  WallMotionSeen seen_by(const Vector3& centre, const Vector3& velocity, const WallPoint& point,
+                         const WallState& now, double last_step) const {
+    WallMotionSeen seen{{point.separation, point.velocity - velocity}, now.acceleration};
+    const double r = is_flat() ? 0.0 : std::hypot(centre.x, centre.y);
+    if (r == 0.0) return seen;
+    const Vector3 v = velocity - now.velocity, outwards{centre.x / r, centre.y / r, 0.0};
+    const double across = outwards.x * v.y - outwards.y * v.x;
+    const Vector3 turning = (across * across / r) * outwards;
+    seen.relative.velocity += (0.5 * last_step) * turning;
+    seen.acceleration -= turning;
+    return seen;
   }
 };
 

@@ -134,6 +134,17 @@ class HeadOn(unittest.TestCase):
             self.assertGreater(gaps(end)[0], 0.0)
 
 
+def held_by_load(speed, division):
+    """Of the speed. A turning pair is pulled apart by its centrifugal force mu s^2/d, s up to `speed`. A persistent contact
+    carries a load L as L/K', K' = mu (1 + exp(-2 alpha dt) - 2 exp(-alpha dt) cos(q dt))/dt^2, not as L/K: as if it were K/K'
+    times as large. A constant load does not change how an elastic contact rebounds; a dashpot takes 1 - e^2 of the energy, and
+    so of what the load does in at most two contact times, which is how long a contact lasts with adhesion."""
+    alpha, q, dt = pair_motion.ALPHA, pair_motion.Q, T_C / division
+    softer = MU * (1 + math.exp(-2 * alpha * dt) - 2 * math.exp(-alpha * dt) * math.cos(q * dt)) / dt**2
+    lost = 1 - math.exp(-2 * alpha * T_C)
+    return (pair_motion.STIFFNESS / softer - 1) * speed / DIAMETER * 2 * T_C * lost
+
+
 class Oblique(unittest.TestCase):
     SPEED = 0.05
     ANGLES = numpy.radians(numpy.arange(0.0, 81.0, 10.0))
@@ -167,7 +178,7 @@ class Oblique(unittest.TestCase):
                 turned = self.SPEED * fastest * (T_C / division / DIAMETER)**2
                 report(f"oblique, A {pair.A:g} J, no friction: t_c/{division} against t_c/200 "
                        f"differ by {error:.1e} of the speed, {error / turned:.2f} of the bound")
-                self.assertLess(error, turned + 1e-8)
+                self.assertLess(error, turned + held_by_load(self.SPEED, division) + 1e-8)
 
     def test_without_friction_against_an_integration_in_the_plane(self):
         # The integration follows tail and centrifugal force along the whole path. Against it the
@@ -183,7 +194,7 @@ class Oblique(unittest.TestCase):
                 error = numpy.abs(found[k, :, :2] - expected).max()
                 report(f"oblique, A {pair.A:g} J, {math.degrees(self.ANGLES[k]):.0f} degrees: "
                        f"{error:.1e} of the speed from the integration")
-                self.assertLess(error, 2e-5)
+                self.assertLess(error, 2e-5 + held_by_load(self.SPEED, 4))
 
     def test_friction_is_of_second_order(self):
         # Sticking: the midpoint rule turns the tangential spring too slowly by (w dt)^2/12 of the
@@ -274,7 +285,10 @@ class Conservation(unittest.TestCase):
     def test_energy_tally_without_friction_closes_after_contact(self):
         # In contact the centrifugal force is that at touching centres, which the energy of turning,
         # L^2/(2 mu r^2), sees as an error of 1.5 (x/R)^2 of itself, whatever the step. x: from
-        # SPEED, and from the adhesion, 2 F_ad/K.
+        # SPEED, and from the adhesion, 2 F_ad/K. And a persistent contact carries that force as if it
+        # were K/K' times as large, 1 + (w0 dt)^2/12 and what the dashpot adds, as much again at most:
+        # its potential is off by that part of 2 x/R. After contact it is not; but each dashpot takes
+        # its speed along a normal that turns by u dt/R in a step.
         reach = 0.5 * Box.DIAMETERS.sum()
         overlap = Box.SPEED * math.sqrt(Box.MU / pair_motion.STIFFNESS) + 2 * Pair(
             Box.A).adhesion / pair_motion.STIFFNESS
@@ -285,9 +299,11 @@ class Conservation(unittest.TestCase):
             report(f"energy tally, oblique, no friction, t_c/{division}: "
                    f"{residual.max() / box.energy:.1e} of all in contact, "
                    f"{residual[-1] / box.energy:.1e} after it")
-            self.assertLess(residual.max(), 1.5 * (overlap / reach)**2 * box.energy)
+            softer = (W0 * T_C / division)**2 / 6
+            self.assertLess(residual.max(), (1.5 * (overlap / reach)**2 + 2 * softer * overlap / reach) * box.energy)
             self.assertEqual(box.tally[3][-1], 0.0)
-            self.assertLess(residual[-1], box.rounding)
+            turned = Box.SPEED * T_C / division / reach
+            self.assertLess(residual[-1], turned**2 * box.tally[6][-1] + box.rounding)
 
     def test_energy_tally_with_friction_is_of_first_order(self):
         # The impulse of friction acts at the grid point, across the normal there; by n+1/2 the
