@@ -48,6 +48,7 @@ class ContactForces {
   /// what it does: what most contacts of a bed need, and only that. False: nothing is done.
   [[gnu::always_inline]] bool apply_persistent(const Contact& c, int i, int j,
                                                const PairMotion& now, double* values) const {
+    ContactState::restore_signs(values);
     Action action;
     if (!persistent_ || !c.template advance_persistent<SIZE>(now, values, action)) return false;
     const Vector3 pushed = kick_ * action.impulse;

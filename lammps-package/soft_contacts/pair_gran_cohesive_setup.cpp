@@ -19,9 +19,11 @@ template <class What>
 void PairGranCohesive<Cohesion>::for_each_listed(const What& what) const {
   for (int ii = 0; ii < list->inum; ii++) {
     const int i = list->ilist[ii];
-    for (int jj = 0; jj < list->numneigh[i]; jj++)
-      what(i, list->firstneigh[i][jj] & NEIGHMASK, history->firstflag[i][jj],
-           &history->firstvalue[i][per_pair * jj]);
+    for (int jj = 0; jj < list->numneigh[i]; jj++) {
+      double* const values = &history->firstvalue[i][per_pair * jj];
+      if (history->firstflag[i][jj]) ContactState::restore_signs(values);
+      what(i, list->firstneigh[i][jj] & NEIGHMASK, history->firstflag[i][jj], values);
+    }
   }
 }
 

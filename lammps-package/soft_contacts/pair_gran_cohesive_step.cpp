@@ -138,6 +138,7 @@ template <int SIZE, class Contact>
     const ContactForces<Contact, SIZE>& forces, const Contact& c, int i, int j, int& has_history,
     double* values) {
   const StaggeredParticles now = particles();
+  ContactState::restore_signs(values);
   ContactHistory known = has_history && !step->starts() ? ContactHistory::stored(values, SIZE)
                                                         : ContactHistory::unknown();
   if (known.normal.is_outside() &&

@@ -28,7 +28,8 @@ struct ContactHistory {
     return history;
   }
 
-  /// An engine that exchanges i and j changes the sign of all values.
+  /// After ContactState::restore_signs(): where an engine exchanges i and j and changes the sign of
+  /// all values, those of springs are right.
   static ContactHistory stored(const double* values, int size) {
     const auto spring = [values, size](int first, Size least) {
       return size >= least ? Spring{vector(values + first), vector(values + first + 3)} : Spring{};

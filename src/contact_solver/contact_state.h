@@ -61,17 +61,15 @@ struct ContactState {
   static Phase phase_of(const double* values) {
     return static_cast<Phase>(static_cast<int>(values[0]));
   }
-  /// A phase below 0 says that the signs of all values were changed since store().
   static ContactState stored(const double* values) {
-    const double sign = values[0] < 0.0 ? -1.0 : 1.0;
-    return {static_cast<Phase>(static_cast<int>(sign * values[0])),
-            sign * values[1],
-            sign * values[2],
-            sign * values[3],
-            sign * values[4],
-            sign * values[5],
-            sign * values[6],
-            sign * values[7]};
+    return {phase_of(values), values[1], values[2], values[3],
+            values[4],        values[5], values[6], values[7]};
+  }
+  /// Restores the signs of stored values where an engine that exchanges the partners has changed
+  /// them, which a phase below 0 says.
+  [[gnu::always_inline]] static void restore_signs(double* values) {
+    if (!(values[0] < 0.0)) return;
+    for (int k = 0; k < size; k++) values[k] = -values[k];
   }
 
   bool in_range() const { return !is_outside() && phase != left && phase != settling; }

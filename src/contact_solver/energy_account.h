@@ -103,15 +103,17 @@ class EnergyAccount {
            0.25 * persistent_force(now) * across * across / now.distance;
   }
 
-  /// Sets the force with which a pair of account `r` flies on at the speed that closes it. False,
-  /// where it has to settle later: that energy is missing, so that the pair stands still, or the
-  /// pair comes back and its force stays.
+  /// Sets the force with which a pair of account `r` flies on at the speed that closes it, but not
+  /// at less than half of its speed. False, where it has to settle later: that energy is missing, or
+  /// the pair comes back and its force stays.
   bool settle(const StaggeredMotion& now, double load, double r, double& force) const {
     const double speed = now.rate + 0.5 * step_ * load;
     if (!(speed > 0.0)) return false;
-    const double left = speed * speed - 2.0 * r / reduced_mass_;
-    force = reduced_mass_ * (std::sqrt(std::max(left, 0.0)) - speed) / step_;
-    return left >= 0.0;
+    // Down to 0 at once, and the two copies of a pair across a periodic face would part: they
+    // differ by rounding, of which the root of a small difference makes far more.
+    const double left = speed * speed - 2.0 * r / reduced_mass_, least = 0.25 * speed * speed;
+    force = reduced_mass_ * (std::sqrt(std::max(left, least)) - speed) / step_;
+    return left >= least;
   }
   /// Whether what is pending of a pair that has left its range matters: R, and work of its last
   /// forces that is still to come. Positions are rounded by eps distance.

@@ -119,14 +119,14 @@ class SquareWellSolver : public ContactSolver {
     return -2.0 * now.radial <= 0.01 * step() * now.outward(external);
   }
 
-  /// Brings such a pair to rest; its energy counts as the dashpot's. A load that grows has pushed
-  /// it a little beyond the edge since the step before. It goes back there, by no more than the
-  /// load moves it in this time. Returns the time at rest.
+  /// Brings such a pair to rest; its energy counts as the dashpot's. A load that grows has pushed it
+  /// a little beyond the edge since the step before: it goes back there, where that is no farther
+  /// than the load moves it in this time. Returns the time at rest.
   double rest(Flight& now, double time, double external, NormalRecord& record) const {
     record.dissipated += 0.5 / inverse_mass_ * now.radial * now.radial;
-    const double back = now.outward(external) * time * time;
-    if (now.distance > outer_distance())
-      now.distance = std::max(now.distance - back, outer_distance());
+    const double beyond = now.distance - outer_distance();
+    if (beyond > 0.0 && beyond <= now.outward(external) * time * time)
+      now.distance = outer_distance();
     now.radial = 0.0;
     return time;
   }

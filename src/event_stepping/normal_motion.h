@@ -205,16 +205,17 @@ class NormalMotion {
   bool bounces_too_fast(Overlap s, double outward) const {
     const double drive = drive_at(s.x, outward);
     const bool crosses = adhesion_.cutoff > 0.0 && s.v * s.v > 2.0 * s.x * drive;
-    return drive < 0.0 && !crosses && 2.0 * s.v >= 0.01 * whole_step_.time * drive;
+    return drive < 0.0 && !crosses && 2.0 * s.v >= 0.25 * whole_step_.time * drive;
   }
 
-  /// Brings such a pair to rest; its energy counts as the dashpot's. A load that grows has pushed
-  /// it a little beyond the edge since the step before. It goes back there, by no more than the
-  /// load moves it in this time. Returns the time at rest.
+  /// Brings such a pair to rest; its energy counts as the dashpot's. A load that grows has pushed it
+  /// a little beyond the edge since the step before: it goes back there, where that is no farther
+  /// than the load moves it in this time. Returns the time at rest.
   double rest(Overlap& s, double time, double outward, double& x_integral,
               NormalRecord& record) const {
     record.dissipated += 0.5 * reduced_mass_ * s.v * s.v;
-    s = {std::min(s.x - drive_at(s.x, outward) * time * time, -adhesion_.cutoff), 0.0};
+    const bool pushed = -adhesion_.cutoff - s.x <= -drive_at(s.x, outward) * time * time;
+    s = {pushed ? -adhesion_.cutoff : s.x, 0.0};
     x_integral += time * s.x;
     return time;
   }
