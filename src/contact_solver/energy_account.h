@@ -104,14 +104,16 @@ class EnergyAccount {
   }
 
   /// Sets the force with which a pair of account `r` flies on at the speed that closes it, but not
-  /// at less than half of its speed. False, where it has to settle later: that energy is missing, or
-  /// the pair comes back and its force stays.
+  /// at less than half of the speed that `force`, of its motion alone, gives it. False, where it has
+  /// to settle later: that energy is missing, or the pair comes back and its force stays.
   bool settle(const StaggeredMotion& now, double load, double r, double& force) const {
     const double speed = now.rate + 0.5 * step_ * load;
     if (!(speed > 0.0)) return false;
     // Down to 0 at once, and the two copies of a pair across a periodic face would part: they
     // differ by rounding, of which the root of a small difference makes far more.
-    const double left = speed * speed - 2.0 * r / reduced_mass_, least = 0.25 * speed * speed;
+    const double flies_at = speed + step_ * force / reduced_mass_;
+    const double least = flies_at > 0.0 ? 0.25 * flies_at * flies_at : 0.0;
+    const double left = speed * speed - 2.0 * r / reduced_mass_;
     force = reduced_mass_ * (std::sqrt(std::max(left, least)) - speed) / step_;
     return left >= least;
   }

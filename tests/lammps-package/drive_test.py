@@ -161,7 +161,10 @@ class SoftSpheres(FolderTestCase):
                     self.assertAlmostEqual(put_in / lost, 1, delta=1e-3)
                     # The tally does not know of it: what the fix gives is what it misses.
                     self.assertAlmostEqual(numpy.ptp(table["c_tally[10]"]) / put_in, 1, delta=1e-3)
-                    self.assertLess(abs(table["v_px"]).max(), 1e-12)
+                    # A pair across a periodic face is computed from both sides, from places that differ by rounding, 2e-15 of
+                    # 10: over a step that is a speed of 5e-12, and what bounces ten times at an edge within a step makes it
+                    # a thousand times as much.
+                    self.assertLess(abs(table["v_px"]).max(), 1e-12 if not adhesion else 1e-8)
                     self.assertAlmostEqual(table["c_flow"][-1], 1, delta=0.02)
 
     def test_ranks_part_as_rounding_does(self):

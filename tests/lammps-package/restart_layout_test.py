@@ -23,9 +23,9 @@ neighbor 1e-4 bin
 # Settings, coefficients, and which layout they have.
 STYLES = {
     "hamaker": ("cutoff 1e-9 1e-8", "hamaker 1e-19", 3),
-    "gran/hamaker": ("", "stiffness 800", 5),
-    "gran/square_well": ("", "stiffness 800 well 1e-12 1.01", 3),
-    "gran/liquid_bridge": ("", "stiffness 800 bridge 1e-5 1e-5", 1),
+    "gran/hamaker": ("", "stiffness 800", 6),
+    "gran/square_well": ("", "stiffness 800 well 1e-12 1.01", 4),
+    "gran/liquid_bridge": ("", "stiffness 800 bridge 1e-5 1e-5", 2),
     "hard/square_well": ("", "restitution 0.9", 4),
 }
 MARK = 0x436f6800  # restart_format.h
@@ -54,21 +54,21 @@ class Layout(ScriptTestCase):
         self.goes(f"{HEAD}boundary f p p\n{MAKE}{run}write_restart some.restart noinit\n")
         read = f"{HEAD}read_restart some.restart\ncomm_modify vel yes\nneighbor 1e-4 bin\n{run}"
         self.goes(read)
-        content, mark = file.read_bytes(), struct.pack("=d", MARK + 4)
+        content, mark = file.read_bytes(), struct.pack("=d", MARK + 5)
         self.assertEqual(content.count(mark), 1)
-        file.write_bytes(content.replace(mark, struct.pack("=d", MARK + 3)))
+        file.write_bytes(content.replace(mark, struct.pack("=d", MARK + 4)))
         self.stops(read, "scheme event", "another version of the package", "write_data")
 
     def test_another_layout_of_the_motion_of_walls_is_refused(self):
         file = Path(self.folder) / "some.restart"
-        for style, pair, words in (("wall/gran/hamaker", "gran/hamaker", "stiffness 800"),
-                                   ("wall/hard/square_well", "hard/square_well", "restitution 0.9")):
+        for style, pair, words, layout in (("wall/gran/hamaker", "gran/hamaker", "stiffness 800", 2),
+                                           ("wall/hard/square_well", "hard/square_well", "restitution 0.9", 1)):
             run = f"fix w all {style} {words} xplane 0 NULL\nfix move all nve/sphere\ntimestep 1e-7\nrun 1\n"
             self.goes(f"{HEAD}boundary f p p\n{MAKE}pair_style {pair}\npair_coeff * * {words}\n{run}"
                       "write_restart some.restart noinit\n")
             read = f"{HEAD}read_restart some.restart\ncomm_modify vel yes\nneighbor 1e-4 bin\n{run}"
             self.goes(read)
-            content, mark = file.read_bytes(), struct.pack("=d", MARK + 1)
+            content, mark = file.read_bytes(), struct.pack("=d", MARK + layout)
             self.assertEqual(content.count(mark), 1)
             file.write_bytes(content.replace(mark, struct.pack("=d", 0.0)))
             with self.subTest(style):
