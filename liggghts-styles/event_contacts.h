@@ -158,11 +158,14 @@ inline bool EventContacts::go_on(ContactModels::SurfacesIntersectData& contact, 
   ContactState state = ContactState::stored(history);
   const double time_apart = k->law->step() - state.contact_time;
   double repulsion;
-  if (!k->law->advance_persistent(motion(contact, contact.r, contact.en), state, repulsion))
-    return false;
+  const StaggeredMotion at = motion(contact, contact.r, contact.en);
+  const double speed_squared = at.rate * at.rate + at.sideways * at.sideways;
+  const auto distance = cohesion::contact_solver::DistanceMotion::of_pair(
+      at.distance, contact.rinv, at.rate, speed_squared, k->law->step());
+  if (!k->law->advance_persistent(distance, state, repulsion)) return false;
   force = state.force;
   set_friction(contact, *k, repulsion, time_apart, spring);
-  state.store(history);
+  state.store_persistent(history);
   history[REPULSION] = repulsion;
   history[STEP] = now + 1.0;
   if (contact.contact_flags) *contact.contact_flags |= ContactModels::CONTACT_COHESION_MODEL;

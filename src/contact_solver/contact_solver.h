@@ -83,16 +83,12 @@ class ContactSolver {
 
   /// A step of a contact that was persistent in the last one and certainly is in this one. False,
   /// and nothing done, where that is not certain. The other forces are known from the motion.
-  [[gnu::always_inline]] bool advance_persistent(const StaggeredMotion& now, ContactState& state,
+  [[gnu::always_inline]] bool advance_persistent(const DistanceMotion& now, ContactState& state,
                                                  double& repulsion) const {
-    const double rate = now.mean_rate(step_);
-    const double load = (rate - state.last_rate) / step_ - state.force / reduced_mass_;
-    const double external = load - turning({now.distance, now.rate, now.sideways});
+    const double load = (now.rate - state.last_rate) * inverse_step_ - state.force * inverse_mass_;
     double force;
-    if (!persistent_force(now, load, force, repulsion)) return false;
-    state.account += account_.dissipated(state.last_rate, rate) +
-                     account_.exchanged(state.force, external, state);
-    go_on(now, external, force, state);
+    if (!persistent_force(now.distance, now.rate, load, force, repulsion)) return false;
+    go_on(now.rate, load - now.centrifugal, force, state);
     return true;
   }
 
@@ -143,6 +139,8 @@ class ContactSolver {
         reduced_mass_(spring.reduced_mass()),
         pull_(adhesion.force / spring.reduced_mass()),
         step_(step),
+        inverse_step_(1.0 / step),
+        inverse_mass_(1.0 / spring.reduced_mass()),
         spring_(oscillator_.on_grid(step, spring.reduced_mass())),
         adhesion_(adhesion.force),
         attraction_(spring_.stiffness * pull_ / oscillator_.w0_squared()),
@@ -352,46 +350,41 @@ class ContactSolver {
   /// The discrete force of a contact that was in contact throughout the last step, on both sides
   /// and of spring and dashpot alone. False where it is not certain to be so until the next time
   /// level under the `load` [length/time^2] of the last step, or does not bear that load.
-  [[gnu::always_inline]] bool persistent_force(const StaggeredMotion& now, double load,
+  [[gnu::always_inline]] bool persistent_force(double distance, double rate, double load,
                                                double& force, double& repulsion) const {
     if (!(load < bearable_)) return false;
-    const double overlap = contact_distance_ - now.distance;
-    const double approach = -now.mean_rate(step_);
-    force = spring_.stiffness * overlap + spring_.damping * approach - attraction_;
+    const double overlap = contact_distance_ - distance;
+    force = spring_.stiffness * overlap - spring_.damping * rate - attraction_;
     repulsion = force + adhesion_;
-    const double next = approach - step_ * (force / reduced_mass_ + load);
+    const double next = -rate - step_ * (force * inverse_mass_ + load);
     // Between two time levels it may dip below both, most where what pulls is constant.
-    const double dip = 0.125 * step_ * std::max(next - approach, 0.0);
-    const double least = certain * step_ * std::abs(approach) + 2.0 * dip;
+    const double dip = 0.125 * step_ * std::max(next + rate, 0.0);
+    const double least = certain * step_ * std::abs(rate) + 2.0 * dip;
     return overlap > least && overlap + step_ * next > least;
   }
 
   bool stays_persistent(const StaggeredMotion& now, double external, ContactState& state,
                         ContactStep& step) const {
     const double load = outward({now.distance, now.rate, now.sideways}, external);
-    if (!persistent_force(now, load, step.force, step.repulsion)) return false;
-    state.account =
-        account_.exchanged(state.force, external, state) +
-        (state.phase == ContactState::persistent
-             ? state.account + account_.dissipated(state.last_rate, now.mean_rate(step_))
-             : account_.up_to(now, state) + account_.work(step.force, now) + account_.stored(now));
-    go_on(now, external, step.force, state);
+    const double rate = now.mean_rate(step_);
+    if (!persistent_force(now.distance, rate, load, step.force, step.repulsion)) return false;
+    const bool begins = state.phase != ContactState::persistent;
+    const double account = account_.exchanged(state.force, external, state) +
+                           account_.up_to(now, state) + account_.work(step.force, now) +
+                           account_.stored(now);
+    go_on(rate, external, step.force, state);
+    if (begins) state.account = account;
     step.normal.contact_time = step_;
     step.normal.repulsion_impulse = step_ * step.repulsion;
     step.normal.repulsion_at_end = step.repulsion;
     return true;
   }
 
-  [[gnu::always_inline]] void go_on(const StaggeredMotion& now, double external, double force,
+  [[gnu::always_inline]] void go_on(double rate, double external, double force,
                                     ContactState& state) const {
-    state = {ContactState::persistent,
-             0.0,
-             now.mean_rate(step_),
-             force,
-             state.force,
-             external,
-             state.account,
-             step_};
+    const double account = state.account + account_.dissipated(state.last_rate, rate) +
+                           account_.exchanged(state.force, external, state);
+    state = {ContactState::persistent, 0.0, rate, force, state.force, external, account, step_};
   }
 
   double lasting_force(const ContactState& state) const {
@@ -429,7 +422,8 @@ class ContactSolver {
   double entry_;
   double reduced_mass_;
   double pull_;
-  double step_;
+  double step_, inverse_step_;
+  double inverse_mass_;
   GridSpring spring_;
   double adhesion_;    // F_ad
   double attraction_;  // (K'/K) F_ad, of a persistent contact

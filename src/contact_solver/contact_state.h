@@ -23,6 +23,21 @@ struct StaggeredMotion {
   }
 };
 
+/// The same as a persistent contact sees it: how its distance has changed in the last step.
+struct DistanceMotion {
+  double distance;     ///< [length]
+  double rate;         ///< mean over the last step, [length/time]
+  double centrifugal;  ///< acceleration of the distance by turning, [length/time^2]
+
+  /// `inverse` [1/length]: over the distance; rate, speed_squared: of the staggered velocity, along
+  /// the normal and all of it.
+  static DistanceMotion of_pair(double distance, double inverse, double rate, double speed_squared,
+                                double step) {
+    const double centrifugal = (speed_squared - rate * rate) * inverse;
+    return {distance, rate - 0.5 * step * centrifugal, centrifugal};
+  }
+};
+
 /// What ContactSolver stores of a contact from one time level to the next.
 struct ContactState {
   enum Phase {
@@ -57,6 +72,14 @@ struct ContactState {
     values[5] = external_before;
     values[6] = account;
     values[7] = contact_time;
+  }
+  /// store() of a contact that was persistent in the last step, too.
+  [[gnu::always_inline]] void store_persistent(double* values) const {
+    values[2] = last_rate;
+    values[3] = force;
+    values[4] = force_before;
+    values[5] = external_before;
+    values[6] = account;
   }
   static Phase phase_of(const double* values) {
     return static_cast<Phase>(static_cast<int>(values[0]));

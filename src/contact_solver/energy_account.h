@@ -104,8 +104,8 @@ class EnergyAccount {
   }
 
   /// Sets the force with which a pair of account `r` flies on at the speed that closes it, but not
-  /// at less than half of the speed that `force`, of its motion alone, gives it. False, where it has
-  /// to settle later: that energy is missing, or the pair comes back and its force stays.
+  /// at less than half of the speed that `force`, of its motion alone, gives it. False, where it
+  /// has to settle later: that energy is missing, or the pair comes back and its force stays.
   bool settle(const StaggeredMotion& now, double load, double r, double& force) const {
     const double speed = now.rate + 0.5 * step_ * load;
     if (!(speed > 0.0)) return false;

@@ -101,13 +101,18 @@ class ExactContact {
     const double inverse = 1.0 / norm(s);
     ContactState normal = ContactState::stored(values);
     double repulsion;
-    if (!solver_.advance_persistent(motion(now.relative, inverse), normal, repulsion)) return false;
-    normal.store(values);
+    const Vector3& v = now.relative.velocity;
+    const double rate = inverse * dot(s, v);
+    const double speed_squared = bodies_.is_wall() ? rate * rate : dot(v, v);
+    if (!solver_.advance_persistent(
+            DistanceMotion::of_pair(1.0 / inverse, inverse, rate, speed_squared, step_), normal,
+            repulsion))
+      return false;
+    normal.store_persistent(values);
     action.impulse = (step_ * normal.force * inverse) * s;
     if constexpr (SIZE >= ContactHistory::with_friction) {
       const ContactBodies::Touch touch(bodies_, s, inverse);
-      const Vector3 across =
-          now.relative.velocity - (inverse * inverse * dot(s, now.relative.velocity)) * s;
+      const Vector3 across = v - (inverse * rate) * s;
       touch.add_sliding_impulse(
           persistent_impulse(sliding_, touch,
                              touch.sliding_velocity_across(across, now.spin_i, now.spin_j),

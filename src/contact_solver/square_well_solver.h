@@ -119,9 +119,9 @@ class SquareWellSolver : public ContactSolver {
     return -2.0 * now.radial <= 0.01 * step() * now.outward(external);
   }
 
-  /// Brings such a pair to rest; its energy counts as the dashpot's. A load that grows has pushed it
-  /// a little beyond the edge since the step before: it goes back there, where that is no farther
-  /// than the load moves it in this time. Returns the time at rest.
+  /// Brings such a pair to rest; its energy counts as the dashpot's. A load that grows has pushed
+  /// it a little beyond the edge since the step before: it goes back there, where that is no
+  /// farther than the load moves it in this time. Returns the time at rest.
   double rest(Flight& now, double time, double external, NormalRecord& record) const {
     record.dissipated += 0.5 / inverse_mass_ * now.radial * now.radial;
     const double beyond = now.distance - outer_distance();
