@@ -36,7 +36,9 @@ class ContactForces {
         torques_(atom->torque[0]),
         kick_(step->impulses.kick()),
         nlocal_(atom->nlocal),
-        persistent_(!step->is_recorded() && !step->starts() && !step->has_other_length()) {}
+        moved_by_forces_(step->moved_by_forces()),
+        persistent_(!step->energy_tally.is_active() && !step->starts() &&
+                    !step->has_other_length()) {}
 
   /// Force that stands for an impulse.
   double kick() const { return kick_; }
@@ -44,19 +46,22 @@ class ContactForces {
   /// images, is met twice.
   double owned_fraction(int j) const { return j < nlocal_ ? 1.0 : 0.5; }
 
-  /// Computes a contact that was persistent and certainly is so in this step, of which nobody asks
-  /// what it does: what most contacts of a bed need, and only that. False: nothing is done.
+  /// Computes a contact that was persistent and certainly is so in this step, of which the energy
+  /// tally asks nothing: what most contacts of a bed need, and only that. `does`: what it does.
+  /// False: nothing is done.
   [[gnu::always_inline]] bool apply_persistent(const Contact& c, int i, int j,
-                                               const PairMotion& now, double* values) const {
+                                               const PairMotion& now, double* values,
+                                               FrictionalStep& does) const {
     ContactState::restore_signs(values);
-    Action action;
-    if (!persistent_ || !c.template advance_persistent<SIZE>(now, values, action)) return false;
-    const Vector3 pushed = kick_ * action.impulse;
+    if (!persistent_) return false;
+    if (c.is_idle(now.relative, values, moved_by_forces_)) return true;
+    if (!c.template advance_persistent<SIZE>(now, values, does)) return false;
+    const Vector3 pushed = kick_ * does.action.impulse;
     add(forces_ + 3 * i, -1.0, pushed);
-    if (SIZE >= ContactHistory::with_friction) add(torques_ + 3 * i, kick_, action.torque_i);
-    if (j < 0 || j >= nlocal_) return true;
+    if (SIZE >= ContactHistory::with_friction) add(torques_ + 3 * i, kick_, does.action.torque_i);
+    if (!is_own(j)) return true;
     add(forces_ + 3 * j, 1.0, pushed);
-    if (SIZE >= ContactHistory::with_friction) add(torques_ + 3 * j, kick_, action.torque_j);
+    if (SIZE >= ContactHistory::with_friction) add(torques_ + 3 * j, kick_, does.action.torque_j);
     return true;
   }
 
@@ -124,6 +129,7 @@ class ContactForces {
   double* torques_;
   double kick_;
   int nlocal_;
+  double moved_by_forces_;
   bool persistent_;
 };
 

@@ -112,8 +112,6 @@ class FixEventStep : public Fix {
   /// Of the step before, [time], and whether that is another one.
   double last_length() const { return before_dt; }
   bool has_other_length() const { return before_dt != length(); }
-  /// Whether somebody asks what contacts do in this step.
-  bool is_recorded() const { return energy_tally.is_active() || flux_wanted; }
   /// How all forces of the last step but impulses accelerated j less i, [length/time^2]; j < 0: a
   /// wall.
   cohesion::Vector3 relative_acceleration(int i, int j) const {

@@ -124,6 +124,9 @@ class PairGranCohesive : public Pair,
   template <int SIZE, class Contact>
   void compute_contact(const ContactForces<Contact, SIZE>&, const Contact&, int i, int j,
                        int& has_history, double* values);
+  template <class Contact>
+  void add_flux(double fraction, const cohesion::event_stepping::PairMotion&, const Contact&,
+                const cohesion::event_stepping::FrictionalStep&);
   void tally(int i, int j, const cohesion::Vector3& separation, double energy,
              const cohesion::Vector3& impulse);
   template <class What>

@@ -124,10 +124,21 @@ void PairGranCohesive<Cohesion>::compute_contacts(Contacts<Contact>& contacts) {
     const int c = contact(contacts, now, i, j);
     if (c == contacts.NONE) return forget_if_led(i, j, *pair.has_history);
     const Contact& law = contacts.all[c];
+    FrictionalStep does;
     if (!*pair.has_history || asked ||
-        !forces.apply_persistent(law, i, j, now.motion(i, j), pair.history))
+        !forces.apply_persistent(law, i, j, now.motion(i, j), pair.history, does))
       compute_contact<SIZE>(forces, law, i, j, *pair.has_history, pair.history);
+    else if (step->sums_flux())
+      add_flux(forces.owned_fraction(j), now.motion(i, j), law, does);
   });
+}
+
+template <class Cohesion>
+template <class Contact>
+[[gnu::noinline]] void PairGranCohesive<Cohesion>::add_flux(double fraction, const PairMotion& now,
+                                                            const Contact& c,
+                                                            const FrictionalStep& does) {
+  step->flux.add(fraction, now.relative.separation, does.action.impulse, c.by_contact(now, does));
 }
 
 /// A pair out of range, which can come into it in this step, counts as known: only one that nothing
@@ -153,9 +164,7 @@ template <int SIZE, class Contact>
       c, i, j, motion, {}, known, evflag || step->energy_tally.is_active() ? &energies : nullptr);
   known.store(values, SIZE);
   has_history = 1;
-  if (step->sums_flux())
-    step->flux.add(forces.owned_fraction(j), motion.relative.separation, does.action.impulse,
-                   c.by_contact(motion, does));
+  if (step->sums_flux()) add_flux(forces.owned_fraction(j), motion, c, does);
   if (evflag) tally(i, j, motion.relative.separation, energy(energies.stored), does.action.impulse);
 }
 

@@ -97,10 +97,10 @@ class ContactSolver {
   /// first step of a run, whose velocity is that of the time level itself.
   ContactStep advance(const StaggeredMotion& now, double external, double velocity_step,
                       ContactState& state) const {
-    if (velocity_step == step_ && state.in_contact()) {
-      ContactStep step;
-      if (stays_persistent(now, external, state, step)) return step;
-    }
+    ContactStep step;
+    if (velocity_step == step_ && state.in_contact() &&
+        stays_persistent(now, external, state, step))
+      return step;
     return resolve(now, external, velocity_step, state);
   }
 
@@ -365,15 +365,22 @@ class ContactSolver {
 
   bool stays_persistent(const StaggeredMotion& now, double external, ContactState& state,
                         ContactStep& step) const {
-    const double load = outward({now.distance, now.rate, now.sideways}, external);
-    const double rate = now.mean_rate(step_);
-    if (!persistent_force(now.distance, rate, load, step.force, step.repulsion)) return false;
-    const bool begins = state.phase != ContactState::persistent;
-    const double account = account_.exchanged(state.force, external, state) +
-                           account_.up_to(now, state) + account_.work(step.force, now) +
-                           account_.stored(now);
-    go_on(rate, external, step.force, state);
-    if (begins) state.account = account;
+    if (state.phase == ContactState::persistent) {
+      const DistanceMotion distance =
+          DistanceMotion::of_pair(now.distance, 1.0 / now.distance, now.rate,
+                                  now.rate * now.rate + now.sideways * now.sideways, step_);
+      if (!advance_persistent(distance, state, step.repulsion)) return false;
+      step.force = state.force;
+    } else {
+      const double load = outward({now.distance, now.rate, now.sideways}, external);
+      const double rate = now.mean_rate(step_);
+      if (!persistent_force(now.distance, rate, load, step.force, step.repulsion)) return false;
+      const double account = account_.exchanged(state.force, external, state) +
+                             account_.up_to(now, state) + account_.work(step.force, now) +
+                             account_.stored(now);
+      go_on(rate, external, step.force, state);
+      state.account = account;
+    }
     step.normal.contact_time = step_;
     step.normal.repulsion_impulse = step_ * step.repulsion;
     step.normal.repulsion_at_end = step.repulsion;

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "contact/contact_parameters.h"
 #include "contact_solver/closest_packing.h"
 #include "contact_solver/contact_history.h"
 #include "contact_solver/contact_solver.h"
+#include "contact_solver/square_well_solver.h"
 #include "event_stepping/contact_bodies.h"
 #include "event_stepping/spring_on_grid.h"
 
@@ -91,11 +93,23 @@ class ExactContact {
     return distance * (distance - range) <= std::max(closing, 0.0);
   }
 
+  /// Whether a pair that is in its well, with nothing pending, certainly meets neither contact nor
+  /// edge in this step: nothing acts on it. `values`: the stored history; flown: as above.
+  [[gnu::always_inline]] bool is_idle(const RelativeState& now, const double* values,
+                                      double flown) const {
+    if constexpr (std::is_base_of_v<SquareWellSolver, Solver>)
+      return ContactState::is_at_peace(values) &&
+             solver_.is_clear(dot(now.separation, now.separation),
+                              step_ * norm(now.velocity) + flown);
+    else
+      return false;
+  }
+
   /// A step of a contact that was persistent in the last one and certainly is in this one; false,
   /// and nothing done, where that is not certain. `values`: the stored history.
   template <int SIZE>
   [[gnu::always_inline]] bool advance_persistent(const PairMotion& now, double* values,
-                                                 Action& action) const {
+                                                 FrictionalStep& step) const {
     if (values[0] != ContactState::persistent) return false;
     const Vector3& s = now.relative.separation;
     const double inverse = 1.0 / norm(s);
@@ -109,20 +123,20 @@ class ExactContact {
             repulsion))
       return false;
     normal.store_persistent(values);
-    action.impulse = (step_ * normal.force * inverse) * s;
+    step.repulsion = step_ * repulsion;
+    step.action.impulse = (step_ * normal.force * inverse) * s;
     if constexpr (SIZE >= ContactHistory::with_friction) {
       const ContactBodies::Touch touch(bodies_, s, inverse);
       const Vector3 across = v - (inverse * rate) * s;
-      touch.add_sliding_impulse(
-          persistent_impulse(sliding_, touch,
-                             touch.sliding_velocity_across(across, now.spin_i, now.spin_j),
-                             repulsion, values + ContactHistory::normal_only),
-          action);
+      step.friction = persistent_impulse(
+          sliding_, touch, touch.sliding_velocity_across(across, now.spin_i, now.spin_j), repulsion,
+          values + ContactHistory::normal_only);
+      touch.add_sliding_impulse(step.friction, step.action);
       if constexpr (SIZE >= ContactHistory::with_rolling)
         touch.add_rolling_impulse(
             persistent_impulse(rolling_, touch, touch.rolling_velocity(now.spin_i, now.spin_j),
                                repulsion, values + ContactHistory::with_friction),
-            action);
+            step.action);
     }
     return true;
   }
@@ -161,7 +175,7 @@ class ExactContact {
       Spring of_sliding;
       step.friction = advance(sliding_, touch,
                               touch.sliding_velocity(now.relative.velocity, now.spin_i, now.spin_j),
-                              n, history.sliding, energies ? &of_sliding : nullptr);
+                              {}, n, history.sliding, energies ? &of_sliding : nullptr);
       touch.add_sliding_impulse(step.friction, step.action);
       if (energies) {
         touch.add_sliding_impulse(0.5 * of_sliding.due, energies->to_truth);
@@ -173,8 +187,12 @@ class ExactContact {
       }
       if constexpr (SIZE >= ContactHistory::with_rolling) {
         Spring of_rolling;
+        // In the middle of a resolved step friction has turned the spheres as far as it does here.
+        const Vector3 turned =
+            touch.rolling_velocity(bodies_.inverse_inertia_i() * step.action.torque_i,
+                                   bodies_.inverse_inertia_j() * step.action.torque_j);
         touch.add_rolling_impulse(
-            advance(rolling_, touch, touch.rolling_velocity(now.spin_i, now.spin_j), n,
+            advance(rolling_, touch, touch.rolling_velocity(now.spin_i, now.spin_j), turned, n,
                     history.rolling, energies ? &of_rolling : nullptr),
             step.action);
         if (energies) {
@@ -304,10 +322,11 @@ class ExactContact {
     return impulse;
   }
 
-  /// The impulse of a spring at this time level.
+  /// The impulse of a spring at this time level; `by_other` [length/time]: the change of its rate
+  /// by the other spring in the first half of a resolved step.
   Vector3 advance(const SpringOnGrid& spring, const ContactBodies::Touch& touch,
-                  const Vector3& rate, const Normal& n, SpringOnGrid::Memory& memory,
-                  Spring* energies) const {
+                  const Vector3& rate, const Vector3& by_other, const Normal& n,
+                  SpringOnGrid::Memory& memory, Spring* energies) const {
     memory.impulse = touch.plane().turned_into(memory.impulse);
     if (energies) energies->due = memory.impulse;
     bool slips = false;
@@ -343,7 +362,7 @@ class ExactContact {
       memory = {};
       return half;
     }
-    const Vector3 true_rate = rate + (0.5 * spring.inverse_mass()) * memory.impulse;
+    const Vector3 true_rate = rate + by_other + (0.5 * spring.inverse_mass()) * memory.impulse;
     Vector3 mean;
     const contact::TangentialStep now =
         spring.follow(touch.plane(), touch.plane().part_in(stretch), true_rate, n.step.normal,

@@ -36,6 +36,13 @@ class SquareWellSolver : public ContactSolver {
   /// At the edge, and what is left of it in the next step.
   bool gave_impulse(const ContactState& state) const override { return state.contact_time == 0.0; }
 
+  /// Whether a pair in the well is farther from contact and edge than `way` [length]; square
+  /// [length^2]: of its distance.
+  bool is_clear(double square, double way) const {
+    const double inner = contact_distance() + way, outer = outer_distance() - way;
+    return outer > 0.0 && square > inner * inner && square < outer * outer;
+  }
+
   /// The energy of a pair in the well, wherever it is, [energy].
   double adhesion_energy(double /*overlap*/) const override { return -depth_; }
 
@@ -86,7 +93,7 @@ class SquareWellSolver : public ContactSolver {
   /// wells are.
   bool meets_nothing(const StaggeredMotion& now, double external) const {
     const double way = step() * (std::abs(now.rate) + now.sideways + step() * std::abs(external));
-    return now.distance > contact_distance() + way && now.distance < outer_distance() - way;
+    return is_clear(now.distance * now.distance, way);
   }
 
   double time_to_touch(const Flight& now, double external) const {

@@ -208,9 +208,9 @@ class NormalMotion {
     return drive < 0.0 && !crosses && 2.0 * s.v >= 0.25 * whole_step_.time * drive;
   }
 
-  /// Brings such a pair to rest; its energy counts as the dashpot's. A load that grows has pushed it
-  /// a little beyond the edge since the step before: it goes back there, where that is no farther
-  /// than the load moves it in this time. Returns the time at rest.
+  /// Brings such a pair to rest; its energy counts as the dashpot's. A load that grows has pushed
+  /// it a little beyond the edge since the step before: it goes back there, where that is no
+  /// farther than the load moves it in this time. Returns the time at rest.
   double rest(Overlap& s, double time, double outward, double& x_integral,
               NormalRecord& record) const {
     record.dissipated += 0.5 * reduced_mass_ * s.v * s.v;

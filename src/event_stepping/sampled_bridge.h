@@ -12,9 +12,9 @@ inline bool sampled_bridge(double range, double gap, bool bridged) {
   return gap < 0.0 || (bridged && gap < range);
 }
 
-/// A liquid bridge (docs/lammps-package/pair_gran_liquid_bridge.md) as the scheme to compare with: it forms and breaks where the
-/// pair is found at a grid point, and pulls for the whole step. First order in the step; a touch
-/// that begins and ends between two grid points is missed.
+/// A liquid bridge (docs/lammps-package/pair_gran_liquid_bridge.md) as the scheme to compare with:
+/// it forms and breaks where the pair is found at a grid point, and pulls for the whole step. First
+/// order in the step; a touch that begins and ends between two grid points is missed.
 ///
 /// Sphere and sphere, or sphere and plane with the separation from the centre to the foot of the
 /// normal.

@@ -51,9 +51,10 @@ class SampledContact {
 
   /// Sampled contacts are all alike.
   template <int SIZE>
-  bool advance_persistent(const PairMotion&, double*, Action&) const {
+  bool advance_persistent(const PairMotion&, double*, FrictionalStep&) const {
     return false;
   }
+  bool is_idle(const RelativeState&, const double*, double) const { return false; }
 
   /// As ExactContact::advance(); other forces do not matter. Of `energies`, half of what the normal
   /// dashpot takes in the step around the time level is before it, and half of the action leads to

@@ -190,10 +190,9 @@ class Impacts(unittest.TestCase):
 
 class Gravity(Rolling):
     def test_a_ball_thrown_up_that_bounces(self):
-        # In flight the tally closes to rounding, and so it does in steps that are resolved, where the weight acts
-        # within the step: at t_c/5 that is every step of contact. Where a contact is of one force the tally takes its
-        # dashpot's losses from grid points: second order, and less than what edges of contact would give if half of
-        # the weight's impulse acted before them and half after, 4 g dt/v of m v^2/2 (v dt/4 m g at each of eight).
+        # In flight the tally closes to rounding. In contact the weight counts K/K' times, and where a contact begins and
+        # ends it is that of the step before: less than what edges of contact would give if half of the weight's impulse
+        # acted before them and half after, 4 g dt/v of m v^2/2 (v dt/4 m g at each of eight).
         residuals = []
         for parts in (5, 10, 20, 40):
             dt = WALL_TIME / parts
@@ -220,8 +219,7 @@ class Gravity(Rolling):
             report(f"thrown up, {bounces} bounces at t_c/{parts}: energy tally {residuals[-1]:.1e}")
             impact = math.sqrt(0.05**2 + 2 * G * 1e-3)
             self.assertLess(residuals[-1], 4 * G * dt / impact)
-        self.assertLess(residuals[0], 1e-12)
-        self.assertLess(residuals[3], residuals[1] / 8)
+        self.assertLess(residuals[3], residuals[1] / 4)
 
     def test_through_a_periodic_side(self):
         # Down a periodic direction the potential goes on falling.
