@@ -26,7 +26,7 @@ class Spheres {
   /// Of sphere i with sphere j, or with wall -1 - j.
   struct Contact {
     int i, j;
-    ContactHistory history{};
+    ContactHistory history = ContactHistory::unknown();
     FrictionalStep last{};
     ContactEnergies energies{};
     Vector3 normal_impulse{}, friction{}, by_contact{};  ///< of all steps, on j
