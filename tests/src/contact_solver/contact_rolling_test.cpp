@@ -15,9 +15,8 @@ const Body small = thesis::particle(), large{0.8e-3, 1.0 / (4.1 * thesis::mass)}
 constexpr double step_length = thesis::contact_time / 10.0;
 constexpr double pull = 1e-4;  // [N]: adhesion that holds the pairs at rest
 constexpr double stiffness = 2.0 / 7.0 * 800.0, damping = 0.5 * 0.79e-3;  // of the rolling spring
-// Of `pull` a persistent contact bears K'/K = sinc^2(pi/20) and a little less by its dashpot. A
-// force is known to some roundings of the distance of 1e-3 m in a step: 10 1e-19 m mu/dt^2 = 1e-14
-// N.
+// A force is known to some roundings of the distance of 1e-3 m in a step: 10 1e-19 m mu/dt^2 =
+// 1e-14 N of `pull`.
 constexpr double force_error = 1e-10;
 
 contact::ContactParameters rolling(double coefficient) {
@@ -49,8 +48,6 @@ struct Pressed : Spheres<ContactSolver, ContactHistory::with_rolling> {
     const PairMotion now = motion(contact());
     return bodies().rolling_radius() * (now.spin_i - now.spin_j);
   }
-  /// The force of normal spring and dashpot at rest.
-  double pressed() { return law(contact()).solver().spring().stiffness / 800.0 * pull; }
 };
 
 /// Rate of decay and frequency of a rolling spring.
@@ -102,7 +99,7 @@ TEST(ContactRolling, ARollerIsBrakedByTheCoulombTorqueAndStops) {
   pair.spheres[0].spin = {0.0, spin, 0.0};
   pair.spheres[1].spin = {0.0, -spin, 0.0};
   const double start = pair.kinetic_energy();
-  const double friction = coefficient * pair.pressed();
+  const double friction = coefficient * pull;
   const double rate = inverse_inertia(small) * 0.5 * thesis::radius * friction;
   const int stops = static_cast<int>(spin / rate / step_length);
   ASSERT_GT(stops, 200);
@@ -137,7 +134,7 @@ TEST(ContactRolling, HoldsBelowTheCoulombTorqueAndYieldsAboveIt) {
   const double coefficient = 0.05;
   for (const double part : {0.4, 1.2}) {
     Pressed pair(rolling(coefficient), small, {0.0, 0.0});
-    const double most = thesis::radius * coefficient * pair.pressed();
+    const double most = thesis::radius * coefficient * pull;
     const double others = inverse_inertia(small) * part * most * step_length;
     double before = 0.0;
     for (int n = 0; n < 4000; n++) {
