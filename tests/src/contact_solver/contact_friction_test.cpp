@@ -197,4 +197,21 @@ TEST(ContactFriction, StickingImpactsReverseTheSurfaceVelocity) {
   EXPECT_NEAR(pair.kinetic_energy() / before, 1.0, 3.0 * turned + ends);
 }
 
+TEST(ContactFriction, WhatIsLeftOfAnImpulseActsInThePlaneOfContactThatHasTurned) {
+  // Of a contact that ended in the last step half of the impulse is left, whose plane was that of
+  // the normal x. The pair has turned by 0.3 about z since, and stands out of range.
+  const double dt = thesis::contact_time / 10.0, turned = 0.3, given = 1e-9;
+  const ExactContact<ContactSolver> law(elastic(0.3), {}, small, large, dt);
+  ContactHistory history;
+  history.normal.phase = ContactState::left;
+  history.sliding.impulse = {0.0, given, 0.0};
+  const Vector3 normal{std::cos(turned), std::sin(turned), 0.0};
+  const PairMotion now{{1.01 * distance * normal, 0.1 * normal}, {}, {}};
+  const FrictionalStep step =
+      law.advance<ContactHistory::with_friction>(now, {}, false, history, nullptr);
+  EXPECT_NEAR(dot(step.friction, normal), 0.0, 8.0 * eps * given);
+  EXPECT_NEAR(norm(step.friction), 0.5 * given, 8.0 * eps * given);
+  EXPECT_GT(step.friction.y, 0.0);
+}
+
 }  // namespace cohesion::contact_solver
