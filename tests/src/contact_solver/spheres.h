@@ -175,6 +175,7 @@ class Spheres {
     double values[SIZE];
     c.history.store(values, SIZE);
     for (double& value : values) value = -value;
+    ContactState::restore_signs(values);
     c.history = ContactHistory::stored(values, SIZE);
     std::swap(c.i, c.j);
   }
