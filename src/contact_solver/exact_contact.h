@@ -341,10 +341,11 @@ class ExactContact {
     Vector3 stretch{};
     if (n.persisted()) {
       SpringOnGrid::Losses at_end;
+      const Vector3 sticking = spring.sticking_impulse(touch.plane(), rate, memory.stretch);
       advance_persistent(spring, touch, rate, n.repulsion_before, true, memory, slips, energies);
       const Vector3 due = energies ? energies->due : Vector3{};
       if (energies) memory.impulse = energies->impulse;
-      spring.end_lasting(rate, slips, true_force + pull_, due, memory,
+      spring.end_lasting(rate, sticking, true_force + pull_, due, memory,
                          energies ? &at_end : nullptr);
       stretch = memory.stretch;
       if (energies) {

@@ -160,6 +160,9 @@ class WellEdgeSolver final : public SquareWellSolver {
                  double contact_distance, double step)
       : SquareWellSolver(spring, {0.0, contact_distance + well.cutoff, well.tail_energy}, 0.0,
                          step) {}
+
+  /// The spring is the other style's.
+  double spring_energy(double /*overlap*/) const { return 0.0; }
 };
 
 }  // namespace cohesion::contact_solver

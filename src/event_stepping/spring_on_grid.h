@@ -87,14 +87,21 @@ class SpringOnGrid {
     losses.damped = all - losses.friction;
   }
 
+  /// The impulse of which half leads to the true velocity of a contact that sticks, from the
+  /// stretch before this time level.
+  Vector3 sticking_impulse(const contact::Plane& plane, const Vector3& rate,
+                           const Vector3& stretch) const {
+    return step_ * sticking_force(ends_.last, plane.turned_into(stretch) + step_ * rate, rate);
+  }
   /// Ends a lasting contact, after advance_lasting() with the same `rate`: sets the impulse of
-  /// which half is left to do up to the true velocity, where the normal force is `last`. What it
-  /// takes less of the motion than the half that was to come, of `planned`, is lost.
-  void end_lasting(const Vector3& rate, bool slips, double last, const Vector3& planned,
-                   Memory& memory, Losses* losses) const {
-    memory.impulse = twice_owed(rate, slips, memory);
-    const double limit = step_ * friction_ * std::max(last, 0.0), size = norm(memory.impulse);
-    if (size > 0.0 && (slips || size > limit)) memory.impulse = (limit / size) * memory.impulse;
+  /// which half is left to do up to the true velocity, where the normal force is `last`: it sticks,
+  /// with the impulse `sticking`, as far as that lets it. What it takes less of the motion than the
+  /// half that was to come, of `planned`, is lost.
+  void end_lasting(const Vector3& rate, const Vector3& sticking, double last,
+                   const Vector3& planned, Memory& memory, Losses* losses) const {
+    memory.impulse = sticking;
+    const double limit = step_ * friction_ * std::max(last, 0.0), size = norm(sticking);
+    if (size > limit) memory.impulse = (limit / size) * sticking;
     if (losses)
       losses->friction += 0.5 * dot(planned - memory.impulse,
                                     rate + (0.25 * inverse_mass_) * (planned + memory.impulse));

@@ -5,28 +5,28 @@
 
 #include "advice/contact_numbers.h"
 #include "advice/thesis_pair.h"
-#include "event_stepping/pair_run.h"
-#include "event_stepping/well_pair.h"
-#include "hamaker/law.h"
-#include "hamaker/small_gap.h"
+#include "contact_solver/spheres.h"
+#include "contact_solver/square_well_solver.h"
 #include "refuses.h"
 
 namespace cohesion::advice {
 namespace {
 
-using event_stepping::PairRun;
-namespace thesis = event_stepping::thesis;
-
 const auto spring = contact::normal_contact(thesis::contact(), thesis::reduced_mass);
 
 /// Whether a head-on pair comes apart again.
-template <class Pair>
+template <class Solver>
 bool parts(const contact::Adhesion& a, double speed) {
   const double dt = 0.25 * thesis::contact_time;
-  const event_stepping::Body particle{thesis::radius, 1.0 / thesis::mass};
-  PairRun<Pair> run(thesis::contact(), a, particle, particle, dt,
-                    {{2.0 * thesis::radius + a.cutoff + 0.3 * speed * dt, 0, 0}, {-speed, 0, 0}});
-  return run.run_to_escape(2000);
+  auto pair = contact_solver::meeting<Solver, contact_solver::ContactHistory::normal_only>(
+      thesis::contact(), a, dt, 2.0 * thesis::radius + a.cutoff, speed, 0.0, 2.3 * dt);
+  bool met = false;
+  for (int n = 0; n < 2000; n++) {
+    pair.step();
+    met = met || pair.any_in_range();
+    if (met && pair.are_apart()) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -38,8 +38,8 @@ TEST(EqualEscape, WellAndHamakerHoldPairsUpToTheSameSpeed) {
     const double escape = contact::AdhesiveContact(spring, a).escape_velocity();
     // sphere_pair_test.cpp, well_pair_test.cpp: both follow the pair to better than 1e-8.
     for (const double off : {-1e-7, 1e-7}) {
-      EXPECT_EQ(parts<event_stepping::SpherePair>(a, escape * (1.0 + off)), off > 0.0);
-      EXPECT_EQ(parts<event_stepping::WellPair>(well, escape * (1.0 + off)), off > 0.0);
+      EXPECT_EQ(parts<contact_solver::ContactSolver>(a, escape * (1.0 + off)), off > 0.0);
+      EXPECT_EQ(parts<contact_solver::SquareWellSolver>(well, escape * (1.0 + off)), off > 0.0);
     }
   }
 }

@@ -3,13 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include "event_stepping/pair_run.h"
+#include "contact_solver/thesis_contact.h"
 #include "refuses.h"
 
 namespace cohesion::advice {
 namespace {
-
-namespace thesis = event_stepping::thesis;
 
 constexpr double width = 1e-5;
 const HeadOnPair spheres{contact::normal_contact(thesis::contact(), thesis::reduced_mass),

@@ -3,13 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include "event_stepping/pair_run.h"
+#include "contact_solver/thesis_contact.h"
 #include "refuses.h"
 
 namespace cohesion::advice {
 namespace {
-
-namespace thesis = event_stepping::thesis;
 
 constexpr double A = 7.49e-19, cutoff = 4e-10, outer = 1e-7, depth = 5e-11;
 constexpr double thesis_step = 2.25e-5;

@@ -73,7 +73,7 @@ struct Chain {
     for (int k = 0; k < 3; k++) x[k] += dt * v[k];
     for (int k = 0; k < 2; k++) {
       const StaggeredMotion at{x[k + 1] - x[k], v[k + 1] - v[k], 0.0};
-      const double external = contact.external(a[k + 1] - a[k], state[k]);
+      const double external = contact.external(a[k + 1] - a[k], at, state[k]);
       const double force = contact.advance(at, external, dt, state[k]).force;
       now[k] -= force / thesis::mass;
       now[k + 1] += force / thesis::mass;

@@ -6,11 +6,9 @@
 #include <cmath>
 
 #include "contact_solver/contact_solver.h"
-#include "event_stepping/pair_run.h"
+#include "contact_solver/thesis_contact.h"
 
 namespace cohesion::contact_solver {
-
-namespace thesis = event_stepping::thesis;
 
 inline constexpr double core = 2.0 * thesis::radius;  // of the centres at touch, [length]
 inline constexpr int phases = 8;                      // positions of an event within its step

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "constants.h"
-#include "event_stepping/pair_on_grid.h"
+#include "contact_solver/spheres.h"
 #include "event_stepping/sampled_contact.h"
 #include "event_stepping/sampled_well.h"
 
@@ -16,7 +16,8 @@ namespace {
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
 constexpr double core = 2.0 * thesis::radius;
-const Body particle{thesis::radius, 1.0 / thesis::mass};
+const Body particle = thesis::particle();
+using Pair = contact_solver::Spheres<contact_solver::ContactSolver, ContactHistory::normal_only>;
 
 constexpr double repulsion = 3.0, pull = 2.0;
 const Vector3 place{0.6, 0.8, 0.0}, friction{-0.4, 0.3, 0.0};
@@ -45,9 +46,9 @@ TEST(FluxParts, OfASampledContactTheSpringAndFrictionAreOfContact) {
     const SampledContact<SampledWell> c(p, {0.0, range, depth}, particle, particle,
                                         {0.5 * dt, 0.5 * dt});
     // A pair that flew into the contact from outside of the well gets the impulse of its edge, too.
-    ContactMemory memory;
-    ContactLosses lost;
-    const SampledStep step = c.compute<ContactMemory::with_friction>(grid, memory, &lost);
+    ContactHistory history;
+    const FrictionalStep step =
+        c.advance<ContactHistory::with_friction>(grid, {}, false, history, nullptr);
     // The overlap is a difference of numbers a thousand times larger.
     const Vector3 by_contact = c.by_contact(grid, step);
     EXPECT_NEAR(by_contact.x / normal, 1.0, 1e-12);
@@ -58,22 +59,23 @@ TEST(FluxParts, OfASampledContactTheSpringAndFrictionAreOfContact) {
   }
 }
 
-TEST(FluxParts, InALastingContactAtRestTheSpringBearsTheAdhesion) {
+TEST(FluxParts, InAPersistentContactAtRestTheSpringBearsTheAdhesion) {
   const contact::Adhesion a = thesis::adhesion(2e-18);
-  const double dt = thesis::contact_time / 10.0;
-  PairOnGrid<SpherePair, ContactMemory::normal_only> s(thesis::contact(), a, particle, particle,
-                                                       dt);
-  s.x[1].x = core - a.force / 800.0;
-  s.memory = {ContactMemory::lasting, 1000.0, 0.0, {}, {}};
-  s.step();
-  ASSERT_TRUE(s.lasted);
+  const double dt = thesis::contact_time / 10.0, distance = core - a.force / 800.0;
+  Pair pair(thesis::contact(), a, dt);
+  pair.add(particle, {}, {});
+  pair.add(particle, {distance, 0.0, 0.0}, {});
+  pair.steps(5);
+  ASSERT_EQ(pair.contacts[0].history.normal.phase, ContactState::persistent);
+  pair.contacts[0].by_contact = {};
+  pair.step();
   // A few roundings of the distance in a step.
   const double rounding = 16 * eps * thesis::reduced_mass * core / dt;
-  EXPECT_NEAR(s.by_contact.x, a.force * dt, rounding);
-  EXPECT_NEAR(s.v[1].x, 0.0, rounding / thesis::mass);
+  EXPECT_NEAR(pair.contacts[0].by_contact.x, a.force * dt, rounding);
+  EXPECT_NEAR(pair.spheres[1].v.x, 0.0, rounding / thesis::mass);
 }
 
-TEST(FluxParts, InAFollowedImpactTheSpringGivesWhatItDoesInContact) {
+TEST(FluxParts, InAResolvedImpactTheSpringGivesWhatItDoesInContact) {
   // Head-on, elastic: the spring meets at v_c^2 = v^2 + 2 W/mu, and repels for the time T of
   // x = x_e (1 - cos w0 t) + v_c/w0 sin w0 t > 0, x_e = F/K: 2 mu v_c + F T in all.
   const double speed = 0.02;
@@ -85,20 +87,21 @@ TEST(FluxParts, InAFollowedImpactTheSpringGivesWhatItDoesInContact) {
     const double expected = 2.0 * thesis::reduced_mass * met + a.force * time;
     for (const double part : {4.0, 30.0}) {
       const double dt = thesis::contact_time / part;
-      PairOnGrid<SpherePair, ContactMemory::normal_only> s(thesis::elastic(), a, particle, particle,
-                                                           dt);
-      s.x[1].x = core + a.cutoff + 0.3 * dt * speed;
-      s.v[1].x = -speed;
-      const int steps = static_cast<int>(2.5 * part);
-      s.steps(steps);
-      ASSERT_EQ(s.memory.phase, ContactMemory::beyond);
+      auto pair =
+          contact_solver::meeting<contact_solver::ContactSolver, ContactHistory::normal_only>(
+              thesis::elastic(), a, dt, core + a.cutoff, speed, 0.0, 2.3 * dt);
+      const int steps = static_cast<int>(2.5 * part) + 4;
+      pair.steps(steps);
+      ASSERT_TRUE(pair.are_apart());
       // A few roundings of the distance of 1e-3 m in each step, at w0 over the speed; the way
       // through the range of 4e-10 m is known to 3e-10 of itself, and so is its energy.
-      EXPECT_NEAR(s.by_contact.x / expected, 1.0, 4.0 * steps * core * eps * w0 / speed + 1e-9);
-      EXPECT_EQ(s.by_contact.y, 0.0);
+      EXPECT_NEAR(pair.contacts[0].by_contact.x / expected, 1.0,
+                  4.0 * steps * core * eps * w0 / speed + 1e-9);
+      EXPECT_EQ(pair.contacts[0].by_contact.y, 0.0);
     }
   }
 }
+
 TEST(MomentumFlux, IsPositiveInCompressionAndNotSymmetricWithFriction) {
   const MomentumFlux flux = momentum_flux({1.0, 2.0, 3.0}, {4.0, 5.0, 6.0});
   EXPECT_EQ(flux, (MomentumFlux{4.0, 10.0, 18.0, 5.0, 6.0, 12.0}));

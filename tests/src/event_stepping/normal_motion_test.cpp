@@ -5,7 +5,7 @@
 
 #include <random>
 
-#include "event_stepping/pair_run.h"
+#include "contact_solver/thesis_contact.h"
 
 namespace cohesion::event_stepping {
 namespace {

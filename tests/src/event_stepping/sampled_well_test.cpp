@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "event_stepping/pair_run.h"
+#include "contact_solver/thesis_contact.h"
 
 namespace cohesion::event_stepping {
 namespace {
