@@ -8,8 +8,8 @@
 namespace cohesion::contact_solver {
 
 /// A liquid bridge around a linear spring-dashpot whose grid points are exact samples of the
-/// motion: ContactSolver with an adhesion that forms where the surfaces touch, and in the gap the
-/// motion of BridgePair (bridge_pair.h).
+/// motion: ContactSolver with an adhesion that forms where the surfaces touch, and in the gap a
+/// constant pull, half of which acts where a segment of the flight begins and half where it ends.
 class LiquidBridgeSolver final : public ContactSolver {
  public:
   /// `bridge`: force and, as cutoff, the gap of rupture; no tail. contact_distance [length]: of the

@@ -72,7 +72,7 @@ class ElasticGas(unittest.TestCase):
         self.energy_is_kept(0.1, 2e-18, 0.2, seeds=2)
 
     def test_dense(self):
-        # An offset of first order shows below t_c/10 (docs/lammps-package/gran_hamaker_many.md).
+        # An offset of first order shows below t_c/10 (docs/verification/contacts.md).
         self.energy_is_kept(0.5, 0.0, 0.1, seeds=3, second_order=False)
 
     def test_dense_adhesive(self):
@@ -84,7 +84,7 @@ class ElasticGas(unittest.TestCase):
 
     def test_no_heating_with_adhesion_at_a_tenth(self):
         # At t_c/4 there is: 4e-5 of the kinetic energy per collision
-        # (docs/lammps-package/gran_hamaker_many.md).
+        # (docs/verification/contacts.md).
         self.no_heating(0.5, 2e-18, 0.02, division=10, seeds=3)
 
 
@@ -137,8 +137,7 @@ class StruckPair(unittest.TestCase):
 
 class DampedGas(unittest.TestCase):
     def test_what_is_left_out_is_little(self):
-        # Contacts of this restitution mind no others at this step (OneForce::suits_company): what is left of the
-        # energy after 14 collisions differs from that at t_c/80 by less than a fiftieth of what is lost, within three
+        # What is left of the energy after 14 collisions differs from that at t_c/80 by less than a fiftieth of what is lost, within three
         # standard errors of eight gases.
         more = []
         for seed in range(8):
@@ -171,7 +170,7 @@ class Settling(unittest.TestCase):
     """125 spheres with damping and friction that fall on a layer of fixed ones. At rest: kinetic energy,
     rotation included, at t_c/10 below 1e-3 of what weight and adhesion store in a contact,
     (m g + F_ad)^2/(2 K) per sphere, so that speeds are 3 % of what opens one. There contacts rattle on
-    without adhesion (docs/lammps-package/gran_hamaker_many.md); at t_c/20 below 1e-9 of the start's.
+    without adhesion (docs/verification/contacts.md); at t_c/20 below 1e-9 of the start's.
     With 20 weights spheres hang in one contact or two, where they spin and roll on without loss unless something
     resists rolling; with a rolling friction nothing is left that moves without loss."""
 

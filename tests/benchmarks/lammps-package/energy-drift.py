@@ -14,8 +14,7 @@ the slope of rms against the step, from t_c/5 to t_c/40. A sampled run that blew
 With `--heating`: what the dense gases gain per collision, from the third to the last fifth of 20
 collisions, mean and standard error of 16 runs, over the kinetic energy of the start.
 
-With `--damped`: dense gases whose contacts lose so much that they mind no others (OneForce::suits_company), from a
-lattice: kinetic energy after 14 collisions over that of the start, at t_c/80, and how much more is left at longer
+With `--damped`: dense gases of damped contacts, from a lattice: kinetic energy after 14 collisions over that of the start, at t_c/80, and how much more is left at longer
 steps, over what has been lost; mean and standard error of 16 gases.
 
 With `--seeds`: `end` of N gases of other velocities, at t_c/10: mean with its standard error, and root mean square.
@@ -30,7 +29,7 @@ DIVISIONS = (4, 5, 10, 20, 40)
 # Solid fraction, A [J], speed [m/s] (each component). The spheres' F_ad/sqrt(mu K) is 0.022 m/s.
 CASES = ((0.1, 0.0, 0.1), (0.5, 0.0, 0.1), (0.1, 2e-18, 0.02), (0.5, 2e-18, 0.02))
 SAMPLES = 200
-# Restitution and steps per contact of damped gases: just above the fewest at which they mind no others, and more.
+# Restitution and steps per contact of damped gases.
 DAMPED = ((0.9, 5.28), (0.9, 10), (0.9487, 5.86), (0.9487, 10), (0.98, 7.98), (0.98, 15), (0.99, 10.03))
 
 

@@ -36,7 +36,8 @@ TEST(EqualEscape, WellAndHamakerHoldPairsUpToTheSameSpeed) {
     const contact::Adhesion a = thesis::adhesion(hamaker);
     const contact::Adhesion well{0.0, 1e-5, equal_depth(spring, a)};
     const double escape = contact::AdhesiveContact(spring, a).escape_velocity();
-    // sphere_pair_test.cpp, well_pair_test.cpp: both follow the pair to better than 1e-8.
+    // contact_solver_test.cpp, square_well_solver_test.cpp: both integrate the pair to better than
+    // 1e-8.
     for (const double off : {-1e-7, 1e-7}) {
       EXPECT_EQ(parts<contact_solver::ContactSolver>(a, escape * (1.0 + off)), off > 0.0);
       EXPECT_EQ(parts<contact_solver::SquareWellSolver>(well, escape * (1.0 + off)), off > 0.0);
@@ -45,7 +46,7 @@ TEST(EqualEscape, WellAndHamakerHoldPairsUpToTheSameSpeed) {
 }
 
 TEST(EqualEscape, OfTheThesisPair) {
-  // A = 5e-19 J: 2.6749904905705694e-3 m/s (sphere_pair_test.cpp); e = 0.94868239;
+  // A = 5e-19 J: 2.6749904905705694e-3 m/s (contact_solver_test.cpp); e = 0.94868239;
   // mu v^2/2/(1/e^2 - 1) with mu = 6.93768e-7 kg: 2.4822e-12 J/0.111121.
   EXPECT_NEAR(equal_depth(spring, thesis::adhesion(5e-19)) / 2.23374e-11, 1.0, 1e-4);
 }
