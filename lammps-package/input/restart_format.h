@@ -26,12 +26,16 @@ inline void write_layout(FILE* fp, int layout) {
 /// Stops LAMMPS where `number`, which a file has in front, is another than RESTART_MARK + layout;
 /// `where` stands in front of the message.
 inline void require_layout(LAMMPS* lmp, double number, const std::string& where, int layout) {
-  if (number != RESTART_MARK + layout)
-    lmp->error->all(FLERR,
-                    where +
-                        ": the restart file was written by another version of the package, with "
-                        "other numbers; read it with that one, and carry places and velocities "
-                        "over by 'write_data'");
+  if (number == RESTART_MARK + layout) return;
+  const double there = number - RESTART_MARK;
+  const std::string known = there > 0.0 && there < 100.0
+                                ? "layout " + std::to_string(static_cast<int>(there))
+                                : "no known layout";
+  lmp->error->all(
+      FLERR, where + ": the restart file was written by another version of the package (" + known +
+                 " of its numbers, this version reads layout " + std::to_string(layout) +
+                 "); read it with that one, and carry places and velocities over by "
+                 "'write_data'");
 }
 
 /// The same for the next number of the file, which write_layout() wrote.
