@@ -11,8 +11,6 @@ from cohesion_tests.theory.slow_ramp import Grain
 
 # The ramp lags by 1.5e-3 of F_ad by a formula that is right to a factor of order one, and the load is read to 3e-4.
 LAG = 3e-3
-# Beside another contact with an event in the same step, the load includes what that one does by itself.
-BESIDE_ANOTHER = 0.01
 
 
 class PullOff(unittest.TestCase):
@@ -38,9 +36,17 @@ class PullOff(unittest.TestCase):
                 self.check(LAG, 10, 50.0, 0.5, partner=partner, pulled_by=pulled_by)
 
     def test_pulled_by_a_wall(self):
-        for restitution in (0.9, 0.5):
-            for division in (10, 20):
-                self.check(BESIDE_ANOTHER, division, 50.0, restitution, pulled_by="wall")
+        for restitution in (0.9, 0.5, 0.3):
+            for division in (4, 10, 20):
+                self.check(LAG, division, 50.0, restitution, pulled_by="wall")
+
+    def test_a_grain_that_hangs_goes_on_hanging_with_another_step(self):
+        for level, holds in ((0.95, True), (1.02, False)):
+            for first, then in ((40, 6), (6, 40), (20, 10)):
+                with self.subTest(level=level, first=first, then=then):
+                    grain = Grain(50.0, 0.9)
+                    gap = pull_off.gap_after_another_step(grain, first, then, level)
+                    self.assertEqual(gap < grain.force / grain.stiffness, holds)
 
     def test_sampled(self):
         self.check(LAG, 50, 50.0, 0.5, scheme="sampled")

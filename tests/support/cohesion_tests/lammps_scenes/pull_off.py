@@ -70,3 +70,22 @@ def load_at_parting(grain, division, scheme="event", pulled_by="addforce"):
         return math.inf
     rows = re.findall(r"^ *\d+ +(\S+) +(\S+) *$", output, re.MULTILINE)
     return [float(load) for gap, load in rows if float(gap) < opened][-1]
+
+
+def gap_after_another_step(grain, first, then, level):
+    """By how much the grain has moved away [m] when `level` F_ad was held for 300 contact times at t_c/then, after a ramp
+    up to it at t_c/first, but no farther than 0.95 F_ad there."""
+    steps = grain.steps(first)
+    ramp = min(level, 0.95)
+    last = round(steps * ramp / TOP)
+    load = (f"{grain.force * TOP!r}*(step<={last})*step/{steps}+{grain.force * ramp!r}*(step>{last})"
+            f"+{grain.force * (level - ramp)!r}*(step>{last + 20 * first})")
+    text = script(grain, first, "event", "addforce")
+    text = text.replace(f"variable down equal -{grain.force * TOP!r}*step/{steps}", f"variable down equal -({load})")
+    head, _, tail = text.rpartition("run ")
+    runs = f"run {last + 20 * first}\ntimestep {grain.contact_time / then!r}\nrun {300 * then}\n"
+    with lammps.temporary_folder() as folder:
+        code, output = lammps.run_text(head + runs + tail.partition("\n")[2], folder)
+    if code != 0:
+        raise AssertionError(output[-3000:])
+    return float(re.search(r"^ENDED (\S+)", output, re.MULTILINE)[1])
