@@ -118,19 +118,27 @@ void PairGranCohesive<Cohesion>::compute_contacts(Contacts<Contact>& contacts) {
   contacts.clear();
   const ContactForces<Contact, SIZE> forces(atom, step);
   const StaggeredParticles now = particles();
-  const bool asked = evflag;
-  close_pairs.for_each_near([&](const ClosePair& pair) __attribute__((always_inline)) {
-    const int i = pair.i, j = pair.j;
-    const int c = contact(contacts, now, i, j);
-    if (c == contacts.NONE) return forget_if_led(i, j, *pair.has_history);
-    const Contact& law = contacts.all[c];
-    FrictionalStep does;
-    if (!*pair.has_history || asked ||
-        !forces.apply_persistent(law, i, j, now.motion(i, j), pair.history, does))
-      compute_contact<SIZE>(forces, law, i, j, *pair.has_history, pair.history);
-    else if (step->sums_flux())
-      add_flux(forces.owned_fraction(j), now.motion(i, j), law, does);
-  });
+  // A step whose fluxes somebody asks for has a loop of its own: what contacts do stays in
+  // registers otherwise.
+  const auto loop = [&](auto sums_flux) {
+    const bool asked = evflag;
+    close_pairs.for_each_near([&](const ClosePair& pair) __attribute__((always_inline)) {
+      const int i = pair.i, j = pair.j;
+      const int c = contact(contacts, now, i, j);
+      if (c == contacts.NONE) return forget_if_led(i, j, *pair.has_history);
+      const Contact& law = contacts.all[c];
+      FrictionalStep does;
+      if (!*pair.has_history || asked ||
+          !forces.apply_persistent(law, i, j, now.motion(i, j), pair.history, does))
+        compute_contact<SIZE>(forces, law, i, j, *pair.has_history, pair.history);
+      else if constexpr (sums_flux)
+        add_flux(forces.owned_fraction(j), now.motion(i, j), law, does);
+    });
+  };
+  if (step->sums_flux())
+    loop(std::true_type());
+  else
+    loop(std::false_type());
 }
 
 template <class Cohesion>

@@ -112,14 +112,14 @@ class ExactContact {
                                                  FrictionalStep& step) const {
     if (values[0] != ContactState::persistent) return false;
     const Vector3& s = now.relative.separation;
-    const double inverse = 1.0 / norm(s);
+    const Vector3& v = now.relative.velocity;
+    const double square = dot(s, s), inverse = 1.0 / std::sqrt(square);
     ContactState normal = ContactState::stored(values);
     double repulsion;
-    const Vector3& v = now.relative.velocity;
     const double rate = inverse * dot(s, v);
     const double speed_squared = bodies_.is_wall() ? rate * rate : dot(v, v);
     if (!solver_.advance_persistent(
-            DistanceMotion::of_pair(1.0 / inverse, inverse, rate, speed_squared, step_), normal,
+            DistanceMotion::of_pair(square * inverse, inverse, rate, speed_squared, step_), normal,
             repulsion))
       return false;
     normal.store_persistent(values);
