@@ -56,7 +56,7 @@ class ContactForces {
     if (!persistent_) return false;
     if (c.is_idle(now.relative, values, moved_by_forces_)) return true;
     if (!c.template advance_persistent<SIZE>(now, values, does)) return false;
-    const Vector3 pushed = kick_ * does.action.impulse;
+    Vector3 pushed = kick_ * does.action.impulse;
     add(forces_ + 3 * i, -1.0, pushed);
     if (SIZE >= ContactHistory::with_friction) add(torques_ + 3 * i, kick_, does.action.torque_i);
     if (!is_own(j)) return true;

@@ -389,9 +389,15 @@ class ContactSolver {
 
   [[gnu::always_inline]] void go_on(double rate, double external, double force,
                                     ContactState& state) const {
-    const double account = state.account + account_.dissipated(state.last_rate, rate) +
-                           account_.exchanged(state.force, external, state);
-    state = {ContactState::persistent, 0.0, rate, force, state.force, external, account, step_};
+    state.account += account_.dissipated(state.last_rate, rate) +
+                     account_.exchanged(state.force, external, state);
+    state.phase = ContactState::persistent;
+    state.velocity_offset = 0.0;
+    state.last_rate = rate;
+    state.force_before = state.force;
+    state.force = force;
+    state.external_before = external;
+    state.contact_time = step_;
   }
 
   double lasting_force(const ContactState& state) const {

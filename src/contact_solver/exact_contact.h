@@ -126,8 +126,8 @@ class ExactContact {
     step.repulsion = step_ * repulsion;
     step.action.impulse = (step_ * normal.force * inverse) * s;
     if constexpr (SIZE >= ContactHistory::with_friction) {
-      const ContactBodies::Touch touch(bodies_, s, inverse);
-      const Vector3 across = v - (inverse * rate) * s;
+      ContactBodies::Touch touch(bodies_, s, inverse);
+      Vector3 across = v - (inverse * rate) * s;
       step.friction = persistent_impulse(
           sliding_, touch, touch.sliding_velocity_across(across, now.spin_i, now.spin_j), repulsion,
           values + ContactHistory::normal_only);
@@ -277,7 +277,7 @@ class ExactContact {
                                                            double* values) {
     SpringOnGrid::Memory memory{vector(values), vector(values + 3)};
     bool slips;
-    const Vector3 impulse =
+    Vector3 impulse =
         spring.advance_lasting(touch.plane(), rate, repulsion, true, memory, slips, nullptr);
     ContactHistory::store(memory, values);
     return impulse;
