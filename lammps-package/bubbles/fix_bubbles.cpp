@@ -272,7 +272,8 @@ double FixBubbles::compute_vector(int n) {
     return sums[n];
   }
   if (n == 6)
-    return nozzles ? std::accumulate(nozzles->owed().begin(), nozzles->owed().end(), 0.0) : 0.0;
+    return nozzles ? std::accumulate(nozzles->pending().begin(), nozzles->pending().end(), 0.0)
+                   : 0.0;
   double mine[2] = {0.0, 0.0}, all[2] = {0.0, 0.0};
   for (int i = 0; i < atom->nlocal; i++)
     if (atom->mask[i] & groupbit) {
@@ -298,7 +299,7 @@ void FixBubbles::write_restart(FILE* file) {
                             static_cast<double>(last_step),
                             static_cast<double>(next_reneighbor),
                             nozzles ? static_cast<double>(nozzles->count()) : 0.0};
-  if (nozzles) state.insert(state.end(), nozzles->owed().begin(), nozzles->owed().end());
+  if (nozzles) state.insert(state.end(), nozzles->pending().begin(), nozzles->pending().end());
   state.push_back(static_cast<double>(resting.size()));
   for (const auto& [number, until] : resting)
     state.insert(state.end(), {static_cast<double>(number), until});
@@ -320,7 +321,7 @@ void FixBubbles::restart(char* buffer) {
   if (count != (nozzles ? nozzles->count() : 0))
     stop(lmp, FLERR, where, ": the state that is read is of ", count, " nozzles, the script has ",
          nozzles ? nozzles->count() : 0, "; give it the same");
-  for (std::size_t k = 0; k < count; k++) nozzles->owed()[k] = next();
+  for (std::size_t k = 0; k < count; k++) nozzles->pending()[k] = next();
   const auto rests = static_cast<std::size_t>(next());
   for (std::size_t k = 0; k < rests; k++) {
     const long number = std::lround(next());

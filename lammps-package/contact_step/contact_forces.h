@@ -112,10 +112,10 @@ class ContactForces {
     tally.add_losses(fraction, energies.before, 0.0);
     tally.add_losses(fraction, energies.after, 1.0);
     const Action& a = energies.to_truth;
-    change(tally.owed()[i], c.bodies().inverse_mass_i(), -a.impulse, c.bodies().inverse_inertia_i(),
-           a.torque_i);
+    change(tally.pending()[i], c.bodies().inverse_mass_i(), -a.impulse,
+           c.bodies().inverse_inertia_i(), a.torque_i);
     if (j >= 0)
-      change(tally.owed()[j], c.bodies().inverse_mass_j(), a.impulse,
+      change(tally.pending()[j], c.bodies().inverse_mass_j(), a.impulse,
              c.bodies().inverse_inertia_j(), a.torque_j);
   }
   static void change(double* to, double inverse_mass, const Vector3& impulse,

@@ -32,7 +32,7 @@ ContactEnergyTally::ContactEnergyTally(LAMMPS* lammps)
     : Pointers(lammps), readers_(std::make_shared<char>()) {}
 
 ContactEnergyTally::~ContactEnergyTally() {
-  memory->destroy(owed_);
+  memory->destroy(pending_);
   memory->destroy(to_truth_);
 }
 
@@ -42,7 +42,7 @@ void ContactEnergyTally::update_readers() {
   active_ = ends || has_readers();
   if (!active_ || room_ == atom->nmax) return;
   room_ = atom->nmax;
-  memory->grow(owed_, atom->nmax, MOTION, "contact_energy_tally:owed");
+  memory->grow(pending_, atom->nmax, MOTION, "contact_energy_tally:pending");
   memory->grow(to_truth_, atom->nmax, MOTION, "contact_energy_tally:to_truth");
 }
 
@@ -52,7 +52,7 @@ void ContactEnergyTally::begin_step() {
   now_.external_work += later_.external_work;
   later_ = {};
   now_.stored = {};
-  for (int i = 0; i < atom->nlocal + atom->nghost; i++) std::fill_n(owed_[i], MOTION, 0.0);
+  for (int i = 0; i < atom->nlocal + atom->nghost; i++) std::fill_n(pending_[i], MOTION, 0.0);
 }
 
 void ContactEnergyTally::store(double fraction, const StoredEnergies& stored) {
@@ -84,8 +84,8 @@ void ContactEnergyTally::end_step(int i, const Body& body, const Vector3& pushed
                                   const Vector3& turned) {
   std::fill_n(to_truth_[i], MOTION, 0.0);
   if (body.inverse_mass == 0.0) return;
-  put(vector(owed_[i]) - body.inverse_mass * pushed, to_truth_[i]);
-  put(vector(owed_[i] + 3) - inverse_inertia(body) * turned, to_truth_[i] + 3);
+  put(vector(pending_[i]) - body.inverse_mass * pushed, to_truth_[i]);
+  put(vector(pending_[i] + 3) - inverse_inertia(body) * turned, to_truth_[i] + 3);
 }
 
 Vector3 ContactEnergyTally::true_velocity(int i) const {

@@ -51,7 +51,7 @@ class ContactEnergyTally : protected Pointers {
 
   /// Per atom and ghost: six numbers that lead from velocity and spin on the grid to the true ones,
   /// of all contacts.
-  double** owed() const { return owed_; }
+  double** pending() const { return pending_; }
   /// Ends the step of a particle: `pushed` and `turned` are the impulse and angular impulse of
   /// contacts that are in the engine's velocities by then.
   void end_step(int i, const cohesion::event_stepping::Body&, const cohesion::Vector3& pushed,
@@ -74,7 +74,7 @@ class ContactEnergyTally : protected Pointers {
   bool active_ = false;
   Sums now_, later_;  // later_: after the grid point
   int room_ = 0;      // of both arrays, in particles
-  double** owed_ = nullptr;
+  double** pending_ = nullptr;
   double** to_truth_ = nullptr;  // from the engine's velocity and spin at the end of the step
   Reader readers_;
 };

@@ -271,7 +271,8 @@ void FixWallGranCohesive<Cohesion>::for_each_near(const What& what) {
       }
       const double last_step = step->starts() ? 0.0 : update->dt;
       what(Near{i, w, point.velocity,
-                walls[w].seen_by(centre, vector(atom->v[i]), point, now, last_step), &phase});
+                walls[w].relative_motion(centre, vector(atom->v[i]), point, now, last_step),
+                &phase});
     }
   }
 }
@@ -290,7 +291,7 @@ template <class Cohesion>
 template <int SIZE, class Contact>
 void FixWallGranCohesive<Cohesion>::compute_contact(
     const ContactForces<Contact, SIZE>& contact_forces, const Contact& c, const Near& near) {
-  const PairMotion now{near.seen.relative, vector(atom->omega[near.i]), {}};
+  const PairMotion now{near.motion.relative, vector(atom->omega[near.i]), {}};
   ContactHistory known =
       step->starts() ? ContactHistory::unknown() : ContactHistory::stored(near.history, SIZE);
   if (known.normal.is_outside() && !c.within_reach(now.relative, step->moved_by_forces())) {
@@ -299,7 +300,7 @@ void FixWallGranCohesive<Cohesion>::compute_contact(
   }
   ContactEnergies energies;
   const FrictionalStep does =
-      contact_forces.apply(c, near.i, -1, now, near.seen.acceleration, known,
+      contact_forces.apply(c, near.i, -1, now, near.motion.acceleration, known,
                            step->energy_tally.is_active() ? &energies : nullptr);
   known.store(near.history, SIZE);
   const Vector3& impulse = does.action.impulse;

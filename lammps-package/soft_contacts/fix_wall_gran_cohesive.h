@@ -71,7 +71,7 @@ class FixWallGranCohesive : public Fix, public SoftContactStyle, public AdvisedS
     int i;
     int wall;
     cohesion::Vector3 wall_velocity;
-    cohesion::event_stepping::WallMotionSeen seen;
+    cohesion::event_stepping::RelativeWallMotion motion;
     double* history;
   };
 

@@ -16,10 +16,9 @@ namespace cohesion::bubbles {
 /// volume [length^3]. Each owes its share of the flow since the start less what it has given, and
 /// gives a bubble when it owes one, unless another is in its place: it then waits, and owes on. The
 /// flow is thus kept whatever the size and whatever waits, as long as nozzles get rid of what they
-/// owe. Bubbles that wait may grow on: one then has all that is owed, as far as there is room, up
-/// to a volume. Where bubbles merge they blow into the one
-/// that is in their place. They begin in turn, each with the part of a bubble that spreads the
-/// first of all evenly over the time of one.
+/// owe. Bubbles that wait may grow on: one then has all that is pending, as far as there is room,
+/// up to a volume. Where bubbles merge they blow into the one that is in their place. They begin in
+/// turn, each with the part of a bubble that spreads the first of all evenly over the time of one.
 class Nozzles {
  public:
   /// nx by ny of them about `centre`, `spacing` [length] apart. Throws InvalidParameter.
@@ -38,7 +37,7 @@ class Nozzles {
     for (std::size_t k = 0; k < n; k++) {
       // Neighbours do not follow each other: steps of the golden section around the turn.
       const double turn = 0.6180339887498949 * static_cast<double>(k);
-      owed_.push_back(volume * (turn - std::floor(turn)));
+      pending_.push_back(volume * (turn - std::floor(turn)));
     }
   }
 
@@ -56,18 +55,18 @@ class Nozzles {
   double most() const { return std::max(volume_, most_); }
 
   /// What each nozzle owes [length^3], to be kept with a state.
-  std::vector<double>& owed() { return owed_; }
+  std::vector<double>& pending() { return pending_; }
 
   /// Adds the flow of a time [time].
   void flow_on(double elapsed) {
-    for (double& owed : owed_) owed += flow_ * elapsed / static_cast<double>(places_.size());
+    for (double& volume : pending_) volume += flow_ * elapsed / static_cast<double>(places_.size());
   }
 
   /// The volume of the bubble that nozzle k gives now, beside these, and has then given; 0: none.
   double gives(std::size_t k, const std::vector<Bubble>& bubbles, const Box& box) {
-    if (owed_[k] < volume_) return 0.0;
+    if (pending_[k] < volume_) return 0.0;
     const double radius = radius_of(volume_);
-    double given = std::min(owed_[k], most());
+    double given = std::min(pending_[k], most());
     for (const Bubble& other : bubbles) {
       const double distance = norm(box.between(places_[k], other.position));
       if (distance < radius + other.radius) return 0.0;
@@ -75,7 +74,7 @@ class Nozzles {
     }
     // Where there is room for one and no more, rounding may have taken some of it.
     given = std::max(given, volume_);
-    owed_[k] -= given;
+    pending_[k] -= given;
     return given;
   }
 
@@ -91,7 +90,7 @@ class Nozzles {
   std::optional<Fed> feeds(std::size_t k, const std::vector<Bubble>& bubbles,
                            const std::vector<bool>& gone, const Box& box, double most_together,
                            double time) {
-    if (owed_[k] < volume_) return std::nullopt;
+    if (pending_[k] < volume_) return std::nullopt;
     std::optional<Fed> found;
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < bubbles.size(); i++) {
@@ -100,16 +99,16 @@ class Nozzles {
       const double distance = norm(box.between(places_[k], bubbles[i].position));
       if (distance >= radius_of(volume_) + bubbles[i].radius || distance >= nearest) continue;
       nearest = distance;
-      found = Fed{i, std::min({owed_[k], most(), room})};
+      found = Fed{i, std::min({pending_[k], most(), room})};
     }
-    if (found) owed_[k] -= found->volume;
+    if (found) pending_[k] -= found->volume;
     return found;
   }
 
  private:
   double flow_, volume_, most_ = 0.0;
   std::vector<Vector3> places_;
-  std::vector<double> owed_;
+  std::vector<double> pending_;
 };
 
 }  // namespace cohesion::bubbles

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "contact_solver/contact_state.h"
-#include "event_stepping/spring_on_grid.h"
+#include "contact_solver/discrete_spring.h"
 
 namespace cohesion::contact_solver {
 
@@ -10,7 +10,7 @@ namespace cohesion::contact_solver {
 /// the next. Sampled contacts (event_stepping/sampled_contact.h) use the phases `outside` and
 /// `inside` and the springs.
 struct ContactHistory {
-  using Spring = event_stepping::SpringOnGrid::Memory;
+  using Spring = DiscreteSpring::State;
 
   ContactState normal{};
   Spring sliding{}, rolling{};

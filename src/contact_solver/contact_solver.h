@@ -273,7 +273,7 @@ class ContactSolver {
   bool stays_in_contact(Flight& now, double load, NormalRecord& record) const {
     Overlap s{contact_distance_ - now.distance, -now.radial};
     double integral = 0.0;
-    if (!motion_.advance_lasting(s, step_, in_contact(load), integral, record)) return false;
+    if (!motion_.advance_persistent(s, step_, in_contact(load), integral, record)) return false;
     put(now, s);
     return true;
   }

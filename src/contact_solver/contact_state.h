@@ -82,7 +82,7 @@ struct ContactState {
     values[6] = account;
   }
   /// Of stored values: in range without contact, and nothing pending of the last two steps.
-  static bool is_at_peace(const double* values) {
+  static bool is_idle(const double* values) {
     return values[0] == inside && values[3] == 0.0 && values[4] == 0.0;
   }
   static Phase phase_of(const double* values) {

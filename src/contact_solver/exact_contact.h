@@ -9,9 +9,9 @@
 #include "contact_solver/closest_packing.h"
 #include "contact_solver/contact_history.h"
 #include "contact_solver/contact_solver.h"
+#include "contact_solver/discrete_spring.h"
 #include "contact_solver/square_well_solver.h"
 #include "event_stepping/contact_bodies.h"
-#include "event_stepping/spring_on_grid.h"
 
 namespace cohesion::contact_solver {
 
@@ -22,12 +22,11 @@ using event_stepping::ContactEnergies;
 using event_stepping::FrictionalStep;
 using event_stepping::PairMotion;
 using event_stepping::RelativeState;
-using event_stepping::SpringOnGrid;
 using event_stepping::StoredEnergies;
 
 /// A contact of two spheres, or of a sphere and a wall: the normal motion by its solver, and
 /// springs, dashpots and sliders of friction and of rolling friction. In a persistent contact these
-/// are discrete springs (SpringOnGrid). In a resolved step the midpoint rule integrates them over
+/// are discrete springs (DiscreteSpring). In a resolved step the midpoint rule integrates them over
 /// the time in contact, and half of their impulse acts at n, half at n+1.
 ///
 /// Momentum and angular momentum are kept to rounding. Pairs of equal bodies can share an object:
@@ -98,9 +97,8 @@ class ExactContact {
   [[gnu::always_inline]] bool is_idle(const RelativeState& now, const double* values,
                                       double flown) const {
     if constexpr (std::is_base_of_v<SquareWellSolver, Solver>)
-      return ContactState::is_at_peace(values) &&
-             solver_.is_clear(dot(now.separation, now.separation),
-                              step_ * norm(now.velocity) + flown);
+      return ContactState::is_idle(values) && solver_.is_clear(dot(now.separation, now.separation),
+                                                               step_ * norm(now.velocity) + flown);
     else
       return false;
   }
@@ -262,7 +260,7 @@ class ExactContact {
     Vector3 due{};      ///< twice the impulse that leads to the true motion
     Vector3 impulse{};  ///< of a persistent contact
     double stored = 0.0;
-    SpringOnGrid::Losses before{}, after{};
+    DiscreteSpring::Losses before{}, after{};
   };
 
   StaggeredMotion motion(const RelativeState& relative, double inverse) const {
@@ -271,15 +269,15 @@ class ExactContact {
     return {1.0 / inverse, rate, bodies_.is_wall() ? 0.0 : std::sqrt(std::max(across, 0.0))};
   }
 
-  [[gnu::always_inline]] static Vector3 persistent_impulse(const SpringOnGrid& spring,
+  [[gnu::always_inline]] static Vector3 persistent_impulse(const DiscreteSpring& spring,
                                                            const ContactBodies::Touch& touch,
                                                            const Vector3& rate, double repulsion,
                                                            double* values) {
-    SpringOnGrid::Memory memory{vector(values), vector(values + 3)};
+    DiscreteSpring::State state{vector(values), vector(values + 3)};
     bool slips;
     Vector3 impulse =
-        spring.advance_lasting(touch.plane(), rate, repulsion, true, memory, slips, nullptr);
-    ContactHistory::store(memory, values);
+        spring.advance_persistent(touch.plane(), rate, repulsion, true, state, slips, nullptr);
+    ContactHistory::store(state, values);
     return impulse;
   }
 
@@ -304,74 +302,74 @@ class ExactContact {
 
   /// The impulse of the discrete spring. While energies are recorded, the history has, in the place
   /// of the impulse, twice what is left of it behind what leads to the true motion.
-  Vector3 advance_persistent(const SpringOnGrid& spring, const ContactBodies::Touch& touch,
+  Vector3 advance_persistent(const DiscreteSpring& spring, const ContactBodies::Touch& touch,
                              const Vector3& rate, double repulsion, bool persisted,
-                             SpringOnGrid::Memory& memory, bool& slips, Spring* energies) const {
-    const Vector3 from = memory.impulse;
+                             DiscreteSpring::State& state, bool& slips, Spring* energies) const {
+    const Vector3 from = state.impulse;
     const Vector3 impulse =
-        spring.advance_lasting(touch.plane(), rate, repulsion, persisted, memory, slips,
-                               energies ? &energies->before : nullptr);
+        spring.advance_persistent(touch.plane(), rate, repulsion, persisted, state, slips,
+                                  energies ? &energies->before : nullptr);
     if (!energies) return impulse;
-    energies->impulse = memory.impulse;
-    energies->due = persisted ? spring.twice_owed(rate, slips, memory) : from;
-    energies->stored = spring.stored_energy(memory.stretch);
+    energies->impulse = state.impulse;
+    energies->due = persisted ? spring.twice_pending(rate, slips, state) : from;
+    energies->stored = spring.stored_energy(state.stretch);
     if (persisted) {
       spring.correct_losses(rate, from, impulse, energies->due, energies->before);
-      memory.impulse = 2.0 * impulse - energies->due;
+      state.impulse = 2.0 * impulse - energies->due;
     }
     return impulse;
   }
 
   /// The impulse of a spring at this time level; `by_other` [length/time]: the change of its rate
   /// by the other spring in the first half of a resolved step.
-  Vector3 advance(const SpringOnGrid& spring, const ContactBodies::Touch& touch,
+  Vector3 advance(const DiscreteSpring& spring, const ContactBodies::Touch& touch,
                   const Vector3& rate, const Vector3& by_other, const Normal& n,
-                  SpringOnGrid::Memory& memory, Spring* energies) const {
-    memory.impulse = touch.plane().turned_into(memory.impulse);
-    if (energies) energies->due = memory.impulse;
+                  DiscreteSpring::State& state, Spring* energies) const {
+    state.impulse = touch.plane().turned_into(state.impulse);
+    if (energies) energies->due = state.impulse;
     bool slips = false;
     // What begins at a time level begins with the true velocity.
     const double true_force = 2.0 * bodies_.reduced_mass() * n.offset / step_;
     if (n.after.phase == ContactState::persistent) {
       const double limiting =
           n.persisted() ? n.step.repulsion : 2.0 * n.step.force - true_force + pull_;
-      return advance_persistent(spring, touch, rate, limiting, n.persisted(), memory, slips,
+      return advance_persistent(spring, touch, rate, limiting, n.persisted(), state, slips,
                                 energies);
     }
     Vector3 stretch{};
     if (n.persisted()) {
-      SpringOnGrid::Losses at_end;
-      const Vector3 sticking = spring.sticking_impulse(touch.plane(), rate, memory.stretch);
-      advance_persistent(spring, touch, rate, n.repulsion_before, true, memory, slips, energies);
+      DiscreteSpring::Losses at_end;
+      const Vector3 sticking = spring.sticking_impulse(touch.plane(), rate, state.stretch);
+      advance_persistent(spring, touch, rate, n.repulsion_before, true, state, slips, energies);
       const Vector3 due = energies ? energies->due : Vector3{};
-      if (energies) memory.impulse = energies->impulse;
-      spring.end_lasting(rate, sticking, true_force + pull_, due, memory,
-                         energies ? &at_end : nullptr);
-      stretch = memory.stretch;
+      if (energies) state.impulse = energies->impulse;
+      spring.end_persistent(rate, sticking, true_force + pull_, due, state,
+                            energies ? &at_end : nullptr);
+      stretch = state.stretch;
       if (energies) {
         energies->before.friction += at_end.friction;
-        energies->due = memory.impulse;
+        energies->due = state.impulse;
       }
     } else if (n.overlap > 0.0) {
-      stretch = touch.plane().turned_into(memory.stretch);
+      stretch = touch.plane().turned_into(state.stretch);
       if (n.before.in_range()) stretch += step_ * rate;
     }
     if (energies) energies->stored = spring.stored_energy(stretch);
     if (!(n.step.normal.contact_time > 0.0)) {
-      const Vector3 half = 0.5 * memory.impulse;
+      const Vector3 half = 0.5 * state.impulse;
       if (energies) energies->after.friction = energies->stored;
-      memory = {};
+      state = {};
       return half;
     }
-    const Vector3 true_rate = rate + by_other + (0.5 * spring.inverse_mass()) * memory.impulse;
+    const Vector3 true_rate = rate + by_other + (0.5 * spring.inverse_mass()) * state.impulse;
     Vector3 mean;
     const contact::TangentialStep now =
-        spring.follow(touch.plane(), touch.plane().part_in(stretch), true_rate, n.step.normal,
-                      n.overlap_at_end, mean);
-    const Vector3 impulse = 0.5 * (now.impulse + memory.impulse);
+        spring.resolve(touch.plane(), touch.plane().part_in(stretch), true_rate, n.step.normal,
+                       n.overlap_at_end, mean);
+    const Vector3 impulse = 0.5 * (now.impulse + state.impulse);
     if (energies) energies->after = {now.damped, now.friction};
     const bool goes_on = n.overlap_at_end > 0.0;
-    memory = {goes_on ? now.displacement - step_ * mean : Vector3{}, now.impulse};
+    state = {goes_on ? now.displacement - step_ * mean : Vector3{}, now.impulse};
     return impulse;
   }
 
@@ -379,8 +377,8 @@ class ExactContact {
   double step_;
   contact::LinearSpringDashpot normal_contact_;
   Solver solver_;
-  SpringOnGrid sliding_;
-  SpringOnGrid rolling_;
+  DiscreteSpring sliding_;
+  DiscreteSpring rolling_;
   double pull_;
 };
 

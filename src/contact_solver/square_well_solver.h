@@ -74,7 +74,8 @@ class SquareWellSolver : public ContactSolver {
     }
     in_range = !leave(now);
     if (!in_range) return t;
-    if (bounces_too_fast(now, external)) return t + rest(now, time - t, external, record);
+    if (event_stepping::bounces_too_fast(-now.radial, now.outward(external), step()))
+      return t + rest(now, time - t, external, record);
     return t + whole_bounces(now, time - t, external);
   }
 
@@ -118,12 +119,6 @@ class SquareWellSolver : public ContactSolver {
     now.radial += inverse_mass_ * (escapes ? square_well::escape_impulse(u, depth_, inverse_mass_)
                                            : square_well::capture_impulse(u, inverse_mass_));
     return escapes;
-  }
-
-  /// Whether the load presses the pair against the edge, so that its bounces take a hundredth of a
-  /// step and less.
-  bool bounces_too_fast(const Flight& now, double external) const {
-    return -2.0 * now.radial <= 0.01 * step() * now.outward(external);
   }
 
   /// Brings such a pair to rest; its energy counts as the dashpot's. A load that grows has pushed

@@ -20,6 +20,13 @@ struct NormalRecord {
   bool unresolved = false;         ///< the step ended before its last phase was followed
 };
 
+/// Whether a pair that a load presses against the edge of its range, with the acceleration
+/// `outward` [length/time^2], and that comes back from there at `speed` [length/time], is at the
+/// edge again within a quarter of the step [time]: then it rests there.
+inline bool bounces_too_fast(double speed, double outward, double step) {
+  return 2.0 * speed <= 0.25 * step * outward;
+}
+
 /// Exact motion of the surfaces of one pair along their common normal: free flight outside the
 /// range of the adhesion (the caller's business: it depends on the geometry), constant force in the
 /// gap, spring-dashpot with constant force in contact. x is the overlap, negative in the gap.
@@ -73,8 +80,8 @@ class NormalMotion {
 
   /// Follows a contact that certainly lasts for all of `time`, as advance() does. Returns false,
   /// and does nothing, where that is not certain.
-  bool advance_lasting(Overlap& s, double time, double outward, double& x_integral,
-                       NormalRecord& record) const {
+  bool advance_persistent(Overlap& s, double time, double outward, double& x_integral,
+                          NormalRecord& record) const {
     if (!(s.x > 0.0) || time != whole_step_.time) return false;
     const double drive = pull_ - outward;
     const Overlap end = contact_.after(whole_step_, s, drive);
@@ -163,7 +170,7 @@ class NormalMotion {
         return taken;
       }
     }
-    if (bounces_too_fast(s, outward)) return rest(s, time, outward, x_integral, record);
+    if (rests_at_edge(s, outward)) return rest(s, time, outward, x_integral, record);
     // One that lost its load on the way turns round where the tail has taken its energy.
     double taken = 0.0;
     if (start < -adhesion_.cutoff && energy > adhesion_.tail.work_up_to(-start)) {
@@ -200,12 +207,11 @@ class NormalMotion {
     s = end;
   }
 
-  /// Whether the load presses a captured pair against the edge: bounces off it that take a
-  /// hundredth of a step and less, and do not cross the range, never end.
-  bool bounces_too_fast(Overlap s, double outward) const {
+  /// Whether the load keeps a captured pair at the edge, in bounces that do not cross the range.
+  bool rests_at_edge(Overlap s, double outward) const {
     const double drive = drive_at(s.x, outward);
     const bool crosses = adhesion_.cutoff > 0.0 && s.v * s.v > 2.0 * s.x * drive;
-    return drive < 0.0 && !crosses && 2.0 * s.v >= 0.25 * whole_step_.time * drive;
+    return drive < 0.0 && !crosses && bounces_too_fast(-s.v, -drive, whole_step_.time);
   }
 
   /// Brings such a pair to rest; its energy counts as the dashpot's. A load that grows has pushed

@@ -3,15 +3,16 @@
 
 #include "contact/contact_parameters.h"
 #include "contact_solver/contact_history.h"
+#include "contact_solver/discrete_spring.h"
 #include "event_stepping/contact_bodies.h"
 #include "event_stepping/pair_motion.h"
 #include "event_stepping/pair_step.h"
-#include "event_stepping/spring_on_grid.h"
 
 namespace cohesion::event_stepping {
 
 using contact_solver::ContactHistory;
 using contact_solver::ContactState;
+using contact_solver::DiscreteSpring;
 
 /// One contact whose forces are taken where it stands on the grid: the scheme to compare with.
 /// Pair: SampledHamaker, SampledWell or SampledBridge. Everything that does not change
@@ -73,7 +74,7 @@ class SampledContact {
     step.repulsion = normal.normal.repulsion_impulse;
     step.impulsive = Pair::pushes_at_edge && step.repulsion == 0.0 &&
                      dot(step.action.impulse, step.action.impulse) > 0.0;
-    SpringOnGrid::Losses slid, rolled;
+    DiscreteSpring::Losses slid, rolled;
     if constexpr (SIZE >= ContactHistory::with_friction) {
       const ContactBodies::Touch touch(bodies_, s);
       step.friction = spring_impulse(
@@ -124,19 +125,19 @@ class SampledContact {
            is_in_range(norm(now.separation - (2.0 * window_.before) * now.velocity));
   }
 
-  [[gnu::always_inline]] Vector3 spring_impulse(const SpringOnGrid& spring,
+  [[gnu::always_inline]] Vector3 spring_impulse(const DiscreteSpring& spring,
                                                 const ContactBodies::Touch& touch,
                                                 const Vector3& rate, const PairStep& normal,
-                                                SpringOnGrid::Memory& memory,
-                                                SpringOnGrid::Losses* lost) const {
+                                                DiscreteSpring::State& state,
+                                                DiscreteSpring::Losses* lost) const {
     // The first step of a run is half of one, from the grid point on.
     const double part = window_.length() / (2.0 * window_.after);
     bool slips;
     if (normal.normal.contact_time > 0.0)
-      return part * spring.advance_lasting(touch.plane(), rate, normal.normal.repulsion_at_end,
-                                           true, memory, slips, lost);
-    if (lost) *lost = {0.0, spring.lost_at_end(rate, memory)};
-    memory = {};
+      return part * spring.advance_persistent(touch.plane(), rate, normal.normal.repulsion_at_end,
+                                              true, state, slips, lost);
+    if (lost) *lost = {0.0, spring.lost_at_end(rate, state)};
+    state = {};
     return {};
   }
 
@@ -144,8 +145,8 @@ class SampledContact {
   StepWindow window_;
   contact::LinearSpringDashpot normal_contact_;
   Pair pair_;
-  SpringOnGrid sliding_;
-  SpringOnGrid rolling_;
+  DiscreteSpring sliding_;
+  DiscreteSpring rolling_;
 };
 
 }  // namespace cohesion::event_stepping

@@ -137,7 +137,7 @@ struct WallPoint {
 };
 
 /// The motion of a wall relative to a particle beside it.
-struct WallMotionSeen {
+struct RelativeWallMotion {
   RelativeState relative;  ///< of the nearest point
   Vector3 acceleration;    ///< [length/time^2]
 };
@@ -176,20 +176,21 @@ struct Wall {
     return {distance, -distance * away, now.velocity};
   }
 
-  /// What a contact sees of the wall at `point`. Across a cylinder, at a distance r from its axis,
-  /// a particle of the speed s across the normal comes nearer by s^2/r: the relative velocity has
-  /// the mean rate of the distance in the last step, of length `last_step` [time].
-  WallMotionSeen seen_by(const Vector3& centre, const Vector3& velocity, const WallPoint& point,
-                         const WallState& now, double last_step) const {
-    WallMotionSeen seen{{point.separation, point.velocity - velocity}, now.acceleration};
+  /// The motion of the wall at `point` relative to a particle. Across a cylinder, at a distance r
+  /// from its axis, a particle of the speed s across the normal comes nearer by s^2/r: the relative
+  /// velocity has the mean rate of the distance in the last step, of length `last_step` [time].
+  RelativeWallMotion relative_motion(const Vector3& centre, const Vector3& velocity,
+                                     const WallPoint& point, const WallState& now,
+                                     double last_step) const {
+    RelativeWallMotion motion{{point.separation, point.velocity - velocity}, now.acceleration};
     const double r = is_flat() ? 0.0 : std::hypot(centre.x, centre.y);
-    if (r == 0.0) return seen;
+    if (r == 0.0) return motion;
     const Vector3 v = velocity - now.velocity, outwards{centre.x / r, centre.y / r, 0.0};
     const double across = outwards.x * v.y - outwards.y * v.x;
     const Vector3 turning = (across * across / r) * outwards;
-    seen.relative.velocity += (0.5 * last_step) * turning;
-    seen.acceleration -= turning;
-    return seen;
+    motion.relative.velocity += (0.5 * last_step) * turning;
+    motion.acceleration -= turning;
+    return motion;
   }
 };
 

@@ -165,10 +165,10 @@ TEST(Bubbles, RoundsKeepCountAndVolume) {
             totals.injected - totals.removed - totals.merged + totals.broken);
   // Each of some 1e4 events rounds a radius, and so three times its volume.
   EXPECT_NEAR((sums(bubbles).volume + totals.removed_volume) / totals.injected_volume, 1.0, 1e-12);
-  // The flow is what was given and what is owed, but for what was owed at the start.
-  double owed = 0.0;
-  for (const double of_one : nozzles.owed()) owed += of_one;
-  EXPECT_NEAR(totals.injected_volume + owed, 0.02 * time, 9.0 * nozzles.volume());
+  // The flow is what was given and what is pending, but for what was pending at the start.
+  double pending = 0.0;
+  for (const double of_one : nozzles.pending()) pending += of_one;
+  EXPECT_NEAR(totals.injected_volume + pending, 0.02 * time, 9.0 * nozzles.volume());
 }
 
 TEST(Bubbles, NozzlesGiveTheFlowInTurnAndWaitWhereTheyAreBlocked) {
@@ -184,7 +184,7 @@ TEST(Bubbles, NozzlesGiveTheFlowInTurnAndWaitWhereTheyAreBlocked) {
   }
   EXPECT_EQ(first, 0);
   EXPECT_EQ(second, 5);
-  EXPECT_NEAR(nozzles.owed()[0] / volume, 5.0, 1e-12);
+  EXPECT_NEAR(nozzles.pending()[0] / volume, 5.0, 1e-12);
 }
 
 TEST(Bubbles, BubblesThatWaitGrowAsFarAsThereIsRoomUpToALimit) {
@@ -199,7 +199,7 @@ TEST(Bubbles, BubblesThatWaitGrowAsFarAsThereIsRoomUpToALimit) {
   for (Nozzles* nozzles : {&free, &close, &blocked}) nozzles->flow_on(0.15);
   // It began with none: the golden section has no turn for the first.
   EXPECT_NEAR(free.gives(0, {}, box) / volume, 1.5, 4 * rounding);
-  EXPECT_NEAR(free.owed()[0] / volume, 0.0, 4 * rounding);
+  EXPECT_NEAR(free.pending()[0] / volume, 0.0, 4 * rounding);
   const double room = 0.042;
   const std::vector<Bubble> near{bubble(1, {0.5, 0.5, 0.1 + room + 0.03}, 0.03)};
   // Of the sum that is the height, and three times in the volume.
@@ -208,7 +208,7 @@ TEST(Bubbles, BubblesThatWaitGrowAsFarAsThereIsRoomUpToALimit) {
   EXPECT_EQ(blocked.gives(0, touching, box), 0.0);
   blocked.flow_on(0.15);
   EXPECT_NEAR(blocked.gives(0, {}, box) / volume, 2.0, 4 * rounding);
-  EXPECT_NEAR(blocked.owed()[0] / volume, 1.0, 8 * rounding);
+  EXPECT_NEAR(blocked.pending()[0] / volume, 1.0, 8 * rounding);
 }
 
 TEST(Bubbles, NozzlesBlowIntoTheNearestThatMayMerge) {
@@ -226,7 +226,7 @@ TEST(Bubbles, NozzlesBlowIntoTheNearestThatMayMerge) {
   ASSERT_TRUE(fed);
   EXPECT_EQ(fed->bubble, 1U);
   EXPECT_EQ(fed->volume, volume);
-  EXPECT_NEAR(nozzles.owed()[0] / volume, 1.5, 8 * rounding);
+  EXPECT_NEAR(nozzles.pending()[0] / volume, 1.5, 8 * rounding);
   EXPECT_EQ(nozzles.feeds(0, all, gone, box, 100.0 * volume, 2.0)->bubble, 2U);
 }
 

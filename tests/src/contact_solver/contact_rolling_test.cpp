@@ -40,7 +40,7 @@ struct Pressed : Spheres<ContactSolver, ContactHistory::with_rolling> {
   }
   Contact& contact() { return contacts[0]; }
   const ContactBodies& bodies() { return law(contact()).bodies(); }
-  SpringOnGrid::Memory& spring() { return contact().history.rolling; }
+  DiscreteSpring::State& spring() { return contact().history.rolling; }
   bool is_persistent() const {
     return contacts[0].history.normal.phase == ContactState::persistent;
   }

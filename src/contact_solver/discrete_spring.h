@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "contact/tangential_spring.h"
+#include "event_stepping/damped_oscillator.h"
+#include "event_stepping/pair_step.h"
+
+namespace cohesion::contact_solver {
+
+using event_stepping::GridEnds;
+using event_stepping::GridSpring;
+using event_stepping::NormalRecord;
+
+/// Spring, dashpot and slider in the plane of contact, for friction or for rolling friction.
+///
+/// In a persistent contact they give a discrete force at each time level, from the staggered
+/// velocity. In a resolved step the midpoint rule integrates them over the time in contact
+/// (contact/tangential_spring.h).
+class DiscreteSpring {
+ public:
+  struct State {
+    Vector3 stretch{};  ///< from which the staggered velocity of the last step leads on, [length]
+    Vector3 impulse{};  ///< of the last step; the half that is still pending, twice, [momentum]
+  };
+
+  /// step [time]; inverse_mass [1/mass]: the effective one of the motion that stretches the spring.
+  DiscreteSpring(const contact::TangentialParameters& p, double step, double inverse_mass)
+      : law_(p),
+        constants_(
+            event_stepping::spring_on_grid(p.stiffness, p.damping, 1.0 / inverse_mass, step)),
+        ends_(event_stepping::ends_on_grid(p.stiffness, p.damping, 1.0 / inverse_mass, step)),
+        friction_(p.friction),
+        step_(step),
+        inverse_mass_(inverse_mass) {}
+
+  /// What a spring, dashpot and slider lose, [energy].
+  struct Losses {
+    double damped = 0.0;
+    double friction = 0.0;
+  };
+
+  /// Impulse at the time level of a persistent contact. `rate` [length/time]: staggered velocity of
+  /// the surfaces; repulsion [force]: of normal spring and dashpot; persisted: the contact was
+  /// persistent in the last step, too; after a resolved step half of its impulse is pending. Sets
+  /// `slips`, and `losses` of the last step unless null.
+  [[gnu::always_inline]] Vector3 advance_persistent(const contact::Plane& plane,
+                                                    const Vector3& rate, double repulsion,
+                                                    bool persisted, State& state, bool& slips,
+                                                    Losses* losses) const {
+    const Vector3 turned = plane.turned_into(state.stretch);
+    const Vector3 stretched = turned + step_ * rate;
+    // A resolved step has slipped already, and does not stretch by the whole rate.
+    const Vector3 before = persisted ? turned : stretched;
+    Vector3 s = stretched;
+    Vector3 force =
+        persisted ? sticking_force(constants_, s, rate)
+                  : sticking_force(ends_.first, s, rate + (0.5 * inverse_mass_) * state.impulse);
+    const double limit = friction_ * std::max(repulsion, 0.0);
+    const double square = dot(force, force);
+    slips = square > limit * limit;
+    if (slips) {  // spring and dashpot stretch as far as they carry the Coulomb force
+      force = (limit / std::sqrt(square)) * force;
+      const double drag = constants_.damping / step_;
+      if (persisted && constants_.stiffness + drag > 0.0)
+        s = (1.0 / (constants_.stiffness + drag)) * (drag * before - force);
+    }
+    const Vector3 impulse = step_ * force;
+    const Vector3 mean = 0.5 * (state.impulse + impulse);
+    if (losses) {
+      const double work = persisted ? -dot(mean, rate) : 0.0;
+      const double lost = work + law_.stored_energy(before) - law_.stored_energy(s);
+      losses->damped = slips ? constants_.damping / step_ * dot(s - before, s - before) : lost;
+      losses->friction = lost - losses->damped;
+    }
+    state = {s, impulse};
+    return persisted ? impulse : mean;
+  }
+
+  /// Twice the pending impulse after advance_persistent(): the half leads from the staggered to the
+  /// true velocity, in closed form without other forces.
+  Vector3 twice_pending(const Vector3& rate, bool slips, const State& state) const {
+    return slips ? state.impulse : step_ * sticking_force(ends_.last, state.stretch, rate);
+  }
+  /// Corrects `losses` of advance_persistent(), which assumes that half of each impulse leads to
+  /// the true velocity at its time level. `from`: twice the impulse that led on from the true
+  /// velocity of the last time level; `pending`: twice_pending() of this one; impulse: at this one.
+  void correct_losses(const Vector3& rate, const Vector3& from, const Vector3& impulse,
+                      const Vector3& pending, Losses& losses) const {
+    const double more = 0.5 * dot(impulse - pending, rate) +
+                        0.125 * inverse_mass_ * (dot(from, from) - dot(pending, pending));
+    // A slider adds no energy: where it begins to slip, it dissipates less than the step's error.
+    const double all = losses.damped + losses.friction + more;
+    if (losses.friction != 0.0) losses.friction = std::max(losses.friction + more, 0.0);
+    losses.damped = all - losses.friction;
+  }
+
+  /// twice_pending() of a contact that sticks, from the stretch before this time level.
+  Vector3 sticking_impulse(const contact::Plane& plane, const Vector3& rate,
+                           const Vector3& stretch) const {
+    return step_ * sticking_force(ends_.last, plane.turned_into(stretch) + step_ * rate, rate);
+  }
+  /// Ends a persistent contact, after advance_persistent() with the same `rate`: sets the pending
+  /// impulse, `sticking` up to the Coulomb limit of the normal force `last`. Adds to `losses`,
+  /// unless null, the energy of what is missing of the `planned` one.
+  void end_persistent(const Vector3& rate, const Vector3& sticking, double last,
+                      const Vector3& planned, State& state, Losses* losses) const {
+    state.impulse = sticking;
+    const double limit = step_ * friction_ * std::max(last, 0.0), size = norm(sticking);
+    if (size > limit) state.impulse = (limit / size) * sticking;
+    if (losses)
+      losses->friction += 0.5 * dot(planned - state.impulse,
+                                    rate + (0.25 * inverse_mass_) * (planned + state.impulse));
+  }
+
+  /// Energy lost where a sampled contact has ended, that of the spring included.
+  double lost_at_end(const Vector3& rate, const State& state) const {
+    return law_.stored_energy(state.stretch) - 0.5 * dot(state.impulse, rate);
+  }
+
+  /// A resolved step, from `stretch` at the time level, or of a contact that begins. `rate`: of the
+  /// ends without the spring itself; `mean`: with it, as the particles move; overlap_at_end
+  /// [length]: at the next time level, negative in a gap.
+  [[gnu::always_inline]] contact::TangentialStep resolve(
+      const contact::Plane& plane, const Vector3& stretch, const Vector3& rate,
+      const NormalRecord& normal, double overlap_at_end, Vector3& mean) const {
+    contact::TangentialStep step =
+        law_.advance(plane.turned_into(stretch), rate, normal.contact_time, inverse_mass_,
+                     normal.repulsion_impulse, normal.repulsion_at_end);
+    mean = rate + (0.5 * inverse_mass_) * step.impulse;
+    if (overlap_at_end <= 0.0) {  // parted: what the spring still stored is lost
+      step.friction += law_.stored_energy(step.displacement);
+      step.displacement = {};
+    }
+    return step;
+  }
+
+  /// (w dt)^2 of the discrete spring by itself, its dashpot counted as stiffness.
+  double frequency_squared() const {
+    if (!is_present()) return 0.0;
+    return (constants_.stiffness + 2.0 * constants_.damping / step_) * step_ * step_ *
+           inverse_mass_;
+  }
+
+  /// The effective one of the motion that stretches the spring, [1/mass].
+  double inverse_mass() const { return inverse_mass_; }
+  /// A spring whose slider has no friction gives no force.
+  bool is_present() const { return friction_ > 0.0; }
+  double stored_energy(const Vector3& stretch) const { return law_.stored_energy(stretch); }
+
+ private:
+  static Vector3 sticking_force(const GridSpring& spring, const Vector3& s, const Vector3& rate) {
+    return -spring.stiffness * s - spring.damping * rate;
+  }
+
+  contact::TangentialSpring law_;
+  GridSpring constants_;
+  GridEnds ends_;
+  double friction_;
+  double step_;
+  double inverse_mass_;
+};
+
+}  // namespace cohesion::contact_solver
