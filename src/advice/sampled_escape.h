@@ -47,7 +47,7 @@ bool parts(const Pair& pair, const HeadOnStart& start, double step) {
     if (inside || pair.within_reach(grid, window)) {
       const event_stepping::PairStep now = pair.advance(grid, window, inside);
       inside = now.inside;
-      grid.velocity += now.change.velocity;
+      grid.velocity += now.velocity_change;
     } else if (parting) {
       return true;
     }

@@ -87,15 +87,6 @@ class TangentialSpring {
     return step;
   }
 
-  /// The impulse of advance() alone.
-  Vector3 impulse(const Vector3& displacement, const Vector3& velocity, double time,
-                  double inverse_mass, double normal_impulse) const {
-    const Vector3 sticking = impulse_of_sticking(displacement, velocity, time, inverse_mass);
-    const double limit = p_.friction * std::max(normal_impulse, 0.0);
-    const double square = dot(sticking, sticking);
-    return square > limit * limit ? (limit / std::sqrt(square)) * sticking : sticking;
-  }
-
   /// [energy]
   double stored_energy(const Vector3& displacement) const {
     return 0.5 * p_.stiffness * dot(displacement, displacement);

@@ -272,8 +272,7 @@ class ContactSolver {
   }
   bool stays_in_contact(Flight& now, double load, NormalRecord& record) const {
     Overlap s{contact_distance_ - now.distance, -now.radial};
-    double integral = 0.0;
-    if (!motion_.advance_persistent(s, step_, in_contact(load), integral, record)) return false;
+    if (!motion_.advance_persistent(s, step_, in_contact(load), record)) return false;
     put(now, s);
     return true;
   }
@@ -288,10 +287,8 @@ class ContactSolver {
   double advance_in_range(Flight& now, double time, double external, bool& in_range,
                           NormalRecord& record) const {
     Overlap s{contact_distance_ - now.distance, -now.radial};
-    double integral = 0.0;
     const double load = outward(now, external);
-    const double taken =
-        motion_.advance(s, time, {load, in_contact(load)}, in_range, integral, record);
+    const double taken = motion_.advance(s, time, {load, in_contact(load)}, in_range, record);
     put(now, s);
     return taken;
   }

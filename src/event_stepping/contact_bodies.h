@@ -32,10 +32,6 @@ class ContactBodies {
   double inverse_mass_i() const { return i_.inverse_mass; }
   double inverse_mass_j() const { return j_.inverse_mass; }
   double reduced_mass() const { return reduced_mass_; }
-  /// The fraction mu/m of a relative change that falls to particle i (with a minus sign) and j,
-  /// [1].
-  double motion_fraction_i() const { return reduced_mass_ * i_.inverse_mass; }
-  double motion_fraction_j() const { return reduced_mass_ * j_.inverse_mass; }
   /// 1/I_i and 1/I_j, [1/(mass length^2)].
   double inverse_inertia_i() const { return inverse_inertia_i_; }
   double inverse_inertia_j() const { return inverse_inertia_j_; }

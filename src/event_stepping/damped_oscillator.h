@@ -95,15 +95,10 @@ class DampedOscillator {
     return after(propagator(t), start, drive);
   }
 
-  /// Integral of x over a time t that leads from start to end, [length time].
-  double integral(double t, Overlap start, Overlap end, double drive) const {
-    return (drive * t - (end.v - start.v) - 2.0 * alpha_ * (end.x - start.x)) * inverse_w0_squared_;
-  }
-
   /// An overlap that goes from start.x >= 0 (v > 0 if x = 0) to `end`, turning at most once, and
   /// certainly stays positive in between: it turns at a maximum, if at all.
   static bool stays_positive(Overlap start, Overlap end) {
-    // Without branches: which way a lasting contact moves cannot be predicted.
+    // Without branches: which way a persistent contact moves cannot be predicted.
     return static_cast<bool>((end.x >= 0.0) & ((start.v >= 0.0) | (end.v <= 0.0)));
   }
 

@@ -80,21 +80,19 @@ class NormalMotion {
 
   /// Follows a contact that certainly lasts for all of `time`, as advance() does. Returns false,
   /// and does nothing, where that is not certain.
-  bool advance_persistent(Overlap& s, double time, double outward, double& x_integral,
-                          NormalRecord& record) const {
+  bool advance_persistent(Overlap& s, double time, double outward, NormalRecord& record) const {
     if (!(s.x > 0.0) || time != whole_step_.time) return false;
     const double drive = pull_ - outward;
     const Overlap end = contact_.after(whole_step_, s, drive);
     if (!DampedOscillator::stays_positive(s, end)) return false;
-    record_contact(s, end, time, drive, x_integral, record);
+    record_contact(s, end, time, drive, record);
     return true;
   }
 
   /// Follows a pair inside the range from `s` for at most `time`, and returns the time it took
   /// until it left the range (`inside` is then false), or `time`. `load` is what pulls it apart, by
-  /// its turning and by other forces. Adds the integral of x over time to
-  /// `x_integral` and what happened to `record`.
-  double advance(Overlap& s, double time, const Load& load, bool& inside, double& x_integral,
+  /// its turning and by other forces. Adds what happened to `record`.
+  double advance(Overlap& s, double time, const Load& load, bool& inside,
                  NormalRecord& record) const {
     const double outward = load.outward, drive = pull_ - outward;
     const double drive_in_contact = pull_ - load.in_contact;
@@ -107,10 +105,10 @@ class NormalMotion {
       }
       const bool touching = s.x > 0.0 || (s.x == 0.0 && (s.v > 0.0 || (s.v == 0.0 && drive > 0.0)));
       if (touching)
-        left -= in_contact(s, left, drive_in_contact, x_integral, record);
+        left -= in_contact(s, left, drive_in_contact, record);
       else if (!is_leaving(s, outward))
-        left -= in_gap(s, left, gap_around(s, outward), x_integral);
-      if (is_leaving(s, outward)) left -= leave(s, left, outward, inside, x_integral, record);
+        left -= in_gap(s, left, gap_around(s, outward));
+      if (is_leaving(s, outward)) left -= leave(s, left, outward, inside, record);
     }
     return time - std::max(left, 0.0);
   }
@@ -148,8 +146,7 @@ class NormalMotion {
   }
 
   /// What becomes of a pair that is leaving. Returns the time it took.
-  double leave(Overlap& s, double time, double outward, bool& inside, double& x_integral,
-               NormalRecord& record) const {
+  double leave(Overlap& s, double time, double outward, bool& inside, NormalRecord& record) const {
     const double remaining = s.v * s.v - edge_;
     if (remaining >= 0.0 || edge_ == 0.0) {
       s.v = -std::sqrt(std::max(remaining, 0.0));
@@ -162,7 +159,7 @@ class NormalMotion {
       // To where the load has done the work that is missing; within the tail.
       const double end = start + 0.5 * remaining / outward;
       if (adhesion_.tail.contains(-end)) {
-        const double taken = in_gap(s, time, {end, start, -outward}, x_integral);
+        const double taken = in_gap(s, time, {end, start, -outward});
         if (taken < time) {
           s = {end, 0.0};
           inside = false;
@@ -170,18 +167,17 @@ class NormalMotion {
         return taken;
       }
     }
-    if (rests_at_edge(s, outward)) return rest(s, time, outward, x_integral, record);
+    if (rests_at_edge(s, outward)) return rest(s, time, outward, record);
     // One that lost its load on the way turns round where the tail has taken its energy.
     double taken = 0.0;
     if (start < -adhesion_.cutoff && energy > adhesion_.tail.work_up_to(-start)) {
-      taken = in_gap(s, time, {-adhesion_.tail.outer_cutoff(), start, -outward}, x_integral);
+      taken = in_gap(s, time, {-adhesion_.tail.outer_cutoff(), start, -outward});
     }
     if (taken < time) s.v = std::abs(s.v);
     return taken;
   }
 
-  double in_contact(Overlap& s, double time, double drive, double& x_integral,
-                    NormalRecord& record) const {
+  double in_contact(Overlap& s, double time, double drive, NormalRecord& record) const {
     const auto propagator = time == whole_step_.time ? whole_step_ : contact_.propagator(time);
     Overlap end = contact_.after(propagator, s, drive);
     const DampedOscillator::Zero zero = contact_.first_zero(s, drive, time, end);
@@ -189,12 +185,12 @@ class NormalMotion {
       time = zero.time;
       end = {0.0, zero.rate};
     }
-    record_contact(s, end, time, drive, x_integral, record);
+    record_contact(s, end, time, drive, record);
     return time;
   }
 
   /// Records an interval of contact, from s to `end`.
-  void record_contact(Overlap& s, Overlap end, double time, double drive, double& x_integral,
+  void record_contact(Overlap& s, Overlap end, double time, double drive,
                       NormalRecord& record) const {
     record.contact_time += time;
     record.repulsion_impulse += reduced_mass_ * (drive * time - (end.v - s.v));
@@ -203,7 +199,6 @@ class NormalMotion {
     record.dissipated +=
         reduced_mass_ * (0.5 * (s.v * s.v - end.v * end.v) +
                          (s.x - end.x) * (0.5 * contact_.w0_squared() * (s.x + end.x) - drive));
-    x_integral += contact_.integral(time, s, end, drive);
     s = end;
   }
 
@@ -217,12 +212,10 @@ class NormalMotion {
   /// Brings such a pair to rest; its energy counts as the dashpot's. A load that grows has pushed
   /// it a little beyond the edge since the step before: it goes back there, where that is no
   /// farther than the load moves it in this time. Returns the time at rest.
-  double rest(Overlap& s, double time, double outward, double& x_integral,
-              NormalRecord& record) const {
+  double rest(Overlap& s, double time, double outward, NormalRecord& record) const {
     record.dissipated += 0.5 * reduced_mass_ * s.v * s.v;
     const bool pushed = -adhesion_.cutoff - s.x <= -drive_at(s.x, outward) * time * time;
     s = {pushed ? -adhesion_.cutoff : s.x, 0.0};
-    x_integral += time * s.x;
     return time;
   }
 
@@ -233,14 +226,12 @@ class NormalMotion {
     return {-adhesion_.cutoff, 0.0, drive};
   }
 
-  double in_gap(Overlap& s, double time, const Gap& gap, double& x_integral) const {
+  double in_gap(Overlap& s, double time, const Gap& gap) const {
     const double drive = gap.drive;
     const double touch = first_root(gap.high - s.x, -s.v, -drive);
     const double out = first_root(s.x - gap.low, s.v, drive);
-    const double start = s.x;
     const double t = std::min(std::min(touch, out), time);
-    x_integral += t * (start + t * (0.5 * s.v + t * drive / 6.0));
-    s = {start + t * (s.v + 0.5 * drive * t), s.v + drive * t};
+    s = {s.x + t * (s.v + 0.5 * drive * t), s.v + drive * t};
     // Rounding must not carry the pair over the edge it stands on.
     if (t < time)
       s = out < touch ? Overlap{gap.low, std::min(s.v, 0.0)}

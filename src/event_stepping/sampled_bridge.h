@@ -54,8 +54,7 @@ class SampledBridge {
       step.normal.dissipated +=
           (step.inside ? 1.0 : -1.0) * force_ * (overlap - window.before * rate);
     const double attraction = step.inside ? force_ : 0.0;
-    step.change.velocity = (time * (repulsion - attraction) / spring_.reduced_mass()) * normal;
-    step.overlap_at_end = overlap;
+    step.velocity_change = (time * (repulsion - attraction) / spring_.reduced_mass()) * normal;
     return step;
   }
 

@@ -70,7 +70,7 @@ class SampledContact {
     const PairStep normal = pair_.advance(grid.relative, window_, history.normal.in_range());
     history.normal.phase = normal.inside ? ContactState::inside : ContactState::outside;
     FrictionalStep step;
-    step.action.impulse = bodies_.reduced_mass() * normal.change.velocity;
+    step.action.impulse = bodies_.reduced_mass() * normal.velocity_change;
     step.repulsion = normal.normal.repulsion_impulse;
     step.impulsive = Pair::pushes_at_edge && step.repulsion == 0.0 &&
                      dot(step.action.impulse, step.action.impulse) > 0.0;

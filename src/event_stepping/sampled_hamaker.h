@@ -55,8 +55,7 @@ class SampledHamaker {
     const double attraction =
         std::visit([&](const auto& law) { return law.force(-overlap, attraction_.geometry); },
                    attraction_.law);
-    step.change.velocity = (time * (repulsion - attraction) / spring_.reduced_mass()) * normal;
-    step.overlap_at_end = overlap;
+    step.velocity_change = (time * (repulsion - attraction) / spring_.reduced_mass()) * normal;
     step.inside = -overlap < range_;
     return step;
   }

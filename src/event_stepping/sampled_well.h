@@ -65,8 +65,7 @@ class SampledWell {
     const double repulsion = sampled_repulsion(spring_, overlap, rate, time, step.normal);
     const double impulse =
         sampled_edge_impulse(depth_, range_, inverse_mass_, -overlap, rate, inside);
-    step.change.velocity = ((time * repulsion + impulse) * inverse_mass_) * normal;
-    step.overlap_at_end = overlap;
+    step.velocity_change = ((time * repulsion + impulse) * inverse_mass_) * normal;
     step.inside = inside;
     return step;
   }

@@ -15,18 +15,6 @@ const Vector3 place{1.1e-3, -0.5e-3, 0.4e-3};
 
 }  // namespace
 
-TEST(ContactBodies, SharesKeepTheMomentum) {
-  const Body light{0.5e-3, 1.0 / 1e-9}, heavy{50e-3, 1.0 / 1e-3};
-  const ContactBodies c(light, heavy);
-  EXPECT_NEAR(c.motion_fraction_i() + c.motion_fraction_j(), 1.0, 2 * eps);
-  EXPECT_NEAR(
-      c.motion_fraction_i() / light.inverse_mass / (c.motion_fraction_j() / heavy.inverse_mass),
-      1.0, 4 * eps);
-  const ContactBodies beside(light, wall);
-  EXPECT_NEAR(beside.motion_fraction_i(), 1.0, 2 * eps);
-  EXPECT_EQ(beside.motion_fraction_j(), 0.0);
-}
-
 TEST(ContactBodies, RollWithTheReducedRadiusAndTheInertiaOfBoth) {
   const ContactBodies pair(small, large);
   const double reduced = 0.5e-3 * 0.8e-3 / 1.3e-3;

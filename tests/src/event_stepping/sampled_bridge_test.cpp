@@ -30,7 +30,7 @@ struct Bridged {
     const RelativeState grid{{distance + 0.5 * dt * rate, 0.0, 0.0}, {rate, 0.0, 0.0}};
     last = law.advance(grid, {0.5 * dt, 0.5 * dt}, last.inside);
     dissipated += last.normal.dissipated;
-    rate += last.change.velocity.x;
+    rate += last.velocity_change.x;
     distance = grid.separation.x + 0.5 * dt * rate;
   }
   double kinetic() const { return 0.5 * thesis::reduced_mass * rate * rate; }
@@ -47,9 +47,9 @@ TEST(SampledBridge, FormsAtTouchAndBreaksBeyondItsGap) {
                           bridge(), core, 1e-6);
   const RelativeState in_gap{{core + 0.5 * gap, 0, 0}, {}};
   const StepWindow window{5e-7, 5e-7};
-  EXPECT_EQ(law.advance(in_gap, window, false).change.velocity.x, 0.0);
+  EXPECT_EQ(law.advance(in_gap, window, false).velocity_change.x, 0.0);
   EXPECT_NEAR(
-      law.advance(in_gap, window, true).change.velocity.x / (-1e-6 * force / thesis::reduced_mass),
+      law.advance(in_gap, window, true).velocity_change.x / (-1e-6 * force / thesis::reduced_mass),
       1.0, 1e-12);
 }
 

@@ -23,12 +23,11 @@ SampledWell pair() {
 /// Change of energy over D and flag after a step from the grid point.
 std::pair<double, bool> step(double distance, double velocity, bool inside) {
   const PairStep now = pair().advance({{distance, 0, 0}, {velocity, 3e-3, 0}}, window, inside);
-  const double after = velocity + now.change.velocity.x;
-  EXPECT_EQ(now.change.velocity.y, 0.0);
+  const double after = velocity + now.velocity_change.x;
+  EXPECT_EQ(now.velocity_change.y, 0.0);
   if (inside && velocity < 0.0) {
-    EXPECT_EQ(now.change.velocity.x, 0.0);
+    EXPECT_EQ(now.velocity_change.x, 0.0);
   }
-  EXPECT_EQ(norm(now.change.separation), 0.0);  // a force, nothing else
   return {0.5 * thesis::reduced_mass * (after * after - velocity * velocity) / depth, now.inside};
 }
 
@@ -59,10 +58,8 @@ TEST(SampledWell, InContactItIsTheSampledSpring) {
   const PairStep now = pair().advance({{core - overlap, 0, 0}, {-rate, 0, 0}}, window, true);
   const double force = 800.0 * overlap + 0.79e-3 * rate;
   // The overlap is a difference of numbers a thousand times larger.
-  EXPECT_NEAR(now.change.velocity.x, force * dt / thesis::reduced_mass,
+  EXPECT_NEAR(now.velocity_change.x, force * dt / thesis::reduced_mass,
               1e-12 * force * dt / thesis::reduced_mass);
-  EXPECT_NEAR(pair().spring_energy(now.overlap_at_end), 400.0 * overlap * overlap, 1e-12 * 4e-10);
-  EXPECT_EQ(pair().adhesion_energy(now.overlap_at_end), -depth);
 }
 
 }  // namespace cohesion::event_stepping
