@@ -18,7 +18,7 @@ void BoxFix::init() {
   clear_rates();
 }
 
-/// The engine makes walls in tilted boxes only where it is told that they are right there.
+/// The engine makes walls in tilted boxes only where a flag allows them.
 void BoxFix::refuse_walls() const {
   for (int n = 0; n < modify->nfix; n++) {
     const auto wall = dynamic_cast<FixWallGran*>(modify->fix[n]);

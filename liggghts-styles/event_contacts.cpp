@@ -32,7 +32,7 @@ constexpr const char* seen_too_late =
 constexpr const char* turned_too_often =
     ", scheme event: a pair, or a particle and a wall, turned round a hundred times or more within "
     "one step, between contact and the edge of the adhesion or along that edge, and was not "
-    "followed to the end of that step: use a smaller time step";
+    "resolved to the end of that step: use a smaller time step";
 
 /// Without this flag the engine forgets the contact when it makes a new list.
 void remember(const ContactModels::SurfacesCloseData& d, bool something) {

@@ -324,7 +324,7 @@ void FixEventStep::report_unresolved() {
         FLERR,
         "scheme event: {} times in this run a pair, or a particle and a wall, turned "
         "round a hundred times or more within one step, between contact and the edge of the "
-        "adhesion or along that edge, and was not followed to the end of that step: use "
+        "adhesion or along that edge, and was not resolved to the end of that step: use "
         "a smaller time step",
         all);
 }

@@ -42,7 +42,7 @@ struct Bodies {
 /// post_constructor().
 ///
 /// A run that continues another, in the same input or from a restart, starts from the forces the
-/// last step ended with: the grid holds positions at n and velocities at n-1/2, and the forces of
+/// last step ended with: positions are those of n, velocities those of n-1/2, and the forces of
 /// step n cannot be worked out again from the velocities at n.
 class FixEventStep : public Fix {
  public:
@@ -82,7 +82,7 @@ class FixEventStep : public Fix {
   int size_restart(int) override;
   double memory_usage() override;
 
-  /// The forces of the last step are taken over: nothing may be followed.
+  /// The forces of the last step are taken over, and no contact is computed.
   bool resumes() const { return resuming; }
   /// Whether a run that does so finds the contact of i and j (below 0: a wall) other than their
   /// motion left it: AlteredParticles.

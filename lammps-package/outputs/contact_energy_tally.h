@@ -10,9 +10,9 @@
 
 namespace LAMMPS_NS {
 
-/// What contacts store at the grid point, what was lost before it, and the true motion there: of
-/// one process. It is active while somebody reads it, who subtracts what was there before, and in
-/// steps that a later run may continue from.
+/// Energies that contacts store at the time level and have lost before it, and the true motion
+/// there, of one process. It is active while somebody reads it, who subtracts what was there
+/// before, and in steps that a later run may continue from.
 class ContactEnergyTally : protected Pointers {
  public:
   using Reader = std::shared_ptr<const void>;
@@ -36,7 +36,7 @@ class ContactEnergyTally : protected Pointers {
 
   /// Sets whether it is active in this step.
   void update_readers();
-  /// Begins a new grid point: what was lost after the last one was lost before this one.
+  /// Begins a new time level: losses after the last one are losses before this one.
   void begin_step();
   /// Adds what a contact stores, `fraction` of it.
   void store(double fraction, const cohesion::event_stepping::StoredEnergies&);
@@ -44,13 +44,13 @@ class ContactEnergyTally : protected Pointers {
   /// store is known: the energies of normal springs and adhesion are set to 0 and added again.
   void reset_normal();
   void store_normal(double fraction, const cohesion::event_stepping::StoredEnergies&);
-  /// Adds what a contact loses, `fraction` of it, of which `later` is after the grid point.
+  /// Adds what a contact loses, `fraction` of it, of which `later` is after the time level.
   void add_losses(double fraction, const cohesion::event_stepping::ContactLosses&, double later);
-  /// Adds work that others do in the step around the grid point.
+  /// Adds work of other forces in the step around the time level.
   void add_work(double done);
 
-  /// Per atom and ghost: six numbers that lead from velocity and spin on the grid to the true ones,
-  /// of all contacts.
+  /// Per atom and ghost: pending corrections of all contacts, three numbers from the staggered to
+  /// the true velocity and three of the spin.
   double** pending() const { return pending_; }
   /// Ends the step of a particle: `pushed` and `turned` are the impulse and angular impulse of
   /// contacts that are in the engine's velocities by then.
@@ -72,7 +72,7 @@ class ContactEnergyTally : protected Pointers {
 
  private:
   bool active_ = false;
-  Sums now_, later_;  // later_: after the grid point
+  Sums now_, later_;  // later_: after the time level
   int room_ = 0;      // of both arrays, in particles
   double** pending_ = nullptr;
   double** to_truth_ = nullptr;  // from the engine's velocity and spin at the end of the step

@@ -11,7 +11,7 @@ namespace cohesion::event_stepping {
 /// What a contact must know of a particle; a wall has inverse mass 0 and radius 0.
 struct Body {
   double radius;        ///< [length]
-  double inverse_mass;  ///< [1/mass]; 0: moves as it is told
+  double inverse_mass;  ///< [1/mass]; 0: its velocity is prescribed
 
   /// The same bits, which is quicker than the same numbers.
   bool operator==(const Body& other) const {

@@ -60,6 +60,8 @@ TEST(SampledWell, InContactItIsTheSampledSpring) {
   // The overlap is a difference of numbers a thousand times larger.
   EXPECT_NEAR(now.velocity_change.x, force * dt / thesis::reduced_mass,
               1e-12 * force * dt / thesis::reduced_mass);
+  EXPECT_NEAR(pair().spring_energy(overlap), 400.0 * overlap * overlap, 1e-12 * 4e-10);
+  EXPECT_EQ(pair().adhesion_energy(overlap), -depth);
 }
 
 }  // namespace cohesion::event_stepping
