@@ -78,7 +78,7 @@ class ContactForces {
         c.template advance<SIZE>(now, acceleration, step_->starts(), history, energies);
     push(i, -does.action.impulse, does.action.torque_i);
     if (is_own(j)) push(j, does.action.impulse, does.action.torque_j);
-    if (does.impulsive) exclude_impulse(c, i, j, now.relative.separation, does.action.impulse);
+    if (dot(does.at_edge, does.at_edge) > 0.0) exclude(c, i, j, kick_ * does.at_edge);
     if (does.unresolved) step_->count_unresolved(owned_fraction(j));
     if (step_->energy_tally.is_active()) tally(c, i, j, *energies);
     return does;
@@ -96,13 +96,10 @@ class ContactForces {
     step_->impulses.push<SIZE>(i, impulse, turn);
   }
 
-  /// The part along the normal acts at an instant of the step.
-  [[gnu::noinline, gnu::cold]] void exclude_impulse(const Contact& c, int i, int j,
-                                                    Vector3 separation, Vector3 impulse) const {
-    const double part = dot(impulse, separation) / dot(separation, separation);
-    const Vector3 pushed = (kick_ * part) * separation;
-    if (c.bodies().inverse_mass_i() > 0.0) step_->add_impulsive_force(i, -pushed);
-    if (is_own(j) && c.bodies().inverse_mass_j() > 0.0) step_->add_impulsive_force(j, pushed);
+  /// Excludes a force on j, and its reverse on i, from the accelerations that the next step reads.
+  [[gnu::noinline, gnu::cold]] void exclude(const Contact& c, int i, int j, Vector3 on_j) const {
+    if (c.bodies().inverse_mass_i() > 0.0) step_->add_impulsive_force(i, -on_j);
+    if (is_own(j) && c.bodies().inverse_mass_j() > 0.0) step_->add_impulsive_force(j, on_j);
   }
 
   void tally(const Contact& c, int i, int j, const ContactEnergies& energies) const {

@@ -158,8 +158,8 @@ class ExactContact {
     const ContactStep normal = solver_.advance(at, external, velocity_step, history.normal);
     step.repulsion = velocity_step * normal.repulsion;
     step.unresolved = normal.normal.unresolved;
-    step.impulsive = normal.force != 0.0 && solver_.gave_impulse(history.normal);
     step.action.impulse = (velocity_step * normal.force * inverse) * s;
+    if (solver_.gave_impulse(history.normal)) step.at_edge = step.action.impulse;
     const Normal n{before,
                    history.normal,
                    normal,

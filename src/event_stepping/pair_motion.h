@@ -51,10 +51,11 @@ struct Action {
 
 /// What a contact does in a step.
 struct FrictionalStep {
-  Action action{};          ///< impulses and torques
-  Vector3 friction{};       ///< impulse of sliding friction on j, [momentum]
-  double repulsion = 0.0;   ///< impulse of spring and dashpot, [momentum]
-  bool impulsive = false;   ///< the impulse along the normal is that of an edge
+  Action action{};         ///< impulses and torques
+  Vector3 friction{};      ///< impulse of sliding friction on j, [momentum]
+  double repulsion = 0.0;  ///< impulse of spring and dashpot, [momentum]
+  /// What of the impulse an edge gives, which the next step does not have, [momentum].
+  Vector3 at_edge{};
   bool unresolved = false;  ///< the step was not integrated to its end
 };
 

@@ -72,8 +72,7 @@ class SampledContact {
     FrictionalStep step;
     step.action.impulse = bodies_.reduced_mass() * normal.velocity_change;
     step.repulsion = normal.normal.repulsion_impulse;
-    step.impulsive = Pair::pushes_at_edge && step.repulsion == 0.0 &&
-                     dot(step.action.impulse, step.action.impulse) > 0.0;
+    if (Pair::pushes_at_edge && step.repulsion == 0.0) step.at_edge = step.action.impulse;
     DiscreteSpring::Losses slid, rolled;
     if constexpr (SIZE >= ContactHistory::with_friction) {
       const ContactBodies::Touch touch(bodies_, s);

@@ -87,10 +87,7 @@ class Spheres {
       const Action& a = c.last.action;
       push(c, a, next);
       Action steady = a;
-      if (c.last.impulsive) {
-        const Vector3& s = now.relative.separation;
-        steady.impulse -= (dot(a.impulse, s) / dot(s, s)) * s;
-      }
+      steady.impulse -= c.last.at_edge;
       accelerate(c, steady, inverse, next);
       push(c, c.energies.to_truth, truth);
       lost += sum(c.energies.before);
