@@ -65,7 +65,7 @@ class ExactContact {
   /// steady where each sphere has many of them: (w dt)^2 of each swing must stay below 4. A bed
   /// gains energy without bound in steps that are longer.
   ///
-  /// Source: derived here; docs/theory/exact_contacts.md, Steps.
+  /// Source: derived here; docs/theory/contact_steps.md.
   bool is_steady(const ClosestPacking& packing) const {
     const event_stepping::GridSpring& spring = solver_.spring();
     const double normal =

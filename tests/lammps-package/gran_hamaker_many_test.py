@@ -72,7 +72,7 @@ class ElasticGas(unittest.TestCase):
         self.energy_is_kept(0.1, 2e-18, 0.2, seeds=2)
 
     def test_dense(self):
-        # An offset of first order shows below t_c/10 (docs/verification/contacts.md).
+        # An offset of first order shows below t_c/10 (docs/verification/contact_energies.md).
         self.energy_is_kept(0.5, 0.0, 0.1, seeds=3, second_order=False)
 
     def test_dense_adhesive(self):
@@ -84,7 +84,7 @@ class ElasticGas(unittest.TestCase):
 
     def test_no_heating_with_adhesion_at_a_tenth(self):
         # At t_c/4 there is: 4e-5 of the kinetic energy per collision
-        # (docs/verification/contacts.md).
+        # (docs/verification/contact_energies.md).
         self.no_heating(0.5, 2e-18, 0.02, division=10, seeds=3)
 
 
@@ -170,7 +170,7 @@ class Settling(unittest.TestCase):
     """125 spheres with damping and friction that fall on a layer of fixed ones. At rest: kinetic energy,
     rotation included, at t_c/10 below 1e-3 of what weight and adhesion store in a contact,
     (m g + F_ad)^2/(2 K) per sphere, so that speeds are 3 % of what opens one. There contacts rattle on
-    without adhesion (docs/verification/contacts.md); at t_c/20 below 1e-9 of the start's.
+    without adhesion (docs/verification/contact_energies.md); at t_c/20 below 1e-9 of the start's.
     With 20 weights spheres hang in one contact or two, where they spin and roll on without loss unless something
     resists rolling; with a rolling friction nothing is left that moves without loss."""
 
