@@ -17,6 +17,7 @@ import dense
 import growth
 from cohesion_studies import program
 from cohesion_studies.drawing import pyplot, save
+from cohesion_tests.lammps_scenes import stability_pages
 
 BAR = "#4477aa"
 
@@ -106,17 +107,18 @@ def draw_growth(rows):
 
 
 def draw_steps(tables):
-    """Share of cases right by the steps of a contact; `tables`: law -> rows of its random points."""
-    names = [row["t_c/dt"] for row in next(iter(tables.values()))]
+    """Share of correct cases by the steps of a contact; `tables`: law -> rows of its random points."""
+    names = [name for name in next(iter(tables.values()))[0] if re.match(r"\d+ to ", name)]
     figure, axis = pyplot.subplots(figsize=(7.5, 0.8 + 0.45 * len(tables)), constrained_layout=True)
     shares, words = [], {}
     for n, rows in enumerate(tables.values()):
-        for m, row in enumerate(rows):
-            right, silent = int(row["cases right"]), int(row["wrong, silent"])
-            judged = right + sum(int(number) for name, number in row.items() if name.startswith("wrong, "))
+        found = {row["t_c/dt"]: row for row in rows}
+        for m, name in enumerate(names):
+            cases, unwarned, points = (found[figure_name][name] for figure_name in stability_pages.FIGURES)
+            right, judged = map(int, cases.split("/"))
             shares.append(right / judged if judged else float("nan"))
-            words[m, n] = (f"{right} of {judged}" + (f"\n{silent} silent" if silent else "")
-                           + f"\n{row['refused']} of {row['points']} refused")
+            words[m, n] = (f"{right} of {judged}" + (f"\n{unwarned} unwarned" if int(unwarned) else "")
+                           + f"\n{points.replace('/', ' of ')} stop")
     image = axis.imshow([shares[n * len(names):(n + 1) * len(names)] for n in range(len(tables))], vmin=0, vmax=1,
                         cmap="RdYlBu", aspect="auto", alpha=0.7)
     for (m, n), text in words.items():
@@ -124,7 +126,7 @@ def draw_steps(tables):
     axis.set_xticks(range(len(names)), names)
     axis.set_yticks(range(len(tables)), tables, fontsize=8)
     axis.set_xlabel("steps of a contact, t_c/dt; random points of all parameters")
-    figure.colorbar(image, label="share of cases right")
+    figure.colorbar(image, label="share of correct cases")
     return figure
 
 
@@ -133,10 +135,8 @@ def of_page(name, page):
     found = sections(page)
     if name == "steps":
         tables = {}
-        for law, lines in found.items():
-            start = [n for n, line in enumerate(lines) if line.startswith("| t_c/dt |")]
-            if start:
-                tables[law] = read(lines[start[0]:])
+        for row in read(found[stability_pages.STEPS_TITLE]):
+            tables.setdefault(row["law"], []).append(row)
         return tables
     return read(found[{"dense": dense, "growth": growth}[name].TITLE])
 

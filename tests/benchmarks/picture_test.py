@@ -27,29 +27,23 @@ GROWTH = """| style | particles | ns per particle and step | over 10: median (le
 | b | 10 | 7.0 | 1.00 (1.00 to 1.00) |
 | b | 100 | 9.8 | 1.40 (1.40 to 1.40) |
 """.splitlines()
-STEPS = """Said.
+STEPS = """Words.
 
-## law
+## Results
 
-Said.
-
-| point | first |
+| law | points |
 |---|---|
-| 1 | right |
+| law | 8 |
 
-2 random points:
+## Random points by time step
 
-| t_c/dt | points | refused | cases right | wrong, warned | wrong, other types warned | wrong, silent | not judged |
-|---|---|---|---|---|---|---|---|
-| 2 to 3 | 4 | 1 | 3 | 1 | 1 | 1 | 0 |
-| 3 to 4 | 4 | 4 | 0 | 0 | 0 | 0 | 0 |
+Words.
 
-Refused:
-
-## hard law
-
-| point | first |
-|---|---|
+| law | t_c/dt | 2 to 3 | 3 to 4 |
+|---|---|---|---|
+| law | correct/judged cases | 3/6 | 0/0 |
+| law | incorrect, unwarned | 2 | 0 |
+| law | stopped/all points | 1/4 | 4/4 |
 """
 
 
@@ -85,13 +79,13 @@ class Pictures(unittest.TestCase):
         middles = [list(part.lines[0].get_ydata()) for part in right.containers]
         self.assertEqual(middles, [[1.0, 1.2], [1.0, 1.4]])
 
-    def test_steps_have_the_share_of_cases_that_are_right(self):
+    def test_steps_have_the_share_of_correct_cases(self):
         tables = picture.of_page("steps", STEPS)
         self.assertEqual(list(tables), ["law"])
         shares = picture.draw_steps(tables).axes[0].images[0].get_array()
         self.assertEqual(shares[0, 0], 3 / 6)
         self.assertEqual([label.get_text() for label in picture.draw_steps(tables).axes[0].texts],
-                         ["3 of 6\n1 silent\n1 of 4 refused", "0 of 0\n4 of 4 refused"])
+                         ["3 of 6\n2 unwarned\n1 of 4 stop", "0 of 0\n4 of 4 stop"])
 
     def test_pages_of_the_documentation_can_be_drawn(self):
         for name, page in (("dense", "costs.md"), ("growth", "costs.md"), ("steps", "lammps-package/stability.md")):
