@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The five powders of docs/tools/cohesion-powder.md: their cases, as the program writes them, run unedited to their end.
+"""The five powders of docs/verification/powders.md: their cases, as the program writes them, run unedited to their end.
 
     five_powders.py BUILD WORK [--engines lammps liggghts] [--powders NAME ...] [--grains N]
 
