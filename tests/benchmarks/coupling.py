@@ -105,8 +105,8 @@ def rows(programs, words):
     progress.add(1)
     yield "| feature | off | on | **off/without** | on/without |"
     yield "|---|---|---|---|---|"
-    yield f"| the particles of {words.engine} alone, without gas | {engine:.0f} |  | {engine / plain:.3f} |  |"
-    yield f"| nothing named: {number} spheres, {SUB_STEPS} particle steps to a gas step | {plain:.0f} |  | 1 |  |"
+    yield f"| particles of {words.engine} alone, without gas | {engine:.0f} |  | {engine / plain:.3f} |  |"
+    yield f"| reference: {number} spheres, {SUB_STEPS} particle steps to a gas step | {plain:.0f} |  | 1 |  |"
     for name, cases in chosen.items():
         cells = []
         for entries in cases:

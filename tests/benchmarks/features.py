@@ -37,7 +37,7 @@ def output(pair, define, delete, read=""):
 
 
 def cohesion(scheme, style, keywords, nothing):
-    """In a style of ours: not named, of strength 0, of full strength."""
+    """In a style of this package: not named, of strength 0, of full strength."""
     return tuple(package(ours(style, scheme, cohesion=words)) for words in ("", nothing, keywords))
 
 
@@ -53,12 +53,12 @@ def rolling(words):
 
 # feature: without it (the stock engine where it says so), with it and off, with it and on; None: there is no such run
 LAMMPS = {
-    "plugin loaded, nothing of it used; without: stock": (stock(hooke()), package(hooke()), None),
-    "contact style of ours, *sampled*; without: stock": (stock(hooke()), None, package(ours(scheme="sampled"))),
-    "contact style of ours, *event*; without: stock": (stock(hooke()), None, package(ours())),
-    "cohesion laid over: hybrid/overlay hamaker; without: stock": (
+    "plugin loaded, no style used; without: stock": (stock(hooke()), package(hooke()), None),
+    "gran/hamaker *sampled*, no cohesion; without: stock": (stock(hooke()), None, package(ours(scheme="sampled"))),
+    "gran/hamaker *event*, no cohesion; without: stock": (stock(hooke()), None, package(ours())),
+    "hybrid/overlay hamaker; without: stock": (
         stock(hooke()), package(overlay(HAMAKER_STYLE, "hamaker 0")), package(overlay(HAMAKER_STYLE, f"hamaker {scenes.HAMAKER}"))),
-    "cohesion laid over: hybrid/overlay square_well; without: stock": (
+    "hybrid/overlay square_well; without: stock": (
         stock(hooke()), package(overlay("square_well", f"well 0 {scenes.RATIO}")),
         package(overlay("square_well", f"well {scenes.DEPTH} {scenes.RATIO}"))),
     "cohesion, gran/hamaker *event*": cohesion("event", "gran/hamaker", hamaker(), hamaker(0)),
@@ -72,10 +72,10 @@ LAMMPS = {
     "friction and history of the engine's own style": (
         stock(hooke(0, history=False)), stock(hooke(0)), stock(hooke())),
     "rolling friction, *event*": tuple(map(rolling, ("", "rolling_friction 0", "rolling_friction 0.1"))),
-    "ghost velocities, asked of the engine with hamaker alone": tuple(
+    "ghost velocities, pair hamaker alone": tuple(
         ghosts and package(f"pair_style {HAMAKER_STYLE}\npair_coeff * * hamaker {scenes.HAMAKER}\n", ghosts=ghosts)
         for ghosts in ("no", None, "yes")),
-    "wall of ours, *event*, beside the engine's; without: no wall": (
+    "wall/gran/hamaker, *event*; without: no wall": (
         package(EVENT, walled=True), None,
         package(EVENT, f"fix w all wall/gran/hamaker {WALL} {hamaker()} {PLANES}\n", walled=True)),
     "wall of the engine; without: no wall": (
@@ -94,7 +94,7 @@ LAMMPS = {
 }
 # `fix out` there is a cutoff (scenes.hamaker_properties).
 LIGGGHTS = {
-    "launcher, nothing of it used; without: stock": (
+    "launcher, no model used; without: stock": (
         Case("liggghts", gran()), Case("liggghts+", gran()), None),
     "cohesion hamaker; without: stock": (
         Case("liggghts", gran()),
@@ -107,7 +107,7 @@ LIGGGHTS = {
     "cohesion sjkr of the engine": (
         Case("liggghts", gran()), None,
         Case("liggghts", gran(LIGGGHTS_CONTACT + " cohesion sjkr", scenes.SJKR_PROPERTIES))),
-    "rolling epsd2 of the engine beside cohesion hamaker": (
+    "rolling epsd2 of the engine, with cohesion hamaker": (
         Case("liggghts+", LIGGGHTS_PAIR), None,
         Case("liggghts+", gran(LIGGGHTS_HAMAKER + " rolling_friction epsd2", scenes.hamaker_properties()))),
     "energy tally": tuple(Case("liggghts+", LIGGGHTS_PAIR, extra) for extra in (

@@ -5,8 +5,8 @@ a page.
 
   picture.py dense|growth|steps PAGE FILE.png
 
-PAGE: docs/costs.md for dense and growth, docs/lammps-package/stability.md for steps, or another file that
-benchmarks.py --page or stability-campaign.py --table has written.
+PAGE: docs/verification/step_costs.md for dense, growth_costs.md there for growth, docs/lammps-package/stability.md for
+steps, or another file that benchmarks.py --page or stability-campaign.py --table has written.
 """
 import itertools
 import re

@@ -88,7 +88,8 @@ class Pictures(unittest.TestCase):
                          ["3 of 6\n2 unwarned\n1 of 4 stop", "0 of 0\n4 of 4 stop"])
 
     def test_pages_of_the_documentation_can_be_drawn(self):
-        for name, page in (("dense", "costs.md"), ("growth", "costs.md"), ("steps", "lammps-package/stability.md")):
+        for name, page in (("dense", "verification/step_costs.md"), ("growth", "verification/growth_costs.md"),
+                           ("steps", "lammps-package/stability.md")):
             with self.subTest(name):
                 self.assertTrue(picture.DRAWN[name](picture.of_page(name, (DOCS / page).read_text())).axes)
 
