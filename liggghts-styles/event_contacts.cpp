@@ -119,7 +119,7 @@ void EventContacts::make_law(KnownContact& k, const ContactModels::SurfacesClose
     const double tangential_mass =
         reduced_mass / (1.0 + 1.0 / MobileParticles::inertia_factor(lmp_->domain->dimension));
     k.tangential = cohesion::event_stepping::spring_on_grid(
-        springs.tangential_stiffness, normal_->tangential_damping(pair), tangential_mass, dt);
+        springs.tangential_stiffness, springs.tangential_damping, tangential_mass, dt);
   });
 }
 

@@ -21,6 +21,7 @@
 #include "guarded.h"
 #include "integrated_particles.h"
 #include "liggghts_api.h"
+#include "neigh_list.h"
 #include "neighbor.h"
 #include "pair_gran.h"
 #include "sphere.h"
@@ -56,6 +57,35 @@ void count_templates(Modify* modify, std::vector<LightestParticle>& lightest) {
     for (int type = spheres->mintype(); type <= spheres->maxtype(); type++)
       take_lighter(lightest[type], radius, density * cohesion::sphere_volume(radius));
   }
+}
+
+bool inserts(const Modify* modify) {
+  for (int k = 0; k < modify->nfix; k++)
+    if (std::strncmp(modify->fix[k]->style, "insert/", 7) == 0) return true;
+  return false;
+}
+
+/// Whether a particle of this rank has several neighbours in the list of the pairs.
+bool has_several_neighbours(const LAMMPS* lmp) {
+  const Pair* const pair = lmp->force->pair;
+  const NeighList* const list = pair ? pair->list : nullptr;
+  if (!list || !list->numneigh) return false;
+  // A half list names a pair once.
+  std::vector<int> neighbours(lmp->atom->nlocal + lmp->atom->nghost, 0);
+  for (int ii = 0; ii < list->inum; ii++) {
+    const int i = list->ilist[ii], jnum = list->numneigh[i];
+    if (jnum > 1 || (neighbours[i] += jnum) > 1) return true;
+    if (jnum == 1 && ++neighbours[list->firstneigh[i][0] & NEIGHMASK] > 1) return true;
+  }
+  return false;
+}
+
+advice::Crowd crowd(LAMMPS* lmp) {
+  const int mine = inserts(lmp->modify) || has_several_neighbours(lmp);
+  int several = 0;
+  MPI_Allreduce(&mine, &several, 1, MPI_INT, MPI_MAX, lmp->world);
+  if (several) return advice::Crowd::several;
+  return lmp->atom->natoms > 2 ? advice::Crowd::separate : advice::Crowd::pair;
 }
 
 std::set<int> types_of(const FixWallGran& wall) {
@@ -103,10 +133,13 @@ bool ContactWatch::due(bool setup) {
                               dt))
     return false;
   scan_particles();
-  if (!setup && !watch_.worse(now_.lightest, now_.run.fastest, dt)) return false;
-  watch_.judged(now_.lightest, now_.run.fastest, dt);
-  now_.run = {now_.run.fastest, GravityOfFixes(lmp_->modify).largest(), dt,
-              rate_of_shear(lmp_->domain).amount};
+  now_.run.dt = dt;
+  now_.run.plane = lmp_->domain->dimension == 2;
+  if (setup || now_.run.crowd != advice::Crowd::several) now_.run.crowd = crowd(lmp_);
+  if (!setup && !watch_.worse(now_.lightest, now_.run)) return false;
+  watch_.judged(now_.lightest, now_.run);
+  now_.run.gravity = GravityOfFixes(lmp_->modify).largest();
+  now_.run.shear = rate_of_shear(lmp_->domain).amount;
   now_.within_run = !setup;
   return true;
 }
@@ -177,8 +210,10 @@ void ContactAdvice::set_springs(advice::AdvisedContact& c, int itype, int jtype,
     c.springs =
         normal_.springs(pair, advice::largest_overlap(c.springs, c.reduced_mass(), c.adhesion.force,
                                                       advice::touching_speed(run, c)));
-  if (!has("tangential", "history") || coefficient("coeffFrict", itype, jtype) == 0.0)
-    c.springs.tangential_stiffness = 0.0;
+  const bool slides = has("tangential", "history") || has("tangential", "no_history");
+  if (!slides || coefficient("coeffFrict", itype, jtype) == 0.0)
+    c.springs.tangential_stiffness = c.springs.tangential_damping = 0.0;
+  if (!has("tangential", "history")) c.springs.tangential_stiffness = 0.0;
   // The spring of rolling model epsd2 is the tangential one, with the reduced radius as lever.
   if (!has("rolling_friction", "epsd2") || coefficient("coeffRollFrict", itype, jtype) == 0.0)
     c.springs.rolling_stiffness = 0.0;

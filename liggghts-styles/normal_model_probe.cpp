@@ -104,13 +104,10 @@ cohesion::advice::ContactSprings NormalModelProbe::springs(const Pair& pair, dou
   const SurfacesIntersectData contact = asked(pair, overlap);
   cohesion::advice::ContactSprings springs{contact.kn, contact.gamman};
   springs.tangential_stiffness = springs.rolling_stiffness = contact.kt;
+  springs.tangential_damping = contact.gammat;
   springs.exponent = exponent();
   springs.overlap = contact.deltan;
   return springs;
-}
-
-double NormalModelProbe::tangential_damping(const Pair& pair) const {
-  return asked(pair, 0.0).gammat;
 }
 
 bool NormalModelProbe::dashpot_varies(int itype, int jtype) const {

@@ -53,8 +53,6 @@ class NormalModelProbe {
 
   /// At `overlap` [length], 0: a small one; and how the force changes with it.
   cohesion::advice::ContactSprings springs(const Pair& pair, double overlap = 0.0) const;
-  /// eta_t, [mass/time].
-  double tangential_damping(const Pair& pair) const;
 
  private:
   class Quiet;

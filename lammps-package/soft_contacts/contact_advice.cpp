@@ -19,6 +19,7 @@
 #include "law_from_script.h"
 #include "mobile_particles.h"
 #include "modify.h"
+#include "neigh_list.h"
 #include "neighbor.h"
 #include "update.h"
 
@@ -59,6 +60,31 @@ double gravity(LAMMPS* lmp, int groupbit) {
   double all = 0.0;
   MPI_Allreduce(&g, &all, 1, MPI_DOUBLE, MPI_MAX, lmp->world);
   return all;
+}
+
+/// Whether a particle of this rank has several neighbours in the lists of the pair styles.
+bool has_several_neighbours(LAMMPS* lmp) {
+  const Neighbor* const neighbor = lmp->neighbor;
+  for (int k = 0; k < neighbor->nlist; k++) {
+    const NeighList* const list = neighbor->lists[k];
+    if (list->requestor_type != NeighList::PAIR || list->occasional || !list->numneigh) continue;
+    // A half list names a pair once.
+    std::vector<int> neighbours(lmp->atom->nlocal + lmp->atom->nghost, 0);
+    for (int ii = 0; ii < list->inum; ii++) {
+      const int i = list->ilist[ii], jnum = list->numneigh[i];
+      if (jnum > 1 || (neighbours[i] += jnum) > 1) return true;
+      if (jnum == 1 && ++neighbours[list->firstneigh[i][0] & NEIGHMASK] > 1) return true;
+    }
+  }
+  return false;
+}
+
+advice::Crowd crowd(LAMMPS* lmp) {
+  const int mine = !announced_particles(lmp).empty() || has_several_neighbours(lmp);
+  int several = 0;
+  MPI_Allreduce(&mine, &several, 1, MPI_INT, MPI_MAX, lmp->world);
+  if (several) return advice::Crowd::several;
+  return lmp->atom->natoms > 2 ? advice::Crowd::separate : advice::Crowd::pair;
 }
 
 /// The lightest particles of the group, those that fixes have announced among them, and the
@@ -121,9 +147,13 @@ bool ContactWatch::due(bool setup) {
   else if (!watch_.may_differ(neighbor->ago == 0, static_cast<long>(update->ntimestep), dt))
     return false;
   scan_particles(lmp, ALL, now_);
-  if (!setup && !watch_.worse(now_.lightest, now_.run.fastest, dt)) return false;
-  watch_.judged(now_.lightest, now_.run.fastest, dt);
-  now_.run = {now_.run.fastest, gravity(lmp, ALL), dt, rate_of_shear(domain).amount};
+  now_.run.dt = dt;
+  now_.run.plane = domain->dimension == 2;
+  if (setup || now_.run.crowd != advice::Crowd::several) now_.run.crowd = crowd(lmp);
+  if (!setup && !watch_.worse(now_.lightest, now_.run)) return false;
+  watch_.judged(now_.lightest, now_.run);
+  now_.run.gravity = gravity(lmp, ALL);
+  now_.run.shear = rate_of_shear(domain).amount;
   now_.within_run = !setup;
   return true;
 }
@@ -135,11 +165,17 @@ AdvisedContact LAMMPS_NS::advised_contact(const std::string& name, const Lightes
   AdvisedContact c{name, i, j, {}, adhesion};
   if (!c.moves()) return c;
   const auto spring = cohesion::contact::normal_contact(contact, c.reduced_mass());
-  const double tangential = cohesion::contact::tangential_contact(contact, spring).stiffness;
+  const auto tangential = cohesion::contact::tangential_contact(contact, spring);
   c.springs.stiffness = spring.stiffness();
   c.springs.damping = spring.damping();
-  if (contact.friction > 0.0) c.springs.tangential_stiffness = tangential;
-  if (contact.rolling_friction > 0.0) c.springs.rolling_stiffness = tangential;
+  if (contact.friction > 0.0) {
+    c.springs.tangential_stiffness = tangential.stiffness;
+    c.springs.tangential_damping = tangential.damping;
+  }
+  if (contact.rolling_friction > 0.0) {
+    c.springs.rolling_stiffness = tangential.stiffness;
+    c.springs.rolling_damping = tangential.damping;
+  }
   return c;
 }
 

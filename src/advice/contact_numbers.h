@@ -7,6 +7,8 @@
 
 #include "constants.h"
 #include "contact/adhesive_contact.h"
+#include "contact_solver/closest_packing.h"
+#include "event_stepping/damped_oscillator.h"
 #include "validation.h"
 
 namespace cohesion::advice {
@@ -24,6 +26,8 @@ struct PairParameters {
   double gravity;              ///< g, [length/time^2]
   double tangential_stiffness = 0.0;  ///< K_t, [force/length]; 0 without friction
   double rolling_stiffness = 0.0;     ///< K_r, [force/length]; 0 without rolling friction
+  double tangential_damping = 0.0;    ///< eta_t, [mass/time]
+  double rolling_damping = 0.0;       ///< eta_r, [mass/time]
 };
 
 /// The numbers of one type pair that decide whether a simulation can be right.
@@ -78,11 +82,9 @@ class ContactNumbers {
   /// with it, at a wall, 5.55 K_t/mu for K_r = K_t.
   double tangential_frequency() const {
     const double turn_i = 1.0 / (p_.mass_i * p_.radius_i), turn_j = 1.0 / (p_.mass_j * p_.radius_j);
-    const double radius = 1.0 / (1.0 / p_.radius_i + 1.0 / p_.radius_j);
-    const double slide = 3.5 * p_.tangential_stiffness / pair_mass(p_);
-    const double roll = 2.5 * p_.rolling_stiffness * radius * radius *
-                        (turn_i / p_.radius_i + turn_j / p_.radius_j);
-    const double across = 2.5 * radius * (turn_i - turn_j);
+    const double slide = p_.tangential_stiffness * inverse_sliding_mass();
+    const double roll = p_.rolling_stiffness * inverse_rolling_mass();
+    const double across = 2.5 * reduced_radius() * (turn_i - turn_j);
     const double mean = 0.5 * (slide + roll);
     return std::sqrt(mean +
                      std::sqrt(0.25 * (slide - roll) * (slide - roll) +
@@ -93,6 +95,25 @@ class ContactNumbers {
   double steps_per_contact() const { return pi / frequency() / p_.dt; }
   /// Largest stable step of leapfrog, [time].
   double stable_step() const { return 2.0 / (std::hypot(1.0, zeta_) + zeta_) / w0_; }
+  /// Largest step [time] in which the discrete springs and dashpots of the exact scheme stay steady
+  /// in this packing.
+  double steady_step(const contact_solver::ClosestPacking& packing) const {
+    double low = 0.0, high = pi / w0_;
+    for (int k = 0; k < 50; k++) {
+      const double dt = 0.5 * (low + high);
+      const auto phase = [dt](double stiffness, double damping, double inverse_mass) {
+        return contact_solver::squared_phase(
+            event_stepping::spring_on_grid(stiffness, damping, 1.0 / inverse_mass, dt), dt,
+            inverse_mass);
+      };
+      const bool steady = packing.is_steady(
+          phase(p_.stiffness, p_.damping, 1.0 / pair_mass(p_)),
+          phase(p_.tangential_stiffness, p_.tangential_damping, inverse_sliding_mass()),
+          phase(p_.rolling_stiffness, p_.rolling_damping, inverse_rolling_mass()));
+      (steady ? low : high) = dt;
+    }
+    return low;
+  }
 
   /// u, [length/time].
   double entry_speed() const { return entry_speed_; }
@@ -150,6 +171,16 @@ class ContactNumbers {
   static void require_partner(const char* name, double value) {
     require(!std::isnan(value) && value > 0.0, name, value,
             "must be greater than zero, infinite for a wall");
+  }
+
+  double reduced_radius() const { return 1.0 / (1.0 / p_.radius_i + 1.0 / p_.radius_j); }
+  /// 1/m_t and 1/m_r, [1/mass].
+  double inverse_sliding_mass() const { return 3.5 / pair_mass(p_); }
+  double inverse_rolling_mass() const {
+    const double radius = reduced_radius();
+    return 2.5 * radius * radius *
+           (1.0 / (p_.mass_i * p_.radius_i * p_.radius_i) +
+            1.0 / (p_.mass_j * p_.radius_j * p_.radius_j));
   }
 
   static double pair_mass(const PairParameters& p) {

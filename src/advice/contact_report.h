@@ -44,12 +44,21 @@ struct AdvisedContact {
   double inverse_mass() const { return 1.0 / i.mass + 1.0 / j.mass; }
 };
 
+/// How many contacts a particle of a run may have at a time.
+enum class Crowd {
+  pair,      ///< there are at most two particles
+  separate,  ///< no particle has more than one neighbour now
+  several,   ///< some particle has several neighbours, or particles are still to come
+};
+
 /// What all contacts of a run share.
 struct RunNumbers {
   double fastest;      ///< speed of the fastest particle, beyond a mean shear, [length/time]
   double gravity;      ///< largest acceleration, [length/time^2]
   double dt;           ///< [time]
   double shear = 0.0;  ///< rate of a mean shear, [1/time]
+  Crowd crowd = Crowd::pair;
+  bool plane = false;  ///< two dimensions
 };
 
 struct Warning {
@@ -85,7 +94,7 @@ inline ContactNumbers numbers(const AdvisedContact& c, const RunNumbers& run) {
       linear_springs(c.springs, c.reduced_mass(), c.adhesion.force, touching_speed(run, c));
   return ContactNumbers({c.i.radius, c.j.radius, c.i.mass, c.j.mass, s.stiffness, s.damping,
                          c.adhesion, speed, run.dt, run.gravity, s.tangential_stiffness,
-                         s.rolling_stiffness});
+                         s.rolling_stiffness, s.tangential_damping, s.rolling_damping});
 }
 
 /// Approach speed below which a pair sticks, [length/time]. Where the spring is not linear: of the
@@ -194,7 +203,10 @@ inline Report report(const std::string& style, const SchemeLimits& limits,
     if (!c.moves()) continue;
     const ContactNumbers n = numbers(c, run);
     report.table += detail::row(c, n, escape_velocity(c, run));
-    for (const Verdict& verdict : advise(n, limits)) {
+    std::vector<Verdict> verdicts = advise(n, limits);
+    if (!limits.samples_force && run.crowd != Crowd::pair)
+      verdicts.push_back(detail::steadiness(n, run.crowd == Crowd::several, run.plane));
+    for (const Verdict& verdict : verdicts) {
       const bool of_overlap =
           verdict.subject == Subject::static_overlap || verdict.subject == Subject::impact_overlap;
       const std::string message =

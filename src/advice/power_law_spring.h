@@ -18,6 +18,8 @@ struct ContactSprings {
   double damping;                     ///< eta, [mass/time]
   double tangential_stiffness = 0.0;  ///< K_t, [force/length]; grows as `stiffness` does
   double rolling_stiffness = 0.0;     ///< K_r, [force/length]; the same
+  double tangential_damping = 0.0;    ///< eta_t, [mass/time]; grows as `damping` does
+  double rolling_damping = 0.0;       ///< eta_r, [mass/time]; the same
   double exponent = 1.0;              ///< p, [1]
   double overlap = 0.0;               ///< x at which they are this; read unless p = 1, [length]
 };
@@ -71,6 +73,8 @@ inline ContactSprings linear_springs(const ContactSprings& s, double reduced_mas
           mean * std::sqrt(stiffer) * s.damping,
           stiffer * s.tangential_stiffness,
           stiffer * s.rolling_stiffness,
+          std::sqrt(stiffer) * s.tangential_damping,
+          std::sqrt(stiffer) * s.rolling_damping,
           1.0,
           x};
 }

@@ -38,8 +38,9 @@ class Watch {
   }
 
   /// Whether contacts have to be judged again; `lightest` by type.
-  bool worse(const std::vector<LightestParticle>& lightest, double fastest, double dt) const {
-    if (longer(dt) || fastest > faster * fastest_ || lightest.size() != lightest_.size())
+  bool worse(const std::vector<LightestParticle>& lightest, const RunNumbers& run) const {
+    if (longer(run.dt) || run.fastest > faster * fastest_ || run.crowd > crowd_ ||
+        lightest.size() != lightest_.size())
       return true;
     for (std::size_t type = 0; type < lightest.size(); type++)
       if (less(lightest[type].radius, lightest_[type].radius) ||
@@ -48,10 +49,11 @@ class Watch {
     return false;
   }
 
-  void judged(const std::vector<LightestParticle>& lightest, double fastest, double dt) {
+  void judged(const std::vector<LightestParticle>& lightest, const RunNumbers& run) {
     lightest_ = lightest;
-    fastest_ = fastest;
-    dt_ = dt;
+    fastest_ = run.fastest;
+    dt_ = run.dt;
+    crowd_ = run.crowd;
   }
 
   /// Judges again, whatever is there.
@@ -65,6 +67,7 @@ class Watch {
   std::vector<LightestParticle> lightest_;
   double fastest_ = 0.0;  // [length/time]
   double dt_ = 0.0;       // [time]; 0: nothing was judged
+  Crowd crowd_ = Crowd::pair;
 };
 
 }  // namespace cohesion::advice

@@ -1,7 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "event_stepping/damped_oscillator.h"
+
 namespace cohesion::contact_solver {
+
+/// (w dt)^2 of one discrete spring [1], whose dashpot takes the velocity of half a step before and
+/// counts as stiffness. step [time]; inverse_mass [1/mass]: of the motion that stretches the
+/// spring.
+inline double squared_phase(const event_stepping::GridSpring& spring, double step,
+                            double inverse_mass) {
+  return (spring.stiffness + 2.0 * spring.damping / step) * step * step * inverse_mass;
+}
 
 /// The square of the frequency of what swings fastest in the closest packing of equal spheres over
 /// that of a pair, [1]: along the normals, with springs of friction and of rolling friction.
@@ -12,12 +22,18 @@ namespace cohesion::contact_solver {
 /// that of a pair's sliding; spheres that roll against all their neighbours 8 times. In a plane,
 /// six contacts and spins across it, the sums of cos^2 and sin^2 are 3 and 6.
 ///
-/// Source: derived here.
+/// Source: derived here; docs/theory/contact_steps.md.
 struct ClosestPacking {
   double normal, sliding, rolling;
 
   static ClosestPacking in_space() { return {4.0, 40.0 / 7.0, 8.0}; }
   static ClosestPacking in_plane() { return {3.0, 30.0 / 7.0, 6.0}; }
+
+  /// Whether all of these swings stay steady, from squared_phase() of the springs of a pair. In
+  /// longer steps a packing gains energy without bound.
+  bool is_steady(double of_normal, double of_sliding, double of_rolling) const {
+    return normal * of_normal < 4.0 && sliding * of_sliding + rolling * of_rolling < 4.0;
+  }
 };
 
 }  // namespace cohesion::contact_solver

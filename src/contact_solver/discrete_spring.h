@@ -134,13 +134,6 @@ class DiscreteSpring {
     return step;
   }
 
-  /// (w dt)^2 of the discrete spring by itself, its dashpot counted as stiffness.
-  double frequency_squared() const {
-    if (!is_present()) return 0.0;
-    return (constants_.stiffness + 2.0 * constants_.damping / step_) * step_ * step_ *
-           inverse_mass_;
-  }
-
   /// The effective one of the motion that stretches the spring, [1/mass].
   double inverse_mass() const { return inverse_mass_; }
   /// A spring whose slider has no friction gives no force.

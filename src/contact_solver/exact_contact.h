@@ -6,7 +6,6 @@
 #include <type_traits>
 
 #include "contact/contact_parameters.h"
-#include "contact_solver/closest_packing.h"
 #include "contact_solver/contact_history.h"
 #include "contact_solver/contact_solver.h"
 #include "contact_solver/discrete_spring.h"
@@ -60,20 +59,6 @@ class ExactContact {
   double range() const { return solver_.outer_distance() - bodies_.distance(); }
   /// Whether there is any adhesion; at a well as wide as the contact it has no range.
   bool attracts() const { return range() > 0.0 || solver_.adhesion_energy(0.0) < 0.0; }
-
-  /// Whether discrete springs and dashpots, which take the velocity of half a step before, stay
-  /// steady where each sphere has many of them: (w dt)^2 of each swing must stay below 4. A bed
-  /// gains energy without bound in steps that are longer.
-  ///
-  /// Source: derived here; docs/theory/contact_steps.md.
-  bool is_steady(const ClosestPacking& packing) const {
-    const event_stepping::GridSpring& spring = solver_.spring();
-    const double normal =
-        (spring.stiffness + 2.0 * spring.damping / step_) * step_ * step_ * bodies_.inverse_mass();
-    return packing.normal * normal < 4.0 && packing.sliding * sliding_.frequency_squared() +
-                                                    packing.rolling * rolling_.frequency_squared() <
-                                                4.0;
-  }
 
   /// Whether a pair that stands at this distance [length] is in range, where nothing is known of
   /// how it came there.

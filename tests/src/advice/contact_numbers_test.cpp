@@ -57,6 +57,47 @@ TEST(ContactNumbers, StableStepIsWhereLeapfrogBlowsUp) {
   }
 }
 
+TEST(ContactNumbers, SteadyStepOfElasticSpringsIsThatOfTheClosedForm) {
+  // (w dt)^2 = 4 sin^2(w0 dt/2) of a pair. In space, normal springs allow sin^2 < 1/4, dt < t_c/3;
+  // sliding ones, with w_t = w0 sqrt(7/2 K_t/K), sin^2 < 7/40. In a plane 1/3 and 7/30.
+  using contact_solver::ClosestPacking;
+  for (const bool plane : {false, true})
+    for (const double ratio : {0.0, 2.0 / 7.0, 1.0}) {
+      PairParameters p = thesis_pair();
+      p.damping = 0.0;
+      p.tangential_stiffness = ratio * p.stiffness;
+      const double normal = std::asin(std::sqrt(plane ? 1.0 / 3.0 : 0.25));
+      const double sliding = std::asin(std::sqrt(plane ? 7.0 / 30.0 : 7.0 / 40.0));
+      const double half_phase =
+          ratio > 0.0 ? std::min(normal, sliding / std::sqrt(3.5 * ratio)) : normal;
+      const double w0 = std::sqrt(p.stiffness / (0.5 * p.mass_i));
+      EXPECT_NEAR(ContactNumbers(p).steady_step(plane ? ClosestPacking::in_plane()
+                                                      : ClosestPacking::in_space()),
+                  2.0 * half_phase / w0, 1e-12 / w0)
+          << plane << " " << ratio;
+    }
+}
+
+TEST(ContactNumbers, SteadyStepOfDampedSpringsIsWhereASphereBetweenTwelveOthersSwingsUp) {
+  // One sphere that swings against all neighbours: discrete springs of 4 times the pair's.
+  for (const double e : {0.9, 0.5, 0.3}) {
+    PairParameters p = thesis_pair();
+    const double mu = 0.5 * p.mass_i;
+    p.damping = contact::LinearSpringDashpot::from_restitution(p.stiffness, e, mu).damping();
+    const double limit = ContactNumbers(p).steady_step(contact_solver::ClosestPacking::in_space());
+    for (const double off : {-1e-3, 1e-3}) {
+      const double dt = limit * (1.0 + off);
+      const auto spring = event_stepping::spring_on_grid(p.stiffness, p.damping, mu, dt);
+      double x = 1.0, step = 0.0;  // step: v dt
+      for (int n = 0; n < 100000 && std::abs(x) < 1e6; n++) {
+        step -= 4.0 * dt / mu * (spring.stiffness * dt * x + spring.damping * step);
+        x += step;
+      }
+      EXPECT_EQ(std::abs(x) < 1e6, off < 0.0) << e;
+    }
+  }
+}
+
 TEST(ContactNumbers, WallIsAPartnerOfInfiniteMass) {
   PairParameters p = thesis_pair();
   p.radius_j = p.mass_j = std::numeric_limits<double>::infinity();

@@ -49,6 +49,31 @@ TEST(ContactReport, WarnsAndStopsWithTheNameOfTheContact) {
   EXPECT_EQ(report("a style", sampled_scheme, {pair()}, large).stop.find("a style, 1 - 1: "), 0u);
 }
 
+TEST(ContactReport, StepsBeyondTheSteadyOneStopWhereAParticleHasSeveralContacts) {
+  AdvisedContact damped = pair();
+  damped.adhesion = {};
+  damped.springs.damping =
+      contact::LinearSpringDashpot::from_restitution(800.0, 0.5, damped.reduced_mass()).damping();
+  // The limit is 4.3 contact times of the undamped spring, 9.25e-5 s.
+  RunNumbers numbers{0.1, 0.0, 9.25e-5 / 4.2};
+  const auto report_of = [&](Crowd crowd) {
+    numbers.crowd = crowd;
+    return report("a style", event_scheme, {damped}, numbers);
+  };
+  EXPECT_EQ(report_of(Crowd::pair).stop, "");
+  EXPECT_TRUE(report_of(Crowd::pair).warnings.empty());
+  EXPECT_EQ(report_of(Crowd::separate).stop, "");
+  ASSERT_EQ(report_of(Crowd::separate).warnings.size(), 1u);
+  EXPECT_EQ(report_of(Crowd::separate).warnings[0].subject, Subject::steadiness);
+  const std::string stop = report_of(Crowd::several).stop;
+  EXPECT_NE(stop.find("gain energy without bound: reduce it to 2.1"), std::string::npos) << stop;
+  numbers.plane = true;  // 3.5 steps
+  EXPECT_EQ(report_of(Crowd::several).stop, "");
+  numbers = {0.1, 0.0, 9.25e-5 / 4.4, 0.0, Crowd::several};
+  EXPECT_EQ(report_of(Crowd::several).stop, "");
+  EXPECT_EQ(report("a style", sampled_scheme, {damped}, numbers).stop, "");
+}
+
 TEST(ContactReport, ADoubtStandsBeforeTheStiffnessThatWouldBearTheAdhesion) {
   AdvisedContact strong = pair();
   strong.adhesion.force *= 1e4;

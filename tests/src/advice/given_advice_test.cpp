@@ -126,24 +126,33 @@ TEST(Watch, SeesLighterSmallerAndFasterParticlesAndLongerSteps) {
   constexpr double none = std::numeric_limits<double>::infinity();
   Watch watch;
   const std::vector<LightestParticle> usual{{none, none}, {1.0, 1.0}, {none, none}};
-  EXPECT_TRUE(watch.worse(usual, 0.0, 1.0));
-  watch.judged(usual, 1.0, 1.0);
-  EXPECT_FALSE(watch.worse(usual, 2.0, 1.0));
-  EXPECT_FALSE(watch.worse({{none, none}, {2.0, 2.0}, {none, none}}, 0.0, 0.5));
-  EXPECT_TRUE(watch.worse(usual, 2.1, 1.0));
-  EXPECT_TRUE(watch.worse(usual, 1.0, 1.1));
-  EXPECT_FALSE(watch.worse({{none, none}, {0.9995, 0.9995}, {none, none}}, 1.0, 1.0005));
-  EXPECT_TRUE(watch.worse({{none, none}, {0.998, 1.0}, {none, none}}, 1.0, 1.0));
-  EXPECT_TRUE(watch.worse(usual, 1.0, 1.002));
-  EXPECT_TRUE(watch.worse({{none, none}, {1.0, 0.9}, {none, none}}, 1.0, 1.0));
-  EXPECT_TRUE(watch.worse({{none, none}, {0.9, 1.0}, {none, none}}, 1.0, 1.0));
-  EXPECT_TRUE(watch.worse({{none, none}, {1.0, 1.0}, {5.0, none}}, 1.0, 1.0));
+  EXPECT_TRUE(watch.worse(usual, {0.0, 0.0, 1.0}));
+  watch.judged(usual, {1.0, 0.0, 1.0});
+  EXPECT_FALSE(watch.worse(usual, {2.0, 0.0, 1.0}));
+  EXPECT_FALSE(watch.worse({{none, none}, {2.0, 2.0}, {none, none}}, {0.0, 0.0, 0.5}));
+  EXPECT_TRUE(watch.worse(usual, {2.1, 0.0, 1.0}));
+  EXPECT_TRUE(watch.worse(usual, {1.0, 0.0, 1.1}));
+  EXPECT_FALSE(watch.worse({{none, none}, {0.9995, 0.9995}, {none, none}}, {1.0, 0.0, 1.0005}));
+  EXPECT_TRUE(watch.worse({{none, none}, {0.998, 1.0}, {none, none}}, {1.0, 0.0, 1.0}));
+  EXPECT_TRUE(watch.worse(usual, {1.0, 0.0, 1.002}));
+  EXPECT_TRUE(watch.worse({{none, none}, {1.0, 0.9}, {none, none}}, {1.0, 0.0, 1.0}));
+  EXPECT_TRUE(watch.worse({{none, none}, {0.9, 1.0}, {none, none}}, {1.0, 0.0, 1.0}));
+  EXPECT_TRUE(watch.worse({{none, none}, {1.0, 1.0}, {5.0, none}}, {1.0, 0.0, 1.0}));
+}
+
+TEST(Watch, SeesThatParticlesHaveMoreNeighbours) {
+  Watch watch;
+  const auto run = [](Crowd crowd) { return RunNumbers{1.0, 0.0, 1.0, 0.0, crowd}; };
+  watch.judged({}, run(Crowd::separate));
+  EXPECT_FALSE(watch.worse({}, run(Crowd::pair)));
+  EXPECT_FALSE(watch.worse({}, run(Crowd::separate)));
+  EXPECT_TRUE(watch.worse({}, run(Crowd::several)));
 }
 
 TEST(Watch, LooksWhereListStepOrParticlesMayBeOthers) {
   Watch watch;
   watch.set_up({10});
-  watch.judged({}, 0.0, 1.0);
+  watch.judged({}, {0.0, 0.0, 1.0});
   EXPECT_FALSE(watch.may_differ(false, 5, 1.0));
   EXPECT_TRUE(watch.may_differ(true, 5, 1.0));
   EXPECT_TRUE(watch.may_differ(false, 5, 1.1));

@@ -161,30 +161,4 @@ TEST(ContactEdges, AWallIsTheLimitOfALargeSphere) {
   }
 }
 
-TEST(ContactEdges, DiscreteSpringsAreSteadyUpToTheStepsOfTheClosedForm) {
-  // Of the elastic spring, (w dt)^2 = 4 sin^2(w0 dt/2) of a pair. In space, normal springs allow
-  // sin^2 < 1/4, dt < t_c/3; sliding ones, with w_t = w0 sqrt(7/2 K_t/K), sin^2 < 7/40. In a plane
-  // 1/3 and 7/30.
-  const auto steps_at_least = [](double ratio, bool plane, double friction) {
-    const double normal = std::asin(std::sqrt(plane ? 1.0 / 3.0 : 0.25));
-    const double sliding =
-        std::asin(std::sqrt(plane ? 7.0 / 30.0 : 7.0 / 40.0)) / std::sqrt(3.5 * ratio);
-    return 0.5 * pi / (friction > 0.0 ? std::min(normal, sliding) : normal);
-  };
-  for (const bool plane : {false, true})
-    for (const double friction : {0.0, 0.3})
-      for (const double ratio : {2.0 / 7.0, 1.0})
-        for (const double off : {-1e-9, 1e-9}) {
-          contact::ContactParameters p = thesis::elastic();
-          p.friction = friction;
-          p.tangential_ratio = ratio;
-          const double time = contact::normal_contact(p, thesis::reduced_mass).contact_time();
-          const double dt = time / (steps_at_least(ratio, plane, friction) * (1.0 + off));
-          const ExactContact<ContactSolver> law(p, {}, thesis::particle(), thesis::particle(), dt);
-          EXPECT_EQ(law.is_steady(plane ? ClosestPacking::in_plane() : ClosestPacking::in_space()),
-                    off > 0.0)
-              << plane << " " << friction << " " << ratio;
-        }
-}
-
 }  // namespace cohesion::contact_solver
