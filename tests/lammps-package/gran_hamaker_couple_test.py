@@ -88,7 +88,7 @@ class HeadOn(unittest.TestCase):
                     atoms += couples.couple(len(atoms) // 2,
                                             1e-7 + speed * dt * position / POSITIONS,
                                             (0.0, speed, 0.0))
-            end = couples.run(atoms, ["* * " + Pair().words()], dt, int(4 * division), skin=2e-3)[0][-1]
+            end = couples.run(atoms, ["* * " + Pair().words()], dt, int(4 * division))[0][-1]
             out = relative(end)[:, 4].reshape(len(speeds), POSITIONS)
             error = numpy.abs(out / numpy.array(speeds)[:, None] / restitution - 1)
             report(f"restitution at t_c/{division}, speeds {speeds}: errors {error.max(axis=1)}")
