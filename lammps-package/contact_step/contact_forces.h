@@ -80,7 +80,7 @@ class ContactForces {
     if (is_own(j)) push(j, does.action.impulse, does.action.torque_j);
     if (dot(does.at_edge, does.at_edge) > 0.0) exclude(c, i, j, kick_ * does.at_edge);
     if (does.unresolved) step_->count_unresolved(owned_fraction(j));
-    if (step_->energy_tally.is_active()) tally(c, i, j, *energies);
+    if (step_->energy_tally.is_active()) tally(i, j, kick_ * does.friction, *energies);
     return does;
   }
 
@@ -102,23 +102,16 @@ class ContactForces {
     if (is_own(j) && c.bodies().inverse_mass_j() > 0.0) step_->add_impulsive_force(j, on_j);
   }
 
-  void tally(const Contact& c, int i, int j, const ContactEnergies& energies) const {
+  void tally(int i, int j, const Vector3& friction, const ContactEnergies& energies) const {
     ContactEnergyTally& tally = step_->energy_tally;
     const double fraction = owned_fraction(j);
-    tally.store(fraction, energies.stored);
+    tally.store(fraction, energies);
     tally.add_losses(fraction, energies.before, 0.0);
     tally.add_losses(fraction, energies.after, 1.0);
-    const Action& a = energies.to_truth;
-    change(tally.pending()[i], c.bodies().inverse_mass_i(), -a.impulse,
-           c.bodies().inverse_inertia_i(), a.torque_i);
-    if (j >= 0)
-      change(tally.pending()[j], c.bodies().inverse_mass_j(), a.impulse,
-             c.bodies().inverse_inertia_j(), a.torque_j);
-  }
-  static void change(double* to, double inverse_mass, const Vector3& impulse,
-                     double inverse_inertia, const Vector3& turn) {
-    add(to, inverse_mass, impulse);
-    add(to + 3, inverse_inertia, turn);
+    if constexpr (SIZE >= ContactHistory::with_friction) {
+      tally.add_friction(i, -friction);
+      if (is_own(j)) tally.add_friction(j, friction);
+    }
   }
 
   FixEventStep* step_;

@@ -23,10 +23,10 @@ using cohesion::Vector3;
 static constexpr char ID[] = "COHESION_EVENT_STEP";
 static constexpr char PLACE[] = "COHESION_EVENT_STEP_PLACE";
 
-// What the next run needs of a particle: forces, torques, what the tally saves, forces of impulses,
-// and what AlteredParticles compares with, where they begin.
-static constexpr int TORQUE = 3, NOTED = 6, IMPULSIVE = NOTED + ContactEnergyTally::OF_PARTICLE,
-                     PARTICLE = IMPULSIVE + 3, LAST = PARTICLE + AlteredParticles::SAVED;
+// What the next run needs of a particle: forces, torques, forces of impulses, and what
+// AlteredParticles compares with, where they begin.
+static constexpr int TORQUE = 3, IMPULSIVE = 6, PARTICLE = IMPULSIVE + 3,
+                     LAST = PARTICLE + AlteredParticles::SAVED;
 
 static void put(const Vector3& a, double* values) {
   values[0] = a.x;
@@ -124,10 +124,7 @@ void FixEventStep::setup_pre_force(int) {
   update_particles();
   update_readers();
   advise_if_due(true);
-  if (energy_tally.is_active()) {
-    for (int i = 0; i < atom->nlocal; i++) energy_tally.restore_motion(i, last.of(i) + NOTED);
-    energy_tally.reset_normal();
-  }
+  if (energy_tally.is_active()) energy_tally.reset_normal();
   find_altered();
   for (SoftContactStyle* some : styles) some->continue_run();
   altered.forget();
@@ -165,13 +162,11 @@ void FixEventStep::follow_renumbering() {
 void FixEventStep::setup(int) {
   post_force(0);
   if (idle) impulses.disable();
-  constexpr double none[ContactEnergyTally::OF_PARTICLE] = {};
-  if (energy_tally.is_active() && starting)
-    for (int i = 0; i < atom->nlocal; i++) energy_tally.restore_motion(i, none);
 }
 
 void FixEventStep::initial_integrate(int) {
   running = true;  // a run without set-up begins here
+  if (starting && !idle && energy_tally.is_active()) tally_work(true);
   starting = false;
   if (energy_tally.is_active() && !tallies_begun) {
     // They begin with what there is before this step.
@@ -279,16 +274,20 @@ void FixEventStep::update_readers() {
 }
 
 void FixEventStep::end_of_step() {
-  if (idle || !energy_tally.is_active()) return;
+  if (!idle && energy_tally.is_active()) tally_work(false);
+}
+
+/// The work of the forces of this time level: of all but those of contacts, and gravity, and of
+/// friction.
+void FixEventStep::tally_work(bool starts) {
   const double half = 0.5 * forces_dt;  // the next step may be another by now
-  for (int i = 0; i < atom->nlocal; i++)
-    energy_tally.end_step(i, body(i), half * impulses.force(i), half * impulses.torque(i));
   const std::vector<double> weight = weights(lmp);
-  double power = 0.0;  // of all forces but those of contacts, and gravity
   for (int i = 0; i < atom->nlocal; i++)
     if (inverse_mass[i] != 0.0)
-      power += dot(impulses.other_force(i) - vector(&weight[3 * i]), energy_tally.true_velocity(i));
-  energy_tally.add_work(forces_dt * power);
+      energy_tally.end_step(i, body(i),
+                            {vector(atom->f[i]), impulses.force(i), vector(&weight[3 * i]),
+                             vector(atom->torque[i]), impulses.torque(i)},
+                            half, starts);
 }
 
 void FixEventStep::post_run() {
@@ -310,7 +309,6 @@ void FixEventStep::post_run() {
 void FixEventStep::save_last(int i, double* values) const {
   std::copy_n(atom->f[i], 3, values);
   std::copy_n(atom->torque[i], 3, values + TORQUE);
-  energy_tally.save_motion(i, values + NOTED);
   put(impulsive_forces[i], values + IMPULSIVE);
   altered.save(i, values + PARTICLE);
 }

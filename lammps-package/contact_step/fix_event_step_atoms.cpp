@@ -146,7 +146,7 @@ int FixEventStep::unpack_exchange(int i, double* buf) {
 
 // Numbers of a restart file in front of the tally's: its layout, the step, and whether the tally
 // is not known.
-static constexpr int LAYOUT = 5, HEAD = 3;
+static constexpr int LAYOUT = 6, HEAD = 3;
 static constexpr int OF_RESTART =
     HEAD + static_cast<int>(std::tuple_size_v<ContactEnergyTally::Totals>);
 
@@ -194,6 +194,5 @@ double FixEventStep::memory_usage() {
   return sizeof(double) * atom->nmax + impulses.bytes() + static_cast<double>(flagged.capacity()) +
          sizeof(double) * (known_masses.capacity() + known_radii.capacity()) +
          sizeof(cohesion::Vector3) * impulsive_forces.capacity() +
-         sizeof(int) * given_impulses.capacity() + accelerations.bytes() + last.bytes() +
-         energy_tally.bytes();
+         sizeof(int) * given_impulses.capacity() + accelerations.bytes() + last.bytes();
 }

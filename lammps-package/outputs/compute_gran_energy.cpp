@@ -44,9 +44,13 @@ void ComputeGranEnergy::add_sums(double* entries, double factor) const {
   const ContactEnergyTally::Sums& sums = step->energy_tally.sums();
   entries[NORMAL_DAMPING] += factor * sums.lost.normal_damping;
   entries[TANGENTIAL_DAMPING] += factor * sums.lost.tangential_damping;
-  entries[FRICTION] += factor * sums.lost.friction;
+  // What friction takes from the motion goes into springs, dashpots and sliding.
+  entries[FRICTION] -=
+      factor * (sums.friction_work + sums.stored.tangential_spring + sums.stored.rolling_spring +
+                sums.lost.tangential_damping + sums.lost.rolling);
   entries[ROLLING] += factor * sums.lost.rolling;
   entries[EXTERNAL_WORK] += factor * sums.external_work;
+  entries[SPRING] += factor * sums.exchanged;
 }
 
 void ComputeGranEnergy::compute_vector() {
@@ -60,8 +64,8 @@ void ComputeGranEnergy::begin_run() {
     error->warning(
         FLERR,
         "compute {} gran/energy: the last run ended early, with a step of which energies "
-        "are not known: the first line has kinetic energies of the grid and no energies "
-        "of springs in the plane of contact, and entry 10 has that error from then on; "
+        "are not known: the first line has no energies of springs in the plane of "
+        "contact, and entry 10 has that error from then on; "
         "define the compute before a run that may end early",
         id);
   work_out();
@@ -80,19 +84,18 @@ void ComputeGranEnergy::work_out() {
   std::copy_n(before, static_cast<int>(ENTRIES), mine);
   add_sums(mine, 1.0);
   const std::vector<double> weight = weights(lmp);
-  // Of the true motion at the grid point.
   for (int i = 0; i < atom->nlocal; i++) {
     const auto body = step->body(i);
     if (body.inverse_mass == 0.0) continue;
     const double inverse_inertia = cohesion::event_stepping::inverse_inertia(body);
     double place[3];
     domain->unmap(atom->x[i], atom->image[i], place);
-    add_body(mine, 1.0 / body.inverse_mass, 1.0 / inverse_inertia,
-             step->energy_tally.true_velocity(i), step->energy_tally.true_spin(i),
-             cohesion::vector(&weight[3 * i]), cohesion::vector(place));
+    add_body(mine, 1.0 / body.inverse_mass, 1.0 / inverse_inertia, cohesion::vector(atom->v[i]),
+             cohesion::vector(atom->omega[i]), cohesion::vector(&weight[3 * i]),
+             cohesion::vector(place));
   }
   const cohesion::event_stepping::StoredEnergies& contacts = step->energy_tally.sums().stored;
-  mine[SPRING] = contacts.spring;
+  mine[SPRING] += contacts.spring + contacts.load;
   mine[TANGENTIAL_SPRING] = contacts.tangential_spring;
   mine[ADHESION] = contacts.adhesion;
   mine[ROLLING_SPRING] = contacts.rolling_spring;

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-only
 #include "contact_energy_tally.h"
 
-#include <algorithm>
-
 #include "atom.h"
-#include "memory.h"
 #include "output.h"
 #include "update.h"
 
@@ -13,51 +10,37 @@ using namespace cohesion::event_stepping;
 using cohesion::vector;
 using cohesion::Vector3;
 
-static constexpr int MOTION = ContactEnergyTally::OF_PARTICLE;
-
-static void put(const Vector3& a, double* values) {
-  values[0] = a.x;
-  values[1] = a.y;
-  values[2] = a.z;
-}
-
 static void add(ContactLosses& to, double factor, const ContactLosses& lost) {
   to.normal_damping += factor * lost.normal_damping;
   to.tangential_damping += factor * lost.tangential_damping;
-  to.friction += factor * lost.friction;
   to.rolling += factor * lost.rolling;
 }
 
 ContactEnergyTally::ContactEnergyTally(LAMMPS* lammps)
     : Pointers(lammps), readers_(std::make_shared<char>()) {}
 
-ContactEnergyTally::~ContactEnergyTally() {
-  memory->destroy(pending_);
-  memory->destroy(to_truth_);
-}
-
 void ContactEnergyTally::update_readers() {
   const bool ends = update->ntimestep == update->laststep ||
                     (output->restart_flag && update->ntimestep == output->next_restart);
   active_ = ends || has_readers();
-  if (!active_ || room_ == atom->nmax) return;
-  room_ = atom->nmax;
-  memory->grow(pending_, atom->nmax, MOTION, "contact_energy_tally:pending");
-  memory->grow(to_truth_, atom->nmax, MOTION, "contact_energy_tally:to_truth");
 }
 
 void ContactEnergyTally::begin_step() {
   if (!active_) return;
   add(now_.lost, 1.0, later_.lost);
   now_.external_work += later_.external_work;
+  now_.friction_work += later_.friction_work;
+  friction_.assign(atom->nlocal, {});
   later_ = {};
   now_.stored = {};
-  for (int i = 0; i < atom->nlocal + atom->nghost; i++) std::fill_n(pending_[i], MOTION, 0.0);
 }
 
-void ContactEnergyTally::store(double fraction, const StoredEnergies& stored) {
+void ContactEnergyTally::store(double fraction, const ContactEnergies& energies) {
+  const StoredEnergies& stored = energies.stored;
+  now_.exchanged += fraction * energies.exchanged;
   now_.stored.tangential_spring += fraction * stored.tangential_spring;
   now_.stored.rolling_spring += fraction * stored.rolling_spring;
+  now_.stored.load += fraction * stored.load;
   store_normal(fraction, stored);
 }
 
@@ -80,31 +63,40 @@ void ContactEnergyTally::add_work(double done) {
   later_.external_work += 0.5 * done;
 }
 
-void ContactEnergyTally::end_step(int i, const Body& body, const Vector3& pushed,
-                                  const Vector3& turned) {
-  std::fill_n(to_truth_[i], MOTION, 0.0);
-  if (body.inverse_mass == 0.0) return;
-  put(vector(pending_[i]) - body.inverse_mass * pushed, to_truth_[i]);
-  put(vector(pending_[i] + 3) - inverse_inertia(body) * turned, to_truth_[i] + 3);
+void ContactEnergyTally::add_friction_work(double done) {
+  if (!active_) return;
+  now_.friction_work += 0.5 * done;
+  later_.friction_work += 0.5 * done;
 }
 
-Vector3 ContactEnergyTally::true_velocity(int i) const {
-  return vector(atom->v[i]) + vector(to_truth_[i]);
-}
-
-Vector3 ContactEnergyTally::true_spin(int i) const {
-  return vector(atom->omega[i]) + vector(to_truth_[i] + 3);
-}
-
-void ContactEnergyTally::save_motion(int i, double* values) const {
-  if (active_)
-    std::copy_n(to_truth_[i], MOTION, values);
-  else
-    std::fill_n(values, MOTION, 0.0);
-}
-
-void ContactEnergyTally::restore_motion(int i, const double* values) {
-  std::copy_n(values, MOTION, to_truth_[i]);
+void ContactEnergyTally::end_step(int i, const Body& body, const Forces& forces, double half,
+                                  bool starts) {
+  const Vector3 v = vector(atom->v[i]), spin = vector(atom->omega[i]);
+  const Vector3 kick = (half * body.inverse_mass) * forces.all;
+  const Vector3 turn = (half * inverse_inertia(body)) * forces.torque;
+  const Vector3 friction = friction_[i];
+  const Vector3 others = forces.all - forces.of_contacts - forces.weight;
+  if (starts) {
+    const Vector3 mean = v + 0.5 * kick;
+    later_.external_work += half * dot(others, mean);
+    later_.friction_work +=
+        half * (dot(friction, mean) + dot(forces.of_contacts_torque, spin + 0.5 * turn));
+    return;
+  }
+  now_.external_work += half * dot(others, v - kick);
+  later_.external_work += half * dot(others, v + kick);
+  now_.friction_work +=
+      half * (dot(friction, v - kick) + dot(forces.of_contacts_torque, spin - turn));
+  later_.friction_work +=
+      half * (dot(friction, v + kick) + dot(forces.of_contacts_torque, spin + turn));
+  // Work is beside 1/2 m v_(n-1/2) v_(n+1/2), the engine has v_n = (v_(n-1/2) + v_(n+1/2))/2.
+  // Without contacts nothing is stored.
+  const auto part = [](const Vector3& all, const Vector3& of_contacts) {
+    return dot(2.0 * all - of_contacts, of_contacts);
+  };
+  now_.stored.load -= 0.5 * half * half *
+                      (body.inverse_mass * part(forces.all, forces.of_contacts) +
+                       inverse_inertia(body) * part(forces.torque, forces.of_contacts_torque));
 }
 
 ContactEnergyTally::Totals ContactEnergyTally::totals() const {
@@ -113,16 +105,19 @@ ContactEnergyTally::Totals ContactEnergyTally::totals() const {
           now_.stored.rolling_spring,
           lost.normal_damping,
           lost.tangential_damping,
-          lost.friction,
           lost.rolling,
-          later_.external_work};
+          later_.friction_work,
+          later_.external_work,
+          now_.stored.load,
+          now_.exchanged};
 }
 
 void ContactEnergyTally::restore_totals(const Totals& all) {
   now_.stored.tangential_spring = all[0];
   now_.stored.rolling_spring = all[1];
-  later_.lost = {all[2], all[3], all[4], all[5]};
+  later_.lost = {all[2], all[3], all[4]};
+  later_.friction_work = all[5];
   later_.external_work = all[6];
+  now_.stored.load = all[7];
+  now_.exchanged = all[8];
 }
-
-double ContactEnergyTally::bytes() const { return 2.0 * MOTION * sizeof(double) * room_; }

@@ -4,15 +4,16 @@
 
 #include <array>
 #include <memory>
+#include <vector>
 
 #include "event_stepping/pair_motion.h"
 #include "pointers.h"
 
 namespace LAMMPS_NS {
 
-/// Energies that contacts store at the time level and have lost before it, and the true motion
-/// there, of one process. It is active while somebody reads it, who subtracts what was there
-/// before, and in steps that a later run may continue from.
+/// Energies that contacts store at the time level and have lost before it, of one process. It is
+/// active while somebody reads it, who subtracts what was there before, and in steps that a later
+/// run may continue from.
 class ContactEnergyTally : protected Pointers {
  public:
   using Reader = std::shared_ptr<const void>;
@@ -21,12 +22,11 @@ class ContactEnergyTally : protected Pointers {
     cohesion::event_stepping::StoredEnergies stored{};
     cohesion::event_stepping::ContactLosses lost{};  ///< so far
     double external_work = 0.0;  ///< of other forces but gravity, and moving walls; so far
+    double friction_work = 0.0;  ///< of friction and rolling friction on the particles; so far
+    double exchanged = 0.0;      ///< part of stored.load (ContactEnergies); so far
   };
 
   explicit ContactEnergyTally(LAMMPS*);
-  ~ContactEnergyTally() override;
-  ContactEnergyTally(const ContactEnergyTally&) = delete;
-  ContactEnergyTally& operator=(const ContactEnergyTally&) = delete;
 
   /// What a reader holds as long as the tally is to be active.
   [[nodiscard]] Reader add_reader() const { return readers_; }
@@ -38,44 +38,39 @@ class ContactEnergyTally : protected Pointers {
   void update_readers();
   /// Begins a new time level: losses after the last one are losses before this one.
   void begin_step();
-  /// Adds what a contact stores, `fraction` of it.
-  void store(double fraction, const cohesion::event_stepping::StoredEnergies&);
+  /// Adds what a contact stores and has exchanged, `fraction` of it.
+  void store(double fraction, const cohesion::event_stepping::ContactEnergies&);
   /// Where a run goes on from the forces of the last one, what springs in the plane of contact
   /// store is known: the energies of normal springs and adhesion are set to 0 and added again.
   void reset_normal();
   void store_normal(double fraction, const cohesion::event_stepping::StoredEnergies&);
   /// Adds what a contact loses, `fraction` of it, of which `later` is after the time level.
   void add_losses(double fraction, const cohesion::event_stepping::ContactLosses&, double later);
-  /// Adds work of other forces in the step around the time level.
+  /// Adds work of other forces, or of friction, in the step around the time level.
   void add_work(double done);
+  void add_friction_work(double done);
+  /// Adds a force of sliding friction on particle i of this process.
+  void add_friction(int i, const cohesion::Vector3& on_it) { friction_[i] += on_it; }
 
-  /// Per atom and ghost: pending corrections of all contacts, three numbers from the staggered to
-  /// the true velocity and three of the spin.
-  double** pending() const { return pending_; }
-  /// Ends the step of a particle: `pushed` and `turned` are the impulse and angular impulse of
-  /// contacts that are in the engine's velocities by then.
-  void end_step(int i, const cohesion::event_stepping::Body&, const cohesion::Vector3& pushed,
-                const cohesion::Vector3& turned);
-  /// The true motion of a particle after end_step().
-  cohesion::Vector3 true_velocity(int i) const;
-  cohesion::Vector3 true_spin(int i) const;
+  /// What acts on a particle at a time level.
+  struct Forces {
+    cohesion::Vector3 all, of_contacts, weight;
+    cohesion::Vector3 torque, of_contacts_torque;
+  };
+  /// Ends the step of particle i, of which `half` [time] is half: adds the work of its forces. The
+  /// engine has v_n and spins of the time level. starts: the first step of a run, half of one.
+  void end_step(int i, const cohesion::event_stepping::Body&, const Forces&, double half,
+                bool starts);
 
-  /// What a later run needs to go on: of a particle, six numbers; of all particles, seven.
-  static constexpr int OF_PARTICLE = 6;
-  using Totals = std::array<double, 7>;
-  void save_motion(int i, double* values) const;
-  void restore_motion(int i, const double* values);
+  /// What a later run needs to go on.
+  using Totals = std::array<double, 10>;
   Totals totals() const;
   void restore_totals(const Totals&);
 
-  double bytes() const;
-
  private:
   bool active_ = false;
-  Sums now_, later_;  // later_: after the time level
-  int room_ = 0;      // of both arrays, in particles
-  double** pending_ = nullptr;
-  double** to_truth_ = nullptr;  // from the engine's velocity and spin at the end of the step
+  Sums now_, later_;                         // later_: after the time level
+  std::vector<cohesion::Vector3> friction_;  // on each particle, [force]
   Reader readers_;
 };
 

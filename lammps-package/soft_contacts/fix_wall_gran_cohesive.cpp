@@ -305,6 +305,7 @@ void FixWallGranCohesive<Cohesion>::compute_contact(
   known.store(near.history, SIZE);
   const Vector3& impulse = does.action.impulse;
   step->energy_tally.add_work(-dot(near.wall_velocity, impulse));
+  step->energy_tally.add_friction_work(dot(near.wall_velocity, does.friction));
   const double kick = contact_forces.kick();
   forces.add(near.wall, kick * impulse, kick * (impulse - c.by_contact(now, does)));
 }

@@ -114,11 +114,28 @@ class ContactSolver {
     return spring_.stiffness * (contact_distance_ - now.distance) -
            spring_.damping * now.mean_rate(step_) + (adhesion_ - attraction_);
   }
-  /// What the dashpot of a persistent contact takes between two time levels, from the mean rates
-  /// before and after the first one, [energy].
-  double lost(double before, double after) const {
-    return account_.dissipated(before, after) +
-           0.5 * spring_.damping * step_ * after * (before + after);
+  /// The energy of spring and adhesion by the energy account, less that of their laws: staggered
+  /// velocities have another kinetic energy than the true motion, under a load the discrete spring
+  /// is less stiff, and other forces are known a step late. `force` [force]: at this time level. It
+  /// contains the sum of exchanged(), which all contacts together only pass to each other.
+  double account_energy(const StaggeredMotion& now, double external, double force,
+                        const ContactState& state) const {
+    if (state.is_outside()) return -account_.work(force, now);
+    const double r = account_.up_to(now, state) +
+                     account_.exchanged(lasting_force(state), external, state) +
+                     account_.work(force, now);
+    return -r - stored(now, state.in_range());
+  }
+  double exchanged(double external, const ContactState& state) const {
+    return state.is_outside() ? 0.0 : account_.exchanged(lasting_force(state), external, state);
+  }
+  /// What the dashpot has dissipated since the last time level, as far as it is known only now,
+  /// [energy].
+  double dissipated(const StaggeredMotion& now, const ContactState& state) const {
+    if (state.phase != ContactState::persistent) return account_.dissipated_late(now, state);
+    const double rate = now.mean_rate(step_);
+    return account_.dissipated(state.last_rate, rate) +
+           0.5 * spring_.damping * step_ * rate * (state.last_rate + rate);
   }
 
   double spring_energy(double overlap) const { return motion_.spring_energy(overlap); }
@@ -201,10 +218,11 @@ class ContactSolver {
     state.force_before = lasting_force(before);
     state.external_before = external;
     state.contact_time = step.normal.contact_time;
+    step.dissipated = account_.resolved(step.normal.dissipated, state.contact_time, staggered);
     state.account = account +
                     (first ? account_.work_of_first_force(step.force, at, mean)
                            : account_.work(step.force, at)) +
-                    account_.resolved(step.normal.dissipated, state.contact_time, staggered);
+                    step.dissipated;
     // What the discrete force does later or earlier than the motion counts as the spring's.
     const double true_force = reduced_mass_ * ((now.radial - start.radial) / step_ - load);
     step.repulsion = step.normal.repulsion_impulse / step_ + step.force - true_force;

@@ -112,6 +112,8 @@ struct ContactState {
 struct ContactStep {
   double force = 0.0;      ///< away from the partner, mean over the step, [force]
   double repulsion = 0.0;  ///< the part of spring and dashpot, [force]
+  /// In a resolved step, as far as it is known before the next time level, [energy].
+  double dissipated = 0.0;
   event_stepping::NormalRecord normal{};
 };
 

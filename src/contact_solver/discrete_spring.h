@@ -33,20 +33,14 @@ class DiscreteSpring {
         step_(step),
         inverse_mass_(inverse_mass) {}
 
-  /// What a spring, dashpot and slider lose, [energy].
-  struct Losses {
-    double damped = 0.0;
-    double friction = 0.0;
-  };
-
   /// Impulse at the time level of a persistent contact. `rate` [length/time]: staggered velocity of
   /// the surfaces; repulsion [force]: of normal spring and dashpot; persisted: the contact was
   /// persistent in the last step, too; after a resolved step half of its impulse is pending. Sets
-  /// `slips`, and `losses` of the last step unless null.
+  /// `slips`.
   [[gnu::always_inline]] Vector3 advance_persistent(const contact::Plane& plane,
                                                     const Vector3& rate, double repulsion,
-                                                    bool persisted, State& state, bool& slips,
-                                                    Losses* losses) const {
+                                                    bool persisted, State& state,
+                                                    bool& slips) const {
     const Vector3 turned = plane.turned_into(state.stretch);
     const Vector3 stretched = turned + step_ * rate;
     // A resolved step has slipped already, and does not stretch by the whole rate.
@@ -64,57 +58,38 @@ class DiscreteSpring {
       if (persisted && constants_.stiffness + drag > 0.0)
         s = (1.0 / (constants_.stiffness + drag)) * (drag * before - force);
     }
-    const Vector3 impulse = step_ * force;
-    const Vector3 mean = 0.5 * (state.impulse + impulse);
-    if (losses) {
-      const double work = persisted ? -dot(mean, rate) : 0.0;
-      const double lost = work + law_.stored_energy(before) - law_.stored_energy(s);
-      losses->damped = slips ? constants_.damping / step_ * dot(s - before, s - before) : lost;
-      losses->friction = lost - losses->damped;
-    }
+    const Vector3 impulse = persisted ? step_ * force : 0.5 * (state.impulse + step_ * force);
     state = {s, impulse};
-    return persisted ? impulse : mean;
+    return impulse;
   }
 
-  /// Twice the pending impulse after advance_persistent(): the half leads from the staggered to the
-  /// true velocity, in closed form without other forces.
-  Vector3 twice_pending(const Vector3& rate, bool slips, const State& state) const {
-    return slips ? state.impulse : step_ * sticking_force(ends_.last, state.stretch, rate);
+  /// [energy]
+  double stored_energy(const Vector3& stretch) const {
+    return 0.5 * constants_.stiffness * dot(stretch, stretch);
   }
-  /// Corrects `losses` of advance_persistent(), which assumes that half of each impulse leads to
-  /// the true velocity at its time level. `from`: twice the impulse that led on from the true
-  /// velocity of the last time level; `pending`: twice_pending() of this one; impulse: at this one.
-  void correct_losses(const Vector3& rate, const Vector3& from, const Vector3& impulse,
-                      const Vector3& pending, Losses& losses) const {
-    const double more = 0.5 * dot(impulse - pending, rate) +
-                        0.125 * inverse_mass_ * (dot(from, from) - dot(pending, pending));
-    // A slider adds no energy: where it begins to slip, it dissipates less than the step's error.
-    const double all = losses.damped + losses.friction + more;
-    if (losses.friction != 0.0) losses.friction = std::max(losses.friction + more, 0.0);
-    losses.damped = all - losses.friction;
+  /// What a persistent contact has lost since the last time level, [energy]: all that it took from
+  /// the motion, by its impulse `before` and `impulse` now, and `released` of its spring. In the
+  /// dashpot alone, where it slips: by how much spring and dashpot have `stretched` [length].
+  double lost(const Vector3& rate, const Vector3& before, const Vector3& impulse,
+              double released) const {
+    return released - 0.5 * dot(before + impulse, rate);
+  }
+  double damped(const Vector3& stretched) const {
+    return constants_.damping / step_ * dot(stretched, stretched);
   }
 
-  /// twice_pending() of a contact that sticks, from the stretch before this time level.
+  /// Twice the impulse that leads a contact that sticks from the staggered to the true velocity, in
+  /// closed form without other forces, from the stretch before this time level.
   Vector3 sticking_impulse(const contact::Plane& plane, const Vector3& rate,
                            const Vector3& stretch) const {
     return step_ * sticking_force(ends_.last, plane.turned_into(stretch) + step_ * rate, rate);
   }
   /// Ends a persistent contact, after advance_persistent() with the same `rate`: sets the pending
-  /// impulse, `sticking` up to the Coulomb limit of the normal force `last`. Adds to `losses`,
-  /// unless null, the energy of what is missing of the `planned` one.
-  void end_persistent(const Vector3& rate, const Vector3& sticking, double last,
-                      const Vector3& planned, State& state, Losses* losses) const {
+  /// impulse, `sticking` up to the Coulomb limit of the normal force `last`.
+  void end_persistent(const Vector3& sticking, double last, State& state) const {
     state.impulse = sticking;
     const double limit = step_ * friction_ * std::max(last, 0.0), size = norm(sticking);
     if (size > limit) state.impulse = (limit / size) * sticking;
-    if (losses)
-      losses->friction += 0.5 * dot(planned - state.impulse,
-                                    rate + (0.25 * inverse_mass_) * (planned + state.impulse));
-  }
-
-  /// Energy lost where a sampled contact has ended, that of the spring included.
-  double lost_at_end(const Vector3& rate, const State& state) const {
-    return law_.stored_energy(state.stretch) - 0.5 * dot(state.impulse, rate);
   }
 
   /// A resolved step, from `stretch` at the time level, or of a contact that begins. `rate`: of the
@@ -138,7 +113,6 @@ class DiscreteSpring {
   double inverse_mass() const { return inverse_mass_; }
   /// A spring whose slider has no friction gives no force.
   bool is_present() const { return friction_ > 0.0; }
-  double stored_energy(const Vector3& stretch) const { return law_.stored_energy(stretch); }
 
  private:
   static Vector3 sticking_force(const GridSpring& spring, const Vector3& s, const Vector3& rate) {

@@ -58,7 +58,7 @@ class EnergyAccount {
     if (state.phase == ContactState::persistent)
       return r + dissipated(state.last_rate, now.mean_rate(step_)) - stored(now) -
              work(persistent_force(now), now);
-    const double late = damping_ * state.contact_time * now.rate * now.rate;
+    const double late = dissipated_late(now, state);
     if (state.force == 0.0) return r + late;
     const double speed_squared = now.rate * now.rate + now.sideways * now.sideways;
     const double along = now.distance * now.rate - step_ * speed_squared;
@@ -75,6 +75,10 @@ class EnergyAccount {
   /// on it.
   double work_of_first_force(double force, const StaggeredMotion& now, double mean) const {
     return -0.25 * step_ * force * (mean - now.rate);
+  }
+  /// What the dashpot of a resolved step has dissipated with the rate at its end, [energy].
+  double dissipated_late(const StaggeredMotion& now, const ContactState& state) const {
+    return damping_ * state.contact_time * now.rate * now.rate;
   }
   /// What a resolved step dissipates, less what its dashpot will with the rate `mean` along the
   /// normal at its end.

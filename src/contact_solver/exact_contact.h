@@ -152,7 +152,13 @@ class ExactContact {
                    bodies_.distance() - at.distance,
                    solver_.repulsion(at),
                    overlap_at_end(now, step.action.impulse)};
-    if (energies) set_normal_energies(n, at, inverse * s, *energies);
+    if (energies) {
+      set_normal_energies(n, at, *energies);
+      if (!first) {
+        energies->stored.load = solver_.account_energy(at, external, normal.force, before);
+        energies->exchanged = solver_.exchanged(external, before);
+      }
+    }
     if constexpr (SIZE >= ContactHistory::with_friction) {
       const ContactBodies::Touch touch(bodies_, s, inverse);
       Spring of_sliding;
@@ -161,12 +167,9 @@ class ExactContact {
                               {}, n, history.sliding, energies ? &of_sliding : nullptr);
       touch.add_sliding_impulse(step.friction, step.action);
       if (energies) {
-        touch.add_sliding_impulse(0.5 * of_sliding.due, energies->to_truth);
         energies->stored.tangential_spring = of_sliding.stored;
-        energies->before.tangential_damping = of_sliding.before.damped;
-        energies->before.friction = of_sliding.before.friction;
-        energies->after.tangential_damping = of_sliding.after.damped;
-        energies->after.friction = of_sliding.after.friction;
+        energies->before.tangential_damping = of_sliding.damped_before;
+        energies->after.tangential_damping = of_sliding.damped_after;
       }
       if constexpr (SIZE >= ContactHistory::with_rolling) {
         Spring of_rolling;
@@ -179,10 +182,9 @@ class ExactContact {
                     history.rolling, energies ? &of_rolling : nullptr),
             step.action);
         if (energies) {
-          touch.add_rolling_impulse(0.5 * of_rolling.due, energies->to_truth);
           energies->stored.rolling_spring = of_rolling.stored;
-          energies->before.rolling = of_rolling.before.damped + of_rolling.before.friction;
-          energies->after.rolling = of_rolling.after.damped + of_rolling.after.friction;
+          energies->before.rolling = of_rolling.lost_before;
+          energies->after.rolling = of_rolling.lost_after;
         }
       }
     }
@@ -240,12 +242,12 @@ class ExactContact {
 
     bool persisted() const { return before.phase == ContactState::persistent; }
   };
-  /// The energies of a spring.
+  /// The energies of a spring: what is lost, and in the dashpot alone, before and after the time
+  /// level.
   struct Spring {
-    Vector3 due{};      ///< twice the impulse that leads to the true motion
-    Vector3 impulse{};  ///< of a persistent contact
     double stored = 0.0;
-    DiscreteSpring::Losses before{}, after{};
+    double lost_before = 0.0, lost_after = 0.0;
+    double damped_before = 0.0, damped_after = 0.0;
   };
 
   StaggeredMotion motion(const RelativeState& relative, double inverse) const {
@@ -260,8 +262,7 @@ class ExactContact {
                                                            double* values) {
     DiscreteSpring::State state{vector(values), vector(values + 3)};
     bool slips;
-    Vector3 impulse =
-        spring.advance_persistent(touch.plane(), rate, repulsion, true, state, slips, nullptr);
+    Vector3 impulse = spring.advance_persistent(touch.plane(), rate, repulsion, true, state, slips);
     ContactHistory::store(state, values);
     return impulse;
   }
@@ -272,37 +273,15 @@ class ExactContact {
     return bodies_.distance() - norm(now.relative.separation + step_ * velocity);
   }
 
-  void set_normal_energies(const Normal& n, const StaggeredMotion& at, const Vector3& normal,
+  void set_normal_energies(const Normal& n, const StaggeredMotion& at,
                            ContactEnergies& energies) const {
     const bool stands = n.before.phase == ContactState::unknown && is_in_range(at.distance);
     if (n.before.in_range() || stands) {
       energies.stored.spring = solver_.spring_energy(n.overlap);
       energies.stored.adhesion = solver_.adhesion_energy(n.overlap);
     }
-    if (n.persisted())
-      energies.before.normal_damping = solver_.lost(n.before.last_rate, at.mean_rate(step_));
-    energies.after.normal_damping = n.step.normal.dissipated;
-    energies.to_truth.impulse = (bodies_.reduced_mass() * n.offset) * normal;
-  }
-
-  /// The impulse of the discrete spring. While energies are recorded, the history has, in the place
-  /// of the impulse, twice what is left of it behind what leads to the true motion.
-  Vector3 advance_persistent(const DiscreteSpring& spring, const ContactBodies::Touch& touch,
-                             const Vector3& rate, double repulsion, bool persisted,
-                             DiscreteSpring::State& state, bool& slips, Spring* energies) const {
-    const Vector3 from = state.impulse;
-    const Vector3 impulse =
-        spring.advance_persistent(touch.plane(), rate, repulsion, persisted, state, slips,
-                                  energies ? &energies->before : nullptr);
-    if (!energies) return impulse;
-    energies->impulse = state.impulse;
-    energies->due = persisted ? spring.twice_pending(rate, slips, state) : from;
-    energies->stored = spring.stored_energy(state.stretch);
-    if (persisted) {
-      spring.correct_losses(rate, from, impulse, energies->due, energies->before);
-      state.impulse = 2.0 * impulse - energies->due;
-    }
-    return impulse;
+    energies.before.normal_damping = solver_.dissipated(at, n.before);
+    energies.after.normal_damping = n.step.dissipated;
   }
 
   /// The impulse of a spring at this time level; `by_other` [length/time]: the change of its rate
@@ -310,49 +289,63 @@ class ExactContact {
   Vector3 advance(const DiscreteSpring& spring, const ContactBodies::Touch& touch,
                   const Vector3& rate, const Vector3& by_other, const Normal& n,
                   DiscreteSpring::State& state, Spring* energies) const {
+    const DiscreteSpring::State last = state;
     state.impulse = touch.plane().turned_into(state.impulse);
-    if (energies) energies->due = state.impulse;
-    bool slips = false;
     // What begins at a time level begins with the true velocity.
     const double true_force = 2.0 * bodies_.reduced_mass() * n.offset / step_;
+    bool slips = false;
+    Vector3 stretch{}, impulse;
     if (n.after.phase == ContactState::persistent) {
       const double limiting =
           n.persisted() ? n.step.repulsion : 2.0 * n.step.force - true_force + pull_;
-      return advance_persistent(spring, touch, rate, limiting, n.persisted(), state, slips,
-                                energies);
-    }
-    Vector3 stretch{};
-    if (n.persisted()) {
-      DiscreteSpring::Losses at_end;
-      const Vector3 sticking = spring.sticking_impulse(touch.plane(), rate, state.stretch);
-      advance_persistent(spring, touch, rate, n.repulsion_before, true, state, slips, energies);
-      const Vector3 due = energies ? energies->due : Vector3{};
-      if (energies) state.impulse = energies->impulse;
-      spring.end_persistent(rate, sticking, true_force + pull_, due, state,
-                            energies ? &at_end : nullptr);
+      impulse =
+          spring.advance_persistent(touch.plane(), rate, limiting, n.persisted(), state, slips);
       stretch = state.stretch;
-      if (energies) {
-        energies->before.friction += at_end.friction;
-        energies->due = state.impulse;
+    } else {
+      if (n.persisted()) {
+        const Vector3 sticking = spring.sticking_impulse(touch.plane(), rate, state.stretch);
+        spring.advance_persistent(touch.plane(), rate, n.repulsion_before, true, state, slips);
+        spring.end_persistent(sticking, true_force + pull_, state);
+        stretch = state.stretch;
+      } else if (n.overlap > 0.0) {
+        stretch = touch.plane().turned_into(state.stretch);
+        if (n.before.in_range()) stretch += step_ * rate;
       }
-    } else if (n.overlap > 0.0) {
-      stretch = touch.plane().turned_into(state.stretch);
-      if (n.before.in_range()) stretch += step_ * rate;
+      impulse = resolve(spring, touch, stretch, rate + by_other, n, state, energies);
     }
-    if (energies) energies->stored = spring.stored_energy(stretch);
+    if (energies) {
+      energies->stored = spring.stored_energy(stretch);
+      if (n.persisted()) {
+        energies->lost_before = spring.lost(rate, last.impulse, impulse,
+                                            spring.stored_energy(last.stretch) - energies->stored);
+        energies->damped_before =
+            slips ? spring.damped(stretch - touch.plane().turned_into(last.stretch))
+                  : energies->lost_before;
+      }
+    }
+    return impulse;
+  }
+
+  /// The same of a resolved step, from `stretch` at the time level; state.impulse is pending.
+  Vector3 resolve(const DiscreteSpring& spring, const ContactBodies::Touch& touch,
+                  const Vector3& stretch, const Vector3& rate, const Normal& n,
+                  DiscreteSpring::State& state, Spring* energies) const {
     if (!(n.step.normal.contact_time > 0.0)) {
       const Vector3 half = 0.5 * state.impulse;
-      if (energies) energies->after.friction = energies->stored;
+      if (energies) energies->lost_after = spring.stored_energy(stretch);
       state = {};
       return half;
     }
-    const Vector3 true_rate = rate + by_other + (0.5 * spring.inverse_mass()) * state.impulse;
+    const Vector3 true_rate = rate + (0.5 * spring.inverse_mass()) * state.impulse;
     Vector3 mean;
     const contact::TangentialStep now =
         spring.resolve(touch.plane(), touch.plane().part_in(stretch), true_rate, n.step.normal,
                        n.overlap_at_end, mean);
     const Vector3 impulse = 0.5 * (now.impulse + state.impulse);
-    if (energies) energies->after = {now.damped, now.friction};
+    if (energies) {
+      energies->damped_after = now.damped;
+      energies->lost_after = now.damped + now.friction;
+    }
     const bool goes_on = n.overlap_at_end > 0.0;
     state = {goes_on ? now.displacement - step_ * mean : Vector3{}, now.impulse};
     return impulse;

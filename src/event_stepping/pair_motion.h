@@ -40,6 +40,8 @@ struct StoredEnergies {
   double tangential_spring;
   double rolling_spring;
   double adhesion;  ///< zero for particles far from each other
+  /// What the normal motion stores by its energy account less spring and adhesion.
+  double load = 0.0;
 };
 
 /// What a contact does to its particles: the impulse acts on j, its reverse on i.
@@ -59,20 +61,20 @@ struct FrictionalStep {
   bool unresolved = false;  ///< the step was not integrated to its end
 };
 
-/// What a contact loses in a step, [energy].
+/// What a contact loses in a step but in sliding, [energy]. All that friction loses is what its
+/// forces take from the motion, less what its springs store.
 struct ContactLosses {
   double normal_damping = 0.0;
   double tangential_damping = 0.0;
-  double friction = 0.0;
   double rolling = 0.0;  ///< in the dashpot and slider of the rolling spring
 };
 
-/// The energies of a contact at a time level.
+/// The energies of a contact at a time level, beside the kinetic energy 1/2 m v_(n-1/2) v_(n+1/2).
 struct ContactEnergies {
   StoredEnergies stored{};
   ContactLosses before{};  ///< since the time level before, as far as they are known only now
   ContactLosses after{};   ///< up to the next time level
-  Action to_truth{};       ///< what leads from the staggered motion to the true one
+  double exchanged = 0.0;  ///< part of the load that all contacts together exchange with each other
 };
 
 }  // namespace cohesion::event_stepping

@@ -58,8 +58,7 @@ class SampledContact {
   bool is_idle(const RelativeState&, const double*, double) const { return false; }
 
   /// As ExactContact::advance(); other forces do not matter. Of `energies`, half of what the normal
-  /// dashpot takes in the step around the time level is before it, and half of the action leads to
-  /// the true motion.
+  /// dashpot takes in the step around the time level is before it.
   template <int SIZE>
   [[gnu::always_inline]] FrictionalStep advance(const PairMotion& grid, const Vector3&, bool,
                                                 ContactHistory& history,
@@ -73,7 +72,7 @@ class SampledContact {
     step.action.impulse = bodies_.reduced_mass() * normal.velocity_change;
     step.repulsion = normal.normal.repulsion_impulse;
     if (Pair::pushes_at_edge && step.repulsion == 0.0) step.at_edge = step.action.impulse;
-    DiscreteSpring::Losses slid, rolled;
+    Losses slid, rolled;
     if constexpr (SIZE >= ContactHistory::with_friction) {
       const ContactBodies::Touch touch(bodies_, s);
       step.friction = spring_impulse(
@@ -88,11 +87,9 @@ class SampledContact {
     }
     if (energies) {
       const double damped = 0.5 * normal.normal.dissipated;
-      const Action& a = step.action;
       energies->stored = stored(grid.relative.separation, history);
-      energies->before = {damped, slid.damped, slid.friction, rolled.damped + rolled.friction};
+      energies->before = {damped, slid.damped, rolled.all};
       energies->after.normal_damping = damped;
-      energies->to_truth = {0.5 * a.impulse, 0.5 * a.torque_i, 0.5 * a.torque_j};
     }
     return step;
   }
@@ -113,6 +110,11 @@ class SampledContact {
   }
 
  private:
+  /// Of a spring since the last time level, [energy]: all, and in the dashpot alone.
+  struct Losses {
+    double all = 0.0, damped = 0.0;
+  };
+
   bool is_bound(const ContactHistory& history, double distance) const {
     return history.normal.in_range() ||
            (history.normal.phase == ContactState::unknown && is_in_range(distance));
@@ -127,17 +129,27 @@ class SampledContact {
   [[gnu::always_inline]] Vector3 spring_impulse(const DiscreteSpring& spring,
                                                 const ContactBodies::Touch& touch,
                                                 const Vector3& rate, const PairStep& normal,
-                                                DiscreteSpring::State& state,
-                                                DiscreteSpring::Losses* lost) const {
+                                                DiscreteSpring::State& state, Losses* lost) const {
     // The first step of a run is half of one, from the grid point on.
     const double part = window_.length() / (2.0 * window_.after);
-    bool slips;
+    const DiscreteSpring::State last = state;
+    bool slips = false;
+    Vector3 impulse{};
     if (normal.normal.contact_time > 0.0)
-      return part * spring.advance_persistent(touch.plane(), rate, normal.normal.repulsion_at_end,
-                                              true, state, slips, lost);
-    if (lost) *lost = {0.0, spring.lost_at_end(rate, state)};
-    state = {};
-    return {};
+      impulse = spring.advance_persistent(touch.plane(), rate, normal.normal.repulsion_at_end, true,
+                                          state, slips);
+    else
+      state = {};
+    if (lost) {
+      lost->all =
+          spring.lost(rate, last.impulse, impulse,
+                      spring.stored_energy(last.stretch) - spring.stored_energy(state.stretch));
+      if (normal.normal.contact_time > 0.0)
+        lost->damped = slips
+                           ? spring.damped(state.stretch - touch.plane().turned_into(last.stretch))
+                           : lost->all;
+    }
+    return part * impulse;
   }
 
   ContactBodies bodies_;

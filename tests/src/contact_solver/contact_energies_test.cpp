@@ -140,4 +140,31 @@ TEST(ContactEnergies, AnImpactUnderWeightIsBalancedToTheLoadOfAStep) {
   }
 }
 
+TEST(ContactEnergies, OfASphereThatALoadPressesToRestAreConstantToTheRounding) {
+  // The load presses by F/K', its work is as much more than that of the spring. It begins when the
+  // sphere does, which the contact sees a step later: the first step is not counted.
+  for (const double hamaker : {0.0, 7.49e-19})
+    for (const double part : {5.0, 10.0, 50.0}) {
+      contact::ContactParameters p = thesis::contact();
+      p.damping = -1.0;
+      p.restitution = 0.5;
+      const double dt = thesis::contact_time / part, gravity = 1000.0;
+      Spheres<ContactSolver, ContactHistory::normal_only> sphere(p, thesis::adhesion(hamaker), dt);
+      sphere.add(thesis::particle(), {0.0, 0.0, thesis::radius - 1e-7}, {});
+      sphere.add_wall({{}, {0.0, 0.0, 1.0}, {}});
+      sphere.gravity = {0.0, 0.0, -gravity};
+      for (int n = 0; n < 3; n++) sphere.step();
+      const double before = sphere.energy;
+      double worst = 0.0;
+      for (int n = 0; n < 40.0 * part; n++) {
+        sphere.step();
+        worst = std::max(worst, std::abs(sphere.energy - before));
+      }
+      const double fallen = 1.0 * gravity * thesis::mass * thesis::mass * gravity / 800.0;
+      EXPECT_LT(std::abs(sphere.spheres[0].v.z), 1e-9) << part;
+      EXPECT_GT(sphere.lost, 0.3 * fallen) << part;
+      EXPECT_LT(worst, 1e-9 * fallen) << part;
+    }
+}
+
 }  // namespace cohesion::contact_solver

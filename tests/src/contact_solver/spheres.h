@@ -38,9 +38,11 @@ class Spheres {
   Vector3 gravity{};
   bool exchanges = false;  ///< i and j in every step, with the stored values
   bool recorded = true;    ///< whether energies are asked for
-  double lost = 0.0;
-  double energy = 0.0;   ///< true, stored and lost, at the time level of the last step
-  double kinetic = 0.0;  ///< true, at that time level
+  double lost = 0.0;       ///< so far, in all
+  double damped = 0.0;     ///< so far, in dashpots of friction, and in rolling
+  double exchanged = 0.0;
+  double energy = 0.0;   ///< kinetic, stored and lost, at the time level of the last step
+  double kinetic = 0.0;  ///< of the staggered velocities around that time level
 
   Spheres(const contact::ContactParameters& parameters, const contact::Adhesion& adhesion,
           double step)
@@ -62,9 +64,9 @@ class Spheres {
   void step() {
     if (!first_) drift();
     const double length = first_ ? 0.5 * dt_ : dt_;
-    std::vector<Sphere> before = spheres, truth = spheres, next = spheres;
+    std::vector<Sphere> next = spheres;
     for (Sphere& s : next) s.acceleration = s.turning = {};
-    double stored = 0.0;
+    double stored = 0.0, in_plane = 0.0;
     for (Contact& c : contacts) {
       if (exchanges && c.j >= 0) exchange(c);
       const PairMotion now = motion(c);
@@ -89,18 +91,27 @@ class Spheres {
       Action steady = a;
       steady.impulse -= c.last.at_edge;
       accelerate(c, steady, inverse, next);
-      push(c, c.energies.to_truth, truth);
-      lost += sum(c.energies.before);
-      stored += sum(c.energies.stored);
+      normal_lost_ += c.energies.before.normal_damping;
+      damped += c.energies.before.tangential_damping + c.energies.before.rolling;
+      exchanged += c.energies.exchanged;
+      stored += c.energies.stored.spring + c.energies.stored.adhesion + c.energies.stored.load;
+      in_plane += c.energies.stored.tangential_spring + c.energies.stored.rolling_spring;
     }
-    sum_up(truth, stored);
     for (Sphere& s : next)
       if (s.body.inverse_mass > 0.0) {
         s.v += length * gravity;
         s.acceleration += gravity;
       }
+    const double power = friction_work(spheres), power_after = friction_work(next);
+    friction_work_ += first_ ? 0.0 : 0.5 * power;
+    lost = normal_lost_ - friction_work_ - in_plane;
+    sum_up(first_ ? spheres : next, stored + in_plane);
+    friction_work_ += 0.5 * (first_ ? power + power_after : power_after);
     spheres = next;
-    for (const Contact& c : contacts) lost += sum(c.energies.after);
+    for (const Contact& c : contacts) {
+      normal_lost_ += c.energies.after.normal_damping;
+      damped += c.energies.after.tangential_damping + c.energies.after.rolling;
+    }
     last_dt_ = dt_;
     first_ = false;
   }
@@ -204,29 +215,39 @@ class Spheres {
     c.friction += c.last.friction;
     c.normal_impulse += c.last.action.impulse - c.last.friction;
   }
-  void sum_up(std::vector<Sphere>& truth, double stored) {
+  /// With the kinetic energy of the staggered velocities before and after the time level.
+  void sum_up(const std::vector<Sphere>& next, double stored) {
     double potential = 0.0;
-    for (Sphere& s : truth)
-      if (s.body.inverse_mass > 0.0) {
-        if (!first_) s.v += (0.5 * dt_) * gravity;
-        potential -= dot(gravity, s.x) / s.body.inverse_mass;
-      }
-    kinetic = kinetic_of(truth);
-    energy = kinetic + stored + potential + lost;
+    for (const Sphere& s : spheres)
+      if (s.body.inverse_mass > 0.0) potential -= dot(gravity, s.x) / s.body.inverse_mass;
+    kinetic = 0.0;
+    for (std::size_t i = 0; i < spheres.size(); i++)
+      kinetic +=
+          kinetic_energy(spheres[i].body, spheres[i].v, next[i].v, spheres[i].spin, next[i].spin);
+    energy = kinetic + stored + exchanged + potential + lost;
   }
   static double kinetic_of(const std::vector<Sphere>& all) {
     double total = 0.0;
-    for (const Sphere& s : all)
-      if (s.body.inverse_mass > 0.0)
-        total += 0.5 / s.body.inverse_mass * dot(s.v, s.v) +
-                 0.5 / inverse_inertia(s.body) * dot(s.spin, s.spin);
+    for (const Sphere& s : all) total += kinetic_energy(s.body, s.v, s.v, s.spin, s.spin);
     return total;
   }
-  static double sum(const event_stepping::ContactLosses& a) {
-    return a.normal_damping + a.tangential_damping + a.friction + a.rolling;
+  static double kinetic_energy(const Body& body, const Vector3& before, const Vector3& after,
+                               const Vector3& spin_before, const Vector3& spin_after) {
+    if (body.inverse_mass == 0.0) return 0.0;
+    return 0.5 / body.inverse_mass * dot(before, after) +
+           0.5 / inverse_inertia(body) * dot(spin_before, spin_after);
   }
-  static double sum(const StoredEnergies& a) {
-    return a.spring + a.tangential_spring + a.rolling_spring + a.adhesion;
+  /// Of all contacts on the spheres, with the velocities of `all`.
+  double friction_work(const std::vector<Sphere>& all) const {
+    double done = 0.0;
+    for (const Contact& c : contacts) {
+      const Sphere& i = all[c.i];
+      const Action& a = c.last.action;
+      const Vector3 partner = c.j < 0 ? walls[-1 - c.j].velocity : all[c.j].v;
+      done += dot(c.last.friction, partner - i.v) + dot(a.torque_i, i.spin);
+      if (c.j >= 0) done += dot(a.torque_j, all[c.j].spin);
+    }
+    return done;
   }
 
   contact::ContactParameters parameters_;
@@ -234,6 +255,7 @@ class Spheres {
   double dt_;
   double last_dt_ = dt_;
   bool first_ = true;
+  double normal_lost_ = 0.0, friction_work_ = 0.0;
   std::vector<ExactContact<Solver>> laws_;
 };
 
