@@ -40,14 +40,15 @@ class SchemeEvent(ScriptTestCase):
                 with self.subTest(law, ranks=ranks):
                     right, expected = self.end(law, "scheme exact", "scheme exact", ranks)
                     self.assertNotIn("is now called", right)
-                    for of_pairs, of_walls, where in (
-                            ("scheme event", "scheme event", f"pair_style gran/{law}"),
-                            ("scheme event", "scheme exact", f"pair_style gran/{law}"),
-                            ("scheme exact", "scheme event", f"fix floor wall/gran/{law}")):
-                        output, found = self.end(law, of_pairs, of_walls, ranks)
-                        self.assertEqual(output.count("is now called"), 1, output)
-                        self.assertIn(f"WARNING: {where}: {LINE}", output)
-                        self.assertEqual(found, expected)
+                    output, found = self.end(law, "scheme event", "scheme event", ranks)
+                    self.assertEqual(output.count("is now called"), 1, output)
+                    self.assertIn(f"WARNING: pair_style gran/{law}: {LINE}", output)
+                    self.assertEqual(found, expected)
+
+    def test_of_a_wall_alone(self):
+        output, _ = self.end("hamaker", "", "scheme event")
+        self.assertEqual(output.count("is now called"), 1, output)
+        self.assertIn(f"WARNING: fix floor wall/gran/hamaker: {LINE}", output)
 
     def test_the_default(self):
         for law in LAWS:
@@ -56,7 +57,7 @@ class SchemeEvent(ScriptTestCase):
                 self.assertIn(f"pair_style gran/{law}, scheme exact: what to expect", default)
                 self.assertNotIn("is now called", default)
                 self.assertEqual(found, expected)
-                self.assertNotEqual(found, self.end(law, "scheme sampled", "scheme sampled")[1])
+        self.assertNotEqual(found, self.end(law, "scheme sampled", "scheme sampled")[1])
 
     def test_an_unknown_scheme_gets_the_valid_names_alone(self):
         self.stops(HEAD + "pair_style gran/hamaker scheme events\n",
