@@ -37,7 +37,7 @@ namespace ContactModels {
 /// `Attraction` says what is its own:
 ///
 ///   MODEL                          name in a script
-///   Solver                         of scheme event: ContactSolver, or one that derives from it
+///   Solver                         of scheme exact: ContactSolver, or one that derives from it
 ///   BINDS_WHAT_ENTERED             true: what entered is bound, wherever it stands
 ///   Attraction(lmp, owner, wall)   wall: null for pairs
 ///   registerSettings(settings)     its keywords
@@ -70,14 +70,14 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
   }
 
   void registerSettings(Settings& settings) override {
-    Cohesion::register_scheme(settings, name(), of_events_);
+    Cohesion::register_scheme(lmp, settings, name(), is_exact_);
     attraction_.registerSettings(settings);
     make_probe();
     normal_->registerSettings(settings);
   }
   void postSettings(IContactHistorySetup* owner, ContactModelBase*) override {
-    if (of_events_) events_ = std::make_unique<Cohesion::EventContacts>(lmp, owner, wall_, name());
-    advice_->of_events(of_events_);
+    if (is_exact_) events_ = std::make_unique<Cohesion::EventContacts>(lmp, owner, wall_, name());
+    advice_->set_exact(is_exact_);
   }
 
   void connectToProperties(PropertyRegistry& registry) override {
@@ -92,7 +92,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     Cohesion::ContactRange range = attraction_.range();
     if (events_) {
       connect_events(registry);
-      range.margin = Cohesion::EVENT_MARGIN;
+      range.margin = Cohesion::EXACT_MARGIN;
     }
     Cohesion::require_range(lmp, registry, wall_, name(), range);
   }
@@ -139,7 +139,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
     if (tally_) write_attraction(near, normal, r - near.radsum, on_i);
   }
 
-  /// A contact of scheme event: in the place of what the engine's normal model made of it. Friction
+  /// A contact of scheme exact: in the place of what the engine's normal model made of it. Friction
   /// sees its spring and dashpot, as under scheme sampled.
   [[gnu::noinline]] void follow(SurfacesIntersectData& contact, ForceData& on_i, ForceData& on_j) {
     if (!carries(contact)) return;
@@ -177,7 +177,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
       attraction_.require_turns_as_touching();
     if (tally_)
       error->all(FLERR,
-                 (name() + ", scheme event: compute gran/energy knows no contacts of it; use "
+                 (name() + ", scheme exact: compute gran/energy knows no contacts of it; use "
                            "'scheme sampled' with the compute")
                      .c_str());
     events_->connect(
@@ -266,7 +266,7 @@ class CohesionOverlay : public CohesionModelBase, private Cohesion::CohesivePair
   FixWallGran* wall_;  // null for pairs
   PairGran* pair_;     // null for walls
   Attraction attraction_;
-  bool of_events_ = false;
+  bool is_exact_ = false;
   bool slides_ = false;                              // over a spring
   std::unique_ptr<Cohesion::EventContacts> events_;  // null: scheme sampled
   std::unique_ptr<Cohesion::NormalModelProbe> normal_;

@@ -26,11 +26,11 @@ using namespace cohesion::contact_solver;
 namespace {
 
 constexpr const char* seen_too_late =
-    ", scheme event: a pair came nearer by more than 0.01 of its radii in one step, from beyond "
+    ", scheme exact: a pair came nearer by more than 0.01 of its radii in one step, from beyond "
     "what is seen, and when it touched is not known exactly: use a smaller time step";
 
 constexpr const char* turned_too_often =
-    ", scheme event: a pair, or a particle and a wall, turned round a hundred times or more within "
+    ", scheme exact: a pair, or a particle and a wall, turned round a hundred times or more within "
     "one step, between contact and the edge of the adhesion or along that edge, and was not "
     "resolved to the end of that step: use a smaller time step";
 
@@ -69,15 +69,15 @@ void EventContacts::connect(const NormalModelProbe& normal, Adhesion adhesion, M
   // A fix that is made while fixes are set up, as walls are, is called in the next run only.
   others_ = wall_ ? find_hidden_fix<FixOthers>(lmp_) : &hidden_fix<FixOthers>(lmp_);
   if (!others_)
-    lmp_->error->all(FLERR, (who_ + ", scheme event, fix wall/gran " + wall_->id +
-                             ": needs a pair_style gran of scheme event, too; without attraction "
+    lmp_->error->all(FLERR, (who_ + ", scheme exact, fix wall/gran " + wall_->id +
+                             ": needs a pair_style gran of scheme exact, too; without attraction "
                              "between particles, use it with a strength of 0 between them")
                                 .c_str());
   auto& warnings = hidden_fix<FixContactAdvice>(lmp_);
   late_ = warnings.late_warning(who_ + seen_too_late);
   cut_short_ = warnings.late_warning(who_ + turned_too_often);
   const auto reject = [&](const std::string& why) {
-    lmp_->error->all(FLERR, (who_ + ", scheme event: model " + normal.name() + " " + why +
+    lmp_->error->all(FLERR, (who_ + ", scheme exact: model " + normal.name() + " " + why +
                              ": use 'scheme sampled', or model hooke or hooke/stiffness as it is "
                              "by default")
                                 .c_str());

@@ -31,7 +31,7 @@ namespace Cohesion {
 
 struct LateWarning;
 
-/// The contacts of one pair style or wall under scheme event: passes the motion of a contact to its
+/// The contacts of one pair style or wall under scheme exact: passes the motion of a contact to its
 /// solver (contact_solver/contact_solver.h), and stores its state in the engine's contact history,
 /// with which it goes through exchange and restart. Other forces act as in the step before.
 class EventContacts {

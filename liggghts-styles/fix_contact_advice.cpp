@@ -87,11 +87,11 @@ void FixContactAdvice::advise_if_due(bool setup) {
 
 void FixContactAdvice::setup_pre_force(int) {
   held_ = MobileParticles(lmp);
-  const auto of_events = [](const std::weak_ptr<ContactAdvice>& asked) {
+  const auto is_exact = [](const std::weak_ptr<ContactAdvice>& asked) {
     const auto advice = asked.lock();
-    return advice && advice->is_of_events();
+    return advice && advice->is_exact();
   };
-  const bool exact = std::any_of(asked_.begin(), asked_.end(), of_events);
+  const bool exact = std::any_of(asked_.begin(), asked_.end(), is_exact);
   if (exact || !warned_of_partly_held_)
     warned_of_partly_held_ = LAMMPS_NS::require_whole_holds(lmp, "cohesion", exact);
   warn_of_unmoved();
@@ -139,7 +139,7 @@ void FixContactAdvice::warn_of_unmoved() {
   warned_of_unmoved_ = LAMMPS_NS::warn_of_unmoved(lmp, announced);
 }
 
-/// Of walls of scheme sampled where that of the pairs is event; the reverse stops a run that begins
+/// Of walls of scheme sampled where that of the pairs is exact; the reverse stops a run that begins
 /// with it. A warning that was given is not given again.
 void FixContactAdvice::warn_of_mixed_schemes() {
   if (warned_of_mixed_schemes_) return;
@@ -150,11 +150,11 @@ void FixContactAdvice::warn_of_mixed_schemes() {
   if (!pairs) return;
   for (const auto& asked : asked_) {
     const auto wall = asked.lock();
-    if (!wall || wall->wall().empty() || wall->is_of_events() == pairs->is_of_events()) continue;
+    if (!wall || wall->wall().empty() || wall->is_exact() == pairs->is_exact()) continue;
     warned_of_mixed_schemes_ = true;
     const std::string name = "fix " + wall->wall() + " wall/gran";
     const std::string mixed =
-        LAMMPS_NS::mixed_schemes(name, "pair_style gran", wall->is_of_events(), "sampled");
+        LAMMPS_NS::mixed_schemes(name, "pair_style gran", wall->is_exact(), "sampled");
     if (comm->me == 0) error->warning(FLERR, mixed.c_str());
   }
 }

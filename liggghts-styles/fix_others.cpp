@@ -47,7 +47,7 @@ void FixOthers::init() {
   for (int k = 0; k < modify->nfix; k++)
     for (const char* const bodies : {"multisphere", "rigid"})
       if (std::strncmp(modify->fix[k]->style, bodies, std::strlen(bodies)) == 0)
-        error->all(FLERR, (std::string("cohesion, scheme event: follows spheres that move each by "
+        error->all(FLERR, (std::string("cohesion, scheme exact: follows spheres that move each by "
                                        "itself, and fix ") +
                            modify->fix[k]->style + " " + modify->fix[k]->id +
                            " moves bodies of several: use 'scheme sampled'")
@@ -157,7 +157,7 @@ void FixOthers::restart(char* buffer) {
   std::memcpy(&layout, buffer, sizeof(double));
   if (layout != LAYOUT)
     error->all(FLERR,
-               "cohesion, scheme event: another version of the package wrote the restart file; use "
+               "cohesion, scheme exact: another version of the package wrote the restart file; use "
                "'write_data' with that version and 'read_data' with this one");
   std::memcpy(&forces_step_, buffer + sizeof(double), sizeof(double));
   std::memcpy(&clock_, buffer + 2 * sizeof(double), sizeof(double));

@@ -10,7 +10,7 @@ namespace LIGGGHTS {
 namespace Cohesion {
 
 /// How the forces of the step before accelerated each particle, ghosts included: what contacts of
-/// the scheme event know of the others of their particles. Impulses that were over within it are
+/// the scheme exact know of the others of their particles. Impulses that were over within it are
 /// left out. Hidden (hidden_fix.h).
 class FixOthers : public LAMMPS_NS::Fix {
  public:

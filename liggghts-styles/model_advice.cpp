@@ -161,7 +161,7 @@ advice::Report ContactAdvice::report(const advice::Circumstances& now) {
   return guarded(lmp_, who(wall()), [&] {
     const std::vector<advice::AdvisedContact> all = contacts(now);
     const advice::SchemeLimits& limits =
-        event_ ? advice::event_scheme_one_pass : advice::sampled_scheme;
+        exact_ ? advice::exact_scheme_one_pass : advice::sampled_scheme;
     return given_advice_.only_new(advice::report(who(WALLS), limits, all, now.run), all, now);
   });
 }

@@ -59,9 +59,9 @@ class ContactAdvice {
   static constexpr const char* WALLS = "\x01";
   /// ID of the fix of the wall; empty for pairs.
   std::string wall() const;
-  /// Under scheme event; else sampled.
-  void of_events(bool event) { event_ = event; }
-  bool is_of_events() const { return event_; }
+  /// Under scheme exact; else sampled.
+  void set_exact(bool exact) { exact_ = exact; }
+  bool is_exact() const { return exact_; }
 
   /// Whether friction, sliding or rolling, may act on a particle of this type.
   bool has_friction(int type) const;
@@ -79,7 +79,7 @@ class ContactAdvice {
   std::string model_;
   const NormalModelProbe& normal_;
   Adhesion adhesion_;
-  bool event_ = false;
+  bool exact_ = false;
   cohesion::advice::GivenAdvice given_advice_;
 };
 

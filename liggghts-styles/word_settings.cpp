@@ -6,6 +6,7 @@
 #include <map>
 
 #include "contact_models.h"
+#include "former_words.h"
 #include "named_table.h"
 #include "settings.h"
 
@@ -16,23 +17,24 @@ namespace {
 
 class SchemeSetting : public Setting {
  public:
-  SchemeSetting(const std::string& model, bool& event)
-      : Setting("scheme", 1), model_(model), event_(event) {}
+  SchemeSetting(const LAMMPS_NS::LAMMPS* lmp, const std::string& model, bool& exact)
+      : Setting("scheme", 1), lmp_(lmp), model_(model), exact_(exact) {}
 
   /// Number of words taken; -1 with an error_message.
   int parseArguments(char** args) override {
     if (name != args[0]) return 0;
-    const std::string scheme = args[1];
-    event_ = scheme == "event";
-    if (event_ || scheme == "sampled") return 2;
-    error_message = model_ + ", scheme " + scheme + ": must be event or sampled";
+    const std::string scheme = LAMMPS_NS::current_word(lmp_, model_, name, args[1]);
+    exact_ = scheme == "exact";
+    if (exact_ || scheme == "sampled") return 2;
+    error_message = model_ + ", scheme " + scheme + ": must be exact or sampled";
     return -1;
   }
-  void print_value(FILE* out) override { fprintf(out, event_ ? "event" : "sampled"); }
+  void print_value(FILE* out) override { fprintf(out, exact_ ? "exact" : "sampled"); }
 
  private:
+  const LAMMPS_NS::LAMMPS* lmp_;
   std::string model_;
-  bool& event_;
+  bool& exact_;
 };
 
 /// A word that stands where only keywords may, and says where these belong: the engine would blame
@@ -48,7 +50,7 @@ class MisplacedSetting : public Setting {
                     "' stands behind a keyword as 'scheme', and keywords come last: behind all "
                     "models and, in fix wall/gran, behind 'primitive ...' or 'mesh ...', as in "
                     "'fix ID all wall/gran model hooke/stiffness tangential history cohesion "
-                    "hamaker primitive type 1 zplane 0.0 scheme event'";
+                    "hamaker primitive type 1 zplane 0.0 scheme exact'";
     return -1;
   }
   void print_value(FILE*) override {}
@@ -96,8 +98,9 @@ template struct TableOfSettings<&Settings::settings>;
 
 }  // namespace
 
-void register_scheme(Settings& settings, const std::string& model, bool& event) {
-  table_of(settings)["scheme"] = new SchemeSetting(model, event);  // settings owns it
+void register_scheme(const LAMMPS_NS::LAMMPS* lmp, Settings& settings, const std::string& model,
+                     bool& exact) {
+  table_of(settings)["scheme"] = new SchemeSetting(lmp, model, exact);  // settings owns it
   for (const char* const word :
        {"primitive", "mesh", "model", "tangential", "cohesion", "rolling_friction", "surface"})
     table_of(settings)[word] = new MisplacedSetting(model, word);

@@ -6,12 +6,14 @@
 #include <cstdio>
 #include <iostream>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "advice/law_mapping.h"
 #include "cohesion_version.h"
 #include "contact/contact_parameters.h"
+#include "former_names.h"
 #include "given_once.h"
 #include "hamaker/roughness.h"
 #include "square_well/parameters.h"
@@ -27,7 +29,7 @@ struct Request {
   double stiffness = 0.0, restitution = 0.0, damping = 0.0;
   std::vector<double> cutoffs, roughness;
   double asperity = 0.0, ratio = 1.01;
-  std::string form = "small_gap", hamaker_scheme = "event", well_scheme = "event";
+  std::string form = "small_gap", hamaker_scheme = "exact", well_scheme = "exact";
   double step = 0.0;
   std::vector<double> hamaker_constants, depths;
   bool damping_given = false, csv = false;
@@ -57,7 +59,7 @@ void require_used(const Request& r) {
             "there is none beside a --wall: give one radius and one density or mass");
   require(r.step == 0.0 || r.hamaker_scheme == "sampled" || r.well_scheme == "sampled",
           "time step (--step)", r.step,
-          "scheme event is the same at any step: leave it out, or choose sampled for a law");
+          "scheme exact is the same at any step: leave it out, or choose sampled for a law");
 }
 
 advice::HeadOnPair pair_of(const Request& r) {
@@ -125,7 +127,7 @@ class Mapping {
 
  private:
   static std::optional<double> step(const std::string& scheme, const Request& r) {
-    if (scheme == "event") return std::nullopt;
+    if (scheme == "exact") return std::nullopt;
     require_positive("time step of scheme sampled (--step)", r.step);
     return r.step;
   }
@@ -188,7 +190,7 @@ void print_text(const Request& request, const advice::HeadOnPair& pair,
               ("square well, " + request.well_scheme).c_str());
   const auto escape = [](const advice::SampledEscape& e, const std::string& scheme) {
     char text[80];
-    if (scheme == "event")
+    if (scheme == "exact")
       std::snprintf(text, sizeof text, "%.6g", e.mean);
     else
       std::snprintf(text, sizeof text, "%.4g (%.4g to %.4g)", e.mean, e.slowest_parted,
@@ -205,8 +207,16 @@ void print_text(const Request& request, const advice::HeadOnPair& pair,
   }
 }
 
+/// What a scheme is called now; a former name is warned of once.
+std::string current_scheme(const std::string& name) {
+  return current_name("scheme", name, [](const std::string& sentence) {
+    static std::set<std::string> given;
+    if (given.insert(sentence).second) std::cerr << "cohesion-mapping: " << sentence << '\n';
+  });
+}
+
 void add_options(CLI::App& app, Request& r) {
-  const auto schemes = CLI::IsMember({"event", "sampled"});
+  const auto schemes = CLI::IsMember({"exact", "sampled"});
   std::vector<std::string> forms;
   for (const auto& form : hamaker::forms) forms.emplace_back(form.name);
 
@@ -240,9 +250,11 @@ void add_options(CLI::App& app, Request& r) {
   app.add_option("--ratio", r.ratio, "r_out/r of the well")->capture_default_str();
   app.add_option("--hamaker-scheme", r.hamaker_scheme, "scheme of the Hamaker law")
       ->check(schemes)
+      ->transform(current_scheme)
       ->capture_default_str();
   app.add_option("--well-scheme", r.well_scheme, "scheme of the well")
       ->check(schemes)
+      ->transform(current_scheme)
       ->capture_default_str();
   app.add_option("--step", r.step, "time step of scheme sampled [time]");
   app.add_flag("--csv", r.csv, "comma-separated values with all digits");

@@ -243,7 +243,7 @@ void print_plan(const Lines& print, const Request& r, const Powder& p) {
     print({"bond_computed", "their Bond number, of the smallest",
            p.adhesion.force / p.weight(p.sizes.smallest()) / p.parcels.ratio(), "1"});
   }
-  print({"particle_step", "particle step, a part of t_c, scheme event", p.steps.particle, "s"});
+  print({"particle_step", "particle step, a part of t_c, scheme exact", p.steps.particle, "s"});
   print({"cell", "edge of the cells", p.cell, "m"});
   print({"gas_step", "gas step, a whole number of these", p.steps.gas, "s"});
   print({"gas_velocity", "superficial gas velocity, twice u_mf by " + r.drag, p.velocity, "m/s"});
@@ -272,7 +272,7 @@ std::vector<std::string> script_lines(const Request& r, const Powder& p) {
   const tools::PowderContacts contacts = p.contacts();
   if (r.engine == "lammps") {
     std::vector<std::string> lines = contacts.lammps_pairs();
-    lines.insert(lines.begin(), "pair_style " + contacts.lammps_style() + " scheme event");
+    lines.insert(lines.begin(), "pair_style " + contacts.lammps_style() + " scheme exact");
     return lines;
   }
   std::vector<std::string> lines = contacts.liggghts();
@@ -296,7 +296,7 @@ void print_script(const Lines& print, const Request& r, const Powder& p) {
 /// What a second of the bed takes, from a short run of LAMMPS.
 void print_cost(const Lines& print, const Request& r, const Powder& p) {
   const tools::PowderContacts contacts = p.contacts();
-  const std::string lines = "pair_style " + contacts.lammps_style() + " scheme event\n" +
+  const std::string lines = "pair_style " + contacts.lammps_style() + " scheme exact\n" +
                             contacts.lammps_for_all() + "\n";
   tools::EngineCost engine(r.lammps, r.plugin);
   const auto cost =

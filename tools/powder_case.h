@@ -160,7 +160,7 @@ struct PowderCase {
       return;
     }
     out << "# Contacts of grains.lmp: a type for each size.\n"
-        << "pair_style " << contacts.lammps_style() << " scheme event\n";
+        << "pair_style " << contacts.lammps_style() << " scheme exact\n";
     for (const std::string& line : contacts.lammps_pairs()) out << line << '\n';
   }
 
@@ -172,7 +172,7 @@ struct PowderCase {
       const std::string suffix = wall.of_group.empty() ? "" : '_' + wall.group;
       const auto fix = [&](const char* name, const std::string& of) {
         out << "fix " << name << suffix << ' ' << wall.group << " wall/" << contacts.lammps_style()
-            << ' ' << wall.contact << ' ' << of << " scheme event\n";
+            << ' ' << wall.contact << ' ' << of << " scheme exact\n";
       };
       if (!wall.of_group.empty()) out << wall.of_group << '\n';
       if (round) {

@@ -121,7 +121,7 @@ struct PowderContacts {
   std::string liggghts_keywords() const {
     std::string words = "absolute_damping on tangential_damping on";
     if (hamaker.hamaker_constant == 0.0) return words;
-    words += " scheme event";
+    words += " scheme exact";
     if (tells_material()) words += " material_stiffness on material_keep " + kept();
     return words;
   }

@@ -22,7 +22,7 @@ def draw(file, constants, families, steps, rows, exact):
                            for k in ("mean", "slowest_parted", "fastest_stuck"))
         sampled.fill_between(steps, low, high, color=colour, alpha=0.2)
         sampled.plot(steps, mean, color=colour, label=f"{name}: mean, range")
-    sampled.axhline(1.0, color="black", linewidth=0.8, label="scheme event")
+    sampled.axhline(1.0, color="black", linewidth=0.8, label="scheme exact")
     sampled.set_xscale("log")
     sampled.set_xlabel("time step over contact time, scheme sampled")
     sampled.set_ylabel("escape velocity over the exact one")

@@ -46,11 +46,11 @@ class Program(MappingProgram):
 def thesis_table(program):
     """For each depth: the exact row; the same Hamaker constant sampled at the thesis's step; both laws
     sampled there, with the constant that restores the well's mean."""
-    event = program.table("to-hamaker", DEPTHS)
+    exact = program.table("to-hamaker", DEPTHS)
     at_step = ("--step", THESIS_STEP)
-    same = program.table("to-well", [repr(row["hamaker_constant"]) for row in event],
+    same = program.table("to-well", [repr(row["hamaker_constant"]) for row in exact],
                          "--hamaker-scheme", "sampled", *at_step)
-    return event, same, program.table("to-hamaker", DEPTHS, *BOTH_SAMPLED, *at_step)
+    return exact, same, program.table("to-hamaker", DEPTHS, *BOTH_SAMPLED, *at_step)
 
 
 def curves(program):
@@ -73,12 +73,12 @@ def over_steps(program):
     return rows, exact["hamaker_mean"]
 
 
-def text(event, same, restored):
+def text(exact, same, restored):
     """The thesis's table."""
     lines = [f"exact                                sampled at {THESIS_STEP:g} s, mean and range over v_esc",
              "D [J]    v_esc [m/s]   A [J]        well                   Hamaker, same A"
              "        A of the well's mean [J]"]
-    for e, s, r in zip(event, same, restored):
+    for e, s, r in zip(exact, same, restored):
         def over(row, law):
             mean, low, high = (row[f"{law}_{k}"] / e["hamaker_mean"]
                                for k in ("mean", "slowest_parted", "fastest_stuck"))

@@ -79,7 +79,7 @@ def frozen(axis, found, table):
 def few(axis, found, table):
     for marker, base in zip(MARKERS, sorted({name.rpartition("-")[0] for name in [*of(table, "well-"),
                                                                                 *of(table, "hamaker-")]})):
-        rows = {name: row for name, row in of(table, base + "-").items() if row["scheme"] == "event"}
+        rows = {name: row for name, row in of(table, base + "-").items() if row["scheme"] == "exact"}
         points(axis, found, rows, "y_over_cs", fmt=marker, label=base)
         colour = axis.lines[-1].get_color() if axis.lines else None
         first = next(iter(rows), None)

@@ -24,7 +24,7 @@ BLOCKS = 20
 
 # Of a row. collisions: of a sphere, while it is measured, in all seeds together.
 KNOWN = {"script": "gas", "lattice": "sc", "side": 8, "phi": 0.3, "e": 1, "D": 0, "w": 1.05, "by": "none",
-         "collisions": 800, "seeds": 1, "K": 66826, "contact": 20, "scheme": "event", "A": 0, "Hc": 0.02, "Ho": 0.2,
+         "collisions": 800, "seeds": 1, "K": 66826, "contact": 20, "scheme": "exact", "A": 0, "Hc": 0.02, "Ho": 0.2,
          "rate": 0}
 LOOSE = 0.3  # fraction up to which spheres of a simple cubic lattice have room to melt at once
 STEP = {"none": 0.5, "rescale": 0.3, "random": 0.1, "redraw": 0.1}  # mean free times; no flight may be half a box long

@@ -68,7 +68,7 @@ def soft_diameter(K):
 
 def hamaker(K, A, Hc, Ho, tail):
     """b of springs with the Hamaker attraction of small gaps, constant below Hc and none from Ho on. Without `tail` the
-    energy between Hc and Ho is gained at once at Hc, as scheme event has it."""
+    energy between Hc and Ho is gained at once at Hc, as scheme exact has it."""
     k = A / 24  # A/6 times the reduced radius
     force, depth = k / Hc**2, k * (1 / Hc - 1 / Ho)
 

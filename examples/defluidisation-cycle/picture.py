@@ -14,7 +14,7 @@ PANELS = {"U_mf_df": "U_mf,df [m/s]", "U_mf_th": "U_mf,th [m/s]", "U_mf_in": "U_
 SCALES = {"movement": 1e3}
 COLOURS = {"well": "#1f6f8b", "hamaker": "#c8553d"}
 APART = 0.06  # mm/s, between lines
-STYLES = {"event": "o-", "sampled": "s--"}
+STYLES = {"exact": "o-", "sampled": "s--"}
 
 
 def draw(study, file):

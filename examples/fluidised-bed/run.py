@@ -91,7 +91,7 @@ def main():
     mark = fingerprint(args.build, env)
     # Where nothing sticks the engine's own contacts do as well, and take less.
     kinds = {"non-cohesive": {"A": 0.0, "scheme": "sampled"}, "Hamaker": {"A": args.hamaker}}
-    # The longest that the scheme of events allows with these springs, t_c/6.2 in a plane (README.md, Particle step and
+    # The longest that the exact scheme allows with these springs, t_c/6.2 in a plane (README.md, Particle step and
     # scheme); that of LIGGGHTS takes t_c/8.2 as the case has it.
     if args.engine == "lammps":
         kinds["Hamaker"]["dt"] = 1.5e-5

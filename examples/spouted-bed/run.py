@@ -19,7 +19,7 @@ from cohesion_studies.job_pool import RunError, carry_out, require_ours
 HERE = Path(__file__).resolve().parent
 CASE = HERE / "case"
 
-# Variables of the script. Bridges of water between spheres of 4 mm: pi d times its surface tension [N]; scheme event
+# Variables of the script. Bridges of water between spheres of 4 mm: pi d times its surface tension [N]; scheme exact
 # wants ten steps in the swing of the tangential spring.
 BEDS = {"dry": {"bridge": 0, "dt": 2.5e-5}, "wet": {"bridge": 9.05e-4, "dt": 2e-5}}
 VARIABLES = "constant/couplingProperties", "liggghtsCoeffs/variables"

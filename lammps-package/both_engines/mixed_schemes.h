@@ -7,11 +7,11 @@
 namespace LAMMPS_NS {
 
 /// Warning of a wall whose contacts are integrated by another scheme than those of the pair style.
-/// wall_is_exact: the wall has scheme event, the pair style scheme sampled; else the reverse.
+/// wall_is_exact: the wall has scheme exact, the pair style scheme sampled; else the reverse.
 /// by_default: the scheme of a style without the keyword.
 inline std::string mixed_schemes(const std::string& wall, const std::string& pairs,
                                  bool wall_is_exact, const std::string& by_default) {
-  const std::string exact = "'scheme event'", sampled = "'scheme sampled'";
+  const std::string exact = "'scheme exact'", sampled = "'scheme sampled'";
   return wall + " has " + (wall_is_exact ? exact : sampled) + ", and " + pairs + " has " +
          (wall_is_exact ? sampled : exact) +
          ": a particle sticks to the wall and to another particle by different criteria, since "

@@ -185,7 +185,7 @@ void FixEventStep::initial_integrate(int) {
     resuming = false;
     last.free();
   }
-  if (!idle && any_event_scheme) save_accelerations();
+  if (!idle && any_exact_scheme) save_accelerations();
   keep_impulses();
 }
 
@@ -259,7 +259,7 @@ bool FixEventStep::begin_step() {
   forces_dt = update->dt;
   update_particles();
   update_readers();
-  if (any_event_scheme && !starting) forward_accelerations();
+  if (any_exact_scheme && !starting) forward_accelerations();
   // The engine's half kick makes of a force f the momentum f dt/2; the other half went before, but
   // for the first step, which has no half before it.
   impulses.begin_step((starting ? 2.0 : 1.0) / update->dt, energy_tally.is_active());
@@ -320,7 +320,7 @@ void FixEventStep::report_unresolved() {
   if (all > 0.0 && comm->me == 0)
     error->warning(
         FLERR,
-        "scheme event: {} times in this run a pair, or a particle and a wall, turned "
+        "scheme exact: {} times in this run a pair, or a particle and a wall, turned "
         "round a hundred times or more within one step, between contact and the edge of the "
         "adhesion or along that edge, and was not resolved to the end of that step: use "
         "a smaller time step",

@@ -35,7 +35,7 @@ struct Bodies {
 
 /// What all soft contacts share, made by the first style that has some: masses and sizes, and how
 /// the forces of the last step accelerated each particle, ghosts included. That is what a contact
-/// of the event scheme knows of the others of its particles
+/// of the exact scheme knows of the others of its particles
 /// (src/contact_solver/contact_solver.h). Impulses that were over within that step are left out.
 ///
 /// A fix cannot make another one in its constructor: those that need this one call of() in
@@ -96,7 +96,7 @@ class FixEventStep : public Fix {
   Bodies bodies() const { return {atom->radius, inverse_mass}; }
   /// Whether a fix may carry along a particle that has inverse mass 0.
   bool is_led(int i) const { return mobile.is_led(atom->mask[i]); }
-  /// A contact of the event scheme, or a sampled one, in this step.
+  /// A contact of the exact scheme, or a sampled one, in this step.
   template <class Contact>
   Contact contact(const cohesion::contact::ContactParameters& parameters,
                   const typename Contact::Attraction& attraction,
@@ -208,7 +208,7 @@ class FixEventStep : public Fix {
   std::vector<cohesion::Vector3>
       impulsive_forces;              // per atom: add_impulsive_force(), until the next step
   std::vector<int> given_impulses;   // who has one; some more than once
-  bool any_event_scheme = false;     // any style, in this run
+  bool any_exact_scheme = false;     // any style, in this run
   bool any_dynamic_group = false;    // of particles that fixes move or freeze, likewise
   std::vector<char> flagged;         // of what is forwarded
   double* inverse_mass;              // per atom and ghost

@@ -164,7 +164,7 @@ void FixEventStep::write_restart(FILE* fp) {
 
 void FixEventStep::restart(char* buf) {
   const auto* values = reinterpret_cast<const double*>(buf);
-  require_layout(lmp, values[0], "scheme event", LAYOUT);
+  require_layout(lmp, values[0], "scheme exact", LAYOUT);
   forces_dt = values[1];
   tally_unknown = values[2] != 0.0;
   if (forces_dt > 0.0) last.grow(atom->nmax);

@@ -26,14 +26,14 @@ using namespace LAMMPS_NS;
 
 void FixEventStep::init() {
   if (utils::strmatch(update->integrate_style, "^respa"))
-    error->all(FLERR, "scheme event follows contacts over the whole step; use 'run_style verlet'");
+    error->all(FLERR, "scheme exact follows contacts over the whole step; use 'run_style verlet'");
   if (force->newton_pair)
     error->all(FLERR,
-               "scheme event works out every contact on both sides; put 'newton off' before the "
+               "scheme exact works out every contact on both sides; put 'newton off' before the "
                "box is made");
   if (comm->ghost_velocity == 0)
     error->all(FLERR,
-               "scheme event needs the velocities of ghost particles; add 'comm_modify vel yes'");
+               "scheme exact needs the velocities of ghost particles; add 'comm_modify vel yes'");
 
   styles.clear();
   advised.clear();
@@ -50,7 +50,7 @@ void FixEventStep::init() {
     if (before_me && MobileParticles::integrates(fix))
       error->all(FLERR, std::string("fix ") + fix->id +
                             " integrates the motion: put it behind the pair_style and wall "
-                            "commands of scheme event");
+                            "commands of scheme exact");
   }
   for (const PairMember& member : pair_members(force)) {
     if (auto* pairs = dynamic_cast<SoftContactStyle*>(member.pair)) styles.push_back(pairs);
@@ -58,14 +58,14 @@ void FixEventStep::init() {
   }
   may_have_contacts = std::any_of(styles.begin(), styles.end(),
                                   [](const SoftContactStyle* s) { return s->may_have_contacts(); });
-  any_event_scheme = std::any_of(styles.begin(), styles.end(), [](const SoftContactStyle* some) {
-    return some->is_event_scheme();
+  any_exact_scheme = std::any_of(styles.begin(), styles.end(), [](const SoftContactStyle* some) {
+    return some->is_exact_scheme();
   });
-  refuse_rerun(lmp, any_event_scheme ? "scheme event" : "scheme sampled");
+  refuse_rerun(lmp, any_exact_scheme ? "scheme exact" : "scheme sampled");
   refuse_rigid_bodies();
-  if (may_have_contacts && (any_event_scheme || !warned_of_partly_held))
+  if (may_have_contacts && (any_exact_scheme || !warned_of_partly_held))
     warned_of_partly_held = require_whole_holds(
-        lmp, any_event_scheme ? "scheme event" : "scheme sampled", any_event_scheme);
+        lmp, any_exact_scheme ? "scheme exact" : "scheme sampled", any_exact_scheme);
   require_spheres();
   warn_of_spins();
   warn_of_unmoved();
@@ -79,7 +79,7 @@ void FixEventStep::refuse_rigid_bodies() const {
   for (int i = 0; i < modify->nfix; i++) {
     const Fix* const fix = modify->fix[i];
     if (fix->rigid_flag)
-      stop(lmp, FLERR, any_event_scheme ? "scheme event" : "scheme sampled",
+      stop(lmp, FLERR, any_exact_scheme ? "scheme exact" : "scheme sampled",
            ": contacts move each sphere by itself, and fix ", fix->id, " ", fix->style,
            " moves bodies of several: use a granular pair_style and fix wall/gran of LAMMPS for "
            "their contacts, with 'pair_style hybrid/overlay' and 'pair_style hamaker', and 'fix "
@@ -94,13 +94,13 @@ void FixEventStep::require_spheres() {
       std::any_of(styles.begin(), styles.end(), [this](const SoftContactStyle* some) {
         bool any = false;
         for (int type = 1; type <= atom->ntypes; type++) any = any || some->has_friction(type);
-        return any && some->is_event_scheme();
+        return any && some->is_exact_scheme();
       });
   if (!matters) return;
   for (int i = 0; i < modify->nfix; i++)
     if (MobileParticles::turns_discs(modify->fix[i]))
       error->all(FLERR, std::string("fix ") + modify->fix[i]->id + " " + modify->fix[i]->style +
-                            " disc: friction of scheme event and compute gran/energy "
+                            " disc: friction of scheme exact and compute gran/energy "
                             "take particles for spheres, of moment of inertia 2/5 m R^2; leave out "
                             "'disc'");
 }
@@ -124,14 +124,14 @@ void FixEventStep::warn_of_mixed_schemes() {
   const auto pairs = std::find_if(styles.begin(), styles.end(), is_pair);
   if (pairs == styles.end()) return;
   for (const SoftContactStyle* wall : styles) {
-    const bool exact = wall->is_event_scheme();
+    const bool exact = wall->is_exact_scheme();
     if (!dynamic_cast<const Fix*>(wall) ||
         std::any_of(styles.begin(), styles.end(), [&](const SoftContactStyle* some) {
-          return is_pair(some) && some->is_event_scheme() == exact;
+          return is_pair(some) && some->is_exact_scheme() == exact;
         }))
       continue;
     warned_of_mixed_schemes = true;
-    const std::string mixed = mixed_schemes(wall->name(), (*pairs)->name(), exact, "event");
+    const std::string mixed = mixed_schemes(wall->name(), (*pairs)->name(), exact, "exact");
     if (comm->me == 0) error->warning(FLERR, mixed);
   }
 }

@@ -14,8 +14,8 @@ class SoftContactStyle {
   virtual bool has_friction(int type) const = 0;
   /// Whether any contact may act in this run.
   virtual bool may_have_contacts() const { return true; }
-  /// Whether contacts are those of scheme event; else they are sampled.
-  virtual bool is_event_scheme() const = 0;
+  /// Whether contacts are those of scheme exact; else they are sampled.
+  virtual bool is_exact_scheme() const = 0;
   /// What messages call the style: 'pair_style NAME', or 'fix ID NAME'.
   virtual std::string name() const = 0;
   /// Whether it has contacts with a spring, which act in this run.

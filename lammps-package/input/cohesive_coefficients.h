@@ -27,7 +27,7 @@ class CohesiveCoefficients : protected Pointers {
   using Parameters = typename Cohesion::Parameters;
 
   explicit CohesiveCoefficients(LAMMPS* lammps)
-      : Pointers(lammps), scheme_(Scheme::event), given_(lammps) {}
+      : Pointers(lammps), scheme_(Scheme::exact), given_(lammps) {}
 
   static std::string where() { return std::string("pair_style ") + Cohesion::STYLE; }
 
@@ -57,7 +57,7 @@ class CohesiveCoefficients : protected Pointers {
     cohesion_.require_short(lmp, where_types(i, j), given_(i, j), radius_i, radius_j);
     if constexpr (std::is_same_v<typename Cohesion::Solver,
                                  cohesion::contact_solver::ContactSolver>) {
-      if (scheme_ != Scheme::event || radius_i == 0.0 || radius_j == 0.0) return;
+      if (scheme_ != Scheme::exact || radius_i == 0.0 || radius_j == 0.0) return;
       LAMMPS_NS::from_script(lmp, where_types(i, j), [&] {
         cohesion::event_stepping::require_turns_as_touching(
             attraction<cohesion::contact::Adhesion>(of_types(i, j), radius_i, radius_j),
@@ -142,7 +142,7 @@ class CohesiveCoefficients : protected Pointers {
   bool note_range(int i, int j) {
     ranges_.resize(given_.size(), NONE);
     const double before = ranges_[of_types(i, j)];
-    ranges_[of_types(i, j)] = Cohesion::range(Scheme::event, given_(i, j), 1.0, 1.0);
+    ranges_[of_types(i, j)] = Cohesion::range(Scheme::exact, given_(i, j), 1.0, 1.0);
     return before != NONE && before != ranges_[of_types(i, j)];
   }
 

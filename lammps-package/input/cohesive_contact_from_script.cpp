@@ -3,6 +3,8 @@
 
 #include <array>
 
+#include "former_words.h"
+
 using namespace LAMMPS_NS;
 using cohesion::contact::ContactParameters;
 
@@ -27,7 +29,7 @@ struct SchemeName {
 };
 
 constexpr std::array schemes{
-    SchemeName{"event", Scheme::event, &cohesion::advice::event_scheme},
+    SchemeName{"exact", Scheme::exact, &cohesion::advice::exact_scheme},
     SchemeName{"sampled", Scheme::sampled, &cohesion::advice::sampled_scheme},
 };
 
@@ -35,8 +37,9 @@ constexpr std::array schemes{
 
 Scheme LAMMPS_NS::scheme_from_script(LAMMPS* lmp, const std::string& where,
                                      const std::string& name) {
+  const std::string now = current_word(lmp, where, "scheme", name);
   return from_script(lmp, where,
-                     [&] { return cohesion::find_by_name(schemes, "scheme", name).scheme; });
+                     [&] { return cohesion::find_by_name(schemes, "scheme", now).scheme; });
 }
 
 const cohesion::advice::SchemeLimits& LAMMPS_NS::limits_of(Scheme scheme) {

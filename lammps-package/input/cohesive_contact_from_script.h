@@ -22,7 +22,7 @@ namespace LAMMPS_NS {
 
 /// How contacts are followed in time; to add one: its pair in src/event_stepping, its row in
 /// `schemes`, its alternative in the styles' AnyContacts.
-enum class Scheme { event, sampled };
+enum class Scheme { exact, sampled };
 
 /// What `scheme name` says.
 Scheme scheme_from_script(LAMMPS*, const std::string& where, const std::string& name);

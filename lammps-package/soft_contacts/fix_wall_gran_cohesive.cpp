@@ -27,7 +27,7 @@ template <class Cohesion>
 FixWallGranCohesive<Cohesion>::FixWallGranCohesive(LAMMPS* lammps, int narg, char** arg)
     : Fix(lammps, narg, arg),
       where(std::string("fix ") + arg[0] + " wall/" + Cohesion::STYLE),
-      scheme(Scheme::event),
+      scheme(Scheme::exact),
       law(attraction.no_law()),
       per_wall(HistorySize::normal_only),
       history(lammps),

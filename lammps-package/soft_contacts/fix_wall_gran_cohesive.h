@@ -36,7 +36,7 @@ class FixWallGranCohesive : public Fix, public SoftContactStyle, public AdvisedS
   void initial_integrate(int) override;
   void setup(int) override;
   void post_force(int) override;
-  bool is_event_scheme() const override { return scheme == Scheme::event; }
+  bool is_exact_scheme() const override { return scheme == Scheme::exact; }
   std::string name() const override { return where; }
   void continue_run() override;
   void give_advice(const Circumstances&, AdviceOfStyles&) override;
@@ -59,11 +59,11 @@ class FixWallGranCohesive : public Fix, public SoftContactStyle, public AdvisedS
   double memory_usage() override { return history.bytes(); }
 
  private:
-  using EventContact = cohesion::contact_solver::ExactContact<typename Cohesion::Solver>;
+  using ExactContact = cohesion::contact_solver::ExactContact<typename Cohesion::Solver>;
   using SampledContact = cohesion::event_stepping::SampledContact<typename Cohesion::Sampled>;
   /// Those of the particles near a wall, equal neighbours shared. One alternative per scheme, in
   /// the order of Scheme.
-  using AnyContacts = std::variant<std::vector<EventContact>, std::vector<SampledContact> >;
+  using AnyContacts = std::variant<std::vector<ExactContact>, std::vector<SampledContact> >;
   using Wall = cohesion::event_stepping::Wall;
 
   /// A particle that may touch a wall in this step.

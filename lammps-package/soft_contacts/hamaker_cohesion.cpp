@@ -47,7 +47,7 @@ Parameters HamakerCohesion::mixed(const Parameters& a, const Parameters& b) {
 
 double HamakerCohesion::range(Scheme scheme, const Parameters& p, double, double) {
   if (p.hamaker.hamaker_constant == 0.0) return 0.0;
-  return scheme == Scheme::event ? p.hamaker.surface_cutoff : p.hamaker.outer_cutoff;
+  return scheme == Scheme::exact ? p.hamaker.surface_cutoff : p.hamaker.outer_cutoff;
 }
 
 /// The only setting is the form.

@@ -83,8 +83,8 @@ void PairGranCohesive<Cohesion>::init_style() {
   smallest_radius = smallest_radii(lmp, largest_radius);
   coefficients.start();
   is_active = coefficients.any_active();
-  if (coefficients.scheme() == Scheme::event)
-    any_contacts.template emplace<static_cast<int>(Scheme::event)>();
+  if (coefficients.scheme() == Scheme::exact)
+    any_contacts.template emplace<static_cast<int>(Scheme::exact)>();
   else
     any_contacts.template emplace<static_cast<int>(Scheme::sampled)>();
   std::visit([this](auto& contacts) { contacts.last.resize(coefficients.pairs_of_types()); },

@@ -35,7 +35,7 @@ struct StaggeredParticles {
   }
 };
 
-/// Spheres with a linear spring-dashpot contact, friction and a cohesion, in the event scheme or
+/// Spheres with a linear spring-dashpot contact, friction and a cohesion, in the exact scheme or
 /// sampled. `Cohesion` (cohesion_law.h) says what is its own: name, keywords, law, range, and which
 /// solvers compute its normal motion.
 template <class Cohesion>
@@ -65,8 +65,8 @@ class PairGranCohesive : public Pair,
   }
   void append_bound(std::vector<std::array<int, 2>>&) const override;
   bool may_have_contacts() const override { return needs_list; }
-  bool is_event_scheme() const override {
-    return is_active && coefficients.scheme() == Scheme::event;
+  bool is_exact_scheme() const override {
+    return is_active && coefficients.scheme() == Scheme::exact;
   }
   std::string name() const override { return coefficients.where(); }
   bool has_contacts() const override { return is_active && Cohesion::HAS_CONTACT; }
@@ -93,9 +93,9 @@ class PairGranCohesive : public Pair,
     }
   };
   /// One alternative per scheme, in the order of Scheme.
-  using EventContact = cohesion::contact_solver::ExactContact<typename Cohesion::Solver>;
+  using ExactContact = cohesion::contact_solver::ExactContact<typename Cohesion::Solver>;
   using SampledContact = cohesion::event_stepping::SampledContact<typename Cohesion::Sampled>;
-  using AnyContacts = std::variant<Contacts<EventContact>, Contacts<SampledContact>>;
+  using AnyContacts = std::variant<Contacts<ExactContact>, Contacts<SampledContact>>;
 
   void allocate();
   double flight_allowance() const;

@@ -23,7 +23,7 @@ struct SchemeLimits {
   /// How often a contact takes a speed from two places a step apart: where it begins and ends.
   double speeds_of_places;
   /// What else than a smaller step helps where gaps are skipped.
-  std::string_view remedy = "use the event scheme";
+  std::string_view remedy = "use the exact scheme";
 };
 
 /// Force sampled once per step: 15 to 50 steps per contact are usual; the error is leapfrog's own.
@@ -31,10 +31,10 @@ inline constexpr SchemeLimits sampled_scheme{"sampled", 15.0, 0.0, true, 0.0};
 /// Closed-form pair motion, exact for one pair while a step is no longer than a contact
 /// (event_stepping/damped_oscillator.h, first_zero). Of many, a dense elastic gas keeps its energy
 /// to 3e-4 in 100 collisions at 4 steps per contact.
-inline constexpr SchemeLimits event_scheme{"event", 4.0, 1.0, false, 2.0};
+inline constexpr SchemeLimits exact_scheme{"exact", 4.0, 1.0, false, 2.0};
 /// The same in LIGGGHTS, whose contacts do not know how a wall accelerates: at 4 steps per contact
 /// an elastic one parts from a wall that moves away at half of its strength.
-inline constexpr SchemeLimits event_scheme_one_pass{"event", 10.0, 1.0, false, 2.0};
+inline constexpr SchemeLimits exact_scheme_one_pass{"exact", 10.0, 1.0, false, 2.0};
 
 /// Overlap over diameter above which spheres are no longer almost rigid.
 inline constexpr double overlap_for_warning = 0.01;

@@ -12,7 +12,7 @@
 #include "sphere.h"
 
 /// Hamaker attractions and square wells of equal head-on escape velocity, each through the scheme
-/// that it will be used with. `step` is the time step [time] of scheme sampled; none: scheme event,
+/// that it will be used with. `step` is the time step [time] of scheme sampled; none: scheme exact,
 /// which is the same at any step.
 namespace cohesion::advice {
 

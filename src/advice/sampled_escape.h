@@ -56,7 +56,7 @@ bool parts(const Pair& pair, const HeadOnStart& start, double step) {
     grid.separation += step * grid.velocity;
   }
   require(false, "time step", step,
-          "a pair is not free again after ten million steps: take a longer one, or scheme event, "
+          "a pair is not free again after ten million steps: take a longer one, or scheme exact, "
           "which is what short ones come to");
   return false;
 }

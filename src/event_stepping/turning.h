@@ -12,7 +12,7 @@ namespace cohesion::event_stepping {
 /// require_turns_as_touching.
 inline constexpr double largest_range_over_distance = 1.0 / 30.0;
 
-/// Throws InvalidParameter at an adhesion of so wide a range that scheme event turns pairs wrongly
+/// Throws InvalidParameter at an adhesion of so wide a range that scheme exact turns pairs wrongly
 /// in it. The motion along the normal has a closed form where what pulls is constant, and so the
 /// centrifugal acceleration, L^2/(D + h)^3 at a gap h, is taken at touch, h = 0: there it is
 /// (1 + h/D)^3 times as large, of which a tenth is let pass.
@@ -21,7 +21,7 @@ inline void require_turns_as_touching(const contact::Adhesion& adhesion, double 
   const double largest = largest_range_over_distance * contact_distance;
   std::ostringstream remedy;
   remedy << "must not be above " << largest
-         << ", a thirtieth of the distance of the smallest two that meet: scheme event turns pairs "
+         << ", a thirtieth of the distance of the smallest two that meet: scheme exact turns pairs "
             "as if they touched; use 'scheme sampled', a smaller H_cut or, where it was scaled for "
             "a soft spring, a stiffer one";
   // The limit to the last digit is still the limit.

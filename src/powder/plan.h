@@ -58,7 +58,7 @@ inline double two_digits_below(double value) {
   return std::floor(value / unit * (1.0 + 1e-12)) * unit;
 }
 
-/// Steps of a contact that scheme event is given in LAMMPS: the bed of the examples is the same at
+/// Steps of a contact that scheme exact is given in LAMMPS: the bed of the examples is the same at
 /// a quarter and an eighth of it. In LIGGGHTS, where others' forces are those of the step before,
 /// it warns of fewer than ten.
 inline constexpr double steps_per_contact = 8.0, steps_per_contact_liggghts = 10.0;

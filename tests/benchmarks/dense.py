@@ -16,21 +16,21 @@ WAYS = {
         "hooke/history + hamaker": ("lammps+", overlay(f"hamaker cutoff {scenes.CUT} {scenes.OUT}", f"hamaker {scenes.HAMAKER}")),
         "hooke/history + square_well": ("lammps+", overlay("square_well", f"well {scenes.DEPTH} {scenes.RATIO}")),
         "gran/hamaker *sampled*": ("lammps+", ours(scheme="sampled", cohesion=hamaker())),
-        "gran/hamaker *event*": ("lammps+", ours(cohesion=hamaker())),
-        "gran/hamaker *event*, no friction": ("lammps+", ours(friction="", cohesion=hamaker())),
+        "gran/hamaker *exact*": ("lammps+", ours(cohesion=hamaker())),
+        "gran/hamaker *exact*, no friction": ("lammps+", ours(friction="", cohesion=hamaker())),
         "gran/square_well *sampled*": ("lammps+", ours("gran/square_well", "sampled", cohesion=well())),
-        "gran/square_well *event*": ("lammps+", ours("gran/square_well", cohesion=well())),
+        "gran/square_well *exact*": ("lammps+", ours("gran/square_well", cohesion=well())),
     },
     "LIGGGHTS": {
         "hooke/stiffness (stock)": ("liggghts", gran()),
         "hooke/stiffness, sjkr (stock, cohesive)": (
             "liggghts", gran(LIGGGHTS_CONTACT + " cohesion sjkr", scenes.SJKR_PROPERTIES)),
         "cohesion hamaker *sampled*": ("liggghts+", scenes.LIGGGHTS_HAMAKER),
-        "cohesion hamaker *event*": ("liggghts+", scenes.LIGGGHTS_EVENT),
+        "cohesion hamaker *exact*": ("liggghts+", scenes.LIGGGHTS_EXACT),
         "cohesion square_well *sampled*": (
             "liggghts+", gran(LIGGGHTS_CONTACT + " cohesion square_well", scenes.well_properties())),
-        "cohesion square_well *event*": (
-            "liggghts+", gran(LIGGGHTS_CONTACT + " cohesion square_well scheme event", scenes.well_properties())),
+        "cohesion square_well *exact*": (
+            "liggghts+", gran(LIGGGHTS_CONTACT + " cohesion square_well scheme exact", scenes.well_properties())),
     },
 }
 

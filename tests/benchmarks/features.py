@@ -41,7 +41,7 @@ def cohesion(scheme, style, keywords, nothing):
     return tuple(package(ours(style, scheme, cohesion=words)) for words in ("", nothing, keywords))
 
 
-EVENT, SAMPLED = ours(cohesion=hamaker()), ours(scheme="sampled", cohesion=hamaker())
+EXACT, SAMPLED = ours(cohesion=hamaker()), ours(scheme="sampled", cohesion=hamaker())
 EVERY_STEP = "fix out all ave/time 1 10 10 c_out[*] mode vector file out.txt\n"
 LIGGGHTS_HAMAKER = LIGGGHTS_CONTACT + " cohesion hamaker"
 LIGGGHTS_PAIR = scenes.LIGGGHTS_HAMAKER
@@ -55,42 +55,42 @@ def rolling(words):
 LAMMPS = {
     "plugin loaded, no style used; without: stock": (stock(hooke()), package(hooke()), None),
     "gran/hamaker *sampled*, no cohesion; without: stock": (stock(hooke()), None, package(ours(scheme="sampled"))),
-    "gran/hamaker *event*, no cohesion; without: stock": (stock(hooke()), None, package(ours())),
+    "gran/hamaker *exact*, no cohesion; without: stock": (stock(hooke()), None, package(ours())),
     "hybrid/overlay hamaker; without: stock": (
         stock(hooke()), package(overlay(HAMAKER_STYLE, "hamaker 0")), package(overlay(HAMAKER_STYLE, f"hamaker {scenes.HAMAKER}"))),
     "hybrid/overlay square_well; without: stock": (
         stock(hooke()), package(overlay("square_well", f"well 0 {scenes.RATIO}")),
         package(overlay("square_well", f"well {scenes.DEPTH} {scenes.RATIO}"))),
-    "cohesion, gran/hamaker *event*": cohesion("event", "gran/hamaker", hamaker(), hamaker(0)),
+    "cohesion, gran/hamaker *exact*": cohesion("exact", "gran/hamaker", hamaker(), hamaker(0)),
     "cohesion, gran/hamaker *sampled*": cohesion("sampled", "gran/hamaker", hamaker(), hamaker(0)),
-    "cohesion, gran/square_well *event*": cohesion("event", WELL, well(), well(0)),
+    "cohesion, gran/square_well *exact*": cohesion("exact", WELL, well(), well(0)),
     "cohesion, gran/square_well *sampled*": cohesion("sampled", WELL, well(), well(0)),
-    "friction, *event*": tuple(package(ours(friction=words, cohesion=hamaker()))
+    "friction, *exact*": tuple(package(ours(friction=words, cohesion=hamaker()))
                                for words in ("", "friction 0", "friction 0.3")),
     "friction, *sampled*": tuple(package(ours(scheme="sampled", friction=words, cohesion=hamaker()))
                                  for words in ("", "friction 0", "friction 0.3")),
     "friction and history of the engine's own style": (
         stock(hooke(0, history=False)), stock(hooke(0)), stock(hooke())),
-    "rolling friction, *event*": tuple(map(rolling, ("", "rolling_friction 0", "rolling_friction 0.1"))),
+    "rolling friction, *exact*": tuple(map(rolling, ("", "rolling_friction 0", "rolling_friction 0.1"))),
     "ghost velocities, pair hamaker alone": tuple(
         ghosts and package(f"pair_style {HAMAKER_STYLE}\npair_coeff * * hamaker {scenes.HAMAKER}\n", ghosts=ghosts)
         for ghosts in ("no", None, "yes")),
-    "wall/gran/hamaker, *event*; without: no wall": (
-        package(EVENT, walled=True), None,
-        package(EVENT, f"fix w all wall/gran/hamaker {WALL} {hamaker()} {PLANES}\n", walled=True)),
+    "wall/gran/hamaker, *exact*; without: no wall": (
+        package(EXACT, walled=True), None,
+        package(EXACT, f"fix w all wall/gran/hamaker {WALL} {hamaker()} {PLANES}\n", walled=True)),
     "wall of the engine; without: no wall": (
         stock(hooke(), walled=True), None,
         stock(hooke(), f"fix w all wall/gran hooke/history {scenes.STIFFNESS} NULL {scenes.GAMMA} NULL "
               f"{scenes.FRICTION} 1 {PLANES}\n", walled=True)),
-    "energy tally, *event*": output(EVENT, "compute out all gran/energy\n", "uncompute out\n"),
+    "energy tally, *exact*": output(EXACT, "compute out all gran/energy\n", "uncompute out\n"),
     "energy tally, *sampled*": output(SAMPLED, "compute out all gran/energy\n", "uncompute out\n"),
-    "stress split, not read": output(EVENT, "compute out all gran/stress\n", "uncompute out\n"),
-    "stress split, every step": output(EVENT, "compute out all gran/stress\n", "uncompute out\n", EVERY_STEP),
+    "stress split, not read": output(EXACT, "compute out all gran/stress\n", "uncompute out\n"),
+    "stress split, every step": output(EXACT, "compute out all gran/stress\n", "uncompute out\n", EVERY_STEP),
     "profile of the flow, every step": output(
-        EVENT, "compute out all shear/profile\n", "uncompute out\n", EVERY_STEP.replace(" mode vector", "")),
-    "agglomerates, every step": output(EVENT, "fix out all agglomerates 1\n", "unfix out\n"),
-    "agglomerates, every 10": output(EVENT, "fix out all agglomerates 10\n", "unfix out\n"),
-    "gas/coupling, no gas": output(EVENT, "fix out all gas/coupling\n", "unfix out\n"),
+        EXACT, "compute out all shear/profile\n", "uncompute out\n", EVERY_STEP.replace(" mode vector", "")),
+    "agglomerates, every step": output(EXACT, "fix out all agglomerates 1\n", "unfix out\n"),
+    "agglomerates, every 10": output(EXACT, "fix out all agglomerates 10\n", "unfix out\n"),
+    "gas/coupling, no gas": output(EXACT, "fix out all gas/coupling\n", "unfix out\n"),
 }
 # `fix out` there is a cutoff (scenes.hamaker_properties).
 LIGGGHTS = {

@@ -14,7 +14,7 @@ DENSE = """From elsewhere
 |---|---|---|---|---|---|---|
 | A | gas, 4 | x (stock) | 100 | 1.00 | 10 | 1.00 (1.00 to 1.00) |
 | A | gas, 4 | y (stock, cohesive) | 200 | 2.00 | 18 | 1.80 (1.50 to 1.90) |
-| B | gas, 4 | x *event* (cohesive) | 300 | 1.00 |  |  |
+| B | gas, 4 | x *exact* (cohesive) | 300 | 1.00 |  |  |
 
 | another | table |
 |---|---|

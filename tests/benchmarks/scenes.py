@@ -99,7 +99,7 @@ def overlay(style, coefficients, contact=None):
             f"pair_coeff * * {name}\npair_coeff * * {style.split()[0]} {coefficients}\n")
 
 
-def ours(style="gran/hamaker", scheme="event", friction=f"friction {FRICTION}", cohesion="", rolling=""):
+def ours(style="gran/hamaker", scheme="exact", friction=f"friction {FRICTION}", cohesion="", rolling=""):
     """A contact style of ours; friction, cohesion, rolling: keywords with their values."""
     return (f"pair_style {style} scheme {scheme}\npair_coeff * * stiffness {STIFFNESS} "
             f"restitution {RESTITUTION} {friction} {rolling} {cohesion}\n")
@@ -143,13 +143,13 @@ def well_properties(depth=DEPTH):
 
 SJKR_PROPERTIES = "fix k all property/global cohesionEnergyDensity peratomtypepair 1 1e4\n"
 LIGGGHTS_HAMAKER = gran(LIGGGHTS_CONTACT + " cohesion hamaker", hamaker_properties())
-LIGGGHTS_EVENT = gran(LIGGGHTS_CONTACT + " cohesion hamaker scheme event", hamaker_properties())
+LIGGGHTS_EXACT = gran(LIGGGHTS_CONTACT + " cohesion hamaker scheme exact", hamaker_properties())
 
 # --- what growth and scaling compare -----------------------------------------------------------
 
 WAYS = {
     "LAMMPS, gran/hooke/history (stock)": ("lammps", hooke()),
-    "LAMMPS, gran/hamaker *event*": ("lammps+", ours(cohesion=hamaker())),
+    "LAMMPS, gran/hamaker *exact*": ("lammps+", ours(cohesion=hamaker())),
     "LAMMPS, gran/hamaker *sampled*": ("lammps+", ours(scheme="sampled", cohesion=hamaker())),
     "LIGGGHTS, hooke/stiffness (stock)": ("liggghts", gran()),
     "LIGGGHTS, cohesion hamaker": ("liggghts+", LIGGGHTS_HAMAKER),

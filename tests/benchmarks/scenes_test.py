@@ -107,7 +107,7 @@ class Gases(unittest.TestCase):
         runs = list(scenes.gases(only_lammps, words))
         self.assertEqual([(run.name, run.way, run.wished, run.particles) for run in runs],
                          [(f"LAMMPS, gran/hamaker *{scheme}*", "lammps+", wished, wished)
-                          for scheme in ("event", "sampled") for wished in (500, 4000)])
+                          for scheme in ("exact", "sampled") for wished in (500, 4000)])
         self.assertTrue(all(run.text.startswith("plugin load") for run in runs))
 
 

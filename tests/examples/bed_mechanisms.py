@@ -103,8 +103,8 @@ class Mechanisms(unittest.TestCase):
         """The energy is D for each pair of particles that is nearer than the edge of its well and 2 D for each particle
         that is nearer to a wall than the edge of its. The tally is some half a step away from the places."""
         # It takes longer until particles come to the side walls.
-        for scheme, given, settle in (("event", (1, 0, 0), 0.02), ("event", (0, 1, 0), 0.04),
-                                      ("event", (0, 0, 1), 0.02), ("event", (0, 0, 0), 0.02),
+        for scheme, given, settle in (("exact", (1, 0, 0), 0.02), ("exact", (0, 1, 0), 0.04),
+                                      ("exact", (0, 0, 1), 0.02), ("exact", (0, 0, 0), 0.02),
                                       ("sampled", (1, 1, 1), 0.02)):
             with self.subTest(scheme=scheme, given=given):
                 off = {f"cohesion_{name}": 0 for name, on in zip(MECHANISMS, given) if not on}

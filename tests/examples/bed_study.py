@@ -26,8 +26,8 @@ from small_beds import BUILD, SmallBeds, variables
 TABLE = ("name, A, cohesion_side, settle, scheme\n"
          "none, 0, , 0.01, sampled\nno-side, 7.49e-19, 0, 0.01, sampled\n")
 OTHERS = ("name, A, settle, voidFraction, smoothingWidth, scheme, law, D, ratio\n"
-          "smooth, 0, 0.01, sphereOverlap, 1e-3, sampled, , ,\nevent, 7.49e-19, 0.01, , , , , ,\n"
-          "well, , 0.01, , , event, square_well, 5e-11, 1.02\n")
+          "smooth, 0, 0.01, sphereOverlap, 1e-3, sampled, , ,\nexact, 7.49e-19, 0.01, , , , , ,\n"
+          "well, , 0.01, , , exact, square_well, 5e-11, 1.02\n")
 
 
 def restitution(stiffness, damping, mass):
@@ -115,17 +115,17 @@ class Beds(SmallBeds):
 
     def test_refuses_a_scheme_that_is_none(self):
         table, out = self.folder / "table.csv", self.folder / "out"
-        table.write_text("name, scheme, settle\na, Event, 0.01\n")
+        table.write_text("name, scheme, settle\na, Exact, 0.01\n")
         with self.assertRaisesRegex(RunError, "1 of 1 runs failed"):
             self.call(study, table, "--seeds", 1, "--out", out)
-        self.assertIn("scheme is Event; there are sampled and event", (out / "runs/a-1/log.lammps").read_text())
+        self.assertIn("scheme is Exact; there are sampled and exact", (out / "runs/a-1/log.lammps").read_text())
 
     def test_a_summary_of_both_engines_without_results(self):
         """Parameters that one engine only has, and a row without figures."""
         file = self.folder / "summary.csv"
-        table = {"a": {"A": 0, "scheme": "event"}, "b": {"A": 1, "other": 2}}
-        for results, expected in (({"a": [], "b": [{"u": 3.0}]}, [["a", "", "event", ""], ["b", "3", "", "2"]]),
-                                  ({"a": [{"u": 3.0}], "b": []}, [["a", "3", "event", ""], ["b", "", "", "2"]])):
+        table = {"a": {"A": 0, "scheme": "exact"}, "b": {"A": 1, "other": 2}}
+        for results, expected in (({"a": [], "b": [{"u": 3.0}]}, [["a", "", "exact", ""], ["b", "3", "", "2"]]),
+                                  ({"a": [{"u": 3.0}], "b": []}, [["a", "3", "exact", ""], ["b", "", "", "2"]])):
             study.write_summary(file, table, results, {"a": 0, "b": 0})
             with open(file) as lines:
                 rows = list(csv.DictReader(lines))
@@ -137,7 +137,7 @@ class Beds(SmallBeds):
         table.write_text(OTHERS)
         self.call(study, table, "--seeds", 1, "--out", out)
         for name, kernel, width, style in (("smooth", "sphereOverlap", 0.001, "gran/hooke/history"),
-                                           ("event", "particleCentre", None, "gran/hamaker"),
+                                           ("exact", "particleCentre", None, "gran/hamaker"),
                                            ("well", "particleCentre", None, "gran/square_well")):
             case = out / "runs" / f"{name}-1"
             text = (case / "constant/couplingProperties").read_text()
@@ -159,7 +159,7 @@ class Beds(SmallBeds):
             for place, D, m in (("v_esc", 5e-11, mass / 2), ("v_esc_side", 1e-10, mass), ("v_esc_plate", 1e-10, mass)):
                 e = restitution(800, 0.79e-3, m)
                 self.assertAlmostEqual(float(well[place]) / math.sqrt(2 * D / m * (1 / e**2 - 1)), 1, delta=5e-6)
-            self.assertGreater(float(found["event"]["v_esc"]), 0)
+            self.assertGreater(float(found["exact"]["v_esc"]), 0)
 
     def test_a_change_of_what_reads_figures_reads_them_again(self):
         table, out = self.folder / "table.csv", self.folder / "out"
@@ -195,7 +195,7 @@ class Beds(SmallBeds):
         the weight of the bed, up and down, count for an eighth of it each: 4/8/25 = 2 %."""
         program, plugin = launcher(BUILD)
         dt, mass = 1.125e-5, 4000 * math.pi / 6 * 2650 * 1e-9
-        for scheme in ("sampled", "event"):
+        for scheme in ("sampled", "exact"):
             for A, D in ((0, 0), (7.49e-19, 0), (0, 5e-11)):
                 folder = self.folder / f"{scheme}-{A}-{D}"
                 folder.mkdir()

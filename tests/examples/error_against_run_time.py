@@ -245,17 +245,17 @@ class WrongScenes(Folder):
 
 class OwnScenes(Folder):
     def test_couples(self):
-        """The event scheme is right to the finest grade, 1e-4, at any step; sampled forces are off by
+        """The exact scheme is right to the finest grade, 1e-4, at any step; sampled forces are off by
         10 to 80 % at the bed's step, as the couple's energy depends on where in the step it touches."""
-        done = self.run_py(EXAMPLE / "scenes/couples.yaml", "--steps", "event=5e-6,2.25e-5", "--steps",
+        done = self.run_py(EXAMPLE / "scenes/couples.yaml", "--steps", "exact=5e-6,2.25e-5", "--steps",
                            "sampled=5e-6,2.25e-5")
         self.assertEqual(done.returncode, 0, done.stdout)
         found = {(r["scheme"], float(r["dt"])): float(r["error"]) for r in self.rows("couples")}
         for step in (5e-6, 2.25e-5):
-            self.assertLess(found["event", step], 1.5e-4)
+            self.assertLess(found["exact", step], 1.5e-4)
         self.assertGreater(found["sampled", 2.25e-5], 0.1)
         self.assertLess(found["sampled", 5e-6], found["sampled", 2.25e-5])
-        self.assertIn("recommended event, dt 2.25e-05 s", done.stdout)
+        self.assertIn("recommended exact, dt 2.25e-05 s", done.stdout)
 
     def test_all_can_be_read(self):
         names = [Scene(file).name for file in sorted((EXAMPLE / "scenes").glob("*.yaml"))]

@@ -20,9 +20,9 @@ BUILD = sys.argv.pop(1) if len(sys.argv) > 1 else str(SOURCE / "build")
 
 class MappingExample(unittest.TestCase):
     def test_expected_figures(self):
-        event, same, _ = run.thesis_table(run.Program(BUILD))
+        exact_rows, same, _ = run.thesis_table(run.Program(BUILD))
         found = {}
-        for exact, sampled in zip(event, same):
+        for exact, sampled in zip(exact_rows, same):
             found[f"{exact['depth']:g}"] = {"hamaker_constant": exact["hamaker_constant"],
                                             "hamaker_mean": sampled["hamaker_mean"] / exact["hamaker_mean"]}
         checked = expected.held(EXAMPLE / "expected.csv", found)

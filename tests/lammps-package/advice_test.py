@@ -189,8 +189,8 @@ class SixWalls(ScriptTestCase):
         softer = CONTACT.replace("800", "600")
         output = self.run_with(self.walls(f"wall/gran/hamaker {CONTACT}", floor=f"all wall/gran/hamaker {softer}"))
         self.assertEqual(output.count(ADVICE), 2, output)
-        self.assertIn("fixes low, high, left, right, lid wall/gran/hamaker, scheme event: what", output)
-        self.assertIn("fix floor wall/gran/hamaker, scheme event: what", output)
+        self.assertIn("fixes low, high, left, right, lid wall/gran/hamaker, scheme exact: what", output)
+        self.assertIn("fix floor wall/gran/hamaker, scheme exact: what", output)
 
     def test_why_a_run_must_not_begin(self):
         self.stops(f"{TWO}pair_style none\n{self.walls(f'wall/gran/hamaker {CONTACT}')}{MOVE}timestep {TOO_LONG}\nrun 1\n",
@@ -204,7 +204,7 @@ class SixWalls(ScriptTestCase):
         output = self.goes(script.replace("\nrun 5\n", f"\nrun 5\n{MOVE}").replace(MOVE + "unfix", "unfix")
                            .replace("xplane 0.001 NULL\nrun 5\n", f"xplane 0.001 NULL\n{MOVE}run 5\n"))
         self.assertEqual(output.count(ADVICE), 2, output)
-        self.assertIn("fix mid wall/gran/hamaker, scheme event: what", output)
+        self.assertIn("fix mid wall/gran/hamaker, scheme exact: what", output)
 
 
 if __name__ == "__main__":

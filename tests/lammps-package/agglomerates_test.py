@@ -125,7 +125,7 @@ class Agglomerates(FolderTestCase):
                 self.assertAlmostEqual(fractions[21], 1.0)
 
     def test_duration_of_a_collision(self):
-        """In and out again in the event scheme: half a swing of the spring, and twice the way through the attraction,
+        """In and out again in the exact scheme: half a swing of the spring, and twice the way through the attraction,
         up to H_out."""
         self.write(numpy.array([[4.0, 4.0, 3.0], [5.5, 4.0, 3.0]]),
                    numpy.array([[1.0, 0.0, 0.0], [0.0, 0.0, 0.0]]))
@@ -244,7 +244,7 @@ class Agglomerates(FolderTestCase):
         grains = "".join(f"create_atoms 1 single {x:.17g} {(k + 0.5) * side / 4} 0.5e-3\n"
                          for k, (near, across) in enumerate(rows)
                          for x in (d / 4, d / 4 + d + near * out, side + d / 4 - d - across * out))
-        for scheme in ("event", "sampled"):
+        for scheme in ("exact", "sampled"):
             for ranks in (1, 2):
                 with self.subTest(scheme=scheme, ranks=ranks):
                     output = self.run_script(f"""plugin load ${{plugin}}

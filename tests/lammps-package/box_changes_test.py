@@ -68,10 +68,10 @@ write_dump all custom ends.dump id vx vz modify format float %.17g
         """To some roundings of places of 0.01 m, 2e-18 m, over a way of 1.7e-6 m in a step: 1e-12 of speeds, a hundred
         times more behind an edge or a dashpot."""
         for law in LAWS:
-            for scheme in ("event", "sampled"):
+            for scheme in ("exact", "sampled"):
                 plain = self.ends(law, scheme, "")
                 self.assertGreater(numpy.abs(plain[:, 1]).max(), 0.5 * SPEED)
-                for change in CHANGES if (law, scheme) == ("hamaker", "event") else CHANGES[:2]:
+                for change in CHANGES if (law, scheme) == ("hamaker", "exact") else CHANGES[:2]:
                     changes = f"change_box all {change} units box"
                     if "triclinic" in change:
                         changes = "\n".join(f"change_box all {one}" for one in change.split())
@@ -80,8 +80,8 @@ write_dump all custom ends.dump id vx vz modify format float %.17g
 
     def test_on_two_processes(self):
         for change in CHANGES[:2]:
-            changed = self.ends("hamaker", "event", f"change_box all {change} units box", ranks=2)
-            numpy.testing.assert_allclose(changed, self.ends("hamaker", "event", ""), rtol=0, atol=1e-9 * SPEED)
+            changed = self.ends("hamaker", "exact", f"change_box all {change} units box", ranks=2)
+            numpy.testing.assert_allclose(changed, self.ends("hamaker", "exact", ""), rtol=0, atol=1e-9 * SPEED)
 
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Masses that change between two lists of neighbours: the event scheme follows contacts with those of the step,
+"""Masses that change between two lists of neighbours: the exact scheme follows contacts with those of the step,
 however seldom lists are made."""
 import math
 import unittest

@@ -47,7 +47,7 @@ def rows(scheme, e, dt, steps, heights, top, output):
 
 
 class Lammps(Orders, unittest.TestCase):
-    schemes = ("event", "sampled")
+    schemes = ("exact", "sampled")
 
     def stack(self, scheme, e, dt, every, steps):
         output = ("variable a equal z[1]\nvariable b equal z[2]\n"

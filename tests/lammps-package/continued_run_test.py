@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs of the event scheme that go on from the forces of another: the motion, and the energy tally of compute
+"""Runs of the exact scheme that go on from the forces of another: the motion, and the energy tally of compute
 gran/energy that is first looked at on their first line."""
 import math
 import sys
@@ -33,7 +33,7 @@ OVERLAY = (f"pair_style hybrid/overlay gran/hamaker square_well\npair_coeff * * 
            "pair_coeff * * square_well well 1e-10 1.01\n")
 
 
-def scene(style, words, oblique=0.0, scheme="event", walls="", x=5e-3):
+def scene(style, words, oblique=0.0, scheme="exact", walls="", x=5e-3):
     """Two spheres that touch after four steps, or with `walls` one below which they are."""
     way = 4 * DT * SPEED
     v = SPEED * numpy.array([1.0, oblique, 0.5 * oblique])
@@ -190,11 +190,11 @@ write_dump all custom end.txt id x y z vx vy vz omegax omegay omegaz modify form
         pull = depth / cut / (MASS / 2)
         wide = f"well {depth} 1.1"
         for name, scheme, first, then, gap in (
-                ("square_well", "event", "well 0 1.1", wide, width - 2e-7),
+                ("square_well", "exact", "well 0 1.1", wide, width - 2e-7),
                 ("square_well", "sampled", "well 0 1.1", wide, width - 2e-7),
-                ("square_well", "event", "well 1e-13 1.01", wide, width - 2e-7),
-                ("square_well", "event", wide, "", width + 1e-6),
-                ("hamaker", "event", "", f"hamaker {A:.17g} cutoff {cut} {10 * cut}", 0.5 * cut)):
+                ("square_well", "exact", "well 1e-13 1.01", wide, width - 2e-7),
+                ("square_well", "exact", wide, "", width + 1e-6),
+                ("hamaker", "exact", "", f"hamaker {A:.17g} cutoff {cut} {10 * cut}", 0.5 * cut)):
             for parts in (1, -1):
                 with self.subTest(name, scheme=scheme, first=first, then=then, parts=parts > 0):
                     engine.write_spheres(self.folder, [

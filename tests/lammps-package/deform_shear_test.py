@@ -138,7 +138,7 @@ class Collisions(Shear):
         # near 10 (2e-15) grows by no more than exp(w0 t_c) = e^pi, with friction and spins some ten
         # times that; a thousand additions make a thousand: 1e-15 * 1e3 * 1e3.
         laws = {"sampled": "pair_style gran/hooke/history 800 NULL 5 NULL 0.3 0\npair_coeff * *\n",
-                "event": "pair_style gran/hamaker\npair_coeff * * stiffness 800 restitution 0.9 "
+                "exact": "pair_style gran/hamaker\npair_coeff * * stiffness 800 restitution 0.9 "
                          "friction 0.3 hamaker 1e-6 cutoff 1e-4 1e-2\n",
                 "hard": "pair_style hard/square_well\npair_coeff * * restitution 0.9 "
                         "friction 0.3 well 0.05 1.05\n"}

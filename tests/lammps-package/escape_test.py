@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Who stays and who parts, scheme event in LAMMPS: pairs, planes and cylinders of both laws, three strengths, head-on
+"""Who stays and who parts, scheme exact in LAMMPS: pairs, planes and cylinders of both laws, three strengths, head-on
 to 80 degrees, at any step and any position of the contact in it; against an integration that knows nothing of the
 package. The same for LIGGGHTS: tests/liggghts-styles/head_on_test.py.
 

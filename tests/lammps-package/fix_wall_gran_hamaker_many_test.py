@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Walls of the event scheme, in LAMMPS: ranks and restarts, and a huge sphere in place of the wall."""
+"""Walls of the exact scheme, in LAMMPS: ranks and restarts, and a huge sphere in place of the wall."""
 import math
 import unittest
 
 import numpy
 
-from cohesion_tests.lammps_scenes.event_wall import (CUT, DENSITY, OUT, RADIUS, SPEED, STIFFNESS, W0, EventWall,
+from cohesion_tests.lammps_scenes.exact_wall import (CUT, DENSITY, OUT, RADIUS, SPEED, STIFFNESS, W0, ExactWall,
                                                      contact_time, say)
 from cohesion_tests.thermo import thermo_end
 
 
-class HugeSphere(EventWall):
+class HugeSphere(ExactWall):
     """A wall is the limit of a sphere that is fixed and large."""
     CONTACT = (f"stiffness {STIFFNESS} restitution 0.9 friction 0.3 hamaker 2e-17 cutoff 4e-9 1e-6")
 
@@ -45,7 +45,7 @@ class HugeSphere(EventWall):
             self.assertLessEqual(difference, 3.0 / ratio + 1e-6)
 
 
-class RestartAndRanks(EventWall):
+class RestartAndRanks(ExactWall):
     WALLS = (f"stiffness {STIFFNESS} restitution 0.8 friction 0.3 hamaker 5e-19 cutoff {CUT} {OUT} "
              "zplane 0.01 NULL xplane 0.001 0.035")
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Impacts of spheres on walls of the event scheme, in LAMMPS, against closed forms and against
+"""Impacts of spheres on walls of the exact scheme, in LAMMPS, against closed forms and against
 integrations of the same motion that know neither LAMMPS nor the package."""
 import math
 import unittest
@@ -8,12 +8,12 @@ import numpy
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
-from cohesion_tests.lammps_scenes.event_wall import (CUT, DIAMETER, MASS, OUT, RADIUS, ROUNDING, SPEED, STIFFNESS, W0,
-                                                     EventWall, alpha, contact_time, say)
+from cohesion_tests.lammps_scenes.exact_wall import (CUT, DIAMETER, MASS, OUT, RADIUS, ROUNDING, SPEED, STIFFNESS, W0,
+                                                     ExactWall, alpha, contact_time, say)
 from cohesion_tests.thermo import thermo_end
 
 
-class Impact(EventWall):
+class Impact(ExactWall):
     def bounce(self, restitution, parts, wall, height, up):
         """Impacts that begin at sixteen places within the step; exit speeds."""
         dt = contact_time(restitution) / parts
@@ -91,7 +91,7 @@ class Impact(EventWall):
         hamaker = 5e-19
         adhesion = hamaker * RADIUS / (6 * CUT**2)
         dt = contact_time() / 10
-        for scheme in ("event", "sampled"):
+        for scheme in ("exact", "sampled"):
             self.write([[2e-3, 2e-3, 0.01 + RADIUS + 1e-9]], [(0.02, 0.0, -SPEED)])
             self.run_wall(f"stiffness {STIFFNESS} friction 0.3 hamaker {hamaker} cutoff {CUT} {OUT} "
                           f"zplane 0.01 0.03 scheme {scheme}", dt, 5)
@@ -103,7 +103,7 @@ class Impact(EventWall):
             self.assertLess(abs(values["f_walls[4]"]), ROUNDING * values["f_walls[1]"])
 
 
-class Escape(EventWall):
+class Escape(ExactWall):
     RESTITUTION = 0.9
     OFFSETS = [1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1]
     # The scheme follows a head-on impact exactly, the tail's energy at once: what is left is the
@@ -166,7 +166,7 @@ class Escape(EventWall):
         return max(captured), min(escaped)
 
 
-class Moving(EventWall):
+class Moving(ExactWall):
     WALL = (f"stiffness {STIFFNESS} restitution 0.8 friction 0.3 hamaker 5e-19 cutoff {CUT} {OUT} "
             "zplane 0.01 NULL")
 
@@ -236,7 +236,7 @@ class Moving(EventWall):
                                    msg=words)
 
 
-class TwoWalls(EventWall):
+class TwoWalls(ExactWall):
     def test_to_and_fro(self):
         # Contacts and flights take known times; without damping nothing is lost.
         dt, gap = contact_time() / 10, 3e-5
@@ -302,7 +302,7 @@ class TwoWalls(EventWall):
             self.assertAlmostEqual(height[n + 1], next_height, delta=4 * 2.0**-53 * 0.01 / 2e-6)
 
 
-class Corner(EventWall):
+class Corner(ExactWall):
     def test_walls_without_friction_know_nothing_of_each_other(self):
         # Into the edge of two walls, and beside it into one of them alone: the same along its normal.
         # Captured, so that the walls are met many times, and with speeds of the same order along the other.
@@ -328,7 +328,7 @@ class Corner(EventWall):
                 self.assertLess(speed_error, rounding / dt)
 
 
-class Friction(EventWall):
+class Friction(ExactWall):
     """Oblique impacts."""
 
     def reference(self, speed, restitution, mu, ratio=2 / 7, damping_ratio=0.5):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Two spheres under pair_style gran/hamaker, scheme event: what an isolated contact does must not
+"""Two spheres under pair_style gran/hamaker, scheme exact: what an isolated contact does must not
 depend on the time step, nor on where in the step it begins. Many couples in each run; the numbers
 against integrations of the pair's motion and closed forms that know nothing of the package."""
 import math

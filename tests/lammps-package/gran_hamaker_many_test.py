@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Many particles in the event scheme: energy of elastic gases and of damped ones, a sticking pair struck by a third
+"""Many particles in the exact scheme: energy of elastic gases and of damped ones, a sticking pair struck by a third
 sphere, momentum, ranks and restarts, spheres that come to rest."""
 import math
 import unittest

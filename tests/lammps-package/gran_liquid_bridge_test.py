@@ -55,7 +55,7 @@ class HeadOn(unittest.TestCase):
         # 3e-17 m = 1e-12 m/s of 0.02 m/s, and what it loses in the difference, ten times.
         for division in (4, 8, 16, 50):
             for grade in (1e-3, 1e-6):
-                parted = self.parted("event", division, (1 - grade, 1 + grade))
+                parted = self.parted("exact", division, (1 - grade, 1 + grade))
                 self.assertFalse(parted[:, 0].any(), f"t_c/{division}, 1 - {grade}")
                 self.assertTrue(parted[:, 1].all(), f"t_c/{division}, 1 + {grade}")
 
@@ -191,7 +191,7 @@ class Continued(Scene):
     """Captured couples, a bead on a wall, and a couple within h_r that never touched, at a time when all
     are in the gap: the bridges that are there go on, and no other begins."""
 
-    def scene(self, mode, ranks=1, file="end.txt", scheme="event"):
+    def scene(self, mode, ranks=1, file="end.txt", scheme="exact"):
         speed = 0.8 * escape_velocity()
         atoms = [self.sphere((3e-3, 3e-3, 3e-3), (speed, 0, 0)),
                  self.sphere((3e-3 + DIAMETER + 1e-7, 3e-3, 3e-3)),
@@ -210,7 +210,7 @@ class Continued(Scene):
     STEPS = 40
 
     def test_runs_ranks_and_restart(self):
-        for scheme in ("event", "sampled"):
+        for scheme in ("exact", "sampled"):
             whole = self.scene("restart_file", scheme=scheme)
             middle = self.course()[self.STEPS // 2]
             gap = numpy.linalg.norm(middle[0, 1:4] - middle[1, 1:4]) - DIAMETER

@@ -145,7 +145,7 @@ class Overlay(Gas):
 
     def test_input(self):
         for text, expected in (
-                ("square_well scheme event\npair_coeff * * well 1e-11 1.1", ("no keywords", "scheme")),
+                ("square_well scheme exact\npair_coeff * * well 1e-11 1.1", ("no keywords", "scheme")),
                 ("square_well\npair_coeff * * well 1e-11", ("well", "takes 2")),
                 ("square_well\npair_coeff * * D 1e-11", ("'D'", "well")),
                 ("square_well\npair_coeff * * well 1e-11 0.9", ("ratio r_out/r", "0.9")),

@@ -57,8 +57,8 @@ class HeadOn(unittest.TestCase):
         grades = [10.0**-k for k in range(1, 7)]
         factors = sorted([1 - g for g in grades] + [1 + g for g in grades])
         for division in (4, 10, 50):
-            for depth, (low, high) in zip(DEPTHS, self.limits("event", division, factors)):
-                report(f"event, t_c/{division}, D {depth:g} J, {escape_velocity(depth):.5g} m/s: "
+            for depth, (low, high) in zip(DEPTHS, self.limits("exact", division, factors)):
+                report(f"exact, t_c/{division}, D {depth:g} J, {escape_velocity(depth):.5g} m/s: "
                        f"slowest parted {low:.6f}, fastest captured {high:.6f}")
                 self.assertAlmostEqual(low, 1 + 1e-6, delta=1e-9)
                 self.assertAlmostEqual(high, 1 - 1e-6, delta=1e-9)

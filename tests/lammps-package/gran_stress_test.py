@@ -75,7 +75,7 @@ class Pairs(unittest.TestCase):
         atoms = [sphere([5.0 + side * 0.499, 4.0, 3.0]) for side in (-1, 1)]
         push = "".join(f"group g{k} id {k}\nfix f{k} g{k} addforce {x} 0 0\n"
                        for k, x in ((1, force), (2, -force)))
-        for scheme, division in (("event", 5), ("event", 20), ("sampled", 50)):
+        for scheme, division in (("exact", 5), ("exact", 20), ("sampled", 50)):
             with self.subTest(scheme, division=division):
                 dt, steps = hooke(800, 0.2) / division, 40 * division
                 totals, _, path = run(atoms, f"gran/hamaker scheme {scheme}", self.words(0.2), dt,
@@ -152,7 +152,7 @@ class Pairs(unittest.TestCase):
     def test_where_nothing_attracts(self):
         atoms = [sphere([5.0, 4.0, 3.0], [1.0, 0.0, 0.0]),
                  sphere([6.1, 4.5, 3.2], [-1.0, 0.0, 0.0], (0.0, 3.0, 1.0))]
-        for scheme in ("event", "sampled"):
+        for scheme in ("exact", "sampled"):
             totals, _, _ = run(atoms, f"gran/hamaker scheme {scheme}",
                                "stiffness 800 restitution 0.9 friction 0.3", 0.002, 300)
             self.assertGreater(totals[-1, 0, 0], 0.1)
@@ -161,7 +161,7 @@ class Pairs(unittest.TestCase):
 
 class Many(unittest.TestCase):
     LAWS = {
-        "event": ("gran/hamaker", "stiffness 5000 restitution 0.8 friction 0.3 hamaker 1e-5 "
+        "exact": ("gran/hamaker", "stiffness 5000 restitution 0.8 friction 0.3 hamaker 1e-5 "
                                   "cutoff 1e-3 1e-2"),
         "sampled": ("gran/hamaker scheme sampled", "stiffness 5000 restitution 0.8 friction 0.3 "
                                                    "hamaker 1e-5 cutoff 1e-3 1e-2"),
@@ -212,14 +212,14 @@ class Many(unittest.TestCase):
         self.assertGreater(abs(flow[:, 0]).max(), 1.0)
 
     def test_sum_of_parts_is_the_engines_pressure(self):
-        cases = [("event", 3, 1), ("event", 3, 2), ("sampled", 3, 1), ("well", 3, 2), ("well", 2, 1)]
+        cases = [("exact", 3, 1), ("exact", 3, 2), ("sampled", 3, 1), ("well", 3, 2), ("well", 2, 1)]
         with ThreadPoolExecutor(4) as pool:
             for case, done in [(case, pool.submit(self.check, *case)) for case in cases]:
                 with self.subTest(case):
                     done.result()
 
     def test_totals_are_those_of_a_run_that_is_read_seldom(self):
-        style, pair = self.LAWS["event"]
+        style, pair = self.LAWS["exact"]
         often = run(self.atoms(3), style, pair, 0.002, 60)[0][-1]
         seldom = run(self.atoms(3), style, pair, 0.002, 60, every=60)[0][-1]
         numpy.testing.assert_array_equal(seldom, often)

@@ -63,7 +63,7 @@ class Held(ScriptTestCase):
 
     def test_elastic_impact_gives_the_speed_back(self):
         for style in STYLES:
-            # An elastic pair under *event*, and hard spheres, keep the speed to rounding; a sampled one to
+            # An elastic pair under *exact*, and hard spheres, keep the speed to rounding; a sampled one to
             # (w0 dt)^2/8, which is 7e-5 here: w0 dt = 1e-6 sqrt(800/1.39e-6).
             allowed = 1e-4 if "sampled" in style else 1e-5
             for how in ("setforce", "line and plane"):

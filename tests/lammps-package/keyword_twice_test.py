@@ -29,8 +29,8 @@ class Twice(ScriptTestCase):
         self.refuses(HARD.rstrip() + " restitution 0.8", "hard/square_well", "restitution", 0.9, 0.8)
 
     def test_pair_style(self):
-        self.refuses("pair_style gran/hamaker scheme event scheme sampled", "pair_style gran/hamaker",
-                     "scheme", "event", "sampled")
+        self.refuses("pair_style gran/hamaker scheme exact scheme sampled", "pair_style gran/hamaker",
+                     "scheme", "exact", "sampled")
         self.refuses("pair_style hard/square_well limit 10 limit 20", "pair_style hard/square_well",
                      "limit", 10, 20)
 

@@ -11,7 +11,7 @@ HEAD = (box(types=2, boundary="p p f") + spheres((1, 0.002, 0.002, 0.005), (2, 0
         "neighbor 1e-4 bin\ntimestep 1e-6\n")
 CONTACT = "stiffness 800 restitution 0.9 "
 LAWS = ("hamaker", "square_well", "liquid_bridge")
-SAID = "give both the same scheme (event where the keyword is missing)"
+SAID = "give both the same scheme (exact where the keyword is missing)"
 
 
 def wall(law, scheme, name="w"):
@@ -27,7 +27,7 @@ class MixedSchemes(ScriptTestCase):
 
     def test_warned(self):
         for law in LAWS:
-            for of_wall, of_pairs in (("event", "sampled"), ("sampled", "event")):
+            for of_wall, of_pairs in (("exact", "sampled"), ("sampled", "exact")):
                 for ranks in (1, 2) if law == LAWS[0] else (1,):
                     with self.subTest(law, of_wall=of_wall, ranks=ranks):
                         output = self.printed(self.pairs(law, f"scheme {of_pairs}"), wall(law, f"scheme {of_wall}"),
@@ -38,7 +38,7 @@ class MixedSchemes(ScriptTestCase):
                         self.assertLess(output.index(SAID), output.index("Step"), output)
 
     def test_keyword_that_is_missing(self):
-        self.assertIn("has 'scheme event', and", self.printed(self.pairs("hamaker", "scheme sampled"), wall("hamaker", "")))
+        self.assertIn("has 'scheme exact', and", self.printed(self.pairs("hamaker", "scheme sampled"), wall("hamaker", "")))
         self.assertIn("has 'scheme sampled', and", self.printed(self.pairs("hamaker", ""),
                                                                 wall("square_well", "scheme sampled")))
 
@@ -49,7 +49,7 @@ class MixedSchemes(ScriptTestCase):
 
     def test_right_ones(self):
         for law in LAWS:
-            for scheme in ("", "scheme event", "scheme sampled"):
+            for scheme in ("", "scheme exact", "scheme sampled"):
                 with self.subTest(law, scheme=scheme):
                     self.assertNotIn(SAID, self.printed(self.pairs(law, scheme), wall(law, scheme)))
         hybrid = (f"pair_style hybrid gran/hamaker gran/square_well scheme sampled\npair_coeff 1 1 gran/hamaker {CONTACT}\n"

@@ -86,7 +86,7 @@ class Smooth(FolderTestCase):
         engine.write_spheres(self.folder, spheres(), 3 * [(0.0, SIZE)], 1)
         start = ("read_data data.spheres\npair_style gran/hamaker scheme %(scheme)s form %(form)s\n"
                  "pair_coeff * * %(words)s\n")
-        for scheme in ("event", "sampled"):
+        for scheme in ("exact", "sampled"):
             with self.subTest(scheme):
                 self.rests(scheme, start)
                 self.check()

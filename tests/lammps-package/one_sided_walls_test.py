@@ -17,7 +17,7 @@ LAWS = {"hamaker": "hamaker 5e-19 cutoff 4e-10 1e-7", "square_well": "well 1e-10
 HAMAKER = "hamaker 5e-19 cutoff 4e-10 1e-7"
 HARD = "pair_style hard/square_well\npair_coeff * * restitution 1 well 1e-10 1.05\n"
 SOFT = [f"wall/gran/{law} {CONTACT} {words} scheme {scheme}" for law, words in LAWS.items()
-        for scheme in ("event", "sampled")]
+        for scheme in ("exact", "sampled")]
 HARD_WALL = "wall/hard/square_well restitution 1"
 OVERLAY = f"wall/hamaker {HAMAKER}"
 BEHIND, THROUGH = "with their centres behind a wall", "that a wall cuts through"

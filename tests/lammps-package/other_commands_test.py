@@ -70,7 +70,7 @@ class Rigid(ScriptTestCase):
     def test_refused_with_what_goes(self):
         for style in STYLES:
             where = ("pair_style hard" if "hard" in style else "scheme sampled: contacts move each sphere by itself"
-                     if "sampled" in style else "scheme event: contacts move each sphere by itself")
+                     if "sampled" in style else "scheme exact: contacts move each sphere by itself")
             with self.subTest(style):
                 self.stops(HEAD + pair(style) + "fix body all rigid single\nrun 1\n", where, "fix body",
                            *([] if "hard" in style else ["'pair_style hybrid/overlay' and 'pair_style hamaker'"]))

@@ -14,7 +14,7 @@ LAG = 3e-3
 
 
 class PullOff(unittest.TestCase):
-    def check(self, within, division, *grain, scheme="event", pulled_by="addforce", **partner):
+    def check(self, within, division, *grain, scheme="exact", pulled_by="addforce", **partner):
         with self.subTest(division=division, grain=grain, scheme=scheme, pulled_by=pulled_by, **partner):
             found = pull_off.load_at_parting(Grain(*grain, **partner), division, scheme, pulled_by)
             print(f"t_c/{division}, K and e {grain}, {partner}, {scheme}, {pulled_by}: {found:.4f} F_ad", file=sys.stderr)

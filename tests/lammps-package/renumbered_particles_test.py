@@ -56,7 +56,7 @@ LAWS = {"gran/hamaker": "hamaker 1e-16 cutoff 4e-10 1e-7", "gran/square_well": "
 
 
 class Renumbered(FolderTestCase):
-    def end(self, between, law="gran/hamaker", scheme="event", ranks=1, map_words="", rolling="", restart=False):
+    def end(self, between, law="gran/hamaker", scheme="exact", ranks=1, map_words="", rolling="", restart=False):
         words = CONTACT + rolling + LAWS[law]
         spheres = "\n".join(f"create_atoms 1 single {x!r} {y!r} {z!r}" for x, y, z in SPHERES)
         fixes = FIXES % {"wall": f"{law} scheme {scheme} {words}",

@@ -57,7 +57,7 @@ class Layout(ScriptTestCase):
         content, mark = file.read_bytes(), struct.pack("=d", MARK + 5)
         self.assertEqual(content.count(mark), 1)
         file.write_bytes(content.replace(mark, struct.pack("=d", MARK + 4)))
-        self.stops(read, "scheme event", "another version of the package", "write_data")
+        self.stops(read, "scheme exact", "another version of the package", "write_data")
 
     def test_another_layout_of_the_motion_of_walls_is_refused(self):
         file = Path(self.folder) / "some.restart"

@@ -14,7 +14,7 @@ from cohesion_tests.theory.pair_motion import CUT, DIAMETER, MASS, OUT, STIFFNES
 
 
 class OnAPlane(Rolling):
-    def roll(self, parts, coefficient, slope, speed, time, scheme="event"):
+    def roll(self, parts, coefficient, slope, speed, time, scheme="exact"):
         """A ball that rolls down a plane of this slope along x from rest under its load; speeds at
         100 times in the second half of `time` [s]."""
         dt = WALL_TIME / parts
@@ -29,7 +29,7 @@ class OnAPlane(Rolling):
 
     def test_a_ball_is_slowed_at_5_7_mu_g(self):
         # m a = -T, I a/R = -(R mu_R m g - R T): a = mu_R g/(1 + 2/5). Springs have come to rest.
-        for parts, scheme in ((3, "event"), (10, "event"), (50, "event"), (20, "sampled")):
+        for parts, scheme in ((3, "exact"), (10, "exact"), (50, "exact"), (20, "sampled")):
             t, path, _ = self.roll(parts, 0.02, 0.0, 0.05, 0.1, scheme)
             slowed = numpy.polyfit(t, path[:, 3], 1)[0] / (-5 / 7 * 0.02 * G)
             turned = numpy.polyfit(t, RADIUS * path[:, 7], 1)[0] / (-5 / 7 * 0.02 * G)
@@ -99,7 +99,7 @@ class OnePair(Rolling):
         # I w' = -R mu_R F_ad, R = r/2: equal spheres with opposite spins do not slide.
         A, coefficient, spin = 7.49e-19, 0.02, 40.0
         pull = pair_motion.Pair(A).adhesion
-        for scheme in ("event", "sampled"):
+        for scheme in ("exact", "sampled"):
             dt = T_C / 20
             rate = 0.5 * RADIUS * coefficient * pull / INERTIA
             steps = int(0.9 * spin / rate / dt) // 100 * 100

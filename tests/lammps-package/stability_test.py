@@ -51,7 +51,7 @@ class Campaign(unittest.TestCase):
         self.assertLessEqual(warned, 9)
 
     def test_overlap_beyond_the_particle_is_refused_with_its_reason(self):
-        for name in ("gran/hamaker, event", "gran/square_well, sampled", "fix wall/gran/hamaker, event"):
+        for name in ("gran/hamaker, exact", "gran/square_well, sampled", "fix wall/gran/hamaker, exact"):
             result = judge.judge(make(law(name), dict(speed=100.0)), engine)
             self.assertEqual(set(result.verdicts.values()), {"refused"})
             self.assertRegex(result.said, "impact overlap [0-9]+ %")
@@ -86,7 +86,7 @@ class WrongLaw(unittest.TestCase):
     def test_is_found_by_the_closed_form(self):
         """Coarse and fine agree; but with 2 W/mu in place of which 1.01 times that acts, e^2 (v^2 + 2 W/mu) -
         2 W/mu changes by (e^2 - 1) of a hundredth of it."""
-        point = make(DeeperWell("event"), dict(angle=0.0))
+        point = make(DeeperWell("exact"), dict(angle=0.0))
         result = judge.judge(point, engine)
         added = point.values["depth"]  # over the speed
         share = added**2 / (1 + added**2)
@@ -99,8 +99,8 @@ class Judge(unittest.TestCase):
     """What it makes of an end that is changed by hand."""
 
     def setUp(self):
-        self.point = make(law("gran/square_well, event"), dict(angle=0.0, e=1.0))
-        state, _, end = judge.run(self.point, engine, "event", 1)
+        self.point = make(law("gran/square_well, exact"), dict(angle=0.0, e=1.0))
+        state, _, end = judge.run(self.point, engine, "exact", 1)
         self.assertEqual(state, "ran")
         self.end = end
         # Elastic, so that they part again.
@@ -166,10 +166,10 @@ class Judge(unittest.TestCase):
         """w dt is 0.314 at 10 steps of a contact and 0.157 at 20. Rounding is below 1e-7 of the speed there: 2e-16 of
         places of 2 cm, times w = 3e4/s, in some 3000 fine steps, over 0.05 m/s."""
         for name, steps, mu, parted, held, room in (
-                ("gran/square_well, event", 10.0, 0.0, (1e-6, 0.0986960), (0.1, 0.1), (0.314160, 0.412856)),
-                ("gran/square_well, event", 20.0, 0.3, (0.0246740, 0.0246740), (0.1, 0.1), (0.181754, 0.181754)),
-                ("gran/hamaker, event", 20.0, 0.0, (1e-6, 0.0246740), (0.003085, 0.027758), (0.003085, 0.027758)),
-                ("gran/hamaker, event", 2.0, 0.0, (1e-6, 0.1), (0.1, 0.1), (0.308426, 0.408425))):
+                ("gran/square_well, exact", 10.0, 0.0, (1e-6, 0.0986960), (0.1, 0.1), (0.314160, 0.412856)),
+                ("gran/square_well, exact", 20.0, 0.3, (0.0246740, 0.0246740), (0.1, 0.1), (0.181754, 0.181754)),
+                ("gran/hamaker, exact", 20.0, 0.0, (1e-6, 0.0246740), (0.003085, 0.027758), (0.003085, 0.027758)),
+                ("gran/hamaker, exact", 2.0, 0.0, (1e-6, 0.1), (0.1, 0.1), (0.308426, 0.408425))):
             point = make(law(name), dict(angle=0.0, e=1.0, steps=steps, mu=mu))
             with mock.patch.object(judge, "run", lambda *words: ("ran", "", self.end)):
                 known = judge.fine_run(point, engine)[1]

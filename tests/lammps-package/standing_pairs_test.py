@@ -104,7 +104,7 @@ class Standing(ScriptTestCase):
                 stored = sum(law.stored(overlap, radius) for overlap in overlaps)
                 # The positions are rounded by 1e-18 m of 2e-10 m, at each bounce anew.
                 numpy.testing.assert_allclose(energy[0], stored, rtol=1e-7)
-                if scheme == "event":
+                if scheme == "exact":
                     numpy.testing.assert_allclose(energy, stored, rtol=1e-6)
 
     def pairs(self, law, scheme, overlaps, names=None, ranks=1):
@@ -125,13 +125,13 @@ class Standing(ScriptTestCase):
         self.check(law, scheme, D / 4, overlaps, ways, names, ranks)
 
     def test_hamaker(self):
-        self.pairs(HAMAKER, "event", (GAP, OVERLAP))
+        self.pairs(HAMAKER, "exact", (GAP, OVERLAP))
 
     def test_square_well(self):
-        self.pairs(WELL, "event", (-5e-8, OVERLAP))
+        self.pairs(WELL, "exact", (-5e-8, OVERLAP))
 
     def test_liquid_bridge(self):
-        self.pairs(BRIDGES, "event", (OVERLAP,), SOME_WAYS)
+        self.pairs(BRIDGES, "exact", (OVERLAP,), SOME_WAYS)
 
     def test_sampled(self):
         self.pairs(HAMAKER, "sampled", (GAP,), SOME_WAYS)
@@ -139,7 +139,7 @@ class Standing(ScriptTestCase):
 
     def test_two_ranks(self):
         # The border is at 0.01, where the spheres touch.
-        self.pairs(HAMAKER, "event", (GAP, OVERLAP), SOME_WAYS, ranks=2)
+        self.pairs(HAMAKER, "exact", (GAP, OVERLAP), SOME_WAYS, ranks=2)
 
     def test_walls(self):
         for law, overlaps, names in ((HAMAKER, (GAP, OVERLAP), None), (WELL, (-5e-8, OVERLAP), SOME_WAYS),
@@ -149,7 +149,7 @@ class Standing(ScriptTestCase):
                     f"pair_style {law.style}\npair_coeff * * stiffness {K} restitution 1\n")
             wall = f"fix w all wall/{law.style} {law.words} xplane {X - D / 2!r} NULL\n"
             ways = {name: (head + before, between) for name, (before, between) in ways_of_all(wall).items()}
-            self.check(law, "event", D / 2, overlaps, ways, names)
+            self.check(law, "exact", D / 2, overlaps, ways, names)
 
     def test_dynamic_group(self):
         # Nothing moves, and so no list of neighbours is made when the group gets its particles.

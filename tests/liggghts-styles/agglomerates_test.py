@@ -84,7 +84,7 @@ class Sets(unittest.TestCase):
         gaps = ((0.2, 0.2), (0.99, 1.01), (1.01, 0.99), (1.01, 1.01))  # over H_out
         grains = [sphere((x, (k + 0.5) * side / 4, side / 2), radius=d / 2) for k, (near, across) in enumerate(gaps)
                   for x in (d / 4, d / 4 + d + near * out, side + d / 4 - d - across * out)]
-        for scheme in ("event", "sampled"):
+        for scheme in ("exact", "sampled"):
             for ranks in (0, 2):
                 with self.subTest(scheme=scheme, ranks=ranks):
                     text = script(grains, MODELS + f" scheme {scheme}", hamaker(1e-19, cut=4e-10, out=out), dt=1e-9,
@@ -173,7 +173,7 @@ class Durations(unittest.TestCase):
         v = numpy.array([[1.0, 0.0, 0.0], [0.0, 0.0, 0.0]])
         reduced = DENSITY * numpy.pi / 12
         # Without depth no edge is followed.
-        for depth, scheme in ((100.0, "sampled"), (100.0, "event"), (0.0, "sampled"), (0.0, "event")):
+        for depth, scheme in ((100.0, "sampled"), (100.0, "exact"), (0.0, "sampled"), (0.0, "exact")):
             with self.subTest(depth=depth, scheme=scheme):
                 duration = (2 * (ratio - 1) / numpy.sqrt(1 + 2 * depth / reduced)
                             + numpy.pi * numpy.sqrt(reduced / stiffness))

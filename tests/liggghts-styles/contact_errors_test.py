@@ -58,7 +58,7 @@ def rows(scheme, e, dt, steps, heights, planes, output):
 
 
 class Liggghts(Orders, unittest.TestCase):
-    schemes = ("event", "sampled")
+    schemes = ("exact", "sampled")
 
     def stack(self, scheme, e, dt, every, steps):
         output = ("variable n equal step\nvariable a equal z[1]\nvariable b equal z[2]\n"

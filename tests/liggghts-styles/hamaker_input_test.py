@@ -83,9 +83,9 @@ class BadInput(unittest.TestCase):
             return Run(script([sphere((0, 0, 0)), sphere((1.0001e-3, 0, 0))],
                               f"{LINEAR} scheme {scheme} absolute_damping on material_stiffness on", properties,
                               dt=1e-7, steps=1, skin=3e-4))
-        assert_refused(self, go("event", 2e-5), "surface cut-off H_cut of the contact = 4.",
-                       "must not be above 3.33", "scheme event turns pairs as if they touched")
-        for scheme, cut in (("sampled", 2e-5), ("event", 1e-5)):
+        assert_refused(self, go("exact", 2e-5), "surface cut-off H_cut of the contact = 4.",
+                       "must not be above 3.33", "scheme exact turns pairs as if they touched")
+        for scheme, cut in (("sampled", 2e-5), ("exact", 1e-5)):
             done = go(scheme, cut)
             self.assertEqual(done.code, 0, done.output[-2000:])
 
@@ -138,8 +138,8 @@ class BadInput(unittest.TestCase):
 
     def test_a_keyword_of_a_wall_belongs_to_the_end(self):
         """The line that the message gives is right."""
-        head = script([sphere((0, 0, 1e-3))], LINEAR + " scheme event", hamaker(1e-19, cut=4e-10, out=1e-7), run="")
-        for misplaced in (" scheme event primitive type 1 zplane 0", " scheme event rolling_friction off primitive type 1 zplane 0"):
+        head = script([sphere((0, 0, 1e-3))], LINEAR + " scheme exact", hamaker(1e-19, cut=4e-10, out=1e-7), run="")
+        for misplaced in (" scheme exact primitive type 1 zplane 0", " scheme exact rolling_friction off primitive type 1 zplane 0"):
             wall = f"fix floor all wall/gran {LINEAR}{misplaced}\n"
             said = "behind 'primitive ...' or 'mesh ...', as in 'fix ID all wall/gran "
             run = Run(head + wall + "run 0\n")

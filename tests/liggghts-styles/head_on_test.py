@@ -23,7 +23,7 @@ SETTINGS = " absolute_damping on tangential_damping off"
 GRADE = 1e-3
 FLIGHT = 1.001  # of the range of the attraction: where a flight ends
 POSITIONS = 4  # of the contact within the step
-EVENT = {"scheme": "event", "positions": 8}
+EXACT = {"scheme": "exact", "positions": 8}
 PLANE = ("primitive type 2 xplane -8.5e-3", (), {})
 CYLINDER = ("primitive type 2 xcylinder 8.5e-3 0 0", (), {})
 
@@ -132,26 +132,26 @@ class HeadOn(unittest.TestCase):
                 self.assertAlmostEqual(low, 1.0, delta=0.00101)
                 self.assertAlmostEqual(high, 1.0, delta=0.00101)
 
-    def test_event_at_any_step(self):
+    def test_exact_at_any_step(self):
         # The closed form of a pair: nothing but rounding errs. The slowest takes up to 9e-4 s, as above.
         for wall, divisions in ((False, (4, 8, 16, 50)), (PLANE, (4, 8, 16, 50)), (mesh(1), (4, 50)),
                                 (mesh(10), (4, 8))):
-            runs = [(("hamaker", self.FINE, CONTACT_TIME / steps, 10 * steps, wall), EVENT) for steps in divisions]
+            runs = [(("hamaker", self.FINE, CONTACT_TIME / steps, 10 * steps, wall), EXACT) for steps in divisions]
             for steps, found in zip(divisions, all_limits(runs), strict=True):
                 with self.subTest(wall=wall and wall[0], steps_per_contact=steps):
                     self.assertEqual(found, (1.001, 0.999))
 
-    def test_event_in_a_well_at_any_step(self):
+    def test_exact_in_a_well_at_any_step(self):
         # As above. What is 0.001 above leaves the edge with e sqrt(2e-3) of the escape velocity, and is the 5e-9 m
         # beyond that parted() asks for in less than a step of t_c/50; in the well it takes 2 ms.
         divisions = (4, 8, 16, 50)
         for wall in (False, PLANE, mesh(1), mesh(10)):
-            runs = [(("square_well", self.FINE, CONTACT_TIME / steps, 40 * steps, wall), EVENT) for steps in divisions]
+            runs = [(("square_well", self.FINE, CONTACT_TIME / steps, 40 * steps, wall), EXACT) for steps in divisions]
             for steps, found in zip(divisions, all_limits(runs), strict=True):
                 with self.subTest(wall=wall and wall[0], steps_per_contact=steps):
                     self.assertEqual(found, (1.001, 0.999))
 
-    def test_event_of_any_strength_and_angle(self):
+    def test_exact_of_any_strength_and_angle(self):
         # The slowest has e sqrt(2e-3) of the escape velocity left: 2 ms through a weak tail, 5 ms out of a well.
         # Without friction nothing acts across the normal of a wall, nor along a cylinder; two spheres turn.
         cases = [("pairs", False, angle) for angle in (0, 20, 40, 60, 80)]
@@ -161,7 +161,7 @@ class HeadOn(unittest.TestCase):
         for cohesion, strengths in (("hamaker", (1e-19, A, 2e-18)), ("square_well", (1e-11, DEPTH, 1e-10))):
             for strength in strengths:
                 runs = [((cohesion, self.FINE, CONTACT_TIME / steps, 120 * steps, wall),
-                         {**EVENT, "strength": strength, "angle": math.radians(degrees)})
+                         {**EXACT, "strength": strength, "angle": math.radians(degrees)})
                         for _, wall, degrees in cases for steps in (4, 8, 16, 50)]
                 limit = all_limits(runs)
                 for name, _, degrees in cases:

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Spheres of which fix setforce, lineforce or planeforce sets the whole force count as held, as those of fix freeze.
-Where such fixes hold spheres in part, contacts are right in a layer, and scheme event stops elsewhere."""
+Where such fixes hold spheres in part, contacts are right in a layer, and scheme exact stops elsewhere."""
 import unittest
 
 from cohesion_tests import refusals
@@ -9,8 +9,8 @@ from cohesion_tests.liggghts_scenes.scene import hamaker, part, script, sphere, 
 
 SPEED = 0.1
 MODELS = {
-    "hamaker event": ("cohesion hamaker scheme event", hamaker(1e-18, cut=4e-10, out=1e-7)),
-    "well event": ("cohesion square_well scheme event", square_well(1e-12)),
+    "hamaker exact": ("cohesion hamaker scheme exact", hamaker(1e-18, cut=4e-10, out=1e-7)),
+    "well exact": ("cohesion square_well scheme exact", square_well(1e-12)),
     "hamaker sampled": ("cohesion hamaker", hamaker(0)),
 }
 MOVE, FREEZE = "fix move all nve/sphere\n", "fix move all nve/sphere\nfix hold held freeze\n"
@@ -56,7 +56,7 @@ class Held(unittest.TestCase):
                 self.assertAlmostEqual(part(end[2], "v")[0], part(free[2], "v")[0], delta=1e-6)
 
     def test_ranks(self):
-        one, two = (self.end("hamaker event", WHOLLY["setforce"], ranks=ranks) for ranks in (0, 2))
+        one, two = (self.end("hamaker exact", WHOLLY["setforce"], ranks=ranks) for ranks in (0, 2))
         for mine, other in zip(part(one[2], "v"), part(two[2], "v")):
             self.assertAlmostEqual(mine, other, delta=1e-9)
 
@@ -64,7 +64,7 @@ class Held(unittest.TestCase):
         for model in MODELS:
             printed = self.run_held(model, WHOLLY["setforce"], run="run 1500\nrun 1500\n").output
             self.assertEqual(printed.count("their spins are held"), 1, printed)
-        self.assertNotIn("spins are held", self.run_held("hamaker event", FREEZE).output)
+        self.assertNotIn("spins are held", self.run_held("hamaker exact", FREEZE).output)
 
     def test_held_in_part(self):
         for how in ("planeforce 1 0 0", "lineforce 0 1 0", "setforce 0 NULL NULL"):

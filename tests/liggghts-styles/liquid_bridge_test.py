@@ -52,7 +52,7 @@ def ends(speeds, dt, steps, wall, scheme):
 
 
 class HeadOn(unittest.TestCase):
-    def test_event_at_any_step(self):
+    def test_exact_at_any_step(self):
         # The closed form of a pair: nothing but rounding errs, 1e-19 m over a step of 2e-6 s at t_c/50 in some ten
         # steps: 1e-12 m/s of 0.127 m/s. Up the bridge and down takes 2 sqrt(2 mu h_r/F_b) = 1.7e-3 s = 18 t_c.
         escape = escape_velocity()
@@ -61,7 +61,7 @@ class HeadOn(unittest.TestCase):
                 with self.subTest(wall=wall and wall[0], steps_per_contact=division):
                     factors = [(f, p / POSITIONS) for f in (0.999, 1.001) for p in range(POSITIONS)]
                     gaps = ends([(f * escape, p) for f, p in factors], CONTACT_TIME / division, 30 * division, wall,
-                                "event")
+                                "exact")
                     self.assertEqual([gap > GAP for gap, _ in gaps], [f > 1 for f, _ in factors])
 
     def test_a_broken_bridge_takes_its_work(self):
@@ -70,14 +70,14 @@ class HeadOn(unittest.TestCase):
         w = parting_speed(speed, FORCE, MU, DAMPING)
         left = math.sqrt(w**2 - 2 * FORCE * GAP / MU)
         for wall in (False, PLANE, mesh(1)):
-            for scheme, division in (("event", 4), ("event", 50), ("sampled", 1000)):
+            for scheme, division in (("exact", 4), ("exact", 50), ("sampled", 1000)):
                 with self.subTest(wall=wall and wall[0], scheme=scheme, steps_per_contact=division):
                     dt = CONTACT_TIME / division
                     for _, parting in ends([(speed, p / 4) for p in range(4)], dt, 8 * division, wall, scheme):
                         # As above; sampled: the bridge pulls up to a step too long or too short where it forms and
                         # where it breaks, F dt/mu each, and the dashpot and the spring of the contact are taken
                         # up to a step late: 2 zeta w0 dt = 0.11/division and (w0 dt)^2/2 of the speed, at both ends.
-                        room = 1e-10 if scheme == "event" else 2 * FORCE * dt / MU + 2 * 0.12 / division * speed
+                        room = 1e-10 if scheme == "exact" else 2 * FORCE * dt / MU + 2 * 0.12 / division * speed
                         self.assertAlmostEqual(parting, left, delta=room)
 
     def test_sampled_converges_to_the_same(self):
@@ -93,7 +93,7 @@ class HeadOn(unittest.TestCase):
         spheres = [sphere((0, 0, 0), (0, 0.05, 0)), sphere((DIAMETER + 0.3 * GAP, 0, 0), (0, -0.05, 0)),
                    sphere((0, 5e-3, 0)), sphere((DIAMETER + 0.5 * GAP, 5e-3, 0), (-1e-4, 0, 0)),
                    sphere((-9e-3 + RADIUS + 0.5 * GAP, -5e-3, 0), (0, 0.1, 0))]
-        for scheme in ("event", "sampled"):
+        for scheme in ("exact", "sampled"):
             end = frames(spheres, MODELS + SETTINGS + scheme, liquid_bridge(FORCE, GAP), dt=CONTACT_TIME / 8, steps=80,
                          every=80, walls=[plate(scheme)])[-1]
             for n, given in enumerate(spheres, 1):
@@ -119,7 +119,7 @@ class Continued(unittest.TestCase):
 
     def test_runs_ranks_and_restart(self):
         half = self.STEPS // 2
-        for scheme in ("event", "sampled"):
+        for scheme in ("exact", "sampled"):
             whole = Run(self.text(scheme, f"run {self.STEPS}\n")).frames("out.txt")
             middle, end = whole[1], whole[-1]
             for gap in (middle[2][0] - middle[1][0] - DIAMETER, middle[5][0] + 9e-3 - RADIUS):

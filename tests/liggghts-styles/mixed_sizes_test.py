@@ -38,7 +38,7 @@ class Rest(unittest.TestCase):
     def test_each_pair_and_each_sphere_at_the_wall_has_its_own_force(self):
         dt = math.pi * math.sqrt(mass(SMALL) / 2 / STIFFNESS) / 16
         steps = math.ceil(TIME / dt)
-        for scheme in ("event", "sampled"):
+        for scheme in ("exact", "sampled"):
             models = "model hooke/stiffness tangential off cohesion hamaker"
             settings = f" tangential_damping off scheme {scheme}"
             end = frames(spheres(), models + settings, hamaker(A, cut=CUT, out=OUT),

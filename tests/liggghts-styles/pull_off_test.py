@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pull-off under a slow load: contacts of scheme event part at F_ad whatever the step, stiffness, restitution, size,
+"""Pull-off under a slow load: contacts of scheme exact part at F_ad whatever the step, stiffness, restitution, size,
 partner and load. tests/benchmarks/liggghts-styles/pull-off-campaign.py prints the whole campaign."""
 
 import sys
@@ -14,7 +14,7 @@ WITHIN = 0.01
 
 
 class PullOff(unittest.TestCase):
-    def check(self, division, *grain, scheme="event", pulled_by="addforce", **partner):
+    def check(self, division, *grain, scheme="exact", pulled_by="addforce", **partner):
         with self.subTest(division=division, grain=grain, scheme=scheme, pulled_by=pulled_by, **partner):
             found = Grain(*grain, **partner).load_at_parting(division, scheme, pulled_by)
             print(f"t_c/{division}, K and e {grain}, {partner}, {scheme}, {pulled_by}: {found:.4f} F_ad", file=sys.stderr)

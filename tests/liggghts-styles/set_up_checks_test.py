@@ -9,7 +9,7 @@ from cohesion_tests.liggghts import Run
 from cohesion_tests.liggghts_scenes.scene import hamaker, script, sphere
 
 MODELS = "model hooke/stiffness tangential off cohesion hamaker"
-SCHEMES = ("", " scheme event")
+SCHEMES = ("", " scheme exact")
 
 
 class SetUp(unittest.TestCase):

@@ -42,12 +42,12 @@ class BadInput(unittest.TestCase):
                      "wellRatio = 3.5")
 
     def test_scheme(self):
-        for scheme, message in (("event", "scheme event: model hertz has a spring whose motion has no closed form"),
-                                ("exact", "scheme exact: must be event or sampled")):
+        for scheme, message in (("exact", "scheme exact: model hertz has a spring whose motion has no closed form"),
+                                ("sometimes", "scheme sometimes: must be exact or sampled")):
             self.refused_words(MODELS + f" scheme {scheme}", f"cohesion model square_well, {message}")
         linear = MODELS.replace("hertz", "hooke")
-        self.refused_words(linear + " scheme event limitForce on", "cuts the force off where the dashpot pulls")
-        for scheme in ("sampled", "event"):
+        self.refused_words(linear + " scheme exact limitForce on", "cuts the force off where the dashpot pulls")
+        for scheme in ("sampled", "exact"):
             text = script([sphere((0, 0, 0))], f"{linear} scheme {scheme}", square_well(1e-11))
             self.assertEqual(Run(text).code, 0)
 

@@ -38,7 +38,7 @@ def sets_of(places):
 
 class Standing(unittest.TestCase):
     def check(self, spheres, extra, run):
-        for scheme in ("event", "sampled"):
+        for scheme in ("exact", "sampled"):
             with self.subTest(scheme):
                 done = Run(script(spheres, MODELS.format(scheme), square_well(1e-10, ratio=RATIO), dt=1e-6, skin=1e-4,
                                   extra=SETS + extra, run=run))

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A run in which no fix moves or holds any sphere gets a warning, once, before its first step; all others none. So does
-a wall of scheme sampled where the pair style has scheme event."""
+a wall of scheme sampled where the pair style has scheme exact."""
 import unittest
 
 from cohesion_tests.liggghts import Run
 from cohesion_tests.liggghts_scenes.scene import hamaker, liquid_bridge, script, sphere, square_well
 
 LAWS = {"hamaker": hamaker(0), "square_well": square_well(0), "liquid_bridge": liquid_bridge(0, 0)}
-SCHEMES = ("", " scheme event")
+SCHEMES = ("", " scheme exact")
 RUN = "run 1\nrun 1\n"
 UNMOVED = "no fix integrates the motion of any particle"
 MIXED = "give both the same scheme (sampled where the keyword is missing)"
@@ -49,10 +49,10 @@ class SetUp(unittest.TestCase):
         for law in LAWS:
             wall = f"fix floor all wall/gran {models(law)} {PLANE}"
             with self.subTest(law):
-                output = self.printed(text(law, " scheme event", walls=[wall]))
+                output = self.printed(text(law, " scheme exact", walls=[wall]))
                 self.assertEqual(output.count(MIXED), 1, output)
                 self.assertIn("WARNING: fix floor wall/gran has 'scheme sampled', and pair_style gran has 'scheme "
-                              "event'", output)
+                              "exact'", output)
 
     def test_wall_of_the_same_scheme(self):
         wall = f"fix floor all wall/gran {models('hamaker')} {PLANE}"

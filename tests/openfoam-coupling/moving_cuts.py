@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """LAMMPS' `fix balance` moves the cut between two ranks while a cloud of cohesive, rubbing spheres falls through the
-gas, pair_style gran/hamaker, scheme event: contacts keep their history and spheres what they feel of the gas, so that
+gas, pair_style gran/hamaker, scheme exact: contacts keep their history and spheres what they feel of the gas, so that
 the end is that of one rank, nearer than that of a run whose velocities are off by 1e-9."""
 
 import re
@@ -21,7 +21,7 @@ LEFT_OF_P = 4 * 162 * RESIDUAL
 HYBRID = ("pair_style   hybrid/overlay gran/hooke 500 NULL 500 NULL 0 0 hamaker cutoff 1e-6 2e-5\n"
           "pair_coeff   * * gran/hooke\npair_coeff   * * hamaker hamaker ${A}\n")
 # A contact of 2e-4 s, 20 steps; pull-off force twelve weights.
-CONTACT = ("pair_style   gran/hamaker scheme event\n"
+CONTACT = ("pair_style   gran/hamaker scheme exact\n"
            "pair_coeff   * * stiffness 500 restitution 0.9 friction 0.3 hamaker 1e-18 cutoff 4e-10 1e-7\n")
 # The cut is across the fall: all spheres are on one rank before it moves. 1.0: it moves whenever one has more.
 BALANCE = """fix          cuts all balance 50 1.0 shift z 10 1.0

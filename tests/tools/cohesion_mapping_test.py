@@ -70,6 +70,20 @@ class Sampled(unittest.TestCase):
             self.assertEqual(row["hamaker_constant"] > 1.05 * exact["hamaker_constant"], sampled)
 
 
+class FormerWords(unittest.TestCase):
+    def test_scheme_event(self):
+        words = ("to-hamaker", *BED, "--depth", 5e-11)
+        _, expected, silent = program.call(*words, "--hamaker-scheme", "exact", "--well-scheme", "exact")
+        self.assertEqual(silent, "")
+        self.assertEqual(program.text(*words), expected)  # the default
+        self.assertIn("scheme exact", expected)
+        for schemes in (("--hamaker-scheme", "event"), ("--hamaker-scheme", "event", "--well-scheme", "event")):
+            code, output, error = program.call(*words, *schemes)
+            self.assertEqual((code, output), (0, expected), error)
+            self.assertEqual(error, "cohesion-mapping: scheme 'event' is now called 'exact'; write 'exact', since from "
+                                    "version 0.4.0 on the old word stops the run\n")
+
+
 class Refusals(unittest.TestCase):
     def refused(self, *words, says, usage=False):
         code, output, error = program.call(*words)
@@ -89,7 +103,7 @@ class Refusals(unittest.TestCase):
         self.refused("to-well", *BED, "--hamaker", "1e-19J", says=["--hamaker", "1e-19J"], usage=True)
         self.refused("to-well", *BED, *hamaker, "--form", "round", says=["round", "small_gap"],
                      usage=True)
-        self.refused("to-well", *BED, *hamaker, "--wel-scheme", "event", says=["--wel-scheme"],
+        self.refused("to-well", *BED, *hamaker, "--wel-scheme", "exact", says=["--wel-scheme"],
                      usage=True)
 
     def test_given_twice(self):
@@ -112,7 +126,7 @@ class Refusals(unittest.TestCase):
         self.refused("to-well", *CONTACT, "--damping", 1, *hamaker, says=["restitution e = 0"])
         self.refused("to-well", *BED, *hamaker, *at_step, 1, says=["time step", "half a contact time"])
         self.refused("to-well", *BED, *hamaker, *at_step[:2], says=["time step", "--step"])
-        self.refused("to-well", *BED, *hamaker, "--step", 1e-6, says=["time step", "event"])
+        self.refused("to-well", *BED, *hamaker, "--step", 1e-6, says=["time step", "exact"])
         self.refused("to-well", *BED, *hamaker, "--ratio", 0.9, says=["ratio", "0.9"])
         self.refused("to-well", *BED, *hamaker, "--ratio", 1.00001, "--well-scheme", "sampled",
                      "--step", 2.25e-5, says=["width of the well"])

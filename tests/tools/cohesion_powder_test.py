@@ -196,7 +196,7 @@ class SquareWell(unittest.TestCase):
         two = ("--diameter", 2e-4, 4e-4, *GLASS[2:], *self.WELL, "--well-ratio", 1.02)
         found = program.values(*two)
         _, lammps, _ = program.call(*two)
-        self.assertIn("pair_style gran/square_well scheme event", lammps)
+        self.assertIn("pair_style gran/square_well scheme exact", lammps)
         self.assertNotIn("material_stiffness", lammps)
         depths = {line.split("stiffness")[0].strip(): float(line.split(" well ")[1].split()[0])
                   for line in lammps.split("\n") if " friction 0.3 well " in line}

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Time of a step of scheme event over that of LAMMPS' gran/hooke/history, on the same spheres.
+"""Time of a step of scheme exact over that of LAMMPS' gran/hooke/history, on the same spheres.
 
   cost-per-step.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--turns N] [--steps N] [--scene NAME] [--instructions]
                    [--law hamaker | liquid_bridge | square_well] [--ratio RATIO]
@@ -22,7 +22,7 @@ from cohesion_tests.thermo import processor_seconds, thermo_end
 
 SCENES = ("gas", "packing")
 STRENGTHS = {"hamaker": 2e-18, "liquid_bridge": 1e-4, "square_well": 5e-11}  # A [J], F_b [N], D [J]
-STYLES = {"hamaker": "event", "liquid_bridge": "bridge", "square_well": "well"}  # in.cost_per_step
+STYLES = {"hamaker": "exact", "liquid_bridge": "bridge", "square_well": "well"}  # in.cost_per_step
 
 
 def main():
@@ -47,7 +47,7 @@ def main():
         return 1e9 * processor_seconds(output, 0) / (words.steps * atoms), contacts
 
     unit = "[1] " if words.instructions else "[ns]"
-    print(f"scene    friction  strength   stock {unit}  contacts   event {unit}  contacts   ratio")
+    print(f"scene    friction  strength   stock {unit}  contacts   exact {unit}  contacts   ratio")
     for scene in words.scene or SCENES:
         with engine.temporary_folder() as folder:
             engine.run("in.cost_per_step", folder, scene=scene, make="yes", style="stock", mu=0.3,
@@ -59,10 +59,10 @@ def main():
                     done = {style: cost(folder, scene, style, mu, constant)
                             for style in order}
                     turns.append([*done["stock"], *done[ours]])
-                stock, of_stock, event, of_event = numpy.array(turns).T
-                low, middle, high = numpy.percentile(event / stock, (25, 50, 75))
+                stock, of_stock, exact, of_exact = numpy.array(turns).T
+                low, middle, high = numpy.percentile(exact / stock, (25, 50, 75))
                 print(f"{scene:8s}{mu:9g}{constant:10g}{numpy.median(stock):13.1f}"
-                      f"{of_stock.mean():10.2f}{numpy.median(event):13.1f}{of_event.mean():10.2f}"
+                      f"{of_stock.mean():10.2f}{numpy.median(exact):13.1f}{of_exact.mean():10.2f}"
                       f"   {middle:.2f} ({low:.2f} to {high:.2f})", flush=True)
 
 

@@ -5,8 +5,8 @@ time step, the scheme and the run time.
 
   energy-drift.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--collisions N | --heating | --seeds N]
 
-Scheme event is gran/hamaker; scheme sampled is LAMMPS' gran/hooke/history, with pair_style hamaker
-over it where there is adhesion, at the step that costs the same time as the event scheme's. Drift is
+Scheme exact is gran/hamaker; scheme sampled is LAMMPS' gran/hooke/history, with pair_style hamaker
+over it where there is adhesion, at the step that costs the same time as the exact scheme's. Drift is
 the total energy minus that of the start, over the kinetic energy of the start: `end` is its mean
 over the last tenth of the run, `rms` that of all samples, `largest` the largest. The fitted order is
 the slope of rms against the step, from t_c/5 to t_c/40. A sampled run that blew up is marked 'lost'.
@@ -130,7 +130,7 @@ def main():
                 table, seconds = gas.follow(folder, division, duration, SAMPLES, A=constant)
                 levels.append(numpy.sqrt((drift(table) ** 2).mean()))
                 progress.add(duration / gas.CONTACT_TIME * division)
-                print("\r" + row("event", division, drift(table), seconds), flush=True)
+                print("\r" + row("exact", division, drift(table), seconds), flush=True)
                 equal = seconds / per_step / (duration / gas.CONTACT_TIME)
                 try:
                     table, seconds = gas.follow(folder, equal, duration, SAMPLES,
@@ -140,7 +140,7 @@ def main():
                     print(row("sampled", equal, numpy.array([numpy.nan]), numpy.nan), flush=True)
                 progress.add(duration / gas.CONTACT_TIME * division)
         order = -numpy.polyfit(numpy.log(DIVISIONS[1:]), numpy.log(levels[1:]), 1)[0]
-        print(f"\r  fitted order of scheme event: {order:.2f}{'':30s}\n", flush=True)
+        print(f"\r  fitted order of scheme exact: {order:.2f}{'':30s}\n", flush=True)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""What scheme event of pair_style gran/hamaker keeps of momentum and angular momentum.
+"""What scheme exact of pair_style gran/hamaker keeps of momentum and angular momentum.
 
   momentum.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--seeds N]
 

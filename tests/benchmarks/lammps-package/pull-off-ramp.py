@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Load at which an adhesive contact parts under a slow ramp in LAMMPS, over F_ad, as a table of the steps per contact.
 
-  pull-off-ramp.py LMP_COHESION PLUGIN [--scheme event|sampled] [--stiffness K ...] [--restitution E ...] [--diameter D ...]
+  pull-off-ramp.py LMP_COHESION PLUGIN [--scheme exact|sampled] [--stiffness K ...] [--restitution E ...] [--diameter D ...]
 
 Grains of 1500 kg/m3 at a plane, in a cylinder and beside another grain, pulled by a force, by gravity and, at a plane, by
 another wall that adheres more strongly; the lag of the ramp is 0.15 % of F_ad. Steps that need more than --steps in a run
@@ -20,7 +20,7 @@ def main():
     words = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     words.add_argument("lmp", type=given_program)
     words.add_argument("plugin", type=given_program)
-    words.add_argument("--scheme", choices=("event", "sampled"), default="event")
+    words.add_argument("--scheme", choices=("exact", "sampled"), default="exact")
     words.add_argument("--stiffness", type=float, nargs="+", default=[10.0, 50.0, 500.0, 8e4])
     words.add_argument("--restitution", type=float, nargs="+", default=[0.99, 0.9, 0.5, 0.3])
     words.add_argument("--diameter", type=float, nargs="+", default=[10e-6, 75e-6, 1e-3])

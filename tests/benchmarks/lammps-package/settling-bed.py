@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """2028 spheres with damping and friction that settle under gravity, adhesion 0, 1 and 20 weights.
 
-  settling-bed.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--side N] [--layers N] [--seconds S] [--event N ...]
+  settling-bed.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--side N] [--layers N] [--seconds S] [--exact N ...]
                   [--seed N] [--beds N]
 
 Printed per scheme and step: kinetic energy (rotation included) over that of the start, mean over each
@@ -35,7 +35,7 @@ def show_bed(run, words, ratio):
     residual = table[:, 3] / table[:, 1].max()
     at_rest = residual[-1] - residual[len(residual) // 2]
     return ("".join(f"{k:10.1e}" for k in fifths(table)) + f"{liveliest:12.3f}{table[-1, 2]:13.1e}"
-            + (f"{residual[-1]:11.1e}{at_rest:11.1e}" if run[0] == "event" else f"{'':22s}") + f"{seconds:9.1f}")
+            + (f"{residual[-1]:11.1e}{at_rest:11.1e}" if run[0] == "exact" else f"{'':22s}") + f"{seconds:9.1f}")
 
 
 def show_beds(run, words, ratio):
@@ -59,13 +59,13 @@ def main():
         __doc__, ("--side", {"type": int, "default": 13, "help": "spheres per edge of a layer"}),
         ("--layers", {"type": int, "default": 12}),
         ("--seconds", {"type": float, "default": 0.5, "help": "of the scene's time"}),
-        ("--event", {"type": int, "nargs": "+", "default": [4, 10], "metavar": "N",
-                     "help": "steps per contact time of the event scheme"}),
+        ("--exact", {"type": int, "nargs": "+", "default": [4, 10], "metavar": "N",
+                     "help": "steps per contact time of the exact scheme"}),
         ("--seed", {"type": int, "default": 1}), ("--beds", {"type": int, "default": 1, "metavar": "N"}))
 
-    runs = [*(("event", n) for n in words.event), ("sampled", SAMPLED)]
-    # A step of the event scheme costs about two and a half of the sampled one's.
-    work = {run: run[1] * (2.5 if run[0] == "event" else 1.0) for run in runs}
+    runs = [*(("exact", n) for n in words.exact), ("sampled", SAMPLED)]
+    # A step of the exact scheme costs about two and a half of the sampled one's.
+    work = {run: run[1] * (2.5 if run[0] == "exact" else 1.0) for run in runs}
     progress = Progress(len(WEIGHTS) * sum(work.values()))
     show, heading = ((show_beds, "last fifth  quartiles            least     most       seconds") if words.beds > 1 else
                      (show_bed, "kinetic energy in each fifth                   liveliest  speed [m/s]   residual"

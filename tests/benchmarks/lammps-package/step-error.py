@@ -11,7 +11,7 @@ For each step, couples of graded speed approach with the contact at eight positi
 Printed: the slowest couple that parted and the fastest that was captured, over the velocity of an
 exact integration (both 1 when the step is fine), and the seconds that LAMMPS took per couple.
 Sampled: gran/hooke/history with pair_style hamaker laid over it, in LIGGGHTS hooke/stiffness with cohesion
-hamaker; event: pair_style gran/hamaker.
+hamaker; exact: pair_style gran/hamaker.
 """
 import numpy
 
@@ -22,7 +22,7 @@ from cohesion_tests.theory import pair_motion
 from cohesion_tests.thermo import loop_seconds
 
 SAMPLED = (1e-8, 3e-8, 1e-7, 3e-7, 1e-6, 5e-6, 1.125e-5, 2.25e-5)  # [s]; last: the bed's, the thesis's
-EVENT = (1e-6, 5e-6, 1.125e-5, 2.25e-5, 4.5e-5)
+EXACT = (1e-6, 5e-6, 1.125e-5, 2.25e-5, 4.5e-5)
 POSITIONS = 8
 FINEST = 1e-4
 # Over the exact escape velocity: coarse over a wide range, fine around it
@@ -41,14 +41,14 @@ def run_sampled(atoms, dt, steps):
         return engine.dump(folder, "end.txt")[:, 1:4].reshape(-1, 2, 3), output
 
 
-def run_event(atoms, dt, steps):
+def run_exact(atoms, dt, steps):
     law = pair_motion.Pair(couple.A, couple.CUT, couple.OUT)
     path, output = couples.run(atoms, ["* * " + law.words()], dt, steps, size=SIZE)
     return path[-1, :, :, :3], output
 
 
 SIZE = (0.066, 0.18, 0.004)
-SCHEMES = {"sampled": (run_sampled, SAMPLED), "event": (run_event, EVENT)}
+SCHEMES = {"sampled": (run_sampled, SAMPLED), "exact": (run_exact, EXACT)}
 
 
 def measure(run, dt, exact, duration):
@@ -110,7 +110,7 @@ def main():
           "scheme      dt [s]  slowest parted  fastest captured  seconds per couple")
     tables = {}
     for name, (run, steps) in SCHEMES.items():
-        if not options.plugin and name == "event":
+        if not options.plugin and name == "exact":
             continue
         tables[name] = []
         for dt in steps:
@@ -121,8 +121,8 @@ def main():
     for name, (step, seconds) in found.items():
         print(f"at an error of {ASKED:g}: {name} {step:.2g} s, {seconds:.2g} seconds per couple")
     if len(found) == 2:
-        (sampled_step, sampled_time), (event_step, event_time) = found.values()
-        print(f"event: {event_step / sampled_step:.0f} times fewer steps, {sampled_time / event_time:.0f} "
+        (sampled_step, sampled_time), (exact_step, exact_time) = found.values()
+        print(f"exact: {exact_step / sampled_step:.0f} times fewer steps, {sampled_time / exact_time:.0f} "
               "times less time")
     if options.plot:
         plot(tables, options.plot)

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A pair that sticks, struck by a third sphere: error of Hamaker adhesion against the step.
 
-  struck-pairs.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--scheme event|sampled] [--finest N]
-  struck-pairs.py LIGGGHTS_COHESION [--scheme event|sampled] [--finest N]
+  struck-pairs.py LMP_WITH_PLUGIN_COMMAND PLUGIN [--scheme exact|sampled] [--finest N]
+  struck-pairs.py LIGGGHTS_COHESION [--scheme exact|sampled] [--finest N]
 
 Sampled, and in LIGGGHTS, as in in.head_on: without friction, of which the engines have different laws.
 
@@ -16,18 +16,18 @@ import numpy
 from cohesion_tests import lammps as engine, measuring_program
 from cohesion_tests.lammps_scenes import triples
 
-DIVISIONS = {"event": (2, 4, 5, 10, 20, 40), "sampled": (4, 10, 20, 50, 200, 1000)}
+DIVISIONS = {"exact": (2, 4, 5, 10, 20, 40), "sampled": (4, 10, 20, 50, 200, 1000)}
 
 
 def main():
     words = measuring_program.words(
-        __doc__, ("--scheme", {"choices": tuple(DIVISIONS), "default": "event"}),
+        __doc__, ("--scheme", {"choices": tuple(DIVISIONS), "default": "exact"}),
         ("--finest", {"type": int, "default": 1000}), liggghts=True)
     scheme = words.scheme
 
     with engine.temporary_folder() as folder:
         triples.write(folder)
-        for friction in (0.0, 0.3) if scheme == "event" and words.plugin else (0.0,):
+        for friction in (0.0, 0.3) if scheme == "exact" and words.plugin else (0.0,):
             exact, stuck, _ = triples.outcome(folder, words.finest, friction, scheme)
             print(f"friction {friction:g}")
             for division in DIVISIONS[scheme]:

@@ -19,7 +19,7 @@ from cohesion_tests.launcher import given_program
 
 STIFFNESS, DIAMETER, DENSITY = 50.0, 75e-6, 1500.0
 CONTACT_TIME = math.pi * math.sqrt(DENSITY * math.pi / 6 * DIAMETER**3 / 2 / STIFFNESS)
-RUNS = (("event", 6), ("event", 10), ("event", 20), ("event", 40), ("sampled", 50), ("sampled", 100))
+RUNS = (("exact", 6), ("exact", 10), ("exact", 20), ("exact", 40), ("sampled", 50), ("sampled", 100))
 
 SETTLE = """units si
 atom_style sphere

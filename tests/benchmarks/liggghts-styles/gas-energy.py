@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Energy of a gas of 1000 elastic spheres over 100 collisions per particle in LIGGGHTS, scheme event: its change
+"""Energy of a gas of 1000 elastic spheres over 100 collisions per particle in LIGGGHTS, scheme exact: its change
 against the time step.
 
-  gas-energy.py LIGGGHTS_COHESION [--collisions N] [--scheme event|sampled] [--restitution E]
+  gas-energy.py LIGGGHTS_COHESION [--collisions N] [--scheme exact|sampled] [--restitution E]
 
 The same gases as of lammps-package/energy-drift.py. Change is the total energy minus that of the start, over the kinetic
 energy of the start: `end` is its mean over the last tenth of the run, `most` the largest of 50 samples, `slope` what a
@@ -37,7 +37,7 @@ def main():
     words = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     words.add_argument("launcher", type=given_program)
     words.add_argument("--collisions", type=float, default=100.0, help="per particle")
-    words.add_argument("--scheme", choices=("event", "sampled"), default="event")
+    words.add_argument("--scheme", choices=("exact", "sampled"), default="exact")
     words.add_argument("--restitution", type=float, default=1.0)
     words = words.parse_args()
     os.environ["COHESION_LAUNCHER"] = words.launcher

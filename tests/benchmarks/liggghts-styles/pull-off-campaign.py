@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Load at which an adhesive contact parts under a slow ramp in LIGGGHTS, over F_ad, as a table of the steps per contact.
 
-  pull-off-campaign.py LIGGGHTS_COHESION [--scheme event|sampled] [--stiffness K ...] [--restitution E ...] [--diameter D ...]
+  pull-off-campaign.py LIGGGHTS_COHESION [--scheme exact|sampled] [--stiffness K ...] [--restitution E ...] [--diameter D ...]
 
 Grains of 1500 kg/m3 under a plate, in a cylinder, below another grain and under a mesh, pulled by gravity, a force or,
 those under a plate, by a second plate of triangles that moves away; the lag of the ramp is 0.15 % of F_ad. Left out (-)
@@ -21,7 +21,7 @@ SMALLEST_ON_MESHES = 20e-6  # [m]
 def main():
     words = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     words.add_argument("launcher", type=given_program)
-    words.add_argument("--scheme", choices=("event", "sampled"), default="event")
+    words.add_argument("--scheme", choices=("exact", "sampled"), default="exact")
     words.add_argument("--stiffness", type=float, nargs="+", default=[10.0, 50.0, 500.0, 8e4])
     words.add_argument("--restitution", type=float, nargs="+", default=[0.99, 0.9, 0.5, 0.3])
     words.add_argument("--diameter", type=float, nargs="+", default=[10e-6, 75e-6, 1e-3])

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 """Seconds per simulated second of the cohesive bed of the thesis (examples/fluidised-bed, Hamaker constant
-7.49e-19 J), on one core: scheme event at a sixth of the contact time, as the example's run.py has it, and at an
+7.49e-19 J), on one core: scheme exact at a sixth of the contact time, as the example's run.py has it, and at an
 eighth, and forces sampled once a step.
 
     speed_of_thesis_bed.py BUILD WORK [--rest S] [--blow S]
@@ -19,7 +19,7 @@ from cohesion_studies.foam_case import environment
 from cohesion_tests.progress import Progress
 
 SCHEMES = {f"{scheme}, t_c/{part}": {"scheme": scheme, "dt": dt}
-           for scheme, part, dt in (("event", 6, 1.5e-5), ("event", 8, 1.125e-5), ("sampled", 8, 1.125e-5))}
+           for scheme, part, dt in (("exact", 6, 1.5e-5), ("exact", 8, 1.125e-5), ("sampled", 8, 1.125e-5))}
 GAS_STEP = 4.5e-4
 TICK = os.sysconf("SC_CLK_TCK")
 

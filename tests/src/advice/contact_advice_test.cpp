@@ -44,10 +44,10 @@ TEST(ContactAdvice, StepsPerContactAreJudgedByTheScheme) {
   // pi/(15 w0) = 6.17e-6 s.
   expect_verdict(at_steps(14.9), sampled_scheme, subject, Severity::warning,
                  "reduce the time step to 6.17e-06");
-  expect_verdict(at_steps(4.1), event_scheme, subject, Severity::ok, "4.1 time steps");
-  expect_verdict(at_steps(3.9), event_scheme, subject, Severity::warning,
-                 "event scheme should have 4");
-  expect_verdict(at_steps(0.9), event_scheme, subject, Severity::error, "fewer than 1");
+  expect_verdict(at_steps(4.1), exact_scheme, subject, Severity::ok, "4.1 time steps");
+  expect_verdict(at_steps(3.9), exact_scheme, subject, Severity::warning,
+                 "exact scheme should have 4");
+  expect_verdict(at_steps(0.9), exact_scheme, subject, Severity::error, "fewer than 1");
 }
 
 TEST(ContactAdvice, NoLeastNumberOfStepsIsNamedWhereThereIsNone) {
@@ -62,14 +62,14 @@ TEST(ContactAdvice, UnstableLeapfrogIsAnErrorWhereTheForceIsSampled) {
   PairParameters elastic = at_steps(1.58);
   elastic.damping = 0.0;
   expect_verdict(elastic, sampled_scheme, Subject::stability, Severity::ok, "stable");
-  EXPECT_EQ(find(advise(ContactNumbers(elastic), event_scheme), Subject::stability), nullptr);
+  EXPECT_EQ(find(advise(ContactNumbers(elastic), exact_scheme), Subject::stability), nullptr);
 }
 
 TEST(ContactAdvice, SkippedCutoffIsAWarningWhereTheForceIsSampled) {
   PairParameters p = thesis_pair();
   // H_cut/u = 4e-9 s at 0.1 m/s.
   expect_verdict(p, sampled_scheme, Subject::cutoff_steps, Severity::warning, "to 4e-09");
-  EXPECT_EQ(find(advise(ContactNumbers(p), event_scheme), Subject::cutoff_steps), nullptr);
+  EXPECT_EQ(find(advise(ContactNumbers(p), exact_scheme), Subject::cutoff_steps), nullptr);
   p.dt = 3.9e-9;
   expect_verdict(p, sampled_scheme, Subject::cutoff_steps, Severity::ok, "1.03 time steps");
 }
@@ -86,7 +86,7 @@ TEST(ContactAdvice, EscapeVelocityThatADashpotLeavesOpenIsAWarningWhereTheForceI
   p.adhesion.tail_energy = 0.5 * mass * 0.025 * 0.025;
   p.speed = 0.05;
   expect_verdict(p, sampled_scheme, subject, Severity::warning, "0.0433, open by 9.02 %");
-  EXPECT_EQ(find(advise(ContactNumbers(p), event_scheme), subject), nullptr);
+  EXPECT_EQ(find(advise(ContactNumbers(p), exact_scheme), subject), nullptr);
   PairParameters slow = p;
   slow.speed = 0.45 * 0.0433;
   expect_verdict(slow, sampled_scheme, subject, Severity::ok, "");
@@ -111,7 +111,7 @@ TEST(ContactAdvice, WayOfARoundingInAStepIsAWarning) {
   p.speed = 5.1e-12;
   expect_verdict(p, sampled_scheme, Subject::rounding, Severity::warning, "6.84 %");
   // (pi/2 + 2) 2^-52 1 mm/(u dt) = 1/15: 1.189e-11 m/s.
-  for (const SchemeLimits& scheme : {event_scheme, event_scheme_one_pass}) {
+  for (const SchemeLimits& scheme : {exact_scheme, exact_scheme_one_pass}) {
     p.speed = 1.2e-11;
     expect_verdict(p, scheme, Subject::rounding, Severity::ok, "6.61 %");
     p.speed = 1.18e-11;
@@ -119,7 +119,7 @@ TEST(ContactAdvice, WayOfARoundingInAStepIsAWarning) {
   }
   p.speed = 0.0;
   expect_verdict(p, sampled_scheme, Subject::rounding, Severity::ok, "");
-  expect_verdict(p, event_scheme, Subject::rounding, Severity::ok, "");
+  expect_verdict(p, exact_scheme, Subject::rounding, Severity::ok, "");
 }
 
 TEST(ContactAdvice, LargeOverlapIsAWarningAndAnErrorOnceItPassesWalls) {
@@ -128,19 +128,19 @@ TEST(ContactAdvice, LargeOverlapIsAWarningAndAnErrorOnceItPassesWalls) {
   const double w0 = ContactNumbers(p).frequency();
   const auto speed_for = [=](double over_diameter) { return over_diameter * 1e-3 * w0; };
   p.speed = speed_for(0.0099);
-  expect_verdict(p, event_scheme, Subject::impact_overlap, Severity::ok, "0.99 % of the diameter");
+  expect_verdict(p, exact_scheme, Subject::impact_overlap, Severity::ok, "0.99 % of the diameter");
   p.speed = speed_for(0.1);
   // Ten times 1 %: a hundred times the stiffness.
-  expect_verdict(p, event_scheme, Subject::impact_overlap, Severity::warning, "to about 8e+04");
+  expect_verdict(p, exact_scheme, Subject::impact_overlap, Severity::warning, "to about 8e+04");
   p.speed = speed_for(0.501);
-  expect_verdict(p, event_scheme, Subject::impact_overlap, Severity::error, "through walls");
+  expect_verdict(p, exact_scheme, Subject::impact_overlap, Severity::error, "through walls");
 }
 
 TEST(ContactAdvice, LargeStaticOverlapNamesTheStiffness) {
   PairParameters p = thesis_pair();
-  expect_verdict(p, event_scheme, Subject::static_overlap, Severity::ok, "0.0163 %");
+  expect_verdict(p, exact_scheme, Subject::static_overlap, Severity::ok, "0.0163 %");
   p.adhesion.force = 800.0 * 2e-5;  // K times 2 % of d
-  expect_verdict(p, event_scheme, Subject::static_overlap, Severity::warning, "to about 1.6e+03");
+  expect_verdict(p, exact_scheme, Subject::static_overlap, Severity::warning, "to about 1.6e+03");
 }
 
 TEST(ContactAdvice, CohesionlessPairIsNotToldAboutAdhesion) {

@@ -58,7 +58,7 @@ TEST(ContactReport, StepsBeyondTheSteadyOneStopWhereAParticleHasSeveralContacts)
   RunNumbers numbers{0.1, 0.0, 9.25e-5 / 4.2};
   const auto report_of = [&](Crowd crowd) {
     numbers.crowd = crowd;
-    return report("a style", event_scheme, {damped}, numbers);
+    return report("a style", exact_scheme, {damped}, numbers);
   };
   EXPECT_EQ(report_of(Crowd::pair).stop, "");
   EXPECT_TRUE(report_of(Crowd::pair).warnings.empty());
@@ -78,7 +78,7 @@ TEST(ContactReport, ADoubtStandsBeforeTheStiffnessThatWouldBearTheAdhesion) {
   AdvisedContact strong = pair();
   strong.adhesion.force *= 1e4;
   strong.doubt = "the constant is too large; ";
-  const Report r = report("a style", event_scheme, {strong}, run());
+  const Report r = report("a style", exact_scheme, {strong}, run());
   EXPECT_EQ(r.stop.find("a style, 1 - 1: the constant is too large; the overlap of a resting"), 0u)
       << r.stop;
   // Not before advice about the step.
@@ -86,7 +86,7 @@ TEST(ContactReport, ADoubtStandsBeforeTheStiffnessThatWouldBearTheAdhesion) {
   large.dt = 1e-3;
   AdvisedContact usual = pair();
   usual.doubt = strong.doubt;
-  const std::string stop = report("a style", event_scheme, {usual}, large).stop;
+  const std::string stop = report("a style", exact_scheme, {usual}, large).stop;
   EXPECT_NE(stop, "");
   EXPECT_EQ(stop.find(usual.doubt), std::string::npos) << stop;
 }
@@ -99,7 +99,7 @@ TEST(ContactReport, SoftnessOfSeveralContactsIsSaidOnceWithTheirNames) {
   for (AdvisedContact& c : all) c.material_words = "'words'";
   const auto soft = [&] {
     std::vector<std::string> found;
-    for (const Warning& w : report("a style", event_scheme, all, run()).warnings)
+    for (const Warning& w : report("a style", exact_scheme, all, run()).warnings)
       if (w.subject == Subject::softness) found.push_back(w.text);
     return found;
   };
@@ -114,7 +114,7 @@ TEST(ContactReport, NamesBothRatiosToTheMaterialUnderTheTable) {
   AdvisedContact c = pair(), other = c;
   other.name = "1 - 2";
   c.material = other.material = {100.0 * c.springs.stiffness, Keep::escape_velocity};
-  const auto table = [&] { return report("a style", event_scheme, {c, other}, run()).table; };
+  const auto table = [&] { return report("a style", exact_scheme, {c, other}, run()).table; };
   EXPECT_NE(table().find("stiffness 800 for 80000 of the material: escape velocity 1, pull-off "
                          "force 0.1 times the material's (1 - 1, 1 - 2)\n"),
             std::string::npos)

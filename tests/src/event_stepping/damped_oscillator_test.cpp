@@ -158,7 +158,7 @@ TEST(DampedOscillator, FirstZeroIsTheFirstForTimesUpToHalfAPeriod) {
 
 TEST(DampedOscillator, FirstZeroMissesADipWhenAskedForMoreThanHalfAPeriod) {
   // Documented limit: beyond half a period the overlap can be back above zero at the end, and its
-  // first zero goes unseen. The event scheme asks for at most half of it.
+  // first zero goes unseen. The exact scheme asks for at most half of it.
   const DampedOscillator o(1.0, 0.0);
   const Overlap start{0.0, 1.0};
   const double t = 2.2 * pi;

@@ -39,7 +39,7 @@ class Orders:
                 self.assertAlmostEqual(found, order, delta=0.3, msg=(scheme, e))
 
     def test_a_load_on_a_resting_contact(self):
-        """F/K' in the place of F/K with scheme event, F/K with sampled."""
+        """F/K' in the place of F/K with scheme exact, F/K with sampled."""
         dt = theory.contact_time(theory.MASS) / 10
         for scheme in self.schemes:
             more = {}
@@ -48,7 +48,7 @@ class Orders:
                 more[e] = 100 * (self.overlap(scheme, e, dt, 4000) / at_rest - 1)
                 expected = 100 * (theory.K / theory.discrete_stiffness(e, theory.MASS, dt) - 1)
                 # The mean over 200 oscillations of 1/40 the amplitude in whole and broken ones: below 1e-4.
-                self.assertAlmostEqual(more[e], expected if scheme == "event" else 0, delta=0.02, msg=(scheme, e))
-                if scheme == "event":
+                self.assertAlmostEqual(more[e], expected if scheme == "exact" else 0, delta=0.02, msg=(scheme, e))
+                if scheme == "exact":
                     self.assertAlmostEqual(more[e], listed, delta=0.051, msg=e)
             print(f"{scheme}: a load presses more than F/K [%]", ", ".join(f"e {e} {x:.2f}" for e, x in more.items()))

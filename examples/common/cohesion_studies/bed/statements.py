@@ -10,7 +10,7 @@ from cohesion_studies.bed.verdict import Claim, above, alike, less_than_half, to
 LEVELS = ("1e-11", "5e-11", "1e-10")  # depth of the wells [J]; Hamaker's attraction of the same escape velocity
 LAWS = {"well": "square well", "hamaker": "Hamaker"}
 VELOCITIES = {"U_mf_df": "U_mf,df", "U_mf_th": "U_mf,th", "U_mf_in": "U_mf,in"}
-SCHEMES = {"": "event", "-sampled": "sampled"}
+SCHEMES = {"": "exact", "-sampled": "sampled"}
 WIDTHS = {"-40": 40.0, "": 80.0, "-120": 120.0}  # [mm]
 
 Statement = namedtuple("Statement", "text figure rows claims")  # rows: those whose figures stand beside it
@@ -34,7 +34,7 @@ def rises_with_escape_velocity(study, figure, law, suffix, text, sign=1):
 
 
 def of_levels(study):
-    """Chapter 7, with the scheme that follows events and with that of the thesis, and what the scheme does."""
+    """Chapter 7, with the exact scheme and with that of the thesis, and what the scheme does."""
     found = []
     for suffix in SCHEMES:
         for figure, name in VELOCITIES.items():

@@ -50,7 +50,7 @@ def follow(folder, steps_per_contact, duration, samples=50, ranks=1, **options):
     """Runs data.spheres for `duration` [s] at t_c/steps_per_contact; table and seconds."""
     dt = CONTACT_TIME / steps_per_contact
     every = max(1, round(duration / dt / samples))
-    values = {"scheme": "event", "K": STIFFNESS, "e": 1.0, "mu": 0.0, "dratio": 0.5, "A": 0.0,
+    values = {"scheme": "exact", "K": STIFFNESS, "e": 1.0, "mu": 0.0, "dratio": 0.5, "A": 0.0,
               "cut": 4e-10, "out": 1e-7, "skin": 0.2 * DIAMETER, "D": DIAMETER, "file": "end.txt",
               **options}
     return table(engine.run("in.gran_hamaker_gas", folder, ranks=ranks, dt=dt,

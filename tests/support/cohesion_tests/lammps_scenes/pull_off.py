@@ -59,7 +59,7 @@ def script(grain, division, scheme, pulled_by):
     return "\n".join(lines) + "\n"
 
 
-def load_at_parting(grain, division, scheme="event", pulled_by="addforce"):
+def load_at_parting(grain, division, scheme="exact", pulled_by="addforce"):
     """Over F_ad, read to 0.0003 of it; infinite where it does not part."""
     with lammps.temporary_folder() as folder:
         code, output = lammps.run_text(script(grain, division, scheme, pulled_by), folder)
@@ -80,7 +80,7 @@ def gap_after_another_step(grain, first, then, level):
     last = round(steps * ramp / TOP)
     load = (f"{grain.force * TOP!r}*(step<={last})*step/{steps}+{grain.force * ramp!r}*(step>{last})"
             f"+{grain.force * (level - ramp)!r}*(step>{last + 20 * first})")
-    text = script(grain, first, "event", "addforce")
+    text = script(grain, first, "exact", "addforce")
     text = text.replace(f"variable down equal -{grain.force * TOP!r}*step/{steps}", f"variable down equal -({load})")
     head, _, tail = text.rpartition("run ")
     runs = f"run {last + 20 * first}\ntimestep {grain.contact_time / then!r}\nrun {300 * then}\n"

@@ -29,7 +29,7 @@ class Rolling(FolderTestCase):
                     **options):
         """Snapshots (snapshot, atom, column from x on) and the thermo output by column."""
         engine.write_spheres(self.folder, atoms, box, 1)
-        settings = {"start": "data", "boundary": "f f f", "skin": 2e-4, "scheme": "event",
+        settings = {"start": "data", "boundary": "f f f", "skin": 2e-4, "scheme": "exact",
                     "pair": "stiffness 800", "wall": "none", "gx": 0.0, "gy": 0.0, "gz": 0.0,
                     "sort": 0, "save": 0, **options}
         settings["walls"] = int(settings["wall"] != "none")

@@ -37,7 +37,7 @@ def follow(folder, steps_per_contact, duration, samples=50, ranks=1, **options):
     """Thermo table (step, kinetic energy, largest speed, residual) and processor seconds."""
     dt = gas.CONTACT_TIME / steps_per_contact
     every = max(1, round(duration / dt / samples))
-    values = {"scheme": "event", "K": gas.STIFFNESS, "e": 0.9, "mu": 0.3, "A": 0.0, "cut": CUT,
+    values = {"scheme": "exact", "K": gas.STIFFNESS, "e": 0.9, "mu": 0.3, "A": 0.0, "cut": CUT,
               "out": 1e-7, "skin": 0.2 * gas.DIAMETER, "D": gas.DIAMETER, "file": "end.txt",
               **options}
     return gas.table(engine.run("in.gran_hamaker_settling", folder, ranks=ranks, dt=dt,

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs the points of the stability campaign and says what became of them.
 
-Soft laws: every point is run at its step and, with scheme event, at a sixteenth of it. Compared: who is together at
+Soft laws: every point is run at its step and, with scheme exact, at a sixteenth of it. Compared: who is together at
 the end, and all velocities, relative to the largest speed s that the point has (of impact, from the attraction, from
 an overlap at the start). While spheres are together the velocity on the grid, the mean of those half a step before
 and after, jumps where they meet an edge; instead their places are compared, relative to s/w, w the frequency of a
-contact; where only some are together, whichever is nearer. Scheme event also against the closed form of a head-on
+contact; where only some are together, whichever is nearer. Scheme exact also against the closed form of a head-on
 impact. Hard laws: against an event-driven program without time steps (event_driven_reference.py), and that twice
 more with places and velocities changed in the last digits, which tells how far round-off carries.
 
@@ -108,7 +108,7 @@ def judge(point, engine):
         errors[name], verdicts[name] = compare(point, name, end, known[name][0], aim)
         if verdicts[name] not in ("right", COARSE) and not point.law.hard:
             verdicts[name] = doubted(point, engine, name, end, known[name][0], aim.right, verdicts[name], others)
-    exact = closed_form(point, end) if point.law.scheme == "event" else None
+    exact = closed_form(point, end) if point.law.scheme == "exact" else None
     # Relative to the energy, and so twice what rounding of places does to the speed.
     if exact is not None and exact > 1e-6 + 2 * last_digit(end) * point.w0 / point.scale * point.duration / point.dt:
         verdicts["first"] = f"wrong: {exact:.1g} of the energy"
@@ -120,7 +120,7 @@ def doubted(point, engine, name, end, known, aim, verdict, others):
     `others`: ends of further references of the point, made when first asked for."""
     def reference(finer, faster=0.0):
         if (finer, faster) not in others:
-            others[finer, faster] = run(point, engine, "event", finer, faster)
+            others[finer, faster] = run(point, engine, "exact", finer, faster)
         return others[finer, faster]
 
     change = min(aim, MOST)
@@ -198,7 +198,7 @@ def last_digit(end):
 def fine_run(point, engine):
     """State, and by case: places and velocities of all spheres, and the aim, which depends on whether any are
     together."""
-    state, _, end = run(point, engine, "event", REFERENCE)
+    state, _, end = run(point, engine, "exact", REFERENCE)
     if state != "ran":
         return state, {}
     p = point.values

@@ -176,5 +176,5 @@ class Hard(Well):
         return point.wide + 1e-9 * point.reach
 
 
-LAWS = (Hamaker("event"), Hamaker("sampled"), SquareWell("event"), SquareWell("sampled"), Hard(),
-        Hamaker("event", wall=True), SquareWell("event", wall=True), SquareWell("sampled", wall=True), Hard(wall=True))
+LAWS = (Hamaker("exact"), Hamaker("sampled"), SquareWell("exact"), SquareWell("sampled"), Hard(),
+        Hamaker("exact", wall=True), SquareWell("exact", wall=True), SquareWell("sampled", wall=True), Hard(wall=True))

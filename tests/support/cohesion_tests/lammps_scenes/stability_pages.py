@@ -43,7 +43,7 @@ spheres it is relative to the sum of the radii.
 
 ## Errors and outcomes
 
-Soft contacts are compared with the exact scheme (*event*) at a sixteenth of the step. Hard spheres are compared with an
+Soft contacts are compared with *exact* at a sixteenth of the step. Hard spheres are compared with an
 event-driven program without a time step. The error is that of the final velocities over s, the largest speed of the
 point. For particles in contact it is that of the positions over s/w, where w is the contact frequency.
 
@@ -60,11 +60,11 @@ point. For particles in contact it is that of the positions over s/w, where w is
 | contacts | tolerance |
 |---|---|
 | *sampled* | 0.1 |
-| *event*, one contact without friction | 1e-6; for spheres plus the rotation error of the line of centres |
-| *event*, friction or several contacts | (w dt)^2, at most 0.1 |
+| *exact*, one contact without friction | 1e-6; for spheres plus the rotation error of the line of centres |
+| *exact*, friction or several contacts | (w dt)^2, at most 0.1 |
 | hard | 1e-9, or 100 times the effect of rounding the initial state |
 
-For particles in contact the tolerance of *event* includes the offset of positions at a time level from the motion.
+For particles in contact the tolerance of *exact* includes the offset of positions at a time level from the motion.
 [Exact contacts](../theory/exact_contacts.md) derives the rotation error.
 """.splitlines()
 STEPS_TITLE = "Random points by time step"

@@ -53,7 +53,7 @@ def follow_without_friction(folder, division, **scheme):
                A=A, cut=settling.CUT, out=1e-7)
 
 
-def outcome(folder, division, friction, scheme="event"):
+def outcome(folder, division, friction, scheme="exact"):
     """At t_c/division, after 30 t_c, followed by `scheme`, the sampled one and LIGGGHTS without friction: velocities
     (triple, sphere, axis), which of the three pairs stick (pair, triple), and the slowest speed at which two
     have parted (triple)."""

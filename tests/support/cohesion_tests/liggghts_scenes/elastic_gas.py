@@ -52,7 +52,7 @@ def spring_energy(overlaps):
 
 
 def energy(frame, side, pair):
-    """Of a dumped frame, pair: theory.pair_motion.Pair. The tail counts at H_cut, where scheme event crosses it."""
+    """Of a dumped frame, pair: theory.pair_motion.Pair. The tail counts at H_cut, where scheme exact crosses it."""
     near = gaps(frame, side, pair.cut)
     attraction = numpy.where(near < 0, pair.adhesion_energy(0.0) + pair.adhesion * near, 0.0)
     between = near[(near >= 0) & (pair.A > 0)]

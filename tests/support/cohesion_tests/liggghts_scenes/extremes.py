@@ -37,7 +37,7 @@ from cohesion_tests.liggghts_scenes.extremes_points import DENSITY, LAWS, RADIUS
 AIM, FINER, SECONDS = 0.1, 16, 30
 # From the end to where triples are looked at again, in contact times.
 LATER = 0.5
-SCHEMES = ("event", "sampled")
+SCHEMES = ("exact", "sampled")
 CASES = ("pair", "wall", "three spheres")
 HEAD = ("| changed | pair | wall | three spheres | said |", "|---|---|---|---|---|")
 # Right at the end, and later.

@@ -72,7 +72,7 @@ class Grain(slow_ramp.Grain):
             f"variable load equal {loaded}\nthermo_style custom step v_gap v_load\n"
             f"thermo_modify format float %.9g lost ignore\nthermo {max(steps // 4000, 1)}\nrun {steps}\n")
 
-    def load_at_parting(self, division, scheme="event", pulled_by="addforce"):
+    def load_at_parting(self, division, scheme="exact", pulled_by="addforce"):
         """Over F_ad; infinite where it does not part. Read to 0.0003 of it."""
         side = 8 * self.diameter
         # The lower plate touches the grain at its place of rest, three times as deep.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Spheres that meet walls of the event scheme, in LAMMPS: what the tests of them share."""
+"""Spheres that meet walls of the exact scheme, in LAMMPS: what the tests of them share."""
 import math
 import sys
 from pathlib import Path
@@ -35,7 +35,7 @@ def say(text):
     print(text, file=sys.stderr)
 
 
-class EventWall(FolderTestCase):
+class ExactWall(FolderTestCase):
     def write(self, x, v, box=3 * [(0.0, 0.04)], diameter=DIAMETER, types=2, **more):
         atoms = [{"type": 1, "diameter": diameter, "density": DENSITY, "x": place, "v": speed}
                  for place, speed in zip(x, v)] + more.get("others", [])
@@ -45,7 +45,7 @@ class EventWall(FolderTestCase):
         settings = {"start": "data", "boundary": "f f f", "skin": 1e-3, "pairs": 0,
                     "pair": "none", "moving": "1", "file": "end.txt", "every": 0, "save": 0,
                     "steps": steps, **options}
-        self.output = engine.run("in.event_wall", self.folder, wall=wall, dt=dt, **settings)
+        self.output = engine.run("in.exact_wall", self.folder, wall=wall, dt=dt, **settings)
         return engine.dump(self.folder, settings["file"])
 
     def places(self, n):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Cohesion hamaker and square_well with scheme event among many spheres: ranks, runs and restarts, meshes, energy,
+"""Cohesion hamaker and square_well with scheme exact among many spheres: ranks, runs and restarts, meshes, energy,
 rest, friction; what it cannot follow is refused. Escape velocities are in head_on_test.py."""
 import math
 import random
@@ -14,7 +14,7 @@ from cohesion_tests.liggghts_scenes.scene import (MASS, RADIUS, STIFFNESS, conta
 from cohesion_tests.theory.pair_motion import CUT, OUT, Pair
 
 CONTACT_TIME = math.pi * math.sqrt(0.5 * MASS / STIFFNESS)
-EVENT = " absolute_damping on tangential_damping off scheme event"
+EXACT = " absolute_damping on tangential_damping off scheme exact"
 COLUMNS = ("x", "y", "z", "vx", "vy", "vz", "omegax", "omegay", "omegaz")
 END = f"""
 dump end all custom 1 end.txt id {' '.join(COLUMNS)}
@@ -32,7 +32,7 @@ def gas_script(run, tangential="off", edge=6, fraction=0.45, constant=2e-18, spe
     """run: with DT for the step."""
     spheres, side = gas(edge, fraction, speed=speed)
     dt = CONTACT_TIME / part
-    return script(spheres, models(tangential) + EVENT, hamaker(constant, cut=CUT, out=OUT), dt=dt, every=10**8,
+    return script(spheres, models(tangential) + EXACT, hamaker(constant, cut=CUT, out=OUT), dt=dt, every=10**8,
                   contacts=contacts, boundary="p p p", box=f"0 {side} 0 {side} 0 {side}",
                   run=run.replace("DT", repr(dt)), **options), side
 
@@ -87,7 +87,7 @@ class Many(unittest.TestCase):
                 spheres = [sphere((0, 0, 0), (speed / 2, 0, 0)),
                            sphere((2 * RADIUS + gap, 0, 0), (-speed / 2, 0, 0))]
                 text = tangent.replace("TWICE", repr(2 * dt)).replace("HALF", repr(dt / 2))
-                end = Run(script(spheres, models() + EVENT, hamaker(constant, cut=CUT, out=1e-4), dt=dt, every=10**8,
+                end = Run(script(spheres, models() + EXACT, hamaker(constant, cut=CUT, out=1e-4), dt=dt, every=10**8,
                                  run=text + END, skin=2e-4)).frames("end.txt")[-1]
                 apart = end[2][0] - end[1][0] > 2 * RADIUS + 1e-7
                 with self.subTest(text=text, factor=factor):
@@ -102,7 +102,7 @@ class Wells(unittest.TestCase):
     def end_of(run, ratio, ranks=0, inputs=None):
         spheres, side = gas(5, 0.3)
         dt = CONTACT_TIME / 10
-        text = script(spheres, "model hooke/stiffness tangential off cohesion square_well" + EVENT,
+        text = script(spheres, "model hooke/stiffness tangential off cohesion square_well" + EXACT,
                       square_well(5e-9, ratio=ratio), dt=dt, every=10**8, boundary="p p p",
                       box=f"0 {side} 0 {side} 0 {side}", run=run + END)
         done = Run(text, ranks=ranks)
@@ -118,7 +118,7 @@ class Wells(unittest.TestCase):
         # A step is as long as the speed says, and shorter as soon as the well accelerates both.
         ways.append(("run 16", f"fix reset all dt/reset 1 {dt / 10!r} {dt!r} {speed * dt!r}\n"))
         for run, extra in ways:
-            end = Run(script(spheres, "model hooke/stiffness tangential off cohesion square_well" + EVENT,
+            end = Run(script(spheres, "model hooke/stiffness tangential off cohesion square_well" + EXACT,
                              square_well(MASS * speed**2, ratio=ratio), dt=dt, every=10**8, skin=2e-4, extra=extra,
                              run=run + END)).frames("end.txt")[-1]
             with self.subTest(run, extra=extra):
@@ -137,7 +137,7 @@ class Wells(unittest.TestCase):
 
     def test_a_restart_file_goes_on(self):
         spheres, side = gas(5, 0.3)
-        words = "model hooke/stiffness tangential off cohesion square_well" + EVENT
+        words = "model hooke/stiffness tangential off cohesion square_well" + EXACT
         begin = script(spheres, words, square_well(5e-9, ratio=2.0), dt=CONTACT_TIME / 10, every=10**8,
                        boundary="p p p", box=f"0 {side} 0 {side} 0 {side}", run="")
         again = begin[begin.index("fix E all"):].replace("out.txt", "more.txt")
@@ -153,15 +153,15 @@ class Wells(unittest.TestCase):
         def slid(walls, inputs):
             spheres = [sphere((-4e-3, -4e-3, 1.005 * RADIUS), (0.5, 0.3, -0.004)),
                        sphere((-4e-3, 0, 1.02 * RADIUS), (0.5, 0.3, -0.05))]
-            return frames(spheres, words + EVENT, square_well(5e-11, ratio=1.01), dt=dt, steps=int(8e-3 / dt), every=20,
+            return frames(spheres, words + EXACT, square_well(5e-11, ratio=1.01), dt=dt, steps=int(8e-3 / dt), every=20,
                           walls=walls, inputs=inputs, skin=2e-4)
 
-        plane = slid([f"fix plate all wall/gran {words} primitive type 2 zplane 0 {EVENT}"], {})
+        plane = slid([f"fix plate all wall/gran {words} primitive type 2 zplane 0 {EXACT}"], {})
         self.assertLess(plane[-1][1][2], 1.01 * RADIUS)
         self.assertGreater(plane[-1][2][2], 1.1 * RADIUS)
         for cells in (1, 10):
             walls = ["fix plate all mesh/surface file plate.stl type 2",
-                     f"fix plates all wall/gran {words} mesh n_meshes 1 meshes plate {EVENT}"]
+                     f"fix plates all wall/gran {words} mesh n_meshes 1 meshes plate {EXACT}"]
             corner, sides = (-9e-3, -9e-3, 0), ((18e-3, 0, 0), (0, 18e-3, 0))
             mesh = slid(walls, {"plate.stl": stl(rectangle(corner, *sides, cells))})
             with self.subTest(triangles=2 * cells**2):
@@ -178,7 +178,7 @@ class Wells(unittest.TestCase):
         depth, ratio, part = 5e-9, 1.05, 5
         spheres, side = gas(6, 0.3)
         steps = int(0.04 / CONTACT_TIME * part)
-        text = script(spheres, "model hooke/stiffness tangential off cohesion square_well" + EVENT,
+        text = script(spheres, "model hooke/stiffness tangential off cohesion square_well" + EXACT,
                       square_well(depth, ratio=ratio), dt=CONTACT_TIME / part, every=steps // 8, contacts=elastic(),
                       boundary="p p p", box=f"0 {side} 0 {side} 0 {side}", run=f"run {steps}\n")
         energies = []
@@ -205,15 +205,15 @@ class Mesh(unittest.TestCase):
                 spheres = [sphere((-4e-3, -4e-3, RADIUS + 1e-8), (0.5, 0.3, -0.004)),
                            sphere((-4e-3, 0, RADIUS + 3e-7), (0.5, 0.3, -0.05)),
                            sphere((-5.2e-3, 3.6e-3 + 1e-7, RADIUS + 1e-7), (0.5, 0.3, -0.003))]
-                return frames(spheres, words + EVENT, hamaker(2e-18, cut=CUT, out=OUT), dt=dt, steps=int(8e-3 / dt),
+                return frames(spheres, words + EXACT, hamaker(2e-18, cut=CUT, out=OUT), dt=dt, steps=int(8e-3 / dt),
                               every=20, walls=walls, inputs=inputs, skin=2e-4)
 
-            plane = slid([f"fix plate all wall/gran {words} primitive type 2 zplane 0 {EVENT}"], {})
+            plane = slid([f"fix plate all wall/gran {words} primitive type 2 zplane 0 {EXACT}"], {})
             self.assertLess(plane[-1][1][2], RADIUS)  # stuck
             self.assertGreater(plane[-1][2][2], RADIUS + 1e-4)
             for cells in (1, 10):
                 walls = ["fix plate all mesh/surface file plate.stl type 2",
-                         f"fix plates all wall/gran {words} mesh n_meshes 1 meshes plate {EVENT}"]
+                         f"fix plates all wall/gran {words} mesh n_meshes 1 meshes plate {EXACT}"]
                 mesh = slid(walls, {"plate.stl": stl(rectangle(corner, *sides, cells))})
                 with self.subTest(tangential=tangential, triangles=2 * cells**2):
                     for found, right in zip(mesh, plane):
@@ -259,9 +259,9 @@ class Energy(unittest.TestCase):
                                   [numbers.uniform(-0.05, 0.05) for _ in range(3)])
                            for i in range(edge) for j in range(edge) for k in range(edge)]
                 constant = weights * MASS * 9.81 * 12 * CUT**2 / RADIUS
-                plate = f"fix plate all wall/gran {models('history')} primitive type 2 zplane 0.0 {EVENT}"
+                plate = f"fix plate all wall/gran {models('history')} primitive type 2 zplane 0.0 {EXACT}"
                 dt = 0.53 * CONTACT_TIME / part  # the spring of friction makes contacts so much shorter
-                end = frames(spheres, models("history") + EVENT, hamaker(constant, cut=CUT, out=OUT), dt=dt,
+                end = frames(spheres, models("history") + EXACT, hamaker(constant, cut=CUT, out=OUT), dt=dt,
                              steps=int(1.2 / dt), every=int(1.2 / dt), boundary="p p f",
                              box=f"0 {edge * cell} 0 {edge * cell} -1e-3 2e-2", skin=2e-4, walls=[plate],
                              extra="fix g all gravity 9.81 vector 0 0 -1\n")[-1]
@@ -298,7 +298,7 @@ class Friction(unittest.TestCase):
                 room = 0.5 * math.sqrt(3.5) * math.pi / part
                 for late in (0.1, 0.35, 0.6, 0.85):
                     with self.subTest(friction=friction, slip=slip, part=part, late=late):
-                        for found, right in zip(self.impact(part, "event", late, friction, slip), exact):
+                        for found, right in zip(self.impact(part, "exact", late, friction, slip), exact):
                             self.assertAlmostEqual(found, right, delta=room)
 
 
@@ -311,23 +311,23 @@ class Input(unittest.TestCase):
 
     def test_what_it_cannot_follow(self):
         start = "model {} tangential off cohesion hamaker{}"
-        self.refused(start.format("hertz", " scheme event"), "model hertz has a spring whose motion has no closed form",
+        self.refused(start.format("hertz", " scheme exact"), "model hertz has a spring whose motion has no closed form",
                      "use 'scheme sampled'")
         viscous = ("fix mu all property/global FluidViscosity peratomtypepair 2 1e-3 1e-3 1e-3 1e-3\n"
                    "fix st all property/global CriticalStokes peratomtypepair 2 10 10 10 10\n"
                    "fix em all property/global MaximumRestitution peratomtypepair 2 0.9 0.9 0.9 0.9\n")
-        self.refused(start.format("hooke", " viscous on scheme event"), "depends on the speed", extra=viscous)
-        self.refused(start.format("hooke", " limitForce on scheme event"), "cuts the force off")
-        self.refused(start.format("hooke", " scheme exact"), "scheme exact: must be event or sampled")
-        self.refused(start.format("hooke", " scheme event"), "compute gran/energy knows no contacts of it",
+        self.refused(start.format("hooke", " viscous on scheme exact"), "depends on the speed", extra=viscous)
+        self.refused(start.format("hooke", " limitForce on scheme exact"), "cuts the force off")
+        self.refused(start.format("hooke", " scheme sometimes"), "scheme sometimes: must be exact or sampled")
+        self.refused(start.format("hooke", " scheme exact"), "compute gran/energy knows no contacts of it",
                      extra="compute tally all gran/energy\n")
-        self.refused(start.format("hooke", " scheme sampled"), "needs a pair_style gran of scheme event, too",
+        self.refused(start.format("hooke", " scheme sampled"), "needs a pair_style gran of scheme exact, too",
                      walls=["fix plate all wall/gran " + start.format("hooke", "") +
-                            " primitive type 2 zplane -0.009 scheme event"])
+                            " primitive type 2 zplane -0.009 scheme exact"])
 
     def test_a_pair_that_comes_from_out_of_sight(self):
         spheres = [sphere((0, 0, 0), (2.0, 0, 0)), sphere((2 * RADIUS + 1.2e-4, 0, 0), (-2.0, 0, 0))]
-        run = Run(script(spheres, models() + EVENT, hamaker(0, cut=CUT, out=OUT), dt=1.1e-5, steps=20))
+        run = Run(script(spheres, models() + EXACT, hamaker(0, cut=CUT, out=OUT), dt=1.1e-5, steps=20))
         self.assertEqual(run.code, 0, run.output)
         self.assertEqual(run.output.count("from beyond what is seen"), 1, run.output)
 
