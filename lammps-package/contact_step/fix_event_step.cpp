@@ -166,14 +166,11 @@ void FixEventStep::setup(int) {
 
 void FixEventStep::initial_integrate(int) {
   running = true;  // a run without set-up begins here
-  if (starting && !idle && energy_tally.is_active()) tally_work(true);
-  starting = false;
-  if (energy_tally.is_active() && !tallies_begun) {
-    // They begin with what there is before this step.
-    update->ntimestep--;
-    begin_tallies();
-    update->ntimestep++;
-  }
+  // The time level before this step is to end, and tallies begin with what there is then.
+  update->ntimestep--;
+  end_start();
+  if (energy_tally.is_active() && !tallies_begun) begin_tallies();
+  update->ntimestep++;
   if (resuming) {
     for (int i = 0; i < atom->nlocal; i++) {
       const double* const then = last.of(i);
@@ -273,6 +270,12 @@ void FixEventStep::update_readers() {
   flux_wanted = flux_readers.use_count() > 1;
 }
 
+/// Ends the first time level of a run, once all of its forces are there.
+void FixEventStep::end_start() {
+  if (starting && !idle && energy_tally.is_active()) tally_work(true);
+  starting = false;
+}
+
 void FixEventStep::end_of_step() {
   if (!idle && energy_tally.is_active()) tally_work(false);
 }
@@ -291,6 +294,7 @@ void FixEventStep::tally_work(bool starts) {
 }
 
 void FixEventStep::post_run() {
+  end_start();
   report_unresolved();
   if (energy_tally.is_active()) {
     if (!tallies_begun) begin_tallies();

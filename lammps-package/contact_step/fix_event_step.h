@@ -171,6 +171,7 @@ class FixEventStep : public Fix {
   void forward_accelerations();
   double* acceleration_of(int i) { return accelerations.of(i); }
   void forward_flagged(std::vector<char>& flags, NumbersOf, int each);
+  void end_start();
   void tally_work(bool starts);
   void begin_tallies();
   void refuse_rigid_bodies() const;

@@ -301,7 +301,7 @@ class Conservation(unittest.TestCase):
                    f"{residual[-1] / box.energy:.1e} after it")
             softer = (W0 * T_C / division)**2 / 6
             self.assertLess(residual.max(), (1.5 * (overlap / reach)**2 + 2 * softer * overlap / reach) * box.energy)
-            self.assertEqual(box.tally[3][-1], 0.0)
+            self.assertLess(abs(box.tally[3][-1]), 10 * box.rounding)
             turned = Box.SPEED * T_C / division / reach
             self.assertLess(residual[-1], turned**2 * box.tally[6][-1] + box.rounding)
 
@@ -322,8 +322,11 @@ class Conservation(unittest.TestCase):
                    f"sliding {box.tally[8][-1] / box.energy:.3f}")
             self.assertLess(residual, bound)
             residuals.append(residual)
-            for k in (6, 7, 8):  # what is lost is lost
-                self.assertGreaterEqual(numpy.diff(box.tally[k]).min(), -box.rounding)
+            # What is lost is lost; of sliding to what friction does in a step, which is not all known
+            # at a time level within it.
+            in_a_step = (box.tally[7][-1] + box.tally[8][-1]) / division
+            for k, regained in ((6, box.rounding), (7, box.rounding), (8, in_a_step)):
+                self.assertGreaterEqual(numpy.diff(box.tally[k]).min(), -regained)
                 self.assertGreater(box.tally[k][-1], 1e-3 * box.energy)
         self.assertLess(residuals[3], residuals[0] / 4)
 
@@ -336,11 +339,14 @@ class Conservation(unittest.TestCase):
         law = numpy.vectorize(lambda h: 0.0 if h >= CUT else hamaker_reference.energy(
             "small_gap", h, *(0.5 * box.DIAMETERS), box.A, CUT, OUT))
         adhesion = law(gap)
-        for found, expected in ((box.tally[3], spring), (box.tally[5], adhesion),
-                                (box.thermo["PotEng"], spring + adhesion)):
+        # Entry 3 is beside the kinetic energy of v_n, the mean of two half steps, which is less than
+        # that of the true motion by up to (w0 dt)^2/3.
+        coarse = (W0 * T_C / 6)**2 / 3 * box.energy
+        for found, expected, known in ((box.tally[3], spring, coarse), (box.tally[5], adhesion, 10 * box.rounding),
+                                       (box.thermo["PotEng"], spring + adhesion, 10 * box.rounding)):
             expected = expected.sum(axis=1)
-            self.assertGreater(numpy.abs(expected).max(), 0.0)
-            numpy.testing.assert_allclose(found[1:], expected[1:], rtol=1e-12, atol=10 * box.rounding)
+            self.assertGreater(numpy.abs(expected).max(), known)
+            numpy.testing.assert_allclose(found[1:], expected[1:], rtol=1e-12, atol=known)
 
     def test_force_is_the_slope_of_the_energy(self):
         # Without dashpot, head-on: the force of a step against -dE/dr between the places before and
@@ -351,7 +357,7 @@ class Conservation(unittest.TestCase):
         path, output = couples.run(atoms, ["* * " + pair.words()], dt, 250, every=1)
         names, lines = thermo_lines(output)
         thermo = dict(zip(names, numpy.array(lines).T))
-        potential = thermo["c_tally[3]"] + thermo["c_tally[5]"]
+        potential = thermo["PotEng"]
         force = path[1:-1, 0, 1, 10]
         distance = relative(path[:, 0].reshape(-1, 2, 15))[:, 1]
         way = distance[2:] - distance[:-2]

@@ -54,9 +54,9 @@ class Layout(ScriptTestCase):
         self.goes(f"{HEAD}boundary f p p\n{MAKE}{run}write_restart some.restart noinit\n")
         read = f"{HEAD}read_restart some.restart\ncomm_modify vel yes\nneighbor 1e-4 bin\n{run}"
         self.goes(read)
-        content, mark = file.read_bytes(), struct.pack("=d", MARK + 5)
+        content, mark = file.read_bytes(), struct.pack("=d", MARK + 6)
         self.assertEqual(content.count(mark), 1)
-        file.write_bytes(content.replace(mark, struct.pack("=d", MARK + 4)))
+        file.write_bytes(content.replace(mark, struct.pack("=d", MARK + 5)))
         self.stops(read, "scheme exact", "another version of the package", "write_data")
 
     def test_another_layout_of_the_motion_of_walls_is_refused(self):

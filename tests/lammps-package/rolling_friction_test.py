@@ -62,7 +62,7 @@ class OnAPlane(Rolling):
         # All of the energy is lost, to rolling nearly: the sliding spring takes part in the last swing.
         energy = thermo["c_tally[1]"][0] + thermo["c_tally[2]"][0]
         lost = thermo["c_tally[13]"][-1] - thermo["c_tally[13]"][0]
-        self.assertAlmostEqual(lost / energy, 1.0, delta=spring / way)
+        self.assertAlmostEqual(lost / energy, 1.0, delta=4 * spring / way)
 
     def test_a_slope_holds_it_below_mu_r_and_not_above(self):
         coefficient = 0.1
@@ -190,9 +190,7 @@ class Impacts(unittest.TestCase):
 
 class Gravity(Rolling):
     def test_a_ball_thrown_up_that_bounces(self):
-        # In flight the tally closes to rounding. In contact the weight counts K/K' times, and where a contact begins and
-        # ends it is that of the step before: less than what edges of contact would give if half of the weight's impulse
-        # acted before them and half after, 4 g dt/v of m v^2/2 (v dt/4 m g at each of eight).
+        # In flight and in contact the tally closes to rounding, with weight and friction.
         residuals = []
         for parts in (5, 10, 20, 40):
             dt = WALL_TIME / parts
@@ -218,8 +216,10 @@ class Gravity(Rolling):
             self.assertGreater(bounces, 2)
             report(f"thrown up, {bounces} bounces at t_c/{parts}: energy tally {residuals[-1]:.1e}")
             impact = math.sqrt(0.05**2 + 2 * G * 1e-3)
-            self.assertLess(residuals[-1], 4 * G * dt / impact)
-        self.assertLess(residuals[3], residuals[1] / 4)
+            # A place is rounded in each step of each bounce, while the spring pulls with at most
+            # impact sqrt(K m): over m impact^2/2.
+            deepest = impact * math.sqrt(MASS / STIFFNESS)
+            self.assertLess(residuals[-1], math.sqrt(4 * bounces * parts) * 2 * 2.0**-53 * 1e-3 / deepest)
 
     def test_through_a_periodic_side(self):
         # Down a periodic direction the potential goes on falling.
