@@ -105,8 +105,10 @@ inline Verdict stability(const ContactNumbers& n) {
 /// Where a particle has several contacts, or will have.
 inline Verdict steadiness(const ContactNumbers& n, bool several, bool plane) {
   using contact_solver::ClosestPacking;
-  const double limit =
-      n.steady_step(plane ? ClosestPacking::in_plane() : ClosestPacking::in_space());
+  const bool at_wall = !std::isfinite(n.parameters().radius_i + n.parameters().radius_j);
+  const double limit = n.steady_step(at_wall ? ClosestPacking::at_wall()
+                                     : plane ? ClosestPacking::in_plane()
+                                             : ClosestPacking::in_space());
   const double dt = n.parameters().dt;
   if (dt <= limit)
     return {Subject::steadiness, Severity::ok,

@@ -59,9 +59,10 @@ inline std::string softness_advice(std::string_view keywords) {
   if (keywords.empty())
     return sentence +
            "its pull-off force is kept (packings, Bond number), its escape velocity is not "
-           "(collisions, who sticks)";
+           "(collisions: which pairs stick)";
   return sentence + std::string(keywords) +
-         " keeps its escape velocity (collisions, who sticks), with 'material_keep force' its "
+         " keeps its escape velocity (collisions: which pairs stick), with 'material_keep force' "
+         "its "
          "pull-off force (packings, resting beds, Bond number, tensile strength)";
 }
 

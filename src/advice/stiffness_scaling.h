@@ -18,7 +18,7 @@ namespace cohesion::advice {
 /// What a contact softer than its material keeps of it; both it cannot, at the same restitution.
 /// As wide as a number of a restart file.
 enum class Keep : std::int64_t {
-  escape_velocity,  ///< who sticks in collisions; the adhesion is scaled (StiffnessScaling)
+  escape_velocity,  ///< which pairs stick in collisions; the adhesion is scaled (StiffnessScaling)
   force,            ///< strength and Bond number of packings; the adhesion is left as it is
 };
 
@@ -69,7 +69,7 @@ inline Material mixed(const Material& a, const Material& b) {
 ///
 /// What is not kept: the force that holds a resting pair falls to f F_ad, and so does its ratio to
 /// the weight; and the attraction of a pair that does not touch reaches further. Where that matters
-/// more than who sticks the adhesion is not scaled (Keep::force).
+/// more than which pairs stick the adhesion is not scaled (Keep::force).
 ///
 /// Source: derived here, by similarity. The purpose is that of Y. Gu, A. Ozel and S. Sundaresan
 /// (2016), whose text was not at hand: the rule has not been compared with theirs.

@@ -22,12 +22,20 @@ inline double squared_phase(const event_stepping::GridSpring& spring, double ste
 /// that of a pair's sliding; spheres that roll against all their neighbours 8 times. In a plane,
 /// six contacts and spins across it, the sums of cos^2 and sin^2 are 3 and 6.
 ///
+/// A wall does not swing against a sphere: its springs count once. With the three contacts above
+/// it, a sphere swings along the normal of the wall with s_wall + 2 s_pair < 4 where 2 s_wall < 4
+/// and 4 s_pair < 4. With its nine contacts, springs of friction of pairs reach 11/16 of 4, and
+/// those of the wall may add 1.
+///
 /// Source: derived here; docs/theory/contact_steps.md.
 struct ClosestPacking {
   double normal, sliding, rolling;
 
   static ClosestPacking in_space() { return {4.0, 40.0 / 7.0, 8.0}; }
   static ClosestPacking in_plane() { return {3.0, 30.0 / 7.0, 6.0}; }
+  /// Of a contact with a wall, in space and in a plane: such that a sphere with its other contacts
+  /// on one side, which are steady, is steady.
+  static ClosestPacking at_wall() { return {2.0, 20.0 / 7.0, 4.0}; }
 
   /// Whether all of these swings stay steady, from squared_phase() of the springs of a pair. In
   /// longer steps a packing gains energy without bound.

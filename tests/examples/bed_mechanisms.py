@@ -41,7 +41,7 @@ variable held equal c_tally[5]
 print "found held ${held} plate_pull ${plate_pull}"
 write_dump all custom places id x y vx vy modify format float %.17g
 """
-STEP = 2.25e-5  # [s]
+STEP = 1.5e-5  # [s]
 DEPTH, RATIO, DIAMETER, WIDTH = 5e-11, 1.02, 1e-3, 0.08
 
 

@@ -25,9 +25,10 @@ class Rooms(SmallBeds):
             # A has nine digits, half of the last one is up to 5e-9; v_esc is nearly proportional to it.
             self.assertAlmostEqual(hamaker / well, 1, delta=1e-8)
             self.assertEqual(table[f"well-{depth}"]["D"], float(depth))
-            # Sampled is the same bed.
+            # Sampled is the same bed, at the thesis's step.
             for law in ("well", "hamaker"):
-                self.assertEqual({**table[f"{law}-{depth}"], "scheme": "sampled"}, table[f"{law}-{depth}-sampled"])
+                self.assertEqual({**table[f"{law}-{depth}"], "scheme": "sampled", "dt": 2.25e-5},
+                                 table[f"{law}-{depth}-sampled"])
         # The energy that a well takes goes with the square of the speed, so that a factor counts by its root.
         row = {**table["well-1e-11"], "cohesion_side": 4, "cohesion_plate": "no"}
         found = study.escape_velocities(BUILD, row)

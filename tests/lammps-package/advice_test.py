@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """When the advice is given and a run stopped: in every set-up and within a run, where step, particles or coefficients
 have become worse; and that nothing is said twice."""
+import re
 import unittest
 from pathlib import Path
 
@@ -205,6 +206,72 @@ class SixWalls(ScriptTestCase):
                            .replace("xplane 0.001 NULL\nrun 5\n", f"xplane 0.001 NULL\n{MOVE}run 5\n"))
         self.assertEqual(output.count(ADVICE), 2, output)
         self.assertIn("fix mid wall/gran/hamaker, scheme exact: what", output)
+
+
+class SeveralContacts(ScriptTestCase):
+    """Steps in which particles with several contacts gain energy."""
+    DAMPED = "stiffness 800 restitution 0.5 friction {} hamaker 1e-17 cutoff 4e-10 1e-7"
+    CLUSTER = """plugin load ${{plugin}}
+units si
+atom_style sphere
+boundary f f f
+newton off
+comm_modify vel yes
+lattice fcc 1.40961e-3
+region box block -4 4 -4 4 -4 4
+create_box 1 box
+region ball sphere 0 0 0 1.5
+create_atoms 1 region ball
+set group all diameter 1e-3 density 2650
+displace_atoms all random 1e-9 1e-9 1e-9 4711
+neighbor 2e-4 bin
+pair_style gran/hamaker
+pair_coeff * * {coefficients}
+fix move all nve/sphere
+compute motion all ke
+compute spins all erotate/sphere
+thermo_style custom step c_motion c_spins
+timestep {dt}
+run {steps}
+"""
+    CONTACT_TIME = 9.2515e-5
+
+    def cluster(self, dt, friction):
+        return self.CLUSTER.format(coefficients=self.DAMPED.format(friction), dt=dt,
+                                   steps=20 * round(2 * self.CONTACT_TIME / dt))
+
+    def test_a_packing_is_stopped_and_goes_on_with_the_step_that_the_message_names(self):
+        for friction in (0, 0.3):
+            with self.subTest(friction=friction):
+                output = self.stops(self.cluster(self.CONTACT_TIME / 3, friction), "several contacts unstable", "reduce it to")
+                limit = float(re.search(r"reduce it to (\S+),", output)[1])
+                # Printed to three digits.
+                self.stops(self.cluster(1.01 * limit, friction), "several contacts unstable")
+                output = self.goes(self.cluster(0.99 * limit, friction))
+                last = [line.split() for line in output.splitlines() if re.match(r" +\d+ +\S+ +\S+ *$", line)][-1]
+                # A contact loses three quarters of its energy in a contact time, and some 200 of them had
+                # up to 800 N/m (2e-9 m)^2/2.
+                self.assertLess(float(last[1]) + float(last[2]), 1e-3 * 200 * 400 * (2e-9)**2)
+
+    def test_pairs_apart_are_warned_and_stopped_when_they_meet(self):
+        coefficients = self.DAMPED.format(0)
+        apart = (BOX + spheres((1, 0.002, 0.005, 0.005), (1, 0.0031, 0.005, 0.005), (1, 0.009, 0.005, 0.005))
+                 + "group flies id 3\nvelocity flies set -5 0 0\nneighbor 5e-4 bin\n")
+        script = apart + f"pair_style gran/hamaker\npair_coeff * * {coefficients}\n{MOVE}timestep {self.CONTACT_TIME / 3}\n"
+        output = self.goes(script + "run 10\n")
+        self.assertEqual(output.count("the run stops where a particle has two neighbours"), 1)
+        self.stops(script + "run 100\n", "gain energy without bound", after_a_run=True)
+
+    def test_two_spheres_may_take_any_step(self):
+        coefficients = self.DAMPED.format(0)
+        output = self.goes(f"{TWO}pair_style gran/hamaker\npair_coeff * * {coefficients}\n{MOVE}"
+                           f"timestep {self.CONTACT_TIME / 3}\nrun 10\n")
+        self.assertNotIn("several contacts", output)
+
+    def test_particles_that_are_to_be_poured_count(self):
+        coefficients = self.DAMPED.format(0)
+        self.stops(f"{BOX}{POURED}diam one 1e-3 dens 2650 2650\npair_style gran/hamaker\npair_coeff * * {coefficients}\n{MOVE}"
+                   f"timestep {self.CONTACT_TIME / 3}\nrun 10\n", "several contacts unstable")
 
 
 if __name__ == "__main__":

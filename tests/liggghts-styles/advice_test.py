@@ -5,6 +5,8 @@ import math
 import re
 import unittest
 
+from scipy.optimize import brentq
+
 from cohesion_tests.liggghts import Run, assert_refused
 from cohesion_tests.liggghts_scenes.scene import (DAMPING, MASS, RADIUS, STIFFNESS, contact, hamaker, script, sphere,
                                                   square_well)
@@ -204,7 +206,7 @@ class Judgement(unittest.TestCase):
                       run.output)
         self.assertIn("1 - 1: pairs would stick less with a stiffer spring", run.output)
         self.assertIn("'material_stiffness on' with fix property/global materialStiffness keeps its escape velocity "
-                      "(collisions, who sticks), with 'material_keep force' its pull-off force (packings", run.output)
+                      "(collisions: which pairs stick), with 'material_keep force' its pull-off force (packings", run.output)
 
     def test_no_keyword_is_named_that_the_model_refuses(self):
         run = go("model hertz tangential off cohesion hamaker", hamaker(A, cut=CUT, out=OUT))
@@ -300,6 +302,39 @@ class StiffnessScaling(unittest.TestCase):
             with self.subTest(message=messages[0]):
                 run = go(words, properties)
                 assert_refused(self, run, *messages)
+
+
+class SeveralContacts(unittest.TestCase):
+    """Of a sphere that touches twelve others, the springs between two count four times."""
+    MODELS = LINEAR + ABSOLUTE + " scheme exact"
+
+    def limit(self):
+        """Where x_(n+1) = (2 - 4 (k + h)) x_n - (1 - 4 h) x_(n-1) swings up, k = 1 + d - 2 c and h = 1 - d of the
+        motion of a pair, d = exp(-2 alpha dt), c = sqrt(d) cos(q dt): there 4 (k + 2 h) = 4."""
+        alpha, w0 = DAMPING / MASS, natural_frequency(STIFFNESS, MASS / 2)
+        kept = lambda dt: math.exp(-alpha * dt)
+        off = lambda dt: 3 - kept(dt)**2 - 2 * kept(dt) * math.cos(math.sqrt(w0**2 - alpha**2) * dt) - 1
+        return brentq(off, 1e-3 / w0, math.pi / w0, xtol=1e-6 / w0)
+
+    def run_spheres(self, dt, places):
+        return go(self.MODELS, hamaker(0.0, cut=CUT, out=OUT), [sphere(place) for place in places], dt=dt, steps=3)
+
+    def test_packings_stop_beyond_the_limit(self):
+        near = 2 * RADIUS * (1 - 1e-3) / math.sqrt(2)
+        packing = [(0, 0, 0)] + [place for a in (-near, near) for b in (-near, near)
+                                 for place in ((a, b, 0), (a, 0, b), (0, a, b))]
+        self.assertEqual(self.run_spheres(0.999 * self.limit(), packing).code, 0)
+        assert_refused(self, self.run_spheres(1.001 * self.limit(), packing), "several contacts unstable",
+                       f"reduce it to {self.limit():.3g}"[:-1])
+
+    def test_pairs_do_not(self):
+        pair = [(0, 0, 0), (2 * RADIUS, 0, 0)]
+        run = self.run_spheres(1.1 * self.limit(), pair)
+        self.assertEqual(run.code, 0, run.output[-1000:])
+        self.assertNotIn("several contacts", run.output)
+        run = self.run_spheres(1.1 * self.limit(), pair + [(0, 8 * RADIUS, 0)])
+        self.assertEqual(run.code, 0, run.output[-1000:])
+        self.assertIn("the run stops where a particle has two neighbours", run.output)
 
 
 if __name__ == "__main__":

@@ -8,7 +8,7 @@
 Sampled, and in LIGGGHTS, as in in.head_on: without friction, of which the engines have different laws.
 
 100 triples (triples.py) against t_c/N, 1000 unless said otherwise, after 30 t_c. Printed: how many end
-otherwise (who sticks to whom), and, of the others, the root mean square of the error of the velocities over the
+otherwise (which spheres stick), and, of the others, the root mean square of the error of the velocities over the
 speed of the third sphere.
 """
 import numpy

@@ -10,6 +10,7 @@ Warned = namedtuple("Warned", "pattern brief fits subject", defaults=(False, Non
 KNOWN = (
     Warned("a contact takes ([^ ]*) time steps", r"\1 steps per contact", True, "contact_steps"),
     Warned("makes contacts unstable", "contacts unstable", False, "stability"),  # an error, no warning
+    Warned("makes particles with several contacts unstable", "several contacts unstable", True, "steadiness"),
     Warned("crosses the surface cut-off in ([^ ]*) time steps", r"\1 steps in the cut-off", True, "cutoff_steps"),
     Warned("the speed below which pairs stick, [^ ]*, open by ([^ ]*) %", r"escape open by \1 %", True,
            "escape_velocity"),

@@ -4,8 +4,8 @@ a wall, and a sphere that strikes two that touch.
 
 hooke/stiffness without friction, six contact times (of the undamped spring) and the flight through a well, or into
 contact: a cut-off that takes longer than a contact time to fly through is entered on the way. Pair and wall are
-compared with the closed form: who sticks, and the energy that is left over, with which a speed is worked out. Three
-spheres are compared with a run at a sixteenth of the step: who sticks, and all velocities; a run whose step is so small
+compared with the closed form: which pairs stick, and the energy that is left over, with which a speed is worked out. Three
+spheres are compared with a run at a sixteenth of the step: which pairs stick, and all velocities; a run whose step is so small
 that it warns of rounded places is no reference. Errors are relative to the largest speed that the point has: of impact,
 from the attraction, F_ad/sqrt(mu K).
 
